@@ -1,0 +1,152 @@
+//! `brdfgen cosim`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
+use serde_json::json;
+
+use super::source::{OnDisk, Source};
+use super::{Verdict, progress, say, say_json, write_to};
+use crate::cosim::{self, Job, Outcome, Sim};
+use crate::error::Error;
+use crate::golden::{self, Golden};
+use crate::spec::Language;
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    #[command(flatten)]
+    source: Source,
+
+    /// What simulates; all takes every simulator that reads one of the core's languages
+    #[arg(long, value_enum, default_value = "builtin")]
+    sim: Sim,
+
+    /// Every input instead of the golden vectors: --sim verilator takes the Verilog, ghdl the VHDL (through its
+    /// synthesis and Verilator), all takes both
+    #[arg(long)]
+    exhaustive: bool,
+
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+
+    /// Write the result as JUnit XML as well
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+}
+
+pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
+    let design = arguments.source.design()?;
+    let core = OnDisk::of(&arguments.source, &design)?;
+    let job = Job { design: &design, golden: &core.golden, directory: core.path() };
+    let sims = arguments.sim.expand(&design.spec.languages);
+    let mut outcomes = Vec::new();
+    if arguments.exhaustive {
+        for language in exhaustive_languages(arguments.sim, &design.spec.languages)? {
+            let bar = progress::bar("every input", 1);
+            let tell = |done: u64, total: u64| {
+                bar.set_length(total);
+                bar.set_position(done);
+            };
+            outcomes.push(cosim::exhaustive(&job, language, &tell)?);
+            bar.finish_and_clear();
+        }
+    } else {
+        outcomes.push(model(&job));
+        for sim in sims {
+            let spinner = progress::spinner(format!("{sim:?}").to_lowercase());
+            outcomes.push(cosim::golden(sim, &job)?);
+            spinner.finish_and_clear();
+        }
+    }
+    let passed = outcomes.iter().all(Outcome::passed);
+    if let Some(path) = &arguments.junit {
+        write_to(path, junit(&design.spec.name, &outcomes)?.as_bytes())?;
+    }
+    if arguments.json {
+        let list: Vec<_> = outcomes
+            .iter()
+            .map(|outcome| {
+                let mut value = json!(outcome);
+                value["passed"] = json!(outcome.passed());
+                value
+            })
+            .collect();
+        say_json(&json!({ "core": design.spec.name, "passed": passed, "simulations": list }));
+    } else {
+        outcomes.iter().for_each(say_outcome);
+    }
+    Ok(Verdict::of(passed))
+}
+
+/// The golden file against the model: what the simulators are compared with must be right itself.
+fn model(job: &Job) -> Outcome {
+    let start = std::time::Instant::now();
+    let expected = Golden::of(job.design);
+    let differences = golden::differences(job.design, &expected, job.golden);
+    let count = expected.vectors().len() as u64;
+    Outcome {
+        simulator: "model".to_owned(),
+        mode: "golden vectors",
+        vectors: count,
+        expected_vectors: count,
+        mismatches: differences.len() as u64,
+        first: differences.iter().take(cosim::LISTED).map(ToString::to_string).collect(),
+        seconds: start.elapsed().as_secs_f64(),
+    }
+}
+
+fn exhaustive_languages(sim: Sim, languages: &[Language]) -> Result<Vec<Language>, Error> {
+    let wanted = match sim {
+        Sim::Verilator => vec![Language::Verilog],
+        Sim::Ghdl => vec![Language::Vhdl],
+        Sim::All => languages.to_vec(),
+        Sim::Builtin | Sim::Icarus => {
+            return Err(Error::input(
+                format!("--exhaustive does not go with --sim {}", format!("{sim:?}").to_lowercase()),
+                "use --sim verilator for the Verilog, ghdl for the VHDL, or all for both",
+            ));
+        }
+    };
+    match wanted.iter().find(|language| !languages.contains(language)) {
+        Some(missing) => Err(Error::input(format!("the core has no {missing:?}"), "generate it with that language")),
+        None => Ok(wanted),
+    }
+}
+
+/// Prints what a simulator found.
+pub(super) fn say_outcome(outcome: &Outcome) {
+    say(format!(
+        "{} {}: {} of {} compared on {}, {} mismatches, {:.1} s",
+        if outcome.passed() { "PASS" } else { "FAIL" },
+        outcome.simulator,
+        outcome.vectors,
+        outcome.expected_vectors,
+        outcome.mode,
+        outcome.mismatches,
+        outcome.seconds,
+    ));
+    for line in &outcome.first {
+        say(format!("  {line}"));
+    }
+}
+
+fn junit(core: &str, outcomes: &[Outcome]) -> Result<String, Error> {
+    let mut suite = TestSuite::new(core);
+    for outcome in outcomes {
+        let status = if outcome.passed() {
+            TestCaseStatus::success()
+        } else {
+            let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+            status.set_message(format!("{} mismatches", outcome.mismatches)).set_description(outcome.first.join("\n"));
+            status
+        };
+        let mut case = TestCase::new(format!("{}: {}", outcome.simulator, outcome.mode), status);
+        case.set_time(std::time::Duration::from_secs_f64(outcome.seconds));
+        suite.add_test_case(case);
+    }
+    let mut report = Report::new("brdfgen cosim");
+    report.add_test_suite(suite);
+    report.to_string().map_err(|error| Error::input(error.to_string(), "the JUnit report cannot be written"))
+}

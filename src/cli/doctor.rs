@@ -1,0 +1,45 @@
+//! `brdfgen doctor`.
+
+use clap::Args;
+use serde_json::json;
+
+use super::{Verdict, say, say_json};
+use crate::cosim::tool::TOOLS;
+use crate::error::Error;
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
+    let found: Vec<_> = TOOLS.iter().map(|tool| (tool, tool.version())).collect();
+    if arguments.json {
+        let list: Vec<_> = found
+            .iter()
+            .map(|(tool, version)| {
+                json!({
+                    "program": tool.program,
+                    "version": version,
+                    "debian_package": tool.package,
+                    "purpose": tool.purpose,
+                })
+            })
+            .collect();
+        say_json(&json!({ "tools": list, "builtin_kernel": cfg!(feature = "kernel") }));
+        return Ok(Verdict::Done);
+    }
+    for (tool, version) in &found {
+        match version {
+            Some(version) => say(format!("found    {:<10} {version}", tool.program)),
+            None => {
+                say(format!("missing  {:<10} apt-get install {} (for {})", tool.program, tool.package, tool.purpose))
+            }
+        }
+    }
+    let kernel = if cfg!(feature = "kernel") { "with" } else { "without" };
+    say(format!("built in {kernel} the rust-hdl kernels; generate and cosim --sim builtin need nothing else"));
+    Ok(Verdict::Done)
+}

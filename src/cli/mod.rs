@@ -1,0 +1,101 @@
+//! The commands, one file each: arguments, printing, exit codes. No arithmetic.
+//!
+//! Exit codes: 0 for success, 1 for a comparison that failed, 2 for wrong input or a missing tool.
+
+mod cosim;
+mod doctor;
+mod eval;
+mod generate;
+mod golden;
+mod progress;
+mod rom;
+mod source;
+
+use std::io::Write;
+use std::path::Path;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use serde::Serialize;
+
+use crate::error::Error;
+use crate::package;
+
+/// Generates FPGA cores for the specular term cos^n of a shader
+#[derive(Parser)]
+#[command(version, about, max_term_width = 100)]
+struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Make a core directory and check it in process
+    Generate(generate::Arguments),
+    /// Write the coefficient ROM in any format, or check a file
+    Rom(rom::Arguments),
+    /// Write the golden vectors, or check a file
+    Golden(golden::Arguments),
+    /// Run a core in simulators and compare it with the model
+    Cosim(cosim::Arguments),
+    /// Evaluate one shininess and cosine: exact, method, model, error
+    Eval(eval::Arguments),
+    /// Say which external tools are there, and which package brings the missing ones
+    Doctor(doctor::Arguments),
+}
+
+/// How a command ended, when nothing was wrong with its input.
+enum Verdict {
+    /// It did what it was asked to.
+    Done,
+    /// A comparison failed.
+    Differs,
+}
+
+impl Verdict {
+    fn of(passed: bool) -> Self {
+        if passed { Self::Done } else { Self::Differs }
+    }
+}
+
+/// Runs the command that the arguments name.
+#[must_use]
+pub fn main() -> ExitCode {
+    let result = match Cli::parse().command {
+        Command::Generate(arguments) => generate::run(arguments),
+        Command::Rom(arguments) => rom::run(arguments),
+        Command::Golden(arguments) => golden::run(arguments),
+        Command::Cosim(arguments) => cosim::run(arguments),
+        Command::Eval(arguments) => eval::run(arguments),
+        Command::Doctor(arguments) => doctor::run(&arguments),
+    };
+    match result {
+        Ok(Verdict::Done) => ExitCode::SUCCESS,
+        Ok(Verdict::Differs) => ExitCode::from(1),
+        Err(error) => {
+            eprintln!("{:?}", miette::Report::new(error));
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Prints a line to standard output. A reader that went away is no error.
+fn say(text: impl AsRef<str>) {
+    let _ = writeln!(std::io::stdout(), "{}", text.as_ref());
+}
+
+/// Prints a value as JSON.
+fn say_json(value: &impl Serialize) {
+    say(serde_json::to_string_pretty(value).expect("JSON of plain values"));
+}
+
+/// Writes to a file, or to standard output where the path is `-`.
+fn write_to(path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    if path.as_os_str() != "-" {
+        return package::write_file(path, bytes);
+    }
+    std::io::stdout()
+        .write_all(bytes)
+        .map_err(|error| Error::io("cannot write to", Path::new("standard output"), error))
+}

@@ -1,0 +1,74 @@
+//! `brdfgen rom`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use serde_json::json;
+
+use super::source::Source;
+use super::{Verdict, say, say_json, write_to};
+use crate::error::Error;
+use crate::rom::{self, RomFormat};
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    #[command(flatten)]
+    source: Source,
+
+    /// Formats to write [default: all]
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMATS")]
+    format: Vec<RomFormat>,
+
+    /// Directory to write to; - writes one format to standard output [default: rom]
+    #[arg(long, short, value_name = "DIR", conflicts_with = "check")]
+    out: Option<PathBuf>,
+
+    /// Compare a ROM file of any format with the core's; exit 1 and say the first word that differs if one does
+    #[arg(long, value_name = "FILE", conflicts_with = "format")]
+    check: Option<PathBuf>,
+
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
+    let design = arguments.source.design()?;
+    let (spec, table) = (&design.spec, design.table());
+    if let Some(path) = &arguments.check {
+        let format = RomFormat::of_file(path)?;
+        let bytes = std::fs::read(path).map_err(|error| Error::io("cannot read", path, error))?;
+        let image = rom::read(&bytes, format, &path.display().to_string(), table.word_bits())?;
+        let difference = rom::first_difference(table, &image);
+        if arguments.json {
+            let first = difference.as_ref().map(ToString::to_string);
+            say_json(
+                &json!({ "file": path.display().to_string(), "words": image.words.len(), "first_difference": first }),
+            );
+        } else {
+            match &difference {
+                Some(difference) => say(format!("{}: {difference}", path.display())),
+                None => say(format!("{}: all {} words are as they should be", path.display(), table.depth())),
+            }
+        }
+        return Ok(Verdict::of(difference.is_none()));
+    }
+    let formats = if arguments.format.is_empty() { RomFormat::ALL.to_vec() } else { arguments.format };
+    let out = arguments.out.unwrap_or_else(|| PathBuf::from("rom"));
+    let to_stdout = out.as_os_str() == "-";
+    if to_stdout && formats.len() != 1 {
+        return Err(Error::input("several formats do not fit on standard output", "choose one with --format"));
+    }
+    let mut written = Vec::new();
+    for format in formats {
+        let path = if to_stdout { out.clone() } else { out.join(format.file_name(&spec.name)) };
+        write_to(&path, &rom::write(table, format, &spec.name, &spec.digest(), &spec.command()))?;
+        written.push(path.display().to_string());
+    }
+    if arguments.json && !to_stdout {
+        say_json(&json!({ "depth": table.depth(), "word_bits": table.word_bits(), "files": written }));
+    } else if !to_stdout {
+        written.iter().for_each(say);
+    }
+    Ok(Verdict::Done)
+}

@@ -1,0 +1,81 @@
+//! Where a command's core comes from: a spec file or a core directory, and flags.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use crate::design::{Design, Measured};
+use crate::error::Error;
+use crate::golden::{self, Golden};
+use crate::package;
+use crate::spec::{CoreSpec, SpecFields};
+
+/// The core that a command works on.
+#[derive(Args)]
+pub(super) struct Source {
+    /// A spec file, or the directory of a generated core; flags win over it
+    #[arg(value_name = "SPEC")]
+    path: Option<PathBuf>,
+
+    #[command(flatten)]
+    fields: SpecFields,
+}
+
+impl Source {
+    /// The directory, if the core is a generated one taken as it is.
+    pub(super) fn directory(&self) -> Option<&Path> {
+        self.path.as_deref().filter(|path| path.is_dir() && self.fields == SpecFields::default())
+    }
+
+    /// The spec.
+    pub(super) fn spec(&self) -> Result<CoreSpec, Error> {
+        let written = match &self.path {
+            None => SpecFields::default(),
+            Some(path) if path.is_dir() => SpecFields::read(&path.join("core.toml"))?,
+            Some(path) => SpecFields::read(path)?,
+        };
+        self.fields.clone().or(written).resolve()
+    }
+
+    /// The design.
+    pub(super) fn design(&self) -> Result<Design, Error> {
+        Design::new(self.spec()?)
+    }
+}
+
+/// A core on disk: the user's directory, or one generated for the occasion.
+pub(super) struct OnDisk {
+    pub(super) golden: Golden,
+    path: PathBuf,
+    _scratch: Option<tempfile::TempDir>,
+}
+
+impl OnDisk {
+    /// The core's directory.
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// The directory that the source names with the vectors in it, or a new one of all the core's files.
+    pub(super) fn of(source: &Source, design: &Design) -> Result<Self, Error> {
+        if let Some(path) = source.directory() {
+            let file = path.join(package::golden_path(design));
+            let golden = read_golden(design, &file)?;
+            return Ok(Self { golden, path: path.to_owned(), _scratch: None });
+        }
+        let scratch = tempfile::tempdir().map_err(|error| Error::io("cannot make", &std::env::temp_dir(), error))?;
+        let golden = Golden::of(design);
+        let path = scratch.path().join("core");
+        package::write_directory(&path, &package::files(design, &Measured::of(design), &golden)?)?;
+        Ok(Self { golden, path, _scratch: Some(scratch) })
+    }
+}
+
+/// Reads a golden file of a design.
+pub(super) fn read_golden(design: &Design, path: &Path) -> Result<Golden, Error> {
+    let bytes = std::fs::read(path).map_err(|error| Error::io("cannot read", path, error))?;
+    let name = path.display().to_string();
+    let text = String::from_utf8(bytes)
+        .map_err(|_| Error::input(format!("{name} is not text"), "golden vectors are ASCII text"))?;
+    golden::parse(design, &text, &name)
+}

@@ -1,0 +1,187 @@
+//! Simulation in this process.
+
+use std::collections::VecDeque;
+
+use super::{Job, LISTED, Outcome};
+use crate::datapath::simulate::{Inputs, Outputs, Simulation};
+use crate::design::Design;
+#[cfg(feature = "kernel")]
+use crate::kernel;
+
+/// What simulates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Engine {
+    /// The rust-hdl kernel of the method, at the core's widths.
+    Kernel,
+    /// The datapath's pipeline.
+    Pipeline,
+}
+
+impl Engine {
+    /// For messages.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Kernel => "builtin (rust-hdl kernel)",
+            Self::Pipeline => "builtin (datapath pipeline)",
+        }
+    }
+}
+
+/// A core under simulation: one call, one rising edge.
+trait Device {
+    fn clock(&mut self, inputs: &Inputs) -> Outputs;
+}
+
+impl Device for Simulation<'_> {
+    fn clock(&mut self, inputs: &Inputs) -> Outputs {
+        Simulation::clock(self, inputs)
+    }
+}
+
+#[cfg(feature = "kernel")]
+struct KernelDevice(Box<dyn kernel::Kernel>);
+
+#[cfg(feature = "kernel")]
+impl Device for KernelDevice {
+    fn clock(&mut self, inputs: &Inputs) -> Outputs {
+        // The kernel takes bit patterns; it masks the bits above its port's width.
+        let (out_valid, out_spec) =
+            self.0.clock(inputs.rst, inputs.ce, inputs.in_valid, inputs.in_n as u64, inputs.operand as u64);
+        Outputs { out_valid, out_spec: out_spec.into() }
+    }
+}
+
+/// What the built-in simulation of a design uses.
+#[must_use]
+pub fn builtin_engine(design: &Design) -> Engine {
+    #[cfg(feature = "kernel")]
+    if kernel::of_design(design).is_some() {
+        return Engine::Kernel;
+    }
+    let _ = design;
+    Engine::Pipeline
+}
+
+fn device(design: &Design) -> Box<dyn Device + '_> {
+    #[cfg(feature = "kernel")]
+    if let Some(kernel) = kernel::of_design(design) {
+        return Box::new(KernelDevice(kernel));
+    }
+    Box::new(Simulation::new(design.graph(), &design.schedule, design.table()))
+}
+
+/// Runs the golden vectors, with their pauses, and compares `out_valid` and `out_spec` at every clock.
+pub(super) fn run(job: &Job) -> Outcome {
+    let design = job.design;
+    let vectors = job.golden.vectors();
+    let mut device = device(design);
+    let mut bench = Bench::new(device.as_mut(), design.schedule.latency).run_reset(&vectors);
+    for (number, vector) in vectors.iter().enumerate() {
+        let garbage = Inputs {
+            rst: false,
+            ce: true,
+            in_valid: false,
+            in_n: i128::from(!vector.index & ((1 << design.index_format().width()) - 1)),
+            operand: design.operand_format().wrap(!i128::from(vector.operand)),
+        };
+        for _ in 0..vector.idle {
+            bench.clock(&garbage, None);
+        }
+        for _ in 0..vector.stall {
+            bench.clock(&Inputs { ce: false, in_valid: true, ..garbage }, None);
+        }
+        let inputs = Inputs { in_valid: true, in_n: vector.index.into(), operand: vector.operand.into(), ..garbage };
+        bench.clock(&inputs, Some((number, vector.output)));
+    }
+    let idle = Inputs { ce: true, ..Inputs::default() };
+    for _ in 0..design.schedule.latency {
+        bench.clock(&idle, None);
+    }
+    let first = bench
+        .first
+        .iter()
+        .map(|(number, got)| match number {
+            Some(number) => {
+                let v = &vectors[*number];
+                format!(
+                    "vector {}: in_n {}, operand {}: expected {}, got {got}",
+                    number + 1,
+                    v.index,
+                    v.operand,
+                    v.output
+                )
+            }
+            None => format!("out_valid is {got} where it should not be"),
+        })
+        .collect();
+    Outcome {
+        simulator: builtin_engine(design).name().to_owned(),
+        mode: "golden vectors",
+        vectors: bench.compared,
+        expected_vectors: vectors.len() as u64,
+        mismatches: bench.mismatches,
+        first,
+        seconds: 0.0,
+    }
+}
+
+/// A device with a delay line of what it should answer.
+struct Bench<'a> {
+    device: &'a mut dyn Device,
+    expected: VecDeque<Option<(usize, u32)>>,
+    compared: u64,
+    mismatches: u64,
+    first: Vec<(Option<usize>, String)>,
+}
+
+impl<'a> Bench<'a> {
+    fn new(device: &'a mut dyn Device, latency: u32) -> Self {
+        let expected = std::iter::repeat_n(None, latency as usize).collect();
+        Self { device, expected, compared: 0, mismatches: 0, first: Vec::new() }
+    }
+
+    /// Fills the pipeline and resets it, with the clock enabled and then without: nothing may come out.
+    fn run_reset(mut self, vectors: &[crate::golden::Vector]) -> Self {
+        for ce in [true, false] {
+            for vector in vectors.iter().take(self.expected.len() + 2) {
+                let inputs = Inputs {
+                    rst: false,
+                    ce: true,
+                    in_valid: true,
+                    in_n: vector.index.into(),
+                    operand: vector.operand.into(),
+                };
+                self.device.clock(&inputs);
+            }
+            self.device.clock(&Inputs { rst: true, ce, ..Inputs::default() });
+            for _ in 0..self.expected.len() {
+                self.clock(&Inputs { ce: true, ..Inputs::default() }, None);
+            }
+        }
+        self
+    }
+
+    fn clock(&mut self, inputs: &Inputs, expected: Option<(usize, u32)>) {
+        let outputs = self.device.clock(inputs);
+        let fresh = inputs.ce;
+        if fresh {
+            self.expected.pop_back();
+            self.expected.push_front(expected);
+        }
+        let due = self.expected.back().copied().flatten();
+        let right = match due {
+            Some((_, output)) => outputs.out_valid && outputs.out_spec == i128::from(output),
+            None => !outputs.out_valid,
+        };
+        // A result that is held while the clock is disabled is compared each time and counted once.
+        self.compared += u64::from(fresh && due.is_some());
+        if !right {
+            self.mismatches += 1;
+            if self.first.len() < LISTED {
+                let got = if outputs.out_valid { outputs.out_spec.to_string() } else { "nothing".to_owned() };
+                self.first.push((due.map(|(number, _)| number), got));
+            }
+        }
+    }
+}

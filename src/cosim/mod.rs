@@ -1,0 +1,126 @@
+//! Runs a core in simulators and compares it with the model.
+//!
+//! Each [`Simulator`] runs a core's golden vectors; some run every input. None is believed on its exit status alone: it
+//! must say how many vectors it compared, and that must be all of them.
+
+mod builtin;
+mod exhaustive;
+mod external;
+pub mod tool;
+
+pub use builtin::{Engine, builtin_engine};
+pub use exhaustive::exhaustive;
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::design::Design;
+use crate::error::Error;
+use crate::golden::Golden;
+use crate::spec::Language;
+
+/// A simulator that brdfgen can use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sim {
+    /// In this process: the rust-hdl kernel where there is one of the core's widths, else the datapath's pipeline.
+    Builtin,
+    /// Icarus Verilog.
+    Icarus,
+    /// Verilator.
+    Verilator,
+    /// GHDL.
+    Ghdl,
+    /// Every one that has a language of the core.
+    All,
+}
+
+impl Sim {
+    /// The simulators that this names, for a core in these languages.
+    #[must_use]
+    pub fn expand(self, languages: &[Language]) -> Vec<Self> {
+        match self {
+            Self::All => [Self::Builtin, Self::Icarus, Self::Verilator, Self::Ghdl]
+                .into_iter()
+                .filter(|sim| sim.language().is_none_or(|language| languages.contains(&language)))
+                .collect(),
+            one => vec![one],
+        }
+    }
+
+    /// The language that it reads; the built-in one reads neither.
+    #[must_use]
+    pub fn language(self) -> Option<Language> {
+        match self {
+            Self::Builtin | Self::All => None,
+            Self::Icarus | Self::Verilator => Some(Language::Verilog),
+            Self::Ghdl => Some(Language::Vhdl),
+        }
+    }
+}
+
+/// A core on disk, with what it is compared with.
+#[derive(Clone, Copy, Debug)]
+pub struct Job<'a> {
+    /// The core.
+    pub design: &'a Design,
+    /// Its golden vectors.
+    pub golden: &'a Golden,
+    /// Its directory, with `rtl/`, `tb/`, `rom/` and `golden/`.
+    pub directory: &'a Path,
+}
+
+/// What a simulator found.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Outcome {
+    /// What ran, such as "icarus" or "builtin (rust-hdl kernel)".
+    pub simulator: String,
+    /// What it ran: "golden vectors" or "every input".
+    pub mode: &'static str,
+    /// The vectors compared.
+    pub vectors: u64,
+    /// The vectors that should have been.
+    pub expected_vectors: u64,
+    /// The vectors that differ.
+    pub mismatches: u64,
+    /// The first differences, a line each, or what else went wrong.
+    pub first: Vec<String>,
+    /// The time it took, building included.
+    pub seconds: f64,
+}
+
+impl Outcome {
+    /// Whether every vector was compared and none differs.
+    #[must_use]
+    pub fn passed(&self) -> bool {
+        self.mismatches == 0 && self.vectors > 0 && self.vectors == self.expected_vectors && self.first.is_empty()
+    }
+}
+
+/// Differences that are listed in full; more are counted.
+pub const LISTED: usize = 10;
+
+/// Runs the golden vectors through a simulator.
+///
+/// # Errors
+/// A simulator that is not installed, or a language that the core does not have.
+pub fn golden(sim: Sim, job: &Job) -> Result<Outcome, Error> {
+    if let Some(language) = sim.language()
+        && !job.design.spec.languages.contains(&language)
+    {
+        return Err(Error::input(
+            format!("the core {} has no {language:?}", job.design.spec.name),
+            "generate it with that language, or choose another simulator",
+        ));
+    }
+    let start = std::time::Instant::now();
+    let mut outcome = match sim {
+        Sim::Builtin | Sim::All => builtin::run(job),
+        Sim::Icarus => external::icarus(job)?,
+        Sim::Verilator => external::verilator(job)?,
+        Sim::Ghdl => external::ghdl(job)?,
+    };
+    outcome.seconds = start.elapsed().as_secs_f64();
+    Ok(outcome)
+}

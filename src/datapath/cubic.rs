@@ -1,0 +1,264 @@
+//! The cubic lobe `x (1 - u (A - a u))`, cut to 0 past the minimum of its inner parabola.
+
+use super::builder::Builder;
+use super::graph::NodeId;
+use super::polynomial::{self, Scaling, field, nearest_code};
+use super::{Architecture, Datapath, Parameter, multiplier_cost};
+use crate::error::Error;
+use crate::lobe::Cubic;
+use crate::number::{Format, Interval, exp2};
+use crate::rom::{Field, Table};
+use crate::spec::{CoreSpec, Widths};
+
+/// `q = A 2^-k - (a 4^-k) v`, `p = q v`, `y = x - x p` with `v = u 2^k`: three multiplications.
+#[derive(Debug)]
+pub struct Stable<'a> {
+    spec: &'a CoreSpec,
+    lobes: Vec<Cubic>,
+}
+
+/// `a x^3 + b x^2 + c x` in five multiplications and two additions, as printed.
+#[derive(Debug)]
+pub struct Paper<'a> {
+    spec: &'a CoreSpec,
+    lobes: Vec<Cubic>,
+}
+
+fn lobes(spec: &CoreSpec) -> Result<Vec<Cubic>, Error> {
+    spec.shininess.values().into_iter().map(|n| Cubic::new(n, spec.q)).collect()
+}
+
+/// The largest versine that is not past the cut, as a code with `input_fraction` bits.
+fn cut_code(spec: &CoreSpec, lobe: &Cubic) -> i128 {
+    let one = exp2(spec.input_fraction as i32);
+    lobe.cut().map_or(one, |cut| libm::floor(cut * one)) as i128
+}
+
+fn cut_field(spec: &CoreSpec, lobes: &[Cubic]) -> Field {
+    let codes = lobes.iter().map(|lobe| cut_code(spec, lobe)).collect();
+    let reals = lobes.iter().map(|lobe| lobe.cut().unwrap_or(1.0)).collect();
+    field("cut", "the largest versine that is not cut", spec.input_fraction as i32, codes, reals)
+}
+
+/// The flag for versines past the cut, or `None` where no row has one.
+fn cut_flag(b: &mut Builder, spec: &CoreSpec, lobes: &[Cubic], address: NodeId, u: NodeId) -> Option<NodeId> {
+    lobes.iter().any(|lobe| lobe.cut().is_some()).then(|| {
+        debug_assert_eq!(b.format(u).frac_bits, spec.input_fraction as i32);
+        let cut = b.field(address, "cut");
+        b.greater(u, cut, "past_cut", "u > cut: past the minimum of the inner parabola")
+    })
+}
+
+/// The versines up to the cut, one end a row.
+fn active(spec: &CoreSpec, lobes: &[Cubic]) -> Vec<f64> {
+    lobes.iter().map(|lobe| cut_code(spec, lobe) as f64 * exp2(-(spec.input_fraction as i32))).collect()
+}
+
+impl<'a> Stable<'a> {
+    /// For a spec of this method.
+    ///
+    /// # Errors
+    /// A shininess or level that the method refuses.
+    pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
+        Ok(Self { spec, lobes: lobes(spec)? })
+    }
+
+    fn scaling(&self, frac_bits: i32) -> Scaling {
+        Scaling::of(self.lobes.iter().map(|l| l.big_a), frac_bits)
+    }
+
+    /// The integer bits that the scaled versine needs up to the cut.
+    fn versine_int_bits(&self, scaling: &Scaling) -> i32 {
+        let ends = active(self.spec, &self.lobes);
+        let largest = ends.iter().zip(&scaling.k).map(|(end, &k)| end * exp2(k)).fold(1.0, f64::max);
+        libm::ilogb(largest) + 1
+    }
+
+    fn table(&self, widths: &Widths, scaling: &Scaling) -> Table {
+        let (bits_big, bits_small) = (widths.get("A"), widths.get("a"));
+        let ends = active(self.spec, &self.lobes);
+        let (mut big, mut small) = ((Vec::new(), Vec::new()), (Vec::new(), Vec::new()));
+        for ((lobe, &k), &end) in self.lobes.iter().zip(&scaling.k).zip(&ends) {
+            let (real_big, real_small) = (lobe.big_a * exp2(-k), lobe.a * exp2(-2 * k));
+            let code_small = nearest_code(real_small, bits_small);
+            // Rounding a by da moves the lobe by x v (da v - dA): with dA = (2 sqrt 2 - 2) v_end da the move is least,
+            // 0.172 v_end^2 da in place of v_end^2 da.
+            let delta = code_small as f64 * exp2(-bits_small) - real_small;
+            let balance = (2.0 * std::f64::consts::SQRT_2 - 2.0) * end * exp2(k) * delta;
+            big.0.push(nearest_code(real_big + balance, bits_big));
+            big.1.push(real_big);
+            small.0.push(code_small);
+            small.1.push(real_small);
+        }
+        let mut fields = vec![
+            field("big_a", "the coefficient A, times 2^-k", bits_big, big.0, big.1),
+            field("a", "the coefficient a, times 4^-k", bits_small, small.0, small.1),
+        ];
+        fields.extend(scaling.field());
+        if self.lobes.iter().any(|lobe| lobe.cut().is_some()) {
+            fields.push(cut_field(self.spec, &self.lobes));
+        }
+        Table::new(&self.spec.shininess, fields, scaling.base() as u32)
+    }
+}
+
+impl Architecture for Stable<'_> {
+    fn parameters(&self) -> Vec<Parameter> {
+        let (f, g) = (self.spec.input_fraction as i32, self.spec.output_fraction as i32);
+        let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
+        let cap = (f - self.scaling(g).base()).max(1);
+        vec![
+            Parameter { name: "A", meaning: "coefficient A 2^-k, and q = A - a v", range: g..=g + 6 },
+            Parameter { name: "a", meaning: "coefficient a 4^-k", range: g - 1..=g + 6 },
+            Parameter { name: "x", meaning: "cosine x", range: up_to(g - 1, g + 4, f) },
+            Parameter { name: "v", meaning: "scaled versine v = u 2^k", range: up_to(g - 1, g + 5, cap) },
+            Parameter { name: "p", meaning: "p = v q", range: g - 1..=g + 5 },
+            Parameter { name: "t", meaning: "t = x p", range: g..=g + 4 },
+        ]
+    }
+
+    fn cost(&self, w: &Widths) -> f64 {
+        let v = w.get("v") + 2;
+        multiplier_cost(w.get("a") - 1, v)
+            + multiplier_cost(w.get("A"), v)
+            + multiplier_cost(1 + w.get("x"), w.get("p"))
+            + f64::from(w.get("x").max(w.get("t")) + w.get("A") + w.get("v") + w.get("x") + w.get("a"))
+    }
+
+    fn build(&self, widths: &Widths) -> Option<Datapath> {
+        let scaling = self.scaling(widths.get("A"));
+        let table = self.table(widths, &scaling);
+        let ends = active(self.spec, &self.lobes);
+        let mut b = Builder::new(&table);
+        let (x, u) = b.inputs(self.spec, &ends);
+        let address = b.address(&self.spec.shininess);
+        let big_a = b.field(address, "big_a");
+        let a = b.field(address, "a");
+        let past_cut = cut_flag(&mut b, self.spec, &self.lobes, address, u);
+        let scaled = scaling.apply(&mut b, address, u);
+        let v = Format::unsigned(self.versine_int_bits(&scaling), widths.get("v"));
+        let v = b.cast(scaled, v, true, "v", "v = u 2^k, rounded down; wraps past the cut");
+        let av = b.mul(a, v, "av", "(a 4^-k) v");
+        let r = b.floor(av, widths.get("A"), "r", "(a 4^-k) v, rounded down");
+        let q = b.sub(big_a, r, "q", "q = (A - a u) 2^-k; wraps past the cut");
+        let p = b.mul(v, q, "vq", "u (A - a u) = v q");
+        let y = polynomial::output_of_p(&mut b, self.spec, widths, x, p, past_cut);
+        polynomial::finish(b, self.spec, &table, y, |row| {
+            let delta = |name: &str| {
+                let field = table.field(name);
+                field.format.value(field.codes[row]) - field.reals[row]
+            };
+            let (delta_big, delta_small) = (delta("big_a"), delta("a"));
+            let end = ends[row] * exp2(scaling.k[row]);
+            // The move is -x g(v) with g(v) = v (dA - da v), a parabola.
+            let g = |v: f64| v * (delta_big - delta_small * v);
+            let vertex = delta_big / (2.0 * delta_small);
+            let mut range = Interval::ZERO.hull(Interval::point(g(end)));
+            if vertex > 0.0 && vertex < end {
+                range = range.hull(Interval::point(g(vertex)));
+            }
+            -(range * Interval::new(1.0 - ends[row], 1.0))
+        })
+    }
+}
+
+impl<'a> Paper<'a> {
+    /// For a spec of this method.
+    ///
+    /// # Errors
+    /// A shininess or level that the method refuses.
+    pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
+        Ok(Self { spec, lobes: lobes(spec)? })
+    }
+
+    fn largest(&self) -> f64 {
+        self.lobes.iter().map(|l| l.a.abs()).fold(1.0, f64::max)
+    }
+}
+
+impl Architecture for Paper<'_> {
+    fn parameters(&self) -> Vec<Parameter> {
+        let (f, g) = (self.spec.input_fraction as i32, self.spec.output_fraction as i32);
+        // An error of a power of x is multiplied by a.
+        let power = g + libm::ilogb(self.largest()) + 1;
+        vec![
+            Parameter { name: "c", meaning: "coefficients a, b, c", range: g - 3..=g + 5 },
+            Parameter { name: "s", meaning: "square of the cosine", range: power.min(2 * f)..=(power + 5).min(2 * f) },
+            Parameter { name: "h", meaning: "cube of the cosine", range: power.min(3 * f)..=(power + 5).min(3 * f) },
+            Parameter { name: "m", meaning: "products a x^3, b x^2, c x", range: g..=g + 5 },
+        ]
+    }
+
+    fn cost(&self, w: &Widths) -> f64 {
+        let f = self.spec.input_fraction as i32;
+        let coefficient = w.get("c") + libm::ilogb(self.largest()) + 1;
+        multiplier_cost(f + 1, f + 1)
+            + multiplier_cost(f + 1, w.get("s"))
+            + multiplier_cost(coefficient, w.get("h"))
+            + multiplier_cost(coefficient + 1, w.get("s"))
+            + multiplier_cost(coefficient, f + 1)
+            + f64::from(2 * w.get("m"))
+    }
+
+    fn build(&self, widths: &Widths) -> Option<Datapath> {
+        let g = self.spec.output_fraction as i32;
+        let bits = widths.get("c");
+        let mut codes = [Vec::new(), Vec::new(), Vec::new()];
+        let mut reals = [Vec::new(), Vec::new(), Vec::new()];
+        for lobe in &self.lobes {
+            let printed = lobe.printed();
+            let (a, b) = (nearest_code(printed[0], bits), nearest_code(printed[1], bits));
+            // a + b + c = 1 exactly, so that the lobe is 1 at x = 1 whatever the rounding.
+            for (column, code) in codes.iter_mut().zip([a, b, (1 << bits) - a - b]) {
+                column.push(code);
+            }
+            for (column, real) in reals.iter_mut().zip(printed) {
+                column.push(real);
+            }
+        }
+        let names =
+            [("a", "the coefficient a of x^3"), ("b", "the coefficient b of x^2"), ("c", "the coefficient c of x")];
+        let mut fields: Vec<Field> = names
+            .into_iter()
+            .zip(codes.into_iter().zip(reals))
+            .map(|((name, meaning), (codes, reals))| field(name, meaning, bits, codes, reals))
+            .collect();
+        if self.lobes.iter().any(|lobe| lobe.cut().is_some()) {
+            fields.push(cut_field(self.spec, &self.lobes));
+        }
+        let table = Table::new(&self.spec.shininess, fields, 0);
+        let ends = active(self.spec, &self.lobes);
+        let mut b = Builder::new(&table);
+        let (x, u) = b.inputs(self.spec, &ends);
+        let address = b.address(&self.spec.shininess);
+        let [ca, cb, cc] = ["a", "b", "c"].map(|name| b.field(address, name));
+        let past_cut = cut_flag(&mut b, self.spec, &self.lobes, address, u);
+        let square = b.mul(x, x, "xx", "x^2");
+        let s = b.floor(square, widths.get("s"), "s", "x^2, rounded down");
+        let cube = b.mul(s, x, "sx", "x^3");
+        let h = b.floor(cube, widths.get("h"), "h", "x^3, rounded down");
+        let third = b.mul(ca, h, "ah", "a x^3");
+        let third = b.floor(third, widths.get("m"), "m3", "a x^3, rounded down");
+        let second = b.mul(cb, s, "bs", "b x^2");
+        let second = b.floor(second, widths.get("m"), "m2", "b x^2, rounded down");
+        let first = b.mul(cc, x, "cx", "c x");
+        let first = b.floor(first, widths.get("m"), "m1", "c x, rounded down");
+        let sum = b.add(third, second, "sum", "a x^3 + b x^2");
+        let y = b.add(sum, first, "y_exact", "a x^3 + b x^2 + c x");
+        let y = b.add_half(y, g, "y_half");
+        let y = b.floor(y, g, "y_cut", "rounded down to the output's bits");
+        let y = polynomial::pad(&mut b, y, g);
+        let y = b.clamp_to_unit(y, "y_unit", "taken into [0, 1]");
+        let y = b.zero_if(past_cut, y, "y", "y, 0 past the cut");
+        polynomial::finish(b, self.spec, &table, y, |row| {
+            let delta = |name: &str| {
+                let field = table.field(name);
+                Interval::point(field.format.value(field.codes[row]) - field.reals[row])
+            };
+            // With the deltas adding up to 0 the move is da x^3 + db x^2 + dc x = -x u (da (1 + x) + db).
+            let (x, u) = (Interval::new(1.0 - ends[row], 1.0), Interval::new(0.0, ends[row]));
+            let (one, a, b) = (Interval::point(1.0), delta("a"), delta("b"));
+            -(x * u * (a * (one + x) + b))
+        })
+    }
+}

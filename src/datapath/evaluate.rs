@@ -1,0 +1,248 @@
+//! The function of a graph, many inputs at a time.
+//!
+//! A vectorised evaluator for exhaustive work: for one shininess, what depends on it alone is computed once, and
+//! the rest is done a column of inputs at a time, one simple loop an operation, which the compiler turns into vector
+//! instructions. Columns hold 64-bit integers, or 128-bit ones where a value of the graph needs them.
+
+use multiversion::multiversion;
+use num_traits::PrimInt;
+
+use super::graph::{Graph, NodeId, Op};
+use crate::number::Format;
+use crate::rom::Table;
+
+/// Inputs of a column: small enough for all columns of a core to stay in the first-level cache.
+const LANES: usize = 256;
+
+/// An argument of a step: the same for all lanes, or a column.
+#[derive(Clone, Copy, Debug)]
+enum Arg {
+    Uniform(i128),
+    Column(NodeId),
+}
+
+/// A graph prepared for evaluation.
+#[derive(Clone, Debug)]
+pub struct Evaluator<'a> {
+    graph: &'a Graph,
+    table: &'a Table,
+    /// For each node whether it depends on the operand port.
+    varies: Vec<bool>,
+    narrow: bool,
+}
+
+impl<'a> Evaluator<'a> {
+    /// Prepares a graph.
+    #[must_use]
+    pub fn new(graph: &'a Graph, table: &'a Table) -> Self {
+        let mut varies: Vec<bool> = Vec::new();
+        for node in &graph.nodes {
+            let own = node.op == Op::Operand;
+            varies.push(own || node.args.iter().any(|&arg| varies[arg]));
+        }
+        // Aligning and shifting happen before a result is taken into its format: leave a bit for the carry.
+        let narrow = graph.nodes.iter().all(|node| node.format.width() <= 62);
+        Self { graph, table, varies, narrow }
+    }
+
+    /// Writes the codes of `out_spec` for the `in_n` code `index` and the operand codes `first`, `first + stride`, ...
+    pub fn evaluate(&self, index: u32, first: i64, stride: i64, out: &mut [u32]) {
+        let uniform = self.uniform_values(index);
+        if self.narrow {
+            run_narrow(self, &uniform, first, stride, out);
+        } else {
+            run::<i128>(self, &uniform, first, stride, out);
+        }
+    }
+
+    fn uniform_values(&self, index: u32) -> Vec<i128> {
+        let mut values: Vec<i128> = Vec::with_capacity(self.varies.len());
+        for (id, node) in self.graph.nodes.iter().enumerate() {
+            let value = match node.op {
+                _ if self.varies[id] => 0,
+                Op::Index => index.into(),
+                Op::Field(field) => {
+                    self.table.fields[field].codes[self.table.row_of_address(values[node.args[0]] as usize)]
+                }
+                _ => {
+                    let args: Vec<i128> = node.args.iter().map(|&arg| values[arg]).collect();
+                    self.graph.apply(id, &args)
+                }
+            };
+            values.push(value);
+        }
+        values
+    }
+}
+
+#[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2", "x86_64+sse4.1", "aarch64+neon"))]
+fn run_narrow(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64, out: &mut [u32]) {
+    run::<i64>(evaluator, uniform, first, stride, out);
+}
+
+trait Lane: PrimInt {
+    fn from_code(code: i128) -> Self;
+    fn to_output(self) -> u32;
+    /// The product of two numbers of at most 32 bits each, sign included.
+    fn mul_narrow(self, other: Self) -> Self;
+}
+
+impl Lane for i64 {
+    #[inline(always)]
+    fn from_code(code: i128) -> Self {
+        code as Self
+    }
+    #[inline(always)]
+    fn to_output(self) -> u32 {
+        self as u32
+    }
+    #[inline(always)]
+    fn mul_narrow(self, other: Self) -> Self {
+        Self::from(self as i32) * Self::from(other as i32)
+    }
+}
+
+impl Lane for i128 {
+    #[inline(always)]
+    fn from_code(code: i128) -> Self {
+        code
+    }
+    #[inline(always)]
+    fn to_output(self) -> u32 {
+        self as u32
+    }
+    #[inline(always)]
+    fn mul_narrow(self, other: Self) -> Self {
+        self * other
+    }
+}
+
+#[inline(always)]
+fn run<L: Lane>(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64, out: &mut [u32]) {
+    let graph = evaluator.graph;
+    let mut columns = vec![[L::zero(); LANES]; graph.nodes.len()];
+    let mut start = first;
+    for block in out.chunks_mut(LANES) {
+        for (id, node) in graph.nodes.iter().enumerate() {
+            if !evaluator.varies[id] {
+                continue;
+            }
+            let (before, rest) = columns.split_at_mut(id);
+            let result = &mut rest[0];
+            let arg = |index: usize| {
+                let id = node.args[index];
+                if evaluator.varies[id] { Arg::Column(id) } else { Arg::Uniform(uniform[id]) }
+            };
+            let frac = |index: usize| graph.nodes[node.args[index]].format.frac_bits;
+            let align = |index: usize| (node.format.frac_bits - frac(index)) as usize;
+            match node.op {
+                Op::Operand => {
+                    for (lane, value) in result.iter_mut().enumerate() {
+                        *value = L::from_code(i128::from(start + stride * lane as i64));
+                    }
+                }
+                Op::Clamp { low, high } => {
+                    let (low, high) = (L::from_code(low), L::from_code(high));
+                    map(result, before, arg(0), |a| a.max(low).min(high));
+                }
+                Op::Add => {
+                    let (sa, sb) = (align(0), align(1));
+                    zip(result, before, arg(0), arg(1), |a, b| (a << sa) + (b << sb));
+                    wrap(result, node.format);
+                }
+                Op::Sub => {
+                    let (sa, sb) = (align(0), align(1));
+                    zip(result, before, arg(0), arg(1), |a, b| (a << sa) - (b << sb));
+                    wrap(result, node.format);
+                }
+                Op::Mul => {
+                    let width = |index: usize| {
+                        let format = graph.nodes[node.args[index]].format;
+                        format.width() + u32::from(!format.signed)
+                    };
+                    if width(0) <= 32 && width(1) <= 32 {
+                        zip(result, before, arg(0), arg(1), L::mul_narrow);
+                    } else {
+                        zip(result, before, arg(0), arg(1), |a, b| a * b);
+                    }
+                }
+                Op::ShiftLeft => {
+                    zip(result, before, arg(0), arg(1), |a, b| a << b.to_output() as usize);
+                    wrap(result, node.format);
+                }
+                Op::Cast if node.format.frac_bits >= frac(0) => {
+                    let shift = align(0);
+                    map(result, before, arg(0), |a| a << shift);
+                    wrap(result, node.format);
+                }
+                Op::Cast => {
+                    let shift = (frac(0) - node.format.frac_bits) as usize;
+                    map(result, before, arg(0), |a| a >> shift);
+                    wrap(result, node.format);
+                }
+                Op::Scale => map(result, before, arg(0), |a| a),
+                Op::NonZero => map(result, before, arg(0), |a| if a == L::zero() { L::zero() } else { L::one() }),
+                Op::Greater => {
+                    zip(result, before, arg(0), arg(1), |a, b| if a > b { L::one() } else { L::zero() });
+                }
+                Op::Or => zip(result, before, arg(0), arg(1), |a, b| a | b),
+                Op::ZeroIf => zip(result, before, arg(0), arg(1), |flag, a| (flag - L::one()) & a),
+                Op::Index | Op::Field(_) | Op::Constant(_) => {}
+            }
+        }
+        if evaluator.varies[graph.output] {
+            for (to, from) in block.iter_mut().zip(&columns[graph.output]) {
+                *to = from.to_output();
+            }
+        } else {
+            block.fill(uniform[graph.output] as u32);
+        }
+        start += stride * LANES as i64;
+    }
+}
+
+#[inline(always)]
+fn map<L: Lane>(result: &mut [L; LANES], columns: &[[L; LANES]], a: Arg, f: impl Fn(L) -> L) {
+    match a {
+        Arg::Uniform(a) => result.fill(f(L::from_code(a))),
+        Arg::Column(a) => {
+            for (result, &a) in result.iter_mut().zip(&columns[a]) {
+                *result = f(a);
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn zip<L: Lane>(result: &mut [L; LANES], columns: &[[L; LANES]], a: Arg, b: Arg, f: impl Fn(L, L) -> L) {
+    match (a, b) {
+        (Arg::Uniform(a), b) => {
+            let a = L::from_code(a);
+            map(result, columns, b, |b| f(a, b));
+        }
+        (a, Arg::Uniform(b)) => {
+            let b = L::from_code(b);
+            map(result, columns, a, |a| f(a, b));
+        }
+        (Arg::Column(a), Arg::Column(b)) => {
+            for ((result, &a), &b) in result.iter_mut().zip(&columns[a]).zip(&columns[b]) {
+                *result = f(a, b);
+            }
+        }
+    }
+}
+
+#[inline(always)]
+fn wrap<L: Lane>(result: &mut [L; LANES], format: Format) {
+    if format.signed {
+        let spare = std::mem::size_of::<L>() * 8 - format.width() as usize;
+        for value in result {
+            *value = (*value << spare) >> spare;
+        }
+    } else {
+        let mask = L::from_code(format.max_code());
+        for value in result {
+            *value = *value & mask;
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! The core as a graph of typed fixed-point operations.
+//!
+//! One description serves both languages, the cycle-accurate simulation and the vectorised evaluator:
+//! - [`graph`]: operations, formats and their integer semantics;
+//! - [`builder`]: builds a graph and bounds, row by row, the range and the error of every value;
+//! - [`quadratic`] and [`cubic`]: one builder a method and form;
+//! - [`widths`]: "computing just right": the cheapest inner widths whose proved error is below one output ulp;
+//! - [`schedule`]: places the pipeline registers;
+//! - [`simulate`]: the pipeline, clock by clock;
+//! - [`evaluate`]: the function, many inputs at a time.
+
+pub mod builder;
+pub mod cubic;
+pub mod evaluate;
+pub mod graph;
+mod polynomial;
+pub mod quadratic;
+pub mod schedule;
+pub mod simulate;
+pub mod widths;
+
+use crate::error::Error;
+use crate::number::Interval;
+use crate::rom::Table;
+use crate::spec::{CoreSpec, Form, Method, Widths};
+
+/// A core's graph with its ROM and the proof of its error.
+#[derive(Clone, Debug)]
+pub struct Datapath {
+    /// The operations.
+    pub graph: graph::Graph,
+    /// The coefficients.
+    pub table: Table,
+    /// The proved error of each row.
+    pub errors: Vec<RowError>,
+}
+
+/// Bounds of `hardware - method` in output ulps for one row, over every representable input.
+#[derive(Clone, Copy, Debug)]
+pub struct RowError {
+    /// From rounding the coefficients to ROM words.
+    pub coefficients: Interval,
+    /// From every quantisation in the datapath, the output's included.
+    pub arithmetic: Interval,
+}
+
+impl RowError {
+    /// The sum of both.
+    #[must_use]
+    pub fn total(&self) -> Interval {
+        self.coefficients + self.arithmetic
+    }
+}
+
+/// An inner width that may be chosen: its name and the values worth trying.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// The name, as in [`Widths`].
+    pub name: &'static str,
+    /// What is quantised to this many fraction bits.
+    pub meaning: &'static str,
+    /// The narrowest and the widest value.
+    pub range: std::ops::RangeInclusive<i32>,
+}
+
+/// One method in one form: what can be chosen, what it costs, and how it is built.
+pub trait Architecture: Sync {
+    /// The inner widths that may be chosen.
+    fn parameters(&self) -> Vec<Parameter>;
+
+    /// An estimate of the hardware's size in LUTs for these widths, for ranking only.
+    fn cost(&self, widths: &Widths) -> f64;
+
+    /// The datapath with these widths, or `None` where a product would be wider than the tools of this crate
+    /// compute exactly (126 bits) or a value would leave its format.
+    fn build(&self, widths: &Widths) -> Option<Datapath>;
+}
+
+/// The architecture that a spec asks for.
+///
+/// # Errors
+/// A shininess or level that the method refuses.
+pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error> {
+    Ok(match (spec.method, spec.form) {
+        (Method::Quadratic, Form::Stable) => Box::new(quadratic::Stable::new(spec)?),
+        (Method::Quadratic, Form::Paper) => Box::new(quadratic::Paper::new(spec)?),
+        (Method::Cubic, Form::Stable) => Box::new(cubic::Stable::new(spec)?),
+        (Method::Cubic, Form::Paper) => Box::new(cubic::Paper::new(spec)?),
+    })
+}
+
+/// A rough size of a multiplier in LUTs, for ranking: every 18 by 18 tile counts, and within a tile the bits do.
+fn multiplier_cost(a_bits: i32, b_bits: i32) -> f64 {
+    let tiles = |bits: i32| f64::from((bits.max(1) + 17) / 18);
+    400.0 * tiles(a_bits) * tiles(b_bits) + f64::from(a_bits * b_bits) / 8.0
+}

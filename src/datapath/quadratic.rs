@@ -1,0 +1,180 @@
+//! The quadratic lobe `x (1 - a u)`, clamped at 0.
+
+use super::builder::Builder;
+use super::polynomial::{self, Scaling, field, nearest_code};
+use super::{Architecture, Datapath, Parameter, multiplier_cost};
+use crate::error::Error;
+use crate::lobe::Quadratic;
+use crate::number::{Format, Interval, exp2};
+use crate::rom::Table;
+use crate::spec::{CoreSpec, Widths};
+
+/// `p = (a 2^-k) (u 2^k)`, `y = x - x p`: two multiplications whose operands are all below 2.
+#[derive(Debug)]
+pub struct Stable<'a> {
+    spec: &'a CoreSpec,
+    lobes: Vec<Quadratic>,
+}
+
+/// `y = x + a (x^2 - x)` as in figure 1 of the quadratic paper: between the registers RG1 (n) and RG2 (cos γ) and the output a
+/// square, a subtraction, a multiplication by the PROM's a(n) and an addition.
+#[derive(Debug)]
+pub struct Paper<'a> {
+    spec: &'a CoreSpec,
+    lobes: Vec<Quadratic>,
+}
+
+fn lobes(spec: &CoreSpec) -> Result<Vec<Quadratic>, Error> {
+    spec.shininess.values().into_iter().map(Quadratic::new).collect()
+}
+
+/// What a coefficient `a + delta` in place of `a` does to the lobe: `-x u delta` up to the farther of the two zeros.
+fn coefficient_error(a: f64, delta: f64) -> Interval {
+    let u = active(a, a + delta);
+    // x u = u (1 - u) has its maximum at 1/2.
+    let peak = u.min(0.5);
+    -(Interval::new(0.0, peak * (1.0 - peak)) * Interval::point(delta))
+}
+
+/// The versine from which both the lobe with `a` and the one with `b` are 0.
+fn active(a: f64, b: f64) -> f64 {
+    Quadratic { a }.zero().max(Quadratic { a: b }.zero())
+}
+
+impl<'a> Stable<'a> {
+    /// For a spec of this method.
+    ///
+    /// # Errors
+    /// A shininess that the method refuses.
+    pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
+        Ok(Self { spec, lobes: lobes(spec)? })
+    }
+
+    fn scaling(&self, frac_bits: i32) -> Scaling {
+        Scaling::of(self.lobes.iter().map(|l| l.a), frac_bits)
+    }
+
+    fn table(&self, widths: &Widths, scaling: &Scaling) -> Table {
+        let bits = widths.get("a");
+        let reals: Vec<f64> = self.lobes.iter().zip(&scaling.k).map(|(l, &k)| l.a * exp2(-k)).collect();
+        let codes = reals.iter().map(|&a| nearest_code(a, bits)).collect();
+        let a = field("a", "the coefficient a, times 2^-k", bits, codes, reals);
+        Table::new(&self.spec.shininess, [a].into_iter().chain(scaling.field()).collect(), scaling.base() as u32)
+    }
+}
+
+impl Architecture for Stable<'_> {
+    fn parameters(&self) -> Vec<Parameter> {
+        let (f, g) = (self.spec.input_fraction as i32, self.spec.output_fraction as i32);
+        let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
+        vec![
+            Parameter { name: "a", meaning: "coefficient a 2^-k", range: g - 1..=g + 5 },
+            Parameter { name: "x", meaning: "cosine x", range: up_to(g - 1, g + 4, f) },
+            Parameter {
+                name: "v",
+                meaning: "scaled versine v = u 2^k",
+                range: up_to(g - 2, g + 4, (f - self.scaling(g).base()).max(1)),
+            },
+            Parameter { name: "p", meaning: "p = a u", range: g - 1..=g + 5 },
+            Parameter { name: "t", meaning: "t = x p", range: g..=g + 4 },
+        ]
+    }
+
+    fn cost(&self, w: &Widths) -> f64 {
+        let g = self.spec.output_fraction as i32;
+        multiplier_cost(w.get("a"), 1 + w.get("v"))
+            + multiplier_cost(1 + w.get("x"), w.get("p"))
+            + f64::from(w.get("x").max(w.get("t")).max(g))
+            + f64::from(w.get("v") + w.get("x") + w.get("a"))
+    }
+
+    fn build(&self, widths: &Widths) -> Option<Datapath> {
+        let scaling = self.scaling(widths.get("a"));
+        let table = self.table(widths, &scaling);
+        let rounded = |row: usize| {
+            let a = table.field("a");
+            a.format.value(a.codes[row]) * exp2(scaling.k[row])
+        };
+        let ends: Vec<f64> = self
+            .lobes
+            .iter()
+            .enumerate()
+            .map(|(row, lobe)| active(lobe.a, rounded(row)).min(exp2(1 - scaling.k[row])))
+            .collect();
+        let mut b = Builder::new(&table);
+        let (x, u) = b.inputs(self.spec, &ends);
+        let address = b.address(&self.spec.shininess);
+        let a = b.field(address, "a");
+        let scaled = scaling.apply(&mut b, address, u);
+        let beyond = b.reaches(scaled, 1, "beyond", "u 2^k >= 2: then a u >= 1, since a 2^-k >= 1/2");
+        let v = b.cast(scaled, Format::unsigned(1, widths.get("v")), true, "v", "v = u 2^k, rounded down");
+        let p = b.mul(a, v, "av", "a u = (a 2^-k) v");
+        let y = polynomial::output_of_p(&mut b, self.spec, widths, x, p, beyond);
+        polynomial::finish(b, self.spec, &table, y, |row| {
+            let a = self.lobes[row].a;
+            coefficient_error(a, rounded(row) - a)
+        })
+    }
+}
+
+impl<'a> Paper<'a> {
+    /// For a spec of this method.
+    ///
+    /// # Errors
+    /// A shininess that the method refuses.
+    pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
+        Ok(Self { spec, lobes: lobes(spec)? })
+    }
+}
+
+impl Architecture for Paper<'_> {
+    fn parameters(&self) -> Vec<Parameter> {
+        let (f, g) = (self.spec.input_fraction as i32, self.spec.output_fraction as i32);
+        let largest = self.lobes.iter().map(|l| l.a).fold(1.0, f64::max);
+        // An error of the square is multiplied by a.
+        let square = (g + libm::ilogb(largest) + 1).min(2 * f);
+        vec![
+            Parameter { name: "a", meaning: "coefficient a", range: g - 3..=g + 4 },
+            Parameter {
+                name: "s",
+                meaning: "square of the cosine",
+                range: square.min(2 * f)..=(square + 5).min(2 * f),
+            },
+            Parameter { name: "m", meaning: "product a (x^2 - x)", range: g..=g + 4 },
+        ]
+    }
+
+    fn cost(&self, w: &Widths) -> f64 {
+        let f = self.spec.input_fraction as i32;
+        let largest = self.lobes.iter().map(|l| l.a).fold(1.0, f64::max);
+        multiplier_cost(f + 1, f + 1) + multiplier_cost(w.get("a") + libm::ilogb(largest) + 1, w.get("s"))
+    }
+
+    fn build(&self, widths: &Widths) -> Option<Datapath> {
+        let g = self.spec.output_fraction as i32;
+        let bits = widths.get("a");
+        let reals: Vec<f64> = self.lobes.iter().map(|l| l.a).collect();
+        let codes = reals.iter().map(|&a| nearest_code(a, bits)).collect();
+        let table = Table::new(&self.spec.shininess, vec![field("a", "the coefficient a", bits, codes, reals)], 0);
+        // The result is clamped, not flagged, so the whole of [0, 1] must stay in its formats.
+        let everywhere = vec![1.0; table.rows()];
+        let mut b = Builder::new(&table);
+        let (x, _) = b.inputs(self.spec, &everywhere);
+        let address = b.address(&self.spec.shininess);
+        let a = b.field(address, "a");
+        let square = b.mul(x, x, "xx", "x^2");
+        let s = b.floor(square, widths.get("s"), "s", "x^2, rounded down");
+        let d = b.sub(s, x, "d", "x^2 - x");
+        let m = b.mul(a, d, "ad", "a (x^2 - x)");
+        let m = b.floor(m, widths.get("m"), "m", "a (x^2 - x), rounded down");
+        let x = b.add_half(x, g, "x_half");
+        let y = b.add(m, x, "y_exact", "a (x^2 - x) + x");
+        let y = b.floor(y, g, "y_cut", "rounded down to the output's bits");
+        let y = polynomial::pad(&mut b, y, g);
+        let y = b.clamp_to_unit(y, "y", "taken into [0, 1]");
+        polynomial::finish(b, self.spec, &table, y, |row| {
+            let a = table.field("a");
+            coefficient_error(self.lobes[row].a, a.format.value(a.codes[row]) - self.lobes[row].a)
+        })
+    }
+}

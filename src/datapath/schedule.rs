@@ -1,0 +1,141 @@
+//! Places the pipeline registers.
+//!
+//! A *stage* is what lies between two registers. Every node is computed in one stage, as early as the rules allow;
+//! its value crosses into later stages through one register each. The rules for `auto`: the operands of a
+//! multiplier come from registers and its product goes into one; the ROM has two registers behind it (its own
+//! output register, and one more because a block RAM is slow to give its output); and what is chained
+//! within a stage takes no longer than a multiplier, by the rough delays below.
+
+use super::graph::{Graph, NodeId, Op};
+use crate::error::Error;
+use crate::spec::Pipeline;
+
+/// The stage of every node, and the pipeline's depth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Schedule {
+    /// The stage in which each node is computed, from 0.
+    pub stage: Vec<u32>,
+    /// The last stage in which each node's value is used.
+    pub last_use: Vec<u32>,
+    /// The number of stages: clocks from input to output.
+    pub latency: u32,
+}
+
+/// What limits a stage.
+#[derive(Clone, Copy, Debug)]
+struct Rules {
+    /// Registers directly behind the ROM.
+    rom_registers: u32,
+    /// The longest chain of a stage, in units of a multiplier's delay.
+    period: f64,
+}
+
+/// From the fastest to the shallowest pipeline.
+const RULES: [Rules; 8] = [
+    Rules { rom_registers: 2, period: 1.0 },
+    Rules { rom_registers: 1, period: 1.0 },
+    Rules { rom_registers: 1, period: 1.5 },
+    Rules { rom_registers: 1, period: 2.0 },
+    Rules { rom_registers: 1, period: 3.0 },
+    Rules { rom_registers: 1, period: 4.0 },
+    Rules { rom_registers: 1, period: 16.0 },
+    Rules { rom_registers: 0, period: f64::INFINITY },
+];
+
+/// Rough delays in units of a multiplier's, the same for every family: they rank, they do not time.
+fn delay(op: Op) -> f64 {
+    match op {
+        Op::Index | Op::Operand | Op::Constant(_) | Op::Cast | Op::Scale => 0.0,
+        Op::Mul => 1.0,
+        Op::Field(_) => 0.9,
+        Op::ShiftLeft => 0.6,
+        Op::Clamp { .. } => 0.3,
+        Op::Add | Op::Sub | Op::Greater => 0.5,
+        Op::NonZero => 0.2,
+        Op::Or | Op::ZeroIf => 0.1,
+    }
+}
+
+/// Schedules a graph.
+///
+/// # Errors
+/// Never with [`Pipeline::Auto`]; with a depth, if registers cannot be placed to give it.
+pub fn schedule(graph: &Graph, pipeline: Pipeline) -> Result<Schedule, Error> {
+    let no_extra = vec![0; graph.nodes.len()];
+    let Pipeline::Depth(depth) = pipeline else { return Ok(place(graph, RULES[0], &no_extra)) };
+    let fits = RULES.iter().map(|&rules| place(graph, rules, &no_extra)).find(|s| s.latency <= depth);
+    let Some(fastest) = fits else {
+        return Err(Error::input(format!("a pipeline of {depth} is too shallow"), "use a deeper pipeline, or auto"));
+    };
+    if fastest.latency == depth {
+        return Ok(fastest);
+    }
+    let rules = RULES.into_iter().find(|&rules| place(graph, rules, &no_extra).latency <= depth).unwrap_or(RULES[0]);
+    // Registers to spare go behind the multipliers, in turn, where DSP blocks can take them in.
+    let multipliers: Vec<NodeId> = (0..graph.nodes.len()).filter(|&id| graph.nodes[id].op == Op::Mul).collect();
+    let mut extra = no_extra;
+    let mut schedule = fastest;
+    for &id in multipliers.iter().cycle().take(64 * multipliers.len()) {
+        if schedule.latency == depth {
+            break;
+        }
+        extra[id] += 1;
+        let longer = place(graph, rules, &extra);
+        if longer.latency <= depth {
+            schedule = longer;
+        } else {
+            extra[id] -= 1;
+        }
+    }
+    // A multiplier beside the longest path cannot make it longer by one: the rest delays the output.
+    schedule.latency = depth;
+    schedule.last_use[graph.output] = depth;
+    Ok(schedule)
+}
+
+/// As early as possible under the rules, with `extra` registers behind each node.
+fn place(graph: &Graph, rules: Rules, extra: &[u32]) -> Schedule {
+    let count = graph.nodes.len();
+    let mut stage = vec![0u32; count];
+    let mut done = vec![0.0f64; count];
+    for (id, node) in graph.nodes.iter().enumerate() {
+        let time = delay(node.op);
+        for &arg in &node.args {
+            let from = &graph.nodes[arg];
+            let registers = extra[arg]
+                + match from.op {
+                    Op::Field(_) => rules.rom_registers,
+                    _ => 0,
+                };
+            let ready = stage[arg] + registers;
+            if ready > stage[id] {
+                (stage[id], done[id]) = (ready, 0.0);
+            }
+            if ready == stage[id] && registers == 0 {
+                done[id] = done[id].max(done[arg]);
+            }
+        }
+        let chained = done[id] > 0.0;
+        // Dropping bits costs nothing and may follow anything.
+        if chained && time > 0.0 && done[id] + time > rules.period {
+            (stage[id], done[id]) = (stage[id] + 1, 0.0);
+        }
+        done[id] += time;
+    }
+    // The ports are not registers: a multiplier or a ROM fed by them directly waits for the first register.
+    let latency = stage[graph.output] + extra[graph.output] + 1;
+    let mut last_use = stage.clone();
+    for (id, node) in graph.nodes.iter().enumerate() {
+        for &arg in &node.args {
+            last_use[arg] = last_use[arg].max(stage[id]);
+        }
+    }
+    // Constants are the same in every stage.
+    for (id, node) in graph.nodes.iter().enumerate() {
+        if matches!(node.op, Op::Constant(_)) {
+            last_use[id] = stage[id];
+        }
+    }
+    last_use[graph.output] = latency;
+    Schedule { stage, last_use, latency }
+}

@@ -1,0 +1,163 @@
+//! "Computing just right": the cheapest inner widths whose proved error is below one output ulp.
+//!
+//! The goal is that of FloPoCo's faithful operators: `|hardware - method| < 1 ulp` for every representable input, at the least
+//! cost. Each quantisation adds an error of its own, and these add up nearly exactly; so each width is probed
+//! alone (all others at their widest), the sums rank the candidates, and the candidates are then proved in the
+//! order of their cost, each by the whole analysis.
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::{Architecture, Datapath, Parameter};
+use crate::error::Error;
+use crate::number::Interval;
+use crate::spec::Widths;
+
+/// What one quantisation contributes to the error.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Contribution {
+    /// The width's name.
+    pub name: &'static str,
+    /// What is quantised.
+    pub meaning: &'static str,
+    /// To how many fraction bits.
+    pub frac_bits: i32,
+    /// The least and the greatest error in output ulps that the error gains over the widest setting, over all rows.
+    pub ulps: [f64; 2],
+}
+
+/// The error account of a core.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Budget {
+    /// What each inner width contributes (probed alone).
+    pub contributions: Vec<Contribution>,
+    /// The proved bounds of `hardware - method` in output ulps, over all rows and inputs.
+    pub proved_ulps: [f64; 2],
+    /// The part of it that comes from rounding coefficients.
+    pub coefficient_ulps: [f64; 2],
+    /// The part that comes from the datapath.
+    pub arithmetic_ulps: [f64; 2],
+    /// The row with the largest bound.
+    pub worst_row: usize,
+}
+
+/// The chosen widths, the datapath they give, and its error account.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// The inner widths.
+    pub widths: Widths,
+    /// The datapath with these widths.
+    pub datapath: Datapath,
+    /// Its error account.
+    pub budget: Budget,
+}
+
+/// The sums of single contributions are near the true bound, on either side: candidates up to here are tried.
+const HOPEFUL: f64 = 1.12;
+
+fn hull(datapath: &Datapath, part: impl Fn(&super::RowError) -> Interval) -> [f64; 2] {
+    let all = datapath.errors.iter().map(part).reduce(Interval::hull).unwrap_or(Interval::ZERO);
+    [all.low, all.high]
+}
+
+fn total(datapath: &Datapath) -> [f64; 2] {
+    hull(datapath, super::RowError::total)
+}
+
+fn widths_of(parameters: &[Parameter], values: &[i32]) -> Widths {
+    Widths::new(parameters.iter().map(|p| p.name).zip(values.iter().copied()).collect())
+}
+
+/// Chooses the widths.
+///
+/// # Errors
+/// If no combination of the offered widths is provably faithful and within the arithmetic of this crate.
+pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
+    let parameters = architecture.parameters();
+    let widest: Vec<i32> = parameters.iter().map(|p| *p.range.end()).collect();
+    let too_wide = || {
+        Error::input(
+            "the core would need values of more than 126 bits",
+            "use fewer fraction bits, a smaller shininess, or the stable form",
+        )
+    };
+    let base = total(&architecture.build(&widths_of(&parameters, &widest)).ok_or_else(too_wide)?);
+
+    // What each width adds on either side, probed alone.
+    let probes: Vec<Vec<[f64; 2]>> = parameters
+        .iter()
+        .enumerate()
+        .map(|(index, parameter)| {
+            let values: Vec<i32> = parameter.range.clone().collect();
+            values
+                .into_par_iter()
+                .map(|value| {
+                    let mut values = widest.clone();
+                    values[index] = value;
+                    match architecture.build(&widths_of(&parameters, &values)) {
+                        Some(datapath) => {
+                            let error = total(&datapath);
+                            [error[0] - base[0], error[1] - base[1]]
+                        }
+                        None => [f64::NEG_INFINITY, f64::INFINITY],
+                    }
+                })
+                .collect()
+        })
+        .collect();
+
+    let mut candidates = Vec::new();
+    let mut choice = vec![0usize; parameters.len()];
+    'all: loop {
+        let sum = |side: usize| base[side] + choice.iter().zip(&probes).map(|(&c, probe)| probe[c][side]).sum::<f64>();
+        if sum(0) > -HOPEFUL && sum(1) < HOPEFUL {
+            let values: Vec<i32> = parameters.iter().zip(&choice).map(|(p, &c)| p.range.start() + c as i32).collect();
+            let cost = architecture.cost(&widths_of(&parameters, &values));
+            candidates.push((cost, values));
+        }
+        for (digit, probe) in choice.iter_mut().zip(&probes) {
+            *digit += 1;
+            if *digit < probe.len() {
+                continue 'all;
+            }
+            *digit = 0;
+        }
+        break;
+    }
+    candidates.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
+
+    // In batches, so that the proofs run in parallel; the first of a batch that holds is the cheapest.
+    for batch in candidates.chunks(8) {
+        let proved = batch
+            .par_iter()
+            .filter_map(|(_, values)| Some((values, architecture.build(&widths_of(&parameters, values))?)))
+            .find_first(|(_, datapath)| total(datapath).iter().all(|e| e.abs() < 1.0));
+        if let Some((values, datapath)) = proved {
+            let budget = budget(&parameters, &probes, values, &datapath);
+            return Ok(Solution { widths: widths_of(&parameters, values), datapath, budget });
+        }
+    }
+    Err(too_wide())
+}
+
+fn budget(parameters: &[Parameter], probes: &[Vec<[f64; 2]>], values: &[i32], datapath: &Datapath) -> Budget {
+    let contributions = parameters
+        .iter()
+        .zip(probes)
+        .zip(values)
+        .map(|((parameter, probe), &value)| Contribution {
+            name: parameter.name,
+            meaning: parameter.meaning,
+            frac_bits: value,
+            ulps: probe[(value - parameter.range.start()) as usize],
+        })
+        .collect();
+    let size = |row: usize| datapath.errors[row].total().magnitude();
+    Budget {
+        contributions,
+        proved_ulps: total(datapath),
+        coefficient_ulps: hull(datapath, |e| e.coefficients),
+        arithmetic_ulps: hull(datapath, |e| e.arithmetic),
+        worst_row: (0..datapath.errors.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)).then(b.cmp(&a))).unwrap_or(0),
+    }
+}

@@ -1,0 +1,134 @@
+//! A resolved core: its spec, widths, ROM, datapath, schedule, and what is proved and measured of its error.
+
+mod measure;
+
+pub use measure::{Measured, Sweep};
+
+use crate::datapath::evaluate::Evaluator;
+use crate::datapath::graph::Graph;
+use crate::datapath::schedule::{Schedule, schedule};
+use crate::datapath::widths::{Budget, solve};
+use crate::datapath::{Datapath, architecture};
+use crate::error::Error;
+use crate::hdl::Layout;
+use crate::model::Model;
+use crate::number::Format;
+use crate::rom::Table;
+use crate::spec::{CoreSpec, Operand, Widths};
+
+/// A resolved core.
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// What was asked for.
+    pub spec: CoreSpec,
+    /// The inner widths.
+    pub widths: Widths,
+    /// The operations and the ROM.
+    pub datapath: Datapath,
+    /// The pipeline.
+    pub schedule: Schedule,
+    /// The proved error.
+    pub budget: Budget,
+}
+
+impl Design {
+    /// Chooses widths, quantises the coefficients, builds and schedules the datapath.
+    ///
+    /// # Errors
+    /// A spec that no core can be built for, such as one whose printed form needs values wider than 126 bits.
+    pub fn new(spec: CoreSpec) -> Result<Self, Error> {
+        let solution = solve(&*architecture(&spec)?)?;
+        let schedule = schedule(&solution.datapath.graph, spec.pipeline)?;
+        Ok(Self { widths: solution.widths, datapath: solution.datapath, schedule, budget: solution.budget, spec })
+    }
+
+    /// The coefficients.
+    #[must_use]
+    pub fn table(&self) -> &Table {
+        &self.datapath.table
+    }
+
+    /// The operations.
+    #[must_use]
+    pub fn graph(&self) -> &Graph {
+        &self.datapath.graph
+    }
+
+    /// The bit-exact reference.
+    #[must_use]
+    pub fn model(&self) -> Model<'_> {
+        self.model_with(self.table())
+    }
+
+    /// The bit-exact reference with another ROM in the same formats.
+    #[must_use]
+    pub fn model_with<'a>(&'a self, table: &'a Table) -> Model<'a> {
+        Model::new(&self.spec, &self.widths, table)
+    }
+
+    /// The vectorised evaluator.
+    #[must_use]
+    pub fn evaluator(&self) -> Evaluator<'_> {
+        Evaluator::new(self.graph(), self.table())
+    }
+
+    /// Stages and names, for the HDL.
+    #[must_use]
+    pub fn layout(&self) -> Layout<'_> {
+        Layout { datapath: &self.datapath, schedule: &self.schedule }
+    }
+
+    /// The name of the operand's port.
+    #[must_use]
+    pub fn operand_name(&self) -> &str {
+        &self.graph().nodes[self.graph().operand()].name
+    }
+
+    /// The format of `in_n`.
+    #[must_use]
+    pub fn index_format(&self) -> Format {
+        self.graph().nodes[self.graph().index()].format
+    }
+
+    /// The format of the operand's port.
+    #[must_use]
+    pub fn operand_format(&self) -> Format {
+        self.graph().nodes[self.graph().operand()].format
+    }
+
+    /// The format of `out_spec`.
+    #[must_use]
+    pub fn output_format(&self) -> Format {
+        self.graph().nodes[self.graph().output].format
+    }
+
+    /// The versine in [0, 1] that an operand code stands for.
+    #[must_use]
+    pub fn versine(&self, operand: i64) -> f64 {
+        let one = 1i64 << self.spec.input_fraction;
+        let u = match self.spec.operand {
+            Operand::Cos => one - operand.clamp(0, one),
+            Operand::Versine => operand.clamp(0, one),
+        };
+        u as f64 / one as f64
+    }
+
+    /// The operand code of a versine code in 0..=2^F.
+    #[must_use]
+    pub fn operand_of_versine(&self, versine: i64) -> i64 {
+        match self.spec.operand {
+            Operand::Cos => (1i64 << self.spec.input_fraction) - versine,
+            Operand::Versine => versine,
+        }
+    }
+
+    /// The number of flip-flops of the pipeline, the ROM's registers and the valid chain included, before synthesis.
+    #[must_use]
+    pub fn register_bits(&self) -> u32 {
+        let layout = self.layout();
+        let crossing =
+            |stage: u32| -> u32 { layout.registers(stage).iter().map(|r| layout.nodes()[r.node].format.width()).sum() };
+        let rom = if layout.rom_is_registered() { self.table().word_bits() } else { 0 };
+        (0..self.schedule.latency).map(crossing).sum::<u32>() + rom + self.schedule.latency
+    }
+}

@@ -1,0 +1,127 @@
+//! The golden file's text.
+
+use std::fmt::Write;
+
+use super::{Golden, RowDigest, Vector};
+use crate::design::Design;
+use crate::error::Error;
+use crate::number::Format;
+
+const ALLOWED: &str = "a golden file holds `v` lines (in_n, operand, out_spec in hexadecimal; idle, stall in decimal), `d` \
+                       lines (in_n, digest), one `c` line (the number of vectors) and comments that begin with `#`";
+
+impl Golden {
+    /// The file's text.
+    #[must_use]
+    pub fn to_text(&self, design: &Design) -> String {
+        let digits = |format: Format| format.width().div_ceil(4) as usize;
+        let (index, operand, output) = (design.index_format(), design.operand_format(), design.output_format());
+        let name = design.operand_name();
+        let count: usize = self.groups.iter().map(|(_, vectors)| vectors.len()).sum();
+        let mut text = format!(
+            "# brdfgen golden vectors\n\
+             # core {}\n\
+             # spec {}\n\
+             # v in_n ({index}), {name} ({operand}{}), out_spec ({output}) in hexadecimal; in decimal: idle, the\n\
+             #   clocks without a valid input before the vector; stall, the clocks with ce low while it waits\n\
+             c {count}\n",
+            self.core,
+            self.spec_digest,
+            if operand.signed { ", two's complement" } else { "" },
+        );
+        let (ni, nx, ny) = (digits(index), digits(operand), digits(output));
+        for (heading, vectors) in &self.groups {
+            let _ = writeln!(text, "# {heading}");
+            for v in vectors {
+                let bits = operand.bits(v.operand.into());
+                let _ = writeln!(text, "v {:0ni$x} {bits:0nx$x} {:0ny$x} {} {}", v.index, v.output, v.idle, v.stall);
+            }
+        }
+        let _ = writeln!(
+            text,
+            "# d in_n, XXH3-64 over out_spec for all {} codes of {name}, the least first, 4 little-endian bytes each",
+            1u64 << operand.width()
+        );
+        for d in &self.digests {
+            let _ = writeln!(text, "d {:0ni$x} {:016x}", d.index, d.digest);
+        }
+        text
+    }
+}
+
+/// Reads a golden file of a design; `file` names it in messages.
+///
+/// # Errors
+/// Text that is no golden file, one of another core or spec, a malformed line, a count that does not match.
+pub fn parse(design: &Design, text: &str, file: &str) -> Result<Golden, Error> {
+    let (index, operand, output) = (design.index_format(), design.operand_format(), design.output_format());
+    let mut golden =
+        Golden { core: String::new(), spec_digest: String::new(), groups: Vec::new(), digests: Vec::new() };
+    let mut declared = None;
+    let mut offset = 0;
+    for line in text.split_inclusive('\n') {
+        let start = offset;
+        offset += line.len();
+        let line = line.trim_end();
+        let wrong = |what: String| Error::text(what, ALLOWED, file, text, (start, line.len()));
+        let mut words = line.split_ascii_whitespace();
+        let kind = words.next();
+        let words: Vec<&str> = words.collect();
+        match (kind, words.as_slice()) {
+            (None, _) => {}
+            (Some("#"), ["core", name]) => golden.core = (*name).to_owned(),
+            (Some("#"), ["spec", digest]) => golden.spec_digest = (*digest).to_owned(),
+            (Some("#"), rest) => golden.groups.push((rest.join(" "), Vec::new())),
+            (Some("c"), [count]) => {
+                declared = Some(count.parse::<usize>().map_err(|_| wrong(format!("`{count}` is not a count")))?);
+            }
+            (Some("v"), [n, x, y, idle, stall]) => {
+                let code = |word: &str, format: Format| {
+                    u64::from_str_radix(word, 16)
+                        .ok()
+                        .filter(|&code| code >> format.width() == 0)
+                        .ok_or_else(|| wrong(format!("`{word}` is not a {}-bit code", format.width())))
+                };
+                let clocks =
+                    |word: &str| word.parse().map_err(|_| wrong(format!("`{word}` is not a number of clocks")));
+                let vector = Vector {
+                    index: code(n, index)? as u32,
+                    operand: operand.wrap(code(x, operand)?.into()) as i64,
+                    output: code(y, output)? as u32,
+                    idle: clocks(idle)?,
+                    stall: clocks(stall)?,
+                };
+                match golden.groups.last_mut() {
+                    Some((_, vectors)) => vectors.push(vector),
+                    None => golden.groups.push((String::new(), vec![vector])),
+                }
+            }
+            (Some("d"), [n, digest]) => {
+                let parsed = u32::from_str_radix(n, 16).ok().zip(u64::from_str_radix(digest, 16).ok());
+                let (index, digest) = parsed.ok_or_else(|| wrong("the digest line is malformed".to_owned()))?;
+                golden.digests.push(RowDigest { index, digest });
+            }
+            _ => return Err(wrong("this line is malformed".to_owned())),
+        }
+    }
+    let whole = |what: String, allowed: &str| Error::input(format!("{file}: {what}"), allowed);
+    let found = golden.vectors().len();
+    match declared {
+        None => return Err(whole("this is no golden file: it has no `c` line".to_owned(), ALLOWED)),
+        Some(declared) if declared != found => {
+            return Err(whole(
+                format!("{declared} vectors are announced and {found} are there"),
+                "the file is truncated or edited",
+            ));
+        }
+        Some(_) => {}
+    }
+    let (core, spec) = (&design.spec.name, design.spec.digest());
+    if (&golden.core, &golden.spec_digest) != (core, &spec) {
+        return Err(whole(
+            format!("these are the vectors of core {} with spec {}", golden.core, golden.spec_digest),
+            &format!("vectors of core {core} with spec {spec} are wanted; `brdfgen golden` makes them"),
+        ));
+    }
+    Ok(golden)
+}

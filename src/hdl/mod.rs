@@ -1,0 +1,67 @@
+//! From a scheduled datapath to Verilog and VHDL.
+//!
+//! [`Layout`] says, for both languages at once, what stands in which pipeline stage and under which name; a
+//! [`Backend`] writes one expression an operation in its language; the templates in `templates/` arrange them. No
+//! arithmetic is decided here: formats and operations come from the datapath.
+
+mod layout;
+mod testbench;
+mod verilog;
+mod vhdl;
+
+pub use layout::Layout;
+pub use testbench::test_bench;
+
+use crate::error::Error;
+use crate::spec::Language;
+
+/// What the text of a core needs besides its layout.
+#[derive(Clone, Debug)]
+pub struct Texts {
+    /// The core's name.
+    pub name: String,
+    /// The lines of the header comment, without a comment marker.
+    pub header: Vec<String>,
+    /// The path of the ROM file, relative to the core's directory, if the ROM is read from one.
+    pub rom_file: Option<String>,
+}
+
+/// A way to write a core.
+pub trait Backend {
+    /// The text of the core.
+    ///
+    /// # Errors
+    /// If the template cannot be filled in.
+    fn emit(&self, layout: &Layout, texts: &Texts) -> Result<String, Error>;
+}
+
+/// The backend for a language.
+#[must_use]
+pub fn backend(language: Language) -> Box<dyn Backend> {
+    match language {
+        Language::Verilog => Box::new(verilog::Verilog),
+        Language::Vhdl => Box::new(vhdl::Vhdl),
+    }
+}
+
+/// The longest line of generated text.
+const LINE: usize = 100;
+
+/// An expression behind `before` characters of its line: on the same line if it fits, else on the next.
+fn continued(before: usize, expression: &str) -> String {
+    let first = expression.lines().next().unwrap_or_default();
+    if before + first.len() + 2 <= LINE { format!(" {expression}") } else { format!("\n        {expression}") }
+}
+
+/// The text of a filled-in template, without blank lines before it and with one newline at its end.
+///
+/// # Errors
+/// If the template cannot be filled in.
+pub fn render(template: &impl askama::Template) -> Result<String, Error> {
+    let text = template.render().map_err(|error| Error::ToolFailed {
+        tool: "the template engine".to_owned(),
+        what: error.to_string(),
+        output: String::new(),
+    })?;
+    Ok(text.trim().to_owned() + "\n")
+}

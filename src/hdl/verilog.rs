@@ -1,0 +1,274 @@
+//! Verilog-2005.
+
+use askama::Template;
+
+use super::{Backend, Layout, Texts, continued, render};
+use crate::datapath::graph::{NodeId, Op};
+use crate::error::Error;
+use crate::number::Format;
+
+/// The Verilog backend.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Verilog;
+
+struct Wire {
+    comment: String,
+    range: String,
+    name: String,
+    expression: String,
+}
+
+struct Reg {
+    range: String,
+    name: String,
+    source: String,
+}
+
+struct Stage {
+    index: u32,
+    heading: String,
+    wires: Vec<Wire>,
+    regs: Vec<Reg>,
+}
+
+#[derive(Template)]
+#[template(path = "verilog/core.v", escape = "none")]
+struct Core<'a> {
+    texts: &'a Texts,
+    operand: &'a str,
+    operand_signed: bool,
+    index_range: String,
+    operand_range: String,
+    output_range: String,
+    index_format: Format,
+    operand_format: Format,
+    output_format: Format,
+    latency: u32,
+    stages: Vec<Stage>,
+    rom_stage: u32,
+    rom_registered: bool,
+    rom_name: String,
+    rom_range: String,
+    rom_address: String,
+    rom_depth: usize,
+    rom_rows: Vec<(String, String)>,
+    output: String,
+    unused: Vec<String>,
+}
+
+/// `[high:0] `, or nothing for a single bit.
+fn range(format: Format) -> String {
+    match format.width() {
+        1 => String::new(),
+        width => format!("[{}:0] ", width - 1),
+    }
+}
+
+fn literal(code: i128, width: u32) -> String {
+    let format = Format::unsigned(width as i32, 0);
+    format!("{width}'h{:0digits$x}", format.bits(code), digits = width.div_ceil(4) as usize)
+}
+
+fn zeros(width: u32) -> String {
+    format!("{width}'d0")
+}
+
+/// Bits `high..=low` of a value that is `width` bits wide.
+fn slice(name: &str, width: u32, high: u32, low: u32) -> String {
+    if low == 0 && high + 1 == width {
+        name.to_owned()
+    } else if high == low {
+        format!("{name}[{low}]")
+    } else {
+        format!("{name}[{high}:{low}]")
+    }
+}
+
+struct Writer<'a> {
+    layout: &'a Layout<'a>,
+    stage: u32,
+}
+
+impl Writer<'_> {
+    fn format(&self, id: NodeId) -> Format {
+        self.layout.nodes()[id].format
+    }
+
+    fn name(&self, id: NodeId) -> String {
+        self.layout.name(id, self.stage)
+    }
+
+    /// A node's value, aligned to `frac_bits` and exactly `width` bits wide.
+    fn fitted(&self, id: NodeId, frac_bits: i32, width: u32) -> String {
+        let format = self.format(id);
+        let shift = (frac_bits - format.frac_bits) as u32;
+        if let Op::Constant(code) = self.layout.nodes()[id].op {
+            return literal(code << shift, width);
+        }
+        let name = self.name(id);
+        let kept = format.width().min(width - shift);
+        let own = slice(&name, format.width(), kept - 1, 0);
+        let extra = width - shift - kept;
+        let mut parts = Vec::new();
+        match (extra, format.signed) {
+            (0, _) => {}
+            (_, false) => parts.push(zeros(extra)),
+            (_, true) => parts.push(format!("{{{extra}{{{name}[{}]}}}}", format.width() - 1)),
+        }
+        parts.push(own);
+        if shift > 0 {
+            parts.push(zeros(shift));
+        }
+        if parts.len() == 1 { parts.remove(0) } else { format!("{{{}}}", parts.join(", ")) }
+    }
+
+    fn expression(&self, id: NodeId) -> String {
+        let node = &self.layout.nodes()[id];
+        let (frac, width) = (node.format.frac_bits, node.format.width());
+        let arg = |index: usize| node.args[index];
+        match node.op {
+            Op::Index | Op::Operand | Op::Constant(_) => unreachable!("a port or a literal"),
+            Op::Field(field) => {
+                let table = &self.layout.datapath.table;
+                let low = table.field_low_bit(field);
+                slice(&format!("rom_{}", self.stage), table.word_bits(), low + width - 1, low)
+            }
+            Op::Clamp { low, high } => self.clamp(arg(0), low, high, width),
+            Op::Add => format!("{} + {}", self.fitted(arg(0), frac, width), self.fitted(arg(1), frac, width)),
+            Op::Sub => format!("{} - {}", self.fitted(arg(0), frac, width), self.fitted(arg(1), frac, width)),
+            Op::Mul if node.format.signed => {
+                format!("$signed({}) * $signed({})", self.name(arg(0)), self.name(arg(1)))
+            }
+            Op::Mul => format!("{} * {}", self.name(arg(0)), self.name(arg(1))),
+            Op::ShiftLeft => {
+                let from = self.format(arg(0)).frac_bits;
+                format!("{} << {}", self.fitted(arg(0), from, width), self.name(arg(1)))
+            }
+            Op::Cast => {
+                let from = self.format(arg(0));
+                if frac >= from.frac_bits {
+                    return self.fitted(arg(0), frac, width);
+                }
+                let low = (from.frac_bits - frac) as u32;
+                let name = self.name(arg(0));
+                if low >= from.width() {
+                    // Every bit is dropped: what is left of a number is its sign.
+                    let sign = format!("{{{width}{{{name}[{}]}}}}", from.width() - 1);
+                    return if from.signed { sign } else { zeros(width) };
+                }
+                let kept = (from.width() - low).min(width);
+                let own = slice(&name, from.width(), low + kept - 1, low);
+                match (width - kept, from.signed) {
+                    (0, _) => own,
+                    (extra, false) => format!("{{{}, {own}}}", zeros(extra)),
+                    (extra, true) => format!("{{{{{extra}{{{name}[{}]}}}}, {own}}}", from.width() - 1),
+                }
+            }
+            Op::Scale => self.name(arg(0)),
+            Op::NonZero => format!("|{}", self.name(arg(0))),
+            Op::Greater => {
+                let wider = self.format(arg(0)).width().max(self.format(arg(1)).width());
+                let frac = self.format(arg(0)).frac_bits;
+                format!("{} > {}", self.fitted(arg(0), frac, wider), self.fitted(arg(1), frac, wider))
+            }
+            Op::Or => format!("{} | {}", self.name(arg(0)), self.name(arg(1))),
+            Op::ZeroIf => format!("{} ? {} : {}", self.name(arg(0)), zeros(width), self.name(arg(1))),
+        }
+    }
+
+    fn clamp(&self, arg: NodeId, low: i128, high: i128, width: u32) -> String {
+        let (from, name) = (self.format(arg), self.name(arg));
+        let magnitude = from.width() - u32::from(from.signed);
+        let own = slice(&name, from.width(), width.min(magnitude) - 1, 0);
+        let own = if magnitude < width { format!("{{{}, {own}}}", zeros(width - magnitude)) } else { own };
+        let mut text = String::new();
+        if from.signed {
+            text += &format!("{name}[{}] ? {} : ", from.width() - 1, literal(low, width));
+        } else if low > 0 {
+            text += &format!("({name} < {}) ? {} : ", literal(low, from.width()), literal(low, width));
+        }
+        if high < from.max_code() {
+            let test = if high.count_ones() == 1 {
+                // From a power of two on, the high bits tell.
+                format!("|{}", slice(&name, from.width(), magnitude - 1, high.trailing_zeros()))
+            } else {
+                format!("{name} > {}", literal(high, from.width()))
+            };
+            text += &format!("({test}) ? {} : ", literal(high, width));
+        }
+        text + &own
+    }
+}
+
+impl Backend for Verilog {
+    fn emit(&self, layout: &Layout, texts: &Texts) -> Result<String, Error> {
+        let graph = &layout.datapath.graph;
+        let table = &layout.datapath.table;
+        let (index, operand) = (&graph.nodes[graph.index()], &graph.nodes[graph.operand()]);
+        let output_format = graph.nodes[graph.output].format;
+        let mut unused = Vec::new();
+        let stages = (0..layout.schedule.latency)
+            .map(|index| {
+                let writer = Writer { layout, stage: index };
+                let wire = |id: NodeId| {
+                    let node = &layout.nodes()[id];
+                    let (range, name) = (range(node.format), layout.name(id, index));
+                    Wire {
+                        comment: format!("{}: {}", node.format, node.comment),
+                        expression: continued(format!("    wire {range}{name} =").len(), &writer.expression(id)),
+                        range,
+                        name,
+                    }
+                };
+                let computed = layout.computed(index);
+                let reg = |register: super::layout::Register| Reg {
+                    range: range(layout.nodes()[register.node].format),
+                    name: layout.name(register.node, index + 1),
+                    source: layout.name(register.node, index),
+                };
+                Stage {
+                    index,
+                    heading: layout.heading(index),
+                    wires: computed.into_iter().map(wire).collect(),
+                    regs: layout.registers(index).into_iter().map(reg).collect(),
+                }
+            })
+            .collect();
+        for id in (0..layout.nodes().len()).filter(|&id| !layout.is_literal(id)) {
+            let (node, last) = (&layout.nodes()[id], layout.schedule.last_use[id]);
+            for (high, low) in layout.unused_bits(id) {
+                unused.push(slice(&layout.name(id, last), node.format.width(), high, low));
+            }
+        }
+        let word = Format::unsigned(table.word_bits() as i32, 0);
+        let (rom_address, address_format) = layout.address();
+        let row = |address: usize| {
+            let word = table.word(address);
+            let digits = table.word_bits().div_ceil(4) as usize;
+            let value = format!("{}'h{word:0digits$x}", table.word_bits());
+            (format!("{}'d{address}", address_format.width()), value)
+        };
+        render(&Core {
+            texts,
+            operand: &operand.name,
+            operand_signed: operand.format.signed,
+            index_range: range(index.format),
+            operand_range: range(operand.format),
+            output_range: range(output_format),
+            index_format: index.format,
+            operand_format: operand.format,
+            output_format,
+            latency: layout.schedule.latency,
+            stages,
+            rom_stage: layout.rom_stage(),
+            rom_registered: layout.rom_is_registered(),
+            rom_name: format!("rom_{}", layout.field_stage()),
+            rom_range: range(word),
+            rom_address,
+            rom_depth: table.depth(),
+            rom_rows: (0..table.depth()).map(row).collect(),
+            output: layout.name(graph.output, layout.schedule.latency),
+            unused,
+        })
+    }
+}

@@ -1,0 +1,277 @@
+//! VHDL-2008 with `ieee.numeric_std`.
+
+use askama::Template;
+use num_bigint::BigUint;
+
+use super::layout::Register;
+use super::{Backend, Layout, Texts, continued, render};
+use crate::datapath::graph::{NodeId, Op};
+use crate::error::Error;
+use crate::number::Format;
+
+/// The VHDL backend.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Vhdl;
+
+struct Signal {
+    name: String,
+    kind: String,
+}
+
+struct Assignment {
+    comment: String,
+    target: String,
+    expression: String,
+}
+
+struct Stage {
+    index: u32,
+    heading: String,
+    assignments: Vec<Assignment>,
+    registers: Vec<(String, String)>,
+}
+
+/// Up to 32 bits of every ROM word: some tools take no longer constants.
+struct Chunk {
+    index: usize,
+    /// Bits of the array's elements, a whole number of hexadecimal digits.
+    element_bits: u32,
+    /// Bits of the word.
+    bits: u32,
+    high: u32,
+    low: u32,
+    rows: Vec<(usize, String)>,
+}
+
+#[derive(Template)]
+#[template(path = "vhdl/core.vhd", escape = "none")]
+struct Core<'a> {
+    texts: &'a Texts,
+    operand: &'a str,
+    operand_signed: bool,
+    operand_kind: String,
+    index_kind: String,
+    output_kind: String,
+    index_format: Format,
+    operand_format: Format,
+    output_format: Format,
+    latency: u32,
+    signals: Vec<Signal>,
+    stages: Vec<Stage>,
+    chunks: Vec<Chunk>,
+    rom_stage: u32,
+    rom_registered: bool,
+    rom_name: String,
+    rom_bits: u32,
+    /// Bits of the hexadecimal digits that hold a word.
+    rom_digit_bits: u32,
+    rom_address: String,
+    rom_depth: usize,
+    output: String,
+}
+
+struct Writer<'a> {
+    layout: &'a Layout<'a>,
+    stage: u32,
+}
+
+impl Writer<'_> {
+    fn format(&self, id: NodeId) -> Format {
+        self.layout.nodes()[id].format
+    }
+
+    fn name(&self, id: NodeId) -> String {
+        self.layout.name(id, self.stage)
+    }
+
+    fn kind(&self, id: NodeId) -> String {
+        if self.layout.is_flag(id) { "std_logic".to_owned() } else { kind(self.format(id)) }
+    }
+
+    /// A node's value as a vector of the signedness, the fraction bits and exactly the width of `to`.
+    fn fitted(&self, id: NodeId, to: Format) -> String {
+        let (from, width) = (self.format(id), to.width());
+        let shift = (to.frac_bits - from.frac_bits) as u32;
+        let shifted = |text: String| if shift > 0 { format!("shift_left({text}, {shift})") } else { text };
+        if let Op::Constant(code) = self.layout.nodes()[id].op {
+            let function = if to.signed { "to_signed" } else { "to_unsigned" };
+            // The functions take 31-bit integers only.
+            return if code << shift < 1 << 31 {
+                format!("{function}({}, {width})", code << shift)
+            } else {
+                shifted(format!("{function}({code}, {width})"))
+            };
+        }
+        let name = self.name(id);
+        let converted = |text: String| match (from.signed, to.signed) {
+            (true, false) => format!("unsigned({text})"),
+            (false, true) => format!("signed({text})"),
+            _ => text,
+        };
+        if from.width() > width {
+            // The result wraps: `resize` would keep the sign in place of the low bits.
+            return shifted(converted(format!("{name}({} downto 0)", width - 1)));
+        }
+        let resized = if from.width() == width { name } else { format!("resize({name}, {width})") };
+        shifted(converted(resized))
+    }
+
+    fn expression(&self, id: NodeId) -> String {
+        let node = &self.layout.nodes()[id];
+        let (format, width) = (node.format, node.format.width());
+        let arg = |index: usize| node.args[index];
+        match node.op {
+            Op::Index | Op::Operand | Op::Constant(_) => unreachable!("a port or a literal"),
+            Op::Field(field) => {
+                let low = self.layout.datapath.table.field_low_bit(field);
+                let slice = format!("rom_{}({} downto {low})", self.stage, low + width - 1);
+                format!("{}({slice})", if format.signed { "signed" } else { "unsigned" })
+            }
+            Op::Clamp { low, high } => self.clamp(arg(0), low, high, width),
+            Op::Add => format!("{} + {}", self.fitted(arg(0), format), self.fitted(arg(1), format)),
+            Op::Sub => format!("{} - {}", self.fitted(arg(0), format), self.fitted(arg(1), format)),
+            Op::Mul => format!("{} * {}", self.name(arg(0)), self.name(arg(1))),
+            Op::ShiftLeft => {
+                let to = Format { frac_bits: self.format(arg(0)).frac_bits, int_bits: 0, ..format };
+                let to = Format { int_bits: width as i32 - to.frac_bits - i32::from(to.signed), ..to };
+                format!("shift_left({}, to_integer({}))", self.fitted(arg(0), to), self.name(arg(1)))
+            }
+            Op::Cast => self.cast(id),
+            Op::Scale => self.name(arg(0)),
+            Op::NonZero => format!("'1' when {} /= 0 else '0'", self.name(arg(0))),
+            Op::Greater => format!("'1' when {} > {} else '0'", self.name(arg(0)), self.name(arg(1))),
+            Op::Or => format!("{} or {}", self.name(arg(0)), self.name(arg(1))),
+            Op::ZeroIf => format!("(others => '0') when {} = '1' else {}", self.name(arg(0)), self.name(arg(1))),
+        }
+    }
+
+    fn cast(&self, id: NodeId) -> String {
+        let node = &self.layout.nodes()[id];
+        let (from, to, name) = (self.format(node.args[0]), node.format, self.name(node.args[0]));
+        if to.frac_bits >= from.frac_bits {
+            return self.fitted(node.args[0], to);
+        }
+        let low = (from.frac_bits - to.frac_bits) as u32;
+        if low >= from.width() {
+            // Every bit is dropped: what is left of a number is its sign.
+            let bit = if from.signed { format!("{name}({})", from.width() - 1) } else { "'0'".to_owned() };
+            return format!("(others => {bit})");
+        }
+        let kept = (from.width() - low).min(to.width());
+        if self.layout.is_flag(id) {
+            return format!("{name}({low})");
+        }
+        let own = format!("{name}({} downto {low})", low + kept - 1);
+        let own = if kept < to.width() { format!("resize({own}, {})", to.width()) } else { own };
+        match (from.signed, to.signed) {
+            (true, false) => format!("unsigned({own})"),
+            (false, true) => format!("signed({own})"),
+            _ => own,
+        }
+    }
+
+    fn clamp(&self, arg: NodeId, low: i128, high: i128, width: u32) -> String {
+        let (from, name) = (self.format(arg), self.name(arg));
+        let magnitude = from.width() - u32::from(from.signed);
+        let mut text = String::new();
+        if from.signed {
+            text += &format!("(others => '0') when {name}({}) = '1' else\n        ", from.width() - 1);
+        } else if low > 0 {
+            text += &format!("to_unsigned({low}, {width}) when {name} < {low} else\n        ");
+        }
+        if high < from.max_code() {
+            if high.count_ones() == 1 {
+                // From a power of two on, the high bits tell.
+                let bit = high.trailing_zeros();
+                let test = if bit + 1 == magnitude {
+                    format!("{name}({bit}) = '1'")
+                } else {
+                    format!("unsigned({name}({} downto {bit})) /= 0", magnitude - 1)
+                };
+                text += &format!("({bit} => '1', others => '0') when {test} else\n        ");
+            } else {
+                text += &format!("to_unsigned({high}, {width}) when {name} > {high} else\n        ");
+            }
+        }
+        let kept = width.min(magnitude);
+        let own = if kept == from.width() { name } else { format!("{name}({} downto 0)", kept - 1) };
+        let own = if from.signed { format!("unsigned({own})") } else { own };
+        text + &if kept < width { format!("resize({own}, {width})") } else { own }
+    }
+}
+
+fn kind(format: Format) -> String {
+    format!("{}({} downto 0)", if format.signed { "signed" } else { "unsigned" }, format.width() - 1)
+}
+
+impl Backend for Vhdl {
+    fn emit(&self, layout: &Layout, texts: &Texts) -> Result<String, Error> {
+        let graph = &layout.datapath.graph;
+        let table = &layout.datapath.table;
+        let (index, operand) = (&graph.nodes[graph.index()], &graph.nodes[graph.operand()]);
+        let output_format = graph.nodes[graph.output].format;
+        let latency = layout.schedule.latency;
+        let mut signals = Vec::new();
+        let mut stages = Vec::new();
+        for index in 0..latency {
+            let writer = Writer { layout, stage: index };
+            let mut assignments = Vec::new();
+            for id in layout.computed(index) {
+                let node = &layout.nodes()[id];
+                signals.push(Signal { name: writer.name(id), kind: writer.kind(id) });
+                assignments.push(Assignment {
+                    comment: format!("{}: {}", node.format, node.comment),
+                    target: writer.name(id),
+                    expression: continued(writer.name(id).len() + 7, &writer.expression(id)),
+                });
+            }
+            let mut registers = Vec::new();
+            for Register { node, stage } in layout.registers(index) {
+                let target = layout.name(node, stage + 1);
+                let initial = if layout.is_flag(node) { "'0'" } else { "(others => '0')" };
+                signals.push(Signal { name: target.clone(), kind: format!("{} := {initial}", writer.kind(node)) });
+                registers.push((target, layout.name(node, stage)));
+            }
+            stages.push(Stage { index, heading: layout.heading(index), assignments, registers });
+        }
+        let words = table.words();
+        let chunk = |index: usize| {
+            let low = 32 * index as u32;
+            let bits = (table.word_bits() - low).min(32);
+            let digits = bits.div_ceil(4) as usize;
+            let mask = (BigUint::from(1u8) << bits) - 1u8;
+            let row = |(address, word): (usize, &BigUint)| (address, format!("{:0digits$x}", (word >> low) & &mask));
+            Chunk {
+                index,
+                element_bits: 4 * digits as u32,
+                bits,
+                high: low + bits - 1,
+                low,
+                rows: words.iter().enumerate().rev().map(row).collect(),
+            }
+        };
+        render(&Core {
+            texts,
+            operand: &operand.name,
+            operand_signed: operand.format.signed,
+            operand_kind: kind(operand.format),
+            index_kind: kind(index.format),
+            output_kind: kind(output_format),
+            index_format: index.format,
+            operand_format: operand.format,
+            output_format,
+            latency,
+            signals,
+            stages,
+            chunks: (0..table.word_bits().div_ceil(32) as usize).map(chunk).collect(),
+            rom_stage: layout.rom_stage(),
+            rom_registered: layout.rom_is_registered(),
+            rom_name: format!("rom_{}", layout.field_stage()),
+            rom_bits: table.word_bits(),
+            rom_digit_bits: 4 * table.word_bits().div_ceil(4),
+            rom_address: layout.address().0,
+            rom_depth: table.depth(),
+            output: layout.name(graph.output, latency),
+        })
+    }
+}

@@ -1,0 +1,73 @@
+//! The kernel for a design, where there is one.
+
+use super::{CubicRom, CubicWidths, Kernel, QuadraticRom, QuadraticWidths, cubic, quadratic};
+use crate::design::Design;
+use crate::spec::{Form, Method, Operand, Pipeline};
+
+/// The kernel of a design's method, if there is an instance at just its widths.
+///
+/// The kernels have the pipeline of `auto`, take the cosine, round down, read a ROM that is addressed by `in_n` itself, and scale by
+/// a shift that is wholly in the ROM.
+#[must_use]
+pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
+    let (spec, table) = (&design.spec, design.table());
+    let suits = spec.form == Form::Stable
+        && spec.operand == Operand::Cos
+        && spec.pipeline == Pipeline::Auto
+        && spec.input_fraction <= spec.output_fraction
+        && table.first_index == 0
+        && table.shared_shift == 0
+        && table.fields.iter().all(|field| !field.format.signed);
+    if !suits || !table.fields.iter().any(|field| field.name == "k") {
+        return None;
+    }
+    let words = |name: &str| -> Vec<u64> {
+        let field = table.field(name);
+        (0..table.depth()).map(|address| field.codes[table.row_of_address(address)] as u64).collect()
+    };
+    let width = |name: &str| table.field(name).format.width() as usize;
+    let bits = |name: &str| design.widths.get(name) as usize;
+    let (f, g, n) = (spec.input_fraction as usize, spec.output_fraction as usize, table.address_bits as usize);
+    let k = words("k");
+    match spec.method {
+        Method::Quadratic => {
+            let widths = QuadraticWidths {
+                f,
+                g,
+                n,
+                kw: width("k"),
+                kmax: k.iter().max().copied().unwrap_or(0) as usize,
+                ca: width("a"),
+                fv: bits("v"),
+                fp: bits("p"),
+                xb: bits("x"),
+                ft: bits("t"),
+            };
+            quadratic(&widths, QuadraticRom { k: &k, a: &words("a") })
+        }
+        Method::Cubic => {
+            let node = |name: &str| design.graph().nodes.iter().find(|node| node.name == name);
+            let (v, q) = (node("v")?.format, node("q")?.format);
+            let widths = CubicWidths {
+                f,
+                g,
+                n,
+                kw: width("k"),
+                fv: bits("v"),
+                iv: v.int_bits as usize,
+                cl: bits("a"),
+                wl: width("a"),
+                ca: bits("A"),
+                wa: width("big_a"),
+                fr: bits("A"),
+                fq: bits("A"),
+                wq: q.width() as usize,
+                fp: bits("p"),
+                xb: bits("x"),
+                ft: bits("t"),
+            };
+            let rom = CubicRom { k: &k, a: &words("a"), constant: &words("big_a"), threshold: &words("cut") };
+            cubic(&widths, rom)
+        }
+    }
+}

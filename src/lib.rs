@@ -1,0 +1,41 @@
+//! brdfgen generates FPGA cores for the specular term of a shader: `cos^n` of the highlight, as a polynomial in the cosine whose
+//! coefficients, one set for each shininess n, sit in a ROM.
+//!
+//! # The map of the house
+//!
+//! Data flows one way: spec → coefficients → datapath → {HDL, vectors, ROM files} → checks → reports.
+//!
+//! | module | what it does |
+//! | --- | --- |
+//! | [`spec`] | what the user asked for: TOML and flags, validated once, every default resolved |
+//! | [`lobe`] | real-valued mathematics, one file a method; knows no bits |
+//! | [`number`] | fixed-point formats, intervals, the model's wide type |
+//! | [`rom`] | quantised coefficient tables; writers and readers of every ROM format |
+//! | [`datapath`] | the core as a graph of typed operations: error analysis, widths, schedule, simulation, evaluator |
+//! | [`model`] | the bit-exact reference, straight from the formula; knows nothing of `datapath` |
+//! | [`design`] | a resolved core: all of the above for one spec, and its measured error |
+//! | [`kernel`] | the same blocks in rust-hdl: in-process simulation, a second road to Verilog |
+//! | [`hdl`] | datapath to Verilog and VHDL, through templates |
+//! | [`golden`] | golden vectors: make, read, compare |
+//! | [`package`] | the core directory: all files of a core, put on disk whole |
+//! | [`cosim`] | runs the HDL in simulators and compares it with the model |
+//! | [`cli`] | the commands; the only module that prints |
+//!
+//! `model` and `datapath` never import each other: what the one says, the other is checked against.
+#![warn(missing_docs)]
+
+pub mod cli;
+pub mod cosim;
+pub mod datapath;
+pub mod design;
+pub mod error;
+pub mod golden;
+pub mod hdl;
+#[cfg(feature = "kernel")]
+pub mod kernel;
+pub mod lobe;
+pub mod model;
+pub mod number;
+pub mod package;
+pub mod rom;
+pub mod spec;

@@ -1,0 +1,7 @@
+//! The command line of brdfgen.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    brdfgen::cli::main()
+}

@@ -1,0 +1,100 @@
+//! The bit-exact reference.
+//!
+//! Written straight from each method's formula with the crate `fixed`, in ignorance of the datapath graph: the two are
+//! compared by the tests, and so is everything else that claims to compute the core's function. A model is given the
+//! ROM words and the inner widths; what it does with them is its own account of the arithmetic.
+
+mod cubic;
+mod quadratic;
+
+use crate::number::wide::{self, Wide};
+use crate::rom::Table;
+use crate::spec::{CoreSpec, Form, Method, Operand, Widths};
+
+/// The core's function for one spec.
+#[derive(Clone, Debug)]
+pub struct Model<'a> {
+    spec: &'a CoreSpec,
+    widths: &'a Widths,
+    table: &'a Table,
+}
+
+impl<'a> Model<'a> {
+    /// The model of a core with these widths and ROM words.
+    #[must_use]
+    pub fn new(spec: &'a CoreSpec, widths: &'a Widths, table: &'a Table) -> Self {
+        Self { spec, widths, table }
+    }
+
+    /// The code of `out_spec` (UQ1.G) for a code of `in_n` and a code of the operand port (`in_cos` as a signed number).
+    #[must_use]
+    pub fn evaluate(&self, index: u32, operand: i64) -> u32 {
+        let row = self.spec.shininess.row_of_index(index);
+        let one = Wide::ONE;
+        let operand = wide::from_code(operand.into(), self.spec.input_fraction);
+        let x = match self.spec.operand {
+            Operand::Cos => operand.clamp(Wide::ZERO, one),
+            Operand::Versine => one - operand.min(one),
+        };
+        let inputs = Inputs {
+            x,
+            half_ulp: wide::from_code(1, self.spec.output_fraction + 1),
+            fine_input: self.spec.input_fraction > self.spec.output_fraction,
+            row,
+            table: self.table,
+            widths: self.widths,
+        };
+        let y = match (self.spec.method, self.spec.form) {
+            (Method::Quadratic, Form::Stable) => quadratic::stable(&inputs),
+            (Method::Quadratic, Form::Paper) => quadratic::paper(&inputs),
+            (Method::Cubic, Form::Stable) => cubic::stable(&inputs),
+            (Method::Cubic, Form::Paper) => cubic::paper(&inputs),
+        };
+        wide::to_code(y, self.spec.output_fraction) as u32
+    }
+}
+
+/// What a method's formula is given.
+struct Inputs<'a> {
+    /// The cosine, in [0, 1].
+    x: Wide,
+    /// Half of the output's last bit.
+    half_ulp: Wide,
+    /// The input has more fraction bits than the output.
+    fine_input: bool,
+    row: usize,
+    table: &'a Table,
+    widths: &'a Widths,
+}
+
+impl Inputs<'_> {
+    /// The named coefficient, as the ROM holds it.
+    fn coefficient(&self, name: &str) -> Wide {
+        let field = self.table.field(name);
+        let (code, frac_bits) = (field.codes[self.row], field.format.frac_bits);
+        if frac_bits >= 0 { wide::from_code(code, frac_bits as u32) } else { wide::from_code(code << -frac_bits, 0) }
+    }
+
+    /// The named coefficient, if the ROM has such a field.
+    fn optional(&self, name: &str) -> Option<Wide> {
+        self.table.fields.iter().any(|f| f.name == name).then(|| self.coefficient(name))
+    }
+
+    /// `value` rounded down to the named width.
+    fn floor(&self, value: Wide, name: &str) -> Wide {
+        wide::floor_to(value, self.widths.get(name) as u32)
+    }
+
+    /// k of this row.
+    fn shift(&self) -> u32 {
+        self.optional("k").map_or(0, |k| k.to_num::<u32>()) + self.table.shared_shift
+    }
+
+    /// `x (1 - p)` with x and `x p` rounded down to their widths, taken into [0, 1]; rounded to nearest where the input is
+    /// finer than the output.
+    fn lobe(&self, p: Wide) -> Wide {
+        let x = self.floor(self.x, "x");
+        let rounding = if self.fine_input { self.half_ulp } else { Wide::ZERO };
+        (x + rounding - self.floor(x * p, "t")).clamp(Wide::ZERO, Wide::ONE)
+    }
+}

@@ -1,0 +1,129 @@
+//! Fixed-point formats.
+
+use std::fmt;
+
+use serde::Serialize;
+
+/// A fixed-point format, written `UQi.f` (unsigned) or `Qi.f` (two's complement).
+///
+/// `i` integer bits (the sign is not counted) and `f` fraction bits: an unsigned value is
+/// `code * 2^-f` with `0 <= code < 2^(i+f)`; a signed one has `-2^(i+f) <= code < 2^(i+f)`.
+/// Either count may be negative as long as the width is at least one bit: `UQ-1.19` holds values
+/// below one half in 18 bits, `UQ3.-1` the even integers below eight in two bits.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Serialize)]
+pub struct Format {
+    /// Two's complement if true.
+    pub signed: bool,
+    /// Bits of weight one and above, the sign not counted.
+    pub int_bits: i32,
+    /// Bits of weight below one.
+    pub frac_bits: i32,
+}
+
+impl Format {
+    /// One bit that is 0 or 1.
+    pub const FLAG: Self = Self::unsigned(1, 0);
+
+    /// `UQi.f`.
+    #[must_use]
+    pub const fn unsigned(int_bits: i32, frac_bits: i32) -> Self {
+        Self { signed: false, int_bits, frac_bits }
+    }
+
+    /// `Qi.f`.
+    #[must_use]
+    pub const fn signed(int_bits: i32, frac_bits: i32) -> Self {
+        Self { signed: true, int_bits, frac_bits }
+    }
+
+    /// The number of bits, the sign included.
+    #[must_use]
+    pub const fn width(self) -> u32 {
+        (self.int_bits + self.frac_bits + self.signed as i32) as u32
+    }
+
+    /// The smallest code.
+    #[must_use]
+    pub const fn min_code(self) -> i128 {
+        if self.signed { -(1 << (self.int_bits + self.frac_bits)) } else { 0 }
+    }
+
+    /// The largest code.
+    #[must_use]
+    pub const fn max_code(self) -> i128 {
+        (1 << (self.int_bits + self.frac_bits)) - 1
+    }
+
+    /// The weight of the last bit.
+    #[must_use]
+    pub fn lsb(self) -> f64 {
+        super::exp2(-self.frac_bits)
+    }
+
+    /// The real value of a code.
+    #[must_use]
+    pub fn value(self, code: i128) -> f64 {
+        code as f64 * self.lsb()
+    }
+
+    /// Takes any integer to the code that hardware of this width keeps of it (modulo `2^width`).
+    #[must_use]
+    pub const fn wrap(self, code: i128) -> i128 {
+        let low = code & ((1 << self.width()) - 1);
+        if self.signed && low > self.max_code() { low - (1 << self.width()) } else { low }
+    }
+
+    /// The bit pattern of a code, as an unsigned integer of [`Format::width`] bits.
+    #[must_use]
+    pub const fn bits(self, code: i128) -> u128 {
+        (code & ((1 << self.width()) - 1)) as u128
+    }
+
+    /// The smallest format with the given fraction bits that holds every code from `low` to `high`.
+    #[must_use]
+    pub fn holding(low: i128, high: i128, frac_bits: i32) -> Self {
+        debug_assert!(low <= high);
+        let magnitude = |code: i128| (128 - if code < 0 { !code } else { code }.leading_zeros()) as i32;
+        let bits = magnitude(low).max(magnitude(high)).max(i32::from(low >= 0));
+        Self { signed: low < 0, int_bits: bits - frac_bits, frac_bits }
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}Q{}.{}", if self.signed { "" } else { "U" }, self.int_bits, self.frac_bits)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn ranges_and_names() {
+        let cosine = Format::signed(1, 16);
+        assert_eq!((cosine.width(), cosine.min_code(), cosine.max_code()), (18, -(1 << 17), (1 << 17) - 1));
+        assert_eq!(cosine.to_string(), "Q1.16");
+        assert_eq!(Format::unsigned(-1, 19).width(), 18);
+        assert_eq!(Format::unsigned(3, -1).value(3), 6.0);
+        assert_eq!(Format::FLAG.max_code(), 1);
+    }
+
+    proptest! {
+        #[test]
+        fn wrap_keeps_codes_that_fit(low in -5000i128..5000, span in 0i128..5000, frac in -3i32..20) {
+            let format = Format::holding(low, low + span, frac);
+            for code in [low, low + span] {
+                prop_assert_eq!(format.wrap(code), code);
+                prop_assert_eq!(format.wrap(code + (1 << format.width())), code);
+                prop_assert!(format.min_code() <= code && code <= format.max_code());
+            }
+            // One bit less would lose one of the two ends.
+            let narrower = Format { int_bits: format.int_bits - 1, ..format };
+            if format.width() > 1 + u32::from(format.signed) {
+                prop_assert!(narrower.wrap(low) != low || narrower.wrap(low + span) != low + span);
+            }
+        }
+    }
+}

@@ -1,0 +1,19 @@
+//! Fixed-point formats, intervals and the wide fixed-point type of the model.
+//!
+//! A number is an integer (its *code*) times the weight of its last bit. [`Format`] says how wide the
+//! integer is and where the binary point lies; [`Interval`] bounds real values and errors with outward
+//! rounding; [`wide`] holds the arithmetic of the reference model on the crate `fixed`.
+
+mod format;
+mod interval;
+pub mod wide;
+
+pub use format::Format;
+pub use interval::Interval;
+
+/// `2^exponent` as an exact `f64`; `exponent` must lie in -1022..=1023.
+#[must_use]
+pub fn exp2(exponent: i32) -> f64 {
+    debug_assert!((-1022..=1023).contains(&exponent));
+    f64::from_bits(((exponent + 1023) as u64) << 52)
+}

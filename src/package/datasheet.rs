@@ -1,0 +1,225 @@
+//! The datasheet of a core.
+
+use askama::Template;
+
+use crate::datapath::widths::Contribution;
+use crate::design::{Design, Measured};
+use crate::error::Error;
+use crate::hdl::render;
+use crate::spec::{CoreSpec, Form, Method, Operand, RomStyle, Shininess};
+
+/// What the core computes, in a line.
+pub(super) fn lobe_text(spec: &CoreSpec) -> String {
+    let lobe = match spec.method {
+        Method::Quadratic => "specular lobe x^n as max(0, x(1 - a u))",
+        Method::Cubic => "specular lobe x^n as x(1 - u(A - a u)), cut",
+    };
+    match spec.shininess {
+        Shininess::Range(first, last) => format!("{lobe}, n = {first} to {last}, {} form", form_text(spec.form)),
+        _ => format!("{lobe}, {} shininesses, {} form", spec.shininess.rows(), form_text(spec.form)),
+    }
+}
+
+fn form_text(form: Form) -> &'static str {
+    match form {
+        Form::Stable => "stable",
+        Form::Paper => "paper",
+    }
+}
+
+/// What the operand's port takes.
+pub(super) fn operand_text(spec: &CoreSpec) -> &'static str {
+    match spec.operand {
+        Operand::Cos => "cosine x; below 0 gives 0, above 1 counts as 1",
+        Operand::Versine => "versine u = 1 - x; above 1 counts as 1, which gives 0",
+    }
+}
+
+/// `low..high` with signs, for errors in ulps.
+#[must_use]
+pub fn interval_text([low, high]: [f64; 2]) -> String {
+    // Adding 0 takes the sign off a zero.
+    format!("{:+.3}..{:+.3}", low + 0.0, high + 0.0)
+}
+
+/// The measured error, a line each.
+pub(super) fn measured_lines(measured: &Measured) -> Vec<String> {
+    let sweep = &measured.sweep;
+    let inputs = if sweep.exhaustive {
+        format!("all {} inputs", sweep.inputs)
+    } else {
+        format!("{} evenly spaced inputs", sweep.inputs)
+    };
+    vec![
+        format!("  measured {} over {inputs}.", interval_text(measured.ulps)),
+        "Error against x^n itself, measured over the same inputs:".to_owned(),
+        format!(
+            "  {} absolute, {} where x^n >= 1/2, {} relative there.",
+            percent(measured.max_abs),
+            percent(measured.max_abs_epicentre),
+            percent(measured.max_rel_epicentre)
+        ),
+    ]
+}
+
+fn percent(value: f64) -> String {
+    format!("{:.3} %", 100.0 * value)
+}
+
+struct FieldRow {
+    name: &'static str,
+    bits: String,
+    format: String,
+    meaning: &'static str,
+}
+
+struct FormRow {
+    form: &'static str,
+    multipliers: String,
+    multiplier_bits: u32,
+    rom: String,
+    registers: u32,
+    latency: u32,
+    proved: String,
+}
+
+impl FormRow {
+    fn of(design: &Design) -> Self {
+        let multipliers = design.graph().multipliers();
+        Self {
+            form: form_text(design.spec.form),
+            multipliers: multipliers.iter().map(|(a, b)| format!("{a}x{b}")).collect::<Vec<_>>().join(", "),
+            multiplier_bits: multipliers.iter().map(|(a, b)| a * b).sum(),
+            rom: format!("{} x {} = {}", design.table().depth(), design.table().word_bits(), design.table().bits()),
+            registers: design.register_bits(),
+            latency: design.schedule.latency,
+            proved: interval_text(design.budget.proved_ulps),
+        }
+    }
+}
+
+#[derive(Template)]
+#[template(path = "package/datasheet.md", escape = "none")]
+struct Datasheet<'a> {
+    spec: &'a CoreSpec,
+    lobe: String,
+    command: String,
+    digest: String,
+    operand: &'a str,
+    operand_text: &'a str,
+    operand_format: String,
+    index_format: String,
+    index_meaning: String,
+    output_format: String,
+    latency: u32,
+    quadratic: bool,
+    stable: bool,
+    rounded: bool,
+    rom_file: bool,
+    fields: Vec<FieldRow>,
+    word_bits: u32,
+    depth: usize,
+    shared_shift: u32,
+    rows: Vec<(usize, String, String)>,
+    contributions: &'a [Contribution],
+    coefficient_error: String,
+    arithmetic_error: String,
+    proved_error: String,
+    worst: f64,
+    measured: &'a Measured,
+    measured_ulps: String,
+    max_abs: String,
+    max_abs_epicentre: String,
+    max_rel_epicentre: String,
+    rms: String,
+    forms: Vec<FormRow>,
+    other_failed: Option<String>,
+    files: Vec<(String, &'static str)>,
+}
+
+/// The datasheet's text; `other` is the core in the other form, or why there is none.
+pub(super) fn datasheet(design: &Design, measured: &Measured, other: Result<Design, String>) -> Result<String, Error> {
+    let spec = &design.spec;
+    let table = design.table();
+    let fields = table
+        .fields
+        .iter()
+        .enumerate()
+        .map(|(index, field)| {
+            let low = table.field_low_bit(index);
+            FieldRow {
+                name: field.name,
+                bits: format!("{}:{low}", low + field.format.width() - 1),
+                format: field.format.to_string(),
+                meaning: field.meaning,
+            }
+        })
+        .collect();
+    let mut forms = vec![FormRow::of(design)];
+    let other_failed = match other {
+        Ok(other) => {
+            forms.push(FormRow::of(&other));
+            None
+        }
+        Err(why) => Some(why),
+    };
+    let rows = match &spec.shininess {
+        Shininess::Range(..) => Vec::new(),
+        Shininess::List(list) => {
+            list.iter().enumerate().map(|(index, n)| (index, String::new(), n.to_string())).collect()
+        }
+        Shininess::Materials(materials) => {
+            materials.iter().enumerate().map(|(index, m)| (index, m.name.clone(), m.shininess.to_string())).collect()
+        }
+    };
+    let mut files: Vec<(String, &'static str)> = vec![
+        ("core.toml".to_owned(), "the spec, every default resolved"),
+        ("manifest.json".to_owned(), "this datasheet for programs, with a digest of every file"),
+    ];
+    for &language in &spec.languages {
+        files.push((super::rtl_path(design, language), "the core"));
+        files.push((super::bench_path(design, language), "its self-checking test bench; run it in this directory"));
+    }
+    for &format in &spec.rom_formats {
+        files.push((super::rom_path(design, format), "the coefficient ROM"));
+    }
+    files.push((super::golden_path(design), "golden vectors and digests"));
+    files.push(("files.f".to_owned(), "the sources, for a simulator's -f option"));
+    let budget = &design.budget;
+    render(&Datasheet {
+        spec,
+        lobe: lobe_text(spec),
+        command: spec.command(),
+        digest: spec.digest(),
+        operand: design.operand_name(),
+        operand_text: operand_text(spec),
+        operand_format: design.operand_format().to_string(),
+        index_format: design.index_format().to_string(),
+        index_meaning: spec.shininess.index_meaning(),
+        output_format: design.output_format().to_string(),
+        latency: design.schedule.latency,
+        quadratic: spec.method == Method::Quadratic,
+        stable: spec.form == Form::Stable,
+        rounded: spec.form == Form::Paper || spec.input_fraction > spec.output_fraction,
+        rom_file: spec.rom == RomStyle::File,
+        fields,
+        word_bits: table.word_bits(),
+        depth: table.depth(),
+        shared_shift: table.shared_shift,
+        rows,
+        contributions: &budget.contributions,
+        coefficient_error: interval_text(budget.coefficient_ulps),
+        arithmetic_error: interval_text(budget.arithmetic_ulps),
+        proved_error: interval_text(budget.proved_ulps),
+        worst: table.shininess[budget.worst_row],
+        measured,
+        measured_ulps: interval_text(measured.ulps),
+        max_abs: percent(measured.max_abs),
+        max_abs_epicentre: percent(measured.max_abs_epicentre),
+        max_rel_epicentre: percent(measured.max_rel_epicentre),
+        rms: percent(measured.rms),
+        forms,
+        other_failed,
+        files,
+    })
+}

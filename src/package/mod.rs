@@ -1,0 +1,229 @@
+//! The core directory: its files, and how they are put on disk.
+
+mod datasheet;
+mod directory;
+
+pub use datasheet::interval_text;
+pub use directory::{GENERATED_MARK, check_target, write_directory, write_file};
+
+use serde::Serialize;
+use serde_json::json;
+use sha2::{Digest, Sha256};
+
+use crate::datapath::widths::Budget;
+use crate::design::{Design, Measured};
+use crate::error::Error;
+use crate::golden::Golden;
+use crate::hdl::{self, Texts};
+use crate::rom::{self, RomFormat};
+use crate::spec::{Form, Language, RomStyle, hex};
+
+/// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// The path.
+    pub path: String,
+    /// The content.
+    pub bytes: Vec<u8>,
+}
+
+/// The design of the same core in the other form, for comparison; `Err` says why there is none.
+fn other_form(design: &Design) -> Result<Design, String> {
+    let form = match design.spec.form {
+        Form::Stable => Form::Paper,
+        Form::Paper => Form::Stable,
+    };
+    let spec = crate::spec::CoreSpec { form, ..design.spec.clone() };
+    Design::new(spec).map_err(|error| error.to_string())
+}
+
+/// The path of the golden vectors in the core's directory.
+#[must_use]
+pub fn golden_path(design: &Design) -> String {
+    format!("golden/{}.vec", design.spec.name)
+}
+
+/// The path of a ROM file in the core's directory.
+#[must_use]
+pub fn rom_path(design: &Design, format: RomFormat) -> String {
+    format!("rom/{}", format.file_name(&design.spec.name))
+}
+
+/// The path of the HDL in the core's directory.
+#[must_use]
+pub fn rtl_path(design: &Design, language: Language) -> String {
+    format!("rtl/{}.{}", design.spec.name, extension(language))
+}
+
+/// The path of the test bench in the core's directory.
+#[must_use]
+pub fn bench_path(design: &Design, language: Language) -> String {
+    format!("tb/{}_tb.{}", design.spec.name, extension(language))
+}
+
+fn extension(language: Language) -> &'static str {
+    match language {
+        Language::Verilog => "v",
+        Language::Vhdl => "vhd",
+    }
+}
+
+/// What the texts of a core's HDL say about it.
+#[must_use]
+pub fn texts(design: &Design, measured: &Measured) -> Texts {
+    let spec = &design.spec;
+    let mut header = vec![
+        format!("{}: {}", spec.name, datasheet::lobe_text(spec)),
+        String::new(),
+        format!("Made by: {}", spec.command()),
+        format!("Spec {}. Generated; the core is yours to use under any terms.", spec.digest()),
+        String::new(),
+        format!("  in_n      {:<7} {}", design.index_format().to_string(), spec.shininess.index_meaning()),
+        format!(
+            "  {:<9} {:<7} {}",
+            design.operand_name(),
+            design.operand_format().to_string(),
+            datasheet::operand_text(spec)
+        ),
+        format!("  out_spec  {:<7} 0 to 1", design.output_format().to_string()),
+        String::new(),
+        format!("Latency {} clocks, one result a clock.", design.schedule.latency),
+        format!(
+            "Error against the real-valued method, in ulps of out_spec: proved within {}.",
+            datasheet::interval_text(design.budget.proved_ulps)
+        ),
+    ];
+    header.extend(datasheet::measured_lines(measured));
+    Texts {
+        name: spec.name.clone(),
+        header,
+        rom_file: (spec.rom == RomStyle::File).then(|| rom_path(design, RomFormat::Mem)),
+    }
+}
+
+/// The text of `core.toml`.
+#[must_use]
+pub fn spec_text(design: &Design) -> String {
+    format!("{GENERATED_MARK}; `brdfgen generate core.toml --out DIR` makes it again\n{}", design.spec.to_toml())
+}
+
+/// All files of a core, `manifest.json` last.
+///
+/// # Errors
+/// If a template cannot be filled in.
+pub fn files(design: &Design, measured: &Measured, golden: &Golden) -> Result<Vec<File>, Error> {
+    let spec = &design.spec;
+    let layout = design.layout();
+    let texts = texts(design, measured);
+    let golden_path = golden_path(design);
+    let mut files = Vec::new();
+    let mut add = |path: String, bytes: Vec<u8>| files.push(File { path, bytes });
+
+    add("core.toml".to_owned(), spec_text(design).into_bytes());
+    add("README.md".to_owned(), datasheet::datasheet(design, measured, other_form(design))?.into_bytes());
+    for &language in &spec.languages {
+        add(rtl_path(design, language), hdl::backend(language).emit(&layout, &texts)?.into_bytes());
+        let bench = hdl::test_bench(language, &layout, &texts, &golden_path)?;
+        add(bench_path(design, language), bench.into_bytes());
+    }
+    for &format in &spec.rom_formats {
+        let bytes = rom::write(design.table(), format, &spec.name, &spec.digest(), &spec.command());
+        add(rom_path(design, format), bytes);
+    }
+    add(golden_path, golden.to_text(design).into_bytes());
+    let list: Vec<String> = spec.languages.iter().map(|&language| rtl_path(design, language)).collect();
+    add("files.f".to_owned(), (list.join("\n") + "\n").into_bytes());
+
+    let manifest = manifest(design, measured, &files);
+    files.push(File { path: "manifest.json".to_owned(), bytes: (manifest + "\n").into_bytes() });
+    Ok(files)
+}
+
+#[derive(Serialize)]
+struct Port {
+    name: String,
+    direction: &'static str,
+    format: String,
+    bits: u32,
+    meaning: String,
+}
+
+fn manifest(design: &Design, measured: &Measured, files: &[File]) -> String {
+    let spec = &design.spec;
+    let port = |name: &str, direction, format: crate::number::Format, meaning: String| Port {
+        name: name.to_owned(),
+        direction,
+        format: format.to_string(),
+        bits: format.width(),
+        meaning,
+    };
+    let flag = crate::number::Format::FLAG;
+    let ports = [
+        port("clk", "in", flag, "clock, rising edge".to_owned()),
+        port("rst", "in", flag, "synchronous reset of the valid chain".to_owned()),
+        port("ce", "in", flag, "clock enable".to_owned()),
+        port("in_valid", "in", flag, "the operands are to be taken".to_owned()),
+        port("in_n", "in", design.index_format(), spec.shininess.index_meaning()),
+        port(design.operand_name(), "in", design.operand_format(), datasheet::operand_text(spec).to_owned()),
+        port("out_valid", "out", flag, "out_spec is a result".to_owned()),
+        port("out_spec", "out", design.output_format(), "the lobe, 0 to 1".to_owned()),
+    ];
+    let fields: Vec<_> = design
+        .table()
+        .fields
+        .iter()
+        .enumerate()
+        .map(|(index, field)| {
+            json!({
+                "name": field.name,
+                "meaning": field.meaning,
+                "format": field.format.to_string(),
+                "low_bit": design.table().field_low_bit(index),
+                "bits": field.format.width(),
+            })
+        })
+        .collect();
+    let multipliers: Vec<_> = design.graph().multipliers().iter().map(|(a, b)| json!([a, b])).collect();
+    let digests: serde_json::Map<String, serde_json::Value> =
+        files.iter().map(|file| (file.path.clone(), json!(hex(&Sha256::digest(&file.bytes))))).collect();
+    let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_row } = &design.budget;
+    let manifest = json!({
+        "generator": "brdfgen",
+        "name": spec.name,
+        "command": spec.command(),
+        "spec": spec.digest(),
+        "latency": design.schedule.latency,
+        "ports": ports,
+        "rom": {
+            "depth": design.table().depth(),
+            "word_bits": design.table().word_bits(),
+            "fields": fields,
+        },
+        "multipliers": multipliers,
+        "register_bits": design.register_bits(),
+        "widths": design.widths,
+        "error": {
+            "proved_ulps": proved_ulps,
+            "proved_coefficient_ulps": coefficient_ulps,
+            "proved_arithmetic_ulps": arithmetic_ulps,
+            "worst_shininess": design.table().shininess[*worst_row],
+            "contributions": contributions,
+            "measured": measured,
+        },
+        "files_sha256": digests,
+    });
+    serde_json::to_string_pretty(&rounded(manifest)).expect("JSON of plain values")
+}
+
+/// Numbers to 9 significant digits, which is more than they mean and hides the last bits of sums.
+fn rounded(value: serde_json::Value) -> serde_json::Value {
+    match value {
+        serde_json::Value::Number(number) => match number.as_f64().filter(|_| number.is_f64()) {
+            Some(float) => json!(format!("{float:.8e}").parse::<f64>().unwrap_or(float)),
+            None => serde_json::Value::Number(number),
+        },
+        serde_json::Value::Array(items) => items.into_iter().map(rounded).collect(),
+        serde_json::Value::Object(map) => map.into_iter().map(|(key, value)| (key, rounded(value))).collect(),
+        other => other,
+    }
+}

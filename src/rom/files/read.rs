@@ -1,0 +1,678 @@
+//! Reading each format: what [`write`](super::write()) writes, and what other tools write within reason.
+
+use std::collections::BTreeMap;
+
+use ihex::{ReaderError, Record};
+use num_bigint::BigUint;
+
+use super::source::{Comments, Cursor, Kind, Source, Span, Token, Words, shown};
+use super::{MAX_DEPTH, RomImage, word_bytes};
+use crate::error::Error;
+use crate::rom::RomFormat;
+
+/// Reads a ROM file. `expected_bits` is the width of the words that it should hold, `file` its name for messages.
+///
+/// # Errors
+/// Says what is wrong, where, and what is allowed: the text is not of the format or is cut off, a word is wider
+/// than `expected_bits` or the format states another width, an address is out of range, twice there or missing.
+pub fn read(bytes: &[u8], format: RomFormat, file: &str, expected_bits: u32) -> Result<RomImage, Error> {
+    let source = |allowed| Source::new(bytes, file, allowed, expected_bits);
+    match format {
+        RomFormat::Mem => read_mem(&source(
+            "a .mem file has hexadecimal words separated by white space, @ADDRESS in hexadecimal, and // or /* */ comments",
+        )),
+        RomFormat::Hex => read_intel_hex(&source(
+            "an Intel HEX file has one record a line, as in :0300300002337A1E, and ends with :00000001FF",
+        )),
+        RomFormat::Coe => read_coe(&source(
+            "a .coe file has memory_initialization_radix=2, 10 or 16; then memory_initialization_vector=WORD,WORD,...; \
+             and comment lines that begin with ;",
+        )),
+        RomFormat::Mif => read_mif(&source(
+            "a .mif file has DEPTH, WIDTH, ADDRESS_RADIX and DATA_RADIX, each as in DEPTH = 256; then CONTENT BEGIN, \
+             lines such as 0 : 1f; or [0..3] : 1f; and END;",
+        )),
+        RomFormat::Vhdl => read_vhdl(&source(
+            "the words stand in a constant array of bit strings, as in := (0 => \"0101\", 1 => x\"a\"); and the package \
+             ends with `end`",
+        )),
+        RomFormat::C => read_c(&source(
+            "the words stand in an array of integers or of limbs of 32 bits, as in = {0x1f, 0x2e}; or = {{1, 2}, {3, 4}};",
+        )),
+        RomFormat::Csv => read_csv(&source(
+            "a ROM's .csv has the columns address and word (hexadecimal), FIELD_code with integers and FIELD_real with \
+             numbers, named in the first row",
+        )),
+        RomFormat::Bin => read_raw(bytes, file, expected_bits),
+    }
+}
+
+fn image(words: Vec<BigUint>) -> RomImage {
+    RomImage { words, width: None, codes: Vec::new() }
+}
+
+fn read_mem(source: &Source<'_>) -> Result<RomImage, Error> {
+    let mut cursor = source.tokens(&Comments { line: "//", block: Some(("/*", "*/")), whole_lines: false })?;
+    let mut words = Words::new(source);
+    let mut address = 0;
+    let mut digit_counts = Vec::new();
+    let mut last = (0, 0);
+    while cursor.peek(0).is_some() {
+        if cursor.take_symbol("@") {
+            let token = cursor.expect_word("a hexadecimal address")?;
+            address = source.address(token.text, 16, token.span)?;
+            if cursor.peek(0).is_none() {
+                return Err(cursor.unexpected("a word for that address"));
+            }
+            continue;
+        }
+        let token = cursor.expect_word("a hexadecimal word")?;
+        words.place(address, source.word(token.text, 16, token.span)?, token.span, MAX_DEPTH)?;
+        address += 1;
+        last = token.span;
+        digit_counts.push(token.text.len());
+    }
+    source.refuse_cut_word(last, &digit_counts)?;
+    words.finish(None).map(image)
+}
+
+fn read_coe(source: &Source<'_>) -> Result<RomImage, Error> {
+    let mut cursor = source.tokens(&Comments { line: ";", block: None, whole_lines: true })?;
+    let mut radix = None;
+    loop {
+        // A lone `;` between the settings is an empty comment.
+        while cursor.take_symbol(";") {}
+        let key = cursor.expect_word("memory_initialization_radix or memory_initialization_vector")?;
+        cursor.expect_symbol("=")?;
+        if key.is_word("memory_initialization_radix") {
+            let value = cursor.expect_word("a radix")?;
+            radix = Some(match value.text {
+                "2" => 2,
+                "10" => 10,
+                "16" => 16,
+                other => {
+                    return Err(source.error(
+                        format!("the radix {} is not allowed", shown(other)),
+                        source.allowed,
+                        value.span,
+                    ));
+                }
+            });
+            cursor.expect_symbol(";")?;
+        } else if key.is_word("memory_initialization_vector") {
+            let Some(radix) = radix else {
+                let what = "memory_initialization_radix must stand before the words";
+                return Err(source.error(what, source.allowed, key.span));
+            };
+            let words = read_coe_vector(source, &mut cursor, radix)?;
+            return Ok(image(words));
+        } else {
+            let what = format!("{} is not a setting of a .coe file", shown(key.text));
+            return Err(source.error(what, source.allowed, key.span));
+        }
+    }
+}
+
+/// Words with commas or white space between them, ended by a semicolon.
+fn read_coe_vector(source: &Source<'_>, cursor: &mut Cursor<'_>, radix: u32) -> Result<Vec<BigUint>, Error> {
+    let mut words = Words::new(source);
+    for address in 0.. {
+        let token = cursor.expect_word("a word")?;
+        words.place(address, source.word(token.text, radix, token.span)?, token.span, MAX_DEPTH)?;
+        if cursor.take_symbol(";") {
+            break;
+        }
+        let word_follows = cursor.peek(0).is_some_and(|next| next.kind == Kind::Word);
+        if !cursor.take_symbol(",") && !word_follows {
+            return Err(cursor.unexpected("`,` or `;`"));
+        }
+    }
+    cursor.expect_end()?;
+    words.finish(None)
+}
+
+/// The settings in front of a .mif file's words.
+#[derive(Default)]
+struct MifSettings {
+    depth: Option<usize>,
+    width: Option<u32>,
+    address_radix: Option<MifRadix>,
+    data_radix: Option<MifRadix>,
+}
+
+#[derive(Clone, Copy)]
+struct MifRadix {
+    radix: u32,
+    signed: bool,
+}
+
+impl MifRadix {
+    fn of_name(name: &str) -> Option<Self> {
+        let (radix, signed) = match name.to_ascii_uppercase().as_str() {
+            "BIN" => (2, false),
+            "OCT" => (8, false),
+            "UNS" => (10, false),
+            "DEC" => (10, true),
+            "HEX" => (16, false),
+            _ => return None,
+        };
+        Some(Self { radix, signed })
+    }
+}
+
+fn read_mif(source: &Source<'_>) -> Result<RomImage, Error> {
+    let mut cursor = source.tokens(&Comments { line: "--", block: Some(("%", "%")), whole_lines: false })?;
+    let settings = read_mif_settings(source, &mut cursor)?;
+    let begin = cursor.expect_word("BEGIN")?;
+    if !begin.is_word("BEGIN") {
+        cursor.next -= 1;
+        return Err(cursor.unexpected("BEGIN"));
+    }
+    let missing = |name: &str| source.error(format!("{name} is not given before CONTENT"), source.allowed, begin.span);
+    let depth = settings.depth.ok_or_else(|| missing("DEPTH"))?;
+    let width = settings.width.ok_or_else(|| missing("WIDTH"))?;
+    // Quartus takes hexadecimal for a radix that is not given.
+    let hexadecimal = MifRadix { radix: 16, signed: false };
+    let address_radix = settings.address_radix.unwrap_or(hexadecimal).radix;
+    let data_radix = settings.data_radix.unwrap_or(hexadecimal);
+
+    let mut words = Words::new(source);
+    loop {
+        // Only `END` with its semicolon: in hexadecimal it could not be an address, as N is no digit.
+        if cursor.peek(0).is_some_and(|token| token.is_word("END")) {
+            cursor.next += 1;
+            cursor.expect_symbol(";")?;
+            cursor.expect_end()?;
+            return Ok(RomImage { words: words.finish(Some(depth))?, width: Some(width), codes: Vec::new() });
+        }
+        let (first, last) = read_mif_addresses(source, &mut cursor, address_radix)?;
+        cursor.expect_symbol(":")?;
+        let mut line = Vec::new();
+        while line.is_empty() || !cursor.take_symbol(";") {
+            line.push(read_mif_word(source, &mut cursor, data_radix)?);
+        }
+        // A range repeats its words up to its end; a single address begins a run of them.
+        let count = last.map_or(line.len(), |last| last - first + 1);
+        for (address, (word, span)) in (first..first + count).zip(line.iter().cycle()) {
+            words.place(address, word.clone(), *span, depth)?;
+        }
+    }
+}
+
+fn read_mif_settings(source: &Source<'_>, cursor: &mut Cursor<'_>) -> Result<MifSettings, Error> {
+    let mut settings = MifSettings::default();
+    loop {
+        let key = cursor.expect_word("a setting or CONTENT")?;
+        if key.is_word("CONTENT") {
+            return Ok(settings);
+        }
+        cursor.expect_symbol("=")?;
+        let value = cursor.expect_word("a value")?;
+        let radix = || {
+            let what = format!("the radix {} is not known", shown(value.text));
+            MifRadix::of_name(value.text)
+                .ok_or_else(|| source.error(what, "a radix is BIN, OCT, DEC, UNS or HEX", value.span))
+        };
+        let number = |most: usize| {
+            let number = usize::try_from(source.number(value.text, 10, 32, value.span)?).unwrap_or(usize::MAX);
+            if (1..=most).contains(&number) {
+                return Ok(number);
+            }
+            let what = format!("{} is {number}", key.text.to_ascii_uppercase());
+            Err(source.error(what, format!("it is a number from 1 to {most}"), value.span))
+        };
+        match key.text.to_ascii_uppercase().as_str() {
+            "DEPTH" => settings.depth = Some(number(MAX_DEPTH)?),
+            "WIDTH" => {
+                let width = number(usize::MAX)?;
+                if width != source.word_bits as usize {
+                    let what = format!("the file states words of {width} bits");
+                    let allowed = format!("the words of this ROM have {} bits", source.word_bits);
+                    return Err(source.error(what, allowed, value.span));
+                }
+                settings.width = Some(source.word_bits);
+            }
+            "ADDRESS_RADIX" => settings.address_radix = Some(radix()?),
+            "DATA_RADIX" => settings.data_radix = Some(radix()?),
+            _ => {
+                let what = format!("{} is not a setting of a .mif file", shown(key.text));
+                return Err(source.error(what, source.allowed, key.span));
+            }
+        }
+        cursor.expect_symbol(";")?;
+    }
+}
+
+/// One address, or the first and the last of a range such as `[0..3]`.
+fn read_mif_addresses(
+    source: &Source<'_>,
+    cursor: &mut Cursor<'_>,
+    radix: u32,
+) -> Result<(usize, Option<usize>), Error> {
+    let is_range = cursor.take_symbol("[");
+    let token = cursor.expect_word("an address or END")?;
+    let first = source.address(token.text, radix, token.span)?;
+    if !is_range {
+        return Ok((first, None));
+    }
+    cursor.expect_symbol(".")?;
+    cursor.expect_symbol(".")?;
+    let token = cursor.expect_word("an address")?;
+    let last = source.address(token.text, radix, token.span)?;
+    cursor.expect_symbol("]")?;
+    if last < first {
+        let what = format!("the range from {first} to {last} is empty");
+        return Err(source.error(what, "write the smaller address first", token.span));
+    }
+    Ok((first, Some(last)))
+}
+
+fn read_mif_word(source: &Source<'_>, cursor: &mut Cursor<'_>, radix: MifRadix) -> Result<(BigUint, Span), Error> {
+    let negative = radix.signed && cursor.take_symbol("-");
+    let token = cursor.expect_word("a word or `;`")?;
+    let magnitude = source.word(token.text, radix.radix, token.span)?;
+    if !negative {
+        return Ok((magnitude, token.span));
+    }
+    let modulus = BigUint::from(1u8) << source.word_bits;
+    if &magnitude + &magnitude > modulus {
+        let what = format!("{} is out of range", shown(&format!("-{}", token.text)));
+        return Err(source.error(
+            what,
+            format!("a word has {} bits in two's complement", source.word_bits),
+            token.span,
+        ));
+    }
+    Ok(((&modulus - magnitude) % &modulus, token.span))
+}
+
+fn read_vhdl(source: &Source<'_>) -> Result<RomImage, Error> {
+    let mut cursor = source.tokens(&Comments { line: "--", block: Some(("/*", "*/")), whole_lines: false })?;
+    let begins = |three: &[Token<'_>]| three.iter().zip([":", "=", "("]).all(|(token, symbol)| token.is_symbol(symbol));
+    let Some(array) = cursor.tokens.windows(3).position(begins) else {
+        return Err(source.cut_off("the file has no constant array, which begins with `:= (`"));
+    };
+    cursor.next = array + 3;
+    let mut words = Words::new(source);
+    let mut address = 0;
+    loop {
+        let is_choice =
+            cursor.peek(1).is_some_and(|t| t.is_symbol("=")) && cursor.peek(2).is_some_and(|t| t.is_symbol(">"));
+        if is_choice {
+            let token = cursor.expect_word("an address")?;
+            address = source.address(token.text, 10, token.span)?;
+            cursor.next += 2;
+        }
+        let (word, span) = read_bit_string(source, &mut cursor)?;
+        words.place(address, word, span, MAX_DEPTH)?;
+        address += 1;
+        if cursor.take_symbol(")") {
+            break;
+        }
+        if !cursor.take_symbol(",") {
+            return Err(cursor.unexpected("`,` or `)`"));
+        }
+    }
+    cursor.expect_symbol(";")?;
+    // What follows is not read, but a package without its end has been cut off.
+    let ends = cursor.tokens[cursor.next..].iter().any(|token| token.is_word("end"));
+    if !ends || !cursor.tokens.last().is_some_and(|token| token.is_symbol(";")) {
+        return Err(source.cut_off("the file ends before the end of the package"));
+    }
+    Ok(RomImage { width: Some(source.word_bits), ..image(words.finish(None)?) })
+}
+
+/// One word: bit string literals, joined with `&`, that together have as many bits as the word.
+fn read_bit_string(source: &Source<'_>, cursor: &mut Cursor<'_>) -> Result<(BigUint, Span), Error> {
+    let mut word = BigUint::ZERO;
+    let mut bits = 0;
+    let begin = cursor.next;
+    loop {
+        let prefix = cursor.peek(0).filter(|token| token.kind == Kind::Word);
+        cursor.next += usize::from(prefix.is_some());
+        let Some(literal) = cursor.peek(0).filter(|token| token.kind == Kind::Quoted) else {
+            cursor.next -= usize::from(prefix.is_some());
+            return Err(cursor.unexpected("a bit string such as \"0101\""));
+        };
+        cursor.next += 1;
+        let (size, base) = match prefix {
+            Some(prefix) => bit_string_prefix(source, prefix)?,
+            None => (None, 1),
+        };
+        let digits = literal.text.bytes().filter(|&c| c != b'_').count() as u64;
+        let length = size.map_or(digits * u64::from(base), u64::from);
+        bits += length;
+        if bits > u64::from(source.word_bits) {
+            break;
+        }
+        let inner = (literal.span.0 + 1, literal.text.len());
+        // Narrower than a word, as has just been seen.
+        word = (word << length) | source.number(literal.text, 1 << base, length as u32, inner)?;
+        if !cursor.take_symbol("&") {
+            break;
+        }
+    }
+    let start = cursor.tokens[begin].span.0;
+    let span = (start, cursor.tokens[cursor.next - 1].end() - start);
+    if bits != u64::from(source.word_bits) {
+        let what = if bits < u64::from(source.word_bits) {
+            format!("the word has {bits} bits")
+        } else {
+            format!("the word has more than {} bits", source.word_bits)
+        };
+        return Err(source.error(what, format!("the words of this ROM have {} bits", source.word_bits), span));
+    }
+    Ok((word, span))
+}
+
+/// The size, if there is one, and the bits of a digit of a literal such as `x"1f"` or `22ux"1f"`.
+fn bit_string_prefix(source: &Source<'_>, prefix: Token<'_>) -> Result<(Option<u32>, u32), Error> {
+    let wrong = || {
+        let what = format!("{} does not begin a bit string", shown(prefix.text));
+        source.error(
+            what,
+            "a bit string is written \"0101\", b\"0101\", o\"17\", x\"1f\" or with its size, 22x\"1f\"",
+            prefix.span,
+        )
+    };
+    let (size, base) = prefix.text.split_at(prefix.text.bytes().take_while(u8::is_ascii_digit).count());
+    let size = if size.is_empty() { None } else { Some(size.parse().map_err(|_| wrong())?) };
+    let base = match base.to_ascii_lowercase().as_str() {
+        "b" | "ub" => 1,
+        "o" | "uo" => 3,
+        "x" | "ux" => 4,
+        _ => return Err(wrong()),
+    };
+    Ok((size, base))
+}
+
+fn read_c(source: &Source<'_>) -> Result<RomImage, Error> {
+    let mut cursor = source.tokens(&Comments { line: "//", block: Some(("/*", "*/")), whole_lines: false })?;
+    let begins = |two: &[Token<'_>]| two[0].is_symbol("=") && two[1].is_symbol("{");
+    let Some(array) = cursor.tokens.windows(2).position(begins) else {
+        return Err(source.cut_off("the file has no array, which begins with `= {`"));
+    };
+    let depth = c_array_depth(&cursor.tokens[..array]);
+    cursor.next = array + 2;
+    let mut words = Words::new(source);
+    let mut address = 0;
+    while !cursor.take_symbol("}") {
+        let (word, span) = if cursor.take_symbol("{") {
+            read_c_limbs(source, &mut cursor)?
+        } else {
+            read_c_integer(source, &mut cursor, source.word_bits)?
+        };
+        words.place(address, word, span, depth.unwrap_or(MAX_DEPTH).min(MAX_DEPTH))?;
+        address += 1;
+        if !cursor.take_symbol(",") && !cursor.peek(0).is_some_and(|token| token.is_symbol("}")) {
+            return Err(cursor.unexpected("`,` or `}`"));
+        }
+    }
+    cursor.expect_symbol(";")?;
+    // What follows is not read, but a header without the end of its guard has been cut off.
+    let directives = |names: &[&str]| {
+        let is_one = |two: &&[Token<'_>]| two[0].is_symbol("#") && names.contains(&two[1].text);
+        cursor.tokens.windows(2).filter(is_one).count()
+    };
+    if directives(&["if", "ifdef", "ifndef"]) > directives(&["endif"]) {
+        return Err(source.cut_off("the file ends before the #endif of its include guard"));
+    }
+    words.finish(depth).map(image)
+}
+
+/// The number in the first brackets of a declarator, if it is a plain one.
+fn c_array_depth(declarator: &[Token<'_>]) -> Option<usize> {
+    let mut depth = None;
+    let mut rest = declarator;
+    while let [before @ .., open, size, close] = rest
+        && open.is_symbol("[")
+        && close.is_symbol("]")
+    {
+        depth = size.text.parse().ok();
+        rest = before;
+    }
+    depth
+}
+
+/// The limbs of 32 bits of one word up to the closing brace, the least significant first.
+fn read_c_limbs(source: &Source<'_>, cursor: &mut Cursor<'_>) -> Result<(BigUint, Span), Error> {
+    let begin = cursor.next - 1;
+    let mut limbs = Vec::new();
+    loop {
+        let (limb, _) = read_c_integer(source, cursor, 32)?;
+        limbs.push(limb.to_u32_digits().first().copied().unwrap_or(0));
+        let comma = cursor.take_symbol(",");
+        if cursor.take_symbol("}") {
+            break;
+        }
+        if !comma {
+            return Err(cursor.unexpected("`,` or `}`"));
+        }
+    }
+    let start = cursor.tokens[begin].span.0;
+    let span = (start, cursor.tokens[cursor.next - 1].end() - start);
+    let word = BigUint::new(limbs);
+    refuse_wide(source, &word, span)?;
+    Ok((word, span))
+}
+
+fn read_c_integer(source: &Source<'_>, cursor: &mut Cursor<'_>, bits: u32) -> Result<(BigUint, Span), Error> {
+    let token = cursor.expect_word("an integer")?;
+    let digits = token.text.trim_end_matches(['u', 'U', 'l', 'L']);
+    let lower = digits.to_ascii_lowercase();
+    let (digits, radix) = if let Some(digits) = lower.strip_prefix("0x") {
+        (digits, 16)
+    } else if let Some(digits) = lower.strip_prefix("0b") {
+        (digits, 2)
+    } else if lower.starts_with('0') {
+        (lower.as_str(), 8)
+    } else {
+        (lower.as_str(), 10)
+    };
+    Ok((source.number(digits, radix, bits, token.span)?, token.span))
+}
+
+fn refuse_wide(source: &Source<'_>, word: &BigUint, span: Span) -> Result<(), Error> {
+    if word.bits() <= u64::from(source.word_bits) {
+        return Ok(());
+    }
+    let what = format!("the word 0x{word:x} is too wide");
+    Err(source.error(what, format!("the words of this ROM have {} bits", source.word_bits), span))
+}
+
+/// What a column of a .csv file holds.
+enum Column<'s> {
+    Address,
+    Word,
+    Code(&'s str),
+    /// A number that nothing is compared with.
+    Real,
+    Other,
+}
+
+fn read_csv(source: &Source<'_>) -> Result<RomImage, Error> {
+    let mut rows = csv_rows(&source.text);
+    let Some(header) = rows.next() else {
+        return Err(source.cut_off("the file has no header row"));
+    };
+    let columns: Vec<Column<'_>> = header
+        .iter()
+        .map(|(name, _)| match *name {
+            "address" => Column::Address,
+            "word" => Column::Word,
+            "shininess" => Column::Real,
+            name => match (name.strip_suffix("_code"), name.strip_suffix("_real")) {
+                (Some(field), _) => Column::Code(field),
+                (_, Some(_)) => Column::Real,
+                _ => Column::Other,
+            },
+        })
+        .collect();
+    let only_one = |name: &str| header.iter().filter(|(cell, _)| *cell == name).count() == 1;
+    if let Some(name) = ["address", "word"].into_iter().find(|name| !only_one(name)) {
+        let what = format!("the header row has not one column `{name}`");
+        return Err(source.error(what, source.allowed, row_span(&header)));
+    }
+
+    let mut words = Words::new(source);
+    let mut codes_by_address = BTreeMap::new();
+    let mut digit_counts = Vec::new();
+    let mut last = (0, 0);
+    for row in rows {
+        if row.len() != columns.len() {
+            let what = format!("the number of cells in this row is {}", row.len());
+            let allowed = format!("the header row names {} columns", columns.len());
+            return Err(source.error(what, allowed, row_span(&row)));
+        }
+        let mut address = 0;
+        let mut word = (BigUint::ZERO, (0, 0));
+        let mut codes: Vec<i128> = Vec::new();
+        for (column, &(cell, span)) in columns.iter().zip(&row) {
+            let not_a = |kind: &str| source.error(format!("{} is not {kind}", shown(cell)), source.allowed, span);
+            match column {
+                Column::Address => address = source.address(cell, 10, span)?,
+                Column::Word => {
+                    let digits = cell.strip_prefix("0x").or_else(|| cell.strip_prefix("0X")).unwrap_or(cell);
+                    word = (source.word(digits, 16, span)?, span);
+                    last = span;
+                    digit_counts.push(digits.len());
+                }
+                Column::Code(_) => codes.push(cell.parse().map_err(|_| not_a("an integer"))?),
+                Column::Real => {
+                    cell.parse::<f64>().map_err(|_| not_a("a number"))?;
+                }
+                Column::Other => {}
+            }
+        }
+        words.place(address, word.0, word.1, MAX_DEPTH)?;
+        codes_by_address.insert(address, codes);
+    }
+    source.refuse_cut_word(last, &digit_counts)?;
+    let fields = columns.iter().filter_map(|column| if let Column::Code(field) = column { Some(*field) } else { None });
+    let codes = fields.enumerate().map(|(position, field)| {
+        let codes = codes_by_address.values().map(|codes: &Vec<i128>| codes[position]).collect();
+        (field.to_owned(), codes)
+    });
+    Ok(RomImage { codes: codes.collect(), ..image(words.finish(None)?) })
+}
+
+/// A row's cells with their places.
+type CsvRow<'s> = Vec<(&'s str, Span)>;
+
+/// The rows that are not blank. A cell may stand in double quotes, but not hold a comma.
+fn csv_rows(text: &str) -> impl Iterator<Item = CsvRow<'_>> {
+    let offset = |part: &str| part.as_ptr() as usize - text.as_ptr() as usize;
+    text.trim_start_matches('\u{feff}').lines().filter(|line| !line.trim().is_empty()).map(move |line| {
+        let cells = line.split(',').map(|cell| {
+            let cell = cell.trim();
+            let inner = cell.strip_prefix('"').and_then(|cell| cell.strip_suffix('"')).unwrap_or(cell);
+            (inner, (offset(inner), inner.len()))
+        });
+        cells.collect()
+    })
+}
+
+fn row_span(row: &CsvRow<'_>) -> Span {
+    match (row.first(), row.last()) {
+        (Some((_, first)), Some((_, last))) => (first.0, last.0 + last.1 - first.0),
+        _ => (0, 0),
+    }
+}
+
+fn read_raw(bytes: &[u8], file: &str, word_bits: u32) -> Result<RomImage, Error> {
+    let word_bytes = word_bytes(word_bits);
+    let allowed = format!("a .bin file of this ROM has {word_bytes} bytes for each word of {word_bits} bits");
+    if bytes.is_empty() || !bytes.len().is_multiple_of(word_bytes) {
+        let what = format!("{file}: {} bytes are not a whole number of words", bytes.len());
+        return Err(Error::input(what, allowed));
+    }
+    if bytes.len() / word_bytes > MAX_DEPTH {
+        let what = format!("{file}: it has {} words", bytes.len() / word_bytes);
+        return Err(Error::input(what, format!("a ROM has at most {MAX_DEPTH} words")));
+    }
+    let words: Vec<BigUint> = bytes.chunks(word_bytes).map(BigUint::from_bytes_le).collect();
+    if let Some(address) = words.iter().position(|word| word.bits() > u64::from(word_bits)) {
+        let what = format!(
+            "{file}: the word 0x{:x} at the address {address}, byte {}, is too wide",
+            words[address],
+            address * word_bytes
+        );
+        return Err(Error::input(what, allowed));
+    }
+    Ok(image(words))
+}
+
+fn read_intel_hex(source: &Source<'_>) -> Result<RomImage, Error> {
+    let word_bytes = word_bytes(source.word_bits);
+    let mut bytes: Vec<Option<(u8, Span)>> = Vec::new();
+    let mut base = 0;
+    let mut ended = false;
+    let mut at = 0;
+    for line in source.text.split_inclusive('\n') {
+        let record = line.trim();
+        let span = (at + line.len() - line.trim_start().len(), record.len());
+        at += line.len();
+        if record.is_empty() {
+            continue;
+        }
+        if ended {
+            return Err(source.error("a line stands after the end-of-file record", source.allowed, span));
+        }
+        let record: Record = record.parse().map_err(|wrong| {
+            let what = match wrong {
+                // The crate's own text has the two the other way round.
+                ReaderError::ChecksumMismatch(right, given) => {
+                    format!("the checksum of this record is {given:02X} and should be {right:02X}")
+                }
+                other => format!("this is not an Intel HEX record: {other}"),
+            };
+            source.error(what, source.allowed, span)
+        })?;
+        match record {
+            Record::Data { offset, value } => {
+                for (byte, address) in value.into_iter().zip(base + usize::from(offset)..) {
+                    if address >= MAX_DEPTH * word_bytes {
+                        let what = format!("the byte address 0x{address:x} is out of range");
+                        let allowed = format!("a ROM has at most {MAX_DEPTH} words, here of {word_bytes} bytes");
+                        return Err(source.error(what, allowed, span));
+                    }
+                    if address >= bytes.len() {
+                        bytes.resize(address + 1, None);
+                    }
+                    if bytes[address].replace((byte, span)).is_some() {
+                        let what = format!("a second byte for the byte address 0x{address:x}");
+                        return Err(source.error(what, "each byte is given once", span));
+                    }
+                }
+            }
+            Record::ExtendedSegmentAddress(segment) => base = usize::from(segment) << 4,
+            Record::ExtendedLinearAddress(high) => base = usize::from(high) << 16,
+            Record::EndOfFile => ended = true,
+            // Where a processor would start.
+            Record::StartSegmentAddress { .. } | Record::StartLinearAddress(_) => {}
+        }
+    }
+    if !ended {
+        return Err(source.cut_off("the file ends without an end-of-file record"));
+    }
+    if bytes.is_empty() {
+        return Err(source.cut_off("the file has no words"));
+    }
+    let words = bytes.chunks(word_bytes).enumerate().map(|(address, bytes)| hex_word(source, address, bytes));
+    words.collect::<Result<_, _>>().map(image)
+}
+
+/// The word of the given bytes, all of which must be there.
+fn hex_word(source: &Source<'_>, address: usize, bytes: &[Option<(u8, Span)>]) -> Result<BigUint, Error> {
+    let given: Vec<(u8, Span)> = bytes.iter().copied().flatten().collect();
+    let word_bytes = word_bytes(source.word_bits);
+    // A word without any byte has no record to point at.
+    let span = given.last().map_or((source.text.len(), 0), |(_, span)| *span);
+    if given.len() < word_bytes {
+        let what = format!("the word at the address {address} has only {} of its {word_bytes} bytes", given.len());
+        return Err(source.error(what, "every word is complete, from the address 0 to the last", span));
+    }
+    let word = BigUint::from_bytes_le(&given.iter().map(|(byte, _)| *byte).collect::<Vec<u8>>());
+    refuse_wide(source, &word, span)?;
+    Ok(word)
+}

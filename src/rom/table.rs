@@ -1,0 +1,121 @@
+//! The quantised coefficients, one row per shininess.
+
+use num_bigint::BigUint;
+
+use crate::number::Format;
+use crate::spec::Shininess;
+
+/// A column of the ROM: one coefficient for every row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    /// The name, an identifier in every language.
+    pub name: &'static str,
+    /// What the field holds, for people.
+    pub meaning: &'static str,
+    /// The format of the codes.
+    pub format: Format,
+    /// The quantised value of each row, as a code of `format`.
+    pub codes: Vec<i128>,
+    /// The real value of each row before it was quantised.
+    pub reals: Vec<f64>,
+}
+
+/// A coefficient ROM: one logical row per shininess, and the words that the memory holds.
+///
+/// A word is the fields' bit patterns side by side, the first field in the most significant bits. The
+/// memory has `2^address_bits` words: every address holds one, those outside the set a copy of the
+/// nearest row, so that no address is undefined and no clamp is needed in front of the memory.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Table {
+    /// The fields, most significant first.
+    pub fields: Vec<Field>,
+    /// The shininess of each row.
+    pub shininess: Vec<f64>,
+    /// The width of the address.
+    pub address_bits: u32,
+    /// Subtracted from the index (after taking it into the set) to give the address: 0 wherever a memory that
+    /// is addressed by the index itself needs at most one address bit more.
+    pub first_index: u32,
+    /// The shift of the versine that all rows share; what a row needs beyond it is its field `k`.
+    pub shared_shift: u32,
+    /// The row that each address holds.
+    row_of_address: Vec<usize>,
+}
+
+impl Table {
+    /// A table with the given fields for a set of shininesses.
+    #[must_use]
+    pub fn new(set: &Shininess, fields: Vec<Field>, shared_shift: u32) -> Self {
+        let rows = set.rows();
+        debug_assert!(fields.iter().all(|f| f.codes.len() == rows && f.reals.len() == rows));
+        let packed_bits = (usize::BITS - (rows - 1).leading_zeros()).max(1);
+        // A memory twice as deep is cheaper than a clamp, a subtraction and the clock that they take.
+        let (address_bits, first_index) = if set.index_bits() <= packed_bits + 1 {
+            (set.index_bits(), 0)
+        } else {
+            (packed_bits, set.index_of_row(0))
+        };
+        let row_of_address = (0..1u32 << address_bits).map(|address| set.row_of_index(address + first_index)).collect();
+        Self { fields, shininess: set.values(), address_bits, first_index, shared_shift, row_of_address }
+    }
+
+    /// The number of logical rows, one per shininess.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.shininess.len()
+    }
+
+    /// The number of words in the memory, a power of two.
+    #[must_use]
+    pub fn depth(&self) -> usize {
+        self.row_of_address.len()
+    }
+
+    /// The width of a word.
+    #[must_use]
+    pub fn word_bits(&self) -> u32 {
+        self.fields.iter().map(|f| f.format.width()).sum()
+    }
+
+    /// The memory's size in bits.
+    #[must_use]
+    pub fn bits(&self) -> usize {
+        self.depth() * self.word_bits() as usize
+    }
+
+    /// The row that an address holds.
+    #[must_use]
+    pub fn row_of_address(&self, address: usize) -> usize {
+        self.row_of_address[address]
+    }
+
+    /// The position of a field's least significant bit in the word.
+    #[must_use]
+    pub fn field_low_bit(&self, field: usize) -> u32 {
+        self.fields[field + 1..].iter().map(|f| f.format.width()).sum()
+    }
+
+    /// The word at an address.
+    #[must_use]
+    pub fn word(&self, address: usize) -> BigUint {
+        let row = self.row_of_address[address];
+        self.fields.iter().fold(BigUint::ZERO, |word, field| {
+            (word << field.format.width()) | BigUint::from(field.format.bits(field.codes[row]))
+        })
+    }
+
+    /// Every word, by address.
+    #[must_use]
+    pub fn words(&self) -> Vec<BigUint> {
+        (0..self.depth()).map(|address| self.word(address)).collect()
+    }
+
+    /// The field with the given name.
+    ///
+    /// # Panics
+    /// If there is none: names are fixed by the method.
+    #[must_use]
+    pub fn field(&self, name: &str) -> &Field {
+        self.fields.iter().find(|f| f.name == name).expect("a field of this method")
+    }
+}

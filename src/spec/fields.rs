@@ -1,0 +1,633 @@
+//! The spec as it is written, in TOML or as flags.
+
+use std::fs;
+use std::path::Path;
+use std::str::FromStr;
+
+use clap::{Args, ValueEnum};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::{
+    CoreSpec, Form, INPUT_FRACTION, Language, Material, Method, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline,
+    RomStyle, Shininess,
+};
+use crate::error::Error;
+use crate::lobe;
+use crate::rom::RomFormat;
+
+/// A spec as written: a key of the TOML file and a flag each. A flag wins over the file.
+#[derive(Args, Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[command(next_help_heading = "Core")]
+pub struct SpecFields {
+    /// Name of the core, its module and its files [default: method and form]
+    #[arg(long)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+
+    /// How the lobe is approximated
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub method: Option<Method>,
+
+    /// How the polynomial is evaluated [default: stable]
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub form: Option<Form>,
+
+    /// Level of the cubic's point of contact, 0.05 to 0.95 [default: 0.5]
+    #[arg(long)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub q: Option<f64>,
+
+    /// Shininesses served: a range of integers, 1..=1000, or a list of real numbers, 5,12.5,80
+    #[arg(long, conflicts_with = "material")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shininess: Option<Shininess>,
+
+    /// Fraction bits F of the input, 4 to 24 [default: 16]
+    #[arg(long, value_name = "F")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub input_fraction: Option<u32>,
+
+    /// Fraction bits G of the output, 4 to 20 [default: 16]
+    #[arg(long, value_name = "G")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub output_fraction: Option<u32>,
+
+    /// What the core is given [default: cos]
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub operand: Option<Operand>,
+
+    /// Where the HDL finds the coefficients [default: inline]
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rom: Option<RomStyle>,
+
+    /// ROM files written beside the HDL; mem is always written [default: mem]
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMATS")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rom_formats: Option<Vec<RomFormat>>,
+
+    /// Registers between input and output, 1 to 32, or auto [default: auto]
+    #[arg(long, value_name = "DEPTH|auto")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pipeline: Option<Pipeline>,
+
+    /// Languages written [default: verilog,vhdl]
+    #[arg(long, value_enum, value_delimiter = ',')]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub languages: Option<Vec<Language>>,
+
+    /// A named material, NAME=SHININESS; repeat for more. `in_n` is their index
+    #[arg(long, value_name = "NAME=SHININESS")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub material: Option<Vec<Material>>,
+}
+
+/// Words that neither language allows as the name of a module, entity or file scope.
+const RESERVED: &[&str] = &[
+    "abs",
+    "access",
+    "after",
+    "alias",
+    "all",
+    "always",
+    "and",
+    "architecture",
+    "array",
+    "assert",
+    "assign",
+    "attribute",
+    "begin",
+    "block",
+    "body",
+    "buf",
+    "buffer",
+    "bus",
+    "case",
+    "cell",
+    "component",
+    "config",
+    "configuration",
+    "constant",
+    "default",
+    "design",
+    "disable",
+    "disconnect",
+    "downto",
+    "edge",
+    "else",
+    "elsif",
+    "end",
+    "entity",
+    "event",
+    "exit",
+    "file",
+    "for",
+    "force",
+    "forever",
+    "fork",
+    "function",
+    "generate",
+    "generic",
+    "group",
+    "guarded",
+    "if",
+    "impure",
+    "in",
+    "inertial",
+    "initial",
+    "inout",
+    "input",
+    "instance",
+    "integer",
+    "is",
+    "join",
+    "label",
+    "large",
+    "liblist",
+    "library",
+    "linkage",
+    "literal",
+    "localparam",
+    "loop",
+    "map",
+    "medium",
+    "mod",
+    "module",
+    "nand",
+    "negedge",
+    "new",
+    "next",
+    "nor",
+    "not",
+    "null",
+    "of",
+    "on",
+    "open",
+    "or",
+    "others",
+    "out",
+    "output",
+    "package",
+    "parameter",
+    "port",
+    "posedge",
+    "postponed",
+    "primitive",
+    "procedure",
+    "process",
+    "property",
+    "protected",
+    "pull",
+    "pure",
+    "range",
+    "real",
+    "realtime",
+    "record",
+    "reg",
+    "register",
+    "reject",
+    "release",
+    "rem",
+    "repeat",
+    "report",
+    "return",
+    "rol",
+    "ror",
+    "scalared",
+    "select",
+    "sequence",
+    "severity",
+    "shared",
+    "signal",
+    "signed",
+    "sla",
+    "sll",
+    "small",
+    "specify",
+    "sra",
+    "srl",
+    "strong",
+    "subtype",
+    "supply",
+    "table",
+    "task",
+    "then",
+    "time",
+    "to",
+    "tran",
+    "transport",
+    "tri",
+    "type",
+    "unaffected",
+    "units",
+    "unsigned",
+    "until",
+    "use",
+    "variable",
+    "vectored",
+    "wait",
+    "weak",
+    "when",
+    "while",
+    "wire",
+    "with",
+    "work",
+    "xnor",
+    "xor",
+];
+
+impl SpecFields {
+    /// Reads a TOML file.
+    ///
+    /// # Errors
+    /// An unreadable file, text that is not TOML, an unknown key (with the nearest known one) or a value
+    /// of the wrong kind, with its place.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let bytes = fs::read(path).map_err(|e| Error::io("cannot read", path, e))?;
+        let text = String::from_utf8(bytes)
+            .map_err(|_| Error::input(format!("{} is not UTF-8 text", path.display()), "a spec is a TOML file"))?;
+        Self::parse(&text, &path.display().to_string())
+    }
+
+    /// Reads TOML text; `file` names it in messages.
+    ///
+    /// # Errors
+    /// As [`SpecFields::read`].
+    pub fn parse(text: &str, file: &str) -> Result<Self, Error> {
+        toml::from_str(text).map_err(|error| {
+            let span = error.span().unwrap_or(0..0);
+            let at = (span.start, span.len());
+            match error.message().strip_prefix("unknown field `").and_then(|rest| rest.split_once('`')) {
+                Some((key, rest)) => Error::text(
+                    format!("unknown key `{key}`"),
+                    suggest(key, rest.split('`').skip(1).step_by(2)),
+                    file,
+                    text,
+                    at,
+                ),
+                None => Error::text(
+                    error.message(),
+                    "see `brdfgen generate --help` for the keys and values",
+                    file,
+                    text,
+                    at,
+                ),
+            }
+        })
+    }
+
+    /// These fields, and where one is missing the other's.
+    #[must_use]
+    pub fn or(self, other: Self) -> Self {
+        // The two ways to give the set exclude each other, so one given here hides both of the other's.
+        let set_here = self.shininess.is_some() || self.material.is_some();
+        Self {
+            name: self.name.or(other.name),
+            method: self.method.or(other.method),
+            form: self.form.or(other.form),
+            q: self.q.or(other.q),
+            shininess: if set_here { self.shininess } else { other.shininess },
+            input_fraction: self.input_fraction.or(other.input_fraction),
+            output_fraction: self.output_fraction.or(other.output_fraction),
+            operand: self.operand.or(other.operand),
+            rom: self.rom.or(other.rom),
+            rom_formats: self.rom_formats.or(other.rom_formats),
+            pipeline: self.pipeline.or(other.pipeline),
+            languages: self.languages.or(other.languages),
+            material: if set_here { self.material } else { other.material },
+        }
+    }
+
+    /// Fills in the defaults and checks every value.
+    ///
+    /// # Errors
+    /// Names the value that is wrong and what is allowed.
+    pub fn resolve(self) -> Result<CoreSpec, Error> {
+        let Some(method) = self.method else {
+            return Err(Error::input(
+                "no method is given",
+                "give --method quadratic or --method cubic, or a spec file",
+            ));
+        };
+        let form = self.form.unwrap_or(Form::Stable);
+        let shininess = match (self.shininess, self.material) {
+            (Some(set), None) => set,
+            (None, Some(materials)) => Shininess::Materials(materials),
+            (None, None) => {
+                return Err(Error::input(
+                    "no shininess is given",
+                    "give --shininess 1..=1000, a list, or --material NAME=N",
+                ));
+            }
+            (Some(_), Some(_)) => {
+                return Err(Error::input("both shininess and materials are given", "give one of the two"));
+            }
+        };
+        shininess.check()?;
+        let q = self.q.unwrap_or(0.5);
+        match method {
+            Method::Cubic => drop(lobe::Cubic::new(1.0, q)?),
+            Method::Quadratic if self.q.is_some_and(|q| q != 0.5) => {
+                return Err(Error::input("the quadratic has no level q", "leave q out, or choose the cubic"));
+            }
+            Method::Quadratic => {}
+        }
+        let within = |what: &str, value: u32, allowed: std::ops::RangeInclusive<u32>| {
+            if allowed.contains(&value) {
+                return Ok(value);
+            }
+            Err(Error::input(
+                format!("{what} = {value} is out of range"),
+                format!("{what} is a whole number from {} to {}", allowed.start(), allowed.end()),
+            ))
+        };
+        if let Some(Pipeline::Depth(depth)) = self.pipeline {
+            within("pipeline", depth, PIPELINE_DEPTH)?;
+        }
+        let default_name = match (method, form) {
+            (Method::Quadratic, Form::Stable) => "quadratic",
+            (Method::Quadratic, Form::Paper) => "quadratic_paper",
+            (Method::Cubic, Form::Stable) => "cubic",
+            (Method::Cubic, Form::Paper) => "cubic_paper",
+        };
+        let name = self.name.unwrap_or_else(|| default_name.to_owned());
+        check_name(&name)?;
+        let mut rom_formats = self.rom_formats.unwrap_or_default();
+        rom_formats.push(RomFormat::Mem);
+        rom_formats.sort_unstable();
+        rom_formats.dedup();
+        let mut languages = self.languages.unwrap_or_else(|| vec![Language::Verilog, Language::Vhdl]);
+        languages.sort_unstable();
+        languages.dedup();
+        if languages.is_empty() {
+            return Err(Error::input("no language is given", "give verilog, vhdl or both"));
+        }
+        Ok(CoreSpec {
+            name,
+            method,
+            form,
+            q,
+            shininess,
+            input_fraction: within("input_fraction", self.input_fraction.unwrap_or(16), INPUT_FRACTION)?,
+            output_fraction: within("output_fraction", self.output_fraction.unwrap_or(16), OUTPUT_FRACTION)?,
+            operand: self.operand.unwrap_or(Operand::Cos),
+            rom: self.rom.unwrap_or(RomStyle::Inline),
+            rom_formats,
+            pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
+            languages,
+        })
+    }
+
+    /// The fields of a resolved spec, all given.
+    #[must_use]
+    pub fn from_spec(spec: &CoreSpec) -> Self {
+        let (shininess, material) = match &spec.shininess {
+            Shininess::Materials(materials) => (None, Some(materials.clone())),
+            set => (Some(set.clone()), None),
+        };
+        Self {
+            name: Some(spec.name.clone()),
+            method: Some(spec.method),
+            form: Some(spec.form),
+            q: (spec.method == Method::Cubic).then_some(spec.q),
+            shininess,
+            input_fraction: Some(spec.input_fraction),
+            output_fraction: Some(spec.output_fraction),
+            operand: Some(spec.operand),
+            rom: Some(spec.rom),
+            rom_formats: Some(spec.rom_formats.clone()),
+            pipeline: Some(spec.pipeline),
+            languages: Some(spec.languages.clone()),
+            material,
+        }
+    }
+
+    /// The fields as TOML text.
+    ///
+    /// # Panics
+    /// Never: every field has a TOML form.
+    #[must_use]
+    pub fn to_toml(&self) -> String {
+        toml::to_string(self).expect("every field has a TOML form")
+    }
+
+    /// The flags that give these fields where they differ from the defaults.
+    pub(super) fn flags(&self) -> Vec<String> {
+        let defaults = Self {
+            name: None,
+            rom_formats: None,
+            shininess: self.shininess.clone(),
+            material: self.material.clone(),
+            method: self.method,
+            ..Self::default()
+        }
+        .resolve()
+        .map(|spec| Self::from_spec(&spec))
+        .unwrap_or_default();
+        let plain_name = Self { name: None, ..self.clone() }.resolve().map(|spec| spec.name).ok();
+        let mut flags = Vec::new();
+        let mut flag = |name: &str, value: String| flags.push(format!("--{name} {value}"));
+        if let Some(method) = &self.method {
+            flag("method", word(method));
+        }
+        if let Some(set) = &self.shininess {
+            flag("shininess", set.to_string());
+        }
+        for material in self.material.iter().flatten() {
+            let plain = material.name.chars().all(|c| c.is_ascii_alphanumeric() || "-_.".contains(c));
+            let name =
+                if plain { material.name.clone() } else { format!("'{}'", material.name.replace('\'', "'\\''")) };
+            flag("material", format!("{name}={}", material.shininess));
+        }
+        if self.name != plain_name {
+            flag("name", self.name.clone().unwrap_or_default());
+        }
+        if let Some(form) = self.form.filter(|_| self.form != defaults.form) {
+            flag("form", word(&form));
+        }
+        if let Some(q) = self.q.filter(|_| self.q != defaults.q) {
+            flag("q", q.to_string());
+        }
+        if let Some(bits) = self.input_fraction.filter(|_| self.input_fraction != defaults.input_fraction) {
+            flag("input-fraction", bits.to_string());
+        }
+        if let Some(bits) = self.output_fraction.filter(|_| self.output_fraction != defaults.output_fraction) {
+            flag("output-fraction", bits.to_string());
+        }
+        if let Some(operand) = self.operand.filter(|_| self.operand != defaults.operand) {
+            flag("operand", word(&operand));
+        }
+        if let Some(rom) = self.rom.filter(|_| self.rom != defaults.rom) {
+            flag("rom", word(&rom));
+        }
+        if let Some(formats) = self.rom_formats.as_ref().filter(|_| self.rom_formats != defaults.rom_formats) {
+            flag("rom-formats", formats.iter().map(word).collect::<Vec<_>>().join(","));
+        }
+        if let Some(pipeline) = self.pipeline.filter(|_| self.pipeline != defaults.pipeline) {
+            flag("pipeline", pipeline.to_string());
+        }
+        if let Some(languages) = self.languages.as_ref().filter(|_| self.languages != defaults.languages) {
+            flag("languages", languages.iter().map(word).collect::<Vec<_>>().join(","));
+        }
+        flags
+    }
+}
+
+/// The word that a value is written with, on the command line as in TOML.
+fn word<T: ValueEnum>(value: &T) -> String {
+    value.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
+}
+
+/// "did you mean ...?" where a known key is near, and the list of all keys.
+fn suggest<'a>(key: &str, known: impl Iterator<Item = &'a str>) -> String {
+    let known: Vec<&str> = known.collect();
+    let nearest = known.iter().max_by(|a, b| strsim::jaro_winkler(key, a).total_cmp(&strsim::jaro_winkler(key, b)));
+    match nearest.filter(|near| strsim::jaro_winkler(key, near) > 0.7) {
+        Some(near) => format!("did you mean `{near}`? The keys are {}", known.join(", ")),
+        None => format!("the keys are {}", known.join(", ")),
+    }
+}
+
+fn check_name(name: &str) -> Result<(), Error> {
+    let plain = name.len() <= 64
+        && name.starts_with(|c: char| c.is_ascii_lowercase())
+        && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+        && !name.ends_with('_')
+        && !name.contains("__");
+    if plain && !RESERVED.contains(&name) {
+        return Ok(());
+    }
+    Err(Error::input(
+        format!("the name `{name}` is not allowed"),
+        "a name is an identifier of both languages: up to 64 lower-case letters, digits and single underscores, a \
+         letter first, no underscore last, no reserved word",
+    ))
+}
+
+impl std::fmt::Display for Pipeline {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Auto => write!(f, "auto"),
+            Self::Depth(depth) => write!(f, "{depth}"),
+        }
+    }
+}
+
+impl FromStr for Pipeline {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "auto" => Ok(Self::Auto),
+            depth => depth.parse().map(Self::Depth).map_err(|_| format!("`{depth}` is neither a number nor auto")),
+        }
+    }
+}
+
+impl Serialize for Pipeline {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Auto => serializer.serialize_str("auto"),
+            Self::Depth(depth) => serializer.serialize_u32(*depth),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Pipeline {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged, expecting = "the pipeline is a number of registers or \"auto\"")]
+        enum Written {
+            Depth(u32),
+            Text(String),
+        }
+        match Written::deserialize(deserializer)? {
+            Written::Depth(depth) => Ok(Self::Depth(depth)),
+            Written::Text(text) => text.parse().map_err(serde::de::Error::custom),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn parse(text: &str) -> Result<CoreSpec, Error> {
+        SpecFields::parse(text, "core.toml")?.resolve()
+    }
+
+    fn message(text: &str) -> String {
+        match parse(text).expect_err(text) {
+            Error::Input { what, allowed } | Error::Text { what, allowed, .. } => format!("{what} | {allowed}"),
+            other => panic!("{other}"),
+        }
+    }
+
+    #[test]
+    fn defaults_are_resolved_and_written_back() {
+        let spec = parse("method = \"quadratic\"\nshininess = \"1..=1000\"").unwrap();
+        assert_eq!((spec.input_fraction, spec.output_fraction, spec.form), (16, 16, Form::Stable));
+        assert_eq!(spec.languages, [Language::Verilog, Language::Vhdl]);
+        assert_eq!(parse(&spec.to_toml()).unwrap(), spec);
+        assert_eq!(spec.command(), "brdfgen generate --method quadratic --shininess 1..=1000");
+    }
+
+    #[test]
+    fn every_wrong_value_is_named() {
+        let base = "method = \"cubic\"\nshininess = \"1..=1000\"\n";
+        let set = |set: &str| format!("method = \"quadratic\"\nshininess = {set}");
+        for (text, expected) in [
+            (format!("{base}inputfraction = 8"), "did you mean `input_fraction`?"),
+            (format!("{base}input_fraction = 0"), "input_fraction = 0 is out of range"),
+            (format!("{base}output_fraction = 200"), "from 4 to 20"),
+            (format!("{base}q = 1.5"), "level q = 1.5"),
+            (format!("{base}name = \"module\""), "the name `module`"),
+            (format!("{base}name = \"a b\""), "the name `a b`"),
+            (format!("{base}pipeline = 99"), "from 1 to 32"),
+            (format!("{base}languages = []"), "no language"),
+            (format!("{base}[[material]]\nname = \"a\"\nshininess = 2"), "both shininess and materials"),
+            (format!("{base}[[material]]\nname = \"a\"\nshine = 2"), "unknown key `shine`"),
+            (set("[0.5]"), "shininess 0.5"),
+            (set("[nan]"), "shininess NaN"),
+            (set("[inf]"), "shininess inf"),
+            (set("\"0..=5\""), "shininess 0"),
+            (set("\"1..=1000000000\""), "1000000000 shininesses"),
+            (set("\"0..=4294967295\""), "4294967296 shininesses"),
+            (set("\"9..=2\""), "is empty"),
+            (set("\"1..1000\""), "both ends"),
+            (set("[]"), "0 shininesses"),
+            (set("true"), "the shininess is a range"),
+            ("shininess = [3]".to_owned(), "no method"),
+            ("method = \"cubic\"".to_owned(), "no shininess"),
+            (format!("{}\nq = 0.7", set("[3]")), "the quadratic has no level q"),
+        ] {
+            let message = message(&text);
+            assert!(message.contains(expected), "{text}\n{message}\nexpected: {expected}");
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn any_text_is_taken_or_refused(text in "\\PC*") {
+            let _ = parse(&text);
+        }
+
+        #[test]
+        fn any_value_is_taken_or_refused(key in "(method|form|q|shininess|input_fraction|rom|pipeline|languages|name)", value in "(\"[a-z0-9.=,]{0,12}\"|-?[0-9]{1,12}|[0-9]{1,3}\\.[0-9]{1,3}|\\[[0-9., ]{0,9}\\]|nan|true)") {
+            let _ = parse(&format!("method = \"cubic\"\nshininess = [3]\n{key} = {value}\n"));
+            let _ = parse(&format!("{key} = {value}\n"));
+        }
+
+        #[test]
+        fn resolved_specs_survive_toml(n in proptest::collection::vec(1.0f64..5000.0, 1..5), f in 4u32..=24, g in 4u32..=20, q in 0.05f64..0.95, depth in 1u32..=32) {
+            let text = format!("method = \"cubic\"\nshininess = {n:?}\ninput_fraction = {f}\noutput_fraction = {g}\nq = {q:?}\npipeline = {depth}\nrom_formats = [\"csv\", \"mem\", \"csv\"]");
+            let spec = parse(&text).unwrap();
+            prop_assert_eq!(&parse(&spec.to_toml()).unwrap(), &spec);
+        }
+    }
+}

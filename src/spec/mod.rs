@@ -1,0 +1,161 @@
+//! What the user asked for: TOML and flags, merged into one validated [`CoreSpec`].
+//!
+//! [`SpecFields`] is what was written, every part optional; [`SpecFields::resolve`] fills in the defaults and
+//! checks every value once. Nothing behind [`CoreSpec`] checks again.
+
+mod fields;
+mod shininess;
+mod widths;
+
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+
+pub use fields::SpecFields;
+pub use shininess::{MAX_ROWS, Material, Shininess};
+pub use widths::Widths;
+
+use crate::error::Error;
+use crate::lobe::{self, Lobe};
+use crate::rom::RomFormat;
+
+/// Input fraction bits that are allowed.
+pub const INPUT_FRACTION: std::ops::RangeInclusive<u32> = 4..=24;
+/// Output fraction bits that are allowed.
+pub const OUTPUT_FRACTION: std::ops::RangeInclusive<u32> = 4..=20;
+/// Pipeline depths that are allowed.
+pub const PIPELINE_DEPTH: std::ops::RangeInclusive<u32> = 1..=32;
+
+/// A way to approximate the lobe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Method {
+    /// x(1 - a u), clamped at 0.
+    Quadratic,
+    /// x(1 - u(A - a u)), cut to 0 past the minimum of its inner parabola.
+    Cubic,
+}
+
+/// How the polynomial is evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Form {
+    /// In the versine, scaled per shininess: narrow and well conditioned.
+    Stable,
+    /// In powers of the cosine, as the papers print it.
+    Paper,
+}
+
+/// What the core is given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Operand {
+    /// The cosine x, signed Q1.F.
+    Cos,
+    /// The versine u = 1 - x, unsigned UQ1.F.
+    Versine,
+}
+
+/// Where the HDL finds the coefficients.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum RomStyle {
+    /// In the source.
+    Inline,
+    /// In a file that is read at elaboration.
+    File,
+}
+
+/// A hardware description language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Language {
+    /// Verilog-2005.
+    Verilog,
+    /// VHDL-2008.
+    Vhdl,
+}
+
+/// How many registers lie between input and output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pipeline {
+    /// Registers before and after each multiplier and two behind the ROM.
+    Auto,
+    /// As many as this.
+    Depth(u32),
+}
+
+/// A core, every default resolved and every value checked.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CoreSpec {
+    /// The name of the core, its module and its files.
+    pub name: String,
+    /// The method.
+    pub method: Method,
+    /// The form in which it is evaluated.
+    pub form: Form,
+    /// The level Q of the cubic's point of contact; unused by the quadratic.
+    pub q: f64,
+    /// The shininesses that the core serves.
+    pub shininess: Shininess,
+    /// F: fraction bits of the input.
+    pub input_fraction: u32,
+    /// G: fraction bits of the output.
+    pub output_fraction: u32,
+    /// What the core is given.
+    pub operand: Operand,
+    /// Where the HDL finds the coefficients.
+    pub rom: RomStyle,
+    /// The ROM files that are written beside the HDL; always holds [`RomFormat::Mem`].
+    pub rom_formats: Vec<RomFormat>,
+    /// The pipeline's depth.
+    pub pipeline: Pipeline,
+    /// The languages that are written.
+    pub languages: Vec<Language>,
+}
+
+impl CoreSpec {
+    /// The spec as written to `core.toml`: every default resolved.
+    #[must_use]
+    pub fn to_toml(&self) -> String {
+        SpecFields::from_spec(self).to_toml()
+    }
+
+    /// The first 16 hexadecimal digits of the SHA-256 of [`CoreSpec::to_toml`].
+    #[must_use]
+    pub fn digest(&self) -> String {
+        hex(&Sha256::digest(self.to_toml()))[..16].to_owned()
+    }
+
+    /// The command that generates this core: the flags that differ from the defaults, or `core.toml` itself
+    /// where they would fill more than a line.
+    #[must_use]
+    pub fn command(&self) -> String {
+        let command = format!("brdfgen generate {}", SpecFields::from_spec(self).flags().join(" "));
+        if command.len() <= 88 { command } else { "brdfgen generate core.toml".to_owned() }
+    }
+
+    /// The real-valued lobe of each row, in order.
+    ///
+    /// # Panics
+    /// Never for a spec that [`SpecFields::resolve`] made.
+    #[must_use]
+    pub fn lobes(&self) -> Vec<Box<dyn Lobe>> {
+        let lobe = |n: f64| -> Result<Box<dyn Lobe>, Error> {
+            Ok(match self.method {
+                Method::Quadratic => Box::new(lobe::Quadratic::new(n)?),
+                Method::Cubic => Box::new(lobe::Cubic::new(n, self.q)?),
+            })
+        };
+        self.shininess.values().into_iter().map(|n| lobe(n).expect("checked by resolve")).collect()
+    }
+}
+
+/// Lower-case hexadecimal digits of `bytes`.
+#[must_use]
+pub fn hex(bytes: &[u8]) -> String {
+    use std::fmt::Write;
+    bytes.iter().fold(String::new(), |mut text, byte| {
+        let _ = write!(text, "{byte:02x}");
+        text
+    })
+}

@@ -1,0 +1,207 @@
+//! The set of shininesses that a core serves.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use crate::error::Error;
+use crate::lobe::check_shininess;
+
+/// The most rows that a ROM may have.
+pub const MAX_ROWS: usize = 65_536;
+
+/// A named material with its shininess.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Material {
+    /// The name, for people.
+    pub name: String,
+    /// The shininess, a real number of at least 1.
+    pub shininess: f64,
+}
+
+impl FromStr for Material {
+    type Err = String;
+
+    /// Reads `NAME=SHININESS`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, shininess) = text.split_once('=').ok_or("a material is written NAME=SHININESS, as in brass=51.2")?;
+        let shininess = shininess.parse().map_err(|_| format!("`{shininess}` is not a number"))?;
+        Ok(Self { name: name.to_owned(), shininess })
+    }
+}
+
+/// The shininesses that a core serves: one ROM row each.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Shininess {
+    /// Every integer from the first to the last; the core's `in_n` is the shininess itself.
+    Range(u32, u32),
+    /// A list of real numbers; `in_n` is the index into it, from 0.
+    List(Vec<f64>),
+    /// Named materials; `in_n` is the index into them, from 0.
+    Materials(Vec<Material>),
+}
+
+impl Shininess {
+    /// The shininess of each row.
+    #[must_use]
+    pub fn values(&self) -> Vec<f64> {
+        match self {
+            Self::Range(first, last) => (*first..=*last).map(f64::from).collect(),
+            Self::List(list) => list.clone(),
+            Self::Materials(materials) => materials.iter().map(|m| m.shininess).collect(),
+        }
+    }
+
+    /// The number of rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        match self {
+            Self::Range(first, last) => (last - first) as usize + 1,
+            Self::List(list) => list.len(),
+            Self::Materials(materials) => materials.len(),
+        }
+    }
+
+    /// The width of the port `in_n`.
+    #[must_use]
+    pub fn index_bits(&self) -> u32 {
+        let last = match self {
+            Self::Range(_, last) => *last,
+            _ => self.rows() as u32 - 1,
+        };
+        (u32::BITS - last.leading_zeros()).max(1)
+    }
+
+    /// The row that a code of `in_n` selects: codes outside the set are taken to the nearest end.
+    #[must_use]
+    pub fn row_of_index(&self, index: u32) -> usize {
+        match self {
+            Self::Range(first, last) => (index.clamp(*first, *last) - first) as usize,
+            _ => (index as usize).min(self.rows() - 1),
+        }
+    }
+
+    /// The code of `in_n` that selects a row.
+    #[must_use]
+    pub fn index_of_row(&self, row: usize) -> u32 {
+        match self {
+            Self::Range(first, _) => first + row as u32,
+            _ => row as u32,
+        }
+    }
+
+    /// What `in_n` means, for a port table.
+    #[must_use]
+    pub fn index_meaning(&self) -> String {
+        match self {
+            Self::Range(first, last) if first == last => format!("shininess; every code selects {first}"),
+            Self::Range(first, last) => format!("shininess, {first} to {last}; outside: the nearest end"),
+            _ => {
+                format!("index of the shininess, 0 to {}; above: the last", self.rows() - 1)
+            }
+        }
+    }
+
+    /// Refuses an empty or overlong set and any shininess out of range.
+    ///
+    /// # Errors
+    /// Names the entry that is wrong.
+    pub fn check(&self) -> Result<(), Error> {
+        if let Self::Range(first, last) = self
+            && first > last
+        {
+            return Err(Error::input(
+                format!("the shininess range {first}..={last} is empty"),
+                "write the smaller end first, as in 1..=1000",
+            ));
+        }
+        let rows = match self {
+            Self::Range(first, last) => u64::from(last - first) + 1,
+            other => other.rows() as u64,
+        };
+        if rows == 0 || rows > MAX_ROWS as u64 {
+            return Err(Error::input(
+                format!("{rows} shininesses are asked for"),
+                format!("a core serves 1 to {MAX_ROWS}: each is a row of its ROM"),
+            ));
+        }
+        match self {
+            Self::Range(first, last) => {
+                check_shininess(f64::from(*first))?;
+                check_shininess(f64::from(*last))
+            }
+            Self::List(list) => list.iter().try_for_each(|&n| check_shininess(n)),
+            Self::Materials(materials) => materials.iter().try_for_each(|m| {
+                if m.name.is_empty() || m.name.chars().any(|c| c.is_control() || !c.is_ascii()) {
+                    return Err(Error::input(
+                        format!("the material name {:?} is not allowed", m.name),
+                        "a name is one or more printable ASCII characters: it goes into HDL comments",
+                    ));
+                }
+                check_shininess(m.shininess)
+            }),
+        }
+    }
+}
+
+impl fmt::Display for Shininess {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Range(first, last) => write!(f, "{first}..={last}"),
+            _ => {
+                let values: Vec<String> = self.values().iter().map(f64::to_string).collect();
+                write!(f, "{}", values.join(","))
+            }
+        }
+    }
+}
+
+const ALLOWED: &str = "a range of integers (1..=1000) or a list of real numbers (5,12.5,80)";
+
+impl FromStr for Shininess {
+    type Err = String;
+
+    /// Reads a range, `FIRST..=LAST`, or a list, `A,B,C`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = |part: &str| format!("`{part}` is not a number; the shininess is {ALLOWED}");
+        if let Some((first, last)) = text.split_once("..=") {
+            let end = |part: &str| part.trim().parse::<u32>().map_err(|_| wrong(part));
+            return Ok(Self::Range(end(first)?, end(last)?));
+        }
+        if text.contains("..") {
+            return Err(format!("`{text}`: write a range with both ends, as in 1..=1000"));
+        }
+        text.split(',')
+            .map(|part| part.trim().parse().map_err(|_| wrong(part)))
+            .collect::<Result<_, _>>()
+            .map(Self::List)
+    }
+}
+
+impl Serialize for Shininess {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Range(..) => serializer.collect_str(self),
+            _ => self.values().serialize(serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Shininess {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged, expecting = "the shininess is a range of integers (\"1..=1000\") or a list ([5, 12.5, 80])")]
+        enum Written {
+            Text(String),
+            One(f64),
+            Many(Vec<f64>),
+        }
+        match Written::deserialize(deserializer)? {
+            Written::Text(text) => text.parse().map_err(serde::de::Error::custom),
+            Written::One(n) => Ok(Self::List(vec![n])),
+            Written::Many(list) => Ok(Self::List(list)),
+        }
+    }
+}
