@@ -104,8 +104,10 @@ impl Tool {
     #[must_use]
     pub fn version(self) -> Option<String> {
         let output = Command::new(self.program).arg(self.version_flag).output().ok()?;
-        let text = String::from_utf8_lossy(&output.stdout).into_owned();
-        text.lines().map(str::trim).find(|line| !line.is_empty()).map(str::to_owned)
+        // Some programs say it on standard error.
+        let text = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).join("\n");
+        let line = text.lines().map(str::trim).find(|line| !line.is_empty());
+        Some(line.unwrap_or("of an unknown version").to_owned())
     }
 }
 

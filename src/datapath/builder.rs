@@ -347,7 +347,9 @@ impl<'a> Builder<'a> {
         if format.frac_bits <= frac_bits {
             return a;
         }
-        let rounded = self.cast(a, Format { frac_bits, ..format }, false, name, comment);
+        // A value so small that no bit of it would be left keeps one.
+        let int_bits = format.int_bits.max(1 - frac_bits);
+        let rounded = self.cast(a, Format { int_bits, frac_bits, ..format }, false, name, comment);
         let bounds = self.bounds[rounded].clone();
         self.nodes[rounded].format = self.holding(&bounds, frac_bits);
         rounded

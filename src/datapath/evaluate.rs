@@ -83,11 +83,14 @@ fn run_narrow(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64, 
 trait Lane: PrimInt {
     fn from_code(code: i128) -> Self;
     fn to_output(self) -> u32;
-    /// The product of two numbers of at most 32 bits each, sign included.
+    /// Half of the lane's bits.
+    const HALF: u32;
+    /// The product of two numbers of at most [`Lane::HALF`] bits each, sign included: one multiplication of the machine.
     fn mul_narrow(self, other: Self) -> Self;
 }
 
 impl Lane for i64 {
+    const HALF: u32 = 32;
     #[inline(always)]
     fn from_code(code: i128) -> Self {
         code as Self
@@ -103,6 +106,7 @@ impl Lane for i64 {
 }
 
 impl Lane for i128 {
+    const HALF: u32 = 64;
     #[inline(always)]
     fn from_code(code: i128) -> Self {
         code
@@ -113,7 +117,7 @@ impl Lane for i128 {
     }
     #[inline(always)]
     fn mul_narrow(self, other: Self) -> Self {
-        self * other
+        Self::from(self as i64) * Self::from(other as i64)
     }
 }
 
@@ -160,7 +164,7 @@ fn run<L: Lane>(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64
                         let format = graph.nodes[node.args[index]].format;
                         format.width() + u32::from(!format.signed)
                     };
-                    if width(0) <= 32 && width(1) <= 32 {
+                    if width(0) <= L::HALF && width(1) <= L::HALF {
                         zip(result, before, arg(0), arg(1), L::mul_narrow);
                     } else {
                         zip(result, before, arg(0), arg(1), |a, b| a * b);

@@ -43,9 +43,8 @@ impl Cubic {
     /// As printed, `1 - h - h' u_t` cancels wholly near n = 1, near n = 2 and for q near 1. It is the
     /// Taylor remainder of `x^(n-1)` about t, so with `x = e^-y`, `L = -ln t` it equals
     /// `(n-1)(n-2) * integral over 0..L of (1 - e^-y) e^-(n-2)y dy`: a positive, entire integrand, which 16
-    /// Gauss points integrate to rounding error. The relative error of `a` is below 1e-13, and that of
-    /// `A` too where its two terms do not cancel (they do only for n < 2 and q < 0.2847, where A has a zero:
-    /// there 1e-13 is relative to the larger term).
+    /// Gauss points integrate to rounding error. The relative error of `a` is below 1e-13. So is that of `A`, except for n
+    /// below 2 with q below 0.3: there A has a zero, and 1e-13 is relative to the larger of its two terms.
     ///
     /// # Errors
     /// A shininess that [`check_shininess`] refuses, or a level outside 0.05..=0.95.

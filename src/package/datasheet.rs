@@ -184,7 +184,7 @@ pub(super) fn datasheet(design: &Design, measured: &Measured, other: Result<Desi
         files.push((super::rom_path(design, format), "the coefficient ROM"));
     }
     files.push((super::golden_path(design), "golden vectors and digests"));
-    files.push(("files.f".to_owned(), "the sources, for a simulator's -f option"));
+    files.push(("files.f".to_owned(), "the source, for a simulator's -f option"));
     let budget = &design.budget;
     render(&Datasheet {
         spec,

@@ -131,8 +131,10 @@ pub fn files(design: &Design, measured: &Measured, golden: &Golden) -> Result<Ve
         add(rom_path(design, format), bytes);
     }
     add(golden_path, golden.to_text(design).into_bytes());
-    let list: Vec<String> = spec.languages.iter().map(|&language| rtl_path(design, language)).collect();
-    add("files.f".to_owned(), (list.join("\n") + "\n").into_bytes());
+    // The option is a Verilog one: a simulator that takes the list takes one language.
+    let listed = spec.languages.iter().find(|&&language| language == Language::Verilog).or(spec.languages.first());
+    let list: String = listed.map(|&language| rtl_path(design, language) + "\n").into_iter().collect();
+    add("files.f".to_owned(), list.into_bytes());
 
     let manifest = manifest(design, measured, &files);
     files.push(File { path: "manifest.json".to_owned(), bytes: (manifest + "\n").into_bytes() });
