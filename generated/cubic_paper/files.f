@@ -1,0 +1,1 @@
+rtl/cubic_paper.v

@@ -1,0 +1,1 @@
+rtl/quadratic_paper.v

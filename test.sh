@@ -1,0 +1,61 @@
+#!/usr/bin/env bash
+# Installs what the tests need (Debian and PyPI packages) and runs them all. Works offline once everything is there.
+#
+#   ./test.sh            everything
+#   ./test.sh --no-install   everything, but says what is missing instead of installing it
+set -euo pipefail
+cd "$(dirname "$0")"
+
+export RUSTFLAGS="${RUSTFLAGS:-} -D warnings"
+export RUSTDOCFLAGS="${RUSTDOCFLAGS:-} -D warnings"
+install=yes
+[ "${1:-}" = --no-install ] && install=no
+
+say() { printf '\n== %s\n' "$*"; }
+
+# Program, Debian package.
+debian_needs="iverilog:iverilog verilator:verilator ghdl:ghdl g++:g++ make:make yosys:yosys"
+missing=""
+for need in $debian_needs; do
+    command -v "${need%%:*}" >/dev/null || missing="$missing ${need##*:}"
+done
+if [ -n "$missing" ]; then
+    if [ "$install" = no ]; then
+        echo "missing Debian packages:$missing" >&2
+        exit 2
+    fi
+    say "installing Debian packages:$missing"
+    as_root=""
+    [ "$(id -u)" = 0 ] || as_root=sudo
+    $as_root apt-get update -qq
+    # shellcheck disable=SC2086
+    DEBIAN_FRONTEND=noninteractive $as_root apt-get install -y -qq --no-install-recommends $missing >/dev/null
+fi
+for need in $debian_needs; do
+    command -v "${need%%:*}" >/dev/null || { echo "${need%%:*} is not there after installing ${need##*:}" >&2; exit 2; }
+done
+
+say "formatting"
+cargo fmt --check
+
+say "lints"
+cargo clippy --locked --all-targets -- -D warnings
+cargo clippy --locked --no-default-features --lib --bins -- -D warnings
+
+say "documentation"
+cargo doc --locked --no-deps --quiet
+
+say "tests"
+cargo test --locked --no-fail-fast
+
+say "reference cores"
+cargo build --locked --release
+for core in generated/*/; do
+    name=$(basename "$core")
+    target/release/brdfgen generate "$core" --check --out "$core"
+    target/release/brdfgen golden "$core" --check "testbench/golden/$name.vec"
+    target/release/brdfgen cosim "$core" --sim all
+    target/release/brdfgen cosim "$core" --sim all --exhaustive
+done
+
+say "everything passed"
