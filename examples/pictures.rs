@@ -1,0 +1,105 @@
+//! Draws the pictures of the README from the tool's own arithmetic: `cargo run --release --example pictures -- docs`.
+
+use std::error::Error;
+use std::path::Path;
+
+use brdfgen::design::{Design, Measured};
+use brdfgen::number::exp2;
+use brdfgen::spec::SpecFields;
+use plotters::prelude::*;
+
+/// Colours that people who see red and green alike can tell apart (Okabe and Ito).
+const COLOURS: [RGBColor; 4] =
+    [RGBColor(0, 114, 178), RGBColor(86, 180, 233), RGBColor(213, 94, 0), RGBColor(230, 159, 0)];
+
+fn design(text: &str) -> Result<Design, brdfgen::error::Error> {
+    Design::new(SpecFields::parse(text, "picture")?.resolve()?)
+}
+
+/// The lobes as the 16-bit cores compute them, code by code, beside the power.
+fn lobes(path: &Path) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::new(path, (960, 400)).into_drawing_area();
+    root.fill(&WHITE)?;
+    let (quadratic, cubic) =
+        (design("method = 'quadratic'\nshininess = '1..=1000'")?, design("method = 'cubic'\nshininess = '1..=1000'")?);
+    for (area, (n, widest)) in root.split_evenly((1, 2)).iter().zip([(10u32, 0.45), (200u32, 0.0225)]) {
+        let mut chart = ChartBuilder::on(area)
+            .caption(format!("n = {n}"), ("sans-serif", 20))
+            .margin(10)
+            .x_label_area_size(40)
+            .y_label_area_size(45)
+            .build_cartesian_2d(1.0 - widest..1.0, 0.0..1.05)?;
+        chart.configure_mesh().x_desc("cosine x").y_desc("lobe").x_labels(6).light_line_style(WHITE).draw()?;
+        // As many as the picture has columns to show.
+        let codes = || (0..=400).map(|step| 65536 - (f64::from(step) * widest * 163.84) as i64);
+        let exact = codes().map(|code| (code as f64 / 65536.0, (code as f64 / 65536.0).powi(n as i32)));
+        chart
+            .draw_series(LineSeries::new(exact, BLACK.stroke_width(1)))?
+            .label(format!("x^{n}"))
+            .legend(|(x, y)| PathElement::new([(x, y), (x + 20, y)], BLACK));
+        for (design, colour) in [(&quadratic, COLOURS[0]), (&cubic, COLOURS[2])] {
+            let model = design.model();
+            let points = codes().map(|code| (code as f64 / 65536.0, f64::from(model.evaluate(n, code)) / 65536.0));
+            chart
+                .draw_series(LineSeries::new(points, colour.stroke_width(2)))?
+                .label(format!("{} core", design.spec.name))
+                .legend(move |(x, y)| PathElement::new([(x, y), (x + 20, y)], colour.stroke_width(2)));
+        }
+        let place = SeriesLabelPosition::UpperLeft;
+        chart.configure_series_labels().position(place).border_style(BLACK).background_style(WHITE).draw()?;
+    }
+    root.present()?;
+    Ok(())
+}
+
+/// Error on the epicentre against the bits multiplied, one point for each output width.
+fn trade(path: &Path) -> Result<(), Box<dyn Error>> {
+    let root = SVGBackend::new(path, (960, 480)).into_drawing_area();
+    root.fill(&WHITE)?;
+    let mut chart = ChartBuilder::on(&root)
+        .caption("n = 1 to 1000, 16-bit cosine, output of 4 to 20 fraction bits", ("sans-serif", 20))
+        .margin(10)
+        .x_label_area_size(45)
+        .y_label_area_size(70)
+        .build_cartesian_2d((50.0..8000.0).log_scale(), (0.004..0.2).log_scale())?;
+    chart
+        .configure_mesh()
+        .x_desc("size of the multipliers: sum of the products of their operands' widths in bits")
+        .y_desc("largest error where x^n >= 1/2")
+        .y_label_formatter(&|v| format!("{:.1} %", 100.0 * v))
+        .x_label_formatter(&|v| format!("{v:.0}"))
+        .light_line_style(WHITE)
+        .draw()?;
+    let series = [("quadratic", "stable"), ("quadratic", "paper"), ("cubic", "stable"), ("cubic", "paper")];
+    for ((method, form), colour) in series.into_iter().zip(COLOURS) {
+        let mut points = Vec::new();
+        for g in (4..=20).step_by(2) {
+            let design = design(&format!(
+                "method = '{method}'\nform = '{form}'\nshininess = '1..=1000'\noutput_fraction = {g}"
+            ))?;
+            let size: u32 = design.graph().multipliers().iter().map(|(a, b)| a * b).sum();
+            let measured = Measured::of(&design);
+            println!(
+                "{method} {form}: G = {g}, {size} bits, error {:.6}, ulp {:.6}",
+                measured.max_abs_epicentre,
+                exp2(-g)
+            );
+            points.push((f64::from(size), measured.max_abs_epicentre));
+        }
+        chart
+            .draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?
+            .label(format!("{method}, {form} form"))
+            .legend(move |(x, y)| PathElement::new([(x, y), (x + 20, y)], colour.stroke_width(2)));
+        chart.draw_series(points.into_iter().map(|point| Circle::new(point, 3, colour.filled())))?;
+    }
+    let place = SeriesLabelPosition::UpperRight;
+    chart.configure_series_labels().position(place).border_style(BLACK).background_style(WHITE).draw()?;
+    root.present()?;
+    Ok(())
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let directory = std::env::args().nth(1).ok_or("usage: pictures DIRECTORY")?;
+    lobes(&Path::new(&directory).join("lobes.svg"))?;
+    trade(&Path::new(&directory).join("trade.svg"))
+}
