@@ -2,11 +2,13 @@
 
 use std::collections::VecDeque;
 
-use super::{Job, LISTED, Outcome};
+use super::{Job, LISTED, Outcome, Simulator};
 use crate::datapath::simulate::{Inputs, Outputs, Simulation};
 use crate::design::Design;
+use crate::error::Error;
 #[cfg(feature = "kernel")]
 use crate::kernel;
+use crate::spec::Language;
 
 /// What simulates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -71,8 +73,26 @@ fn device(design: &Design) -> Box<dyn Device + '_> {
     Box::new(Simulation::new(design.graph(), &design.schedule, design.table()))
 }
 
+/// The simulation in this process.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Builtin;
+
+impl Simulator for Builtin {
+    fn name(&self) -> &'static str {
+        "builtin"
+    }
+
+    fn language(&self) -> Option<Language> {
+        None
+    }
+
+    fn golden(&self, job: &Job) -> Result<Outcome, Error> {
+        Ok(run(job))
+    }
+}
+
 /// Runs the golden vectors, with their pauses, and compares `out_valid` and `out_spec` at every clock.
-pub(super) fn run(job: &Job) -> Outcome {
+fn run(job: &Job) -> Outcome {
     let design = job.design;
     let vectors = job.golden.vectors();
     let mut device = device(design);

@@ -3,10 +3,13 @@
 //! Each [`Simulator`] runs a core's golden vectors; some run every input. None is believed on its exit status alone: it
 //! must say how many vectors it compared, and that must be all of them.
 
+mod bench;
 mod builtin;
 mod exhaustive;
-mod external;
+mod ghdl;
+mod icarus;
 pub mod tool;
+mod verilator;
 
 pub use builtin::{Engine, builtin_engine};
 pub use exhaustive::exhaustive;
@@ -52,12 +55,32 @@ impl Sim {
     /// The language that it reads; the built-in one reads neither.
     #[must_use]
     pub fn language(self) -> Option<Language> {
+        self.simulator().language()
+    }
+
+    fn simulator(self) -> Box<dyn Simulator> {
         match self {
-            Self::Builtin | Self::All => None,
-            Self::Icarus | Self::Verilator => Some(Language::Verilog),
-            Self::Ghdl => Some(Language::Vhdl),
+            Self::Builtin | Self::All => Box::new(builtin::Builtin),
+            Self::Icarus => Box::new(icarus::Icarus),
+            Self::Verilator => Box::new(verilator::Verilator),
+            Self::Ghdl => Box::new(ghdl::Ghdl),
         }
     }
+}
+
+/// A simulator that can run a core's golden vectors.
+pub trait Simulator {
+    /// Its name, for messages.
+    fn name(&self) -> &'static str;
+
+    /// The language that it reads, if it reads one.
+    fn language(&self) -> Option<Language>;
+
+    /// Runs the golden vectors.
+    ///
+    /// # Errors
+    /// If a program that it needs is not installed or cannot be started; a core that fails is an [`Outcome`].
+    fn golden(&self, job: &Job) -> Result<Outcome, Error>;
 }
 
 /// A core on disk, with what it is compared with.
@@ -115,12 +138,7 @@ pub fn golden(sim: Sim, job: &Job) -> Result<Outcome, Error> {
         ));
     }
     let start = std::time::Instant::now();
-    let mut outcome = match sim {
-        Sim::Builtin | Sim::All => builtin::run(job),
-        Sim::Icarus => external::icarus(job)?,
-        Sim::Verilator => external::verilator(job)?,
-        Sim::Ghdl => external::ghdl(job)?,
-    };
+    let mut outcome = sim.simulator().golden(job)?;
     outcome.seconds = start.elapsed().as_secs_f64();
     Ok(outcome)
 }

@@ -1,0 +1,75 @@
+//! What the external simulators share: compiling a core with its bench, and judging what the bench says.
+
+use std::process::Output;
+
+use super::tool::{Tool, tail};
+use super::{Job, LISTED, Outcome};
+use crate::error::Error;
+use crate::package;
+use crate::spec::Language;
+
+/// A directory that goes away again.
+pub(super) fn scratch() -> Result<tempfile::TempDir, Error> {
+    tempfile::Builder::new()
+        .prefix("brdfgen-")
+        .tempdir()
+        .map_err(|error| Error::io("cannot make a directory in", &std::env::temp_dir(), error))
+}
+
+/// The core and its bench, relative to the core's directory.
+pub(super) fn sources(job: &Job, language: Language) -> [String; 2] {
+    [package::rtl_path(job.design, language), package::bench_path(job.design, language)]
+}
+
+/// An outcome without a vector compared.
+fn failure(simulator: &str, job: &Job, first: Vec<String>) -> Outcome {
+    Outcome {
+        simulator: simulator.to_owned(),
+        mode: "golden vectors",
+        vectors: 0,
+        expected_vectors: job.golden.vectors().len() as u64,
+        mismatches: 0,
+        first,
+        seconds: 0.0,
+    }
+}
+
+/// The failed outcome of a compilation that did not succeed.
+pub(super) fn compiled(simulator: &str, tool: Tool, output: &Output, job: &Job) -> Option<Outcome> {
+    (!output.status.success()).then(|| {
+        let what = format!("{} does not compile the core: {}", tool.program, tail(output, 12));
+        failure(simulator, job, vec![what])
+    })
+}
+
+/// Reads the bench's last line; without a whole one, or with another status than the line says, it failed.
+pub(super) fn judge(simulator: &str, output: &Output, job: &Job) -> Outcome {
+    let name = &job.design.spec.name;
+    let text = format!("{}\n{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    let marker = format!("brdfgen: {name}: ");
+    let verdict = text.lines().rev().find_map(|line| line.split_once(&marker).map(|(_, rest)| rest.trim().to_owned()));
+    let Some(verdict) = verdict else {
+        return failure(simulator, job, vec![format!("the bench gave no verdict: {}", tail(output, 12))]);
+    };
+    let number = |before: &str| -> Option<u64> {
+        verdict.split(before).next()?.split_ascii_whitespace().next_back()?.parse().ok()
+    };
+    let (vectors, mismatches) = (number(" vectors compared"), number(" mismatches"));
+    let said_pass = verdict.ends_with("PASS");
+    let mut outcome = failure(simulator, job, Vec::new());
+    let (Some(vectors), Some(mismatches)) = (vectors, mismatches) else {
+        outcome.first = vec![format!("the bench's verdict is not understood: {verdict}")];
+        return outcome;
+    };
+    (outcome.vectors, outcome.mismatches) = (vectors, mismatches);
+    if said_pass != output.status.success() {
+        outcome.first.push(format!("the bench says {verdict} and ends with {}", output.status));
+    } else if !said_pass {
+        let told = text.lines().filter(|line| !line.trim().is_empty() && !line.contains(&marker));
+        outcome.first.extend(told.take(LISTED).map(str::to_owned));
+        if outcome.first.is_empty() {
+            outcome.first.push(verdict);
+        }
+    }
+    outcome
+}
