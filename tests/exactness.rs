@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::design::{Design, Measured};
 use brdfgen::golden::all_codes;
@@ -129,6 +130,27 @@ fn single_rows_are_faithful() {
     }
 }
 
+/// Where a coefficient rounds up to a power of two at some widths only, is a last bit below zero, or vanishes.
+#[test]
+fn awkward_coefficients_are_faithful() {
+    for (method, n, q, f, g) in [
+        (2, "33.5", 0.673_150_092_589_176_7, 8, 5),
+        (2, "2.999897042275834", 0.5, 6, 12),
+        (3, "2.0073503908925137", 0.533_043_022_147_211_1, 12, 4),
+        (2, "1.9999", 0.5, 10, 10),
+        (2, "1.000125310597362", 0.184_280_618_774_707_08, 10, 7),
+        (1, "1.0105001220411538", 0.5, 4, 4),
+        (3, "2.0388254932042136", 0.5, 9, 5),
+        (2, "3", 0.3, 10, 10),
+        (2, "4", 0.062_5, 8, 8),
+        (2, "1000000", 0.5, 4, 4),
+    ] {
+        let spec =
+            format!("{}\nshininess = [{n}]\nq = {q}\ninput_fraction = {f}\noutput_fraction = {g}", METHODS[method]);
+        assert_every_input(&spec, 1);
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
@@ -238,4 +260,53 @@ fn a_form_that_needs_too_many_bits_says_so() {
     let spec = SpecFields::parse(spec, "test").and_then(SpecFields::resolve).unwrap();
     let message = Design::new(spec).expect_err("wider than 126 bits").to_string();
     assert!(message.contains("126 bits"), "{message}");
+}
+
+/// A ROM word with any one bit flipped changes the answer to some golden vector, unless it changes the answer to no input at all.
+#[test]
+fn golden_vectors_notice_every_flipped_rom_bit() {
+    for method in METHODS {
+        let design = design(&format!("{method}\nshininess = '1..=60'\ninput_fraction = 10\noutput_fraction = 10"));
+        let vectors = brdfgen::golden::Golden::of(&design).vectors();
+        let flips: Vec<(usize, u32)> = design
+            .table()
+            .fields
+            .iter()
+            .enumerate()
+            .flat_map(|(field, f)| (0..f.format.width()).map(move |bit| (field, bit)))
+            .collect();
+        let missed: usize = flips
+            .par_iter()
+            .map(|&(field, bit)| {
+                let mut flipped = design.table().clone();
+                for code in &mut flipped.fields[field].codes {
+                    *code = design.table().fields[field].format.wrap(*code ^ (1 << bit));
+                }
+                let (right, wrong) = (design.evaluator(), Evaluator::new(design.graph(), &flipped));
+                let at = |evaluator: &Evaluator, index: u32, operand: i64| {
+                    let mut output = [0];
+                    evaluator.evaluate(index, operand, 1, &mut output);
+                    output[0]
+                };
+                let all = |evaluator: &Evaluator, index: u32| {
+                    let mut outputs = vec![0; 1025];
+                    evaluator.evaluate(index, 0, 1, &mut outputs);
+                    outputs
+                };
+                let noticed = |row: usize| {
+                    vectors.iter().any(|v| {
+                        design.spec.shininess.row_of_index(v.index) == row
+                            && at(&right, v.index, v.operand) != at(&wrong, v.index, v.operand)
+                    })
+                };
+                let harmless = |row: usize| {
+                    let index = design.spec.shininess.index_of_row(row);
+                    all(&right, index) == all(&wrong, index)
+                };
+                (0..60).filter(|&row| !noticed(row) && !harmless(row)).count()
+            })
+            .sum();
+        let words = 60 * flips.len();
+        assert!(missed == 0, "{method}: {missed} of {words} flipped bits go unnoticed");
+    }
 }

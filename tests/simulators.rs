@@ -83,6 +83,10 @@ const SPECS: &[&str] = &[
     "method = 'quadratic'\nshininess = '900..=1000'",
     "method = 'cubic'\nmaterial = [{ name = 'gold', shininess = 51.2 }, { name = 'plastic', shininess = 32 }]\nrom = 'file'",
     "method = 'quadratic'\nshininess = '1..=1000'\nrom = 'file'",
+    // A wired shift that leaves of the versine less than a bit, or nothing.
+    "method = 'cubic'\nshininess = '512..=1000'\ninput_fraction = 8\noutput_fraction = 8",
+    "method = 'quadratic'\nshininess = '1000..=1000'\ninput_fraction = 8\noutput_fraction = 8",
+    "method = 'cubic'\nshininess = [1000000]\ninput_fraction = 4\noutput_fraction = 4",
     // Pipelines from one register to many.
     "method = 'quadratic'\nshininess = '1..=64'\npipeline = 1",
     "method = 'quadratic'\nshininess = '1..=64'\npipeline = 2",
@@ -296,6 +300,14 @@ fn exhaustive_runs_compare_every_input() {
     for language in [Language::Verilog, Language::Vhdl] {
         let outcome = cosim::exhaustive(&job, language, &|_, _| {}).expect("it runs");
         assert!(outcome.passed() && outcome.vectors == 100 << 12, "{outcome:?}");
+    }
+    let with_file =
+        Core::new("method = 'quadratic'\nshininess = '2..=9'\ninput_fraction = 7\noutput_fraction = 7\nrom = 'file'");
+    let with_file_path = with_file.path();
+    let file_job = Job { design: &with_file.design, golden: &with_file.golden, directory: &with_file_path };
+    for language in [Language::Verilog, Language::Vhdl] {
+        let outcome = cosim::exhaustive(&file_job, language, &|_, _| {}).expect("it runs");
+        assert!(outcome.passed() && outcome.vectors == 8 << 9, "{outcome:?}");
     }
     let file = core.rtl(Language::Verilog);
     let text = std::fs::read_to_string(&file).expect("HDL");

@@ -96,7 +96,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         package::interval_text(design.budget.proved_ulps),
         package::interval_text(measured.ulps),
         measured.sweep.inputs,
-        if measured.sweep.exhaustive { " (all)" } else { "" },
+        if measured.sweep.exhaustive { " (all in [0, 1])" } else { "" },
     ));
     say(format!(
         "error against x^n: {:.3} % at most, {:.3} % on the epicentre ({:.3} % relative)",

@@ -45,10 +45,12 @@ pub fn exhaustive(job: &Job, language: Language, progress: &dyn Fn(u64, u64)) ->
 
 /// The VHDL as Verilog.
 fn synthesize(job: &Job, source: &Path) -> Result<Vec<u8>, Error> {
-    let scratch = tempfile::tempdir().map_err(|error| Error::io("cannot make", &std::env::temp_dir(), error))?;
+    let scratch = super::bench::scratch()?;
     let source = std::path::absolute(source).map_err(|error| Error::io("cannot find", source, error))?;
-    let mut command = GHDL.command(scratch.path());
-    command.args(["--synth", "--std=08", "--out=verilog"]).arg(source).args(["-e", &job.design.spec.name]);
+    // In the core's directory, as a ROM file is read at elaboration by its path relative to that.
+    let mut command = GHDL.command(job.directory);
+    command.args(["--synth", "--std=08", "--out=verilog"]).arg(format!("--workdir={}", scratch.path().display()));
+    command.arg(source).args(["-e", &job.design.spec.name]);
     GHDL.succeed(&mut command)
 }
 

@@ -228,7 +228,7 @@ impl<'a> Builder<'a> {
         let whole = self.format(product);
         let proper = !self.format(p).signed && self.format(p).int_bits <= 0;
         // x p < 1 where p < 1, so that the integer bit of the product is idle.
-        let t = Format { int_bits: if proper { 0 } else { whole.int_bits }, frac_bits, ..whole };
+        let t = Format { int_bits: if proper { 0 } else { whole.int_bits.max(1 - frac_bits) }, frac_bits, ..whole };
         let t = self.cast(product, t, proper, "t", "t = x p, rounded down");
         let one = Interval::point(1.0);
         let added = half.map_or(Interval::ZERO, |half| self.bounds[half][0].range);
@@ -324,8 +324,15 @@ impl<'a> Builder<'a> {
             let bound = self.bounds[a][row];
             let lost = floor_loss(bound.grid, format.frac_bits);
             // Rounding down is monotone, so it may be done to the ends.
-            let down = |end: f64| if bound.grid > format.frac_bits { (end / lsb).floor() * lsb } else { end };
-            let range = Interval::new(down(bound.range.low), down(bound.range.high));
+            let range = if bound.grid > format.frac_bits {
+                // Values are multiples of 2^-grid: the ends round inwards to one first.
+                let grid = crate::number::exp2(-bound.grid);
+                let (low, high) = ((bound.range.low / grid).ceil() * grid, (bound.range.high / grid).floor() * grid);
+                let down = |end: f64| (end / lsb).floor() * lsb;
+                Interval::new(down(low), down(high.max(low)))
+            } else {
+                bound.range
+            };
             Bound {
                 range: if guarded { range.clip(least, most) } else { range },
                 error: bound.error + lost,
@@ -397,8 +404,8 @@ impl<'a> Builder<'a> {
         flags.iter().flatten().copied().reduce(|a, b| self.flag(Op::Or, &[a, b], name, comment))
     }
 
-    /// 0 where the flag is 1, else `a`. The error stays: the flag says that the real value is 0, or that the unclamped
-    /// hardware value is negative, and taking both to at least 0 brings them no farther apart.
+    /// 0 where the flag is 1, else `a`. The error bound stays: where the flag is 1 either the real value is 0, or the hardware's p has
+    /// reached 1, and then the real value `x (1 - p)` is positive by the error of p at most, which the bound holds.
     pub fn zero_if(&mut self, flag: Option<NodeId>, a: NodeId, name: &str, comment: &str) -> NodeId {
         let Some(flag) = flag else { return a };
         let bounds = self.per_row(|row| {

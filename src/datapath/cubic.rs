@@ -28,10 +28,16 @@ fn lobes(spec: &CoreSpec) -> Result<Vec<Cubic>, Error> {
     spec.shininess.values().into_iter().map(|n| Cubic::new(n, spec.q)).collect()
 }
 
-/// The largest versine that is not past the cut, as a code with `input_fraction` bits.
+/// The largest versine that is not past the cut, as a code with `input_fraction` bits: all ones where there is no cut. Only u = 1 is
+/// greater than that, and there the result is 0 anyway.
 fn cut_code(spec: &CoreSpec, lobe: &Cubic) -> i128 {
     let one = exp2(spec.input_fraction as i32);
-    lobe.cut().map_or(one, |cut| libm::floor(cut * one)) as i128
+    lobe.cut().map_or(one, |cut| libm::floor(cut * one)).min(one - 1.0) as i128
+}
+
+/// Whether any input of a row lies past a cut.
+fn any_cut(spec: &CoreSpec, lobes: &[Cubic]) -> bool {
+    lobes.iter().any(|lobe| cut_code(spec, lobe) < (1 << spec.input_fraction) - 1)
 }
 
 fn cut_field(spec: &CoreSpec, lobes: &[Cubic]) -> Field {
@@ -42,14 +48,14 @@ fn cut_field(spec: &CoreSpec, lobes: &[Cubic]) -> Field {
 
 /// The flag for versines past the cut, or `None` where no row has one.
 fn cut_flag(b: &mut Builder, spec: &CoreSpec, lobes: &[Cubic], address: NodeId, u: NodeId) -> Option<NodeId> {
-    lobes.iter().any(|lobe| lobe.cut().is_some()).then(|| {
+    any_cut(spec, lobes).then(|| {
         debug_assert_eq!(b.format(u).frac_bits, spec.input_fraction as i32);
         let cut = b.field(address, "cut");
         b.greater(u, cut, "past_cut", "u > cut: past the minimum of the inner parabola")
     })
 }
 
-/// The versines up to the cut, one end a row.
+/// The versines up to the cut and below 1 (see [`polynomial::below_one`]), one end a row.
 fn active(spec: &CoreSpec, lobes: &[Cubic]) -> Vec<f64> {
     lobes.iter().map(|lobe| cut_code(spec, lobe) as f64 * exp2(-(spec.input_fraction as i32))).collect()
 }
@@ -95,7 +101,7 @@ impl<'a> Stable<'a> {
             field("a", "the coefficient a, times 4^-k", bits_small, small.0, small.1),
         ];
         fields.extend(scaling.field());
-        if self.lobes.iter().any(|lobe| lobe.cut().is_some()) {
+        if any_cut(self.spec, &self.lobes) {
             fields.push(cut_field(self.spec, &self.lobes));
         }
         Table::new(&self.spec.shininess, fields, scaling.base() as u32)
@@ -106,7 +112,7 @@ impl Architecture for Stable<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.spec.input_fraction as i32, self.spec.output_fraction as i32);
         let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
-        let cap = (f - self.scaling(g).base()).max(1);
+        let cap = (f - self.scaling(g + 6).base()).max(1);
         vec![
             Parameter { name: "A", meaning: "coefficient A 2^-k, and q = A - a v", range: g..=g + 6 },
             Parameter { name: "a", meaning: "coefficient a 4^-k", range: g - 1..=g + 6 },
@@ -223,7 +229,7 @@ impl Architecture for Paper<'_> {
             .zip(codes.into_iter().zip(reals))
             .map(|((name, meaning), (codes, reals))| field(name, meaning, bits, codes, reals))
             .collect();
-        if self.lobes.iter().any(|lobe| lobe.cut().is_some()) {
+        if any_cut(self.spec, &self.lobes) {
             fields.push(cut_field(self.spec, &self.lobes));
         }
         let table = Table::new(&self.spec.shininess, fields, 0);

@@ -72,6 +72,12 @@ impl Scaling {
     }
 }
 
+/// `end` or the largest versine below 1, whichever is less. At u = 1 the cosine is 0, and so is the result, whatever p is: no
+/// format needs to hold what is computed there.
+pub(super) fn below_one(spec: &CoreSpec, end: f64) -> f64 {
+    end.min(1.0 - exp2(-(spec.input_fraction as i32)))
+}
+
 /// From the exact p to the output: `x (1 - p)` with p cut to `UQ0.p`, 0 where `zero` or `p >= 1`.
 pub(super) fn output_of_p(
     b: &mut Builder,

@@ -73,7 +73,7 @@ impl Architecture for Stable<'_> {
             Parameter {
                 name: "v",
                 meaning: "scaled versine v = u 2^k",
-                range: up_to(g - 2, g + 4, (f - self.scaling(g).base()).max(1)),
+                range: up_to(g - 2, g + 4, (f - self.scaling(g + 5).base()).max(1)),
             },
             Parameter { name: "p", meaning: "p = a u", range: g - 1..=g + 5 },
             Parameter { name: "t", meaning: "t = x p", range: g..=g + 4 },
@@ -95,11 +95,15 @@ impl Architecture for Stable<'_> {
             let a = table.field("a");
             a.format.value(a.codes[row]) * exp2(scaling.k[row])
         };
+        // Just past the zero p may still be below 1, since v is rounded down: up to there the values must be right.
         let ends: Vec<f64> = self
             .lobes
             .iter()
             .enumerate()
-            .map(|(row, lobe)| active(lobe.a, rounded(row)).min(exp2(1 - scaling.k[row])))
+            .map(|(row, lobe)| {
+                let past = active(lobe.a, rounded(row)) + exp2(-scaling.k[row] - widths.get("v"));
+                polynomial::below_one(self.spec, past.min(exp2(1 - scaling.k[row])))
+            })
             .collect();
         let mut b = Builder::new(&table);
         let (x, u) = b.inputs(self.spec, &ends);

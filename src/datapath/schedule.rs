@@ -122,7 +122,6 @@ fn place(graph: &Graph, rules: Rules, extra: &[u32]) -> Schedule {
         }
         done[id] += time;
     }
-    // The ports are not registers: a multiplier or a ROM fed by them directly waits for the first register.
     let latency = stage[graph.output] + extra[graph.output] + 1;
     let mut last_use = stage.clone();
     for (id, node) in graph.nodes.iter().enumerate() {

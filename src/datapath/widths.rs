@@ -52,6 +52,10 @@ pub struct Solution {
     pub budget: Budget,
 }
 
+/// A bound below this is one below 1 ulp: the rest covers the errors of the double-precision coefficients (below 1e-13 of values that
+/// weigh at most 2^20 ulps) and of the analysis' own sums.
+const FAITHFUL: f64 = 1.0 - 1e-6;
+
 /// The sums of single contributions are near the true bound, on either side: candidates up to here are tried.
 const HOPEFUL: f64 = 1.12;
 
@@ -131,13 +135,19 @@ pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
         let proved = batch
             .par_iter()
             .filter_map(|(_, values)| Some((values, architecture.build(&widths_of(&parameters, values))?)))
-            .find_first(|(_, datapath)| total(datapath).iter().all(|e| e.abs() < 1.0));
+            .find_first(|(_, datapath)| total(datapath).iter().all(|e| e.abs() < FAITHFUL));
         if let Some((values, datapath)) = proved {
             let budget = budget(&parameters, &probes, values, &datapath);
             return Ok(Solution { widths: widths_of(&parameters, values), datapath, budget });
         }
     }
-    Err(too_wide())
+    Err(Error::input(
+        format!(
+            "no offered widths give an error below 1 ulp: at the widest it is bounded by {:+.3}..{:+.3}",
+            base[0], base[1]
+        ),
+        "use the stable form, or other input and output fraction bits",
+    ))
 }
 
 fn budget(parameters: &[Parameter], probes: &[Vec<[f64; 2]>], values: &[i32], datapath: &Datapath) -> Budget {

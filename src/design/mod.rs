@@ -57,13 +57,7 @@ impl Design {
     /// The bit-exact reference.
     #[must_use]
     pub fn model(&self) -> Model<'_> {
-        self.model_with(self.table())
-    }
-
-    /// The bit-exact reference with another ROM in the same formats.
-    #[must_use]
-    pub fn model_with<'a>(&'a self, table: &'a Table) -> Model<'a> {
-        Model::new(&self.spec, &self.widths, table)
+        Model::new(&self.spec, &self.widths, self.table())
     }
 
     /// The vectorised evaluator.

@@ -2,11 +2,14 @@
 
 use rand_core::Rng;
 use rand_pcg::Pcg64;
+use rayon::prelude::*;
 
 use super::Vector;
+use crate::datapath::evaluate::Evaluator;
 use crate::design::Design;
 use crate::lobe::Lobe;
 use crate::number::exp2;
+use crate::rom::Table;
 
 /// Rows beyond which not every row has vectors of its own.
 const MOST_ROWS: usize = 1024;
@@ -35,10 +38,7 @@ pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
         ("corners of the lobe: 0, 1, the cusp, where it ends, each with its neighbours".to_owned(), chooser.corners()),
         ("codes of in_n, all or evenly spaced, at the cusp".to_owned(), chooser.indices()),
     ];
-    for field in 0..design.table().fields.len() {
-        let heading = format!("rows told from rows with the last bit of {} flipped", design.table().fields[field].name);
-        groups.push((heading, chooser.sensitive(field)));
-    }
+    groups.push(("rows told from rows with any bit of the ROM word flipped".to_owned(), chooser.rom_bits()));
     groups.push(("random, all codes".to_owned(), chooser.random_codes()));
     groups.push(("random, on the highlight".to_owned(), chooser.random_highlight()));
     groups
@@ -145,32 +145,76 @@ impl Chooser<'_> {
             .collect()
     }
 
-    /// For each row an input at which flipping the last bit of a field changes the output, if a search finds one.
-    fn sensitive(&mut self, field: usize) -> Vec<Vector> {
+    /// For each row the fewest inputs that a greedy search finds to tell its ROM word from every word with one bit flipped, as
+    /// far as any candidate tells them.
+    fn rom_bits(&mut self) -> Vec<Vector> {
         let design = self.design;
-        let mut flipped = design.table().clone();
-        for code in &mut flipped.fields[field].codes {
-            *code ^= 1;
-        }
-        let rows = design.table().rows();
+        let table = design.table();
+        let flipped: Vec<Table> = (0..table.fields.len())
+            .flat_map(|field| (0..table.fields[field].format.width()).map(move |bit| (field, bit)))
+            .map(|(field, bit)| {
+                let mut flipped = table.clone();
+                let format = flipped.fields[field].format;
+                for code in &mut flipped.fields[field].codes {
+                    *code = format.wrap(*code ^ (1 << bit));
+                }
+                flipped
+            })
+            .collect();
+        let rows: Vec<usize> = (0..table.rows()).step_by(table.rows().div_ceil(MOST_ROWS)).collect();
+        let chosen: Vec<Vec<i64>> = rows.par_iter().map(|&row| self.telling(row, &flipped)).collect();
         let mut result = Vec::new();
-        for row in (0..rows).step_by(rows.div_ceil(MOST_ROWS)) {
+        for (row, codes) in rows.into_iter().zip(chosen) {
             let index = design.spec.shininess.index_of_row(row);
-            let end = self.end(row);
-            // From the end of the lobe inwards, where a coefficient weighs most, then anywhere on it.
-            let near = (0..24).map(|step| end + 1 - step);
-            let mut anywhere: Vec<i64> = (0..104).map(|_| self.below(end as u64 + 1) as i64).collect();
-            anywhere.splice(0..0, near);
-            let changes = |code: &i64| {
-                let operand = design.operand_of_versine(*code);
-                design.model().evaluate(index, operand) != design.model_with(&flipped).evaluate(index, operand)
-            };
-            let inside = anywhere.into_iter().filter(|code| (0..=self.one).contains(code));
-            if let Some(code) = inside.into_iter().find(changes) {
-                result.push(self.vector(index, design.operand_of_versine(code)));
-            }
+            result.extend(codes.into_iter().map(|code| self.vector(index, design.operand_of_versine(code))));
         }
         result
+    }
+
+    /// Versine codes that tell a row's word from as many of the `flipped` ones as possible.
+    fn telling(&self, row: usize, flipped: &[Table]) -> Vec<i64> {
+        let design = self.design;
+        let index = design.spec.shininess.index_of_row(row);
+        let end = self.end(row);
+        // A block about the end of the lobe, where a coefficient weighs most and the cut lies, and combs over the lobe and over all.
+        const LANES: i64 = 192;
+        let first = (end - LANES + 9).clamp(0, self.one);
+        let combs = [(first, 1), (0, (end / LANES).max(1)), (0, (self.one / LANES).max(1))];
+        let mut codes: Vec<i64> = Vec::new();
+        let outputs = |table: &Table| -> Vec<u32> {
+            let evaluator = Evaluator::new(design.graph(), table);
+            let mut all = Vec::new();
+            for (first, stride) in combs {
+                let count = ((self.one - first) / stride + 1).min(LANES);
+                let (a, b) =
+                    (design.operand_of_versine(first), design.operand_of_versine(first + stride * (count - 1)));
+                let mut outputs = vec![0; count as usize];
+                evaluator.evaluate(index, a.min(b), stride, &mut outputs);
+                // In the order of the versines, whichever way the operand runs.
+                if b < a {
+                    outputs.reverse();
+                }
+                all.extend(outputs);
+            }
+            all
+        };
+        for (first, stride) in combs {
+            let count = ((self.one - first) / stride + 1).min(LANES);
+            codes.extend((0..count).map(|step| first + stride * step));
+        }
+        let right = outputs(design.table());
+        let tells: Vec<Vec<bool>> =
+            flipped.iter().map(|table| outputs(table).iter().zip(&right).map(|(a, b)| a != b).collect()).collect();
+        let mut open: Vec<usize> = (0..flipped.len()).collect();
+        let mut chosen = Vec::new();
+        loop {
+            let told = |code: usize| open.iter().filter(|&&flip| tells[flip][code]).count();
+            // The first of the best: `max_by_key` would take the last.
+            let best = (0..codes.len()).rev().max_by_key(|&code| told(code));
+            let Some(best) = best.filter(|&code| told(code) > 0) else { return chosen };
+            chosen.push(codes[best]);
+            open.retain(|&flip| !tells[flip][best]);
+        }
     }
 
     fn random_codes(&mut self) -> Vec<Vector> {

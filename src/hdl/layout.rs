@@ -125,10 +125,10 @@ impl<'a> Layout<'a> {
             let (low, high) = match node.op {
                 Op::Cast => {
                     let low = (format.frac_bits - node.format.frac_bits).max(0) as u32;
-                    (low, low + node.format.width() - padding)
+                    (low, low + node.format.width().saturating_sub(padding))
                 }
                 // A result narrower than its operands needs their low bits only.
-                Op::Add | Op::Sub => (0, node.format.width() - padding),
+                Op::Add | Op::Sub => (0, node.format.width().saturating_sub(padding)),
                 _ => (0, width),
             };
             used[low.min(width) as usize..high.min(width) as usize].fill(true);

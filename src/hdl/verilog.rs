@@ -105,6 +105,9 @@ impl Writer<'_> {
         if let Op::Constant(code) = self.layout.nodes()[id].op {
             return literal(code << shift, width);
         }
+        if shift >= width {
+            return zeros(width);
+        }
         let name = self.name(id);
         let kept = format.width().min(width - shift);
         let own = slice(&name, format.width(), kept - 1, 0);

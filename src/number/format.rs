@@ -84,7 +84,7 @@ impl Format {
     pub fn holding(low: i128, high: i128, frac_bits: i32) -> Self {
         debug_assert!(low <= high);
         let magnitude = |code: i128| (128 - if code < 0 { !code } else { code }.leading_zeros()) as i32;
-        let bits = magnitude(low).max(magnitude(high)).max(i32::from(low >= 0));
+        let bits = magnitude(low).max(magnitude(high)).max(1);
         Self { signed: low < 0, int_bits: bits - frac_bits, frac_bits }
     }
 }

@@ -46,7 +46,7 @@ pub fn interval_text([low, high]: [f64; 2]) -> String {
 pub(super) fn measured_lines(measured: &Measured) -> Vec<String> {
     let sweep = &measured.sweep;
     let inputs = if sweep.exhaustive {
-        format!("all {} inputs", sweep.inputs)
+        format!("all {} inputs in [0, 1]", sweep.inputs)
     } else {
         format!("{} evenly spaced inputs", sweep.inputs)
     };

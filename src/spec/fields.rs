@@ -86,159 +86,35 @@ pub struct SpecFields {
     pub material: Option<Vec<Material>>,
 }
 
-/// Words that neither language allows as the name of a module, entity or file scope.
-const RESERVED: &[&str] = &[
-    "abs",
-    "access",
-    "after",
-    "alias",
-    "all",
-    "always",
-    "and",
-    "architecture",
-    "array",
-    "assert",
-    "assign",
-    "attribute",
-    "begin",
-    "block",
-    "body",
-    "buf",
-    "buffer",
-    "bus",
-    "case",
-    "cell",
-    "component",
-    "config",
-    "configuration",
-    "constant",
-    "default",
-    "design",
-    "disable",
-    "disconnect",
-    "downto",
-    "edge",
-    "else",
-    "elsif",
-    "end",
-    "entity",
-    "event",
-    "exit",
-    "file",
-    "for",
-    "force",
-    "forever",
-    "fork",
-    "function",
-    "generate",
-    "generic",
-    "group",
-    "guarded",
-    "if",
-    "impure",
-    "in",
-    "inertial",
-    "initial",
-    "inout",
-    "input",
-    "instance",
-    "integer",
-    "is",
-    "join",
-    "label",
-    "large",
-    "liblist",
-    "library",
-    "linkage",
-    "literal",
-    "localparam",
-    "loop",
-    "map",
-    "medium",
-    "mod",
-    "module",
-    "nand",
-    "negedge",
-    "new",
-    "next",
-    "nor",
-    "not",
-    "null",
-    "of",
-    "on",
-    "open",
-    "or",
-    "others",
-    "out",
-    "output",
-    "package",
-    "parameter",
-    "port",
-    "posedge",
-    "postponed",
-    "primitive",
-    "procedure",
-    "process",
-    "property",
-    "protected",
-    "pull",
-    "pure",
-    "range",
-    "real",
-    "realtime",
-    "record",
-    "reg",
-    "register",
-    "reject",
-    "release",
-    "rem",
-    "repeat",
-    "report",
-    "return",
-    "rol",
-    "ror",
-    "scalared",
-    "select",
-    "sequence",
-    "severity",
-    "shared",
-    "signal",
-    "signed",
-    "sla",
-    "sll",
-    "small",
-    "specify",
-    "sra",
-    "srl",
-    "strong",
-    "subtype",
-    "supply",
-    "table",
-    "task",
-    "then",
-    "time",
-    "to",
-    "tran",
-    "transport",
-    "tri",
-    "type",
-    "unaffected",
-    "units",
-    "unsigned",
-    "until",
-    "use",
-    "variable",
-    "vectored",
-    "wait",
-    "weak",
-    "when",
-    "while",
-    "wire",
-    "with",
-    "work",
-    "xnor",
-    "xor",
-];
+/// Words that cannot name a module, entity or file scope: the reserved words of Verilog-2005, SystemVerilog-2017 (as which most
+/// tools read Verilog) and VHDL-2008 with PSL, and names that the generated text itself uses.
+const RESERVED: &str = "\
+    abs accept_on access after alias all always always_comb always_ff always_latch and architecture array assert \
+    assign assume assume_guarantee attribute automatic before begin bind bins binsof bit block body boolean break \
+    buf buffer bufif0 bufif1 bus byte case casex casez cell chandle character checker class clocking cmos \
+    component config configuration const constant constraint context continue cover covergroup coverpoint cross \
+    deassign default defparam design disable disconnect dist do downto edge else elsif end endcase endchecker \
+    endclass endclocking endconfig endfunction endgenerate endgroup endinterface endmodule endpackage endprimitive \
+    endprogram endproperty endsequence endspecify endtable endtask entity enum event eventually exit expect export \
+    extends extern fairness file final first_match for force foreach forever fork forkjoin function generate \
+    generic genvar global group guarded highz0 highz1 ieee if iff ifnone ignore_bins illegal_bins implements \
+    implies import impure in incdir include inertial initial inout input inside instance int integer interconnect \
+    interface intersect is join join_any join_none label large let liblist library line linkage literal local \
+    localparam logic longint loop macromodule map matches medium mod modport module nand natural negedge nettype \
+    new next nexttime nmos nor noshowcancelled not notif0 notif1 null numeric_std of on open or others out output \
+    package packed parameter pmos port posedge positive postponed primitive priority procedure process program \
+    property protected pull0 pull1 pulldown pullup pulsestyle_ondetect pulsestyle_onevent pure rand randc randcase \
+    randsequence range rcmos real realtime record ref reg register reject reject_on release rem repeat report \
+    resize restrict restrict_guarantee return rising_edge rnmos rol ror rpmos rtran rtranif0 rtranif1 s_always \
+    s_eventually s_nexttime s_until s_until_with scalared select sequence severity shared shift_left shortint \
+    shortreal showcancelled signal signed sla sll small soft solve specify specparam sra srl static std std_logic \
+    std_logic_1164 std_logic_vector std_ulogic string strong strong0 strong1 struct subtype super supply0 supply1 \
+    sync_accept_on sync_reject_on table tagged task textio then this throughout time timeprecision timeunit to \
+    to_integer to_signed to_unsigned top tran tranif0 tranif1 transport tri tri0 tri1 triand trior trireg type \
+    typedef unaffected union unique unique0 units unsigned until until_with untyped use uwire var variable \
+    vectored virtual vmode void vprop vunit wait wait_order wand weak weak0 weak1 when while wildcard wire with \
+    within wor work xnor xor \
+";
 
 impl SpecFields {
     /// Reads a TOML file.
@@ -498,7 +374,7 @@ fn check_name(name: &str) -> Result<(), Error> {
         && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
         && !name.ends_with('_')
         && !name.contains("__");
-    if plain && !RESERVED.contains(&name) {
+    if plain && RESERVED.split_ascii_whitespace().all(|word| word != name) {
         return Ok(());
     }
     Err(Error::input(
