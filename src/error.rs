@@ -37,7 +37,7 @@ pub enum Error {
         at: SourceSpan,
     },
     /// The system refused a file operation.
-    #[error("{action} {path}: {source}")]
+    #[error("{action} {path}: {answer}")]
     #[diagnostic(code(brdfgen::io))]
     Io {
         /// What was tried, such as "cannot write".
@@ -45,7 +45,7 @@ pub enum Error {
         /// The file or directory.
         path: String,
         /// The system's answer.
-        source: io::Error,
+        answer: io::Error,
     },
     /// An external program is not installed.
     #[error("{tool} is needed for this and is not installed")]
@@ -97,7 +97,7 @@ impl Error {
 
     /// A refused file operation.
     #[must_use]
-    pub fn io(action: &'static str, path: &Path, source: io::Error) -> Self {
-        Self::Io { action, path: path.display().to_string(), source }
+    pub fn io(action: &'static str, path: &Path, answer: io::Error) -> Self {
+        Self::Io { action, path: path.display().to_string(), answer }
     }
 }

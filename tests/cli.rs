@@ -368,7 +368,7 @@ fn generate_writes_these_files_and_says_that_the_simulation_passed() {
     ];
     assert_eq!(scratch.files("core"), expected);
     assert_eq!(scratch.files(""), expected.map(|file| format!("core/{file}")), "nothing beside the core");
-    assert_eq!(scratch.text("core/files.f"), "rtl/quadratic.v\nrtl/quadratic.vhd\n");
+    assert_eq!(scratch.text("core/files.f"), "rtl/quadratic.v\n");
 }
 
 #[test]

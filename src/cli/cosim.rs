@@ -110,7 +110,7 @@ fn exhaustive_languages(sim: Sim, languages: &[Language]) -> Result<Vec<Language
         }
     };
     match wanted.iter().find(|language| !languages.contains(language)) {
-        Some(missing) => Err(Error::input(format!("the core has no {missing:?}"), "generate it with that language")),
+        Some(missing) => Err(Error::input(format!("the core has no {missing}"), "generate it with that language")),
         None => Ok(wanted),
     }
 }

@@ -62,6 +62,8 @@ impl Verdict {
 /// Runs the command that the arguments name.
 #[must_use]
 pub fn main() -> ExitCode {
+    // Unwrapped, so that a path stays whole and can be found in a log.
+    let _ = miette::set_hook(Box::new(|_| Box::new(miette::MietteHandlerOpts::new().wrap_lines(false).build())));
     let result = match Cli::parse().command {
         Command::Generate(arguments) => generate::run(arguments),
         Command::Rom(arguments) => rom::run(arguments),

@@ -22,25 +22,24 @@ impl Simulator for Ghdl {
 
     fn golden(&self, job: &Job) -> Result<Outcome, Error> {
         let scratch = bench::scratch()?;
-        let options = ["--std=08".to_owned(), format!("--workdir={}", scratch.path().display())];
+        // In the scratch directory: a compiling back end leaves an executable in the current one, and GHDL's library
+        // holds the name of the sources' directory, in which it reads neither quotes nor other than Latin letters.
+        copy_core(job.directory, scratch.path())?;
         let top = format!("{}_tb", job.design.spec.name);
-        let mut analyse = GHDL.command(job.directory);
-        analyse.arg("-a").args(&options).args(bench::sources(job, Language::Vhdl));
+        let mut analyse = GHDL.command(scratch.path());
+        analyse.args(["-a", "--std=08"]).args(bench::sources(job, Language::Vhdl));
         if let Some(failed) = bench::compiled(self.name(), GHDL, &GHDL.output(&mut analyse)?, job) {
             return Ok(failed);
         }
-        let mut run = GHDL.command(job.directory);
-        run.arg("--elab-run").args(&options).arg(&top);
-        // With a compiling back end GHDL leaves an executable in the current directory: let it be the scratch one.
-        run.current_dir(scratch.path());
-        link_core(job.directory, scratch.path())?;
+        let mut run = GHDL.command(scratch.path());
+        run.args(["--elab-run", "--std=08", &top]);
         Ok(bench::judge(self.name(), &GHDL.output(&mut run)?, job))
     }
 }
 
-/// Makes the files that a bench reads visible in `scratch` under their usual relative paths.
-fn link_core(core: &Path, scratch: &Path) -> Result<(), Error> {
-    for part in ["golden", "rom"] {
+/// Copies a core's sources and the files that its bench reads to `scratch`, under their usual relative paths.
+fn copy_core(core: &Path, scratch: &Path) -> Result<(), Error> {
+    for part in ["rtl", "tb", "golden", "rom"] {
         let target = scratch.join(part);
         std::fs::create_dir_all(&target).map_err(|error| Error::io("cannot make", &target, error))?;
         let source = core.join(part);

@@ -133,7 +133,7 @@ pub fn golden(sim: Sim, job: &Job) -> Result<Outcome, Error> {
         && !job.design.spec.languages.contains(&language)
     {
         return Err(Error::input(
-            format!("the core {} has no {language:?}", job.design.spec.name),
+            format!("the core {} has no {language}", job.design.spec.name),
             "generate it with that language, or choose another simulator",
         ));
     }

@@ -314,6 +314,9 @@ impl<'a> Builder<'a> {
     /// `a` with `format`'s bits only: low bits are dropped, and high bits where the caller guards them with a
     /// flag (`guarded`) or the analysis shows that they are never used.
     pub fn cast(&mut self, a: NodeId, format: Format, guarded: bool, name: &str, comment: &str) -> NodeId {
+        // A number far below the last bit that is kept still takes one bit.
+        let int_bits = format.int_bits.max(i32::from(!format.signed) - format.frac_bits);
+        let format = Format { int_bits, ..format };
         if self.format(a) == format {
             return a;
         }

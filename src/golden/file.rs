@@ -57,6 +57,21 @@ pub fn parse(design: &Design, text: &str, file: &str) -> Result<Golden, Error> {
     let (index, operand, output) = (design.index_format(), design.operand_format(), design.output_format());
     let mut golden =
         Golden { core: String::new(), spec_digest: String::new(), groups: Vec::new(), digests: Vec::new() };
+    let whole = |what: String, allowed: &str| Error::input(format!("{file}: {what}"), allowed);
+    let (core, spec) = (&design.spec.name, design.spec.digest());
+    let of_another = |its_core: &str, its_spec: &str| {
+        whole(
+            format!("these are the vectors of core {its_core} with spec {its_spec}"),
+            &format!("vectors of core {core} with spec {spec} are wanted; `brdfgen golden` makes them"),
+        )
+    };
+    // First, as the codes of another core may not fit this one's ports.
+    let stated = |key: &str| text.lines().find_map(|line| line.strip_prefix(key)).map(str::trim);
+    if let (Some(its_core), Some(its_spec)) = (stated("# core "), stated("# spec "))
+        && (its_core, its_spec) != (core.as_str(), spec.as_str())
+    {
+        return Err(of_another(its_core, its_spec));
+    }
     let mut declared = None;
     let mut offset = 0;
     for line in text.split_inclusive('\n') {
@@ -97,14 +112,15 @@ pub fn parse(design: &Design, text: &str, file: &str) -> Result<Golden, Error> {
                 }
             }
             (Some("d"), [n, digest]) => {
-                let parsed = u32::from_str_radix(n, 16).ok().zip(u64::from_str_radix(digest, 16).ok());
+                let whole = digest.len() == 16;
+                let parsed =
+                    u32::from_str_radix(n, 16).ok().zip(u64::from_str_radix(digest, 16).ok()).filter(|_| whole);
                 let (index, digest) = parsed.ok_or_else(|| wrong("the digest line is malformed".to_owned()))?;
                 golden.digests.push(RowDigest { index, digest });
             }
             _ => return Err(wrong("this line is malformed".to_owned())),
         }
     }
-    let whole = |what: String, allowed: &str| Error::input(format!("{file}: {what}"), allowed);
     let found = golden.vectors().len();
     match declared {
         None => return Err(whole("this is no golden file: it has no `c` line".to_owned(), ALLOWED)),
@@ -116,11 +132,14 @@ pub fn parse(design: &Design, text: &str, file: &str) -> Result<Golden, Error> {
         }
         Some(_) => {}
     }
-    let (core, spec) = (&design.spec.name, design.spec.digest());
     if (&golden.core, &golden.spec_digest) != (core, &spec) {
+        return Err(of_another(&golden.core, &golden.spec_digest));
+    }
+    let digests = super::digest_rows(design).len();
+    if golden.digests.len() != digests {
         return Err(whole(
-            format!("these are the vectors of core {} with spec {}", golden.core, golden.spec_digest),
-            &format!("vectors of core {core} with spec {spec} are wanted; `brdfgen golden` makes them"),
+            format!("{digests} digests are wanted and {} are there", golden.digests.len()),
+            "the file is truncated or edited",
         ));
     }
     Ok(golden)

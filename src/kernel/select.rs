@@ -46,6 +46,8 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
             quadratic(&widths, QuadraticRom { k: &k, a: &words("a") })
         }
         Method::Cubic => {
+            // Where no row is cut, the ROM has no threshold.
+            table.fields.iter().find(|field| field.name == "cut")?;
             let node = |name: &str| design.graph().nodes.iter().find(|node| node.name == name);
             let (v, q) = (node("v")?.format, node("q")?.format);
             let widths = CubicWidths {

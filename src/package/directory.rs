@@ -72,8 +72,7 @@ fn make_readable(_: &Path) -> std::io::Result<()> {
 pub fn write_directory(directory: &Path, files: &[File]) -> Result<(), Error> {
     check_target(directory)?;
     let failed = |error| Error::io("cannot write", directory, error);
-    let exists = directory.exists();
-    if exists && directory.join("core.toml").exists() {
+    if directory.exists() {
         return replace(directory, files);
     }
     // `canonicalize` needs the directory to be there, and its parent is what the temporary one must share.
@@ -85,9 +84,6 @@ pub fn write_directory(directory: &Path, files: &[File]) -> Result<(), Error> {
         write_file(&staging.path().join(&file.path), &file.bytes)?;
     }
     make_readable(staging.path()).map_err(failed)?;
-    if exists {
-        fs::remove_dir(directory).map_err(failed)?;
-    }
     fs::rename(staging.path(), directory).map_err(failed)
 }
 

@@ -75,6 +75,15 @@ pub enum Language {
     Vhdl,
 }
 
+impl std::fmt::Display for Language {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Verilog => "Verilog",
+            Self::Vhdl => "VHDL",
+        })
+    }
+}
+
 /// How many registers lie between input and output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pipeline {

@@ -140,7 +140,10 @@ impl Shininess {
                         "a name is one or more printable ASCII characters: it goes into HDL comments",
                     ));
                 }
-                check_shininess(m.shininess)
+                check_shininess(m.shininess).map_err(|error| match error {
+                    Error::Input { what, allowed } => Error::input(format!("material {}: {what}", m.name), allowed),
+                    other => other,
+                })
             }),
         }
     }

@@ -89,7 +89,7 @@ fn small_table() -> Table {
     };
     let fields =
         vec![field("high", Format::unsigned(0, 4), [1, 2, 3]), field("low", Format::signed(3, 4), [-1, 0x7f, 0])];
-    Table::new(&Shininess::Range(2, 4), fields, 0)
+    Table::new(&Shininess::Range(10, 12), fields, 0)
 }
 
 proptest! {
@@ -248,13 +248,13 @@ fn differences_are_one_sentence() {
     assert_eq!(
         sentence(&[0x1ff, 0x27e, 0x300, 0x301]).as_deref(),
         Some(
-            "address 1 (shininess 3): the word is 0x27e and should be 0x27f; the first field that differs is low, with \
+            "address 1 (shininess 11): the word is 0x27e and should be 0x27f; the first field that differs is low, with \
              the code 126 in place of 127"
         )
     );
     assert_eq!(
         sentence(&right[..3]).as_deref(),
-        Some("address 3 (shininess 4): the file ends before this word, 0x300")
+        Some("address 3 (shininess 12): the file ends before this word, 0x300")
     );
     assert_eq!(
         sentence(&[0x1ff, 0x27f, 0x300, 0x300, 5]).as_deref(),
@@ -264,7 +264,7 @@ fn differences_are_one_sentence() {
     let image = read_for(&table, csv.as_bytes(), RomFormat::Csv).expect("a correct file");
     assert_eq!(
         first_difference(&table, &image).expect("a wrong code").to_string(),
-        "address 0 (shininess 2): the word 0x1ff is right but the column low_code beside it has -2 in place of -1"
+        "address 0 (shininess 10): the word 0x1ff is right but the column low_code beside it has -2 in place of -1"
     );
 }
 
