@@ -12,7 +12,7 @@ use crate::number::Format;
 use crate::rom::Table;
 
 /// Inputs of a column: small enough for all columns of a core to stay in the first-level cache.
-const LANES: usize = 256;
+const LANES: usize = 64;
 
 /// An argument of a step: the same for all lanes, or a column.
 #[derive(Clone, Copy, Debug)]
