@@ -221,6 +221,8 @@ fn broken_cores_fail() {
             let outcome = core.run(sim);
             assert!(!outcome.passed(), "{what} goes unnoticed: {outcome:?}");
             assert!(outcome.vectors > 0, "{what}: the bench did not run: {outcome:?}");
+            let place = outcome.first.first().expect("a difference");
+            assert!(place.contains("expected") || place.contains("out_valid"), "{what}: where? {place}");
         });
     }
 }
@@ -319,6 +321,9 @@ fn exhaustive_runs_compare_every_input() {
     );
     std::fs::write(&file, text.replace(output, &faulty)).expect("written");
     let outcome = cosim::exhaustive(&job, Language::Verilog, &|_, _| {}).expect("it runs");
+    std::fs::write(core.rtl(Language::Vhdl), "entity cubic is").expect("written");
+    let broken = cosim::exhaustive(&job, Language::Vhdl, &|_, _| {}).expect("an outcome");
+    assert!(!broken.passed() && broken.first[0].contains("does not compile"), "{broken:?}");
     assert!(outcome.mismatches == 1 && outcome.first[0].contains("in_n 77, operand 1001"), "{outcome:?}");
 }
 

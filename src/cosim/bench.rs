@@ -65,8 +65,8 @@ pub(super) fn judge(simulator: &str, output: &Output, job: &Job) -> Outcome {
     if said_pass != output.status.success() {
         outcome.first.push(format!("the bench says {verdict} and ends with {}", output.status));
     } else if !said_pass {
-        let told = text.lines().filter(|line| !line.trim().is_empty() && !line.contains(&marker));
-        outcome.first.extend(told.take(LISTED).map(str::to_owned));
+        let told = text.lines().filter_map(|line| line.split_once(&marker).map(|(_, rest)| rest.trim()));
+        outcome.first.extend(told.filter(|line| *line != verdict).take(LISTED).map(str::to_owned));
         if outcome.first.is_empty() {
             outcome.first.push(verdict);
         }

@@ -28,19 +28,49 @@ const HARNESS: &str = include_str!("../../testbench/exhaustive.cpp");
 /// A tool that is not installed or does not compile the core.
 pub fn exhaustive(job: &Job, language: Language, progress: &dyn Fn(u64, u64)) -> Result<Outcome, Error> {
     let start = std::time::Instant::now();
-    let source = job.directory.join(package::rtl_path(job.design, language));
-    let (simulator, verilog) = match language {
-        Language::Verilog => {
-            let text = fs::read(&source).map_err(|error| Error::io("cannot read", &source, error))?;
-            ("verilator", text)
-        }
-        Language::Vhdl => ("ghdl --synth, verilator", synthesize(job, &source)?),
+    let simulator = match language {
+        Language::Verilog => "verilator",
+        Language::Vhdl => "ghdl --synth, verilator",
     };
-    let program = build(job, &verilog)?;
-    let mut outcome = run(job, &program, progress)?;
+    let mut outcome = match compile(job, language) {
+        Ok(program) => run(job, &program, progress)?,
+        // A core that does not compile has failed its check; what other languages' checks found still counts.
+        Err(Error::ToolFailed { tool, what, output }) => Outcome {
+            first: vec![format!("{tool} does not compile the core ({what}): {output}")],
+            ..nothing_compared(job)
+        },
+        Err(other) => return Err(other),
+    };
     outcome.simulator = simulator.to_owned();
     outcome.seconds = start.elapsed().as_secs_f64();
     Ok(outcome)
+}
+
+/// The core in one language as a program.
+fn compile(job: &Job, language: Language) -> Result<PathBuf, Error> {
+    let source = job.directory.join(package::rtl_path(job.design, language));
+    let verilog = match language {
+        Language::Verilog => fs::read(&source).map_err(|error| Error::io("cannot read", &source, error))?,
+        Language::Vhdl => synthesize(job, &source)?,
+    };
+    build(job, &verilog)
+}
+
+/// The inputs that a run has to compare.
+fn inputs(job: &Job) -> u64 {
+    job.design.table().rows() as u64 * all_codes(job.design.operand_format()).1
+}
+
+fn nothing_compared(job: &Job) -> Outcome {
+    Outcome {
+        simulator: String::new(),
+        mode: "every input",
+        vectors: 0,
+        expected_vectors: inputs(job),
+        mismatches: 0,
+        first: Vec::new(),
+        seconds: 0.0,
+    }
 }
 
 /// The VHDL as Verilog.
@@ -106,7 +136,7 @@ fn run(job: &Job, program: &Path, progress: &dyn Fn(u64, u64)) -> Result<Outcome
     let (first, count) = all_codes(design.operand_format());
     let rows = design.table().rows();
     let indices: Vec<u32> = (0..rows).map(|row| design.spec.shininess.index_of_row(row)).collect();
-    let total = rows as u64 * count;
+    let total = inputs(job);
     // The ROM file, if there is one, is named relative to the core's directory.
     let mut child = Command::new(program)
         .current_dir(job.directory)
@@ -118,15 +148,7 @@ fn run(job: &Job, program: &Path, progress: &dyn Fn(u64, u64)) -> Result<Outcome
     let mut stdin = child.stdin.take();
     let mut stdout = child.stdout.take().ok_or_else(|| harness.missing())?;
 
-    let mut outcome = Outcome {
-        simulator: String::new(),
-        mode: "every input",
-        vectors: 0,
-        expected_vectors: total,
-        mismatches: 0,
-        first: Vec::new(),
-        seconds: 0.0,
-    };
+    let mut outcome = nothing_compared(job);
     std::thread::scope(|scope| {
         let sent = indices.clone();
         let mut pipe = stdin.take();
