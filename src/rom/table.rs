@@ -20,6 +20,9 @@ pub struct Field {
     pub reals: Vec<f64>,
 }
 
+/// Block RAMs of the common families are at least 512 words deep.
+const BLOCK_RAM_ADDRESS_BITS: u32 = 9;
+
 /// A coefficient ROM: one logical row per shininess, and the words that the memory holds.
 ///
 /// A word is the fields' bit patterns side by side, the first field in the most significant bits. The
@@ -34,7 +37,7 @@ pub struct Table {
     /// The width of the address.
     pub address_bits: u32,
     /// Subtracted from the index (after taking it into the set) to give the address: 0 wherever a memory that
-    /// is addressed by the index itself needs at most one address bit more.
+    /// is addressed by the index itself is no deeper, or at most twice as deep and a small one.
     pub first_index: u32,
     /// The shift of the versine that all rows share; what a row needs beyond it is its field `k`.
     pub shared_shift: u32,
@@ -49,12 +52,10 @@ impl Table {
         let rows = set.rows();
         debug_assert!(fields.iter().all(|f| f.codes.len() == rows && f.reals.len() == rows));
         let packed_bits = (usize::BITS - (rows - 1).leading_zeros()).max(1);
-        // A memory twice as deep is cheaper than a clamp, a subtraction and the clock that they take.
-        let (address_bits, first_index) = if set.index_bits() <= packed_bits + 1 {
-            (set.index_bits(), 0)
-        } else {
-            (packed_bits, set.index_of_row(0))
-        };
+        // Up to the least depth of a block RAM, a memory twice as deep is cheaper than a clamp, a subtraction and their clock.
+        let direct = packed_bits.max((packed_bits + 1).min(BLOCK_RAM_ADDRESS_BITS));
+        let (address_bits, first_index) =
+            if set.index_bits() <= direct { (set.index_bits(), 0) } else { (packed_bits, set.index_of_row(0)) };
         let row_of_address = (0..1u32 << address_bits).map(|address| set.row_of_index(address + first_index)).collect();
         Self { fields, shininess: set.values(), address_bits, first_index, shared_shift, row_of_address }
     }
