@@ -228,7 +228,7 @@ impl<'a> Builder<'a> {
         let whole = self.format(product);
         let proper = !self.format(p).signed && self.format(p).int_bits <= 0;
         // x p < 1 where p < 1, so that the integer bit of the product is idle.
-        let t = Format { int_bits: if proper { 0 } else { whole.int_bits.max(1 - frac_bits) }, frac_bits, ..whole };
+        let t = Format { int_bits: if proper { 0 } else { whole.int_bits }, frac_bits, ..whole };
         let t = self.cast(product, t, proper, "t", "t = x p, rounded down");
         let one = Interval::point(1.0);
         let added = half.map_or(Interval::ZERO, |half| self.bounds[half][0].range);
@@ -315,8 +315,7 @@ impl<'a> Builder<'a> {
     /// flag (`guarded`) or the analysis shows that they are never used.
     pub fn cast(&mut self, a: NodeId, format: Format, guarded: bool, name: &str, comment: &str) -> NodeId {
         // A number far below the last bit that is kept still takes one bit.
-        let int_bits = format.int_bits.max(i32::from(!format.signed) - format.frac_bits);
-        let format = Format { int_bits, ..format };
+        let format = Format { int_bits: format.int_bits.max(1 - format.frac_bits), ..format };
         if self.format(a) == format {
             return a;
         }
@@ -357,9 +356,7 @@ impl<'a> Builder<'a> {
         if format.frac_bits <= frac_bits {
             return a;
         }
-        // A value so small that no bit of it would be left keeps one.
-        let int_bits = format.int_bits.max(1 - frac_bits);
-        let rounded = self.cast(a, Format { int_bits, frac_bits, ..format }, false, name, comment);
+        let rounded = self.cast(a, Format { frac_bits, ..format }, false, name, comment);
         let bounds = self.bounds[rounded].clone();
         self.nodes[rounded].format = self.holding(&bounds, frac_bits);
         rounded

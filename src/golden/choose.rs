@@ -177,15 +177,18 @@ impl Chooser<'_> {
         let index = design.spec.shininess.index_of_row(row);
         let end = self.end(row);
         // A block about the end of the lobe, where a coefficient weighs most and the cut lies, and combs over the lobe and over all.
-        const LANES: i64 = 192;
-        let first = (end - LANES + 9).clamp(0, self.one);
-        let combs = [(first, 1), (0, (end / LANES).max(1)), (0, (self.one / LANES).max(1))];
-        let mut codes: Vec<i64> = Vec::new();
+        const MOST: i64 = 192;
+        let first = (end - MOST + 9).clamp(0, self.one);
+        let combs = [(first, 1), (0, (end / MOST).max(1)), (0, (self.one / MOST).max(1))]
+            .map(|(first, stride)| (first, stride, ((self.one - first) / stride + 1).min(MOST)));
+        let codes: Vec<i64> = combs
+            .iter()
+            .flat_map(|&(first, stride, count)| (0..count).map(move |step| first + stride * step))
+            .collect();
         let outputs = |table: &Table| -> Vec<u32> {
             let evaluator = Evaluator::new(design.graph(), table);
-            let mut all = Vec::new();
-            for (first, stride) in combs {
-                let count = ((self.one - first) / stride + 1).min(LANES);
+            let mut all = Vec::with_capacity(codes.len());
+            for (first, stride, count) in combs {
                 let (a, b) =
                     (design.operand_of_versine(first), design.operand_of_versine(first + stride * (count - 1)));
                 let mut outputs = vec![0; count as usize];
@@ -198,10 +201,6 @@ impl Chooser<'_> {
             }
             all
         };
-        for (first, stride) in combs {
-            let count = ((self.one - first) / stride + 1).min(LANES);
-            codes.extend((0..count).map(|step| first + stride * step));
-        }
         let right = outputs(design.table());
         let tells: Vec<Vec<bool>> =
             flipped.iter().map(|table| outputs(table).iter().zip(&right).map(|(a, b)| a != b).collect()).collect();
