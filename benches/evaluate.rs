@@ -72,11 +72,11 @@ fn simulate(criterion: &mut Criterion) {
         let text = format!("method = '{method}'\nshininess = '1..=1000'");
         let spec = SpecFields::parse(&text, "bench").and_then(SpecFields::resolve).expect("a spec");
         let design = Design::new(spec).expect("a design");
-        let mut simulation = Simulation::new(design.graph(), &design.schedule, design.table());
+        let mut simulation = Simulation::new(design.graph(), &design.schedule, design.tables());
         group.bench_function(format!("{method}: datapath pipeline"), |bench| {
             bench.iter(|| {
                 for n in 0..1000 {
-                    let inputs = Inputs { rst: false, ce: true, in_valid: true, in_n: n, operand: 65000 };
+                    let inputs = Inputs { rst: false, ce: true, in_valid: true, codes: vec![n, 65000] };
                     black_box(simulation.clock(&inputs));
                 }
             });

@@ -32,10 +32,10 @@ fn assert_every_input(spec: &str, stride: i64) {
     assert_proof(&design, spec);
     let [low, high] = design.budget.proved_ulps;
     let (first, count) = all_codes(design.operand_format());
-    let (evaluator, model, lobes) = (design.evaluator(), design.model(), design.spec.lobes());
+    let (evaluator, model, lobes) = (design.evaluator(), design.model(), design.lobes());
     let one = 1u32 << design.spec.output_fraction;
     let compared = AtomicU64::new(0);
-    (0..design.table().rows()).into_par_iter().for_each(|row| {
+    (0..design.spec.shininess.rows()).into_par_iter().for_each(|row| {
         let index = design.spec.shininess.index_of_row(row);
         let mut outputs = vec![0u32; count as usize];
         evaluator.evaluate(index, first, 1, &mut outputs);
@@ -55,7 +55,7 @@ fn assert_every_input(spec: &str, stride: i64) {
         }
         compared.fetch_add(own, Ordering::Relaxed);
     });
-    let expected = design.table().rows() as u64 * count / stride.unsigned_abs();
+    let expected = design.spec.shininess.rows() as u64 * count / stride.unsigned_abs();
     assert!(compared.into_inner() >= expected / 2, "{spec}: too few compared with the model");
 }
 
@@ -192,7 +192,7 @@ fn every_pipeline_depth_computes_the_same() {
             if let Ok(depth) = depth.parse::<usize>() {
                 assert_eq!(latency, depth);
             }
-            let mut simulation = Simulation::new(design.graph(), &design.schedule, design.table());
+            let mut simulation = Simulation::new(design.graph(), &design.schedule, design.tables());
             let stimuli: Vec<(u32, i64)> = (0..60).map(|i| (i % 4, i64::from(i) * 17 % 300 - 20)).collect();
             let mut outputs = Vec::new();
             let mut enabled = 0;
@@ -203,14 +203,13 @@ fn every_pipeline_depth_computes_the_same() {
                     rst: false,
                     ce,
                     in_valid: ce && enabled < stimuli.len(),
-                    in_n: index.into(),
-                    operand: operand.into(),
+                    codes: vec![index.into(), operand.into()],
                 };
                 let out = simulation.clock(&inputs);
                 enabled += usize::from(ce);
                 if ce && out.out_valid {
                     assert_eq!(enabled, outputs.len() + latency, "{method} depth {depth}");
-                    outputs.push(out.out_spec as u32);
+                    outputs.push(out.codes[0] as u32);
                 }
                 if outputs.len() == stimuli.len() {
                     break;
@@ -268,19 +267,20 @@ fn golden_vectors_notice_every_flipped_rom_bit() {
     for method in METHODS {
         let design = design(&format!("{method}\nshininess = '1..=60'\ninput_fraction = 10\noutput_fraction = 10"));
         let vectors = brdfgen::golden::Golden::of(&design).vectors();
-        let flips: Vec<(usize, u32)> = design
-            .table()
-            .fields
+        let flips: Vec<(usize, usize, u32)> = design
+            .tables()
             .iter()
             .enumerate()
-            .flat_map(|(field, f)| (0..f.format.width()).map(move |bit| (field, bit)))
+            .flat_map(|(memory, table)| table.fields.iter().enumerate().map(move |(field, f)| (memory, field, f)))
+            .flat_map(|(memory, field, f)| (0..f.format.width()).map(move |bit| (memory, field, bit)))
             .collect();
         let missed: usize = flips
             .par_iter()
-            .map(|&(field, bit)| {
-                let mut flipped = design.table().clone();
-                for code in &mut flipped.fields[field].codes {
-                    *code = design.table().fields[field].format.wrap(*code ^ (1 << bit));
+            .map(|&(memory, field, bit)| {
+                let mut flipped = design.tables().to_vec();
+                let format = flipped[memory].fields[field].format;
+                for code in &mut flipped[memory].fields[field].codes {
+                    *code = format.wrap(*code ^ (1 << bit));
                 }
                 let (right, wrong) = (design.evaluator(), Evaluator::new(design.graph(), &flipped));
                 let at = |evaluator: &Evaluator, index: u32, operand: i64| {

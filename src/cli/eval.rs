@@ -58,7 +58,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let operand = code as i64;
     let output = design.model().evaluate(index, operand);
     let u = design.versine(operand);
-    let (exact, method) = (design.exact(row, operand), design.spec.lobes()[row].at(u));
+    let (exact, method) = (design.exact(row, operand), design.lobes()[row].at(u));
     let hardware = design.output_format().value(output.into());
     let ulp = design.output_format().lsb();
     if arguments.json {

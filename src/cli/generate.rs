@@ -81,15 +81,16 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         return Ok(Verdict::of(outcome.passed()));
     }
     let multipliers: Vec<String> = design.graph().multipliers().iter().map(|(a, b)| format!("{a}x{b}")).collect();
+    let memories: Vec<String> =
+        design.tables().iter().map(|table| format!("{} x {} bits", table.depth(), table.word_bits())).collect();
     say(format!(
-        "{}: {} -> {}, {} clocks, multipliers {}, ROM {} x {} bits",
+        "{}: {} -> {}, {} clocks, multipliers {}, {}",
         design.spec.name,
         design.operand_format(),
         design.output_format(),
         design.schedule.latency,
         multipliers.join(" "),
-        design.table().depth(),
-        design.table().word_bits(),
+        if memories.is_empty() { "no ROM".to_owned() } else { format!("ROM {}", memories.join(", ")) },
     ));
     say(format!(
         "error against the method: proved {} ulp, measured {} over {} inputs{}",

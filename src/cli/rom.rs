@@ -8,7 +8,7 @@ use serde_json::json;
 use super::source::Source;
 use super::{Verdict, say, say_json, write_to};
 use crate::error::Error;
-use crate::rom::{self, RomFormat};
+use crate::rom::{self, RomFormat, Table};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -34,10 +34,19 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
-    let (spec, table) = (&design.spec, design.table());
+    let spec = &design.spec;
+    if design.tables().is_empty() {
+        return Err(Error::input(
+            format!("the core {} has no ROM", spec.name),
+            "its method computes everything from in_n and the operand",
+        ));
+    }
     if let Some(path) = &arguments.check {
         let format = RomFormat::of_file(path)?;
         let bytes = std::fs::read(path).map_err(|error| Error::io("cannot read", path, error))?;
+        // By its name, if that is one of the core's memories' names; the coefficients else.
+        let named = |table: &&Table| path.file_name().is_some_and(|name| *name == *format.file_name(&spec.name, table));
+        let table = design.tables().iter().find(named).unwrap_or(&design.tables()[0]);
         let image = rom::read(&bytes, format, &path.display().to_string(), table.word_bits())?;
         let difference = rom::first_difference(table, &image);
         if arguments.json {
@@ -59,14 +68,29 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     if to_stdout && formats.len() != 1 {
         return Err(Error::input("several formats do not fit on standard output", "choose one with --format"));
     }
+    if to_stdout && design.tables().len() != 1 {
+        return Err(Error::input(
+            format!("the core {} has {} memories", spec.name, design.tables().len()),
+            "several do not fit on standard output: give a directory",
+        ));
+    }
+    let mut memories = Vec::new();
     let mut written = Vec::new();
-    for format in formats {
-        let path = if to_stdout { out.clone() } else { out.join(format.file_name(&spec.name)) };
-        write_to(&path, &rom::write(table, format, &spec.name, &spec.digest(), &spec.command()))?;
-        written.push(path.display().to_string());
+    for table in design.tables() {
+        let mut files = Vec::new();
+        for &format in &formats {
+            let path = if to_stdout { out.clone() } else { out.join(format.file_name(&spec.name, table)) };
+            let name = rom::memory_name(&spec.name, table);
+            write_to(&path, &rom::write(table, format, &name, &spec.digest(), &spec.command()))?;
+            files.push(path.display().to_string());
+        }
+        memories.push(json!({
+            "name": table.name, "depth": table.depth(), "word_bits": table.word_bits(), "files": files,
+        }));
+        written.extend(files);
     }
     if arguments.json && !to_stdout {
-        say_json(&json!({ "depth": table.depth(), "word_bits": table.word_bits(), "files": written }));
+        say_json(&json!({ "memories": memories, "files": written }));
     } else if !to_stdout {
         written.iter().for_each(say);
     }

@@ -6,6 +6,7 @@ use super::{Job, LISTED, Outcome, Simulator};
 use crate::datapath::simulate::{Inputs, Outputs, Simulation};
 use crate::design::Design;
 use crate::error::Error;
+use crate::golden::Vector;
 #[cfg(feature = "kernel")]
 use crate::kernel;
 use crate::spec::Language;
@@ -48,9 +49,9 @@ struct KernelDevice(Box<dyn kernel::Kernel>);
 impl Device for KernelDevice {
     fn clock(&mut self, inputs: &Inputs) -> Outputs {
         // The kernel takes bit patterns; it masks the bits above its port's width.
-        let (out_valid, out_spec) =
-            self.0.clock(inputs.rst, inputs.ce, inputs.in_valid, inputs.in_n as u64, inputs.operand as u64);
-        Outputs { out_valid, out_spec: out_spec.into() }
+        let code = |port: usize| inputs.codes.get(port).copied().unwrap_or_default() as u64;
+        let (out_valid, out_spec) = self.0.clock(inputs.rst, inputs.ce, inputs.in_valid, code(0), code(1));
+        Outputs { out_valid, codes: vec![out_spec.into()] }
     }
 }
 
@@ -70,7 +71,7 @@ fn device(design: &Design) -> Box<dyn Device + '_> {
     if let Some(kernel) = kernel::of_design(design) {
         return Box::new(KernelDevice(kernel));
     }
-    Box::new(Simulation::new(design.graph(), &design.schedule, design.table()))
+    Box::new(Simulation::new(design.graph(), &design.schedule, design.tables()))
 }
 
 /// The simulation in this process.
@@ -102,16 +103,18 @@ fn run(job: &Job) -> Outcome {
             rst: false,
             ce: true,
             in_valid: false,
-            in_n: i128::from(!vector.index & ((1 << design.index_format().width()) - 1)),
-            operand: design.operand_format().wrap(!i128::from(vector.operand)),
+            codes: vec![
+                i128::from(!vector.index & ((1 << design.index_format().width()) - 1)),
+                design.operand_format().wrap(!i128::from(vector.operand)),
+            ],
         };
         for _ in 0..vector.idle {
             bench.clock(&garbage, None);
         }
         for _ in 0..vector.stall {
-            bench.clock(&Inputs { ce: false, in_valid: true, ..garbage }, None);
+            bench.clock(&Inputs { ce: false, in_valid: true, ..garbage.clone() }, None);
         }
-        let inputs = Inputs { in_valid: true, in_n: vector.index.into(), operand: vector.operand.into(), ..garbage };
+        let inputs = Inputs { in_valid: true, codes: codes(vector), ..garbage };
         bench.clock(&inputs, Some((number, vector.output)));
     }
     let idle = Inputs { ce: true, ..Inputs::default() };
@@ -146,6 +149,10 @@ fn run(job: &Job) -> Outcome {
     }
 }
 
+fn codes(vector: &Vector) -> Vec<i128> {
+    vec![vector.index.into(), vector.operand.into()]
+}
+
 /// A device with a delay line of what it should answer.
 struct Bench<'a> {
     device: &'a mut dyn Device,
@@ -162,16 +169,10 @@ impl<'a> Bench<'a> {
     }
 
     /// Fills the pipeline and resets it, with the clock enabled and then without: nothing may come out.
-    fn run_reset(mut self, vectors: &[crate::golden::Vector]) -> Self {
+    fn run_reset(mut self, vectors: &[Vector]) -> Self {
         for ce in [true, false] {
             for vector in vectors.iter().take(self.expected.len() + 2) {
-                let inputs = Inputs {
-                    rst: false,
-                    ce: true,
-                    in_valid: true,
-                    in_n: vector.index.into(),
-                    operand: vector.operand.into(),
-                };
+                let inputs = Inputs { rst: false, ce: true, in_valid: true, codes: codes(vector) };
                 self.device.clock(&inputs);
             }
             self.device.clock(&Inputs { rst: true, ce, ..Inputs::default() });
@@ -191,7 +192,7 @@ impl<'a> Bench<'a> {
         }
         let due = self.expected.back().copied().flatten();
         let right = match due {
-            Some((_, output)) => outputs.out_valid && outputs.out_spec == i128::from(output),
+            Some((_, output)) => outputs.out_valid && outputs.codes == [i128::from(output)],
             None => !outputs.out_valid,
         };
         // A result that is held while the clock is disabled is compared each time and counted once.
@@ -199,7 +200,7 @@ impl<'a> Bench<'a> {
         if !right {
             self.mismatches += 1;
             if self.first.len() < LISTED {
-                let got = if outputs.out_valid { outputs.out_spec.to_string() } else { "nothing".to_owned() };
+                let got = if outputs.out_valid { outputs.codes.iter().map(i128::to_string).collect::<Vec<_>>().join(" ") } else { "nothing".to_owned() };
                 self.first.push((due.map(|(number, _)| number), got));
             }
         }

@@ -58,7 +58,7 @@ fn compile(job: &Job, language: Language) -> Result<PathBuf, Error> {
 
 /// The inputs that a run has to compare.
 fn inputs(job: &Job) -> u64 {
-    job.design.table().rows() as u64 * all_codes(job.design.operand_format()).1
+    job.design.spec.shininess.rows() as u64 * all_codes(job.design.operand_format()).1
 }
 
 fn nothing_compared(job: &Job) -> Outcome {
@@ -134,7 +134,7 @@ fn run(job: &Job, program: &Path, progress: &dyn Fn(u64, u64)) -> Result<Outcome
     let harness = Tool { program: "the compiled core", version_flag: "", package: "verilator", purpose: "" };
     let design = job.design;
     let (first, count) = all_codes(design.operand_format());
-    let rows = design.table().rows();
+    let rows = design.spec.shininess.rows();
     let indices: Vec<u32> = (0..rows).map(|row| design.spec.shininess.index_of_row(row)).collect();
     let total = inputs(job);
     // The ROM file, if there is one, is named relative to the core's directory.

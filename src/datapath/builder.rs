@@ -1,11 +1,11 @@
 //! Builds a graph and bounds every value's range and error, row by row.
 //!
-//! The analysis is an abstract interpretation with intervals. For every ROM row it follows, next to
-//! the range of each hardware value, the interval of its *error*: the hardware value minus the real value
-//! that the formula with the quantised coefficients has there. Sums add errors, a product obeys
-//! `a'b' - ab = a (b' - b) + b' (a' - a)`, and dropping bits adds `[-(2^-f - 2^-g), 0]`, where `g` is the number
-//! of fraction bits that the value really has in this row. The inputs range over the row's *active*
-//! interval only, the versines from 0 to where the lobe is 0 for good; past it a flag forces the result to 0,
+//! The analysis is an abstract interpretation with intervals. It goes case by case: a case is a row of the coefficient ROM, or a
+//! part of one, such as a segment. For every case it follows, next to the range of each hardware value, the interval of its
+//! *error*: the hardware value minus the real value that the formula with the quantised coefficients has there. Sums add errors, a
+//! product obeys `a'b' - ab = a (b' - b) + b' (a' - a)`, and dropping bits adds `[-(2^-f - 2^-g), 0]`, where `g` is the number
+//! of fraction bits that the value really has in this case. The inputs range over the case's *active*
+//! interval only, as a rule the versines from 0 to where the lobe is 0 for good; past it a flag forces the result,
 //! and values there may wrap.
 
 use super::graph::{Graph, Node, NodeId, Op};
@@ -13,7 +13,7 @@ use crate::number::{Format, Interval};
 use crate::rom::Table;
 use crate::spec::{CoreSpec, Operand, Shininess};
 
-/// What is known of a value in one row.
+/// What is known of a value in one case.
 #[derive(Clone, Copy, Debug)]
 pub struct Bound {
     /// The hardware value.
@@ -35,20 +35,52 @@ fn floor_loss(grid: i32, frac_bits: i32) -> Interval {
     Interval::new(crate::number::exp2(-grid) - crate::number::exp2(-frac_bits), 0.0)
 }
 
+/// A case of the analysis.
+#[derive(Clone, Debug)]
+pub struct Case {
+    /// The versines of the case.
+    pub active: Interval,
+    /// The shininess; the largest of the set where the case holds several.
+    pub shininess: f64,
+    /// The row that the case reads of each memory, by the memories' numbers; `None` where it may read any.
+    pub rows: Vec<Option<usize>>,
+}
+
+impl Case {
+    /// One case a row of a coefficient ROM, with the versines from 0 to each row's end.
+    #[must_use]
+    pub fn of_rows(table: &Table, ends: &[f64]) -> Vec<Self> {
+        let case = |(row, &end): (usize, &f64)| Self {
+            active: Interval::new(0.0, end),
+            shininess: table.keys[row],
+            rows: vec![Some(row)],
+        };
+        ends.iter().enumerate().map(case).collect()
+    }
+}
+
 /// A graph under construction.
 #[derive(Debug)]
 pub struct Builder<'a> {
-    table: &'a Table,
+    tables: &'a [Table],
+    cases: Vec<Case>,
     nodes: Vec<Node>,
     bounds: Vec<Vec<Bound>>,
+    inputs: Vec<NodeId>,
     fits: bool,
 }
 
 impl<'a> Builder<'a> {
-    /// An empty graph over the rows of `table`.
+    /// An empty graph with these memories, analysed for these cases.
     #[must_use]
-    pub fn new(table: &'a Table) -> Self {
-        Self { table, nodes: Vec::new(), bounds: Vec::new(), fits: true }
+    pub fn new(tables: &'a [Table], cases: Vec<Case>) -> Self {
+        Self { tables, cases, nodes: Vec::new(), bounds: Vec::new(), inputs: Vec::new(), fits: true }
+    }
+
+    /// The cases.
+    #[must_use]
+    pub fn cases(&self) -> &[Case] {
+        &self.cases
     }
 
     /// The format of a node.
@@ -57,16 +89,24 @@ impl<'a> Builder<'a> {
         self.nodes[id].format
     }
 
-    /// The bounds of a node, one a row.
+    /// The bounds of a node, one a case.
     #[must_use]
     pub fn bounds(&self, id: NodeId) -> &[Bound] {
         &self.bounds[id]
     }
 
-    /// The finished graph, or `None` if a value left its format.
+    /// Replaces what the analysis knows of a node by what the caller has proved: tighter bounds, case by case, from a relation
+    /// between values that intervals do not see.
+    pub fn assume(&mut self, id: NodeId, bounds: Vec<Bound>) {
+        debug_assert_eq!(bounds.len(), self.cases.len());
+        self.bounds[id] = bounds;
+    }
+
+    /// The finished graph with its output ports, or `None` if a value left its format.
     #[must_use]
-    pub fn finish(self, output: NodeId) -> Option<Graph> {
-        self.fits.then_some(Graph { nodes: self.nodes, output })
+    pub fn finish(self, outputs: &[(&str, NodeId)]) -> Option<Graph> {
+        let outputs = outputs.iter().map(|&(name, node)| (name.to_owned(), node)).collect();
+        self.fits.then_some(Graph { nodes: self.nodes, inputs: self.inputs, outputs })
     }
 
     fn push(
@@ -84,11 +124,11 @@ impl<'a> Builder<'a> {
         self.nodes.len() - 1
     }
 
-    fn per_row(&self, bound: impl Fn(usize) -> Bound) -> Vec<Bound> {
-        (0..self.table.rows()).map(bound).collect()
+    fn per_case(&self, bound: impl Fn(usize) -> Bound) -> Vec<Bound> {
+        (0..self.cases.len()).map(bound).collect()
     }
 
-    /// The narrowest format with these fraction bits that holds the ranges of all rows.
+    /// The narrowest format with these fraction bits that holds the ranges of all cases.
     fn holding(&mut self, bounds: &[Bound], frac_bits: i32) -> Format {
         let low = bounds.iter().map(|b| b.range.low).fold(f64::INFINITY, f64::min);
         let high = bounds.iter().map(|b| b.range.high).fold(f64::NEG_INFINITY, f64::max);
@@ -102,28 +142,38 @@ impl<'a> Builder<'a> {
         Format::holding(low, high.max(low), frac_bits)
     }
 
-    /// The ports, taken into the domain: the cosine x and the versine u, both `UQ1.F`, u of each row from 0 to
-    /// `active` of the row. Returns `(x, u)`.
-    pub fn inputs(&mut self, spec: &CoreSpec, active: &[f64]) -> (NodeId, NodeId) {
+    /// An input port; `bound` says what is known of its codes in each case.
+    pub fn input(&mut self, format: Format, name: &str, bound: impl Fn(&Case) -> Bound) -> NodeId {
+        let bounds = self.cases.iter().map(bound).collect();
+        let id = self.push(Op::Input, &[], format, name, String::new(), bounds);
+        self.inputs.push(id);
+        id
+    }
+
+    /// The operand's port, taken into the domain: the cosine x and the versine u, both `UQ1.F`, u in each case's active interval.
+    /// Returns `(x, u)`. The port `in_n` comes before it: see [`Builder::address`].
+    pub fn operand(&mut self, spec: &CoreSpec) -> (NodeId, NodeId) {
         let f = spec.input_fraction as i32;
         let one = 1i128 << f;
         let unit = Format::unsigned(1, f);
-        let versine =
-            self.per_row(|row| Bound { range: Interval::new(0.0, active[row]), error: Interval::ZERO, grid: f });
-        let cosine =
-            self.per_row(|row| Bound { range: Interval::new(1.0 - active[row], 1.0), error: Interval::ZERO, grid: f });
+        let exact = |range: Interval| Bound { range, error: Interval::ZERO, grid: f };
+        let versine: Vec<Bound> = self.cases.iter().map(|case| exact(case.active)).collect();
+        let cosine: Vec<Bound> =
+            self.cases.iter().map(|c| exact(Interval::new(1.0 - c.active.high, 1.0 - c.active.low))).collect();
         let clamp = Op::Clamp { low: 0, high: one };
         match spec.operand {
             Operand::Cos => {
-                let port = self.push(Op::Operand, &[], Format::signed(1, f), "in_cos", String::new(), cosine.clone());
-                let comment = "x = in_cos taken into [0, 1]: back-facing gives 0".to_owned();
+                let port = self.input(Format::signed(1, f), "in_cos", |c| {
+                    exact(Interval::new(1.0 - c.active.high, 1.0 - c.active.low))
+                });
+                let comment = "x = in_cos taken into [0, 1]: back-facing gives x = 0".to_owned();
                 let x = self.push(clamp, &[port], unit, "x", comment, cosine);
                 let one = self.constant(one, unit, "one");
                 let u = self.push(Op::Sub, &[one, x], unit, "u", "u = 1 - x, the versine".to_owned(), versine);
                 (x, u)
             }
             Operand::Versine => {
-                let port = self.push(Op::Operand, &[], unit, "in_ver", String::new(), versine.clone());
+                let port = self.input(unit, "in_ver", |c| exact(c.active));
                 let comment = "u = in_ver taken into [0, 1]: back-facing gives u = 1".to_owned();
                 let u = self.push(clamp, &[port], unit, "u", comment, versine);
                 let one = self.constant(one, unit, "one");
@@ -133,33 +183,50 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// The ROM's address, from the port `in_n`.
-    pub fn address(&mut self, set: &Shininess) -> NodeId {
-        let index_format = Format::unsigned(set.index_bits() as i32, 0);
-        let bound = |low: u32, high: u32| Bound {
-            range: Interval::new(f64::from(low), f64::from(high)),
-            error: Interval::ZERO,
-            grid: 0,
-        };
-        let (first, last) = (set.index_of_row(0), set.index_of_row(set.rows() - 1));
-        let all = vec![bound(first, last); self.table.rows()];
-        let port = self.push(Op::Index, &[], index_format, "in_n", String::new(), all.clone());
-        if self.table.first_index == 0 {
+    /// The port `in_n` and the address that it is for the memory `memory`, whose rows are those of the set.
+    pub fn address(&mut self, set: &Shininess, memory: usize) -> NodeId {
+        let port = self.index(set);
+        let table = &self.tables[memory];
+        let (first_index, address_bits) = (table.first_index, table.address_bits);
+        if first_index == 0 {
             return port;
         }
-        let clamp = Op::Clamp { low: first.into(), high: last.into() };
-        let clamped = self.push(clamp, &[port], index_format, "n", "in_n taken into the range".to_owned(), all);
-        let offset = self.constant(first.into(), index_format, "first");
-        let bounds = vec![bound(0, last - first); self.table.rows()];
-        let format = Format::unsigned(self.table.address_bits as i32, 0);
+        let clamped = self.clamped_index(set, port);
+        let offset = self.constant(first_index.into(), self.format(port), "first");
+        let bounds = vec![self.whole(0, set.index_of_row(set.rows() - 1) - first_index); self.cases.len()];
+        let format = Format::unsigned(address_bits as i32, 0);
         self.push(Op::Sub, &[clamped, offset], format, "address", "n minus the first of the range".to_owned(), bounds)
     }
 
-    /// The named field of the ROM word.
-    pub fn field(&mut self, address: NodeId, name: &'static str) -> NodeId {
-        let index = self.table.fields.iter().position(|f| f.name == name).expect("a field of this method");
-        let field = &self.table.fields[index];
-        let bounds = self.per_row(|row| {
+    /// The port `in_n`.
+    pub fn index(&mut self, set: &Shininess) -> NodeId {
+        let bound = self.whole(set.index_of_row(0), set.index_of_row(set.rows() - 1));
+        self.input(Format::unsigned(set.index_bits() as i32, 0), "in_n", |_| bound)
+    }
+
+    /// The port `in_n`, taken into the set.
+    pub fn clamped_index(&mut self, set: &Shininess, port: NodeId) -> NodeId {
+        let (first, last) = (set.index_of_row(0), set.index_of_row(set.rows() - 1));
+        let bounds = vec![self.whole(first, last); self.cases.len()];
+        let clamp = Op::Clamp { low: first.into(), high: last.into() };
+        let format = self.format(port);
+        self.push(clamp, &[port], format, "n", "in_n taken into the range".to_owned(), bounds)
+    }
+
+    fn whole(&self, low: u32, high: u32) -> Bound {
+        Bound { range: Interval::new(f64::from(low), f64::from(high)), error: Interval::ZERO, grid: 0 }
+    }
+
+    /// The named field of a memory's word.
+    pub fn field(&mut self, memory: usize, address: NodeId, name: &'static str) -> NodeId {
+        let tables = self.tables;
+        let (index, field) = tables[memory]
+            .fields
+            .iter()
+            .enumerate()
+            .find(|(_, field)| field.name == name)
+            .expect("a field of this method");
+        let of_row = |row: usize| {
             let code = field.codes[row];
             let spare = if code == 0 { 1 << 20 } else { code.trailing_zeros() as i32 };
             Bound {
@@ -167,8 +234,18 @@ impl<'a> Builder<'a> {
                 error: Interval::ZERO,
                 grid: field.format.frac_bits - spare,
             }
+        };
+        let any = (0..tables[memory].rows()).map(of_row).reduce(|a, b| Bound {
+            range: a.range.hull(b.range),
+            error: Interval::ZERO,
+            grid: a.grid.max(b.grid),
         });
-        self.push(Op::Field(index), &[address], field.format, name, field.meaning.to_owned(), bounds)
+        let bounds = self.per_case(|case| match self.cases[case].rows[memory] {
+            Some(row) => of_row(row),
+            None => any.expect("a memory has rows"),
+        });
+        let op = Op::Field { memory, field: index };
+        self.push(op, &[address], field.format, name, field.meaning.to_owned(), bounds)
     }
 
     /// A constant.
@@ -176,7 +253,7 @@ impl<'a> Builder<'a> {
         let value = format.value(code);
         let grid = format.frac_bits - code.trailing_zeros() as i32;
         let bound = Bound { range: Interval::point(value), error: Interval::ZERO, grid };
-        self.push(Op::Constant(code), &[], format, name, String::new(), vec![bound; self.table.rows()])
+        self.push(Op::Constant(code), &[], format, name, String::new(), vec![bound; self.cases.len()])
     }
 
     /// Half of the weight of the last of `frac_bits` fraction bits.
@@ -198,8 +275,8 @@ impl<'a> Builder<'a> {
 
     fn sum(&mut self, op: Op, [a, b]: [NodeId; 2], name: &str, comment: &str, sign: f64) -> NodeId {
         let signed = |i: Interval| if sign < 0.0 { -i } else { i };
-        let bounds = self.per_row(|row| {
-            let (a, b) = (self.bounds[a][row], self.bounds[b][row]);
+        let bounds = self.per_case(|case| {
+            let (a, b) = (self.bounds[a][case], self.bounds[b][case]);
             Bound { range: a.range + signed(b.range), error: a.error + signed(b.error), grid: a.grid.max(b.grid) }
         });
         let frac = self.format(a).frac_bits.max(self.format(b).frac_bits);
@@ -232,8 +309,8 @@ impl<'a> Builder<'a> {
         let t = self.cast(product, t, proper, "t", "t = x p, rounded down");
         let one = Interval::point(1.0);
         let added = half.map_or(Interval::ZERO, |half| self.bounds[half][0].range);
-        let bounds = self.per_row(|row| {
-            let (x, p) = (self.bounds[x][row], self.bounds[p][row]);
+        let bounds = self.per_case(|case| {
+            let (x, p) = (self.bounds[x][case], self.bounds[p][case]);
             let lost = floor_loss(x.grid + p.grid, frac_bits);
             let range = x.range * (one - p.range) - lost;
             Bound {
@@ -255,8 +332,8 @@ impl<'a> Builder<'a> {
     pub fn mul(&mut self, a: NodeId, b: NodeId, name: &str, comment: &str) -> NodeId {
         let signed = self.format(a).signed || self.format(b).signed;
         let [a, b] = [a, b].map(|id| if signed { self.with_sign(id) } else { id });
-        let bounds = self.per_row(|row| {
-            let (a, b) = (self.bounds[a][row], self.bounds[b][row]);
+        let bounds = self.per_case(|case| {
+            let (a, b) = (self.bounds[a][case], self.bounds[b][case]);
             let ideal_a = a.range - a.error;
             Bound { range: a.range * b.range, error: ideal_a * b.error + b.range * a.error, grid: a.grid + b.grid }
         });
@@ -284,7 +361,7 @@ impl<'a> Builder<'a> {
         self.push(Op::Cast, &[id], Format { signed: true, ..format }, &name, comment, bounds)
     }
 
-    /// `a` times `2^shifts[row]`: a shift by the ROM field `amount` plus `base`, or by `base` alone.
+    /// `a` times `2^shifts[case]`: a shift by the ROM field `amount` plus `base`, or by `base` alone.
     pub fn scale(
         &mut self,
         a: NodeId,
@@ -295,12 +372,12 @@ impl<'a> Builder<'a> {
         comment: &str,
     ) -> NodeId {
         let from = self.format(a);
-        let bounds = self.per_row(|row| {
-            let bound = self.bounds[a][row];
+        let bounds = self.per_case(|case| {
+            let bound = self.bounds[a][case];
             Bound {
-                range: bound.range.scale(shifts[row]),
-                error: bound.error.scale(shifts[row]),
-                grid: bound.grid - shifts[row],
+                range: bound.range.scale(shifts[case]),
+                error: bound.error.scale(shifts[case]),
+                grid: bound.grid - shifts[case],
             }
         });
         let most = shifts.iter().copied().max().unwrap_or(base);
@@ -322,8 +399,8 @@ impl<'a> Builder<'a> {
         let lsb = format.lsb();
         let (least, most) = (format.value(format.min_code()), format.value(format.max_code()));
         let mut fits = true;
-        let bounds = self.per_row(|row| {
-            let bound = self.bounds[a][row];
+        let bounds = self.per_case(|case| {
+            let bound = self.bounds[a][case];
             let lost = floor_loss(bound.grid, format.frac_bits);
             // Rounding down is monotone, so it may be done to the ends.
             let range = if bound.grid > format.frac_bits {
@@ -366,8 +443,8 @@ impl<'a> Builder<'a> {
     pub fn clamp_to_unit(&mut self, a: NodeId, name: &str, comment: &str) -> NodeId {
         let format = self.format(a);
         let one = 1i128 << format.frac_bits;
-        let bounds = self.per_row(|row| {
-            let bound = self.bounds[a][row];
+        let bounds = self.per_case(|case| {
+            let bound = self.bounds[a][case];
             Bound { range: bound.range.clip(0.0, 1.0), ..bound }
         });
         let unit = Format::unsigned(1, format.frac_bits);
@@ -376,7 +453,7 @@ impl<'a> Builder<'a> {
 
     fn flag(&mut self, op: Op, args: &[NodeId], name: &str, comment: &str) -> NodeId {
         let bound = Bound { range: Interval::UNIT, error: Interval::ZERO, grid: 0 };
-        self.push(op, args, Format::FLAG, name, comment.to_owned(), vec![bound; self.table.rows()])
+        self.push(op, args, Format::FLAG, name, comment.to_owned(), vec![bound; self.cases.len()])
     }
 
     /// 1 if `a`, not negative, has a bit of weight `2^weight` or more; `None` if its format has no such bit.
@@ -404,12 +481,49 @@ impl<'a> Builder<'a> {
         flags.iter().flatten().copied().reduce(|a, b| self.flag(Op::Or, &[a, b], name, comment))
     }
 
+    /// 1 if the flag is 0.
+    pub fn not(&mut self, flag: NodeId, name: &str, comment: &str) -> NodeId {
+        self.flag(Op::Not, &[flag], name, comment)
+    }
+
+    /// `a` where the flag is 1, else `b`, in a format that holds both; `chosen` says in which cases the flag is known.
+    pub fn select(
+        &mut self,
+        flag: NodeId,
+        [a, b]: [NodeId; 2],
+        chosen: impl Fn(usize) -> Option<bool>,
+        name: &str,
+        comment: &str,
+    ) -> NodeId {
+        let bounds = self.per_case(|case| {
+            let (a, b) = (self.bounds[a][case], self.bounds[b][case]);
+            match chosen(case) {
+                Some(true) => a,
+                Some(false) => b,
+                None => Bound {
+                    range: a.range.hull(b.range),
+                    error: a.error.hull(b.error),
+                    grid: a.grid.max(b.grid),
+                },
+            }
+        });
+        let (fa, fb) = (self.format(a), self.format(b));
+        let signed = fa.signed || fb.signed;
+        let format =
+            Format { signed, int_bits: fa.int_bits.max(fb.int_bits), frac_bits: fa.frac_bits.max(fb.frac_bits) };
+        let [a, b] = [a, b].map(|id| {
+            let name = format!("{}_wide", self.nodes[id].name);
+            self.cast(id, format, false, &name, "in the wider of two formats")
+        });
+        self.push(Op::Select, &[flag, a, b], format, name, comment.to_owned(), bounds)
+    }
+
     /// 0 where the flag is 1, else `a`. The error bound stays: where the flag is 1 either the real value is 0, or the hardware's p has
     /// reached 1, and then the real value `x (1 - p)` is positive by the error of p at most, which the bound holds.
     pub fn zero_if(&mut self, flag: Option<NodeId>, a: NodeId, name: &str, comment: &str) -> NodeId {
         let Some(flag) = flag else { return a };
-        let bounds = self.per_row(|row| {
-            let bound = self.bounds[a][row];
+        let bounds = self.per_case(|case| {
+            let bound = self.bounds[a][case];
             Bound { range: bound.range.hull(Interval::ZERO), ..bound }
         });
         let format = self.format(a);

@@ -1,11 +1,11 @@
 //! The cubic lobe `x (1 - u (A - a u))`, cut to 0 past the minimum of its inner parabola.
 
-use super::builder::Builder;
+use super::builder::{Builder, Case};
 use super::graph::NodeId;
 use super::polynomial::{self, Scaling, field, nearest_code};
 use super::{Architecture, Datapath, Parameter, multiplier_cost};
 use crate::error::Error;
-use crate::lobe::Cubic;
+use crate::lobe::{Cubic, Lobe};
 use crate::number::{Format, Interval, exp2};
 use crate::rom::{Field, Table};
 use crate::spec::{CoreSpec, Widths};
@@ -50,7 +50,7 @@ fn cut_field(spec: &CoreSpec, lobes: &[Cubic]) -> Field {
 fn cut_flag(b: &mut Builder, spec: &CoreSpec, lobes: &[Cubic], address: NodeId, u: NodeId) -> Option<NodeId> {
     any_cut(spec, lobes).then(|| {
         debug_assert_eq!(b.format(u).frac_bits, spec.input_fraction as i32);
-        let cut = b.field(address, "cut");
+        let cut = b.field(0, address, "cut");
         b.greater(u, cut, "past_cut", "u > cut: past the minimum of the inner parabola")
     })
 }
@@ -79,33 +79,6 @@ impl<'a> Stable<'a> {
         let largest = ends.iter().zip(&scaling.k).map(|(end, &k)| end * exp2(k)).fold(1.0, f64::max);
         libm::ilogb(largest) + 1
     }
-
-    fn table(&self, widths: &Widths, scaling: &Scaling) -> Table {
-        let (bits_big, bits_small) = (widths.get("A"), widths.get("a"));
-        let ends = active(self.spec, &self.lobes);
-        let (mut big, mut small) = ((Vec::new(), Vec::new()), (Vec::new(), Vec::new()));
-        for ((lobe, &k), &end) in self.lobes.iter().zip(&scaling.k).zip(&ends) {
-            let (real_big, real_small) = (lobe.big_a * exp2(-k), lobe.a * exp2(-2 * k));
-            let code_small = nearest_code(real_small, bits_small);
-            // Rounding a by da moves the lobe by x v (da v - dA): with dA = (2 sqrt 2 - 2) v_end da the move is least,
-            // 0.172 v_end^2 da in place of v_end^2 da.
-            let delta = code_small as f64 * exp2(-bits_small) - real_small;
-            let balance = (2.0 * std::f64::consts::SQRT_2 - 2.0) * end * exp2(k) * delta;
-            big.0.push(nearest_code(real_big + balance, bits_big));
-            big.1.push(real_big);
-            small.0.push(code_small);
-            small.1.push(real_small);
-        }
-        let mut fields = vec![
-            field("big_a", "the coefficient A, times 2^-k", bits_big, big.0, big.1),
-            field("a", "the coefficient a, times 4^-k", bits_small, small.0, small.1),
-        ];
-        fields.extend(scaling.field());
-        if any_cut(self.spec, &self.lobes) {
-            fields.push(cut_field(self.spec, &self.lobes));
-        }
-        Table::new(&self.spec.shininess, fields, scaling.base() as u32)
-    }
 }
 
 impl Architecture for Stable<'_> {
@@ -131,15 +104,47 @@ impl Architecture for Stable<'_> {
             + f64::from(w.get("x").max(w.get("t")) + w.get("A") + w.get("v") + w.get("x") + w.get("a"))
     }
 
-    fn build(&self, widths: &Widths) -> Option<Datapath> {
+    fn tables(&self, widths: &Widths) -> Vec<Table> {
         let scaling = self.scaling(widths.get("A"));
-        let table = self.table(widths, &scaling);
+        let (bits_big, bits_small) = (widths.get("A"), widths.get("a"));
         let ends = active(self.spec, &self.lobes);
-        let mut b = Builder::new(&table);
-        let (x, u) = b.inputs(self.spec, &ends);
-        let address = b.address(&self.spec.shininess);
-        let big_a = b.field(address, "big_a");
-        let a = b.field(address, "a");
+        let (mut big, mut small) = ((Vec::new(), Vec::new()), (Vec::new(), Vec::new()));
+        for ((lobe, &k), &end) in self.lobes.iter().zip(&scaling.k).zip(&ends) {
+            let (real_big, real_small) = (lobe.big_a * exp2(-k), lobe.a * exp2(-2 * k));
+            let code_small = nearest_code(real_small, bits_small);
+            // Rounding a by da moves the lobe by x v (da v - dA): with dA = (2 sqrt 2 - 2) v_end da the move is least,
+            // 0.172 v_end^2 da in place of v_end^2 da.
+            let delta = code_small as f64 * exp2(-bits_small) - real_small;
+            let balance = (2.0 * std::f64::consts::SQRT_2 - 2.0) * end * exp2(k) * delta;
+            big.0.push(nearest_code(real_big + balance, bits_big));
+            big.1.push(real_big);
+            small.0.push(code_small);
+            small.1.push(real_small);
+        }
+        let mut fields = vec![
+            field("big_a", "the coefficient A, times 2^-k", bits_big, big.0, big.1),
+            field("a", "the coefficient a, times 4^-k", bits_small, small.0, small.1),
+        ];
+        fields.extend(scaling.field());
+        if any_cut(self.spec, &self.lobes) {
+            fields.push(cut_field(self.spec, &self.lobes));
+        }
+        vec![Table::new(&self.spec.shininess, fields, scaling.base() as u32)]
+    }
+
+    fn lobes(&self, _tables: &[Table]) -> Vec<Box<dyn Lobe>> {
+        self.lobes.iter().map(|&lobe| Box::new(lobe) as Box<dyn Lobe>).collect()
+    }
+
+    fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
+        let scaling = self.scaling(widths.get("A"));
+        let table = &tables[0];
+        let ends = active(self.spec, &self.lobes);
+        let mut b = Builder::new(&tables, Case::of_rows(table, &ends));
+        let address = b.address(&self.spec.shininess, 0);
+        let (x, u) = b.operand(self.spec);
+        let big_a = b.field(0, address, "big_a");
+        let a = b.field(0, address, "a");
         let past_cut = cut_flag(&mut b, self.spec, &self.lobes, address, u);
         let scaled = scaling.apply(&mut b, address, u);
         let v = Format::unsigned(self.versine_int_bits(&scaling), widths.get("v"));
@@ -149,7 +154,7 @@ impl Architecture for Stable<'_> {
         let q = b.sub(big_a, r, "q", "q = (A - a u) 2^-k; wraps past the cut");
         let p = b.mul(v, q, "vq", "u (A - a u) = v q");
         let y = polynomial::output_of_p(&mut b, self.spec, widths, x, p, past_cut);
-        polynomial::finish(b, self.spec, &table, y, |row| {
+        polynomial::finish(b, self.spec, &tables, y, |row| {
             let delta = |name: &str| {
                 let field = table.field(name);
                 field.format.value(field.codes[row]) - field.reals[row]
@@ -206,8 +211,7 @@ impl Architecture for Paper<'_> {
             + f64::from(2 * w.get("m"))
     }
 
-    fn build(&self, widths: &Widths) -> Option<Datapath> {
-        let g = self.spec.output_fraction as i32;
+    fn tables(&self, widths: &Widths) -> Vec<Table> {
         let bits = widths.get("c");
         let mut codes = [Vec::new(), Vec::new(), Vec::new()];
         let mut reals = [Vec::new(), Vec::new(), Vec::new()];
@@ -232,12 +236,21 @@ impl Architecture for Paper<'_> {
         if any_cut(self.spec, &self.lobes) {
             fields.push(cut_field(self.spec, &self.lobes));
         }
-        let table = Table::new(&self.spec.shininess, fields, 0);
+        vec![Table::new(&self.spec.shininess, fields, 0)]
+    }
+
+    fn lobes(&self, _tables: &[Table]) -> Vec<Box<dyn Lobe>> {
+        self.lobes.iter().map(|&lobe| Box::new(lobe) as Box<dyn Lobe>).collect()
+    }
+
+    fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
+        let g = self.spec.output_fraction as i32;
+        let table = &tables[0];
         let ends = active(self.spec, &self.lobes);
-        let mut b = Builder::new(&table);
-        let (x, u) = b.inputs(self.spec, &ends);
-        let address = b.address(&self.spec.shininess);
-        let [ca, cb, cc] = ["a", "b", "c"].map(|name| b.field(address, name));
+        let mut b = Builder::new(&tables, Case::of_rows(table, &ends));
+        let address = b.address(&self.spec.shininess, 0);
+        let (x, u) = b.operand(self.spec);
+        let [ca, cb, cc] = ["a", "b", "c"].map(|name| b.field(0, address, name));
         let past_cut = cut_flag(&mut b, self.spec, &self.lobes, address, u);
         let square = b.mul(x, x, "xx", "x^2");
         let s = b.floor(square, widths.get("s"), "s", "x^2, rounded down");
@@ -256,7 +269,7 @@ impl Architecture for Paper<'_> {
         let y = polynomial::pad(&mut b, y, g);
         let y = b.clamp_to_unit(y, "y_unit", "taken into [0, 1]");
         let y = b.zero_if(past_cut, y, "y", "y, 0 past the cut");
-        polynomial::finish(b, self.spec, &table, y, |row| {
+        polynomial::finish(b, self.spec, &tables, y, |row| {
             let delta = |name: &str| {
                 let field = table.field(name);
                 Interval::point(field.format.value(field.codes[row]) - field.reals[row])

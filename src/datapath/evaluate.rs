@@ -7,7 +7,7 @@
 use multiversion::multiversion;
 use num_traits::PrimInt;
 
-use super::graph::{Graph, NodeId, Op};
+use super::graph::{Graph, Node, NodeId, Op};
 use crate::number::Format;
 use crate::rom::Table;
 
@@ -25,24 +25,34 @@ enum Arg {
 #[derive(Clone, Debug)]
 pub struct Evaluator<'a> {
     graph: &'a Graph,
-    table: &'a Table,
-    /// For each node whether it depends on the operand port.
+    tables: &'a [Table],
+    /// For each node whether it depends on a port other than the first, a lobe's `in_n`.
     varies: Vec<bool>,
+    /// The codes by address of each field that is read at an address that varies.
+    looked_up: Vec<Vec<i64>>,
     narrow: bool,
 }
 
 impl<'a> Evaluator<'a> {
     /// Prepares a graph.
     #[must_use]
-    pub fn new(graph: &'a Graph, table: &'a Table) -> Self {
+    pub fn new(graph: &'a Graph, tables: &'a [Table]) -> Self {
         let mut varies: Vec<bool> = Vec::new();
-        for node in &graph.nodes {
-            let own = node.op == Op::Operand;
+        for (id, node) in graph.nodes.iter().enumerate() {
+            let own = node.op == Op::Input && graph.port(id) > 0;
             varies.push(own || node.args.iter().any(|&arg| varies[arg]));
         }
+        let codes = |(node, &varies): (&Node, &bool)| match node.op {
+            Op::Field { memory, field } if varies => {
+                let table = &tables[memory];
+                (0..table.depth()).map(|address| table.code_at(field, address) as i64).collect()
+            }
+            _ => Vec::new(),
+        };
+        let looked_up = graph.nodes.iter().zip(&varies).map(codes).collect();
         // Aligning and shifting happen before a result is taken into its format: leave a bit for the carry.
         let narrow = graph.nodes.iter().all(|node| node.format.width() <= 62);
-        Self { graph, table, varies, narrow }
+        Self { graph, tables, varies, looked_up, narrow }
     }
 
     /// Writes the codes of `out_spec` for the `in_n` code `index` and the operand codes `first`, `first + stride`, ...
@@ -60,10 +70,8 @@ impl<'a> Evaluator<'a> {
         for (id, node) in self.graph.nodes.iter().enumerate() {
             let value = match node.op {
                 _ if self.varies[id] => 0,
-                Op::Index => index.into(),
-                Op::Field(field) => {
-                    self.table.fields[field].codes[self.table.row_of_address(values[node.args[0]] as usize)]
-                }
+                Op::Input => index.into(),
+                Op::Field { memory, field } => self.tables[memory].code_at(field, values[node.args[0]] as usize),
                 _ => {
                     let args: Vec<i128> = node.args.iter().map(|&arg| values[arg]).collect();
                     self.graph.apply(id, &args)
@@ -140,7 +148,7 @@ fn run<L: Lane>(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64
             let frac = |index: usize| graph.nodes[node.args[index]].format.frac_bits;
             let align = |index: usize| (node.format.frac_bits - frac(index)) as usize;
             match node.op {
-                Op::Operand => {
+                Op::Input => {
                     for (lane, value) in result.iter_mut().enumerate() {
                         *value = L::from_code(i128::from(start + stride * lane as i64));
                     }
@@ -174,6 +182,11 @@ fn run<L: Lane>(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64
                     zip(result, before, arg(0), arg(1), |a, b| a << b.to_output() as usize);
                     wrap(result, node.format);
                 }
+                Op::ShiftRight => zip(result, before, arg(0), arg(1), |a, b| a >> b.to_output() as usize),
+                Op::Field { .. } => {
+                    let codes = &evaluator.looked_up[id];
+                    map(result, before, arg(0), |address| L::from_code(codes[address.to_output() as usize].into()));
+                }
                 Op::Cast if node.format.frac_bits >= frac(0) => {
                     let shift = align(0);
                     map(result, before, arg(0), |a| a << shift);
@@ -190,16 +203,28 @@ fn run<L: Lane>(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64
                     zip(result, before, arg(0), arg(1), |a, b| if a > b { L::one() } else { L::zero() });
                 }
                 Op::Or => zip(result, before, arg(0), arg(1), |a, b| a | b),
+                Op::Not => map(result, before, arg(0), |a| L::one() - a),
                 Op::ZeroIf => zip(result, before, arg(0), arg(1), |flag, a| (flag - L::one()) & a),
-                Op::Index | Op::Field(_) | Op::Constant(_) => {}
+                Op::Select => {
+                    let mut second = [L::zero(); LANES];
+                    map(&mut second, before, arg(2), |b| b);
+                    zip(result, before, arg(0), arg(1), |flag, a| (L::zero() - flag) & a);
+                    let mut rest = [L::zero(); LANES];
+                    map(&mut rest, before, arg(0), |flag| flag - L::one());
+                    for ((result, second), keep) in result.iter_mut().zip(second).zip(rest) {
+                        *result = *result | (second & keep);
+                    }
+                }
+                Op::Constant(_) => {}
             }
         }
-        if evaluator.varies[graph.output] {
-            for (to, from) in block.iter_mut().zip(&columns[graph.output]) {
+        let output = graph.output();
+        if evaluator.varies[output] {
+            for (to, from) in block.iter_mut().zip(&columns[output]) {
                 *to = from.to_output();
             }
         } else {
-            block.fill(uniform[graph.output] as u32);
+            block.fill(uniform[output] as u32);
         }
         start += stride * LANES as i64;
     }

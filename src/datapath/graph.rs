@@ -9,12 +9,15 @@ pub type NodeId = usize;
 /// What a node computes from its arguments' codes. Every result is taken modulo its format's width.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Op {
-    /// The port `in_n`.
-    Index,
-    /// The port `in_cos` or `in_ver`.
-    Operand,
-    /// A field of the ROM word at the address (argument 0).
-    Field(usize),
+    /// An input port, which has the node's name.
+    Input,
+    /// A field of a memory's word at the address (argument 0). All fields of a memory are read at one address.
+    Field {
+        /// The memory's place among the datapath's tables.
+        memory: usize,
+        /// The field's place in its table.
+        field: usize,
+    },
     /// A constant code.
     Constant(i128),
     /// Argument 0 taken into `low..=high` (codes of the argument, which are those of the result).
@@ -32,6 +35,8 @@ pub enum Op {
     Mul,
     /// Argument 0 shifted left by argument 1; the result's fraction bits say where the binary point lies.
     ShiftLeft,
+    /// Argument 0 shifted right by argument 1, towards minus infinity; fraction bits as argument 0.
+    ShiftRight,
     /// Argument 0 in another format: low bits dropped (towards minus infinity) or zero, high bits dropped or extended.
     Cast,
     /// The same code with the binary point elsewhere.
@@ -42,6 +47,10 @@ pub enum Op {
     Greater,
     /// 1 if either flag is.
     Or,
+    /// 1 if the flag is 0.
+    Not,
+    /// Argument 1 if the flag (argument 0) is 1, else argument 2; all of one format.
+    Select,
     /// 0 if the flag (argument 0) is 1, else argument 1.
     ZeroIf,
 }
@@ -66,53 +75,51 @@ pub struct Node {
 pub struct Graph {
     /// The nodes.
     pub nodes: Vec<Node>,
-    /// The node that `out_spec` shows.
-    pub output: NodeId,
+    /// The input ports, in the order of their declaration. A lobe's are `in_n` and the operand.
+    pub inputs: Vec<NodeId>,
+    /// The output ports, in the order of their declaration: a name and the node that the port shows. A lobe's is `out_spec`.
+    pub outputs: Vec<(String, NodeId)>,
 }
 
 impl Graph {
     /// The code of node `id`, given its arguments' codes.
     ///
     /// # Panics
-    /// For [`Op::Index`], [`Op::Operand`] and [`Op::Field`], which have their values from elsewhere.
+    /// For [`Op::Input`] and [`Op::Field`], which have their values from elsewhere.
     #[must_use]
     pub fn apply(&self, id: NodeId, args: &[i128]) -> i128 {
         let node = &self.nodes[id];
         let frac = |arg: usize| self.nodes[node.args[arg]].format.frac_bits;
         let aligned = |arg: usize| args[arg] << (node.format.frac_bits - frac(arg));
         node.format.wrap(match node.op {
-            Op::Index | Op::Operand | Op::Field(_) => panic!("{} is not computed", node.name),
+            Op::Input | Op::Field { .. } => panic!("{} is not computed", node.name),
             Op::Constant(code) => code,
             Op::Clamp { low, high } => args[0].clamp(low, high),
             Op::Add => aligned(0) + aligned(1),
             Op::Sub => aligned(0) - aligned(1),
             Op::Mul => args[0] * args[1],
             Op::ShiftLeft => args[0] << args[1],
+            Op::ShiftRight => args[0] >> args[1],
             Op::Cast if node.format.frac_bits >= frac(0) => aligned(0),
             Op::Cast => args[0] >> (frac(0) - node.format.frac_bits),
             Op::Scale => args[0],
             Op::NonZero => i128::from(args[0] != 0),
             Op::Greater => i128::from(args[0] > args[1]),
             Op::Or => args[0] | args[1],
-            Op::ZeroIf => {
-                if args[0] == 1 {
-                    0
-                } else {
-                    args[1]
-                }
-            }
+            Op::Not => 1 - args[0],
+            Op::Select => args[if args[0] == 1 { 1 } else { 2 }],
+            Op::ZeroIf => (1 - args[0]) * args[1],
         })
     }
 
-    /// The value of every node for one input: the codes of `in_n` and of the operand port.
+    /// The value of every node for the codes of the input ports, in their order.
     #[must_use]
-    pub fn values(&self, table: &Table, index: i128, operand: i128) -> Vec<i128> {
+    pub fn values(&self, tables: &[Table], inputs: &[i128]) -> Vec<i128> {
         let mut values: Vec<i128> = Vec::with_capacity(self.nodes.len());
         for (id, node) in self.nodes.iter().enumerate() {
             let value = match node.op {
-                Op::Index => index,
-                Op::Operand => operand,
-                Op::Field(field) => table.fields[field].codes[table.row_of_address(values[node.args[0]] as usize)],
+                Op::Input => inputs[self.port(id)],
+                Op::Field { memory, field } => tables[memory].code_at(field, values[node.args[0]] as usize),
                 _ => {
                     let args: Vec<i128> = node.args.iter().map(|&arg| values[arg]).collect();
                     self.apply(id, &args)
@@ -123,20 +130,37 @@ impl Graph {
         values
     }
 
-    /// The node that `in_n` feeds.
+    /// The place of an input node among the input ports.
+    ///
+    /// # Panics
+    /// If the node is no input.
+    #[must_use]
+    pub fn port(&self, id: NodeId) -> usize {
+        self.inputs.iter().position(|&input| input == id).expect("every input node is a port")
+    }
+
+    /// The node of a lobe's `in_n`.
     #[must_use]
     pub fn index(&self) -> NodeId {
-        self.port(Op::Index)
+        self.inputs[0]
     }
 
-    /// The node that `in_cos` or `in_ver` feeds.
+    /// The node of a lobe's `in_cos` or `in_ver`.
     #[must_use]
     pub fn operand(&self) -> NodeId {
-        self.port(Op::Operand)
+        self.inputs[1]
     }
 
-    fn port(&self, op: Op) -> NodeId {
-        self.nodes.iter().position(|node| node.op == op).expect("the builder makes both ports")
+    /// The node of the first output port: a lobe's `out_spec`.
+    #[must_use]
+    pub fn output(&self) -> NodeId {
+        self.outputs[0].1
+    }
+
+    /// Whether an output port shows the node.
+    #[must_use]
+    pub fn is_output(&self, id: NodeId) -> bool {
+        self.outputs.iter().any(|&(_, node)| node == id)
     }
 
     /// The multiplications: the widths of the two operands of each.

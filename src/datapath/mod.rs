@@ -20,6 +20,7 @@ pub mod simulate;
 pub mod widths;
 
 use crate::error::Error;
+use crate::lobe::Lobe;
 use crate::number::Interval;
 use crate::rom::Table;
 use crate::spec::{CoreSpec, Form, Method, Widths};
@@ -29,22 +30,32 @@ use crate::spec::{CoreSpec, Form, Method, Widths};
 pub struct Datapath {
     /// The operations.
     pub graph: graph::Graph,
-    /// The coefficients.
-    pub table: Table,
-    /// The proved error of each row.
-    pub errors: Vec<RowError>,
+    /// The memories, as the graph numbers them; a coefficient ROM comes first.
+    pub tables: Vec<Table>,
+    /// The proved error of each case.
+    pub errors: Vec<CaseError>,
 }
 
-/// Bounds of `hardware - method` in output ulps for one row, over every representable input.
+impl Datapath {
+    /// The coefficient ROM, if the method has one.
+    #[must_use]
+    pub fn coefficients(&self) -> Option<&Table> {
+        self.tables.iter().find(|table| table.name == Table::COEFFICIENTS)
+    }
+}
+
+/// Bounds of `hardware - method` in output ulps for one case of the analysis, over every representable input in it.
 #[derive(Clone, Copy, Debug)]
-pub struct RowError {
+pub struct CaseError {
+    /// The shininess; the largest of the set where a case holds several.
+    pub shininess: f64,
     /// From rounding the coefficients to ROM words.
     pub coefficients: Interval,
     /// From every quantisation in the datapath, the output's included.
     pub arithmetic: Interval,
 }
 
-impl RowError {
+impl CaseError {
     /// The sum of both.
     #[must_use]
     pub fn total(&self) -> Interval {
@@ -71,9 +82,15 @@ pub trait Architecture: Sync {
     /// An estimate of the hardware's size in LUTs for these widths, for ranking only.
     fn cost(&self, widths: &Widths) -> f64;
 
-    /// The datapath with these widths, or `None` where a product would be wider than the tools of this crate
+    /// The memories with these widths, the coefficient ROM first.
+    fn tables(&self, widths: &Widths) -> Vec<Table>;
+
+    /// The datapath with these widths and memories, or `None` where a product would be wider than the tools of this crate
     /// compute exactly (126 bits) or a value would leave its format.
-    fn build(&self, widths: &Widths) -> Option<Datapath>;
+    fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath>;
+
+    /// The real-valued method of each shininess, in the order of the set: what the hardware approximates.
+    fn lobes(&self, tables: &[Table]) -> Vec<Box<dyn Lobe>>;
 }
 
 /// The architecture that a spec asks for.

@@ -2,7 +2,7 @@
 
 use super::builder::Builder;
 use super::graph::NodeId;
-use super::{Datapath, RowError};
+use super::{CaseError, Datapath};
 use crate::number::{Format, Interval, exp2};
 use crate::rom::{Field, Table};
 use crate::spec::{CoreSpec, Widths};
@@ -62,7 +62,7 @@ impl Scaling {
 
     /// `u 2^k` in the graph.
     pub fn apply(&self, b: &mut Builder, address: NodeId, u: NodeId) -> NodeId {
-        let amount = (self.base() < self.most()).then(|| b.field(address, "k"));
+        let amount = (self.base() < self.most()).then(|| b.field(0, address, "k"));
         let comment = match amount {
             Some(_) if self.base() > 0 => format!("u 2^(k + {})", self.base()),
             Some(_) => "u 2^k".to_owned(),
@@ -118,11 +118,11 @@ pub(super) fn pad(b: &mut Builder, a: NodeId, frac_bits: i32) -> NodeId {
     b.cast(a, Format { frac_bits, ..format }, false, "y_padded", "with zeros")
 }
 
-/// The finished datapath; `coefficients` bounds, row by row, what rounding the coefficients adds to the result.
+/// The finished datapath; `coefficients` bounds, case by case, what rounding the coefficients adds to the result.
 pub(super) fn finish(
     b: Builder,
     spec: &CoreSpec,
-    table: &Table,
+    tables: &[Table],
     output: NodeId,
     coefficients: impl Fn(usize) -> Interval,
 ) -> Option<Datapath> {
@@ -130,11 +130,13 @@ pub(super) fn finish(
     let errors = b
         .bounds(output)
         .iter()
+        .zip(b.cases())
         .enumerate()
-        .map(|(row, bound)| RowError {
-            coefficients: coefficients(row).scale(ulps),
+        .map(|(case, (bound, of))| CaseError {
+            shininess: of.shininess,
+            coefficients: coefficients(case).scale(ulps),
             arithmetic: bound.error.scale(ulps),
         })
         .collect();
-    Some(Datapath { graph: b.finish(output)?, table: table.clone(), errors })
+    Some(Datapath { graph: b.finish(&[("out_spec", output)])?, tables: tables.to_vec(), errors })
 }

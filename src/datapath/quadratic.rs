@@ -1,10 +1,10 @@
 //! The quadratic lobe `x (1 - a u)`, clamped at 0.
 
-use super::builder::Builder;
+use super::builder::{Builder, Case};
 use super::polynomial::{self, Scaling, field, nearest_code};
 use super::{Architecture, Datapath, Parameter, multiplier_cost};
 use crate::error::Error;
-use crate::lobe::Quadratic;
+use crate::lobe::{Lobe, Quadratic};
 use crate::number::{Format, Interval, exp2};
 use crate::rom::Table;
 use crate::spec::{CoreSpec, Widths};
@@ -53,14 +53,6 @@ impl<'a> Stable<'a> {
     fn scaling(&self, frac_bits: i32) -> Scaling {
         Scaling::of(self.lobes.iter().map(|l| l.a), frac_bits)
     }
-
-    fn table(&self, widths: &Widths, scaling: &Scaling) -> Table {
-        let bits = widths.get("a");
-        let reals: Vec<f64> = self.lobes.iter().zip(&scaling.k).map(|(l, &k)| l.a * exp2(-k)).collect();
-        let codes = reals.iter().map(|&a| nearest_code(a, bits)).collect();
-        let a = field("a", "the coefficient a, times 2^-k", bits, codes, reals);
-        Table::new(&self.spec.shininess, [a].into_iter().chain(scaling.field()).collect(), scaling.base() as u32)
-    }
 }
 
 impl Architecture for Stable<'_> {
@@ -88,9 +80,23 @@ impl Architecture for Stable<'_> {
             + f64::from(w.get("v") + w.get("x") + w.get("a"))
     }
 
-    fn build(&self, widths: &Widths) -> Option<Datapath> {
+    fn tables(&self, widths: &Widths) -> Vec<Table> {
+        let bits = widths.get("a");
+        let scaling = self.scaling(bits);
+        let reals: Vec<f64> = self.lobes.iter().zip(&scaling.k).map(|(l, &k)| l.a * exp2(-k)).collect();
+        let codes = reals.iter().map(|&a| nearest_code(a, bits)).collect();
+        let a = field("a", "the coefficient a, times 2^-k", bits, codes, reals);
+        let fields = [a].into_iter().chain(scaling.field()).collect();
+        vec![Table::new(&self.spec.shininess, fields, scaling.base() as u32)]
+    }
+
+    fn lobes(&self, _tables: &[Table]) -> Vec<Box<dyn Lobe>> {
+        self.lobes.iter().map(|&lobe| Box::new(lobe) as Box<dyn Lobe>).collect()
+    }
+
+    fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
         let scaling = self.scaling(widths.get("a"));
-        let table = self.table(widths, &scaling);
+        let table = &tables[0];
         let rounded = |row: usize| {
             let a = table.field("a");
             a.format.value(a.codes[row]) * exp2(scaling.k[row])
@@ -105,16 +111,16 @@ impl Architecture for Stable<'_> {
                 polynomial::below_one(self.spec, past.min(exp2(1 - scaling.k[row])))
             })
             .collect();
-        let mut b = Builder::new(&table);
-        let (x, u) = b.inputs(self.spec, &ends);
-        let address = b.address(&self.spec.shininess);
-        let a = b.field(address, "a");
+        let mut b = Builder::new(&tables, Case::of_rows(table, &ends));
+        let address = b.address(&self.spec.shininess, 0);
+        let (x, u) = b.operand(self.spec);
+        let a = b.field(0, address, "a");
         let scaled = scaling.apply(&mut b, address, u);
         let beyond = b.reaches(scaled, 1, "beyond", "u 2^k >= 2: then a u >= 1, since a 2^-k >= 1/2");
         let v = b.cast(scaled, Format::unsigned(1, widths.get("v")), true, "v", "v = u 2^k, rounded down");
         let p = b.mul(a, v, "av", "a u = (a 2^-k) v");
         let y = polynomial::output_of_p(&mut b, self.spec, widths, x, p, beyond);
-        polynomial::finish(b, self.spec, &table, y, |row| {
+        polynomial::finish(b, self.spec, &tables, y, |row| {
             let a = self.lobes[row].a;
             coefficient_error(a, rounded(row) - a)
         })
@@ -154,18 +160,26 @@ impl Architecture for Paper<'_> {
         multiplier_cost(f + 1, f + 1) + multiplier_cost(w.get("a") + libm::ilogb(largest) + 1, w.get("s"))
     }
 
-    fn build(&self, widths: &Widths) -> Option<Datapath> {
-        let g = self.spec.output_fraction as i32;
+    fn tables(&self, widths: &Widths) -> Vec<Table> {
         let bits = widths.get("a");
         let reals: Vec<f64> = self.lobes.iter().map(|l| l.a).collect();
         let codes = reals.iter().map(|&a| nearest_code(a, bits)).collect();
-        let table = Table::new(&self.spec.shininess, vec![field("a", "the coefficient a", bits, codes, reals)], 0);
+        vec![Table::new(&self.spec.shininess, vec![field("a", "the coefficient a", bits, codes, reals)], 0)]
+    }
+
+    fn lobes(&self, _tables: &[Table]) -> Vec<Box<dyn Lobe>> {
+        self.lobes.iter().map(|&lobe| Box::new(lobe) as Box<dyn Lobe>).collect()
+    }
+
+    fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
+        let g = self.spec.output_fraction as i32;
+        let table = &tables[0];
         // The result is clamped, not flagged, so the whole of [0, 1] must stay in its formats.
         let everywhere = vec![1.0; table.rows()];
-        let mut b = Builder::new(&table);
-        let (x, _) = b.inputs(self.spec, &everywhere);
-        let address = b.address(&self.spec.shininess);
-        let a = b.field(address, "a");
+        let mut b = Builder::new(&tables, Case::of_rows(table, &everywhere));
+        let address = b.address(&self.spec.shininess, 0);
+        let (x, _) = b.operand(self.spec);
+        let a = b.field(0, address, "a");
         let square = b.mul(x, x, "xx", "x^2");
         let s = b.floor(square, widths.get("s"), "s", "x^2, rounded down");
         let d = b.sub(s, x, "d", "x^2 - x");
@@ -176,7 +190,7 @@ impl Architecture for Paper<'_> {
         let y = b.floor(y, g, "y_cut", "rounded down to the output's bits");
         let y = polynomial::pad(&mut b, y, g);
         let y = b.clamp_to_unit(y, "y", "taken into [0, 1]");
-        polynomial::finish(b, self.spec, &table, y, |row| {
+        polynomial::finish(b, self.spec, &tables, y, |row| {
             let a = table.field("a");
             coefficient_error(self.lobes[row].a, a.format.value(a.codes[row]) - self.lobes[row].a)
         })

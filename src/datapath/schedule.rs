@@ -45,14 +45,14 @@ const RULES: [Rules; 8] = [
 /// Rough delays in units of a multiplier's, the same for every family: they rank, they do not time.
 fn delay(op: Op) -> f64 {
     match op {
-        Op::Index | Op::Operand | Op::Constant(_) | Op::Cast | Op::Scale => 0.0,
+        Op::Input | Op::Constant(_) | Op::Cast | Op::Scale => 0.0,
         Op::Mul => 1.0,
-        Op::Field(_) => 0.9,
-        Op::ShiftLeft => 0.6,
+        Op::Field { .. } => 0.9,
+        Op::ShiftLeft | Op::ShiftRight => 0.6,
         Op::Clamp { .. } => 0.3,
         Op::Add | Op::Sub | Op::Greater => 0.5,
         Op::NonZero => 0.2,
-        Op::Or | Op::ZeroIf => 0.1,
+        Op::Or | Op::ZeroIf | Op::Not | Op::Select => 0.1,
     }
 }
 
@@ -89,7 +89,9 @@ pub fn schedule(graph: &Graph, pipeline: Pipeline) -> Result<Schedule, Error> {
     }
     // A multiplier beside the longest path cannot make it longer by one: the rest delays the output.
     schedule.latency = depth;
-    schedule.last_use[graph.output] = depth;
+    for &(_, output) in &graph.outputs {
+        schedule.last_use[output] = depth;
+    }
     Ok(schedule)
 }
 
@@ -104,7 +106,7 @@ fn place(graph: &Graph, rules: Rules, extra: &[u32]) -> Schedule {
             let from = &graph.nodes[arg];
             let registers = extra[arg]
                 + match from.op {
-                    Op::Field(_) => rules.rom_registers,
+                    Op::Field { .. } => rules.rom_registers,
                     _ => 0,
                 };
             let ready = stage[arg] + registers;
@@ -122,7 +124,7 @@ fn place(graph: &Graph, rules: Rules, extra: &[u32]) -> Schedule {
         }
         done[id] += time;
     }
-    let latency = stage[graph.output] + extra[graph.output] + 1;
+    let latency = graph.outputs.iter().map(|&(_, output)| stage[output] + extra[output] + 1).max().unwrap_or(1);
     let mut last_use = stage.clone();
     for (id, node) in graph.nodes.iter().enumerate() {
         for &arg in &node.args {
@@ -135,6 +137,8 @@ fn place(graph: &Graph, rules: Rules, extra: &[u32]) -> Schedule {
             last_use[id] = stage[id];
         }
     }
-    last_use[graph.output] = latency;
+    for &(_, output) in &graph.outputs {
+        last_use[output] = latency;
+    }
     Schedule { stage, last_use, latency }
 }

@@ -5,7 +5,7 @@ use super::schedule::Schedule;
 use crate::rom::Table;
 
 /// The levels at the input ports before a rising edge.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Inputs {
     /// Synchronous reset: clears the valid chain, whatever `ce` is.
     pub rst: bool,
@@ -13,19 +13,17 @@ pub struct Inputs {
     pub ce: bool,
     /// The operands are to be taken.
     pub in_valid: bool,
-    /// The code of `in_n`.
-    pub in_n: i128,
-    /// The code of `in_cos` or `in_ver`.
-    pub operand: i128,
+    /// The codes of the input ports, in the graph's order.
+    pub codes: Vec<i128>,
 }
 
 /// The levels at the output ports after a rising edge.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outputs {
     /// The result is one.
     pub out_valid: bool,
-    /// The code of `out_spec`.
-    pub out_spec: i128,
+    /// The codes of the output ports, in the graph's order.
+    pub codes: Vec<i128>,
 }
 
 /// A cycle-accurate simulation of a scheduled graph, with the same registers as the HDL.
@@ -33,7 +31,7 @@ pub struct Outputs {
 pub struct Simulation<'a> {
     graph: &'a Graph,
     schedule: &'a Schedule,
-    table: &'a Table,
+    tables: &'a [Table],
     /// `registers[id][i]`: node `id`'s value as seen in stage `schedule.stage[id] + 1 + i`.
     registers: Vec<Vec<i128>>,
     valid: Vec<bool>,
@@ -42,10 +40,10 @@ pub struct Simulation<'a> {
 impl<'a> Simulation<'a> {
     /// All registers 0.
     #[must_use]
-    pub fn new(graph: &'a Graph, schedule: &'a Schedule, table: &'a Table) -> Self {
+    pub fn new(graph: &'a Graph, schedule: &'a Schedule, tables: &'a [Table]) -> Self {
         let registers =
             (0..graph.nodes.len()).map(|id| vec![0; (schedule.last_use[id] - schedule.stage[id]) as usize]).collect();
-        Self { graph, schedule, table, registers, valid: vec![false; schedule.latency as usize] }
+        Self { graph, schedule, tables, registers, valid: vec![false; schedule.latency as usize] }
     }
 
     /// One rising edge.
@@ -64,10 +62,10 @@ impl<'a> Simulation<'a> {
         if inputs.rst {
             self.valid.fill(false);
         }
-        let output = self.registers[self.graph.output].last();
+        let code = |&(_, output): &(String, usize)| self.registers[output].last().copied().unwrap_or_default();
         Outputs {
             out_valid: self.valid.last().copied().unwrap_or_default(),
-            out_spec: output.copied().unwrap_or_default(),
+            codes: self.graph.outputs.iter().map(code).collect(),
         }
     }
 
@@ -85,9 +83,8 @@ impl<'a> Simulation<'a> {
                 })
                 .collect();
             let value = match node.op {
-                Op::Index => inputs.in_n,
-                Op::Operand => inputs.operand,
-                Op::Field(field) => self.table.fields[field].codes[self.table.row_of_address(args[0] as usize)],
+                Op::Input => inputs.codes.get(self.graph.port(id)).copied().unwrap_or_default(),
+                Op::Field { memory, field } => self.tables[memory].code_at(field, args[0] as usize),
                 _ => self.graph.apply(id, &args),
             };
             values.push(value);

@@ -22,7 +22,7 @@ pub struct Contribution {
     pub meaning: &'static str,
     /// To how many fraction bits.
     pub frac_bits: i32,
-    /// The least and the greatest error in output ulps that the error gains over the widest setting, over all rows.
+    /// The least and the greatest error in output ulps that the error gains over the widest setting, over all cases.
     pub ulps: [f64; 2],
 }
 
@@ -31,14 +31,14 @@ pub struct Contribution {
 pub struct Budget {
     /// What each inner width contributes (probed alone).
     pub contributions: Vec<Contribution>,
-    /// The proved bounds of `hardware - method` in output ulps, over all rows and inputs.
+    /// The proved bounds of `hardware - method` in output ulps, over all cases and inputs.
     pub proved_ulps: [f64; 2],
     /// The part of it that comes from rounding coefficients.
     pub coefficient_ulps: [f64; 2],
     /// The part that comes from the datapath.
     pub arithmetic_ulps: [f64; 2],
-    /// The row with the largest bound.
-    pub worst_row: usize,
+    /// The shininess with the largest bound.
+    pub worst_shininess: f64,
 }
 
 /// The chosen widths, the datapath they give, and its error account.
@@ -59,17 +59,21 @@ const FAITHFUL: f64 = 1.0 - 1e-6;
 /// The sums of single contributions are near the true bound, on either side: candidates up to here are tried.
 const HOPEFUL: f64 = 1.12;
 
-fn hull(datapath: &Datapath, part: impl Fn(&super::RowError) -> Interval) -> [f64; 2] {
+fn hull(datapath: &Datapath, part: impl Fn(&super::CaseError) -> Interval) -> [f64; 2] {
     let all = datapath.errors.iter().map(part).reduce(Interval::hull).unwrap_or(Interval::ZERO);
     [all.low, all.high]
 }
 
 fn total(datapath: &Datapath) -> [f64; 2] {
-    hull(datapath, super::RowError::total)
+    hull(datapath, super::CaseError::total)
 }
 
 fn widths_of(parameters: &[Parameter], values: &[i32]) -> Widths {
     Widths::new(parameters.iter().map(|p| p.name).zip(values.iter().copied()).collect())
+}
+
+fn built(architecture: &dyn Architecture, widths: &Widths) -> Option<Datapath> {
+    architecture.build(widths, architecture.tables(widths))
 }
 
 /// Chooses the widths.
@@ -85,7 +89,7 @@ pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
             "use fewer fraction bits, a smaller shininess, or the stable form",
         )
     };
-    let base = total(&architecture.build(&widths_of(&parameters, &widest)).ok_or_else(too_wide)?);
+    let base = total(&built(architecture, &widths_of(&parameters, &widest)).ok_or_else(too_wide)?);
 
     // What each width adds on either side, probed alone.
     let probes: Vec<Vec<[f64; 2]>> = parameters
@@ -98,7 +102,7 @@ pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
                 .map(|value| {
                     let mut values = widest.clone();
                     values[index] = value;
-                    match architecture.build(&widths_of(&parameters, &values)) {
+                    match built(architecture, &widths_of(&parameters, &values)) {
                         Some(datapath) => {
                             let error = total(&datapath);
                             [error[0] - base[0], error[1] - base[1]]
@@ -134,7 +138,7 @@ pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
     for batch in candidates.chunks(8) {
         let proved = batch
             .par_iter()
-            .filter_map(|(_, values)| Some((values, architecture.build(&widths_of(&parameters, values))?)))
+            .filter_map(|(_, values)| Some((values, built(architecture, &widths_of(&parameters, values))?)))
             .find_first(|(_, datapath)| total(datapath).iter().all(|e| e.abs() < FAITHFUL));
         if let Some((values, datapath)) = proved {
             let budget = budget(&parameters, &probes, values, &datapath);
@@ -162,12 +166,14 @@ fn budget(parameters: &[Parameter], probes: &[Vec<[f64; 2]>], values: &[i32], da
             ulps: probe[(value - parameter.range.start()) as usize],
         })
         .collect();
-    let size = |row: usize| datapath.errors[row].total().magnitude();
+    let size = |error: &super::CaseError| error.total().magnitude();
+    // The first of the largest: `max_by` would take the last.
+    let worst = datapath.errors.iter().rev().max_by(|a, b| size(a).total_cmp(&size(b)));
     Budget {
         contributions,
         proved_ulps: total(datapath),
         coefficient_ulps: hull(datapath, |e| e.coefficients),
         arithmetic_ulps: hull(datapath, |e| e.arithmetic),
-        worst_row: (0..datapath.errors.len()).max_by(|&a, &b| size(a).total_cmp(&size(b)).then(b.cmp(&a))).unwrap_or(0),
+        worst_shininess: worst.map_or(1.0, |error| error.shininess),
     }
 }

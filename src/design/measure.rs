@@ -25,7 +25,7 @@ pub struct Sweep {
 impl Sweep {
     fn of(design: &Design) -> Self {
         let codes = (1u64 << design.spec.input_fraction) + 1;
-        let rows = design.table().rows() as u64;
+        let rows = design.spec.shininess.rows() as u64;
         // Rows are thinned only when a thousand versines each would still be too many.
         let step = (codes * rows).div_ceil(MOST_INPUTS).min(codes.div_ceil(1024)).max(1);
         let row_step = (codes.div_ceil(step) * rows).div_ceil(MOST_INPUTS).max(1);
@@ -58,7 +58,7 @@ impl Measured {
     #[must_use]
     pub fn of(design: &Design) -> Self {
         let sweep = Sweep::of(design);
-        let lobes = design.spec.lobes();
+        let lobes = design.lobes();
         let shininess = design.spec.shininess.values();
         let scale = crate::number::exp2(design.spec.output_fraction as i32);
         let codes = (1i64 << design.spec.input_fraction) + 1;
@@ -105,7 +105,7 @@ impl Measured {
             total[6] = 1.0;
             total
         };
-        let rows: Vec<usize> = (0..design.table().rows()).step_by(sweep.row_step as usize).collect();
+        let rows: Vec<usize> = (0..design.spec.shininess.rows()).step_by(sweep.row_step as usize).collect();
         let parts: Vec<[f64; 7]> = rows.into_par_iter().map(row).collect();
         // In order, so that the sum is the same on every machine.
         let total = parts.into_iter().fold(Self::NONE, |a, b| {
@@ -127,6 +127,6 @@ impl Design {
     /// `x^n` for a row at an operand code.
     #[must_use]
     pub fn exact(&self, row: usize, operand: i64) -> f64 {
-        lobe::exact(self.table().shininess[row], self.versine(operand))
+        lobe::exact(self.spec.shininess.value(row), self.versine(operand))
     }
 }

@@ -11,6 +11,7 @@ use crate::datapath::widths::{Budget, solve};
 use crate::datapath::{Datapath, architecture};
 use crate::error::Error;
 use crate::hdl::Layout;
+use crate::lobe::Lobe;
 use crate::model::Model;
 use crate::number::Format;
 use crate::rom::Table;
@@ -42,10 +43,19 @@ impl Design {
         Ok(Self { widths: solution.widths, datapath: solution.datapath, schedule, budget: solution.budget, spec })
     }
 
-    /// The coefficients.
+    /// The memories.
     #[must_use]
-    pub fn table(&self) -> &Table {
-        &self.datapath.table
+    pub fn tables(&self) -> &[Table] {
+        &self.datapath.tables
+    }
+
+    /// The real-valued method of each shininess, in the order of the set.
+    ///
+    /// # Panics
+    /// Never for a spec that a design was made of.
+    #[must_use]
+    pub fn lobes(&self) -> Vec<Box<dyn Lobe>> {
+        architecture(&self.spec).expect("built before").lobes(self.tables())
     }
 
     /// The operations.
@@ -57,13 +67,13 @@ impl Design {
     /// The bit-exact reference.
     #[must_use]
     pub fn model(&self) -> Model<'_> {
-        Model::new(&self.spec, &self.widths, self.table())
+        Model::new(&self.spec, &self.widths, self.tables())
     }
 
     /// The vectorised evaluator.
     #[must_use]
     pub fn evaluator(&self) -> Evaluator<'_> {
-        Evaluator::new(self.graph(), self.table())
+        Evaluator::new(self.graph(), self.tables())
     }
 
     /// Stages and names, for the HDL.
@@ -93,7 +103,7 @@ impl Design {
     /// The format of `out_spec`.
     #[must_use]
     pub fn output_format(&self) -> Format {
-        self.graph().nodes[self.graph().output].format
+        self.graph().nodes[self.graph().output()].format
     }
 
     /// The versine in [0, 1] that an operand code stands for.
@@ -122,7 +132,11 @@ impl Design {
         let layout = self.layout();
         let crossing =
             |stage: u32| -> u32 { layout.registers(stage).iter().map(|r| layout.nodes()[r.node].format.width()).sum() };
-        let rom = if layout.rom_is_registered() { self.table().word_bits() } else { 0 };
-        (0..self.schedule.latency).map(crossing).sum::<u32>() + rom + self.schedule.latency
+        let word = |(memory, table): (usize, &Table)| match layout.read(memory) {
+            Some(read) if read.registered => table.word_bits(),
+            _ => 0,
+        };
+        let words: u32 = self.tables().iter().enumerate().map(word).sum();
+        (0..self.schedule.latency).map(crossing).sum::<u32>() + words + self.schedule.latency
     }
 }

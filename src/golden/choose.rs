@@ -29,7 +29,7 @@ struct Chooser<'a> {
 pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
     let mut chooser = Chooser {
         design,
-        lobes: design.spec.lobes(),
+        lobes: design.lobes(),
         random: Pcg64::new(SEED, 0),
         one: 1 << design.spec.input_fraction,
     };
@@ -58,7 +58,7 @@ impl Chooser<'_> {
 
     /// A few rows that matter: the first and last, small ones, powers of two and their neighbours.
     fn marked_rows(&self) -> Vec<usize> {
-        let rows = self.design.table().rows();
+        let rows = self.design.spec.shininess.rows();
         let mut marked: Vec<usize> = (0..rows.min(4)).chain(rows.saturating_sub(2)..rows).collect();
         for power in 2..17u32 {
             for near in [-1i64, 0, 1] {
@@ -81,7 +81,7 @@ impl Chooser<'_> {
         operands.sort_unstable();
         operands.dedup();
         let last_index = (1u64 << design.index_format().width()) as u32 - 1;
-        let rows = design.table().rows();
+        let rows = design.spec.shininess.rows();
         let set = &design.spec.shininess;
         let mut indices = vec![0, 1.min(last_index), set.index_of_row(0), set.index_of_row(rows / 2)];
         indices.extend([set.index_of_row(rows - 1), last_index]);
@@ -111,7 +111,7 @@ impl Chooser<'_> {
     fn corners(&mut self) -> Vec<Vector> {
         let mut result = Vec::new();
         for row in self.marked_rows() {
-            let n = self.design.table().shininess[row];
+            let n = self.design.spec.shininess.value(row);
             let cusp = -libm::expm1(-std::f64::consts::LN_2 / n);
             let mut codes: Vec<i64> = [0, 1, 2, self.one - 1, self.one].into();
             codes.extend(self.around(cusp));
@@ -138,7 +138,7 @@ impl Chooser<'_> {
         let indices = (0..count).step_by(step).map(|index| index as u32);
         indices
             .map(|index| {
-                let n = design.table().shininess[design.spec.shininess.row_of_index(index)];
+                let n = design.spec.shininess.value(design.spec.shininess.row_of_index(index));
                 let cusp = -libm::expm1(-std::f64::consts::LN_2 / n);
                 self.vector(index, design.operand_of_versine((cusp * self.one as f64) as i64))
             })
@@ -149,19 +149,24 @@ impl Chooser<'_> {
     /// far as any candidate tells them.
     fn rom_bits(&mut self) -> Vec<Vector> {
         let design = self.design;
-        let table = design.table();
-        let flipped: Vec<Table> = (0..table.fields.len())
-            .flat_map(|field| (0..table.fields[field].format.width()).map(move |bit| (field, bit)))
-            .map(|(field, bit)| {
-                let mut flipped = table.clone();
-                let format = flipped.fields[field].format;
-                for code in &mut flipped.fields[field].codes {
+        let count = design.spec.shininess.rows();
+        let mut flipped: Vec<Vec<Table>> = Vec::new();
+        for (memory, table) in design.tables().iter().enumerate().filter(|(_, table)| table.key == "shininess") {
+            // A memory may hold several words a shininess, one a segment, side by side.
+            let parts = table.rows() / count;
+            for (field, bit, part) in (0..table.fields.len())
+                .flat_map(|field| (0..table.fields[field].format.width()).map(move |bit| (field, bit)))
+                .flat_map(|(field, bit)| (0..parts).map(move |part| (field, bit, part)))
+            {
+                let mut tables = design.tables().to_vec();
+                let format = table.fields[field].format;
+                for code in tables[memory].fields[field].codes.iter_mut().skip(part).step_by(parts) {
                     *code = format.wrap(*code ^ (1 << bit));
                 }
-                flipped
-            })
-            .collect();
-        let rows: Vec<usize> = (0..table.rows()).step_by(table.rows().div_ceil(MOST_ROWS)).collect();
+                flipped.push(tables);
+            }
+        }
+        let rows: Vec<usize> = (0..count).step_by(count.div_ceil(MOST_ROWS)).collect();
         let chosen: Vec<Vec<i64>> = rows.par_iter().map(|&row| self.telling(row, &flipped)).collect();
         let mut result = Vec::new();
         for (row, codes) in rows.into_iter().zip(chosen) {
@@ -172,7 +177,7 @@ impl Chooser<'_> {
     }
 
     /// Versine codes that tell a row's word from as many of the `flipped` ones as possible.
-    fn telling(&self, row: usize, flipped: &[Table]) -> Vec<i64> {
+    fn telling(&self, row: usize, flipped: &[Vec<Table>]) -> Vec<i64> {
         let design = self.design;
         let index = design.spec.shininess.index_of_row(row);
         let end = self.end(row);
@@ -185,8 +190,8 @@ impl Chooser<'_> {
             .iter()
             .flat_map(|&(first, stride, count)| (0..count).map(move |step| first + stride * step))
             .collect();
-        let outputs = |table: &Table| -> Vec<u32> {
-            let evaluator = Evaluator::new(design.graph(), table);
+        let outputs = |tables: &[Table]| -> Vec<u32> {
+            let evaluator = Evaluator::new(design.graph(), tables);
             let mut all = Vec::with_capacity(codes.len());
             for (first, stride, count) in combs {
                 let (a, b) =
@@ -201,9 +206,9 @@ impl Chooser<'_> {
             }
             all
         };
-        let right = outputs(design.table());
+        let right = outputs(design.tables());
         let tells: Vec<Vec<bool>> =
-            flipped.iter().map(|table| outputs(table).iter().zip(&right).map(|(a, b)| a != b).collect()).collect();
+            flipped.iter().map(|tables| outputs(tables).iter().zip(&right).map(|(a, b)| a != b).collect()).collect();
         let mut open: Vec<usize> = (0..flipped.len()).collect();
         let mut chosen = Vec::new();
         loop {
@@ -229,11 +234,11 @@ impl Chooser<'_> {
 
     fn random_highlight(&mut self) -> Vec<Vector> {
         let design = self.design;
-        let rows = design.table().rows() as u64;
+        let rows = design.spec.shininess.rows() as u64;
         (0..RANDOM)
             .map(|_| {
                 let row = self.below(rows) as usize;
-                let widest = (3.0 / design.table().shininess[row]).min(1.0) * self.one as f64;
+                let widest = (3.0 / design.spec.shininess.value(row)).min(1.0) * self.one as f64;
                 let code = self.below(widest as u64 + 1) as i64;
                 self.vector(design.spec.shininess.index_of_row(row), design.operand_of_versine(code))
             })

@@ -85,9 +85,9 @@ impl Golden {
 
 /// The rows that have a digest: all, or evenly spaced ones where all would take too long.
 fn digest_rows(design: &Design) -> Vec<usize> {
-    let outputs = (design.table().rows() as u64) << design.operand_format().width();
+    let outputs = (design.spec.shininess.rows() as u64) << design.operand_format().width();
     let step = outputs.div_ceil(MOST_OUTPUTS).max(1) as usize;
-    (0..design.table().rows()).step_by(step).collect()
+    (0..design.spec.shininess.rows()).step_by(step).collect()
 }
 
 /// All codes of a port, as numbers: the least and how many.
@@ -207,7 +207,7 @@ pub fn differences(design: &Design, expected: &Golden, got: &Golden) -> Vec<Diff
             (Some(a), Some(b)) if a == b => {}
             (Some(a), Some(b)) if Vector { output: b.output, ..*a } == *b => found.push(Difference::Output {
                 index: a.index,
-                shininess: design.table().shininess[design.spec.shininess.row_of_index(a.index)],
+                shininess: design.spec.shininess.value(design.spec.shininess.row_of_index(a.index)),
                 operand: a.operand,
                 value: design.operand_format().value(a.operand.into()),
                 expected: a.output,

@@ -3,7 +3,7 @@
 use crate::datapath::Datapath;
 use crate::datapath::graph::{Node, NodeId, Op};
 use crate::datapath::schedule::Schedule;
-use crate::number::Format;
+use crate::rom::Table;
 
 /// A register between two stages.
 #[derive(Clone, Copy, Debug)]
@@ -12,6 +12,19 @@ pub struct Register {
     pub node: NodeId,
     /// The stage that it ends.
     pub stage: u32,
+}
+
+/// How a memory is read.
+#[derive(Clone, Debug)]
+pub struct Read {
+    /// The node that is its address.
+    pub address: NodeId,
+    /// The stage of the address.
+    pub stage: u32,
+    /// Whether the word goes into a register, as a block RAM requires, before any field of it is used.
+    pub registered: bool,
+    /// The name of the word.
+    pub word: String,
 }
 
 /// A datapath with its schedule, as the backends need it.
@@ -40,61 +53,57 @@ impl<'a> Layout<'a> {
     #[must_use]
     pub fn is_flag(&self, id: NodeId) -> bool {
         let used_as_flag = |node: &Node| match node.op {
-            Op::Or => node.args.contains(&id),
-            Op::ZeroIf => node.args[0] == id,
+            Op::Or | Op::Not => node.args.contains(&id),
+            Op::ZeroIf | Op::Select => node.args[0] == id,
             _ => false,
         };
-        matches!(self.nodes()[id].op, Op::NonZero | Op::Greater | Op::Or) || self.nodes().iter().any(used_as_flag)
+        matches!(self.nodes()[id].op, Op::NonZero | Op::Greater | Op::Or | Op::Not) || self.nodes().iter().any(used_as_flag)
     }
 
     /// The name of a node's value in a stage: ports keep theirs in stage 0.
     #[must_use]
     pub fn name(&self, id: NodeId, stage: u32) -> String {
         let node = &self.nodes()[id];
-        if stage == 0 && matches!(node.op, Op::Index | Op::Operand) {
+        if stage == 0 && node.op == Op::Input {
             return node.name.clone();
         }
         format!("{}_{stage}", node.name)
     }
 
-    /// The stage in which the ROM is read.
+    /// How a memory is read, by its place among the datapath's tables; `None` if nothing reads it.
     #[must_use]
-    pub fn rom_stage(&self) -> u32 {
-        let fields = self.nodes().iter().zip(&self.schedule.stage).filter(|(node, _)| matches!(node.op, Op::Field(_)));
-        fields.map(|(_, &stage)| stage).min().unwrap_or(0)
-    }
-
-    /// The name of the ROM's address.
-    #[must_use]
-    pub fn address(&self) -> (String, Format) {
-        let field = self.nodes().iter().find(|node| matches!(node.op, Op::Field(_)));
-        let id = field.map_or_else(|| self.datapath.graph.index(), |field| field.args[0]);
-        (self.name(id, self.rom_stage()), self.nodes()[id].format)
-    }
-
-    /// Whether the ROM's word goes into a register, as a block RAM requires, before any field of it is used.
-    #[must_use]
-    pub fn rom_is_registered(&self) -> bool {
-        let stage = self.rom_stage();
-        !self.nodes().iter().enumerate().any(|(id, node)| {
-            self.schedule.stage[id] == stage
-                && node.args.iter().any(|&arg| matches!(self.nodes()[arg].op, Op::Field(_)))
+    pub fn read(&self, memory: usize) -> Option<Read> {
+        let is_field = |id: NodeId| matches!(self.nodes()[id].op, Op::Field { memory: of, .. } if of == memory);
+        let first = (0..self.nodes().len()).find(|&id| is_field(id))?;
+        let stage = self.schedule.stage[first];
+        let used_at_once = |(id, node): (usize, &Node)| {
+            self.schedule.stage[id] == stage && node.args.iter().any(|&arg| is_field(arg))
+        };
+        let shown_at_once = self.datapath.graph.outputs.iter().any(|&(_, id)| is_field(id)) && self.schedule.latency == stage;
+        let registered = !self.nodes().iter().enumerate().any(used_at_once) && !shown_at_once;
+        let name = self.datapath.tables[memory].name;
+        Some(Read {
+            address: self.nodes()[first].args[0],
+            stage,
+            registered,
+            word: format!("{name}_{}", stage + u32::from(registered)),
         })
     }
 
-    /// The stage from which on the fields can be taken out of the ROM's word.
-    #[must_use]
-    pub fn field_stage(&self) -> u32 {
-        self.rom_stage() + u32::from(self.rom_is_registered())
+    /// The stage from which on a node's value is there: a field's where it can be taken out of its memory's word.
+    fn first_stage(&self, id: NodeId) -> u32 {
+        match self.nodes()[id].op {
+            Op::Field { memory, .. } => self.read(memory).map_or(0, |read| read.stage + u32::from(read.registered)),
+            _ => self.schedule.stage[id],
+        }
     }
 
     /// The nodes that are computed in a stage, in order: no ports, no literals; a field where its word is there.
     #[must_use]
     pub fn computed(&self, stage: u32) -> Vec<NodeId> {
         let own = |id: NodeId| match self.nodes()[id].op {
-            Op::Index | Op::Operand | Op::Constant(_) => false,
-            Op::Field(_) => stage == self.field_stage(),
-            _ => self.schedule.stage[id] == stage,
+            Op::Input | Op::Constant(_) => false,
+            _ => self.first_stage(id) == stage,
         };
         (0..self.nodes().len()).filter(|&id| own(id)).collect()
     }
@@ -102,11 +111,8 @@ impl<'a> Layout<'a> {
     /// The registers at the end of a stage, in order.
     #[must_use]
     pub fn registers(&self, stage: u32) -> Vec<Register> {
-        let first = |id: NodeId| match self.nodes()[id].op {
-            Op::Field(_) => self.field_stage(),
-            _ => self.schedule.stage[id],
-        };
-        let crosses = |id: NodeId| first(id) <= stage && stage < self.schedule.last_use[id] && !self.is_literal(id);
+        let crosses =
+            |id: NodeId| self.first_stage(id) <= stage && stage < self.schedule.last_use[id] && !self.is_literal(id);
         (0..self.nodes().len()).filter(|&id| crosses(id)).map(|node| Register { node, stage }).collect()
     }
 
@@ -116,7 +122,7 @@ impl<'a> Layout<'a> {
     pub fn unused_bits(&self, id: NodeId) -> Vec<(u32, u32)> {
         let format = self.nodes()[id].format;
         let width = format.width();
-        let mut used = vec![id == self.datapath.graph.output; width as usize];
+        let mut used = vec![self.datapath.graph.is_output(id); width as usize];
         for (user, node) in self.nodes().iter().enumerate() {
             if !node.args.contains(&id) || self.schedule.stage[user] != self.schedule.last_use[id] {
                 continue;
@@ -149,12 +155,24 @@ impl<'a> Layout<'a> {
         let main = |id: &NodeId| {
             matches!(
                 self.nodes()[*id].op,
-                Op::Clamp { .. } | Op::Add | Op::Sub | Op::Mul | Op::ShiftLeft | Op::Greater | Op::ZeroIf
+                Op::Clamp { .. }
+                    | Op::Add
+                    | Op::Sub
+                    | Op::Mul
+                    | Op::ShiftLeft
+                    | Op::ShiftRight
+                   
+                    | Op::Greater
+                    | Op::Select
+                    | Op::ZeroIf
             )
         };
         let mut parts: Vec<String> = Vec::new();
-        if stage == self.rom_stage() {
-            parts.push("read the ROM".to_owned());
+        for (memory, table) in self.datapath.tables.iter().enumerate() {
+            if self.read(memory).is_some_and(|read| read.stage == stage) {
+                let name = if table.name == Table::COEFFICIENTS { "the ROM" } else { table.name };
+                parts.push(format!("read {name}"));
+            }
         }
         parts.extend(self.computed(stage).iter().filter(|id| main(id)).map(|&id| self.nodes()[id].name.clone()));
         if parts.is_empty() { "registers only".to_owned() } else { parts.join(", ") }

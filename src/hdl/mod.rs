@@ -22,8 +22,27 @@ pub struct Texts {
     pub name: String,
     /// The lines of the header comment, without a comment marker.
     pub header: Vec<String>,
-    /// The path of the ROM file, relative to the core's directory, if the ROM is read from one.
-    pub rom_file: Option<String>,
+    /// The files that memories are read from, if they are read from files.
+    pub rom_files: Vec<RomFile>,
+}
+
+/// A file that a memory is read from.
+#[derive(Clone, Debug)]
+pub struct RomFile {
+    /// The memory's name.
+    pub memory: &'static str,
+    /// The name of the parameter or generic that holds the path.
+    pub parameter: String,
+    /// The path, relative to the core's directory.
+    pub path: String,
+}
+
+impl Texts {
+    /// The file of a memory, if it is read from one.
+    #[must_use]
+    pub fn rom_file(&self, memory: &str) -> Option<&RomFile> {
+        self.rom_files.iter().find(|file| file.memory == memory)
+    }
 }
 
 /// A way to write a core.

@@ -2,7 +2,7 @@
 
 use askama::Template;
 
-use super::{Layout, Texts, render};
+use super::{Layout, RomFile, Texts, render};
 use crate::error::Error;
 use crate::spec::Language;
 
@@ -10,7 +10,7 @@ use crate::spec::Language;
 struct Bench<'a> {
     name: &'a str,
     header: &'a [String],
-    rom_file: Option<&'a str>,
+    rom_files: &'a [RomFile],
     golden: &'a str,
     operand: &'a str,
     operand_signed: bool,
@@ -42,13 +42,13 @@ pub fn test_bench(language: Language, layout: &Layout, texts: &Texts, golden: &s
     let bench = &Bench {
         name: &texts.name,
         header: &texts.header,
-        rom_file: texts.rom_file.as_deref(),
+        rom_files: &texts.rom_files,
         golden,
         operand: &operand.name,
         operand_signed: operand.format.signed,
         index_bits: graph.nodes[graph.index()].format.width(),
         operand_bits: operand.format.width(),
-        output_bits: graph.nodes[graph.output].format.width(),
+        output_bits: graph.nodes[graph.output()].format.width(),
         latency: layout.schedule.latency,
     };
     match language {

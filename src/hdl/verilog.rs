@@ -24,9 +24,23 @@ struct Reg {
     source: String,
 }
 
-struct Stage {
+/// A memory, read in a stage.
+struct Memory<'a> {
+    name: &'a str,
+    word: String,
+    range: String,
+    address: String,
+    depth: usize,
+    registered: bool,
+    /// The parameter that names its file, if it is read from one.
+    parameter: Option<String>,
+    rows: Vec<(String, String)>,
+}
+
+struct Stage<'a> {
     index: u32,
     heading: String,
+    memories: Vec<Memory<'a>>,
     wires: Vec<Wire>,
     regs: Vec<Reg>,
 }
@@ -44,14 +58,7 @@ struct Core<'a> {
     operand_format: Format,
     output_format: Format,
     latency: u32,
-    stages: Vec<Stage>,
-    rom_stage: u32,
-    rom_registered: bool,
-    rom_name: String,
-    rom_range: String,
-    rom_address: String,
-    rom_depth: usize,
-    rom_rows: Vec<(String, String)>,
+    stages: Vec<Stage<'a>>,
     output: String,
     unused: Vec<String>,
 }
@@ -130,11 +137,12 @@ impl Writer<'_> {
         let (frac, width) = (node.format.frac_bits, node.format.width());
         let arg = |index: usize| node.args[index];
         match node.op {
-            Op::Index | Op::Operand | Op::Constant(_) => unreachable!("a port or a literal"),
-            Op::Field(field) => {
-                let table = &self.layout.datapath.table;
+            Op::Input | Op::Constant(_) => unreachable!("a port or a literal"),
+            Op::Field { memory, field } => {
+                let table = &self.layout.datapath.tables[memory];
                 let low = table.field_low_bit(field);
-                slice(&format!("rom_{}", self.stage), table.word_bits(), low + width - 1, low)
+                let word = format!("{}_{}", table.name, self.stage);
+                slice(&word, table.word_bits(), low + width - 1, low)
             }
             Op::Clamp { low, high } => self.clamp(arg(0), low, high, width),
             Op::Add => format!("{} + {}", self.fitted(arg(0), frac, width), self.fitted(arg(1), frac, width)),
@@ -147,6 +155,8 @@ impl Writer<'_> {
                 let from = self.format(arg(0)).frac_bits;
                 format!("{} << {}", self.fitted(arg(0), from, width), self.name(arg(1)))
             }
+            Op::ShiftRight if node.format.signed => format!("$signed({}) >>> {}", self.name(arg(0)), self.name(arg(1))),
+            Op::ShiftRight => format!("{} >> {}", self.name(arg(0)), self.name(arg(1))),
             Op::Cast => {
                 let from = self.format(arg(0));
                 if frac >= from.frac_bits {
@@ -175,6 +185,11 @@ impl Writer<'_> {
                 format!("{} > {}", self.fitted(arg(0), frac, wider), self.fitted(arg(1), frac, wider))
             }
             Op::Or => format!("{} | {}", self.name(arg(0)), self.name(arg(1))),
+            Op::Not => format!("~{}", self.name(arg(0))),
+            Op::Select => {
+                let [a, b] = [arg(1), arg(2)].map(|id| self.fitted(id, frac, width));
+                format!("{} ? {a} : {b}", self.name(arg(0)))
+            }
             Op::ZeroIf => format!("{} ? {} : {}", self.name(arg(0)), zeros(width), self.name(arg(1))),
         }
     }
@@ -203,12 +218,38 @@ impl Writer<'_> {
     }
 }
 
+/// The memories that are read in a stage.
+fn memories<'a>(layout: &Layout<'a>, texts: &Texts, stage: u32) -> Vec<Memory<'a>> {
+    let tables = layout.datapath.tables.iter().enumerate();
+    let reads = tables.filter_map(|(memory, table)| Some((table, layout.read(memory)?)));
+    reads
+        .filter(|(_, read)| read.stage == stage)
+        .map(|(table, read)| {
+            let address_bits = layout.nodes()[read.address].format.width();
+            let digits = table.word_bits().div_ceil(4) as usize;
+            let row = |address: usize| {
+                let value = format!("{}'h{:0digits$x}", table.word_bits(), table.word(address));
+                (format!("{address_bits}'d{address}"), value)
+            };
+            Memory {
+                name: table.name,
+                range: range(Format::unsigned(table.word_bits() as i32, 0)),
+                address: layout.name(read.address, stage),
+                depth: table.depth(),
+                registered: read.registered,
+                parameter: texts.rom_file(table.name).map(|file| file.parameter.clone()),
+                rows: (0..table.depth()).map(row).collect(),
+                word: read.word,
+            }
+        })
+        .collect()
+}
+
 impl Backend for Verilog {
     fn emit(&self, layout: &Layout, texts: &Texts) -> Result<String, Error> {
         let graph = &layout.datapath.graph;
-        let table = &layout.datapath.table;
         let (index, operand) = (&graph.nodes[graph.index()], &graph.nodes[graph.operand()]);
-        let output_format = graph.nodes[graph.output].format;
+        let output_format = graph.nodes[graph.output()].format;
         let mut unused = Vec::new();
         let stages = (0..layout.schedule.latency)
             .map(|index| {
@@ -232,6 +273,7 @@ impl Backend for Verilog {
                 Stage {
                     index,
                     heading: layout.heading(index),
+                    memories: memories(layout, texts, index),
                     wires: computed.into_iter().map(wire).collect(),
                     regs: layout.registers(index).into_iter().map(reg).collect(),
                 }
@@ -243,14 +285,6 @@ impl Backend for Verilog {
                 unused.push(slice(&layout.name(id, last), node.format.width(), high, low));
             }
         }
-        let word = Format::unsigned(table.word_bits() as i32, 0);
-        let (rom_address, address_format) = layout.address();
-        let row = |address: usize| {
-            let word = table.word(address);
-            let digits = table.word_bits().div_ceil(4) as usize;
-            let value = format!("{}'h{word:0digits$x}", table.word_bits());
-            (format!("{}'d{address}", address_format.width()), value)
-        };
         render(&Core {
             texts,
             operand: &operand.name,
@@ -263,14 +297,7 @@ impl Backend for Verilog {
             output_format,
             latency: layout.schedule.latency,
             stages,
-            rom_stage: layout.rom_stage(),
-            rom_registered: layout.rom_is_registered(),
-            rom_name: format!("rom_{}", layout.field_stage()),
-            rom_range: range(word),
-            rom_address,
-            rom_depth: table.depth(),
-            rom_rows: (0..table.depth()).map(row).collect(),
-            output: layout.name(graph.output, layout.schedule.latency),
+            output: layout.name(graph.output(), layout.schedule.latency),
             unused,
         })
     }

@@ -24,9 +24,27 @@ struct Assignment {
     expression: String,
 }
 
-struct Stage {
+/// A memory, read in a stage.
+struct Memory<'a> {
+    name: &'a str,
+    /// The name of its constant.
+    constant: String,
+    word: String,
+    bits: u32,
+    /// Bits of the hexadecimal digits that hold a word.
+    digit_bits: u32,
+    address: String,
+    depth: usize,
+    registered: bool,
+    /// The generic that names its file, if it is read from one.
+    generic: Option<String>,
+    chunks: Vec<Chunk>,
+}
+
+struct Stage<'a> {
     index: u32,
     heading: String,
+    memories: Vec<Memory<'a>>,
     assignments: Vec<Assignment>,
     registers: Vec<(String, String)>,
 }
@@ -57,16 +75,7 @@ struct Core<'a> {
     output_format: Format,
     latency: u32,
     signals: Vec<Signal>,
-    stages: Vec<Stage>,
-    chunks: Vec<Chunk>,
-    rom_stage: u32,
-    rom_registered: bool,
-    rom_name: String,
-    rom_bits: u32,
-    /// Bits of the hexadecimal digits that hold a word.
-    rom_digit_bits: u32,
-    rom_address: String,
-    rom_depth: usize,
+    stages: Vec<Stage<'a>>,
     output: String,
 }
 
@@ -121,10 +130,14 @@ impl Writer<'_> {
         let (format, width) = (node.format, node.format.width());
         let arg = |index: usize| node.args[index];
         match node.op {
-            Op::Index | Op::Operand | Op::Constant(_) => unreachable!("a port or a literal"),
-            Op::Field(field) => {
-                let low = self.layout.datapath.table.field_low_bit(field);
-                let slice = format!("rom_{}({} downto {low})", self.stage, low + width - 1);
+            Op::Input | Op::Constant(_) => unreachable!("a port or a literal"),
+            Op::Field { memory, field } => {
+                let table = &self.layout.datapath.tables[memory];
+                let (word, low) = (format!("{}_{}", table.name, self.stage), table.field_low_bit(field));
+                if self.layout.is_flag(id) {
+                    return format!("{word}({low})");
+                }
+                let slice = format!("{word}({} downto {low})", low + width - 1);
                 format!("{}({slice})", if format.signed { "signed" } else { "unsigned" })
             }
             Op::Clamp { low, high } => self.clamp(arg(0), low, high, width),
@@ -136,11 +149,17 @@ impl Writer<'_> {
                 let to = Format { int_bits: width as i32 - to.frac_bits - i32::from(to.signed), ..to };
                 format!("shift_left({}, to_integer({}))", self.fitted(arg(0), to), self.name(arg(1)))
             }
+            Op::ShiftRight => format!("shift_right({}, to_integer({}))", self.name(arg(0)), self.name(arg(1))),
             Op::Cast => self.cast(id),
             Op::Scale => self.name(arg(0)),
             Op::NonZero => format!("'1' when {} /= 0 else '0'", self.name(arg(0))),
             Op::Greater => format!("'1' when {} > {} else '0'", self.name(arg(0)), self.name(arg(1))),
             Op::Or => format!("{} or {}", self.name(arg(0)), self.name(arg(1))),
+            Op::Not => format!("not {}", self.name(arg(0))),
+            Op::Select => {
+                let [a, b] = [arg(1), arg(2)].map(|id| self.fitted(id, format));
+                format!("{a} when {} = '1' else {b}", self.name(arg(0)))
+            }
             Op::ZeroIf => format!("(others => '0') when {} = '1' else {}", self.name(arg(0)), self.name(arg(1))),
         }
     }
@@ -204,12 +223,51 @@ fn kind(format: Format) -> String {
     format!("{}({} downto 0)", if format.signed { "signed" } else { "unsigned" }, format.width() - 1)
 }
 
+/// The memories that are read in a stage.
+fn memories<'a>(layout: &Layout<'a>, texts: &Texts, stage: u32) -> Vec<Memory<'a>> {
+    let tables = layout.datapath.tables.iter().enumerate();
+    let reads = tables.filter_map(|(memory, table)| Some((table, layout.read(memory)?)));
+    reads
+        .filter(|(_, read)| read.stage == stage)
+        .map(|(table, read)| {
+            let words = table.words();
+            let chunk = |index: usize| {
+                let low = 32 * index as u32;
+                let bits = (table.word_bits() - low).min(32);
+                let digits = bits.div_ceil(4) as usize;
+                let mask = (BigUint::from(1u8) << bits) - 1u8;
+                let row =
+                    |(address, word): (usize, &BigUint)| (address, format!("{:0digits$x}", (word >> low) & &mask));
+                Chunk {
+                    index,
+                    element_bits: 4 * digits as u32,
+                    bits,
+                    high: low + bits - 1,
+                    low,
+                    rows: words.iter().enumerate().rev().map(row).collect(),
+                }
+            };
+            Memory {
+                name: table.name,
+                constant: table.name.to_ascii_uppercase(),
+                bits: table.word_bits(),
+                digit_bits: 4 * table.word_bits().div_ceil(4),
+                address: layout.name(read.address, stage),
+                depth: table.depth(),
+                registered: read.registered,
+                generic: texts.rom_file(table.name).map(|file| file.parameter.clone()),
+                chunks: (0..table.word_bits().div_ceil(32) as usize).map(chunk).collect(),
+                word: read.word,
+            }
+        })
+        .collect()
+}
+
 impl Backend for Vhdl {
     fn emit(&self, layout: &Layout, texts: &Texts) -> Result<String, Error> {
         let graph = &layout.datapath.graph;
-        let table = &layout.datapath.table;
         let (index, operand) = (&graph.nodes[graph.index()], &graph.nodes[graph.operand()]);
-        let output_format = graph.nodes[graph.output].format;
+        let output_format = graph.nodes[graph.output()].format;
         let latency = layout.schedule.latency;
         let mut signals = Vec::new();
         let mut stages = Vec::new();
@@ -232,24 +290,9 @@ impl Backend for Vhdl {
                 signals.push(Signal { name: target.clone(), kind: format!("{} := {initial}", writer.kind(node)) });
                 registers.push((target, layout.name(node, stage)));
             }
-            stages.push(Stage { index, heading: layout.heading(index), assignments, registers });
+            let memories = memories(layout, texts, index);
+            stages.push(Stage { index, heading: layout.heading(index), memories, assignments, registers });
         }
-        let words = table.words();
-        let chunk = |index: usize| {
-            let low = 32 * index as u32;
-            let bits = (table.word_bits() - low).min(32);
-            let digits = bits.div_ceil(4) as usize;
-            let mask = (BigUint::from(1u8) << bits) - 1u8;
-            let row = |(address, word): (usize, &BigUint)| (address, format!("{:0digits$x}", (word >> low) & &mask));
-            Chunk {
-                index,
-                element_bits: 4 * digits as u32,
-                bits,
-                high: low + bits - 1,
-                low,
-                rows: words.iter().enumerate().rev().map(row).collect(),
-            }
-        };
         render(&Core {
             texts,
             operand: &operand.name,
@@ -263,15 +306,7 @@ impl Backend for Vhdl {
             latency,
             signals,
             stages,
-            chunks: (0..table.word_bits().div_ceil(32) as usize).map(chunk).collect(),
-            rom_stage: layout.rom_stage(),
-            rom_registered: layout.rom_is_registered(),
-            rom_name: format!("rom_{}", layout.field_stage()),
-            rom_bits: table.word_bits(),
-            rom_digit_bits: 4 * table.word_bits().div_ceil(4),
-            rom_address: layout.address().0,
-            rom_depth: table.depth(),
-            output: layout.name(graph.output, latency),
+            output: layout.name(graph.output(), latency),
         })
     }
 }

@@ -10,7 +10,8 @@ use crate::spec::{Form, Method, Operand, Pipeline};
 /// a shift that is wholly in the ROM.
 #[must_use]
 pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
-    let (spec, table) = (&design.spec, design.table());
+    let spec = &design.spec;
+    let table = design.datapath.coefficients()?;
     let suits = spec.form == Form::Stable
         && spec.operand == Operand::Cos
         && spec.pipeline == Pipeline::Auto

@@ -16,14 +16,14 @@ use crate::spec::{CoreSpec, Form, Method, Operand, Widths};
 pub struct Model<'a> {
     spec: &'a CoreSpec,
     widths: &'a Widths,
-    table: &'a Table,
+    tables: &'a [Table],
 }
 
 impl<'a> Model<'a> {
     /// The model of a core with these widths and ROM words.
     #[must_use]
-    pub fn new(spec: &'a CoreSpec, widths: &'a Widths, table: &'a Table) -> Self {
-        Self { spec, widths, table }
+    pub fn new(spec: &'a CoreSpec, widths: &'a Widths, tables: &'a [Table]) -> Self {
+        Self { spec, widths, tables }
     }
 
     /// The code of `out_spec` (UQ1.G) for a code of `in_n` and a code of the operand port (`in_cos` as a signed number).
@@ -41,7 +41,7 @@ impl<'a> Model<'a> {
             half_ulp: wide::from_code(1, self.spec.output_fraction + 1),
             fine_input: self.spec.input_fraction > self.spec.output_fraction,
             row,
-            table: self.table,
+            tables: self.tables,
             widths: self.widths,
         };
         let y = match (self.spec.method, self.spec.form) {
@@ -62,22 +62,34 @@ struct Inputs<'a> {
     half_ulp: Wide,
     /// The input has more fraction bits than the output.
     fine_input: bool,
+    /// The place of the shininess in the set.
     row: usize,
-    table: &'a Table,
+    tables: &'a [Table],
     widths: &'a Widths,
 }
 
 impl Inputs<'_> {
-    /// The named coefficient, as the ROM holds it.
-    fn coefficient(&self, name: &str) -> Wide {
-        let field = self.table.field(name);
-        let (code, frac_bits) = (field.codes[self.row], field.format.frac_bits);
+    /// A memory by its name.
+    fn memory(&self, name: &str) -> &Table {
+        self.tables.iter().find(|table| table.name == name).expect("a memory of this method")
+    }
+
+    /// A field of a row of a memory.
+    fn entry(&self, memory: &str, row: usize, name: &str) -> Wide {
+        let field = self.memory(memory).field(name);
+        let (code, frac_bits) = (field.codes[row], field.format.frac_bits);
         if frac_bits >= 0 { wide::from_code(code, frac_bits as u32) } else { wide::from_code(code << -frac_bits, 0) }
+    }
+
+    /// The named coefficient of this shininess, as the ROM holds it.
+    fn coefficient(&self, name: &str) -> Wide {
+        self.entry(Table::COEFFICIENTS, self.row, name)
     }
 
     /// The named coefficient, if the ROM has such a field.
     fn optional(&self, name: &str) -> Option<Wide> {
-        self.table.fields.iter().any(|f| f.name == name).then(|| self.coefficient(name))
+        let fields = &self.memory(Table::COEFFICIENTS).fields;
+        fields.iter().any(|f| f.name == name).then(|| self.coefficient(name))
     }
 
     /// `value` rounded down to the named width.
@@ -87,7 +99,7 @@ impl Inputs<'_> {
 
     /// k of this row.
     fn shift(&self) -> u32 {
-        self.optional("k").map_or(0, |k| k.to_num::<u32>()) + self.table.shared_shift
+        self.optional("k").map_or(0, |k| k.to_num::<u32>()) + self.memory(Table::COEFFICIENTS).shared_shift
     }
 
     /// `x (1 - p)` with x and `x p` rounded down to their widths, taken into [0, 1]; rounded to nearest where the input is

@@ -6,6 +6,7 @@ use crate::datapath::widths::Contribution;
 use crate::design::{Design, Measured};
 use crate::error::Error;
 use crate::hdl::render;
+use crate::rom::{Field, Table};
 use crate::spec::{CoreSpec, Form, Method, Operand, RomStyle, Shininess};
 
 /// What the core computes, in a line.
@@ -73,6 +74,13 @@ struct FieldRow {
     meaning: &'static str,
 }
 
+struct Memory {
+    name: &'static str,
+    depth: usize,
+    word_bits: u32,
+    fields: Vec<FieldRow>,
+}
+
 struct FormRow {
     form: &'static str,
     multipliers: String,
@@ -90,7 +98,12 @@ impl FormRow {
             form: form_text(design.spec.form),
             multipliers: multipliers.iter().map(|(a, b)| format!("{a}x{b}")).collect::<Vec<_>>().join(", "),
             multiplier_bits: multipliers.iter().map(|(a, b)| a * b).sum(),
-            rom: format!("{} x {} = {}", design.table().depth(), design.table().word_bits(), design.table().bits()),
+            rom: if design.tables().is_empty() {
+                "none".to_owned()
+            } else {
+                let size = |table: &Table| format!("{} x {} = {}", table.depth(), table.word_bits(), table.bits());
+                design.tables().iter().map(size).collect::<Vec<_>>().join(", ")
+            },
             registers: design.register_bits(),
             latency: design.schedule.latency,
             proved: interval_text(design.budget.proved_ulps),
@@ -116,9 +129,7 @@ struct Datasheet<'a> {
     stable: bool,
     rounded: bool,
     rom_file: bool,
-    fields: Vec<FieldRow>,
-    word_bits: u32,
-    depth: usize,
+    memories: Vec<Memory>,
     shared_shift: u32,
     rows: Vec<(usize, String, String)>,
     contributions: &'a [Contribution],
@@ -140,12 +151,8 @@ struct Datasheet<'a> {
 /// The datasheet's text; `other` is the core in the other form, or why there is none.
 pub(super) fn datasheet(design: &Design, measured: &Measured, other: Result<Design, String>) -> Result<String, Error> {
     let spec = &design.spec;
-    let table = design.table();
-    let fields = table
-        .fields
-        .iter()
-        .enumerate()
-        .map(|(index, field)| {
+    let memory = |table: &Table| {
+        let field = |(index, field): (usize, &Field)| {
             let low = table.field_low_bit(index);
             FieldRow {
                 name: field.name,
@@ -153,8 +160,14 @@ pub(super) fn datasheet(design: &Design, measured: &Measured, other: Result<Desi
                 format: field.format.to_string(),
                 meaning: field.meaning,
             }
-        })
-        .collect();
+        };
+        Memory {
+            name: table.name,
+            depth: table.depth(),
+            word_bits: table.word_bits(),
+            fields: table.fields.iter().enumerate().map(field).collect(),
+        }
+    };
     let mut forms = vec![FormRow::of(design)];
     let other_failed = match other {
         Ok(other) => {
@@ -180,8 +193,11 @@ pub(super) fn datasheet(design: &Design, measured: &Measured, other: Result<Desi
         files.push((super::rtl_path(design, language), "the core"));
         files.push((super::bench_path(design, language), "its self-checking test bench; run it in this directory"));
     }
-    for &format in &spec.rom_formats {
-        files.push((super::rom_path(design, format), "the coefficient ROM"));
+    for table in design.tables() {
+        let what = if table.name == Table::COEFFICIENTS { "the coefficient ROM" } else { "a function table" };
+        for &format in &spec.rom_formats {
+            files.push((super::rom_path(design, table, format), what));
+        }
     }
     files.push((super::golden_path(design), "golden vectors and digests"));
     files.push(("files.f".to_owned(), "the source, for a simulator's -f option"));
@@ -202,16 +218,14 @@ pub(super) fn datasheet(design: &Design, measured: &Measured, other: Result<Desi
         stable: spec.form == Form::Stable,
         rounded: spec.form == Form::Paper || spec.input_fraction > spec.output_fraction,
         rom_file: spec.rom == RomStyle::File,
-        fields,
-        word_bits: table.word_bits(),
-        depth: table.depth(),
-        shared_shift: table.shared_shift,
+        memories: design.tables().iter().map(memory).collect(),
+        shared_shift: design.datapath.coefficients().map_or(0, |table| table.shared_shift),
         rows,
         contributions: &budget.contributions,
         coefficient_error: interval_text(budget.coefficient_ulps),
         arithmetic_error: interval_text(budget.arithmetic_ulps),
         proved_error: interval_text(budget.proved_ulps),
-        worst: table.shininess[budget.worst_row],
+        worst: budget.worst_shininess,
         measured,
         measured_ulps: interval_text(measured.ulps),
         max_abs: percent(measured.max_abs),

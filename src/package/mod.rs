@@ -14,8 +14,8 @@ use crate::datapath::widths::Budget;
 use crate::design::{Design, Measured};
 use crate::error::Error;
 use crate::golden::Golden;
-use crate::hdl::{self, Texts};
-use crate::rom::{self, RomFormat};
+use crate::hdl::{self, RomFile, Texts};
+use crate::rom::{self, RomFormat, Table};
 use crate::spec::{Form, Language, RomStyle, hex};
 
 /// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
@@ -43,10 +43,10 @@ pub fn golden_path(design: &Design) -> String {
     format!("golden/{}.vec", design.spec.name)
 }
 
-/// The path of a ROM file in the core's directory.
+/// The path of a memory's file in the core's directory.
 #[must_use]
-pub fn rom_path(design: &Design, format: RomFormat) -> String {
-    format!("rom/{}", format.file_name(&design.spec.name))
+pub fn rom_path(design: &Design, table: &Table, format: RomFormat) -> String {
+    format!("rom/{}", format.file_name(&design.spec.name, table))
 }
 
 /// The path of the HDL in the core's directory.
@@ -94,11 +94,16 @@ pub fn texts(design: &Design, measured: &Measured) -> Texts {
         ),
     ];
     header.extend(datasheet::measured_lines(measured));
-    Texts {
-        name: spec.name.clone(),
-        header,
-        rom_file: (spec.rom == RomStyle::File).then(|| rom_path(design, RomFormat::Mem)),
-    }
+    let rom_file = |table: &Table| RomFile {
+        memory: table.name,
+        parameter: format!("{}_FILE", table.name.to_ascii_uppercase()),
+        path: rom_path(design, table, RomFormat::Mem),
+    };
+    let rom_files = match spec.rom {
+        RomStyle::File => design.tables().iter().map(rom_file).collect(),
+        RomStyle::Inline => Vec::new(),
+    };
+    Texts { name: spec.name.clone(), header, rom_files }
 }
 
 /// The text of `core.toml`.
@@ -126,9 +131,12 @@ pub fn files(design: &Design, measured: &Measured, golden: &Golden) -> Result<Ve
         let bench = hdl::test_bench(language, &layout, &texts, &golden_path)?;
         add(bench_path(design, language), bench.into_bytes());
     }
-    for &format in &spec.rom_formats {
-        let bytes = rom::write(design.table(), format, &spec.name, &spec.digest(), &spec.command());
-        add(rom_path(design, format), bytes);
+    for table in design.tables() {
+        for &format in &spec.rom_formats {
+            let name = rom::memory_name(&spec.name, table);
+            let bytes = rom::write(table, format, &name, &spec.digest(), &spec.command());
+            add(rom_path(design, table, format), bytes);
+        }
     }
     add(golden_path, golden.to_text(design).into_bytes());
     // The option is a Verilog one: a simulator that takes the list takes one language.
@@ -170,25 +178,24 @@ fn manifest(design: &Design, measured: &Measured, files: &[File]) -> String {
         port("out_valid", "out", flag, "out_spec is a result".to_owned()),
         port("out_spec", "out", design.output_format(), "the lobe, 0 to 1".to_owned()),
     ];
-    let fields: Vec<_> = design
-        .table()
-        .fields
-        .iter()
-        .enumerate()
-        .map(|(index, field)| {
+    let memory = |table: &Table| {
+        let field = |(index, field): (usize, &rom::Field)| {
             json!({
                 "name": field.name,
                 "meaning": field.meaning,
                 "format": field.format.to_string(),
-                "low_bit": design.table().field_low_bit(index),
+                "low_bit": table.field_low_bit(index),
                 "bits": field.format.width(),
             })
-        })
-        .collect();
+        };
+        let fields: Vec<_> = table.fields.iter().enumerate().map(field).collect();
+        json!({ "name": table.name, "depth": table.depth(), "word_bits": table.word_bits(), "fields": fields })
+    };
+    let memories: Vec<_> = design.tables().iter().map(memory).collect();
     let multipliers: Vec<_> = design.graph().multipliers().iter().map(|(a, b)| json!([a, b])).collect();
     let digests: serde_json::Map<String, serde_json::Value> =
         files.iter().map(|file| (file.path.clone(), json!(hex(&Sha256::digest(&file.bytes))))).collect();
-    let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_row } = &design.budget;
+    let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } = &design.budget;
     let manifest = json!({
         "generator": "brdfgen",
         "name": spec.name,
@@ -196,11 +203,7 @@ fn manifest(design: &Design, measured: &Measured, files: &[File]) -> String {
         "spec": spec.digest(),
         "latency": design.schedule.latency,
         "ports": ports,
-        "rom": {
-            "depth": design.table().depth(),
-            "word_bits": design.table().word_bits(),
-            "fields": fields,
-        },
+        "memories": memories,
         "multipliers": multipliers,
         "register_bits": design.register_bits(),
         "widths": design.widths,
@@ -208,7 +211,7 @@ fn manifest(design: &Design, measured: &Measured, files: &[File]) -> String {
             "proved_ulps": proved_ulps,
             "proved_coefficient_ulps": coefficient_ulps,
             "proved_arithmetic_ulps": arithmetic_ulps,
-            "worst_shininess": design.table().shininess[*worst_row],
+            "worst_shininess": worst_shininess,
             "contributions": contributions,
             "measured": measured,
         },

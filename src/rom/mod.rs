@@ -38,9 +38,10 @@ impl RomFormat {
     /// Every format.
     pub const ALL: [Self; 8] = [Self::Mem, Self::Hex, Self::Coe, Self::Mif, Self::Vhdl, Self::C, Self::Csv, Self::Bin];
 
-    /// The name of a core's file in this format.
+    /// The name of a core's file in this format for a memory: the core's own name for the coefficients.
     #[must_use]
-    pub fn file_name(self, core: &str) -> String {
+    pub fn file_name(self, core: &str, table: &Table) -> String {
+        let core = memory_name(core, table);
         match self {
             Self::Mem => format!("{core}.mem"),
             Self::Hex => format!("{core}.hex"),
@@ -76,4 +77,10 @@ impl RomFormat {
             }
         })
     }
+}
+
+/// The name that the files of a core's memory go by: the core's own for the coefficients.
+#[must_use]
+pub fn memory_name(core: &str, table: &Table) -> String {
+    if table.name == Table::COEFFICIENTS { core.to_owned() } else { format!("{core}_{}", table.name) }
 }

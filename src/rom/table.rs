@@ -23,17 +23,21 @@ pub struct Field {
 /// Block RAMs of the common families are at least 512 words deep.
 const BLOCK_RAM_ADDRESS_BITS: u32 = 9;
 
-/// A coefficient ROM: one logical row per shininess, and the words that the memory holds.
+/// A memory of constants: its logical rows, for a coefficient ROM one a shininess, and the words that it holds.
 ///
 /// A word is the fields' bit patterns side by side, the first field in the most significant bits. The
 /// memory has `2^address_bits` words: every address holds one, those outside the set a copy of the
 /// nearest row, so that no address is undefined and no clamp is needed in front of the memory.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
+    /// The name of the memory, an identifier in every language: `rom` for the coefficients.
+    pub name: &'static str,
     /// The fields, most significant first.
     pub fields: Vec<Field>,
-    /// The shininess of each row.
-    pub shininess: Vec<f64>,
+    /// What the rows are told apart by: `shininess`, or `entry` of a function table.
+    pub key: &'static str,
+    /// The key of each row.
+    pub keys: Vec<f64>,
     /// The width of the address.
     pub address_bits: u32,
     /// Subtracted from the index (after taking it into the set) to give the address: 0 wherever a memory that
@@ -57,13 +61,35 @@ impl Table {
         let (address_bits, first_index) =
             if set.index_bits() <= direct { (set.index_bits(), 0) } else { (packed_bits, set.index_of_row(0)) };
         let row_of_address = (0..1u32 << address_bits).map(|address| set.row_of_index(address + first_index)).collect();
-        Self { fields, shininess: set.values(), address_bits, first_index, shared_shift, row_of_address }
+        Self {
+            name: Self::COEFFICIENTS,
+            fields,
+            key: "shininess",
+            keys: set.values(),
+            address_bits,
+            first_index,
+            shared_shift,
+            row_of_address,
+        }
     }
 
-    /// The number of logical rows, one per shininess.
+    /// The name of the memory that holds the coefficients.
+    pub const COEFFICIENTS: &str = "rom";
+
+    /// A memory whose rows are addressed in order, `2^address_bits` words or fewer; the last row fills the rest.
+    #[must_use]
+    pub fn listed(name: &'static str, key: &'static str, keys: Vec<f64>, fields: Vec<Field>) -> Self {
+        let rows = keys.len();
+        debug_assert!(fields.iter().all(|f| f.codes.len() == rows && f.reals.len() == rows));
+        let address_bits = (usize::BITS - (rows - 1).leading_zeros()).max(1);
+        let row_of_address = (0..1usize << address_bits).map(|address| address.min(rows - 1)).collect();
+        Self { name, fields, key, keys, address_bits, first_index: 0, shared_shift: 0, row_of_address }
+    }
+
+    /// The number of logical rows.
     #[must_use]
     pub fn rows(&self) -> usize {
-        self.shininess.len()
+        self.keys.len()
     }
 
     /// The number of words in the memory, a power of two.
@@ -88,6 +114,12 @@ impl Table {
     #[must_use]
     pub fn row_of_address(&self, address: usize) -> usize {
         self.row_of_address[address]
+    }
+
+    /// The code of a field at an address.
+    #[must_use]
+    pub fn code_at(&self, field: usize, address: usize) -> i128 {
+        self.fields[field].codes[self.row_of_address[address]]
     }
 
     /// The position of a field's least significant bit in the word.

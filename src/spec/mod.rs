@@ -14,8 +14,6 @@ pub use fields::SpecFields;
 pub use shininess::{MAX_ROWS, Material, Shininess};
 pub use widths::Widths;
 
-use crate::error::Error;
-use crate::lobe::{self, Lobe};
 use crate::rom::RomFormat;
 
 /// Input fraction bits that are allowed.
@@ -143,20 +141,6 @@ impl CoreSpec {
         if command.len() <= 88 { command } else { "brdfgen generate core.toml".to_owned() }
     }
 
-    /// The real-valued lobe of each row, in order.
-    ///
-    /// # Panics
-    /// Never for a spec that [`SpecFields::resolve`] made.
-    #[must_use]
-    pub fn lobes(&self) -> Vec<Box<dyn Lobe>> {
-        let lobe = |n: f64| -> Result<Box<dyn Lobe>, Error> {
-            Ok(match self.method {
-                Method::Quadratic => Box::new(lobe::Quadratic::new(n)?),
-                Method::Cubic => Box::new(lobe::Cubic::new(n, self.q)?),
-            })
-        };
-        self.shininess.values().into_iter().map(|n| lobe(n).expect("checked by resolve")).collect()
-    }
 }
 
 /// Lower-case hexadecimal digits of `bytes`.

@@ -83,6 +83,16 @@ impl Shininess {
         }
     }
 
+    /// The shininess of a row.
+    #[must_use]
+    pub fn value(&self, row: usize) -> f64 {
+        match self {
+            Self::Range(first, _) => f64::from(first + row as u32),
+            Self::List(list) => list[row],
+            Self::Materials(materials) => materials[row].shininess,
+        }
+    }
+
     /// The code of `in_n` that selects a row.
     #[must_use]
     pub fn index_of_row(&self, row: usize) -> u32 {

@@ -14,11 +14,11 @@ module {{ bench.name }}_tb;
     localparam OPERAND_BITS  = {{ bench.operand_bits }};
     localparam OUTPUT_BITS   = {{ bench.output_bits }};
     localparam SHOWN         = 10; // mismatches printed; the others are only counted
-{%- if let Some(path) = bench.rom_file %}
+{%- for file in bench.rom_files %}
 
-    // The core reads its ROM from this file, relative to the current directory.
-    parameter ROM_FILE = "{{ path }}";
-{%- endif %}
+    // The core reads its memory {{ file.memory }} from this file, relative to the current directory.
+    parameter {{ file.parameter }} = "{{ file.path }}";
+{%- endfor %}
 
     // ------------------------------------------------------------------ the core
     reg                     clk      = 1'b0;
@@ -30,8 +30,10 @@ module {{ bench.name }}_tb;
     wire                    out_valid;
     wire [OUTPUT_BITS-1:0]  out_spec;
 
-    {{ bench.name }}{% if bench.rom_file.is_some() %} #(
-        .ROM_FILE(ROM_FILE)
+    {{ bench.name }}{% if !bench.rom_files.is_empty() %} #(
+{%- for file in bench.rom_files %}
+        .{{ file.parameter }}({{ file.parameter }}){% if !loop.last %},{% endif %}
+{%- endfor %}
     ){% endif %} dut (
         .clk(clk),
         .rst(rst),

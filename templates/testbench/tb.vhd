@@ -8,10 +8,10 @@ use std.textio.all;
 
 entity {{ bench.name }}_tb is
     generic (
-{%- if let Some(path) = bench.rom_file %}
-        -- The core reads its ROM from this file, relative to the current directory.
-        ROM_FILE : string := "{{ path }}";
-{%- endif %}
+{%- for file in bench.rom_files %}
+        -- The core reads its memory {{ file.memory }} from this file, relative to the current directory.
+        {{ file.parameter }} : string := "{{ file.path }}";
+{%- endfor %}
         -- The vector file.
         GOLDEN : string := "{{ bench.golden }}"
     );
@@ -46,9 +46,11 @@ architecture bench of {{ bench.name }}_tb is
 begin
 
     dut : entity work.{{ bench.name }}
-{%- if bench.rom_file.is_some() %}
+{%- if !bench.rom_files.is_empty() %}
         generic map (
-            ROM_FILE => ROM_FILE
+{%- for file in bench.rom_files %}
+            {{ file.parameter }} => {{ file.parameter }}{% if !loop.last %},{% endif %}
+{%- endfor %}
         )
 {%- endif %}
         port map (

@@ -10,9 +10,11 @@
 `default_nettype none
 
 module {{ texts.name }}
-{%- if let Some(file) = texts.rom_file %} #(
-    // Path of the coefficient ROM, read by $readmemh.
-    parameter ROM_FILE = "{{ file }}"
+{%- if !texts.rom_files.is_empty() %} #(
+{%- for file in texts.rom_files %}
+    // Path of the memory {{ file.memory }}, read by $readmemh.
+    parameter {{ file.parameter }} = "{{ file.path }}"{% if !loop.last %},{% endif %}
+{%- endfor %}
 )
 {%- endif %} (
     // Clock; everything happens on its rising edge.
@@ -45,47 +47,47 @@ module {{ texts.name }}
 {%- for stage in stages %}
 
     // ===== Stage {{ stage.index }}: {{ stage.heading }}
-{%- if stage.index == rom_stage %}
-    // The word of the coefficient ROM, of {{ rom_depth }} words.
-    {% if texts.rom_file.is_some() && !rom_registered %}wire{% else %}reg{% endif %} {{ rom_range }}{{ rom_name }};
-{%- endif %}
+{%- for memory in stage.memories %}
+    // The word of the memory {{ memory.name }}, of {{ memory.depth }} words.
+    {% if memory.parameter.is_some() && !memory.registered %}wire{% else %}reg{% endif %} {{ memory.range }}{{ memory.word }};
+{%- endfor %}
 {%- for wire in stage.wires %}
     // {{ wire.comment }}
     wire {{ wire.range }}{{ wire.name }} ={{ wire.expression }};
 {%- endfor %}
-{%- if stage.index == rom_stage %}
-{%- if texts.rom_file.is_some() %}
-    reg {{ rom_range }}rom [0:{{ rom_depth - 1 }}];
-    initial $readmemh(ROM_FILE, rom);
-{%- if rom_registered %}
+{%- for memory in stage.memories %}
+{%- if let Some(parameter) = memory.parameter %}
+    reg {{ memory.range }}{{ memory.name }} [0:{{ memory.depth - 1 }}];
+    initial $readmemh({{ parameter }}, {{ memory.name }});
+{%- if memory.registered %}
     always @(posedge clk) begin
-        if (ce) {{ rom_name }} <= rom[{{ rom_address }}];
+        if (ce) {{ memory.word }} <= {{ memory.name }}[{{ memory.address }}];
     end
 {%- else %}
-    assign {{ rom_name }} = rom[{{ rom_address }}];
+    assign {{ memory.word }} = {{ memory.name }}[{{ memory.address }}];
 {%- endif %}
-{%- else if rom_registered %}
+{%- else if memory.registered %}
     always @(posedge clk) begin
         if (ce) begin
-            case ({{ rom_address }})
-{%- for (address, word) in rom_rows %}
-                {{ address }}: {{ rom_name }} <= {{ word }};
+            case ({{ memory.address }})
+{%- for (address, word) in memory.rows %}
+                {{ address }}: {{ memory.word }} <= {{ word }};
 {%- endfor %}
-                default: {{ rom_name }} <= {{ rom_rows[0].1 }};
+                default: {{ memory.word }} <= {{ memory.rows[0].1 }};
             endcase
         end
     end
 {%- else %}
     always @* begin
-        case ({{ rom_address }})
-{%- for (address, word) in rom_rows %}
-            {{ address }}: {{ rom_name }} = {{ word }};
+        case ({{ memory.address }})
+{%- for (address, word) in memory.rows %}
+            {{ address }}: {{ memory.word }} = {{ word }};
 {%- endfor %}
-            default: {{ rom_name }} = {{ rom_rows[0].1 }};
+            default: {{ memory.word }} = {{ memory.rows[0].1 }};
         endcase
     end
 {%- endif %}
-{%- endif %}
+{%- endfor %}
 {%- if !stage.regs.is_empty() %}
 {%- for reg in stage.regs %}
     reg {{ reg.range }}{{ reg.name }};

@@ -9,15 +9,17 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
-{%- if texts.rom_file.is_some() %}
+{%- if !texts.rom_files.is_empty() %}
 use std.textio.all;
 {%- endif %}
 
 entity {{ texts.name }} is
-{%- if let Some(file) = texts.rom_file %}
+{%- if !texts.rom_files.is_empty() %}
     generic (
-        -- Path of the coefficient ROM, in the format of Verilog's $readmemh.
-        ROM_FILE : string := "{{ file }}"
+{%- for file in texts.rom_files %}
+        -- Path of the memory {{ file.memory }}, in the format of Verilog's $readmemh.
+        {{ file.parameter }} : string := "{{ file.path }}"{% if !loop.last %};{% endif %}
+{%- endfor %}
     );
 {%- endif %}
     port (
@@ -42,46 +44,50 @@ end entity {{ texts.name }};
 
 architecture rtl of {{ texts.name }} is
 
-    -- ===== The coefficient ROM
-{%- if texts.rom_file.is_some() %}
-    type rom_t is array ({{ rom_depth - 1 }} downto 0) of std_logic_vector({{ rom_bits - 1 }} downto 0);
+{%- for stage in stages %}
+{%- for memory in stage.memories %}
+    -- ===== The memory {{ memory.name }}
+{%- if let Some(generic) = memory.generic %}
+    type {{ memory.name }}_t is array ({{ memory.depth - 1 }} downto 0) of
+        std_logic_vector({{ memory.bits - 1 }} downto 0);
 
     -- Reads one word a line; lines that begin with a slash are comments.
-    impure function read_rom(path : string) return rom_t is
+    impure function read_{{ memory.name }}(path : string) return {{ memory.name }}_t is
         file source     : text open read_mode is path;
         variable row    : line;
-        variable word   : std_logic_vector({{ rom_digit_bits - 1 }} downto 0);
-        variable result : rom_t;
+        variable word   : std_logic_vector({{ memory.digit_bits - 1 }} downto 0);
+        variable result : {{ memory.name }}_t;
         variable index  : natural := 0;
     begin
         while not endfile(source) loop
             readline(source, row);
             if row'length > 0 and row(row'left) /= '/' then
-                assert index < {{ rom_depth }} report path & " has too many words" severity failure;
+                assert index < {{ memory.depth }} report path & " has too many words" severity failure;
                 hread(row, word);
-                result(index) := word({{ rom_bits - 1 }} downto 0);
+                result(index) := word({{ memory.bits - 1 }} downto 0);
                 index := index + 1;
             end if;
         end loop;
-        assert index = {{ rom_depth }} report path & " has too few words" severity failure;
+        assert index = {{ memory.depth }} report path & " has too few words" severity failure;
         return result;
     end function;
 
-    constant ROM : rom_t := read_rom(ROM_FILE);
+    constant {{ memory.constant }} : {{ memory.name }}_t := read_{{ memory.name }}({{ generic }});
 {%- else %}
-{%- for chunk in chunks %}
+{%- for chunk in memory.chunks %}
     -- Bits {{ chunk.high }} downto {{ chunk.low }} of each word.
-    type rom_words_{{ chunk.index }}_t is array ({{ rom_depth - 1 }} downto 0) of
+    type {{ memory.name }}_words_{{ chunk.index }}_t is array ({{ memory.depth - 1 }} downto 0) of
         std_logic_vector({{ chunk.element_bits - 1 }} downto 0);
-    constant ROM_WORDS_{{ chunk.index }} : rom_words_{{ chunk.index }}_t := (
+    constant {{ memory.constant }}_WORDS_{{ chunk.index }} : {{ memory.name }}_words_{{ chunk.index }}_t := (
 {%- for (address, word) in chunk.rows %}
         {{ address }} => x"{{ word }}"{% if !loop.last %},{% endif %}
 {%- endfor %}
     );
 {%- endfor %}
 {%- endif %}
-    signal {{ rom_name }} : std_logic_vector({{ rom_bits - 1 }} downto 0){% if rom_registered %} := (others => '0'){% endif %};
-
+    signal {{ memory.word }} : std_logic_vector({{ memory.bits - 1 }} downto 0){% if memory.registered %} := (others => '0'){% endif %};
+{% endfor %}
+{%- endfor %}
     signal valid : std_logic_vector({{ latency }} downto 1) := (others => '0');
 {%- for signal in signals %}
     signal {{ signal.name }} : {{ signal.kind }};
@@ -107,32 +113,32 @@ begin
     -- {{ assignment.comment }}
     {{ assignment.target }} <={{ assignment.expression }};
 {%- endfor %}
-{%- if stage.index == rom_stage %}
-{%- if rom_registered %}
+{%- for memory in stage.memories %}
+{%- if memory.registered %}
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-{%- if texts.rom_file.is_some() %}
-                {{ rom_name }} <= ROM(to_integer({{ rom_address }}));
+{%- if memory.generic.is_some() %}
+                {{ memory.word }} <= {{ memory.constant }}(to_integer({{ memory.address }}));
 {%- else %}
-{%- for chunk in chunks %}
-                {{ rom_name }}({{ chunk.high }} downto {{ chunk.low }}) <=
-                    ROM_WORDS_{{ chunk.index }}(to_integer({{ rom_address }}))({{ chunk.bits - 1 }} downto 0);
+{%- for chunk in memory.chunks %}
+                {{ memory.word }}({{ chunk.high }} downto {{ chunk.low }}) <=
+                    {{ memory.constant }}_WORDS_{{ chunk.index }}(to_integer({{ memory.address }}))({{ chunk.bits - 1 }} downto 0);
 {%- endfor %}
 {%- endif %}
             end if;
         end if;
     end process;
-{%- else if texts.rom_file.is_some() %}
-    {{ rom_name }} <= ROM(to_integer({{ rom_address }}));
+{%- else if memory.generic.is_some() %}
+    {{ memory.word }} <= {{ memory.constant }}(to_integer({{ memory.address }}));
 {%- else %}
-{%- for chunk in chunks %}
-    {{ rom_name }}({{ chunk.high }} downto {{ chunk.low }}) <=
-        ROM_WORDS_{{ chunk.index }}(to_integer({{ rom_address }}))({{ chunk.bits - 1 }} downto 0);
+{%- for chunk in memory.chunks %}
+    {{ memory.word }}({{ chunk.high }} downto {{ chunk.low }}) <=
+        {{ memory.constant }}_WORDS_{{ chunk.index }}(to_integer({{ memory.address }}))({{ chunk.bits - 1 }} downto 0);
 {%- endfor %}
 {%- endif %}
-{%- endif %}
+{%- endfor %}
 {%- if !stage.registers.is_empty() %}
     process (clk) is
     begin

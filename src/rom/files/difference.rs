@@ -12,8 +12,8 @@ use crate::rom::Table;
 pub struct Difference {
     /// The address of the word.
     pub address: usize,
-    /// The shininess that the address serves; none beyond the table's end.
-    pub shininess: Option<f64>,
+    /// What the address serves, such as a shininess; none beyond the table's end.
+    pub key: Option<(&'static str, f64)>,
     /// The table's word; none beyond its end.
     pub expected: Option<BigUint>,
     /// The file's word; none beyond its end.
@@ -37,7 +37,7 @@ fn difference_at(table: &Table, image: &RomImage, address: usize) -> Option<Diff
     let row = (address < table.depth()).then(|| table.row_of_address(address));
     let mut difference = Difference {
         address,
-        shininess: row.map(|row| table.shininess[row]),
+        key: row.map(|row| (table.key, table.keys[row])),
         expected: row.map(|_| table.word(address)),
         found: image.words.get(address).cloned(),
         field: None,
@@ -75,8 +75,8 @@ impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = word_digits(self.word_bits);
         write!(f, "address {}", self.address)?;
-        if let Some(shininess) = self.shininess {
-            write!(f, " (shininess {shininess})")?;
+        if let Some((key, value)) = self.key {
+            write!(f, " ({key} {value})")?;
         }
         match (&self.expected, &self.found) {
             (Some(expected), Some(found)) if expected == found => {

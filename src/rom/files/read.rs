@@ -500,7 +500,7 @@ fn read_csv(source: &Source<'_>) -> Result<RomImage, Error> {
         .map(|(name, _)| match *name {
             "address" => Column::Address,
             "word" => Column::Word,
-            "shininess" => Column::Real,
+            "shininess" | "entry" => Column::Real,
             name => match (name.strip_suffix("_code"), name.strip_suffix("_real")) {
                 (Some(field), _) => Column::Code(field),
                 (_, Some(_)) => Column::Real,

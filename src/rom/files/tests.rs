@@ -127,7 +127,7 @@ proptest! {
         let image = read_for(&table, &written(&wrong, format), format).expect("a file of ours");
         let difference = first_difference(&table, &image).expect("one bit differs");
         prop_assert_eq!(difference.address, address);
-        prop_assert_eq!(difference.shininess, Some(table.shininess[row]));
+        prop_assert_eq!(difference.key, Some(("shininess", table.keys[row])));
         prop_assert_eq!(difference.field, Some(table.fields[field].name));
         prop_assert_eq!(difference.codes, Some((table.fields[field].codes[row], wrong.fields[field].codes[row])));
         prop_assert_eq!((difference.expected, difference.found), (Some(table.word(address)), Some(wrong.word(address))));
@@ -200,7 +200,7 @@ proptest! {
 #[test]
 fn names_lead_to_formats() {
     for format in RomFormat::ALL {
-        let name = format.file_name("lobe");
+        let name = format.file_name("lobe", &small_table());
         assert_eq!(RomFormat::of_file(name.as_ref()).expect("a name of ours"), format, "{name}");
     }
     assert!(RomFormat::of_file("lobe.txt".as_ref()).is_err() && RomFormat::of_file("lobe".as_ref()).is_err());

@@ -174,14 +174,14 @@ fn c_header(table: &Table, core: &str) -> String {
 ///
 /// The word is written with `0x`, so that a spreadsheet does not take 00e5 for a decimal number.
 fn csv(table: &Table) -> String {
-    let mut text = String::from("address,shininess");
+    let mut text = format!("address,{}", table.key);
     for field in &table.fields {
         write!(text, ",{0}_real,{0}_code", field.name).expect("a string takes all text");
     }
     line!(text, ",word");
     for (address, word) in hex_words(table).enumerate() {
         let row = table.row_of_address(address);
-        write!(text, "{address},{}", table.shininess[row]).expect("a string takes all text");
+        write!(text, "{address},{}", table.keys[row]).expect("a string takes all text");
         for field in &table.fields {
             // `{:?}` is the shortest text that reads back as the same number, with an exponent where that is shorter.
             write!(text, ",{:?},{}", field.reals[row], field.codes[row]).expect("a string takes all text");
