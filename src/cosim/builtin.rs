@@ -200,7 +200,11 @@ impl<'a> Bench<'a> {
         if !right {
             self.mismatches += 1;
             if self.first.len() < LISTED {
-                let got = if outputs.out_valid { outputs.codes.iter().map(i128::to_string).collect::<Vec<_>>().join(" ") } else { "nothing".to_owned() };
+                let got = if outputs.out_valid {
+                    outputs.codes.iter().map(i128::to_string).collect::<Vec<_>>().join(" ")
+                } else {
+                    "nothing".to_owned()
+                };
                 self.first.push((due.map(|(number, _)| number), got));
             }
         }

@@ -500,11 +500,7 @@ impl<'a> Builder<'a> {
             match chosen(case) {
                 Some(true) => a,
                 Some(false) => b,
-                None => Bound {
-                    range: a.range.hull(b.range),
-                    error: a.error.hull(b.error),
-                    grid: a.grid.max(b.grid),
-                },
+                None => Bound { range: a.range.hull(b.range), error: a.error.hull(b.error), grid: a.grid.max(b.grid) },
             }
         });
         let (fa, fb) = (self.format(a), self.format(b));

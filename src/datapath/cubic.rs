@@ -3,7 +3,7 @@
 use super::builder::{Builder, Case};
 use super::graph::NodeId;
 use super::polynomial::{self, Scaling, field, nearest_code};
-use super::{Architecture, Datapath, Parameter, multiplier_cost};
+use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::error::Error;
 use crate::lobe::{Cubic, Lobe};
 use crate::number::{Format, Interval, exp2};
@@ -132,6 +132,14 @@ impl Architecture for Stable<'_> {
         vec![Table::new(&self.spec.shininess, fields, scaling.base() as u32)]
     }
 
+    fn description(&self, tables: &[Table]) -> Description {
+        polynomial::stable_description(
+            "y = x (1 - u (A - a u)) for u up to A/(2a), 0 past it; kept inside [0, 1]",
+            self.spec,
+            tables,
+        )
+    }
+
     fn lobes(&self, _tables: &[Table]) -> Vec<Box<dyn Lobe>> {
         self.lobes.iter().map(|&lobe| Box::new(lobe) as Box<dyn Lobe>).collect()
     }
@@ -237,6 +245,15 @@ impl Architecture for Paper<'_> {
             fields.push(cut_field(self.spec, &self.lobes));
         }
         vec![Table::new(&self.spec.shininess, fields, 0)]
+    }
+
+    fn description(&self, _tables: &[Table]) -> Description {
+        Description {
+            formula: "y = x (1 - u (A - a u)) for u up to A/(2a), 0 past it; kept inside [0, 1]".to_owned(),
+            evaluation: "It is evaluated as printed, a x^3 + b x^2 + c x with a = a, b = A - 2a, c = 1 - A + a: the powers' rounding errors are\n\
+                         multiplied by a, which grows with the square of the shininess. The result is rounded to nearest."
+                .to_owned(),
+        }
     }
 
     fn lobes(&self, _tables: &[Table]) -> Vec<Box<dyn Lobe>> {

@@ -74,6 +74,15 @@ pub struct Parameter {
     pub range: std::ops::RangeInclusive<i32>,
 }
 
+/// What a core computes and how, for people.
+#[derive(Clone, Debug)]
+pub struct Description {
+    /// The real-valued method, in x, u and the coefficients.
+    pub formula: String,
+    /// How it is evaluated, and how the result is rounded.
+    pub evaluation: String,
+}
+
 /// One method in one form: what can be chosen, what it costs, and how it is built.
 pub trait Architecture: Sync {
     /// The inner widths that may be chosen.
@@ -89,6 +98,9 @@ pub trait Architecture: Sync {
     /// compute exactly (126 bits) or a value would leave its format.
     fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath>;
 
+    /// What the core computes and how, for its datasheet.
+    fn description(&self, tables: &[Table]) -> Description;
+
     /// The real-valued method of each shininess, in the order of the set: what the hardware approximates.
     fn lobes(&self, tables: &[Table]) -> Vec<Box<dyn Lobe>>;
 }
@@ -103,6 +115,7 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
         (Method::Quadratic, Form::Paper) => Box::new(quadratic::Paper::new(spec)?),
         (Method::Cubic, Form::Stable) => Box::new(cubic::Stable::new(spec)?),
         (Method::Cubic, Form::Paper) => Box::new(cubic::Paper::new(spec)?),
+        (method, _) => return Err(Error::input(format!("no architecture for {method:?}"), "choose another method")),
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::builder::Builder;
 use super::graph::NodeId;
-use super::{CaseError, Datapath};
+use super::{CaseError, Datapath, Description};
 use crate::number::{Format, Interval, exp2};
 use crate::rom::{Field, Table};
 use crate::spec::{CoreSpec, Widths};
@@ -69,6 +69,27 @@ impl Scaling {
             None => format!("u 2^{}", self.base()),
         };
         b.scale(u, amount, self.base(), &self.k, "u_scaled", &comment)
+    }
+}
+
+/// The formula, and how the stable form evaluates it.
+pub(super) fn stable_description(formula: &str, spec: &CoreSpec, tables: &[Table]) -> Description {
+    let wired = match tables[0].shared_shift {
+        0 => String::new(),
+        shift => format!(" ({shift} of k is wired, the rest is the ROM's field k)"),
+    };
+    let rounding = if spec.input_fraction > spec.output_fraction {
+        "The result is rounded to nearest."
+    } else {
+        "The result is rounded down; the datapath's own roundings lift it about as much."
+    };
+    Description {
+        formula: formula.to_owned(),
+        evaluation: format!(
+            "It is evaluated in the scaled versine v = u 2^k, k chosen for each shininess so that the leading coefficient times 2^-k\n\
+             lies in [1/2, 1){wired}. So every operand of a multiplication is of the order of one, and few bits suffice.\n\
+             {rounding}"
+        ),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::builder::{Builder, Case};
 use super::polynomial::{self, Scaling, field, nearest_code};
-use super::{Architecture, Datapath, Parameter, multiplier_cost};
+use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::error::Error;
 use crate::lobe::{Lobe, Quadratic};
 use crate::number::{Format, Interval, exp2};
@@ -90,6 +90,10 @@ impl Architecture for Stable<'_> {
         vec![Table::new(&self.spec.shininess, fields, scaling.base() as u32)]
     }
 
+    fn description(&self, tables: &[Table]) -> Description {
+        polynomial::stable_description("y = max(0, x (1 - a u))", self.spec, tables)
+    }
+
     fn lobes(&self, _tables: &[Table]) -> Vec<Box<dyn Lobe>> {
         self.lobes.iter().map(|&lobe| Box::new(lobe) as Box<dyn Lobe>).collect()
     }
@@ -165,6 +169,15 @@ impl Architecture for Paper<'_> {
         let reals: Vec<f64> = self.lobes.iter().map(|l| l.a).collect();
         let codes = reals.iter().map(|&a| nearest_code(a, bits)).collect();
         vec![Table::new(&self.spec.shininess, vec![field("a", "the coefficient a", bits, codes, reals)], 0)]
+    }
+
+    fn description(&self, _tables: &[Table]) -> Description {
+        Description {
+            formula: "y = max(0, x (1 - a u))".to_owned(),
+            evaluation: "It is evaluated as printed, a (x^2 - x) + x: the square's rounding error is multiplied by a. The result is rounded to\n\
+                         nearest."
+                .to_owned(),
+        }
     }
 
     fn lobes(&self, _tables: &[Table]) -> Vec<Box<dyn Lobe>> {

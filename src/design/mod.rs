@@ -8,7 +8,7 @@ use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
 use crate::datapath::schedule::{Schedule, schedule};
 use crate::datapath::widths::{Budget, solve};
-use crate::datapath::{Datapath, architecture};
+use crate::datapath::{Datapath, Description, architecture};
 use crate::error::Error;
 use crate::hdl::Layout;
 use crate::lobe::Lobe;
@@ -62,6 +62,15 @@ impl Design {
     #[must_use]
     pub fn graph(&self) -> &Graph {
         &self.datapath.graph
+    }
+
+    /// What the core computes and how.
+    ///
+    /// # Panics
+    /// Never for a spec that a design was made of.
+    #[must_use]
+    pub fn description(&self) -> Description {
+        architecture(&self.spec).expect("built before").description(self.tables())
     }
 
     /// The bit-exact reference.

@@ -27,12 +27,8 @@ struct Chooser<'a> {
 
 /// The vectors of a design, in groups with a heading.
 pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
-    let mut chooser = Chooser {
-        design,
-        lobes: design.lobes(),
-        random: Pcg64::new(SEED, 0),
-        one: 1 << design.spec.input_fraction,
-    };
+    let mut chooser =
+        Chooser { design, lobes: design.lobes(), random: Pcg64::new(SEED, 0), one: 1 << design.spec.input_fraction };
     let mut groups = vec![
         ("corners of the port codes".to_owned(), chooser.port_corners()),
         ("corners of the lobe: 0, 1, the cusp, where it ends, each with its neighbours".to_owned(), chooser.corners()),
@@ -153,7 +149,7 @@ impl Chooser<'_> {
         let mut flipped: Vec<Vec<Table>> = Vec::new();
         for (memory, table) in design.tables().iter().enumerate().filter(|(_, table)| table.key == "shininess") {
             // A memory may hold several words a shininess, one a segment, side by side.
-            let parts = table.rows() / count;
+            let parts = (table.rows() / count).max(1);
             for (field, bit, part) in (0..table.fields.len())
                 .flat_map(|field| (0..table.fields[field].format.width()).map(move |bit| (field, bit)))
                 .flat_map(|(field, bit)| (0..parts).map(move |part| (field, bit, part)))

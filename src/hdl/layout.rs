@@ -57,7 +57,8 @@ impl<'a> Layout<'a> {
             Op::ZeroIf | Op::Select => node.args[0] == id,
             _ => false,
         };
-        matches!(self.nodes()[id].op, Op::NonZero | Op::Greater | Op::Or | Op::Not) || self.nodes().iter().any(used_as_flag)
+        matches!(self.nodes()[id].op, Op::NonZero | Op::Greater | Op::Or | Op::Not)
+            || self.nodes().iter().any(used_as_flag)
     }
 
     /// The name of a node's value in a stage: ports keep theirs in stage 0.
@@ -76,10 +77,10 @@ impl<'a> Layout<'a> {
         let is_field = |id: NodeId| matches!(self.nodes()[id].op, Op::Field { memory: of, .. } if of == memory);
         let first = (0..self.nodes().len()).find(|&id| is_field(id))?;
         let stage = self.schedule.stage[first];
-        let used_at_once = |(id, node): (usize, &Node)| {
-            self.schedule.stage[id] == stage && node.args.iter().any(|&arg| is_field(arg))
-        };
-        let shown_at_once = self.datapath.graph.outputs.iter().any(|&(_, id)| is_field(id)) && self.schedule.latency == stage;
+        let used_at_once =
+            |(id, node): (usize, &Node)| self.schedule.stage[id] == stage && node.args.iter().any(|&arg| is_field(arg));
+        let shown_at_once =
+            self.datapath.graph.outputs.iter().any(|&(_, id)| is_field(id)) && self.schedule.latency == stage;
         let registered = !self.nodes().iter().enumerate().any(used_at_once) && !shown_at_once;
         let name = self.datapath.tables[memory].name;
         Some(Read {
@@ -161,7 +162,6 @@ impl<'a> Layout<'a> {
                     | Op::Mul
                     | Op::ShiftLeft
                     | Op::ShiftRight
-                   
                     | Op::Greater
                     | Op::Select
                     | Op::ZeroIf

@@ -2,7 +2,7 @@
 
 use super::{CubicRom, CubicWidths, Kernel, QuadraticRom, QuadraticWidths, cubic, quadratic};
 use crate::design::Design;
-use crate::spec::{Form, Method, Operand, Pipeline};
+use crate::spec::{Form, Method, Operand, Pipeline, Tail};
 
 /// The kernel of a design's method, if there is an instance at just its widths.
 ///
@@ -13,6 +13,7 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
     let spec = &design.spec;
     let table = design.datapath.coefficients()?;
     let suits = spec.form == Form::Stable
+        && spec.tail == Tail::Cut
         && spec.operand == Operand::Cos
         && spec.pipeline == Pipeline::Auto
         && spec.input_fraction <= spec.output_fraction
@@ -72,5 +73,6 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
             let rom = CubicRom { k: &k, a: &words("a"), constant: &words("big_a"), threshold: &words("cut") };
             cubic(&widths, rom)
         }
+        _ => None,
     }
 }

@@ -49,6 +49,7 @@ impl<'a> Model<'a> {
             (Method::Quadratic, Form::Paper) => quadratic::paper(&inputs),
             (Method::Cubic, Form::Stable) => cubic::stable(&inputs),
             (Method::Cubic, Form::Paper) => cubic::paper(&inputs),
+            (method, _) => unreachable!("no design is made for {method:?}"),
         };
         wide::to_code(y, self.spec.output_fraction) as u32
     }

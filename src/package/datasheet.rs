@@ -2,23 +2,34 @@
 
 use askama::Template;
 
+use crate::datapath::Description;
 use crate::datapath::widths::Contribution;
 use crate::design::{Design, Measured};
 use crate::error::Error;
 use crate::hdl::render;
 use crate::rom::{Field, Table};
-use crate::spec::{CoreSpec, Form, Method, Operand, RomStyle, Shininess};
+use crate::spec::{Coefficients, CoreSpec, Form, Operand, RomStyle, Shininess, Tail};
 
 /// What the core computes, in a line.
 pub(super) fn lobe_text(spec: &CoreSpec) -> String {
-    let lobe = match spec.method {
-        Method::Quadratic => "specular lobe x^n as max(0, x(1 - a u))",
-        Method::Cubic => "specular lobe x^n as x(1 - u(A - a u)), cut",
-    };
-    match spec.shininess {
-        Shininess::Range(first, last) => format!("{lobe}, n = {first} to {last}, {} form", form_text(spec.form)),
-        _ => format!("{lobe}, {} shininesses, {} form", spec.shininess.rows(), form_text(spec.form)),
+    let mut text = format!("specular lobe x^n as {}", spec.method.formula());
+    if spec.method.has_tail() {
+        text += match spec.tail {
+            Tail::Cut => ", cut",
+            Tail::Hold => ", held",
+        };
     }
+    text += &match spec.shininess {
+        Shininess::Range(first, last) | Shininess::Fixed { first, last, .. } => format!(", n = {first} to {last}"),
+        _ => format!(", {} shininesses", spec.shininess.rows()),
+    };
+    if spec.method.has_paper_form() {
+        text += &format!(", {} form", form_text(spec.form));
+    }
+    if spec.coefficients == Coefficients::Minimax {
+        text += ", minimax";
+    }
+    text
 }
 
 fn form_text(form: Form) -> &'static str {
@@ -125,12 +136,10 @@ struct Datasheet<'a> {
     index_meaning: String,
     output_format: String,
     latency: u32,
-    quadratic: bool,
-    stable: bool,
-    rounded: bool,
+    description: Description,
+    both_forms: bool,
     rom_file: bool,
     memories: Vec<Memory>,
-    shared_shift: u32,
     rows: Vec<(usize, String, String)>,
     contributions: &'a [Contribution],
     coefficient_error: String,
@@ -148,8 +157,12 @@ struct Datasheet<'a> {
     files: Vec<(String, &'static str)>,
 }
 
-/// The datasheet's text; `other` is the core in the other form, or why there is none.
-pub(super) fn datasheet(design: &Design, measured: &Measured, other: Result<Design, String>) -> Result<String, Error> {
+/// The datasheet's text; `other` is the core in the other form, or why it cannot be built, where the method has two forms.
+pub(super) fn datasheet(
+    design: &Design,
+    measured: &Measured,
+    other: Option<Result<Design, String>>,
+) -> Result<String, Error> {
     let spec = &design.spec;
     let memory = |table: &Table| {
         let field = |(index, field): (usize, &Field)| {
@@ -170,14 +183,15 @@ pub(super) fn datasheet(design: &Design, measured: &Measured, other: Result<Desi
     };
     let mut forms = vec![FormRow::of(design)];
     let other_failed = match other {
-        Ok(other) => {
+        Some(Ok(other)) => {
             forms.push(FormRow::of(&other));
             None
         }
-        Err(why) => Some(why),
+        Some(Err(why)) => Some(why),
+        None => None,
     };
     let rows = match &spec.shininess {
-        Shininess::Range(..) => Vec::new(),
+        Shininess::Range(..) | Shininess::Fixed { .. } => Vec::new(),
         Shininess::List(list) => {
             list.iter().enumerate().map(|(index, n)| (index, String::new(), n.to_string())).collect()
         }
@@ -214,12 +228,10 @@ pub(super) fn datasheet(design: &Design, measured: &Measured, other: Result<Desi
         index_meaning: spec.shininess.index_meaning(),
         output_format: design.output_format().to_string(),
         latency: design.schedule.latency,
-        quadratic: spec.method == Method::Quadratic,
-        stable: spec.form == Form::Stable,
-        rounded: spec.form == Form::Paper || spec.input_fraction > spec.output_fraction,
+        description: design.description(),
+        both_forms: spec.method.has_paper_form(),
         rom_file: spec.rom == RomStyle::File,
         memories: design.tables().iter().map(memory).collect(),
-        shared_shift: design.datapath.coefficients().map_or(0, |table| table.shared_shift),
         rows,
         contributions: &budget.contributions,
         coefficient_error: interval_text(budget.coefficient_ulps),

@@ -16,7 +16,7 @@ use crate::error::Error;
 use crate::golden::Golden;
 use crate::hdl::{self, RomFile, Texts};
 use crate::rom::{self, RomFormat, Table};
-use crate::spec::{Form, Language, RomStyle, hex};
+use crate::spec::{Coefficients, Form, Language, RomStyle, hex};
 
 /// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -27,14 +27,17 @@ pub struct File {
     pub bytes: Vec<u8>,
 }
 
-/// The design of the same core in the other form, for comparison; `Err` says why there is none.
-fn other_form(design: &Design) -> Result<Design, String> {
+/// The design of the same core in the other form, for comparison, where the method has two; `Err` says why it cannot be built.
+fn other_form(design: &Design) -> Option<Result<Design, String>> {
+    if !design.spec.method.has_paper_form() || design.spec.coefficients == Coefficients::Minimax {
+        return None;
+    }
     let form = match design.spec.form {
         Form::Stable => Form::Paper,
         Form::Paper => Form::Stable,
     };
     let spec = crate::spec::CoreSpec { form, ..design.spec.clone() };
-    Design::new(spec).map_err(|error| error.to_string())
+    Some(Design::new(spec).map_err(|error| error.to_string()))
 }
 
 /// The path of the golden vectors in the core's directory.

@@ -8,8 +8,8 @@ use clap::{Args, ValueEnum};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{
-    CoreSpec, Form, INPUT_FRACTION, Language, Material, Method, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline,
-    RomStyle, Shininess,
+    Coefficients, CoreSpec, Divider, Form, INPUT_FRACTION, Inside, Language, Material, Method, OUTPUT_FRACTION,
+    Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, Shininess, Tail,
 };
 use crate::error::Error;
 use crate::lobe;
@@ -35,15 +35,45 @@ pub struct SpecFields {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub form: Option<Form>,
 
+    /// Where the coefficients come from [default: paper, and minimax where no paper gives any]
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub coefficients: Option<Coefficients>,
+
     /// Level of the cubic's point of contact, 0.05 to 0.95 [default: 0.5]
     #[arg(long)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub q: Option<f64>,
 
+    /// Level of the three-point cubic's second point, above 0 and below q [default: 1/18]
+    #[arg(long)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub g: Option<f64>,
+
+    /// What the cubic is past its minimum [default: cut]
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tail: Option<Tail>,
+
+    /// The polynomial inside a power [default: quadratic]
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub inside: Option<Inside>,
+
+    /// How the core divides [default: digit]
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub divider: Option<Divider>,
+
     /// Shininesses served: a range of integers, 1..=1000, or a list of real numbers, 5,12.5,80
     #[arg(long, conflicts_with = "material")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub shininess: Option<Shininess>,
+
+    /// Fraction bits of the port in_n, for a range: real shininesses between the integers, 0 to 10 [default: 0]
+    #[arg(long, value_name = "R")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub shininess_fraction: Option<u32>,
 
     /// Fraction bits F of the input, 4 to 24 [default: 16]
     #[arg(long, value_name = "F")]
@@ -165,7 +195,13 @@ impl SpecFields {
             name: self.name.or(other.name),
             method: self.method.or(other.method),
             form: self.form.or(other.form),
+            coefficients: self.coefficients.or(other.coefficients),
             q: self.q.or(other.q),
+            g: self.g.or(other.g),
+            tail: self.tail.or(other.tail),
+            inside: self.inside.or(other.inside),
+            divider: self.divider.or(other.divider),
+            shininess_fraction: self.shininess_fraction.or(other.shininess_fraction),
             shininess: if set_here { self.shininess } else { other.shininess },
             input_fraction: self.input_fraction.or(other.input_fraction),
             output_fraction: self.output_fraction.or(other.output_fraction),
@@ -184,10 +220,7 @@ impl SpecFields {
     /// Names the value that is wrong and what is allowed.
     pub fn resolve(self) -> Result<CoreSpec, Error> {
         let Some(method) = self.method else {
-            return Err(Error::input(
-                "no method is given",
-                "give --method quadratic or --method cubic, or a spec file",
-            ));
+            return Err(Error::input("no method is given", "give --method, such as --method cubic, or a spec file"));
         };
         let form = self.form.unwrap_or(Form::Stable);
         let shininess = match (self.shininess, self.material) {
@@ -203,14 +236,44 @@ impl SpecFields {
                 return Err(Error::input("both shininess and materials are given", "give one of the two"));
             }
         };
-        shininess.check()?;
-        let q = self.q.unwrap_or(0.5);
-        match method {
-            Method::Cubic => drop(lobe::Cubic::new(1.0, q)?),
-            Method::Quadratic if self.q.is_some_and(|q| q != 0.5) => {
-                return Err(Error::input("the quadratic has no level q", "leave q out, or choose the cubic"));
+        // A choice that the method does not have is a mistake, not something to pass over.
+        let refuse = |what: &str, given: bool, has: bool| {
+            if !given || has {
+                return Ok(());
             }
-            Method::Quadratic => {}
+            Err(Error::input(format!("the method {} has no {what}", word(&method)), format!("leave {what} out")))
+        };
+        refuse("paper form", form == Form::Paper, method.has_paper_form())?;
+        refuse("level q", self.q.is_some(), method.has_level())?;
+        refuse("level g", self.g.is_some(), method == Method::CubicThreePoint)?;
+        refuse("choice of tail", self.tail.is_some(), method.has_tail())?;
+        refuse("choice of inside", self.inside.is_some(), method.has_inside())?;
+        refuse("divider", self.divider.is_some(), method.divides())?;
+        let q = self.q.unwrap_or(0.5);
+        if method.has_level() {
+            lobe::Cubic::new(1.0, q)?;
+        }
+        let g = self.g.unwrap_or(1.0 / 18.0);
+        if !(0.001..q).contains(&g) {
+            return Err(Error::input(
+                format!("level g = {g} is out of range"),
+                "g is the lobe's value at the three-point cubic's second point, from 0.001 up to below q",
+            ));
+        }
+        let coefficients = match (self.coefficients, method.coefficients()) {
+            (None, allowed) => allowed.first().copied().unwrap_or(Coefficients::Paper),
+            (Some(wanted), allowed) if allowed.contains(&wanted) => wanted,
+            (Some(wanted), allowed) => {
+                let allowed: Vec<String> = allowed.iter().map(word).collect();
+                return Err(Error::input(
+                    format!("the method {} has no {} coefficients", word(&method), word(&wanted)),
+                    if allowed.is_empty() { "it has no coefficients".to_owned() } else { allowed.join(", ") },
+                ));
+            }
+        };
+        refuse("level q with fitted coefficients", self.q.is_some(), coefficients == Coefficients::Paper)?;
+        if form == Form::Paper && coefficients == Coefficients::Minimax {
+            return Err(Error::input("the paper form has the paper's coefficients", "use --form stable with minimax"));
         }
         let within = |what: &str, value: u32, allowed: std::ops::RangeInclusive<u32>| {
             if allowed.contains(&value) {
@@ -221,16 +284,30 @@ impl SpecFields {
                 format!("{what} is a whole number from {} to {}", allowed.start(), allowed.end()),
             ))
         };
+        let shininess_fraction =
+            within("shininess_fraction", self.shininess_fraction.unwrap_or(0), SHININESS_FRACTION)?;
+        let shininess = match shininess {
+            set if shininess_fraction == 0 => set,
+            Shininess::Range(first, last) => Shininess::Fixed { first, last, frac_bits: shininess_fraction },
+            _ => {
+                return Err(Error::input(
+                    "shininess_fraction needs a range",
+                    "a list or materials hold real numbers already: leave shininess_fraction out",
+                ));
+            }
+        };
+        shininess.check()?;
+        if shininess_fraction > 0 && !method.interpolates() && !method.computes_with_shininess() {
+            return Err(Error::input(
+                format!("the method {} takes no shininess between the integers of a range", word(&method)),
+                "leave shininess_fraction out, or give a list",
+            ));
+        }
         if let Some(Pipeline::Depth(depth)) = self.pipeline {
             within("pipeline", depth, PIPELINE_DEPTH)?;
         }
-        let default_name = match (method, form) {
-            (Method::Quadratic, Form::Stable) => "quadratic",
-            (Method::Quadratic, Form::Paper) => "quadratic_paper",
-            (Method::Cubic, Form::Stable) => "cubic",
-            (Method::Cubic, Form::Paper) => "cubic_paper",
-        };
-        let name = self.name.unwrap_or_else(|| default_name.to_owned());
+        let default_name = word(&method).replace('-', "_") + if form == Form::Paper { "_paper" } else { "" };
+        let name = self.name.unwrap_or(default_name);
         check_name(&name)?;
         let mut rom_formats = self.rom_formats.unwrap_or_default();
         rom_formats.push(RomFormat::Mem);
@@ -247,6 +324,11 @@ impl SpecFields {
             method,
             form,
             q,
+            g,
+            tail: self.tail.unwrap_or(Tail::Cut),
+            inside: self.inside.unwrap_or(Inside::Quadratic),
+            divider: self.divider.unwrap_or(Divider::Digit),
+            coefficients,
             shininess,
             input_fraction: within("input_fraction", self.input_fraction.unwrap_or(16), INPUT_FRACTION)?,
             output_fraction: within("output_fraction", self.output_fraction.unwrap_or(16), OUTPUT_FRACTION)?,
@@ -261,16 +343,27 @@ impl SpecFields {
     /// The fields of a resolved spec, all given.
     #[must_use]
     pub fn from_spec(spec: &CoreSpec) -> Self {
-        let (shininess, material) = match &spec.shininess {
-            Shininess::Materials(materials) => (None, Some(materials.clone())),
-            set => (Some(set.clone()), None),
+        let (shininess, material, shininess_fraction) = match &spec.shininess {
+            Shininess::Materials(materials) => (None, Some(materials.clone()), None),
+            &Shininess::Fixed { first, last, frac_bits } => {
+                (Some(Shininess::Range(first, last)), None, Some(frac_bits))
+            }
+            set => (Some(set.clone()), None, None),
         };
+        let method = spec.method;
+        let fitted = spec.coefficients == Coefficients::Minimax;
         Self {
             name: Some(spec.name.clone()),
             method: Some(spec.method),
             form: Some(spec.form),
-            q: (spec.method == Method::Cubic).then_some(spec.q),
+            coefficients: (!method.coefficients().is_empty()).then_some(spec.coefficients),
+            q: (method.has_level() && !fitted).then_some(spec.q),
+            g: (method == Method::CubicThreePoint).then_some(spec.g),
+            tail: method.has_tail().then_some(spec.tail),
+            inside: method.has_inside().then_some(spec.inside),
+            divider: method.divides().then_some(spec.divider),
             shininess,
+            shininess_fraction,
             input_fraction: Some(spec.input_fraction),
             output_fraction: Some(spec.output_fraction),
             operand: Some(spec.operand),
@@ -325,8 +418,26 @@ impl SpecFields {
         if let Some(form) = self.form.filter(|_| self.form != defaults.form) {
             flag("form", word(&form));
         }
+        if let Some(coefficients) = self.coefficients.filter(|_| self.coefficients != defaults.coefficients) {
+            flag("coefficients", word(&coefficients));
+        }
         if let Some(q) = self.q.filter(|_| self.q != defaults.q) {
             flag("q", q.to_string());
+        }
+        if let Some(g) = self.g.filter(|_| self.g != defaults.g) {
+            flag("g", g.to_string());
+        }
+        if let Some(tail) = self.tail.filter(|_| self.tail != defaults.tail) {
+            flag("tail", word(&tail));
+        }
+        if let Some(inside) = self.inside.filter(|_| self.inside != defaults.inside) {
+            flag("inside", word(&inside));
+        }
+        if let Some(divider) = self.divider.filter(|_| self.divider != defaults.divider) {
+            flag("divider", word(&divider));
+        }
+        if let Some(bits) = self.shininess_fraction {
+            flag("shininess-fraction", bits.to_string());
         }
         if let Some(bits) = self.input_fraction.filter(|_| self.input_fraction != defaults.input_fraction) {
             flag("input-fraction", bits.to_string());
@@ -480,7 +591,17 @@ mod tests {
             (set("true"), "the shininess is a range"),
             ("shininess = [3]".to_owned(), "no method"),
             ("method = \"cubic\"".to_owned(), "no shininess"),
-            (format!("{}\nq = 0.7", set("[3]")), "the quadratic has no level q"),
+            (format!("{base}shininess_fraction = 40"), "from 0 to 10"),
+            (format!("{base}g = 0.1"), "the method cubic has no level g"),
+            (format!("{base}divider = \"digit\""), "the method cubic has no divider"),
+            (format!("{base}inside = \"linear\""), "the method cubic has no choice of inside"),
+            (format!("{base}coefficients = \"minimax\"\nq = 0.4"), "no level q with fitted coefficients"),
+            (format!("{base}coefficients = \"minimax\"\nform = \"paper\""), "the paper form has the paper's"),
+            ("method = \"schlick\"\nshininess = [3]\ncoefficients = \"paper\"".to_owned(), "has no paper coefficients"),
+            ("method = \"cubic-three-point\"\nshininess = [3]\ng = 0.6".to_owned(), "level g = 0.6"),
+            ("method = \"quadratic\"\nshininess = [3]\ntail = \"hold\"".to_owned(), "has no choice of tail"),
+            ("method = \"quadratic\"\nshininess = [3]\nshininess_fraction = 2".to_owned(), "needs a range"),
+            (format!("{}\nq = 0.7", set("[3]")), "the method quadratic has no level q"),
         ] {
             let message = message(&text);
             assert!(message.contains(expected), "{text}\n{message}\nexpected: {expected}");

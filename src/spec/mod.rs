@@ -4,6 +4,7 @@
 //! checks every value once. Nothing behind [`CoreSpec`] checks again.
 
 mod fields;
+mod method;
 mod shininess;
 mod widths;
 
@@ -11,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 pub use fields::SpecFields;
+pub use method::{Coefficients, Divider, Form, Inside, Method, Tail};
 pub use shininess::{MAX_ROWS, Material, Shininess};
 pub use widths::Widths;
 
@@ -20,28 +22,10 @@ use crate::rom::RomFormat;
 pub const INPUT_FRACTION: std::ops::RangeInclusive<u32> = 4..=24;
 /// Output fraction bits that are allowed.
 pub const OUTPUT_FRACTION: std::ops::RangeInclusive<u32> = 4..=20;
+/// Fraction bits of a fixed-point shininess that are allowed.
+pub const SHININESS_FRACTION: std::ops::RangeInclusive<u32> = 0..=10;
 /// Pipeline depths that are allowed.
-pub const PIPELINE_DEPTH: std::ops::RangeInclusive<u32> = 1..=32;
-
-/// A way to approximate the lobe.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
-#[serde(rename_all = "kebab-case")]
-pub enum Method {
-    /// x(1 - a u), clamped at 0.
-    Quadratic,
-    /// x(1 - u(A - a u)), cut to 0 past the minimum of its inner parabola.
-    Cubic,
-}
-
-/// How the polynomial is evaluated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
-#[serde(rename_all = "kebab-case")]
-pub enum Form {
-    /// In the versine, scaled per shininess: narrow and well conditioned.
-    Stable,
-    /// In powers of the cosine, as the papers print it.
-    Paper,
-}
+pub const PIPELINE_DEPTH: std::ops::RangeInclusive<u32> = 1..=64;
 
 /// What the core is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
@@ -100,8 +84,18 @@ pub struct CoreSpec {
     pub method: Method,
     /// The form in which it is evaluated.
     pub form: Form,
-    /// The level Q of the cubic's point of contact; unused by the quadratic.
+    /// The level Q of the cubic's point of contact, where the method has one ([`Method::has_level`]).
     pub q: f64,
+    /// The level G of the three-point cubic's second point.
+    pub g: f64,
+    /// What the cubic is past its minimum ([`Method::has_tail`]).
+    pub tail: Tail,
+    /// The polynomial inside a power ([`Method::has_inside`]).
+    pub inside: Inside,
+    /// How the core divides ([`Method::divides`]).
+    pub divider: Divider,
+    /// Where the coefficients come from ([`Method::coefficients`]).
+    pub coefficients: Coefficients,
     /// The shininesses that the core serves.
     pub shininess: Shininess,
     /// F: fraction bits of the input.
@@ -140,7 +134,6 @@ impl CoreSpec {
         let command = format!("brdfgen generate {}", SpecFields::from_spec(self).flags().join(" "));
         if command.len() <= 88 { command } else { "brdfgen generate core.toml".to_owned() }
     }
-
 }
 
 /// Lower-case hexadecimal digits of `bytes`.

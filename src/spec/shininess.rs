@@ -7,6 +7,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::error::Error;
 use crate::lobe::check_shininess;
+use crate::number::exp2;
 
 /// The most rows that a ROM may have.
 pub const MAX_ROWS: usize = 65_536;
@@ -37,6 +38,16 @@ impl FromStr for Material {
 pub enum Shininess {
     /// Every integer from the first to the last; the core's `in_n` is the shininess itself.
     Range(u32, u32),
+    /// Every multiple of `2^-frac_bits` from the first to the last integer; the core's `in_n` is the shininess as a fixed-point
+    /// number.
+    Fixed {
+        /// The least shininess.
+        first: u32,
+        /// The greatest.
+        last: u32,
+        /// Fraction bits of `in_n`.
+        frac_bits: u32,
+    },
     /// A list of real numbers; `in_n` is the index into it, from 0.
     List(Vec<f64>),
     /// Named materials; `in_n` is the index into them, from 0.
@@ -48,7 +59,7 @@ impl Shininess {
     #[must_use]
     pub fn values(&self) -> Vec<f64> {
         match self {
-            Self::Range(first, last) => (*first..=*last).map(f64::from).collect(),
+            Self::Range(..) | Self::Fixed { .. } => (0..self.rows()).map(|row| self.value(row)).collect(),
             Self::List(list) => list.clone(),
             Self::Materials(materials) => materials.iter().map(|m| m.shininess).collect(),
         }
@@ -59,6 +70,7 @@ impl Shininess {
     pub fn rows(&self) -> usize {
         match self {
             Self::Range(first, last) => (last - first) as usize + 1,
+            Self::Fixed { first, last, frac_bits } => ((last - first) as usize) * (1 << frac_bits) + 1,
             Self::List(list) => list.len(),
             Self::Materials(materials) => materials.len(),
         }
@@ -69,6 +81,7 @@ impl Shininess {
     pub fn index_bits(&self) -> u32 {
         let last = match self {
             Self::Range(_, last) => *last,
+            Self::Fixed { last, frac_bits, .. } => last << frac_bits,
             _ => self.rows() as u32 - 1,
         };
         (u32::BITS - last.leading_zeros()).max(1)
@@ -79,6 +92,10 @@ impl Shininess {
     pub fn row_of_index(&self, index: u32) -> usize {
         match self {
             Self::Range(first, last) => (index.clamp(*first, *last) - first) as usize,
+            Self::Fixed { first, last, frac_bits } => {
+                let (low, high) = (first << frac_bits, last << frac_bits);
+                (index.clamp(low, high) - low) as usize
+            }
             _ => (index as usize).min(self.rows() - 1),
         }
     }
@@ -88,6 +105,7 @@ impl Shininess {
     pub fn value(&self, row: usize) -> f64 {
         match self {
             Self::Range(first, _) => f64::from(first + row as u32),
+            Self::Fixed { frac_bits, .. } => f64::from(self.index_of_row(row)) * exp2(-(*frac_bits as i32)),
             Self::List(list) => list[row],
             Self::Materials(materials) => materials[row].shininess,
         }
@@ -98,6 +116,7 @@ impl Shininess {
     pub fn index_of_row(&self, row: usize) -> u32 {
         match self {
             Self::Range(first, _) => first + row as u32,
+            Self::Fixed { first, frac_bits, .. } => (first << frac_bits) + row as u32,
             _ => row as u32,
         }
     }
@@ -108,6 +127,9 @@ impl Shininess {
         match self {
             Self::Range(first, last) if first == last => format!("shininess; every code selects {first}"),
             Self::Range(first, last) => format!("shininess, {first} to {last}; outside: the nearest end"),
+            Self::Fixed { first, last, frac_bits } => {
+                format!("shininess, {first} to {last} in steps of 2^-{frac_bits}; outside: the nearest end")
+            }
             _ => {
                 format!("index of the shininess, 0 to {}; above: the last", self.rows() - 1)
             }
@@ -119,7 +141,7 @@ impl Shininess {
     /// # Errors
     /// Names the entry that is wrong.
     pub fn check(&self) -> Result<(), Error> {
-        if let Self::Range(first, last) = self
+        if let Self::Range(first, last) | Self::Fixed { first, last, .. } = self
             && first > last
         {
             return Err(Error::input(
@@ -128,7 +150,8 @@ impl Shininess {
             ));
         }
         let rows = match self {
-            Self::Range(first, last) => u64::from(last - first) + 1,
+            // The rows of the ROM are those of the integers.
+            Self::Range(first, last) | Self::Fixed { first, last, .. } => u64::from(last - first) + 1,
             other => other.rows() as u64,
         };
         if rows == 0 || rows > MAX_ROWS as u64 {
@@ -138,7 +161,7 @@ impl Shininess {
             ));
         }
         match self {
-            Self::Range(first, last) => {
+            Self::Range(first, last) | Self::Fixed { first, last, .. } => {
                 check_shininess(f64::from(*first))?;
                 check_shininess(f64::from(*last))
             }
@@ -162,7 +185,7 @@ impl Shininess {
 impl fmt::Display for Shininess {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Range(first, last) => write!(f, "{first}..={last}"),
+            Self::Range(first, last) | Self::Fixed { first, last, .. } => write!(f, "{first}..={last}"),
             _ => {
                 let values: Vec<String> = self.values().iter().map(f64::to_string).collect();
                 write!(f, "{}", values.join(","))
@@ -196,7 +219,7 @@ impl FromStr for Shininess {
 impl Serialize for Shininess {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
-            Self::Range(..) => serializer.collect_str(self),
+            Self::Range(..) | Self::Fixed { .. } => serializer.collect_str(self),
             _ => self.values().serialize(serializer),
         }
     }

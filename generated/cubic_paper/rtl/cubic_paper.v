@@ -1,7 +1,7 @@
 // cubic_paper: specular lobe x^n as x(1 - u(A - a u)), cut, n = 1 to 1000, paper form
 //
 // Made by: brdfgen generate --method cubic --shininess 1..=1000 --form paper
-// Spec c7752b0e25ddb991. Generated; the core is yours to use under any terms.
+// Spec 16918f4592c43deb. Generated; the core is yours to use under any terms.
 //
 //   in_n      UQ10.0  shininess, 1 to 1000; outside: the nearest end
 //   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1
@@ -46,9 +46,9 @@ module cubic_paper (
     end
 
     // ===== Stage 0: read the ROM, x, u
-    // The word of the coefficient ROM, of 1024 words.
+    // The word of the memory rom, of 1024 words.
     reg [122:0] rom_1;
-    // UQ1.16: x = in_cos taken into [0, 1]: back-facing gives 0
+    // UQ1.16: x = in_cos taken into [0, 1]: back-facing gives x = 0
     wire [16:0] x_0 = in_cos[17] ? 17'h00000 : (|in_cos[16]) ? 17'h10000 : in_cos[16:0];
     // UQ1.16: u = 1 - x, the versine
     wire [16:0] u_0 = 17'h10000 - x_0;

@@ -1,7 +1,7 @@
 -- cubic_paper: specular lobe x^n as x(1 - u(A - a u)), cut, n = 1 to 1000, paper form
 --
 -- Made by: brdfgen generate --method cubic --shininess 1..=1000 --form paper
--- Spec c7752b0e25ddb991. Generated; the core is yours to use under any terms.
+-- Spec 16918f4592c43deb. Generated; the core is yours to use under any terms.
 --
 --   in_n      UQ10.0  shininess, 1 to 1000; outside: the nearest end
 --   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1
@@ -39,8 +39,7 @@ entity cubic_paper is
 end entity cubic_paper;
 
 architecture rtl of cubic_paper is
-
-    -- ===== The coefficient ROM
+    -- ===== The memory rom
     -- Bits 31 downto 0 of each word.
     type rom_words_0_t is array (1023 downto 0) of
         std_logic_vector(31 downto 0);
@@ -4221,7 +4220,7 @@ begin
     end process;
 
     -- ===== Stage 0: read the ROM, x, u
-    -- UQ1.16: x = in_cos taken into [0, 1]: back-facing gives 0
+    -- UQ1.16: x = in_cos taken into [0, 1]: back-facing gives x = 0
     x_0 <= (others => '0') when in_cos(17) = '1' else
         (16 => '1', others => '0') when in_cos(16) = '1' else
         unsigned(in_cos(16 downto 0));

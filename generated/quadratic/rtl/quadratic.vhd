@@ -1,7 +1,7 @@
 -- quadratic: specular lobe x^n as max(0, x(1 - a u)), n = 1 to 1000, stable form
 --
 -- Made by: brdfgen generate --method quadratic --shininess 1..=1000
--- Spec ddc466531d62203e. Generated; the core is yours to use under any terms.
+-- Spec f1f7fde16346b283. Generated; the core is yours to use under any terms.
 --
 --   in_n      UQ10.0  shininess, 1 to 1000; outside: the nearest end
 --   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1
@@ -39,8 +39,7 @@ entity quadratic is
 end entity quadratic;
 
 architecture rtl of quadratic is
-
-    -- ===== The coefficient ROM
+    -- ===== The memory rom
     -- Bits 21 downto 0 of each word.
     type rom_words_0_t is array (1023 downto 0) of
         std_logic_vector(23 downto 0);
@@ -1124,7 +1123,7 @@ begin
     end process;
 
     -- ===== Stage 0: read the ROM, x, u
-    -- UQ1.16: x = in_cos taken into [0, 1]: back-facing gives 0
+    -- UQ1.16: x = in_cos taken into [0, 1]: back-facing gives x = 0
     x_0 <= (others => '0') when in_cos(17) = '1' else
         (16 => '1', others => '0') when in_cos(16) = '1' else
         unsigned(in_cos(16 downto 0));

@@ -1,7 +1,7 @@
 // quadratic: specular lobe x^n as max(0, x(1 - a u)), n = 1 to 1000, stable form
 //
 // Made by: brdfgen generate --method quadratic --shininess 1..=1000
-// Spec ddc466531d62203e. Generated; the core is yours to use under any terms.
+// Spec f1f7fde16346b283. Generated; the core is yours to use under any terms.
 //
 //   in_n      UQ10.0  shininess, 1 to 1000; outside: the nearest end
 //   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1

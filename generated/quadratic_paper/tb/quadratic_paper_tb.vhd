@@ -1,7 +1,7 @@
 -- quadratic_paper: specular lobe x^n as max(0, x(1 - a u)), n = 1 to 1000, paper form
 --
 -- Made by: brdfgen generate --method quadratic --shininess 1..=1000 --form paper
--- Spec 950e3b3bf21f7c5b. Generated; the core is yours to use under any terms.
+-- Spec a34a95a0227d0da7. Generated; the core is yours to use under any terms.
 --
 --   in_n      UQ10.0  shininess, 1 to 1000; outside: the nearest end
 --   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1
