@@ -37,6 +37,25 @@ const GAUSS_16: [(f64, f64); 8] = [
     (0.989_400_934_991_649_9, 0.027_152_459_411_754_095),
 ];
 
+/// The integral of `integrand` from `from` to `to` by 16 Gauss points.
+pub(super) fn integral(from: f64, to: f64, integrand: impl Fn(f64) -> f64) -> f64 {
+    let half = 0.5 * (to - from);
+    let at = |z: f64| integrand(from + half * (1.0 + z));
+    let sum: f64 = GAUSS_16.iter().map(|&(z, w)| w * (at(-z) + at(z))).sum();
+    half * sum
+}
+
+/// Refuses a level at which the cubic's family is not meant to touch the power.
+pub(super) fn check_level(q: f64) -> Result<(), Error> {
+    if (0.05..=0.95).contains(&q) {
+        return Ok(());
+    }
+    Err(Error::input(
+        format!("level q = {q} is out of range"),
+        "q is the lobe's value at the cubic's point of contact, from 0.05 to 0.95",
+    ))
+}
+
 impl Cubic {
     /// The coefficients for the shininess `n` and the level `q` in (0, 1).
     ///
@@ -50,12 +69,7 @@ impl Cubic {
     /// A shininess that [`check_shininess`] refuses, or a level outside 0.05..=0.95.
     pub fn new(n: f64, q: f64) -> Result<Self, Error> {
         check_shininess(n)?;
-        if !(0.05..=0.95).contains(&q) {
-            return Err(Error::input(
-                format!("level q = {q} is out of range"),
-                "q is the lobe's value at the cubic's point of contact, from 0.05 to 0.95".to_owned(),
-            ));
-        }
+        check_level(q)?;
         if n == 1.0 {
             return Ok(Self { a: 0.0, big_a: 0.0 });
         }
@@ -63,10 +77,7 @@ impl Cubic {
         let length = -log_q / n;
         let u_t = -libm::expm1(-length);
         let integrand = |y: f64| -libm::expm1(-y) * libm::exp(-(n - 2.0) * y);
-        let half = 0.5 * length;
-        let integral: f64 =
-            GAUSS_16.iter().map(|&(z, w)| w * (integrand(half * (1.0 - z)) + integrand(half * (1.0 + z)))).sum();
-        let a = (n - 1.0) * (n - 2.0) * (half * integral) / (u_t * u_t);
+        let a = (n - 1.0) * (n - 2.0) * integral(0.0, length, integrand) / (u_t * u_t);
         let slope = (n - 1.0) * libm::exp(log_q + 2.0 * length);
         Ok(Self { a, big_a: slope + 2.0 * a * u_t })
     }

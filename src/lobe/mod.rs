@@ -5,11 +5,24 @@
 //! functions come from the crate `libm`, which is plain IEEE arithmetic: the same coefficients, and so
 //! the same ROM words, on every machine.
 
+mod cos_k;
 mod cubic;
+mod lyon;
+mod min_zero;
 mod quadratic;
+mod rational;
+mod schlick;
+mod taylor;
+mod three_point;
 
+pub use cos_k::CosK;
 pub use cubic::Cubic;
+pub use lyon::Lyon;
+pub use min_zero::MinZero;
 pub use quadratic::Quadratic;
+pub use rational::CubicRational;
+pub use schlick::Schlick;
+pub use taylor::{Taylor, TaylorSeries};
 
 use crate::error::Error;
 
