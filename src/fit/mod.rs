@@ -15,7 +15,7 @@ mod segments;
 mod target;
 
 pub use family::{Inside, Power, Tail, cubic, min_zero, power, quadratic};
-pub use segments::{Segment, fit_segment, segment_end};
+pub use segments::{Peak, Segment, fit_segment, segment_bounds, segment_end};
 pub use target::Objective;
 
 /// Coefficients and how good they are.

@@ -2,7 +2,7 @@
 
 use super::Fit;
 use super::minimax::{self, Best, Piece, Pieces, Shape};
-use super::target::{DEEP, Objective, Target};
+use super::target::{DEEP, Objective, Target, versine};
 use crate::error::Error;
 use crate::lobe::{check_shininess, exact};
 
@@ -23,6 +23,15 @@ impl Segment {
     pub fn scaled(&self, n: f64) -> [f64; 3] {
         [self.c, self.big_a / n, self.a / (n * n)]
     }
+}
+
+/// What the segmented lobe is at its top, x = 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Peak {
+    /// Exactly 1: c = 1 in the first segment.
+    Exact,
+    /// Whatever makes the error least: it is 1 less the error.
+    Free,
 }
 
 /// The best coefficients on the segment `u_low..=u_high` for the shininess `n`; with c = 1 for the `first` segment, so that the
@@ -55,15 +64,13 @@ pub fn fit_segment(n: f64, u_low: f64, u_high: f64, first: bool, objective: &Obj
 ///
 /// # Errors
 /// As [`fit_segment`], and a number of segments outside 1..=256.
-pub fn segment_end(n: f64, segments: u32, objective: &Objective) -> Result<Fit<f64>, Error> {
-    check_shininess(n)?;
-    objective.check()?;
-    if !(1..=256).contains(&segments) {
-        return Err(Error::input(format!("{segments} segments are out of range"), "there are 1 to 256 segments"));
-    }
+pub fn segment_end(n: f64, segments: u32, peak: Peak, objective: &Objective) -> Result<Fit<f64>, Error> {
+    check(n, segments, objective)?;
     let within = |s_end: f64| {
         let bound = |i: u32| (s_end / n * f64::from(i) / f64::from(segments)).min(1.0);
-        (0..segments).map(|i| segment(n, bound(i), bound(i + 1), i == 0, objective).error).fold(0.0_f64, f64::max)
+        (0..segments)
+            .map(|i| segment(n, bound(i), bound(i + 1), i == 0 && peak == Peak::Exact, objective).error)
+            .fold(0.0_f64, f64::max)
     };
     let reach = objective.reach(n);
     if reach < 1.0 {
@@ -77,32 +84,126 @@ pub fn segment_end(n: f64, segments: u32, objective: &Objective) -> Result<Fit<f
     if whole < 1e-14 {
         return Ok(Fit { coefficients: n, error: whole });
     }
-    // Regula falsi, Illinois' form, on the logarithm of the ratio of the two errors, which is nearly linear.
-    let balance = |s_end: f64| {
-        let (inside, past) = (within(s_end), drop(s_end));
-        (libm::log(inside.max(1e-300)) - libm::log(past.max(1e-300)), inside.max(past))
-    };
-    let (mut low, mut high) = (0.1, DEEP.min(n));
-    let ((mut at_low, _), (mut at_high, _)) = (balance(low), balance(high));
     let mut best = Fit { coefficients: n, error: whole };
-    for _ in 0..60 {
-        let middle = (low * at_high - high * at_low) / (at_high - at_low);
-        let (ratio, error) = balance(middle);
-        if error < best.error {
-            best = Fit { coefficients: middle, error };
+    root(0.1, DEEP.min(n), |s_end| {
+        let (inside, past) = (within(s_end), drop(s_end));
+        if inside.max(past) < best.error {
+            best = Fit { coefficients: s_end, error: inside.max(past) };
         }
-        if ratio.abs() < 1e-7 || high - low < 1e-12 {
+        log_ratio(inside, past)
+    });
+    Ok(best)
+}
+
+/// The bounds `u_1 < ... < u_S` (from `u_0 = 0` on) for which `segments` segments, and 0 past the last, have the least error.
+///
+/// At the best bounds all segments and the drop to 0 have the same error. At n = 1000, that is half the largest error of equal
+/// segments for S = 2, and a ninth for S = 8. In `s = n u` the bounds hardly depend on n where n is large.
+///
+/// # Errors
+/// As [`segment_end`].
+pub fn segment_bounds(n: f64, segments: u32, peak: Peak, objective: &Objective) -> Result<Fit<Vec<f64>>, Error> {
+    check(n, segments, objective)?;
+    let even = segment_end(n, segments, peak, objective)?;
+    let end = even.coefficients / n;
+    let mut best = Fit {
+        coefficients: (1..=segments).map(|i| end * f64::from(i) / f64::from(segments)).collect::<Vec<_>>(),
+        error: even.error,
+    };
+    if best.error < 1e-14 {
+        return Ok(best);
+    }
+    // For a given error: all segments but the last as long as it allows, and the end where the drop has it. The last segment's
+    // error then tells whether the given one was too small.
+    let reach = objective.reach(n);
+    root(libm::log(even.error / f64::from(2 * segments)), libm::log(even.error), |log_error| {
+        let error = libm::exp(log_error);
+        let end = if reach < 1.0 { reach } else { versine(n, -libm::log(objective.unweighted(error))) };
+        let mut bounds = Vec::with_capacity(segments as usize);
+        let mut low = 0.0;
+        for _ in 1..segments {
+            low = longest(n, low, end, error, peak, objective);
+            bounds.push(low);
+        }
+        if low >= end {
+            return 1.0;
+        }
+        let last = segment(n, low, end, segments == 1 && peak == Peak::Exact, objective).error;
+        bounds.push(end);
+        if last.max(error) < best.error {
+            best = Fit { coefficients: bounds, error: last.max(error) };
+        }
+        log_ratio(error, last)
+    });
+    Ok(best)
+}
+
+/// Where the segment from `low` on has the given error; `limit` if it has less there. By the secant method on logarithms, as the
+/// error grows about as the third power of the length.
+fn longest(n: f64, low: f64, limit: f64, error: f64, peak: Peak, objective: &Objective) -> f64 {
+    let most = limit - low;
+    if most <= 0.0 {
+        return limit;
+    }
+    let mut power = 3.0;
+    // The error of the best parabola: x^n is about e^-s.
+    let guess = libm::cbrt(192.0 * error / exact(n, low));
+    let mut length = (guess.min(3.0) / n).min(most);
+    let mut before: Option<(f64, f64)> = None;
+    for _ in 0..20 {
+        let first = low == 0.0 && peak == Peak::Exact;
+        let ratio = log_ratio(segment(n, low, low + length, first, objective).error, error);
+        if ratio.abs() < 1e-7 || (length == most && ratio < 0.0) {
             break;
         }
-        if ratio < 0.0 {
-            (low, at_low) = (middle, ratio);
-            at_high *= 0.5;
+        if let Some((other, ratio_there)) = before
+            && other != length
+        {
+            power = ((ratio - ratio_there) / libm::log(length / other)).clamp(0.5, 6.0);
+        }
+        before = Some((length, ratio));
+        length = (length * libm::exp(-ratio / power)).min(most);
+    }
+    low + length
+}
+
+/// The logarithm of a ratio of errors; an error of 0 counts as a tiny one.
+fn log_ratio(error: f64, other: f64) -> f64 {
+    libm::log(error.max(1e-300)) - libm::log(other.max(1e-300))
+}
+
+/// Looks at an increasing function ever nearer to its zero, by regula falsi in Illinois' form. The zero lies between the two
+/// bounds, or else below.
+fn root(mut low: f64, mut high: f64, mut function: impl FnMut(f64) -> f64) {
+    let (mut at_low, mut at_high) = (function(low), function(high));
+    for _ in 0..8 {
+        if at_low <= 0.0 {
+            break;
+        }
+        (low, high, at_high) = (2.0 * low - high, low, at_low);
+        at_low = function(low);
+    }
+    for _ in 0..60 {
+        let middle = (low * at_high - high * at_low) / (at_high - at_low);
+        let value = function(middle);
+        if value.abs() < 1e-6 || high - low < 1e-12 {
+            break;
+        }
+        if value < 0.0 {
+            (low, at_low, at_high) = (middle, value, 0.5 * at_high);
         } else {
-            (high, at_high) = (middle, ratio);
-            at_low *= 0.5;
+            (high, at_high, at_low) = (middle, value, 0.5 * at_low);
         }
     }
-    Ok(best)
+}
+
+fn check(n: f64, segments: u32, objective: &Objective) -> Result<(), Error> {
+    check_shininess(n)?;
+    objective.check()?;
+    if (1..=256).contains(&segments) {
+        return Ok(());
+    }
+    Err(Error::input(format!("{segments} segments are out of range"), "there are 1 to 256 segments"))
 }
 
 /// A segment in its own coordinate `w = (u - origin) / unit`: `x (k_0 + k_1 w + k_2 w^2)`, with `k_0 = 1` if only two are free.

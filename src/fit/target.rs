@@ -59,6 +59,18 @@ impl Objective {
         }
     }
 
+    /// The exact lobe where leaving it out (`g = 0`) has the given error.
+    pub(super) fn unweighted(&self, error: f64) -> f64 {
+        match *self {
+            Self::MaxAbs | Self::MaxAbsLevel { .. } => error,
+            Self::MaxRel { level } => error * level,
+            Self::Weighted { power } => {
+                let value = libm::pow(error, 1.0 / (1.0 + power));
+                if value >= WEIGHT_FLOOR { value } else { error / self.weight(0.0) }
+            }
+        }
+    }
+
     /// The versine up to which errors count.
     pub(super) fn reach(&self, n: f64) -> f64 {
         match *self {
