@@ -9,6 +9,7 @@
 //! | --- | --- |
 //! | [`spec`] | what the user asked for: TOML and flags, validated once, every default resolved |
 //! | [`lobe`] | real-valued mathematics, one file a method; knows no bits |
+//! | [`fit`] | minimax coefficients for the lobes' shapes, as real numbers |
 //! | [`number`] | fixed-point formats, intervals, the model's wide type |
 //! | [`rom`] | quantised coefficient tables; writers and readers of every ROM format |
 //! | [`datapath`] | the core as a graph of typed operations: error analysis, widths, schedule, simulation, evaluator |
@@ -29,6 +30,7 @@ pub mod cosim;
 pub mod datapath;
 pub mod design;
 pub mod error;
+pub mod fit;
 pub mod golden;
 pub mod hdl;
 #[cfg(feature = "kernel")]

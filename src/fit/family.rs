@@ -1,0 +1,209 @@
+//! The lobes that are one formula: `x^e ((1 - u (A - a u))⁺)^k`, left where it would rise again.
+
+use super::Fit;
+use super::minimax::{self, Best, Piece, Pieces, Shape};
+use super::target::{DEEP, Objective, Target, versine};
+use crate::error::Error;
+use crate::lobe::{Cubic, Quadratic, check_shininess};
+
+/// What the power's inside is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Inside {
+    /// `1 - A u`.
+    Linear,
+    /// `1 - u (A - a u)`.
+    Quadratic,
+}
+
+/// What the cubic does where it would rise again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Tail {
+    /// It is 0 beyond the minimum of the inner parabola, `u = A / (2a)`, if that lies before u = 1: see [`Cubic::cut`].
+    Cut,
+    /// It keeps the value that it has at its own local minimum, if that lies before u = 1.
+    Hold,
+}
+
+/// The inside `1 - u (A - a u)` of a power.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Power {
+    /// The linear coefficient, about n / k.
+    pub big_a: f64,
+    /// The quadratic coefficient, about (n / k)^2 / 2 and less; 0 for a linear inside.
+    pub a: f64,
+}
+
+/// The best `(x (1 - a u))⁺` for the shininess `n`.
+///
+/// # Errors
+/// A shininess outside 1..=2^20, or an objective with a level or a power out of its range.
+pub fn quadratic(n: f64, objective: &Objective) -> Result<Fit<Quadratic>, Error> {
+    let fit = best(n, &Form { cosine: true, power: 1, hold: false }, Inside::Linear, objective)?;
+    Ok(Fit { coefficients: Quadratic { a: fit.coefficients.big_a }, error: fit.error })
+}
+
+/// The best cubic `x (1 - u (A - a u))` with the given tail for the shininess `n`.
+///
+/// # Errors
+/// As [`quadratic`].
+pub fn cubic(n: f64, tail: Tail, objective: &Objective) -> Result<Fit<Cubic>, Error> {
+    let fit = best(n, &Form { cosine: true, power: 1, hold: tail == Tail::Hold }, Inside::Quadratic, objective)?;
+    let Power { big_a, a } = fit.coefficients;
+    Ok(Fit { coefficients: Cubic { a, big_a }, error: fit.error })
+}
+
+/// The best K of the cubic `x ((1 - K u)⁺)^2` for the shininess `n`: 0 for n = 1, about 0.45 n.
+///
+/// # Errors
+/// As [`quadratic`].
+pub fn min_zero(n: f64, objective: &Objective) -> Result<Fit<f64>, Error> {
+    let fit = best(n, &Form { cosine: true, power: 2, hold: false }, Inside::Linear, objective)?;
+    Ok(Fit { coefficients: fit.coefficients.big_a, error: fit.error })
+}
+
+/// The best inside of `((1 - u (A - a u))⁺)^k` for the shininess `n`, with k = 2, 4 or 8.
+///
+/// The lobe is 0 from the first zero of the inside, or from its minimum if that comes first.
+///
+/// # Errors
+/// As [`quadratic`], and a `k` that is not 2, 4 or 8.
+pub fn power(n: f64, k: u32, inside: Inside, objective: &Objective) -> Result<Fit<Power>, Error> {
+    if ![2, 4, 8].contains(&k) {
+        return Err(Error::input(format!("power {k} is not supported"), "the power is 2, 4 or 8"));
+    }
+    best(n, &Form { cosine: false, power: k, hold: false }, inside, objective)
+}
+
+/// A member of the family.
+struct Form {
+    /// Whether there is a factor x.
+    cosine: bool,
+    /// k, a power of two.
+    power: u32,
+    /// Whether the lobe is held rather than cut where it would rise.
+    hold: bool,
+}
+
+/// A form with scaled coefficients: `A unit` and, if there are two, `a unit^2`.
+struct Scaled<'a> {
+    form: &'a Form,
+    unit: f64,
+}
+
+impl Scaled<'_> {
+    fn coefficients<const D: usize>(&self, p: &[f64; D]) -> Power {
+        Power { big_a: p[0] / self.unit, a: if D == 2 { p[1] / (self.unit * self.unit) } else { 0.0 } }
+    }
+}
+
+impl<const D: usize> Shape<D> for Scaled<'_> {
+    fn pieces(&self, p: &[f64; D]) -> Pieces {
+        let Power { big_a, a } = self.coefficients(p);
+        let whole = Pieces::one(Piece::Formula);
+        let root = libm::sqrt(big_a * big_a - 4.0 * a);
+        // The first zero; with no real root the comparison is false.
+        let zero = 2.0 / (big_a + root);
+        if zero > 0.0 {
+            return if zero < 1.0 { whole.then(zero, Piece::Constant(0.0)) } else { whole };
+        }
+        if self.form.hold {
+            // The zeros of the derivative -(3a u^2 - 2 (A + a) u + (1 + A)).
+            let half = big_a + a;
+            let minimum = (1.0 + big_a) / (half + libm::sqrt(half * half - 3.0 * a * (1.0 + big_a)));
+            return if 0.0 < minimum && minimum < 1.0 {
+                whole.then(minimum, Piece::Constant(self.formula(p, minimum).min(1.0)))
+            } else {
+                whole
+            };
+        }
+        let vertex = big_a / (2.0 * a);
+        if a <= 0.0 || vertex >= 1.0 {
+            whole
+        } else if vertex <= 0.0 {
+            Pieces::one(Piece::Constant(0.0))
+        } else {
+            whole.then(vertex, Piece::Constant(0.0))
+        }
+    }
+
+    fn formula(&self, p: &[f64; D], u: f64) -> f64 {
+        let Power { big_a, a } = self.coefficients(p);
+        let mut value = 1.0 - u * (big_a - a * u);
+        let mut power = 1;
+        while power < self.form.power {
+            value *= value;
+            power *= 2;
+        }
+        if self.form.cosine { value * (1.0 - u) } else { value }
+    }
+}
+
+/// Depths `-ln f` at which the starts interpolate, where the objective counts all f.
+const DEPTHS: [f64; 13] = [0.05, 0.15, 0.35, 0.7, 1.05, 1.4, 1.9, 2.5, 3.2, 3.9, 4.6, 5.8, 7.0];
+
+fn best(n: f64, form: &Form, inside: Inside, objective: &Objective) -> Result<Fit<Power>, Error> {
+    check_shininess(n)?;
+    objective.check()?;
+    // What the inside has to approximate: x^m.
+    let m = (n - if form.cosine { 1.0 } else { 0.0 }) / f64::from(form.power);
+    if m == 0.0 || m == 1.0 || (m == 2.0 && inside == Inside::Quadratic) {
+        return Ok(Fit { coefficients: Power { big_a: m, a: 0.5 * m * (m - 1.0) }, error: 0.0 });
+    }
+    let fit = |objective: &Objective| match inside {
+        Inside::Linear => {
+            search(n, m, form, objective, |slopes, unit| slopes.iter().map(|&(_, slope)| [slope * unit]).collect())
+        }
+        Inside::Quadratic => search(n, m, form, objective, |slopes: &[(f64, f64)], unit| {
+            let pairs = slopes
+                .iter()
+                .enumerate()
+                .flat_map(|(i, first)| slopes[i + 1..].iter().map(move |second| (first, second)));
+            let through = |(&(u, slope), &(v, other))| {
+                let a: f64 = (slope - other) / (v - u);
+                [(slope + a * u) * unit, a * unit * unit]
+            };
+            pairs.map(through).collect::<Vec<[f64; 2]>>()
+        }),
+    };
+    let found = fit(objective);
+    if let Objective::MaxRel { level } = *objective
+        && found.error > 1.0 - 1e-9
+    {
+        // Every zero above the level makes a relative error of 1, so that the objective leaves the coefficients open.
+        let closest = fit(&Objective::MaxAbsLevel { level });
+        let target = Target::whole(n, objective);
+        let shape = Scaled { form, unit: 1.0 };
+        let Power { big_a, a } = closest.coefficients;
+        let error = minimax::largest_error(&shape, &target, &[big_a, a]);
+        if error <= found.error.max(1.0) {
+            return Ok(Fit { coefficients: closest.coefficients, error });
+        }
+    }
+    Ok(found)
+}
+
+/// Fits from starts that a function makes of the slopes `(1 - x^m) / u` at some versines.
+fn search<const D: usize>(
+    n: f64,
+    m: f64,
+    form: &Form,
+    objective: &Objective,
+    starts: impl Fn(&[(f64, f64)], f64) -> Vec<[f64; D]>,
+) -> Fit<Power> {
+    let depths = match *objective {
+        Objective::MaxAbs | Objective::Weighted { .. } => DEPTHS,
+        Objective::MaxAbsLevel { level } | Objective::MaxRel { level } => {
+            let deepest = (-libm::log(level)).min(DEEP);
+            std::array::from_fn(|i| deepest * (i as f64 + 0.5) / 12.5)
+        }
+    };
+    let slopes = depths.map(|depth| {
+        let u = versine(n, depth);
+        (u, -libm::expm1(-depth * (m / n)) / u)
+    });
+    let unit = versine(n, depths[4]);
+    let shape = Scaled { form, unit };
+    let target = Target::whole(n, objective);
+    let Best { p, error } = minimax::minimise(&shape, &target, starts(&slopes, unit).into_iter(), 3);
+    Fit { coefficients: shape.coefficients(&p), error }
+}
