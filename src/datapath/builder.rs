@@ -193,27 +193,69 @@ impl<'a> Builder<'a> {
         }
         let clamped = self.clamped_index(set, port);
         let offset = self.constant(first_index.into(), self.format(port), "first");
-        let bounds = vec![self.whole(0, set.index_of_row(set.rows() - 1) - first_index); self.cases.len()];
+        let bounds = vec![Self::whole(0, set.index_of_row(set.rows() - 1) - first_index); self.cases.len()];
         let format = Format::unsigned(address_bits as i32, 0);
         self.push(Op::Sub, &[clamped, offset], format, "address", "n minus the first of the range".to_owned(), bounds)
     }
 
+    /// The port `in_n` of a fixed-point range, taken into it, as the address of the memory `memory`, whose rows are the range's
+    /// integers, and the fraction.
+    pub fn split_index(&mut self, set: &Shininess, frac_bits: i32, memory: usize) -> (NodeId, NodeId) {
+        let port = self.index(set);
+        let n = self.clamped_index(set, port);
+        let most = self.format(n).int_bits;
+        let whole = self.cast(n, Format::unsigned(most, 0), false, "n_whole", "the integer below n");
+        let table = &self.tables[memory];
+        let (first, address_bits) = (table.first_index, table.address_bits);
+        let address = if first == 0 {
+            whole
+        } else {
+            let first_node = self.constant(first.into(), Format::unsigned(most, 0), "first");
+            let bounds = vec![Self::whole(0, table.rows() as u32 - 1); self.cases.len()];
+            let format = Format::unsigned(address_bits as i32, 0);
+            let comment = "n minus the first of the range".to_owned();
+            self.push(Op::Sub, &[whole, first_node], format, "address", comment, bounds)
+        };
+        let fraction = self.cast(n, Format::unsigned(0, frac_bits), true, "n_fraction", "what n has beyond that integer");
+        let last = self.cases.iter().map(|case| case.rows[memory] == Some(table.rows() - 1)).collect::<Vec<_>>();
+        let most = 1.0 - crate::number::exp2(-frac_bits);
+        self.assume(
+            fraction,
+            last.into_iter()
+                .map(|last| Bound {
+                    range: Interval::new(0.0, if last { 0.0 } else { most }),
+                    error: Interval::ZERO,
+                    grid: frac_bits,
+                })
+                .collect(),
+        );
+        (address, fraction)
+    }
+
     /// The port `in_n`.
     pub fn index(&mut self, set: &Shininess) -> NodeId {
-        let bound = self.whole(set.index_of_row(0), set.index_of_row(set.rows() - 1));
-        self.input(Format::unsigned(set.index_bits() as i32, 0), "in_n", |_| bound)
+        let bound = Self::codes(set);
+        let frac_bits = set.frac_bits() as i32;
+        self.input(Format::unsigned(set.index_bits() as i32 - frac_bits, frac_bits), "in_n", |_| bound)
+    }
+
+    /// What is known of `in_n` where it lies in the set.
+    fn codes(set: &Shininess) -> Bound {
+        let Bound { range, error, .. } = Self::whole(set.index_of_row(0), set.index_of_row(set.rows() - 1));
+        let frac_bits = set.frac_bits() as i32;
+        Bound { range: range.scale(-frac_bits), error, grid: frac_bits }
     }
 
     /// The port `in_n`, taken into the set.
     pub fn clamped_index(&mut self, set: &Shininess, port: NodeId) -> NodeId {
         let (first, last) = (set.index_of_row(0), set.index_of_row(set.rows() - 1));
-        let bounds = vec![self.whole(first, last); self.cases.len()];
+        let bounds = vec![Self::codes(set); self.cases.len()];
         let clamp = Op::Clamp { low: first.into(), high: last.into() };
         let format = self.format(port);
         self.push(clamp, &[port], format, "n", "in_n taken into the range".to_owned(), bounds)
     }
 
-    fn whole(&self, low: u32, high: u32) -> Bound {
+    fn whole(low: u32, high: u32) -> Bound {
         Bound { range: Interval::new(f64::from(low), f64::from(high)), error: Interval::ZERO, grid: 0 }
     }
 
@@ -449,6 +491,18 @@ impl<'a> Builder<'a> {
         });
         let unit = Format::unsigned(1, format.frac_bits);
         self.push(Op::Clamp { low: 0, high: one }, &[a], unit, name, comment.to_owned(), bounds)
+    }
+
+    /// `a`, or 0 where it is below.
+    pub fn at_least_zero(&mut self, a: NodeId, name: &str, comment: &str) -> NodeId {
+        let format = self.format(a);
+        let bounds = self.per_case(|case| {
+            let bound = self.bounds[a][case];
+            Bound { range: bound.range.clip(0.0, f64::INFINITY), ..bound }
+        });
+        let positive = Format { signed: false, ..format };
+        let clamp = Op::Clamp { low: 0, high: positive.max_code() };
+        self.push(clamp, &[a], positive, name, comment.to_owned(), bounds)
     }
 
     fn flag(&mut self, op: Op, args: &[NodeId], name: &str, comment: &str) -> NodeId {

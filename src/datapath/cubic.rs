@@ -1,14 +1,13 @@
 //! The cubic lobe `x (1 - u (A - a u))`, cut to 0 past the minimum of its inner parabola.
 
 use super::builder::{Builder, Case};
-use super::graph::NodeId;
-use super::polynomial::{self, Scaling, field, nearest_code};
-use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
+use super::polynomial::{self, Ends, Scaling, field, nearest_code};
+use super::{Architecture, Datapath, Description, Parameter, coefficients, multiplier_cost};
 use crate::error::Error;
-use crate::lobe::{Cubic, Lobe};
+use crate::lobe::{Cubic, Lobe, Polynomial};
 use crate::number::{Format, Interval, exp2};
 use crate::rom::{Field, Table};
-use crate::spec::{CoreSpec, Widths};
+use crate::spec::{CoreSpec, Tail, Widths};
 
 /// `q = A 2^-k - (a 4^-k) v`, `p = q v`, `y = x - x p` with `v = u 2^k`: three multiplications.
 #[derive(Debug)]
@@ -24,62 +23,43 @@ pub struct Paper<'a> {
     lobes: Vec<Cubic>,
 }
 
-fn lobes(spec: &CoreSpec) -> Result<Vec<Cubic>, Error> {
-    spec.shininess.values().into_iter().map(|n| Cubic::new(n, spec.q)).collect()
-}
-
-/// The largest versine that is not past the cut, as a code with `input_fraction` bits: all ones where there is no cut. Only u = 1 is
-/// greater than that, and there the result is 0 anyway.
-fn cut_code(spec: &CoreSpec, lobe: &Cubic) -> i128 {
-    let one = exp2(spec.input_fraction as i32);
-    lobe.cut().map_or(one, |cut| libm::floor(cut * one)).min(one - 1.0) as i128
-}
-
-/// Whether any input of a row lies past a cut.
-fn any_cut(spec: &CoreSpec, lobes: &[Cubic]) -> bool {
-    lobes.iter().any(|lobe| cut_code(spec, lobe) < (1 << spec.input_fraction) - 1)
-}
-
-fn cut_field(spec: &CoreSpec, lobes: &[Cubic]) -> Field {
-    let codes = lobes.iter().map(|lobe| cut_code(spec, lobe)).collect();
-    let reals = lobes.iter().map(|lobe| lobe.cut().unwrap_or(1.0)).collect();
-    field("cut", "the largest versine that is not cut", spec.input_fraction as i32, codes, reals)
-}
-
-/// The flag for versines past the cut, or `None` where no row has one.
-fn cut_flag(b: &mut Builder, spec: &CoreSpec, lobes: &[Cubic], address: NodeId, u: NodeId) -> Option<NodeId> {
-    any_cut(spec, lobes).then(|| {
-        debug_assert_eq!(b.format(u).frac_bits, spec.input_fraction as i32);
-        let cut = b.field(0, address, "cut");
-        b.greater(u, cut, "past_cut", "u > cut: past the minimum of the inner parabola")
-    })
-}
-
-/// The versines up to the cut and below 1 (see [`polynomial::below_one`]), one end a row.
-fn active(spec: &CoreSpec, lobes: &[Cubic]) -> Vec<f64> {
-    lobes.iter().map(|lobe| cut_code(spec, lobe) as f64 * exp2(-(spec.input_fraction as i32))).collect()
-}
-
 impl<'a> Stable<'a> {
     /// For a spec of this method.
     ///
     /// # Errors
     /// A shininess or level that the method refuses.
     pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
-        Ok(Self { spec, lobes: lobes(spec)? })
+        Ok(Self { spec, lobes: coefficients::cubic(spec)? })
     }
 
     fn scaling(&self, frac_bits: i32) -> Scaling {
         Scaling::of(self.lobes.iter().map(|l| l.big_a), frac_bits)
     }
 
-    /// The integer bits that the scaled versine needs up to the cut.
-    fn versine_int_bits(&self, scaling: &Scaling) -> i32 {
-        let ends = active(self.spec, &self.lobes);
-        let largest = ends.iter().zip(&scaling.k).map(|(end, &k)| end * exp2(k)).fold(1.0, f64::max);
-        libm::ilogb(largest) + 1
+    /// Where each row's cubic is left: at the inner parabola's minimum to be cut, at its own to be held.
+    fn ends(&self) -> Ends {
+        Ends::of(
+            self.spec,
+            self.lobes.iter().map(|lobe| match self.spec.tail {
+                Tail::Cut => lobe.cut(),
+                Tail::Hold => lobe.minimum(),
+            }),
+        )
+    }
+
+    /// The value that each row's cubic is held at; 0 where it is never left.
+    fn hold_field(&self) -> Field {
+        let bits = self.spec.output_fraction as i32;
+        let value = |lobe: &Cubic| lobe.minimum().map_or(0.0, |minimum| lobe.formula(minimum).clamp(0.0, 1.0));
+        let reals: Vec<f64> = self.lobes.iter().map(value).collect();
+        let codes = reals.iter().map(|&real| nearest_code(real, bits)).collect();
+        field("hold", "the value past the cut", bits, codes, reals)
     }
 }
+
+/// The fields of A and a; they are not interpolated.
+const BIG_A: [&str; 2] = ["big_a", "big_a_step"];
+const SMALL_A: [&str; 2] = ["a", "a_step"];
 
 impl Architecture for Stable<'_> {
     fn parameters(&self) -> Vec<Parameter> {
@@ -107,7 +87,7 @@ impl Architecture for Stable<'_> {
     fn tables(&self, widths: &Widths) -> Vec<Table> {
         let scaling = self.scaling(widths.get("A"));
         let (bits_big, bits_small) = (widths.get("A"), widths.get("a"));
-        let ends = active(self.spec, &self.lobes);
+        let ends = self.ends().in_codes();
         let (mut big, mut small) = ((Vec::new(), Vec::new()), (Vec::new(), Vec::new()));
         for ((lobe, &k), &end) in self.lobes.iter().zip(&scaling.k).zip(&ends) {
             let (real_big, real_small) = (lobe.big_a * exp2(-k), lobe.a * exp2(-2 * k));
@@ -126,9 +106,11 @@ impl Architecture for Stable<'_> {
             field("a", "the coefficient a, times 4^-k", bits_small, small.0, small.1),
         ];
         fields.extend(scaling.field());
-        if any_cut(self.spec, &self.lobes) {
-            fields.push(cut_field(self.spec, &self.lobes));
+        fields.extend(self.ends().field(self.spec));
+        if self.spec.tail == Tail::Hold {
+            fields.push(self.hold_field());
         }
+        let fields = polynomial::as_fitted(self.spec, fields);
         vec![Table::new(&self.spec.shininess, fields, scaling.base() as u32)]
     }
 
@@ -140,43 +122,69 @@ impl Architecture for Stable<'_> {
         )
     }
 
-    fn lobes(&self, _tables: &[Table]) -> Vec<Box<dyn Lobe>> {
-        self.lobes.iter().map(|&lobe| Box::new(lobe) as Box<dyn Lobe>).collect()
+    fn lobes(&self, tables: &[Table]) -> Vec<Box<dyn Lobe>> {
+        let table = &tables[0];
+        let [big_a, a] = [(BIG_A, 1), (SMALL_A, 2)]
+            .map(|(names, power)| polynomial::real_coefficients(self.spec, table, names, power));
+        let ends = Ends::in_reals(table);
+        let lobe = |row: usize| Polynomial {
+            cosine: true,
+            power: 1,
+            c: 1.0,
+            big_a: big_a[row],
+            a: a[row],
+            end: ends[row],
+            past: match self.spec.tail {
+                Tail::Cut => 0.0,
+                Tail::Hold => table.field("hold").reals[row],
+            },
+        };
+        (0..table.rows()).map(|row| Box::new(lobe(row)) as Box<dyn Lobe>).collect()
     }
 
     fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
         let scaling = self.scaling(widths.get("A"));
         let table = &tables[0];
-        let ends = active(self.spec, &self.lobes);
-        let mut b = Builder::new(&tables, Case::of_rows(table, &ends));
+        let ends = Ends::in_words(self.spec, table);
+        let mut cases = Case::of_rows(table, &ends);
+        let held = self.spec.tail == Tail::Hold;
+        if held {
+            // Past the end only the held value counts: the polynomial's values stay those at the end.
+            let tails = cases.iter().map(|case| Case { active: Interval::point(case.active.high), ..case.clone() });
+            cases.extend(tails.collect::<Vec<_>>());
+        }
+        let mut b = Builder::new(&tables, cases);
         let address = b.address(&self.spec.shininess, 0);
         let (x, u) = b.operand(self.spec);
         let big_a = b.field(0, address, "big_a");
         let a = b.field(0, address, "a");
-        let past_cut = cut_flag(&mut b, self.spec, &self.lobes, address, u);
-        let scaled = scaling.apply(&mut b, address, u);
-        let v = Format::unsigned(self.versine_int_bits(&scaling), widths.get("v"));
+        let past_cut = Ends::flag(&mut b, self.spec, table, address, u);
+        let scaled = scaling.over_cases(b.cases()).apply(&mut b, address, u);
+        let v = Format::unsigned(Ends::int_bits(&ends, &scaling.k), widths.get("v"));
         let v = b.cast(scaled, v, true, "v", "v = u 2^k, rounded down; wraps past the cut");
         let av = b.mul(a, v, "av", "(a 4^-k) v");
         let r = b.floor(av, widths.get("A"), "r", "(a 4^-k) v, rounded down");
         let q = b.sub(big_a, r, "q", "q = (A - a u) 2^-k; wraps past the cut");
         let p = b.mul(v, q, "vq", "u (A - a u) = v q");
-        let y = polynomial::output_of_p(&mut b, self.spec, widths, x, p, past_cut);
-        polynomial::finish(b, self.spec, &tables, y, |row| {
-            let delta = |name: &str| {
-                let field = table.field(name);
-                field.format.value(field.codes[row]) - field.reals[row]
-            };
-            let (delta_big, delta_small) = (delta("big_a"), delta("a"));
-            let end = ends[row] * exp2(scaling.k[row]);
-            // The move is -x g(v) with g(v) = v (dA - da v), a parabola.
-            let g = |v: f64| v * (delta_big - delta_small * v);
-            let vertex = delta_big / (2.0 * delta_small);
-            let mut range = Interval::ZERO.hull(Interval::point(g(end)));
-            if vertex > 0.0 && vertex < end {
-                range = range.hull(Interval::point(g(vertex)));
+        let y = match (self.spec.tail, past_cut) {
+            (Tail::Hold, Some(past_cut)) => {
+                let y = polynomial::output_of_p(&mut b, self.spec, widths, x, p, None);
+                let hold = b.field(0, address, "hold");
+                let rows = table.rows();
+                let y = b.select(past_cut, [hold, y], |case| Some(case >= rows), "y_held", "y, held past the cut");
+                polynomial::lit(&mut b, u, y)
             }
-            -(range * Interval::new(1.0 - ends[row], 1.0))
+            _ => polynomial::output_of_p(&mut b, self.spec, widths, x, p, past_cut),
+        };
+        polynomial::finish(b, self.spec, &tables, y, |case| {
+            let row = case % table.rows();
+            if case >= table.rows() {
+                let hold = table.field("hold");
+                return Interval::point(hold.format.value(hold.codes[row]) - hold.reals[row]);
+            }
+            let [delta_big, delta_small] = [BIG_A, SMALL_A].map(|names| polynomial::delta(table, names, row).low);
+            polynomial::parabola(delta_big, delta_small, Interval::new(0.0, ends[row] * exp2(scaling.k[row])))
+                * -Interval::new(1.0 - ends[row], 1.0)
         })
     }
 }
@@ -187,7 +195,11 @@ impl<'a> Paper<'a> {
     /// # Errors
     /// A shininess or level that the method refuses.
     pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
-        Ok(Self { spec, lobes: lobes(spec)? })
+        Ok(Self { spec, lobes: coefficients::cubic(spec)? })
+    }
+
+    fn ends(&self) -> Ends {
+        Ends::of(self.spec, self.lobes.iter().map(Cubic::cut))
     }
 
     fn largest(&self) -> f64 {
@@ -241,9 +253,7 @@ impl Architecture for Paper<'_> {
             .zip(codes.into_iter().zip(reals))
             .map(|((name, meaning), (codes, reals))| field(name, meaning, bits, codes, reals))
             .collect();
-        if any_cut(self.spec, &self.lobes) {
-            fields.push(cut_field(self.spec, &self.lobes));
-        }
+        fields.extend(self.ends().field(self.spec));
         vec![Table::new(&self.spec.shininess, fields, 0)]
     }
 
@@ -263,12 +273,12 @@ impl Architecture for Paper<'_> {
     fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
         let g = self.spec.output_fraction as i32;
         let table = &tables[0];
-        let ends = active(self.spec, &self.lobes);
+        let ends = Ends::in_words(self.spec, table);
         let mut b = Builder::new(&tables, Case::of_rows(table, &ends));
         let address = b.address(&self.spec.shininess, 0);
         let (x, u) = b.operand(self.spec);
         let [ca, cb, cc] = ["a", "b", "c"].map(|name| b.field(0, address, name));
-        let past_cut = cut_flag(&mut b, self.spec, &self.lobes, address, u);
+        let past_cut = Ends::flag(&mut b, self.spec, table, address, u);
         let square = b.mul(x, x, "xx", "x^2");
         let s = b.floor(square, widths.get("s"), "s", "x^2, rounded down");
         let cube = b.mul(s, x, "sx", "x^3");

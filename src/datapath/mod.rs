@@ -10,10 +10,12 @@
 //! - [`evaluate`]: the function, many inputs at a time.
 
 pub mod builder;
+mod coefficients;
 pub mod cubic;
 pub mod evaluate;
 pub mod graph;
 mod polynomial;
+pub mod power;
 pub mod quadratic;
 pub mod schedule;
 pub mod simulate;
@@ -113,8 +115,18 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
     Ok(match (spec.method, spec.form) {
         (Method::Quadratic, Form::Stable) => Box::new(quadratic::Stable::new(spec)?),
         (Method::Quadratic, Form::Paper) => Box::new(quadratic::Paper::new(spec)?),
-        (Method::Cubic, Form::Stable) => Box::new(cubic::Stable::new(spec)?),
+        (Method::Cubic | Method::CubicThreePoint, Form::Stable) => Box::new(cubic::Stable::new(spec)?),
         (Method::Cubic, Form::Paper) => Box::new(cubic::Paper::new(spec)?),
+        (
+            Method::CubicMinZero
+            | Method::Lyon2
+            | Method::Lyon4
+            | Method::Lyon8
+            | Method::Power2
+            | Method::Power4
+            | Method::Power8,
+            _,
+        ) => power::architecture(spec)?,
         (method, _) => return Err(Error::input(format!("no architecture for {method:?}"), "choose another method")),
     })
 }

@@ -1,11 +1,11 @@
 //! What the polynomial lobes share: rounding coefficients, and the way from p to `x (1 - p)`.
 
-use super::builder::Builder;
+use super::builder::{Builder, Case};
 use super::graph::NodeId;
 use super::{CaseError, Datapath, Description};
 use crate::number::{Format, Interval, exp2};
 use crate::rom::{Field, Table};
-use crate::spec::{CoreSpec, Widths};
+use crate::spec::{Coefficients, CoreSpec, Shininess, Widths};
 
 /// The nearest integer code of `value` at `frac_bits` fraction bits, halves away from zero.
 pub(super) fn nearest_code(value: f64, frac_bits: i32) -> i128 {
@@ -25,6 +25,178 @@ pub(super) fn field(
     Field { name, meaning, format: Format::holding(low, high, frac_bits), codes, reals }
 }
 
+/// A coefficient over a row of the ROM: of a fixed-point range, `base + f step` with f from 0 to below 1 on the way to the
+/// next row; else step is 0.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line {
+    pub base: f64,
+    pub step: f64,
+}
+
+impl Line {
+    /// The lines between the values at the rows.
+    pub fn through(spec: &CoreSpec, values: &[f64]) -> Vec<Self> {
+        let step = |row: usize| match spec.shininess {
+            Shininess::Fixed { .. } if row + 1 < values.len() => values[row + 1] - values[row],
+            _ => 0.0,
+        };
+        values.iter().enumerate().map(|(row, &base)| Self { base, step: step(row) }).collect()
+    }
+
+    /// The values at both ends, and so all between them.
+    pub fn range(self) -> Interval {
+        Interval::point(self.base).hull(Interval::point(self.base + self.step))
+    }
+
+    fn scale(self, exponent: i32) -> Self {
+        Self { base: self.base * exp2(exponent), step: self.step * exp2(exponent) }
+    }
+}
+
+/// A scaled coefficient as fields of the ROM: its value at the row, and where it is interpolated its step to the next.
+pub(super) fn line_fields(
+    spec: &CoreSpec,
+    [name, step_name]: [&'static str; 2],
+    [meaning, step_meaning]: [&'static str; 2],
+    frac_bits: i32,
+    lines: &[Line],
+) -> Vec<Field> {
+    let column = |name, meaning, reals: Vec<f64>| {
+        let codes: Vec<i128> = reals.iter().map(|&real| nearest_code(real, frac_bits)).collect();
+        field(name, meaning, frac_bits, codes, reals)
+    };
+    let mut fields = vec![column(name, meaning, lines.iter().map(|line| line.base).collect())];
+    if matches!(spec.shininess, Shininess::Fixed { .. }) {
+        fields.push(column(step_name, step_meaning, lines.iter().map(|line| line.step).collect()));
+    }
+    as_fitted(spec, fields)
+}
+
+/// Where coefficients are fitted, the ROM's words themselves are the coefficients of the method.
+pub(super) fn as_fitted(spec: &CoreSpec, mut fields: Vec<Field>) -> Vec<Field> {
+    if spec.coefficients == Coefficients::Minimax {
+        for field in &mut fields {
+            field.reals = field.codes.iter().map(|&code| field.format.value(code)).collect();
+        }
+    }
+    fields
+}
+
+/// A scaled coefficient of a row before and after it was rounded to words.
+pub(super) fn lines_of(table: &Table, [name, step]: [&'static str; 2], row: usize) -> [Line; 2] {
+    let of = |value: &dyn Fn(&Field) -> f64| {
+        let column = |name: &str| table.fields.iter().find(|field| field.name == name).map_or(0.0, value);
+        Line { base: column(name), step: column(step) }
+    };
+    [of(&|field| field.reals[row]), of(&|field| field.format.value(field.codes[row]))]
+}
+
+/// What rounding added to a scaled coefficient of a row.
+pub(super) fn delta(table: &Table, names: [&'static str; 2], row: usize) -> Interval {
+    let [real, word] = lines_of(table, names, row);
+    Line { base: word.base - real.base, step: word.step - real.step }.range()
+}
+
+/// k of a row.
+pub(super) fn shift_of(table: &Table, row: usize) -> i32 {
+    let own = table.fields.iter().find(|field| field.name == "k").map_or(0, |field| field.codes[row]);
+    own as i32 + table.shared_shift as i32
+}
+
+/// The real coefficient of each shininess of the set, in order, unscaled: `power` times k is undone.
+pub(super) fn real_coefficients(spec: &CoreSpec, table: &Table, names: [&'static str; 2], power: i32) -> Vec<f64> {
+    let of = |index: usize| {
+        let (row, fraction) = spec.shininess.knot(index);
+        let [line, _] = lines_of(table, names, row);
+        let line = line.scale(power * shift_of(table, row));
+        line.base + fraction * line.step
+    };
+    (0..spec.shininess.rows()).map(of).collect()
+}
+
+/// The port `in_n` as the address of the memory `memory` and, of a fixed-point range, the fraction on the way to the next row.
+pub(super) fn address(b: &mut Builder, spec: &CoreSpec, memory: usize) -> (NodeId, Option<NodeId>) {
+    let Shininess::Fixed { frac_bits, .. } = spec.shininess else {
+        return (b.address(&spec.shininess, memory), None);
+    };
+    let (address, fraction) = b.split_index(&spec.shininess, frac_bits as i32, memory);
+    (address, Some(fraction))
+}
+
+/// A coefficient in the graph: a field of the ROM, or `base + f step` rounded down to the field's bits.
+pub(super) fn coefficient(
+    b: &mut Builder,
+    (address, fraction): (NodeId, Option<NodeId>),
+    [name, step]: [&'static str; 2],
+) -> NodeId {
+    let base = b.field(0, address, name);
+    let Some(fraction) = fraction else { return base };
+    let step = b.field(0, address, step);
+    let frac_bits = b.format(base).frac_bits;
+    let product = b.mul(fraction, step, &format!("f_{name}"), "the fraction of n times the step");
+    let product = b.floor(product, frac_bits, &format!("f_{name}_cut"), "rounded down");
+    b.add(base, product, &format!("{name}_between"), "the coefficient between two rows")
+}
+
+/// Where the polynomial of each row is left: the last versine that it serves, in the ROM's field `cut`.
+#[derive(Clone, Debug)]
+pub(super) struct Ends {
+    codes: Vec<i128>,
+    reals: Vec<f64>,
+    /// The largest code below 1, for a row that is never left: only u = 1 is greater, and there the result is 0 anyway.
+    most: i128,
+}
+
+impl Ends {
+    /// From each row's real end, if it has one.
+    pub fn of(spec: &CoreSpec, ends: impl Iterator<Item = Option<f64>>) -> Self {
+        let one = exp2(spec.input_fraction as i32);
+        let reals: Vec<f64> = ends.map(|end| end.unwrap_or(1.0)).collect();
+        let codes = reals.iter().map(|end| libm::floor(end * one).min(one - 1.0) as i128).collect();
+        Self { codes, reals, most: one as i128 - 1 }
+    }
+
+    /// The ROM's field; `None` where no row is left before u = 1.
+    pub fn field(self, spec: &CoreSpec) -> Option<Field> {
+        let any = self.codes.iter().any(|&code| code < self.most);
+        let meaning = "the largest versine of the polynomial";
+        any.then(|| field("cut", meaning, spec.input_fraction as i32, self.codes, self.reals))
+    }
+
+    /// The ends as the words hold them, as versines below 1.
+    pub fn in_codes(&self) -> Vec<f64> {
+        self.codes.iter().map(|&code| code as f64 / (self.most + 1) as f64).collect()
+    }
+
+    /// The ends that a table's words hold, as versines below 1.
+    pub fn in_words(spec: &CoreSpec, table: &Table) -> Vec<f64> {
+        let lsb = exp2(-(spec.input_fraction as i32));
+        match table.fields.iter().find(|field| field.name == "cut") {
+            Some(field) => field.codes.iter().map(|&code| code as f64 * lsb).collect(),
+            None => vec![1.0 - lsb; table.rows()],
+        }
+    }
+
+    /// The real ends of a table: 1 where there is none.
+    pub fn in_reals(table: &Table) -> Vec<f64> {
+        table.fields.iter().find(|field| field.name == "cut").map_or(vec![1.0; table.rows()], |cut| cut.reals.clone())
+    }
+
+    /// The flag for versines past the end, or `None` where the table has no such field.
+    pub fn flag(b: &mut Builder, spec: &CoreSpec, table: &Table, address: NodeId, u: NodeId) -> Option<NodeId> {
+        table.fields.iter().any(|field| field.name == "cut").then(|| {
+            debug_assert_eq!(b.format(u).frac_bits, spec.input_fraction as i32);
+            let cut = b.field(0, address, "cut");
+            b.greater(u, cut, "past_cut", "u > cut: past the polynomial's end")
+        })
+    }
+
+    /// The integer bits that a versine scaled by `2^k` needs up to the ends.
+    pub fn int_bits(ends: &[f64], k: &[i32]) -> i32 {
+        libm::ilogb(ends.iter().zip(k).map(|(end, &k)| end * exp2(k)).fold(1.0, f64::max)) + 1
+    }
+}
+
 /// The scaling of each row by `2^k`: what all rows share is wired, the rest is a ROM field and a shifter.
 #[derive(Clone, Debug)]
 pub(super) struct Scaling {
@@ -41,6 +213,16 @@ impl Scaling {
             k + i32::from(nearest_code(c.abs() * exp2(-k), frac_bits) >= 1 << frac_bits)
         };
         Self { k: leading.map(exponent).collect() }
+    }
+
+    /// The shifts of the cases, by the row of the first memory that each reads.
+    pub fn over_cases(&self, cases: &[Case]) -> Self {
+        Self { k: cases.iter().map(|case| self.k[case.rows[0].unwrap_or(0)]).collect() }
+    }
+
+    /// Coefficients over the rows, times `2^-(power k)`.
+    pub fn lines(&self, lines: &[Line], power: i32) -> Vec<Line> {
+        lines.iter().zip(&self.k).map(|(line, &k)| line.scale(-power * k)).collect()
     }
 
     /// The shift that all rows share.
@@ -97,6 +279,20 @@ pub(super) fn stable_description(formula: &str, spec: &CoreSpec, tables: &[Table
 /// format needs to hold what is computed there.
 pub(super) fn below_one(spec: &CoreSpec, end: f64) -> f64 {
     end.min(1.0 - exp2(-(spec.input_fraction as i32)))
+}
+
+/// The range of `v (big - small v)` over an interval of v.
+pub(super) fn parabola(big: f64, small: f64, v: Interval) -> Interval {
+    let at = |v: f64| Interval::point(v * (big - small * v));
+    let vertex = big / (2.0 * small);
+    let ends = at(v.low).hull(at(v.high));
+    if v.low < vertex && vertex < v.high { ends.hull(at(vertex)) } else { ends }
+}
+
+/// 0 at x = 0, where a surface faces away, else `y`.
+pub(super) fn lit(b: &mut Builder, u: NodeId, y: NodeId) -> NodeId {
+    let dark = b.reaches(u, 0, "dark", "u = 1: the surface faces away");
+    b.zero_if(dark, y, "y_lit", "y, 0 where the surface faces away")
 }
 
 /// From the exact p to the output: `x (1 - p)` with p cut to `UQ0.p`, 0 where `zero` or `p >= 1`.

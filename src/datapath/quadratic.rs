@@ -1,8 +1,8 @@
 //! The quadratic lobe `x (1 - a u)`, clamped at 0.
 
 use super::builder::{Builder, Case};
-use super::polynomial::{self, Scaling, field, nearest_code};
-use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
+use super::polynomial::{self, Line, Scaling, field, nearest_code};
+use super::{Architecture, Datapath, Description, Parameter, coefficients, multiplier_cost};
 use crate::error::Error;
 use crate::lobe::{Lobe, Quadratic};
 use crate::number::{Format, Interval, exp2};
@@ -24,21 +24,11 @@ pub struct Paper<'a> {
     lobes: Vec<Quadratic>,
 }
 
-fn lobes(spec: &CoreSpec) -> Result<Vec<Quadratic>, Error> {
-    spec.shininess.values().into_iter().map(Quadratic::new).collect()
-}
-
 /// What a coefficient `a + delta` in place of `a` does to the lobe: `-x u delta` up to the farther of the two zeros.
-fn coefficient_error(a: f64, delta: f64) -> Interval {
-    let u = active(a, a + delta);
+fn coefficient_error(zero: f64, delta: Interval) -> Interval {
     // x u = u (1 - u) has its maximum at 1/2.
-    let peak = u.min(0.5);
-    -(Interval::new(0.0, peak * (1.0 - peak)) * Interval::point(delta))
-}
-
-/// The versine from which both the lobe with `a` and the one with `b` are 0.
-fn active(a: f64, b: f64) -> f64 {
-    Quadratic { a }.zero().max(Quadratic { a: b }.zero())
+    let peak = zero.min(0.5);
+    -(Interval::new(0.0, peak * (1.0 - peak)) * delta)
 }
 
 impl<'a> Stable<'a> {
@@ -47,13 +37,21 @@ impl<'a> Stable<'a> {
     /// # Errors
     /// A shininess that the method refuses.
     pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
-        Ok(Self { spec, lobes: lobes(spec)? })
+        Ok(Self { spec, lobes: coefficients::quadratic(spec)? })
+    }
+
+    fn lines(&self) -> Vec<Line> {
+        let values: Vec<f64> = self.lobes.iter().map(|lobe| lobe.a).collect();
+        Line::through(self.spec, &values)
     }
 
     fn scaling(&self, frac_bits: i32) -> Scaling {
-        Scaling::of(self.lobes.iter().map(|l| l.a), frac_bits)
+        Scaling::of(self.lines().into_iter().map(|line| line.range().low), frac_bits)
     }
 }
+
+/// The fields of a: at a row, and its step to the next.
+const A: [&str; 2] = ["a", "a_step"];
 
 impl Architecture for Stable<'_> {
     fn parameters(&self) -> Vec<Parameter> {
@@ -83,10 +81,10 @@ impl Architecture for Stable<'_> {
     fn tables(&self, widths: &Widths) -> Vec<Table> {
         let bits = widths.get("a");
         let scaling = self.scaling(bits);
-        let reals: Vec<f64> = self.lobes.iter().zip(&scaling.k).map(|(l, &k)| l.a * exp2(-k)).collect();
-        let codes = reals.iter().map(|&a| nearest_code(a, bits)).collect();
-        let a = field("a", "the coefficient a, times 2^-k", bits, codes, reals);
-        let fields = [a].into_iter().chain(scaling.field()).collect();
+        let meanings = ["the coefficient a, times 2^-k", "its step to the next row"];
+        let lines = scaling.lines(&self.lines(), 1);
+        let mut fields = polynomial::line_fields(self.spec, A, meanings, bits, &lines);
+        fields.extend(scaling.field());
         vec![Table::new(&self.spec.shininess, fields, scaling.base() as u32)]
     }
 
@@ -94,39 +92,37 @@ impl Architecture for Stable<'_> {
         polynomial::stable_description("y = max(0, x (1 - a u))", self.spec, tables)
     }
 
-    fn lobes(&self, _tables: &[Table]) -> Vec<Box<dyn Lobe>> {
-        self.lobes.iter().map(|&lobe| Box::new(lobe) as Box<dyn Lobe>).collect()
+    fn lobes(&self, tables: &[Table]) -> Vec<Box<dyn Lobe>> {
+        let coefficients = polynomial::real_coefficients(self.spec, &tables[0], A, 1);
+        coefficients.into_iter().map(|a| Box::new(Quadratic { a }) as Box<dyn Lobe>).collect()
     }
 
     fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
         let scaling = self.scaling(widths.get("a"));
         let table = &tables[0];
-        let rounded = |row: usize| {
-            let a = table.field("a");
-            a.format.value(a.codes[row]) * exp2(scaling.k[row])
+        // The least a that a row has, before or after rounding, makes the lobe end last.
+        let least = |row: usize| {
+            let [real, word] = polynomial::lines_of(table, A, row).map(|line| line.range().low);
+            real.min(word) * exp2(scaling.k[row])
         };
         // Just past the zero p may still be below 1, since v is rounded down: up to there the values must be right.
-        let ends: Vec<f64> = self
-            .lobes
-            .iter()
-            .enumerate()
-            .map(|(row, lobe)| {
-                let past = active(lobe.a, rounded(row)) + exp2(-scaling.k[row] - widths.get("v"));
-                polynomial::below_one(self.spec, past.min(exp2(1 - scaling.k[row])))
-            })
-            .collect();
+        let end = |row: usize| {
+            let past = Quadratic { a: least(row) }.zero() + exp2(-scaling.k[row] - widths.get("v"));
+            polynomial::below_one(self.spec, past.min(exp2(1 - scaling.k[row])))
+        };
+        let ends: Vec<f64> = (0..table.rows()).map(end).collect();
         let mut b = Builder::new(&tables, Case::of_rows(table, &ends));
-        let address = b.address(&self.spec.shininess, 0);
+        let address = polynomial::address(&mut b, self.spec, 0);
         let (x, u) = b.operand(self.spec);
-        let a = b.field(0, address, "a");
-        let scaled = scaling.apply(&mut b, address, u);
+        let a = polynomial::coefficient(&mut b, address, A);
+        let scaled = scaling.apply(&mut b, address.0, u);
         let beyond = b.reaches(scaled, 1, "beyond", "u 2^k >= 2: then a u >= 1, since a 2^-k >= 1/2");
         let v = b.cast(scaled, Format::unsigned(1, widths.get("v")), true, "v", "v = u 2^k, rounded down");
         let p = b.mul(a, v, "av", "a u = (a 2^-k) v");
         let y = polynomial::output_of_p(&mut b, self.spec, widths, x, p, beyond);
         polynomial::finish(b, self.spec, &tables, y, |row| {
-            let a = self.lobes[row].a;
-            coefficient_error(a, rounded(row) - a)
+            let delta = polynomial::delta(table, A, row).scale(scaling.k[row]);
+            coefficient_error(Quadratic { a: least(row) }.zero(), delta)
         })
     }
 }
@@ -137,7 +133,7 @@ impl<'a> Paper<'a> {
     /// # Errors
     /// A shininess that the method refuses.
     pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
-        Ok(Self { spec, lobes: lobes(spec)? })
+        Ok(Self { spec, lobes: coefficients::quadratic(spec)? })
     }
 }
 
@@ -204,8 +200,9 @@ impl Architecture for Paper<'_> {
         let y = polynomial::pad(&mut b, y, g);
         let y = b.clamp_to_unit(y, "y", "taken into [0, 1]");
         polynomial::finish(b, self.spec, &tables, y, |row| {
-            let a = table.field("a");
-            coefficient_error(self.lobes[row].a, a.format.value(a.codes[row]) - self.lobes[row].a)
+            let (real, a) = (self.lobes[row].a, table.field("a"));
+            let word = a.format.value(a.codes[row]);
+            coefficient_error(Quadratic { a: real.min(word) }.zero(), Interval::point(word - real))
         })
     }
 }

@@ -5,24 +5,7 @@ use super::minimax::{self, Best, Piece, Pieces, Shape};
 use super::target::{DEEP, Objective, Target, versine};
 use crate::error::Error;
 use crate::lobe::{Cubic, Quadratic, check_shininess};
-
-/// What the power's inside is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Inside {
-    /// `1 - A u`.
-    Linear,
-    /// `1 - u (A - a u)`.
-    Quadratic,
-}
-
-/// What the cubic does where it would rise again.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Tail {
-    /// It is 0 beyond the minimum of the inner parabola, `u = A / (2a)`, if that lies before u = 1: see [`Cubic::cut`].
-    Cut,
-    /// It keeps the value that it has at its own local minimum, if that lies before u = 1.
-    Hold,
-}
+use crate::spec::{Inside, Tail};
 
 /// The inside `1 - u (A - a u)` of a power.
 #[derive(Clone, Copy, Debug, PartialEq)]

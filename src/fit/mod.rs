@@ -14,9 +14,11 @@ mod minimax;
 mod segments;
 mod target;
 
-pub use family::{Inside, Power, Tail, cubic, min_zero, power, quadratic};
+pub use family::{Power, cubic, min_zero, power, quadratic};
 pub use segments::{Peak, Segment, fit_segment, segment_bounds, segment_end};
 pub use target::Objective;
+
+pub use crate::spec::{Inside, Tail};
 
 /// Coefficients and how good they are.
 #[derive(Clone, Copy, Debug, PartialEq)]

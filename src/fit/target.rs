@@ -4,9 +4,10 @@ use crate::error::Error;
 use crate::lobe;
 
 /// What a fit makes as small as possible. `f = x^n` is the exact lobe, `g` the approximation.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Objective {
     /// The largest `|g - f|` over all cosines in [0, 1].
+    #[default]
     MaxAbs,
     /// The largest `|g - f|` where `f >= level`, with the level in 0.001..=0.99. Past the level the lobe is whatever the
     /// shape gives, within [0, 1].
@@ -29,12 +30,53 @@ pub enum Objective {
     },
 }
 
+impl std::fmt::Display for Objective {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::MaxAbs => write!(f, "max-abs"),
+            Self::MaxAbsLevel { level } => write!(f, "max-abs:{level}"),
+            Self::MaxRel { level } => write!(f, "max-rel:{level}"),
+            Self::Weighted { power } => write!(f, "weighted:{power}"),
+        }
+    }
+}
+
+impl std::str::FromStr for Objective {
+    type Err = String;
+
+    /// Reads `max-abs`, `max-abs:LEVEL`, `max-rel:LEVEL` or `weighted:POWER`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let allowed = "an objective is max-abs, max-abs:LEVEL, max-rel:LEVEL or weighted:POWER";
+        let number = |text: &str| text.parse::<f64>().map_err(|_| format!("`{text}` is not a number; {allowed}"));
+        match text.split_once(':') {
+            None if text == "max-abs" => Ok(Self::MaxAbs),
+            Some(("max-abs", level)) => Ok(Self::MaxAbsLevel { level: number(level)? }),
+            Some(("max-rel", level)) => Ok(Self::MaxRel { level: number(level)? }),
+            Some(("weighted", power)) => Ok(Self::Weighted { power: number(power)? }),
+            _ => Err(format!("`{text}` is not an objective; {allowed}")),
+        }
+    }
+}
+
+impl serde::Serialize for Objective {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl<'de> serde::Deserialize<'de> for Objective {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = <std::borrow::Cow<'de, str>>::deserialize(deserializer)?;
+        text.parse().map_err(serde::de::Error::custom)
+    }
+}
+
 /// The least f in [`Objective::Weighted`].
 const WEIGHT_FLOOR: f64 = 1.0 / 65_536.0;
 
 impl Objective {
     /// Refuses levels and powers out of range.
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         match *self {
             Self::MaxAbsLevel { level } | Self::MaxRel { level } if !(0.001..=0.99).contains(&level) => {
                 Err(Error::input(
@@ -51,7 +93,7 @@ impl Objective {
     }
 
     /// The factor of `|g - f|` where the exact lobe is `f`.
-    pub(super) fn weight(&self, f: f64) -> f64 {
+    pub(crate) fn weight(&self, f: f64) -> f64 {
         match *self {
             Self::MaxAbs | Self::MaxAbsLevel { .. } => 1.0,
             Self::MaxRel { level } => 1.0 / f.max(level),

@@ -90,6 +90,21 @@ impl Cubic {
         (self.a > 0.0 && minimum < 1.0).then_some(minimum)
     }
 
+    /// The versine in (0, 1) of the cubic's own minimum, where it is held if not cut: the smaller zero of its derivative
+    /// `-(3a u^2 - 2(A + a) u + (1 + A))`.
+    #[must_use]
+    pub fn minimum(&self) -> Option<f64> {
+        let half = self.big_a + self.a;
+        let minimum = (1.0 + self.big_a) / (half + libm::sqrt(half * half - 3.0 * self.a * (1.0 + self.big_a)));
+        (0.0 < minimum && minimum < 1.0).then_some(minimum)
+    }
+
+    /// `x (1 - u (A - a u))`, wherever it goes.
+    #[must_use]
+    pub fn formula(&self, u: f64) -> f64 {
+        (1.0 - u) * (1.0 - u * (self.big_a - self.a * u))
+    }
+
     /// The printed `(a, b, c)` of `a x^3 + b x^2 + c x`.
     #[must_use]
     pub fn printed(&self) -> [f64; 3] {
@@ -102,6 +117,6 @@ impl Lobe for Cubic {
         if self.cut().is_some_and(|cut| u > cut) {
             return 0.0;
         }
-        ((1.0 - u) * (1.0 - u * (self.big_a - self.a * u))).clamp(0.0, 1.0)
+        self.formula(u).clamp(0.0, 1.0)
     }
 }

@@ -7,7 +7,7 @@ use crate::number::wide::Wide;
 pub(super) fn stable(inputs: &Inputs) -> Wide {
     let u = Wide::ONE - inputs.x;
     if past_cut(inputs, u) {
-        return Wide::ZERO;
+        return inputs.lit(inputs.optional("hold").unwrap_or(Wide::ZERO));
     }
     let v = inputs.floor(u << inputs.shift(), "v");
     let q = inputs.coefficient("big_a") - inputs.floor(inputs.coefficient("a") * v, "A");

@@ -5,6 +5,7 @@
 //! ROM words and the inner widths; what it does with them is its own account of the arithmetic.
 
 mod cubic;
+mod power;
 mod quadratic;
 
 use crate::number::wide::{self, Wide};
@@ -29,7 +30,7 @@ impl<'a> Model<'a> {
     /// The code of `out_spec` (UQ1.G) for a code of `in_n` and a code of the operand port (`in_cos` as a signed number).
     #[must_use]
     pub fn evaluate(&self, index: u32, operand: i64) -> u32 {
-        let row = self.spec.shininess.row_of_index(index);
+        let (row, fraction) = self.spec.shininess.knot(self.spec.shininess.row_of_index(index));
         let one = Wide::ONE;
         let operand = wide::from_code(operand.into(), self.spec.input_fraction);
         let x = match self.spec.operand {
@@ -41,14 +42,19 @@ impl<'a> Model<'a> {
             half_ulp: wide::from_code(1, self.spec.output_fraction + 1),
             fine_input: self.spec.input_fraction > self.spec.output_fraction,
             row,
+            fraction: Wide::from_num(fraction),
+            n: self.spec.shininess.index_of_row(self.spec.shininess.row_of_index(index)),
             tables: self.tables,
             widths: self.widths,
         };
         let y = match (self.spec.method, self.spec.form) {
             (Method::Quadratic, Form::Stable) => quadratic::stable(&inputs),
             (Method::Quadratic, Form::Paper) => quadratic::paper(&inputs),
-            (Method::Cubic, Form::Stable) => cubic::stable(&inputs),
+            (Method::Cubic | Method::CubicThreePoint, Form::Stable) => cubic::stable(&inputs),
             (Method::Cubic, Form::Paper) => cubic::paper(&inputs),
+            (Method::CubicMinZero, _) => power::min_zero(&inputs),
+            (Method::Power2 | Method::Power4 | Method::Power8, _) => power::rom(&inputs, self.spec.method),
+            (Method::Lyon2 | Method::Lyon4 | Method::Lyon8, _) => power::lyon(&inputs, self.spec),
             (method, _) => unreachable!("no design is made for {method:?}"),
         };
         wide::to_code(y, self.spec.output_fraction) as u32
@@ -63,8 +69,12 @@ struct Inputs<'a> {
     half_ulp: Wide,
     /// The input has more fraction bits than the output.
     fine_input: bool,
-    /// The place of the shininess in the set.
+    /// The row of the coefficient ROM.
     row: usize,
+    /// The code of `in_n`, taken into the set.
+    n: u32,
+    /// How far the shininess lies on the way to the next row.
+    fraction: Wide,
     tables: &'a [Table],
     widths: &'a Widths,
 }
@@ -82,15 +92,39 @@ impl Inputs<'_> {
         if frac_bits >= 0 { wide::from_code(code, frac_bits as u32) } else { wide::from_code(code << -frac_bits, 0) }
     }
 
-    /// The named coefficient of this shininess, as the ROM holds it.
+    /// The named coefficient of this shininess: as the ROM holds it, or with its step to the next row for as much of the way.
     fn coefficient(&self, name: &str) -> Wide {
-        self.entry(Table::COEFFICIENTS, self.row, name)
+        let base = self.entry(Table::COEFFICIENTS, self.row, name);
+        match self.optional(&format!("{name}_step")) {
+            Some(step) => {
+                let frac_bits = self.memory(Table::COEFFICIENTS).field(name).format.frac_bits;
+                base + wide::floor_to(step * self.fraction, frac_bits as u32)
+            }
+            None => base,
+        }
     }
 
-    /// The named coefficient, if the ROM has such a field.
+    /// The named field of this shininess' row, if the ROM has such a field.
     fn optional(&self, name: &str) -> Option<Wide> {
         let fields = &self.memory(Table::COEFFICIENTS).fields;
-        fields.iter().any(|f| f.name == name).then(|| self.coefficient(name))
+        fields.iter().any(|f| f.name == name).then(|| self.entry(Table::COEFFICIENTS, self.row, name))
+    }
+
+    /// `value`, or 0 at x = 0, where a surface faces away.
+    fn lit(&self, value: Wide) -> Wide {
+        if self.x == Wide::ZERO { Wide::ZERO } else { value }
+    }
+
+    /// The kth power, k a power of two, by squarings of which all but the last are rounded down to their width.
+    fn power(&self, base: Wide, k: u32) -> Wide {
+        let mut value = base;
+        for level in 0..k.trailing_zeros() {
+            if level > 0 {
+                value = self.floor(value, "s");
+            }
+            value *= value;
+        }
+        value
     }
 
     /// `value` rounded down to the named width.

@@ -50,9 +50,10 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table with the given fields for a set of shininesses.
+    /// A coefficient ROM with the given fields for a set of shininesses.
     #[must_use]
     pub fn new(set: &Shininess, fields: Vec<Field>, shared_shift: u32) -> Self {
+        let set = &set.of_knots();
         let rows = set.rows();
         debug_assert!(fields.iter().all(|f| f.codes.len() == rows && f.reals.len() == rows));
         let packed_bits = (usize::BITS - (rows - 1).leading_zeros()).max(1);

@@ -12,6 +12,7 @@ use super::{
     Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, Shininess, Tail,
 };
 use crate::error::Error;
+use crate::fit::Objective;
 use crate::lobe;
 use crate::rom::RomFormat;
 
@@ -39,6 +40,12 @@ pub struct SpecFields {
     #[arg(long, value_enum)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub coefficients: Option<Coefficients>,
+
+    /// What fitted coefficients make least: max-abs, max-abs:LEVEL or max-rel:LEVEL (where x^n is at least LEVEL), or
+    /// weighted:POWER (errors times a power of x^n) [default: max-abs]
+    #[arg(long)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub objective: Option<Objective>,
 
     /// Level of the cubic's point of contact, 0.05 to 0.95 [default: 0.5]
     #[arg(long)]
@@ -196,6 +203,7 @@ impl SpecFields {
             method: self.method.or(other.method),
             form: self.form.or(other.form),
             coefficients: self.coefficients.or(other.coefficients),
+            objective: self.objective.or(other.objective),
             q: self.q.or(other.q),
             g: self.g.or(other.g),
             tail: self.tail.or(other.tail),
@@ -272,6 +280,10 @@ impl SpecFields {
             }
         };
         refuse("level q with fitted coefficients", self.q.is_some(), coefficients == Coefficients::Paper)?;
+        let fitted = coefficients == Coefficients::Minimax && !method.coefficients().is_empty();
+        refuse("objective without fitted coefficients", self.objective.is_some(), fitted)?;
+        let objective = self.objective.unwrap_or_default();
+        objective.check()?;
         if form == Form::Paper && coefficients == Coefficients::Minimax {
             return Err(Error::input("the paper form has the paper's coefficients", "use --form stable with minimax"));
         }
@@ -329,6 +341,7 @@ impl SpecFields {
             inside: self.inside.unwrap_or(Inside::Quadratic),
             divider: self.divider.unwrap_or(Divider::Digit),
             coefficients,
+            objective,
             shininess,
             input_fraction: within("input_fraction", self.input_fraction.unwrap_or(16), INPUT_FRACTION)?,
             output_fraction: within("output_fraction", self.output_fraction.unwrap_or(16), OUTPUT_FRACTION)?,
@@ -357,6 +370,7 @@ impl SpecFields {
             method: Some(spec.method),
             form: Some(spec.form),
             coefficients: (!method.coefficients().is_empty()).then_some(spec.coefficients),
+            objective: fitted.then_some(spec.objective),
             q: (method.has_level() && !fitted).then_some(spec.q),
             g: (method == Method::CubicThreePoint).then_some(spec.g),
             tail: method.has_tail().then_some(spec.tail),
@@ -420,6 +434,9 @@ impl SpecFields {
         }
         if let Some(coefficients) = self.coefficients.filter(|_| self.coefficients != defaults.coefficients) {
             flag("coefficients", word(&coefficients));
+        }
+        if let Some(objective) = self.objective.filter(|&objective| objective != Objective::default()) {
+            flag("objective", objective.to_string());
         }
         if let Some(q) = self.q.filter(|_| self.q != defaults.q) {
             flag("q", q.to_string());

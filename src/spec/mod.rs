@@ -16,6 +16,7 @@ pub use method::{Coefficients, Divider, Form, Inside, Method, Tail};
 pub use shininess::{MAX_ROWS, Material, Shininess};
 pub use widths::Widths;
 
+use crate::fit::Objective;
 use crate::rom::RomFormat;
 
 /// Input fraction bits that are allowed.
@@ -96,6 +97,8 @@ pub struct CoreSpec {
     pub divider: Divider,
     /// Where the coefficients come from ([`Method::coefficients`]).
     pub coefficients: Coefficients,
+    /// What fitted coefficients make least.
+    pub objective: Objective,
     /// The shininesses that the core serves.
     pub shininess: Shininess,
     /// F: fraction bits of the input.

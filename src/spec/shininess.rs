@@ -65,7 +65,28 @@ impl Shininess {
         }
     }
 
-    /// The number of rows.
+    /// The shininess of each row of a coefficient ROM: between the integers of a fixed-point range, coefficients are interpolated.
+    #[must_use]
+    pub fn knots(&self) -> Vec<f64> {
+        match self {
+            Self::Fixed { first, last, .. } => (*first..=*last).map(f64::from).collect(),
+            other => other.values(),
+        }
+    }
+
+    /// The ROM row of the shininess at a place of the set, and how far it lies on the way to the next, from 0 to below 1.
+    #[must_use]
+    pub fn knot(&self, place: usize) -> (usize, f64) {
+        match self {
+            Self::Fixed { frac_bits, .. } => {
+                let fraction = place & ((1 << frac_bits) - 1);
+                (place >> frac_bits, fraction as f64 * exp2(-(*frac_bits as i32)))
+            }
+            _ => (place, 0.0),
+        }
+    }
+
+    /// The number of shininesses.
     #[must_use]
     pub fn rows(&self) -> usize {
         match self {
@@ -73,6 +94,24 @@ impl Shininess {
             Self::Fixed { first, last, frac_bits } => ((last - first) as usize) * (1 << frac_bits) + 1,
             Self::List(list) => list.len(),
             Self::Materials(materials) => materials.len(),
+        }
+    }
+
+    /// The set of the rows of a coefficient ROM: the integers of a fixed-point range.
+    #[must_use]
+    pub fn of_knots(&self) -> Self {
+        match self {
+            Self::Fixed { first, last, .. } => Self::Range(*first, *last),
+            other => other.clone(),
+        }
+    }
+
+    /// The fraction bits of `in_n`.
+    #[must_use]
+    pub fn frac_bits(&self) -> u32 {
+        match self {
+            Self::Fixed { frac_bits, .. } => *frac_bits,
+            _ => 0,
         }
     }
 
