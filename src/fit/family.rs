@@ -111,7 +111,7 @@ impl<const D: usize> Shape<D> for Scaled<'_> {
             let half = big_a + a;
             let minimum = (1.0 + big_a) / (half + libm::sqrt(half * half - 3.0 * a * (1.0 + big_a)));
             return if 0.0 < minimum && minimum < 1.0 {
-                whole.then(minimum, Piece::Constant(self.formula(p, minimum).min(1.0)))
+                whole.then(minimum, Piece::Constant(self.formula(p, minimum)))
             } else {
                 whole
             };
@@ -134,7 +134,7 @@ impl<const D: usize> Shape<D> for Scaled<'_> {
             value *= value;
             power *= 2;
         }
-        if self.form.cosine { value * (1.0 - u) } else { value }
+        if self.form.cosine { value * (1.0 - u) } else { value }.min(1.0)
     }
 }
 
