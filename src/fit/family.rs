@@ -94,7 +94,7 @@ impl<const D: usize> Shape<D> for Scaled<'_> {
             let half = big_a + a;
             let minimum = (1.0 + big_a) / (half + libm::sqrt(half * half - 3.0 * a * (1.0 + big_a)));
             return if 0.0 < minimum && minimum < 1.0 {
-                whole.then(minimum, Piece::Constant(self.formula(p, minimum).min(1.0)))
+                whole.then(minimum, Piece::Constant(self.formula(p, minimum)))
             } else {
                 whole
             };
@@ -117,7 +117,7 @@ impl<const D: usize> Shape<D> for Scaled<'_> {
             value *= value;
             power *= 2;
         }
-        if self.form.cosine { value * (1.0 - u) } else { value }
+        if self.form.cosine { value * (1.0 - u) } else { value }.min(1.0)
     }
 }
 
@@ -140,12 +140,14 @@ fn best(n: f64, form: &Form, inside: Inside, objective: &Objective) -> Result<Fi
             let pairs = slopes
                 .iter()
                 .enumerate()
-                .flat_map(|(i, first)| slopes[i + 1..].iter().map(move |second| (first, second)));
-            let through = |(&(u, slope), &(v, other))| {
-                let a: f64 = (slope - other) / (v - u);
-                [(slope + a * u) * unit, a * unit * unit]
-            };
-            pairs.map(through).collect::<Vec<[f64; 2]>>()
+                .flat_map(|(i, &first)| slopes[i + 1..].iter().map(move |&second| (first, second)));
+            let starts = pairs.flat_map(|((u, slope), (v, other)): ((f64, f64), (f64, f64))| {
+                // Through both points; and through the first, with the minimum at the second, which is where a lobe is cut.
+                let a = (slope - other) / (v - u);
+                let cut = slope / (2.0 * v - u);
+                [(slope + a * u, a), (2.0 * v * cut, cut)]
+            });
+            starts.map(|(big_a, a)| [big_a * unit, a * unit * unit]).collect()
         }),
     };
     let found = fit(objective);

@@ -197,14 +197,18 @@ impl Curve {
             let breaks = end < high;
             let to = if breaks { Place::Break { end: index, piece: index } } else { Place::At(high) };
             curve.clear();
+            // A top may lie between a break and the nearest sample: two more points in each such gap show it.
             if let Place::Break { end: start, .. } = from {
-                curve.push(point(&target.at(pieces.list[start].1)));
+                let start = pieces.list[start].1;
+                let gap = samples.peek().map_or(high, |sample| sample.u).min(end) - start;
+                curve.extend([0.0, 0.02, 0.5].map(|part| point(&target.at(start + part * gap))));
             }
             while let Some(sample) = samples.next_if(|sample| sample.u <= end) {
                 curve.push(point(sample));
             }
             if breaks {
-                curve.push(point(&target.at(end)));
+                let gap = end - curve.last().map_or(low, |last| last.u);
+                curve.extend([0.5, 0.02, 0.0].map(|part| point(&target.at(end - part * gap))));
             }
             tops.push((curve[0], from));
             tops.push((curve[curve.len() - 1], to));
@@ -258,24 +262,27 @@ impl Curve {
 
 /// The top of a hill of `sign * error` between the outer two of three points, by parabolas through the best three.
 fn refine(mut three: [Point; 3], sign: f64, curve: impl Fn(f64) -> Point) -> Point {
-    for _ in 0..3 {
+    for _ in 0..10 {
         let [left, middle, right] = three;
         let (before, after) = (middle.u - left.u, right.u - middle.u);
         let rise = sign * (middle.error - left.error) * after;
         let fall = sign * (middle.error - right.error) * before;
         // The vertex, from the middle; both differences are at least 0.
         let shift = 0.5 * (rise * after - fall * before) / (rise + fall);
-        if !(shift.abs() > 1e-9 * (before + after)) {
+        if shift.is_nan() || shift.abs() <= 1e-9 * (before + after) {
             break;
         }
         let top = curve((middle.u + shift).clamp(left.u, right.u));
-        let better = sign * top.error > sign * middle.error;
-        three = match (shift > 0.0, better) {
+        let gain = sign * (top.error - middle.error);
+        three = match (shift > 0.0, gain > 0.0) {
             (true, true) => [middle, top, right],
             (true, false) => [left, middle, top],
             (false, true) => [left, top, middle],
             (false, false) => [top, middle, right],
         };
+        if gain.abs() < 1e-8 * middle.error.abs() {
+            break;
+        }
     }
     three[1]
 }
@@ -298,7 +305,7 @@ fn linear_minimax<const D: usize>(extrema: &[Extremum<D>], unit: f64, radius: f6
             (entries, extrema[j].error / unit)
         } else {
             let wall = j - extrema.len();
-            entries[wall / 2] = if wall % 2 == 0 { 1.0 } else { -1.0 };
+            entries[wall / 2] = if wall.is_multiple_of(2) { 1.0 } else { -1.0 };
             (entries, -radius)
         }
     };
@@ -355,15 +362,16 @@ type Vector = [f64; ROWS];
 fn solve(mut matrix: [Vector; ROWS], mut right: Vector, size: usize) -> Option<Vector> {
     for k in 0..size {
         let pivot = (k..size).max_by(|&i, &j| matrix[i][k].abs().total_cmp(&matrix[j][k].abs()))?;
-        if !(matrix[pivot][k].abs() > 1e-200) {
+        if matrix[pivot][k].abs() < 1e-200 {
             return None;
         }
         matrix.swap(k, pivot);
         right.swap(k, pivot);
+        let row = matrix[k];
         for i in k + 1..size {
-            let factor = matrix[i][k] / matrix[k][k];
-            for j in k..size {
-                matrix[i][j] -= factor * matrix[k][j];
+            let factor = matrix[i][k] / row[k];
+            for (entry, above) in matrix[i].iter_mut().zip(row) {
+                *entry -= factor * above;
             }
             right[i] -= factor * right[k];
         }

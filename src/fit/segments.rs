@@ -9,7 +9,7 @@ use crate::lobe::{check_shininess, exact};
 /// The coefficients of `x (c - u (A - a u))` on one segment, the value clamped to [0, 1].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Segment {
-    /// The constant: 1 in the first segment.
+    /// The constant: 1 in a first segment that is exact at x = 1.
     pub c: f64,
     /// The linear coefficient, of the order of n.
     pub big_a: f64,
@@ -277,7 +277,7 @@ fn segment(n: f64, low: f64, high: f64, first: bool, objective: &Objective) -> F
         (true, true) => fitted(&Target::interval(n, low, reach, objective)),
         (true, false) => 0.0,
     };
-    // The starts interpolate at the zeros of Chebyshev's polynomial, of degree 2 and 3: (1 ± sqrt(1/2)) / 2 and 0, ± sqrt(3/4).
+    // The starts interpolate: at the top and two further points, or at the zeros of Chebyshev's cubic polynomial.
     if first {
         let local = Local { low, high: top, origin: 0.0, unit: top };
         let slope = |w: f64| (wanted(top * w) - 1.0) / w;

@@ -113,6 +113,11 @@ impl Objective {
         }
     }
 
+    /// The depth `-ln f` where the weight has a kink, and so perhaps the error its largest value.
+    fn kink(&self) -> Option<f64> {
+        matches!(self, Self::Weighted { .. }).then(|| -libm::log(WEIGHT_FLOOR))
+    }
+
     /// The versine up to which errors count.
     pub(super) fn reach(&self, n: f64) -> f64 {
         match *self {
@@ -155,12 +160,11 @@ impl Target {
             Objective::MaxAbsLevel { level } | Objective::MaxRel { level } => {
                 lobatto(0.0, -libm::log(level), 96).collect()
             }
-            Objective::MaxAbs => (0..=240).map(|i| DEEP * (f64::from(i) / 240.0) * (f64::from(i) / 240.0)).collect(),
-            Objective::Weighted { .. } => (0..=240)
-                .map(|i| DEEP * (f64::from(i) / 240.0) * (f64::from(i) / 240.0))
-                .chain([-libm::log(WEIGHT_FLOOR)])
-                .collect(),
+            Objective::MaxAbs | Objective::Weighted { .. } => {
+                (0..=240).map(|i| DEEP * (f64::from(i) / 240.0) * (f64::from(i) / 240.0)).collect()
+            }
         };
+        depths.extend(objective.kink());
         depths.sort_by(f64::total_cmp);
         let mut target = Self { n, objective: *objective, samples: Vec::with_capacity(depths.len() + 1) };
         for depth in depths {
@@ -179,9 +183,10 @@ impl Target {
         let mut places: Vec<f64> = lobatto(low, high, 32).collect();
         if depth(high) - depth(low) > 4.0 {
             places.extend(lobatto(depth(low), depth(high), 48).map(|depth| versine(n, depth).clamp(low, high)));
-            places.sort_by(f64::total_cmp);
-            places.dedup();
         }
+        places.extend(objective.kink().map(|depth| versine(n, depth)).filter(|u| (low..=high).contains(u)));
+        places.sort_by(f64::total_cmp);
+        places.dedup();
         let mut target = Self { n, objective: *objective, samples: Vec::with_capacity(places.len()) };
         target.samples.extend(places.into_iter().map(|u| {
             let exact = lobe::exact(n, u);
