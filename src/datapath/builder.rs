@@ -216,7 +216,8 @@ impl<'a> Builder<'a> {
             let comment = "n minus the first of the range".to_owned();
             self.push(Op::Sub, &[whole, first_node], format, "address", comment, bounds)
         };
-        let fraction = self.cast(n, Format::unsigned(0, frac_bits), true, "n_fraction", "what n has beyond that integer");
+        let fraction =
+            self.cast(n, Format::unsigned(0, frac_bits), true, "n_fraction", "what n has beyond that integer");
         let last = self.cases.iter().map(|case| case.rows[memory] == Some(table.rows() - 1)).collect::<Vec<_>>();
         let most = 1.0 - crate::number::exp2(-frac_bits);
         self.assume(

@@ -1,7 +1,7 @@
 //! The cubic lobe `x (1 - u (A - a u))`, cut to 0 past the minimum of its inner parabola.
 
 use super::builder::{Builder, Case};
-use super::polynomial::{self, Ends, Scaling, field, nearest_code};
+use super::polynomial::{self, Ends, Line, Scaling, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, coefficients, multiplier_cost};
 use crate::error::Error;
 use crate::lobe::{Cubic, Lobe, Polynomial};
@@ -33,7 +33,12 @@ impl<'a> Stable<'a> {
     }
 
     fn scaling(&self, frac_bits: i32) -> Scaling {
-        Scaling::of(self.lobes.iter().map(|l| l.big_a), frac_bits)
+        Scaling::of(self.lines(|lobe| lobe.big_a).into_iter().map(|line| line.range().low), frac_bits)
+    }
+
+    fn lines(&self, of: impl Fn(&Cubic) -> f64) -> Vec<Line> {
+        let values: Vec<f64> = self.lobes.iter().map(of).collect();
+        Line::through(self.spec, &values)
     }
 
     /// Where each row's cubic is left: at the inner parabola's minimum to be cut, at its own to be held.
@@ -57,7 +62,7 @@ impl<'a> Stable<'a> {
     }
 }
 
-/// The fields of A and a; they are not interpolated.
+/// The fields of A and a: at a row, and their steps to the next.
 const BIG_A: [&str; 2] = ["big_a", "big_a_step"];
 const SMALL_A: [&str; 2] = ["a", "a_step"];
 
@@ -88,23 +93,27 @@ impl Architecture for Stable<'_> {
         let scaling = self.scaling(widths.get("A"));
         let (bits_big, bits_small) = (widths.get("A"), widths.get("a"));
         let ends = self.ends().in_codes();
-        let (mut big, mut small) = ((Vec::new(), Vec::new()), (Vec::new(), Vec::new()));
+        let mut big_codes = Vec::new();
         for ((lobe, &k), &end) in self.lobes.iter().zip(&scaling.k).zip(&ends) {
             let (real_big, real_small) = (lobe.big_a * exp2(-k), lobe.a * exp2(-2 * k));
-            let code_small = nearest_code(real_small, bits_small);
             // Rounding a by da moves the lobe by x v (da v - dA): with dA = (2 sqrt 2 - 2) v_end da the move is least,
             // 0.172 v_end^2 da in place of v_end^2 da.
-            let delta = code_small as f64 * exp2(-bits_small) - real_small;
+            let delta = nearest_code(real_small, bits_small) as f64 * exp2(-bits_small) - real_small;
             let balance = (2.0 * std::f64::consts::SQRT_2 - 2.0) * end * exp2(k) * delta;
-            big.0.push(nearest_code(real_big + balance, bits_big));
-            big.1.push(real_big);
-            small.0.push(code_small);
-            small.1.push(real_small);
+            big_codes.push(nearest_code(real_big + balance, bits_big));
         }
-        let mut fields = vec![
-            field("big_a", "the coefficient A, times 2^-k", bits_big, big.0, big.1),
-            field("a", "the coefficient a, times 4^-k", bits_small, small.0, small.1),
-        ];
+        let meanings = ["the coefficient A, times 2^-k", "the step of A to the next row"];
+        let mut fields =
+            polynomial::line_fields(self.spec, BIG_A, meanings, bits_big, &scaling.lines(&self.lines(|l| l.big_a), 1));
+        let meanings = ["the coefficient a, times 4^-k", "the step of a to the next row"];
+        fields.extend(polynomial::line_fields(
+            self.spec,
+            SMALL_A,
+            meanings,
+            bits_small,
+            &scaling.lines(&self.lines(|l| l.a), 2),
+        ));
+        fields[0] = field("big_a", "the coefficient A, times 2^-k", bits_big, big_codes, fields[0].reals.clone());
         fields.extend(scaling.field());
         fields.extend(self.ends().field(self.spec));
         if self.spec.tail == Tail::Hold {
@@ -127,19 +136,23 @@ impl Architecture for Stable<'_> {
         let [big_a, a] = [(BIG_A, 1), (SMALL_A, 2)]
             .map(|(names, power)| polynomial::real_coefficients(self.spec, table, names, power));
         let ends = Ends::in_reals(table);
-        let lobe = |row: usize| Polynomial {
-            cosine: true,
-            power: 1,
-            c: 1.0,
-            big_a: big_a[row],
-            a: a[row],
-            end: ends[row],
-            past: match self.spec.tail {
-                Tail::Cut => 0.0,
-                Tail::Hold => table.field("hold").reals[row],
-            },
+        let lobe = |place: usize| {
+            // Where to leave the cubic, and what it is held at, are those of the row.
+            let (row, _) = self.spec.shininess.knot(place);
+            Polynomial {
+                cosine: true,
+                power: 1,
+                c: 1.0,
+                big_a: big_a[place],
+                a: a[place],
+                end: ends[row],
+                past: match self.spec.tail {
+                    Tail::Cut => 0.0,
+                    Tail::Hold => table.field("hold").reals[row],
+                },
+            }
         };
-        (0..table.rows()).map(|row| Box::new(lobe(row)) as Box<dyn Lobe>).collect()
+        (0..big_a.len()).map(|place| Box::new(lobe(place)) as Box<dyn Lobe>).collect()
     }
 
     fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
@@ -154,10 +167,10 @@ impl Architecture for Stable<'_> {
             cases.extend(tails.collect::<Vec<_>>());
         }
         let mut b = Builder::new(&tables, cases);
-        let address = b.address(&self.spec.shininess, 0);
+        let (address, fraction) = polynomial::address(&mut b, self.spec, 0);
         let (x, u) = b.operand(self.spec);
-        let big_a = b.field(0, address, "big_a");
-        let a = b.field(0, address, "a");
+        let big_a = polynomial::coefficient(&mut b, (address, fraction), BIG_A);
+        let a = polynomial::coefficient(&mut b, (address, fraction), SMALL_A);
         let past_cut = Ends::flag(&mut b, self.spec, table, address, u);
         let scaled = scaling.over_cases(b.cases()).apply(&mut b, address, u);
         let v = Format::unsigned(Ends::int_bits(&ends, &scaling.k), widths.get("v"));
@@ -182,9 +195,12 @@ impl Architecture for Stable<'_> {
                 let hold = table.field("hold");
                 return Interval::point(hold.format.value(hold.codes[row]) - hold.reals[row]);
             }
-            let [delta_big, delta_small] = [BIG_A, SMALL_A].map(|names| polynomial::delta(table, names, row).low);
-            polynomial::parabola(delta_big, delta_small, Interval::new(0.0, ends[row] * exp2(scaling.k[row])))
-                * -Interval::new(1.0 - ends[row], 1.0)
+            let [delta_big, delta_small] = [BIG_A, SMALL_A].map(|names| polynomial::delta_line(table, names, row));
+            let v = Interval::new(0.0, ends[row] * exp2(scaling.k[row]));
+            // For each v the move is linear in the fraction: its extremes are at the row and at the next.
+            let at_row = polynomial::parabola(delta_big.base, delta_small.base, v);
+            let at_next = polynomial::parabola(delta_big.base + delta_big.step, delta_small.base + delta_small.step, v);
+            at_row.hull(at_next) * -Interval::new(1.0 - ends[row], 1.0)
         })
     }
 }

@@ -91,10 +91,15 @@ pub(super) fn lines_of(table: &Table, [name, step]: [&'static str; 2], row: usiz
     [of(&|field| field.reals[row]), of(&|field| field.format.value(field.codes[row]))]
 }
 
-/// What rounding added to a scaled coefficient of a row.
-pub(super) fn delta(table: &Table, names: [&'static str; 2], row: usize) -> Interval {
+/// What rounding added to a scaled coefficient over a row.
+pub(super) fn delta_line(table: &Table, names: [&'static str; 2], row: usize) -> Line {
     let [real, word] = lines_of(table, names, row);
-    Line { base: word.base - real.base, step: word.step - real.step }.range()
+    Line { base: word.base - real.base, step: word.step - real.step }
+}
+
+/// The range of [`delta_line`].
+pub(super) fn delta(table: &Table, names: [&'static str; 2], row: usize) -> Interval {
+    delta_line(table, names, row).range()
 }
 
 /// k of a row.

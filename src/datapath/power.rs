@@ -77,7 +77,8 @@ fn output_of_power(
 ) -> NodeId {
     let g = spec.output_fraction as i32;
     // A coefficient below 0 cannot make p fall below it by more than roundings: what lies below counts as 0.
-    let p_exact = if b.format(p_exact).signed { b.at_least_zero(p_exact, "p_positive", "p, at least 0") } else { p_exact };
+    let p_exact =
+        if b.format(p_exact).signed { b.at_least_zero(p_exact, "p_positive", "p, at least 0") } else { p_exact };
     let ended: Vec<bool> = b.bounds(p_exact).iter().map(|bound| bound.range.high >= 1.0).collect();
     let above = b.reaches(p_exact, 0, "p_above", "the integer bits of p: the lobe is 0 from p = 1 on");
     let p = b.cast(p_exact, Format::unsigned(0, widths.get("p")), true, "p", "p, rounded down");
@@ -215,9 +216,9 @@ impl Architecture for Rom<'_> {
         let formula = match (self.cosine, self.linear) {
             (true, _) => "y = x max(0, 1 - K u)^2, with A = K".to_owned(),
             (false, true) => format!("y = max(0, 1 - {inner})^{power}; 0 at x = 0"),
-            (false, false) => format!(
-                "y = (1 - {inner})^{power} up to the base's first zero or its minimum, 0 past it; 0 at x = 0"
-            ),
+            (false, false) => {
+                format!("y = (1 - {inner})^{power} up to the base's first zero or its minimum, 0 past it; 0 at x = 0")
+            }
         };
         let mut description = polynomial::stable_description(&formula, self.spec, tables);
         description.evaluation += " The power is taken by squarings.";
@@ -321,9 +322,10 @@ impl Architecture for Port<'_> {
         let k = self.power;
         Description {
             formula: format!("y = max(0, 1 - n u/{k})^{k}; 0 at x = 0"),
-            evaluation: "n is multiplied as the port gives it, taken into the range; the power is taken by squarings.\n\
+            evaluation:
+                "n is multiplied as the port gives it, taken into the range; the power is taken by squarings.\n\
                          The result is rounded to nearest."
-                .to_owned(),
+                    .to_owned(),
         }
     }
 
@@ -345,11 +347,16 @@ impl Architecture for Port<'_> {
         let n = set.value(set.rows() - 1);
         // Every p from 0 to 1, in parts.
         let at = |piece: usize| piece as f64 / PIECES as f64;
-        let case = Case { active: Interval::new(0.0, polynomial::below_one(self.spec, 1.0)), shininess: n, rows: Vec::new() };
+        let case =
+            Case { active: Interval::new(0.0, polynomial::below_one(self.spec, 1.0)), shininess: n, rows: Vec::new() };
         let mut b = Builder::new(&tables, vec![case; PIECES]);
         let port = b.index(set);
         let (_, u) = b.operand(self.spec);
-        let n = if matches!(set, Shininess::Range(..) | Shininess::Fixed { .. }) { b.clamped_index(set, port) } else { port };
+        let n = if matches!(set, Shininess::Range(..) | Shininess::Fixed { .. }) {
+            b.clamped_index(set, port)
+        } else {
+            port
+        };
         let product = b.mul(n, u, "nu", "n u");
         let log2_k = self.power.trailing_zeros() as i32;
         let shifts = vec![-log2_k; PIECES];

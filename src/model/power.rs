@@ -15,7 +15,7 @@ fn inner(inputs: &Inputs) -> Option<Wide> {
     }
     let v = inputs.floor(v, "v");
     let slope = match inputs.optional("a") {
-        Some(a) => inputs.coefficient("big_a") - inputs.floor(a * v, "A"),
+        Some(_) => inputs.coefficient("big_a") - inputs.floor(inputs.coefficient("a") * v, "A"),
         None => inputs.coefficient("big_a"),
     };
     Some(v * slope)
