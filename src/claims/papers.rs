@@ -404,8 +404,7 @@ fn cubic_rises() -> Result<Claim, Error> {
             value("largest value past the minimum; n = 256", past_cut(256.0)?),
             value("largest value past the minimum; n = 1000", past_cut(1000.0)?),
         ],
-        // n = 1, 2 and 3 are powers of degree three at most: there the cubic is exact.
-        // 1, 2 and 3 are of the cubic's own degree.
+        // x^1 to x^3 are of the cubic's own degree.
         verdict: match rising.first() {
             Some(&n) if n > 1.0 => Verdict::Only(format!("for n >= {n}")),
             first => Verdict::of(first.is_some()),
@@ -429,7 +428,7 @@ fn dips(
     Ok((lowest, negative))
 }
 
-/// "for integer n": what remains of a claim about all n where a real one offends.
+/// The integers around the shininesses where a cubic is negative.
 fn between(negative: &[f64]) -> String {
     let fold = |f: fn(f64, f64) -> f64, start| negative.iter().copied().fold(start, f);
     let (low, high) = (fold(f64::min, f64::INFINITY), fold(f64::max, f64::NEG_INFINITY));
