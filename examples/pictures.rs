@@ -5,12 +5,9 @@ use std::path::Path;
 
 use brdfgen::design::{Design, Measured};
 use brdfgen::number::exp2;
+use brdfgen::report::COLOURS;
 use brdfgen::spec::SpecFields;
 use plotters::prelude::*;
-
-/// Colours that people who see red and green alike can tell apart (Okabe and Ito).
-const COLOURS: [RGBColor; 4] =
-    [RGBColor(0, 114, 178), RGBColor(86, 180, 233), RGBColor(213, 94, 0), RGBColor(230, 159, 0)];
 
 fn design(text: &str) -> Result<Design, brdfgen::error::Error> {
     Design::new(SpecFields::parse(text, "picture")?.resolve()?)

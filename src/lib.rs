@@ -20,11 +20,14 @@
 //! | [`golden`] | golden vectors: make, read, compare |
 //! | [`package`] | the core directory: all files of a core, put on disk whole |
 //! | [`cosim`] | runs the HDL in simulators and compares it with the model |
+//! | [`report`] | charts as SVG |
+//! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
 //! | [`cli`] | the commands; the only module that prints |
 //!
 //! `model` and `datapath` never import each other: what the one says, the other is checked against.
 #![warn(missing_docs)]
 
+pub mod claims;
 pub mod cli;
 pub mod cosim;
 pub mod datapath;
@@ -39,5 +42,6 @@ pub mod lobe;
 pub mod model;
 pub mod number;
 pub mod package;
+pub mod report;
 pub mod rom;
 pub mod spec;

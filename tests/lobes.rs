@@ -358,6 +358,12 @@ proptest! {
         let (step, slope) = (u * 1e-4, -n * q / (1.0 - u));
         prop_assert!(((tail.at(u + step) - tail.at(u - step)) / (2.0 * step) - slope).abs() < 1e-3 * slope.abs());
         prop_assert!(tail.d + tail.b * u > 0.0);
+        // Past the contact it is Schlick's lobe in x/t, times q.
+        let t = 1.0 - u;
+        for part in [0.0, 0.5, 0.9, 0.999] {
+            let schlick = q * Schlick::new(n).unwrap().at(1.0 - part);
+            prop_assert!((tail.at(1.0 - part * t) - schlick).abs() < 1e-11);
+        }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //!
 //! Exit codes: 0 for success, 1 for a comparison that failed, 2 for wrong input or a missing tool.
 
+mod claims;
 mod cosim;
 mod doctor;
 mod eval;
@@ -41,6 +42,8 @@ enum Command {
     Cosim(cosim::Arguments),
     /// Evaluate one shininess and cosine: exact, method, model, error
     Eval(eval::Arguments),
+    /// Measure the papers' claims and compare with the recorded values
+    Claims(claims::Arguments),
     /// Say which external tools are there, and which package brings the missing ones
     Doctor(doctor::Arguments),
 }
@@ -70,6 +73,7 @@ pub fn main() -> ExitCode {
         Command::Golden(arguments) => golden::run(arguments),
         Command::Cosim(arguments) => cosim::run(arguments),
         Command::Eval(arguments) => eval::run(arguments),
+        Command::Claims(arguments) => claims::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
     };
     match result {

@@ -12,22 +12,43 @@ use crate::error::Error;
 /// How the `core.toml` of a generated core begins.
 pub const GENERATED_MARK: &str = "# brdfgen core";
 
+/// A kind of directory that brdfgen writes, and may replace the files of.
+#[derive(Clone, Copy, Debug)]
+pub struct Kind {
+    /// What such a directory is called in a message, with an article.
+    pub what: &'static str,
+    /// The file by which it is known.
+    pub file: &'static str,
+    /// How that file begins.
+    pub mark: &'static str,
+}
+
+const CORE: Kind = Kind { what: "a generated core", file: "core.toml", mark: GENERATED_MARK };
+
 /// Refuses a directory that is neither new, nor empty, nor a core of ours.
 ///
 /// # Errors
 /// Says what is in the way.
 pub fn check_target(directory: &Path) -> Result<(), Error> {
+    check_target_of(CORE, directory)
+}
+
+/// Refuses a directory that is neither new, nor empty, nor of this kind.
+///
+/// # Errors
+/// Says what is in the way.
+pub fn check_target_of(kind: Kind, directory: &Path) -> Result<(), Error> {
     let entries = match fs::read_dir(directory) {
         Ok(entries) => entries,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
         Err(error) => return Err(Error::io("cannot use", directory, error)),
     };
-    let spec = fs::read_to_string(directory.join("core.toml")).unwrap_or_default();
-    if entries.count() == 0 || spec.starts_with(GENERATED_MARK) {
+    let known = fs::read_to_string(directory.join(kind.file)).unwrap_or_default();
+    if entries.count() == 0 || known.starts_with(kind.mark) {
         return Ok(());
     }
     Err(Error::input(
-        format!("{} is not empty and not a generated core", directory.display()),
+        format!("{} is not empty and not {}", directory.display(), kind.what),
         "give a new or empty directory, or one that brdfgen wrote",
     ))
 }
@@ -70,7 +91,15 @@ fn make_readable(_: &Path) -> std::io::Result<()> {
 /// # Errors
 /// If the directory is somebody else's (see [`check_target`]) or the system refuses.
 pub fn write_directory(directory: &Path, files: &[File]) -> Result<(), Error> {
-    check_target(directory)?;
+    write_directory_of(CORE, directory, files)
+}
+
+/// Writes a directory of another kind in the same way.
+///
+/// # Errors
+/// If the directory is somebody else's (see [`check_target_of`]) or the system refuses.
+pub fn write_directory_of(kind: Kind, directory: &Path, files: &[File]) -> Result<(), Error> {
+    check_target_of(kind, directory)?;
     let failed = |error| Error::io("cannot write", directory, error);
     if directory.exists() {
         return replace(directory, files);

@@ -4,7 +4,9 @@ mod datasheet;
 mod directory;
 
 pub use datasheet::interval_text;
-pub use directory::{GENERATED_MARK, check_target, write_directory, write_file};
+pub use directory::{
+    GENERATED_MARK, Kind, check_target, check_target_of, write_directory, write_directory_of, write_file,
+};
 
 use serde::Serialize;
 use serde_json::json;

@@ -1,0 +1,151 @@
+//! The papers' claims, measured.
+//!
+//! Q is "Quadratic approximation of BRDF"; C7 is "Approximation of Bidirectional Reflectance Distribution Function with
+//! 3-Degree Polynomial" (IEEE, 2007); C21 is "Approximation of classical distributive functions using a cubic polynomial"
+//! (2021). "Image-based BRDF Representation" claims nothing of the power's approximations: its figures are the frame rates
+//! of one graphics card.
+//!
+//! Everything is measured on the real-valued lobes of [`crate::lobe`], at every integer shininess of a claim's range and up
+//! to 1000. Errors are the largest over the cosines in question, to at least four digits: see [`Row`].
+
+mod figures;
+mod measure;
+mod method;
+mod papers;
+mod record;
+mod survey;
+
+pub use figures::files;
+pub use method::{Method, Pieces};
+pub use papers::claims;
+pub use record::{Difference, HEADER, Recorded};
+pub use survey::{Errors, Row, survey};
+
+use serde::Serialize;
+
+/// The number of shininesses that [`survey()`] measures.
+pub const SHININESSES: u64 = survey::MOST as u64;
+
+/// A claim of a paper and what was measured of it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Claim {
+    /// A short name, unique.
+    pub id: &'static str,
+    /// The paper and the place.
+    pub source: &'static str,
+    /// The claim in one sentence.
+    pub text: &'static str,
+    /// The figure claimed, or what stands for it.
+    pub claimed: &'static str,
+    /// What was measured.
+    pub measured: Vec<Figure>,
+    /// What follows.
+    pub verdict: Verdict,
+}
+
+/// A measured figure.
+#[derive(Clone, Debug, Serialize)]
+pub struct Figure {
+    /// What it is: unique in its claim, without commas.
+    pub name: &'static str,
+    /// The value, in the unit.
+    pub value: f64,
+    /// The unit.
+    pub unit: Unit,
+}
+
+/// The unit of a figure.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Unit {
+    /// Hundredths: of x^n for a relative error, of the lobe's peak for an absolute one.
+    Percent,
+    /// A ratio.
+    Times,
+    /// A number of things, exact.
+    Count,
+    /// A value of the lobe, whose peak is 1.
+    Value,
+}
+
+/// What the measurement says of a claim.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It is so.
+    Holds,
+    /// It is not.
+    DoesNotHold,
+    /// It is so under this condition.
+    Only(String),
+}
+
+impl Verdict {
+    fn of(holds: bool) -> Self {
+        if holds { Self::Holds } else { Self::DoesNotHold }
+    }
+}
+
+impl std::fmt::Display for Verdict {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Holds => f.write_str("holds"),
+            Self::DoesNotHold => f.write_str("does not hold"),
+            Self::Only(condition) => write!(f, "holds only {condition}"),
+        }
+    }
+}
+
+impl Serialize for Verdict {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
+impl Figure {
+    /// The value to four significant digits, without the unit; a count is exact.
+    #[must_use]
+    pub fn digits(&self) -> String {
+        if self.unit == Unit::Count { format!("{}", self.value) } else { significant(self.value) }
+    }
+}
+
+impl std::fmt::Display for Figure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let unit = match self.unit {
+            Unit::Percent => " %",
+            Unit::Times => "x",
+            Unit::Count | Unit::Value => "",
+        };
+        write!(f, "{}{unit}", self.digits())
+    }
+}
+
+/// Four significant digits, without an exponent.
+fn significant(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let rounded: f64 = format!("{value:.3e}").parse().expect("its own digits");
+    let exponent = libm::floor(libm::log10(rounded.abs())) as i32;
+    format!("{rounded:.*}", usize::try_from(3 - exponent).unwrap_or(0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_significant_digits() {
+        for (value, text) in [
+            (0.0, "0"),
+            (0.688_94, "0.6889"),
+            (16.6449, "16.64"),
+            (-0.003_071_4, "-0.003071"),
+            (12_345.6, "12350"),
+            (9.9999, "10.00"),
+            (1000.0, "1000"),
+        ] {
+            assert_eq!(significant(value), text);
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! `brdfgen claims`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::json;
+
+use super::{Verdict, progress, say, say_json};
+use crate::claims::{self, Claim, HEADER, Recorded};
+use crate::error::Error;
+use crate::package::{self, Kind};
+
+/// The directory of a run's files.
+const REPORT: Kind = Kind { what: "a report of claims", file: "claims.csv", mark: HEADER };
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// Directory for claims.csv, error_against_n.csv, error_against_angle.csv and the charts (SVG): a new or empty one,
+    /// or one of an earlier run [default: nothing is written]
+    #[arg(long, short, value_name = "DIR")]
+    out: Option<PathBuf>,
+
+    /// Compare with the values of this table, such as the claims.csv of an earlier run, instead of those recorded in the
+    /// program; exit 1 if one differs in its first three digits
+    #[arg(long, value_name = "FILE")]
+    recorded: Option<PathBuf>,
+
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
+    let recorded = match &arguments.recorded {
+        None => Recorded::built_in()?,
+        Some(path) => read(path)?,
+    };
+    if let Some(directory) = &arguments.out {
+        package::check_target_of(REPORT, directory)?;
+    }
+    let bar = progress::bar("measuring", claims::SHININESSES);
+    let rows = claims::survey(&|| bar.inc(1))?;
+    bar.finish_and_clear();
+    let claims = claims::claims(&rows)?;
+    if let Some(directory) = &arguments.out {
+        package::write_directory_of(REPORT, directory, &claims::files(&rows, &claims)?)?;
+    }
+    let differences = recorded.differences(&claims);
+    if arguments.json {
+        say_json(&json!({ "claims": claims, "differences": differences }));
+    } else {
+        table(&claims).iter().for_each(say);
+        for difference in &differences {
+            say(difference.to_string());
+        }
+        let figures: usize = claims.iter().map(|claim| claim.measured.len()).sum();
+        let differing = differences.len();
+        say(format!("{} claims, {figures} figures, {differing} not as recorded", claims.len()));
+        if let Some(directory) = &arguments.out {
+            say(format!("tables and charts in {}", directory.display()));
+        }
+    }
+    Ok(Verdict::of(differences.is_empty()))
+}
+
+fn read(path: &Path) -> Result<Recorded, Error> {
+    let text = std::fs::read_to_string(path).map_err(|error| Error::io("cannot read", path, error))?;
+    Recorded::parse(&text, &path.display().to_string())
+}
+
+/// Claimed, measured and verdict, a line for each measured figure; the claim itself is on a line above.
+fn table(claims: &[Claim]) -> Vec<String> {
+    let width = |text: &str| text.chars().count();
+    let figures = || claims.iter().flat_map(|claim| &claim.measured);
+    let claimed = claims.iter().map(|claim| width(claim.claimed)).max().unwrap_or(0).max("claimed".len());
+    let value = figures().map(|figure| width(&figure.to_string())).max().unwrap_or(0).max("measured".len());
+    let name = figures().map(|figure| width(figure.name)).max().unwrap_or(0);
+    let line = |claim: &str, number: &str, what: &str, verdict: &str| {
+        format!("  {claim:claimed$} | {number:>value$}  {what:name$} | {verdict}").trim_end().to_owned()
+    };
+    let mut lines = vec![line("claimed", "measured", "", "verdict")];
+    for claim in claims {
+        lines.push(String::new());
+        lines.push(format!("{} ({}): {}", claim.id, claim.source, claim.text));
+        let verdict = claim.verdict.to_string();
+        for (i, figure) in claim.measured.iter().enumerate() {
+            let (left, right) = if i == 0 { (claim.claimed, verdict.as_str()) } else { ("", "") };
+            lines.push(line(left, &figure.to_string(), figure.name, right));
+        }
+    }
+    lines.push(String::new());
+    lines
+}
