@@ -198,6 +198,23 @@ impl<'a> Builder<'a> {
         self.push(Op::Sub, &[clamped, offset], format, "address", "n minus the first of the range".to_owned(), bounds)
     }
 
+    /// The address of a part of a row, for the memory `memory`: the row's address and the part's number side by side.
+    pub fn part_address(&mut self, address: NodeId, part: NodeId, memory: usize) -> NodeId {
+        let bits = self.format(part).width() as i32;
+        let shifts = vec![bits; self.cases.len()];
+        let base = self.scale(address, None, bits, &shifts, "address_of_parts", "the address of the row's first part");
+        let format = Format::unsigned(self.tables[memory].address_bits as i32, 0);
+        let bounds = vec![Self::whole(0, (1 << format.width()) - 1); self.cases.len()];
+        self.push(Op::Add, &[base, part], format, "part_address", "the address of the part".to_owned(), bounds)
+    }
+
+    /// Replaces what the analysis knows of a node as [`Builder::assume`] does, and its format by the narrowest that holds it.
+    pub fn narrow(&mut self, id: NodeId, bounds: Vec<Bound>) {
+        let frac_bits = self.format(id).frac_bits;
+        self.nodes[id].format = self.holding(&bounds, frac_bits);
+        self.assume(id, bounds);
+    }
+
     /// The port `in_n` of a fixed-point range, taken into it, as the address of the memory `memory`, whose rows are the range's
     /// integers, and the fraction.
     pub fn split_index(&mut self, set: &Shininess, frac_bits: i32, memory: usize) -> (NodeId, NodeId) {

@@ -18,6 +18,7 @@ mod polynomial;
 pub mod power;
 pub mod quadratic;
 pub mod schedule;
+pub mod segmented;
 pub mod simulate;
 pub mod widths;
 
@@ -34,6 +35,8 @@ pub struct Datapath {
     pub graph: graph::Graph,
     /// The memories, as the graph numbers them; a coefficient ROM comes first.
     pub tables: Vec<Table>,
+    /// Numbers of the method that are in no memory but constants of the graph, such as the bounds of segments.
+    pub constants: Vec<i128>,
     /// The proved error of each case.
     pub errors: Vec<CaseError>,
 }
@@ -127,6 +130,7 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
             | Method::Power8,
             _,
         ) => power::architecture(spec)?,
+        (Method::Segmented2 | Method::Segmented4 | Method::Segmented8, _) => Box::new(segmented::Architect::new(spec)?),
         (method, _) => return Err(Error::input(format!("no architecture for {method:?}"), "choose another method")),
     })
 }

@@ -360,5 +360,5 @@ pub(super) fn finish(
             arithmetic: bound.error.scale(ulps),
         })
         .collect();
-    Some(Datapath { graph: b.finish(&[("out_spec", output)])?, tables: tables.to_vec(), errors })
+    Some(Datapath { graph: b.finish(&[("out_spec", output)])?, tables: tables.to_vec(), constants: Vec::new(), errors })
 }

@@ -76,7 +76,7 @@ impl Design {
     /// The bit-exact reference.
     #[must_use]
     pub fn model(&self) -> Model<'_> {
-        Model::new(&self.spec, &self.widths, self.tables())
+        Model::new(&self.spec, &self.widths, self.tables(), &self.datapath.constants)
     }
 
     /// The vectorised evaluator.

@@ -162,6 +162,8 @@ impl Chooser<'_> {
                 flipped.push(tables);
             }
         }
+        // Made once, as an evaluator lays out what is looked up at computed addresses.
+        let flipped: Vec<Evaluator> = flipped.iter().map(|tables| Evaluator::new(design.graph(), tables)).collect();
         let rows: Vec<usize> = (0..count).step_by(count.div_ceil(MOST_ROWS)).collect();
         let chosen: Vec<Vec<i64>> = rows.par_iter().map(|&row| self.telling(row, &flipped)).collect();
         let mut result = Vec::new();
@@ -173,7 +175,7 @@ impl Chooser<'_> {
     }
 
     /// Versine codes that tell a row's word from as many of the `flipped` ones as possible.
-    fn telling(&self, row: usize, flipped: &[Vec<Table>]) -> Vec<i64> {
+    fn telling(&self, row: usize, flipped: &[Evaluator]) -> Vec<i64> {
         let design = self.design;
         let index = design.spec.shininess.index_of_row(row);
         let end = self.end(row);
@@ -186,8 +188,7 @@ impl Chooser<'_> {
             .iter()
             .flat_map(|&(first, stride, count)| (0..count).map(move |step| first + stride * step))
             .collect();
-        let outputs = |tables: &[Table]| -> Vec<u32> {
-            let evaluator = Evaluator::new(design.graph(), tables);
+        let outputs = |evaluator: &Evaluator| -> Vec<u32> {
             let mut all = Vec::with_capacity(codes.len());
             for (first, stride, count) in combs {
                 let (a, b) =
@@ -202,9 +203,9 @@ impl Chooser<'_> {
             }
             all
         };
-        let right = outputs(design.tables());
+        let right = outputs(&design.evaluator());
         let tells: Vec<Vec<bool>> =
-            flipped.iter().map(|tables| outputs(tables).iter().zip(&right).map(|(a, b)| a != b).collect()).collect();
+            flipped.iter().map(|flipped| outputs(flipped).iter().zip(&right).map(|(a, b)| a != b).collect()).collect();
         let mut open: Vec<usize> = (0..flipped.len()).collect();
         let mut chosen = Vec::new();
         loop {

@@ -93,6 +93,11 @@ impl Writer<'_> {
         self.layout.name(id, self.stage)
     }
 
+    /// The name of a node's value as a vector: a flag is a single bit.
+    fn vector(&self, id: NodeId) -> String {
+        if self.layout.is_flag(id) { format!("unsigned'(\"\" & {})", self.name(id)) } else { self.name(id) }
+    }
+
     fn kind(&self, id: NodeId) -> String {
         if self.layout.is_flag(id) { "std_logic".to_owned() } else { kind(self.format(id)) }
     }
@@ -111,7 +116,7 @@ impl Writer<'_> {
                 shifted(format!("{function}({code}, {width})"))
             };
         }
-        let name = self.name(id);
+        let name = self.vector(id);
         let converted = |text: String| match (from.signed, to.signed) {
             (true, false) => format!("unsigned({text})"),
             (false, true) => format!("signed({text})"),
@@ -151,7 +156,7 @@ impl Writer<'_> {
             }
             Op::ShiftRight => format!("shift_right({}, to_integer({}))", self.name(arg(0)), self.name(arg(1))),
             Op::Cast => self.cast(id),
-            Op::Scale => self.name(arg(0)),
+            Op::Scale => self.vector(arg(0)),
             Op::NonZero => format!("'1' when {} /= 0 else '0'", self.name(arg(0))),
             Op::Greater => format!("'1' when {} > {} else '0'", self.name(arg(0)), self.name(arg(1))),
             Op::Or => format!("{} or {}", self.name(arg(0)), self.name(arg(1))),

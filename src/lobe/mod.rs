@@ -13,6 +13,7 @@ mod polynomial;
 mod quadratic;
 mod rational;
 mod schlick;
+mod segmented;
 mod taylor;
 mod three_point;
 
@@ -24,6 +25,7 @@ pub use polynomial::Polynomial;
 pub use quadratic::Quadratic;
 pub use rational::CubicRational;
 pub use schlick::Schlick;
+pub use segmented::Segmented;
 pub use taylor::{Taylor, TaylorSeries};
 
 use crate::error::Error;

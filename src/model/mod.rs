@@ -7,6 +7,7 @@
 mod cubic;
 mod power;
 mod quadratic;
+mod segmented;
 
 use crate::number::wide::{self, Wide};
 use crate::rom::Table;
@@ -18,13 +19,14 @@ pub struct Model<'a> {
     spec: &'a CoreSpec,
     widths: &'a Widths,
     tables: &'a [Table],
+    constants: &'a [i128],
 }
 
 impl<'a> Model<'a> {
-    /// The model of a core with these widths and ROM words.
+    /// The model of a core with these widths, ROM words, and numbers of its method that are in no ROM.
     #[must_use]
-    pub fn new(spec: &'a CoreSpec, widths: &'a Widths, tables: &'a [Table]) -> Self {
-        Self { spec, widths, tables }
+    pub fn new(spec: &'a CoreSpec, widths: &'a Widths, tables: &'a [Table], constants: &'a [i128]) -> Self {
+        Self { spec, widths, tables, constants }
     }
 
     /// The code of `out_spec` (UQ1.G) for a code of `in_n` and a code of the operand port (`in_cos` as a signed number).
@@ -55,6 +57,9 @@ impl<'a> Model<'a> {
             (Method::CubicMinZero, _) => power::min_zero(&inputs),
             (Method::Power2 | Method::Power4 | Method::Power8, _) => power::rom(&inputs, self.spec.method),
             (Method::Lyon2 | Method::Lyon4 | Method::Lyon8, _) => power::lyon(&inputs, self.spec),
+            (Method::Segmented2 | Method::Segmented4 | Method::Segmented8, _) => {
+                segmented::segmented(&inputs, self.constants)
+            }
             (method, _) => unreachable!("no design is made for {method:?}"),
         };
         wide::to_code(y, self.spec.output_fraction) as u32

@@ -77,6 +77,30 @@ impl Table {
     /// The name of the memory that holds the coefficients.
     pub const COEFFICIENTS: &str = "rom";
 
+    /// The same under another name.
+    #[must_use]
+    pub fn named(self, name: &'static str) -> Self {
+        Self { name, ..self }
+    }
+
+    /// The coefficient ROM that has `parts` rows side by side for each row of `whole`: row `i` of it holds `parts i` to `parts (i + 1) - 1`.
+    /// `parts` is a power of two.
+    #[must_use]
+    pub fn parts(whole: &Self, parts: usize, fields: Vec<Field>) -> Self {
+        debug_assert!(parts.is_power_of_two() && fields.iter().all(|f| f.codes.len() == parts * whole.rows()));
+        let row = |address: usize| whole.row_of_address[address / parts] * parts + address % parts;
+        Self {
+            name: Self::COEFFICIENTS,
+            fields,
+            key: whole.key,
+            keys: whole.keys.iter().flat_map(|&key| std::iter::repeat_n(key, parts)).collect(),
+            address_bits: whole.address_bits + parts.trailing_zeros(),
+            first_index: whole.first_index,
+            shared_shift: whole.shared_shift,
+            row_of_address: (0..whole.depth() * parts).map(row).collect(),
+        }
+    }
+
     /// A memory whose rows are addressed in order, `2^address_bits` words or fewer; the last row fills the rest.
     #[must_use]
     pub fn listed(name: &'static str, key: &'static str, keys: Vec<f64>, fields: Vec<Field>) -> Self {
