@@ -583,10 +583,11 @@ fn golden_check_names_a_wrong_output_and_a_wrong_digest() {
     let scratch = with_core();
     scratch.write("output.vec", with_wrong_output(&scratch));
     let run = scratch.run("golden core --check output.vec").ends_with(1);
-    run.says(&["in_n = 1 (n = 5), operand 256 (1): expected 256, got 257", "output.vec", "1 differences"]);
+    run.says(&["in_n = 1 (n = 5), in_cos = 256 (1): expected 256, got 257", "output.vec", "1 differences"]);
     let first = &scratch.run("golden core --json --check output.vec").ends_with(1).json()["first"][0];
-    assert_eq!((&first["shininess"], &first["value"]), (&json!(5.0), &json!(1.0)));
-    assert_eq!((&first["expected"], &first["got"]), (&json!(256), &json!(257)));
+    let operand = json!({ "port": "in_cos", "code": 256, "value": 1.0 });
+    assert_eq!((&first["selected"], &first["inputs"][1]), (&json!("n = 5"), &operand));
+    assert_eq!((&first["expected"], &first["got"]), (&json!([256]), &json!([257])));
 
     let text = scratch.text("core/golden/quadratic.vec");
     let line = text.lines().find(|line| line.starts_with("d 2 ")).unwrap();

@@ -6,9 +6,11 @@ use super::{Job, LISTED, Outcome, Simulator};
 use crate::datapath::simulate::{Inputs, Outputs, Simulation};
 use crate::design::Design;
 use crate::error::Error;
-use crate::golden::Vector;
+use crate::golden::{Vector, codes_text};
+use crate::hdl::Direction;
 #[cfg(feature = "kernel")]
 use crate::kernel;
+use crate::number::Format;
 use crate::spec::Language;
 
 /// What simulates.
@@ -92,21 +94,20 @@ impl Simulator for Builtin {
     }
 }
 
-/// Runs the golden vectors, with their pauses, and compares `out_valid` and `out_spec` at every clock.
+/// Runs the golden vectors, with their pauses, and compares `out_valid` and the outputs at every clock.
 fn run(job: &Job) -> Outcome {
     let design = job.design;
+    let ports = design.numbers(Direction::In);
     let vectors = job.golden.vectors();
     let mut device = device(design);
     let mut bench = Bench::new(device.as_mut(), design.schedule.latency).run_reset(&vectors);
     for (number, vector) in vectors.iter().enumerate() {
+        let inverted = |(&code, &(_, format)): (&i64, &(&str, Format))| format.wrap(!i128::from(code));
         let garbage = Inputs {
             rst: false,
             ce: true,
             in_valid: false,
-            codes: vec![
-                i128::from(!vector.index & ((1 << design.index_format().width()) - 1)),
-                design.operand_format().wrap(!i128::from(vector.operand)),
-            ],
+            codes: vector.inputs.iter().zip(&ports).map(inverted).collect(),
         };
         for _ in 0..vector.idle {
             bench.clock(&garbage, None);
@@ -115,7 +116,7 @@ fn run(job: &Job) -> Outcome {
             bench.clock(&Inputs { ce: false, in_valid: true, ..garbage.clone() }, None);
         }
         let inputs = Inputs { in_valid: true, codes: codes(vector), ..garbage };
-        bench.clock(&inputs, Some((number, vector.output)));
+        bench.clock(&inputs, Some((number, &vector.outputs)));
     }
     let idle = Inputs { ce: true, ..Inputs::default() };
     for _ in 0..design.schedule.latency {
@@ -127,13 +128,10 @@ fn run(job: &Job) -> Outcome {
         .map(|(number, got)| match number {
             Some(number) => {
                 let v = &vectors[*number];
-                format!(
-                    "vector {}: in_n {}, operand {}: expected {}, got {got}",
-                    number + 1,
-                    v.index,
-                    v.operand,
-                    v.output
-                )
+                let inputs: Vec<String> =
+                    ports.iter().zip(&v.inputs).map(|((port, _), code)| format!("{port} {code}")).collect();
+                let expected = codes_text(&v.outputs);
+                format!("vector {}: {}: expected {expected}, got {got}", number + 1, inputs.join(", "))
             }
             None => format!("out_valid is {got} where it should not be"),
         })
@@ -150,13 +148,13 @@ fn run(job: &Job) -> Outcome {
 }
 
 fn codes(vector: &Vector) -> Vec<i128> {
-    vec![vector.index.into(), vector.operand.into()]
+    vector.inputs.iter().copied().map(i128::from).collect()
 }
 
 /// A device with a delay line of what it should answer.
 struct Bench<'a> {
     device: &'a mut dyn Device,
-    expected: VecDeque<Option<(usize, u32)>>,
+    expected: VecDeque<Option<(usize, &'a [i64])>>,
     compared: u64,
     mismatches: u64,
     first: Vec<(Option<usize>, String)>,
@@ -169,7 +167,7 @@ impl<'a> Bench<'a> {
     }
 
     /// Fills the pipeline and resets it, with the clock enabled and then without: nothing may come out.
-    fn run_reset(mut self, vectors: &[Vector]) -> Self {
+    fn run_reset(mut self, vectors: &[&Vector]) -> Self {
         for ce in [true, false] {
             for vector in vectors.iter().take(self.expected.len() + 2) {
                 let inputs = Inputs { rst: false, ce: true, in_valid: true, codes: codes(vector) };
@@ -183,7 +181,7 @@ impl<'a> Bench<'a> {
         self
     }
 
-    fn clock(&mut self, inputs: &Inputs, expected: Option<(usize, u32)>) {
+    fn clock(&mut self, inputs: &Inputs, expected: Option<(usize, &'a [i64])>) {
         let outputs = self.device.clock(inputs);
         let fresh = inputs.ce;
         if fresh {
@@ -192,7 +190,9 @@ impl<'a> Bench<'a> {
         }
         let due = self.expected.back().copied().flatten();
         let right = match due {
-            Some((_, output)) => outputs.out_valid && outputs.codes == [i128::from(output)],
+            Some((_, codes)) => {
+                outputs.out_valid && outputs.codes.iter().copied().eq(codes.iter().copied().map(i128::from))
+            }
             None => !outputs.out_valid,
         };
         // A result that is held while the clock is disabled is compared each time and counted once.

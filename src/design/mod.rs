@@ -10,7 +10,7 @@ use crate::datapath::schedule::{Schedule, schedule};
 use crate::datapath::widths::{Budget, solve};
 use crate::datapath::{Datapath, Description, architecture};
 use crate::error::Error;
-use crate::hdl::Layout;
+use crate::hdl::{Direction, Layout, Port};
 use crate::lobe::Lobe;
 use crate::model::Model;
 use crate::number::Format;
@@ -91,6 +91,84 @@ impl Design {
         Layout { datapath: &self.datapath, schedule: &self.schedule }
     }
 
+    /// The ports, in the order of their declaration.
+    #[must_use]
+    pub fn ports(&self) -> Vec<Port> {
+        let control =
+            |name: &str, direction, meaning: String| Port { name: name.to_owned(), direction, format: None, meaning };
+        let numbers = |direction: Direction| {
+            let meanings = match direction {
+                Direction::In => self.input_meanings(),
+                Direction::Out => self.output_meanings(),
+            };
+            let port = move |((name, format), meaning): ((&str, Format), String)| Port {
+                name: name.to_owned(),
+                direction,
+                format: Some(format),
+                meaning,
+            };
+            self.numbers(direction).into_iter().zip(meanings).map(port).collect::<Vec<_>>()
+        };
+        let (inputs, outputs) = (numbers(Direction::In), numbers(Direction::Out));
+        let latency = self.schedule.latency;
+        let taken = format!("{} to be taken", subject(&inputs, "the other inputs are"));
+        let result = format!(
+            "{} a result: in_valid, {latency} enabled clocks later",
+            subject(&outputs, "the other outputs are")
+        );
+        let mut ports = vec![
+            control("clk", Direction::In, "clock; everything happens on its rising edge".to_owned()),
+            control(
+                "rst",
+                Direction::In,
+                "synchronous reset, active high: clears the valid chain, whatever ce is".to_owned(),
+            ),
+            control("ce", Direction::In, "clock enable: 0 freezes the whole pipeline".to_owned()),
+            control("in_valid", Direction::In, taken),
+        ];
+        ports.extend(inputs);
+        ports.push(control("out_valid", Direction::Out, result));
+        ports.extend(outputs);
+        ports
+    }
+
+    /// What each input port that carries numbers is for, in order.
+    fn input_meanings(&self) -> Vec<String> {
+        let operand = match self.spec.operand {
+            Operand::Cos => "cosine x; below 0 gives 0, above 1 counts as 1",
+            Operand::Versine => "versine u = 1 - x; above 1 counts as 1, which gives 0",
+        };
+        vec![self.spec.shininess.index_meaning(), operand.to_owned()]
+    }
+
+    /// What each output port that carries numbers is for, in order.
+    fn output_meanings(&self) -> Vec<String> {
+        vec!["the lobe, 0 to 1; 1.0 is exact".to_owned()]
+    }
+
+    /// The ports that carry numbers in one direction, in order: names and formats.
+    #[must_use]
+    pub fn numbers(&self, direction: Direction) -> Vec<(&str, Format)> {
+        let graph = self.graph();
+        let format = |id: usize| graph.nodes[id].format;
+        match direction {
+            Direction::In => graph.inputs.iter().map(|&id| (graph.nodes[id].name.as_str(), format(id))).collect(),
+            Direction::Out => graph.outputs.iter().map(|(name, id)| (name.as_str(), format(*id))).collect(),
+        }
+    }
+
+    /// The output ports' codes for the input ports' codes, by the bit-exact reference.
+    #[must_use]
+    pub fn evaluate(&self, inputs: &[i64]) -> Vec<i64> {
+        vec![self.model().evaluate(inputs[0] as u32, inputs[1]).into()]
+    }
+
+    /// What the code of the first input port selects, for people.
+    #[must_use]
+    pub fn selected(&self, index: u32) -> String {
+        format!("n = {}", self.spec.shininess.value(self.spec.shininess.row_of_index(index)))
+    }
+
     /// The name of the operand's port.
     #[must_use]
     pub fn operand_name(&self) -> &str {
@@ -147,5 +225,14 @@ impl Design {
         };
         let words: u32 = self.tables().iter().enumerate().map(word).sum();
         (0..self.schedule.latency).map(crossing).sum::<u32>() + words + self.schedule.latency
+    }
+}
+
+/// The ports' names with their verb, or `many` where they are more than two.
+fn subject(ports: &[Port], many: &str) -> String {
+    match ports {
+        [one] => format!("{} is", one.name),
+        [one, other] => format!("{} and {} are", one.name, other.name),
+        _ => many.to_owned(),
     }
 }

@@ -49,7 +49,8 @@ impl Chooser<'_> {
     fn vector(&mut self, index: u32, operand: i64) -> Vector {
         let mut pause = |chance: u64| if self.below(chance) == 0 { 1 + self.below(3) as u32 } else { 0 };
         let (idle, stall) = (pause(12), pause(12));
-        Vector { index, operand, output: self.design.model().evaluate(index, operand), idle, stall }
+        let inputs = vec![index.into(), operand];
+        Vector { outputs: self.design.evaluate(&inputs), inputs, idle, stall }
     }
 
     /// A few rows that matter: the first and last, small ones, powers of two and their neighbours.

@@ -5,42 +5,53 @@ use std::fmt::Write;
 use super::{Golden, RowDigest, Vector};
 use crate::design::Design;
 use crate::error::Error;
+use crate::hdl::Direction;
 use crate::number::Format;
 
-const ALLOWED: &str = "a golden file holds `v` lines (in_n, operand, out_spec in hexadecimal; idle, stall in decimal), `d` \
-                       lines (in_n, digest), one `c` line (the number of vectors) and comments that begin with `#`";
+const ALLOWED: &str = "a golden file holds `v` lines (the codes of the inputs and of the outputs in hexadecimal; idle, stall in \
+                       decimal), `d` lines (the first input's code, digest), one `c` line (the number of vectors) and comments that begin with `#`";
 
 impl Golden {
     /// The file's text.
     #[must_use]
     pub fn to_text(&self, design: &Design) -> String {
         let digits = |format: Format| format.width().div_ceil(4) as usize;
-        let (index, operand, output) = (design.index_format(), design.operand_format(), design.output_format());
-        let name = design.operand_name();
+        let (inputs, outputs) = (design.numbers(Direction::In), design.numbers(Direction::Out));
+        let ports: Vec<String> = inputs
+            .iter()
+            .chain(&outputs)
+            .map(|(name, format)| format!("{name} ({format}{})", if format.signed { ", two's complement" } else { "" }))
+            .collect();
         let count: usize = self.groups.iter().map(|(_, vectors)| vectors.len()).sum();
         let mut text = format!(
             "# brdfgen golden vectors\n\
              # core {}\n\
              # spec {}\n\
-             # v in_n ({index}), {name} ({operand}{}), out_spec ({output}) in hexadecimal; in decimal: idle, the\n\
+             # v {} in hexadecimal; in decimal: idle, the\n\
              #   clocks without a valid input before the vector; stall, the clocks with ce low while it waits\n\
              c {count}\n",
             self.core,
             self.spec_digest,
-            if operand.signed { ", two's complement" } else { "" },
+            ports.join(", "),
         );
-        let (ni, nx, ny) = (digits(index), digits(operand), digits(output));
         for (heading, vectors) in &self.groups {
             let _ = writeln!(text, "# {heading}");
-            for v in vectors {
-                let bits = operand.bits(v.operand.into());
-                let _ = writeln!(text, "v {:0ni$x} {bits:0nx$x} {:0ny$x} {} {}", v.index, v.output, v.idle, v.stall);
+            for vector in vectors {
+                text.push('v');
+                let codes = vector.inputs.iter().chain(&vector.outputs);
+                for (&(_, format), &code) in inputs.iter().chain(&outputs).zip(codes) {
+                    let _ = write!(text, " {:0digits$x}", format.bits(code.into()), digits = digits(format));
+                }
+                let _ = writeln!(text, " {} {}", vector.idle, vector.stall);
             }
         }
+        let ((index, index_format), (operand, operand_format)) = (inputs[0], inputs[1]);
+        let ni = digits(index_format);
         let _ = writeln!(
             text,
-            "# d in_n, XXH3-64 over out_spec for all {} codes of {name}, the least first, 4 little-endian bytes each",
-            1u64 << operand.width()
+            "# d {index}, XXH3-64 over {} for all {} codes of {operand}, the least first, 4 little-endian bytes each",
+            outputs[0].0,
+            1u64 << operand_format.width()
         );
         for d in &self.digests {
             let _ = writeln!(text, "d {:0ni$x} {:016x}", d.index, d.digest);
@@ -54,7 +65,8 @@ impl Golden {
 /// # Errors
 /// Text that is no golden file, one of another core or spec, a malformed line, a count that does not match.
 pub fn parse(design: &Design, text: &str, file: &str) -> Result<Golden, Error> {
-    let (index, operand, output) = (design.index_format(), design.operand_format(), design.output_format());
+    let (inputs, outputs) = (design.numbers(Direction::In), design.numbers(Direction::Out));
+    let ports = inputs.len() + outputs.len();
     let mut golden =
         Golden { core: String::new(), spec_digest: String::new(), groups: Vec::new(), digests: Vec::new() };
     let whole = |what: String, allowed: &str| Error::input(format!("{file}: {what}"), allowed);
@@ -90,19 +102,19 @@ pub fn parse(design: &Design, text: &str, file: &str) -> Result<Golden, Error> {
             (Some("c"), [count]) => {
                 declared = Some(count.parse::<usize>().map_err(|_| wrong(format!("`{count}` is not a count")))?);
             }
-            (Some("v"), [n, x, y, idle, stall]) => {
-                let code = |word: &str, format: Format| {
-                    u64::from_str_radix(word, 16)
-                        .ok()
-                        .filter(|&code| code >> format.width() == 0)
-                        .ok_or_else(|| wrong(format!("`{word}` is not a {}-bit code", format.width())))
+            (Some("v"), [codes @ .., idle, stall]) if codes.len() == ports => {
+                let code = |(word, &(_, format)): (&&str, &(&str, Format))| {
+                    let code = u64::from_str_radix(word, 16).ok().filter(|&code| code >> format.width() == 0);
+                    let width = format.width();
+                    code.map(|code| format.wrap(code.into()) as i64)
+                        .ok_or_else(|| wrong(format!("`{word}` is not a {width}-bit code")))
                 };
+                let (given, expected) = codes.split_at(inputs.len());
                 let clocks =
                     |word: &str| word.parse().map_err(|_| wrong(format!("`{word}` is not a number of clocks")));
                 let vector = Vector {
-                    index: code(n, index)? as u32,
-                    operand: operand.wrap(code(x, operand)?.into()) as i64,
-                    output: code(y, output)? as u32,
+                    inputs: given.iter().zip(&inputs).map(code).collect::<Result<_, _>>()?,
+                    outputs: expected.iter().zip(&outputs).map(code).collect::<Result<_, _>>()?,
                     idle: clocks(idle)?,
                     stall: clocks(stall)?,
                 };

@@ -14,17 +14,16 @@ use xxhash_rust::xxh3::Xxh3;
 pub use file::parse;
 
 use crate::design::Design;
+use crate::hdl::Direction;
 use crate::number::Format;
 
-/// An input, its expected output, and the pauses before it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+/// The codes at the inputs, those expected at the outputs, and the pauses before.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Vector {
-    /// The code of `in_n`.
-    pub index: u32,
-    /// The code of the operand port, as a number (negative for negative cosines).
-    pub operand: i64,
-    /// The code of `out_spec`.
-    pub output: u32,
+    /// The codes of the input ports, in their order, as numbers (negative for negative cosines).
+    pub inputs: Vec<i64>,
+    /// The codes of the output ports, in their order.
+    pub outputs: Vec<i64>,
     /// Enabled clocks without a valid input before this one.
     pub idle: u32,
     /// Clocks with `ce` low while this one waits.
@@ -34,7 +33,7 @@ pub struct Vector {
 /// The digest of one shininess.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct RowDigest {
-    /// The code of `in_n`.
+    /// The code of the first input port, `in_n`.
     pub index: u32,
     /// XXH3-64 of the outputs for all operand codes, the least first, each as four little-endian bytes.
     pub digest: u64,
@@ -78,8 +77,8 @@ impl Golden {
 
     /// All vectors, in order.
     #[must_use]
-    pub fn vectors(&self) -> Vec<Vector> {
-        self.groups.iter().flat_map(|(_, vectors)| vectors.iter().copied()).collect()
+    pub fn vectors(&self) -> Vec<&Vector> {
+        self.groups.iter().flat_map(|(_, vectors)| vectors).collect()
     }
 }
 
@@ -135,24 +134,31 @@ impl OutputHash {
     }
 }
 
+/// A code at an input port.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct PortCode {
+    /// The port's name.
+    pub port: String,
+    /// The code.
+    pub code: i64,
+    /// The number that it stands for.
+    pub value: f64,
+}
+
 /// A way in which two golden files differ.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "snake_case")]
 pub enum Difference {
-    /// A vector's output.
+    /// A vector's outputs.
     Output {
-        /// The code of `in_n`.
-        index: u32,
-        /// The shininess that it selects.
-        shininess: f64,
-        /// The operand's code.
-        operand: i64,
-        /// The operand's value.
-        value: f64,
+        /// The codes at the inputs.
+        inputs: Vec<PortCode>,
+        /// What the first of them selects.
+        selected: String,
         /// What the model computes.
-        expected: u32,
+        expected: Vec<i64>,
         /// What the file says.
-        got: u32,
+        got: Vec<i64>,
     },
     /// A vector that the file has in another form, or not at all.
     Vector {
@@ -165,7 +171,9 @@ pub enum Difference {
     },
     /// A row's digest.
     Digest {
-        /// The code of `in_n`.
+        /// The name of the first input port.
+        port: String,
+        /// Its code.
         index: u32,
         /// What the model computes.
         expected: Option<u64>,
@@ -178,49 +186,72 @@ impl std::fmt::Display for Difference {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let digest = |digest: &Option<u64>| digest.map_or("none".to_owned(), |d| format!("{d:016x}"));
         let vector = |vector: &Option<Vector>| {
-            vector.map_or("none".to_owned(), |v| {
-                format!("in_n {} operand {} output {} idle {} stall {}", v.index, v.operand, v.output, v.idle, v.stall)
+            vector.as_ref().map_or("none".to_owned(), |v| {
+                let (inputs, outputs) = (codes_text(&v.inputs), codes_text(&v.outputs));
+                format!("inputs {inputs} outputs {outputs} idle {} stall {}", v.idle, v.stall)
             })
         };
         match self {
-            Self::Output { index, shininess, operand, value, expected, got } => write!(
-                f,
-                "in_n = {index} (n = {shininess}), operand {operand} ({value}): expected {expected}, got {got}"
-            ),
+            Self::Output { inputs, selected, expected, got } => {
+                for (place, PortCode { port, code, value }) in inputs.iter().enumerate() {
+                    match place {
+                        0 => write!(f, "{port} = {code} ({selected})")?,
+                        _ => write!(f, ", {port} = {code} ({value})")?,
+                    }
+                }
+                write!(f, ": expected {}, got {}", codes_text(expected), codes_text(got))
+            }
             Self::Vector { place, expected, got } => {
                 write!(f, "vector {place}: expected {}, got {}", vector(expected), vector(got))
             }
-            Self::Digest { index, expected, got } => {
-                write!(f, "digest of in_n = {index}: expected {}, got {}", digest(expected), digest(got))
+            Self::Digest { port, index, expected, got } => {
+                write!(f, "digest of {port} = {index}: expected {}, got {}", digest(expected), digest(got))
             }
         }
     }
+}
+
+/// Codes with spaces between them, for messages.
+#[must_use]
+pub fn codes_text(codes: &[i64]) -> String {
+    codes.iter().map(i64::to_string).collect::<Vec<_>>().join(" ")
 }
 
 /// Every difference between what a design's golden file should be and what a file holds, in order.
 #[must_use]
 pub fn differences(design: &Design, expected: &Golden, got: &Golden) -> Vec<Difference> {
     let mut found = Vec::new();
+    let ports = design.numbers(Direction::In);
     let (want, have) = (expected.vectors(), got.vectors());
     for place in 0..want.len().max(have.len()) {
         match (want.get(place), have.get(place)) {
             (Some(a), Some(b)) if a == b => {}
-            (Some(a), Some(b)) if Vector { output: b.output, ..*a } == *b => found.push(Difference::Output {
-                index: a.index,
-                shininess: design.spec.shininess.value(design.spec.shininess.row_of_index(a.index)),
-                operand: a.operand,
-                value: design.operand_format().value(a.operand.into()),
-                expected: a.output,
-                got: b.output,
+            (Some(&a), Some(&b)) if Vector { outputs: b.outputs.clone(), ..a.clone() } == *b => {
+                let code = |(&(port, format), &code): (&(&str, Format), &i64)| PortCode {
+                    port: port.to_owned(),
+                    code,
+                    value: format.value(code.into()),
+                };
+                found.push(Difference::Output {
+                    inputs: ports.iter().zip(&a.inputs).map(code).collect(),
+                    selected: design.selected(a.inputs[0] as u32),
+                    expected: a.outputs.clone(),
+                    got: b.outputs.clone(),
+                });
+            }
+            (a, b) => found.push(Difference::Vector {
+                place: place + 1,
+                expected: a.map(|&v| v.clone()),
+                got: b.map(|&v| v.clone()),
             }),
-            (a, b) => found.push(Difference::Vector { place: place + 1, expected: a.copied(), got: b.copied() }),
         }
     }
     for place in 0..expected.digests.len().max(got.digests.len()) {
         let (a, b) = (expected.digests.get(place), got.digests.get(place));
         if a != b {
             let index = a.or(b).map_or(0, |d| d.index);
-            found.push(Difference::Digest { index, expected: a.map(|d| d.digest), got: b.map(|d| d.digest) });
+            let (expected, got) = (a.map(|d| d.digest), b.map(|d| d.digest));
+            found.push(Difference::Digest { port: ports[0].0.to_owned(), index, expected, got });
         }
     }
     found

@@ -71,6 +71,21 @@ impl<'a> Layout<'a> {
         format!("{}_{stage}", node.name)
     }
 
+    /// The outputs that carry numbers, each with the name of what it shows; the ports' names followed by spaces to one length.
+    #[must_use]
+    pub fn shown(&self) -> Vec<(String, String)> {
+        let shown =
+            |(port, node): &(String, NodeId)| (self.padded_output(port), self.name(*node, self.schedule.latency));
+        self.datapath.graph.outputs.iter().map(shown).collect()
+    }
+
+    /// An output's name, followed by spaces to the length of the longest of all outputs.
+    #[must_use]
+    pub fn padded_output(&self, name: &str) -> String {
+        let width = self.datapath.graph.outputs.iter().map(|(port, _)| port.len()).fold("out_valid".len(), usize::max);
+        format!("{name:<width$}")
+    }
+
     /// How a memory is read, by its place among the datapath's tables; `None` if nothing reads it.
     #[must_use]
     pub fn read(&self, memory: usize) -> Option<Read> {

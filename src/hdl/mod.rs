@@ -13,6 +13,7 @@ pub use layout::Layout;
 pub use testbench::test_bench;
 
 use crate::error::Error;
+use crate::number::Format;
 use crate::spec::Language;
 
 /// What the text of a core needs besides its layout.
@@ -22,8 +23,56 @@ pub struct Texts {
     pub name: String,
     /// The lines of the header comment, without a comment marker.
     pub header: Vec<String>,
+    /// The ports, in the order of their declaration.
+    pub ports: Vec<Port>,
     /// The files that memories are read from, if they are read from files.
     pub rom_files: Vec<RomFile>,
+}
+
+/// Which way a port leads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Into the core.
+    In,
+    /// Out of the core.
+    Out,
+}
+
+impl Direction {
+    /// The word for it in both languages.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::In => "in",
+            Self::Out => "out",
+        }
+    }
+}
+
+/// A port of a core.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Port {
+    /// Its name.
+    pub name: String,
+    /// Which way it leads.
+    pub direction: Direction,
+    /// The format of its codes; `None` for clock, reset, enable and the valid flags, which are a bit that is no number.
+    pub format: Option<Format>,
+    /// What it is for, as the end of a sentence.
+    pub meaning: String,
+}
+
+impl Port {
+    /// Its format, as a port table says it.
+    #[must_use]
+    pub fn format_text(&self) -> String {
+        self.format.map_or("1 bit".to_owned(), |format| format.to_string())
+    }
+
+    /// What a comment in front of its declaration says.
+    fn comment(&self) -> String {
+        self.format.map_or_else(|| self.meaning.clone(), |format| format!("{format}: {}", self.meaning))
+    }
 }
 
 /// A file that a memory is read from.
@@ -61,6 +110,12 @@ pub fn backend(language: Language) -> Box<dyn Backend> {
         Language::Verilog => Box::new(verilog::Verilog),
         Language::Vhdl => Box::new(vhdl::Vhdl),
     }
+}
+
+/// A port's declaration in one of the languages, and the comment in front of it.
+struct Declaration {
+    comment: String,
+    declaration: String,
 }
 
 /// The longest line of generated text.

@@ -2,7 +2,7 @@
 
 use askama::Template;
 
-use super::{Backend, Layout, Texts, continued, render};
+use super::{Backend, Declaration, Direction, Layout, Port, Texts, continued, render};
 use crate::datapath::graph::{NodeId, Op};
 use crate::error::Error;
 use crate::number::Format;
@@ -49,17 +49,12 @@ struct Stage<'a> {
 #[template(path = "verilog/core.v", escape = "none")]
 struct Core<'a> {
     texts: &'a Texts,
-    operand: &'a str,
-    operand_signed: bool,
-    index_range: String,
-    operand_range: String,
-    output_range: String,
-    index_format: Format,
-    operand_format: Format,
-    output_format: Format,
+    ports: Vec<Declaration>,
     latency: u32,
     stages: Vec<Stage<'a>>,
-    output: String,
+    /// `out_valid` and the other outputs with what they show, their names of one length.
+    out_valid: String,
+    outputs: Vec<(String, String)>,
     unused: Vec<String>,
 }
 
@@ -218,6 +213,15 @@ impl Writer<'_> {
     }
 }
 
+fn declaration(port: &Port) -> Declaration {
+    let direction = match port.direction {
+        Direction::In => "input  wire",
+        Direction::Out => "output wire",
+    };
+    let range = port.format.map_or("       ".to_owned(), range);
+    Declaration { comment: port.comment(), declaration: format!("{direction} {range}{}", port.name) }
+}
+
 /// The memories that are read in a stage.
 fn memories<'a>(layout: &Layout<'a>, texts: &Texts, stage: u32) -> Vec<Memory<'a>> {
     let tables = layout.datapath.tables.iter().enumerate();
@@ -247,9 +251,6 @@ fn memories<'a>(layout: &Layout<'a>, texts: &Texts, stage: u32) -> Vec<Memory<'a
 
 impl Backend for Verilog {
     fn emit(&self, layout: &Layout, texts: &Texts) -> Result<String, Error> {
-        let graph = &layout.datapath.graph;
-        let (index, operand) = (&graph.nodes[graph.index()], &graph.nodes[graph.operand()]);
-        let output_format = graph.nodes[graph.output()].format;
         let mut unused = Vec::new();
         let stages = (0..layout.schedule.latency)
             .map(|index| {
@@ -287,17 +288,11 @@ impl Backend for Verilog {
         }
         render(&Core {
             texts,
-            operand: &operand.name,
-            operand_signed: operand.format.signed,
-            index_range: range(index.format),
-            operand_range: range(operand.format),
-            output_range: range(output_format),
-            index_format: index.format,
-            operand_format: operand.format,
-            output_format,
+            ports: texts.ports.iter().map(declaration).collect(),
             latency: layout.schedule.latency,
             stages,
-            output: layout.name(graph.output(), layout.schedule.latency),
+            out_valid: layout.padded_output("out_valid"),
+            outputs: layout.shown(),
             unused,
         })
     }

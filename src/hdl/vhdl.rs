@@ -4,7 +4,7 @@ use askama::Template;
 use num_bigint::BigUint;
 
 use super::layout::Register;
-use super::{Backend, Layout, Texts, continued, render};
+use super::{Backend, Declaration, Layout, Port, Texts, continued, render};
 use crate::datapath::graph::{NodeId, Op};
 use crate::error::Error;
 use crate::number::Format;
@@ -65,18 +65,13 @@ struct Chunk {
 #[template(path = "vhdl/core.vhd", escape = "none")]
 struct Core<'a> {
     texts: &'a Texts,
-    operand: &'a str,
-    operand_signed: bool,
-    operand_kind: String,
-    index_kind: String,
-    output_kind: String,
-    index_format: Format,
-    operand_format: Format,
-    output_format: Format,
+    ports: Vec<Declaration>,
     latency: u32,
     signals: Vec<Signal>,
     stages: Vec<Stage<'a>>,
-    output: String,
+    /// `out_valid` and the other outputs with what they show, their names of one length.
+    out_valid: String,
+    outputs: Vec<(String, String)>,
 }
 
 struct Writer<'a> {
@@ -228,6 +223,12 @@ fn kind(format: Format) -> String {
     format!("{}({} downto 0)", if format.signed { "signed" } else { "unsigned" }, format.width() - 1)
 }
 
+fn declaration(port: &Port, name_width: usize) -> Declaration {
+    let kind = port.format.map_or("std_logic".to_owned(), kind);
+    let declaration = format!("{:<name_width$} : {:<3} {kind}", port.name, port.direction.word());
+    Declaration { comment: port.comment(), declaration }
+}
+
 /// The memories that are read in a stage.
 fn memories<'a>(layout: &Layout<'a>, texts: &Texts, stage: u32) -> Vec<Memory<'a>> {
     let tables = layout.datapath.tables.iter().enumerate();
@@ -270,9 +271,6 @@ fn memories<'a>(layout: &Layout<'a>, texts: &Texts, stage: u32) -> Vec<Memory<'a
 
 impl Backend for Vhdl {
     fn emit(&self, layout: &Layout, texts: &Texts) -> Result<String, Error> {
-        let graph = &layout.datapath.graph;
-        let (index, operand) = (&graph.nodes[graph.index()], &graph.nodes[graph.operand()]);
-        let output_format = graph.nodes[graph.output()].format;
         let latency = layout.schedule.latency;
         let mut signals = Vec::new();
         let mut stages = Vec::new();
@@ -298,20 +296,15 @@ impl Backend for Vhdl {
             let memories = memories(layout, texts, index);
             stages.push(Stage { index, heading: layout.heading(index), memories, assignments, registers });
         }
+        let name_width = texts.ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
         render(&Core {
             texts,
-            operand: &operand.name,
-            operand_signed: operand.format.signed,
-            operand_kind: kind(operand.format),
-            index_kind: kind(index.format),
-            output_kind: kind(output_format),
-            index_format: index.format,
-            operand_format: operand.format,
-            output_format,
+            ports: texts.ports.iter().map(|port| declaration(port, name_width)).collect(),
             latency,
             signals,
             stages,
-            output: layout.name(graph.output(), latency),
+            out_valid: layout.padded_output("out_valid"),
+            outputs: layout.shown(),
         })
     }
 }

@@ -6,9 +6,9 @@ use crate::datapath::Description;
 use crate::datapath::widths::Contribution;
 use crate::design::{Design, Measured};
 use crate::error::Error;
-use crate::hdl::render;
+use crate::hdl::{Port, render};
 use crate::rom::{Field, Table};
-use crate::spec::{Coefficients, CoreSpec, Form, Operand, RomStyle, Shininess, Tail};
+use crate::spec::{Coefficients, CoreSpec, Form, RomStyle, Shininess, Tail};
 
 /// What the core computes, in a line.
 pub(super) fn lobe_text(spec: &CoreSpec) -> String {
@@ -36,14 +36,6 @@ fn form_text(form: Form) -> &'static str {
     match form {
         Form::Stable => "stable",
         Form::Paper => "paper",
-    }
-}
-
-/// What the operand's port takes.
-pub(super) fn operand_text(spec: &CoreSpec) -> &'static str {
-    match spec.operand {
-        Operand::Cos => "cosine x; below 0 gives 0, above 1 counts as 1",
-        Operand::Versine => "versine u = 1 - x; above 1 counts as 1, which gives 0",
     }
 }
 
@@ -130,11 +122,9 @@ struct Datasheet<'a> {
     command: String,
     digest: String,
     operand: &'a str,
-    operand_text: &'a str,
     operand_format: String,
-    index_format: String,
-    index_meaning: String,
     output_format: String,
+    ports: Vec<Port>,
     latency: u32,
     description: Description,
     both_forms: bool,
@@ -222,11 +212,9 @@ pub(super) fn datasheet(
         command: spec.command(),
         digest: spec.digest(),
         operand: design.operand_name(),
-        operand_text: operand_text(spec),
         operand_format: design.operand_format().to_string(),
-        index_format: design.index_format().to_string(),
-        index_meaning: spec.shininess.index_meaning(),
         output_format: design.output_format().to_string(),
+        ports: design.ports(),
         latency: design.schedule.latency,
         description: design.description(),
         both_forms: spec.method.has_paper_form(),

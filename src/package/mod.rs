@@ -8,7 +8,6 @@ pub use directory::{
     GENERATED_MARK, Kind, check_target, check_target_of, write_directory, write_directory_of, write_file,
 };
 
-use serde::Serialize;
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
@@ -17,6 +16,7 @@ use crate::design::{Design, Measured};
 use crate::error::Error;
 use crate::golden::Golden;
 use crate::hdl::{self, RomFile, Texts};
+use crate::number::Format;
 use crate::rom::{self, RomFormat, Table};
 use crate::spec::{Coefficients, Form, Language, RomStyle, hex};
 
@@ -77,27 +77,29 @@ fn extension(language: Language) -> &'static str {
 #[must_use]
 pub fn texts(design: &Design, measured: &Measured) -> Texts {
     let spec = &design.spec;
+    let ports = design.ports();
+    let name_width = ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
     let mut header = vec![
         format!("{}: {}", spec.name, datasheet::lobe_text(spec)),
         String::new(),
         format!("Made by: {}", spec.command()),
         format!("Spec {}. Generated; the core is yours to use under any terms.", spec.digest()),
         String::new(),
-        format!("  in_n      {:<7} {}", design.index_format().to_string(), spec.shininess.index_meaning()),
-        format!(
-            "  {:<9} {:<7} {}",
-            design.operand_name(),
-            design.operand_format().to_string(),
-            datasheet::operand_text(spec)
-        ),
-        format!("  out_spec  {:<7} 0 to 1", design.output_format().to_string()),
+    ];
+    header.extend(
+        ports
+            .iter()
+            .filter(|port| port.format.is_some())
+            .map(|port| format!("  {:<name_width$} {:<7} {}", port.name, port.format_text(), port.meaning)),
+    );
+    header.extend([
         String::new(),
         format!("Latency {} clocks, one result a clock.", design.schedule.latency),
         format!(
             "Error against the real-valued method, in ulps of out_spec: proved within {}.",
             datasheet::interval_text(design.budget.proved_ulps)
         ),
-    ];
+    ]);
     header.extend(datasheet::measured_lines(measured));
     let rom_file = |table: &Table| RomFile {
         memory: table.name,
@@ -108,7 +110,7 @@ pub fn texts(design: &Design, measured: &Measured) -> Texts {
         RomStyle::File => design.tables().iter().map(rom_file).collect(),
         RomStyle::Inline => Vec::new(),
     };
-    Texts { name: spec.name.clone(), header, rom_files }
+    Texts { name: spec.name.clone(), header, ports, rom_files }
 }
 
 /// The text of `core.toml`.
@@ -154,35 +156,19 @@ pub fn files(design: &Design, measured: &Measured, golden: &Golden) -> Result<Ve
     Ok(files)
 }
 
-#[derive(Serialize)]
-struct Port {
-    name: String,
-    direction: &'static str,
-    format: String,
-    bits: u32,
-    meaning: String,
-}
-
 fn manifest(design: &Design, measured: &Measured, files: &[File]) -> String {
     let spec = &design.spec;
-    let port = |name: &str, direction, format: crate::number::Format, meaning: String| Port {
-        name: name.to_owned(),
-        direction,
-        format: format.to_string(),
-        bits: format.width(),
-        meaning,
+    let port = |port: &hdl::Port| {
+        let format = port.format.unwrap_or(Format::FLAG);
+        json!({
+            "name": port.name,
+            "direction": port.direction.word(),
+            "format": format.to_string(),
+            "bits": format.width(),
+            "meaning": port.meaning,
+        })
     };
-    let flag = crate::number::Format::FLAG;
-    let ports = [
-        port("clk", "in", flag, "clock, rising edge".to_owned()),
-        port("rst", "in", flag, "synchronous reset of the valid chain".to_owned()),
-        port("ce", "in", flag, "clock enable".to_owned()),
-        port("in_valid", "in", flag, "the operands are to be taken".to_owned()),
-        port("in_n", "in", design.index_format(), spec.shininess.index_meaning()),
-        port(design.operand_name(), "in", design.operand_format(), datasheet::operand_text(spec).to_owned()),
-        port("out_valid", "out", flag, "out_spec is a result".to_owned()),
-        port("out_spec", "out", design.output_format(), "the lobe, 0 to 1".to_owned()),
-    ];
+    let ports: Vec<_> = design.ports().iter().map(port).collect();
     let memory = |table: &Table| {
         let field = |(index, field): (usize, &rom::Field)| {
             json!({

@@ -262,7 +262,7 @@ impl SpecFields {
             lobe::Cubic::new(1.0, q)?;
         }
         let g = self.g.unwrap_or(1.0 / 18.0);
-        if !(0.001..q).contains(&g) {
+        if method == Method::CubicThreePoint && !(0.001..q).contains(&g) {
             return Err(Error::input(
                 format!("level g = {g} is out of range"),
                 "g is the lobe's value at the three-point cubic's second point, from 0.001 up to below q",

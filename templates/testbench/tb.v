@@ -8,12 +8,9 @@
 module {{ bench.name }}_tb;
 /* verilator lint_on DECLFILENAME */
 
-    localparam NAME          = "{{ bench.name }}";
-    localparam LATENCY       = {{ bench.latency }};
-    localparam INDEX_BITS    = {{ bench.index_bits }};
-    localparam OPERAND_BITS  = {{ bench.operand_bits }};
-    localparam OUTPUT_BITS   = {{ bench.output_bits }};
-    localparam SHOWN         = 10; // mismatches printed; the others are only counted
+    localparam NAME    = "{{ bench.name }}";
+    localparam LATENCY = {{ bench.latency }};
+    localparam SHOWN   = 10; // mismatches printed; the others are only counted
 {%- for file in bench.rom_files %}
 
     // The core reads its memory {{ file.memory }} from this file, relative to the current directory.
@@ -21,14 +18,17 @@ module {{ bench.name }}_tb;
 {%- endfor %}
 
     // ------------------------------------------------------------------ the core
-    reg                     clk      = 1'b0;
-    reg                     rst      = 1'b0;
-    reg                     ce       = 1'b0;
-    reg                     in_valid = 1'b0;
-    reg  [INDEX_BITS-1:0]   in_n     = 0;
-    reg  [OPERAND_BITS-1:0] operand  = 0;
-    wire                    out_valid;
-    wire [OUTPUT_BITS-1:0]  out_spec;
+    reg  {{ bench.ranged("") }} {{ bench.padded("clk") }} = 1'b0;
+    reg  {{ bench.ranged("") }} {{ bench.padded("rst") }} = 1'b0;
+    reg  {{ bench.ranged("") }} {{ bench.padded("ce") }} = 1'b0;
+    reg  {{ bench.ranged("") }} {{ bench.padded("in_valid") }} = 1'b0;
+{%- for port in bench.inputs %}
+    reg  {{ bench.ranged(port.range) }} {{ bench.padded(port.name) }} = 0;
+{%- endfor %}
+    wire {{ bench.ranged("") }} out_valid;
+{%- for port in bench.outputs %}
+    wire {{ bench.ranged(port.range) }} {{ port.name }};
+{%- endfor %}
 
     {{ bench.name }}{% if !bench.rom_files.is_empty() %} #(
 {%- for file in bench.rom_files %}
@@ -39,24 +39,28 @@ module {{ bench.name }}_tb;
         .rst(rst),
         .ce(ce),
         .in_valid(in_valid),
-        .in_n(in_n),
-        .{{ bench.operand }}(operand),
+{%- for port in bench.inputs %}
+        .{{ port.name }}({{ port.name }}),
+{%- endfor %}
         .out_valid(out_valid),
-        .out_spec(out_spec)
+{%- for port in bench.outputs %}
+        .{{ port.name }}({{ port.name }}){% if !loop.last %},{% endif %}
+{%- endfor %}
     );
 
     // --------------------------------------------------------- state of the vector file
-    localparam LINE_BYTES = 64; // a line of vectors has at most 52 characters
+    localparam LINE_BYTES = {{ bench.line_bytes }}; // longer than any line with a vector
 
     reg [8*1024-1:0]       path;
     integer                file;
     reg [8*LINE_BYTES-1:0] text;
-    reg [8*LINE_BYTES-1:0] padded;
-    reg [8*LINE_BYTES-1:0] again;
     integer                length;
-    integer                fields;
+    integer                place;     // of the first character of the line not yet used, from 0
+    reg [7:0]              character; // the last one used
+    reg [7:0]              first;
+    reg [35:0]             field;
+    integer                digits;
     integer                code;
-    reg [7:0]              kind;
     reg                    at_end      = 1'b0;
     reg                    line_ended  = 1'b0;
     reg                    malformed   = 1'b0;
@@ -67,11 +71,11 @@ module {{ bench.name }}_tb;
     integer                count       = 0; // vectors the file announces,
     integer                vectors     = 0; // and those read so far
     // Fields of the vector that was read last.
-    reg [INDEX_BITS-1:0]   file_n;
-    reg [OPERAND_BITS-1:0] file_operand;
-    reg [OUTPUT_BITS-1:0]  file_expected;
-    integer                file_idle;
-    integer                file_stall;
+{%- for port in bench.numbers() %}
+    reg {{ bench.ranged(port.range) }} file_{{ port.name }};
+{%- endfor %}
+    integer file_idle;
+    integer file_stall;
 
     // -------------------------------------------------------------- random numbers
     // Marsaglia's xorshift32: a linear feedback register of the full period 2^32-1 that turns
@@ -90,18 +94,20 @@ module {{ bench.name }}_tb;
     // What the core has taken and not yet given back: one entry for each enabled clock of the
     // latency, as a ring. The entry at `slot` is the one at the core's outputs now; the next
     // enabled clock overwrites it with what the core takes then.
-    reg                    ref_known    [0:LATENCY-1]; // 0: from before the core was driven
-    reg                    ref_valid    [0:LATENCY-1];
-    integer                ref_number   [0:LATENCY-1]; // 0: not a vector of the file
-    reg [INDEX_BITS-1:0]   ref_n        [0:LATENCY-1];
-    reg [OPERAND_BITS-1:0] ref_operand  [0:LATENCY-1];
-    reg [OUTPUT_BITS-1:0]  ref_expected [0:LATENCY-1];
-    integer                slot = 0;
-    integer                entry;
+    reg {{ bench.ranged("") }} ref_{{ bench.padded("known") }} [0:LATENCY-1]; // 0: from before the core was driven
+    reg {{ bench.ranged("") }} ref_{{ bench.padded("valid") }} [0:LATENCY-1];
+{%- for port in bench.numbers() %}
+    reg {{ bench.ranged(port.range) }} ref_{{ bench.padded(port.name) }} [0:LATENCY-1];
+{%- endfor %}
+    integer ref_number [0:LATENCY-1]; // 0: not a vector of the file
+    integer slot = 0;
+    integer entry;
 
     // What is presented at the inputs now, beside the inputs themselves.
-    integer                number   = 0;
-    reg [OUTPUT_BITS-1:0]  expected = 0;
+    integer number = 0;
+{%- for port in bench.outputs %}
+    reg {{ bench.ranged(port.range) }} expected_{{ bench.padded(port.name) }} = 0;
+{%- endfor %}
 
     reg     looked     = 1'b0; // the entry at the outputs has been looked at,
     reg     reported   = 1'b0; // and found wrong: a held fault is counted once
@@ -112,12 +118,12 @@ module {{ bench.name }}_tb;
 
     initial begin
         for (entry = 0; entry < LATENCY; entry = entry + 1) begin
-            ref_known[entry]    = 1'b0;
-            ref_valid[entry]    = 1'b0;
-            ref_number[entry]   = 0;
-            ref_n[entry]        = 0;
-            ref_operand[entry]  = 0;
-            ref_expected[entry] = 0;
+            ref_known[entry] = 1'b0;
+            ref_valid[entry] = 1'b0;
+            ref_number[entry] = 0;
+{%- for port in bench.numbers() %}
+            ref_{{ port.name }}[entry] = 0;
+{%- endfor %}
         end
         run;
     end
@@ -129,8 +135,10 @@ module {{ bench.name }}_tb;
             if (ref_number[slot] != 0) begin
                 if (!looked)
                     compared = compared + 1;
-                if (out_spec !== ref_expected[slot])
+{%- for port in bench.outputs %}
+                if ({{ port.name }} !== ref_{{ port.name }}[slot])
                     wrong = 1'b1;
+{%- endfor %}
             end
             looked = 1'b1;
             if (ref_known[slot] && wrong && !reported) begin
@@ -148,12 +156,22 @@ module {{ bench.name }}_tb;
                 $display("brdfgen: %0s: clock %0d: expected out_valid %b, got %b",
                          NAME, clocks, ref_valid[slot], out_valid);
             else begin
-                $write("brdfgen: %0s: vector %0d: in_n %h, {{ bench.operand }} %h: ",
-                       NAME, ref_number[slot], ref_n[slot], ref_operand[slot]);
-                if (out_valid === 1'b1)
-                    $display("expected %h, got %h", ref_expected[slot], out_spec);
+                $write("brdfgen: %0s: vector %0d: ", NAME, ref_number[slot]);
+{%- for port in bench.inputs %}
+                $write("{{ port.name }} %h{% if loop.last %}: expected{% else %}, {% endif %}", ref_{{ port.name }}[slot]);
+{%- endfor %}
+{%- for port in bench.outputs %}
+                $write(" %h", ref_{{ port.name }}[slot]);
+{%- endfor %}
+                $write(", got");
+                if (out_valid === 1'b1) begin
+{%- for port in bench.outputs %}
+                    $write(" %h", {{ port.name }});
+{%- endfor %}
+                    $display("");
+                end
                 else
-                    $display("expected %h, got out_valid %b", ref_expected[slot], out_valid);
+                    $display(" out_valid %b", out_valid);
             end
         end
     endtask
@@ -169,13 +187,16 @@ module {{ bench.name }}_tb;
             clk    = 1'b1;
             clocks = clocks + 1;
             if (ce) begin
-                ref_known[slot]    = 1'b1;
-                ref_valid[slot]    = in_valid;
-                ref_number[slot]   = number;
-                ref_n[slot]        = in_n;
-                ref_operand[slot]  = operand;
-                ref_expected[slot] = expected;
-                slot               = (slot == LATENCY - 1) ? 0 : slot + 1;
+                ref_known[slot] = 1'b1;
+                ref_valid[slot] = in_valid;
+                ref_number[slot] = number;
+{%- for port in bench.inputs %}
+                ref_{{ port.name }}[slot] = {{ port.name }};
+{%- endfor %}
+{%- for port in bench.outputs %}
+                ref_{{ port.name }}[slot] = expected_{{ port.name }};
+{%- endfor %}
+                slot = (slot == LATENCY - 1) ? 0 : slot + 1;
             end
             if (rst)
                 for (entry = 0; entry < LATENCY; entry = entry + 1) begin
@@ -203,12 +224,12 @@ module {{ bench.name }}_tb;
     task present_garbage;
         input valid;
         begin
+{%- for port in bench.inputs %}
             draw;
-            in_n     = lfsr[INDEX_BITS-1:0];
-            draw;
-            operand  = lfsr[OPERAND_BITS-1:0];
+            {{ port.name }} = lfsr{{ port.range }};
+{%- endfor %}
             in_valid = valid;
-            number   = 0;
+            number = 0;
         end
     endtask
 
@@ -257,10 +278,13 @@ module {{ bench.name }}_tb;
                 stalled_clock;
             random_stalls;
             in_valid = 1'b1;
-            in_n     = file_n;
-            operand  = file_operand;
-            expected = file_expected;
-            number   = vectors;
+{%- for port in bench.inputs %}
+            {{ port.name }} = file_{{ port.name }};
+{%- endfor %}
+{%- for port in bench.outputs %}
+            expected_{{ port.name }} = file_{{ port.name }};
+{%- endfor %}
+            number = vectors;
             clock;
         end
     endtask
@@ -296,7 +320,6 @@ module {{ bench.name }}_tb;
             at_end = (length == 0);
             if (!at_end) begin
                 line       = line + 1;
-                kind       = text[8*(length-1) +: 8];
                 line_ended = (text[7:0] == 8'h0a);
                 while (!line_ended) begin
                     code       = $fgetc(file);
@@ -310,31 +333,99 @@ module {{ bench.name }}_tb;
                     text   = text >> 8;
                     length = length - 1;
                 end
-                // $sscanf skips blanks before the first field, but not NULs in every simulator.
-                padded = text | ({LINE_BYTES{8'h20}} << 8*length);
+                place = 0;
             end
+        end
+    endtask
+
+    // The next character of the line, or NUL past its end.
+    task next_character;
+        begin
+            character = 8'h00;
+            if (place < length)
+                character = text[8*(length-1-place) +: 8];
+            place = place + 1;
+        end
+    endtask
+
+    task read_space;
+        begin
+            next_character;
+            if (character != " ")
+                malformed = 1'b1;
+        end
+    endtask
+
+    // A space and as many hexadecimal digits (lower case) as `width` bits take: a value that fits.
+    task read_hex;
+        input integer width;
+        begin
+            read_space;
+            field = 36'd0;
+            repeat ((width + 3) / 4) begin
+                next_character;
+                if (character >= "0" && character <= "9")
+                    field = {field[31:0], character[3:0]};
+                else if (character >= "a" && character <= "f")
+                    field = {field[31:0], character[3:0] + 4'd9};
+                else
+                    malformed = 1'b1;
+            end
+            if (field >> width != 36'd0)
+                malformed = 1'b1;
+        end
+    endtask
+
+    // A space and a decimal number of one to nine digits, without leading zeros.
+    task read_decimal;
+        begin
+            read_space;
+            next_character;
+            first  = character;
+            field  = 36'd0;
+            digits = 0;
+            while (character >= "0" && character <= "9" && digits < 9) begin
+                field  = 36'd10 * field + {32'd0, character[3:0]};
+                digits = digits + 1;
+                next_character;
+            end
+            place = place - 1; // the character behind the number is still to be used
+            if (digits == 0 || (digits > 1 && first == "0"))
+                malformed = 1'b1;
+        end
+    endtask
+
+    task expect_line_end;
+        begin
+            if (place != length)
+                malformed = 1'b1;
         end
     endtask
 
     task read_count;
         begin
-            fields = $sscanf(padded, " c %d", count);
-            $sformat(again, "c %0d", count);
-            malformed = fields != 1 || again != text || count < 0 || have_count;
+            read_decimal;
+            count = field[30:0];
+            expect_line_end;
+            if (have_count)
+                malformed = 1'b1;
             have_count = 1'b1;
         end
     endtask
 
-    // $sscanf takes a short field for a whole one, several spaces for one, and an x for a digit.
-    // So the line must be what these fields are written as.
     task read_fields;
         begin
-            fields = $sscanf(padded, " v %h %h %h %d %d",
-                             file_n, file_operand, file_expected, file_idle, file_stall);
-            $sformat(again, "v %h %h %h %0d %0d",
-                     file_n, file_operand, file_expected, file_idle, file_stall);
-            malformed = fields != 5 || again != text || file_idle < 0 || file_stall < 0 ||
-                        ^{file_n, file_operand, file_expected} === 1'bx || !have_count;
+{%- for port in bench.numbers() %}
+            read_hex({{ port.bits }});
+            file_{{ port.name }} = field{{ port.range }};
+{%- endfor %}
+            read_decimal;
+            file_idle = field[30:0];
+            read_decimal;
+            file_stall = field[30:0];
+            expect_line_end;
+            if (!have_count)
+                malformed = 1'b1;
             have_vector = !malformed;
         end
     endtask
@@ -345,7 +436,8 @@ module {{ bench.name }}_tb;
             have_vector = 1'b0;
             read_line;
             while (!at_end && !malformed && !have_vector) begin
-                case (kind)
+                next_character;
+                case (character)
                     "#", "d": ; // comments and digests
                     "c": read_count;
                     "v": read_fields;

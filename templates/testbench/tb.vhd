@@ -19,29 +19,24 @@ end entity;
 
 architecture bench of {{ bench.name }}_tb is
 
-    constant NAME         : string   := "{{ bench.name }}";
-    constant LATENCY      : positive := {{ bench.latency }};
-    constant INDEX_BITS   : positive := {{ bench.index_bits }};
-    constant OPERAND_BITS : positive := {{ bench.operand_bits }};
-    constant OUTPUT_BITS  : positive := {{ bench.output_bits }};
-    -- Hexadecimal digits of each field in the vector file.
-    constant INDEX_HEX    : positive := {{ bench.index_bits.div_ceil(4) }};
-    constant OPERAND_HEX  : positive := {{ bench.operand_bits.div_ceil(4) }};
-    constant OUTPUT_HEX   : positive := {{ bench.output_bits.div_ceil(4) }};
-    constant SHOWN        : positive := 10; -- mismatches printed; the others are only counted
+    constant NAME    : string   := "{{ bench.name }}";
+    constant LATENCY : positive := {{ bench.latency }};
+    constant SHOWN   : positive := 10; -- mismatches printed; the others are only counted
+{% for port in bench.numbers() %}
+    subtype {{ port.name }}_word is std_logic_vector({{ port.bits - 1 }} downto 0);
+{%- endfor %}
 
-    subtype index_word is std_logic_vector(INDEX_BITS - 1 downto 0);
-    subtype operand_word is std_logic_vector(OPERAND_BITS - 1 downto 0);
-    subtype output_word is std_logic_vector(OUTPUT_BITS - 1 downto 0);
-
-    signal clk       : std_logic    := '0';
-    signal rst       : std_logic    := '0';
-    signal ce        : std_logic    := '0';
-    signal in_valid  : std_logic    := '0';
-    signal in_n      : index_word   := (others => '0');
-    signal operand   : operand_word := (others => '0');
-    signal out_valid : std_logic;
-    signal out_spec  : unsigned(OUTPUT_BITS - 1 downto 0);
+    signal {{ bench.padded("clk") }} : std_logic := '0';
+    signal {{ bench.padded("rst") }} : std_logic := '0';
+    signal {{ bench.padded("ce") }} : std_logic := '0';
+    signal {{ bench.padded("in_valid") }} : std_logic := '0';
+{%- for port in bench.inputs %}
+    signal {{ bench.padded(port.name) }} : {{ port.name }}_word := (others => '0');
+{%- endfor %}
+    signal {{ bench.padded("out_valid") }} : std_logic;
+{%- for port in bench.outputs %}
+    signal {{ bench.padded(port.name) }} : {% if port.signed %}signed{% else %}unsigned{% endif %}({{ port.bits - 1 }} downto 0);
+{%- endfor %}
 
 begin
 
@@ -54,14 +49,17 @@ begin
         )
 {%- endif %}
         port map (
-            clk       => clk,
-            rst       => rst,
-            ce        => ce,
-            in_valid  => in_valid,
-            in_n      => unsigned(in_n),
-            {{ bench.operand }}    => {% if bench.operand_signed %}signed{% else %}unsigned{% endif %}(operand),
-            out_valid => out_valid,
-            out_spec  => out_spec
+            {{ bench.padded("clk") }} => clk,
+            {{ bench.padded("rst") }} => rst,
+            {{ bench.padded("ce") }} => ce,
+            {{ bench.padded("in_valid") }} => in_valid,
+{%- for port in bench.inputs %}
+            {{ bench.padded(port.name) }} => {% if port.signed %}signed{% else %}unsigned{% endif %}({{ port.name }}),
+{%- endfor %}
+            {{ bench.padded("out_valid") }} => out_valid,
+{%- for port in bench.outputs %}
+            {{ bench.padded(port.name) }} => {{ port.name }}{% if !loop.last %},{% endif %}
+{%- endfor %}
         );
 
     run : process is
@@ -70,28 +68,30 @@ begin
         -- the latency, as a ring. The entry at `slot` is the one at the core's outputs now; the
         -- next enabled clock overwrites it with what the core takes then.
         type entry is record
-            known    : boolean; -- false: from before the core was driven
-            valid    : std_logic;
-            number   : natural; -- 0: not a vector of the file
-            n        : index_word;
-            operand  : operand_word;
-            expected : output_word;
+            {{ bench.padded("known") }} : boolean; -- false: from before the core was driven
+            {{ bench.padded("valid") }} : std_logic;
+            {{ bench.padded("number") }} : natural; -- 0: not a vector of the file
+{%- for port in bench.numbers() %}
+            {{ bench.padded(port.name) }} : {{ port.name }}_word;
+{%- endfor %}
         end record;
         type ring is array (0 to LATENCY - 1) of entry;
 
         variable reference : ring := (others => (
-            known    => false,
-            valid    => '0',
-            number   => 0,
-            n        => (others => '0'),
-            operand  => (others => '0'),
-            expected => (others => '0')
+            {{ bench.padded("known") }} => false,
+            {{ bench.padded("valid") }} => '0',
+            {{ bench.padded("number") }} => 0,
+{%- for port in bench.numbers() %}
+            {{ bench.padded(port.name) }} => (others => '0'){% if !loop.last %},{% endif %}
+{%- endfor %}
         ));
         variable slot : natural range 0 to LATENCY - 1 := 0;
 
         -- What is presented at the inputs now, beside the inputs themselves.
-        variable number   : natural     := 0;
-        variable expected : output_word := (others => '0');
+        variable number : natural := 0;
+{%- for port in bench.outputs %}
+        variable expected_{{ bench.padded(port.name) }} : {{ port.name }}_word := (others => '0');
+{%- endfor %}
 
         variable looked     : boolean := false; -- the entry at the outputs has been looked at,
         variable reported   : boolean := false; -- and found wrong: a held fault is counted once
@@ -112,11 +112,11 @@ begin
         variable count           : natural  := 0; -- vectors the file announces,
         variable vectors         : natural  := 0; -- and those read so far
         -- Fields of the vector that was read last.
-        variable file_n          : index_word;
-        variable file_operand    : operand_word;
-        variable file_expected   : output_word;
-        variable file_idle       : natural;
-        variable file_stall      : natural;
+{%- for port in bench.numbers() %}
+        variable file_{{ bench.padded(port.name) }} : {{ port.name }}_word;
+{%- endfor %}
+        variable file_{{ bench.padded("idle") }} : natural;
+        variable file_{{ bench.padded("stall") }} : natural;
 
         -- ------------------------------------------------------------- random numbers
         -- Marsaglia's xorshift32: a linear feedback register of the full period 2^32-1 that
@@ -191,46 +191,56 @@ begin
         end procedure;
 
         -- ---------------------------------------------------------------- comparison
-        procedure show_mismatch(got : output_word) is
+        impure function shown_outputs return string is
+        begin
+            if out_valid /= '1' then
+                return "out_valid " & to_string(out_valid);
+            end if;
+            return {% for port in bench.outputs %}{% if !loop.first %}
+                & " " & {% endif %}hex(std_logic_vector({{ port.name }})){% endfor %};
+        end function;
+
+        procedure show_mismatch is
             variable want : entry := reference(slot);
         begin
             if want.number = 0 then
                 say("clock " & to_string(clocks) & ": expected out_valid "
                     & to_string(want.valid) & ", got " & to_string(out_valid));
-            elsif out_valid = '1' then
-                say("vector " & to_string(want.number) & ": in_n " & hex(want.n)
-                    & ", {{ bench.operand }} " & hex(want.operand)
-                    & ": expected " & hex(want.expected) & ", got " & hex(got));
             else
-                say("vector " & to_string(want.number) & ": in_n " & hex(want.n)
-                    & ", {{ bench.operand }} " & hex(want.operand)
-                    & ": expected " & hex(want.expected)
-                    & ", got out_valid " & to_string(out_valid));
+                say("vector " & to_string(want.number)
+{%- for port in bench.inputs %}
+                    & "{% if loop.first %}:{% else %},{% endif %} {{ port.name }} " & hex(want.{{ port.name }})
+{%- endfor %}
+                    & ": expected"
+{%- for port in bench.outputs %}
+                    & " " & hex(want.{{ port.name }})
+{%- endfor %}
+                    & ", got " & shown_outputs);
             end if;
         end procedure;
 
         -- The words are compared as std_logic_vector, where U, X and Z differ from 0 and 1 as
         -- any two values do; the "=" of numeric_std would only warn.
         procedure check_outputs is
-            variable got   : output_word;
             variable wrong : boolean;
         begin
-            got   := std_logic_vector(out_spec);
             wrong := out_valid /= reference(slot).valid;
             if reference(slot).number /= 0 then
                 if not looked then
                     compared := compared + 1;
                 end if;
-                if got /= reference(slot).expected then
+{%- for port in bench.outputs %}
+                if std_logic_vector({{ port.name }}) /= reference(slot).{{ port.name }} then
                     wrong := true;
                 end if;
+{%- endfor %}
             end if;
             looked := true;
             if reference(slot).known and wrong and not reported then
                 reported   := true;
                 mismatches := mismatches + 1;
                 if mismatches <= SHOWN then
-                    show_mismatch(got);
+                    show_mismatch;
                 end if;
             end if;
         end procedure;
@@ -246,8 +256,16 @@ begin
             clk    <= '1';
             clocks := clocks + 1;
             if ce = '1' then
-                reference(slot) := (true, in_valid, number, in_n, operand, expected);
-                slot            := (slot + 1) mod LATENCY;
+                reference(slot).known := true;
+                reference(slot).valid := in_valid;
+                reference(slot).number := number;
+{%- for port in bench.inputs %}
+                reference(slot).{{ port.name }} := {{ port.name }};
+{%- endfor %}
+{%- for port in bench.outputs %}
+                reference(slot).{{ port.name }} := expected_{{ port.name }};
+{%- endfor %}
+                slot := (slot + 1) mod LATENCY;
             end if;
             if rst = '1' then
                 for i in reference'range loop
@@ -274,12 +292,12 @@ begin
         -- Whatever the core must not look at is random.
         procedure present_garbage(valid : std_logic) is
         begin
+{%- for port in bench.inputs %}
             draw;
-            in_n     <= lfsr(INDEX_BITS - 1 downto 0);
-            draw;
-            operand  <= lfsr(OPERAND_BITS - 1 downto 0);
+            {{ port.name }} <= lfsr({{ port.bits - 1 }} downto 0);
+{%- endfor %}
             in_valid <= valid;
-            number   := 0;
+            number := 0;
         end procedure;
 
         -- A clock with ce low: garbage at all inputs, in_valid too.
@@ -327,10 +345,13 @@ begin
             end loop;
             random_stalls;
             in_valid <= '1';
-            in_n     <= file_n;
-            operand  <= file_operand;
-            expected := file_expected;
-            number   := vectors;
+{%- for port in bench.inputs %}
+            {{ port.name }} <= file_{{ port.name }};
+{%- endfor %}
+{%- for port in bench.outputs %}
+            expected_{{ port.name }} := file_{{ port.name }};
+{%- endfor %}
+            number := vectors;
             clock;
         end procedure;
 
@@ -448,9 +469,9 @@ begin
                         have_count := true;
                     when 'v' =>
                         character_at := 2;
-                        read_hex(INDEX_HEX, file_n);
-                        read_hex(OPERAND_HEX, file_operand);
-                        read_hex(OUTPUT_HEX, file_expected);
+{%- for port in bench.numbers() %}
+                        read_hex({{ port.digits }}, file_{{ port.name }});
+{%- endfor %}
                         read_decimal(file_idle);
                         read_decimal(file_stall);
                         expect_line_end;

@@ -17,22 +17,10 @@ module {{ texts.name }}
 {%- endfor %}
 )
 {%- endif %} (
-    // Clock; everything happens on its rising edge.
-    input  wire        clk,
-    // Synchronous reset: clears the valid chain, whatever ce is.
-    input  wire        rst,
-    // Clock enable: 0 freezes the whole pipeline.
-    input  wire        ce,
-    // in_n and {{ operand }} are to be taken.
-    input  wire        in_valid,
-    // {{ index_format }}: selects the shininess.
-    input  wire {{ index_range }}in_n,
-    // {{ operand_format }}: {% if operand_signed %}cosine; below 0 gives 0, above 1 counts as 1.{% else %}versine; above 1 counts as 1, which gives 0.{% endif %}
-    input  wire {{ operand_range }}{{ operand }},
-    // out_spec is a result: in_valid, {{ latency }} enabled clocks later.
-    output wire        out_valid,
-    // {{ output_format }}: the lobe, 0 to 1.
-    output wire {{ output_range }}out_spec
+{%- for port in ports %}
+    // {{ port.comment }}
+    {{ port.declaration }}{% if !loop.last %},{% endif %}
+{%- endfor %}
 );
 
     // ===== Valid chain
@@ -102,8 +90,10 @@ module {{ texts.name }}
 {%- endif %}
 {%- endfor %}
 
-    assign out_valid = valid[{{ latency }}];
-    assign out_spec  = {{ output }};
+    assign {{ out_valid }} = valid[{{ latency }}];
+{%- for (port, source) in outputs %}
+    assign {{ port }} = {{ source }};
+{%- endfor %}
 {%- if !unused.is_empty() %}
 
     // Bits that the roundings drop.

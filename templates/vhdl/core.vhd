@@ -23,22 +23,10 @@ entity {{ texts.name }} is
     );
 {%- endif %}
     port (
-        -- Clock; everything happens on its rising edge.
-        clk       : in  std_logic;
-        -- Synchronous reset: clears the valid chain, whatever ce is.
-        rst       : in  std_logic;
-        -- Clock enable: 0 freezes the whole pipeline.
-        ce        : in  std_logic;
-        -- in_n and {{ operand }} are to be taken.
-        in_valid  : in  std_logic;
-        -- {{ index_format }}: selects the shininess.
-        in_n      : in  {{ index_kind }};
-        -- {{ operand_format }}: {% if operand_signed %}cosine; below 0 gives 0, above 1 counts as 1.{% else %}versine; above 1 counts as 1, which gives 0.{% endif %}
-        {{ operand }}    : in  {{ operand_kind }};
-        -- out_spec is a result: in_valid, {{ latency }} enabled clocks later.
-        out_valid : out std_logic;
-        -- {{ output_format }}: the lobe, 0 to 1.
-        out_spec  : out {{ output_kind }}
+{%- for port in ports %}
+        -- {{ port.comment }}
+        {{ port.declaration }}{% if !loop.last %};{% endif %}
+{%- endfor %}
     );
 end entity {{ texts.name }};
 
@@ -153,7 +141,9 @@ begin
 {%- endif %}
 {%- endfor %}
 
-    out_valid <= valid({{ latency }});
-    out_spec  <= {{ output }};
+    {{ out_valid }} <= valid({{ latency }});
+{%- for (port, source) in outputs %}
+    {{ port }} <= {{ source }};
+{%- endfor %}
 
 end architecture rtl;

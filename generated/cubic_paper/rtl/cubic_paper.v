@@ -5,7 +5,7 @@
 //
 //   in_n      UQ10.0  shininess, 1 to 1000; outside: the nearest end
 //   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1
-//   out_spec  UQ1.16  0 to 1
+//   out_spec  UQ1.16  the lobe, 0 to 1; 1.0 is exact
 //
 // Latency 6 clocks, one result a clock.
 // Error against the real-valued method, in ulps of out_spec: proved within -0.929..+0.623.
@@ -17,21 +17,21 @@
 `default_nettype none
 
 module cubic_paper (
-    // Clock; everything happens on its rising edge.
+    // clock; everything happens on its rising edge
     input  wire        clk,
-    // Synchronous reset: clears the valid chain, whatever ce is.
+    // synchronous reset, active high: clears the valid chain, whatever ce is
     input  wire        rst,
-    // Clock enable: 0 freezes the whole pipeline.
+    // clock enable: 0 freezes the whole pipeline
     input  wire        ce,
-    // in_n and in_cos are to be taken.
+    // in_n and in_cos are to be taken
     input  wire        in_valid,
-    // UQ10.0: selects the shininess.
+    // UQ10.0: shininess, 1 to 1000; outside: the nearest end
     input  wire [9:0] in_n,
-    // Q1.16: cosine; below 0 gives 0, above 1 counts as 1.
+    // Q1.16: cosine x; below 0 gives 0, above 1 counts as 1
     input  wire [17:0] in_cos,
-    // out_spec is a result: in_valid, 6 enabled clocks later.
+    // out_spec is a result: in_valid, 6 enabled clocks later
     output wire        out_valid,
-    // UQ1.16: the lobe, 0 to 1.
+    // UQ1.16: the lobe, 0 to 1; 1.0 is exact
     output wire [16:0] out_spec
 );
 

@@ -5,7 +5,7 @@
 --
 --   in_n      UQ10.0  shininess, 1 to 1000; outside: the nearest end
 --   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1
---   out_spec  UQ1.16  0 to 1
+--   out_spec  UQ1.16  the lobe, 0 to 1; 1.0 is exact
 --
 -- Latency 6 clocks, one result a clock.
 -- Error against the real-valued method, in ulps of out_spec: proved within -0.990..+0.984.
@@ -19,21 +19,21 @@ use ieee.numeric_std.all;
 
 entity quadratic is
     port (
-        -- Clock; everything happens on its rising edge.
+        -- clock; everything happens on its rising edge
         clk       : in  std_logic;
-        -- Synchronous reset: clears the valid chain, whatever ce is.
+        -- synchronous reset, active high: clears the valid chain, whatever ce is
         rst       : in  std_logic;
-        -- Clock enable: 0 freezes the whole pipeline.
+        -- clock enable: 0 freezes the whole pipeline
         ce        : in  std_logic;
-        -- in_n and in_cos are to be taken.
+        -- in_n and in_cos are to be taken
         in_valid  : in  std_logic;
-        -- UQ10.0: selects the shininess.
+        -- UQ10.0: shininess, 1 to 1000; outside: the nearest end
         in_n      : in  unsigned(9 downto 0);
-        -- Q1.16: cosine; below 0 gives 0, above 1 counts as 1.
+        -- Q1.16: cosine x; below 0 gives 0, above 1 counts as 1
         in_cos    : in  signed(17 downto 0);
-        -- out_spec is a result: in_valid, 6 enabled clocks later.
+        -- out_spec is a result: in_valid, 6 enabled clocks later
         out_valid : out std_logic;
-        -- UQ1.16: the lobe, 0 to 1.
+        -- UQ1.16: the lobe, 0 to 1; 1.0 is exact
         out_spec  : out unsigned(16 downto 0)
     );
 end entity quadratic;

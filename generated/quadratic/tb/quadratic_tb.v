@@ -5,7 +5,7 @@
 //
 //   in_n      UQ10.0  shininess, 1 to 1000; outside: the nearest end
 //   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1
-//   out_spec  UQ1.16  0 to 1
+//   out_spec  UQ1.16  the lobe, 0 to 1; 1.0 is exact
 //
 // Latency 6 clocks, one result a clock.
 // Error against the real-valued method, in ulps of out_spec: proved within -0.990..+0.984.
@@ -20,22 +20,19 @@
 module quadratic_tb;
 /* verilator lint_on DECLFILENAME */
 
-    localparam NAME          = "quadratic";
-    localparam LATENCY       = 6;
-    localparam INDEX_BITS    = 10;
-    localparam OPERAND_BITS  = 18;
-    localparam OUTPUT_BITS   = 17;
-    localparam SHOWN         = 10; // mismatches printed; the others are only counted
+    localparam NAME    = "quadratic";
+    localparam LATENCY = 6;
+    localparam SHOWN   = 10; // mismatches printed; the others are only counted
 
     // ------------------------------------------------------------------ the core
-    reg                     clk      = 1'b0;
-    reg                     rst      = 1'b0;
-    reg                     ce       = 1'b0;
-    reg                     in_valid = 1'b0;
-    reg  [INDEX_BITS-1:0]   in_n     = 0;
-    reg  [OPERAND_BITS-1:0] operand  = 0;
-    wire                    out_valid;
-    wire [OUTPUT_BITS-1:0]  out_spec;
+    reg         clk       = 1'b0;
+    reg         rst       = 1'b0;
+    reg         ce        = 1'b0;
+    reg         in_valid  = 1'b0;
+    reg  [9:0]  in_n      = 0;
+    reg  [17:0] in_cos    = 0;
+    wire        out_valid;
+    wire [16:0] out_spec;
 
     quadratic dut (
         .clk(clk),
@@ -43,23 +40,24 @@ module quadratic_tb;
         .ce(ce),
         .in_valid(in_valid),
         .in_n(in_n),
-        .in_cos(operand),
+        .in_cos(in_cos),
         .out_valid(out_valid),
         .out_spec(out_spec)
     );
 
     // --------------------------------------------------------- state of the vector file
-    localparam LINE_BYTES = 64; // a line of vectors has at most 52 characters
+    localparam LINE_BYTES = 40; // longer than any line with a vector
 
     reg [8*1024-1:0]       path;
     integer                file;
     reg [8*LINE_BYTES-1:0] text;
-    reg [8*LINE_BYTES-1:0] padded;
-    reg [8*LINE_BYTES-1:0] again;
     integer                length;
-    integer                fields;
+    integer                place;     // of the first character of the line not yet used, from 0
+    reg [7:0]              character; // the last one used
+    reg [7:0]              first;
+    reg [35:0]             field;
+    integer                digits;
     integer                code;
-    reg [7:0]              kind;
     reg                    at_end      = 1'b0;
     reg                    line_ended  = 1'b0;
     reg                    malformed   = 1'b0;
@@ -70,11 +68,11 @@ module quadratic_tb;
     integer                count       = 0; // vectors the file announces,
     integer                vectors     = 0; // and those read so far
     // Fields of the vector that was read last.
-    reg [INDEX_BITS-1:0]   file_n;
-    reg [OPERAND_BITS-1:0] file_operand;
-    reg [OUTPUT_BITS-1:0]  file_expected;
-    integer                file_idle;
-    integer                file_stall;
+    reg [9:0]  file_in_n;
+    reg [17:0] file_in_cos;
+    reg [16:0] file_out_spec;
+    integer file_idle;
+    integer file_stall;
 
     // -------------------------------------------------------------- random numbers
     // Marsaglia's xorshift32: a linear feedback register of the full period 2^32-1 that turns
@@ -93,18 +91,18 @@ module quadratic_tb;
     // What the core has taken and not yet given back: one entry for each enabled clock of the
     // latency, as a ring. The entry at `slot` is the one at the core's outputs now; the next
     // enabled clock overwrites it with what the core takes then.
-    reg                    ref_known    [0:LATENCY-1]; // 0: from before the core was driven
-    reg                    ref_valid    [0:LATENCY-1];
-    integer                ref_number   [0:LATENCY-1]; // 0: not a vector of the file
-    reg [INDEX_BITS-1:0]   ref_n        [0:LATENCY-1];
-    reg [OPERAND_BITS-1:0] ref_operand  [0:LATENCY-1];
-    reg [OUTPUT_BITS-1:0]  ref_expected [0:LATENCY-1];
-    integer                slot = 0;
-    integer                entry;
+    reg        ref_known     [0:LATENCY-1]; // 0: from before the core was driven
+    reg        ref_valid     [0:LATENCY-1];
+    reg [9:0]  ref_in_n      [0:LATENCY-1];
+    reg [17:0] ref_in_cos    [0:LATENCY-1];
+    reg [16:0] ref_out_spec  [0:LATENCY-1];
+    integer ref_number [0:LATENCY-1]; // 0: not a vector of the file
+    integer slot = 0;
+    integer entry;
 
     // What is presented at the inputs now, beside the inputs themselves.
-    integer                number   = 0;
-    reg [OUTPUT_BITS-1:0]  expected = 0;
+    integer number = 0;
+    reg [16:0] expected_out_spec  = 0;
 
     reg     looked     = 1'b0; // the entry at the outputs has been looked at,
     reg     reported   = 1'b0; // and found wrong: a held fault is counted once
@@ -115,12 +113,12 @@ module quadratic_tb;
 
     initial begin
         for (entry = 0; entry < LATENCY; entry = entry + 1) begin
-            ref_known[entry]    = 1'b0;
-            ref_valid[entry]    = 1'b0;
-            ref_number[entry]   = 0;
-            ref_n[entry]        = 0;
-            ref_operand[entry]  = 0;
-            ref_expected[entry] = 0;
+            ref_known[entry] = 1'b0;
+            ref_valid[entry] = 1'b0;
+            ref_number[entry] = 0;
+            ref_in_n[entry] = 0;
+            ref_in_cos[entry] = 0;
+            ref_out_spec[entry] = 0;
         end
         run;
     end
@@ -132,7 +130,7 @@ module quadratic_tb;
             if (ref_number[slot] != 0) begin
                 if (!looked)
                     compared = compared + 1;
-                if (out_spec !== ref_expected[slot])
+                if (out_spec !== ref_out_spec[slot])
                     wrong = 1'b1;
             end
             looked = 1'b1;
@@ -151,12 +149,17 @@ module quadratic_tb;
                 $display("brdfgen: %0s: clock %0d: expected out_valid %b, got %b",
                          NAME, clocks, ref_valid[slot], out_valid);
             else begin
-                $write("brdfgen: %0s: vector %0d: in_n %h, in_cos %h: ",
-                       NAME, ref_number[slot], ref_n[slot], ref_operand[slot]);
-                if (out_valid === 1'b1)
-                    $display("expected %h, got %h", ref_expected[slot], out_spec);
+                $write("brdfgen: %0s: vector %0d: ", NAME, ref_number[slot]);
+                $write("in_n %h, ", ref_in_n[slot]);
+                $write("in_cos %h: expected", ref_in_cos[slot]);
+                $write(" %h", ref_out_spec[slot]);
+                $write(", got");
+                if (out_valid === 1'b1) begin
+                    $write(" %h", out_spec);
+                    $display("");
+                end
                 else
-                    $display("expected %h, got out_valid %b", ref_expected[slot], out_valid);
+                    $display(" out_valid %b", out_valid);
             end
         end
     endtask
@@ -172,13 +175,13 @@ module quadratic_tb;
             clk    = 1'b1;
             clocks = clocks + 1;
             if (ce) begin
-                ref_known[slot]    = 1'b1;
-                ref_valid[slot]    = in_valid;
-                ref_number[slot]   = number;
-                ref_n[slot]        = in_n;
-                ref_operand[slot]  = operand;
-                ref_expected[slot] = expected;
-                slot               = (slot == LATENCY - 1) ? 0 : slot + 1;
+                ref_known[slot] = 1'b1;
+                ref_valid[slot] = in_valid;
+                ref_number[slot] = number;
+                ref_in_n[slot] = in_n;
+                ref_in_cos[slot] = in_cos;
+                ref_out_spec[slot] = expected_out_spec;
+                slot = (slot == LATENCY - 1) ? 0 : slot + 1;
             end
             if (rst)
                 for (entry = 0; entry < LATENCY; entry = entry + 1) begin
@@ -207,11 +210,11 @@ module quadratic_tb;
         input valid;
         begin
             draw;
-            in_n     = lfsr[INDEX_BITS-1:0];
+            in_n = lfsr[9:0];
             draw;
-            operand  = lfsr[OPERAND_BITS-1:0];
+            in_cos = lfsr[17:0];
             in_valid = valid;
-            number   = 0;
+            number = 0;
         end
     endtask
 
@@ -260,10 +263,10 @@ module quadratic_tb;
                 stalled_clock;
             random_stalls;
             in_valid = 1'b1;
-            in_n     = file_n;
-            operand  = file_operand;
-            expected = file_expected;
-            number   = vectors;
+            in_n = file_in_n;
+            in_cos = file_in_cos;
+            expected_out_spec = file_out_spec;
+            number = vectors;
             clock;
         end
     endtask
@@ -299,7 +302,6 @@ module quadratic_tb;
             at_end = (length == 0);
             if (!at_end) begin
                 line       = line + 1;
-                kind       = text[8*(length-1) +: 8];
                 line_ended = (text[7:0] == 8'h0a);
                 while (!line_ended) begin
                     code       = $fgetc(file);
@@ -313,31 +315,101 @@ module quadratic_tb;
                     text   = text >> 8;
                     length = length - 1;
                 end
-                // $sscanf skips blanks before the first field, but not NULs in every simulator.
-                padded = text | ({LINE_BYTES{8'h20}} << 8*length);
+                place = 0;
             end
+        end
+    endtask
+
+    // The next character of the line, or NUL past its end.
+    task next_character;
+        begin
+            character = 8'h00;
+            if (place < length)
+                character = text[8*(length-1-place) +: 8];
+            place = place + 1;
+        end
+    endtask
+
+    task read_space;
+        begin
+            next_character;
+            if (character != " ")
+                malformed = 1'b1;
+        end
+    endtask
+
+    // A space and as many hexadecimal digits (lower case) as `width` bits take: a value that fits.
+    task read_hex;
+        input integer width;
+        begin
+            read_space;
+            field = 36'd0;
+            repeat ((width + 3) / 4) begin
+                next_character;
+                if (character >= "0" && character <= "9")
+                    field = {field[31:0], character[3:0]};
+                else if (character >= "a" && character <= "f")
+                    field = {field[31:0], character[3:0] + 4'd9};
+                else
+                    malformed = 1'b1;
+            end
+            if (field >> width != 36'd0)
+                malformed = 1'b1;
+        end
+    endtask
+
+    // A space and a decimal number of one to nine digits, without leading zeros.
+    task read_decimal;
+        begin
+            read_space;
+            next_character;
+            first  = character;
+            field  = 36'd0;
+            digits = 0;
+            while (character >= "0" && character <= "9" && digits < 9) begin
+                field  = 36'd10 * field + {32'd0, character[3:0]};
+                digits = digits + 1;
+                next_character;
+            end
+            place = place - 1; // the character behind the number is still to be used
+            if (digits == 0 || (digits > 1 && first == "0"))
+                malformed = 1'b1;
+        end
+    endtask
+
+    task expect_line_end;
+        begin
+            if (place != length)
+                malformed = 1'b1;
         end
     endtask
 
     task read_count;
         begin
-            fields = $sscanf(padded, " c %d", count);
-            $sformat(again, "c %0d", count);
-            malformed = fields != 1 || again != text || count < 0 || have_count;
+            read_decimal;
+            count = field[30:0];
+            expect_line_end;
+            if (have_count)
+                malformed = 1'b1;
             have_count = 1'b1;
         end
     endtask
 
-    // $sscanf takes a short field for a whole one, several spaces for one, and an x for a digit.
-    // So the line must be what these fields are written as.
     task read_fields;
         begin
-            fields = $sscanf(padded, " v %h %h %h %d %d",
-                             file_n, file_operand, file_expected, file_idle, file_stall);
-            $sformat(again, "v %h %h %h %0d %0d",
-                     file_n, file_operand, file_expected, file_idle, file_stall);
-            malformed = fields != 5 || again != text || file_idle < 0 || file_stall < 0 ||
-                        ^{file_n, file_operand, file_expected} === 1'bx || !have_count;
+            read_hex(10);
+            file_in_n = field[9:0];
+            read_hex(18);
+            file_in_cos = field[17:0];
+            read_hex(17);
+            file_out_spec = field[16:0];
+            read_decimal;
+            file_idle = field[30:0];
+            read_decimal;
+            file_stall = field[30:0];
+            expect_line_end;
+            if (!have_count)
+                malformed = 1'b1;
             have_vector = !malformed;
         end
     endtask
@@ -348,7 +420,8 @@ module quadratic_tb;
             have_vector = 1'b0;
             read_line;
             while (!at_end && !malformed && !have_vector) begin
-                case (kind)
+                next_character;
+                case (character)
                     "#", "d": ; // comments and digests
                     "c": read_count;
                     "v": read_fields;
