@@ -119,7 +119,6 @@ impl Architecture for Stable<'_> {
         if self.spec.tail == Tail::Hold {
             fields.push(self.hold_field());
         }
-        let fields = polynomial::as_fitted(self.spec, fields);
         vec![Table::new(&self.spec.shininess, fields, scaling.base() as u32)]
     }
 

@@ -103,6 +103,13 @@ pub trait Architecture: Sync {
     /// compute exactly (126 bits) or a value would leave its format.
     fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath>;
 
+    /// The first and the last versine code that a row of the coefficient ROM serves, which may be past the last there is; `None` if
+    /// it serves none, as a segment past x = 0.
+    fn versines(&self, row: usize) -> Option<[i128; 2]> {
+        let _ = row;
+        Some([0, i128::MAX])
+    }
+
     /// What the core computes and how, for its datasheet.
     fn description(&self, tables: &[Table]) -> Description;
 

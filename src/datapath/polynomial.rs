@@ -5,7 +5,7 @@ use super::graph::NodeId;
 use super::{CaseError, Datapath, Description};
 use crate::number::{Format, Interval, exp2};
 use crate::rom::{Field, Table};
-use crate::spec::{Coefficients, CoreSpec, Shininess, Widths};
+use crate::spec::{CoreSpec, Shininess, Widths};
 
 /// The nearest integer code of `value` at `frac_bits` fraction bits, halves away from zero.
 pub(super) fn nearest_code(value: f64, frac_bits: i32) -> i128 {
@@ -68,16 +68,6 @@ pub(super) fn line_fields(
     let mut fields = vec![column(name, meaning, lines.iter().map(|line| line.base).collect())];
     if matches!(spec.shininess, Shininess::Fixed { .. }) {
         fields.push(column(step_name, step_meaning, lines.iter().map(|line| line.step).collect()));
-    }
-    as_fitted(spec, fields)
-}
-
-/// Where coefficients are fitted, the ROM's words themselves are the coefficients of the method.
-pub(super) fn as_fitted(spec: &CoreSpec, mut fields: Vec<Field>) -> Vec<Field> {
-    if spec.coefficients == Coefficients::Minimax {
-        for field in &mut fields {
-            field.reals = field.codes.iter().map(|&code| field.format.value(code)).collect();
-        }
     }
     fields
 }

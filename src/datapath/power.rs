@@ -207,7 +207,6 @@ impl Architecture for Rom<'_> {
         }
         fields.extend(scaling.field());
         fields.extend(self.ends().and_then(|ends| ends.field(self.spec)));
-        let fields = polynomial::as_fitted(self.spec, fields);
         vec![Table::new(&self.spec.shininess, fields, scaling.base() as u32)]
     }
 

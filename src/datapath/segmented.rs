@@ -206,7 +206,7 @@ impl Architecture for Architect<'_> {
             column("big_a", "the coefficient A, times 2^-k", widths.get("A"), &|s, k| s.big_a * exp2(-k)),
             column("a", "the coefficient a, times 4^-k", widths.get("a"), &|s, k| s.a * exp2(-2 * k)),
         ];
-        let rom = Table::parts(&scale, self.segments(), polynomial::as_fitted(self.spec, fields));
+        let rom = Table::parts(&scale, self.segments(), fields);
         vec![scale, rom]
     }
 
@@ -222,6 +222,11 @@ impl Architecture for Architect<'_> {
             self.segments()
         );
         description
+    }
+
+    fn versines(&self, row: usize) -> Option<[i128; 2]> {
+        let segment = &self.rows[row / self.segments()].segments[row % self.segments()];
+        segment.map(|(_, versines)| versines)
     }
 
     fn lobes(&self, tables: &[Table]) -> Vec<Box<dyn Lobe>> {
@@ -307,7 +312,14 @@ impl Architecture for Architect<'_> {
         let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded down to the output's bits");
         let zero = b.any(&[beyond, Some(past)], "zero", "the result is 0");
         let y = b.zero_if(zero, y, "y", "y, 0 past the last segment");
-        let datapath = polynomial::finish(b, self.spec, &tables, y, |_| Interval::ZERO)?;
+        let cases: Vec<Interval> = b.cases().iter().map(|case| case.active).collect();
+        let datapath = polynomial::finish(b, self.spec, &tables, y, |case| {
+            let (row, at) = rows[case];
+            let delta = |name: &str| word(name, at) - rom.field(name).reals[at];
+            let moved = polynomial::parabola(delta("big_a"), delta("a"), cases[case].scale(self.rows[row].k));
+            let x = Interval::new(1.0 - cases[case].high, 1.0 - cases[case].low);
+            (Interval::point(delta("c")) - moved) * x
+        })?;
         Some(Datapath { constants: self.bounds.clone(), ..datapath })
     }
 }

@@ -72,6 +72,33 @@ fn widths_of(parameters: &[Parameter], values: &[i32]) -> Widths {
     Widths::new(parameters.iter().map(|p| p.name).zip(values.iter().copied()).collect())
 }
 
+impl Budget {
+    /// The account of a datapath with the same widths but other ROM words.
+    #[must_use]
+    pub fn of_words(&self, datapath: &Datapath) -> Self {
+        Self { contributions: self.contributions.clone(), ..Self::of(Vec::new(), datapath) }
+    }
+
+    /// Whether the bounds are below one output ulp.
+    #[must_use]
+    pub fn is_faithful(&self) -> bool {
+        self.proved_ulps.iter().all(|bound| bound.abs() < FAITHFUL)
+    }
+
+    fn of(contributions: Vec<Contribution>, datapath: &Datapath) -> Self {
+        let size = |error: &super::CaseError| error.total().magnitude();
+        // The first of the largest: `max_by` would take the last.
+        let worst = datapath.errors.iter().rev().max_by(|a, b| size(a).total_cmp(&size(b)));
+        Self {
+            contributions,
+            proved_ulps: total(datapath),
+            coefficient_ulps: hull(datapath, |e| e.coefficients),
+            arithmetic_ulps: hull(datapath, |e| e.arithmetic),
+            worst_shininess: worst.map_or(1.0, |error| error.shininess),
+        }
+    }
+}
+
 fn built(architecture: &dyn Architecture, widths: &Widths) -> Option<Datapath> {
     architecture.build(widths, architecture.tables(widths))
 }
@@ -166,14 +193,5 @@ fn budget(parameters: &[Parameter], probes: &[Vec<[f64; 2]>], values: &[i32], da
             ulps: probe[(value - parameter.range.start()) as usize],
         })
         .collect();
-    let size = |error: &super::CaseError| error.total().magnitude();
-    // The first of the largest: `max_by` would take the last.
-    let worst = datapath.errors.iter().rev().max_by(|a, b| size(a).total_cmp(&size(b)));
-    Budget {
-        contributions,
-        proved_ulps: total(datapath),
-        coefficient_ulps: hull(datapath, |e| e.coefficients),
-        arithmetic_ulps: hull(datapath, |e| e.arithmetic),
-        worst_shininess: worst.map_or(1.0, |error| error.shininess),
-    }
+    Budget::of(contributions, datapath)
 }

@@ -1,6 +1,7 @@
 //! A resolved core: its spec, widths, ROM, datapath, schedule, and what is proved and measured of its error.
 
 mod measure;
+mod tune;
 
 pub use measure::{Measured, Sweep};
 
@@ -38,7 +39,12 @@ impl Design {
     /// # Errors
     /// A spec that no core can be built for, such as one whose printed form needs values wider than 126 bits.
     pub fn new(spec: CoreSpec) -> Result<Self, Error> {
-        let solution = solve(&*architecture(&spec)?)?;
+        let architecture = architecture(&spec)?;
+        let mut solution = solve(&*architecture)?;
+        if spec.is_fitted() {
+            solution = tune::tuned(&spec, &*architecture, solution);
+        }
+        drop(architecture);
         let schedule = schedule(&solution.datapath.graph, spec.pipeline)?;
         Ok(Self { widths: solution.widths, datapath: solution.datapath, schedule, budget: solution.budget, spec })
     }

@@ -92,6 +92,14 @@ impl Objective {
         }
     }
 
+    /// Whether errors count where the exact lobe is `f`.
+    pub(crate) fn counts(&self, f: f64) -> bool {
+        match *self {
+            Self::MaxAbs | Self::Weighted { .. } => true,
+            Self::MaxAbsLevel { level } | Self::MaxRel { level } => f >= level,
+        }
+    }
+
     /// The factor of `|g - f|` where the exact lobe is `f`.
     pub(crate) fn weight(&self, f: f64) -> f64 {
         match *self {

@@ -77,6 +77,19 @@ impl Table {
     /// The name of the memory that holds the coefficients.
     pub const COEFFICIENTS: &str = "rom";
 
+    /// A memory of one row of this one, which every address holds.
+    #[must_use]
+    pub fn only(&self, row: usize) -> Self {
+        let field =
+            |field: &Field| Field { codes: vec![field.codes[row]], reals: vec![field.reals[row]], ..field.clone() };
+        Self {
+            fields: self.fields.iter().map(field).collect(),
+            keys: vec![self.keys[row]],
+            row_of_address: vec![0; self.depth()],
+            ..self.clone()
+        }
+    }
+
     /// The same under another name.
     #[must_use]
     pub fn named(self, name: &'static str) -> Self {

@@ -124,6 +124,12 @@ impl CoreSpec {
         SpecFields::from_spec(self).to_toml()
     }
 
+    /// Whether the coefficients are fitted.
+    #[must_use]
+    pub fn is_fitted(&self) -> bool {
+        self.coefficients == Coefficients::Minimax && !self.method.coefficients().is_empty()
+    }
+
     /// The first 16 hexadecimal digits of the SHA-256 of [`CoreSpec::to_toml`].
     #[must_use]
     pub fn digest(&self) -> String {

@@ -1,0 +1,156 @@
+//! Fitted coefficients as ROM words: the search over the integers about the rounded ones, so that what becomes least is the error
+//! of what the hardware computes, its roundings included.
+
+use rayon::prelude::*;
+
+use crate::datapath::evaluate::Evaluator;
+use crate::datapath::widths::Solution;
+use crate::datapath::{Architecture, Datapath};
+use crate::lobe;
+use crate::number::exp2;
+use crate::rom::Table;
+use crate::spec::{CoreSpec, Operand};
+
+/// The fields that are searched: the coefficients proper, not what places or scales them.
+const SEARCHED: [&str; 3] = ["c", "big_a", "a"];
+/// The most versines at which a row's error is taken.
+const MOST_POINTS: i128 = 2048;
+/// Past this depth, s = n u, the power is below 2^-23 and no core has anything but 0 or a held value.
+const DEEPEST: f64 = 16.0;
+/// The most steps of a search.
+const MOST_STEPS: usize = 64;
+
+/// Where a row's error is taken: operand codes, and what the power is there and what its error weighs.
+struct Points {
+    index: u32,
+    first: i64,
+    stride: i64,
+    targets: Vec<(f64, f64)>,
+}
+
+impl Points {
+    /// The points of a row of the coefficient ROM; `None` where nothing of what it serves counts.
+    fn of(spec: &CoreSpec, architecture: &dyn Architecture, table: &Table, row: usize) -> Option<Self> {
+        let parts = table.rows() / spec.shininess.rows();
+        let (n, one) = (table.keys[row], 1i128 << spec.input_fraction);
+        let [first, last] = architecture.versines(row)?;
+        let deepest = (DEEPEST / n).min(1.0) * one as f64;
+        let last = last.min(one - 1).min(deepest as i128);
+        if last < first {
+            return None;
+        }
+        let stride = (last - first) / MOST_POINTS + 1;
+        let versines: Vec<i128> = (first..=last).step_by(stride as usize).collect();
+        let target = |&code: &i128| {
+            let power = lobe::exact(n, code as f64 / one as f64);
+            (power, if spec.objective.counts(power) { spec.objective.weight(power) } else { 0.0 })
+        };
+        let mut targets: Vec<(f64, f64)> = versines.iter().map(target).collect();
+        if targets.iter().all(|&(_, weight)| weight == 0.0) {
+            return None;
+        }
+        // The evaluator goes upwards in the operand.
+        let first = match spec.operand {
+            Operand::Versine => versines[0],
+            Operand::Cos => {
+                targets.reverse();
+                one - versines[versines.len() - 1]
+            }
+        };
+        let index = spec.shininess.index_of_row(row / parts);
+        Some(Self { index, first: first as i64, stride: stride as i64, targets })
+    }
+
+    /// The largest weighted error of a datapath whose memories are `tables`.
+    fn error(&self, spec: &CoreSpec, datapath: &Datapath, tables: &[Table]) -> f64 {
+        let mut outputs = vec![0; self.targets.len()];
+        Evaluator::new(&datapath.graph, tables).evaluate(self.index, self.first, self.stride, &mut outputs);
+        let ulp = exp2(-(spec.output_fraction as i32));
+        let errors = outputs.iter().zip(&self.targets);
+        errors.map(|(&output, &(power, weight))| (f64::from(output) * ulp - power).abs() * weight).fold(0.0, f64::max)
+    }
+}
+
+/// The words of a row that give the least error found by steepest descent over the neighbouring integers.
+fn searched(
+    spec: &CoreSpec,
+    architecture: &dyn Architecture,
+    datapath: &Datapath,
+    memory: usize,
+    row: usize,
+) -> Vec<i128> {
+    let table = &datapath.tables[memory];
+    let fields: Vec<usize> =
+        (0..table.fields.len()).filter(|&field| SEARCHED.contains(&table.fields[field].name)).collect();
+    let mut best: Vec<i128> = fields.iter().map(|&field| table.fields[field].codes[row]).collect();
+    let Some(points) = Points::of(spec, architecture, table, row) else { return best };
+    // Memories of one row each, which every address reads.
+    let mut tables: Vec<Table> = datapath
+        .tables
+        .iter()
+        .map(
+            |other| {
+                if other.key == table.key { other.only(row / (table.rows() / other.rows())) } else { other.clone() }
+            },
+        )
+        .collect();
+    let mut error_of = |words: &[i128]| {
+        for (&field, &code) in fields.iter().zip(words) {
+            tables[memory].fields[field].codes[0] = code;
+        }
+        points.error(spec, datapath, &tables)
+    };
+    let mut least = error_of(&best);
+    for _ in 0..MOST_STEPS {
+        let mut step: Option<(f64, Vec<i128>)> = None;
+        for neighbour in 0..3usize.pow(fields.len() as u32) {
+            let offset = |digit: usize| (neighbour / 3usize.pow(digit as u32) % 3) as i128 - 1;
+            let words: Vec<i128> = best.iter().enumerate().map(|(digit, &code)| code + offset(digit)).collect();
+            let fits = |(&field, &code): (&usize, &i128)| {
+                let format = table.fields[field].format;
+                (format.min_code()..=format.max_code()).contains(&code)
+            };
+            if words == best || !fields.iter().zip(&words).all(fits) {
+                continue;
+            }
+            let error = error_of(&words);
+            if error < step.as_ref().map_or(least, |(error, _)| *error) {
+                step = Some((error, words));
+            }
+        }
+        let Some((error, words)) = step else { break };
+        (least, best) = (error, words);
+    }
+    best
+}
+
+/// The solution with the words that the search finds, which are from here on the method's coefficients themselves; with the rounded
+/// ones where the analysis cannot prove the found ones.
+pub(super) fn tuned(spec: &CoreSpec, architecture: &dyn Architecture, solution: Solution) -> Solution {
+    let datapath = &solution.datapath;
+    let Some(memory) = datapath.tables.iter().position(|table| table.name == Table::COEFFICIENTS) else {
+        return solution;
+    };
+    let table = &datapath.tables[memory];
+    let mut tables = datapath.tables.clone();
+    // Between interpolated rows no word has an error of its own.
+    if spec.shininess.frac_bits() == 0 {
+        let rows: Vec<Vec<i128>> =
+            (0..table.rows()).into_par_iter().map(|row| searched(spec, architecture, datapath, memory, row)).collect();
+        let fields = tables[memory].fields.iter_mut().filter(|field| SEARCHED.contains(&field.name));
+        for (place, field) in fields.enumerate() {
+            field.codes = rows.iter().map(|words| words[place]).collect();
+        }
+    }
+    [tables, datapath.tables.clone()]
+        .into_iter()
+        .find_map(|mut tables| {
+            for field in &mut tables[memory].fields {
+                field.reals = field.codes.iter().map(|&code| field.format.value(code)).collect();
+            }
+            let datapath = architecture.build(&solution.widths, tables)?;
+            let budget = solution.budget.of_words(&datapath);
+            budget.is_faithful().then(|| Solution { widths: solution.widths.clone(), datapath, budget })
+        })
+        .unwrap_or(solution)
+}
