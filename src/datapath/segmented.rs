@@ -164,6 +164,18 @@ impl Row {
     }
 }
 
+/// The codes of c, A and a, each rounded given how the one after it was: `v dA - da v^2` is least over the segment for
+/// `dA = (v_0 + v_1) da`, up to a constant, which c takes up.
+fn rounded([c, big_a, a]: [f64; 3], bits: [i32; 3], [low, high]: [f64; 2]) -> [i128; 3] {
+    let value = |code: i128, bits: i32| code as f64 * exp2(-bits);
+    let code_a = nearest_code(a, bits[2]);
+    let delta_a = value(code_a, bits[2]) - a;
+    let code_big = nearest_code(big_a + (low + high) * delta_a, bits[1]);
+    let rest = value(code_big, bits[1]) - big_a - (low + high) * delta_a;
+    let middle = delta_a * (low * high + (high - low) * (high - low) / 8.0) + rest * (low + high) / 2.0;
+    [nearest_code(c + middle, bits[0]), code_big, code_a]
+}
+
 impl Architecture for Architect<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.spec.input_fraction as i32, self.spec.output_fraction as i32);
@@ -192,20 +204,33 @@ impl Architecture for Architect<'_> {
         let mut fields = vec![field("m", "n 2^-k, for the segment", ROUGH_BITS, mantissas, values)];
         fields.extend(scaling.field());
         let scale = Table::new(&self.spec.shininess, fields, scaling.base() as u32).named(SCALE);
-        let column = |name, meaning, bits: i32, of: &dyn Fn(&Segment, i32) -> f64| {
-            let value = |row: &Row, segment: &Option<(Segment, [i128; 2])>| {
-                segment.as_ref().map_or(0.0, |(segment, _)| of(segment, row.k))
-            };
-            let reals: Vec<f64> =
-                self.rows.iter().flat_map(|row| row.segments.iter().map(move |segment| value(row, segment))).collect();
-            let codes = reals.iter().map(|&real| nearest_code(real, bits)).collect();
-            field(name, meaning, bits, codes, reals)
-        };
-        let fields = vec![
-            column("c", "the coefficient c", widths.get("c"), &|s, _| s.c),
-            column("big_a", "the coefficient A, times 2^-k", widths.get("A"), &|s, k| s.big_a * exp2(-k)),
-            column("a", "the coefficient a, times 4^-k", widths.get("a"), &|s, k| s.a * exp2(-2 * k)),
+        let bits = ["c", "A", "a"].map(|name| widths.get(name));
+        let lsb = exp2(-(self.spec.input_fraction as i32));
+        let mut columns: [(Vec<i128>, Vec<f64>); 3] = Default::default();
+        for row in &self.rows {
+            for segment in &row.segments {
+                let (codes, reals) = segment.map_or(([0; 3], [0.0; 3]), |(segment, versines)| {
+                    let v = versines.map(|code| code as f64 * lsb * exp2(row.k));
+                    let reals = [segment.c, segment.big_a * exp2(-row.k), segment.a * exp2(-2 * row.k)];
+                    (rounded(reals, bits, v), reals)
+                });
+                for ((column, code), real) in columns.iter_mut().zip(codes).zip(reals) {
+                    column.0.push(code);
+                    column.1.push(real);
+                }
+            }
+        }
+        let names = [
+            ("c", "the coefficient c"),
+            ("big_a", "the coefficient A, times 2^-k"),
+            ("a", "the coefficient a, times 4^-k"),
         ];
+        let fields = names
+            .into_iter()
+            .zip(bits)
+            .zip(columns)
+            .map(|(((name, meaning), bits), (codes, reals))| field(name, meaning, bits, codes, reals))
+            .collect();
         let rom = Table::parts(&scale, self.segments(), fields);
         vec![scale, rom]
     }

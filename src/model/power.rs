@@ -44,7 +44,8 @@ pub(super) fn lyon(inputs: &Inputs, spec: &CoreSpec) -> Wide {
     let p = match spec.shininess {
         Shininess::Range(..) | Shininess::Fixed { .. } => {
             let log2_k = spec.method.power().map_or(0, u32::trailing_zeros);
-            Some((Wide::ONE - inputs.x) * wide::from_code(inputs.n.into(), spec.shininess.frac_bits()) >> log2_k)
+            let n = wide::from_code(inputs.n.into(), spec.shininess.frac_bits());
+            Some(((Wide::ONE - inputs.x) * n) >> log2_k)
         }
         _ => inner(inputs),
     };
