@@ -83,6 +83,12 @@ impl<'a> Builder<'a> {
         &self.cases
     }
 
+    /// A memory.
+    #[must_use]
+    pub fn table(&self, memory: usize) -> &'a Table {
+        &self.tables[memory]
+    }
+
     /// The format of a node.
     #[must_use]
     pub fn format(&self, id: NodeId) -> Format {
@@ -109,7 +115,8 @@ impl<'a> Builder<'a> {
         self.fits.then_some(Graph { nodes: self.nodes, inputs: self.inputs, outputs })
     }
 
-    fn push(
+    /// A node with the bounds of its value, one a case. Bounds that nothing asks for may be left out.
+    pub(super) fn push(
         &mut self,
         op: Op,
         args: &[NodeId],
@@ -124,7 +131,8 @@ impl<'a> Builder<'a> {
         self.nodes.len() - 1
     }
 
-    fn per_case(&self, bound: impl Fn(usize) -> Bound) -> Vec<Bound> {
+    /// A bound for each case.
+    pub(super) fn per_case(&self, bound: impl Fn(usize) -> Bound) -> Vec<Bound> {
         (0..self.cases.len()).map(bound).collect()
     }
 

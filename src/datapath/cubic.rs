@@ -1,6 +1,7 @@
 //! The cubic lobe `x (1 - u (A - a u))`, cut to 0 past the minimum of its inner parabola.
 
 use super::builder::{Builder, Case};
+use super::graph::NodeId;
 use super::polynomial::{self, Ends, Line, Scaling, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, coefficients, multiplier_cost};
 use crate::error::Error;
@@ -14,6 +15,8 @@ use crate::spec::{CoreSpec, Tail, Widths};
 pub struct Stable<'a> {
     spec: &'a CoreSpec,
     lobes: Vec<Cubic>,
+    /// Where each row's cubic is left.
+    ends: Ends,
 }
 
 /// `a x^3 + b x^2 + c x` in five multiplications and two additions, as printed.
@@ -29,27 +32,33 @@ impl<'a> Stable<'a> {
     /// # Errors
     /// A shininess or level that the method refuses.
     pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
-        Ok(Self { spec, lobes: coefficients::cubic(spec)? })
+        let lobes = coefficients::cubic(spec)?;
+        // At the inner parabola's minimum to be cut, at its own to be held.
+        let end = |lobe: &Cubic| match spec.tail {
+            Tail::Cut => lobe.cut(),
+            Tail::Hold => lobe.minimum(),
+        };
+        let ends = Ends::of(spec, lobes.iter().map(end));
+        Ok(Self { spec, lobes, ends })
     }
 
-    fn scaling(&self, frac_bits: i32) -> Scaling {
+    /// These cubics, each up to one of these versines: what a core does past that is the caller's business.
+    pub(super) fn up_to(spec: &'a CoreSpec, lobes: Vec<Cubic>, ends: impl Iterator<Item = f64>) -> Self {
+        Self { spec, lobes, ends: Ends::of(spec, ends.map(Some)) }
+    }
+
+    /// The scaling of each row with these widths.
+    pub(super) fn scaling(&self, widths: &Widths) -> Scaling {
+        self.scaled_at(widths.get("A"))
+    }
+
+    fn scaled_at(&self, frac_bits: i32) -> Scaling {
         Scaling::of(self.lines(|lobe| lobe.big_a).into_iter().map(|line| line.range().low), frac_bits)
     }
 
     fn lines(&self, of: impl Fn(&Cubic) -> f64) -> Vec<Line> {
         let values: Vec<f64> = self.lobes.iter().map(of).collect();
         Line::through(self.spec, &values)
-    }
-
-    /// Where each row's cubic is left: at the inner parabola's minimum to be cut, at its own to be held.
-    fn ends(&self) -> Ends {
-        Ends::of(
-            self.spec,
-            self.lobes.iter().map(|lobe| match self.spec.tail {
-                Tail::Cut => lobe.cut(),
-                Tail::Hold => lobe.minimum(),
-            }),
-        )
     }
 
     /// The value that each row's cubic is held at; 0 where it is never left.
@@ -60,39 +69,12 @@ impl<'a> Stable<'a> {
         let codes = reals.iter().map(|&real| nearest_code(real, bits)).collect();
         field("hold", "the value past the cut", bits, codes, reals)
     }
-}
 
-/// The fields of A and a: at a row, and their steps to the next.
-const BIG_A: [&str; 2] = ["big_a", "big_a_step"];
-const SMALL_A: [&str; 2] = ["a", "a_step"];
-
-impl Architecture for Stable<'_> {
-    fn parameters(&self) -> Vec<Parameter> {
-        let (f, g) = (self.spec.input_fraction as i32, self.spec.output_fraction as i32);
-        let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
-        let cap = (f - self.scaling(g + 6).base()).max(1);
-        vec![
-            Parameter { name: "A", meaning: "coefficient A 2^-k, and q = A - a v", range: g..=g + 6 },
-            Parameter { name: "a", meaning: "coefficient a 4^-k", range: g - 1..=g + 6 },
-            Parameter { name: "x", meaning: "cosine x", range: up_to(g - 1, g + 4, f) },
-            Parameter { name: "v", meaning: "scaled versine v = u 2^k", range: up_to(g - 1, g + 5, cap) },
-            Parameter { name: "p", meaning: "p = v q", range: g - 1..=g + 5 },
-            Parameter { name: "t", meaning: "t = x p", range: g..=g + 4 },
-        ]
-    }
-
-    fn cost(&self, w: &Widths) -> f64 {
-        let v = w.get("v") + 2;
-        multiplier_cost(w.get("a") - 1, v)
-            + multiplier_cost(w.get("A"), v)
-            + multiplier_cost(1 + w.get("x"), w.get("p"))
-            + f64::from(w.get("x").max(w.get("t")) + w.get("A") + w.get("v") + w.get("x") + w.get("a"))
-    }
-
-    fn tables(&self, widths: &Widths) -> Vec<Table> {
-        let scaling = self.scaling(widths.get("A"));
+    /// The ROM fields of the cubic itself: A, a and k.
+    pub(super) fn fields(&self, widths: &Widths) -> Vec<Field> {
+        let scaling = self.scaling(widths);
         let (bits_big, bits_small) = (widths.get("A"), widths.get("a"));
-        let ends = self.ends().in_codes();
+        let ends = self.ends.in_codes();
         let mut big_codes = Vec::new();
         for ((lobe, &k), &end) in self.lobes.iter().zip(&scaling.k).zip(&ends) {
             let (real_big, real_small) = (lobe.big_a * exp2(-k), lobe.a * exp2(-2 * k));
@@ -115,11 +97,77 @@ impl Architecture for Stable<'_> {
         ));
         fields[0] = field("big_a", "the coefficient A, times 2^-k", bits_big, big_codes, fields[0].reals.clone());
         fields.extend(scaling.field());
-        fields.extend(self.ends().field(self.spec));
+        fields
+    }
+
+    /// `p = u (A - a u)`, and the flag that `past_cut` makes once the coefficients are read. `ends` are the rows' greatest versines.
+    pub(super) fn p(
+        &self,
+        b: &mut Builder,
+        widths: &Widths,
+        ends: &[f64],
+        address: (NodeId, Option<NodeId>),
+        u: NodeId,
+        past_cut: impl FnOnce(&mut Builder) -> Option<NodeId>,
+    ) -> (NodeId, Option<NodeId>) {
+        let scaling = self.scaling(widths);
+        let big_a = polynomial::coefficient(b, address, BIG_A);
+        let a = polynomial::coefficient(b, address, SMALL_A);
+        let past_cut = past_cut(b);
+        let scaled = scaling.over_cases(b.cases()).apply(b, address.0, u);
+        let v = Format::unsigned(Ends::int_bits(ends, &scaling.k), widths.get("v"));
+        let v = b.cast(scaled, v, true, "v", "v = u 2^k, rounded down; wraps past the cut");
+        let av = b.mul(a, v, "av", "(a 4^-k) v");
+        let r = b.floor(av, widths.get("A"), "r", "(a 4^-k) v, rounded down");
+        let q = b.sub(big_a, r, "q", "q = (A - a u) 2^-k; wraps past the cut");
+        (b.mul(v, q, "vq", "u (A - a u) = v q"), past_cut)
+    }
+
+    /// What rounding the coefficients of a row adds to its result.
+    pub(super) fn coefficient_error(table: &Table, ends: &[f64], row: usize) -> Interval {
+        let [delta_big, delta_small] = [BIG_A, SMALL_A].map(|names| polynomial::delta_line(table, names, row));
+        let v = Interval::new(0.0, ends[row] * exp2(polynomial::shift_of(table, row)));
+        // For each v the move is linear in the fraction: its extremes are at the row and at the next.
+        let at_row = polynomial::parabola(delta_big.base, delta_small.base, v);
+        let at_next = polynomial::parabola(delta_big.base + delta_big.step, delta_small.base + delta_small.step, v);
+        at_row.hull(at_next) * -Interval::new(1.0 - ends[row], 1.0)
+    }
+}
+
+/// The fields of A and a: at a row, and their steps to the next.
+const BIG_A: [&str; 2] = ["big_a", "big_a_step"];
+const SMALL_A: [&str; 2] = ["a", "a_step"];
+
+impl Architecture for Stable<'_> {
+    fn parameters(&self) -> Vec<Parameter> {
+        let (f, g) = (self.spec.input_fraction as i32, self.spec.output_fraction as i32);
+        let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
+        let cap = (f - self.scaled_at(g + 6).base()).max(1);
+        vec![
+            Parameter { name: "A", meaning: "coefficient A 2^-k, and q = A - a v", range: g..=g + 6 },
+            Parameter { name: "a", meaning: "coefficient a 4^-k", range: g - 1..=g + 6 },
+            Parameter { name: "x", meaning: "cosine x", range: up_to(g - 1, g + 4, f) },
+            Parameter { name: "v", meaning: "scaled versine v = u 2^k", range: up_to(g - 1, g + 5, cap) },
+            Parameter { name: "p", meaning: "p = v q", range: g - 1..=g + 5 },
+            Parameter { name: "t", meaning: "t = x p", range: g..=g + 4 },
+        ]
+    }
+
+    fn cost(&self, w: &Widths) -> f64 {
+        let v = w.get("v") + 2;
+        multiplier_cost(w.get("a") - 1, v)
+            + multiplier_cost(w.get("A"), v)
+            + multiplier_cost(1 + w.get("x"), w.get("p"))
+            + f64::from(w.get("x").max(w.get("t")) + w.get("A") + w.get("v") + w.get("x") + w.get("a"))
+    }
+
+    fn tables(&self, widths: &Widths) -> Vec<Table> {
+        let mut fields = self.fields(widths);
+        fields.extend(self.ends.clone().field(self.spec));
         if self.spec.tail == Tail::Hold {
             fields.push(self.hold_field());
         }
-        vec![Table::new(&self.spec.shininess, fields, scaling.base() as u32)]
+        vec![Table::new(&self.spec.shininess, fields, self.scaling(widths).base() as u32)]
     }
 
     fn description(&self, tables: &[Table]) -> Description {
@@ -155,7 +203,6 @@ impl Architecture for Stable<'_> {
     }
 
     fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
-        let scaling = self.scaling(widths.get("A"));
         let table = &tables[0];
         let ends = Ends::in_words(self.spec, table);
         let mut cases = Case::of_rows(table, &ends);
@@ -168,16 +215,8 @@ impl Architecture for Stable<'_> {
         let mut b = Builder::new(&tables, cases);
         let (address, fraction) = polynomial::address(&mut b, self.spec, 0);
         let (x, u) = b.operand(self.spec);
-        let big_a = polynomial::coefficient(&mut b, (address, fraction), BIG_A);
-        let a = polynomial::coefficient(&mut b, (address, fraction), SMALL_A);
-        let past_cut = Ends::flag(&mut b, self.spec, table, address, u);
-        let scaled = scaling.over_cases(b.cases()).apply(&mut b, address, u);
-        let v = Format::unsigned(Ends::int_bits(&ends, &scaling.k), widths.get("v"));
-        let v = b.cast(scaled, v, true, "v", "v = u 2^k, rounded down; wraps past the cut");
-        let av = b.mul(a, v, "av", "(a 4^-k) v");
-        let r = b.floor(av, widths.get("A"), "r", "(a 4^-k) v, rounded down");
-        let q = b.sub(big_a, r, "q", "q = (A - a u) 2^-k; wraps past the cut");
-        let p = b.mul(v, q, "vq", "u (A - a u) = v q");
+        let flag = |b: &mut Builder| Ends::flag(b, self.spec, table, address, u);
+        let (p, past_cut) = self.p(&mut b, widths, &ends, (address, fraction), u, flag);
         let y = match (self.spec.tail, past_cut) {
             (Tail::Hold, Some(past_cut)) => {
                 let y = polynomial::output_of_p(&mut b, self.spec, widths, x, p, None);
@@ -194,12 +233,7 @@ impl Architecture for Stable<'_> {
                 let hold = table.field("hold");
                 return Interval::point(hold.format.value(hold.codes[row]) - hold.reals[row]);
             }
-            let [delta_big, delta_small] = [BIG_A, SMALL_A].map(|names| polynomial::delta_line(table, names, row));
-            let v = Interval::new(0.0, ends[row] * exp2(scaling.k[row]));
-            // For each v the move is linear in the fraction: its extremes are at the row and at the next.
-            let at_row = polynomial::parabola(delta_big.base, delta_small.base, v);
-            let at_next = polynomial::parabola(delta_big.base + delta_big.step, delta_small.base + delta_small.step, v);
-            at_row.hull(at_next) * -Interval::new(1.0 - ends[row], 1.0)
+            Self::coefficient_error(table, &ends, row)
         })
     }
 }

@@ -3,7 +3,7 @@
 //! One description serves both languages, the cycle-accurate simulation and the vectorised evaluator:
 //! - [`graph`]: operations, formats and their integer semantics;
 //! - [`builder`]: builds a graph and bounds, row by row, the range and the error of every value;
-//! - [`quadratic`] and [`cubic`]: one builder a method and form;
+//! - [`quadratic`], [`cubic`] and the others named after methods: one builder a method and form;
 //! - [`widths`]: "computing just right": the cheapest inner widths whose proved error is below one output ulp;
 //! - [`schedule`]: places the pipeline registers;
 //! - [`simulate`]: the pipeline, clock by clock;
@@ -12,12 +12,15 @@
 pub mod builder;
 mod coefficients;
 pub mod cubic;
+pub mod cubic_rational;
+mod divide;
 pub mod evaluate;
 pub mod graph;
 mod polynomial;
 pub mod power;
 pub mod quadratic;
 pub mod schedule;
+pub mod schlick;
 pub mod segmented;
 pub mod simulate;
 pub mod widths;
@@ -138,6 +141,8 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
             _,
         ) => power::architecture(spec)?,
         (Method::Segmented2 | Method::Segmented4 | Method::Segmented8, _) => Box::new(segmented::Architect::new(spec)?),
+        (Method::Schlick, _) => Box::new(schlick::Schlick::new(spec)?),
+        (Method::CubicRational, _) => Box::new(cubic_rational::CubicRational::new(spec)?),
         (method, _) => return Err(Error::input(format!("no architecture for {method:?}"), "choose another method")),
     })
 }

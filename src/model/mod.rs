@@ -5,8 +5,11 @@
 //! ROM words and the inner widths; what it does with them is its own account of the arithmetic.
 
 mod cubic;
+mod cubic_rational;
+mod divide;
 mod power;
 mod quadratic;
+mod schlick;
 mod segmented;
 
 use crate::number::wide::{self, Wide};
@@ -40,6 +43,7 @@ impl<'a> Model<'a> {
             Operand::Versine => one - operand.min(one),
         };
         let inputs = Inputs {
+            spec: self.spec,
             x,
             half_ulp: wide::from_code(1, self.spec.output_fraction + 1),
             fine_input: self.spec.input_fraction > self.spec.output_fraction,
@@ -60,6 +64,8 @@ impl<'a> Model<'a> {
             (Method::Segmented2 | Method::Segmented4 | Method::Segmented8, _) => {
                 segmented::segmented(&inputs, self.constants)
             }
+            (Method::Schlick, _) => schlick::schlick(&inputs),
+            (Method::CubicRational, _) => cubic_rational::cubic_rational(&inputs),
             (method, _) => unreachable!("no design is made for {method:?}"),
         };
         wide::to_code(y, self.spec.output_fraction) as u32
@@ -68,6 +74,7 @@ impl<'a> Model<'a> {
 
 /// What a method's formula is given.
 struct Inputs<'a> {
+    spec: &'a CoreSpec,
     /// The cosine, in [0, 1].
     x: Wide,
     /// Half of the output's last bit.

@@ -205,6 +205,6 @@ pub enum Inside {
 pub enum Divider {
     /// One quotient digit a step, by subtraction: no multiplier.
     Digit,
-    /// A table of reciprocals, made finer by a Newton step, and a multiplication.
+    /// A table of reciprocals with their slopes, and a multiplication.
     Reciprocal,
 }
