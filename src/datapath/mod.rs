@@ -3,17 +3,21 @@
 //! One description serves both languages, the cycle-accurate simulation and the vectorised evaluator:
 //! - [`graph`]: operations, formats and their integer semantics;
 //! - [`builder`]: builds a graph and bounds, row by row, the range and the error of every value;
-//! - [`quadratic`] and [`cubic`]: one builder a method and form;
+//! - [`quadratic`], [`cubic`] and [`log_exp`]: one builder a method and form;
+//! - [`normalise`]: leading zeros counted and shifted out;
 //! - [`widths`]: "computing just right": the cheapest inner widths whose proved error is below one output ulp;
 //! - [`schedule`]: places the pipeline registers;
 //! - [`simulate`]: the pipeline, clock by clock;
 //! - [`evaluate`]: the function, many inputs at a time.
 
 pub mod builder;
+mod chords;
 mod coefficients;
 pub mod cubic;
 pub mod evaluate;
 pub mod graph;
+pub mod log_exp;
+pub mod normalise;
 mod polynomial;
 pub mod power;
 pub mod quadratic;
@@ -127,6 +131,7 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
             | Method::Power8,
             _,
         ) => power::architecture(spec)?,
+        (Method::LogExp, _) => Box::new(log_exp::LogExp::new(spec)?),
         (method, _) => return Err(Error::input(format!("no architecture for {method:?}"), "choose another method")),
     })
 }

@@ -5,6 +5,7 @@
 //! ROM words and the inner widths; what it does with them is its own account of the arithmetic.
 
 mod cubic;
+mod log_exp;
 mod power;
 mod quadratic;
 
@@ -55,6 +56,7 @@ impl<'a> Model<'a> {
             (Method::CubicMinZero, _) => power::min_zero(&inputs),
             (Method::Power2 | Method::Power4 | Method::Power8, _) => power::rom(&inputs, self.spec.method),
             (Method::Lyon2 | Method::Lyon4 | Method::Lyon8, _) => power::lyon(&inputs, self.spec),
+            (Method::LogExp, _) => log_exp::evaluate(&inputs, self.spec),
             (method, _) => unreachable!("no design is made for {method:?}"),
         };
         wide::to_code(y, self.spec.output_fraction) as u32
