@@ -4,11 +4,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::design::Design;
-use brdfgen::golden::{Golden, Vector, all_codes};
+use brdfgen::golden::{Golden, all_codes};
 use brdfgen::lobe;
 use brdfgen::number::exp2;
 use brdfgen::rom::Table;
-use brdfgen::spec::{Operand, SpecFields};
+use brdfgen::spec::SpecFields;
 use proptest::prelude::*;
 use rayon::prelude::*;
 
@@ -200,5 +200,58 @@ fn tables_grow_with_the_wanted_error() {
         for (coarse, fine) in pair[0].iter().zip(&pair[1]) {
             assert!((2..=8).contains(&(fine / coarse)), "{sizes:?}");
         }
+    }
+}
+
+/// An entry of a function table with any one bit flipped changes the answer to some golden vector, unless it changes the answer to no input
+/// at all.
+#[test]
+fn golden_vectors_notice_every_flipped_bit_of_an_entry() {
+    for spec in [
+        "shininess = '1..=60'\ninput_fraction = 10\noutput_fraction = 10",
+        "shininess = [1, 2.5, 80]\ninput_fraction = 12\noutput_fraction = 9\noperand = 'versine'",
+    ] {
+        let design = design(spec);
+        let vectors = Golden::of(&design).vectors();
+        let (first, count) = all_codes(design.operand_format());
+        let rows: Vec<u32> =
+            (0..design.spec.shininess.rows()).map(|row| design.spec.shininess.index_of_row(row)).collect();
+        let every_output = |evaluator: &Evaluator| -> Vec<u32> {
+            let mut outputs = vec![0; rows.len() * count as usize];
+            for (&index, outputs) in rows.iter().zip(outputs.chunks_mut(count as usize)) {
+                evaluator.evaluate(index, first, 1, outputs);
+            }
+            outputs
+        };
+        let right = every_output(&design.evaluator());
+        let mut flips = Vec::new();
+        for (memory, table) in design.tables().iter().enumerate().filter(|(_, table)| table.key == "entry") {
+            for (field, of) in table.fields.iter().enumerate() {
+                let bits = 0..of.format.width();
+                flips.extend(bits.flat_map(|bit| (0..table.rows()).map(move |entry| (memory, field, bit, entry))));
+            }
+        }
+        let harmless = AtomicU64::new(0);
+        flips.par_iter().for_each(|&(memory, field, bit, entry)| {
+            let mut tables = design.tables().to_vec();
+            let flipped = &mut tables[memory].fields[field];
+            flipped.codes[entry] = flipped.format.wrap(flipped.codes[entry] ^ (1 << bit));
+            let wrong = Evaluator::new(design.graph(), &tables);
+            let noticed = vectors.iter().any(|vector| {
+                let mut output = [0];
+                wrong.evaluate(vector.index, vector.operand, 1, &mut output);
+                output[0] != vector.output
+            });
+            if !noticed {
+                assert_eq!(
+                    every_output(&wrong),
+                    right,
+                    "{spec}: memory {memory}, field {field}, bit {bit}, entry {entry}"
+                );
+                harmless.fetch_add(1, Ordering::Relaxed);
+            }
+        });
+        let harmless = harmless.into_inner() as usize;
+        assert!(harmless < flips.len() / 10, "{spec}: {harmless} of {} flips change nothing", flips.len());
     }
 }
