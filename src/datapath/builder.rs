@@ -456,6 +456,34 @@ impl<'a> Builder<'a> {
         }
     }
 
+    /// `a` times `2^-amount`, rounded down to the fraction bits of `a`; `amount` is an integer without error, not negative.
+    pub fn shift_right(&mut self, a: NodeId, amount: NodeId, name: &str, comment: &str) -> NodeId {
+        let format = self.format(a);
+        let bounds = self.per_case(|case| {
+            let (a, amount) = (self.bounds[a][case], self.bounds[amount][case].range);
+            let (least, most) = (amount.low as i32, amount.high as i32);
+            let hull = |interval: Interval| interval.scale(-least).hull(interval.scale(-most));
+            let lost = floor_loss(a.grid + most, format.frac_bits);
+            Bound { range: hull(a.range) + lost, error: hull(a.error) + lost, grid: format.frac_bits }
+        });
+        self.push(Op::ShiftRight, &[a, amount], format, name, comment.to_owned(), bounds)
+    }
+
+    /// `a`, not negative, or `2^weight` if that is less.
+    pub fn at_most(&mut self, a: NodeId, weight: i32, name: &str, comment: &str) -> NodeId {
+        let format = self.format(a);
+        if format.int_bits <= weight {
+            return a;
+        }
+        let high = 1i128 << (weight + format.frac_bits);
+        let bounds = self.per_case(|case| {
+            let bound = self.bounds[a][case];
+            Bound { range: bound.range.clip(0.0, crate::number::exp2(weight)), ..bound }
+        });
+        let format = Format::unsigned(weight + 1, format.frac_bits);
+        self.push(Op::Clamp { low: 0, high }, &[a], format, name, comment.to_owned(), bounds)
+    }
+
     /// `a` with `format`'s bits only: low bits are dropped, and high bits where the caller guards them with a
     /// flag (`guarded`) or the analysis shows that they are never used.
     pub fn cast(&mut self, a: NodeId, format: Format, guarded: bool, name: &str, comment: &str) -> NodeId {
@@ -558,7 +586,14 @@ impl<'a> Builder<'a> {
 
     /// 1 if any of the flags is; `None` if there are none.
     pub fn any(&mut self, flags: &[Option<NodeId>], name: &str, comment: &str) -> Option<NodeId> {
-        flags.iter().flatten().copied().reduce(|a, b| self.flag(Op::Or, &[a, b], name, comment))
+        let flags: Vec<NodeId> = flags.iter().flatten().copied().collect();
+        let mut any = *flags.first()?;
+        for (place, &flag) in flags.iter().enumerate().skip(1) {
+            let last = place + 1 == flags.len();
+            let name = if last { name.to_owned() } else { format!("{name}_of_{}", place + 1) };
+            any = self.flag(Op::Or, &[any, flag], &name, comment);
+        }
+        Some(any)
     }
 
     /// 1 if the flag is 0.

@@ -4,18 +4,22 @@
 //! - [`graph`]: operations, formats and their integer semantics;
 //! - [`builder`]: builds a graph and bounds, row by row, the range and the error of every value;
 //! - [`quadratic`], [`cubic`] and the others named after methods: one builder a method and form;
+//! - [`normalise`]: leading zeros counted and shifted out;
 //! - [`widths`]: "computing just right": the cheapest inner widths whose proved error is below one output ulp;
 //! - [`schedule`]: places the pipeline registers;
 //! - [`simulate`]: the pipeline, clock by clock;
 //! - [`evaluate`]: the function, many inputs at a time.
 
 pub mod builder;
+mod chords;
 mod coefficients;
 pub mod cubic;
 pub mod cubic_rational;
 mod divide;
 pub mod evaluate;
 pub mod graph;
+pub mod log_exp;
+pub mod normalise;
 mod polynomial;
 pub mod power;
 pub mod quadratic;
@@ -128,7 +132,7 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
     Ok(match (spec.method, spec.form) {
         (Method::Quadratic, Form::Stable) => Box::new(quadratic::Stable::new(spec)?),
         (Method::Quadratic, Form::Paper) => Box::new(quadratic::Paper::new(spec)?),
-        (Method::Cubic | Method::CubicThreePoint, Form::Stable) => Box::new(cubic::Stable::new(spec)?),
+        (Method::Cubic, Form::Stable) | (Method::CubicThreePoint, _) => Box::new(cubic::Stable::new(spec)?),
         (Method::Cubic, Form::Paper) => Box::new(cubic::Paper::new(spec)?),
         (
             Method::CubicMinZero
@@ -143,7 +147,7 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
         (Method::Segmented2 | Method::Segmented4 | Method::Segmented8, _) => Box::new(segmented::Architect::new(spec)?),
         (Method::Schlick, _) => Box::new(schlick::Schlick::new(spec)?),
         (Method::CubicRational, _) => Box::new(cubic_rational::CubicRational::new(spec)?),
-        (method, _) => return Err(Error::input(format!("no architecture for {method:?}"), "choose another method")),
+        (Method::LogExp, _) => Box::new(log_exp::LogExp::new(spec)?),
     })
 }
 

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::Vector;
 use crate::datapath::evaluate::Evaluator;
+use crate::datapath::graph::{Graph, Node, Op};
 use crate::design::Design;
 use crate::lobe::Lobe;
 use crate::number::exp2;
@@ -13,10 +14,28 @@ use crate::rom::Table;
 
 /// Rows beyond which not every row has vectors of its own.
 const MOST_ROWS: usize = 1024;
+/// Inputs among which those are sought that tell entries of function tables.
+const MOST_CANDIDATES: usize = 1 << 17;
 /// Random vectors of each of the two kinds.
 const RANDOM: usize = 512;
 /// The seed of everything random here: fixed, so that the vectors are the same on every machine.
 const SEED: u128 = 0x6272_6466_6765_6e00;
+
+/// An input, and for each function table the entry that it reads and a bit for each flipped bit of it that changes the output.
+struct Candidate {
+    index: u32,
+    versine: i64,
+    reads: Vec<(usize, u128)>,
+}
+
+/// A memory with one bit of every word flipped.
+struct Flip {
+    /// The place of the memory among the function tables.
+    table: usize,
+    /// The bit for it in [`Candidate::reads`].
+    mask: u128,
+    tables: Vec<Table>,
+}
 
 struct Chooser<'a> {
     design: &'a Design,
@@ -35,6 +54,10 @@ pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
         ("codes of in_n, all or evenly spaced, at the cusp".to_owned(), chooser.indices()),
     ];
     groups.push(("rows told from rows with any bit of the ROM word flipped".to_owned(), chooser.rom_bits()));
+    let entries = chooser.entry_bits();
+    if !entries.is_empty() {
+        groups.push(("entries of function tables told from entries with any bit flipped".to_owned(), entries));
+    }
     groups.push(("random, all codes".to_owned(), chooser.random_codes()));
     groups.push(("random, on the highlight".to_owned(), chooser.random_highlight()));
     groups
@@ -96,11 +119,16 @@ impl Chooser<'_> {
 
     /// The first versine code at which the real lobe of a row is 0, by bisection: it never rises again from there.
     fn end(&self, row: usize) -> i64 {
+        self.falls_to(row, 0.0)
+    }
+
+    /// The first versine code at which the real lobe of a row, which falls, is not above `level`.
+    fn falls_to(&self, row: usize, level: f64) -> i64 {
         let lobe = &self.lobes[row];
         let (mut low, mut high) = (0, self.one);
         while high - low > 1 {
             let middle = (low + high) / 2;
-            if lobe.at(middle as f64 / self.one as f64) > 0.0 { low = middle } else { high = middle }
+            if lobe.at(middle as f64 / self.one as f64) > level { low = middle } else { high = middle }
         }
         high
     }
@@ -219,6 +247,89 @@ impl Chooser<'_> {
         }
     }
 
+    /// For each entry of each function table inputs that tell it from every entry with one bit flipped, as far as any candidate does: all
+    /// inputs of a small core, else combs over the lobes of the marked rows.
+    fn entry_bits(&mut self) -> Vec<Vector> {
+        let design = self.design;
+        let (graph, tables) = (design.graph(), design.tables());
+        let memories: Vec<usize> = (0..tables.len()).filter(|&memory| tables[memory].key == "entry").collect();
+        // The same memory read by a graph that shows the address.
+        let address = |&memory: &usize| {
+            let reads = |node: &&Node| matches!(node.op, Op::Field { memory: of, .. } if of == memory);
+            let node = graph.nodes.iter().find(reads)?.args[0];
+            Some(Graph { outputs: vec![("address".to_owned(), node)], ..graph.clone() })
+        };
+        let addresses: Vec<Graph> = memories.iter().filter_map(address).collect();
+        let flips: Vec<Flip> =
+            memories.iter().enumerate().flat_map(|(table, &memory)| flips(tables, memory, table)).collect();
+        if flips.is_empty() {
+            return Vec::new();
+        }
+
+        let all = design.spec.shininess.rows().saturating_mul(self.one as usize + 1) <= MOST_CANDIDATES;
+        let rows = if all { (0..design.spec.shininess.rows()).collect() } else { self.marked_rows() };
+        let codes = if all { self.one + 1 } else { (MOST_CANDIDATES / rows.len()) as i64 };
+        let least = exp2(-(design.spec.output_fraction as i32) - 2);
+        let of_row = |&row: &usize| -> Vec<Candidate> {
+            let index = design.spec.shininess.index_of_row(row);
+            let end = if all { self.one } else { self.falls_to(row, least) };
+            // An odd stride, so that the low bits vary.
+            let stride = (end / codes) | 1;
+            let count = end / stride + 1;
+            let outputs = |graph: &Graph, tables: &[Table]| -> Vec<u32> {
+                let mut outputs = vec![0; count as usize];
+                let (a, b) = (design.operand_of_versine(0), design.operand_of_versine(stride * (count - 1)));
+                Evaluator::new(graph, tables).evaluate(index, a.min(b), stride, &mut outputs);
+                if b < a {
+                    outputs.reverse();
+                }
+                outputs
+            };
+            let read: Vec<Vec<u32>> = addresses.iter().map(|graph| outputs(graph, tables)).collect();
+            let mut candidates: Vec<Candidate> = (0..count as usize)
+                .map(|step| Candidate {
+                    index,
+                    versine: stride * step as i64,
+                    reads: read.iter().map(|entries| (entries[step] as usize, 0)).collect(),
+                })
+                .collect();
+            let right = outputs(graph, tables);
+            for flip in &flips {
+                for ((candidate, right), wrong) in candidates.iter_mut().zip(&right).zip(outputs(graph, &flip.tables)) {
+                    if *right != wrong {
+                        candidate.reads[flip.table].1 |= flip.mask;
+                    }
+                }
+            }
+            candidates.retain(|candidate| candidate.reads.iter().any(|&(_, told)| told != 0));
+            candidates
+        };
+        let candidates: Vec<Candidate> =
+            rows.par_iter().map(of_row).collect::<Vec<_>>().into_iter().flatten().collect();
+
+        let mut told: Vec<Vec<u128>> = memories.iter().map(|&memory| vec![0; tables[memory].depth()]).collect();
+        let mut chosen = Vec::new();
+        for (table, &memory) in memories.iter().enumerate() {
+            let mut of_entry: Vec<Vec<&Candidate>> = vec![Vec::new(); tables[memory].depth()];
+            for candidate in &candidates {
+                of_entry[candidate.reads[table].0].push(candidate);
+            }
+            for (entry, candidates) in of_entry.iter().enumerate() {
+                loop {
+                    let more = |candidate: &&&Candidate| (candidate.reads[table].1 & !told[table][entry]).count_ones();
+                    // The first of the best: `max_by_key` would take the last.
+                    let best = candidates.iter().rev().max_by_key(more).filter(|candidate| more(candidate) > 0);
+                    let Some(best) = best else { break };
+                    chosen.push((best.index, best.versine));
+                    for (told, &(entry, tells)) in told.iter_mut().zip(&best.reads) {
+                        told[entry] |= tells;
+                    }
+                }
+            }
+        }
+        chosen.into_iter().map(|(index, versine)| self.vector(index, design.operand_of_versine(versine))).collect()
+    }
+
     fn random_codes(&mut self) -> Vec<Vector> {
         let (first, count) = super::all_codes(self.design.operand_format());
         let indices = 1u64 << self.design.index_format().width();
@@ -242,4 +353,21 @@ impl Chooser<'_> {
             })
             .collect()
     }
+}
+
+/// A memory, the function table number `table`, with each bit of its words flipped in turn: one bit of all words at once, since an
+/// input reads one of them.
+fn flips(tables: &[Table], memory: usize, table: usize) -> Vec<Flip> {
+    let mut result = Vec::new();
+    for (field, of) in tables[memory].fields.iter().enumerate() {
+        for bit in 0..of.format.width() {
+            let mut flipped = tables.to_vec();
+            for code in &mut flipped[memory].fields[field].codes {
+                *code = of.format.wrap(*code ^ (1 << bit));
+            }
+            // A word is narrower than 128 bits: its fields enter products that are.
+            result.push(Flip { table, mask: 1 << (tables[memory].field_low_bit(field) + bit), tables: flipped });
+        }
+    }
+    result
 }

@@ -153,7 +153,10 @@ impl Writer<'_> {
             Op::Cast => self.cast(id),
             Op::Scale => self.vector(arg(0)),
             Op::NonZero => format!("'1' when {} /= 0 else '0'", self.name(arg(0))),
-            Op::Greater => format!("'1' when {} > {} else '0'", self.name(arg(0)), self.name(arg(1))),
+            Op::Greater => {
+                let [a, b] = [arg(0), arg(1)].map(|id| self.fitted(id, self.format(id)));
+                format!("'1' when {a} > {b} else '0'")
+            }
             Op::Or => format!("{} or {}", self.name(arg(0)), self.name(arg(1))),
             Op::Not => format!("not {}", self.name(arg(0))),
             Op::Select => {

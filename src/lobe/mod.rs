@@ -7,6 +7,7 @@
 
 mod cos_k;
 mod cubic;
+pub mod log_exp;
 mod lyon;
 mod min_zero;
 mod polynomial;
@@ -19,6 +20,7 @@ mod three_point;
 
 pub use cos_k::CosK;
 pub use cubic::Cubic;
+pub use log_exp::LogExp;
 pub use lyon::Lyon;
 pub use min_zero::MinZero;
 pub use polynomial::Polynomial;

@@ -7,6 +7,7 @@
 mod cubic;
 mod cubic_rational;
 mod divide;
+mod log_exp;
 mod power;
 mod quadratic;
 mod schlick;
@@ -56,7 +57,7 @@ impl<'a> Model<'a> {
         let y = match (self.spec.method, self.spec.form) {
             (Method::Quadratic, Form::Stable) => quadratic::stable(&inputs),
             (Method::Quadratic, Form::Paper) => quadratic::paper(&inputs),
-            (Method::Cubic | Method::CubicThreePoint, Form::Stable) => cubic::stable(&inputs),
+            (Method::Cubic, Form::Stable) | (Method::CubicThreePoint, _) => cubic::stable(&inputs),
             (Method::Cubic, Form::Paper) => cubic::paper(&inputs),
             (Method::CubicMinZero, _) => power::min_zero(&inputs),
             (Method::Power2 | Method::Power4 | Method::Power8, _) => power::rom(&inputs, self.spec.method),
@@ -66,7 +67,7 @@ impl<'a> Model<'a> {
             }
             (Method::Schlick, _) => schlick::schlick(&inputs),
             (Method::CubicRational, _) => cubic_rational::cubic_rational(&inputs),
-            (method, _) => unreachable!("no design is made for {method:?}"),
+            (Method::LogExp, _) => log_exp::evaluate(&inputs, self.spec),
         };
         wide::to_code(y, self.spec.output_fraction) as u32
     }

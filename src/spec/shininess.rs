@@ -150,6 +150,15 @@ impl Shininess {
         }
     }
 
+    /// The least and the greatest shininess.
+    #[must_use]
+    pub fn ends(&self) -> (f64, f64) {
+        match self {
+            Self::Range(first, last) | Self::Fixed { first, last, .. } => (f64::from(*first), f64::from(*last)),
+            _ => self.values().into_iter().fold((f64::INFINITY, 0.0), |(low, high), n| (low.min(n), high.max(n))),
+        }
+    }
+
     /// The code of `in_n` that selects a row.
     #[must_use]
     pub fn index_of_row(&self, row: usize) -> u32 {

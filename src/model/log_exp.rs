@@ -1,0 +1,63 @@
+//! The power `x^n` as `2^(-n L)`, `L = -log2 x`.
+
+use super::Inputs;
+use crate::number::wide::{self, Wide};
+use crate::spec::{CoreSpec, Shininess};
+
+/// x is taken apart into `2^-e m`; then `z = n e + n (1 - m) κ(m)` and `y = 2^-z`, both functions from their tables.
+pub(super) fn evaluate(inputs: &Inputs, spec: &CoreSpec) -> Wide {
+    let output_fraction = spec.output_fraction;
+    let (least, _) = spec.shininess.ends();
+    let n = match spec.shininess {
+        Shininess::Range(..) | Shininess::Fixed { .. } => wide::from_code(inputs.n.into(), spec.shininess.frac_bits()),
+        Shininess::List(_) | Shininess::Materials(_) => inputs.coefficient("n"),
+    };
+    let x = inputs.x;
+    let half = Wide::ONE >> 1;
+    if n == 1 && inputs.fine_input {
+        return wide::floor_to(x + inputs.half_ulp, output_fraction);
+    }
+    // From z = G + 1 on the power is half an ulp at most; so it is below this cosine, even for the least shininess.
+    let negligible = f64::from(output_fraction + 1);
+    let octaves = (negligible / least).ceil() as u32;
+    if x == 0 || (octaves < 64 && x < Wide::ONE >> octaves) {
+        return Wide::ZERO;
+    }
+    let (mut m, mut e) = (x, 0u32);
+    while m < half {
+        m <<= 1;
+        e += 1;
+    }
+    let v = inputs.floor(n * inputs.floor(Wide::ONE - m, "u"), "v");
+    let mut bound = 1u32;
+    while f64::from(bound) * std::f64::consts::LOG2_E < negligible {
+        bound *= 2;
+    }
+    let limit = (output_fraction + 1).next_power_of_two();
+    if v >= bound {
+        return Wide::ZERO;
+    }
+    let product = if m == 1 {
+        Wide::ZERO
+    } else {
+        v * interpolated(inputs, "log", m - half, 1, inputs.widths.get("k") as u32 + 1, "k")
+    };
+    let steps = n.min(Wide::from_num(limit)) * Wide::from_num(e);
+    let z = inputs.floor(steps + inputs.floor(product, "z"), "z");
+    if z >= limit {
+        return Wide::ZERO;
+    }
+    let power = interpolated(inputs, "exp", z.frac(), 0, 64, "e") >> z.to_num::<u32>();
+    wide::floor_to(inputs.floor(power, "e") + inputs.half_ulp, output_fraction)
+}
+
+/// The function table of that name at `argument`, which lies in `[0, 2^-domain)`: the entry's base less its slope times the distance from
+/// the entry's start, that distance rounded down to `cut` bits and the product to the named width.
+fn interpolated(inputs: &Inputs, name: &str, argument: Wide, domain: u32, cut: u32, value: &str) -> Wide {
+    let table = format!("{name}_table");
+    let address_bits = inputs.widths.get(name) as u32;
+    let entry = wide::to_code(argument << domain, address_bits);
+    let distance = argument - (wide::from_code(entry, address_bits) >> domain);
+    let word = |part: &str| inputs.entry(&table, entry as usize, &format!("{name}_{part}"));
+    word("base") - inputs.floor(word("slope") * wide::floor_to(distance, cut), value)
+}

@@ -1,0 +1,257 @@
+//! The power from a logarithm and an exponential: its proof against brute force, its exact places, its vectors.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use brdfgen::datapath::evaluate::Evaluator;
+use brdfgen::design::Design;
+use brdfgen::golden::{Golden, all_codes};
+use brdfgen::lobe;
+use brdfgen::number::exp2;
+use brdfgen::rom::Table;
+use brdfgen::spec::SpecFields;
+use proptest::prelude::*;
+use rayon::prelude::*;
+
+fn design(spec: &str) -> Design {
+    let spec = format!("method = 'log-exp'\n{spec}");
+    Design::new(SpecFields::parse(&spec, "test").and_then(SpecFields::resolve).expect(&spec)).expect(&spec)
+}
+
+fn evaluate(design: &Design, index: u32, operand: i64) -> u32 {
+    let mut output = [0];
+    design.evaluator().evaluate(index, operand, 1, &mut output);
+    output[0]
+}
+
+/// The result in output ulps minus x^n for the versine and the real shininess that the codes stand for.
+fn error(design: &Design, index: u32, operand: i64, output: u32) -> f64 {
+    let n = design.spec.shininess.value(design.spec.shininess.row_of_index(index));
+    f64::from(output) - lobe::exact(n, design.versine(operand)) * exp2(design.spec.output_fraction as i32)
+}
+
+fn assert_within(design: &Design, spec: &str, index: u32, operand: i64, output: u32) {
+    let [low, high] = design.budget.proved_ulps;
+    assert!(-1.0 < low && high < 1.0, "{spec}: proved {low}..{high}");
+    let error = error(design, index, operand, output);
+    // The power itself is computed in double precision here: its relative error is below (2 + n |ln x|) 2^-52.
+    assert!(
+        low - 1e-6 <= error && error <= high + 1e-6,
+        "{spec}: in_n {index}, operand {operand}: {output}, error {error} outside {low}..{high}"
+    );
+    assert!(output <= 1 << design.spec.output_fraction, "{spec}: in_n {index}, operand {operand}: {output}");
+}
+
+/// Every code of the operand port for every `row_step`th shininess: within the proved bound of x^n, and at every `stride`th code equal to
+/// the model.
+fn assert_every_input(spec: &str, row_step: usize, stride: i64) {
+    let design = design(spec);
+    let (first, count) = all_codes(design.operand_format());
+    let (evaluator, model) = (design.evaluator(), design.model());
+    let compared = AtomicU64::new(0);
+    let rows: Vec<usize> = (0..design.spec.shininess.rows()).step_by(row_step).collect();
+    rows.par_iter().for_each(|&row| {
+        let index = design.spec.shininess.index_of_row(row);
+        let mut outputs = vec![0u32; count as usize];
+        evaluator.evaluate(index, first, 1, &mut outputs);
+        let mut own = 0;
+        for (offset, &output) in outputs.iter().enumerate() {
+            let operand = first + offset as i64;
+            assert_within(&design, spec, index, operand, output);
+            if (operand + row as i64) % stride == 0 {
+                assert_eq!(model.evaluate(index, operand), output, "{spec}: row {row}, operand {operand}");
+                own += 1;
+            }
+        }
+        compared.fetch_add(own, Ordering::Relaxed);
+    });
+    let expected = rows.len() as u64 * count / stride.unsigned_abs();
+    assert!(compared.into_inner() >= expected / 2, "{spec}: too few compared with the model");
+}
+
+#[test]
+fn every_input_of_small_cores_is_within_the_proof() {
+    for (f, g) in [(10, 10), (10, 6), (9, 13), (12, 8), (4, 20), (6, 4)] {
+        let spec = format!("shininess = '1..=300'\ninput_fraction = {f}\noutput_fraction = {g}");
+        assert_every_input(&spec, 1, 3);
+        let spec = format!("shininess = '1..=40'\nshininess_fraction = 4\ninput_fraction = {f}\noutput_fraction = {g}");
+        assert_every_input(&spec, 1, 7);
+    }
+}
+
+#[test]
+fn every_cosine_of_the_default_core_is_within_the_proof() {
+    assert_every_input("shininess = '1..=1000'", 7, 61);
+}
+
+#[test]
+fn a_range_whose_least_shininess_needs_little_of_x_is_within_the_proof() {
+    // From n = G + 1 on a cosine below 1/2 gives 0: there is nothing to normalise.
+    for (range, most) in [("5..=20", 2), ("12..=90", 1), ("17..=40", 0), ("300..=400", 0)] {
+        let spec = format!("shininess = '{range}'\ninput_fraction = 12\noutput_fraction = 12");
+        assert_every_input(&spec, 1, 5);
+        let steps = design(&spec).graph().nodes.iter().filter(|node| node.name.starts_with("m_moved_")).count();
+        assert_eq!(steps, most, "{range}");
+    }
+}
+
+#[test]
+fn versines_are_within_the_proof() {
+    assert_every_input("shininess = '1..=100'\noperand = 'versine'\ninput_fraction = 12\noutput_fraction = 11", 1, 5);
+    assert_every_input("shininess = [1, 7.7, 500000]\noperand = 'versine'\noutput_fraction = 20", 1, 5);
+}
+
+#[test]
+fn rounding_a_list_to_its_rom_is_in_the_proof() {
+    let list = "shininess = [1, 1.0001, 1.3, 2.71828, 7, 99.9, 1234.567, 300000.3, 1048576]";
+    for (f, g) in [(16, 16), (13, 8), (11, 20), (20, 12)] {
+        assert_every_input(&format!("{list}\ninput_fraction = {f}\noutput_fraction = {g}"), 1, 11);
+    }
+    let design = design(&format!("{list}\noutput_fraction = 8"));
+    assert!(design.budget.coefficient_ulps[0] < 0.0 && design.budget.coefficient_ulps[1] > 0.0);
+    // Numbers of few bits are exact in the ROM.
+    let design = self::design("shininess = [5, 12.5, 80.25]");
+    assert_eq!(design.budget.coefficient_ulps, [0.0, 0.0]);
+    assert_eq!(design.datapath.coefficients().map(|table| table.field("n").format.frac_bits), Some(2));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_small_core_is_within_the_proof(f in 4u32..=11, g in 4u32..=20, n in proptest::collection::vec(1.0f64..300.0, 1..4), versine: bool) {
+        let operand = if versine { "versine" } else { "cos" };
+        assert_every_input(&format!("shininess = {n:?}\noperand = '{operand}'\ninput_fraction = {f}\noutput_fraction = {g}"), 1, 1);
+    }
+
+    /// At widths whose inputs cannot all be tried: random ones, on the highlight and anywhere, and ones near the ends of the tables' entries.
+    #[test]
+    fn wide_cores_are_within_the_proof(f in 12u32..=24, g in 12u32..=20, first in 1u32..=3000, span in 0u32..=60_000, r in 0u32..=10, versine: bool, codes in proptest::collection::vec(any::<u64>(), 600)) {
+        let operand = if versine { "versine" } else { "cos" };
+        let last = (first + span).min(first + 65_535);
+        let spec = format!("shininess = '{first}..={last}'\nshininess_fraction = {r}\noperand = '{operand}'\ninput_fraction = {f}\noutput_fraction = {g}");
+        let design = design(&spec);
+        let (evaluator, model) = (design.evaluator(), design.model());
+        let rows = design.spec.shininess.rows() as u64;
+        for code in codes {
+            // As many small shininesses as large ones.
+            let row = (code >> 40) % (rows >> ((code >> 8) % 20)).max(1);
+            let index = design.spec.shininess.index_of_row(row as usize);
+            let n = design.spec.shininess.value(row as usize);
+            let one = 1u64 << f;
+            let draw = code >> 20 & 0xf_ffff;
+            let versine = match code & 3 {
+                0 => draw % (one + 1),
+                // From z = 0 to well past what the result shows.
+                1 | 2 => ((draw as f64 * exp2(-20) * 1.3 * f64::from(g) / n).min(1.0) * one as f64) as u64,
+                // A few bits only, and their neighbours.
+                _ => (one - ((draw & 31) << (code >> 8 & 31) & (one - 1))).wrapping_add((code >> 16 & 3).wrapping_sub(1)),
+            };
+            let operand = design.operand_of_versine(versine.min(one) as i64);
+            let mut output = [0];
+            evaluator.evaluate(index, operand, 1, &mut output);
+            assert_within(&design, &spec, index, operand, output[0]);
+            prop_assert_eq!(model.evaluate(index, operand), output[0], "{} {} {}", &spec, index, operand);
+        }
+    }
+}
+
+/// n = 1 gives x, rounded to nearest where the output has fewer bits; x = 1 gives 1, and x <= 0 gives 0.
+#[test]
+fn the_exact_places_are_exact() {
+    for (f, g) in [(16, 16), (16, 20), (12, 13), (16, 8), (24, 12), (10, 4)] {
+        for set in ["'1..=1000'", "[7, 1, 900.5]"] {
+            let design = design(&format!("shininess = {set}\ninput_fraction = {f}\noutput_fraction = {g}"));
+            let one = 1i64 << f;
+            let index = design.spec.shininess.index_of_row(usize::from(set.starts_with('[')));
+            let step = (one / 4096).max(1) as usize;
+            for code in (0..=one).step_by(step).chain([one - 1, 1, 2, 3]) {
+                let exact = if g >= f { code << (g - f) } else { ((code >> (f - g - 1)) + 1) >> 1 };
+                assert_eq!(i64::from(evaluate(&design, index, code)), exact, "F {f} G {g} set {set} code {code}");
+            }
+            for row in (0..design.spec.shininess.rows()).step_by(37) {
+                let index = design.spec.shininess.index_of_row(row);
+                for code in [one, one + 1, 2 * one - 1] {
+                    assert_eq!(evaluate(&design, index, code), 1 << g);
+                }
+                for code in [0, -1, -one, -2 * one] {
+                    assert_eq!(evaluate(&design, index, code), 0);
+                }
+            }
+        }
+    }
+}
+
+/// The target for the method: at most 0.01 % from n = 4 on, at 16 bits.
+#[test]
+fn the_target_is_met() {
+    let design = design("shininess = '4..=1000'");
+    let measured = brdfgen::design::Measured::of(&design);
+    assert!(measured.sweep.exhaustive && measured.max_abs < 0.000_02, "{}", measured.max_abs);
+}
+
+/// The tables have as many entries as the wanted error needs: more for a finer output, and about 4 times as many for 4 bits.
+#[test]
+fn tables_grow_with_the_wanted_error() {
+    let sizes = [8, 12, 16, 20].map(|g| {
+        let design = design(&format!("shininess = '1..=1000'\noutput_fraction = {g}"));
+        design.tables().iter().map(Table::rows).collect::<Vec<_>>()
+    });
+    for pair in sizes.windows(2) {
+        for (coarse, fine) in pair[0].iter().zip(&pair[1]) {
+            assert!((2..=8).contains(&(fine / coarse)), "{sizes:?}");
+        }
+    }
+}
+
+/// An entry of a function table with any one bit flipped changes the answer to some golden vector, unless it changes the answer to no input
+/// at all.
+#[test]
+fn golden_vectors_notice_every_flipped_bit_of_an_entry() {
+    for spec in [
+        "shininess = '1..=60'\ninput_fraction = 10\noutput_fraction = 10",
+        "shininess = [1, 2.5, 80]\ninput_fraction = 12\noutput_fraction = 9\noperand = 'versine'",
+    ] {
+        let design = design(spec);
+        let vectors = Golden::of(&design).vectors();
+        let (first, count) = all_codes(design.operand_format());
+        let rows: Vec<u32> =
+            (0..design.spec.shininess.rows()).map(|row| design.spec.shininess.index_of_row(row)).collect();
+        let every_output = |evaluator: &Evaluator| -> Vec<u32> {
+            let mut outputs = vec![0; rows.len() * count as usize];
+            for (&index, outputs) in rows.iter().zip(outputs.chunks_mut(count as usize)) {
+                evaluator.evaluate(index, first, 1, outputs);
+            }
+            outputs
+        };
+        let right = every_output(&design.evaluator());
+        let mut flips = Vec::new();
+        for (memory, table) in design.tables().iter().enumerate().filter(|(_, table)| table.key == "entry") {
+            for (field, of) in table.fields.iter().enumerate() {
+                let bits = 0..of.format.width();
+                flips.extend(bits.flat_map(|bit| (0..table.rows()).map(move |entry| (memory, field, bit, entry))));
+            }
+        }
+        let harmless = AtomicU64::new(0);
+        flips.par_iter().for_each(|&(memory, field, bit, entry)| {
+            let mut tables = design.tables().to_vec();
+            let flipped = &mut tables[memory].fields[field];
+            flipped.codes[entry] = flipped.format.wrap(flipped.codes[entry] ^ (1 << bit));
+            let wrong = Evaluator::new(design.graph(), &tables);
+            let noticed = vectors.iter().any(|vector| {
+                let mut output = [0];
+                wrong.evaluate(vector.index, vector.operand, 1, &mut output);
+                output[0] != vector.output
+            });
+            if !noticed {
+                assert_eq!(
+                    every_output(&wrong),
+                    right,
+                    "{spec}: memory {memory}, field {field}, bit {bit}, entry {entry}"
+                );
+                harmless.fetch_add(1, Ordering::Relaxed);
+            }
+        });
+        let harmless = harmless.into_inner() as usize;
+        assert!(harmless < flips.len() / 10, "{spec}: {harmless} of {} flips change nothing", flips.len());
+    }
+}
