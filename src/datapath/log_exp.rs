@@ -380,7 +380,8 @@ impl Architecture for LogExp<'_> {
                 let hardware = Interval::new((level.low + off.low).max(0.0), level.high + off.high);
                 let scale = Interval::new(exp2(-(hardware.high as i32)), exp2(-(hardware.low as i32)));
                 let real = Interval::new(libm::exp2(-level.high), libm::exp2(-level.low));
-                let lost = if hardware.high < 1.0 { 0.0 } else { exp2(-widths.get("e")) };
+                // What a shift by i drops of a multiple of 2^-e is below 2^-e by the weight of its own last bit.
+                let lost = exp2(-widths.get("e")) * (1.0 - exp2(-(hardware.high as i32)));
                 let mut error = real * power_less_one(off + Interval::point(lift))
                     + table_error * scale
                     + Interval::new(-lost, 0.0);
