@@ -14,7 +14,7 @@
 //! in place of κ is `κ (1 + ρ)`, ρ bounded over all entries. With `v' = v + δv` the product is off by
 //! `κ' δv + v κ ρ`, and `v κ <= z`; so in a case `z' - z = δz` is in `κ' δv + [0, z] ρ` and the roundings. The second table
 //! holds `2^-(f + c) + τ`, where c makes up for the mean of δz. So before the last rounding the result is off by
-//! `2^-z (2^-(δz + c) - 1) + τ 2^-i + φ`, φ being what the shift by i drops. As `z 2^-z` never exceeds `1/(e ln 2)`, ρ counts at most
+//! `2^-z (2^-(δz + c) - 1) + τ 2^-i + φ`, φ being what the shift by i drops, less than `1 - 2^-i` of the last bit. As `z 2^-z` never exceeds `1/(e ln 2)`, ρ counts at most
 //! `1/e`, whatever n is.
 //!
 //! The result is forced to 0 in three places, and in each `z >= G + 1`, so that y is half an output ulp at most: where the
@@ -126,7 +126,7 @@ impl<'a> LogExp<'a> {
         Chords {
             name: LOG_TABLE,
             fields: ["log_base", "log_slope"],
-            meanings: ["log ratio at the entry's start", "fall of the log ratio, times 1"],
+            meanings: ["log ratio at the entry's start", "how steeply the log ratio falls"],
             function: &log_ratio,
             curvature: LOG_RATIO_CURVATURE,
             start: 0.5,
@@ -143,7 +143,7 @@ impl<'a> LogExp<'a> {
         Chords {
             name: EXP_TABLE,
             fields: ["exp_base", "exp_slope"],
-            meanings: ["2^-f at the entry's start", "fall of 2^-f, times 1"],
+            meanings: ["2^-f at the entry's start", "how steeply 2^-f falls"],
             function,
             curvature: EXP_CURVATURE,
             start: 0.0,
@@ -366,7 +366,7 @@ impl Architecture for LogExp<'_> {
         let table_error = (0..1usize << exp.address_bits)
             .map(|entry| exp.error(&tables[exp_memory], entry))
             .reduce(Interval::hull)?;
-        let whole = Format::unsigned(whole_bits, 0).int_bits.min(b.format(z).int_bits);
+        let whole = whole_bits.min(b.format(z).int_bits);
         let whole = b.cast(z, Format::unsigned(whole, 0), true, "i", "the integer part of z");
         let shifted = b.shift_right(fraction, whole, "power_shifted", "2^-z = 2^-f 2^-i");
         let bounds: Option<Vec<Bound>> = (0..count)
@@ -380,13 +380,11 @@ impl Architecture for LogExp<'_> {
                 let hardware = Interval::new((level.low + off.low).max(0.0), level.high + off.high);
                 let scale = Interval::new(exp2(-(hardware.high as i32)), exp2(-(hardware.low as i32)));
                 let real = Interval::new(libm::exp2(-level.high), libm::exp2(-level.low));
-                let lost = if hardware.high < 1.0 { 0.0 } else { exp2(-widths.get("e")) };
-                let mut error = real * power_less_one(off + Interval::point(lift))
+                // What a shift by i drops of a multiple of 2^-e is below 2^-e by the weight of its own last bit.
+                let lost = exp2(-widths.get("e")) * (1.0 - exp2(-(hardware.high as i32)));
+                let error = real * power_less_one(off + Interval::point(lift))
                     + table_error * scale
                     + Interval::new(-lost, 0.0);
-                if level.high > f64::from(g) + 0.5 {
-                    error = error.hull(Interval::new(-real.high, 0.0));
-                }
                 Some(Bound { range: Interval::UNIT, error, grid: b.format(shifted).frac_bits })
             })
             .collect();
@@ -396,6 +394,12 @@ impl Architecture for LogExp<'_> {
         let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded to the output's bits");
         let zero = b.any(&[Some(small), beyond, over], "zero", "the result is 0");
         let mut y = b.zero_if(zero, y, "y", "y, 0 where it is below half an ulp");
+        let forced = |(bound, level): (&Bound, &Interval)| {
+            let gone = Interval::new(if level.high > f64::from(g) + 0.5 { -libm::exp2(-level.low) } else { 0.0 }, 0.0);
+            Bound { error: bound.error.hull(gone), ..*bound }
+        };
+        let bounds = b.bounds(y).iter().zip(&levels).map(forced).collect();
+        b.assume(y, bounds);
         if self.bypasses() {
             let rounded = b.add_half(x, g, "x_half");
             let rounded = b.cast(rounded, Format::unsigned(1, g), false, "x_rounded", "x, rounded to nearest");

@@ -37,27 +37,38 @@ pub(super) fn evaluate(inputs: &Inputs, spec: &CoreSpec) -> Wide {
     if v >= bound {
         return Wide::ZERO;
     }
-    let product = if m == 1 {
-        Wide::ZERO
-    } else {
-        v * interpolated(inputs, "log", m - half, 1, inputs.widths.get("k") as u32 + 1, "k")
-    };
+    let product =
+        if m == 1 { Wide::ZERO } else { v * interpolated(inputs, &LOG, m - half, inputs.widths.get("k") as u32 + 1) };
     let steps = n.min(Wide::from_num(limit)) * Wide::from_num(e);
     let z = inputs.floor(steps + inputs.floor(product, "z"), "z");
     if z >= limit {
         return Wide::ZERO;
     }
-    let power = interpolated(inputs, "exp", z.frac(), 0, 64, "e") >> z.to_num::<u32>();
+    let power = interpolated(inputs, &EXP, z.frac(), 64) >> z.to_num::<u32>();
     wide::floor_to(inputs.floor(power, "e") + inputs.half_ulp, output_fraction)
 }
 
-/// The function table of that name at `argument`, which lies in `[0, 2^-domain)`: the entry's base less its slope times the distance from
-/// the entry's start, that distance rounded down to `cut` bits and the product to the named width.
-fn interpolated(inputs: &Inputs, name: &str, argument: Wide, domain: u32, cut: u32, value: &str) -> Wide {
-    let table = format!("{name}_table");
-    let address_bits = inputs.widths.get(name) as u32;
-    let entry = wide::to_code(argument << domain, address_bits);
-    let distance = argument - (wide::from_code(entry, address_bits) >> domain);
-    let word = |part: &str| inputs.entry(&table, entry as usize, &format!("{name}_{part}"));
-    word("base") - inputs.floor(word("slope") * wide::floor_to(distance, cut), value)
+/// A function table: its memory and the fields of it, the names of its widths, and the span of its arguments, `2^-domain`.
+struct Function {
+    memory: &'static str,
+    base: &'static str,
+    slope: &'static str,
+    address: &'static str,
+    value: &'static str,
+    domain: u32,
+}
+
+const LOG: Function =
+    Function { memory: "log_table", base: "log_base", slope: "log_slope", address: "log", value: "k", domain: 1 };
+const EXP: Function =
+    Function { memory: "exp_table", base: "exp_base", slope: "exp_slope", address: "exp", value: "e", domain: 0 };
+
+/// A function at `argument`, counted from where its arguments start: the entry's base less its slope times the distance from the entry's
+/// start, that distance rounded down to `cut` bits and the product to the value's width.
+fn interpolated(inputs: &Inputs, of: &Function, argument: Wide, cut: u32) -> Wide {
+    let address_bits = inputs.widths.get(of.address) as u32;
+    let entry = wide::to_code(argument << of.domain, address_bits);
+    let distance = argument - (wide::from_code(entry, address_bits) >> of.domain);
+    let word = |field: &str| inputs.entry(of.memory, entry as usize, field);
+    word(of.base) - inputs.floor(word(of.slope) * wide::floor_to(distance, cut), of.value)
 }
