@@ -100,10 +100,10 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         if measured.sweep.exhaustive { " (all in [0, 1])" } else { "" },
     ));
     say(format!(
-        "error against x^n: {:.3} % at most, {:.3} % on the epicentre ({:.3} % relative)",
-        100.0 * measured.max_abs,
-        100.0 * measured.max_abs_epicentre,
-        100.0 * measured.max_rel_epicentre,
+        "error against x^n: {} at most, {} on the epicentre ({} relative)",
+        package::percent_text(measured.max_abs),
+        package::percent_text(measured.max_abs_epicentre),
+        package::percent_text(measured.max_rel_epicentre),
     ));
     super::cosim::say_outcome(&outcome);
     if outcome.passed() {

@@ -59,15 +59,18 @@ pub(super) fn measured_lines(measured: &Measured) -> Vec<String> {
         "Error against x^n itself, measured over the same inputs:".to_owned(),
         format!(
             "  {} absolute, {} where x^n >= 1/2, {} relative there.",
-            percent(measured.max_abs),
-            percent(measured.max_abs_epicentre),
-            percent(measured.max_rel_epicentre)
+            percent_text(measured.max_abs),
+            percent_text(measured.max_abs_epicentre),
+            percent_text(measured.max_rel_epicentre)
         ),
     ]
 }
 
-fn percent(value: f64) -> String {
-    format!("{:.3} %", 100.0 * value)
+/// A share as a percentage, with more digits where it is small.
+#[must_use]
+pub fn percent_text(value: f64) -> String {
+    let digits = if value < 0.001 { 5 } else { 3 };
+    format!("{:.digits$} %", 100.0 * value)
 }
 
 struct FieldRow {
@@ -228,10 +231,10 @@ pub(super) fn datasheet(
         worst: budget.worst_shininess,
         measured,
         measured_ulps: interval_text(measured.ulps),
-        max_abs: percent(measured.max_abs),
-        max_abs_epicentre: percent(measured.max_abs_epicentre),
-        max_rel_epicentre: percent(measured.max_rel_epicentre),
-        rms: percent(measured.rms),
+        max_abs: percent_text(measured.max_abs),
+        max_abs_epicentre: percent_text(measured.max_abs_epicentre),
+        max_rel_epicentre: percent_text(measured.max_rel_epicentre),
+        rms: percent_text(measured.rms),
         forms,
         other_failed,
         files,

@@ -3,7 +3,7 @@
 mod datasheet;
 mod directory;
 
-pub use datasheet::interval_text;
+pub use datasheet::{interval_text, percent_text};
 pub use directory::{
     GENERATED_MARK, Kind, check_target, check_target_of, write_directory, write_directory_of, write_file,
 };
