@@ -76,6 +76,21 @@ fn every_shininess_is_faithful_at_16_bits() {
 }
 
 #[test]
+fn fitted_tails_are_faithful_for_every_input() {
+    for divider in DIVIDERS {
+        for objective in ["max-abs", "max-rel:0.2", "weighted:-0.5"] {
+            assert_every_input(
+                &format!(
+                    "method = 'cubic-rational'\ndivider = '{divider}'\ncoefficients = 'minimax'\nobjective = '{objective}'\n\
+                     shininess = '1..=120'\ninput_fraction = 10\noutput_fraction = 10"
+                ),
+                1,
+            );
+        }
+    }
+}
+
+#[test]
 fn versine_operand_is_faithful_for_every_input() {
     for core in cores() {
         assert_every_input(

@@ -2,10 +2,10 @@
 //! Lobes and errors are evaluated here anew, on far more points.
 
 use brdfgen::fit::{
-    Fit, Inside, Objective, Peak, Segment, Tail, cubic, fit_segment, min_zero, power, quadratic, segment_bounds,
-    segment_end,
+    Fit, Inside, Objective, Peak, Segment, Tail, cubic, cubic_rational, fit_segment, min_zero, power, quadratic,
+    segment_bounds, segment_end,
 };
-use brdfgen::lobe::{Cubic, Lobe, Quadratic, exact};
+use brdfgen::lobe::{Cubic, CubicRational, Lobe, Quadratic, exact};
 use rand_core::Rng;
 use rand_pcg::Pcg64;
 
@@ -441,4 +441,30 @@ fn bad_arguments_are_refused() {
     for segments in [0, 257] {
         assert!(segment_bounds(10.0, segments, Peak::Free, &fine).is_err());
     }
+}
+
+/// The rational tail's fit reports its error, goes on from the cubic's value, and halves the paper's error.
+#[test]
+fn rational_tails_are_as_good_as_reported_and_none_nearby_is_better() {
+    for n in SHININESSES.into_iter().filter(|&n| n > 1.0) {
+        let objective = Objective::MaxAbs;
+        let fit = cubic_rational(n, &objective).unwrap();
+        let lobe = fit.coefficients;
+        let points = points(n, 100_000, &objective);
+        let error = |lobe: CubicRational| brute_force(|u| lobe.at(u), n, &points, &objective);
+        let paper = error(CubicRational::new(n, 0.5).unwrap());
+        let own = error(lobe);
+        assert!((own - fit.error).abs() < 1e-3 * fit.error + 1e-9, "n = {n}: {own} and not {}", fit.error);
+        assert!(own <= paper && (n < 10.0 || own < 0.6 * paper), "n = {n}: {own}, the paper's {paper}");
+        let tail = |u: f64| (1.0 - u) / (lobe.d + lobe.b * u);
+        let cubic = lobe.cubic.formula(lobe.cusp);
+        assert!((tail(lobe.cusp) - cubic.min(0.5)).abs() < 1e-12, "n = {n}: a step at the cusp");
+        for factor in [0.99, 0.999, 1.001, 1.01] {
+            let b = lobe.b * factor;
+            let other = CubicRational { b, d: lobe.d + (lobe.b - b) * lobe.cusp, ..lobe };
+            assert!(error(other) > own - 1e-4 * own, "n = {n}: b times {factor} is better");
+        }
+    }
+    assert!(cubic_rational(1000.0, &Objective::MaxAbs).unwrap().error < 0.0510);
+    assert_eq!(cubic_rational(1.0, &Objective::MaxAbs).unwrap().error, 0.0);
 }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::error::Error;
 use crate::fit::{self, Fit, Power};
-use crate::lobe::{Cubic, MinZero, Quadratic};
+use crate::lobe::{Cubic, CubicRational, MinZero, Quadratic};
 use crate::spec::{Coefficients, CoreSpec, Method};
 
 /// One value a row, in order; the rows are computed in parallel.
@@ -30,6 +30,14 @@ pub(super) fn cubic(spec: &CoreSpec) -> Result<Vec<Cubic>, Error> {
         Coefficients::Paper if spec.method == Method::CubicThreePoint => Cubic::three_point(n, spec.q, spec.g),
         Coefficients::Paper => Cubic::new(n, spec.q),
         Coefficients::Minimax => fitted(fit::cubic(n, spec.tail, &spec.objective)),
+    })
+}
+
+/// The cubic and its rational tail.
+pub(super) fn cubic_rational(spec: &CoreSpec) -> Result<Vec<CubicRational>, Error> {
+    each(spec, |n| match spec.coefficients {
+        Coefficients::Paper => CubicRational::new(n, spec.q),
+        Coefficients::Minimax => fitted(fit::cubic_rational(n, &spec.objective)),
     })
 }
 

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::builder::{Bound, Builder, Case};
 use super::polynomial::{self, field, nearest_code};
-use super::{Architecture, Datapath, Description, Parameter, cubic, divide, multiplier_cost, widths};
+use super::{Architecture, Datapath, Description, Parameter, coefficients, cubic, divide, multiplier_cost, widths};
 use crate::error::Error;
 use crate::lobe::{self, Lobe};
 use crate::number::{Format, Interval, exp2};
@@ -45,8 +45,7 @@ impl<'a> CubicRational<'a> {
     /// # Errors
     /// A shininess or level that the method refuses.
     pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
-        let new = |n: f64| lobe::CubicRational::new(n, spec.q);
-        let lobes = spec.shininess.values().into_iter().map(new).collect::<Result<Vec<_>, _>>()?;
+        let lobes = coefficients::cubic_rational(spec)?;
         let one = exp2(spec.input_fraction as i32);
         let cuts: Vec<i128> = lobes.iter().map(|lobe| libm::floor(lobe.cusp * one).min(one - 1.0) as i128).collect();
         let cubics = lobes.iter().map(|lobe| lobe.cubic).collect();
@@ -218,6 +217,11 @@ impl Architecture for CubicRational<'_> {
         let mut tails: Vec<TailCodes> = (0..self.lobes.len()).map(|row| self.tail_codes(row, widths)).collect();
         self.close_seams(widths, &mut tails);
         self.with_tails(widths, &tails)
+    }
+
+    fn searched(&self) -> &'static [&'static str] {
+        // The tail is what is off most, and its words are chosen for the seam.
+        &[]
     }
 
     fn description(&self, tables: &[Table]) -> Description {

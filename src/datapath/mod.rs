@@ -117,6 +117,12 @@ pub trait Architecture: Sync {
         Some([0, i128::MAX])
     }
 
+    /// The fields of the coefficient ROM whose words are searched where coefficients are fitted: the coefficients proper, not what
+    /// places or scales them.
+    fn searched(&self) -> &'static [&'static str] {
+        &["c", "big_a", "a"]
+    }
+
     /// What the core computes and how, for its datasheet.
     fn description(&self, tables: &[Table]) -> Description;
 

@@ -11,8 +11,6 @@ use crate::number::exp2;
 use crate::rom::Table;
 use crate::spec::{CoreSpec, Operand};
 
-/// The fields that are searched: the coefficients proper, not what places or scales them.
-const SEARCHED: [&str; 3] = ["c", "big_a", "a"];
 /// The most versines at which a row's error is taken.
 const MOST_POINTS: i128 = 2048;
 /// Past this depth, s = n u, the power is below 2^-23 and no core has anything but 0 or a held value.
@@ -81,7 +79,7 @@ fn searched(
 ) -> Vec<i128> {
     let table = &datapath.tables[memory];
     let fields: Vec<usize> =
-        (0..table.fields.len()).filter(|&field| SEARCHED.contains(&table.fields[field].name)).collect();
+        (0..table.fields.len()).filter(|&field| architecture.searched().contains(&table.fields[field].name)).collect();
     let mut best: Vec<i128> = fields.iter().map(|&field| table.fields[field].codes[row]).collect();
     let Some(points) = Points::of(spec, architecture, table, row) else { return best };
     // Memories of one row each, which every address reads.
@@ -131,13 +129,16 @@ pub(super) fn tuned(spec: &CoreSpec, architecture: &dyn Architecture, solution: 
     let Some(memory) = datapath.tables.iter().position(|table| table.name == Table::COEFFICIENTS) else {
         return solution;
     };
+    if architecture.searched().is_empty() {
+        return solution;
+    }
     let table = &datapath.tables[memory];
     let mut tables = datapath.tables.clone();
     // Between interpolated rows no word has an error of its own.
     if spec.shininess.frac_bits() == 0 {
         let rows: Vec<Vec<i128>> =
             (0..table.rows()).into_par_iter().map(|row| searched(spec, architecture, datapath, memory, row)).collect();
-        let fields = tables[memory].fields.iter_mut().filter(|field| SEARCHED.contains(&field.name));
+        let fields = tables[memory].fields.iter_mut().filter(|field| architecture.searched().contains(&field.name));
         for (place, field) in fields.enumerate() {
             field.codes = rows.iter().map(|words| words[place]).collect();
         }

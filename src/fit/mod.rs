@@ -11,10 +11,12 @@
 
 mod family;
 mod minimax;
+mod rational;
 mod segments;
 mod target;
 
 pub use family::{Power, cubic, min_zero, power, quadratic};
+pub use rational::cubic_rational;
 pub use segments::{Peak, Segment, fit_segment, segment_bounds, segment_end};
 pub use target::Objective;
 

@@ -85,8 +85,9 @@ impl Method {
     #[must_use]
     pub fn coefficients(self) -> &'static [Coefficients] {
         match self {
-            Self::Quadratic | Self::Cubic | Self::CubicMinZero => &[Coefficients::Paper, Coefficients::Minimax],
-            Self::CubicRational | Self::CubicThreePoint => &[Coefficients::Paper],
+            Self::Quadratic | Self::Cubic | Self::CubicRational | Self::CubicThreePoint | Self::CubicMinZero => {
+                &[Coefficients::Paper, Coefficients::Minimax]
+            }
             Self::Power2 | Self::Power4 | Self::Power8 | Self::Segmented2 | Self::Segmented4 | Self::Segmented8 => {
                 &[Coefficients::Minimax]
             }
