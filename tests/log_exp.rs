@@ -212,7 +212,8 @@ fn golden_vectors_notice_every_flipped_bit_of_an_entry() {
         "shininess = [1, 2.5, 80]\ninput_fraction = 12\noutput_fraction = 9\noperand = 'versine'",
     ] {
         let design = design(spec);
-        let vectors = Golden::of(&design).vectors();
+        let golden = Golden::of(&design);
+        let vectors = golden.vectors();
         let (first, count) = all_codes(design.operand_format());
         let rows: Vec<u32> =
             (0..design.spec.shininess.rows()).map(|row| design.spec.shininess.index_of_row(row)).collect();
@@ -239,8 +240,8 @@ fn golden_vectors_notice_every_flipped_bit_of_an_entry() {
             let wrong = Evaluator::new(design.graph(), &tables);
             let noticed = vectors.iter().any(|vector| {
                 let mut output = [0];
-                wrong.evaluate(vector.index, vector.operand, 1, &mut output);
-                output[0] != vector.output
+                wrong.evaluate(vector.inputs[0] as u32, vector.inputs[1], 1, &mut output);
+                i64::from(output[0]) != vector.outputs[0]
             });
             if !noticed {
                 assert_eq!(
