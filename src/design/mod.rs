@@ -5,18 +5,20 @@ mod tune;
 
 pub use measure::{Measured, Sweep};
 
+use sha2::{Digest, Sha256};
+
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
 use crate::datapath::schedule::{Schedule, schedule};
 use crate::datapath::widths::{Budget, solve};
 use crate::datapath::{Datapath, Description, architecture};
 use crate::error::Error;
-use crate::hdl::{Direction, Layout, Port};
+use crate::hdl::{Direction, Layout, Port, WritePort};
 use crate::lobe::Lobe;
 use crate::model::Model;
 use crate::number::Format;
 use crate::rom::Table;
-use crate::spec::{CoreSpec, Operand, Widths};
+use crate::spec::{CoreSpec, Operand, RomStyle, Widths, hex};
 
 /// A resolved core.
 #[derive(Clone, Debug)]
@@ -37,7 +39,8 @@ impl Design {
     /// Chooses widths, quantises the coefficients, builds and schedules the datapath.
     ///
     /// # Errors
-    /// A spec that no core can be built for, such as one whose printed form needs values wider than 126 bits.
+    /// A spec that no core can be built for, such as one whose printed form needs values wider than 126 bits, or a writable ROM of a
+    /// method that has none.
     pub fn new(spec: CoreSpec) -> Result<Self, Error> {
         let architecture = architecture(&spec)?;
         let mut solution = solve(&*architecture)?;
@@ -46,7 +49,45 @@ impl Design {
         }
         drop(architecture);
         let schedule = schedule(&solution.datapath.graph, spec.pipeline)?;
-        Ok(Self { widths: solution.widths, datapath: solution.datapath, schedule, budget: solution.budget, spec })
+        let design =
+            Self { widths: solution.widths, datapath: solution.datapath, schedule, budget: solution.budget, spec };
+        if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {
+            return Err(Error::input(
+                format!("the core {} has no coefficient memory that could be written", design.spec.name),
+                "leave `rom = \"writable\"` out, or choose a method with coefficients",
+            ));
+        }
+        Ok(design)
+    }
+
+    /// The ports through which the memories that are keyed by the shininess are written, in the memories' order; none unless the spec
+    /// asks for them.
+    #[must_use]
+    pub fn write_ports(&self) -> Vec<WritePort> {
+        if self.spec.rom != RomStyle::Writable {
+            return Vec::new();
+        }
+        let layout = self.layout();
+        let written = |(memory, table): &(usize, &Table)| table.is_keyed_by_shininess() && layout.read(*memory).is_some();
+        let tables = self.tables().iter().enumerate().filter(written);
+        tables.map(|(memory, table)| WritePort::of(memory, table)).collect()
+    }
+
+    /// 16 hexadecimal digits that stand for the operations, their formats and the layout of the memories' words, without what the words
+    /// are: where two cores have the same, the words of the one compute in the other what they compute in their own.
+    #[must_use]
+    pub fn datapath_digest(&self) -> String {
+        let layout = |table: &Table| -> Vec<(&str, Format)> {
+            table.fields.iter().map(|field| (field.name, field.format)).collect()
+        };
+        let memories: Vec<_> =
+            self.tables().iter().map(|table| (table.name, table.address_bits, layout(table))).collect();
+        let operations: Vec<_> = self.graph().nodes.iter().map(|node| (&node.op, &node.args, node.format)).collect();
+        let outputs = &self.graph().outputs;
+        let functions: Vec<_> =
+            self.tables().iter().filter(|table| !table.is_keyed_by_shininess()).map(Table::words).collect();
+        let text = format!("{operations:?} {outputs:?} {memories:?} {functions:?}");
+        hex(&Sha256::digest(text))[..16].to_owned()
     }
 
     /// The memories.
@@ -133,6 +174,7 @@ impl Design {
             control("in_valid", Direction::In, taken),
         ];
         ports.extend(inputs);
+        ports.extend(self.write_ports().iter().flat_map(WritePort::ports).cloned());
         ports.push(control("out_valid", Direction::Out, result));
         ports.extend(outputs);
         ports

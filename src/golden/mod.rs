@@ -5,12 +5,14 @@
 //! every code of the operand port.
 
 mod choose;
+mod complement;
 mod file;
 
 use rayon::prelude::*;
 use serde::Serialize;
 use xxhash_rust::xxh3::Xxh3;
 
+pub use complement::{complemented, complemented_tables};
 pub use file::parse;
 
 use crate::design::Design;

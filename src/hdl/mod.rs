@@ -14,6 +14,7 @@ pub use testbench::test_bench;
 
 use crate::error::Error;
 use crate::number::Format;
+use crate::rom::Table;
 use crate::spec::Language;
 
 /// What the text of a core needs besides its layout.
@@ -27,6 +28,51 @@ pub struct Texts {
     pub ports: Vec<Port>,
     /// The files that memories are read from, if they are read from files.
     pub rom_files: Vec<RomFile>,
+    /// The ports through which memories are written, if they are, each with the file of the memory's words; all of them are among `ports`.
+    pub writes: Vec<(WritePort, RomFile)>,
+}
+
+/// The ports through which a memory is written at run time.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WritePort {
+    /// The memory's place among the tables of the datapath.
+    pub memory: usize,
+    /// 1 bit: the word is written at the rising edge of clk.
+    pub enable: Port,
+    /// The address.
+    pub address: Port,
+    /// The word.
+    pub data: Port,
+}
+
+impl WritePort {
+    /// The write port of a memory: `wr_en`, `wr_addr` and `wr_data` for the coefficients, with the memory's name behind `wr` for another.
+    #[must_use]
+    pub fn of(memory: usize, table: &Table) -> Self {
+        let (prefix, what) = match table.name {
+            Table::COEFFICIENTS => ("wr".to_owned(), "the coefficient memory".to_owned()),
+            name => (format!("wr_{name}"), format!("the memory {name}")),
+        };
+        let port = |suffix: &str, format, meaning: String| Port {
+            name: format!("{prefix}_{suffix}"),
+            direction: Direction::In,
+            format,
+            meaning,
+        };
+        let unsigned = |bits: u32| Some(Format::unsigned(bits as i32, 0));
+        Self {
+            memory,
+            enable: port("en", None, format!("write enable: takes {prefix}_data into {what}, whatever ce and rst are")),
+            address: port("addr", unsigned(table.address_bits), "address of the word that is written".to_owned()),
+            data: port("data", unsigned(table.word_bits()), format!("word for {what}; layout as in its files")),
+        }
+    }
+
+    /// The three ports, in the order of their declaration.
+    #[must_use]
+    pub fn ports(&self) -> [&Port; 3] {
+        [&self.enable, &self.address, &self.data]
+    }
 }
 
 /// Which way a port leads.
@@ -91,6 +137,12 @@ impl Texts {
     #[must_use]
     pub fn rom_file(&self, memory: &str) -> Option<&RomFile> {
         self.rom_files.iter().find(|file| file.memory == memory)
+    }
+
+    /// The ports through which a memory is written, if it is; by its place among the tables.
+    #[must_use]
+    pub fn write_port(&self, memory: usize) -> Option<&WritePort> {
+        self.writes.iter().map(|(port, _)| port).find(|port| port.memory == memory)
     }
 }
 

@@ -2,8 +2,9 @@
 
 use askama::Template;
 
-use super::{Direction, Layout, Port, RomFile, Texts, render};
+use super::{Direction, Layout, Port, RomFile, Texts, WritePort, render};
 use crate::error::Error;
+use crate::golden::Vector;
 use crate::spec::Language;
 
 /// A port that carries numbers, as the benches see it.
@@ -29,11 +30,52 @@ impl<'a> BenchPort<'a> {
     }
 }
 
+/// The write port of a memory, as the benches see it.
+struct BenchWrite<'a> {
+    memory: &'a str,
+    depth: usize,
+    enable: &'a str,
+    address: &'a str,
+    address_bits: u32,
+    data: &'a str,
+    data_bits: u32,
+    /// Random numbers of 32 bits that fill a word.
+    draws: u32,
+    file: &'a RomFile,
+}
+
+impl<'a> BenchWrite<'a> {
+    fn of((port, file): &'a (WritePort, RomFile), layout: &Layout<'a>) -> Self {
+        let table = &layout.datapath.tables[port.memory];
+        Self {
+            memory: table.name,
+            depth: table.depth(),
+            enable: &port.enable.name,
+            address: &port.address.name,
+            address_bits: table.address_bits,
+            data: &port.data.name,
+            data_bits: table.word_bits(),
+            draws: table.word_bits().div_ceil(32),
+            file,
+        }
+    }
+
+    /// As many random numbers side by side as fill a word, in VHDL.
+    fn noise(&self) -> String {
+        vec!["lfsr"; self.draws as usize].join(" & ")
+    }
+}
+
 /// What the templates of both languages need.
 struct Bench<'a> {
     name: &'a str,
     header: &'a [String],
+    /// The files that the core reads.
     rom_files: &'a [RomFile],
+    /// The memories that the bench writes.
+    writes: Vec<BenchWrite<'a>>,
+    /// The codes of the ports of vectors for memories that hold the words' complements, as hexadecimal literals.
+    complemented: Vec<String>,
     golden: &'a str,
     inputs: Vec<BenchPort<'a>>,
     outputs: Vec<BenchPort<'a>>,
@@ -73,21 +115,49 @@ struct VhdlBench<'a> {
     bench: &'a Bench<'a>,
 }
 
-/// The test bench of a core in a language; `golden` is the path of its vectors, relative to the core's directory.
+/// The codes of a vector's inputs and outputs as literals of the ports' widths.
+fn literals(language: Language, ports: &[&BenchPort], vector: &Vector) -> String {
+    let literal = |(port, &code): (&&BenchPort, &i64)| {
+        let (bits, digits) = (port.bits, port.digits as usize);
+        // A port is at most 32 bits wide.
+        let code = code as u64 & ((1 << bits) - 1);
+        match language {
+            Language::Verilog => format!("{bits}'h{code:0digits$x}"),
+            Language::Vhdl => format!("{bits}x\"{code:0digits$x}\""),
+        }
+    };
+    let codes = vector.inputs.iter().chain(&vector.outputs);
+    ports.iter().zip(codes).map(literal).collect::<Vec<_>>().join(", ")
+}
+
+/// The test bench of a core in a language; `golden` is the path of its vectors, relative to the core's directory. For a core whose
+/// memories can be written, `complemented` are some vectors with the outputs for the words' complements.
 ///
 /// # Errors
 /// If the template cannot be filled in.
-pub fn test_bench(language: Language, layout: &Layout, texts: &Texts, golden: &str) -> Result<String, Error> {
+pub fn test_bench(
+    language: Language,
+    layout: &Layout,
+    texts: &Texts,
+    golden: &str,
+    complemented: &[Vector],
+) -> Result<String, Error> {
+    let is_write = |port: &&Port| texts.writes.iter().flat_map(|(write, _)| write.ports()).any(|write| write == *port);
     let numbers = |direction: Direction| -> Vec<BenchPort> {
         let of = |port: &&Port| port.direction == direction;
-        texts.ports.iter().filter(of).filter_map(BenchPort::of).collect()
+        texts.ports.iter().filter(of).filter(|port| !is_write(port)).filter_map(BenchPort::of).collect()
     };
     let (inputs, outputs) = (numbers(Direction::In), numbers(Direction::Out));
+    let numbers: Vec<&BenchPort> = inputs.iter().chain(&outputs).collect();
+    let complemented = complemented.iter().map(|vector| literals(language, &numbers, vector)).collect();
+    let write = |write| BenchWrite::of(write, layout);
     let digits: u32 = inputs.iter().chain(&outputs).map(|port| 1 + port.digits).sum();
     let bench = &Bench {
         name: &texts.name,
         header: &texts.header,
         rom_files: &texts.rom_files,
+        writes: texts.writes.iter().map(write).collect(),
+        complemented,
         golden,
         inputs,
         outputs,

@@ -2,7 +2,7 @@
 
 use askama::Template;
 
-use super::{Backend, Declaration, Direction, Layout, Port, Texts, continued, render};
+use super::{Backend, Declaration, Direction, Layout, Port, Texts, WritePort, continued, render};
 use crate::datapath::graph::{NodeId, Op};
 use crate::error::Error;
 use crate::number::Format;
@@ -34,7 +34,16 @@ struct Memory<'a> {
     registered: bool,
     /// The parameter that names its file, if it is read from one.
     parameter: Option<String>,
+    /// The ports through which it is written, if it is.
+    write: Option<&'a WritePort>,
     rows: Vec<(String, String)>,
+}
+
+impl Memory<'_> {
+    /// Whether its words are in an array, and not in the branches of a case statement.
+    fn in_array(&self) -> bool {
+        self.parameter.is_some() || self.write.is_some()
+    }
 }
 
 struct Stage<'a> {
@@ -223,18 +232,19 @@ fn declaration(port: &Port) -> Declaration {
 }
 
 /// The memories that are read in a stage.
-fn memories<'a>(layout: &Layout<'a>, texts: &Texts, stage: u32) -> Vec<Memory<'a>> {
+fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory<'a>> {
     let tables = layout.datapath.tables.iter().enumerate();
-    let reads = tables.filter_map(|(memory, table)| Some((table, layout.read(memory)?)));
+    let reads = tables.filter_map(|(memory, table)| Some((memory, table, layout.read(memory)?)));
     reads
-        .filter(|(_, read)| read.stage == stage)
-        .map(|(table, read)| {
+        .filter(|(_, _, read)| read.stage == stage)
+        .map(|(memory, table, read)| {
             let address_bits = layout.nodes()[read.address].format.width();
             let digits = table.word_bits().div_ceil(4) as usize;
             let row = |address: usize| {
                 let value = format!("{}'h{:0digits$x}", table.word_bits(), table.word(address));
                 (format!("{address_bits}'d{address}"), value)
             };
+            let write = texts.write_port(memory);
             Memory {
                 name: table.name,
                 range: range(Format::unsigned(table.word_bits() as i32, 0)),
@@ -242,6 +252,7 @@ fn memories<'a>(layout: &Layout<'a>, texts: &Texts, stage: u32) -> Vec<Memory<'a
                 depth: table.depth(),
                 registered: read.registered,
                 parameter: texts.rom_file(table.name).map(|file| file.parameter.clone()),
+                write,
                 rows: (0..table.depth()).map(row).collect(),
                 word: read.word,
             }

@@ -4,7 +4,7 @@ use askama::Template;
 use num_bigint::BigUint;
 
 use super::layout::Register;
-use super::{Backend, Declaration, Layout, Port, Texts, continued, render};
+use super::{Backend, Declaration, Layout, Port, Texts, WritePort, continued, render};
 use crate::datapath::graph::{NodeId, Op};
 use crate::error::Error;
 use crate::number::Format;
@@ -38,7 +38,20 @@ struct Memory<'a> {
     registered: bool,
     /// The generic that names its file, if it is read from one.
     generic: Option<String>,
+    /// The ports through which it is written, if it is.
+    write: Option<&'a WritePort>,
     chunks: Vec<Chunk>,
+}
+
+impl Memory<'_> {
+    /// The constant or signal that holds its whole words, if they are not in [`Memory::chunks`] only.
+    fn array(&self) -> Option<&str> {
+        match (&self.generic, self.write) {
+            (_, Some(_)) => Some(self.name),
+            (Some(_), None) => Some(&self.constant),
+            (None, None) => None,
+        }
+    }
 }
 
 struct Stage<'a> {
@@ -72,6 +85,14 @@ struct Core<'a> {
     /// `out_valid` and the other outputs with what they show, their names of one length.
     out_valid: String,
     outputs: Vec<(String, String)>,
+}
+
+impl Core<'_> {
+    /// Whether the memory is the first that is written, in the order of the text.
+    fn is_first_written(&self, name: &str) -> bool {
+        let mut memories = self.stages.iter().flat_map(|stage| &stage.memories);
+        memories.find(|memory| memory.write.is_some()).is_some_and(|memory| memory.name == name)
+    }
 }
 
 struct Writer<'a> {
@@ -233,12 +254,12 @@ fn declaration(port: &Port, name_width: usize) -> Declaration {
 }
 
 /// The memories that are read in a stage.
-fn memories<'a>(layout: &Layout<'a>, texts: &Texts, stage: u32) -> Vec<Memory<'a>> {
+fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory<'a>> {
     let tables = layout.datapath.tables.iter().enumerate();
-    let reads = tables.filter_map(|(memory, table)| Some((table, layout.read(memory)?)));
+    let reads = tables.filter_map(|(memory, table)| Some((memory, table, layout.read(memory)?)));
     reads
-        .filter(|(_, read)| read.stage == stage)
-        .map(|(table, read)| {
+        .filter(|(_, _, read)| read.stage == stage)
+        .map(|(memory, table, read)| {
             let words = table.words();
             let chunk = |index: usize| {
                 let low = 32 * index as u32;
@@ -265,6 +286,7 @@ fn memories<'a>(layout: &Layout<'a>, texts: &Texts, stage: u32) -> Vec<Memory<'a
                 depth: table.depth(),
                 registered: read.registered,
                 generic: texts.rom_file(table.name).map(|file| file.parameter.clone()),
+                write: texts.write_port(memory),
                 chunks: (0..table.word_bits().div_ceil(32) as usize).map(chunk).collect(),
                 word: read.word,
             }

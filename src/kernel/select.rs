@@ -2,12 +2,12 @@
 
 use super::{CubicRom, CubicWidths, Kernel, QuadraticRom, QuadraticWidths, cubic, quadratic};
 use crate::design::Design;
-use crate::spec::{Form, Method, Operand, Pipeline, Tail};
+use crate::spec::{Form, Method, Operand, Pipeline, RomStyle, Tail};
 
 /// The kernel of a design's method, if there is an instance at just its widths.
 ///
-/// The kernels have the pipeline of `auto`, take the cosine, round down, read a ROM that is addressed by `in_n` itself, and scale by
-/// a shift that is wholly in the ROM.
+/// The kernels have the pipeline of `auto`, take the cosine, round down, read a ROM that is addressed by `in_n` itself and cannot
+/// be written, and scale by a shift that is wholly in the ROM.
 #[must_use]
 pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
     let spec = &design.spec;
@@ -16,6 +16,7 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
         && spec.tail == Tail::Cut
         && spec.operand == Operand::Cos
         && spec.pipeline == Pipeline::Auto
+        && spec.rom != RomStyle::Writable
         && spec.input_fraction <= spec.output_fraction
         && table.first_index == 0
         && table.shared_shift == 0

@@ -14,8 +14,8 @@ use sha2::{Digest, Sha256};
 use crate::datapath::widths::Budget;
 use crate::design::{Design, Measured};
 use crate::error::Error;
-use crate::golden::Golden;
-use crate::hdl::{self, RomFile, Texts};
+use crate::golden::{self, Golden};
+use crate::hdl::{self, RomFile, Texts, WritePort};
 use crate::number::Format;
 use crate::rom::{self, RomFormat, Table};
 use crate::spec::{Coefficients, Form, Language, RomStyle, hex};
@@ -108,9 +108,14 @@ pub fn texts(design: &Design, measured: &Measured) -> Texts {
     };
     let rom_files = match spec.rom {
         RomStyle::File => design.tables().iter().map(rom_file).collect(),
-        RomStyle::Inline => Vec::new(),
+        RomStyle::Inline | RomStyle::Writable => Vec::new(),
     };
-    Texts { name: spec.name.clone(), header, ports, rom_files }
+    let with_file = |port: WritePort| {
+        let file = rom_file(&design.tables()[port.memory]);
+        (port, file)
+    };
+    let writes = design.write_ports().into_iter().map(with_file).collect();
+    Texts { name: spec.name.clone(), header, ports, rom_files, writes }
 }
 
 /// The text of `core.toml`.
@@ -128,6 +133,7 @@ pub fn files(design: &Design, measured: &Measured, golden: &Golden) -> Result<Ve
     let layout = design.layout();
     let texts = texts(design, measured);
     let golden_path = golden_path(design);
+    let complemented = golden::complemented(design, golden);
     let mut files = Vec::new();
     let mut add = |path: String, bytes: Vec<u8>| files.push(File { path, bytes });
 
@@ -135,7 +141,7 @@ pub fn files(design: &Design, measured: &Measured, golden: &Golden) -> Result<Ve
     add("README.md".to_owned(), datasheet::datasheet(design, measured, other_form(design))?.into_bytes());
     for &language in &spec.languages {
         add(rtl_path(design, language), hdl::backend(language).emit(&layout, &texts)?.into_bytes());
-        let bench = hdl::test_bench(language, &layout, &texts, &golden_path)?;
+        let bench = hdl::test_bench(language, &layout, &texts, &golden_path, &complemented)?;
         add(bench_path(design, language), bench.into_bytes());
     }
     for table in design.tables() {

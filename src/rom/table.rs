@@ -124,6 +124,34 @@ impl Table {
         Self { name, fields, key, keys, address_bits, first_index: 0, shared_shift: 0, row_of_address }
     }
 
+    /// Whether the rows are told apart by the shininess: the memory holds coefficients, not a function.
+    #[must_use]
+    pub fn is_keyed_by_shininess(&self) -> bool {
+        self.key == "shininess"
+    }
+
+    /// The same memory with every bit of every word inverted: no word is what it was.
+    #[must_use]
+    pub fn complemented(&self) -> Self {
+        let inverted = |field: &Field| {
+            let codes: Vec<i128> = field.codes.iter().map(|&code| field.format.wrap(!code)).collect();
+            let reals = codes.iter().map(|&code| field.format.value(code)).collect();
+            Field { codes, reals, ..field.clone() }
+        };
+        Self { fields: self.fields.iter().map(inverted).collect(), ..self.clone() }
+    }
+
+    /// The codes of the fields, in their order, that a word holds; bits above the word's width are not looked at.
+    #[must_use]
+    pub fn codes_of(&self, word: &BigUint) -> Vec<i128> {
+        let code = |(index, field): (usize, &Field)| {
+            let bits = (word >> self.field_low_bit(index)) & ((BigUint::from(1u8) << field.format.width()) - 1u8);
+            // A field is at most 126 bits wide, as every value of a datapath is.
+            field.format.wrap(u128::try_from(bits).unwrap_or_default() as i128)
+        };
+        self.fields.iter().enumerate().map(code).collect()
+    }
+
     /// The number of logical rows.
     #[must_use]
     pub fn rows(&self) -> usize {

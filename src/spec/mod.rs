@@ -46,6 +46,8 @@ pub enum RomStyle {
     Inline,
     /// In a file that is read at elaboration.
     File,
+    /// In the source, as the first content of a RAM with a write port.
+    Writable,
 }
 
 /// A hardware description language.

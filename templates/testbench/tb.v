@@ -16,6 +16,11 @@ module {{ bench.name }}_tb;
     // The core reads its memory {{ file.memory }} from this file, relative to the current directory.
     parameter {{ file.parameter }} = "{{ file.path }}";
 {%- endfor %}
+{%- for write in bench.writes %}
+
+    // The words that are written to the memory {{ write.memory }}, relative to the current directory.
+    parameter {{ write.file.parameter }} = "{{ write.file.path }}";
+{%- endfor %}
 
     // ------------------------------------------------------------------ the core
     reg  {{ bench.ranged("") }} {{ bench.padded("clk") }} = 1'b0;
@@ -24,6 +29,11 @@ module {{ bench.name }}_tb;
     reg  {{ bench.ranged("") }} {{ bench.padded("in_valid") }} = 1'b0;
 {%- for port in bench.inputs %}
     reg  {{ bench.ranged(port.range) }} {{ bench.padded(port.name) }} = 0;
+{%- endfor %}
+{%- for write in bench.writes %}
+    reg  {{ write.enable }} = 1'b0;
+    reg  [{{ write.address_bits - 1 }}:0] {{ write.address }} = 0;
+    reg  [{{ write.data_bits - 1 }}:0] {{ write.data }} = 0;
 {%- endfor %}
     wire {{ bench.ranged("") }} out_valid;
 {%- for port in bench.outputs %}
@@ -41,6 +51,11 @@ module {{ bench.name }}_tb;
         .in_valid(in_valid),
 {%- for port in bench.inputs %}
         .{{ port.name }}({{ port.name }}),
+{%- endfor %}
+{%- for write in bench.writes %}
+        .{{ write.enable }}({{ write.enable }}),
+        .{{ write.address }}({{ write.address }}),
+        .{{ write.data }}({{ write.data }}),
 {%- endfor %}
         .out_valid(out_valid),
 {%- for port in bench.outputs %}
@@ -115,6 +130,19 @@ module {{ bench.name }}_tb;
     integer compared   = 0;
     integer mismatches = 0;
     integer clocks     = 0;
+{%- if !bench.writes.is_empty() %}
+
+    // ---------------------------------------------------------------------- loading
+    localparam COMPLEMENTS = {{ bench.complemented.len() }}; // vectors for the words' complements
+    integer complements = 0; // of these, fed so far,
+    integer complements_compared = 0; // and compared
+    integer granted = 0; // clocks that the watchdog does not count
+    integer at;
+{%- for write in bench.writes %}
+    reg [{{ write.data_bits - 1 }}:0] words_{{ write.memory }} [0:{{ write.depth - 1 }}];
+    reg [{{ 32 * write.draws - 1 }}:0] noise_{{ write.memory }};
+{%- endfor %}
+{%- endif %}
 
     initial begin
         for (entry = 0; entry < LATENCY; entry = entry + 1) begin
@@ -133,8 +161,15 @@ module {{ bench.name }}_tb;
         begin
             wrong = out_valid !== ref_valid[slot];
             if (ref_number[slot] != 0) begin
+{%- if bench.writes.is_empty() %}
                 if (!looked)
                     compared = compared + 1;
+{%- else %}
+                if (!looked && ref_number[slot] > 0)
+                    compared = compared + 1;
+                if (!looked && ref_number[slot] < 0)
+                    complements_compared = complements_compared + 1;
+{%- endif %}
 {%- for port in bench.outputs %}
                 if ({{ port.name }} !== ref_{{ port.name }}[slot])
                     wrong = 1'b1;
@@ -156,6 +191,12 @@ module {{ bench.name }}_tb;
                 $display("brdfgen: %0s: clock %0d: expected out_valid %b, got %b",
                          NAME, clocks, ref_valid[slot], out_valid);
             else begin
+{%- if !bench.writes.is_empty() %}
+                if (ref_number[slot] < 0)
+                    $write("brdfgen: %0s: with complemented words, vector %0d: ",
+                           NAME, -ref_number[slot]);
+                else
+{%- endif %}
                 $write("brdfgen: %0s: vector %0d: ", NAME, ref_number[slot]);
 {%- for port in bench.inputs %}
                 $write("{{ port.name }} %h{% if loop.last %}: expected{% else %}, {% endif %}", ref_{{ port.name }}[slot]);
@@ -211,7 +252,7 @@ module {{ bench.name }}_tb;
             #5;
             clk = 1'b0;
             // Only a vector file that asks for absurdly many empty clocks gets here.
-            if (clocks / 40 > vectors + 250) begin
+            if ({% if bench.writes.is_empty() %}clocks{% else %}(clocks - granted){% endif %} / 40 > vectors + 250) begin
                 $display("brdfgen: %0s: watchdog: %0d clocks for %0d vectors",
                          NAME, clocks, vectors);
                 failed = 1'b1;
@@ -227,6 +268,14 @@ module {{ bench.name }}_tb;
 {%- for port in bench.inputs %}
             draw;
             {{ port.name }} = lfsr{{ port.range }};
+{%- endfor %}
+{%- for write in bench.writes %}
+            {{ write.enable }} = 1'b0;
+            draw;
+            {{ write.address }} = lfsr[{{ write.address_bits - 1 }}:0];
+            draw;
+            noise_{{ write.memory }} = { {{- write.draws }}{lfsr}};
+            {{ write.data }} = noise_{{ write.memory }}[{{ write.data_bits - 1 }}:0];
 {%- endfor %}
             in_valid = valid;
             number = 0;
@@ -456,6 +505,133 @@ module {{ bench.name }}_tb;
     endtask
 
     // ----------------------------------------------------------------------- the run
+{%- if !bench.writes.is_empty() %}
+    // The memories' words, from their files.
+    task read_words;
+        begin
+{%- for write in bench.writes %}
+            file = $fopen({{ write.file.parameter }}, "r");
+            if (file == 0) begin
+                $display("brdfgen: %0s: cannot open %0s", NAME, {{ write.file.parameter }});
+                failed = 1'b1;
+            end
+            else begin
+                $fclose(file);
+                $readmemh({{ write.file.parameter }}, words_{{ write.memory }});
+                if (^words_{{ write.memory }}[{{ write.depth - 1 }}] === 1'bx) begin
+                    $display("brdfgen: %0s: %0s has too few words", NAME, {{ write.file.parameter }});
+                    failed = 1'b1;
+                end
+            end
+{%- endfor %}
+        end
+    endtask
+
+    // Writes every word of the memories, or its complement. Whether ce is high must not matter.
+    task load;
+        input complement;
+        begin
+{%- for write in bench.writes %}
+            for (at = 0; at < {{ write.depth }}; at = at + 1) begin
+                present_garbage(1'b0);
+                draw;
+                ce = lfsr[31];
+                {{ write.enable }} = 1'b1;
+                {{ write.address }} = at[{{ write.address_bits - 1 }}:0];
+                {{ write.data }} = words_{{ write.memory }}[at] ^ { {{- write.data_bits }}{complement}};
+                granted = granted + 1;
+                clock;
+            end
+{%- endfor %}
+            present_garbage(1'b0);
+            ce = 1'b1;
+        end
+    endtask
+
+    // A vector for the words' complements.
+    task feed_complement;
+{%- for port in bench.numbers() %}
+        input {{ bench.ranged(port.range) }} of_{{ port.name }};
+{%- endfor %}
+        begin
+            idle_clock;
+            random_stalls;
+            in_valid = 1'b1;
+{%- for port in bench.inputs %}
+            {{ port.name }} = of_{{ port.name }};
+{%- endfor %}
+{%- for port in bench.outputs %}
+            expected_{{ port.name }} = of_{{ port.name }};
+{%- endfor %}
+            complements = complements + 1;
+            number = -complements;
+            clock;
+        end
+    endtask
+
+    task feed_complements;
+        begin
+{%- for vector in bench.complemented %}
+            feed_complement({{ vector }});
+{%- endfor %}
+        end
+    endtask
+
+    // All vectors of the file; behind them the pipeline is empty.
+    task run_vectors;
+        begin
+            granted    = clocks;
+            line       = 0;
+            have_count = 1'b0;
+            count      = 0;
+            vectors    = 0;
+            compared   = 0;
+            file = $fopen(path, "r");
+            if (file == 0) begin
+                $display("brdfgen: %0s: cannot open %0s", NAME, path);
+                failed = 1'b1;
+            end
+            else begin
+                read_vector;
+                while (have_vector) begin
+                    feed_vector;
+                    read_vector;
+                end
+                $fclose(file);
+                empty_pipeline;
+            end
+        end
+    endtask
+
+    task empty_pipeline;
+        repeat (LATENCY + 2)
+            idle_clock;
+    endtask
+
+    // The core as it comes up, with complements in its memories, and with the right words again.
+    task run;
+        begin
+            if (!$value$plusargs("golden=%s", path))
+                path = "{{ bench.golden }}";
+            reset_phase(1'b1);
+            reset_phase(1'b0);
+            run_vectors;
+            if (!failed && compared != count) begin
+                $display("brdfgen: %0s: the file announces %0d vectors", NAME, count);
+                failed = 1'b1;
+            end
+            read_words;
+            if (!failed) begin
+                load(1'b1);
+                feed_complements;
+                empty_pipeline;
+                load(1'b0);
+                run_vectors;
+            end
+            conclude;
+        end
+    endtask
+{%- else %}
     task run;
         begin
             if (!$value$plusargs("golden=%s", path))
@@ -482,6 +658,7 @@ module {{ bench.name }}_tb;
             end
         end
     endtask
+{%- endif %}
 
     // The verdict is the last line that is printed: hence no $finish after a PASS, before which
     // some simulators print one of their own. This bench makes the clock, so that the simulation
@@ -490,6 +667,13 @@ module {{ bench.name }}_tb;
         begin
             if (!failed && compared != count)
                 $display("brdfgen: %0s: the file announces %0d vectors", NAME, count);
+{%- if !bench.writes.is_empty() %}
+            if (!failed && (COMPLEMENTS == 0 || complements_compared != COMPLEMENTS)) begin
+                $display("brdfgen: %0s: %0d of %0d vectors compared with complemented words",
+                         NAME, complements_compared, COMPLEMENTS);
+                failed = 1'b1;
+            end
+{%- endif %}
             if (failed || mismatches != 0 || compared == 0 || compared != count) begin
                 $display("brdfgen: %0s: %0d vectors compared, %0d mismatches: FAIL",
                          NAME, compared, mismatches);

@@ -12,6 +12,10 @@ entity {{ bench.name }}_tb is
         -- The core reads its memory {{ file.memory }} from this file, relative to the current directory.
         {{ file.parameter }} : string := "{{ file.path }}";
 {%- endfor %}
+{%- for write in bench.writes %}
+        -- The words that are written to the memory {{ write.memory }}, relative to the current directory.
+        {{ write.file.parameter }} : string := "{{ write.file.path }}";
+{%- endfor %}
         -- The vector file.
         GOLDEN : string := "{{ bench.golden }}"
     );
@@ -32,6 +36,11 @@ architecture bench of {{ bench.name }}_tb is
     signal {{ bench.padded("in_valid") }} : std_logic := '0';
 {%- for port in bench.inputs %}
     signal {{ bench.padded(port.name) }} : {{ port.name }}_word := (others => '0');
+{%- endfor %}
+{%- for write in bench.writes %}
+    signal {{ write.enable }} : std_logic := '0';
+    signal {{ write.address }} : std_logic_vector({{ write.address_bits - 1 }} downto 0) := (others => '0');
+    signal {{ write.data }} : std_logic_vector({{ write.data_bits - 1 }} downto 0) := (others => '0');
 {%- endfor %}
     signal {{ bench.padded("out_valid") }} : std_logic;
 {%- for port in bench.outputs %}
@@ -56,6 +65,11 @@ begin
 {%- for port in bench.inputs %}
             {{ bench.padded(port.name) }} => {% if port.signed %}signed{% else %}unsigned{% endif %}({{ port.name }}),
 {%- endfor %}
+{%- for write in bench.writes %}
+            {{ write.enable }} => {{ write.enable }},
+            {{ write.address }} => unsigned({{ write.address }}),
+            {{ write.data }} => unsigned({{ write.data }}),
+{%- endfor %}
             {{ bench.padded("out_valid") }} => out_valid,
 {%- for port in bench.outputs %}
             {{ bench.padded(port.name) }} => {{ port.name }}{% if !loop.last %},{% endif %}
@@ -70,7 +84,7 @@ begin
         type entry is record
             {{ bench.padded("known") }} : boolean; -- false: from before the core was driven
             {{ bench.padded("valid") }} : std_logic;
-            {{ bench.padded("number") }} : natural; -- 0: not a vector of the file
+            {{ bench.padded("number") }} : {% if bench.writes.is_empty() %}natural{% else %}integer{% endif %}; -- 0: not a vector of the file
 {%- for port in bench.numbers() %}
             {{ bench.padded(port.name) }} : {{ port.name }}_word;
 {%- endfor %}
@@ -88,7 +102,7 @@ begin
         variable slot : natural range 0 to LATENCY - 1 := 0;
 
         -- What is presented at the inputs now, beside the inputs themselves.
-        variable number : natural := 0;
+        variable number : {% if bench.writes.is_empty() %}natural{% else %}integer{% endif %} := 0;
 {%- for port in bench.outputs %}
         variable expected_{{ bench.padded(port.name) }} : {{ port.name }}_word := (others => '0');
 {%- endfor %}
@@ -98,6 +112,21 @@ begin
         variable compared   : natural := 0;
         variable mismatches : natural := 0;
         variable clocks     : natural := 0;
+{%- if !bench.writes.is_empty() %}
+
+        -- ------------------------------------------------------------------ loading
+        constant COMPLEMENTS          : natural := {{ bench.complemented.len() }}; -- vectors for the words' complements
+        variable complements_fed      : natural := 0;
+        variable complements_compared : natural := 0;
+        variable granted              : integer := 0; -- clocks that the watchdog does not count
+{%- for write in bench.writes %}
+        subtype {{ write.memory }}_word is std_logic_vector({{ write.data_bits - 1 }} downto 0);
+        type {{ write.memory }}_words is array (0 to {{ write.depth - 1 }}) of {{ write.memory }}_word;
+        variable words_{{ write.memory }} : {{ write.memory }}_words;
+        variable noise_{{ write.memory }} : std_logic_vector({{ 32 * write.draws - 1 }} downto 0);
+        file file_of_{{ write.memory }} : text;
+{%- endfor %}
+{%- endif %}
 
         -- The vector file. `character_at` is the first character of the line not yet used.
         file vector_file         : text;
@@ -179,6 +208,13 @@ begin
             if not failed and compared /= count then
                 say("the file announces " & to_string(count) & " vectors");
             end if;
+{%- if !bench.writes.is_empty() %}
+            if not failed and (COMPLEMENTS = 0 or complements_compared /= COMPLEMENTS) then
+                say(to_string(complements_compared) & " of " & to_string(COMPLEMENTS)
+                    & " vectors compared with complemented words");
+                failed := true;
+            end if;
+{%- endif %}
             if failed or mismatches /= 0 or compared = 0 or compared /= count then
                 say(to_string(compared) & " vectors compared, " & to_string(mismatches)
                     & " mismatches: FAIL");
@@ -207,7 +243,14 @@ begin
                 say("clock " & to_string(clocks) & ": expected out_valid "
                     & to_string(want.valid) & ", got " & to_string(out_valid));
             else
+{%- if bench.writes.is_empty() %}
                 say("vector " & to_string(want.number)
+{%- else %}
+                if want.number < 0 then
+                    say("with complemented words:");
+                end if;
+                say("vector " & to_string(abs want.number)
+{%- endif %}
 {%- for port in bench.inputs %}
                     & "{% if loop.first %}:{% else %},{% endif %} {{ port.name }} " & hex(want.{{ port.name }})
 {%- endfor %}
@@ -226,9 +269,18 @@ begin
         begin
             wrong := out_valid /= reference(slot).valid;
             if reference(slot).number /= 0 then
+{%- if bench.writes.is_empty() %}
                 if not looked then
                     compared := compared + 1;
                 end if;
+{%- else %}
+                if not looked and reference(slot).number > 0 then
+                    compared := compared + 1;
+                end if;
+                if not looked and reference(slot).number < 0 then
+                    complements_compared := complements_compared + 1;
+                end if;
+{%- endif %}
 {%- for port in bench.outputs %}
                 if std_logic_vector({{ port.name }}) /= reference(slot).{{ port.name }} then
                     wrong := true;
@@ -281,7 +333,7 @@ begin
             wait for 5 ns;
             clk <= '0';
             -- Only a vector file that asks for absurdly many empty clocks gets here.
-            if clocks / 40 > vectors + 250 then
+            if {% if bench.writes.is_empty() %}clocks{% else %}(clocks - granted){% endif %} / 40 > vectors + 250 then
                 say("watchdog: " & to_string(clocks) & " clocks for " & to_string(vectors)
                     & " vectors");
                 failed := true;
@@ -295,6 +347,14 @@ begin
 {%- for port in bench.inputs %}
             draw;
             {{ port.name }} <= lfsr({{ port.bits - 1 }} downto 0);
+{%- endfor %}
+{%- for write in bench.writes %}
+            {{ write.enable }} <= '0';
+            draw;
+            {{ write.address }} <= lfsr({{ write.address_bits - 1 }} downto 0);
+            draw;
+            noise_{{ write.memory }} := {{ write.noise() }};
+            {{ write.data }} <= noise_{{ write.memory }}({{ write.data_bits - 1 }} downto 0);
 {%- endfor %}
             in_valid <= valid;
             number := 0;
@@ -491,6 +551,146 @@ begin
             end if;
         end procedure;
 
+{%- if !bench.writes.is_empty() %}
+
+        -- The memories' words, from their files: one a line; lines that begin with a slash are
+        -- comments.
+        procedure read_words is
+            variable index : natural;
+{%- for write in bench.writes %}
+            variable bits_{{ write.memory }} : std_logic_vector({{ (write.data_bits + 3) / 4 * 4 - 1 }} downto 0);
+{%- endfor %}
+            variable good  : boolean;
+        begin
+{%- for write in bench.writes %}
+            file_open(status, file_of_{{ write.memory }}, {{ write.file.parameter }}, read_mode);
+            if status /= open_ok then
+                say("cannot open " & {{ write.file.parameter }});
+                failed := true;
+                conclude;
+            end if;
+            index := 0;
+            while not endfile(file_of_{{ write.memory }}) loop
+                readline(file_of_{{ write.memory }}, text_line);
+                if text_line'length > 0 and text_line(text_line'left) /= '/' then
+                    hread(text_line, bits_{{ write.memory }}, good);
+                    if not good or index > words_{{ write.memory }}'high then
+                        say({{ write.file.parameter }} & ": malformed, or too many words");
+                        failed := true;
+                        conclude;
+                    end if;
+                    words_{{ write.memory }}(index) := bits_{{ write.memory }}({{ write.data_bits - 1 }} downto 0);
+                    index := index + 1;
+                end if;
+            end loop;
+            file_close(file_of_{{ write.memory }});
+            if index /= words_{{ write.memory }}'length then
+                say({{ write.file.parameter }} & " has too few words");
+                failed := true;
+                conclude;
+            end if;
+{%- endfor %}
+        end procedure;
+
+        -- Writes every word of the memories, or its complement. Whether ce is high must not matter.
+        procedure load(complement : boolean) is
+        begin
+{%- for write in bench.writes %}
+            for address in words_{{ write.memory }}'range loop
+                present_garbage('0');
+                draw;
+                ce <= lfsr(31);
+                {{ write.enable }} <= '1';
+                {{ write.address }} <= std_logic_vector(to_unsigned(address, {{ write.address_bits }}));
+                {{ write.data }} <= words_{{ write.memory }}(address);
+                if complement then
+                    {{ write.data }} <= not words_{{ write.memory }}(address);
+                end if;
+                granted := granted + 1;
+                clock;
+            end loop;
+{%- endfor %}
+            present_garbage('0');
+            ce <= '1';
+        end procedure;
+
+        -- A vector for the words' complements.
+        procedure feed_complement(
+{%- for port in bench.numbers() %}
+            of_{{ port.name }} : {{ port.name }}_word{% if !loop.last %};{% endif %}
+{%- endfor %}
+        ) is
+        begin
+            idle_clock;
+            random_stalls;
+            in_valid <= '1';
+{%- for port in bench.inputs %}
+            {{ port.name }} <= of_{{ port.name }};
+{%- endfor %}
+{%- for port in bench.outputs %}
+            expected_{{ port.name }} := of_{{ port.name }};
+{%- endfor %}
+            complements_fed := complements_fed + 1;
+            number := -complements_fed;
+            clock;
+        end procedure;
+
+        procedure feed_complements is
+        begin
+{%- for vector in bench.complemented %}
+            feed_complement({{ vector }});
+{%- endfor %}
+        end procedure;
+
+        procedure empty_pipeline is
+        begin
+            for i in 1 to LATENCY + 2 loop
+                idle_clock;
+            end loop;
+        end procedure;
+
+        -- All vectors of the file; behind them the pipeline is empty.
+        procedure run_vectors is
+        begin
+            granted     := clocks;
+            line_number := 0;
+            have_count  := false;
+            count       := 0;
+            vectors     := 0;
+            compared    := 0;
+            file_open(status, vector_file, GOLDEN, read_mode);
+            if status /= open_ok then
+                say("cannot open " & GOLDEN);
+                failed := true;
+                conclude;
+            end if;
+            read_vector;
+            while have_vector loop
+                feed_vector;
+                read_vector;
+            end loop;
+            file_close(vector_file);
+            empty_pipeline;
+        end procedure;
+
+    -- The core as it comes up, with complements in its memories, and with the right words again.
+    begin
+        reset_phase('1');
+        reset_phase('0');
+        run_vectors;
+        if failed or compared /= count then
+            conclude;
+        end if;
+        read_words;
+        load(true);
+        feed_complements;
+        empty_pipeline;
+        load(false);
+        run_vectors;
+        conclude;
+    end process;
+{%- else %}
+
     begin
         file_open(status, vector_file, GOLDEN, read_mode);
         if status /= open_ok then
@@ -512,6 +712,7 @@ begin
         end loop;
         conclude;
     end process;
+{%- endif %}
 
 end architecture;
 

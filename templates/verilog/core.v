@@ -37,16 +37,31 @@ module {{ texts.name }}
     // ===== Stage {{ stage.index }}: {{ stage.heading }}
 {%- for memory in stage.memories %}
     // The word of the memory {{ memory.name }}, of {{ memory.depth }} words.
-    {% if memory.parameter.is_some() && !memory.registered %}wire{% else %}reg{% endif %} {{ memory.range }}{{ memory.word }};
+    {% if memory.in_array() && !memory.registered %}wire{% else %}reg{% endif %} {{ memory.range }}{{ memory.word }};
 {%- endfor %}
 {%- for wire in stage.wires %}
     // {{ wire.comment }}
     wire {{ wire.range }}{{ wire.name }} ={{ wire.expression }};
 {%- endfor %}
 {%- for memory in stage.memories %}
+{%- if memory.in_array() %}
+{%- if let Some(write) = memory.write %}
+    // What is read from an address at the edge at which it is written is not defined: the attribute
+    // spares the logic that would make it so.
+    (* ramstyle = "no_rw_check" *) reg {{ memory.range }}{{ memory.name }} [0:{{ memory.depth - 1 }}];
+    initial begin
+{%- for (_, word) in memory.rows %}
+        {{ memory.name }}[{{ loop.index0 }}] = {{ word }};
+{%- endfor %}
+    end
+    always @(posedge clk) begin
+        if ({{ write.enable.name }}) {{ memory.name }}[{{ write.address.name }}] <= {{ write.data.name }};
+    end
+{%- endif %}
 {%- if let Some(parameter) = memory.parameter %}
     reg {{ memory.range }}{{ memory.name }} [0:{{ memory.depth - 1 }}];
     initial $readmemh({{ parameter }}, {{ memory.name }});
+{%- endif %}
 {%- if memory.registered %}
     always @(posedge clk) begin
         if (ce) {{ memory.word }} <= {{ memory.name }}[{{ memory.address }}];

@@ -73,6 +73,30 @@ architecture rtl of {{ texts.name }} is
     );
 {%- endfor %}
 {%- endif %}
+{%- if memory.write.is_some() %}
+    type {{ memory.name }}_t is array ({{ memory.depth - 1 }} downto 0) of
+        std_logic_vector({{ memory.bits - 1 }} downto 0);
+
+    function initial_{{ memory.name }} return {{ memory.name }}_t is
+        variable result : {{ memory.name }}_t;
+    begin
+        for address in result'range loop
+{%- for chunk in memory.chunks %}
+            result(address)({{ chunk.high }} downto {{ chunk.low }}) :=
+                {{ memory.constant }}_WORDS_{{ chunk.index }}(address)({{ chunk.bits - 1 }} downto 0);
+{%- endfor %}
+        end loop;
+        return result;
+    end function;
+
+    signal {{ memory.name }} : {{ memory.name }}_t := initial_{{ memory.name }};
+    -- What is read from an address at the edge at which it is written is not defined: the attribute
+    -- spares the logic that would make it so.
+{%- if is_first_written(memory.name) %}
+    attribute ramstyle : string;
+{%- endif %}
+    attribute ramstyle of {{ memory.name }} : signal is "no_rw_check";
+{%- endif %}
     signal {{ memory.word }} : std_logic_vector({{ memory.bits - 1 }} downto 0){% if memory.registered %} := (others => '0'){% endif %};
 {% endfor %}
 {%- endfor %}
@@ -102,13 +126,23 @@ begin
     {{ assignment.target }} <={{ assignment.expression }};
 {%- endfor %}
 {%- for memory in stage.memories %}
+{%- if let Some(write) = memory.write %}
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if {{ write.enable.name }} = '1' then
+                {{ memory.name }}(to_integer({{ write.address.name }})) <= std_logic_vector({{ write.data.name }});
+            end if;
+        end if;
+    end process;
+{%- endif %}
 {%- if memory.registered %}
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-{%- if memory.generic.is_some() %}
-                {{ memory.word }} <= {{ memory.constant }}(to_integer({{ memory.address }}));
+{%- if let Some(array) = memory.array() %}
+                {{ memory.word }} <= {{ array }}(to_integer({{ memory.address }}));
 {%- else %}
 {%- for chunk in memory.chunks %}
                 {{ memory.word }}({{ chunk.high }} downto {{ chunk.low }}) <=
@@ -118,8 +152,8 @@ begin
             end if;
         end if;
     end process;
-{%- else if memory.generic.is_some() %}
-    {{ memory.word }} <= {{ memory.constant }}(to_integer({{ memory.address }}));
+{%- else if let Some(array) = memory.array() %}
+    {{ memory.word }} <= {{ array }}(to_integer({{ memory.address }}));
 {%- else %}
 {%- for chunk in memory.chunks %}
     {{ memory.word }}({{ chunk.high }} downto {{ chunk.low }}) <=
