@@ -1,5 +1,5 @@
-//! brdfgen generates FPGA cores for the specular term of a shader: `cos^n` of the highlight, as a polynomial in the cosine whose
-//! coefficients, one set for each shininess n, sit in a ROM.
+//! brdfgen generates FPGA cores for the specular term of a shader: `cos^n` of the highlight, as a rule a polynomial in the cosine whose
+//! coefficients, one set for each shininess n, sit in a ROM; and whole shaders around it.
 //!
 //! # The map of the house
 //!

@@ -1,0 +1,1 @@
+rtl/cubic_min_zero.v

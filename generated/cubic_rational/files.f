@@ -1,0 +1,1 @@
+rtl/cubic_rational.v

@@ -1,0 +1,1 @@
+rtl/power_4.v

@@ -1,0 +1,1 @@
+rtl/segmented_4.v
