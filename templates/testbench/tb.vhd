@@ -558,7 +558,7 @@ begin
         procedure read_words is
             variable index : natural;
 {%- for write in bench.writes %}
-            variable bits_{{ write.memory }} : std_logic_vector({{ (write.data_bits + 3) / 4 * 4 - 1 }} downto 0);
+            variable bits_{{ write.memory }} : std_logic_vector({{ write.digit_bits - 1 }} downto 0);
 {%- endfor %}
             variable good  : boolean;
         begin
