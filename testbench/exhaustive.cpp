@@ -28,6 +28,10 @@
 #error "define OPERAND (the operand's port), OPERAND_BITS and LATENCY"
 #endif
 
+#ifndef DISABLE_WRITES // statements that make the enables of memories' write ports 0, for a core that has any
+#define DISABLE_WRITES
+#endif
+
 namespace {
 
 static_assert(OPERAND_BITS >= 1 && OPERAND_BITS <= 32, "an operand code is 32 bits in a record");
@@ -156,6 +160,7 @@ void reset() {
     core->in_valid = 0;
     core->in_n = 0;
     core->OPERAND = 0;
+    DISABLE_WRITES
     core->eval();
     clock_core();
     core->rst = 0;

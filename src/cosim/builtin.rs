@@ -3,14 +3,15 @@
 use std::collections::VecDeque;
 
 use super::{Job, LISTED, Outcome, Simulator};
-use crate::datapath::simulate::{Inputs, Outputs, Simulation};
+use crate::datapath::simulate::{Inputs, Outputs, Simulation, Write};
 use crate::design::Design;
 use crate::error::Error;
-use crate::golden::{Vector, codes_text};
+use crate::golden::{self, Vector, codes_text};
 use crate::hdl::Direction;
 #[cfg(feature = "kernel")]
 use crate::kernel;
 use crate::number::Format;
+use crate::rom::Table;
 use crate::spec::Language;
 
 /// What simulates.
@@ -35,12 +36,12 @@ impl Engine {
 
 /// A core under simulation: one call, one rising edge.
 trait Device {
-    fn clock(&mut self, inputs: &Inputs) -> Outputs;
+    fn clock(&mut self, inputs: &Inputs, writes: &[Write]) -> Outputs;
 }
 
 impl Device for Simulation<'_> {
-    fn clock(&mut self, inputs: &Inputs) -> Outputs {
-        Simulation::clock(self, inputs)
+    fn clock(&mut self, inputs: &Inputs, writes: &[Write]) -> Outputs {
+        self.clock_writing(inputs, writes)
     }
 }
 
@@ -49,7 +50,8 @@ struct KernelDevice(Box<dyn kernel::Kernel>);
 
 #[cfg(feature = "kernel")]
 impl Device for KernelDevice {
-    fn clock(&mut self, inputs: &Inputs) -> Outputs {
+    fn clock(&mut self, inputs: &Inputs, writes: &[Write]) -> Outputs {
+        debug_assert!(writes.is_empty(), "no kernel stands for a core that can be written");
         // The kernel takes bit patterns; it masks the bits above its port's width.
         let code = |port: usize| inputs.codes.get(port).copied().unwrap_or_default() as u64;
         let (out_valid, out_spec) = self.0.clock(inputs.rst, inputs.ce, inputs.in_valid, code(0), code(1));
@@ -94,48 +96,37 @@ impl Simulator for Builtin {
     }
 }
 
-/// Runs the golden vectors, with their pauses, and compares `out_valid` and the outputs at every clock.
+/// Runs the golden vectors, with their pauses, and compares `out_valid` and the outputs at every clock. A core whose memories can be
+/// written runs them as it comes up, then some vectors with other words in its memories, and all again with the right words.
 fn run(job: &Job) -> Outcome {
     let design = job.design;
-    let ports = design.numbers(Direction::In);
     let vectors = job.golden.vectors();
+    let complemented = golden::complemented(design, job.golden);
+    let complemented: Vec<&Vector> = complemented.iter().collect();
     let mut device = device(design);
-    let mut bench = Bench::new(device.as_mut(), design.schedule.latency).run_reset(&vectors);
-    for (number, vector) in vectors.iter().enumerate() {
-        let inverted = |(&code, &(_, format)): (&i64, &(&str, Format))| format.wrap(!i128::from(code));
-        let garbage = Inputs {
-            rst: false,
-            ce: true,
-            in_valid: false,
-            codes: vector.inputs.iter().zip(&ports).map(inverted).collect(),
-        };
-        for _ in 0..vector.idle {
-            bench.clock(&garbage, None);
-        }
-        for _ in 0..vector.stall {
-            bench.clock(&Inputs { ce: false, in_valid: true, ..garbage.clone() }, None);
-        }
-        let inputs = Inputs { in_valid: true, codes: codes(vector), ..garbage };
-        bench.clock(&inputs, Some((number, &vector.outputs)));
-    }
-    let idle = Inputs { ce: true, ..Inputs::default() };
-    for _ in 0..design.schedule.latency {
-        bench.clock(&idle, None);
-    }
-    let first = bench
-        .first
-        .iter()
-        .map(|(number, got)| match number {
-            Some(number) => {
-                let v = &vectors[*number];
-                let inputs: Vec<String> =
-                    ports.iter().zip(&v.inputs).map(|((port, _), code)| format!("{port} {code}")).collect();
-                let expected = codes_text(&v.outputs);
-                format!("vector {}: {}: expected {expected}, got {got}", number + 1, inputs.join(", "))
+    let mut bench = Bench::new(device.as_mut(), design).run_reset(&vectors);
+    bench.run(&vectors);
+    let mut first = Vec::new();
+    if !design.write_ports().is_empty() {
+        let mut due = vectors.len();
+        for (what, tables, vectors) in [
+            ("with complemented words", golden::complemented_tables(design), &complemented),
+            ("with the words loaded", design.tables().to_vec(), &vectors),
+        ] {
+            let compared = std::mem::take(&mut bench.compared);
+            if compared == 0 || compared != due as u64 {
+                first.push(format!("{compared} of {due} vectors compared before the run {what}"));
             }
-            None => format!("out_valid is {got} where it should not be"),
-        })
-        .collect();
+            let before = bench.mismatches;
+            due = vectors.len();
+            bench.load(&tables);
+            bench.run(vectors);
+            if bench.mismatches > before {
+                first.push(format!("{} mismatches {what}", bench.mismatches - before));
+            }
+        }
+    }
+    first.append(&mut bench.first);
     Outcome {
         simulator: builtin_engine(design).name().to_owned(),
         mode: "golden vectors",
@@ -154,16 +145,54 @@ fn codes(vector: &Vector) -> Vec<i128> {
 /// A device with a delay line of what it should answer.
 struct Bench<'a> {
     device: &'a mut dyn Device,
-    expected: VecDeque<Option<(usize, &'a [i64])>>,
+    design: &'a Design,
+    expected: VecDeque<Option<(usize, &'a Vector)>>,
     compared: u64,
     mismatches: u64,
-    first: Vec<(Option<usize>, String)>,
+    /// The first differences, a line each.
+    first: Vec<String>,
 }
 
 impl<'a> Bench<'a> {
-    fn new(device: &'a mut dyn Device, latency: u32) -> Self {
-        let expected = std::iter::repeat_n(None, latency as usize).collect();
-        Self { device, expected, compared: 0, mismatches: 0, first: Vec::new() }
+    fn new(device: &'a mut dyn Device, design: &'a Design) -> Self {
+        let expected = std::iter::repeat_n(None, design.schedule.latency as usize).collect();
+        Self { device, design, expected, compared: 0, mismatches: 0, first: Vec::new() }
+    }
+
+    /// Feeds vectors, with their pauses, until all results are out.
+    fn run(&mut self, vectors: &[&'a Vector]) {
+        let ports = self.design.numbers(Direction::In);
+        for (number, &vector) in vectors.iter().enumerate() {
+            let inverted = |(&code, &(_, format)): (&i64, &(&str, Format))| format.wrap(!i128::from(code));
+            let garbage = Inputs {
+                rst: false,
+                ce: true,
+                in_valid: false,
+                codes: vector.inputs.iter().zip(&ports).map(inverted).collect(),
+            };
+            for _ in 0..vector.idle {
+                self.clock(&garbage, None);
+            }
+            for _ in 0..vector.stall {
+                self.clock(&Inputs { ce: false, in_valid: true, ..garbage.clone() }, None);
+            }
+            let inputs = Inputs { in_valid: true, codes: codes(vector), ..garbage };
+            self.clock(&inputs, Some((number, vector)));
+        }
+        let idle = Inputs { ce: true, ..Inputs::default() };
+        for _ in 0..self.expected.len() {
+            self.clock(&idle, None);
+        }
+    }
+
+    /// Writes the words of tables to every memory that can be written, while the clock is enabled and not, and with the reset and without.
+    fn load(&mut self, tables: &[Table]) {
+        for port in self.design.write_ports() {
+            for (address, word) in tables[port.memory].words().into_iter().enumerate() {
+                let inputs = Inputs { ce: address % 2 == 0, rst: address % 4 < 2, ..Inputs::default() };
+                self.clock_writing(&inputs, &[Write { memory: port.memory, address, word }], None);
+            }
+        }
     }
 
     /// Fills the pipeline and resets it, with the clock enabled and then without: nothing may come out.
@@ -171,9 +200,9 @@ impl<'a> Bench<'a> {
         for ce in [true, false] {
             for vector in vectors.iter().take(self.expected.len() + 2) {
                 let inputs = Inputs { rst: false, ce: true, in_valid: true, codes: codes(vector) };
-                self.device.clock(&inputs);
+                self.device.clock(&inputs, &[]);
             }
-            self.device.clock(&Inputs { rst: true, ce, ..Inputs::default() });
+            self.device.clock(&Inputs { rst: true, ce, ..Inputs::default() }, &[]);
             for _ in 0..self.expected.len() {
                 self.clock(&Inputs { ce: true, ..Inputs::default() }, None);
             }
@@ -181,8 +210,12 @@ impl<'a> Bench<'a> {
         self
     }
 
-    fn clock(&mut self, inputs: &Inputs, expected: Option<(usize, &'a [i64])>) {
-        let outputs = self.device.clock(inputs);
+    fn clock(&mut self, inputs: &Inputs, expected: Option<(usize, &'a Vector)>) {
+        self.clock_writing(inputs, &[], expected);
+    }
+
+    fn clock_writing(&mut self, inputs: &Inputs, writes: &[Write], expected: Option<(usize, &'a Vector)>) {
+        let outputs = self.device.clock(inputs, writes);
         let fresh = inputs.ce;
         if fresh {
             self.expected.pop_back();
@@ -190,8 +223,8 @@ impl<'a> Bench<'a> {
         }
         let due = self.expected.back().copied().flatten();
         let right = match due {
-            Some((_, codes)) => {
-                outputs.out_valid && outputs.codes.iter().copied().eq(codes.iter().copied().map(i128::from))
+            Some((_, vector)) => {
+                outputs.out_valid && outputs.codes.iter().copied().eq(vector.outputs.iter().copied().map(i128::from))
             }
             None => !outputs.out_valid,
         };
@@ -205,7 +238,19 @@ impl<'a> Bench<'a> {
                 } else {
                     "nothing".to_owned()
                 };
-                self.first.push((due.map(|(number, _)| number), got));
+                self.first.push(match due {
+                    Some((number, vector)) => {
+                        let ports = self.design.numbers(Direction::In);
+                        let inputs: Vec<String> = ports
+                            .iter()
+                            .zip(&vector.inputs)
+                            .map(|((port, _), code)| format!("{port} {code}"))
+                            .collect();
+                        let expected = codes_text(&vector.outputs);
+                        format!("vector {}: {}: expected {expected}, got {got}", number + 1, inputs.join(", "))
+                    }
+                    None => format!("out_valid is {got} where it should not be"),
+                });
             }
         }
     }

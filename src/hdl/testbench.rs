@@ -39,6 +39,8 @@ struct BenchWrite<'a> {
     address_bits: u32,
     data: &'a str,
     data_bits: u32,
+    /// Bits of the hexadecimal digits that hold a word.
+    digit_bits: u32,
     /// Random numbers of 32 bits that fill a word.
     draws: u32,
     file: &'a RomFile,
@@ -55,6 +57,7 @@ impl<'a> BenchWrite<'a> {
             address_bits: table.address_bits,
             data: &port.data.name,
             data_bits: table.word_bits(),
+            digit_bits: table.word_bits().next_multiple_of(4),
             draws: table.word_bits().div_ceil(32),
             file,
         }

@@ -6,8 +6,8 @@ use crate::datapath::Description;
 use crate::datapath::widths::Contribution;
 use crate::design::{Design, Measured};
 use crate::error::Error;
-use crate::hdl::{Port, render};
-use crate::rom::{Field, Table};
+use crate::hdl::{Port, WritePort, render};
+use crate::rom::{Field, RomFormat, Table};
 use crate::spec::{Coefficients, CoreSpec, Form, RomStyle, Shininess, Tail};
 
 /// What the core computes, in a line.
@@ -87,6 +87,35 @@ struct Memory {
     fields: Vec<FieldRow>,
 }
 
+/// How a memory is written.
+struct Load {
+    memory: &'static str,
+    enable: String,
+    address: String,
+    data: String,
+    file: String,
+    /// The fields with the least and the greatest code of the generated words.
+    ranges: Vec<(&'static str, i128, i128)>,
+}
+
+impl Load {
+    fn of(design: &Design, port: WritePort) -> Self {
+        let table = &design.tables()[port.memory];
+        let range = |field: &Field| {
+            let codes = || field.codes.iter().copied();
+            (field.name, codes().min().unwrap_or(0), codes().max().unwrap_or(0))
+        };
+        Self {
+            memory: table.name,
+            enable: port.enable.name,
+            address: port.address.name,
+            data: port.data.name,
+            file: super::rom_path(design, table, RomFormat::Mem),
+            ranges: table.fields.iter().map(range).collect(),
+        }
+    }
+}
+
 struct FormRow {
     form: &'static str,
     multipliers: String,
@@ -133,6 +162,12 @@ struct Datasheet<'a> {
     both_forms: bool,
     rom_file: bool,
     memories: Vec<Memory>,
+    loads: Vec<Load>,
+    /// Whether a memory that can be written is read without a register.
+    asynchronous: bool,
+    /// Whether a row serves the shininesses up to the next row, too.
+    interpolated: bool,
+    datapath: String,
     rows: Vec<(usize, String, String)>,
     contributions: &'a [Contribution],
     coefficient_error: String,
@@ -222,6 +257,13 @@ pub(super) fn datasheet(
         description: design.description(),
         both_forms: spec.method.has_paper_form(),
         rom_file: spec.rom == RomStyle::File,
+        loads: design.write_ports().into_iter().map(|port| Load::of(design, port)).collect(),
+        asynchronous: design.write_ports().iter().any(|port| {
+            let read = design.layout().read(port.memory);
+            read.is_some_and(|read| !read.registered)
+        }),
+        interpolated: matches!(spec.shininess, Shininess::Fixed { .. }),
+        datapath: design.datapath_digest(),
         memories: design.tables().iter().map(memory).collect(),
         rows,
         contributions: &budget.contributions,

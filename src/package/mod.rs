@@ -193,7 +193,7 @@ fn manifest(design: &Design, measured: &Measured, files: &[File]) -> String {
     let digests: serde_json::Map<String, serde_json::Value> =
         files.iter().map(|file| (file.path.clone(), json!(hex(&Sha256::digest(&file.bytes))))).collect();
     let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } = &design.budget;
-    let manifest = json!({
+    let mut manifest = json!({
         "generator": "brdfgen",
         "name": spec.name,
         "command": spec.command(),
@@ -214,6 +214,20 @@ fn manifest(design: &Design, measured: &Measured, files: &[File]) -> String {
         },
         "files_sha256": digests,
     });
+    let load = |port: WritePort| {
+        let table = &design.tables()[port.memory];
+        json!({
+            "memory": table.name,
+            "enable": port.enable.name,
+            "address": port.address.name,
+            "data": port.data.name,
+            "file": rom_path(design, table, RomFormat::Mem),
+        })
+    };
+    let loads: Vec<_> = design.write_ports().into_iter().map(load).collect();
+    if !loads.is_empty() {
+        manifest["loading"] = json!({ "datapath": design.datapath_digest(), "memories": loads });
+    }
     serde_json::to_string_pretty(&rounded(manifest)).expect("JSON of plain values")
 }
 

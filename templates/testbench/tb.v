@@ -527,7 +527,7 @@ module {{ bench.name }}_tb;
         end
     endtask
 
-    // Writes every word of the memories, or its complement. Whether ce is high must not matter.
+    // Writes every word of the memories, or its complement. Neither ce nor rst must matter.
     task load;
         input complement;
         begin
@@ -535,7 +535,8 @@ module {{ bench.name }}_tb;
             for (at = 0; at < {{ write.depth }}; at = at + 1) begin
                 present_garbage(1'b0);
                 draw;
-                ce = lfsr[31];
+                ce  = lfsr[31];
+                rst = lfsr[30];
                 {{ write.enable }} = 1'b1;
                 {{ write.address }} = at[{{ write.address_bits - 1 }}:0];
                 {{ write.data }} = words_{{ write.memory }}[at] ^ { {{- write.data_bits }}{complement}};
@@ -544,7 +545,8 @@ module {{ bench.name }}_tb;
             end
 {%- endfor %}
             present_garbage(1'b0);
-            ce = 1'b1;
+            ce  = 1'b1;
+            rst = 1'b0;
         end
     endtask
 

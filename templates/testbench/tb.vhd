@@ -558,7 +558,7 @@ begin
         procedure read_words is
             variable index : natural;
 {%- for write in bench.writes %}
-            variable bits_{{ write.memory }} : std_logic_vector({{ (write.data_bits + 3) / 4 * 4 - 1 }} downto 0);
+            variable bits_{{ write.memory }} : std_logic_vector({{ write.digit_bits - 1 }} downto 0);
 {%- endfor %}
             variable good  : boolean;
         begin
@@ -592,14 +592,15 @@ begin
 {%- endfor %}
         end procedure;
 
-        -- Writes every word of the memories, or its complement. Whether ce is high must not matter.
+        -- Writes every word of the memories, or its complement. Neither ce nor rst must matter.
         procedure load(complement : boolean) is
         begin
 {%- for write in bench.writes %}
             for address in words_{{ write.memory }}'range loop
                 present_garbage('0');
                 draw;
-                ce <= lfsr(31);
+                ce  <= lfsr(31);
+                rst <= lfsr(30);
                 {{ write.enable }} <= '1';
                 {{ write.address }} <= std_logic_vector(to_unsigned(address, {{ write.address_bits }}));
                 {{ write.data }} <= words_{{ write.memory }}(address);
@@ -611,7 +612,8 @@ begin
             end loop;
 {%- endfor %}
             present_garbage('0');
-            ce <= '1';
+            ce  <= '1';
+            rst <= '0';
         end procedure;
 
         -- A vector for the words' complements.
