@@ -99,6 +99,17 @@ const SPECS: &[&str] = &[
     "method = 'cubic'\nshininess = '1..=300'\ninput_fraction = 4\noutput_fraction = 4",
     "method = 'cubic'\nshininess = '1..=100'\ninput_fraction = 8\noutput_fraction = 20",
     "method = 'cubic'\nform = 'paper'\nshininess = [3.5, 900000]\ninput_fraction = 18\noutput_fraction = 12",
+    // Powers, n from the port and a core without a ROM, coefficients between two rows, a held tail.
+    "method = 'power-4'\nshininess = '1..=200'",
+    "method = 'power-8'\ninside = 'linear'\nshininess = [1, 2.5, 8, 300]\noperand = 'versine'\ninput_fraction = 12",
+    "method = 'lyon-4'\nshininess = '1..=1000'",
+    "method = 'lyon-8'\nshininess = '5..=40'\nshininess_fraction = 3\noperand = 'versine'\noutput_fraction = 10",
+    "method = 'lyon-2'\nshininess = [2.5]\nrom = 'file'\npipeline = 9",
+    "method = 'lyon-2'\nshininess = '3..=9'\nrom = 'file'\npipeline = 1",
+    "method = 'cubic-min-zero'\nshininess = '2..=90'\nshininess_fraction = 4\ninput_fraction = 18",
+    "method = 'cubic'\ntail = 'hold'\nshininess = '1..=100'",
+    "method = 'cubic-three-point'\ntail = 'hold'\nshininess = [1.2, 2.5, 70]\ninput_fraction = 9\noutput_fraction = 11",
+    "method = 'cubic'\ncoefficients = 'minimax'\nshininess = '1..=64'\nshininess_fraction = 2\npipeline = 5",
 ];
 
 fn silent(directory: &Path, program: &str, arguments: &[&str], what: &str) {

@@ -58,7 +58,8 @@ impl<'a> Simulation<'a> {
     pub fn new(graph: &'a Graph, schedule: &'a Schedule, tables: &'a [Table]) -> Self {
         let registers =
             (0..graph.nodes.len()).map(|id| vec![0; (schedule.last_use[id] - schedule.stage[id]) as usize]).collect();
-        let word = |table: &Table, address| (0..table.fields.len()).map(|field| table.code_at(field, address)).collect();
+        let word =
+            |table: &Table, address| (0..table.fields.len()).map(|field| table.code_at(field, address)).collect();
         let words = |table: &Table| (0..table.depth()).map(|address| word(table, address)).collect();
         let contents = tables.iter().map(words).collect();
         Self { graph, schedule, tables, contents, registers, valid: vec![false; schedule.latency as usize] }

@@ -68,7 +68,8 @@ impl Design {
             return Vec::new();
         }
         let layout = self.layout();
-        let written = |(memory, table): &(usize, &Table)| table.is_keyed_by_shininess() && layout.read(*memory).is_some();
+        let written =
+            |(memory, table): &(usize, &Table)| table.is_keyed_by_shininess() && layout.read(*memory).is_some();
         let tables = self.tables().iter().enumerate().filter(written);
         tables.map(|(memory, table)| WritePort::of(memory, table)).collect()
     }
