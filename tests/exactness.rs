@@ -3,11 +3,13 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use brdfgen::datapath::evaluate::Evaluator;
+use brdfgen::datapath::graph::Op;
+use brdfgen::datapath::schedule::schedule;
 use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::design::{Design, Measured};
 use brdfgen::golden::all_codes;
 use brdfgen::number::exp2;
-use brdfgen::spec::SpecFields;
+use brdfgen::spec::{Pipeline, SpecFields};
 use proptest::prelude::*;
 use rayon::prelude::*;
 
@@ -59,39 +61,107 @@ fn assert_every_input(spec: &str, stride: i64) {
     assert!(compared.into_inner() >= expected / 2, "{spec}: too few compared with the model");
 }
 
-const METHODS: [&str; 4] = [
-    "method = 'quadratic'\nform = 'stable'",
-    "method = 'quadratic'\nform = 'paper'",
-    "method = 'cubic'\nform = 'stable'",
-    "method = 'cubic'\nform = 'paper'",
-];
+/// Every method with each option that changes its datapath or its coefficients, as the lines of a spec.
+mod kinds {
+    pub const QUADRATIC: &str = "method = 'quadratic'";
+    pub const QUADRATIC_PAPER: &str = "method = 'quadratic'\nform = 'paper'";
+    pub const QUADRATIC_MINIMAX: &str = "method = 'quadratic'\ncoefficients = 'minimax'";
+    pub const CUBIC: &str = "method = 'cubic'";
+    pub const CUBIC_PAPER: &str = "method = 'cubic'\nform = 'paper'";
+    pub const CUBIC_HOLD: &str = "method = 'cubic'\ntail = 'hold'";
+    pub const CUBIC_MINIMAX: &str = "method = 'cubic'\ncoefficients = 'minimax'\nobjective = 'max-rel:0.5'";
+    pub const CUBIC_HOLD_MINIMAX: &str = "method = 'cubic'\ncoefficients = 'minimax'\ntail = 'hold'";
+    pub const THREE_POINT: &str = "method = 'cubic-three-point'";
+    pub const THREE_POINT_HOLD: &str = "method = 'cubic-three-point'\ntail = 'hold'";
+    pub const MIN_ZERO: &str = "method = 'cubic-min-zero'";
+    pub const MIN_ZERO_MINIMAX: &str = "method = 'cubic-min-zero'\ncoefficients = 'minimax'";
+    pub const LYON_2: &str = "method = 'lyon-2'";
+    pub const LYON_4: &str = "method = 'lyon-4'";
+    pub const LYON_8: &str = "method = 'lyon-8'";
+    pub const POWER_2: &str = "method = 'power-2'";
+    pub const POWER_4: &str = "method = 'power-4'\nobjective = 'weighted:0.5'";
+    pub const POWER_8: &str = "method = 'power-8'";
+    pub const POWER_2_LINEAR: &str = "method = 'power-2'\ninside = 'linear'\nobjective = 'max-abs:0.1'";
+    pub const POWER_4_LINEAR: &str = "method = 'power-4'\ninside = 'linear'";
+    pub const POWER_8_LINEAR: &str = "method = 'power-8'\ninside = 'linear'";
 
-#[test]
-fn quadratic_is_faithful_for_every_input_at_16_bits() {
-    assert_every_input(&format!("{}\nshininess = '1..=1000'", METHODS[0]), 1);
+    pub const ALL: [&str; 21] = [
+        QUADRATIC,
+        QUADRATIC_PAPER,
+        QUADRATIC_MINIMAX,
+        CUBIC,
+        CUBIC_PAPER,
+        CUBIC_HOLD,
+        CUBIC_MINIMAX,
+        CUBIC_HOLD_MINIMAX,
+        THREE_POINT,
+        THREE_POINT_HOLD,
+        MIN_ZERO,
+        MIN_ZERO_MINIMAX,
+        LYON_2,
+        LYON_4,
+        LYON_8,
+        POWER_2,
+        POWER_4,
+        POWER_8,
+        POWER_2_LINEAR,
+        POWER_4_LINEAR,
+        POWER_8_LINEAR,
+    ];
+
+    /// Whether a level q can be given: the paper's coefficients have one, fitted ones do not.
+    pub fn has_level(kind: &str) -> bool {
+        kind.contains("cubic") && !kind.contains("minimax")
+    }
+
+    /// Whether a range can have shininesses between its integers.
+    pub fn interpolates(kind: &str) -> bool {
+        !kind.contains("paper") && !kind.contains("three-point")
+    }
 }
 
-#[test]
-fn quadratic_paper_is_faithful_for_every_input_at_16_bits() {
-    assert_every_input(&format!("{}\nshininess = '1..=1000'", METHODS[1]), 1);
+/// Every input at F = G = 16 for the shininesses 1 to 1000, compared with the model at every `stride`th.
+macro_rules! at_16_bits {
+    ($($test:ident: $kind:ident, $stride:literal;)*) => {
+        $(
+            #[test]
+            fn $test() {
+                assert_every_input(&format!("{}\nshininess = '1..=1000'", kinds::$kind), $stride);
+            }
+        )*
+    };
 }
 
-#[test]
-fn cubic_is_faithful_for_every_input_at_16_bits() {
-    assert_every_input(&format!("{}\nshininess = '1..=1000'", METHODS[2]), 1);
-}
-
-#[test]
-fn cubic_paper_is_faithful_for_every_input_at_16_bits() {
-    assert_every_input(&format!("{}\nshininess = '1..=1000'", METHODS[3]), 1);
+at_16_bits! {
+    quadratic_is_faithful_at_16_bits: QUADRATIC, 1;
+    quadratic_paper_is_faithful_at_16_bits: QUADRATIC_PAPER, 1;
+    quadratic_minimax_is_faithful_at_16_bits: QUADRATIC_MINIMAX, 31;
+    cubic_is_faithful_at_16_bits: CUBIC, 1;
+    cubic_paper_is_faithful_at_16_bits: CUBIC_PAPER, 1;
+    cubic_hold_is_faithful_at_16_bits: CUBIC_HOLD, 31;
+    cubic_minimax_is_faithful_at_16_bits: CUBIC_MINIMAX, 31;
+    cubic_hold_minimax_is_faithful_at_16_bits: CUBIC_HOLD_MINIMAX, 31;
+    three_point_is_faithful_at_16_bits: THREE_POINT, 31;
+    three_point_hold_is_faithful_at_16_bits: THREE_POINT_HOLD, 31;
+    min_zero_is_faithful_at_16_bits: MIN_ZERO, 31;
+    min_zero_minimax_is_faithful_at_16_bits: MIN_ZERO_MINIMAX, 31;
+    lyon_2_is_faithful_at_16_bits: LYON_2, 31;
+    lyon_4_is_faithful_at_16_bits: LYON_4, 31;
+    lyon_8_is_faithful_at_16_bits: LYON_8, 31;
+    power_2_is_faithful_at_16_bits: POWER_2, 31;
+    power_4_is_faithful_at_16_bits: POWER_4, 31;
+    power_8_is_faithful_at_16_bits: POWER_8, 31;
+    power_2_linear_is_faithful_at_16_bits: POWER_2_LINEAR, 31;
+    power_4_linear_is_faithful_at_16_bits: POWER_4_LINEAR, 31;
+    power_8_linear_is_faithful_at_16_bits: POWER_8_LINEAR, 31;
 }
 
 #[test]
 fn every_input_equals_the_model_at_9_bits() {
-    for method in METHODS {
+    for kind in kinds::ALL {
         for (f, g) in [(9, 9), (9, 12), (9, 6)] {
             assert_every_input(
-                &format!("{method}\nshininess = '1..=300'\ninput_fraction = {f}\noutput_fraction = {g}"),
+                &format!("{kind}\nshininess = '1..=300'\ninput_fraction = {f}\noutput_fraction = {g}"),
                 1,
             );
         }
@@ -100,21 +170,29 @@ fn every_input_equals_the_model_at_9_bits() {
 
 #[test]
 fn versine_operand_is_faithful_for_every_input() {
-    for method in METHODS {
+    for kind in kinds::ALL {
         let spec =
-            format!("{method}\nshininess = '1..=200'\noperand = 'versine'\ninput_fraction = 12\noutput_fraction = 10");
-        assert_every_input(&spec, 1);
+            format!("{kind}\nshininess = '1..=200'\noperand = 'versine'\ninput_fraction = 12\noutput_fraction = 10");
+        assert_every_input(&spec, 3);
     }
 }
 
-/// Where the forms degenerate: real n just above 1, about 2 and 3, and levels from end to end.
+/// Where the forms degenerate: real n just above 1, about 2 and 3 and about each power k, and levels from end to end.
 #[test]
 fn real_shininesses_near_the_degenerate_ones_are_faithful() {
-    for q in [0.05, 0.2, 0.2847, 0.5, 0.75, 0.95] {
-        for method in &METHODS[2..] {
-            let set = "[1, 1.0001, 1.05, 1.2, 1.5, 1.8, 1.999, 2, 2.001, 2.3, 2.6, 2.9, 2.9999, 3, 3.0001, 4.5]";
+    let set = "[1, 1.0001, 1.05, 1.2, 1.5, 1.8, 1.999, 2, 2.001, 2.3, 2.6, 2.9, 2.9999, 3, 3.0001, 3.9999, 4, 4.0001, \
+               4.5, 7.9, 8, 8.1, 15.9999, 16, 16.0001]";
+    for kind in kinds::ALL {
+        for q in [0.06, 0.2, 0.2847, 0.5, 0.75, 0.95] {
+            let q = if kinds::has_level(kind) {
+                format!("q = {q}")
+            } else if q == 0.5 {
+                String::new()
+            } else {
+                continue;
+            };
             assert_every_input(
-                &format!("{method}\nshininess = {set}\nq = {q}\ninput_fraction = 11\noutput_fraction = 11"),
+                &format!("{kind}\nshininess = {set}\n{q}\ninput_fraction = 11\noutput_fraction = 11"),
                 1,
             );
         }
@@ -123,52 +201,136 @@ fn real_shininesses_near_the_degenerate_ones_are_faithful() {
 
 #[test]
 fn single_rows_are_faithful() {
-    for method in METHODS {
-        for n in ["1", "1.3", "2", "3", "50", "1000", "4096.5"] {
-            assert_every_input(&format!("{method}\nshininess = [{n}]\ninput_fraction = 13\noutput_fraction = 12"), 1);
+    for kind in kinds::ALL {
+        for n in ["1", "1.3", "2", "3", "4", "50", "1000", "4096.5"] {
+            assert_every_input(&format!("{kind}\nshininess = [{n}]\ninput_fraction = 13\noutput_fraction = 12"), 1);
         }
     }
 }
 
-/// Where a coefficient rounds up to a power of two at some widths only, is a last bit below zero, or vanishes.
+/// Shininesses between the integers: coefficients on the way from row to row, or n itself as a fixed-point number.
+#[test]
+fn shininesses_between_the_rows_are_faithful() {
+    for kind in kinds::ALL.into_iter().filter(|kind| kinds::interpolates(kind)) {
+        for (set, bits, f, g) in [
+            ("1..=40", 1, 10, 12),
+            ("1..=20", 3, 11, 9),
+            ("1..=5", 6, 9, 9),
+            ("120..=131", 3, 12, 10),
+            ("7..=7", 2, 8, 8),
+        ] {
+            let spec = format!(
+                "{kind}\nshininess = '{set}'\nshininess_fraction = {bits}\ninput_fraction = {f}\noutput_fraction = {g}"
+            );
+            assert_every_input(&spec, 3);
+        }
+    }
+}
+
+/// Where a coefficient rounds up to a power of two at some widths only, is a last bit below zero, or vanishes; where a parabola
+/// ends at u = 1 only, so that no row has a cut.
 #[test]
 fn awkward_coefficients_are_faithful() {
-    for (method, n, q, f, g) in [
-        (2, "33.5", 0.673_150_092_589_176_7, 8, 5),
-        (2, "2.999897042275834", 0.5, 6, 12),
-        (3, "2.0073503908925137", 0.533_043_022_147_211_1, 12, 4),
-        (2, "1.9999", 0.5, 10, 10),
-        (2, "1.000125310597362", 0.184_280_618_774_707_08, 10, 7),
-        (1, "1.0105001220411538", 0.5, 4, 4),
-        (3, "2.0388254932042136", 0.5, 9, 5),
-        (2, "3", 0.3, 10, 10),
-        (2, "4", 0.062_5, 8, 8),
-        (2, "1000000", 0.5, 4, 4),
+    for (kind, n, f, g) in [
+        (kinds::CUBIC, "[33.5]\nq = 0.6731500925891767", 8, 5),
+        (kinds::CUBIC, "[2.999897042275834]", 6, 12),
+        (kinds::CUBIC_PAPER, "[2.0073503908925137]\nq = 0.5330430221472111", 12, 4),
+        (kinds::CUBIC, "[1.9999]", 10, 10),
+        (kinds::CUBIC, "[1.000125310597362]\nq = 0.18428061877470708", 10, 7),
+        (kinds::QUADRATIC_PAPER, "[1.0105001220411538]", 4, 4),
+        (kinds::CUBIC_PAPER, "[2.0388254932042136]", 9, 5),
+        (kinds::CUBIC, "[3]\nq = 0.3", 10, 10),
+        (kinds::CUBIC, "[4]\nq = 0.0625", 8, 8),
+        (kinds::CUBIC, "[1000000]", 4, 4),
+        (kinds::POWER_2, "[4]", 10, 15),
+        (kinds::POWER_4, "[8, 2.44]", 10, 13),
+        (kinds::POWER_8, "[16, 2.63, 3.59]", 8, 15),
+        (kinds::POWER_2, "'4..=4'\nshininess_fraction = 3", 5, 9),
+        (kinds::CUBIC_HOLD, "[1.0000009541307748]", 11, 9),
+        (kinds::CUBIC_HOLD_MINIMAX, "[3.6172235051760584, 1.9915932567856647]", 5, 15),
+        (kinds::THREE_POINT_HOLD, "[1.000503219291507]\nq = 0.8982357175768237\ng = 0.2294135663548795", 11, 5),
     ] {
-        let spec =
-            format!("{}\nshininess = [{n}]\nq = {q}\ninput_fraction = {f}\noutput_fraction = {g}", METHODS[method]);
+        let spec = format!("{kind}\nshininess = {n}\ninput_fraction = {f}\noutput_fraction = {g}");
         assert_every_input(&spec, 1);
     }
 }
 
+/// What no output needs is not in the graph, and every field of a ROM is read.
+#[test]
+fn nothing_of_a_core_is_idle() {
+    let unread = |design: &Design| {
+        let nodes = &design.graph().nodes;
+        let idle = |id: usize| {
+            !design.graph().is_output(id)
+                && !design.graph().inputs.contains(&id)
+                && nodes.iter().all(|node| !node.args.contains(&id))
+        };
+        let fields = design.tables().iter().enumerate().flat_map(|(memory, table)| {
+            table.fields.iter().enumerate().map(move |(field, of)| (Op::Field { memory, field }, of.name))
+        });
+        let unread = fields.filter(|(op, _)| nodes.iter().all(|node| node.op != *op)).map(|(_, name)| name.to_owned());
+        unread.chain((0..nodes.len()).filter(|&id| idle(id)).map(|id| nodes[id].name.clone())).collect::<Vec<_>>()
+    };
+    for kind in kinds::ALL {
+        for set in ["'1..=40'", "[1]", "[1.5, 2.5]", "[3]", "[4.5]", "[60]"] {
+            for operand in ["cos", "versine"] {
+                let spec = format!(
+                    "{kind}\nshininess = {set}\noperand = '{operand}'\ninput_fraction = 9\noutput_fraction = 8"
+                );
+                assert_eq!(unread(&design(&spec)), Vec::<String>::new(), "{spec}");
+            }
+        }
+    }
+}
+
+/// Text of a random core: a method, and a set of one of the kinds that it takes.
+fn any_core() -> impl Strategy<Value = String> {
+    let shininess = prop_oneof![
+        1.0f64..300.0,
+        // Close above and below where forms degenerate, by up to 2^-20.
+        (prop::sample::select(vec![1.0, 2.0, 3.0, 4.0, 8.0, 16.0]), 0.0f64..20.0, any::<bool>()).prop_map(
+            |(n, power, above): (f64, f64, bool)| {
+                (if above { n + libm::exp2(-power) } else { n - libm::exp2(-power) }).max(1.0)
+            }
+        ),
+        (0.0f64..20.0).prop_map(libm::exp2),
+    ];
+    let list = prop::collection::vec(shininess, 1..4).prop_map(|list| (format!("{list:?}"), None));
+    let range = (1u32..200, 0u32..12, 0u32..=6)
+        .prop_map(|(first, more, bits)| (format!("'{first}..={}'", first + more), (bits > 0).then_some(bits)));
+    (prop::sample::select(kinds::ALL.to_vec()), prop_oneof![list, range], 0.06f64..0.95, any::<bool>()).prop_map(
+        |(kind, (set, bits), q, versine)| {
+            let operand = if versine { "versine" } else { "cos" };
+            let mut spec = format!("{kind}\nshininess = {set}\noperand = '{operand}'");
+            if kinds::has_level(kind) {
+                spec += &format!("\nq = {q}");
+            }
+            if let Some(bits) = bits.filter(|_| kinds::interpolates(kind)) {
+                spec += &format!("\nshininess_fraction = {bits}");
+            }
+            spec
+        },
+    )
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 256, ..ProptestConfig::default() })]
 
     #[test]
-    fn any_core_is_faithful(method in 0usize..4, f in 4u32..=11, g in 4u32..=20, n in proptest::collection::vec(1.0f64..300.0, 1..4), q in 0.05f64..0.95, versine: bool) {
-        let q = if method < 2 { 0.5 } else { q };
-        let operand = if versine { "versine" } else { "cos" };
-        assert_every_input(&format!("{}\nshininess = {n:?}\nq = {q}\noperand = '{operand}'\ninput_fraction = {f}\noutput_fraction = {g}", METHODS[method]), 1);
+    fn any_core_is_faithful(core in any_core(), f in 4u32..=11, g in 4u32..=20) {
+        assert_every_input(&format!("{core}\ninput_fraction = {f}\noutput_fraction = {g}"), 1);
     }
 
     /// At widths whose inputs cannot all be tried, the model and the graph agree on random ones.
     #[test]
-    fn wide_cores_equal_the_model(method in 0usize..4, f in 12u32..=24, g in 12u32..=20, first in 1u32..2000, codes in proptest::collection::vec(any::<u64>(), 64)) {
-        let spec = format!("{}\nshininess = '{first}..={}'\ninput_fraction = {f}\noutput_fraction = {g}", METHODS[method], first + 7);
+    fn wide_cores_equal_the_model(kind in prop::sample::select(kinds::ALL.to_vec()), f in 12u32..=24, g in 12u32..=20, first in 1u32..2000, codes in proptest::collection::vec(any::<u64>(), 64)) {
+        let spec = format!("{kind}\nshininess = '{first}..={}'\ninput_fraction = {f}\noutput_fraction = {g}", first + 7);
         let design = design(&spec);
         assert_proof(&design, &spec);
         let (least, count) = all_codes(design.operand_format());
         let highlight = (4.0 / f64::from(first) * exp2(f as i32)) as u64 + 1;
+        let [low, high] = design.budget.proved_ulps;
+        let lobes = design.lobes();
         for code in codes {
             let index = first + (code % 8) as u32;
             // Half of them on the highlight, where there is something to differ.
@@ -176,6 +338,8 @@ proptest! {
             let mut output = [0];
             design.evaluator().evaluate(index, operand, 1, &mut output);
             prop_assert_eq!(design.model().evaluate(index, operand), output[0], "{} {} {}", &spec, index, operand);
+            let error = f64::from(output[0]) - method_ulps(&design, lobes[(code % 8) as usize].as_ref(), operand);
+            prop_assert!(low - 1e-6 <= error && error <= high + 1e-6, "{}: {} {}: {}", &spec, index, operand, error);
         }
     }
 }
@@ -183,48 +347,51 @@ proptest! {
 /// Every depth gives the same function, delayed by that many clocks; a disabled clock freezes it, a reset empties it.
 #[test]
 fn every_pipeline_depth_computes_the_same() {
-    for method in METHODS {
-        for depth in (1..=32).map(|depth| depth.to_string()).chain(["'auto'".to_owned()]) {
-            let design = design(&format!(
-                "{method}\nshininess = [3, 7.5, 40]\npipeline = {depth}\ninput_fraction = 8\noutput_fraction = 8"
-            ));
-            let latency = design.schedule.latency as usize;
-            if let Ok(depth) = depth.parse::<usize>() {
-                assert_eq!(latency, depth);
-            }
-            let mut simulation = Simulation::new(design.graph(), &design.schedule, design.tables());
-            let stimuli: Vec<(u32, i64)> = (0..60).map(|i| (i % 4, i64::from(i) * 17 % 300 - 20)).collect();
-            let mut outputs = Vec::new();
-            let mut enabled = 0;
-            for step in 0.. {
-                let ce = step % 5 != 3;
-                let (index, operand) = stimuli.get(enabled).copied().unwrap_or((0, 0));
-                let inputs = Inputs {
-                    rst: false,
-                    ce,
-                    in_valid: ce && enabled < stimuli.len(),
-                    codes: vec![index.into(), operand.into()],
-                };
-                let out = simulation.clock(&inputs);
-                enabled += usize::from(ce);
-                if ce && out.out_valid {
-                    assert_eq!(enabled, outputs.len() + latency, "{method} depth {depth}");
-                    outputs.push(out.codes[0] as u32);
-                }
-                if outputs.len() == stimuli.len() {
-                    break;
-                }
-                assert!(step < 1000, "{method} depth {depth}: results are missing");
-            }
-            let expected: Vec<u32> = stimuli.iter().map(|&(n, x)| design.model().evaluate(n, x)).collect();
-            assert_eq!(outputs, expected, "{method} depth {depth}");
-            for ce in [true, false] {
-                simulation.clock(&Inputs { ce: true, in_valid: true, ..Inputs::default() });
-                simulation.clock(&Inputs { rst: true, ce, ..Inputs::default() });
-                for _ in 0..=latency {
-                    assert!(!simulation.clock(&Inputs { ce: true, ..Inputs::default() }).out_valid);
-                }
-            }
+    let list = "shininess = [3, 7.5, 40]";
+    let between = "shininess = '3..=12'\nshininess_fraction = 2";
+    let lists = kinds::ALL.into_iter().map(|kind| (kind, list));
+    let ranges = kinds::ALL.into_iter().filter(|kind| kinds::interpolates(kind)).map(|kind| (kind, between));
+    for (kind, set) in lists.chain(ranges) {
+        let design = design(&format!("{kind}\n{set}\ninput_fraction = 8\noutput_fraction = 8"));
+        let depths = (1..=32).map(Pipeline::Depth).chain([Pipeline::Auto]);
+        depths.for_each(|depth| assert_pipeline(&design, depth, &format!("{kind} {set} {depth}")));
+    }
+}
+
+fn assert_pipeline(design: &Design, depth: Pipeline, what: &str) {
+    let schedule = schedule(design.graph(), depth).expect(what);
+    let latency = schedule.latency as usize;
+    if let Pipeline::Depth(depth) = depth {
+        assert_eq!(latency, depth as usize);
+    }
+    let indices = 1 << design.index_format().width();
+    let mut simulation = Simulation::new(design.graph(), &schedule, design.tables());
+    let stimuli: Vec<(u32, i64)> = (0..60).map(|i| (i * 5 % indices, i64::from(i) * 17 % 300 - 20)).collect();
+    let mut outputs = Vec::new();
+    let mut enabled = 0;
+    for step in 0.. {
+        let ce = step % 5 != 3;
+        let (index, operand) = stimuli.get(enabled).copied().unwrap_or((0, 0));
+        let in_valid = ce && enabled < stimuli.len();
+        let inputs = Inputs { rst: false, ce, in_valid, codes: vec![index.into(), operand.into()] };
+        let out = simulation.clock(&inputs);
+        enabled += usize::from(ce);
+        if ce && out.out_valid {
+            assert_eq!(enabled, outputs.len() + latency, "{what}");
+            outputs.push(out.codes[0] as u32);
+        }
+        if outputs.len() == stimuli.len() {
+            break;
+        }
+        assert!(step < 1000, "{what}: results are missing");
+    }
+    let expected: Vec<u32> = stimuli.iter().map(|&(n, x)| design.model().evaluate(n, x)).collect();
+    assert_eq!(outputs, expected, "{what}");
+    for ce in [true, false] {
+        simulation.clock(&Inputs { ce: true, in_valid: true, ..Inputs::default() });
+        simulation.clock(&Inputs { rst: true, ce, ..Inputs::default() });
+        for _ in 0..=latency {
+            assert!(!simulation.clock(&Inputs { ce: true, ..Inputs::default() }).out_valid);
         }
     }
 }
@@ -244,11 +411,11 @@ fn the_measurement_is_exhaustive_and_within_the_proof() {
 /// At x = 1 the lobe is 1 and at x = 0 it is 0, exactly, whatever the widths.
 #[test]
 fn ends_are_exact() {
-    for method in METHODS {
-        let design = design(&format!("{method}\nshininess = '1..=1000'\noutput_fraction = 11"));
+    for kind in kinds::ALL {
+        let design = design(&format!("{kind}\nshininess = '1..=1000'\noutput_fraction = 11"));
         for n in 1..=1000 {
-            assert_eq!(design.model().evaluate(n, 1 << 16), 1 << 11, "{method} n = {n}");
-            assert_eq!(design.model().evaluate(n, 0), 0, "{method} n = {n}");
+            assert_eq!(design.model().evaluate(n, 1 << 16), 1 << 11, "{kind} n = {n}");
+            assert_eq!(design.model().evaluate(n, 0), 0, "{kind} n = {n}");
         }
     }
 }
@@ -264,50 +431,75 @@ fn a_form_that_needs_too_many_bits_says_so() {
 /// A ROM word with any one bit flipped changes the answer to some golden vector, unless it changes the answer to no input at all.
 #[test]
 fn golden_vectors_notice_every_flipped_rom_bit() {
-    for method in METHODS {
-        let design = design(&format!("{method}\nshininess = '1..=60'\ninput_fraction = 10\noutput_fraction = 10"));
-        let golden = brdfgen::golden::Golden::of(&design);
-        let vectors: Vec<(u32, i64)> = golden.vectors().iter().map(|v| (v.inputs[0] as u32, v.inputs[1])).collect();
-        let flips: Vec<(usize, usize, u32)> = design
-            .tables()
-            .iter()
-            .enumerate()
-            .flat_map(|(memory, table)| table.fields.iter().enumerate().map(move |(field, f)| (memory, field, f)))
-            .flat_map(|(memory, field, f)| (0..f.format.width()).map(move |bit| (memory, field, bit)))
-            .collect();
-        let missed: usize = flips
-            .par_iter()
-            .map(|&(memory, field, bit)| {
-                let mut flipped = design.tables().to_vec();
-                let format = flipped[memory].fields[field].format;
-                for code in &mut flipped[memory].fields[field].codes {
-                    *code = format.wrap(*code ^ (1 << bit));
-                }
-                let (right, wrong) = (design.evaluator(), Evaluator::new(design.graph(), &flipped));
-                let at = |evaluator: &Evaluator, index: u32, operand: i64| {
-                    let mut output = [0];
-                    evaluator.evaluate(index, operand, 1, &mut output);
-                    output[0]
-                };
-                let all = |evaluator: &Evaluator, index: u32| {
-                    let mut outputs = vec![0; 1025];
-                    evaluator.evaluate(index, 0, 1, &mut outputs);
-                    outputs
-                };
-                let noticed = |row: usize| {
-                    vectors.iter().any(|&(index, operand)| {
-                        design.spec.shininess.row_of_index(index) == row
-                            && at(&right, index, operand) != at(&wrong, index, operand)
-                    })
-                };
-                let harmless = |row: usize| {
-                    let index = design.spec.shininess.index_of_row(row);
-                    all(&right, index) == all(&wrong, index)
-                };
-                (0..60).filter(|&row| !noticed(row) && !harmless(row)).count()
-            })
-            .sum();
-        let words = 60 * flips.len();
-        assert!(missed == 0, "{method}: {missed} of {words} flipped bits go unnoticed");
+    for kind in kinds::ALL {
+        assert_flips_are_noticed(&format!("{kind}\nshininess = '1..=60'\ninput_fraction = 10\noutput_fraction = 10"));
     }
+    for kind in kinds::ALL.into_iter().filter(|kind| kinds::interpolates(kind)) {
+        assert_flips_are_noticed(&format!(
+            "{kind}\nshininess = '1..=30'\nshininess_fraction = 3\ninput_fraction = 9\noutput_fraction = 10"
+        ));
+    }
+    // More shininesses than can have vectors of their own, but not more rows of the ROM.
+    assert_flips_are_noticed(
+        "method = 'quadratic'\nshininess = '1..=600'\nshininess_fraction = 1\ninput_fraction = 8\noutput_fraction = 8",
+    );
+}
+
+fn assert_flips_are_noticed(spec: &str) {
+    let design = design(spec);
+    let set = &design.spec.shininess;
+    let codes = (1usize << design.spec.input_fraction) + 1;
+    let golden = brdfgen::golden::Golden::of(&design);
+    let vectors: Vec<(u32, i64)> = golden.vectors().iter().map(|v| (v.inputs[0] as u32, v.inputs[1])).collect();
+    // The vectors and the places of the set that read each row of the ROM.
+    let rows = set.of_knots().rows();
+    let mut vectors_of = vec![Vec::new(); rows];
+    for (index, operand) in vectors {
+        vectors_of[set.knot(set.row_of_index(index)).0].push((index, operand));
+    }
+    let mut places_of = vec![Vec::new(); rows];
+    (0..set.rows()).for_each(|place| places_of[set.knot(place).0].push(place));
+    let flips: Vec<(usize, usize, u32)> = design
+        .tables()
+        .iter()
+        .enumerate()
+        .flat_map(|(memory, table)| table.fields.iter().enumerate().map(move |(field, f)| (memory, field, f)))
+        .flat_map(|(memory, field, f)| (0..f.format.width()).map(move |bit| (memory, field, bit)))
+        .collect();
+    let missed: Vec<(&str, u32, usize)> = flips
+        .par_iter()
+        .flat_map_iter(|&(memory, field, bit)| {
+            let mut flipped = design.tables().to_vec();
+            let format = flipped[memory].fields[field].format;
+            for code in &mut flipped[memory].fields[field].codes {
+                *code = format.wrap(*code ^ (1 << bit));
+            }
+            let (right, wrong) = (design.evaluator(), Evaluator::new(design.graph(), &flipped));
+            let at = |evaluator: &Evaluator, index: u32, operand: i64| {
+                let mut output = [0];
+                evaluator.evaluate(index, operand, 1, &mut output);
+                output[0]
+            };
+            let all = |evaluator: &Evaluator, index: u32| {
+                let mut outputs = vec![0; codes];
+                evaluator.evaluate(index, 0, 1, &mut outputs);
+                outputs
+            };
+            let noticed = |row: usize| {
+                vectors_of[row].iter().any(|&(index, operand)| at(&right, index, operand) != at(&wrong, index, operand))
+            };
+            let harmless = |row: usize| {
+                places_of[row].iter().all(|&place| {
+                    let index = set.index_of_row(place);
+                    all(&right, index) == all(&wrong, index)
+                })
+            };
+            let name = design.tables()[memory].fields[field].name;
+            let missed: Vec<usize> = (0..rows).filter(|&row| !noticed(row) && !harmless(row)).collect();
+            missed.into_iter().map(move |row| (name, bit, row))
+        })
+        .collect();
+    let words = rows * flips.len();
+    let first: Vec<_> = missed.iter().take(10).collect();
+    assert!(missed.is_empty(), "{spec}: {} of {words} flipped bits go unnoticed: {first:?}", missed.len());
 }

@@ -99,6 +99,17 @@ const SPECS: &[&str] = &[
     "method = 'cubic'\nshininess = '1..=300'\ninput_fraction = 4\noutput_fraction = 4",
     "method = 'cubic'\nshininess = '1..=100'\ninput_fraction = 8\noutput_fraction = 20",
     "method = 'cubic'\nform = 'paper'\nshininess = [3.5, 900000]\ninput_fraction = 18\noutput_fraction = 12",
+    // Powers, n from the port and a core without a ROM, coefficients between two rows, a held tail.
+    "method = 'power-4'\nshininess = '1..=200'",
+    "method = 'power-8'\ninside = 'linear'\nshininess = [1, 2.5, 8, 300]\noperand = 'versine'\ninput_fraction = 12",
+    "method = 'lyon-4'\nshininess = '1..=1000'",
+    "method = 'lyon-8'\nshininess = '5..=40'\nshininess_fraction = 3\noperand = 'versine'\noutput_fraction = 10",
+    "method = 'lyon-2'\nshininess = [2.5]\nrom = 'file'\npipeline = 9",
+    "method = 'lyon-2'\nshininess = '3..=9'\nrom = 'file'\npipeline = 1",
+    "method = 'cubic-min-zero'\nshininess = '2..=90'\nshininess_fraction = 4\ninput_fraction = 18",
+    "method = 'cubic'\ntail = 'hold'\nshininess = '1..=100'",
+    "method = 'cubic-three-point'\ntail = 'hold'\nshininess = [1.2, 2.5, 70]\ninput_fraction = 9\noutput_fraction = 11",
+    "method = 'cubic'\ncoefficients = 'minimax'\nshininess = '1..=64'\nshininess_fraction = 2\npipeline = 5",
 ];
 
 fn silent(directory: &Path, program: &str, arguments: &[&str], what: &str) {
@@ -206,13 +217,40 @@ const VHDL_FAULTS: &[Fault] = &[
     ("an unknown result", "out_spec  <= y_6;", "out_spec  <= (others => 'X');"),
 ];
 
+/// The same of a core that ends in a power, with a threshold and signed coefficients.
+const POWER: &str = "method = 'power-4'\nshininess = '1..=1000'";
+
+const POWER_VERILOG_FAULTS: &[Fault] = &[
+    ("last bit of a", "10'd33: rom_1 <= 55'h407fe2c4642e9e;", "10'd33: rom_1 <= 55'h407fe2c4742e9e;"),
+    ("last bit of A", "10'd33: rom_1 <= 55'h407fe2c4642e9e;", "10'd33: rom_1 <= 55'h407fc2c4642e9e;"),
+    ("last bit of the cut", "10'd33: rom_1 <= 55'h407fe2c4642e9e;", "10'd33: rom_1 <= 55'h407fe2c4642e9f;"),
+    ("a without its sign", "$signed(a_3)", "$signed({1'b0, a_3[15:0]})"),
+    ("shift off by one", "<< k_2", "<< (k_2 + 4'd1)"),
+    ("cut an ulp early", "u_2 > {1'd0, cut_2}", "u_2 >= {1'd0, cut_2}"),
+    ("difference swapped", "big_a_4 - r_4", "r_4 - big_a_4"),
+    ("a missing register of the versine", "v_5 * q_5", "v_4 * q_5"),
+    ("a missing register of the square", "w2_cut_8 * w2_cut_8", "w2_cut_8 * w2_cut_7"),
+    ("square rounded up", "w2_7[38:17];", "w2_7[38:17] + {21'd0, w2_7[16]};"),
+    ("result cut, not rounded", "43'h00002000000", "43'h00000000000"),
+    ("the cut's flag lost", "past_cut_6 | p_above_6", "p_above_6"),
+];
+
+const POWER_VHDL_FAULTS: &[Fault] = &[
+    ("last bit of A", "33 => x\"407fe2\"", "33 => x\"407fc2\""),
+    ("a missing register of the square", "w2_cut_8 * w2_cut_8", "w2_cut_8 * w2_cut_7"),
+    ("the cut's flag lost", "past_cut_6 or p_above_6", "p_above_6"),
+];
+
 /// The golden vectors notice each fault, in every simulator that reads the language.
 #[test]
 fn broken_cores_fail() {
-    let right = Generated::new(SPECS[0]);
-    for (language, sim, faults) in
-        [(Language::Verilog, Sim::Icarus, VERILOG_FAULTS), (Language::Vhdl, Sim::Ghdl, VHDL_FAULTS)]
-    {
+    assert_faults_are_noticed(SPECS[0], VERILOG_FAULTS, VHDL_FAULTS);
+    assert_faults_are_noticed(POWER, POWER_VERILOG_FAULTS, POWER_VHDL_FAULTS);
+}
+
+fn assert_faults_are_noticed(spec: &str, verilog: &[Fault], vhdl: &[Fault]) {
+    let right = Generated::new(spec);
+    for (language, sim, faults) in [(Language::Verilog, Sim::Icarus, verilog), (Language::Vhdl, Sim::Ghdl, vhdl)] {
         let text = std::fs::read_to_string(right.on_disk().rtl(language)).expect("HDL");
         faults.par_iter().for_each(|(what, from, to)| {
             assert_eq!(text.matches(from).count(), 1, "{what}: `{from}` stands once in the core");

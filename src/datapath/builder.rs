@@ -108,11 +108,35 @@ impl<'a> Builder<'a> {
         self.bounds[id] = bounds;
     }
 
-    /// The finished graph with its output ports, or `None` if a value left its format.
+    /// The finished graph with its output ports, without the nodes that no output needs (a lobe may do without x or without
+    /// u), or `None` if a value left its format.
     #[must_use]
     pub fn finish(self, outputs: &[(&str, NodeId)]) -> Option<Graph> {
-        let outputs = outputs.iter().map(|&(name, node)| (name.to_owned(), node)).collect();
-        self.fits.then_some(Graph { nodes: self.nodes, inputs: self.inputs, outputs })
+        let mut needed = vec![false; self.nodes.len()];
+        for id in outputs.iter().map(|&(_, node)| node).chain(self.inputs.iter().copied()) {
+            needed[id] = true;
+        }
+        // Arguments come before results.
+        for (id, node) in self.nodes.iter().enumerate().rev() {
+            if needed[id] {
+                node.args.iter().for_each(|&arg| needed[arg] = true);
+            }
+        }
+        // The place of each node among those that stay.
+        let place: Vec<NodeId> = needed
+            .iter()
+            .scan(0, |next, &needed| {
+                let place = *next;
+                *next += usize::from(needed);
+                Some(place)
+            })
+            .collect();
+        let stays = self.nodes.into_iter().zip(&needed).filter(|(_, needed)| **needed);
+        let moved = |node: Node| Node { args: node.args.iter().map(|&arg| place[arg]).collect(), ..node };
+        let nodes = stays.map(|(node, _)| moved(node)).collect();
+        let inputs = self.inputs.into_iter().map(|input| place[input]).collect();
+        let outputs = outputs.iter().map(|&(name, node)| (name.to_owned(), place[node])).collect();
+        self.fits.then_some(Graph { nodes, inputs, outputs })
     }
 
     /// A node with the bounds of its value, one a case. Bounds that nothing asks for may be left out.

@@ -61,6 +61,11 @@ impl<'a> Stable<'a> {
         Line::through(self.spec, &values)
     }
 
+    /// The field with the values past the cut, where the tail is held and some row has a cut.
+    fn held(table: &Table) -> Option<&Field> {
+        table.fields.iter().find(|field| field.name == "hold")
+    }
+
     /// The value that each row's cubic is held at; 0 where it is never left.
     fn hold_field(&self) -> Field {
         let bits = self.spec.output_fraction as i32;
@@ -163,19 +168,20 @@ impl Architecture for Stable<'_> {
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
         let mut fields = self.fields(widths);
-        fields.extend(self.ends.clone().field(self.spec));
-        if self.spec.tail == Tail::Hold {
-            fields.push(self.hold_field());
-        }
+        let cut = self.ends.clone().field(self.spec);
+        let hold = (cut.is_some() && self.spec.tail == Tail::Hold).then(|| self.hold_field());
+        fields.extend(cut.into_iter().chain(hold));
         vec![Table::new(&self.spec.shininess, fields, self.scaling(widths).base() as u32)]
     }
 
     fn description(&self, tables: &[Table]) -> Description {
-        polynomial::stable_description(
-            "y = x (1 - u (A - a u)) for u up to A/(2a), 0 past it; kept inside [0, 1]",
-            self.spec,
-            tables,
-        )
+        let formula = match self.spec.tail {
+            Tail::Cut => "y = x (1 - u (A - a u)) for u up to A/(2a), 0 past it; kept inside [0, 1]",
+            Tail::Hold => {
+                "y = x (1 - u (A - a u)) up to its minimum, the minimum's value past it; kept inside [0, 1], 0 at x = 0"
+            }
+        };
+        polynomial::stable_description(formula, self.spec, tables)
     }
 
     fn lobes(&self, tables: &[Table]) -> Vec<Box<dyn Lobe>> {
@@ -183,6 +189,7 @@ impl Architecture for Stable<'_> {
         let [big_a, a] = [(BIG_A, 1), (SMALL_A, 2)]
             .map(|(names, power)| polynomial::real_coefficients(self.spec, table, names, power));
         let ends = Ends::in_reals(table);
+        let held = Self::held(table);
         let lobe = |place: usize| {
             // Where to leave the cubic, and what it is held at, are those of the row.
             let (row, _) = self.spec.shininess.knot(place);
@@ -193,10 +200,7 @@ impl Architecture for Stable<'_> {
                 big_a: big_a[place],
                 a: a[place],
                 end: ends[row],
-                past: match self.spec.tail {
-                    Tail::Cut => 0.0,
-                    Tail::Hold => table.field("hold").reals[row],
-                },
+                past: held.map_or(0.0, |field| field.reals[row]),
             }
         };
         (0..big_a.len()).map(|place| Box::new(lobe(place)) as Box<dyn Lobe>).collect()
@@ -206,8 +210,8 @@ impl Architecture for Stable<'_> {
         let table = &tables[0];
         let ends = Ends::in_words(self.spec, table);
         let mut cases = Case::of_rows(table, &ends);
-        let held = self.spec.tail == Tail::Hold;
-        if held {
+        let held = Self::held(table);
+        if held.is_some() {
             // Past the end only the held value counts: the polynomial's values stay those at the end.
             let tails = cases.iter().map(|case| Case { active: Interval::point(case.active.high), ..case.clone() });
             cases.extend(tails.collect::<Vec<_>>());
@@ -217,8 +221,8 @@ impl Architecture for Stable<'_> {
         let (x, u) = b.operand(self.spec);
         let flag = |b: &mut Builder| Ends::flag(b, self.spec, table, address, u);
         let (p, past_cut) = self.p(&mut b, widths, &ends, (address, fraction), u, flag);
-        let y = match (self.spec.tail, past_cut) {
-            (Tail::Hold, Some(past_cut)) => {
+        let y = match (held, past_cut) {
+            (Some(_), Some(past_cut)) => {
                 let y = polynomial::output_of_p(&mut b, self.spec, widths, x, p, None);
                 let hold = b.field(0, address, "hold");
                 let rows = table.rows();
@@ -229,8 +233,7 @@ impl Architecture for Stable<'_> {
         };
         polynomial::finish(b, self.spec, &tables, y, |case| {
             let row = case % table.rows();
-            if case >= table.rows() {
-                let hold = table.field("hold");
+            if let Some(hold) = held.filter(|_| case >= table.rows()) {
                 return Interval::point(hold.format.value(hold.codes[row]) - hold.reals[row]);
             }
             Self::coefficient_error(table, &ends, row)

@@ -117,9 +117,12 @@ impl Chooser<'_> {
         (centre - 1..=centre + 2).filter(move |code| (0..=one).contains(code))
     }
 
-    /// The first versine code at which the real lobe of a row is 0, by bisection: it never rises again from there.
+    /// The first versine code from which the real lobe of a row stays 0 or the value that it is held at, by bisection: it never
+    /// rises again from there.
     fn end(&self, row: usize) -> i64 {
-        self.falls_to(row, 0.0)
+        let at = |code: i64| self.lobes[row].at(code as f64 / self.one as f64);
+        let held = at(self.one - 1) == at(self.one - 2);
+        self.falls_to(row, if held { at(self.one - 1) } else { 0.0 })
     }
 
     /// The first versine code at which the real lobe of a row, which falls, is not above `level`.
@@ -159,7 +162,8 @@ impl Chooser<'_> {
     fn indices(&mut self) -> Vec<Vector> {
         let design = self.design;
         let count = 1usize << design.index_format().width();
-        let step = count.div_ceil(MOST_ROWS);
+        // Odd, so that every bit of in_n varies.
+        let step = count.div_ceil(MOST_ROWS) | 1;
         let indices = (0..count).step_by(step).map(|index| index as u32);
         indices
             .map(|index| {
@@ -174,7 +178,8 @@ impl Chooser<'_> {
     /// far as any candidate tells them.
     fn rom_bits(&mut self) -> Vec<Vector> {
         let design = self.design;
-        let count = design.spec.shininess.rows();
+        let set = &design.spec.shininess;
+        let count = set.of_knots().rows();
         let mut flipped: Vec<Vec<Table>> = Vec::new();
         for (memory, table) in design.tables().iter().enumerate().filter(|(_, table)| table.key == "shininess") {
             // A memory may hold several words a shininess, one a segment, side by side.
@@ -193,7 +198,17 @@ impl Chooser<'_> {
         }
         // Made once, as an evaluator lays out what is looked up at computed addresses.
         let flipped: Vec<Evaluator> = flipped.iter().map(|tables| Evaluator::new(design.graph(), tables)).collect();
-        let rows: Vec<usize> = (0..count).step_by(count.div_ceil(MOST_ROWS)).collect();
+        // Where coefficients are interpolated at too many places: at each row of the ROM, and the last before the next.
+        let most = set.rows() - 1;
+        let rows: Vec<usize> = if most < MOST_ROWS {
+            (0..=most).collect()
+        } else {
+            let knots = (0..count).step_by(count.div_ceil(MOST_ROWS));
+            let ends = knots.flat_map(|knot| [knot << set.frac_bits(), ((knot + 1) << set.frac_bits()) - 1]);
+            let mut places: Vec<usize> = ends.map(|place| place.min(most)).collect();
+            places.dedup();
+            places
+        };
         let chosen: Vec<Vec<i64>> = rows.par_iter().map(|&row| self.telling(row, &flipped)).collect();
         let mut result = Vec::new();
         for (row, codes) in rows.into_iter().zip(chosen) {
@@ -206,20 +221,43 @@ impl Chooser<'_> {
     /// Versine codes that tell a row's word from as many of the `flipped` ones as possible.
     fn telling(&self, row: usize, flipped: &[Evaluator]) -> Vec<i64> {
         let design = self.design;
-        let index = design.spec.shininess.index_of_row(row);
         let end = self.end(row);
-        // A block about the end of the lobe, where a coefficient weighs most and the cut lies, and combs over the lobe and over all.
-        const MOST: i64 = 192;
-        let first = (end - MOST + 9).clamp(0, self.one);
-        let combs = [(first, 1), (0, (end / MOST).max(1)), (0, (self.one / MOST).max(1))]
-            .map(|(first, stride)| (first, stride, ((self.one - first) / stride + 1).min(MOST)));
+        let cuts =
+            design.datapath.coefficients().and_then(|table| table.fields.iter().find(|field| field.name == "cut"));
+        let cut = cuts.map_or(end, |field| field.codes[design.spec.shininess.knot(row).0] as i64);
+        // First blocks about the end of the lobe, where a coefficient weighs most, and about the cut, which lies past it where a
+        // tail is held, and combs over the lobe and over all; then, for what these do not tell, a fine comb over the lobe.
+        let block = |about: i64| ((about - 183).clamp(0, self.one), 1, 192);
+        let comb = |last: i64, count: i64| (0, (last / count).max(1), count);
+        let steps = [vec![block(end), comb(end, 192), comb(self.one, 192), block(cut)], vec![comb(end, 2048)]];
+        let mut open: Vec<usize> = (0..flipped.len()).collect();
+        let mut chosen = Vec::new();
+        for combs in steps {
+            self.tell(design.spec.shininess.index_of_row(row), &combs, flipped, &mut open, &mut chosen);
+        }
+        chosen
+    }
+
+    /// Moves from `open` what any code of the combs (first code, stride, and how many at most) tells; the codes go to `chosen`.
+    fn tell(
+        &self,
+        index: u32,
+        combs: &[(i64, i64, i64)],
+        flipped: &[Evaluator],
+        open: &mut Vec<usize>,
+        chosen: &mut Vec<i64>,
+    ) {
+        let design = self.design;
+        let combs =
+            combs.iter().map(|&(first, stride, most)| (first, stride, ((self.one - first) / stride + 1).min(most)));
+        let combs: Vec<(i64, i64, i64)> = combs.collect();
         let codes: Vec<i64> = combs
             .iter()
             .flat_map(|&(first, stride, count)| (0..count).map(move |step| first + stride * step))
             .collect();
         let outputs = |evaluator: &Evaluator| -> Vec<u32> {
             let mut all = Vec::with_capacity(codes.len());
-            for (first, stride, count) in combs {
+            for &(first, stride, count) in &combs {
                 let (a, b) =
                     (design.operand_of_versine(first), design.operand_of_versine(first + stride * (count - 1)));
                 let mut outputs = vec![0; count as usize];
@@ -233,18 +271,19 @@ impl Chooser<'_> {
             all
         };
         let right = outputs(&design.evaluator());
-        let tells: Vec<Vec<bool>> =
-            flipped.iter().map(|flipped| outputs(flipped).iter().zip(&right).map(|(a, b)| a != b).collect()).collect();
-        let mut open: Vec<usize> = (0..flipped.len()).collect();
-        let mut chosen = Vec::new();
+        let tells = |&flip: &usize| -> (usize, Vec<bool>) {
+            (flip, outputs(&flipped[flip]).iter().zip(&right).map(|(a, b)| a != b).collect())
+        };
+        let mut untold: Vec<(usize, Vec<bool>)> = open.iter().map(tells).collect();
         loop {
-            let told = |code: usize| open.iter().filter(|&&flip| tells[flip][code]).count();
+            let told = |code: usize| untold.iter().filter(|(_, tells)| tells[code]).count();
             // The first of the best: `max_by_key` would take the last.
             let best = (0..codes.len()).rev().max_by_key(|&code| told(code));
-            let Some(best) = best.filter(|&code| told(code) > 0) else { return chosen };
+            let Some(best) = best.filter(|&code| told(code) > 0) else { break };
             chosen.push(codes[best]);
-            open.retain(|&flip| !tells[flip][best]);
+            untold.retain(|(_, tells)| !tells[best]);
         }
+        *open = untold.into_iter().map(|(flip, _)| flip).collect();
     }
 
     /// For each entry of each function table inputs that tell it from every entry with one bit flipped, as far as any candidate does: all

@@ -9,8 +9,8 @@ fn inner(inputs: &Inputs) -> Option<Wide> {
     let u = Wide::ONE - inputs.x;
     let v = u << inputs.shift();
     let cut = inputs.optional("cut");
-    // Without a threshold the lobe ends at its inner line's zero, before v = 2.
-    if cut.is_some_and(|cut| u > cut) || (cut.is_none() && v >= 2) {
+    // An inner line ends at its zero, before v = 2; a parabola at its threshold, or nowhere.
+    if cut.is_some_and(|cut| u > cut) || (inputs.optional("a").is_none() && v >= 2) {
         return None;
     }
     let v = inputs.floor(v, "v");

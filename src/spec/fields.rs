@@ -579,6 +579,8 @@ mod tests {
         assert_eq!(spec.languages, [Language::Verilog, Language::Vhdl]);
         assert_eq!(parse(&spec.to_toml()).unwrap(), spec);
         assert_eq!(spec.command(), "brdfgen generate --method quadratic --shininess 1..=1000");
+        // The default of a level that the method does not have is no obstacle.
+        assert_eq!(parse("method = \"cubic\"\nshininess = [3]\nq = 0.051").unwrap().q, 0.051);
     }
 
     #[test]
