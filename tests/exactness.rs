@@ -85,7 +85,11 @@ mod kinds {
     pub const POWER_4_LINEAR: &str = "method = 'power-4'\ninside = 'linear'";
     pub const POWER_8_LINEAR: &str = "method = 'power-8'\ninside = 'linear'";
 
-    pub const ALL: [&str; 21] = [
+    pub const SEGMENTED_2: &str = "method = 'segmented-2'";
+    pub const SEGMENTED_4: &str = "method = 'segmented-4'\nobjective = 'weighted:-0.3'";
+    pub const SEGMENTED_8: &str = "method = 'segmented-8'";
+
+    pub const ALL: [&str; 24] = [
         QUADRATIC,
         QUADRATIC_PAPER,
         QUADRATIC_MINIMAX,
@@ -107,6 +111,9 @@ mod kinds {
         POWER_2_LINEAR,
         POWER_4_LINEAR,
         POWER_8_LINEAR,
+        SEGMENTED_2,
+        SEGMENTED_4,
+        SEGMENTED_8,
     ];
 
     /// Whether a level q can be given: the paper's coefficients have one, fitted ones do not.
@@ -116,7 +123,7 @@ mod kinds {
 
     /// Whether a range can have shininesses between its integers.
     pub fn interpolates(kind: &str) -> bool {
-        !kind.contains("paper") && !kind.contains("three-point")
+        !["paper", "three-point", "segmented"].iter().any(|without| kind.contains(without))
     }
 }
 
@@ -148,6 +155,9 @@ at_16_bits! {
     lyon_2_is_faithful_at_16_bits: LYON_2, 31;
     lyon_4_is_faithful_at_16_bits: LYON_4, 31;
     lyon_8_is_faithful_at_16_bits: LYON_8, 31;
+    segmented_2_is_faithful_at_16_bits: SEGMENTED_2, 31;
+    segmented_4_is_faithful_at_16_bits: SEGMENTED_4, 31;
+    segmented_8_is_faithful_at_16_bits: SEGMENTED_8, 31;
     power_2_is_faithful_at_16_bits: POWER_2, 31;
     power_4_is_faithful_at_16_bits: POWER_4, 31;
     power_8_is_faithful_at_16_bits: POWER_8, 31;
