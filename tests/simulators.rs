@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use brdfgen::cosim::{self, Job, Outcome, Sim};
-use brdfgen::design::{Design, Measured};
+use brdfgen::design::{Account, Design};
 use brdfgen::golden::Golden;
 use brdfgen::package;
 use brdfgen::spec::{Language, SpecFields};
@@ -25,7 +25,7 @@ impl Generated {
         let spec = SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec);
         let design = Design::new(spec).expect("a design");
         let golden = Golden::of(&design);
-        let files = package::files(&design, &Measured::of(&design), &golden).expect("files");
+        let files = package::files(&design, &Account::of(&design), &golden).expect("files");
         Self { design, golden, files }
     }
 

@@ -8,7 +8,7 @@ use std::process::Command;
 
 use brdfgen::cosim::{self, Job, Outcome, Sim};
 use brdfgen::datapath::simulate::{Inputs, Simulation, Write};
-use brdfgen::design::{Design, Measured};
+use brdfgen::design::{Account, Design};
 use brdfgen::golden::{self, Golden};
 use brdfgen::package;
 use brdfgen::rom::RomFormat;
@@ -35,7 +35,7 @@ impl Generated {
     fn new(spec: &str) -> Self {
         let design = design(spec);
         let golden = Golden::of(&design);
-        let files = package::files(&design, &Measured::of(&design), &golden).expect("files");
+        let files = package::files(&design, &Account::of(&design), &golden).expect("files");
         Self { design, golden, files }
     }
 

@@ -38,6 +38,12 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
+    if arguments.exhaustive && design.spec.block.shader().is_some() {
+        return Err(Error::input(
+            "--exhaustive runs every input, and a shader has too many",
+            "leave it out: the golden vectors and the digests are checked",
+        ));
+    }
     let core = OnDisk::of(&arguments.source, &design)?;
     let job = Job { design: &design, golden: &core.golden, directory: core.path() };
     let sims = arguments.sim.expand(&design.spec.languages);

@@ -28,6 +28,9 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let spec = arguments.source.spec()?;
+    if spec.block.shader().is_some() {
+        return Err(Error::input("eval evaluates a lobe, and this core is a shader", "leave --block shader out"));
+    }
     let row = spec.shininess.values().iter().position(|&n| n == arguments.n).ok_or_else(|| {
         Error::input(
             format!("the core has no shininess {}", arguments.n),

@@ -9,9 +9,10 @@ use serde_json::json;
 use super::source::Source;
 use super::{Verdict, progress, say, say_json};
 use crate::cosim::{self, Job, Sim};
-use crate::design::{Design, Measured};
+use crate::design::{Account, Design};
 use crate::error::Error;
 use crate::golden::Golden;
+use crate::hdl::Direction;
 use crate::package;
 
 #[derive(Args)]
@@ -39,9 +40,9 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     }
     let spinner = progress::spinner(format!("generating {}", spec.name));
     let design = Design::new(spec)?;
-    let measured = Measured::of(&design);
+    let account = Account::of(&design);
     let golden = Golden::of(&design);
-    let files = package::files(&design, &measured, &golden)?;
+    let files = package::files(&design, &account, &golden)?;
     spinner.finish_and_clear();
 
     if arguments.check {
@@ -74,7 +75,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             "files": files.iter().map(|file| &file.path).collect::<Vec<_>>(),
             "latency": design.schedule.latency,
             "proved_ulps": design.budget.proved_ulps,
-            "measured": measured,
+            "measured": account,
             "cosim": outcome,
             "passed": outcome.passed(),
         }));
@@ -83,28 +84,47 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let multipliers: Vec<String> = design.graph().multipliers().iter().map(|(a, b)| format!("{a}x{b}")).collect();
     let memories: Vec<String> =
         design.tables().iter().map(|table| format!("{} x {} bits", table.depth(), table.word_bits())).collect();
+    let formats = |direction: Direction| -> String {
+        let all = design.numbers(direction);
+        match all.as_slice() {
+            // The first input is an index.
+            [_, (_, operand)] | [(_, operand)] => operand.to_string(),
+            many => format!("{} ports", many.len()),
+        }
+    };
     say(format!(
         "{}: {} -> {}, {} clocks, multipliers {}, {}",
         design.spec.name,
-        design.operand_format(),
-        design.output_format(),
+        formats(Direction::In),
+        formats(Direction::Out),
         design.schedule.latency,
         multipliers.join(" "),
         if memories.is_empty() { "no ROM".to_owned() } else { format!("ROM {}", memories.join(", ")) },
     ));
-    say(format!(
-        "error against the method: proved {} ulp, measured {} over {} inputs{}",
-        package::interval_text(design.budget.proved_ulps),
-        package::interval_text(measured.ulps),
-        measured.sweep.inputs,
-        if measured.sweep.exhaustive { " (all in [0, 1])" } else { "" },
-    ));
-    say(format!(
-        "error against x^n: {} at most, {} on the epicentre ({} relative)",
-        package::percent_text(measured.max_abs),
-        package::percent_text(measured.max_abs_epicentre),
-        package::percent_text(measured.max_rel_epicentre),
-    ));
+    let proved = package::interval_text(design.budget.proved_ulps);
+    match &account {
+        Account::Lobe(measured) => {
+            say(format!(
+                "error against the method: proved {proved} ulp, measured {} over {} inputs{}",
+                package::interval_text(measured.ulps),
+                measured.sweep.inputs,
+                if measured.sweep.exhaustive { " (all in [0, 1])" } else { "" },
+            ));
+            say(format!(
+                "error against x^n: {} at most, {} on the epicentre ({} relative)",
+                package::percent_text(measured.max_abs),
+                package::percent_text(measured.max_abs_epicentre),
+                package::percent_text(measured.max_rel_epicentre),
+            ));
+        }
+        Account::Shader(error) => {
+            say(format!("error of the lobe against its method: proved {proved} ulp"));
+            say(format!("error against the exact shader in codes of a channel, over {} scenes:", error.samples));
+            for part in error.parts.iter().chain([&error.whole]) {
+                say(format!("  {:<12} {} rms {:.3}", part.name, package::interval_text(part.codes), part.rms));
+            }
+        }
+    }
     super::cosim::say_outcome(&outcome);
     if outcome.passed() {
         say(format!("{} files in {}", files.len(), arguments.out.display()));

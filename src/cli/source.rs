@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use crate::design::{Design, Measured};
+use crate::design::{Account, Design};
 use crate::error::Error;
 use crate::golden::{self, Golden};
 use crate::package;
@@ -66,7 +66,7 @@ impl OnDisk {
         let scratch = tempfile::tempdir().map_err(|error| Error::io("cannot make", &std::env::temp_dir(), error))?;
         let golden = Golden::of(design);
         let path = scratch.path().join("core");
-        package::write_directory(&path, &package::files(design, &Measured::of(design), &golden)?)?;
+        package::write_directory(&path, &package::files(design, &Account::of(design), &golden)?)?;
         Ok(Self { golden, path, _scratch: Some(scratch) })
     }
 }

@@ -309,7 +309,7 @@ impl<'a> Builder<'a> {
         Bound { range: Interval::new(f64::from(low), f64::from(high)), error: Interval::ZERO, grid: 0 }
     }
 
-    /// The named field of a memory's word.
+    /// The named field of a memory's word; a field that is read already is not read again.
     pub fn field(&mut self, memory: usize, address: NodeId, name: &'static str) -> NodeId {
         let tables = self.tables;
         let (index, field) = tables[memory]
@@ -337,6 +337,9 @@ impl<'a> Builder<'a> {
             None => any.expect("a memory has rows"),
         });
         let op = Op::Field { memory, field: index };
+        if let Some(known) = self.nodes.iter().position(|node| node.op == op && node.args == [address]) {
+            return known;
+        }
         self.push(op, &[address], field.format, name, field.meaning.to_owned(), bounds)
     }
 
@@ -663,5 +666,59 @@ impl<'a> Builder<'a> {
         });
         let format = self.format(a);
         self.push(Op::ZeroIf, &[flag, a], format, name, comment.to_owned(), bounds)
+    }
+
+    /// `a` taken into the codes `low..=high` of its own fraction bits, in the narrowest format that holds these; `low` is 0 or
+    /// negative. `low` below 0 needs a signed `a`.
+    pub fn clamp(&mut self, a: NodeId, low: i128, high: i128, name: &str, comment: &str) -> NodeId {
+        let frac = self.format(a).frac_bits;
+        let format = Format::holding(low, high, frac);
+        let (least, most) = (format.value(low), format.value(high));
+        let bounds = self.per_case(|case| {
+            let bound = self.bounds[a][case];
+            Bound { range: bound.range.clip(least, most), ..bound }
+        });
+        self.push(Op::Clamp { low, high }, &[a], format, name, comment.to_owned(), bounds)
+    }
+
+    /// Takes over another graph's operations up to its output, and returns that. `given` says which of its nodes are nodes here
+    /// already; `memories` which memory here each of its own is. A field that is read here already is not read again. The new
+    /// nodes' names begin with `prefix`.
+    ///
+    /// The graph has its own analysis: here its values are only known to fit their formats, and its errors are not followed.
+    pub fn graft(&mut self, graph: &Graph, memories: &[usize], given: &[(NodeId, NodeId)], prefix: &str) -> NodeId {
+        let mut here: Vec<Option<NodeId>> = vec![None; graph.nodes.len()];
+        for &(there, known) in given {
+            here[there] = Some(known);
+        }
+        let mut needed = vec![false; graph.nodes.len()];
+        needed[graph.output()] = true;
+        for id in (0..graph.nodes.len()).rev().filter(|&id| here[id].is_none()) {
+            if needed[id] {
+                graph.nodes[id].args.iter().for_each(|&arg| needed[arg] = true);
+            }
+        }
+        for (id, node) in graph.nodes.iter().enumerate() {
+            if here[id].is_some() || !needed[id] {
+                continue;
+            }
+            let args: Vec<NodeId> = node.args.iter().map(|&arg| here[arg].expect("arguments come first")).collect();
+            let op = match node.op {
+                Op::Field { memory, field } => Op::Field { memory: memories[memory], field },
+                op => op,
+            };
+            let is_read = |known: &Node| matches!(op, Op::Field { .. }) && known.op == op && known.args == args;
+            if let Some(known) = self.nodes.iter().position(is_read) {
+                here[id] = Some(known);
+                continue;
+            }
+            let format = node.format;
+            let range = Interval::new(format.value(format.min_code()), format.value(format.max_code()));
+            let bound = Bound { range, error: Interval::ZERO, grid: format.frac_bits };
+            let bounds = vec![bound; self.cases.len()];
+            let name = format!("{prefix}_{}", node.name);
+            here[id] = Some(self.push(op, &args, format, &name, node.comment.clone(), bounds));
+        }
+        here[graph.output()].expect("the output is needed")
     }
 }

@@ -5,6 +5,7 @@
 //! - [`builder`]: builds a graph and bounds, row by row, the range and the error of every value;
 //! - [`quadratic`], [`cubic`] and the others named after methods: one builder a method and form;
 //! - [`normalise`]: leading zeros counted and shifted out;
+//! - [`shader`]: a lobe's graph with the cosine in front of it and the colours behind it;
 //! - [`widths`]: "computing just right": the cheapest inner widths whose proved error is below one output ulp;
 //! - [`schedule`]: places the pipeline registers;
 //! - [`simulate`]: the pipeline, clock by clock;
@@ -26,6 +27,7 @@ pub mod quadratic;
 pub mod schedule;
 pub mod schlick;
 pub mod segmented;
+pub mod shader;
 pub mod simulate;
 pub mod widths;
 

@@ -3,10 +3,11 @@
 //! A *stage* is what lies between two registers. Every node is computed in one stage, as early as the rules allow;
 //! its value crosses into later stages through one register each. The rules for `auto`: the operands of a
 //! multiplier come from registers and its product goes into one; the ROM has two registers behind it (its own
-//! output register, and one more because a block RAM is slow to give its output); and what is chained
-//! within a stage takes no longer than a multiplier, by the rough delays below.
+//! output register, and one more because a block RAM is slow to give its output), and is read no earlier than
+//! its word is wanted; and what is chained within a stage takes no longer than a multiplier, by the rough delays
+//! below.
 
-use super::graph::{Graph, NodeId, Op};
+use super::graph::{Graph, Node, NodeId, Op};
 use crate::error::Error;
 use crate::spec::Pipeline;
 
@@ -95,6 +96,31 @@ pub fn schedule(graph: &Graph, pipeline: Pipeline) -> Result<Schedule, Error> {
     Ok(schedule)
 }
 
+/// Puts off the reading of each memory to where the first use of its word allows, if the word is wider than its address: then the
+/// narrower of the two waits in registers.
+fn read_late(graph: &Graph, rules: Rules, stage: &mut [u32]) {
+    let memory_of = |node: &Node| match node.op {
+        Op::Field { memory, .. } => Some(memory),
+        _ => None,
+    };
+    let mut memories: Vec<usize> = graph.nodes.iter().filter_map(memory_of).collect();
+    // The last first: a word may be the address of a memory that is read behind it.
+    memories.sort_unstable();
+    memories.dedup();
+    for memory in memories.into_iter().rev() {
+        let is_read = |id: NodeId| memory_of(&graph.nodes[id]) == Some(memory);
+        let reads: Vec<NodeId> = (0..graph.nodes.len()).filter(|&id| is_read(id)).collect();
+        let word: u32 = reads.iter().map(|&id| graph.nodes[id].format.width()).sum();
+        let address = graph.nodes[graph.nodes[reads[0]].args[0]].format.width();
+        let uses = (0..graph.nodes.len()).filter(|&id| graph.nodes[id].args.iter().any(|&arg| is_read(arg)));
+        let shown = reads.iter().any(|&id| graph.is_output(id));
+        let Some(first) = uses.map(|id| stage[id]).min().filter(|_| word > address && !shown) else { continue };
+        for id in reads {
+            stage[id] = stage[id].max(first.saturating_sub(rules.rom_registers));
+        }
+    }
+}
+
 /// As early as possible under the rules, with `extra` registers behind each node.
 fn place(graph: &Graph, rules: Rules, extra: &[u32]) -> Schedule {
     let count = graph.nodes.len();
@@ -124,6 +150,7 @@ fn place(graph: &Graph, rules: Rules, extra: &[u32]) -> Schedule {
         }
         done[id] += time;
     }
+    read_late(graph, rules, &mut stage);
     let latency = graph.outputs.iter().map(|&(_, output)| stage[output] + extra[output] + 1).max().unwrap_or(1);
     let mut last_use = stage.clone();
     for (id, node) in graph.nodes.iter().enumerate() {

@@ -1,37 +1,62 @@
 //! A resolved core: its spec, widths, ROM, datapath, schedule, and what is proved and measured of its error.
 
+mod budget;
 mod measure;
+pub mod scene;
 mod tune;
 
+pub use budget::{Part, ShaderError};
 pub use measure::{Measured, Sweep};
 
+use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
 use crate::datapath::schedule::{Schedule, schedule};
-use crate::datapath::widths::{Budget, solve};
-use crate::datapath::{Datapath, Description, architecture};
+use crate::datapath::widths::{Budget, Solution, solve};
+use crate::datapath::{Datapath, Description, architecture, shader};
 use crate::error::Error;
 use crate::hdl::{Direction, Layout, Port, WritePort};
 use crate::lobe::Lobe;
-use crate::model::Model;
+use crate::model::{Model, ShaderModel};
 use crate::number::Format;
 use crate::rom::Table;
-use crate::spec::{CoreSpec, Operand, RomStyle, Widths, hex};
+use crate::spec::{Block, CoreSpec, Operand, RomStyle, Shader, Shininess, Widths, hex};
+
+/// The measured error of a core.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Account {
+    /// Of a lobe.
+    Lobe(Measured),
+    /// Of a shader.
+    Shader(ShaderError),
+}
+
+impl Account {
+    /// Measures a design.
+    #[must_use]
+    pub fn of(design: &Design) -> Self {
+        match &design.spec.block {
+            Block::Lobe => Self::Lobe(Measured::of(design)),
+            Block::Shader(shader) => Self::Shader(ShaderError::of(design, shader)),
+        }
+    }
+}
 
 /// A resolved core.
 #[derive(Clone, Debug)]
 pub struct Design {
     /// What was asked for.
     pub spec: CoreSpec,
-    /// The inner widths.
+    /// The inner widths of the lobe.
     pub widths: Widths,
     /// The operations and the ROM.
     pub datapath: Datapath,
     /// The pipeline.
     pub schedule: Schedule,
-    /// The proved error.
+    /// The proved error of the lobe.
     pub budget: Budget,
 }
 
@@ -48,9 +73,15 @@ impl Design {
             solution = tune::tuned(&spec, &*architecture, solution);
         }
         drop(architecture);
-        let schedule = schedule(&solution.datapath.graph, spec.pipeline)?;
-        let design =
-            Self { widths: solution.widths, datapath: solution.datapath, schedule, budget: solution.budget, spec };
+        let Solution { widths, datapath: lobe, budget } = solution;
+        let datapath = match &spec.block {
+            Block::Lobe => lobe,
+            Block::Shader(shader) => shader::build(&spec, shader, &lobe).ok_or_else(|| {
+                Error::input("the shader would need values of more than 126 bits", "use fewer fraction bits")
+            })?,
+        };
+        let schedule = schedule(&datapath.graph, spec.pipeline)?;
+        let design = Self { widths, datapath, schedule, budget, spec };
         if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {
             return Err(Error::input(
                 format!("the core {} has no coefficient memory that could be written", design.spec.name),
@@ -183,6 +214,9 @@ impl Design {
 
     /// What each input port that carries numbers is for, in order.
     fn input_meanings(&self) -> Vec<String> {
+        if let Block::Shader(shader) = &self.spec.block {
+            return self.shader_input_meanings(shader);
+        }
         let operand = match self.spec.operand {
             Operand::Cos => "cosine x; below 0 gives 0, above 1 counts as 1",
             Operand::Versine => "versine u = 1 - x; above 1 counts as 1, which gives 0",
@@ -192,7 +226,37 @@ impl Design {
 
     /// What each output port that carries numbers is for, in order.
     fn output_meanings(&self) -> Vec<String> {
-        vec!["the lobe, 0 to 1; 1.0 is exact".to_owned()]
+        match &self.spec.block {
+            Block::Lobe => vec!["the lobe, 0 to 1; 1.0 is exact".to_owned()],
+            Block::Shader(shader) => {
+                let full = shader.full_scale();
+                ["red", "green", "blue"].map(|channel| format!("{channel}; {full} is full scale")).to_vec()
+            }
+        }
+    }
+
+    /// As [`Design::input_meanings`], by the ports' names.
+    fn shader_input_meanings(&self, shader: &Shader) -> Vec<String> {
+        let last = self.spec.shininess.rows() - 1;
+        let meaning = |(name, _): (&str, Format)| {
+            let (vector, axis) = name.split_at(name.len() - 1);
+            let light = vector.chars().last().unwrap_or('1');
+            let of = match vector.as_bytes() {
+                b"in_n" => "the normal N, of unit length".to_owned(),
+                b"in_v" => "the unit vector V to the viewer".to_owned(),
+                [.., b'h', _] => format!("the unit half vector H of light {light}"),
+                _ => format!("the unit vector L to light {light}"),
+            };
+            match (name, axis) {
+                ("in_material", _) => format!("index of the material, 0 to {last}; above: the last"),
+                (_, "x" | "y" | "z") => format!("{axis} of {of}"),
+                (_, channel) => {
+                    let colour = ["red", "green", "blue"].into_iter().find(|colour| colour.starts_with(channel));
+                    format!("{} of light {light}; {} is full scale", colour.unwrap_or_default(), shader.full_scale())
+                }
+            }
+        };
+        self.numbers(Direction::In).into_iter().map(meaning).collect()
     }
 
     /// The ports that carry numbers in one direction, in order: names and formats.
@@ -209,13 +273,26 @@ impl Design {
     /// The output ports' codes for the input ports' codes, by the bit-exact reference.
     #[must_use]
     pub fn evaluate(&self, inputs: &[i64]) -> Vec<i64> {
-        vec![self.model().evaluate(inputs[0] as u32, inputs[1]).into()]
+        match &self.spec.block {
+            Block::Lobe => vec![self.model().evaluate(inputs[0] as u32, inputs[1]).into()],
+            Block::Shader(shader) => self.shader_model(shader).evaluate(inputs),
+        }
+    }
+
+    /// The bit-exact reference of the shader that this core is.
+    #[must_use]
+    pub fn shader_model<'a>(&'a self, shader: &'a Shader) -> ShaderModel<'a> {
+        ShaderModel::new(&self.spec, shader, self.model(), self.tables())
     }
 
     /// What the code of the first input port selects, for people.
     #[must_use]
     pub fn selected(&self, index: u32) -> String {
-        format!("n = {}", self.spec.shininess.value(self.spec.shininess.row_of_index(index)))
+        let row = self.spec.shininess.row_of_index(index);
+        match (&self.spec.block, &self.spec.shininess) {
+            (Block::Shader(_), Shininess::Materials(materials)) => materials[row].name.clone(),
+            (_, set) => format!("n = {}", set.value(row)),
+        }
     }
 
     /// The name of the operand's port.
@@ -240,6 +317,12 @@ impl Design {
     #[must_use]
     pub fn output_format(&self) -> Format {
         self.graph().nodes[self.graph().output()].format
+    }
+
+    /// Whether the lobe is given the versine.
+    #[must_use]
+    pub fn takes_versine(&self) -> bool {
+        self.spec.operand == Operand::Versine
     }
 
     /// The versine in [0, 1] that an operand code stands for.

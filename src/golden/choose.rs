@@ -1,7 +1,5 @@
 //! Which inputs become vectors.
 
-use rand_core::Rng;
-use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
 use super::Vector;
@@ -9,7 +7,7 @@ use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::{Graph, Node, Op};
 use crate::design::Design;
 use crate::lobe::Lobe;
-use crate::number::exp2;
+use crate::number::{Dice, exp2};
 use crate::rom::Table;
 
 /// Rows beyond which not every row has vectors of its own.
@@ -18,8 +16,6 @@ const MOST_ROWS: usize = 1024;
 const MOST_CANDIDATES: usize = 1 << 17;
 /// Random vectors of each of the two kinds.
 const RANDOM: usize = 512;
-/// The seed of everything random here: fixed, so that the vectors are the same on every machine.
-const SEED: u128 = 0x6272_6466_6765_6e00;
 
 /// An input, and for each function table the entry that it reads and a bit for each flipped bit of it that changes the output.
 struct Candidate {
@@ -40,14 +36,14 @@ struct Flip {
 struct Chooser<'a> {
     design: &'a Design,
     lobes: Vec<Box<dyn Lobe>>,
-    random: Pcg64,
+    dice: Dice,
     one: i64,
 }
 
 /// The vectors of a design, in groups with a heading.
 pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
     let mut chooser =
-        Chooser { design, lobes: design.lobes(), random: Pcg64::new(SEED, 0), one: 1 << design.spec.input_fraction };
+        Chooser { design, lobes: design.lobes(), dice: Dice::new(0), one: 1 << design.spec.input_fraction };
     let mut groups = vec![
         ("corners of the port codes".to_owned(), chooser.port_corners()),
         ("corners of the lobe: 0, 1, the cusp, where it ends, each with its neighbours".to_owned(), chooser.corners()),
@@ -64,14 +60,8 @@ pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
 }
 
 impl Chooser<'_> {
-    fn below(&mut self, bound: u64) -> u64 {
-        // The high product half: even to 2^-40 for the small bounds here.
-        ((u128::from(self.random.next_u64()) * u128::from(bound)) >> 64) as u64
-    }
-
     fn vector(&mut self, index: u32, operand: i64) -> Vector {
-        let mut pause = |chance: u64| if self.below(chance) == 0 { 1 + self.below(3) as u32 } else { 0 };
-        let (idle, stall) = (pause(12), pause(12));
+        let (idle, stall) = (super::pause(&mut self.dice), super::pause(&mut self.dice));
         let inputs = vec![index.into(), operand];
         Vector { outputs: self.design.evaluate(&inputs), inputs, idle, stall }
     }
@@ -374,7 +364,7 @@ impl Chooser<'_> {
         let indices = 1u64 << self.design.index_format().width();
         (0..RANDOM)
             .map(|_| {
-                let (index, operand) = (self.below(indices) as u32, first + self.below(count) as i64);
+                let (index, operand) = (self.dice.below(indices) as u32, first + self.dice.below(count) as i64);
                 self.vector(index, operand)
             })
             .collect()
@@ -385,9 +375,9 @@ impl Chooser<'_> {
         let rows = design.spec.shininess.rows() as u64;
         (0..RANDOM)
             .map(|_| {
-                let row = self.below(rows) as usize;
+                let row = self.dice.below(rows) as usize;
                 let widest = (3.0 / design.spec.shininess.value(row)).min(1.0) * self.one as f64;
-                let code = self.below(widest as u64 + 1) as i64;
+                let code = self.dice.below(widest as u64 + 1) as i64;
                 self.vector(design.spec.shininess.index_of_row(row), design.operand_of_versine(code))
             })
             .collect()

@@ -7,6 +7,7 @@ use crate::design::Design;
 use crate::error::Error;
 use crate::hdl::Direction;
 use crate::number::Format;
+use crate::spec::Block;
 
 const ALLOWED: &str = "a golden file holds `v` lines (the codes of the inputs and of the outputs in hexadecimal; idle, stall in \
                        decimal), `d` lines (the first input's code, digest), one `c` line (the number of vectors) and comments that begin with `#`";
@@ -45,14 +46,14 @@ impl Golden {
                 let _ = writeln!(text, " {} {}", vector.idle, vector.stall);
             }
         }
-        let ((index, index_format), (operand, operand_format)) = (inputs[0], inputs[1]);
+        let (index, index_format) = inputs[0];
         let ni = digits(index_format);
-        let _ = writeln!(
-            text,
-            "# d {index}, XXH3-64 over {} for all {} codes of {operand}, the least first, 4 little-endian bytes each",
-            outputs[0].0,
-            1u64 << operand_format.width()
-        );
+        let shown: Vec<&str> = outputs.iter().map(|&(name, _)| name).collect();
+        let over = match design.spec.block {
+            Block::Lobe => format!("all {} codes of {}, the least first", 1u64 << inputs[1].1.width(), inputs[1].0),
+            Block::Shader(_) => format!("the {} samples of its stream", super::shader::STREAM),
+        };
+        let _ = writeln!(text, "# d {index}, XXH3-64 over {} for {over}, 4 little-endian bytes each", shown.join(", "));
         for d in &self.digests {
             let _ = writeln!(text, "d {:0ni$x} {:016x}", d.index, d.digest);
         }

@@ -2,11 +2,12 @@
 //!
 //! A golden file holds two things. Its *vectors* are a few thousand inputs with the expected outputs and with pauses between
 //! them, for test benches. Its *digests* stand for all inputs: for each shininess one number over the outputs for
-//! every code of the operand port.
+//! every code of the operand port. A shader has too many inputs for that: its digests are over a stream of samples a material.
 
 mod choose;
 mod complement;
 mod file;
+mod shader;
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -17,7 +18,8 @@ pub use file::parse;
 
 use crate::design::Design;
 use crate::hdl::Direction;
-use crate::number::Format;
+use crate::number::{Dice, Format};
+use crate::spec::Block;
 
 /// The codes at the inputs, those expected at the outputs, and the pauses before.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -37,7 +39,8 @@ pub struct Vector {
 pub struct RowDigest {
     /// The code of the first input port, `in_n`.
     pub index: u32,
-    /// XXH3-64 of the outputs for all operand codes, the least first, each as four little-endian bytes.
+    /// XXH3-64 of the outputs, each as four little-endian bytes: for all operand codes, the least first, or for a shader for its
+    /// material's stream of samples.
     pub digest: u64,
 }
 
@@ -57,6 +60,29 @@ pub struct Golden {
 /// The most outputs that the digests of a file cover; with more, only evenly spaced rows have one.
 const MOST_OUTPUTS: u64 = 1 << 30;
 
+/// The same for the samples of a shader's streams.
+const MOST_SAMPLES: u64 = 1 << 20;
+
+/// Clocks of a pause: mostly none, else up to three.
+fn pause(dice: &mut Dice) -> u32 {
+    if dice.below(12) == 0 { 1 + dice.below(3) as u32 } else { 0 }
+}
+
+/// Places of candidates that together tell everything that any of the `candidates` tells: always the one that tells most of what is
+/// left. `tells` has a row for each thing that is to be told.
+fn greedy(candidates: usize, tells: &[Vec<bool>]) -> Vec<usize> {
+    let mut open: Vec<&Vec<bool>> = tells.iter().collect();
+    let mut chosen = Vec::new();
+    loop {
+        let told = |place: usize| open.iter().filter(|tells| tells[place]).count();
+        // The first of the best: `max_by_key` would take the last.
+        let best = (0..candidates).rev().max_by_key(|&place| told(place));
+        let Some(best) = best.filter(|&place| told(place) > 0) else { return chosen };
+        chosen.push(best);
+        open.retain(|tells| !tells[best]);
+    }
+}
+
 impl Golden {
     /// The golden vectors of a design.
     #[must_use]
@@ -66,13 +92,20 @@ impl Golden {
             .into_par_iter()
             .map(|row| {
                 let index = design.spec.shininess.index_of_row(row);
-                RowDigest { index, digest: digest(design, index) }
+                let digest = match &design.spec.block {
+                    Block::Lobe => digest(design, index),
+                    Block::Shader(shader) => shader::digest(design, shader, index),
+                };
+                RowDigest { index, digest }
             })
             .collect();
         Self {
             core: design.spec.name.clone(),
             spec_digest: design.spec.digest(),
-            groups: choose::vectors(design),
+            groups: match &design.spec.block {
+                Block::Lobe => choose::vectors(design),
+                Block::Shader(shader) => shader::vectors(design, shader),
+            },
             digests,
         }
     }
@@ -86,8 +119,11 @@ impl Golden {
 
 /// The rows that have a digest: all, or evenly spaced ones where all would take too long.
 fn digest_rows(design: &Design) -> Vec<usize> {
-    let outputs = (design.spec.shininess.rows() as u64) << design.operand_format().width();
-    let step = outputs.div_ceil(MOST_OUTPUTS).max(1) as usize;
+    let rows = design.spec.shininess.rows() as u64;
+    let step = match design.spec.block {
+        Block::Lobe => (rows << design.operand_format().width()).div_ceil(MOST_OUTPUTS).max(1) as usize,
+        Block::Shader(_) => (rows * shader::STREAM).div_ceil(MOST_SAMPLES) as usize,
+    };
     (0..design.spec.shininess.rows()).step_by(step).collect()
 }
 

@@ -190,6 +190,18 @@ impl<'a> Layout<'a> {
             }
         }
         parts.extend(self.computed(stage).iter().filter(|id| main(id)).map(|&id| self.nodes()[id].name.clone()));
-        if parts.is_empty() { "registers only".to_owned() } else { parts.join(", ") }
+        // A line of the HDL holds so many.
+        const MOST: usize = 60;
+        let mut length = 0;
+        let fitting = parts.iter().take_while(|part| {
+            length += part.len() + 2;
+            length <= MOST
+        });
+        let shown = fitting.count();
+        match parts.len() - shown {
+            _ if parts.is_empty() => "registers only".to_owned(),
+            0 => parts.join(", "),
+            more => format!("{} and {more} more", parts[..shown].join(", ")),
+        }
     }
 }

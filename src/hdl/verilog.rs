@@ -1,6 +1,7 @@
 //! Verilog-2005.
 
 use askama::Template;
+use num_bigint::BigUint;
 
 use super::{Backend, Declaration, Direction, Layout, Port, Texts, WritePort, continued, render};
 use crate::datapath::graph::{NodeId, Op};
@@ -78,6 +79,21 @@ fn range(format: Format) -> String {
 fn literal(code: i128, width: u32) -> String {
     let format = Format::unsigned(width as i32, 0);
     format!("{width}'h{:0digits$x}", format.bits(code), digits = width.div_ceil(4) as usize)
+}
+
+/// A memory's word, in parts on a line each where it would be too long for one.
+fn word_literal(word: &BigUint, bits: u32) -> String {
+    const PART: u32 = 224;
+    let part = |low: u32| {
+        let width = (bits - low).min(PART);
+        let value = (word >> low) & ((BigUint::from(1u8) << width) - 1u8);
+        format!("{width}'h{value:0digits$x}", digits = width.div_ceil(4) as usize)
+    };
+    if bits <= PART {
+        return part(0);
+    }
+    let parts: Vec<String> = (0..bits.div_ceil(PART)).rev().map(|index| part(PART * index)).collect();
+    format!("{{\n                    {}}}", parts.join(",\n                    "))
 }
 
 fn zeros(width: u32) -> String {
@@ -200,6 +216,13 @@ impl Writer<'_> {
 
     fn clamp(&self, arg: NodeId, low: i128, high: i128, width: u32) -> String {
         let (from, name) = (self.format(arg), self.name(arg));
+        if low < 0 {
+            let of = |test: &str, bound: i128| {
+                let (tested, result) = (literal(bound, from.width()), literal(bound, width));
+                format!("($signed({name}) {test} $signed({tested})) ? {result} :\n        ")
+            };
+            return of("<", low) + &of(">", high) + &self.fitted(arg, from.frac_bits, width);
+        }
         let magnitude = from.width() - u32::from(from.signed);
         let own = slice(&name, from.width(), width.min(magnitude) - 1, 0);
         let own = if magnitude < width { format!("{{{}, {own}}}", zeros(width - magnitude)) } else { own };
@@ -239,10 +262,8 @@ fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory
         .filter(|(_, _, read)| read.stage == stage)
         .map(|(memory, table, read)| {
             let address_bits = layout.nodes()[read.address].format.width();
-            let digits = table.word_bits().div_ceil(4) as usize;
             let row = |address: usize| {
-                let value = format!("{}'h{:0digits$x}", table.word_bits(), table.word(address));
-                (format!("{address_bits}'d{address}"), value)
+                (format!("{address_bits}'d{address}"), word_literal(&table.word(address), table.word_bits()))
             };
             let write = texts.write_port(memory);
             Memory {

@@ -215,6 +215,13 @@ impl Writer<'_> {
 
     fn clamp(&self, arg: NodeId, low: i128, high: i128, width: u32) -> String {
         let (from, name) = (self.format(arg), self.name(arg));
+        if low < 0 {
+            let own = self.fitted(arg, Format { int_bits: width as i32 - 1 - from.frac_bits, ..from });
+            return format!(
+                "to_signed({low}, {width}) when {name} < {low} else\n        \
+                 to_signed({high}, {width}) when {name} > {high} else\n        {own}"
+            );
+        }
         let magnitude = from.width() - u32::from(from.signed);
         let mut text = String::new();
         if from.signed {

@@ -2,7 +2,7 @@
 
 use super::{CubicRom, CubicWidths, Kernel, QuadraticRom, QuadraticWidths, cubic, quadratic};
 use crate::design::Design;
-use crate::spec::{Form, Method, Operand, Pipeline, RomStyle, Tail};
+use crate::spec::{Block, Form, Method, Operand, Pipeline, RomStyle, Tail};
 
 /// The kernel of a design's method, if there is an instance at just its widths.
 ///
@@ -12,7 +12,8 @@ use crate::spec::{Form, Method, Operand, Pipeline, RomStyle, Tail};
 pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
     let spec = &design.spec;
     let table = design.datapath.coefficients()?;
-    let suits = spec.form == Form::Stable
+    let suits = spec.block == Block::Lobe
+        && spec.form == Form::Stable
         && spec.tail == Tail::Cut
         && spec.operand == Operand::Cos
         && spec.pipeline == Pipeline::Auto

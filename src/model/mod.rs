@@ -12,6 +12,9 @@ mod power;
 mod quadratic;
 mod schlick;
 mod segmented;
+mod shader;
+
+pub use shader::{Cosines, ShaderModel};
 
 use crate::number::wide::{self, Wide};
 use crate::rom::Table;

@@ -2,12 +2,14 @@
 //!
 //! A number is an integer (its *code*) times the weight of its last bit. [`Format`] says how wide the
 //! integer is and where the binary point lies; [`Interval`] bounds real values and errors with outward
-//! rounding; [`wide`] holds the arithmetic of the reference model on the crate `fixed`.
+//! rounding; [`Dice`] draws reproducible random numbers; [`wide`] holds the arithmetic of the reference model on the crate `fixed`.
 
+mod dice;
 mod format;
 mod interval;
 pub mod wide;
 
+pub use dice::Dice;
 pub use format::Format;
 pub use interval::Interval;
 

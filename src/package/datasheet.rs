@@ -3,15 +3,35 @@
 use askama::Template;
 
 use crate::datapath::Description;
+use crate::datapath::shader::COLOURS;
 use crate::datapath::widths::Contribution;
-use crate::design::{Design, Measured};
+use crate::design::{Account, Design, Measured, Part, ShaderError};
 use crate::error::Error;
 use crate::hdl::{Port, WritePort, render};
 use crate::rom::{Field, RomFormat, Table};
-use crate::spec::{Coefficients, CoreSpec, Form, RomStyle, Shininess, Tail};
+use crate::spec::{
+    Block, Coefficients, Colour, CoreSpec, Cosine, Form, LightColours, Material, RomStyle, Shader, Shininess, Tail,
+};
 
-/// What the core computes, in a line.
-pub(super) fn lobe_text(spec: &CoreSpec) -> String {
+/// What the core is, in a line.
+pub(super) fn title(spec: &CoreSpec) -> String {
+    let Block::Shader(shader) = &spec.block else { return lobe_text(spec) };
+    let plural = |count: usize| if count == 1 { "" } else { "s" };
+    let (lights, materials) = (shader.lights as usize, spec.shininess.rows());
+    format!(
+        "{} shader, {lights} light{}, {materials} material{}, {} bits a channel",
+        match shader.cosine {
+            Cosine::Mirror => "Phong",
+            Cosine::Half | Cosine::Sqrt => "Blinn",
+        },
+        plural(lights),
+        plural(materials),
+        shader.channel_bits
+    )
+}
+
+/// What the lobe is, in a line.
+fn lobe_text(spec: &CoreSpec) -> String {
     let mut text = format!("specular lobe x^n as {}", spec.method.formula());
     if spec.method.has_tail() {
         text += match spec.tail {
@@ -46,8 +66,22 @@ pub fn interval_text([low, high]: [f64; 2]) -> String {
     format!("{:+.3}..{:+.3}", low + 0.0, high + 0.0)
 }
 
-/// The measured error, a line each.
-pub(super) fn measured_lines(measured: &Measured) -> Vec<String> {
+/// The error, a line each.
+pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
+    let proved = interval_text(design.budget.proved_ulps);
+    match account {
+        Account::Lobe(measured) => {
+            let proved = format!("Error against the real-valued method, in ulps of out_spec: proved within {proved}.");
+            [proved].into_iter().chain(measured_lines(measured)).collect()
+        }
+        Account::Shader(error) => vec![
+            format!("Error against the exact shader, in codes of a channel, over {} scenes:", error.samples),
+            format!("  {}, root mean square {:.3}.", interval_text(error.whole.codes), error.whole.rms),
+        ],
+    }
+}
+
+fn measured_lines(measured: &Measured) -> Vec<String> {
     let sweep = &measured.sweep;
     let inputs = if sweep.exhaustive {
         format!("all {} inputs in [0, 1]", sweep.inputs)
@@ -185,13 +219,7 @@ struct Datasheet<'a> {
     files: Vec<(String, &'static str)>,
 }
 
-/// The datasheet's text; `other` is the core in the other form, or why it cannot be built, where the method has two forms.
-pub(super) fn datasheet(
-    design: &Design,
-    measured: &Measured,
-    other: Option<Result<Design, String>>,
-) -> Result<String, Error> {
-    let spec = &design.spec;
+fn memories(design: &Design) -> Vec<Memory> {
     let memory = |table: &Table| {
         let field = |(index, field): (usize, &Field)| {
             let low = table.field_low_bit(index);
@@ -209,6 +237,139 @@ pub(super) fn datasheet(
             fields: table.fields.iter().enumerate().map(field).collect(),
         }
     };
+    design.tables().iter().map(memory).collect()
+}
+
+fn files(design: &Design) -> Vec<(String, &'static str)> {
+    let spec = &design.spec;
+    let mut files: Vec<(String, &'static str)> = vec![
+        ("core.toml".to_owned(), "the spec, every default resolved"),
+        ("manifest.json".to_owned(), "this datasheet for programs, with a digest of every file"),
+    ];
+    for &language in &spec.languages {
+        files.push((super::rtl_path(design, language), "the core"));
+        files.push((super::bench_path(design, language), "its self-checking test bench; run it in this directory"));
+    }
+    for table in design.tables() {
+        let what = match table.name {
+            Table::COEFFICIENTS => "the coefficient ROM",
+            COLOURS => "the materials' colours",
+            _ => "a function table",
+        };
+        for &format in &spec.rom_formats {
+            files.push((super::rom_path(design, table, format), what));
+        }
+    }
+    files.push((super::golden_path(design), "golden vectors and digests"));
+    files.push(("files.f".to_owned(), "the source, for a simulator's -f option"));
+    files
+}
+
+struct MaterialRow {
+    index: usize,
+    name: String,
+    shininess: f64,
+    ambient: String,
+    diffuse: String,
+    specular: String,
+}
+
+#[derive(Template)]
+#[template(path = "package/shader.md", escape = "none")]
+struct ShaderSheet<'a> {
+    spec: &'a CoreSpec,
+    title: String,
+    command: String,
+    digest: String,
+    ports: Vec<Port>,
+    latency: u32,
+    materials: Vec<MaterialRow>,
+    ambient_light: String,
+    light_colours: String,
+    cosine: &'static str,
+    lobe: String,
+    description: Description,
+    full_scale: i64,
+    dot_bits: i32,
+    operand_bits: u32,
+    error: &'a ShaderError,
+    parts: &'a [Part],
+    proved_error: String,
+    coefficient_error: String,
+    arithmetic_error: String,
+    output_fraction: u32,
+    rom_file: bool,
+    memories: Vec<Memory>,
+    cost: FormRow,
+    files: Vec<(String, &'static str)>,
+}
+
+fn colour_text(colour: Colour) -> String {
+    colour.map(|channel| format!("{channel:.3}")).join(" ")
+}
+
+/// The text of a shader's datasheet.
+pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError) -> Result<String, Error> {
+    let spec = &design.spec;
+    let Shininess::Materials(list) = &spec.shininess else { unreachable!("a shader serves materials") };
+    let material = |(index, material): (usize, &Material)| {
+        let surface = material.surface();
+        MaterialRow {
+            index,
+            name: material.name.clone(),
+            shininess: material.shininess,
+            ambient: colour_text(surface.ambient),
+            diffuse: colour_text(surface.diffuse),
+            specular: colour_text(surface.specular),
+        }
+    };
+    let budget = &design.budget;
+    render(&ShaderSheet {
+        spec,
+        title: title(spec),
+        command: spec.command(),
+        digest: spec.digest(),
+        ports: design.ports(),
+        latency: design.schedule.latency,
+        materials: list.iter().enumerate().map(material).collect(),
+        ambient_light: colour_text(shader.ambient_light),
+        light_colours: match &shader.light_colours {
+            LightColours::Ports => format!("{}, their colours from ports", shader.lights),
+            LightColours::Fixed(colours) => {
+                let texts: Vec<String> = colours.iter().map(|&colour| colour_text(colour)).collect();
+                format!("{}, multiplied into the ROM", texts.join("; "))
+            }
+        },
+        cosine: match shader.cosine {
+            Cosine::Mirror => "x = 2 (N.L)(N.V) - L.V, taken into [0, 1].",
+            Cosine::Half => "x = 1 - u with the versine u = |N - H|^2 / 2, taken into [0, 1].",
+            Cosine::Sqrt => "x = (N.L + N.V) / sqrt(2 + 2 L.V), taken into [0, 1].",
+        },
+        lobe: lobe_text(spec),
+        description: design.description(),
+        full_scale: shader.full_scale(),
+        dot_bits: shader.widths(spec).get("dot"),
+        operand_bits: spec.input_fraction,
+        error,
+        parts: &error.parts,
+        proved_error: interval_text(budget.proved_ulps),
+        coefficient_error: interval_text(budget.coefficient_ulps),
+        arithmetic_error: interval_text(budget.arithmetic_ulps),
+        output_fraction: spec.output_fraction,
+        rom_file: spec.rom == RomStyle::File,
+        memories: memories(design),
+        cost: FormRow::of(design),
+        files: files(design),
+    })
+}
+
+/// The text of a lobe's datasheet; `other` is the core in the other form, or why it cannot be built, where the method has two forms.
+pub(super) fn datasheet(
+    design: &Design,
+    measured: &Measured,
+    other: Option<Result<Design, String>>,
+) -> Result<String, Error> {
+    let spec = &design.spec;
     let mut forms = vec![FormRow::of(design)];
     let other_failed = match other {
         Some(Ok(other)) => {
@@ -227,22 +388,6 @@ pub(super) fn datasheet(
             materials.iter().enumerate().map(|(index, m)| (index, m.name.clone(), m.shininess.to_string())).collect()
         }
     };
-    let mut files: Vec<(String, &'static str)> = vec![
-        ("core.toml".to_owned(), "the spec, every default resolved"),
-        ("manifest.json".to_owned(), "this datasheet for programs, with a digest of every file"),
-    ];
-    for &language in &spec.languages {
-        files.push((super::rtl_path(design, language), "the core"));
-        files.push((super::bench_path(design, language), "its self-checking test bench; run it in this directory"));
-    }
-    for table in design.tables() {
-        let what = if table.name == Table::COEFFICIENTS { "the coefficient ROM" } else { "a function table" };
-        for &format in &spec.rom_formats {
-            files.push((super::rom_path(design, table, format), what));
-        }
-    }
-    files.push((super::golden_path(design), "golden vectors and digests"));
-    files.push(("files.f".to_owned(), "the source, for a simulator's -f option"));
     let budget = &design.budget;
     render(&Datasheet {
         spec,
@@ -264,7 +409,7 @@ pub(super) fn datasheet(
         }),
         interpolated: matches!(spec.shininess, Shininess::Fixed { .. }),
         datapath: design.datapath_digest(),
-        memories: design.tables().iter().map(memory).collect(),
+        memories: memories(design),
         rows,
         contributions: &budget.contributions,
         coefficient_error: interval_text(budget.coefficient_ulps),
@@ -279,6 +424,6 @@ pub(super) fn datasheet(
         rms: percent_text(measured.rms),
         forms,
         other_failed,
-        files,
+        files: files(design),
     })
 }

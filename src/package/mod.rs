@@ -12,13 +12,13 @@ use serde_json::json;
 use sha2::{Digest, Sha256};
 
 use crate::datapath::widths::Budget;
-use crate::design::{Design, Measured};
+use crate::design::{Account, Design};
 use crate::error::Error;
 use crate::golden::{self, Golden};
 use crate::hdl::{self, RomFile, Texts, WritePort};
 use crate::number::Format;
 use crate::rom::{self, RomFormat, Table};
-use crate::spec::{Coefficients, Form, Language, RomStyle, hex};
+use crate::spec::{Block, Coefficients, Form, Language, RomStyle, hex};
 
 /// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -75,12 +75,12 @@ fn extension(language: Language) -> &'static str {
 
 /// What the texts of a core's HDL say about it.
 #[must_use]
-pub fn texts(design: &Design, measured: &Measured) -> Texts {
+pub fn texts(design: &Design, account: &Account) -> Texts {
     let spec = &design.spec;
     let ports = design.ports();
     let name_width = ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
     let mut header = vec![
-        format!("{}: {}", spec.name, datasheet::lobe_text(spec)),
+        format!("{}: {}", spec.name, datasheet::title(spec)),
         String::new(),
         format!("Made by: {}", spec.command()),
         format!("Spec {}. Generated; the core is yours to use under any terms.", spec.digest()),
@@ -92,15 +92,8 @@ pub fn texts(design: &Design, measured: &Measured) -> Texts {
             .filter(|port| port.format.is_some())
             .map(|port| format!("  {:<name_width$} {:<7} {}", port.name, port.format_text(), port.meaning)),
     );
-    header.extend([
-        String::new(),
-        format!("Latency {} clocks, one result a clock.", design.schedule.latency),
-        format!(
-            "Error against the real-valued method, in ulps of out_spec: proved within {}.",
-            datasheet::interval_text(design.budget.proved_ulps)
-        ),
-    ]);
-    header.extend(datasheet::measured_lines(measured));
+    header.extend([String::new(), format!("Latency {} clocks, one result a clock.", design.schedule.latency)]);
+    header.extend(datasheet::error_lines(design, account));
     let rom_file = |table: &Table| RomFile {
         memory: table.name,
         parameter: format!("{}_FILE", table.name.to_ascii_uppercase()),
@@ -128,17 +121,22 @@ pub fn spec_text(design: &Design) -> String {
 ///
 /// # Errors
 /// If a template cannot be filled in.
-pub fn files(design: &Design, measured: &Measured, golden: &Golden) -> Result<Vec<File>, Error> {
+pub fn files(design: &Design, account: &Account, golden: &Golden) -> Result<Vec<File>, Error> {
     let spec = &design.spec;
     let layout = design.layout();
-    let texts = texts(design, measured);
+    let texts = texts(design, account);
     let golden_path = golden_path(design);
     let complemented = golden::complemented(design, golden);
     let mut files = Vec::new();
     let mut add = |path: String, bytes: Vec<u8>| files.push(File { path, bytes });
 
     add("core.toml".to_owned(), spec_text(design).into_bytes());
-    add("README.md".to_owned(), datasheet::datasheet(design, measured, other_form(design))?.into_bytes());
+    let sheet = match (&spec.block, account) {
+        (Block::Shader(shader), Account::Shader(error)) => datasheet::shader_sheet(design, shader, error)?,
+        (_, Account::Lobe(measured)) => datasheet::datasheet(design, measured, other_form(design))?,
+        (Block::Lobe, Account::Shader(_)) => unreachable!("the account is the core's"),
+    };
+    add("README.md".to_owned(), sheet.into_bytes());
     for &language in &spec.languages {
         add(rtl_path(design, language), hdl::backend(language).emit(&layout, &texts)?.into_bytes());
         let bench = hdl::test_bench(language, &layout, &texts, &golden_path, &complemented)?;
@@ -157,12 +155,12 @@ pub fn files(design: &Design, measured: &Measured, golden: &Golden) -> Result<Ve
     let list: String = listed.map(|&language| rtl_path(design, language) + "\n").into_iter().collect();
     add("files.f".to_owned(), list.into_bytes());
 
-    let manifest = manifest(design, measured, &files);
+    let manifest = manifest(design, account, &files);
     files.push(File { path: "manifest.json".to_owned(), bytes: (manifest + "\n").into_bytes() });
     Ok(files)
 }
 
-fn manifest(design: &Design, measured: &Measured, files: &[File]) -> String {
+fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     let spec = &design.spec;
     let port = |port: &hdl::Port| {
         let format = port.format.unwrap_or(Format::FLAG);
@@ -193,6 +191,24 @@ fn manifest(design: &Design, measured: &Measured, files: &[File]) -> String {
     let digests: serde_json::Map<String, serde_json::Value> =
         files.iter().map(|file| (file.path.clone(), json!(hex(&Sha256::digest(&file.bytes))))).collect();
     let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } = &design.budget;
+    let mut error = json!({
+        "proved_ulps": proved_ulps,
+        "proved_coefficient_ulps": coefficient_ulps,
+        "proved_arithmetic_ulps": arithmetic_ulps,
+        "worst_shininess": worst_shininess,
+        "contributions": contributions,
+    });
+    let error = match account {
+        Account::Lobe(measured) => {
+            error["measured"] = json!(measured);
+            error
+        }
+        Account::Shader(measured) => json!({ "lobe": error, "measured_codes": measured }),
+    };
+    let mut widths = json!(design.widths);
+    if let Block::Shader(shader) = &spec.block {
+        widths = json!({ "lobe": widths, "shader": shader.widths(spec) });
+    }
     let mut manifest = json!({
         "generator": "brdfgen",
         "name": spec.name,
@@ -203,15 +219,8 @@ fn manifest(design: &Design, measured: &Measured, files: &[File]) -> String {
         "memories": memories,
         "multipliers": multipliers,
         "register_bits": design.register_bits(),
-        "widths": design.widths,
-        "error": {
-            "proved_ulps": proved_ulps,
-            "proved_coefficient_ulps": coefficient_ulps,
-            "proved_arithmetic_ulps": arithmetic_ulps,
-            "worst_shininess": worst_shininess,
-            "contributions": contributions,
-            "measured": measured,
-        },
+        "widths": widths,
+        "error": error,
         "files_sha256": digests,
     });
     let load = |port: WritePort| {

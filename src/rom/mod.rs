@@ -4,7 +4,7 @@ mod files;
 mod table;
 
 pub use files::{Difference, RomImage, first_difference, read, write};
-pub use table::{Field, Table};
+pub use table::{Field, Table, interned};
 
 use std::path::Path;
 

@@ -1,5 +1,8 @@
 //! The quantised coefficients, one row per shininess.
 
+use std::collections::BTreeSet;
+use std::sync::{Mutex, PoisonError};
+
 use num_bigint::BigUint;
 
 use crate::number::Format;
@@ -152,6 +155,12 @@ impl Table {
         self.fields.iter().enumerate().map(code).collect()
     }
 
+    /// This memory under another name.
+    #[must_use]
+    pub fn renamed(self, name: &'static str) -> Self {
+        Self { name, ..self }
+    }
+
     /// The number of logical rows.
     #[must_use]
     pub fn rows(&self) -> usize {
@@ -217,4 +226,17 @@ impl Table {
     pub fn field(&self, name: &str) -> &Field {
         self.fields.iter().find(|f| f.name == name).expect("a field of this method")
     }
+}
+
+/// A name that is made up while the program runs, kept for as long as it runs: each is kept once.
+#[must_use]
+pub fn interned(name: String) -> &'static str {
+    static NAMES: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
+    let mut names = NAMES.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = names.get(name.as_str()) {
+        return known;
+    }
+    let kept: &'static str = name.leak();
+    names.insert(kept);
+    kept
 }

@@ -8,8 +8,9 @@ use clap::{Args, ValueEnum};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{
-    Coefficients, CoreSpec, Divider, Form, INPUT_FRACTION, Inside, Language, Material, Method, OUTPUT_FRACTION,
-    Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, Shininess, Tail,
+    Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, Form, INPUT_FRACTION, Inside, Language, Material,
+    Method, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess,
+    Tail,
 };
 use crate::error::Error;
 use crate::fit::Objective;
@@ -25,6 +26,11 @@ pub struct SpecFields {
     #[arg(long)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub name: Option<String>,
+
+    /// What the core is [default: lobe]
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub block: Option<BlockKind>,
 
     /// How the lobe is approximated
     #[arg(long, value_enum)]
@@ -121,6 +127,11 @@ pub struct SpecFields {
     #[arg(long, value_name = "NAME=SHININESS")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub material: Option<Vec<Material>>,
+
+    /// What a shader has beyond its lobe.
+    #[command(flatten)]
+    #[serde(default, skip_serializing_if = "ShaderFields::is_empty")]
+    pub shader: ShaderFields,
 }
 
 /// Words that cannot name a module, entity or file scope: the reserved words of Verilog-2005, SystemVerilog-2017 (as which most
@@ -200,6 +211,7 @@ impl SpecFields {
         let set_here = self.shininess.is_some() || self.material.is_some();
         Self {
             name: self.name.or(other.name),
+            block: self.block.or(other.block),
             method: self.method.or(other.method),
             form: self.form.or(other.form),
             coefficients: self.coefficients.or(other.coefficients),
@@ -219,6 +231,7 @@ impl SpecFields {
             pipeline: self.pipeline.or(other.pipeline),
             languages: self.languages.or(other.languages),
             material: if set_here { self.material } else { other.material },
+            shader: self.shader.or(other.shader),
         }
     }
 
@@ -231,7 +244,35 @@ impl SpecFields {
             return Err(Error::input("no method is given", "give --method, such as --method cubic, or a spec file"));
         };
         let form = self.form.unwrap_or(Form::Stable);
+        let shader = match self.block.unwrap_or_default() {
+            BlockKind::Shader => Some(self.shader.resolve()?),
+            BlockKind::Lobe if self.shader.is_empty() => None,
+            BlockKind::Lobe => {
+                return Err(Error::input(
+                    "keys of a shader are given for a lobe",
+                    "use --block shader, or leave them out",
+                ));
+            }
+        };
+        if shader.is_some() && self.rom == Some(RomStyle::Writable) {
+            return Err(Error::input("a shader's memories cannot be written", "use rom = \"inline\" or \"file\""));
+        }
+        let operand = match (&shader, self.operand) {
+            (None, operand) => operand.unwrap_or(Operand::Cos),
+            (Some(_), Some(_)) => {
+                return Err(Error::input("a shader computes its own cosine", "leave operand out"));
+            }
+            (Some(shader), None) if shader.cosine == Cosine::Half => Operand::Versine,
+            (Some(_), None) => Operand::Cos,
+        };
         let shininess = match (self.shininess, self.material) {
+            (set, None) if shader.is_some() => {
+                let set = set.map_or("no materials".to_owned(), |set| format!("the shininess {set}"));
+                return Err(Error::input(
+                    format!("the block shader is given {set}"),
+                    "a shader serves materials: give --material NAME=N, or [[material]] in a spec file",
+                ));
+            }
             (Some(set), None) => set,
             (None, Some(materials)) => Shininess::Materials(materials),
             (None, None) => {
@@ -309,6 +350,16 @@ impl SpecFields {
             }
         };
         shininess.check()?;
+        let shininess = match (shininess, &shader) {
+            (Shininess::Materials(materials), Some(_)) => {
+                materials.iter().try_for_each(Material::check_surface)?;
+                Shininess::Materials(materials.into_iter().map(Material::with_surface).collect())
+            }
+            (Shininess::Materials(materials), None) if materials.iter().any(Material::has_surface) => {
+                return Err(Error::input("a lobe has no colours", "use --block shader, or leave the colours out"));
+            }
+            (set, _) => set,
+        };
         if shininess_fraction > 0 && !method.interpolates() && !method.computes_with_shininess() {
             return Err(Error::input(
                 format!("the method {} takes no shininess between the integers of a range", word(&method)),
@@ -318,7 +369,13 @@ impl SpecFields {
         if let Some(Pipeline::Depth(depth)) = self.pipeline {
             within("pipeline", depth, PIPELINE_DEPTH)?;
         }
-        let default_name = word(&method).replace('-', "_") + if form == Form::Paper { "_paper" } else { "" };
+        let default_name = match &shader {
+            None => word(&method).replace('-', "_") + if form == Form::Paper { "_paper" } else { "" },
+            Some(_) => "shader".to_owned(),
+        };
+        // A channel's last bit is worth sixteen of the lobe's, and a step of the cosine moves a highlight of n = 256 by one.
+        let (input_fraction, output_fraction) =
+            shader.as_ref().map_or((16, 16), |shader| (shader.channel_bits + 8, shader.channel_bits + 4));
         let name = self.name.unwrap_or(default_name);
         check_name(&name)?;
         let mut rom_formats = self.rom_formats.unwrap_or_default();
@@ -333,6 +390,7 @@ impl SpecFields {
         }
         Ok(CoreSpec {
             name,
+            block: shader.map_or(Block::Lobe, Block::Shader),
             method,
             form,
             q,
@@ -343,9 +401,13 @@ impl SpecFields {
             coefficients,
             objective,
             shininess,
-            input_fraction: within("input_fraction", self.input_fraction.unwrap_or(16), INPUT_FRACTION)?,
-            output_fraction: within("output_fraction", self.output_fraction.unwrap_or(16), OUTPUT_FRACTION)?,
-            operand: self.operand.unwrap_or(Operand::Cos),
+            input_fraction: within("input_fraction", self.input_fraction.unwrap_or(input_fraction), INPUT_FRACTION)?,
+            output_fraction: within(
+                "output_fraction",
+                self.output_fraction.unwrap_or(output_fraction),
+                OUTPUT_FRACTION,
+            )?,
+            operand,
             rom: self.rom.unwrap_or(RomStyle::Inline),
             rom_formats,
             pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
@@ -363,10 +425,12 @@ impl SpecFields {
             }
             set => (Some(set.clone()), None, None),
         };
+        let shader = spec.block.shader();
         let method = spec.method;
         let fitted = spec.coefficients == Coefficients::Minimax;
         Self {
             name: Some(spec.name.clone()),
+            block: shader.map(|_| BlockKind::Shader),
             method: Some(spec.method),
             form: Some(spec.form),
             coefficients: (!method.coefficients().is_empty()).then_some(spec.coefficients),
@@ -380,12 +444,13 @@ impl SpecFields {
             shininess_fraction,
             input_fraction: Some(spec.input_fraction),
             output_fraction: Some(spec.output_fraction),
-            operand: Some(spec.operand),
+            operand: shader.is_none().then_some(spec.operand),
             rom: Some(spec.rom),
             rom_formats: Some(spec.rom_formats.clone()),
             pipeline: Some(spec.pipeline),
             languages: Some(spec.languages.clone()),
             material,
+            shader: shader.map(ShaderFields::from_shader).unwrap_or_default(),
         }
     }
 
@@ -405,7 +470,9 @@ impl SpecFields {
             rom_formats: None,
             shininess: self.shininess.clone(),
             material: self.material.clone(),
+            block: self.block,
             method: self.method,
+            shader: ShaderFields { model: self.shader.model, front: self.shader.front, ..ShaderFields::default() },
             ..Self::default()
         }
         .resolve()
@@ -414,6 +481,9 @@ impl SpecFields {
         let plain_name = Self { name: None, ..self.clone() }.resolve().map(|spec| spec.name).ok();
         let mut flags = Vec::new();
         let mut flag = |name: &str, value: String| flags.push(format!("--{name} {value}"));
+        if let Some(block) = &self.block {
+            flag("block", word(block));
+        }
         if let Some(method) = &self.method {
             flag("method", word(method));
         }
@@ -476,6 +546,28 @@ impl SpecFields {
         }
         if let Some(languages) = self.languages.as_ref().filter(|_| self.languages != defaults.languages) {
             flag("languages", languages.iter().map(word).collect::<Vec<_>>().join(","));
+        }
+        let (shader, plain) = (&self.shader, &defaults.shader);
+        if let Some(model) = &shader.model {
+            flag("model", word(model));
+        }
+        if let Some(front) = &shader.front {
+            flag("front", word(front));
+        }
+        if let Some(lights) = shader.lights.filter(|_| shader.lights != plain.lights) {
+            flag("lights", lights.to_string());
+        }
+        if let Some(bits) = shader.channel_bits.filter(|_| shader.channel_bits != plain.channel_bits) {
+            flag("channel-bits", bits.to_string());
+        }
+        if let Some(bits) = shader.vector_fraction.filter(|_| shader.vector_fraction != plain.vector_fraction) {
+            flag("vector-fraction", bits.to_string());
+        }
+        if let Some(light) = shader.ambient_light.as_ref().filter(|_| shader.ambient_light != plain.ambient_light) {
+            flag("ambient-light", light.iter().map(f64::to_string).collect::<Vec<_>>().join(","));
+        }
+        if let Some(colours) = shader.light_colours.as_ref().filter(|_| shader.light_colours != plain.light_colours) {
+            flag("light-colours", format!("'{colours}'"));
         }
         flags
     }

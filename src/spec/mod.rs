@@ -5,6 +5,7 @@
 
 mod fields;
 mod method;
+mod shader;
 mod shininess;
 mod widths;
 
@@ -13,6 +14,7 @@ use sha2::{Digest, Sha256};
 
 pub use fields::SpecFields;
 pub use method::{Coefficients, Divider, Form, Inside, Method, Tail};
+pub use shader::{Block, BlockKind, Colour, Cosine, Front, LightColours, Model, Shader, ShaderFields, Surface};
 pub use shininess::{MAX_ROWS, Material, Shininess};
 pub use widths::Widths;
 
@@ -83,6 +85,8 @@ pub enum Pipeline {
 pub struct CoreSpec {
     /// The name of the core, its module and its files.
     pub name: String,
+    /// What the core is: the lobe that the other keys describe, or a shader around it.
+    pub block: Block,
     /// The method.
     pub method: Method,
     /// The form in which it is evaluated.
@@ -143,7 +147,12 @@ impl CoreSpec {
     #[must_use]
     pub fn command(&self) -> String {
         let command = format!("brdfgen generate {}", SpecFields::from_spec(self).flags().join(" "));
-        if command.len() <= 88 { command } else { "brdfgen generate core.toml".to_owned() }
+        // No flag gives a material's colours.
+        let coloured = match (&self.shininess, self.block.shader()) {
+            (Shininess::Materials(materials), Some(_)) => materials.iter().any(|material| !material.is_plain()),
+            _ => false,
+        };
+        if command.len() <= 88 && !coloured { command } else { "brdfgen generate core.toml".to_owned() }
     }
 }
 

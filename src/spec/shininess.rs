@@ -5,6 +5,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::Colour;
 use crate::error::Error;
 use crate::lobe::check_shininess;
 use crate::number::exp2;
@@ -12,7 +13,7 @@ use crate::number::exp2;
 /// The most rows that a ROM may have.
 pub const MAX_ROWS: usize = 65_536;
 
-/// A named material with its shininess.
+/// A named material with its shininess and, for a shader, what its surface reflects.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
@@ -20,6 +21,21 @@ pub struct Material {
     pub name: String,
     /// The shininess, a real number of at least 1.
     pub shininess: f64,
+    /// k_a: how much of the ambient light it reflects, 0 to 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ambient: Option<f64>,
+    /// k_d: how much it scatters, 0 to 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub diffuse: Option<f64>,
+    /// k_s: how much it mirrors, 0 to 1.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub specular: Option<f64>,
+    /// The colour of the ambient and the diffuse light that it gives back.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub colour: Option<Colour>,
+    /// The colour of its highlight.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub specular_colour: Option<Colour>,
 }
 
 impl FromStr for Material {
@@ -29,7 +45,8 @@ impl FromStr for Material {
     fn from_str(text: &str) -> Result<Self, String> {
         let (name, shininess) = text.split_once('=').ok_or("a material is written NAME=SHININESS, as in brass=51.2")?;
         let shininess = shininess.parse().map_err(|_| format!("`{shininess}` is not a number"))?;
-        Ok(Self { name: name.to_owned(), shininess })
+        let (name, none) = (name.to_owned(), None);
+        Ok(Self { name, shininess, ambient: none, diffuse: none, specular: none, colour: None, specular_colour: None })
     }
 }
 

@@ -1097,7 +1097,7 @@ module cubic (
     wire [19:0] big_a_1 = rom_1[56:37];
     // UQ-1.18: the coefficient a, times 4^-k
     wire [16:0] a_1 = rom_1[36:20];
-    // UQ0.16: the largest versine that is not cut
+    // UQ0.16: the largest versine of the polynomial
     wire [15:0] cut_1 = rom_1[15:0];
     // UQ4.0: shift of the versine
     wire [3:0] k_1 = rom_1[19:16];
@@ -1119,7 +1119,7 @@ module cubic (
     end
 
     // ===== Stage 2: past_cut, u_scaled
-    // UQ1.0: u > cut: past the minimum of the inner parabola
+    // UQ1.0: u > cut: past the polynomial's end
     wire past_cut_2 = u_2 > {1'd0, cut_2};
     // UQ11.16: u 2^k
     wire [26:0] u_scaled_2 = {10'd0, u_2} << k_2;

@@ -2201,7 +2201,7 @@ begin
     big_a_1 <= unsigned(rom_1(56 downto 37));
     -- UQ-1.18: the coefficient a, times 4^-k
     a_1 <= unsigned(rom_1(36 downto 20));
-    -- UQ0.16: the largest versine that is not cut
+    -- UQ0.16: the largest versine of the polynomial
     cut_1 <= unsigned(rom_1(15 downto 0));
     -- UQ4.0: shift of the versine
     k_1 <= unsigned(rom_1(19 downto 16));
@@ -2220,7 +2220,7 @@ begin
     end process;
 
     -- ===== Stage 2: past_cut, u_scaled
-    -- UQ1.0: u > cut: past the minimum of the inner parabola
+    -- UQ1.0: u > cut: past the polynomial's end
     past_cut_2 <= '1' when u_2 > cut_2 else '0';
     -- UQ11.16: u 2^k
     u_scaled_2 <= shift_left(resize(u_2, 27), to_integer(k_2));

@@ -1099,7 +1099,7 @@ module cubic_paper (
     wire [36:0] b_1 = rom_1[87:51];
     // UQ19.16: the coefficient c of x
     wire [34:0] c_1 = rom_1[50:16];
-    // UQ0.16: the largest versine that is not cut
+    // UQ0.16: the largest versine of the polynomial
     wire [15:0] cut_1 = rom_1[15:0];
     // UQ2.32: x^2
     wire [33:0] xx_1 = x_1 * x_1;
@@ -1127,7 +1127,7 @@ module cubic_paper (
     end
 
     // ===== Stage 2: past_cut, sx, bs, cx
-    // UQ1.0: u > cut: past the minimum of the inner parabola
+    // UQ1.0: u > cut: past the polynomial's end
     wire past_cut_2 = u_2 > {1'd0, cut_2};
     // UQ3.48: x^3
     wire [50:0] sx_2 = xx_2 * x_2;

@@ -4258,7 +4258,7 @@ begin
     b_1 <= signed(rom_1(87 downto 51));
     -- UQ19.16: the coefficient c of x
     c_1 <= unsigned(rom_1(50 downto 16));
-    -- UQ0.16: the largest versine that is not cut
+    -- UQ0.16: the largest versine of the polynomial
     cut_1 <= unsigned(rom_1(15 downto 0));
     -- UQ2.32: x^2
     xx_1 <= x_1 * x_1;
@@ -4281,7 +4281,7 @@ begin
     end process;
 
     -- ===== Stage 2: past_cut, sx, bs, cx
-    -- UQ1.0: u > cut: past the minimum of the inner parabola
+    -- UQ1.0: u > cut: past the polynomial's end
     past_cut_2 <= '1' when u_2 > cut_2 else '0';
     -- UQ3.48: x^3
     sx_2 <= xx_2 * x_2;

@@ -1,0 +1,406 @@
+//! What a shader block has beyond its lobe: the cosine's front end, lights, colours.
+
+use std::str::FromStr;
+
+use clap::{Args, ValueEnum};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+use super::{CoreSpec, Material, Shininess, Widths};
+use crate::error::Error;
+
+/// Bits of an output channel that are allowed.
+pub const CHANNEL_BITS: [u32; 3] = [8, 10, 12];
+/// Fraction bits of the vectors' components that are allowed.
+pub const VECTOR_FRACTION: std::ops::RangeInclusive<u32> = 8..=20;
+/// Numbers of lights that are allowed.
+pub const LIGHTS: std::ops::RangeInclusive<u32> = 1..=8;
+
+/// What a core is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum BlockKind {
+    /// The lobe alone.
+    #[default]
+    Lobe,
+    /// A lobe with the cosine in front of it and the colours behind it.
+    Shader,
+}
+
+/// A core's block, resolved.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Block {
+    /// The lobe alone.
+    Lobe,
+    /// A complete shader around the lobe.
+    Shader(Shader),
+}
+
+impl Block {
+    /// The shader, if it is one.
+    #[must_use]
+    pub fn shader(&self) -> Option<&Shader> {
+        match self {
+            Self::Lobe => None,
+            Self::Shader(shader) => Some(shader),
+        }
+    }
+}
+
+/// The reflection model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Model {
+    /// The cosine between the mirrored light and the viewer.
+    Phong,
+    /// The cosine between the normal and the half vector.
+    Blinn,
+}
+
+/// How the Blinn model gets at its half vector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Front {
+    /// It is given: the versine is |N - H|^2 / 2.
+    Half,
+    /// It is not: x = (N.L + N.V) / sqrt(2 + 2 L.V).
+    Sqrt,
+}
+
+/// The cosine of the highlight, and what it is computed from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cosine {
+    /// Phong: x = 2 (N.L)(N.V) - L.V.
+    Mirror,
+    /// Blinn with H given: u = |N - H|^2 / 2.
+    Half,
+    /// Blinn: x = (N.L + N.V) / sqrt(2 + 2 L.V).
+    Sqrt,
+}
+
+/// Red, green and blue, each from 0 to 1.
+pub type Colour = [f64; 3];
+
+/// Where the lights' colours come from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LightColours {
+    /// From ports, a code of the channels' bits each.
+    Ports,
+    /// They are constants: one a light, multiplied into the ROM.
+    Fixed(Vec<Colour>),
+}
+
+/// The keys of the table `[shader]`, as written.
+#[derive(Args, Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[command(next_help_heading = "Shader")]
+pub struct ShaderFields {
+    /// The reflection model of a shader [default: phong]
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub model: Option<Model>,
+
+    /// How blinn gets at its half vector [default: half]
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub front: Option<Front>,
+
+    /// Lights, 1 to 8, all of a sample at once [default: 1]
+    #[arg(long)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lights: Option<u32>,
+
+    /// Bits of an output channel: 8, 10 or 12 [default: 8]
+    #[arg(long, value_name = "BITS")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub channel_bits: Option<u32>,
+
+    /// Fraction bits of the vectors' components, 8 to 20 [default: 16]
+    #[arg(long, value_name = "F")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vector_fraction: Option<u32>,
+
+    /// Colour of the ambient light, R,G,B in 0 to 1 [default: 0.2,0.2,0.2]
+    #[arg(long, value_name = "R,G,B", value_delimiter = ',')]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ambient_light: Option<Vec<f64>>,
+
+    /// Colours of the lights, R,G,B;R,G,B;... or ports [default: white]
+    #[arg(long, value_name = "COLOURS|ports")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub light_colours: Option<LightColours>,
+}
+
+/// A shader block, every default resolved and every value checked; its lobe and its materials are the core's.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shader {
+    /// How the cosine of the highlight is computed.
+    pub cosine: Cosine,
+    /// The number of lights.
+    pub lights: u32,
+    /// The bits of an output channel.
+    pub channel_bits: u32,
+    /// The fraction bits of the vectors' components, which are signed Q1.f.
+    pub vector_fraction: u32,
+    /// The colour of the ambient light.
+    pub ambient_light: Colour,
+    /// The colours of the lights.
+    pub light_colours: LightColours,
+}
+
+/// What a material reflects.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Surface {
+    /// k_a, times the material's colour.
+    pub ambient: Colour,
+    /// k_d, times the material's colour.
+    pub diffuse: Colour,
+    /// k_s, times the highlight's colour.
+    pub specular: Colour,
+}
+
+impl Material {
+    /// This material with the defaults for what is not written of its surface.
+    #[must_use]
+    pub fn with_surface(self) -> Self {
+        Self {
+            ambient: self.ambient.or(Some(0.1)),
+            diffuse: self.diffuse.or(Some(0.6)),
+            specular: self.specular.or(Some(0.3)),
+            colour: self.colour.or(Some([1.0; 3])),
+            specular_colour: self.specular_colour.or(Some([1.0; 3])),
+            ..self
+        }
+    }
+
+    /// Whether its surface is the default one.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        let bare =
+            Self { ambient: None, diffuse: None, specular: None, colour: None, specular_colour: None, ..self.clone() };
+        *self == bare.with_surface()
+    }
+
+    /// What it reflects.
+    #[must_use]
+    pub fn surface(&self) -> Surface {
+        let Self { ambient, diffuse, specular, colour, specular_colour, .. } = self.clone().with_surface();
+        let times = |factor: Option<f64>, colour: Option<Colour>| {
+            colour.unwrap_or_default().map(|channel| channel * factor.unwrap_or_default())
+        };
+        Surface {
+            ambient: times(ambient, colour),
+            diffuse: times(diffuse, colour),
+            specular: times(specular, specular_colour),
+        }
+    }
+
+    /// Refuses a coefficient or a colour outside 0 to 1.
+    pub(super) fn check_surface(&self) -> Result<(), Error> {
+        for (what, value) in [("ambient", self.ambient), ("diffuse", self.diffuse), ("specular", self.specular)] {
+            unit(&format!("material {}: {what}", self.name), &value.into_iter().collect::<Vec<_>>())?;
+        }
+        for (what, value) in [("colour", self.colour), ("specular_colour", self.specular_colour)] {
+            unit(&format!("material {}: {what}", self.name), value.as_ref().map_or(&[], <[f64; 3]>::as_slice))?;
+        }
+        Ok(())
+    }
+
+    /// Whether anything of its surface is written.
+    pub(super) fn has_surface(&self) -> bool {
+        let factors = [self.ambient, self.diffuse, self.specular];
+        factors.iter().any(Option::is_some) || self.colour.is_some() || self.specular_colour.is_some()
+    }
+}
+
+fn unit(what: &str, values: &[f64]) -> Result<(), Error> {
+    match values.iter().find(|value| !(0.0..=1.0).contains(*value)) {
+        None => Ok(()),
+        Some(value) => Err(Error::input(format!("{what} = {value} is out of range"), "a real number from 0 to 1")),
+    }
+}
+
+impl ShaderFields {
+    /// These fields, and where one is missing the other's.
+    #[must_use]
+    pub fn or(self, other: Self) -> Self {
+        Self {
+            model: self.model.or(other.model),
+            front: self.front.or(other.front),
+            lights: self.lights.or(other.lights),
+            channel_bits: self.channel_bits.or(other.channel_bits),
+            vector_fraction: self.vector_fraction.or(other.vector_fraction),
+            ambient_light: self.ambient_light.or(other.ambient_light),
+            light_colours: self.light_colours.or(other.light_colours),
+        }
+    }
+
+    /// Whether none is given.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Fills in the defaults and checks every value.
+    ///
+    /// # Errors
+    /// Names the value that is wrong and what is allowed.
+    pub fn resolve(self) -> Result<Shader, Error> {
+        let cosine = match (self.model.unwrap_or(Model::Phong), self.front) {
+            (Model::Phong, None) => Cosine::Mirror,
+            (Model::Phong, Some(_)) => {
+                return Err(Error::input("the model phong has no front", "leave front out, or use --model blinn"));
+            }
+            (Model::Blinn, None | Some(Front::Half)) => Cosine::Half,
+            (Model::Blinn, Some(Front::Sqrt)) => Cosine::Sqrt,
+        };
+        let within = |what: &str, value: u32, allowed: std::ops::RangeInclusive<u32>| {
+            if allowed.contains(&value) {
+                return Ok(value);
+            }
+            Err(Error::input(
+                format!("{what} = {value} is out of range"),
+                format!("{what} is a whole number from {} to {}", allowed.start(), allowed.end()),
+            ))
+        };
+        let lights = within("lights", self.lights.unwrap_or(1), LIGHTS)?;
+        let channel_bits = self.channel_bits.unwrap_or(8);
+        if !CHANNEL_BITS.contains(&channel_bits) {
+            return Err(Error::input(format!("channel_bits = {channel_bits} is not offered"), "8, 10 or 12"));
+        }
+        let ambient = self.ambient_light.unwrap_or_else(|| vec![0.2; 3]);
+        unit("ambient_light", &ambient)?;
+        let ambient_light: Colour = ambient.try_into().map_err(|given: Vec<f64>| {
+            Error::input(format!("ambient_light has {} numbers", given.len()), "red, green and blue, each from 0 to 1")
+        })?;
+        let light_colours = self.light_colours.unwrap_or_else(|| LightColours::Fixed(vec![[1.0; 3]; lights as usize]));
+        if let LightColours::Fixed(colours) = &light_colours {
+            if colours.len() != lights as usize {
+                return Err(Error::input(
+                    format!("{} light colours are given for {lights} lights", colours.len()),
+                    "give one a light, or ports",
+                ));
+            }
+            colours.iter().try_for_each(|colour| unit("light_colours", colour))?;
+        }
+        let vector_fraction = within("vector_fraction", self.vector_fraction.unwrap_or(16), VECTOR_FRACTION)?;
+        Ok(Shader { cosine, lights, channel_bits, vector_fraction, ambient_light, light_colours })
+    }
+
+    /// The fields of a resolved shader, all given.
+    #[must_use]
+    pub fn from_shader(shader: &Shader) -> Self {
+        let (model, front) = match shader.cosine {
+            Cosine::Mirror => (Model::Phong, None),
+            Cosine::Half => (Model::Blinn, Some(Front::Half)),
+            Cosine::Sqrt => (Model::Blinn, Some(Front::Sqrt)),
+        };
+        Self {
+            model: Some(model),
+            front,
+            lights: Some(shader.lights),
+            channel_bits: Some(shader.channel_bits),
+            vector_fraction: Some(shader.vector_fraction),
+            ambient_light: Some(shader.ambient_light.to_vec()),
+            light_colours: Some(shader.light_colours.clone()),
+        }
+    }
+}
+
+impl Shader {
+    /// The inner widths around the lobe: fraction bits each, by rule.
+    ///
+    /// `dot`: the scalar products, two bits finer than the lobe's input, and six where they are divided by a root that may be
+    /// small; `x`: the lobe's input; `cos`: the cosine of the diffuse term;
+    /// `k`: the colours in the ROM; `term`: each light's terms, so fine that all their roundings together stay below an eighth of an
+    /// output step; `root`: the reciprocal square root and its factor.
+    #[must_use]
+    pub fn widths(&self, spec: &CoreSpec) -> Widths {
+        let (f, bits) = (self.vector_fraction as i32, self.channel_bits as i32);
+        let x = spec.input_fraction as i32;
+        let finer = if self.cosine == Cosine::Sqrt { 6 } else { 2 };
+        let dot = (x + finer).min(2 * f);
+        let each = if self.light_colours == LightColours::Ports { 3 } else { 2 };
+        let terms = each * self.lights as i32;
+        Widths::new(vec![
+            ("dot", dot),
+            ("x", x),
+            ("cos", dot.min(bits + 4)),
+            ("k", bits + 4),
+            ("term", bits + 3 + libm::ilogb(f64::from(2 * terms - 1))),
+            ("root", x + 2),
+        ])
+    }
+
+    /// The materials' surfaces, in the order of the set.
+    #[must_use]
+    pub fn surfaces(spec: &CoreSpec) -> Vec<Surface> {
+        match &spec.shininess {
+            Shininess::Materials(materials) => materials.iter().map(Material::surface).collect(),
+            _ => Vec::new(),
+        }
+    }
+
+    /// The greatest code of a channel: full scale.
+    #[must_use]
+    pub fn full_scale(&self) -> i64 {
+        (1 << self.channel_bits) - 1
+    }
+}
+
+impl FromStr for LightColours {
+    type Err = String;
+
+    /// Reads `ports`, or `R,G,B` for each light with semicolons between.
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text == "ports" {
+            return Ok(Self::Ports);
+        }
+        let colour = |part: &str| -> Result<Colour, String> {
+            let wrong = || format!("`{part}` is no colour; a colour is R,G,B, and there is a semicolon between two");
+            let channels: Result<Vec<f64>, _> = part.split(',').map(|channel| channel.trim().parse()).collect();
+            channels.map_err(|_| wrong())?.try_into().map_err(|_| wrong())
+        };
+        text.split(';').map(colour).collect::<Result<_, _>>().map(Self::Fixed)
+    }
+}
+
+impl std::fmt::Display for LightColours {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Ports => f.write_str("ports"),
+            Self::Fixed(colours) => {
+                let text: Vec<String> = colours.iter().map(colour_text).collect();
+                f.write_str(&text.join(";"))
+            }
+        }
+    }
+}
+
+/// `R,G,B`.
+fn colour_text(colour: &Colour) -> String {
+    colour.map(|channel| channel.to_string()).join(",")
+}
+
+impl Serialize for LightColours {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Ports => serializer.serialize_str("ports"),
+            Self::Fixed(colours) => colours.serialize(serializer),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for LightColours {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged, expecting = "the light colours are \"ports\" or a list of [red, green, blue]")]
+        enum Written {
+            Text(String),
+            List(Vec<Colour>),
+        }
+        match Written::deserialize(deserializer)? {
+            Written::Text(text) => text.parse().map_err(serde::de::Error::custom),
+            Written::List(colours) => Ok(Self::Fixed(colours)),
+        }
+    }
+}
