@@ -491,14 +491,15 @@ module cubic_min_zero_tb;
         end
     endtask
 
-    // Writes every word of the memories, or its complement. Whether ce is high must not matter.
+    // Writes every word of the memories, or its complement. Neither ce nor rst must matter.
     task load;
         input complement;
         begin
             for (at = 0; at < 128; at = at + 1) begin
                 present_garbage(1'b0);
                 draw;
-                ce = lfsr[31];
+                ce  = lfsr[31];
+                rst = lfsr[30];
                 wr_en = 1'b1;
                 wr_addr = at[6:0];
                 wr_data = words_rom[at] ^ {16{complement}};
@@ -506,7 +507,8 @@ module cubic_min_zero_tb;
                 clock;
             end
             present_garbage(1'b0);
-            ce = 1'b1;
+            ce  = 1'b1;
+            rst = 1'b0;
         end
     endtask
 

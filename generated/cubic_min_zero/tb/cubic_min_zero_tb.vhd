@@ -546,13 +546,14 @@ begin
             end if;
         end procedure;
 
-        -- Writes every word of the memories, or its complement. Whether ce is high must not matter.
+        -- Writes every word of the memories, or its complement. Neither ce nor rst must matter.
         procedure load(complement : boolean) is
         begin
             for address in words_rom'range loop
                 present_garbage('0');
                 draw;
-                ce <= lfsr(31);
+                ce  <= lfsr(31);
+                rst <= lfsr(30);
                 wr_en <= '1';
                 wr_addr <= std_logic_vector(to_unsigned(address, 7));
                 wr_data <= words_rom(address);
@@ -563,7 +564,8 @@ begin
                 clock;
             end loop;
             present_garbage('0');
-            ce <= '1';
+            ce  <= '1';
+            rst <= '0';
         end procedure;
 
         -- A vector for the words' complements.

@@ -45,13 +45,11 @@ module log_exp (
         end
     end
 
-    // ===== Stage 0: n, x, u, m_8, m_4, n_low, ne_8, ne_4
+    // ===== Stage 0: n, x, m_8, m_4, n_low, ne_8, ne_4
     // UQ6.2: in_n taken into the range
     wire [7:0] n_0 = (in_n < 8'h04) ? 8'h04 : (in_n > 8'hfc) ? 8'hfc : in_n;
     // UQ1.12: x = in_cos taken into [0, 1]: back-facing gives x = 0
     wire [12:0] x_0 = in_cos[13] ? 13'h0000 : (|in_cos[12]) ? 13'h1000 : in_cos[12:0];
-    // UQ1.12: u = 1 - x, the versine
-    wire [12:0] u_0 = 13'h1000 - x_0;
     // UQ1.0: x is large enough for a result above half an ulp
     wire enough_0 = |x_0;
     // UQ1.0: x is so small that the result is 0
@@ -466,7 +464,6 @@ module log_exp (
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    u_0,
                     m_by_8_0[12:5],
                     m_by_4_0[12:9],
                     m_by_2_0[12:11],

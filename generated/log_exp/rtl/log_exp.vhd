@@ -106,7 +106,6 @@ architecture rtl of log_exp is
     signal valid : std_logic_vector(14 downto 1) := (others => '0');
     signal n_0 : unsigned(7 downto 0);
     signal x_0 : unsigned(12 downto 0);
-    signal u_0 : unsigned(12 downto 0);
     signal enough_0 : std_logic;
     signal small_0 : std_logic;
     signal m_above_8_bits_0 : unsigned(8 downto 0);
@@ -252,7 +251,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 0: n, x, u, m_8, m_4, n_low, ne_8, ne_4
+    -- ===== Stage 0: n, x, m_8, m_4, n_low, ne_8, ne_4
     -- UQ6.2: in_n taken into the range
     n_0 <= to_unsigned(4, 8) when in_n < 4 else
         to_unsigned(252, 8) when in_n > 252 else
@@ -261,8 +260,6 @@ begin
     x_0 <= (others => '0') when in_cos(13) = '1' else
         (12 => '1', others => '0') when in_cos(12) = '1' else
         unsigned(in_cos(12 downto 0));
-    -- UQ1.12: u = 1 - x, the versine
-    u_0 <= to_unsigned(4096, 13) - x_0;
     -- UQ1.0: x is large enough for a result above half an ulp
     enough_0 <= '1' when x_0 /= 0 else '0';
     -- UQ1.0: x is so small that the result is 0

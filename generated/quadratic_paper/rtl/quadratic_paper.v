@@ -45,13 +45,11 @@ module quadratic_paper (
         end
     end
 
-    // ===== Stage 0: read the ROM, x, u, x_half
+    // ===== Stage 0: read the ROM, x, x_half
     // The word of the memory rom, of 1024 words.
     reg [23:0] rom_1;
     // UQ1.16: x = in_cos taken into [0, 1]: back-facing gives x = 0
     wire [16:0] x_0 = in_cos[17] ? 17'h00000 : (|in_cos[16]) ? 17'h10000 : in_cos[16:0];
-    // UQ1.16: u = 1 - x, the versine
-    wire [16:0] u_0 = 17'h10000 - x_0;
     // UQ1.17: plus half an output ulp: the result is rounded to nearest
     wire [17:0] x_half_0 = {x_0, 1'd0} + 18'h00001;
     always @(posedge clk) begin
@@ -1163,7 +1161,6 @@ module quadratic_paper (
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    u_0,
                     xx_1[33],
                     xx_1[4:0],
                     ad_3[53:52],

@@ -1073,7 +1073,6 @@ architecture rtl of quadratic_paper is
 
     signal valid : std_logic_vector(5 downto 1) := (others => '0');
     signal x_0 : unsigned(16 downto 0);
-    signal u_0 : unsigned(16 downto 0);
     signal x_half_0 : unsigned(17 downto 0);
     signal x_1 : unsigned(16 downto 0) := (others => '0');
     signal x_half_1 : unsigned(17 downto 0) := (others => '0');
@@ -1112,13 +1111,11 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 0: read the ROM, x, u, x_half
+    -- ===== Stage 0: read the ROM, x, x_half
     -- UQ1.16: x = in_cos taken into [0, 1]: back-facing gives x = 0
     x_0 <= (others => '0') when in_cos(17) = '1' else
         (16 => '1', others => '0') when in_cos(16) = '1' else
         unsigned(in_cos(16 downto 0));
-    -- UQ1.16: u = 1 - x, the versine
-    u_0 <= to_unsigned(65536, 17) - x_0;
     -- UQ1.17: plus half an output ulp: the result is rounded to nearest
     x_half_0 <= shift_left(resize(x_0, 18), 1) + to_unsigned(1, 18);
     process (clk) is
