@@ -221,22 +221,22 @@ const VHDL_FAULTS: &[Fault] = &[
 const POWER: &str = "method = 'power-4'\nshininess = '1..=1000'";
 
 const POWER_VERILOG_FAULTS: &[Fault] = &[
-    ("last bit of a", "10'd33: rom_1 <= 55'h407fe2c4642e9e;", "10'd33: rom_1 <= 55'h407fe2c4742e9e;"),
-    ("last bit of A", "10'd33: rom_1 <= 55'h407fe2c4642e9e;", "10'd33: rom_1 <= 55'h407fc2c4642e9e;"),
-    ("last bit of the cut", "10'd33: rom_1 <= 55'h407fe2c4642e9e;", "10'd33: rom_1 <= 55'h407fe2c4642e9f;"),
-    ("a without its sign", "$signed(a_3)", "$signed({1'b0, a_3[15:0]})"),
+    ("last bit of a", "10'd33: rom_1 <= 58'h203fe8588c42e9e;", "10'd33: rom_1 <= 58'h203fe8588d42e9e;"),
+    ("last bit of A", "10'd33: rom_1 <= 58'h203fe8588c42e9e;", "10'd33: rom_1 <= 58'h203fec588c42e9e;"),
+    ("last bit of the cut", "10'd33: rom_1 <= 58'h203fe8588c42e9e;", "10'd33: rom_1 <= 58'h203fe8588c42e9f;"),
+    ("a without its sign", "$signed(a_3)", "$signed({1'b0, a_3[16:0]})"),
     ("shift off by one", "<< k_2", "<< (k_2 + 4'd1)"),
     ("cut an ulp early", "u_2 > {1'd0, cut_2}", "u_2 >= {1'd0, cut_2}"),
     ("difference swapped", "big_a_4 - r_4", "r_4 - big_a_4"),
     ("a missing register of the versine", "v_5 * q_5", "v_4 * q_5"),
     ("a missing register of the square", "w2_cut_8 * w2_cut_8", "w2_cut_8 * w2_cut_7"),
-    ("square rounded up", "w2_7[38:17];", "w2_7[38:17] + {21'd0, w2_7[16]};"),
-    ("result cut, not rounded", "43'h00002000000", "43'h00000000000"),
+    ("square rounded up", "w2_7[40:21];", "w2_7[40:21] + {19'd0, w2_7[20]};"),
+    ("result cut, not rounded", "39'h0000200000", "39'h0000000000"),
     ("the cut's flag lost", "past_cut_6 | p_above_6", "p_above_6"),
 ];
 
 const POWER_VHDL_FAULTS: &[Fault] = &[
-    ("last bit of A", "33 => x\"407fe2\"", "33 => x\"407fc2\""),
+    ("last bit of A", "33 => x\"203fe85\"", "33 => x\"203fec5\""),
     ("a missing register of the square", "w2_cut_8 * w2_cut_8", "w2_cut_8 * w2_cut_7"),
     ("the cut's flag lost", "past_cut_6 or p_above_6", "p_above_6"),
 ];
