@@ -335,6 +335,9 @@ impl Architecture for Architect<'_> {
         let y = polynomial::pad(&mut b, y, g + 1);
         let y = b.add_half(y, g, "y_half");
         let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded down to the output's bits");
+        // The top of a fit may lie above 1.
+        let over = b.bounds(y).iter().any(|bound| bound.range.high > 1.0);
+        let y = if over { b.clamp_to_unit(y, "y_unit", "at most 1") } else { y };
         let zero = b.any(&[beyond, Some(past)], "zero", "the result is 0");
         let y = b.zero_if(zero, y, "y", "y, 0 past the last segment");
         let cases: Vec<Interval> = b.cases().iter().map(|case| case.active).collect();
