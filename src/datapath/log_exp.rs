@@ -6,7 +6,7 @@
 //!
 //! `z = n L = n e + v κ(m)`, `v = n (1 - m)`, `κ(m) = -log2(m) / (1 - m)`, and `y = 2^-z = 2^-f 2^-i`, `z = i + f`.
 //!
-//! κ lies between `log2 e` and 2 and, like `2^-f`, comes from a table with linear interpolation ([`Chords`]).
+//! κ lies between `log2 e` and 2 and, like `2^-f`, comes from a table with linear interpolation (the module `chords`).
 //!
 //! # The proof
 //!
