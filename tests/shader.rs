@@ -58,6 +58,9 @@ fn specs() -> Vec<String> {
             "method = 'quadratic'\ninput_fraction = 9\noutput_fraction = 7\npipeline = 3",
             "model = 'blinn'\nfront = 'sqrt'\nvector_fraction = 8\nlight_colours = [[0.5, 0, 1]]\nambient_light = [0, 0.5, 1]",
         ),
+        ("method = 'segmented-4'", "model = 'phong'\nchannel_bits = 10"),
+        ("method = 'log-exp'", "model = 'blinn'\nfront = 'half'\nlights = 2"),
+        ("method = 'cubic-rational'\ndivider = 'reciprocal'", "model = 'phong'"),
     ]
     .map(|(core, shader)| text(core, shader))
     .to_vec()
