@@ -59,16 +59,17 @@ impl Chords<'_> {
         self.start + entry as f64 * exp2(-self.step_bits())
     }
 
-    /// From an entry's first argument to its last.
+    /// From an entry's first argument to its last; 0 where it has only one, or none.
     fn span(&self) -> f64 {
-        exp2(-self.step_bits()) - exp2(-self.argument_bits)
+        (exp2(-self.step_bits()) - exp2(-self.argument_bits)).max(0.0)
     }
 
     /// The range of `-slope d`, as the hardware computes it, minus the function over an entry.
     fn shape(&self, entry: usize, slope_code: i128) -> Interval {
         let first = self.first(entry);
         let slope = slope_code as f64 * exp2(-self.slope_bits());
-        let spare_bits = self.argument_bits - self.step_bits();
+        // Of more entries than arguments, some serve none.
+        let spare_bits = (self.argument_bits - self.step_bits()).max(0);
         let hull = |values: &mut dyn Iterator<Item = f64>| {
             values.map(Interval::point).reduce(Interval::hull).unwrap_or(Interval::ZERO)
         };
@@ -98,7 +99,8 @@ impl Chords<'_> {
         let most = (1i128 << (self.int_bits + self.value_bits)) - 1;
         for entry in 0..entries {
             let first = self.first(entry);
-            let slope = ((self.function)(first) - (self.function)(first + self.span())) / self.span();
+            let span = self.span();
+            let slope = if span > 0.0 { ((self.function)(first) - (self.function)(first + span)) / span } else { 0.0 };
             let slope_code = nearest_code(slope, self.slope_bits());
             let shape = self.shape(entry, slope_code);
             let base = -0.5 * (shape.low + shape.high);

@@ -113,7 +113,7 @@ pub struct SpecFields {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub rom_formats: Option<Vec<RomFormat>>,
 
-    /// Registers between input and output, 1 to 32, or auto [default: auto]
+    /// Registers between input and output, 1 to 64, or auto [default: auto]
     #[arg(long, value_name = "DEPTH|auto")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pipeline: Option<Pipeline>,
@@ -241,7 +241,10 @@ impl SpecFields {
     /// Names the value that is wrong and what is allowed.
     pub fn resolve(self) -> Result<CoreSpec, Error> {
         let Some(method) = self.method else {
-            return Err(Error::input("no method is given", "give --method, such as --method cubic, or a spec file"));
+            return Err(Error::input(
+                "no method is given",
+                "give --method quadratic, --method cubic or another, or a spec file",
+            ));
         };
         let form = self.form.unwrap_or(Form::Stable);
         let shader = match self.block.unwrap_or_default() {
@@ -686,7 +689,7 @@ mod tests {
             (format!("{base}q = 1.5"), "level q = 1.5"),
             (format!("{base}name = \"module\""), "the name `module`"),
             (format!("{base}name = \"a b\""), "the name `a b`"),
-            (format!("{base}pipeline = 99"), "from 1 to 32"),
+            (format!("{base}pipeline = 99"), "from 1 to 64"),
             (format!("{base}languages = []"), "no language"),
             (format!("{base}[[material]]\nname = \"a\"\nshininess = 2"), "both shininess and materials"),
             (format!("{base}[[material]]\nname = \"a\"\nshine = 2"), "unknown key `shine`"),
