@@ -218,16 +218,24 @@ impl<'a> Builder<'a> {
     /// The port `in_n` and the address that it is for the memory `memory`, whose rows are those of the set.
     pub fn address(&mut self, set: &Shininess, memory: usize) -> NodeId {
         let port = self.index(set);
-        let table = &self.tables[memory];
-        let (first_index, address_bits) = (table.first_index, table.address_bits);
-        if first_index == 0 {
+        if self.tables[memory].first_index == 0 {
             return port;
         }
         let clamped = self.clamped_index(set, port);
-        let offset = self.constant(first_index.into(), self.format(port), "first");
-        let bounds = vec![Self::whole(0, set.index_of_row(set.rows() - 1) - first_index); self.cases.len()];
+        self.offset_from_first(clamped, memory)
+    }
+
+    /// A whole index of the set as the address in a memory whose rows begin at the set's first.
+    fn offset_from_first(&mut self, index: NodeId, memory: usize) -> NodeId {
+        let table = &self.tables[memory];
+        let (first, address_bits, last) = (table.first_index, table.address_bits, table.rows() as u32 - 1);
+        if first == 0 {
+            return index;
+        }
+        let first = self.constant(first.into(), self.format(index), "first");
+        let bounds = vec![Self::whole(0, last); self.cases.len()];
         let format = Format::unsigned(address_bits as i32, 0);
-        self.push(Op::Sub, &[clamped, offset], format, "address", "n minus the first of the range".to_owned(), bounds)
+        self.push(Op::Sub, &[index, first], format, "address", "n minus the first of the range".to_owned(), bounds)
     }
 
     /// The address of a part of a row, for the memory `memory`: the row's address and the part's number side by side.
@@ -254,20 +262,11 @@ impl<'a> Builder<'a> {
         let n = self.clamped_index(set, port);
         let most = self.format(n).int_bits;
         let whole = self.cast(n, Format::unsigned(most, 0), false, "n_whole", "the integer below n");
-        let table = &self.tables[memory];
-        let (first, address_bits) = (table.first_index, table.address_bits);
-        let address = if first == 0 {
-            whole
-        } else {
-            let first_node = self.constant(first.into(), Format::unsigned(most, 0), "first");
-            let bounds = vec![Self::whole(0, table.rows() as u32 - 1); self.cases.len()];
-            let format = Format::unsigned(address_bits as i32, 0);
-            let comment = "n minus the first of the range".to_owned();
-            self.push(Op::Sub, &[whole, first_node], format, "address", comment, bounds)
-        };
+        let address = self.offset_from_first(whole, memory);
         let fraction =
             self.cast(n, Format::unsigned(0, frac_bits), true, "n_fraction", "what n has beyond that integer");
-        let last = self.cases.iter().map(|case| case.rows[memory] == Some(table.rows() - 1)).collect::<Vec<_>>();
+        let rows = self.tables[memory].rows();
+        let last = self.cases.iter().map(|case| case.rows[memory] == Some(rows - 1)).collect::<Vec<_>>();
         let most = 1.0 - crate::number::exp2(-frac_bits);
         self.assume(
             fraction,

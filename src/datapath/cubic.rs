@@ -2,7 +2,7 @@
 
 use super::builder::{Builder, Case};
 use super::graph::NodeId;
-use super::polynomial::{self, Ends, Line, Scaling, field, nearest_code};
+use super::polynomial::{self, BIG_A, Ends, Line, SMALL_A, Scaling, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, coefficients, multiplier_cost};
 use crate::error::Error;
 use crate::lobe::{Cubic, Lobe, Polynomial};
@@ -63,7 +63,7 @@ impl<'a> Stable<'a> {
 
     /// The field with the values past the cut, where the tail is held and some row has a cut.
     fn held(table: &Table) -> Option<&Field> {
-        table.fields.iter().find(|field| field.name == "hold")
+        table.find("hold")
     }
 
     /// The value that each row's cubic is held at; 0 where it is never left.
@@ -138,10 +138,6 @@ impl<'a> Stable<'a> {
         at_row.hull(at_next) * -Interval::new(1.0 - ends[row], 1.0)
     }
 }
-
-/// The fields of A and a: at a row, and their steps to the next.
-const BIG_A: [&str; 2] = ["big_a", "big_a_step"];
-const SMALL_A: [&str; 2] = ["a", "a_step"];
 
 impl Architecture for Stable<'_> {
     fn parameters(&self) -> Vec<Parameter> {

@@ -25,6 +25,11 @@ pub(super) fn field(
     Field { name, meaning, format: Format::holding(low, high, frac_bits), codes, reals }
 }
 
+/// The fields of A: at a row, and the step to the next.
+pub(super) const BIG_A: [&str; 2] = ["big_a", "big_a_step"];
+/// The fields of a, likewise.
+pub(super) const SMALL_A: [&str; 2] = ["a", "a_step"];
+
 /// A coefficient over a row of the ROM: of a fixed-point range, `base + f step` with f from 0 to below 1 on the way to the
 /// next row; else step is 0.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +80,7 @@ pub(super) fn line_fields(
 /// A scaled coefficient of a row before and after it was rounded to words.
 pub(super) fn lines_of(table: &Table, [name, step]: [&'static str; 2], row: usize) -> [Line; 2] {
     let of = |value: &dyn Fn(&Field) -> f64| {
-        let column = |name: &str| table.fields.iter().find(|field| field.name == name).map_or(0.0, value);
+        let column = |name: &str| table.find(name).map_or(0.0, value);
         Line { base: column(name), step: column(step) }
     };
     [of(&|field| field.reals[row]), of(&|field| field.format.value(field.codes[row]))]
@@ -94,7 +99,7 @@ pub(super) fn delta(table: &Table, names: [&'static str; 2], row: usize) -> Inte
 
 /// k of a row.
 pub(super) fn shift_of(table: &Table, row: usize) -> i32 {
-    let own = table.fields.iter().find(|field| field.name == "k").map_or(0, |field| field.codes[row]);
+    let own = table.find("k").map_or(0, |field| field.codes[row]);
     own as i32 + table.shared_shift as i32
 }
 
@@ -166,7 +171,7 @@ impl Ends {
     /// The ends that a table's words hold, as versines below 1.
     pub fn in_words(spec: &CoreSpec, table: &Table) -> Vec<f64> {
         let lsb = exp2(-(spec.input_fraction as i32));
-        match table.fields.iter().find(|field| field.name == "cut") {
+        match table.find("cut") {
             Some(field) => field.codes.iter().map(|&code| code as f64 * lsb).collect(),
             None => vec![1.0 - lsb; table.rows()],
         }
@@ -174,12 +179,12 @@ impl Ends {
 
     /// The real ends of a table: 1 where there is none.
     pub fn in_reals(table: &Table) -> Vec<f64> {
-        table.fields.iter().find(|field| field.name == "cut").map_or(vec![1.0; table.rows()], |cut| cut.reals.clone())
+        table.find("cut").map_or(vec![1.0; table.rows()], |cut| cut.reals.clone())
     }
 
     /// The flag for versines past the end, or `None` where the table has no such field.
     pub fn flag(b: &mut Builder, spec: &CoreSpec, table: &Table, address: NodeId, u: NodeId) -> Option<NodeId> {
-        table.fields.iter().any(|field| field.name == "cut").then(|| {
+        table.find("cut").is_some().then(|| {
             debug_assert_eq!(b.format(u).frac_bits, spec.input_fraction as i32);
             let cut = b.field(0, address, "cut");
             b.greater(u, cut, "past_cut", "u > cut: past the polynomial's end")

@@ -2,7 +2,7 @@
 
 use super::builder::{Bound, Builder, Case};
 use super::graph::NodeId;
-use super::polynomial::{self, Ends, Line, Scaling};
+use super::polynomial::{self, BIG_A, Ends, Line, SMALL_A, Scaling};
 use super::{Architecture, Datapath, Description, Parameter, coefficients, multiplier_cost};
 use crate::error::Error;
 use crate::fit::Power;
@@ -14,10 +14,6 @@ use crate::spec::{CoreSpec, Inside, Method, Shininess, Widths};
 /// Parts of a row's versines that the analysis takes apart: near the highlight an error of p counts k times, farther out the
 /// coefficients' errors grow and the power's slope falls.
 const PIECES: usize = 8;
-
-/// The fields of A (or K) and a.
-const BIG_A: [&str; 2] = ["big_a", "big_a_step"];
-const SMALL_A: [&str; 2] = ["a", "a_step"];
 
 /// With the coefficients in a ROM: `p = v (A 2^-k - (a 4^-k) v)`, `w = 1 - p`, squarings of w, and a multiplication by x where
 /// the lobe has that factor.

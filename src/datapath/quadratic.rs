@@ -1,7 +1,7 @@
 //! The quadratic lobe `x (1 - a u)`, clamped at 0.
 
 use super::builder::{Builder, Case};
-use super::polynomial::{self, Line, Scaling, field, nearest_code};
+use super::polynomial::{self, Line, SMALL_A, Scaling, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, coefficients, multiplier_cost};
 use crate::error::Error;
 use crate::lobe::{Lobe, Quadratic};
@@ -50,9 +50,6 @@ impl<'a> Stable<'a> {
     }
 }
 
-/// The fields of a: at a row, and its step to the next.
-const A: [&str; 2] = ["a", "a_step"];
-
 impl Architecture for Stable<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.spec.input_fraction as i32, self.spec.output_fraction as i32);
@@ -83,7 +80,7 @@ impl Architecture for Stable<'_> {
         let scaling = self.scaling(bits);
         let meanings = ["the coefficient a, times 2^-k", "its step to the next row"];
         let lines = scaling.lines(&self.lines(), 1);
-        let mut fields = polynomial::line_fields(self.spec, A, meanings, bits, &lines);
+        let mut fields = polynomial::line_fields(self.spec, SMALL_A, meanings, bits, &lines);
         fields.extend(scaling.field());
         vec![Table::new(&self.spec.shininess, fields, scaling.base() as u32)]
     }
@@ -93,7 +90,7 @@ impl Architecture for Stable<'_> {
     }
 
     fn lobes(&self, tables: &[Table]) -> Vec<Box<dyn Lobe>> {
-        let coefficients = polynomial::real_coefficients(self.spec, &tables[0], A, 1);
+        let coefficients = polynomial::real_coefficients(self.spec, &tables[0], SMALL_A, 1);
         coefficients.into_iter().map(|a| Box::new(Quadratic { a }) as Box<dyn Lobe>).collect()
     }
 
@@ -102,7 +99,7 @@ impl Architecture for Stable<'_> {
         let table = &tables[0];
         // The least a that a row has, before or after rounding, makes the lobe end last.
         let least = |row: usize| {
-            let [real, word] = polynomial::lines_of(table, A, row).map(|line| line.range().low);
+            let [real, word] = polynomial::lines_of(table, SMALL_A, row).map(|line| line.range().low);
             real.min(word) * exp2(scaling.k[row])
         };
         // Just past the zero p may still be below 1, since v is rounded down: up to there the values must be right.
@@ -114,14 +111,14 @@ impl Architecture for Stable<'_> {
         let mut b = Builder::new(&tables, Case::of_rows(table, &ends));
         let address = polynomial::address(&mut b, self.spec, 0);
         let (x, u) = b.operand(self.spec);
-        let a = polynomial::coefficient(&mut b, address, A);
+        let a = polynomial::coefficient(&mut b, address, SMALL_A);
         let scaled = scaling.apply(&mut b, address.0, u);
         let beyond = b.reaches(scaled, 1, "beyond", "u 2^k >= 2: then a u >= 1, since a 2^-k >= 1/2");
         let v = b.cast(scaled, Format::unsigned(1, widths.get("v")), true, "v", "v = u 2^k, rounded down");
         let p = b.mul(a, v, "av", "a u = (a 2^-k) v");
         let y = polynomial::output_of_p(&mut b, self.spec, widths, x, p, beyond);
         polynomial::finish(b, self.spec, &tables, y, |row| {
-            let delta = polynomial::delta(table, A, row).scale(scaling.k[row]);
+            let delta = polynomial::delta(table, SMALL_A, row).scale(scaling.k[row]);
             coefficient_error(Quadratic { a: least(row) }.zero(), delta)
         })
     }

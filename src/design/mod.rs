@@ -8,6 +8,8 @@ mod tune;
 pub use budget::{Part, ShaderError};
 pub use measure::{Measured, Sweep};
 
+use std::sync::Arc;
+
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
@@ -58,6 +60,10 @@ pub struct Design {
     pub schedule: Schedule,
     /// The proved error of the lobe.
     pub budget: Budget,
+    /// The real-valued method of each shininess; kept, so that coefficients are fitted once.
+    lobes: Arc<[Box<dyn Lobe>]>,
+    /// What the lobe computes and how.
+    description: Description,
 }
 
 impl Design {
@@ -72,6 +78,8 @@ impl Design {
         if spec.is_fitted() {
             solution = tune::tuned(&spec, &*architecture, solution);
         }
+        let lobes = architecture.lobes(&solution.datapath.tables).into();
+        let description = architecture.description(&solution.datapath.tables);
         drop(architecture);
         let Solution { widths, datapath: lobe, budget } = solution;
         let datapath = match &spec.block {
@@ -81,7 +89,7 @@ impl Design {
             })?,
         };
         let schedule = schedule(&datapath.graph, spec.pipeline)?;
-        let design = Self { widths, datapath, schedule, budget, spec };
+        let design = Self { widths, datapath, schedule, budget, lobes, description, spec };
         if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {
             return Err(Error::input(
                 format!("the core {} has no coefficient memory that could be written", design.spec.name),
@@ -129,12 +137,9 @@ impl Design {
     }
 
     /// The real-valued method of each shininess, in the order of the set.
-    ///
-    /// # Panics
-    /// Never for a spec that a design was made of.
     #[must_use]
-    pub fn lobes(&self) -> Vec<Box<dyn Lobe>> {
-        architecture(&self.spec).expect("built before").lobes(self.tables())
+    pub fn lobes(&self) -> &[Box<dyn Lobe>] {
+        &self.lobes
     }
 
     /// The operations.
@@ -144,12 +149,9 @@ impl Design {
     }
 
     /// What the core computes and how.
-    ///
-    /// # Panics
-    /// Never for a spec that a design was made of.
     #[must_use]
-    pub fn description(&self) -> Description {
-        architecture(&self.spec).expect("built before").description(self.tables())
+    pub fn description(&self) -> &Description {
+        &self.description
     }
 
     /// The bit-exact reference.

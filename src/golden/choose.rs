@@ -35,7 +35,7 @@ struct Flip {
 
 struct Chooser<'a> {
     design: &'a Design,
-    lobes: Vec<Box<dyn Lobe>>,
+    lobes: &'a [Box<dyn Lobe>],
     dice: Dice,
     one: i64,
 }
@@ -212,8 +212,7 @@ impl Chooser<'_> {
     fn telling(&self, row: usize, flipped: &[Evaluator]) -> Vec<i64> {
         let design = self.design;
         let end = self.end(row);
-        let cuts =
-            design.datapath.coefficients().and_then(|table| table.fields.iter().find(|field| field.name == "cut"));
+        let cuts = design.datapath.coefficients().and_then(|table| table.find("cut"));
         let cut = cuts.map_or(end, |field| field.codes[design.spec.shininess.knot(row).0] as i64);
         // First blocks about the end of the lobe, where a coefficient weighs most, and about the cut, which lies past it where a
         // tail is held, and combs over the lobe and over all; then, for what these do not tell, a fine comb over the lobe.

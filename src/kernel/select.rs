@@ -22,7 +22,7 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
         && table.first_index == 0
         && table.shared_shift == 0
         && table.fields.iter().all(|field| !field.format.signed);
-    if !suits || !table.fields.iter().any(|field| field.name == "k") {
+    if !suits || table.find("k").is_none() {
         return None;
     }
     let words = |name: &str| -> Vec<u64> {
@@ -51,7 +51,7 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
         }
         Method::Cubic => {
             // Where no row is cut, the ROM has no threshold.
-            table.fields.iter().find(|field| field.name == "cut")?;
+            table.find("cut")?;
             let node = |name: &str| design.graph().nodes.iter().find(|node| node.name == name);
             let (v, q) = (node("v")?.format, node("q")?.format);
             let widths = CubicWidths {

@@ -44,7 +44,7 @@ pub fn exact(n: f64, u: f64) -> f64 {
 }
 
 /// A method's real-valued lobe for one shininess.
-pub trait Lobe: Send + Sync {
+pub trait Lobe: std::fmt::Debug + Send + Sync {
     /// The value in [0, 1] at the versine `u` in [0, 1].
     fn at(&self, u: f64) -> f64;
 }

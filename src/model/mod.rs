@@ -122,8 +122,8 @@ impl Inputs<'_> {
 
     /// The named field of this shininess' row, if the ROM has such a field.
     fn optional(&self, name: &str) -> Option<Wide> {
-        let fields = &self.memory(Table::COEFFICIENTS).fields;
-        fields.iter().any(|f| f.name == name).then(|| self.entry(Table::COEFFICIENTS, self.row, name))
+        let has = self.memory(Table::COEFFICIENTS).find(name).is_some();
+        has.then(|| self.entry(Table::COEFFICIENTS, self.row, name))
     }
 
     /// `value`, or 0 at x = 0, where a surface faces away.

@@ -11,7 +11,7 @@ const ROUGH_BITS: u32 = 9;
 pub(super) fn segmented(inputs: &Inputs, bounds: &[i128]) -> Wide {
     let u = Wide::ONE - inputs.x;
     let scale = inputs.memory("scale");
-    let shift = scale.fields.iter().find(|field| field.name == "k").map_or(0, |field| field.codes[inputs.row]);
+    let shift = scale.find("k").map_or(0, |field| field.codes[inputs.row]);
     let v = u << (shift as u32 + scale.shared_shift);
     if v >= 32 {
         return Wide::ZERO;

@@ -218,13 +218,19 @@ impl Table {
         (0..self.depth()).map(|address| self.word(address)).collect()
     }
 
+    /// The field with the given name, if there is one.
+    #[must_use]
+    pub fn find(&self, name: &str) -> Option<&Field> {
+        self.fields.iter().find(|field| field.name == name)
+    }
+
     /// The field with the given name.
     ///
     /// # Panics
     /// If there is none: names are fixed by the method.
     #[must_use]
     pub fn field(&self, name: &str) -> &Field {
-        self.fields.iter().find(|f| f.name == name).expect("a field of this method")
+        self.find(name).expect("a field of this method")
     }
 }
 
