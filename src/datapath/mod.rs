@@ -18,6 +18,7 @@ pub mod cubic;
 pub mod cubic_rational;
 mod divide;
 pub mod evaluate;
+mod exponent;
 pub mod graph;
 pub mod log_exp;
 pub mod normalise;
@@ -29,6 +30,7 @@ pub mod schlick;
 pub mod segmented;
 pub mod shader;
 pub mod simulate;
+pub mod versine_log;
 pub mod widths;
 
 use crate::error::Error;
@@ -102,6 +104,16 @@ pub trait Architecture: Sync {
     /// The inner widths that may be chosen.
     fn parameters(&self) -> Vec<Parameter>;
 
+    /// What the bounds of `hardware - method` are to stay below, in output ulps.
+    fn tolerance(&self) -> f64 {
+        1.0
+    }
+
+    /// Widths whose errors do not add, by their names: they are probed together.
+    fn interacting(&self) -> &'static [&'static [&'static str]] {
+        &[]
+    }
+
     /// An estimate of the hardware's size in LUTs for these widths, for ranking only.
     fn cost(&self, widths: &Widths) -> f64;
 
@@ -155,7 +167,10 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
         (Method::Segmented2 | Method::Segmented4 | Method::Segmented8, _) => Box::new(segmented::Architect::new(spec)?),
         (Method::Schlick, _) => Box::new(schlick::Schlick::new(spec)?),
         (Method::CubicRational, _) => Box::new(cubic_rational::CubicRational::new(spec)?),
-        (Method::LogExp, _) => Box::new(log_exp::LogExp::new(spec)?),
+        (Method::LogExp, _) => match spec.accuracy {
+            None => Box::new(log_exp::LogExp::new(spec)?),
+            Some(bits) => Box::new(versine_log::VersineLog::new(spec, bits)?),
+        },
     })
 }
 

@@ -70,7 +70,10 @@ impl<'a> Model<'a> {
             }
             (Method::Schlick, _) => schlick::schlick(&inputs),
             (Method::CubicRational, _) => cubic_rational::cubic_rational(&inputs),
-            (Method::LogExp, _) => log_exp::evaluate(&inputs, self.spec),
+            (Method::LogExp, _) => match self.spec.accuracy {
+                None => log_exp::evaluate(&inputs, self.spec),
+                Some(bits) => log_exp::coarse(&inputs, self.spec, bits),
+            },
         };
         wide::to_code(y, self.spec.output_fraction) as u32
     }
