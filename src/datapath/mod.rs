@@ -29,6 +29,7 @@ pub mod schlick;
 pub mod segmented;
 pub mod shader;
 pub mod simulate;
+pub mod squaring;
 pub mod widths;
 
 use crate::error::Error;
@@ -156,6 +157,7 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
         (Method::Schlick, _) => Box::new(schlick::Schlick::new(spec)?),
         (Method::CubicRational, _) => Box::new(cubic_rational::CubicRational::new(spec)?),
         (Method::LogExp, _) => Box::new(log_exp::LogExp::new(spec)?),
+        (Method::Squaring, _) => Box::new(squaring::Squaring::new(spec)?),
     })
 }
 

@@ -13,6 +13,7 @@ mod quadratic;
 mod schlick;
 mod segmented;
 mod shader;
+mod squaring;
 
 pub use shader::{Cosines, ShaderModel};
 
@@ -71,6 +72,7 @@ impl<'a> Model<'a> {
             (Method::Schlick, _) => schlick::schlick(&inputs),
             (Method::CubicRational, _) => cubic_rational::cubic_rational(&inputs),
             (Method::LogExp, _) => log_exp::evaluate(&inputs, self.spec),
+            (Method::Squaring, _) => squaring::squaring(&inputs, self.spec),
         };
         wide::to_code(y, self.spec.output_fraction) as u32
     }

@@ -56,6 +56,8 @@ pub enum Method {
     Segmented8,
     /// 2^(-n L(x)) with L = -log2 x, from small tables.
     LogExp,
+    /// x squared log2 n times, for shininesses that are powers of two.
+    Squaring,
 }
 
 impl Method {
@@ -78,6 +80,7 @@ impl Method {
             Self::Segmented4 => "x(c - u(A - a u)) in 4 segments",
             Self::Segmented8 => "x(c - u(A - a u)) in 8 segments",
             Self::LogExp => "2^(-n L(x)), L = -log2 x",
+            Self::Squaring => "x^n by log2 n squarings",
         }
     }
 
@@ -91,7 +94,7 @@ impl Method {
             Self::Power2 | Self::Power4 | Self::Power8 | Self::Segmented2 | Self::Segmented4 | Self::Segmented8 => {
                 &[Coefficients::Minimax]
             }
-            Self::Schlick | Self::Lyon2 | Self::Lyon4 | Self::Lyon8 | Self::LogExp => &[],
+            Self::Schlick | Self::Lyon2 | Self::Lyon4 | Self::Lyon8 | Self::LogExp | Self::Squaring => &[],
         }
     }
 
@@ -157,6 +160,12 @@ impl Method {
     #[must_use]
     pub fn interpolates(self) -> bool {
         matches!(self, Self::Quadratic | Self::Cubic | Self::CubicMinZero | Self::Power2 | Self::Power4 | Self::Power8)
+    }
+
+    /// Whether it is what an engineer would build without this crate, kept to be compared with.
+    #[must_use]
+    pub fn is_baseline(self) -> bool {
+        matches!(self, Self::Schlick | Self::Squaring)
     }
 }
 
