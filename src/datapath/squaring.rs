@@ -15,6 +15,10 @@ use crate::number::{Format, Interval};
 use crate::rom::Table;
 use crate::spec::{CoreSpec, Widths};
 
+/// The ROM's fields: the bits of the number of the power that a shininess takes, the least significant first. There are 21 powers of two
+/// among the shininesses.
+const TAP_BITS: [&str; 5] = ["tap_0", "tap_1", "tap_2", "tap_3", "tap_4"];
+
 /// A chain of squarings, and a multiplexer behind it where the set has more than one shininess.
 #[derive(Debug)]
 pub struct Squaring<'a> {
@@ -65,26 +69,25 @@ impl<'a> Squaring<'a> {
     }
 
     /// The tap that the ROM's field selects: a tree of multiplexers, one level a bit.
-    fn select(&self, b: &mut Builder, tap: NodeId, mut taps: Vec<NodeId>) -> NodeId {
+    fn select(&self, b: &mut Builder, address: NodeId, mut taps: Vec<NodeId>) -> NodeId {
         let places = self.places();
-        let mut bit = 0;
-        while taps.len() > 1 {
-            let of_bit = Format::unsigned(bit + 1, -bit);
-            let flag = b.cast(tap, of_bit, true, &format!("tap_bit_{bit}"), "a bit of the tap's number");
-            let flag = b.scale(flag, None, -bit, &vec![-bit; places.len()], &format!("tap_{bit}"), "as a flag");
+        for (bit, name) in TAP_BITS.into_iter().enumerate() {
+            if taps.len() == 1 {
+                break;
+            }
+            let flag = b.field(0, address, name);
             let mut half = Vec::new();
             for (pair, both) in taps.chunks(2).enumerate() {
                 half.push(match *both {
                     [low, high] => {
                         let chosen = |case: usize| Some(places[case] >> bit & 1 == 1);
-                        let name = format!("tap_{bit}_{pair}");
+                        let name = format!("power_{bit}_{pair}");
                         b.select(flag, [high, low], chosen, &name, "one of two powers of x")
                     }
                     _ => both[0],
                 });
             }
             taps = half;
-            bit += 1;
         }
         taps[0]
     }
@@ -114,9 +117,15 @@ impl Architecture for Squaring<'_> {
             return Vec::new();
         }
         let places = self.places();
-        let reals = places.iter().map(|&place| place as f64).collect();
-        let tap = field("tap", "which power of x is taken, from 0", 0, places, reals);
-        vec![Table::new(&self.spec.shininess, vec![tap], 0)]
+        let bits = (usize::BITS - (self.taps.len() - 1).leading_zeros()) as usize;
+        let of_bit = |(bit, name): (usize, &&'static str)| {
+            let codes: Vec<i128> = places.iter().map(|place| place >> bit & 1).collect();
+            let reals = codes.iter().map(|&code| code as f64).collect();
+            field(name, "a bit of the number of the power that is taken", 0, codes, reals)
+        };
+        // The most significant first, as in the word.
+        let fields = TAP_BITS.iter().enumerate().take(bits).map(of_bit).rev().collect();
+        vec![Table::new(&self.spec.shininess, fields, 0)]
     }
 
     fn description(&self, _tables: &[Table]) -> Description {
@@ -145,12 +154,11 @@ impl Architecture for Squaring<'_> {
             rows: vec![Some(row); tables.len()],
         };
         let mut b = Builder::new(&tables, self.logs.iter().enumerate().map(case).collect());
-        let tap = if tables.is_empty() {
+        let address = if tables.is_empty() {
             // The port is there even where it selects nothing.
             b.index(&self.spec.shininess)
         } else {
-            let address = b.address(&self.spec.shininess, 0);
-            b.field(0, address, "tap")
+            b.address(&self.spec.shininess, 0)
         };
         let (x, _) = b.operand(self.spec);
         let mut power = x;
@@ -168,7 +176,7 @@ impl Architecture for Squaring<'_> {
                 taps.push(b.floor(power, widths.get("s"), &format!("{name}_cut"), &format!("{text} with fewer bits")));
             }
         }
-        let y = self.select(&mut b, tap, taps);
+        let y = self.select(&mut b, address, taps);
         let y = b.add_half(y, g, "y_half");
         let y = b.cast(y, Format::unsigned(1, g), false, "y", "rounded down to the output's bits");
         polynomial::finish(b, self.spec, &tables, y, |_| Interval::ZERO)

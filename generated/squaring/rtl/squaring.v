@@ -77,52 +77,48 @@ module squaring (
     end
 
     // ===== Stage 1: x2_exact
-    // UQ3.0: which power of x is taken, from 0
-    wire [2:0] tap_1 = rom_1;
     // UQ2.24: x^2
     wire [25:0] x2_exact_1 = x_1 * x_1;
     // UQ1.22: x^2, rounded down
     wire [22:0] x2_1 = x2_exact_1[24:2];
     // UQ1.16: x^2 with fewer bits
     wire [16:0] x2_cut_1 = x2_1[22:6];
-    reg [2:0] tap_2;
+    // UQ1.0: a bit of the number of the power that is taken
+    wire tap_0_1 = rom_1[0];
+    // UQ1.0: a bit of the number of the power that is taken
+    wire tap_1_1 = rom_1[1];
+    // UQ1.0: a bit of the number of the power that is taken
+    wire tap_2_1 = rom_1[2];
     reg [22:0] x2_2;
     reg [16:0] x2_cut_2;
+    reg tap_0_2;
     reg [16:0] x_wide_2;
+    reg tap_1_2;
+    reg tap_2_2;
     always @(posedge clk) begin
         if (ce) begin
-            tap_2 <= tap_1;
             x2_2 <= x2_1;
             x2_cut_2 <= x2_cut_1;
+            tap_0_2 <= tap_0_1;
             x_wide_2 <= x_wide_1;
+            tap_1_2 <= tap_1_1;
+            tap_2_2 <= tap_2_1;
         end
     end
 
-    // ===== Stage 2: x4_exact, tap_0_0
+    // ===== Stage 2: x4_exact, power_0_0
     // UQ2.44: x^4
     wire [45:0] x4_exact_2 = x2_2 * x2_2;
     // UQ1.21: x^4, rounded down
     wire [21:0] x4_2 = x4_exact_2[44:23];
     // UQ1.16: x^4 with fewer bits
     wire [16:0] x4_cut_2 = x4_2[21:5];
-    // UQ1.0: a bit of the tap's number
-    wire tap_bit_0_2 = tap_2[0];
-    // UQ1.0: as a flag
-    wire tap_0_2 = tap_bit_0_2;
     // UQ1.16: one of two powers of x
-    wire [16:0] tap_0_0_2 = tap_0_2 ? x2_cut_2 : x_wide_2;
-    // UQ2.-1: a bit of the tap's number
-    wire tap_bit_1_2 = tap_2[1];
-    // UQ1.0: as a flag
-    wire tap_1_2 = tap_bit_1_2;
-    // UQ3.-2: a bit of the tap's number
-    wire tap_bit_2_2 = tap_2[2];
-    // UQ1.0: as a flag
-    wire tap_2_2 = tap_bit_2_2;
+    wire [16:0] power_0_0_2 = tap_0_2 ? x2_cut_2 : x_wide_2;
     reg [21:0] x4_3;
     reg [16:0] x4_cut_3;
     reg tap_0_3;
-    reg [16:0] tap_0_0_3;
+    reg [16:0] power_0_0_3;
     reg tap_1_3;
     reg tap_2_3;
     always @(posedge clk) begin
@@ -130,7 +126,7 @@ module squaring (
             x4_3 <= x4_2;
             x4_cut_3 <= x4_cut_2;
             tap_0_3 <= tap_0_2;
-            tap_0_0_3 <= tap_0_0_2;
+            power_0_0_3 <= power_0_0_2;
             tap_1_3 <= tap_1_2;
             tap_2_3 <= tap_2_2;
         end
@@ -147,7 +143,7 @@ module squaring (
     reg [20:0] x8_4;
     reg [16:0] x8_cut_4;
     reg tap_0_4;
-    reg [16:0] tap_0_0_4;
+    reg [16:0] power_0_0_4;
     reg tap_1_4;
     reg tap_2_4;
     always @(posedge clk) begin
@@ -156,13 +152,13 @@ module squaring (
             x8_4 <= x8_3;
             x8_cut_4 <= x8_cut_3;
             tap_0_4 <= tap_0_3;
-            tap_0_0_4 <= tap_0_0_3;
+            power_0_0_4 <= power_0_0_3;
             tap_1_4 <= tap_1_3;
             tap_2_4 <= tap_2_3;
         end
     end
 
-    // ===== Stage 4: x16_exact, tap_0_1, tap_1_0
+    // ===== Stage 4: x16_exact, power_0_1, power_1_0
     // UQ2.40: x^16
     wire [41:0] x16_exact_4 = x8_4 * x8_4;
     // UQ1.19: x^16, rounded down
@@ -170,14 +166,14 @@ module squaring (
     // UQ1.16: x^16 with fewer bits
     wire [16:0] x16_cut_4 = x16_4[19:3];
     // UQ1.16: one of two powers of x
-    wire [16:0] tap_0_1_4 = tap_0_4 ? x8_cut_4 : x4_cut_4;
+    wire [16:0] power_0_1_4 = tap_0_4 ? x8_cut_4 : x4_cut_4;
     // UQ1.16: one of two powers of x
-    wire [16:0] tap_1_0_4 = tap_1_4 ? tap_0_1_4 : tap_0_0_4;
+    wire [16:0] power_1_0_4 = tap_1_4 ? power_0_1_4 : power_0_0_4;
     reg [19:0] x16_5;
     reg [16:0] x16_cut_5;
     reg tap_0_5;
     reg tap_1_5;
-    reg [16:0] tap_1_0_5;
+    reg [16:0] power_1_0_5;
     reg tap_2_5;
     always @(posedge clk) begin
         if (ce) begin
@@ -185,7 +181,7 @@ module squaring (
             x16_cut_5 <= x16_cut_4;
             tap_0_5 <= tap_0_4;
             tap_1_5 <= tap_1_4;
-            tap_1_0_5 <= tap_1_0_4;
+            power_1_0_5 <= power_1_0_4;
             tap_2_5 <= tap_2_4;
         end
     end
@@ -202,7 +198,7 @@ module squaring (
     reg [16:0] x32_cut_6;
     reg tap_0_6;
     reg tap_1_6;
-    reg [16:0] tap_1_0_6;
+    reg [16:0] power_1_0_6;
     reg tap_2_6;
     always @(posedge clk) begin
         if (ce) begin
@@ -211,12 +207,12 @@ module squaring (
             x32_cut_6 <= x32_cut_5;
             tap_0_6 <= tap_0_5;
             tap_1_6 <= tap_1_5;
-            tap_1_0_6 <= tap_1_0_5;
+            power_1_0_6 <= power_1_0_5;
             tap_2_6 <= tap_2_5;
         end
     end
 
-    // ===== Stage 6: x64_exact, tap_0_2
+    // ===== Stage 6: x64_exact, power_0_2
     // UQ2.36: x^64
     wire [37:0] x64_exact_6 = x32_6 * x32_6;
     // UQ1.17: x^64, rounded down
@@ -224,22 +220,22 @@ module squaring (
     // UQ1.16: x^64 with fewer bits
     wire [16:0] x64_cut_6 = x64_6[17:1];
     // UQ1.16: one of two powers of x
-    wire [16:0] tap_0_2_6 = tap_0_6 ? x32_cut_6 : x16_cut_6;
+    wire [16:0] power_0_2_6 = tap_0_6 ? x32_cut_6 : x16_cut_6;
     reg [17:0] x64_7;
     reg [16:0] x64_cut_7;
     reg tap_0_7;
-    reg [16:0] tap_0_2_7;
+    reg [16:0] power_0_2_7;
     reg tap_1_7;
-    reg [16:0] tap_1_0_7;
+    reg [16:0] power_1_0_7;
     reg tap_2_7;
     always @(posedge clk) begin
         if (ce) begin
             x64_7 <= x64_6;
             x64_cut_7 <= x64_cut_6;
             tap_0_7 <= tap_0_6;
-            tap_0_2_7 <= tap_0_2_6;
+            power_0_2_7 <= power_0_2_6;
             tap_1_7 <= tap_1_6;
-            tap_1_0_7 <= tap_1_0_6;
+            power_1_0_7 <= power_1_0_6;
             tap_2_7 <= tap_2_6;
         end
     end
@@ -252,31 +248,31 @@ module squaring (
     reg [16:0] x64_cut_8;
     reg [16:0] x128_8;
     reg tap_0_8;
-    reg [16:0] tap_0_2_8;
+    reg [16:0] power_0_2_8;
     reg tap_1_8;
-    reg [16:0] tap_1_0_8;
+    reg [16:0] power_1_0_8;
     reg tap_2_8;
     always @(posedge clk) begin
         if (ce) begin
             x64_cut_8 <= x64_cut_7;
             x128_8 <= x128_7;
             tap_0_8 <= tap_0_7;
-            tap_0_2_8 <= tap_0_2_7;
+            power_0_2_8 <= power_0_2_7;
             tap_1_8 <= tap_1_7;
-            tap_1_0_8 <= tap_1_0_7;
+            power_1_0_8 <= power_1_0_7;
             tap_2_8 <= tap_2_7;
         end
     end
 
-    // ===== Stage 8: tap_0_3, tap_1_1, tap_2_0, y_half
+    // ===== Stage 8: power_0_3, power_1_1, power_2_0, y_half
     // UQ1.16: one of two powers of x
-    wire [16:0] tap_0_3_8 = tap_0_8 ? x128_8 : x64_cut_8;
+    wire [16:0] power_0_3_8 = tap_0_8 ? x128_8 : x64_cut_8;
     // UQ1.16: one of two powers of x
-    wire [16:0] tap_1_1_8 = tap_1_8 ? tap_0_3_8 : tap_0_2_8;
+    wire [16:0] power_1_1_8 = tap_1_8 ? power_0_3_8 : power_0_2_8;
     // UQ1.16: one of two powers of x
-    wire [16:0] tap_2_0_8 = tap_2_8 ? tap_1_1_8 : tap_1_0_8;
+    wire [16:0] power_2_0_8 = tap_2_8 ? power_1_1_8 : power_1_0_8;
     // UQ1.16: plus half an output ulp: the result is rounded to nearest
-    wire [16:0] y_half_8 = tap_2_0_8 + 17'h00008;
+    wire [16:0] y_half_8 = power_2_0_8 + 17'h00008;
     // UQ1.12: rounded down to the output's bits
     wire [12:0] y_8 = y_half_8[16:4];
     reg [12:0] y_9;

@@ -60,28 +60,26 @@ architecture rtl of squaring is
     signal x_wide_0 : unsigned(16 downto 0);
     signal x_1 : unsigned(12 downto 0) := (others => '0');
     signal x_wide_1 : unsigned(16 downto 0) := (others => '0');
-    signal tap_1 : unsigned(2 downto 0);
     signal x2_exact_1 : unsigned(25 downto 0);
     signal x2_1 : unsigned(22 downto 0);
     signal x2_cut_1 : unsigned(16 downto 0);
-    signal tap_2 : unsigned(2 downto 0) := (others => '0');
+    signal tap_0_1 : std_logic;
+    signal tap_1_1 : std_logic;
+    signal tap_2_1 : std_logic;
     signal x2_2 : unsigned(22 downto 0) := (others => '0');
     signal x2_cut_2 : unsigned(16 downto 0) := (others => '0');
+    signal tap_0_2 : std_logic := '0';
     signal x_wide_2 : unsigned(16 downto 0) := (others => '0');
+    signal tap_1_2 : std_logic := '0';
+    signal tap_2_2 : std_logic := '0';
     signal x4_exact_2 : unsigned(45 downto 0);
     signal x4_2 : unsigned(21 downto 0);
     signal x4_cut_2 : unsigned(16 downto 0);
-    signal tap_bit_0_2 : unsigned(0 downto 0);
-    signal tap_0_2 : std_logic;
-    signal tap_0_0_2 : unsigned(16 downto 0);
-    signal tap_bit_1_2 : unsigned(0 downto 0);
-    signal tap_1_2 : std_logic;
-    signal tap_bit_2_2 : unsigned(0 downto 0);
-    signal tap_2_2 : std_logic;
+    signal power_0_0_2 : unsigned(16 downto 0);
     signal x4_3 : unsigned(21 downto 0) := (others => '0');
     signal x4_cut_3 : unsigned(16 downto 0) := (others => '0');
     signal tap_0_3 : std_logic := '0';
-    signal tap_0_0_3 : unsigned(16 downto 0) := (others => '0');
+    signal power_0_0_3 : unsigned(16 downto 0) := (others => '0');
     signal tap_1_3 : std_logic := '0';
     signal tap_2_3 : std_logic := '0';
     signal x8_exact_3 : unsigned(43 downto 0);
@@ -91,19 +89,19 @@ architecture rtl of squaring is
     signal x8_4 : unsigned(20 downto 0) := (others => '0');
     signal x8_cut_4 : unsigned(16 downto 0) := (others => '0');
     signal tap_0_4 : std_logic := '0';
-    signal tap_0_0_4 : unsigned(16 downto 0) := (others => '0');
+    signal power_0_0_4 : unsigned(16 downto 0) := (others => '0');
     signal tap_1_4 : std_logic := '0';
     signal tap_2_4 : std_logic := '0';
     signal x16_exact_4 : unsigned(41 downto 0);
     signal x16_4 : unsigned(19 downto 0);
     signal x16_cut_4 : unsigned(16 downto 0);
-    signal tap_0_1_4 : unsigned(16 downto 0);
-    signal tap_1_0_4 : unsigned(16 downto 0);
+    signal power_0_1_4 : unsigned(16 downto 0);
+    signal power_1_0_4 : unsigned(16 downto 0);
     signal x16_5 : unsigned(19 downto 0) := (others => '0');
     signal x16_cut_5 : unsigned(16 downto 0) := (others => '0');
     signal tap_0_5 : std_logic := '0';
     signal tap_1_5 : std_logic := '0';
-    signal tap_1_0_5 : unsigned(16 downto 0) := (others => '0');
+    signal power_1_0_5 : unsigned(16 downto 0) := (others => '0');
     signal tap_2_5 : std_logic := '0';
     signal x32_exact_5 : unsigned(39 downto 0);
     signal x32_5 : unsigned(18 downto 0);
@@ -113,31 +111,31 @@ architecture rtl of squaring is
     signal x32_cut_6 : unsigned(16 downto 0) := (others => '0');
     signal tap_0_6 : std_logic := '0';
     signal tap_1_6 : std_logic := '0';
-    signal tap_1_0_6 : unsigned(16 downto 0) := (others => '0');
+    signal power_1_0_6 : unsigned(16 downto 0) := (others => '0');
     signal tap_2_6 : std_logic := '0';
     signal x64_exact_6 : unsigned(37 downto 0);
     signal x64_6 : unsigned(17 downto 0);
     signal x64_cut_6 : unsigned(16 downto 0);
-    signal tap_0_2_6 : unsigned(16 downto 0);
+    signal power_0_2_6 : unsigned(16 downto 0);
     signal x64_7 : unsigned(17 downto 0) := (others => '0');
     signal x64_cut_7 : unsigned(16 downto 0) := (others => '0');
     signal tap_0_7 : std_logic := '0';
-    signal tap_0_2_7 : unsigned(16 downto 0) := (others => '0');
+    signal power_0_2_7 : unsigned(16 downto 0) := (others => '0');
     signal tap_1_7 : std_logic := '0';
-    signal tap_1_0_7 : unsigned(16 downto 0) := (others => '0');
+    signal power_1_0_7 : unsigned(16 downto 0) := (others => '0');
     signal tap_2_7 : std_logic := '0';
     signal x128_exact_7 : unsigned(35 downto 0);
     signal x128_7 : unsigned(16 downto 0);
     signal x64_cut_8 : unsigned(16 downto 0) := (others => '0');
     signal x128_8 : unsigned(16 downto 0) := (others => '0');
     signal tap_0_8 : std_logic := '0';
-    signal tap_0_2_8 : unsigned(16 downto 0) := (others => '0');
+    signal power_0_2_8 : unsigned(16 downto 0) := (others => '0');
     signal tap_1_8 : std_logic := '0';
-    signal tap_1_0_8 : unsigned(16 downto 0) := (others => '0');
+    signal power_1_0_8 : unsigned(16 downto 0) := (others => '0');
     signal tap_2_8 : std_logic := '0';
-    signal tap_0_3_8 : unsigned(16 downto 0);
-    signal tap_1_1_8 : unsigned(16 downto 0);
-    signal tap_2_0_8 : unsigned(16 downto 0);
+    signal power_0_3_8 : unsigned(16 downto 0);
+    signal power_1_1_8 : unsigned(16 downto 0);
+    signal power_2_0_8 : unsigned(16 downto 0);
     signal y_half_8 : unsigned(16 downto 0);
     signal y_8 : unsigned(12 downto 0);
     signal y_9 : unsigned(12 downto 0) := (others => '0');
@@ -183,47 +181,41 @@ begin
     end process;
 
     -- ===== Stage 1: x2_exact
-    -- UQ3.0: which power of x is taken, from 0
-    tap_1 <= unsigned(rom_1(2 downto 0));
     -- UQ2.24: x^2
     x2_exact_1 <= x_1 * x_1;
     -- UQ1.22: x^2, rounded down
     x2_1 <= x2_exact_1(24 downto 2);
     -- UQ1.16: x^2 with fewer bits
     x2_cut_1 <= x2_1(22 downto 6);
+    -- UQ1.0: a bit of the number of the power that is taken
+    tap_0_1 <= rom_1(0);
+    -- UQ1.0: a bit of the number of the power that is taken
+    tap_1_1 <= rom_1(1);
+    -- UQ1.0: a bit of the number of the power that is taken
+    tap_2_1 <= rom_1(2);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                tap_2 <= tap_1;
                 x2_2 <= x2_1;
                 x2_cut_2 <= x2_cut_1;
+                tap_0_2 <= tap_0_1;
                 x_wide_2 <= x_wide_1;
+                tap_1_2 <= tap_1_1;
+                tap_2_2 <= tap_2_1;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 2: x4_exact, tap_0_0
+    -- ===== Stage 2: x4_exact, power_0_0
     -- UQ2.44: x^4
     x4_exact_2 <= x2_2 * x2_2;
     -- UQ1.21: x^4, rounded down
     x4_2 <= x4_exact_2(44 downto 23);
     -- UQ1.16: x^4 with fewer bits
     x4_cut_2 <= x4_2(21 downto 5);
-    -- UQ1.0: a bit of the tap's number
-    tap_bit_0_2 <= tap_2(0 downto 0);
-    -- UQ1.0: as a flag
-    tap_0_2 <= tap_bit_0_2;
     -- UQ1.16: one of two powers of x
-    tap_0_0_2 <= x2_cut_2 when tap_0_2 = '1' else x_wide_2;
-    -- UQ2.-1: a bit of the tap's number
-    tap_bit_1_2 <= tap_2(1 downto 1);
-    -- UQ1.0: as a flag
-    tap_1_2 <= tap_bit_1_2;
-    -- UQ3.-2: a bit of the tap's number
-    tap_bit_2_2 <= tap_2(2 downto 2);
-    -- UQ1.0: as a flag
-    tap_2_2 <= tap_bit_2_2;
+    power_0_0_2 <= x2_cut_2 when tap_0_2 = '1' else x_wide_2;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -231,7 +223,7 @@ begin
                 x4_3 <= x4_2;
                 x4_cut_3 <= x4_cut_2;
                 tap_0_3 <= tap_0_2;
-                tap_0_0_3 <= tap_0_0_2;
+                power_0_0_3 <= power_0_0_2;
                 tap_1_3 <= tap_1_2;
                 tap_2_3 <= tap_2_2;
             end if;
@@ -253,14 +245,14 @@ begin
                 x8_4 <= x8_3;
                 x8_cut_4 <= x8_cut_3;
                 tap_0_4 <= tap_0_3;
-                tap_0_0_4 <= tap_0_0_3;
+                power_0_0_4 <= power_0_0_3;
                 tap_1_4 <= tap_1_3;
                 tap_2_4 <= tap_2_3;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 4: x16_exact, tap_0_1, tap_1_0
+    -- ===== Stage 4: x16_exact, power_0_1, power_1_0
     -- UQ2.40: x^16
     x16_exact_4 <= x8_4 * x8_4;
     -- UQ1.19: x^16, rounded down
@@ -268,9 +260,9 @@ begin
     -- UQ1.16: x^16 with fewer bits
     x16_cut_4 <= x16_4(19 downto 3);
     -- UQ1.16: one of two powers of x
-    tap_0_1_4 <= x8_cut_4 when tap_0_4 = '1' else x4_cut_4;
+    power_0_1_4 <= x8_cut_4 when tap_0_4 = '1' else x4_cut_4;
     -- UQ1.16: one of two powers of x
-    tap_1_0_4 <= tap_0_1_4 when tap_1_4 = '1' else tap_0_0_4;
+    power_1_0_4 <= power_0_1_4 when tap_1_4 = '1' else power_0_0_4;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -279,7 +271,7 @@ begin
                 x16_cut_5 <= x16_cut_4;
                 tap_0_5 <= tap_0_4;
                 tap_1_5 <= tap_1_4;
-                tap_1_0_5 <= tap_1_0_4;
+                power_1_0_5 <= power_1_0_4;
                 tap_2_5 <= tap_2_4;
             end if;
         end if;
@@ -301,13 +293,13 @@ begin
                 x32_cut_6 <= x32_cut_5;
                 tap_0_6 <= tap_0_5;
                 tap_1_6 <= tap_1_5;
-                tap_1_0_6 <= tap_1_0_5;
+                power_1_0_6 <= power_1_0_5;
                 tap_2_6 <= tap_2_5;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 6: x64_exact, tap_0_2
+    -- ===== Stage 6: x64_exact, power_0_2
     -- UQ2.36: x^64
     x64_exact_6 <= x32_6 * x32_6;
     -- UQ1.17: x^64, rounded down
@@ -315,7 +307,7 @@ begin
     -- UQ1.16: x^64 with fewer bits
     x64_cut_6 <= x64_6(17 downto 1);
     -- UQ1.16: one of two powers of x
-    tap_0_2_6 <= x32_cut_6 when tap_0_6 = '1' else x16_cut_6;
+    power_0_2_6 <= x32_cut_6 when tap_0_6 = '1' else x16_cut_6;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -323,9 +315,9 @@ begin
                 x64_7 <= x64_6;
                 x64_cut_7 <= x64_cut_6;
                 tap_0_7 <= tap_0_6;
-                tap_0_2_7 <= tap_0_2_6;
+                power_0_2_7 <= power_0_2_6;
                 tap_1_7 <= tap_1_6;
-                tap_1_0_7 <= tap_1_0_6;
+                power_1_0_7 <= power_1_0_6;
                 tap_2_7 <= tap_2_6;
             end if;
         end if;
@@ -343,23 +335,23 @@ begin
                 x64_cut_8 <= x64_cut_7;
                 x128_8 <= x128_7;
                 tap_0_8 <= tap_0_7;
-                tap_0_2_8 <= tap_0_2_7;
+                power_0_2_8 <= power_0_2_7;
                 tap_1_8 <= tap_1_7;
-                tap_1_0_8 <= tap_1_0_7;
+                power_1_0_8 <= power_1_0_7;
                 tap_2_8 <= tap_2_7;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 8: tap_0_3, tap_1_1, tap_2_0, y_half
+    -- ===== Stage 8: power_0_3, power_1_1, power_2_0, y_half
     -- UQ1.16: one of two powers of x
-    tap_0_3_8 <= x128_8 when tap_0_8 = '1' else x64_cut_8;
+    power_0_3_8 <= x128_8 when tap_0_8 = '1' else x64_cut_8;
     -- UQ1.16: one of two powers of x
-    tap_1_1_8 <= tap_0_3_8 when tap_1_8 = '1' else tap_0_2_8;
+    power_1_1_8 <= power_0_3_8 when tap_1_8 = '1' else power_0_2_8;
     -- UQ1.16: one of two powers of x
-    tap_2_0_8 <= tap_1_1_8 when tap_2_8 = '1' else tap_1_0_8;
+    power_2_0_8 <= power_1_1_8 when tap_2_8 = '1' else power_1_0_8;
     -- UQ1.16: plus half an output ulp: the result is rounded to nearest
-    y_half_8 <= tap_2_0_8 + to_unsigned(8, 17);
+    y_half_8 <= power_2_0_8 + to_unsigned(8, 17);
     -- UQ1.12: rounded down to the output's bits
     y_8 <= y_half_8(16 downto 4);
     process (clk) is
