@@ -44,6 +44,16 @@ const EXP_TABLE: &str = "exp_table";
 /// More fraction bits than this no shininess needs: the error that is left counts 2^-25 at most.
 const MOST_SHININESS_BITS: i32 = 24;
 
+/// Fraction bits that hold every shininess of a list exactly, if [`MOST_SHININESS_BITS`] do, and else those; 0 for a range.
+pub(super) fn exact_bits(set: &Shininess) -> i32 {
+    if matches!(set, Shininess::Range(..) | Shininess::Fixed { .. }) {
+        return 0;
+    }
+    let exact = |n: f64, bits: i32| libm::trunc(n * exp2(bits)) == n * exp2(bits);
+    let needed = |n: f64| (0..MOST_SHININESS_BITS).find(|&bits| exact(n, bits)).unwrap_or(MOST_SHININESS_BITS);
+    set.values().into_iter().map(needed).max().unwrap_or_default()
+}
+
 /// `2^(-n L(x))`.
 #[derive(Debug)]
 pub struct LogExp<'a> {
@@ -63,16 +73,7 @@ impl<'a> LogExp<'a> {
         let (least, largest) = spec.shininess.ends();
         lobe::check_shininess(least)?;
         lobe::check_shininess(largest)?;
-        let exact_bits = match &spec.shininess {
-            Shininess::Range(..) | Shininess::Fixed { .. } => 0,
-            set => {
-                let exact = |n: f64, bits: i32| libm::trunc(n * exp2(bits)) == n * exp2(bits);
-                let needed =
-                    |n: f64| (0..MOST_SHININESS_BITS).find(|&bits| exact(n, bits)).unwrap_or(MOST_SHININESS_BITS);
-                set.values().into_iter().map(needed).max().unwrap_or_default()
-            }
-        };
-        Ok(Self { spec, least, largest, exact_bits })
+        Ok(Self { spec, least, largest, exact_bits: exact_bits(&spec.shininess) })
     }
 
     fn input_bits(&self) -> i32 {

@@ -19,6 +19,7 @@ pub mod cubic_rational;
 mod divide;
 pub mod evaluate;
 pub mod graph;
+pub mod harris;
 pub mod log_exp;
 pub mod normalise;
 mod polynomial;
@@ -30,6 +31,7 @@ pub mod segmented;
 pub mod shader;
 pub mod simulate;
 pub mod squaring;
+pub mod tabulated;
 pub mod widths;
 
 use crate::error::Error;
@@ -158,6 +160,8 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
         (Method::CubicRational, _) => Box::new(cubic_rational::CubicRational::new(spec)?),
         (Method::LogExp, _) => Box::new(log_exp::LogExp::new(spec)?),
         (Method::Squaring, _) => Box::new(squaring::Squaring::new(spec)?),
+        (Method::Harris, _) => Box::new(harris::Harris::new(spec)?),
+        (Method::Table, _) => Box::new(tabulated::Tabulated::new(spec)?),
     })
 }
 

@@ -7,6 +7,7 @@
 mod cubic;
 mod cubic_rational;
 mod divide;
+mod harris;
 mod log_exp;
 mod power;
 mod quadratic;
@@ -14,6 +15,7 @@ mod schlick;
 mod segmented;
 mod shader;
 mod squaring;
+mod tabulated;
 
 pub use shader::{Cosines, ShaderModel};
 
@@ -73,6 +75,8 @@ impl<'a> Model<'a> {
             (Method::CubicRational, _) => cubic_rational::cubic_rational(&inputs),
             (Method::LogExp, _) => log_exp::evaluate(&inputs, self.spec),
             (Method::Squaring, _) => squaring::squaring(&inputs, self.spec),
+            (Method::Harris, _) => harris::harris(&inputs, self.spec),
+            (Method::Table, _) => tabulated::tabulated(&inputs, self.spec),
         };
         wide::to_code(y, self.spec.output_fraction) as u32
     }
