@@ -110,6 +110,9 @@ const SPECS: &[&str] = &[
     "method = 'cubic'\ntail = 'hold'\nshininess = '1..=100'",
     "method = 'cubic-three-point'\ntail = 'hold'\nshininess = [1.2, 2.5, 70]\ninput_fraction = 9\noutput_fraction = 11",
     "method = 'cubic'\ncoefficients = 'minimax'\nshininess = '1..=64'\nshininess_fraction = 2\npipeline = 5",
+    // Baselines: powers selected from a chain.
+    "method = 'squaring'\nshininess = [1, 2, 8, 16, 64, 512]",
+    "method = 'squaring'\nshininess = [32]\noperand = 'versine'\ninput_fraction = 10\npipeline = 2",
 ];
 
 fn silent(directory: &Path, program: &str, arguments: &[&str], what: &str) {

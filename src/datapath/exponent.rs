@@ -16,6 +16,16 @@ const LN_2: f64 = std::f64::consts::LN_2;
 /// More fraction bits than this no shininess needs: the error that is left counts 2^-25 at most.
 const MOST_FRACTION_BITS: i32 = 24;
 
+/// Fraction bits that hold every shininess of a list exactly, if [`MOST_FRACTION_BITS`] do, and else those; 0 for a range.
+pub(super) fn exact_bits(set: &Shininess) -> i32 {
+    if matches!(set, Shininess::Range(..) | Shininess::Fixed { .. }) {
+        return 0;
+    }
+    let exact = |n: f64, bits: i32| libm::trunc(n * exp2(bits)) == n * exp2(bits);
+    let needed = |n: f64| (0..MOST_FRACTION_BITS).find(|&bits| exact(n, bits)).unwrap_or(MOST_FRACTION_BITS);
+    set.values().into_iter().map(needed).max().unwrap_or_default()
+}
+
 /// The exponent n.
 #[derive(Debug)]
 pub(super) struct Exponent<'a> {
@@ -37,16 +47,7 @@ impl<'a> Exponent<'a> {
         let (least, largest) = spec.shininess.ends();
         lobe::check_shininess(least)?;
         lobe::check_shininess(largest)?;
-        let exact_bits = match &spec.shininess {
-            Shininess::Range(..) | Shininess::Fixed { .. } => 0,
-            set => {
-                let exact = |n: f64, bits: i32| libm::trunc(n * exp2(bits)) == n * exp2(bits);
-                let needed =
-                    |n: f64| (0..MOST_FRACTION_BITS).find(|&bits| exact(n, bits)).unwrap_or(MOST_FRACTION_BITS);
-                set.values().into_iter().map(needed).max().unwrap_or_default()
-            }
-        };
-        Ok(Self { set: &spec.shininess, least, largest, exact_bits })
+        Ok(Self { set: &spec.shininess, least, largest, exact_bits: exact_bits(&spec.shininess) })
     }
 
     /// Whether n is read from a ROM: the port is an index.

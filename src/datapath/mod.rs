@@ -20,6 +20,7 @@ mod divide;
 pub mod evaluate;
 mod exponent;
 pub mod graph;
+pub mod harris;
 pub mod log_exp;
 pub mod normalise;
 mod polynomial;
@@ -30,6 +31,8 @@ pub mod schlick;
 pub mod segmented;
 pub mod shader;
 pub mod simulate;
+pub mod squaring;
+pub mod tabulated;
 pub mod versine_log;
 pub mod widths;
 
@@ -171,6 +174,9 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
             None => Box::new(log_exp::LogExp::new(spec)?),
             Some(bits) => Box::new(versine_log::VersineLog::new(spec, bits)?),
         },
+        (Method::Squaring, _) => Box::new(squaring::Squaring::new(spec)?),
+        (Method::Harris, _) => Box::new(harris::Harris::new(spec)?),
+        (Method::Table, _) => Box::new(tabulated::Tabulated::new(spec)?),
     })
 }
 

@@ -7,6 +7,7 @@
 
 mod cos_k;
 mod cubic;
+mod harris;
 pub mod log_exp;
 mod lyon;
 mod min_zero;
@@ -15,11 +16,13 @@ mod quadratic;
 mod rational;
 mod schlick;
 mod segmented;
+mod tabulated;
 mod taylor;
 mod three_point;
 
 pub use cos_k::CosK;
 pub use cubic::Cubic;
+pub use harris::Harris;
 pub use log_exp::LogExp;
 pub use lyon::Lyon;
 pub use min_zero::MinZero;
@@ -28,6 +31,7 @@ pub use quadratic::Quadratic;
 pub use rational::CubicRational;
 pub use schlick::Schlick;
 pub use segmented::Segmented;
+pub use tabulated::Tabulated;
 pub use taylor::{Taylor, TaylorSeries};
 
 use crate::error::Error;

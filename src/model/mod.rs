@@ -7,12 +7,15 @@
 mod cubic;
 mod cubic_rational;
 mod divide;
+mod harris;
 mod log_exp;
 mod power;
 mod quadratic;
 mod schlick;
 mod segmented;
 mod shader;
+mod squaring;
+mod tabulated;
 
 pub use shader::{Cosines, ShaderModel};
 
@@ -74,6 +77,9 @@ impl<'a> Model<'a> {
                 None => log_exp::evaluate(&inputs, self.spec),
                 Some(bits) => log_exp::coarse(&inputs, self.spec, bits),
             },
+            (Method::Squaring, _) => squaring::squaring(&inputs, self.spec),
+            (Method::Harris, _) => harris::harris(&inputs, self.spec),
+            (Method::Table, _) => tabulated::tabulated(&inputs, self.spec),
         };
         wide::to_code(y, self.spec.output_fraction) as u32
     }

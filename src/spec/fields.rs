@@ -8,9 +8,9 @@ use clap::{Args, ValueEnum};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{
-    ACCURACY, ACCURACY_INPUT_FRACTION, Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, Form, INPUT_FRACTION,
-    Inside, Language, Material, Method, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle,
-    SHININESS_FRACTION, ShaderFields, Shininess, Tail,
+    ACCURACY, ACCURACY_INPUT_FRACTION, Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, EXP_BITS, Form,
+    INPUT_FRACTION, Inside, LOG_BITS, Language, Material, Method, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline,
+    RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, Tail,
 };
 use crate::error::Error;
 use crate::fit::Objective;
@@ -82,6 +82,21 @@ pub struct SpecFields {
     #[arg(long, value_enum)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub divider: Option<Divider>,
+
+    /// Address bits of the versine in the method table: each shininess has 2^BITS entries, 2 to 14 [default: 7]
+    #[arg(long, value_name = "BITS")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub table_bits: Option<u32>,
+
+    /// Address bits of the logarithm's table in the method harris, within an octave of the versine, 2 to 12 [default: 8]
+    #[arg(long, value_name = "BITS")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub log_bits: Option<u32>,
+
+    /// Address bits of the exponential's table in the method harris, 2 to 14 [default: 9]
+    #[arg(long, value_name = "BITS")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub exp_bits: Option<u32>,
 
     /// Shininesses served: a range of integers, 1..=1000, or a list of real numbers, 5,12.5,80
     #[arg(long, conflicts_with = "material")]
@@ -227,6 +242,9 @@ impl SpecFields {
             inside: self.inside.or(other.inside),
             accuracy: self.accuracy.or(other.accuracy),
             divider: self.divider.or(other.divider),
+            table_bits: self.table_bits.or(other.table_bits),
+            log_bits: self.log_bits.or(other.log_bits),
+            exp_bits: self.exp_bits.or(other.exp_bits),
             shininess_fraction: self.shininess_fraction.or(other.shininess_fraction),
             shininess: if set_here { self.shininess } else { other.shininess },
             input_fraction: self.input_fraction.or(other.input_fraction),
@@ -308,6 +326,9 @@ impl SpecFields {
         refuse("choice of inside", self.inside.is_some(), method.has_inside())?;
         refuse("accuracy", self.accuracy.is_some(), method.has_accuracy())?;
         refuse("divider", self.divider.is_some(), method.divides())?;
+        refuse("table_bits", self.table_bits.is_some(), method == Method::Table)?;
+        refuse("log_bits", self.log_bits.is_some(), method == Method::Harris)?;
+        refuse("exp_bits", self.exp_bits.is_some(), method == Method::Harris)?;
         let q = self.q.unwrap_or(0.5);
         if method.has_level() {
             lobe::Cubic::new(1.0, q)?;
@@ -380,6 +401,8 @@ impl SpecFields {
             within("pipeline", depth, PIPELINE_DEPTH)?;
         }
         let default_name = match &shader {
+            // `table` is a word of Verilog.
+            None if method == Method::Table => "lookup_table".to_owned(),
             None => word(&method).replace('-', "_") + if form == Form::Paper { "_paper" } else { "" },
             Some(_) => "shader".to_owned(),
         };
@@ -416,6 +439,9 @@ impl SpecFields {
             inside: self.inside.unwrap_or(Inside::Quadratic),
             accuracy: self.accuracy,
             divider: self.divider.unwrap_or(Divider::Digit),
+            table_bits: within("table_bits", self.table_bits.unwrap_or(7), TABLE_BITS)?,
+            log_bits: within("log_bits", self.log_bits.unwrap_or(8), LOG_BITS)?,
+            exp_bits: within("exp_bits", self.exp_bits.unwrap_or(9), EXP_BITS)?,
             coefficients,
             objective,
             shininess,
@@ -455,6 +481,9 @@ impl SpecFields {
             inside: method.has_inside().then_some(spec.inside),
             accuracy: spec.accuracy,
             divider: method.divides().then_some(spec.divider),
+            table_bits: (method == Method::Table).then_some(spec.table_bits),
+            log_bits: (method == Method::Harris).then_some(spec.log_bits),
+            exp_bits: (method == Method::Harris).then_some(spec.exp_bits),
             shininess,
             shininess_fraction,
             input_fraction: Some(spec.input_fraction),
@@ -540,6 +569,15 @@ impl SpecFields {
         }
         if let Some(divider) = self.divider.filter(|_| self.divider != defaults.divider) {
             flag("divider", word(&divider));
+        }
+        for (name, own, default) in [
+            ("table-bits", self.table_bits, defaults.table_bits),
+            ("log-bits", self.log_bits, defaults.log_bits),
+            ("exp-bits", self.exp_bits, defaults.exp_bits),
+        ] {
+            if let Some(bits) = own.filter(|_| own != default) {
+                flag(name, bits.to_string());
+            }
         }
         if let Some(bits) = self.shininess_fraction {
             flag("shininess-fraction", bits.to_string());

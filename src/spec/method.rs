@@ -56,6 +56,12 @@ pub enum Method {
     Segmented8,
     /// 2^(-n L(x)) with L = -log2 x, from small tables.
     LogExp,
+    /// x squared log2 n times, for shininesses that are powers of two.
+    Squaring,
+    /// 2^(-n L(x)) with L from one table and 2^-f from another, neither interpolated: one multiplication.
+    Harris,
+    /// x^n from one table by n and the leading bits of the versine.
+    Table,
 }
 
 impl Method {
@@ -78,6 +84,9 @@ impl Method {
             Self::Segmented4 => "x(c - u(A - a u)) in 4 segments",
             Self::Segmented8 => "x(c - u(A - a u)) in 8 segments",
             Self::LogExp => "2^(-n L(x)), L = -log2 x",
+            Self::Squaring => "x^n by log2 n squarings",
+            Self::Harris => "2^(-n L(x)), L and 2^-f from tables",
+            Self::Table => "x^n from a table",
         }
     }
 
@@ -91,7 +100,14 @@ impl Method {
             Self::Power2 | Self::Power4 | Self::Power8 | Self::Segmented2 | Self::Segmented4 | Self::Segmented8 => {
                 &[Coefficients::Minimax]
             }
-            Self::Schlick | Self::Lyon2 | Self::Lyon4 | Self::Lyon8 | Self::LogExp => &[],
+            Self::Schlick
+            | Self::Lyon2
+            | Self::Lyon4
+            | Self::Lyon8
+            | Self::LogExp
+            | Self::Squaring
+            | Self::Harris
+            | Self::Table => &[],
         }
     }
 
@@ -156,13 +172,19 @@ impl Method {
     /// Whether the core computes with n itself, which the port of a range gives it, so that it needs no ROM for it.
     #[must_use]
     pub fn computes_with_shininess(self) -> bool {
-        matches!(self, Self::Schlick | Self::Lyon2 | Self::Lyon4 | Self::Lyon8 | Self::LogExp)
+        matches!(self, Self::Schlick | Self::Lyon2 | Self::Lyon4 | Self::Lyon8 | Self::LogExp | Self::Harris)
     }
 
     /// Whether coefficients may be interpolated between the ROM's rows.
     #[must_use]
     pub fn interpolates(self) -> bool {
         matches!(self, Self::Quadratic | Self::Cubic | Self::CubicMinZero | Self::Power2 | Self::Power4 | Self::Power8)
+    }
+
+    /// Whether it is what an engineer would build without this crate, kept to be compared with.
+    #[must_use]
+    pub fn is_baseline(self) -> bool {
+        matches!(self, Self::Schlick | Self::Squaring | Self::Harris | Self::Table)
     }
 }
 

@@ -34,6 +34,13 @@ pub const SHININESS_FRACTION: std::ops::RangeInclusive<u32> = 0..=10;
 /// Pipeline depths that are allowed.
 pub const PIPELINE_DEPTH: std::ops::RangeInclusive<u32> = 1..=64;
 
+/// Address bits of the versine in [`Method::Table`] that are allowed.
+pub const TABLE_BITS: std::ops::RangeInclusive<u32> = 2..=14;
+/// Address bits of the logarithm's table in [`Method::Harris`] that are allowed, within an octave of the versine.
+pub const LOG_BITS: std::ops::RangeInclusive<u32> = 2..=12;
+/// Address bits of the exponential's table in [`Method::Harris`] that are allowed.
+pub const EXP_BITS: std::ops::RangeInclusive<u32> = 2..=14;
+
 /// What the core is given.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "kebab-case")]
@@ -107,6 +114,12 @@ pub struct CoreSpec {
     pub accuracy: Option<u32>,
     /// How the core divides ([`Method::divides`]).
     pub divider: Divider,
+    /// Address bits of the versine in [`Method::Table`].
+    pub table_bits: u32,
+    /// Address bits of the logarithm's table in [`Method::Harris`], within an octave of the versine.
+    pub log_bits: u32,
+    /// Address bits of the exponential's table in [`Method::Harris`].
+    pub exp_bits: u32,
     /// Where the coefficients come from ([`Method::coefficients`]).
     pub coefficients: Coefficients,
     /// What fitted coefficients make least.
