@@ -273,23 +273,36 @@ impl Chords<'_> {
         }
     }
 
-    /// An estimate of its size in LUTs, for ranking.
-    pub fn cost(&self) -> f64 {
-        let slope = match self.slopes {
+    /// Bits of a slope.
+    fn slope_width(&self) -> i32 {
+        match self.slopes {
             Slopes::Matched => self.value_bits - self.address_bits,
             Slopes::Bits { int, frac } => int + frac,
             Slopes::None => 0,
-        };
-        let bits = f64::from(self.value_bits + self.int_bits + slope) * exp2(self.address_bits);
+        }
+    }
+
+    /// An estimate of a word's bits.
+    pub fn word_bits(&self) -> i32 {
+        self.value_bits + self.int_bits + self.slope_width()
+    }
+
+    /// An estimate of its size in LUTs, for ranking.
+    pub fn cost(&self) -> f64 {
+        f64::from(self.word_bits()) * exp2(self.address_bits) / 16.0 + self.interpolation_cost()
+    }
+
+    /// The same without the memory.
+    pub fn interpolation_cost(&self) -> f64 {
+        let slope = self.slope_width();
         let distance = self.cut_bits() - self.step_bits();
-        let fall = if slope == 0 {
+        if slope == 0 {
             0.0
         } else if self.multiplies() {
             super::multiplier_cost(slope, distance) + f64::from(self.value_bits)
         } else {
             // A gate a bit and partial product, and the sums.
             f64::from(slope * distance + (slope - 1) * (distance + 1) + self.value_bits)
-        };
-        bits / 16.0 + fall
+        }
     }
 }

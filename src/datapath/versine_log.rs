@@ -27,7 +27,7 @@ use crate::lobe::log_exp::{EXP_CURVATURE, log_ratio};
 use crate::lobe::{self, Lobe};
 use crate::number::{Format, Interval, exp2};
 use crate::rom::Table;
-use crate::spec::{CoreSpec, Widths};
+use crate::spec::{CoreSpec, Memory, Widths};
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
 const LN_2: f64 = std::f64::consts::LN_2;
@@ -52,6 +52,9 @@ const EXP_SLOPES: [Slopes; 6] = [
     Slopes::Bits { int: 0, frac: 4 },
     Slopes::Bits { int: 0, frac: 8 },
 ];
+
+/// A larger table is put into a block RAM: Yosys does so for ECP5, whose block costs it as much as 2048 bits in LUTs.
+const MOST_LOGIC_BITS: f64 = 2048.0;
 
 /// The first shininesses of the set, for which the codes that lead into a case are known one by one.
 const SINGLE: usize = 4;
@@ -159,6 +162,25 @@ impl<'a> VersineLog<'a> {
             slopes: EXP_SLOPES[widths.get("exp_slope") as usize],
             weight: None,
         }
+    }
+
+    /// An estimate of a table's size in LUTs, for ranking; infinite where the tables may not be as large.
+    fn table_cost(&self, chords: &Chords) -> f64 {
+        let (word, rows) = (chords.word_bits(), exp2(chords.address_bits));
+        let bits = f64::from(word) * rows;
+        let memory = if bits <= MOST_LOGIC_BITS {
+            bits / 16.0
+        } else {
+            // 18 kbit: 512 words of 36 bits, 1024 of 18, 2048 of 9.
+            let wide = if rows <= 512.0 { 36 } else { 18 };
+            let blocks = f64::from((word + wide - 1) / wide) * (rows / 1024.0).max(1.0);
+            match self.spec.memory {
+                Memory::Auto => 300.0 * blocks,
+                Memory::Logic => f64::INFINITY,
+                Memory::Block => 20.0 * blocks,
+            }
+        };
+        memory + chords.interpolation_cost()
     }
 
     /// The ranges of the real z that the cases of the analysis are: fine where y is large.
@@ -279,8 +301,8 @@ impl Architecture for VersineLog<'_> {
         let zero = |f: f64| f;
         multiplier_cost(n_bits, w.get("u"))
             + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + 3)
-            + self.log_chords(w, &zero).cost()
-            + self.exp_chords(w, &zero).cost()
+            + self.table_cost(&self.log_chords(w, &zero))
+            + self.table_cost(&self.exp_chords(w, &zero))
             // The shifter has a multiplexer a bit and level.
             + 0.7 * f64::from(w.get("e") * self.whole_bits())
             + 0.1 * f64::from(w.get("z") + w.get("v") + w.get("u"))

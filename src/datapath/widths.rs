@@ -171,7 +171,9 @@ pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
                 probe.members.iter().zip(combination).for_each(|(&member, &value)| values[member] = value);
             }
             let cost = architecture.cost(&widths_of(&parameters, &values));
-            candidates.push((cost, values));
+            if cost.is_finite() {
+                candidates.push((cost, values));
+            }
         }
         for (digit, probe) in choice.iter_mut().zip(&probes) {
             *digit += 1;

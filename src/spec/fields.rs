@@ -9,8 +9,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{
     ACCURACY, ACCURACY_INPUT_FRACTION, Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, EXP_BITS, Form,
-    INPUT_FRACTION, Inside, LOG_BITS, Language, Material, Method, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline,
-    RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, Tail,
+    INPUT_FRACTION, Inside, LOG_BITS, Language, Material, Memory, Method, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH,
+    Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, Tail,
 };
 use crate::error::Error;
 use crate::fit::Objective;
@@ -77,6 +77,11 @@ pub struct SpecFields {
     #[arg(long, value_name = "A")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<u32>,
+
+    /// Where the tables of a core with an accuracy are meant to lie: they are sized for it [default: auto]
+    #[arg(long, value_enum)]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub memory: Option<Memory>,
 
     /// How the core divides [default: digit]
     #[arg(long, value_enum)]
@@ -241,6 +246,7 @@ impl SpecFields {
             tail: self.tail.or(other.tail),
             inside: self.inside.or(other.inside),
             accuracy: self.accuracy.or(other.accuracy),
+            memory: self.memory.or(other.memory),
             divider: self.divider.or(other.divider),
             table_bits: self.table_bits.or(other.table_bits),
             log_bits: self.log_bits.or(other.log_bits),
@@ -325,6 +331,7 @@ impl SpecFields {
         refuse("choice of tail", self.tail.is_some(), method.has_tail())?;
         refuse("choice of inside", self.inside.is_some(), method.has_inside())?;
         refuse("accuracy", self.accuracy.is_some(), method.has_accuracy())?;
+        refuse("choice of memory without an accuracy", self.memory.is_some(), self.accuracy.is_some())?;
         refuse("divider", self.divider.is_some(), method.divides())?;
         refuse("table_bits", self.table_bits.is_some(), method == Method::Table)?;
         refuse("log_bits", self.log_bits.is_some(), method == Method::Harris)?;
@@ -438,6 +445,7 @@ impl SpecFields {
             tail: self.tail.unwrap_or(Tail::Cut),
             inside: self.inside.unwrap_or(Inside::Quadratic),
             accuracy: self.accuracy,
+            memory: self.memory.unwrap_or(Memory::Auto),
             divider: self.divider.unwrap_or(Divider::Digit),
             table_bits: within("table_bits", self.table_bits.unwrap_or(7), TABLE_BITS)?,
             log_bits: within("log_bits", self.log_bits.unwrap_or(8), LOG_BITS)?,
@@ -480,6 +488,7 @@ impl SpecFields {
             tail: method.has_tail().then_some(spec.tail),
             inside: method.has_inside().then_some(spec.inside),
             accuracy: spec.accuracy,
+            memory: spec.accuracy.map(|_| spec.memory),
             divider: method.divides().then_some(spec.divider),
             table_bits: (method == Method::Table).then_some(spec.table_bits),
             log_bits: (method == Method::Harris).then_some(spec.log_bits),
@@ -566,6 +575,9 @@ impl SpecFields {
         }
         if let Some(bits) = self.accuracy {
             flag("accuracy", bits.to_string());
+        }
+        if let Some(memory) = self.memory.filter(|&memory| memory != Memory::Auto) {
+            flag("memory", word(&memory));
         }
         if let Some(divider) = self.divider.filter(|_| self.divider != defaults.divider) {
             flag("divider", word(&divider));

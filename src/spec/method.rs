@@ -228,6 +228,18 @@ pub enum Inside {
     Quadratic,
 }
 
+/// Where the function tables of a core are meant to lie; its widths are chosen accordingly.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Memory {
+    /// Where they cost least, a block RAM counting as much as some hundred LUTs.
+    Auto,
+    /// In LUTs: no table is larger than synthesis leaves there.
+    Logic,
+    /// In block RAMs, wherever that saves LUTs.
+    Block,
+}
+
 /// How a core divides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "kebab-case")]

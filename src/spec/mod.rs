@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 pub use fields::SpecFields;
-pub use method::{Coefficients, Divider, Form, Inside, Method, Tail};
+pub use method::{Coefficients, Divider, Form, Inside, Memory, Method, Tail};
 pub use shader::{Block, BlockKind, Colour, Cosine, Front, LightColours, Model, Shader, ShaderFields, Surface};
 pub use shininess::{MAX_ROWS, Material, Shininess};
 pub use widths::Widths;
@@ -112,6 +112,8 @@ pub struct CoreSpec {
     pub inside: Inside,
     /// A of a core that is only as accurate as `2^-A` ([`Method::has_accuracy`]); `None`: below one ulp of the output.
     pub accuracy: Option<u32>,
+    /// Where its tables are meant to lie.
+    pub memory: Memory,
     /// How the core divides ([`Method::divides`]).
     pub divider: Divider,
     /// Address bits of the versine in [`Method::Table`].
