@@ -20,6 +20,8 @@
 //! | [`golden`] | golden vectors: make, read, compare |
 //! | [`package`] | the core directory: all files of a core, put on disk whole |
 //! | [`cosim`] | runs the HDL in simulators and compares it with the model |
+//! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
+//! | [`tool`] | external programs: where they are, how they are run |
 //! | [`report`] | charts as SVG |
 //! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
 //! | [`cli`] | the commands; the only module that prints |
@@ -45,3 +47,5 @@ pub mod package;
 pub mod report;
 pub mod rom;
 pub mod spec;
+pub mod synth;
+pub mod tool;

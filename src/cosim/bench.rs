@@ -2,19 +2,10 @@
 
 use std::process::Output;
 
-use super::tool::{Tool, tail};
 use super::{Job, LISTED, Outcome};
-use crate::error::Error;
 use crate::package;
 use crate::spec::Language;
-
-/// A directory that goes away again.
-pub(super) fn scratch() -> Result<tempfile::TempDir, Error> {
-    tempfile::Builder::new()
-        .prefix("brdfgen-")
-        .tempdir()
-        .map_err(|error| Error::io("cannot make a directory in", &std::env::temp_dir(), error))
-}
+use crate::tool::{Tool, tail};
 
 /// The core and its bench, relative to the core's directory.
 pub(super) fn sources(job: &Job, language: Language) -> [String; 2] {

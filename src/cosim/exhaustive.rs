@@ -12,12 +12,12 @@ use std::process::{Command, Stdio};
 
 use sha2::{Digest, Sha256};
 
-use super::tool::{GHDL, Tool, VERILATOR};
-use super::{Job, LISTED, Outcome};
+use super::{Job, LISTED, Outcome, ghdl};
 use crate::error::Error;
 use crate::golden::all_codes;
 use crate::package;
 use crate::spec::{Language, hex};
+use crate::tool::{self, Tool, VERILATOR, tail};
 
 const HARNESS: &str = include_str!("../../testbench/exhaustive.cpp");
 
@@ -51,7 +51,7 @@ fn compile(job: &Job, language: Language) -> Result<PathBuf, Error> {
     let source = job.directory.join(package::rtl_path(job.design, language));
     let verilog = match language {
         Language::Verilog => fs::read(&source).map_err(|error| Error::io("cannot read", &source, error))?,
-        Language::Vhdl => synthesize(job, &source)?,
+        Language::Vhdl => ghdl::as_verilog(&job.design.spec.name, job.directory, &source)?,
     };
     build(job, &verilog)
 }
@@ -73,24 +73,6 @@ fn nothing_compared(job: &Job) -> Outcome {
     }
 }
 
-/// The VHDL as Verilog.
-fn synthesize(job: &Job, source: &Path) -> Result<Vec<u8>, Error> {
-    let scratch = super::bench::scratch()?;
-    let source = std::path::absolute(source).map_err(|error| Error::io("cannot find", source, error))?;
-    // In the core's directory, as a ROM file is read at elaboration by its path relative to that.
-    let mut command = GHDL.command(job.directory);
-    command.args(["--synth", "--std=08", "--out=verilog"]).arg(format!("--workdir={}", scratch.path().display()));
-    command.arg(source).args(["-e", &job.design.spec.name]);
-    GHDL.succeed(&mut command)
-}
-
-/// Where compiled cores are kept, by the digest of what they are made of.
-fn cache() -> PathBuf {
-    let home = || std::env::var_os("HOME").map(|home| PathBuf::from(home).join(".cache"));
-    let base = std::env::var_os("XDG_CACHE_HOME").map(PathBuf::from).filter(|path| path.is_absolute()).or_else(home);
-    base.unwrap_or_else(std::env::temp_dir).join("brdfgen")
-}
-
 /// The compiled core; a build takes some ten seconds, so it is kept.
 fn build(job: &Job, verilog: &[u8]) -> Result<PathBuf, Error> {
     let design = job.design;
@@ -109,7 +91,7 @@ fn build(job: &Job, verilog: &[u8]) -> Result<PathBuf, Error> {
         digest.update((part.len() as u64).to_le_bytes());
         digest.update(part);
     }
-    let cache = cache();
+    let cache = tool::cache_directory();
     let kept = cache.join(format!("{}-{}", design.spec.name, &hex(&digest.finalize())[..24]));
     if kept.exists() {
         return Ok(kept);
@@ -134,7 +116,7 @@ fn build(job: &Job, verilog: &[u8]) -> Result<PathBuf, Error> {
 }
 
 fn run(job: &Job, program: &Path, progress: &dyn Fn(u64, u64)) -> Result<Outcome, Error> {
-    let harness = Tool { program: "the compiled core", version_flag: "", package: "verilator", purpose: "" };
+    let harness = Tool { program: "the compiled core", version_flag: "", package: "verilator", pypi: "", purpose: "" };
     let design = job.design;
     let (first, count) = all_codes(design.operand_format());
     let rows = design.spec.shininess.rows();
@@ -196,7 +178,7 @@ fn run(job: &Job, program: &Path, progress: &dyn Fn(u64, u64)) -> Result<Outcome
     drop(stdout);
     let output = child.wait_with_output().map_err(|error| harness.start_error(error))?;
     if !output.status.success() {
-        outcome.first.push(format!("the compiled core ends with {}: {}", output.status, super::tool::tail(&output, 4)));
+        outcome.first.push(format!("the compiled core ends with {}: {}", output.status, tail(&output, 4)));
     }
     Ok(outcome)
 }

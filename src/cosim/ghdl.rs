@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use super::tool::GHDL;
 use super::{Job, Outcome, Simulator, bench};
 use crate::error::Error;
 use crate::spec::Language;
+use crate::tool::{self, GHDL};
 
 /// GHDL.
 #[derive(Clone, Copy, Debug)]
@@ -21,7 +21,7 @@ impl Simulator for Ghdl {
     }
 
     fn golden(&self, job: &Job) -> Result<Outcome, Error> {
-        let scratch = bench::scratch()?;
+        let scratch = tool::scratch()?;
         // In the scratch directory: a compiling back end leaves an executable in the current one, and GHDL's library
         // holds the name of the sources' directory, in which it reads neither quotes nor other than Latin letters.
         copy_core(job, scratch.path())?;
@@ -52,4 +52,18 @@ fn copy_core(job: &Job, scratch: &Path) -> Result<(), Error> {
         }
     }
     Ok(())
+}
+
+/// A VHDL core, the entity `top` in the file `source`, as Verilog by GHDL's synthesis. `directory` is the core's: a ROM file is read at
+/// elaboration by its path relative to that.
+///
+/// # Errors
+/// If GHDL is not installed or does not take the file.
+pub(crate) fn as_verilog(top: &str, directory: &Path, source: &Path) -> Result<Vec<u8>, Error> {
+    let scratch = tool::scratch()?;
+    let source = std::path::absolute(source).map_err(|error| Error::io("cannot find", source, error))?;
+    let mut command = GHDL.command(directory);
+    command.args(["--synth", "--std=08", "--out=verilog"]).arg(format!("--workdir={}", scratch.path().display()));
+    command.arg(source).args(["-e", top]);
+    GHDL.succeed(&mut command)
 }

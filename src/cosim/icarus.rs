@@ -1,9 +1,9 @@
 //! Icarus Verilog.
 
-use super::tool::{IVERILOG, VVP};
 use super::{Job, Outcome, Simulator, bench};
 use crate::error::Error;
 use crate::spec::Language;
+use crate::tool::{self, IVERILOG, VVP};
 
 /// Icarus Verilog.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +19,7 @@ impl Simulator for Icarus {
     }
 
     fn golden(&self, job: &Job) -> Result<Outcome, Error> {
-        let scratch = bench::scratch()?;
+        let scratch = tool::scratch()?;
         let program = scratch.path().join("core.vvp");
         let mut compile = IVERILOG.command(job.directory);
         compile.args(["-g2005", "-Wall", "-o"]).arg(&program).args(bench::sources(job, Language::Verilog));

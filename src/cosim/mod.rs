@@ -8,11 +8,11 @@ mod builtin;
 mod exhaustive;
 mod ghdl;
 mod icarus;
-pub mod tool;
 mod verilator;
 
 pub use builtin::{Engine, builtin_engine};
 pub use exhaustive::exhaustive;
+pub(crate) use ghdl::as_verilog;
 
 use std::path::Path;
 

@@ -1,9 +1,9 @@
 //! Verilator, with the generated bench.
 
-use super::tool::VERILATOR;
 use super::{Job, Outcome, Simulator, bench};
 use crate::error::Error;
 use crate::spec::Language;
+use crate::tool::{self, VERILATOR};
 
 /// Verilator, with the generated bench.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +19,7 @@ impl Simulator for Verilator {
     }
 
     fn golden(&self, job: &Job) -> Result<Outcome, Error> {
-        let scratch = bench::scratch()?;
+        let scratch = tool::scratch()?;
         let mut compile = VERILATOR.command(job.directory);
         compile.args(["--binary", "--timing", "-Wno-fatal", "-O3", "-j", "2", "--Mdir"]);
         compile.arg(scratch.path()).args(["--top-module", &format!("{}_tb", job.design.spec.name), "-o", "bench"]);

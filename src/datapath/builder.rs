@@ -441,6 +441,32 @@ impl<'a> Builder<'a> {
         self.push(Op::Mul, &[a, b], format, name, comment.to_owned(), bounds)
     }
 
+    /// `a b`, exact, as a sum of `b` shifted for every bit of `a`, which has few; neither is signed.
+    pub fn mul_by_bits(&mut self, a: NodeId, b: NodeId, name: &str, comment: &str) -> NodeId {
+        let format = self.format(a);
+        let count = self.cases.len();
+        let mut sum: Option<NodeId> = None;
+        for weight in -format.frac_bits..format.int_bits {
+            let place = weight + format.frac_bits;
+            let bit = Format::unsigned(weight + 1, -weight);
+            let bit = self.cast(a, bit, true, &format!("{name}_bit_{place}"), "a bit of the slope");
+            let clear = self.not(bit, &format!("{name}_without_{place}"), "the bit is 0");
+            let scaled = self.scale(b, None, weight, &vec![weight; count], &format!("{name}_by_{place}"), "shifted");
+            let term = self.zero_if(Some(clear), scaled, &format!("{name}_term_{place}"), "0 where the bit is 0");
+            sum = Some(match sum {
+                None => term,
+                Some(sum) => self.add(sum, term, &format!("{name}_to_{place}"), comment),
+            });
+        }
+        let product = sum.expect("a number has bits");
+        let bounds = self.per_case(|case| {
+            let (a, b) = (self.bounds[a][case], self.bounds[b][case]);
+            Bound { range: a.range * b.range, error: Interval::ZERO, grid: a.grid + b.grid }
+        });
+        self.assume(product, bounds);
+        product
+    }
+
     fn with_sign(&mut self, id: NodeId) -> NodeId {
         let format = self.format(id);
         if format.signed {

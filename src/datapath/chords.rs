@@ -11,6 +11,25 @@ const FEW: i64 = 16;
 /// With more, at this many pieces, and the curvature bounds what lies between.
 const PIECES: i64 = 8;
 
+/// A slope of no more bits than this times a distance is a sum of shifts; with more it is a multiplication.
+const FEW_SLOPE_BITS: i32 = 4;
+
+/// How finely the slopes are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Slopes {
+    /// As finely as the value's bits ask for.
+    Matched,
+    /// Unsigned, with these integer and fraction bits; steeper entries have the steepest that fits.
+    Bits {
+        /// Integer bits; negative where the leading fraction bits are idle.
+        int: i32,
+        /// Fraction bits.
+        frac: i32,
+    },
+    /// None: every entry is a constant.
+    None,
+}
+
 /// A convex falling function over `[start, start + 2^-domain)` as `base - slope d` in `2^address_bits` equal entries, d being the
 /// distance from the entry's start.
 pub(super) struct Chords<'f> {
@@ -38,6 +57,11 @@ pub(super) struct Chords<'f> {
     pub value_bits: i32,
     /// Every base is below `2^int_bits`.
     pub int_bits: i32,
+    /// How finely the slopes are kept.
+    pub slopes: Slopes,
+    /// How much an error counts at an argument; `None`: everywhere the same. With a weight the function is gone through argument by
+    /// argument, so that its curvature need not be bounded.
+    pub weight: Option<&'f dyn Fn(f64) -> f64>,
 }
 
 impl Chords<'_> {
@@ -48,7 +72,20 @@ impl Chords<'_> {
 
     /// An error of the slope counts `2^-step_bits` times at most.
     fn slope_bits(&self) -> i32 {
-        self.value_bits - self.step_bits() + 1
+        match self.slopes {
+            Slopes::Matched => self.value_bits - self.step_bits() + 1,
+            Slopes::Bits { frac, .. } => frac,
+            Slopes::None => 0,
+        }
+    }
+
+    /// The steepest slope's code.
+    fn steepest(&self) -> i128 {
+        match self.slopes {
+            Slopes::Matched => i128::MAX,
+            Slopes::Bits { int, frac } => (1 << (int + frac)) - 1,
+            Slopes::None => 0,
+        }
     }
 
     fn cut_bits(&self) -> i32 {
@@ -64,6 +101,75 @@ impl Chords<'_> {
         (exp2(-self.step_bits()) - exp2(-self.argument_bits)).max(0.0)
     }
 
+    /// The arguments of an entry with `-slope d`, as the hardware computes it, minus the function.
+    fn differences(&self, entry: usize, slope_code: i128) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let first = self.first(entry);
+        let spare_bits = (self.argument_bits - self.step_bits()).max(0);
+        (0..1i128 << spare_bits).map(move |code| {
+            let product = slope_code * (code >> (self.argument_bits - self.cut_bits()));
+            let dropped = self.slope_bits() + self.cut_bits() - self.value_bits;
+            let product = if dropped > 0 { product >> dropped } else { product << -dropped };
+            let argument = first + code as f64 * exp2(-self.argument_bits);
+            (argument, -(product as f64) * exp2(-self.value_bits) - (self.function)(argument))
+        })
+    }
+
+    /// The error of the hardware's value at every argument where the function is finite, in the order of the arguments.
+    pub fn errors(&self, table: &Table) -> Vec<(f64, f64)> {
+        let base = table.field(self.fields[0]);
+        let slope = table.find(self.fields[1]);
+        let of_entry = |entry: usize| {
+            let value = base.format.value(base.codes[entry]);
+            let slope_code = slope.map_or(0, |slope| slope.codes[entry]);
+            self.differences(entry, slope_code).map(move |(argument, difference)| (argument, value + difference))
+        };
+        (0..table.rows()).flat_map(of_entry).filter(|(_, error)| error.is_finite()).collect()
+    }
+
+    /// The slope's code and the base with the least largest weighted error over an entry.
+    fn weighed(&self, entry: usize, weight: &dyn Fn(f64) -> f64) -> (i128, f64) {
+        let spare = 1i128 << (self.argument_bits - self.step_bits()).max(0);
+        // To choose by, samples do; what is proved of the choice goes over all arguments.
+        let stride = (spare / 32).max(1) as usize;
+        let sampled = |slope_code: i128| -> Vec<(f64, f64)> {
+            let all = self.differences(entry, slope_code);
+            let chosen = all.enumerate().filter(|(code, _)| code % stride == 0 || *code as i128 == spare - 1);
+            let weighed = chosen.map(|(_, (argument, difference))| (weight(argument), -difference));
+            weighed.filter(|(_, value)| value.is_finite()).collect()
+        };
+        let flat = sampled(0);
+        let (Some(&first), Some(&last)) = (flat.first(), flat.last()) else { return (0, 0.0) };
+        let chord = if self.span() > 0.0 { (first.1 - last.1) / self.span() } else { 0.0 };
+        let steepest = nearest_code(chord, self.slope_bits()).min(self.steepest());
+        // Where the weight falls towards one end, a slope gentler than the chord's may serve better.
+        let mut slopes: Vec<i128> = (0..=4).map(|quarter| (steepest * quarter + 2) / 4).collect();
+        slopes.extend([steepest - 1, steepest + 1]);
+        slopes.retain(|slope| (0..=self.steepest()).contains(slope));
+        slopes.sort_unstable();
+        slopes.dedup();
+        let balanced = |slope_code: i128| {
+            let samples = sampled(slope_code);
+            let ends = samples.iter().map(|&(_, value)| Interval::point(value)).reduce(Interval::hull);
+            let Interval { low: mut least, high: mut most } = ends.unwrap_or(Interval::ZERO);
+            let mut worst = f64::INFINITY;
+            let mut base = least;
+            for _ in 0..24 {
+                base = 0.5 * (least + most);
+                let side = |above: bool| {
+                    let parts = samples.iter().filter(|(_, value)| (*value > base) == above);
+                    parts.map(|(weight, value)| weight * (value - base).abs()).fold(0.0, f64::max)
+                };
+                let (above, below) = (side(true), side(false));
+                worst = above.max(below);
+                if above > below { least = base } else { most = base }
+            }
+            (worst, base)
+        };
+        let tried = slopes.into_iter().map(|slope| (slope, balanced(slope)));
+        let best = tried.min_by(|a, b| a.1.0.total_cmp(&b.1.0));
+        best.map_or((0, 0.0), |(slope, (_, base))| (slope, base))
+    }
+
     /// The range of `-slope d`, as the hardware computes it, minus the function over an entry.
     fn shape(&self, entry: usize, slope_code: i128) -> Interval {
         let first = self.first(entry);
@@ -74,14 +180,7 @@ impl Chords<'_> {
             values.map(Interval::point).reduce(Interval::hull).unwrap_or(Interval::ZERO)
         };
         if 1i64 << spare_bits.min(32) <= FEW {
-            let value = |code: i128| {
-                let product = slope_code * (code >> (self.argument_bits - self.cut_bits()));
-                let dropped = self.slope_bits() + self.cut_bits() - self.value_bits;
-                let product = if dropped > 0 { product >> dropped } else { product << -dropped };
-                let d = code as f64 * exp2(-self.argument_bits);
-                -(product as f64) * exp2(-self.value_bits) - (self.function)(first + d)
-            };
-            return hull(&mut (0..1i128 << spare_bits).map(value));
+            return hull(&mut self.differences(entry, slope_code).map(|(_, difference)| difference));
         }
         let piece = self.span() / PIECES as f64;
         let value = |step: i64| -slope * (step as f64 * piece) - (self.function)(first + step as f64 * piece);
@@ -100,26 +199,34 @@ impl Chords<'_> {
         for entry in 0..entries {
             let first = self.first(entry);
             let span = self.span();
-            let slope = if span > 0.0 { ((self.function)(first) - (self.function)(first + span)) / span } else { 0.0 };
-            let slope_code = nearest_code(slope, self.slope_bits());
-            let shape = self.shape(entry, slope_code);
-            let base = -0.5 * (shape.low + shape.high);
+            let (slope_code, slope, base);
+            if let Some(weight) = self.weight {
+                (slope_code, base) = self.weighed(entry, weight);
+                slope = slope_code as f64 * exp2(-self.slope_bits());
+            } else {
+                let rise = (self.function)(first) - (self.function)(first + span);
+                slope = if span > 0.0 { rise / span } else { 0.0 };
+                slope_code = nearest_code(slope, self.slope_bits()).min(self.steepest());
+                let shape = self.shape(entry, slope_code);
+                base = -0.5 * (shape.low + shape.high);
+            }
             slopes.0.push(slope_code);
             slopes.1.push(slope);
             bases.0.push(nearest_code(base, self.value_bits).min(most));
             bases.1.push(base);
         }
-        let fields = vec![
-            field(self.fields[0], self.meanings[0], self.value_bits, bases.0, bases.1),
-            field(self.fields[1], self.meanings[1], self.slope_bits(), slopes.0, slopes.1),
-        ];
+        let mut fields = vec![field(self.fields[0], self.meanings[0], self.value_bits, bases.0, bases.1)];
+        if self.slopes != Slopes::None {
+            fields.push(field(self.fields[1], self.meanings[1], self.slope_bits(), slopes.0, slopes.1));
+        }
         Table::listed(self.name, "entry", (0..entries).map(|entry| entry as f64).collect(), fields)
     }
 
     /// The range of the hardware's value minus the function's over an entry, with the words that the table has.
     pub fn error(&self, table: &Table, entry: usize) -> Interval {
-        let [base, slope] = self.fields.map(|name| table.field(name));
-        self.shape(entry, slope.codes[entry]) + Interval::point(base.format.value(base.codes[entry]))
+        let base = table.field(self.fields[0]);
+        let slope_code = table.find(self.fields[1]).map_or(0, |slope| slope.codes[entry]);
+        self.shape(entry, slope_code) + Interval::point(base.format.value(base.codes[entry]))
     }
 
     /// The least value of the function over an entry.
@@ -136,6 +243,9 @@ impl Chords<'_> {
         let shift = self.step_bits();
         let address = b.scale(entry, None, shift, &vec![shift; count], &name("entry"), "the address in the table");
         let base = b.field(memory, address, self.fields[0]);
+        if self.slopes == Slopes::None {
+            return base;
+        }
         let slope = b.field(memory, address, self.fields[1]);
         let d = Format::unsigned(-self.step_bits(), self.cut_bits());
         let d = b.cast(argument, d, true, &name("d"), "the distance from the entry's start");
@@ -145,15 +255,41 @@ impl Chords<'_> {
             grid: self.cut_bits(),
         };
         b.assume(d, vec![whole; count]);
-        let product = b.mul(slope, d, &name("fall"), "how far the value has fallen from the entry's start");
+        let product = if self.multiplies() {
+            b.mul(slope, d, &name("fall"), "how far the value has fallen from the entry's start")
+        } else {
+            b.mul_by_bits(slope, d, &name("fall"), "how far the value has fallen from the entry's start")
+        };
         let product = b.floor(product, self.value_bits, &name("step"), "rounded down");
         b.sub(base, product, value, formula)
     }
 
+    /// Whether the slope meets the distance in a multiplier.
+    pub fn multiplies(&self) -> bool {
+        match self.slopes {
+            Slopes::Matched => true,
+            Slopes::Bits { int, frac } => int + frac > FEW_SLOPE_BITS,
+            Slopes::None => false,
+        }
+    }
+
     /// An estimate of its size in LUTs, for ranking.
     pub fn cost(&self) -> f64 {
-        let slope = self.value_bits - self.address_bits;
-        let bits = f64::from(self.value_bits + slope) * exp2(self.address_bits);
-        bits / 16.0 + super::multiplier_cost(slope, self.cut_bits() - self.step_bits()) + f64::from(self.value_bits)
+        let slope = match self.slopes {
+            Slopes::Matched => self.value_bits - self.address_bits,
+            Slopes::Bits { int, frac } => int + frac,
+            Slopes::None => 0,
+        };
+        let bits = f64::from(self.value_bits + self.int_bits + slope) * exp2(self.address_bits);
+        let distance = self.cut_bits() - self.step_bits();
+        let fall = if slope == 0 {
+            0.0
+        } else if self.multiplies() {
+            super::multiplier_cost(slope, distance) + f64::from(self.value_bits)
+        } else {
+            // A gate a bit and partial product, and the sums.
+            f64::from(slope * distance + (slope - 1) * (distance + 1) + self.value_bits)
+        };
+        bits / 16.0 + fall
     }
 }

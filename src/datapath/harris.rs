@@ -14,8 +14,8 @@
 use std::sync::Arc;
 
 use super::builder::{Bound, Builder, Case};
+use super::exponent::exact_bits;
 use super::graph::NodeId;
-use super::log_exp::exact_bits;
 use super::polynomial::{self, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::error::Error;

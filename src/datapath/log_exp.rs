@@ -22,46 +22,30 @@
 //! brings it there.
 
 use super::builder::{Bound, Builder, Case};
-use super::chords::Chords;
+use super::chords::{Chords, Slopes};
+use super::exponent::{Exponent, error_of_exponent, power_less_one};
 use super::graph::NodeId;
-use super::polynomial::{self, field, nearest_code};
+use super::polynomial;
 use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::error::Error;
 use crate::lobe::log_exp::{EXP_CURVATURE, LOG_RATIO_CURVATURE, log_ratio};
 use crate::lobe::{self, Lobe};
 use crate::number::{Format, Interval, exp2};
 use crate::rom::Table;
-use crate::spec::{CoreSpec, Shininess, Widths};
+use crate::spec::{CoreSpec, Widths};
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
-const LN_2: f64 = std::f64::consts::LN_2;
 
 /// The memory of κ.
-const LOG_TABLE: &str = "log_table";
+pub(super) const LOG_TABLE: &str = "log_table";
 /// The memory of the exponential.
-const EXP_TABLE: &str = "exp_table";
-
-/// More fraction bits than this no shininess needs: the error that is left counts 2^-25 at most.
-const MOST_SHININESS_BITS: i32 = 24;
-
-/// Fraction bits that hold every shininess of a list exactly, if [`MOST_SHININESS_BITS`] do, and else those; 0 for a range.
-pub(super) fn exact_bits(set: &Shininess) -> i32 {
-    if matches!(set, Shininess::Range(..) | Shininess::Fixed { .. }) {
-        return 0;
-    }
-    let exact = |n: f64, bits: i32| libm::trunc(n * exp2(bits)) == n * exp2(bits);
-    let needed = |n: f64| (0..MOST_SHININESS_BITS).find(|&bits| exact(n, bits)).unwrap_or(MOST_SHININESS_BITS);
-    set.values().into_iter().map(needed).max().unwrap_or_default()
-}
+pub(super) const EXP_TABLE: &str = "exp_table";
 
 /// `2^(-n L(x))`.
 #[derive(Debug)]
 pub struct LogExp<'a> {
     spec: &'a CoreSpec,
-    least: f64,
-    largest: f64,
-    /// Fraction bits that hold every shininess of a list exactly, if [`MOST_SHININESS_BITS`] do.
-    exact_bits: i32,
+    n: Exponent<'a>,
 }
 
 impl<'a> LogExp<'a> {
@@ -70,10 +54,7 @@ impl<'a> LogExp<'a> {
     /// # Errors
     /// A shininess that the method refuses.
     pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
-        let (least, largest) = spec.shininess.ends();
-        lobe::check_shininess(least)?;
-        lobe::check_shininess(largest)?;
-        Ok(Self { spec, least, largest, exact_bits: exact_bits(&spec.shininess) })
+        Ok(Self { spec, n: Exponent::new(spec)? })
     }
 
     fn input_bits(&self) -> i32 {
@@ -84,19 +65,9 @@ impl<'a> LogExp<'a> {
         self.spec.output_fraction as i32
     }
 
-    /// Whether n is read from a ROM: the port is an index.
-    fn reads_shininess(&self) -> bool {
-        matches!(self.spec.shininess, Shininess::List(_) | Shininess::Materials(_))
-    }
-
-    /// Fraction bits of n.
-    fn shininess_bits(&self, widths: &Widths) -> i32 {
-        if self.reads_shininess() { widths.get("n") } else { self.spec.shininess.frac_bits() as i32 }
-    }
-
     /// x below `2^-this` gives 0: there n L is at least G + 1 for the least shininess.
     fn depth(&self) -> i32 {
-        (f64::from(self.output_bits() + 1) / self.least).ceil() as i32
+        (f64::from(self.output_bits() + 1) / self.n.least).ceil() as i32
     }
 
     /// How far x is shifted at most; one bit less than the depth, since m >= 1/2, or than x has.
@@ -116,10 +87,10 @@ impl<'a> LogExp<'a> {
 
     /// Half of the most that rounding u, v and z down lowers z by where the result is near 1: the second table makes up for it.
     fn lift(&self, widths: &Widths) -> f64 {
-        let n_bits = self.shininess_bits(widths);
+        let n_bits = self.n.frac_bits(widths);
         let (u, v, z) = (widths.get("u"), widths.get("v"), widths.get("z"));
         let lost = |from: i32, to: i32| (exp2(-to) - exp2(-from)).max(0.0);
-        0.5 * (LOG2_E * (self.largest * lost(self.input_bits(), u) + lost(n_bits + u, v))
+        0.5 * (LOG2_E * (self.n.largest * lost(self.input_bits(), u) + lost(n_bits + u, v))
             + lost(v + widths.get("k"), z))
     }
 
@@ -137,6 +108,8 @@ impl<'a> LogExp<'a> {
             cut_bits: widths.get("k") + 1,
             value_bits: widths.get("k"),
             int_bits: 1,
+            slopes: Slopes::Matched,
+            weight: None,
         }
     }
 
@@ -154,12 +127,14 @@ impl<'a> LogExp<'a> {
             cut_bits: widths.get("z"),
             value_bits: widths.get("e"),
             int_bits: 0,
+            slopes: Slopes::Matched,
+            weight: None,
         }
     }
 
     /// Whether n = 1 gives x by a way of its own. An output with all the bits of x gets x anyhow: it is less than 1 ulp off.
     fn bypasses(&self) -> bool {
-        self.least == 1.0 && self.input_bits() > self.output_bits()
+        self.n.least == 1.0 && self.input_bits() > self.output_bits()
     }
 
     /// The ranges of the real z that the cases of the analysis are: fine where y is large.
@@ -171,18 +146,6 @@ impl<'a> LogExp<'a> {
         // Past this the result is 0, or forced to it.
         levels.push(Interval::new(edges[edges.len() - 1], exp2(self.whole_bits()) + 1.0));
         levels
-    }
-
-    /// n as a number.
-    fn shininess(&self, b: &mut Builder, tables: &[Table]) -> NodeId {
-        let set = &self.spec.shininess;
-        if self.reads_shininess() {
-            let memory = tables.iter().position(|table| table.name == Table::COEFFICIENTS).unwrap_or_default();
-            let address = b.address(set, memory);
-            return b.field(memory, address, "n");
-        }
-        let port = b.index(set);
-        b.clamped_index(set, port)
     }
 
     /// `n e`: a sum over the steps that the normalisation took.
@@ -215,24 +178,16 @@ impl<'a> LogExp<'a> {
     }
 }
 
-/// `2^-[a] - 1` over an interval.
-fn power_less_one(exponent: Interval) -> Interval {
-    let at = |z: f64| libm::expm1(-LN_2 * z);
-    Interval::new(at(exponent.high), at(exponent.low))
-}
-
 impl Architecture for LogExp<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.input_bits(), self.output_bits());
         let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
-        let n_bits = libm::ilogb(self.largest) + 1;
+        let n_bits = self.n.int_bits();
         let mut parameters = Vec::new();
         let mut n_fraction = self.spec.shininess.frac_bits() as i32;
-        if self.reads_shininess() {
-            let low = (g - libm::ilogb(self.least)).max(0);
-            let range = up_to(low, low + 4, self.exact_bits);
-            n_fraction = *range.end();
-            parameters.push(Parameter { name: "n", meaning: "shininess n", range });
+        if let Some(n) = self.n.parameter(g) {
+            n_fraction = *n.range.end();
+            parameters.push(n);
         }
         let log = ((g - 5) / 2).max(1);
         let exp = ((g - 4) / 2).max(1);
@@ -255,7 +210,7 @@ impl Architecture for LogExp<'_> {
     }
 
     fn cost(&self, w: &Widths) -> f64 {
-        let n_bits = libm::ilogb(self.largest) + 1 + self.shininess_bits(w);
+        let n_bits = self.n.int_bits() + self.n.frac_bits(w);
         let power = |f: f64| libm::exp2(-f);
         multiplier_cost(n_bits, w.get("u"))
             + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + 1)
@@ -266,14 +221,7 @@ impl Architecture for LogExp<'_> {
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
-        let mut tables = Vec::new();
-        if self.reads_shininess() {
-            let bits = widths.get("n");
-            let reals = self.spec.shininess.values();
-            let codes = reals.iter().map(|&n| nearest_code(n, bits)).collect();
-            let n = field("n", "the shininess", bits, codes, reals);
-            tables.push(Table::new(&self.spec.shininess, vec![n], 0));
-        }
+        let mut tables: Vec<Table> = self.n.table(widths).into_iter().collect();
         let lift = self.lift(widths);
         tables.push(self.log_chords(widths).table());
         tables.push(self.exp_chords(widths, &|f| libm::exp2(-f - lift)).table());
@@ -307,11 +255,11 @@ impl Architecture for LogExp<'_> {
         let (log_memory, exp_memory) = (memory(LOG_TABLE)?, memory(EXP_TABLE)?);
         let levels = self.levels();
         let case =
-            |_: &Interval| Case { active: Interval::UNIT, shininess: self.largest, rows: vec![None; tables.len()] };
+            |_: &Interval| Case { active: Interval::UNIT, shininess: self.n.largest, rows: vec![None; tables.len()] };
         let count = levels.len();
         let mut b = Builder::new(&tables, levels.iter().map(case).collect());
 
-        let n = self.shininess(&mut b, &tables);
+        let n = self.n.node(&mut b, &tables);
         let (x, versine) = b.operand(self.spec);
         let enough =
             b.reaches(x, -self.depth().min(f), "enough", "x is large enough for a result above half an ulp")?;
@@ -410,19 +358,7 @@ impl Architecture for LogExp<'_> {
             y = b.select(above, [y, rounded], |_| None, "y_or_x", "x itself for n = 1");
         }
 
-        let ratio = if self.reads_shininess() {
-            let n = tables[memory(Table::COEFFICIENTS)?].field("n");
-            let ratio =
-                |(&code, &real): (&i128, &f64)| Interval::point((n.format.value(code) - real) / n.format.value(code));
-            n.codes.iter().zip(&n.reals).map(ratio).reduce(Interval::hull)?
-        } else {
-            Interval::ZERO
-        };
-        polynomial::finish(b, self.spec, &tables, y, |case| {
-            // z with the rounded n' is z n/n' = z - z (n' - n)/n' with the real one: y' - y = y' (1 - 2^(z (n' - n)/n')).
-            let level = levels[case];
-            let real = Interval::new(libm::exp2(-level.high), libm::exp2(-level.low));
-            if ratio == Interval::ZERO { Interval::ZERO } else { -(real * power_less_one(-(level * ratio))) }
-        })
+        let relative = self.n.relative_error(&tables);
+        polynomial::finish(b, self.spec, &tables, y, |case| error_of_exponent(levels[case], relative))
     }
 }

@@ -18,6 +18,7 @@ pub mod cubic;
 pub mod cubic_rational;
 mod divide;
 pub mod evaluate;
+mod exponent;
 pub mod graph;
 pub mod harris;
 pub mod log_exp;
@@ -32,6 +33,7 @@ pub mod shader;
 pub mod simulate;
 pub mod squaring;
 pub mod tabulated;
+pub mod versine_log;
 pub mod widths;
 
 use crate::error::Error;
@@ -105,6 +107,16 @@ pub trait Architecture: Sync {
     /// The inner widths that may be chosen.
     fn parameters(&self) -> Vec<Parameter>;
 
+    /// What the bounds of `hardware - method` are to stay below, in output ulps.
+    fn tolerance(&self) -> f64 {
+        1.0
+    }
+
+    /// Widths whose errors do not add, by their names: they are probed together.
+    fn interacting(&self) -> &'static [&'static [&'static str]] {
+        &[]
+    }
+
     /// An estimate of the hardware's size in LUTs for these widths, for ranking only.
     fn cost(&self, widths: &Widths) -> f64;
 
@@ -158,7 +170,10 @@ pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error
         (Method::Segmented2 | Method::Segmented4 | Method::Segmented8, _) => Box::new(segmented::Architect::new(spec)?),
         (Method::Schlick, _) => Box::new(schlick::Schlick::new(spec)?),
         (Method::CubicRational, _) => Box::new(cubic_rational::CubicRational::new(spec)?),
-        (Method::LogExp, _) => Box::new(log_exp::LogExp::new(spec)?),
+        (Method::LogExp, _) => match spec.accuracy {
+            None => Box::new(log_exp::LogExp::new(spec)?),
+            Some(bits) => Box::new(versine_log::VersineLog::new(spec, bits)?),
+        },
         (Method::Squaring, _) => Box::new(squaring::Squaring::new(spec)?),
         (Method::Harris, _) => Box::new(harris::Harris::new(spec)?),
         (Method::Table, _) => Box::new(tabulated::Tabulated::new(spec)?),

@@ -52,7 +52,7 @@ pub struct Solution {
     pub budget: Budget,
 }
 
-/// A bound below this is one below 1 ulp: the rest covers the errors of the double-precision coefficients (below 1e-13 of values that
+/// A bound below this part of what is allowed is one below it: the rest covers the errors of the double-precision coefficients (below 1e-13 of values that
 /// weigh at most 2^20 ulps) and of the analysis' own sums.
 const FAITHFUL: f64 = 1.0 - 1e-6;
 
@@ -103,12 +103,51 @@ fn built(architecture: &dyn Architecture, widths: &Widths) -> Option<Datapath> {
     architecture.build(widths, architecture.tables(widths))
 }
 
+/// Widths that are probed together, by their places among the parameters, with what each combination of their values adds to the
+/// bounds of the error.
+struct Probe {
+    members: Vec<usize>,
+    /// The values of the members, and the additions to the least and the greatest error.
+    combinations: Vec<(Vec<i32>, [f64; 2])>,
+}
+
+/// Every combination of a value out of each list.
+fn combinations(lists: &[Vec<i32>]) -> Vec<Vec<i32>> {
+    lists.iter().fold(vec![Vec::new()], |all, list| {
+        all.iter().flat_map(|start| list.iter().map(|&value| [start.as_slice(), &[value]].concat())).collect()
+    })
+}
+
+/// What each group of widths adds on either side, with all others at their widest.
+fn probe(architecture: &dyn Architecture, parameters: &[Parameter], widest: &[i32], base: [f64; 2]) -> Vec<Probe> {
+    let place = |name: &str| parameters.iter().position(|parameter| parameter.name == name);
+    let mut groups: Vec<Vec<usize>> =
+        architecture.interacting().iter().map(|names| names.iter().filter_map(|name| place(name)).collect()).collect();
+    let grouped: Vec<usize> = groups.concat();
+    groups.extend((0..parameters.len()).filter(|index| !grouped.contains(index)).map(|index| vec![index]));
+    let probe = |members: Vec<usize>| {
+        let ranges: Vec<Vec<i32>> = members.iter().map(|&member| parameters[member].range.clone().collect()).collect();
+        let added = |chosen: Vec<i32>| {
+            let mut values = widest.to_vec();
+            members.iter().zip(&chosen).for_each(|(&member, &value)| values[member] = value);
+            let error = built(architecture, &widths_of(parameters, &values)).map(|datapath| total(&datapath));
+            let added = error.map(|error| [error[0] - base[0], error[1] - base[1]]);
+            (chosen, added.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]))
+        };
+        let combinations = combinations(&ranges).into_par_iter().map(added).collect();
+        Probe { members, combinations }
+    };
+    groups.into_iter().map(probe).collect()
+}
+
 /// Chooses the widths.
 ///
 /// # Errors
-/// If no combination of the offered widths is provably faithful and within the arithmetic of this crate.
+/// If no combination of the offered widths is provably as accurate as the architecture asks for and within the arithmetic of this
+/// crate.
 pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
     let parameters = architecture.parameters();
+    let tolerance = architecture.tolerance();
     let widest: Vec<i32> = parameters.iter().map(|p| *p.range.end()).collect();
     let too_wide = || {
         Error::input(
@@ -117,42 +156,26 @@ pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
         )
     };
     let base = total(&built(architecture, &widths_of(&parameters, &widest)).ok_or_else(too_wide)?);
+    let probes = probe(architecture, &parameters, &widest, base);
 
-    // What each width adds on either side, probed alone.
-    let probes: Vec<Vec<[f64; 2]>> = parameters
-        .iter()
-        .enumerate()
-        .map(|(index, parameter)| {
-            let values: Vec<i32> = parameter.range.clone().collect();
-            values
-                .into_par_iter()
-                .map(|value| {
-                    let mut values = widest.clone();
-                    values[index] = value;
-                    match built(architecture, &widths_of(&parameters, &values)) {
-                        Some(datapath) => {
-                            let error = total(&datapath);
-                            [error[0] - base[0], error[1] - base[1]]
-                        }
-                        None => [f64::NEG_INFINITY, f64::INFINITY],
-                    }
-                })
-                .collect()
-        })
-        .collect();
-
+    // Each candidate has a combination of each probe.
+    let hopeful = HOPEFUL * tolerance;
     let mut candidates = Vec::new();
-    let mut choice = vec![0usize; parameters.len()];
+    let mut choice = vec![0usize; probes.len()];
     'all: loop {
-        let sum = |side: usize| base[side] + choice.iter().zip(&probes).map(|(&c, probe)| probe[c][side]).sum::<f64>();
-        if sum(0) > -HOPEFUL && sum(1) < HOPEFUL {
-            let values: Vec<i32> = parameters.iter().zip(&choice).map(|(p, &c)| p.range.start() + c as i32).collect();
+        let chosen = || choice.iter().zip(&probes).map(|(&chosen, probe)| &probe.combinations[chosen]);
+        let sum = |side: usize| base[side] + chosen().map(|(_, added)| added[side]).sum::<f64>();
+        if sum(0) > -hopeful && sum(1) < hopeful {
+            let mut values = widest.clone();
+            for (probe, (combination, _)) in probes.iter().zip(chosen()) {
+                probe.members.iter().zip(combination).for_each(|(&member, &value)| values[member] = value);
+            }
             let cost = architecture.cost(&widths_of(&parameters, &values));
             candidates.push((cost, values));
         }
         for (digit, probe) in choice.iter_mut().zip(&probes) {
             *digit += 1;
-            if *digit < probe.len() {
+            if *digit < probe.combinations.len() {
                 continue 'all;
             }
             *digit = 0;
@@ -166,7 +189,7 @@ pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
         let proved = batch
             .par_iter()
             .filter_map(|(_, values)| Some((values, built(architecture, &widths_of(&parameters, values))?)))
-            .find_first(|(_, datapath)| total(datapath).iter().all(|e| e.abs() < FAITHFUL));
+            .find_first(|(_, datapath)| total(datapath).iter().all(|e| e.abs() < FAITHFUL * tolerance));
         if let Some((values, datapath)) = proved {
             let budget = budget(&parameters, &probes, values, &datapath);
             return Ok(Solution { widths: widths_of(&parameters, values), datapath, budget });
@@ -174,24 +197,29 @@ pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
     }
     Err(Error::input(
         format!(
-            "no offered widths give an error below 1 ulp: at the widest it is bounded by {:+.3}..{:+.3}",
+            "no offered widths give an error below {tolerance} ulp: at the widest it is bounded by {:+.3}..{:+.3}",
             base[0], base[1]
         ),
         "use the stable form, or other input and output fraction bits",
     ))
 }
 
-fn budget(parameters: &[Parameter], probes: &[Vec<[f64; 2]>], values: &[i32], datapath: &Datapath) -> Budget {
-    let contributions = parameters
-        .iter()
-        .zip(probes)
-        .zip(values)
-        .map(|((parameter, probe), &value)| Contribution {
+fn budget(parameters: &[Parameter], probes: &[Probe], values: &[i32], datapath: &Datapath) -> Budget {
+    let contribution = |(index, parameter): (usize, &Parameter)| {
+        // A group's error is told once, at its first member.
+        let of_group = probes.iter().find(|probe| probe.members[0] == index);
+        let ulps = of_group.and_then(|probe| {
+            let is_chosen = |(combination, _): &&(Vec<i32>, [f64; 2])| {
+                probe.members.iter().zip(combination).all(|(&member, &value)| values[member] == value)
+            };
+            probe.combinations.iter().find(is_chosen).map(|&(_, added)| added)
+        });
+        Contribution {
             name: parameter.name,
             meaning: parameter.meaning,
-            frac_bits: value,
-            ulps: probe[(value - parameter.range.start()) as usize],
-        })
-        .collect();
-    Budget::of(contributions, datapath)
+            frac_bits: values[index],
+            ulps: ulps.unwrap_or_default(),
+        }
+    };
+    Budget::of(parameters.iter().enumerate().map(contribution).collect(), datapath)
 }

@@ -4,14 +4,49 @@ use super::Inputs;
 use crate::number::wide::{self, Wide};
 use crate::spec::{CoreSpec, Shininess};
 
+/// With an accuracy of A bits: `z = (n u) κ(x)` and `y = 2^-z`, both functions from their tables.
+pub(super) fn coarse(inputs: &Inputs, spec: &CoreSpec, accuracy: u32) -> Wide {
+    let n = shininess(inputs, spec);
+    let x = inputs.x;
+    if x == 0 {
+        return Wide::ZERO;
+    }
+    if n == 1 && inputs.widths.get("one") == 1 {
+        return wide::floor_to(x, spec.output_fraction);
+    }
+    let v = inputs.floor(n * inputs.floor(Wide::ONE - x, "u"), "v");
+    // From here on x^n is below 2^-(A + 1/2).
+    let mut bound = 1u32;
+    while f64::from(bound) * std::f64::consts::LOG2_E <= f64::from(accuracy) + 0.5 {
+        bound *= 2;
+    }
+    if v >= bound {
+        return Wide::ZERO;
+    }
+    // x = 1 has no entry; there u = 0.
+    let ratio =
+        if x == 1 { Wide::ZERO } else { interpolated(inputs, &COARSE_LOG, x, inputs.widths.get("k") as u32 + 2) };
+    let z = inputs.floor(v * ratio, "z");
+    if z >= (accuracy + 1).next_power_of_two() {
+        return Wide::ZERO;
+    }
+    let power = interpolated(inputs, &EXP, z.frac(), 64) >> z.to_num::<u32>();
+    wide::floor_to(inputs.floor(power, "e"), spec.output_fraction)
+}
+
+/// n: the port's, or the ROM's.
+fn shininess(inputs: &Inputs, spec: &CoreSpec) -> Wide {
+    match spec.shininess {
+        Shininess::Range(..) | Shininess::Fixed { .. } => wide::from_code(inputs.n.into(), spec.shininess.frac_bits()),
+        Shininess::List(_) | Shininess::Materials(_) => inputs.coefficient("n"),
+    }
+}
+
 /// x is taken apart into `2^-e m`; then `z = n e + n (1 - m) κ(m)` and `y = 2^-z`, both functions from their tables.
 pub(super) fn evaluate(inputs: &Inputs, spec: &CoreSpec) -> Wide {
     let output_fraction = spec.output_fraction;
     let (least, _) = spec.shininess.ends();
-    let n = match spec.shininess {
-        Shininess::Range(..) | Shininess::Fixed { .. } => wide::from_code(inputs.n.into(), spec.shininess.frac_bits()),
-        Shininess::List(_) | Shininess::Materials(_) => inputs.coefficient("n"),
-    };
+    let n = shininess(inputs, spec);
     let x = inputs.x;
     let half = Wide::ONE >> 1;
     if n == 1 && inputs.fine_input {
@@ -60,6 +95,7 @@ struct Function {
 
 const LOG: Function =
     Function { memory: "log_table", base: "log_base", slope: "log_slope", address: "log", value: "k", domain: 1 };
+const COARSE_LOG: Function = Function { domain: 0, ..LOG };
 const EXP: Function =
     Function { memory: "exp_table", base: "exp_base", slope: "exp_slope", address: "exp", value: "e", domain: 0 };
 
@@ -70,5 +106,7 @@ fn interpolated(inputs: &Inputs, of: &Function, argument: Wide, cut: u32) -> Wid
     let entry = wide::to_code(argument << of.domain, address_bits);
     let distance = argument - (wide::from_code(entry, address_bits) >> of.domain);
     let word = |field: &str| inputs.entry(of.memory, entry as usize, field);
-    word(of.base) - inputs.floor(word(of.slope) * wide::floor_to(distance, cut), of.value)
+    let has_slope = inputs.memory(of.memory).find(of.slope).is_some();
+    let slope = if has_slope { word(of.slope) } else { Wide::ZERO };
+    word(of.base) - inputs.floor(slope * wide::floor_to(distance, cut), of.value)
 }

@@ -73,7 +73,10 @@ impl<'a> Model<'a> {
             }
             (Method::Schlick, _) => schlick::schlick(&inputs),
             (Method::CubicRational, _) => cubic_rational::cubic_rational(&inputs),
-            (Method::LogExp, _) => log_exp::evaluate(&inputs, self.spec),
+            (Method::LogExp, _) => match self.spec.accuracy {
+                None => log_exp::evaluate(&inputs, self.spec),
+                Some(bits) => log_exp::coarse(&inputs, self.spec, bits),
+            },
             (Method::Squaring, _) => squaring::squaring(&inputs, self.spec),
             (Method::Harris, _) => harris::harris(&inputs, self.spec),
             (Method::Table, _) => tabulated::tabulated(&inputs, self.spec),

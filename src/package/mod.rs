@@ -94,6 +94,13 @@ pub fn texts(design: &Design, account: &Account) -> Texts {
     );
     header.extend([String::new(), format!("Latency {} clocks, one result a clock.", design.schedule.latency)]);
     header.extend(datasheet::error_lines(design, account));
+    Texts { header, ..texts_without_header(design) }
+}
+
+/// As [`texts`], without the comment at the head of the HDL; so nothing is measured.
+#[must_use]
+pub fn texts_without_header(design: &Design) -> Texts {
+    let spec = &design.spec;
     let rom_file = |table: &Table| RomFile {
         memory: table.name,
         parameter: format!("{}_FILE", table.name.to_ascii_uppercase()),
@@ -108,7 +115,7 @@ pub fn texts(design: &Design, account: &Account) -> Texts {
         (port, file)
     };
     let writes = design.write_ports().into_iter().map(with_file).collect();
-    Texts { name: spec.name.clone(), header, ports, rom_files, writes }
+    Texts { name: spec.name.clone(), header: Vec::new(), ports: design.ports(), rom_files, writes }
 }
 
 /// The text of `core.toml`.

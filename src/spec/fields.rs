@@ -8,9 +8,9 @@ use clap::{Args, ValueEnum};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{
-    Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, EXP_BITS, Form, INPUT_FRACTION, Inside, LOG_BITS,
-    Language, Material, Method, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION,
-    ShaderFields, Shininess, TABLE_BITS, Tail,
+    ACCURACY, ACCURACY_INPUT_FRACTION, Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, EXP_BITS, Form,
+    INPUT_FRACTION, Inside, LOG_BITS, Language, Material, Method, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline,
+    RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, Tail,
 };
 use crate::error::Error;
 use crate::fit::Objective;
@@ -72,6 +72,11 @@ pub struct SpecFields {
     #[arg(long, value_enum)]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inside: Option<Inside>,
+
+    /// Bits A of the method log-exp: a core smaller than the faithful one, proved within 2^-A of x^n, 4 to 15 and at most G - 1
+    #[arg(long, value_name = "A")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<u32>,
 
     /// How the core divides [default: digit]
     #[arg(long, value_enum)]
@@ -235,6 +240,7 @@ impl SpecFields {
             g: self.g.or(other.g),
             tail: self.tail.or(other.tail),
             inside: self.inside.or(other.inside),
+            accuracy: self.accuracy.or(other.accuracy),
             divider: self.divider.or(other.divider),
             table_bits: self.table_bits.or(other.table_bits),
             log_bits: self.log_bits.or(other.log_bits),
@@ -318,6 +324,7 @@ impl SpecFields {
         refuse("level g", self.g.is_some(), method == Method::CubicThreePoint)?;
         refuse("choice of tail", self.tail.is_some(), method.has_tail())?;
         refuse("choice of inside", self.inside.is_some(), method.has_inside())?;
+        refuse("accuracy", self.accuracy.is_some(), method.has_accuracy())?;
         refuse("divider", self.divider.is_some(), method.divides())?;
         refuse("table_bits", self.table_bits.is_some(), method == Method::Table)?;
         refuse("log_bits", self.log_bits.is_some(), method == Method::Harris)?;
@@ -402,6 +409,13 @@ impl SpecFields {
         // A channel's last bit is worth sixteen of the lobe's, and a step of the cosine moves a highlight of n = 256 by one.
         let (input_fraction, output_fraction) =
             shader.as_ref().map_or((16, 16), |shader| (shader.channel_bits + 8, shader.channel_bits + 4));
+        let input_fraction = within("input_fraction", self.input_fraction.unwrap_or(input_fraction), INPUT_FRACTION)?;
+        let output_fraction =
+            within("output_fraction", self.output_fraction.unwrap_or(output_fraction), OUTPUT_FRACTION)?;
+        if let Some(accuracy) = self.accuracy {
+            within("accuracy", accuracy, *ACCURACY.start()..=(*ACCURACY.end()).min(output_fraction - 1))?;
+            within("input_fraction of a core with an accuracy", input_fraction, ACCURACY_INPUT_FRACTION)?;
+        }
         let name = self.name.unwrap_or(default_name);
         check_name(&name)?;
         let mut rom_formats = self.rom_formats.unwrap_or_default();
@@ -423,6 +437,7 @@ impl SpecFields {
             g,
             tail: self.tail.unwrap_or(Tail::Cut),
             inside: self.inside.unwrap_or(Inside::Quadratic),
+            accuracy: self.accuracy,
             divider: self.divider.unwrap_or(Divider::Digit),
             table_bits: within("table_bits", self.table_bits.unwrap_or(7), TABLE_BITS)?,
             log_bits: within("log_bits", self.log_bits.unwrap_or(8), LOG_BITS)?,
@@ -430,12 +445,8 @@ impl SpecFields {
             coefficients,
             objective,
             shininess,
-            input_fraction: within("input_fraction", self.input_fraction.unwrap_or(input_fraction), INPUT_FRACTION)?,
-            output_fraction: within(
-                "output_fraction",
-                self.output_fraction.unwrap_or(output_fraction),
-                OUTPUT_FRACTION,
-            )?,
+            input_fraction,
+            output_fraction,
             operand,
             rom: self.rom.unwrap_or(RomStyle::Inline),
             rom_formats,
@@ -468,6 +479,7 @@ impl SpecFields {
             g: (method == Method::CubicThreePoint).then_some(spec.g),
             tail: method.has_tail().then_some(spec.tail),
             inside: method.has_inside().then_some(spec.inside),
+            accuracy: spec.accuracy,
             divider: method.divides().then_some(spec.divider),
             table_bits: (method == Method::Table).then_some(spec.table_bits),
             log_bits: (method == Method::Harris).then_some(spec.log_bits),
@@ -551,6 +563,9 @@ impl SpecFields {
         }
         if let Some(inside) = self.inside.filter(|_| self.inside != defaults.inside) {
             flag("inside", word(&inside));
+        }
+        if let Some(bits) = self.accuracy {
+            flag("accuracy", bits.to_string());
         }
         if let Some(divider) = self.divider.filter(|_| self.divider != defaults.divider) {
             flag("divider", word(&divider));

@@ -129,6 +129,12 @@ impl Method {
         matches!(self, Self::Cubic | Self::CubicThreePoint)
     }
 
+    /// Whether a core with less accuracy than the output's last bit can be asked for.
+    #[must_use]
+    pub fn has_accuracy(self) -> bool {
+        self == Self::LogExp
+    }
+
     /// Whether the core divides.
     #[must_use]
     pub fn divides(self) -> bool {

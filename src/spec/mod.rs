@@ -25,6 +25,10 @@ use crate::rom::RomFormat;
 pub const INPUT_FRACTION: std::ops::RangeInclusive<u32> = 4..=24;
 /// Output fraction bits that are allowed.
 pub const OUTPUT_FRACTION: std::ops::RangeInclusive<u32> = 4..=20;
+/// The accuracies, in bits, that may be asked for.
+pub const ACCURACY: std::ops::RangeInclusive<u32> = 4..=15;
+/// Input fraction bits with which one may be: the proof goes over every input code.
+pub const ACCURACY_INPUT_FRACTION: std::ops::RangeInclusive<u32> = 8..=20;
 /// Fraction bits of a fixed-point shininess that are allowed.
 pub const SHININESS_FRACTION: std::ops::RangeInclusive<u32> = 0..=10;
 /// Pipeline depths that are allowed.
@@ -106,6 +110,8 @@ pub struct CoreSpec {
     pub tail: Tail,
     /// The polynomial inside a power ([`Method::has_inside`]).
     pub inside: Inside,
+    /// A of a core that is only as accurate as `2^-A` ([`Method::has_accuracy`]); `None`: below one ulp of the output.
+    pub accuracy: Option<u32>,
     /// How the core divides ([`Method::divides`]).
     pub divider: Divider,
     /// Address bits of the versine in [`Method::Table`].
