@@ -81,6 +81,10 @@ fn wrong_values_of_flags_are_named_with_what_is_allowed() {
         (with("--name ../up"), &["the name `../up`", "lower-case letters"]),
         (with("--languages chisel"), &["'chisel'", "verilog, vhdl"]),
         (with("--rom-formats txt"), &["'txt'", "mem, hex, coe"]),
+        ("--method squaring --shininess 2,3".to_owned(), &["shininess 3 is not a power of two", "1,2,4,8,16"]),
+        ("--method table --shininess 1..=1000 --table-bits 9".to_owned(), &["too large", "table_bits is at most 7"]),
+        ("--method harris --shininess 5 --exp-bits 15".to_owned(), &["exp_bits = 15", "from 2 to 14"]),
+        (with("--log-bits 5"), &["cubic has no log_bits", "leave log_bits out"]),
         (with("--shine 5"), &["--shine"]),
         (with("--wrong"), &["unexpected argument '--wrong'"]),
     ] {

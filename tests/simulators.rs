@@ -112,6 +112,10 @@ const SPECS: &[&str] = &[
     "method = 'cubic'\ncoefficients = 'minimax'\nshininess = '1..=64'\nshininess_fraction = 2\npipeline = 5",
     // Baselines: powers selected from a chain.
     "method = 'squaring'\nshininess = [1, 2, 8, 16, 64, 512]",
+    "method = 'harris'\nshininess = '1..=200'\nlog_bits = 4\nexp_bits = 5\ninput_fraction = 12",
+    "method = 'harris'\nshininess = [1, 2.5, 900]\nlog_bits = 3\nexp_bits = 6\noperand = 'versine'\nrom = 'file'",
+    "method = 'table'\nshininess = '3..=40'\ntable_bits = 5\noutput_fraction = 9",
+    "method = 'table'\nshininess = [20]\ntable_bits = 6\noperand = 'versine'\nrom = 'file'\npipeline = 1",
     "method = 'squaring'\nshininess = [32]\noperand = 'versine'\ninput_fraction = 10\npipeline = 2",
 ];
 

@@ -14,6 +14,9 @@ use crate::spec::{CoreSpec, Widths};
 /// The most entries of a table: at 16 bits 2 Mbit, half of the block RAM of a large device of the ECP5 family.
 const MOST_ENTRIES: usize = 1 << 17;
 
+/// The memory of the power.
+const POWER_TABLE: &str = "power_table";
+
 /// A look-up: the set's row and the cell of the versine side by side are the address.
 #[derive(Debug)]
 pub struct Tabulated<'a> {
@@ -67,7 +70,11 @@ impl Architecture for Tabulated<'_> {
         let bits = self.spec.output_fraction as i32;
         let codes = reals.iter().map(|&real| nearest_code(real, bits)).collect();
         let whole = Table::new(&self.spec.shininess, Vec::new(), 0);
-        vec![Table::parts(&whole, self.cells(), vec![field("y", "x^n midway in the cell", bits, codes, reals)])]
+        let values = field("y", "x^n midway in the cell", bits, codes, reals);
+        let mut table = Table::parts(&whole, self.cells(), vec![values]).named(POWER_TABLE);
+        // A function table: its entries are told apart one by one.
+        (table.key, table.keys) = ("entry", (0..table.rows()).map(|entry| entry as f64).collect());
+        vec![table]
     }
 
     fn description(&self, tables: &[Table]) -> Description {

@@ -2,7 +2,6 @@
 
 use super::Inputs;
 use crate::number::wide::{self, Wide};
-use crate::rom::Table;
 use crate::spec::CoreSpec;
 
 /// The entry of the shininess and of the cell that the versine lies in; 0 at x = 0.
@@ -11,5 +10,5 @@ pub(super) fn tabulated(inputs: &Inputs, spec: &CoreSpec) -> Wide {
         return Wide::ZERO;
     }
     let cell = wide::to_code(Wide::ONE - inputs.x, spec.table_bits) as usize;
-    inputs.entry(Table::COEFFICIENTS, (inputs.row << spec.table_bits) + cell, "y")
+    inputs.entry("power_table", (inputs.row << spec.table_bits) + cell, "y")
 }

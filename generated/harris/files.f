@@ -1,0 +1,1 @@
+rtl/harris.v
