@@ -12,7 +12,7 @@ const FEW: i64 = 16;
 const PIECES: i64 = 8;
 
 /// A slope of no more bits than this times a distance is a sum of shifts; with more it is a multiplication.
-const FEW_SLOPE_BITS: i32 = 4;
+const FEW_SLOPE_BITS: i32 = 5;
 
 /// How finely the slopes are kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

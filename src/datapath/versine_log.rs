@@ -44,12 +44,13 @@ const LOG_SLOPES: [Slopes; 7] = [
 ];
 
 /// As [`LOG_SLOPES`], for the exponential, whose slope lies between 0.34 and 0.7.
-const EXP_SLOPES: [Slopes; 6] = [
+const EXP_SLOPES: [Slopes; 7] = [
     Slopes::None,
     Slopes::Bits { int: 0, frac: 1 },
     Slopes::Bits { int: 0, frac: 2 },
     Slopes::Bits { int: 0, frac: 3 },
     Slopes::Bits { int: 0, frac: 4 },
+    Slopes::Bits { int: 0, frac: 5 },
     Slopes::Bits { int: 0, frac: 8 },
 ];
 
@@ -183,13 +184,13 @@ impl<'a> VersineLog<'a> {
         memory + chords.interpolation_cost()
     }
 
-    /// The ranges of the real z that the cases of the analysis are: fine where y is large.
+    /// The ranges of the real z that the cases of the analysis are: fine where y is large. The last is a point, from which on the real
+    /// result is nothing; it stands for every z above it too, as what the hardware makes of a larger one is less.
     fn levels(&self) -> Vec<Interval> {
-        let last = 32 * (self.accuracy + 2);
-        let edges: Vec<f64> = (0..=last).filter(|k| *k <= 256 || k % 4 == 0).map(|k| f64::from(k) / 32.0).collect();
+        let past = 32 * (1 << self.whole_bits()) + 32;
+        let edges: Vec<f64> = (0..=past).filter(|k| *k <= 256 || k % 8 == 0).map(|k| f64::from(k) / 32.0).collect();
         let mut levels: Vec<Interval> = edges.windows(2).map(|edge| Interval::new(edge[0], edge[1])).collect();
-        // Past this the result is 0, or forced to it.
-        levels.push(Interval::new(edges[edges.len() - 1], exp2(self.whole_bits()) + 1.0));
+        levels.push(Interval::point(edges[edges.len() - 1]));
         levels
     }
 
@@ -206,6 +207,10 @@ impl<'a> VersineLog<'a> {
             hulls.push(hull);
         }
         let up_to = |log: f64| codes.partition_point(|&(of, _)| of <= log);
+        let Some((&past, levels)) = levels.split_last() else { return Vec::new() };
+        // From here on the hardware's z is at least the least of max(z, n L) κ'/κ.
+        let least_past = codes.iter().map(|&(log, ratio)| (log * served[0]).max(past.low) * (1.0 + ratio.low));
+        let least_past = least_past.fold(past.low, f64::min);
         levels
             .iter()
             .map(|level| {
@@ -218,6 +223,7 @@ impl<'a> VersineLog<'a> {
                     window.take_while(|(log, _)| *log >= level.low / n).fold(hull, |hull, &(_, ratio)| hull.hull(ratio))
                 })
             })
+            .chain([Interval::new(least_past / past.low - 1.0, 0.0)])
             .collect()
     }
 
@@ -284,14 +290,14 @@ impl Architecture for VersineLog<'_> {
             },
             Parameter {
                 name: "exp_slope",
-                meaning: "its slopes (0 none, 1 to 4 a few bits, 5 a multiplier)",
+                meaning: "its slopes (0 none, 1 to 5 a few bits, 6 a multiplier)",
                 range: 0..=EXP_SLOPES.len() as i32 - 1,
             },
             Parameter { name: "u", meaning: "versine", range: u },
             Parameter { name: "v", meaning: "v = n times the versine", range: v },
             Parameter { name: "k", meaning: "log ratio", range: a..=a + 2 },
             Parameter { name: "z", meaning: "z = n L", range: a + 1..=a + 3 },
-            Parameter { name: "e", meaning: "2^-f", range: up_to(a + 1, a + 3, g) },
+            Parameter { name: "e", meaning: "2^-f", range: up_to(a + 1, a + 4, g + 2) },
         ]);
         parameters
     }
@@ -299,8 +305,10 @@ impl Architecture for VersineLog<'_> {
     fn cost(&self, w: &Widths) -> f64 {
         let n_bits = self.n.int_bits() + self.n.frac_bits(w);
         let zero = |f: f64| f;
+        // The table's last entries have a log ratio as large as its address has bits.
+        let ratio_int_bits = libm::ilogb(f64::from(w.get("log"))) + 1;
         multiplier_cost(n_bits, w.get("u"))
-            + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + 3)
+            + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + ratio_int_bits)
             + self.table_cost(&self.log_chords(w, &zero))
             + self.table_cost(&self.exp_chords(w, &zero))
             // The shifter has a multiplexer a bit and level.

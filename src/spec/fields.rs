@@ -73,7 +73,7 @@ pub struct SpecFields {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub inside: Option<Inside>,
 
-    /// Bits A of the method log-exp: a core smaller than the faithful one, proved within 2^-A of x^n, 4 to 15 and at most G - 1
+    /// Bits A of the method log-exp: a core smaller than the faithful one, proved within 2^-A of x^n, 3 to 15 and at most G - 1
     #[arg(long, value_name = "A")]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub accuracy: Option<u32>,

@@ -26,7 +26,7 @@ pub const INPUT_FRACTION: std::ops::RangeInclusive<u32> = 4..=24;
 /// Output fraction bits that are allowed.
 pub const OUTPUT_FRACTION: std::ops::RangeInclusive<u32> = 4..=20;
 /// The accuracies, in bits, that may be asked for.
-pub const ACCURACY: std::ops::RangeInclusive<u32> = 4..=15;
+pub const ACCURACY: std::ops::RangeInclusive<u32> = 3..=15;
 /// Input fraction bits with which one may be: the proof goes over every input code.
 pub const ACCURACY_INPUT_FRACTION: std::ops::RangeInclusive<u32> = 8..=20;
 /// Fraction bits of a fixed-point shininess that are allowed.
