@@ -2,10 +2,12 @@
 //!
 //! Exit codes: 0 for success, 1 for a comparison that failed, 2 for wrong input or a missing tool.
 
+mod choose;
 mod claims;
 mod cosim;
 mod doctor;
 mod eval;
+mod explore;
 mod generate;
 mod golden;
 mod progress;
@@ -45,6 +47,10 @@ enum Command {
     Synth(synth::Arguments),
     /// Evaluate one shininess and cosine: exact, method, model, error
     Eval(eval::Arguments),
+    /// Measure error and cost of many cores
+    Explore(Box<explore::Arguments>),
+    /// Name the cheapest core that meets a wish, and what just misses it
+    Choose(Box<choose::Arguments>),
     /// Measure the papers' claims and compare with the recorded values
     Claims(claims::Arguments),
     /// Say which external tools are there, and which package brings the missing ones
@@ -77,6 +83,8 @@ pub fn main() -> ExitCode {
         Command::Cosim(arguments) => cosim::run(arguments),
         Command::Synth(arguments) => synth::run(arguments),
         Command::Eval(arguments) => eval::run(arguments),
+        Command::Explore(arguments) => explore::run(*arguments),
+        Command::Choose(arguments) => choose::run(&arguments),
         Command::Claims(arguments) => claims::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
     };

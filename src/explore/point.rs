@@ -2,7 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Shape;
+use super::sweep::{Core, word};
+use crate::design::{Design, Measured};
+use crate::rom::Table;
+use crate::spec::{CoreSpec, Pipeline, Shininess};
 use crate::synth::{Family, Synthesis, Tools};
+
+/// The methods that are built to be compared with: published ones by others, and plain ways.
+const BASELINES: [&str; 7] = ["schlick", "lyon-2", "lyon-4", "lyon-8", "table", "harris", "squaring"];
 
 /// One core for one family: a row of the results.
 ///
@@ -51,6 +59,8 @@ pub struct Point {
     pub rom_bits: u64,
     /// Clocks from input to output.
     pub latency: u32,
+    /// What it is made of, before synthesis.
+    pub shape: Shape,
     /// What the tools made of it.
     pub synthesis: Option<Synthesis>,
     /// What the cost model says of it.
@@ -100,6 +110,86 @@ pub struct Cost {
 }
 
 impl Point {
+    /// The point of a core that is not measured: its names alone.
+    #[must_use]
+    pub fn unmeasured(core: &Core) -> Self {
+        let spec = &core.spec;
+        let method = word(&spec.method);
+        let chosen = if spec.method.coefficients().is_empty() { String::new() } else { word(&spec.coefficients) };
+        let variant = variant(spec);
+        let pipeline = spec.pipeline.to_string();
+        let mut name = vec![method.clone()];
+        name.extend((spec.method.coefficients().len() > 1).then(|| chosen.clone()));
+        name.extend(variant.iter().map(|(key, value)| match key.as_str() {
+            "inside" | "divider" | "form" | "operand" | "tail" | "objective" => value.clone(),
+            _ => format!("{key}={value}"),
+        }));
+        name.push(format!("G{}", spec.output_fraction));
+        name.extend((spec.input_fraction != 16).then(|| format!("F{}", spec.input_fraction)));
+        name.extend((spec.pipeline != Pipeline::Auto).then(|| format!("P{pipeline}")));
+        let shininess = match &spec.shininess {
+            set @ (Shininess::Range(..) | Shininess::Fixed { .. }) => set.to_string(),
+            Shininess::List(list) => format!("{} values", list.len()),
+            Shininess::Materials(materials) => format!("{} materials", materials.len()),
+        };
+        name.extend((shininess != "1..=1000").then(|| format!("n={shininess}")));
+        Self {
+            id: core.id.clone(),
+            name: name.join(" "),
+            family: core.family,
+            baseline: BASELINES.contains(&method.as_str()),
+            method,
+            coefficients: chosen,
+            variant: variant.iter().map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join(" "),
+            shininess,
+            rows: spec.shininess.rows() as u32,
+            input_fraction: spec.input_fraction,
+            output_fraction: spec.output_fraction,
+            pipeline,
+            max_abs: 0.0,
+            max_rel: 0.0,
+            rms: 0.0,
+            worst_n: 0.0,
+            worst_x: 0.0,
+            checked: String::new(),
+            bound: 0.0,
+            rom_bits: 0,
+            latency: 0,
+            shape: Shape::default(),
+            synthesis: None,
+            estimate: None,
+            failure: None,
+            spec: spec.to_toml(),
+        }
+    }
+
+    /// The point of a core with its error, measured on the bit-exact arithmetic; without a cost.
+    #[must_use]
+    pub fn measured(core: &Core, design: &Design) -> Self {
+        let measured = Measured::of(design);
+        let sweep = &measured.sweep;
+        let checked = match (sweep.exhaustive, sweep.row_step) {
+            (true, _) => "exhaustive".to_owned(),
+            (false, 1) => format!("subset: every shininess, one code of the operand in {}", sweep.step),
+            (false, rows) => format!("subset: one shininess in {rows}, one code of the operand in {}", sweep.step),
+        };
+        let ulps = design.budget.proved_ulps.iter().fold(0.0, |most: f64, bound| most.max(bound.abs()));
+        let [worst_n, versine] = measured.worst;
+        Self {
+            max_abs: measured.max_abs,
+            max_rel: measured.max_rel_epicentre,
+            rms: measured.rms,
+            worst_n,
+            worst_x: 1.0 - versine,
+            checked,
+            bound: ulps * design.output_format().lsb(),
+            rom_bits: design.tables().iter().map(Table::bits).sum::<usize>() as u64,
+            latency: design.schedule.latency,
+            shape: Shape::of(design),
+            ..Self::unmeasured(core)
+        }
+    }
+
     /// What the core takes: as measured, or else as estimated; none of a point that failed.
     #[must_use]
     pub fn cost(&self) -> Option<Cost> {
@@ -127,4 +217,25 @@ impl Point {
         let synthesis = self.synthesis.as_ref().map(|synthesis| &synthesis.tools);
         synthesis.or_else(|| self.estimate.as_ref().map(|estimate| &estimate.tools))
     }
+}
+
+/// The keys that differ from the method's defaults and have no column of their own, with their values.
+fn variant(spec: &CoreSpec) -> Vec<(String, String)> {
+    let own = [
+        "method",
+        "coefficients",
+        "shininess",
+        "material",
+        "name",
+        "input-fraction",
+        "output-fraction",
+        "pipeline",
+        "languages",
+        "rom-formats",
+    ];
+    let pair = |flag: String| {
+        let (key, value) = flag.strip_prefix("--")?.split_once(' ')?;
+        (!own.contains(&key)).then(|| (key.replace('-', "_"), value.to_owned()))
+    };
+    spec.flags().into_iter().filter_map(pair).collect()
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Estimate, Point};
+use super::{Estimate, Point, Shape, Store};
 use crate::error::Error;
 use crate::spec::SpecFields;
 use crate::synth::{Family, Resources, Synthesis, Timing, Tools};
@@ -53,6 +53,7 @@ impl Results {
         let text = || std::fs::read_to_string(path).map_err(|error| Error::io("cannot read", path, error));
         let name = path.display().to_string();
         match path.extension().and_then(|ending| ending.to_str()) {
+            Some("db") => Store::open_to_read(path)?.results(),
             Some("json") => Self::from_json(&text()?, &name),
             Some("csv") => Self::from_csv(&text()?, &name),
             _ => Err(Error::input(format!("{name}: unknown kind of results"), "results end in .db, .json or .csv")),
@@ -82,7 +83,7 @@ impl Results {
     }
 
     /// The points as CSV, a line each: the columns of [`Point`], then those of its cost. Lists are written with spaces, the spec as a
-    /// TOML inline table; what is missing is empty.
+    /// TOML inline table; what is missing is empty. The slowest paths of a placement are left out.
     ///
     /// # Panics
     /// Never: every point has a CSV form.
@@ -142,6 +143,12 @@ struct Row {
     bound: f64,
     rom_bits: u64,
     latency: u32,
+    multipliers: String,
+    memories: String,
+    adder_bits: u32,
+    mux_bits: u32,
+    shift_bits: u32,
+    register_bits: u32,
     lut_total: Option<u32>,
     lut: Option<u32>,
     carry: Option<u32>,
@@ -174,6 +181,11 @@ struct Row {
 /// Words with spaces between.
 fn words(items: impl Iterator<Item = String>) -> String {
     items.collect::<Vec<_>>().join(" ")
+}
+
+/// What words with spaces between say.
+fn parsed<T: std::str::FromStr<Err = String>>(text: &str) -> Result<Vec<T>, String> {
+    text.split_ascii_whitespace().map(str::parse).collect()
 }
 
 impl Row {
@@ -213,6 +225,12 @@ impl Row {
             bound: point.bound,
             rom_bits: point.rom_bits,
             latency: point.latency,
+            multipliers: words(point.shape.multipliers.iter().map(ToString::to_string)),
+            memories: words(point.shape.memories.iter().map(ToString::to_string)),
+            adder_bits: point.shape.adder_bits,
+            mux_bits: point.shape.mux_bits,
+            shift_bits: point.shape.shift_bits,
+            register_bits: point.shape.register_bits,
             lut_total: count(|resources| resources.lut_total),
             lut: count(|resources| resources.lut),
             carry: count(|resources| resources.carry),
@@ -250,7 +268,7 @@ impl Row {
             (Some(target_mhz), Some(min_mhz), Some(median_mhz), Some(max_mhz)) => {
                 let mhz: Result<Vec<f64>, _> = self.mhz_by_seed.split_ascii_whitespace().map(str::parse).collect();
                 let mhz = mhz.map_err(|_| format!("mhz_by_seed is {:?}, not numbers", self.mhz_by_seed))?;
-                Some(Timing { target_mhz, mhz, min_mhz, median_mhz, max_mhz })
+                Some(Timing { target_mhz, mhz, min_mhz, median_mhz, max_mhz, limits: Vec::new() })
             }
             _ => None,
         };
@@ -310,6 +328,14 @@ impl Row {
             bound: self.bound,
             rom_bits: self.rom_bits,
             latency: self.latency,
+            shape: Shape {
+                multipliers: parsed(&self.multipliers)?,
+                memories: parsed(&self.memories)?,
+                adder_bits: self.adder_bits,
+                mux_bits: self.mux_bits,
+                shift_bits: self.shift_bits,
+                register_bits: self.register_bits,
+            },
             synthesis,
             estimate,
             failure: filled(&self.failure),
@@ -367,6 +393,14 @@ pub(super) mod tests {
             bound: 1.4e-5,
             rom_bits: 100,
             latency,
+            shape: Shape {
+                multipliers: vec!["18x17".parse().unwrap(), "19x12s".parse().unwrap()],
+                memories: vec!["1024x24r".parse().unwrap(), "16x9".parse().unwrap()],
+                adder_bits: 40,
+                mux_bits: 30,
+                shift_bits: 20,
+                register_bits: 200,
+            },
             synthesis: Some(Synthesis {
                 family: Family::Ecp5,
                 device: "LFE5U-85F".to_owned(),
@@ -378,6 +412,7 @@ pub(super) mod tests {
                     min_mhz: mhz - 1.0,
                     median_mhz: mhz,
                     max_mhz: mhz + 1.1,
+                    limits: Vec::new(),
                 }),
                 latency_clocks: latency,
                 latency_ns: Some(1000.0 * f64::from(latency) / mhz),
