@@ -53,7 +53,7 @@ struct Explore {
     axes: AxisFlags,
 
     /// Where the points are kept, each as soon as it is finished; a file that is there is gone on with
-    #[arg(long, required = true, value_name = "FILE.db")]
+    #[arg(long, required_unless_present = "list", value_name = "FILE.db")]
     results: Option<PathBuf>,
 
     /// Cost by a cost model instead of synthesis
@@ -272,12 +272,15 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
     if let Some(path) = &arguments.json {
         write_to(path, results.to_json().as_bytes())?;
     }
-    let Summary { kept, made, failed, failed_before } = summary;
+    let Summary { kept, made, no_core, failed, failed_before } = summary;
     tell(format!(
         "{made} points made, {kept} were there, {failed} failed; {} in {}",
         results.points().len(),
         path.display()
     ));
+    if no_core > 0 {
+        tell(format!("{no_core} of those made are no cores: they cannot be built"));
+    }
     if failed_before > 0 {
         tell(format!("{failed_before} of those that were there have failed before: --retry-failed tries them again"));
     }

@@ -140,18 +140,22 @@ struct Terms {
 impl Terms {
     fn of(family: Family, shape: &Shape) -> Self {
         let (mut dsp, mut bram) = (0, 0);
-        // Products without a block, sums of split products, operands of blocks; bits of memories in LUTs, words of block RAMs.
-        let [mut soft, mut split, mut operands, mut looked_up, mut words] = [0u32; 5];
+        // Products without a block; what hangs over where an operand is wider than a block; operands of products in one block and in
+        // several; the most blocks of a product; bits of memories in LUTs, words of block RAMs.
+        let [mut soft, mut over, mut whole, mut split, mut most, mut looked_up, mut words] = [0u32; 7];
+        let widest = blocks(family).dsp.map_or([u32::MAX; 2], |(widest, _)| widest);
         for multiplier in &shape.multipliers {
-            let both = multiplier.wide + multiplier.narrow;
-            match dsps(family, multiplier) {
-                0 => soft += multiplier.wide * multiplier.narrow,
-                parts => {
-                    dsp += parts;
-                    split += (parts - 1) * both;
-                    operands += both;
-                }
+            let &Multiplier { wide, narrow, .. } = multiplier;
+            let parts = dsps(family, multiplier);
+            dsp += parts;
+            most = most.max(parts);
+            if parts == 0 {
+                soft += wide * narrow;
+                continue;
             }
+            let beyond = [(wide, narrow, widest[0]), (narrow, wide, widest[1])];
+            over += beyond.iter().map(|&(own, other, widest)| if own > widest { other } else { 0 }).sum::<u32>();
+            *(if parts == 1 { &mut whole } else { &mut split }) += wide + narrow;
         }
         for memory in &shape.memories {
             match brams(family, memory) {
@@ -163,12 +167,21 @@ impl Terms {
             }
         }
         let &Shape { adder_bits, mux_bits, shift_bits, register_bits, .. } = shape;
-        let flag = |is: bool| u32::from(is);
-        let lut = [1, adder_bits, mux_bits, shift_bits, looked_up, soft, split];
-        let ff = [1, register_bits, operands, words];
-        let period = [1, flag(dsp > 0), flag(bram > 0), flag(split > 0), flag(looked_up > 1024), flag(soft > 0)];
         let real = |counts: &[u32]| counts.iter().copied().map(f64::from).collect();
-        Self { lut: real(&lut), ff: real(&ff), period: real(&period), dsp, bram }
+        Self {
+            lut: real(&[adder_bits, mux_bits, shift_bits, looked_up, soft, over]),
+            // Registers go into the blocks, and adders and selectors into the registers of others.
+            ff: real(&[1, register_bits, whole, split, words, adder_bits, mux_bits]),
+            // Block RAMs lie apart, the farther the more of them there are.
+            period: vec![
+                1.0,
+                f64::from(bram).sqrt(),
+                f64::from(most.saturating_sub(1)),
+                f64::from(u32::from(soft > 0)),
+            ],
+            dsp,
+            bram,
+        }
     }
 }
 
@@ -472,17 +485,21 @@ mod tests {
     fn made(odd: f64) -> Results {
         let made = |i: u32| {
             let shape = Shape {
-                multipliers: vec![multiplier("18x17"); (i % 3) as usize],
+                // None, one in one block, one in two.
+                multipliers: [vec![], vec!["18x17"], vec!["21x17"]][(i % 3) as usize]
+                    .iter()
+                    .map(|m| multiplier(m))
+                    .collect(),
                 memories: vec!["1024x18r".parse().unwrap()],
                 adder_bits: 10 + i * 7 % 40,
                 mux_bits: 5 + i * 11 % 30,
                 shift_bits: i * 3 % 17,
                 register_bits: 100 + i * 13 % 90,
             };
-            let lut = 2 * shape.adder_bits + shape.mux_bits + shape.shift_bits + 12;
+            let lut = 2 * shape.adder_bits + shape.mux_bits + shape.shift_bits + if i % 3 == 2 { 17 } else { 0 };
             let off = if i == 7 { odd } else { 1.0 };
             let costs = [(f64::from(lut) * off) as u32, i % 3, 1, 6];
-            let mut point = point(&format!("p{i:02}"), 0.1, costs, if i % 3 > 0 { 140.0 } else { 180.0 });
+            let mut point = point(&format!("p{i:02}"), 0.1, costs, if i % 3 == 2 { 140.0 } else { 180.0 });
             point.synthesis.as_mut().unwrap().resources.ff = shape.register_bits - 18;
             Point { shape, estimate: None, ..point }
         };

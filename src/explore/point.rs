@@ -109,7 +109,16 @@ pub struct Cost {
     pub estimated: bool,
 }
 
+/// How the failure of a point begins whose spec no core can be built for.
+pub const NO_CORE: &str = "no such core: ";
+
 impl Point {
+    /// Whether the point failed in a way that another try may mend: a tool did not do its work.
+    #[must_use]
+    pub fn is_to_retry(&self) -> bool {
+        self.failure.as_ref().is_some_and(|failure| !failure.starts_with(NO_CORE))
+    }
+
     /// The point of a core that is not measured: its names alone.
     #[must_use]
     pub fn unmeasured(core: &Core) -> Self {

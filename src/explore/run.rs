@@ -8,6 +8,7 @@ use std::sync::{Mutex, PoisonError};
 use rayon::ThreadPool;
 use serde::Serialize;
 
+use super::point::NO_CORE;
 use super::store::Provenance;
 use super::sweep::{Core, word};
 use super::{Model, Point, Store};
@@ -48,7 +49,9 @@ pub struct Summary {
     pub kept: usize,
     /// Points made.
     pub made: usize,
-    /// Points that failed in this run.
+    /// Cores among them that cannot be built.
+    pub no_core: usize,
+    /// Points among them at which a tool failed.
     pub failed: usize,
     /// Points that failed in an earlier run and were not tried again.
     pub failed_before: usize,
@@ -106,12 +109,13 @@ impl Costing {
 
     /// The point of a core. What is wrong with the core is in it; what is wrong with the machine is an error.
     fn point(&self, core: &Core, pool: &ThreadPool) -> Result<Point, Error> {
-        let failed = |point: Point, error: &Error| Point { failure: Some(in_full(error)), ..point };
         let measured =
             pool.install(|| Design::new(core.spec.clone()).map(|design| (Point::measured(core, &design), design)));
         let (point, design) = match measured {
             Ok(measured) => measured,
-            Err(error) => return Ok(failed(Point::unmeasured(core), &error)),
+            Err(error) => {
+                return Ok(Point { failure: Some(format!("{NO_CORE}{error}")), ..Point::unmeasured(core) });
+            }
         };
         match self {
             Self::Estimate(model) => {
@@ -120,7 +124,7 @@ impl Costing {
             }
             Self::Synthesis(flow) => match synth::synthesise(&design, &flow.options(core.family)) {
                 Ok(synthesis) => Ok(Point { synthesis: Some(synthesis), ..point }),
-                Err(error @ Error::ToolFailed { .. }) => Ok(failed(point, &error)),
+                Err(error @ Error::ToolFailed { .. }) => Ok(Point { failure: Some(in_full(&error)), ..point }),
                 Err(other) => Err(other),
             },
         }
@@ -171,7 +175,8 @@ pub fn run(
                     match made.and_then(|point| store.put(&point).map(|()| point)) {
                         Ok(point) => {
                             summary.made += 1;
-                            summary.failed += usize::from(point.failure.is_some());
+                            summary.failed += usize::from(point.is_to_retry());
+                            summary.no_core += usize::from(point.failure.is_some() && !point.is_to_retry());
                             progress(summary.made, wanted.len(), &point);
                         }
                         Err(first) => {

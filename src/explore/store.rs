@@ -172,7 +172,7 @@ impl Store {
         })
     }
 
-    /// The ids of the points that are there, each with whether it failed.
+    /// The ids of the points that are there, each with whether it failed and may be tried again.
     ///
     /// # Errors
     /// A file that cannot be read.
@@ -191,7 +191,7 @@ impl Store {
     pub fn put(&mut self, point: &Point) -> Result<(), Error> {
         let text = serde_json::to_string(point).expect("JSON of plain values");
         self.write(|transaction| {
-            let values = params![point.id, point.failure.is_some(), text];
+            let values = params![point.id, point.is_to_retry(), text];
             transaction.execute("INSERT OR REPLACE INTO point VALUES (?1, ?2, ?3)", values).map(|_| ())
         })
     }
@@ -266,7 +266,7 @@ impl Store {
             let mut insert = transaction.prepare("INSERT INTO point VALUES (?1, ?2, ?3)")?;
             for (point, _) in points.values() {
                 let text = serde_json::to_string(point).expect("JSON of plain values");
-                insert.execute(params![point.id, point.failure.is_some(), text])?;
+                insert.execute(params![point.id, point.is_to_retry(), text])?;
             }
             Ok(())
         })?;
