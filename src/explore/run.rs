@@ -1,6 +1,6 @@
 //! The error and the cost of many cores, a few at a time.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -80,16 +80,14 @@ impl Costing {
     /// # Errors
     /// A tool that is not installed, or a family that the model was not fitted for.
     pub fn provenance(&self, cores: &[Core]) -> Result<Provenance, Error> {
+        let families: BTreeSet<Family> = cores.iter().map(|core| core.family).collect();
         let mut tools = BTreeMap::new();
-        for core in cores {
-            let family = word(&core.family);
-            if !tools.contains_key(&family) {
-                let of_family = match self {
-                    Self::Synthesis(flow) => synth::tools(&flow.options(core.family))?,
-                    Self::Estimate(model) => model.tools(core.family)?.clone(),
-                };
-                tools.insert(family, of_family);
-            }
+        for family in families {
+            let of_family = match self {
+                Self::Synthesis(flow) => synth::tools(&flow.options(family))?,
+                Self::Estimate(model) => model.tools(family)?.clone(),
+            };
+            tools.insert(word(&family), of_family);
         }
         let costing = match self {
             Self::Synthesis(Flow { place: false, .. }) => "synthesis without placement".to_owned(),
