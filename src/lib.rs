@@ -23,7 +23,7 @@
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
 //! | [`tool`] | external programs: where they are, how they are run |
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
-//! | [`report`] | charts as SVG |
+//! | [`report`] | charts as SVG and PNG; the trade as an HTML page |
 //! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
 //! | [`cli`] | the commands; the only module that prints |
 //!

@@ -35,7 +35,7 @@ pub(super) struct Arguments {
 /// Keys of the spec that the core must have.
 #[derive(Args, Clone)]
 #[command(next_help_heading = "Core")]
-struct Keys {
+pub(super) struct Keys {
     /// Shininesses served: a range of integers, or a list of real numbers; a core for a range serves the ranges in it [default: 1..=1000]
     #[arg(long)]
     shininess: Option<Shininess>,
@@ -98,15 +98,28 @@ pub(super) struct WishFlags {
     baselines: bool,
 }
 
+impl Keys {
+    /// As keys of a spec.
+    pub(super) fn fields(&self) -> SpecFields {
+        let Self { shininess, method, coefficients, input_fraction, output_fraction, operand } = self.clone();
+        let none = SpecFields::default();
+        SpecFields { shininess, method, coefficients, input_fraction, output_fraction, operand, ..none }
+    }
+}
+
 impl WishFlags {
     /// Whether none of them is given.
     pub(super) fn is_empty(&self) -> bool {
-        let Self { family, min_mhz, max_lut, max_dsp, max_bram, max_latency, results, baselines } = self;
-        family.is_none()
-            && min_mhz.is_none()
-            && [max_lut, max_dsp, max_bram, max_latency].iter().all(|limit| limit.is_none())
-            && results.is_none()
-            && !baselines
+        self.results.is_none() && !self.is_wish()
+    }
+
+    /// Whether any of them is given that says what is wished, and not only of which results.
+    pub(super) fn is_wish(&self) -> bool {
+        let Self { family, min_mhz, max_lut, max_dsp, max_bram, max_latency, results: _, baselines } = self;
+        family.is_some()
+            || min_mhz.is_some()
+            || [max_lut, max_dsp, max_bram, max_latency].iter().any(|limit| limit.is_some())
+            || *baselines
     }
 
     /// The wish, for a core with these keys.
@@ -139,10 +152,7 @@ impl WishFlags {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
-    let Keys { shininess, method, coefficients, input_fraction, output_fraction, operand } = arguments.keys.clone();
-    let none = SpecFields::default();
-    let keys = SpecFields { shininess, method, coefficients, input_fraction, output_fraction, operand, ..none };
-    let wish = arguments.wish.wish(arguments.max_error, arguments.objective, keys)?;
+    let wish = arguments.wish.wish(arguments.max_error, arguments.objective, arguments.keys.fields())?;
     let choice = wish.choose(&arguments.wish.results()?)?;
     if arguments.json {
         say_json(&choice);

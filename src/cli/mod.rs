@@ -11,6 +11,7 @@ mod explore;
 mod generate;
 mod golden;
 mod progress;
+mod report;
 mod rom;
 mod source;
 mod synth;
@@ -53,6 +54,8 @@ enum Command {
     Choose(Box<choose::Arguments>),
     /// Measure the papers' claims and compare with the recorded values
     Claims(claims::Arguments),
+    /// Show the trade of error against cost as one HTML page, and its charts as SVG and PNG
+    Report(report::Arguments),
     /// Say which external tools are there, and which package brings the missing ones
     Doctor(doctor::Arguments),
 }
@@ -86,6 +89,7 @@ pub fn main() -> ExitCode {
         Command::Explore(arguments) => explore::run(*arguments),
         Command::Choose(arguments) => choose::run(&arguments),
         Command::Claims(arguments) => claims::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
     };
     match result {
