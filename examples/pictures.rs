@@ -3,9 +3,10 @@
 use std::error::Error;
 use std::path::Path;
 
-use brdfgen::design::{Design, Measured};
-use brdfgen::number::exp2;
-use brdfgen::report::COLOURS;
+use brdfgen::design::Design;
+use brdfgen::explore::Results;
+use brdfgen::package;
+use brdfgen::report::{self, COLOURS, Palette};
 use brdfgen::spec::SpecFields;
 use plotters::prelude::*;
 
@@ -49,49 +50,15 @@ fn lobes(path: &Path) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Error on the epicentre against the bits multiplied, one point for each output width.
+/// Error against LUTs, of the largest group of the points that come with the program.
 fn trade(path: &Path) -> Result<(), Box<dyn Error>> {
-    let root = SVGBackend::new(path, (960, 480)).into_drawing_area();
-    root.fill(&WHITE)?;
-    let mut chart = ChartBuilder::on(&root)
-        .caption("n = 1 to 1000, 16-bit cosine, output of 4 to 20 fraction bits", ("sans-serif", 20))
-        .margin(10)
-        .x_label_area_size(45)
-        .y_label_area_size(70)
-        .build_cartesian_2d((50.0..8000.0).log_scale(), (0.004..0.2).log_scale())?;
-    chart
-        .configure_mesh()
-        .x_desc("size of the multipliers: sum of the products of their operands' widths in bits")
-        .y_desc("largest error where x^n >= 1/2")
-        .y_label_formatter(&|v| format!("{:.1} %", 100.0 * v))
-        .x_label_formatter(&|v| format!("{v:.0}"))
-        .light_line_style(WHITE)
-        .draw()?;
-    let series = [("quadratic", "stable"), ("quadratic", "paper"), ("cubic", "stable"), ("cubic", "paper")];
-    for ((method, form), colour) in series.into_iter().zip(COLOURS) {
-        let mut points = Vec::new();
-        for g in (4..=20).step_by(2) {
-            let design = design(&format!(
-                "method = '{method}'\nform = '{form}'\nshininess = '1..=1000'\noutput_fraction = {g}"
-            ))?;
-            let size: u32 = design.graph().multipliers().iter().map(|(a, b)| a * b).sum();
-            let measured = Measured::of(&design);
-            println!(
-                "{method} {form}: G = {g}, {size} bits, error {:.6}, ulp {:.6}",
-                measured.max_abs_epicentre,
-                exp2(-g)
-            );
-            points.push((f64::from(size), measured.max_abs_epicentre));
-        }
-        chart
-            .draw_series(LineSeries::new(points.clone(), colour.stroke_width(2)))?
-            .label(format!("{method}, {form} form"))
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 20, y)], colour.stroke_width(2)));
-        chart.draw_series(points.into_iter().map(|point| Circle::new(point, 3, colour.filled())))?;
-    }
-    let place = SeriesLabelPosition::UpperRight;
-    chart.configure_series_labels().position(place).border_style(BLACK).background_style(WHITE).draw()?;
-    root.present()?;
+    let results = Results::built_in()?;
+    let (groups, palette) = (report::groups(results.points(), None), Palette::of(results.points()));
+    let group = groups.first().ok_or("no point that comes with the program has a cost")?;
+    let charts = group.charts(&palette, None);
+    let (_, chart) = charts.iter().find(|(what, _)| *what == "lut").ok_or("a group has a chart of LUTs")?;
+    println!("{}: {} points; {}", group.title(), group.points.len(), group.tools_text());
+    package::write_file(path, chart.svg().as_bytes())?;
     Ok(())
 }
 

@@ -22,7 +22,8 @@
 //! | [`cosim`] | runs the HDL in simulators and compares it with the model |
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
 //! | [`tool`] | external programs: where they are, how they are run |
-//! | [`report`] | charts as SVG |
+//! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
+//! | [`report`] | charts as SVG and PNG; the trade as an HTML page |
 //! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
 //! | [`cli`] | the commands; the only module that prints |
 //!
@@ -35,6 +36,7 @@ pub mod cosim;
 pub mod datapath;
 pub mod design;
 pub mod error;
+pub mod explore;
 pub mod fit;
 pub mod golden;
 pub mod hdl;

@@ -101,6 +101,8 @@ fn the_files_of_a_run() {
         assert!(text.starts_with("<svg") && text.trim_end().ends_with("</svg>"), "{chart}");
         assert!(text.matches("<polyline").count() > 2, "{chart} has no curves");
         assert!(text.contains("shininess n") || text.contains("angle, degrees"), "{chart} has no label");
+        let picture = scratch.read(format!("report/{}", chart.replace(".svg", ".png")));
+        assert!(picture.starts_with(b"\x89PNG\r\n"), "{chart} has no PNG beside it");
     }
 
     let table = scratch.text("report/error_against_n.csv");

@@ -6,9 +6,9 @@ use super::record::HEADER;
 use super::survey::{MOST, QUADRATIC_LEVEL, Row, TAIL_BANDS};
 use super::{Claim, Pieces, Unit};
 use crate::error::Error;
-use crate::lobe::{Cubic, TaylorSeries, exact};
+use crate::lobe::{Cubic, TaylorSeries, degrees, exact, versine};
 use crate::package::File;
-use crate::report::{Axis, BLACK, COLOURS, Chart, Curve, Style};
+use crate::report::{Axis, BLACK, COLOURS, Chart, Curve, Style, png};
 
 /// The shininesses of the table of errors against the angle; 25 is that of the papers' figures.
 const SHININESSES: [f64; 5] = [5.0, 25.0, 100.0, 256.0, 1000.0];
@@ -29,7 +29,9 @@ pub fn files(rows: &[Row], claims: &[Claim]) -> Result<Vec<File>, Error> {
         file("error_against_angle.csv", error_against_angle()?),
     ];
     for (name, chart) in charts(rows)? {
-        files.push(file(&format!("{name}.svg"), chart.svg()));
+        let svg = chart.svg();
+        files.push(File { path: format!("{name}.png"), bytes: png(&svg) });
+        files.push(file(&format!("{name}.svg"), svg));
     }
     Ok(files)
 }
@@ -85,17 +87,6 @@ fn error_against_angle() -> Result<String, Error> {
         }
     }
     Ok(text)
-}
-
-/// The angle of a versine, in degrees.
-fn degrees(u: f64) -> f64 {
-    (2.0 * libm::asin(libm::sqrt(0.5 * u))).to_degrees()
-}
-
-/// The versine of an angle in degrees.
-fn versine(degrees: f64) -> f64 {
-    let half = libm::sin(0.5 * degrees.to_radians());
-    2.0 * half * half
 }
 
 /// The methods that a chart of all of them shows, with their colours: the proposed ones solid, the comparators dashed.
@@ -175,6 +166,7 @@ fn quadratic_error_against_n(rows: &[Row]) -> Chart {
         x: Axis::log("shininess n", 1.0..MOST as f64),
         y: Axis::linear("largest relative error", 0.0..5.0).with_unit(" %"),
         curves: vec![curve("quadratic", 0, Style::Solid, worst), bound("claimed, n ≤ 512", 4.0, 512.0)],
+        spots: Vec::new(),
     }
 }
 
@@ -192,6 +184,7 @@ fn quadratic_error_against_angle() -> Result<Chart, Error> {
             curve("quadratic", 0, Style::Solid, points),
             dashed_black("x^n = 0.56", vec![(end, -30.0), (end, 10.0)]),
         ],
+        spots: Vec::new(),
     })
 }
 
@@ -208,6 +201,7 @@ fn cubic_error_against_n(rows: &[Row]) -> Chart {
             curve("absolute, of the peak", 0, Style::Solid, absolute),
             bound("claimed, n ≤ 256", 0.67, 256.0),
         ],
+        spots: Vec::new(),
     }
 }
 
@@ -230,6 +224,7 @@ fn cubic_rises() -> Result<Chart, Error> {
         x: Axis::linear("angle, degrees", 0.0..90.0),
         y: Axis::linear("lobe", 0.0..24.0),
         curves,
+        spots: Vec::new(),
     })
 }
 
@@ -247,6 +242,7 @@ fn lobes() -> Result<Chart, Error> {
         x: Axis::linear("angle, degrees", 0.0..60.0),
         y: Axis::linear("lobe", 0.0..1.0),
         curves,
+        spots: Vec::new(),
     })
 }
 
@@ -265,6 +261,7 @@ fn tail_error_against_n(rows: &[Row]) -> Chart {
         x: Axis::log("shininess n", 1.0..MOST as f64),
         y: Axis::linear("largest relative error", 0.0..16.0).with_unit(" %"),
         curves,
+        spots: Vec::new(),
     }
 }
 
@@ -280,6 +277,7 @@ fn all_against_n(
         x: Axis::log("shininess n", 1.0..MOST as f64),
         y: Axis::log("largest error, % of the peak (where it is exact, none)", least..100.0).with_unit(" %"),
         curves: curves.collect(),
+        spots: Vec::new(),
     }
 }
 
@@ -296,18 +294,13 @@ fn all_against_angle(n: f64) -> Result<Chart, Error> {
         x: Axis::linear("angle, degrees", 0.0..widest),
         y: Axis::log("error, % of the peak", 0.001..100.0).with_unit(" %"),
         curves,
+        spots: Vec::new(),
     })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn angles_and_versines() {
-        assert!((degrees(1.0) - 90.0).abs() < 1e-12 && (versine(60.0) - 0.5).abs() < 1e-15);
-        assert!((degrees(versine(0.001)) - 0.001).abs() < 1e-15);
-    }
 
     #[test]
     fn a_comma_needs_quotes() {

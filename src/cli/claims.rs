@@ -15,7 +15,7 @@ const REPORT: Kind = Kind { what: "a report of claims", file: "claims.csv", mark
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// Directory for claims.csv, error_against_n.csv, error_against_angle.csv and the charts (SVG): a new or empty one,
+    /// Directory for claims.csv, error_against_n.csv, error_against_angle.csv and the charts (SVG and PNG): a new or empty one,
     /// or one of an earlier run [default: nothing is written]
     #[arg(long, short, value_name = "DIR")]
     out: Option<PathBuf>,

@@ -6,11 +6,13 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::json;
 
+use super::choose::{self, WishFlags};
 use super::source::Source;
 use super::{Verdict, progress, say, say_json};
 use crate::cosim::{self, Job, Sim};
 use crate::design::{Account, Design};
 use crate::error::Error;
+use crate::explore::{MaxError, Objective};
 use crate::golden::Golden;
 use crate::hdl::Direction;
 use crate::package;
@@ -19,6 +21,18 @@ use crate::package;
 pub(super) struct Arguments {
     #[command(flatten)]
     source: Source,
+
+    /// Choose the cheapest core whose |result - x^n| is at most this (0.01, 1% or 2^-7), as `choose` does; other keys of the core that
+    /// are given narrow the choice
+    #[arg(long, value_name = "ERROR", help_heading = "Choice")]
+    max_error: Option<MaxError>,
+
+    /// What of the chosen core is to be least, as `choose --objective` [default: lut]
+    #[arg(long, value_enum, value_name = "COST", help_heading = "Choice", requires = "max_error")]
+    goal: Option<Objective>,
+
+    #[command(flatten)]
+    wish: WishFlags,
 
     /// Directory of the core: new, empty, or one that brdfgen wrote
     #[arg(long, short, value_name = "DIR")]
@@ -34,7 +48,33 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
-    let spec = arguments.source.spec()?;
+    let wish = match arguments.max_error {
+        None if arguments.wish.is_empty() => None,
+        None => {
+            return Err(Error::input(
+                "a core can only be chosen by its error",
+                "give --max-error, or leave the other flags of the choice out",
+            ));
+        }
+        Some(error) => {
+            let goal = arguments.goal.unwrap_or(Objective::Lut);
+            Some(arguments.wish.wish(error, goal, arguments.source.fields()?)?)
+        }
+    };
+    let spec = match &wish {
+        None => arguments.source.spec()?,
+        Some(wish) => {
+            let choice = wish.choose(&arguments.wish.results()?)?;
+            let Some(chosen) = &choice.chosen else {
+                choose::describe(wish, &choice).iter().for_each(|line| eprintln!("{line}"));
+                return Ok(Verdict::Differs);
+            };
+            if !arguments.json {
+                choose::describe(wish, &choice).iter().for_each(say);
+            }
+            wish.spec_of(chosen)?.resolve()?
+        }
+    };
     if !arguments.check {
         package::check_target(&arguments.out)?;
     }
@@ -60,6 +100,17 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             say(format!("{} of {} files are as they should be", files.len() - stale.len(), files.len()));
         }
         return Ok(Verdict::of(stale.is_empty()));
+    }
+
+    // The figures that a core is chosen by may be of another version of this program.
+    if let (Some(MaxError(wished)), Account::Lobe(measured)) = (arguments.max_error, &account)
+        && measured.max_abs > wished
+    {
+        eprintln!(
+            "the chosen core has an error of {}, more than wished: the results that it was chosen from are of another version",
+            package::percent_text(measured.max_abs)
+        );
+        return Ok(Verdict::Differs);
     }
 
     // Checked before it is written: a core that fails leaves no directory behind.

@@ -2,13 +2,16 @@
 //!
 //! Exit codes: 0 for success, 1 for a comparison that failed, 2 for wrong input or a missing tool.
 
+mod choose;
 mod claims;
 mod cosim;
 mod doctor;
 mod eval;
+mod explore;
 mod generate;
 mod golden;
 mod progress;
+mod report;
 mod rom;
 mod source;
 mod synth;
@@ -45,8 +48,14 @@ enum Command {
     Synth(synth::Arguments),
     /// Evaluate one shininess and cosine: exact, method, model, error
     Eval(eval::Arguments),
+    /// Measure error and cost of many cores
+    Explore(Box<explore::Arguments>),
+    /// Name the cheapest core that meets a wish, and what just misses it
+    Choose(Box<choose::Arguments>),
     /// Measure the papers' claims and compare with the recorded values
     Claims(claims::Arguments),
+    /// Show the trade of error against cost as one HTML page, and its charts as SVG and PNG
+    Report(report::Arguments),
     /// Say which external tools are there, and which package brings the missing ones
     Doctor(doctor::Arguments),
 }
@@ -77,7 +86,10 @@ pub fn main() -> ExitCode {
         Command::Cosim(arguments) => cosim::run(arguments),
         Command::Synth(arguments) => synth::run(arguments),
         Command::Eval(arguments) => eval::run(arguments),
+        Command::Explore(arguments) => explore::run(*arguments),
+        Command::Choose(arguments) => choose::run(&arguments),
         Command::Claims(arguments) => claims::run(&arguments),
+        Command::Report(arguments) => report::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
     };
     match result {

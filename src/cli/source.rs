@@ -27,14 +27,19 @@ impl Source {
         self.path.as_deref().filter(|path| path.is_dir() && self.fields == SpecFields::default())
     }
 
-    /// The spec.
-    pub(super) fn spec(&self) -> Result<CoreSpec, Error> {
+    /// The keys that are given.
+    pub(super) fn fields(&self) -> Result<SpecFields, Error> {
         let written = match &self.path {
             None => SpecFields::default(),
             Some(path) if path.is_dir() => SpecFields::read(&path.join("core.toml"))?,
             Some(path) => SpecFields::read(path)?,
         };
-        self.fields.clone().or(written).resolve()
+        Ok(self.fields.clone().or(written))
+    }
+
+    /// The spec.
+    pub(super) fn spec(&self) -> Result<CoreSpec, Error> {
+        self.fields()?.resolve()
     }
 
     /// The design.

@@ -43,6 +43,9 @@ pub struct Measured {
     pub ulps: [f64; 2],
     /// The largest |hardware - x^n|.
     pub max_abs: f64,
+    /// Where it is that large: the shininess and the versine; of equals the first shininess.
+    #[serde(skip)]
+    pub worst: [f64; 2],
     /// The largest |hardware - x^n| where x^n >= 1/2.
     pub max_abs_epicentre: f64,
     /// The largest |hardware - x^n| / x^n where x^n >= 1/2.
@@ -69,7 +72,8 @@ impl Measured {
             .map(|code| libm::log1p(-design.versine(design.operand_of_versine(code))))
             .collect();
 
-        let row = |row: usize| {
+        let row = |row: usize| -> ([f64; 7], [f64; 2]) {
+            let mut worst = [shininess[row], 0.0];
             let index = design.spec.shininess.index_of_row(row);
             let mut total = Self::NONE;
             let mut square = 0.0;
@@ -92,7 +96,9 @@ impl Measured {
                     let off = (hardware - exact).abs();
                     total[0] = total[0].min(error);
                     total[1] = total[1].max(error);
-                    total[2] = total[2].max(off);
+                    if off > total[2] {
+                        (total[2], worst[1]) = (off, u);
+                    }
                     if exact >= 0.5 {
                         total[3] = total[3].max(off);
                         total[4] = total[4].max(off / exact);
@@ -103,18 +109,22 @@ impl Measured {
             }
             total[5] = square;
             total[6] = 1.0;
-            total
+            (total, worst)
         };
         let rows: Vec<usize> = (0..design.spec.shininess.rows()).step_by(sweep.row_step as usize).collect();
-        let parts: Vec<[f64; 7]> = rows.into_par_iter().map(row).collect();
+        let parts: Vec<([f64; 7], [f64; 2])> = rows.into_par_iter().map(row).collect();
         // In order, so that the sum is the same on every machine.
-        let total = parts.into_iter().fold(Self::NONE, |a, b| {
-            [a[0].min(b[0]), a[1].max(b[1]), a[2].max(b[2]), a[3].max(b[3]), a[4].max(b[4]), a[5] + b[5], a[6] + b[6]]
+        let (total, worst) = parts.into_iter().fold((Self::NONE, [shininess[0], 0.0]), |(a, worst), (b, at)| {
+            let worst = if b[2] > a[2] { at } else { worst };
+            let [low, high, abs, near, relative] =
+                [a[0].min(b[0]), a[1].max(b[1]), a[2].max(b[2]), a[3].max(b[3]), a[4].max(b[4])];
+            ([low, high, abs, near, relative, a[5] + b[5], a[6] + b[6]], worst)
         });
         Self {
             sweep,
             ulps: [total[0], total[1]],
             max_abs: total[2],
+            worst,
             max_abs_epicentre: total[3],
             max_rel_epicentre: total[4],
             rms: (total[5] / sweep.inputs as f64).sqrt(),

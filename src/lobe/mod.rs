@@ -47,6 +47,19 @@ pub fn exact(n: f64, u: f64) -> f64 {
     if u >= 1.0 { 0.0 } else { libm::exp(n * libm::log1p(-u)) }
 }
 
+/// The angle of a versine in [0, 1], in degrees.
+#[must_use]
+pub fn degrees(u: f64) -> f64 {
+    (2.0 * libm::asin(libm::sqrt(0.5 * u))).to_degrees()
+}
+
+/// The versine of an angle in degrees.
+#[must_use]
+pub fn versine(degrees: f64) -> f64 {
+    let half = libm::sin(0.5 * degrees.to_radians());
+    2.0 * half * half
+}
+
 /// A method's real-valued lobe for one shininess.
 pub trait Lobe: std::fmt::Debug + Send + Sync {
     /// The value in [0, 1] at the versine `u` in [0, 1].
@@ -66,4 +79,15 @@ pub fn check_shininess(n: f64) -> Result<(), Error> {
         format!("shininess {n} is out of range"),
         format!("a shininess is a real number from 1 to {MAX_SHININESS}; below 1 the lobe has no inflection to fit"),
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_and_versines() {
+        assert!((degrees(1.0) - 90.0).abs() < 1e-12 && (versine(60.0) - 0.5).abs() < 1e-15);
+        assert!((degrees(versine(0.001)) - 0.001).abs() < 1e-15);
+    }
 }

@@ -1,5 +1,14 @@
-//! Reports: charts as SVG text. Same input, same bytes.
+//! Reports: charts as SVG and PNG, and the page of the trade as HTML. Same input, same bytes.
 
 mod chart;
+mod lobes;
+mod page;
+mod png;
+mod speed;
+mod trade;
 
-pub use chart::{Axis, BLACK, COLOURS, Chart, Curve, Scale, Style};
+pub use chart::{Axis, BLACK, COLOURS, Chart, Curve, Scale, Shape, Spot, Spots, Style};
+pub use page::Report;
+pub use png::png;
+pub use speed::Speed;
+pub use trade::{Group, Palette, groups};

@@ -163,11 +163,17 @@ impl CoreSpec {
         hex(&Sha256::digest(self.to_toml()))[..16].to_owned()
     }
 
+    /// The flags that differ from the defaults, each with its value: `--key value`. No flag gives a material's colours.
+    #[must_use]
+    pub fn flags(&self) -> Vec<String> {
+        SpecFields::from_spec(self).flags()
+    }
+
     /// The command that generates this core: the flags that differ from the defaults, or `core.toml` itself
     /// where they would fill more than a line.
     #[must_use]
     pub fn command(&self) -> String {
-        let command = format!("brdfgen generate {}", SpecFields::from_spec(self).flags().join(" "));
+        let command = format!("brdfgen generate {}", self.flags().join(" "));
         // No flag gives a material's colours.
         let coloured = match (&self.shininess, self.block.shader()) {
             (Shininess::Materials(materials), Some(_)) => materials.iter().any(|material| !material.is_plain()),

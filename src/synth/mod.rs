@@ -199,6 +199,25 @@ pub struct Run {
     pub cached: bool,
 }
 
+/// The programs that [`synthesise`] would run.
+///
+/// # Errors
+/// Options out of range, or a program that is not installed.
+pub fn tools(options: &Options) -> Result<Tools, Error> {
+    options.check()?;
+    let (yosys, nextpnr) = find(options)?;
+    Ok(Tools { yosys: yosys.version, nextpnr: nextpnr.map(|nextpnr| nextpnr.version) })
+}
+
+fn find(options: &Options) -> Result<(Yosys, Option<Nextpnr>), Error> {
+    let yosys = Yosys::find(options.yosys.as_deref())?;
+    let nextpnr = match options.family.nextpnr() {
+        Some(tools) if options.place => Some(Nextpnr::find(tools)?),
+        _ => None,
+    };
+    Ok((yosys, nextpnr))
+}
+
 /// Measures what a core costs.
 ///
 /// # Errors
@@ -215,11 +234,7 @@ pub fn synthesise(design: &Design, options: &Options) -> Result<Synthesis, Error
 pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Result<Run, Error> {
     options.check()?;
     let family = options.family;
-    let yosys = Yosys::find(options.yosys.as_deref())?;
-    let nextpnr = match family.nextpnr() {
-        Some(tools) if options.place => Some(Nextpnr::find(tools)?),
-        _ => None,
-    };
+    let (yosys, nextpnr) = find(options)?;
     let mut work = Work {
         files: files(design, options.language)?,
         design,

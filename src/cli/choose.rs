@@ -1,0 +1,203 @@
+//! `brdfgen choose`, and the wish that `brdfgen generate --max-error` has in common with it.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::{Verdict, say, say_json};
+use crate::error::Error;
+use crate::explore::choose::{Candidate, Choice, Wish};
+use crate::explore::{Cost, MaxError, Objective, Results};
+use crate::spec::{Coefficients, Method, Operand, Shininess, SpecFields};
+use crate::synth::Family;
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// The largest |result - x^n| that is allowed: 0.01, 1% or 2^-7
+    #[arg(long, value_name = "ERROR")]
+    max_error: MaxError,
+
+    /// What is to be least; of equals the others, in the order LUTs, DSPs, block RAMs, clocks (for dsp and bram these two come first)
+    #[arg(long, visible_alias = "goal", value_enum, value_name = "COST", default_value = "lut")]
+    objective: Objective,
+
+    #[command(flatten)]
+    wish: WishFlags,
+
+    #[command(flatten)]
+    keys: Keys,
+
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Keys of the spec that the core must have.
+#[derive(Args, Clone)]
+#[command(next_help_heading = "Core")]
+pub(super) struct Keys {
+    /// Shininesses served: a range of integers, or a list of real numbers; a core for a range serves the ranges in it [default: 1..=1000]
+    #[arg(long)]
+    shininess: Option<Shininess>,
+
+    /// Only this method
+    #[arg(long, value_enum)]
+    method: Option<Method>,
+
+    /// Only these coefficients
+    #[arg(long, value_enum)]
+    coefficients: Option<Coefficients>,
+
+    /// Only with so many fraction bits of the input
+    #[arg(long, value_name = "F")]
+    input_fraction: Option<u32>,
+
+    /// Only with so many fraction bits of the output
+    #[arg(long, value_name = "G")]
+    output_fraction: Option<u32>,
+
+    /// Only with this operand
+    #[arg(long, value_enum)]
+    operand: Option<Operand>,
+}
+
+/// What is wished of a core beside its error and what is to be least.
+#[derive(Args)]
+#[command(next_help_heading = "Choice")]
+pub(super) struct WishFlags {
+    /// The family of FPGAs that the core is for [default: ecp5]
+    #[arg(long, value_enum)]
+    family: Option<Family>,
+
+    /// The least median frequency in MHz
+    #[arg(long, value_name = "MHZ")]
+    min_mhz: Option<f64>,
+
+    /// The most LUTs, carry chains counted
+    #[arg(long, value_name = "COUNT")]
+    max_lut: Option<u32>,
+
+    /// The most DSP blocks
+    #[arg(long, value_name = "COUNT")]
+    max_dsp: Option<u32>,
+
+    /// The most block RAMs
+    #[arg(long, value_name = "COUNT")]
+    max_bram: Option<u32>,
+
+    /// The most clocks from input to output
+    #[arg(long, value_name = "CLOCKS")]
+    max_latency: Option<u32>,
+
+    /// Choose among the points of this file, a .db, .csv or .json of explore [default: those that come with the program]
+    #[arg(long, value_name = "FILE")]
+    results: Option<PathBuf>,
+
+    /// Consider cores too that are there to be compared with
+    #[arg(long)]
+    baselines: bool,
+}
+
+impl Keys {
+    /// As keys of a spec.
+    pub(super) fn fields(&self) -> SpecFields {
+        let Self { shininess, method, coefficients, input_fraction, output_fraction, operand } = self.clone();
+        let none = SpecFields::default();
+        SpecFields { shininess, method, coefficients, input_fraction, output_fraction, operand, ..none }
+    }
+}
+
+impl WishFlags {
+    /// Whether none of them is given.
+    pub(super) fn is_empty(&self) -> bool {
+        self.results.is_none() && !self.is_wish()
+    }
+
+    /// Whether any of them is given that says what is wished, and not only of which results.
+    pub(super) fn is_wish(&self) -> bool {
+        let Self { family, min_mhz, max_lut, max_dsp, max_bram, max_latency, results: _, baselines } = self;
+        family.is_some()
+            || min_mhz.is_some()
+            || [max_lut, max_dsp, max_bram, max_latency].iter().any(|limit| limit.is_some())
+            || *baselines
+    }
+
+    /// The wish, for a core with these keys.
+    pub(super) fn wish(&self, max_error: MaxError, objective: Objective, keys: SpecFields) -> Result<Wish, Error> {
+        if let Some(mhz) = self.min_mhz.filter(|mhz| !(mhz.is_finite() && *mhz > 0.0)) {
+            return Err(Error::input(format!("a frequency of {mhz} MHz is not allowed"), "more than 0 is"));
+        }
+        let shininess = match (&keys.shininess, &keys.material) {
+            (Some(set), _) => set.clone(),
+            (None, Some(materials)) => Shininess::Materials(materials.clone()),
+            (None, None) => Shininess::Range(1, 1000),
+        };
+        let limits = Objective::ALL.into_iter().zip([self.max_lut, self.max_dsp, self.max_bram, self.max_latency]);
+        Ok(Wish {
+            max_error,
+            family: self.family.unwrap_or(Family::Ecp5),
+            min_mhz: self.min_mhz,
+            objective,
+            limits: limits.filter_map(|(objective, most)| Some((objective, most?))).collect(),
+            shininess,
+            keys,
+            baselines: self.baselines,
+        })
+    }
+
+    /// The points that are chosen among.
+    pub(super) fn results(&self) -> Result<Results, Error> {
+        self.results.as_deref().map_or_else(Results::built_in, Results::read)
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
+    let wish = arguments.wish.wish(arguments.max_error, arguments.objective, arguments.keys.fields())?;
+    let choice = wish.choose(&arguments.wish.results()?)?;
+    if arguments.json {
+        say_json(&choice);
+    } else {
+        describe(&wish, &choice).iter().for_each(say);
+        if let Some(chosen) = &choice.chosen {
+            say(format!("  made by: {}", wish.spec_of(chosen)?.resolve()?.command()));
+        }
+    }
+    Ok(Verdict::of(choice.chosen.is_some()))
+}
+
+/// An error as a percentage and as a power of two.
+fn error_text(value: f64) -> String {
+    format!("{:.3} % (2^{:.2})", 100.0 * value, libm::log2(value))
+}
+
+fn cost_text(cost: &Cost) -> String {
+    let mhz = cost.mhz.map_or_else(|| "not placed".to_owned(), |mhz| format!("{mhz:.1} MHz"));
+    let Cost { lut, ff, dsp, bram, latency, .. } = cost;
+    let source = if cost.estimated { ", estimated" } else { "" };
+    format!("{lut} LUT, {ff} FF, {dsp} DSP, {bram} block RAM, {latency} clocks, {mhz}{source}")
+}
+
+fn core_text(Candidate { point, cost }: &Candidate) -> String {
+    let checked = if point.checked == "exhaustive" { String::new() } else { format!(", over a {}", point.checked) };
+    format!("{}: error {}{checked}; {}", point.name, error_text(point.max_abs), cost_text(cost))
+}
+
+/// The choice for people: a line a thing.
+pub(super) fn describe(wish: &Wish, choice: &Choice) -> Vec<String> {
+    let Choice { chosen, misses, considered, meeting, tools } = choice;
+    let mut lines = Vec::new();
+    match chosen {
+        Some(chosen) => lines.push(core_text(chosen)),
+        None => lines.push(format!("no core meets the wish: an error of {}", error_text(wish.max_error.0))),
+    }
+    lines.push(format!("  {meeting} of the {considered} cores considered meet the wish"));
+    if !misses.is_empty() {
+        lines.push("nearest misses:".to_owned());
+        let miss =
+            |miss: &crate::explore::choose::Miss| format!("  {}: {}", core_text(&miss.candidate), miss.why.join(", "));
+        lines.extend(misses.iter().map(miss));
+    }
+    let nextpnr = tools.nextpnr.as_ref().map(|version| format!(" and {version}")).unwrap_or_default();
+    lines.push(format!("figures by {}{nextpnr}; other versions give others", tools.yosys));
+    lines
+}

@@ -1,0 +1,109 @@
+//! `brdfgen report`.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::choose::{Keys, WishFlags};
+use super::{Verdict, progress, say};
+use crate::error::Error;
+use crate::explore::{MaxError, Objective, Point, Results};
+use crate::package;
+use crate::report::{Report, Speed};
+use crate::spec::SpecFields;
+
+/// The page's name in a directory.
+const PAGE: &str = "report.html";
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// The table that `cargo bench --bench ratios` writes [default: the one that comes with the program]
+    #[arg(long, value_name = "FILE")]
+    speed: Option<PathBuf>,
+
+    /// The page: a file whose name ends in .html, or a directory for report.html
+    #[arg(long, short, value_name = "PATH")]
+    out: PathBuf,
+
+    /// Also write each chart as SVG and PNG into this directory; what is there under the same names is replaced
+    #[arg(long, value_name = "DIR")]
+    plots: Option<PathBuf>,
+
+    /// Mark the core that `brdfgen choose` chooses for this error and the other wishes, such as 0.01, 1% or 2^-7; exit 1 if there is
+    /// none
+    #[arg(long, value_name = "ERROR")]
+    max_error: Option<MaxError>,
+
+    /// What is to be least of the chosen core, as for `brdfgen choose` [default: lut]
+    #[arg(long, value_enum, value_name = "COST", requires = "max_error")]
+    objective: Option<Objective>,
+
+    #[command(flatten)]
+    wish: WishFlags,
+
+    #[command(flatten)]
+    keys: Keys,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
+    let results = arguments.wish.results()?;
+    let speed = match &arguments.speed {
+        Some(path) => {
+            let text = std::fs::read_to_string(path).map_err(|error| Error::io("cannot read", path, error))?;
+            Speed::from_csv(&text, &path.display().to_string())?
+        }
+        None => Speed::built_in()?,
+    };
+    let points = results.points();
+    if points.is_empty() {
+        return Err(Error::input(
+            "there are no points in the results",
+            "results of `brdfgen explore`, with at least one point",
+        ));
+    }
+    let chosen = chosen(arguments, &results)?;
+    let bar = progress::bar("measuring", Report::work(points, chosen));
+    let report = Report::new(points, chosen, &speed, &|| bar.inc(1))?;
+    bar.finish_and_clear();
+    let page = page(&arguments.out);
+    package::write_file(&page, report.html().as_bytes())?;
+    say(format!("{} points in {}", points.len(), page.display()));
+    if let Some(directory) = &arguments.plots {
+        let files = report.plots();
+        for file in &files {
+            package::write_file(&directory.join(&file.path), &file.bytes)?;
+        }
+        say(format!("{} charts, as SVG and PNG, in {}", files.len() / 2, directory.display()));
+    }
+    if let Some(chosen) = chosen {
+        say(format!("chosen: {}", chosen.name));
+    } else if arguments.max_error.is_some() {
+        say("no core meets the wish: see `brdfgen choose`");
+        return Ok(Verdict::Differs);
+    }
+    Ok(Verdict::Done)
+}
+
+/// The point that is to be marked.
+fn chosen<'a>(arguments: &Arguments, results: &'a Results) -> Result<Option<&'a Point>, Error> {
+    let keys = arguments.keys.fields();
+    let Some(max_error) = arguments.max_error else {
+        if arguments.wish.is_wish() || keys != SpecFields::default() {
+            return Err(Error::input(
+                "a core is wished for without the error that is allowed",
+                "say --max-error as well, or leave the other wishes out",
+            ));
+        }
+        return Ok(None);
+    };
+    let objective = arguments.objective.unwrap_or(Objective::Lut);
+    let choice = arguments.wish.wish(max_error, objective, keys)?.choose(results)?;
+    let id = choice.chosen.map(|candidate| candidate.point.id);
+    Ok(results.points().iter().find(|point| Some(&point.id) == id.as_ref()))
+}
+
+/// The page's file.
+fn page(out: &Path) -> PathBuf {
+    let named = out.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("html")) && !out.is_dir();
+    if named { out.to_owned() } else { out.join(PAGE) }
+}

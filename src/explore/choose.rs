@@ -1,0 +1,365 @@
+//! The cheapest core that meets a wish, and what just misses it.
+
+use std::collections::BTreeSet;
+use std::str::FromStr;
+
+use serde::Serialize;
+
+use super::pareto::dominates;
+use super::sweep::word;
+use super::{Cost, Objective, Point, Results};
+use crate::error::Error;
+use crate::spec::{Shininess, SpecFields};
+use crate::synth::{Family, Tools};
+
+/// The near misses that a choice names.
+pub const MISSES: usize = 3;
+
+/// The largest |result - x^n| that is allowed, as a part of 1: above 0, at most 1.
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Serialize)]
+pub struct MaxError(pub f64);
+
+impl FromStr for MaxError {
+    type Err = String;
+
+    /// Reads a number (`0.01`), a percentage (`1%`) or a power (`2^-7`).
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.trim().parse::<f64>().ok();
+        let value = if let Some(percent) = text.strip_suffix('%') {
+            number(percent).map(|percent| percent / 100.0)
+        } else if let Some((base, exponent)) = text.split_once('^') {
+            number(base).zip(number(exponent)).map(|(base, exponent)| libm::pow(base, exponent))
+        } else {
+            number(text)
+        };
+        match value.filter(|value| *value > 0.0 && *value <= 1.0) {
+            Some(value) => Ok(Self(value)),
+            None => Err("an error is above 0 and at most 1, written 0.01, 1% or 2^-7".to_owned()),
+        }
+    }
+}
+
+/// What is wished of a core.
+#[derive(Clone, Debug)]
+pub struct Wish {
+    /// The largest |result - x^n|.
+    pub max_error: MaxError,
+    /// The family.
+    pub family: Family,
+    /// The least median frequency in MHz.
+    pub min_mhz: Option<f64>,
+    /// What is to be small.
+    pub objective: Objective,
+    /// The most of each cost.
+    pub limits: Vec<(Objective, u32)>,
+    /// The shininesses that the core has to serve: exactly this set, or a range that holds this range.
+    pub shininess: Shininess,
+    /// Keys of the spec that the core must have as they are here; `name`, `languages`, `rom_formats` and the shininess are not looked at.
+    pub keys: SpecFields,
+    /// Whether cores are considered that are there to be compared with.
+    pub baselines: bool,
+}
+
+/// A core with its cost.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Candidate {
+    /// The core.
+    pub point: Point,
+    /// What it takes.
+    pub cost: Cost,
+}
+
+/// A core that does not meet the wish.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Miss {
+    /// The core and its cost.
+    #[serde(flatten)]
+    pub candidate: Candidate,
+    /// How far it misses: the sum of log2 of value / allowed over what it misses.
+    pub octaves: f64,
+    /// What it misses, and by how much.
+    pub why: Vec<String>,
+}
+
+/// The outcome.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Choice {
+    /// The cheapest core that meets the wish.
+    pub chosen: Option<Candidate>,
+    /// The nearest misses, the nearest first: cores that no other considered core dominates in error, the four costs and, where a
+    /// frequency is wished, the frequency.
+    pub misses: Vec<Miss>,
+    /// The number of cores considered: those of the family, the shininess and the keys that have a cost.
+    pub considered: usize,
+    /// How many of them meet the wish.
+    pub meeting: usize,
+    /// The versions of the tools that the figures come from.
+    pub tools: Tools,
+}
+
+impl Objective {
+    /// This cost, then those that decide between cores that have as much of it.
+    #[must_use]
+    pub fn order(self) -> [Self; 4] {
+        match self {
+            Self::Lut => [Self::Lut, Self::Dsp, Self::Bram, Self::Latency],
+            Self::Dsp => [Self::Dsp, Self::Bram, Self::Lut, Self::Latency],
+            Self::Bram => [Self::Bram, Self::Dsp, Self::Lut, Self::Latency],
+            Self::Latency => [Self::Latency, Self::Lut, Self::Dsp, Self::Bram],
+        }
+    }
+
+    /// Its name, for people.
+    #[must_use]
+    pub fn label(self) -> &'static str {
+        match self {
+            Self::Lut => "LUTs",
+            Self::Dsp => "DSPs",
+            Self::Bram => "block RAMs",
+            Self::Latency => "clocks of latency",
+        }
+    }
+}
+
+/// The spec of a point, as far as this version of the program knows its keys.
+fn fields(point: &Point) -> Option<SpecFields> {
+    SpecFields::parse(&point.spec, &point.id).ok()
+}
+
+/// Whether a core for `own` serves `wished` with the same meaning of the codes of `in_n`.
+fn serves(own: &Shininess, wished: &Shininess) -> bool {
+    match (own, wished) {
+        (Shininess::Range(first, last), Shininess::Range(from, to)) => first <= from && to <= last,
+        _ => own == wished,
+    }
+}
+
+impl Wish {
+    /// Whether the point is one of those asked for, whatever its error and cost.
+    fn asks_for(&self, point: &Point) -> bool {
+        if point.family != self.family || (point.baseline && !self.baselines) {
+            return false;
+        }
+        let Some(own) = fields(point) else { return false };
+        let wanted = SpecFields {
+            name: None,
+            languages: None,
+            rom_formats: None,
+            shininess: None,
+            material: None,
+            ..self.keys.clone()
+        };
+        let same = wanted.or(own.clone()) == own;
+        same && own.resolve().is_ok_and(|spec| serves(&spec.shininess, &self.shininess))
+    }
+
+    /// What a candidate misses, each as log2 of value / allowed and in words. A frequency that is not known is missed by 1.
+    fn missed(&self, Candidate { point, cost }: &Candidate) -> Vec<(f64, String)> {
+        let mut missed = Vec::new();
+        let MaxError(allowed) = self.max_error;
+        if point.max_abs > allowed {
+            let ratio = point.max_abs / allowed;
+            missed.push((libm::log2(ratio), format!("its error is {ratio:.3} times what is wished")));
+        }
+        if let Some(wished) = self.min_mhz {
+            match cost.mhz {
+                Some(mhz) if mhz >= wished => {}
+                Some(mhz) => {
+                    missed.push((libm::log2(wished / mhz), format!("it is {:.1} MHz too slow", wished - mhz)));
+                }
+                None => missed.push((1.0, "its frequency is not known: it was not placed".to_owned())),
+            }
+        }
+        for &(objective, most) in &self.limits {
+            let own = objective.of(cost);
+            if own > most {
+                let octaves = libm::log2(f64::from(own + 1) / f64::from(most + 1));
+                missed.push((octaves, format!("it has {} {} too many", own - most, objective.label())));
+            }
+        }
+        missed
+    }
+
+    /// Chooses among results.
+    ///
+    /// The cheapest is that with the least of the objective; of equals that with the least of the other costs in the
+    /// order of [`Objective::order`], then the least flip-flops, the least error, the first id.
+    ///
+    /// # Errors
+    /// Results that hold nothing for the family and the shininess, or figures of several versions of the tools.
+    pub fn choose(&self, results: &Results) -> Result<Choice, Error> {
+        let candidate = |point: &Point| point.cost().map(|cost| Candidate { point: point.clone(), cost });
+        let mut all: Vec<Candidate> =
+            results.points().iter().filter(|point| self.asks_for(point)).filter_map(candidate).collect();
+        let versions: BTreeSet<&str> =
+            all.iter().filter_map(|candidate| candidate.point.tools()).map(|tools| tools.yosys.as_str()).collect();
+        if versions.len() > 1 {
+            return Err(Error::input(
+                format!("the results hold figures of {}", versions.into_iter().collect::<Vec<_>>().join(" and of ")),
+                "figures of two versions cannot be compared: explore with one of them",
+            ));
+        }
+        let tools = all.iter().find_map(|candidate| candidate.point.tools()).cloned().ok_or_else(|| {
+            let (family, set) = (word(&self.family), &self.shininess);
+            Error::input(
+                format!("the results hold no such core for {family} that serves the shininess {set}"),
+                format!("make some: brdfgen explore --family {family} --shininess '{set}' --results FILE.db"),
+            )
+        })?;
+        all.sort_by(|a, b| self.rank(a).cmp(&self.rank(b)).then(a.point.max_abs.total_cmp(&b.point.max_abs)));
+        let considered = all.len();
+        let values = |candidate: &Candidate| -> Vec<f64> {
+            let costs = Objective::ALL.iter().map(|objective| f64::from(objective.of(&candidate.cost)));
+            let slowness = self.min_mhz.map(|_| -candidate.cost.mhz.unwrap_or(0.0));
+            std::iter::once(candidate.point.max_abs).chain(costs).chain(slowness).collect()
+        };
+        let places: Vec<Vec<f64>> = all.iter().map(values).collect();
+        let (mut meeting, mut misses) = (Vec::new(), Vec::new());
+        for (candidate, own) in all.into_iter().zip(&places) {
+            let missed = self.missed(&candidate);
+            if missed.is_empty() {
+                meeting.push(candidate);
+            } else if !places.iter().any(|other| dominates(other, own)) {
+                let octaves = missed.iter().map(|(octaves, _)| octaves).sum();
+                misses.push(Miss { candidate, octaves, why: missed.into_iter().map(|(_, why)| why).collect() });
+            }
+        }
+        misses.sort_by(|a, b| a.octaves.total_cmp(&b.octaves));
+        misses.truncate(MISSES);
+        Ok(Choice { considered, meeting: meeting.len(), chosen: meeting.into_iter().next(), misses, tools })
+    }
+
+    /// What decides between two cores that meet the wish, but for the error.
+    fn rank(&self, candidate: &Candidate) -> ([u32; 4], u32) {
+        (self.objective.order().map(|objective| objective.of(&candidate.cost)), candidate.cost.ff)
+    }
+
+    /// The spec of a chosen core, with the wish's own shininess, name, languages and ROM formats.
+    ///
+    /// # Errors
+    /// A name or a list that is not allowed.
+    pub fn spec_of(&self, chosen: &Candidate) -> Result<SpecFields, Error> {
+        let own = SpecFields::parse(&chosen.point.spec, &chosen.point.id)?;
+        let shininess = match &self.shininess {
+            Shininess::Range(..) => SpecFields { shininess: Some(self.shininess.clone()), ..SpecFields::default() },
+            _ => SpecFields::default(),
+        };
+        let given = SpecFields { shininess: None, material: None, ..self.keys.clone() };
+        Ok(given.or(shininess).or(own))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::results::tests::point;
+    use super::*;
+
+    fn wish(max_error: f64, objective: Objective) -> Wish {
+        Wish {
+            max_error: MaxError(max_error),
+            family: Family::Ecp5,
+            min_mhz: None,
+            objective,
+            limits: Vec::new(),
+            shininess: "5..=9".parse().unwrap(),
+            keys: SpecFields::default(),
+            baselines: false,
+        }
+    }
+
+    /// A core for 1..=100.
+    fn ranged(id: &str, max_abs: f64, costs: [u32; 4], mhz: f64) -> Point {
+        let text = "method = 'quadratic'\nshininess = '1..=100'";
+        let spec = SpecFields::parse(text, "spec").and_then(SpecFields::resolve).unwrap().to_toml();
+        Point { spec, ..point(id, max_abs, costs, mhz) }
+    }
+
+    fn results() -> Results {
+        let baseline = Point { baseline: true, ..ranged("base", 0.001, [10, 0, 0, 2], 300.0) };
+        let failed = Point { failure: Some("no".to_owned()), ..ranged("fail", 0.001, [10, 0, 0, 2], 300.0) };
+        Results::new(vec![
+            ranged("rough", 0.30, [50, 1, 0, 5], 200.0),
+            ranged("fair", 0.05, [100, 2, 0, 7], 160.0),
+            ranged("tie", 0.04, [100, 2, 0, 8], 160.0),
+            ranged("wasteful", 0.06, [400, 4, 2, 9], 100.0),
+            ranged("fine", 0.01, [300, 1, 1, 9], 140.0),
+            ranged("finest", 0.004, [500, 3, 1, 12], 151.0),
+            baseline,
+            failed,
+            point("materials", 0.001, [5, 0, 0, 1], 300.0),
+        ])
+    }
+
+    fn chosen(wish: &Wish) -> (Option<String>, Vec<String>) {
+        let choice = wish.choose(&results()).unwrap();
+        let misses = choice.misses.into_iter().map(|miss| miss.candidate.point.id).collect();
+        (choice.chosen.map(|candidate| candidate.point.id), misses)
+    }
+
+    #[test]
+    fn the_cheapest_that_meets_the_wish_is_chosen_and_the_nearest_misses_told() {
+        // Of equals in LUTs, DSPs and block RAMs the shorter; what is dominated is no near miss.
+        let (core, misses) = chosen(&wish(0.055, Objective::Lut));
+        assert_eq!((core.as_deref(), misses), (Some("fair"), vec!["rough".to_owned()]));
+        let (core, misses) = chosen(&wish(0.035, Objective::Lut));
+        assert_eq!((core.as_deref(), misses), (Some("fine"), ["tie", "fair", "rough"].map(str::to_owned).to_vec()));
+        assert_eq!(chosen(&wish(0.05, Objective::Dsp)).0.as_deref(), Some("fine"));
+        assert_eq!(chosen(&wish(0.05, Objective::Bram)).0.as_deref(), Some("fair"));
+        assert_eq!(chosen(&wish(0.5, Objective::Latency)).0.as_deref(), Some("rough"));
+        // The error that is wished exactly is met.
+        assert_eq!(chosen(&wish(0.004, Objective::Lut)).0.as_deref(), Some("finest"));
+        let (core, misses) = chosen(&wish(0.003, Objective::Lut));
+        assert_eq!((core, misses), (None, ["finest", "fine", "tie"].map(str::to_owned).to_vec()));
+        let with_baselines = Wish { baselines: true, ..wish(0.003, Objective::Lut) };
+        assert_eq!(chosen(&with_baselines).0.as_deref(), Some("base"));
+    }
+
+    #[test]
+    fn frequency_and_limits_are_part_of_the_wish() {
+        let fast = Wish { min_mhz: Some(150.0), ..wish(0.02, Objective::Lut) };
+        assert_eq!(chosen(&fast).0.as_deref(), Some("finest"));
+        let choice = fast.choose(&results()).unwrap();
+        assert_eq!(choice.misses[0].candidate.point.id, "fine");
+        assert_eq!(choice.misses[0].why, ["it is 10.0 MHz too slow"]);
+        let small = Wish { limits: vec![(Objective::Bram, 0), (Objective::Dsp, 1)], ..wish(0.02, Objective::Lut) };
+        let choice = small.choose(&results()).unwrap();
+        assert_eq!((choice.meeting, choice.considered), (0, 6));
+        assert_eq!(choice.misses[0].candidate.point.id, "fine");
+        assert_eq!(choice.misses[0].why, ["it has 1 block RAMs too many"]);
+        assert!(choice.misses[1].why[0].starts_with("its error is 2.000 times"), "{:?}", choice.misses[1].why);
+    }
+
+    #[test]
+    fn only_what_serves_the_shininess_and_has_the_keys_is_considered() {
+        let keys = |text: &str| SpecFields::parse(text, "keys").unwrap();
+        let refused = |wish: Wish| wish.choose(&results()).unwrap_err().to_string();
+        let wide = Wish { shininess: "1..=1000".parse().unwrap(), ..wish(0.5, Objective::Lut) };
+        assert!(refused(wide).contains("no such core for ecp5 that serves the shininess 1..=1000"));
+        assert!(refused(Wish { family: Family::Ice40, ..wish(0.5, Objective::Lut) }).contains("for ice40"));
+        assert!(refused(Wish { keys: keys("method = 'cubic'"), ..wish(0.5, Objective::Lut) }).contains("no such core"));
+        let named = Wish { keys: keys("method = 'quadratic'\nname = 'mine'"), ..wish(0.5, Objective::Lut) };
+        let choice = named.choose(&results()).unwrap();
+        let spec = named.spec_of(choice.chosen.as_ref().unwrap()).unwrap().resolve().unwrap();
+        assert_eq!((spec.name.as_str(), spec.shininess.to_string().as_str()), ("mine", "5..=9"));
+    }
+
+    #[test]
+    fn figures_of_two_versions_are_not_compared() {
+        let mut points = results().points().to_vec();
+        points.retain(|point| !point.baseline && point.failure.is_none());
+        let other = points[0].synthesis.as_mut().unwrap();
+        other.tools.yosys = "Yosys 0.23".to_owned();
+        let error = wish(0.5, Objective::Lut).choose(&Results::new(points)).unwrap_err();
+        assert!(error.to_string().contains("Yosys 0.23 and of Yosys 0.70"), "{error}");
+    }
+
+    #[test]
+    fn errors_are_written_in_three_ways() {
+        for (text, value) in [("0.01", 0.01), ("1%", 0.01), ("2^-7", 0.007_812_5), ("1e-4", 1e-4), ("1", 1.0)] {
+            assert_eq!(text.parse(), Ok(MaxError(value)), "{text}");
+        }
+        for text in ["", "0", "-1", "200%", "2^", "x%", "nan", "inf", "2^7"] {
+            assert!(text.parse::<MaxError>().is_err(), "{text}");
+        }
+    }
+}

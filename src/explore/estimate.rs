@@ -1,0 +1,537 @@
+//! A cost model: what synthesis will make of a core, from what the core is made of.
+//!
+//! DSP blocks and block RAMs follow from rules that Yosys has too: how it splits a multiplication over blocks (`mul2dsp`), and when a
+//! memory is worth a block (`memory_libmap`). LUTs, flip-flops and the least period are sums of the sizes of a core's parts
+//! ([`Shape`]), each with a factor that is fitted to measured points by least squares of the relative error, for each family of one
+//! version of the tools. The model says itself how far it is off: each point is estimated by a fit to all others.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+use super::shape::{Memory, Multiplier};
+use super::sweep::word;
+use super::{Estimate, Point, Results, Shape};
+use crate::error::Error;
+use crate::spec::hex;
+use crate::synth::{Family, Synthesis, Tools};
+
+/// The fewest measured points that a family's model is fitted to.
+pub const FEWEST: usize = 12;
+
+/// Cost models by family.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Model(BTreeMap<String, FamilyModel>);
+
+/// The cost model of a family.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FamilyModel {
+    /// The tools whose results it follows.
+    pub tools: Tools,
+    /// The number of points that it was fitted to.
+    pub points: usize,
+    /// What a unit of each of [`Terms::lut`] takes, in LUTs.
+    lut: Vec<f64>,
+    /// What a unit of each of [`Terms::ff`] takes, in flip-flops.
+    ff: Vec<f64>,
+    /// What a unit of each of [`Terms::period`] takes, in ns; none where fewer than [`FEWEST`] points were placed.
+    period: Option<Vec<f64>>,
+    /// How far the estimates are off.
+    pub accuracy: Vec<Accuracy>,
+}
+
+/// How far estimates are off: |estimated - measured| / max(1, measured), each point estimated by a fit to all others.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Accuracy {
+    /// What is estimated: `LUT`, `FF`, `DSP`, `BRAM` or `MHz`.
+    pub what: &'static str,
+    /// The median of it.
+    pub median: f64,
+    /// The worst of it.
+    pub worst: f64,
+    /// The point with the worst.
+    pub at: String,
+    /// The number of points.
+    pub points: usize,
+}
+
+/// What blocks of a family hold.
+struct Blocks {
+    /// The widest operands of a DSP block, wider first; the bits that a sign takes of an unsigned operand; none where Yosys infers no blocks.
+    dsp: Option<([u32; 2], u32)>,
+    /// The fewest bits of a product that goes into a DSP block.
+    least_product: u32,
+    /// The words and the bits of a word that a block RAM can have.
+    bram: &'static [(u32, u32)],
+    /// The bits of a memory in LUTs that cost as much as a block RAM: more of them go into a block.
+    worth: u32,
+}
+
+/// As `synth_ecp5`, `synth_ice40 -dsp`, `synth_gowin` and `synth_xilinx` of Yosys 0.70 call `mul2dsp` and `memory_libmap`: a bit in LUTs costs
+/// 1/16 there, a block what its library says.
+fn blocks(family: Family) -> Blocks {
+    match family {
+        Family::Ecp5 => Blocks {
+            dsp: Some(([18, 18], 0)),
+            least_product: 0,
+            bram: &[(16_384, 1), (8192, 2), (4096, 4), (2048, 9), (1024, 18), (512, 36)],
+            worth: 128 * 16,
+        },
+        Family::Ice40 => Blocks {
+            dsp: Some(([16, 16], 0)),
+            least_product: 11,
+            bram: &[(2048, 2), (1024, 4), (512, 8), (256, 16)],
+            worth: 64 * 16,
+        },
+        Family::Gowin => Blocks {
+            dsp: Some(([18, 18], 0)),
+            least_product: 0,
+            bram: &[(16_384, 1), (8192, 2), (4096, 4), (2048, 9), (1024, 18), (512, 36)],
+            worth: 128 * 16,
+        },
+        Family::Xc7 => Blocks {
+            dsp: Some(([25, 18], 1)),
+            least_product: 9,
+            bram: &[(16_384, 1), (8192, 2), (4096, 4), (2048, 9), (1024, 18), (512, 36)],
+            worth: 129 * 16,
+        },
+    }
+}
+
+/// The DSP blocks of a multiplication.
+#[must_use]
+pub fn dsps(family: Family, multiplier: &Multiplier) -> u32 {
+    let Blocks { dsp: Some(([wide, narrow], headroom)), least_product, .. } = blocks(family) else { return 0 };
+    let own = if multiplier.signed { 0 } else { headroom };
+    let (a, b) = (multiplier.wide + own, multiplier.narrow + own);
+    if multiplier.narrow < 2 || multiplier.wide + multiplier.narrow < least_product {
+        return 0;
+    }
+    // What is left over by whole parts is a part of its own, unless it is too narrow for a block.
+    let parts = |bits: u32, most: u32| {
+        if bits <= most {
+            return 1;
+        }
+        let whole = (bits - 1 - headroom) / (most - headroom);
+        whole + u32::from(bits - whole * (most - headroom) >= 2)
+    };
+    parts(a, wide) * parts(b, narrow)
+}
+
+/// The block RAMs of a memory.
+#[must_use]
+pub fn brams(family: Family, memory: &Memory) -> u32 {
+    let Blocks { bram, worth, .. } = blocks(family);
+    let needed = bram.iter().map(|&(depth, word)| memory.depth.div_ceil(depth) * memory.word.div_ceil(word)).min();
+    let bits = memory.depth * memory.word;
+    needed.filter(|&needed| memory.registered && needed * worth < bits).unwrap_or(0)
+}
+
+/// What a core's cost is a sum of.
+struct Terms {
+    lut: Vec<f64>,
+    ff: Vec<f64>,
+    period: Vec<f64>,
+    dsp: u32,
+    bram: u32,
+}
+
+impl Terms {
+    fn of(family: Family, shape: &Shape) -> Self {
+        let (mut dsp, mut bram) = (0, 0);
+        // Products without a block; what hangs over where an operand is wider than a block; operands of products in one block and in
+        // several; the most blocks of a product; bits of memories in LUTs, words of block RAMs.
+        let [mut soft, mut over, mut whole, mut split, mut most, mut looked_up, mut words] = [0u32; 7];
+        let widest = blocks(family).dsp.map_or([u32::MAX; 2], |(widest, _)| widest);
+        for multiplier in &shape.multipliers {
+            let &Multiplier { wide, narrow, .. } = multiplier;
+            let parts = dsps(family, multiplier);
+            dsp += parts;
+            most = most.max(parts);
+            if parts == 0 {
+                soft += wide * narrow;
+                continue;
+            }
+            let beyond = [(wide, narrow, widest[0]), (narrow, wide, widest[1])];
+            over += beyond.iter().map(|&(own, other, widest)| if own > widest { other } else { 0 }).sum::<u32>();
+            *(if parts == 1 { &mut whole } else { &mut split }) += wide + narrow;
+        }
+        for memory in &shape.memories {
+            match brams(family, memory) {
+                0 => looked_up += memory.depth * memory.word,
+                blocks => {
+                    bram += blocks;
+                    words += memory.word;
+                }
+            }
+        }
+        let &Shape { adder_bits, mux_bits, shift_bits, register_bits, .. } = shape;
+        let real = |counts: &[u32]| counts.iter().copied().map(f64::from).collect();
+        Self {
+            lut: real(&[adder_bits, mux_bits, shift_bits, looked_up, soft, over]),
+            // Registers go into the blocks, and adders and selectors into the registers of others.
+            ff: real(&[1, register_bits, whole, split, words, adder_bits, mux_bits]),
+            // Block RAMs lie apart, the farther the more of them there are.
+            period: vec![
+                1.0,
+                f64::from(bram).sqrt(),
+                f64::from(most.saturating_sub(1)),
+                f64::from(u32::from(soft > 0)),
+            ],
+            dsp,
+            bram,
+        }
+    }
+}
+
+/// The sum of terms, each with its factor.
+fn sum(factors: &[f64], terms: &[f64]) -> f64 {
+    factors.iter().zip(terms).fold(0.0, |sum, (factor, term)| sum + factor * term)
+}
+
+/// The factors with the least squares of the relative error; with `positive` none is below 0.
+fn fit(rows: &[(&[f64], f64)], positive: bool) -> Vec<f64> {
+    let count = rows.first().map_or(0, |(terms, _)| terms.len());
+    let mut used: Vec<bool> = (0..count).map(|term| rows.iter().any(|(terms, _)| terms[term] != 0.0)).collect();
+    loop {
+        let chosen: Vec<usize> = (0..count).filter(|&term| used[term]).collect();
+        let factors = least_squares(rows, &chosen);
+        let least = factors.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
+        match least {
+            // Nothing is built by taking something away: the part is left out, the most negative first.
+            Some((place, &factor)) if positive && factor < 0.0 => used[chosen[place]] = false,
+            _ => {
+                let mut all = vec![0.0; count];
+                for (&term, factor) in chosen.iter().zip(factors) {
+                    all[term] = factor;
+                }
+                return all;
+            }
+        }
+    }
+}
+
+/// The factors of the chosen terms by the normal equations, solved by Cholesky's method.
+fn least_squares(rows: &[(&[f64], f64)], chosen: &[usize]) -> Vec<f64> {
+    let size = chosen.len();
+    let scale: Vec<f64> =
+        chosen.iter().map(|&term| rows.iter().fold(0.0, |most: f64, (terms, _)| most.max(terms[term].abs()))).collect();
+    let mut matrix = vec![vec![0.0; size]; size];
+    let mut right = vec![0.0; size];
+    for (terms, value) in rows {
+        let weight = 1.0 / value.max(1.0);
+        let row: Vec<f64> = chosen.iter().zip(&scale).map(|(&term, scale)| terms[term] / scale * weight).collect();
+        for i in 0..size {
+            for j in 0..size {
+                matrix[i][j] += row[i] * row[j];
+            }
+            right[i] += row[i] * value * weight;
+        }
+    }
+    // So little that it only decides between terms that always come together.
+    let trace: f64 = (0..size).map(|i| matrix[i][i]).sum();
+    for (i, row) in matrix.iter_mut().enumerate() {
+        row[i] += 1e-9 * trace;
+    }
+    let mut lower = vec![vec![0.0; size]; size];
+    for i in 0..size {
+        for j in 0..=i {
+            let rest: f64 = matrix[i][j] - (0..j).map(|k| lower[i][k] * lower[j][k]).sum::<f64>();
+            lower[i][j] = if i == j { rest.max(f64::MIN_POSITIVE).sqrt() } else { rest / lower[j][j] };
+        }
+    }
+    let mut middle = vec![0.0; size];
+    for i in 0..size {
+        middle[i] = (right[i] - (0..i).map(|k| lower[i][k] * middle[k]).sum::<f64>()) / lower[i][i];
+    }
+    let mut factors = vec![0.0; size];
+    for i in (0..size).rev() {
+        factors[i] = (middle[i] - (i + 1..size).map(|k| lower[k][i] * factors[k]).sum::<f64>()) / lower[i][i];
+    }
+    factors.iter().zip(&scale).map(|(factor, scale)| factor / scale).collect()
+}
+
+/// A measured point as the fit sees it.
+struct Sample<'a> {
+    point: &'a Point,
+    synthesis: &'a Synthesis,
+    terms: Terms,
+}
+
+impl Sample<'_> {
+    fn period(&self) -> Option<f64> {
+        self.synthesis.timing.as_ref().map(|timing| 1e3 / timing.median_mhz)
+    }
+}
+
+impl FamilyModel {
+    fn of(tools: Tools, samples: &[Sample]) -> Self {
+        let all: Vec<&Sample> = samples.iter().collect();
+        let mut model = Self::fitted(tools, &all);
+        model.accuracy = model.accuracy(&all);
+        model
+    }
+
+    /// A model fitted to points, without a word on its accuracy.
+    fn fitted(tools: Tools, samples: &[&Sample]) -> Self {
+        let lut: Vec<(&[f64], f64)> =
+            samples.iter().map(|s| (&s.terms.lut[..], f64::from(s.synthesis.resources.lut_total))).collect();
+        let ff: Vec<(&[f64], f64)> =
+            samples.iter().map(|s| (&s.terms.ff[..], f64::from(s.synthesis.resources.ff))).collect();
+        let period: Vec<(&[f64], f64)> =
+            samples.iter().filter_map(|s| Some((&s.terms.period[..], s.period()?))).collect();
+        Self {
+            tools,
+            points: samples.len(),
+            lut: fit(&lut, true),
+            // A register that goes into a block is taken away.
+            ff: fit(&ff, false),
+            period: (period.len() >= FEWEST).then(|| fit(&period, true)),
+            accuracy: Vec::new(),
+        }
+    }
+
+    fn estimate(&self, terms: &Terms) -> Estimate {
+        let count = |factors: &[f64], terms: &[f64]| sum(factors, terms).round().max(0.0) as u32;
+        Estimate {
+            tools: self.tools.clone(),
+            points: self.points as u32,
+            lut: count(&self.lut, &terms.lut),
+            ff: count(&self.ff, &terms.ff),
+            dsp: terms.dsp,
+            bram: terms.bram,
+            mhz: self.period.as_ref().map(|factors| 1e3 / sum(factors, &terms.period).max(1.0)),
+        }
+    }
+
+    fn accuracy(&self, samples: &[&Sample]) -> Vec<Accuracy> {
+        let mut off: [Vec<(f64, &str)>; 5] = Default::default();
+        for (place, sample) in samples.iter().enumerate() {
+            let others: Vec<&Sample> =
+                samples.iter().enumerate().filter(|(other, _)| *other != place).map(|(_, sample)| *sample).collect();
+            let estimate = Self::fitted(self.tools.clone(), &others).estimate(&sample.terms);
+            let measured = &sample.synthesis.resources;
+            let counts = [
+                (estimate.lut, measured.lut_total),
+                (estimate.ff, measured.ff),
+                (estimate.dsp, measured.dsp),
+                (estimate.bram, measured.bram),
+            ];
+            let name = sample.point.name.as_str();
+            for (off, (estimate, measured)) in off.iter_mut().zip(counts) {
+                off.push((f64::from(estimate.abs_diff(measured)) / f64::from(measured.max(1)), name));
+            }
+            if let (Some(mhz), Some(timing)) = (estimate.mhz, &sample.synthesis.timing) {
+                off[4].push(((mhz - timing.median_mhz).abs() / timing.median_mhz, name));
+            }
+        }
+        let summed_up = |(what, mut off): (&'static str, Vec<(f64, &str)>)| {
+            off.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let &(worst, at) = off.last()?;
+            Some(Accuracy { what, median: off[off.len() / 2].0, worst, at: at.to_owned(), points: off.len() })
+        };
+        ["LUT", "FF", "DSP", "BRAM", "MHz"].into_iter().zip(off).filter_map(summed_up).collect()
+    }
+}
+
+impl Model {
+    /// Fits a model for each family that has enough points with a synthesis.
+    ///
+    /// # Errors
+    /// Points of a family by several versions of Yosys, or no family with at least [`FEWEST`] points.
+    pub fn fit(results: &Results) -> Result<Self, Error> {
+        let mut by_family: BTreeMap<Family, Vec<Sample>> = BTreeMap::new();
+        for point in results.points().iter().filter(|point| point.failure.is_none()) {
+            if let Some(synthesis) = &point.synthesis {
+                let terms = Terms::of(point.family, &point.shape);
+                by_family.entry(point.family).or_default().push(Sample { point, synthesis, terms });
+            }
+        }
+        let mut models = BTreeMap::new();
+        for (family, samples) in by_family {
+            let versions: BTreeSet<&str> = samples.iter().map(|sample| sample.synthesis.tools.yosys.as_str()).collect();
+            if versions.len() > 1 {
+                return Err(Error::input(
+                    format!(
+                        "the measured points of {} are of {}",
+                        word(&family),
+                        versions.into_iter().collect::<Vec<_>>().join(" and of ")
+                    ),
+                    "a cost model follows one version: give --fit-from a results file of one",
+                ));
+            }
+            if samples.len() < FEWEST {
+                continue;
+            }
+            let placed = samples.iter().find(|sample| sample.synthesis.tools.nextpnr.is_some());
+            let tools = placed.unwrap_or(&samples[0]).synthesis.tools.clone();
+            models.insert(word(&family), FamilyModel::of(tools, &samples));
+        }
+        if models.is_empty() {
+            return Err(Error::input(
+                format!("no family has {FEWEST} measured points to fit a cost model to"),
+                "explore some without --estimate, and give them with --fit-from",
+            ));
+        }
+        Ok(Self(models))
+    }
+
+    /// The model of a family.
+    ///
+    /// # Errors
+    /// A family without one.
+    pub fn of(&self, family: Family) -> Result<&FamilyModel, Error> {
+        self.0.get(&word(&family)).ok_or_else(|| {
+            let known: Vec<&str> = self.0.keys().map(String::as_str).collect();
+            Error::input(
+                format!("there is no cost model for {}", word(&family)),
+                format!(
+                    "the measured points give one for {}: explore {FEWEST} points or more of the family, and give them with --fit-from",
+                    known.join(", ")
+                ),
+            )
+        })
+    }
+
+    /// The tools that the model of a family follows.
+    ///
+    /// # Errors
+    /// A family without a model.
+    pub fn tools(&self, family: Family) -> Result<&Tools, Error> {
+        self.of(family).map(|model| &model.tools)
+    }
+
+    /// The families that have a model, with it.
+    pub fn families(&self) -> impl Iterator<Item = (&str, &FamilyModel)> {
+        self.0.iter().map(|(family, model)| (family.as_str(), model))
+    }
+
+    /// What a core of this shape will cost.
+    ///
+    /// # Errors
+    /// A family without a model.
+    pub fn estimate(&self, family: Family, shape: &Shape) -> Result<Estimate, Error> {
+        Ok(self.of(family)?.estimate(&Terms::of(family, shape)))
+    }
+
+    /// 16 hexadecimal digits that stand for the model.
+    ///
+    /// # Panics
+    /// Never: a model has a JSON form.
+    #[must_use]
+    pub fn digest(&self) -> String {
+        let text = serde_json::to_string(self).expect("JSON of plain values");
+        hex(&Sha256::digest(text))[..16].to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::results::tests::point;
+    use super::*;
+
+    fn multiplier(text: &str) -> Multiplier {
+        text.parse().unwrap()
+    }
+
+    #[test]
+    fn multiplications_are_split_over_blocks_as_yosys_does() {
+        for (family, text, expected) in [
+            (Family::Ecp5, "18x18", 1),
+            (Family::Ecp5, "18x18s", 1),
+            (Family::Ecp5, "20x18", 2),
+            // The single bit that is left over takes no block.
+            (Family::Ecp5, "19x18", 1),
+            (Family::Ecp5, "20x20", 4),
+            (Family::Ecp5, "37x9", 2),
+            (Family::Ecp5, "17x1", 0),
+            (Family::Ice40, "16x16", 1),
+            (Family::Ice40, "6x4", 0),
+            (Family::Xc7, "25x18s", 1),
+            (Family::Xc7, "24x17", 1),
+            (Family::Xc7, "25x17", 2),
+        ] {
+            assert_eq!(dsps(family, &multiplier(text)), expected, "{family:?} {text}");
+        }
+    }
+
+    #[test]
+    fn memories_go_into_blocks_where_they_are_worth_it() {
+        let count = |text: &str| brams(Family::Ecp5, &text.parse().unwrap());
+        assert_eq!(
+            ["1024x18r", "1024x24r", "512x36r", "1024x18", "64x12r", "128x16r", "512x5r", "128x41r"].map(count),
+            [1, 2, 1, 0, 0, 0, 1, 2]
+        );
+    }
+
+    #[test]
+    fn a_fit_finds_the_factors_and_leaves_out_what_would_be_negative() {
+        let terms: Vec<[f64; 3]> = (0..20).map(|i| [1.0, f64::from(i * 7 % 11), f64::from(i * 5 % 13)]).collect();
+        let rows = |factors: [f64; 3]| -> Vec<f64> { terms.iter().map(|terms| sum(&factors, terms)).collect() };
+        let close = |a: &[f64], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-4);
+        let fitted = |values: &[f64], positive| {
+            let rows: Vec<(&[f64], f64)> =
+                terms.iter().zip(values).map(|(terms, &value)| (&terms[..], value)).collect();
+            fit(&rows, positive)
+        };
+        assert!(close(&fitted(&rows([20.0, 3.0, 2.0]), true), [20.0, 3.0, 2.0]));
+        assert!(close(&fitted(&rows([40.0, 3.0, -2.0]), false), [40.0, 3.0, -2.0]));
+        let positive = fitted(&rows([40.0, 3.0, -2.0]), true);
+        assert!(positive[2] == 0.0 && positive[1] > 0.0, "{positive:?}");
+    }
+
+    /// Points whose costs follow the model's own form, but for one that is off.
+    fn made(odd: f64) -> Results {
+        let made = |i: u32| {
+            let shape = Shape {
+                // None, one in one block, one in two.
+                multipliers: [vec![], vec!["18x17"], vec!["21x17"]][(i % 3) as usize]
+                    .iter()
+                    .map(|m| multiplier(m))
+                    .collect(),
+                memories: vec!["1024x18r".parse().unwrap()],
+                adder_bits: 10 + i * 7 % 40,
+                mux_bits: 5 + i * 11 % 30,
+                shift_bits: i * 3 % 17,
+                register_bits: 100 + i * 13 % 90,
+            };
+            let lut = 2 * shape.adder_bits + shape.mux_bits + shape.shift_bits + if i % 3 == 2 { 17 } else { 0 };
+            let off = if i == 7 { odd } else { 1.0 };
+            let costs = [(f64::from(lut) * off) as u32, i % 3, 1, 6];
+            let mut point = point(&format!("p{i:02}"), 0.1, costs, if i % 3 == 2 { 140.0 } else { 180.0 });
+            point.synthesis.as_mut().unwrap().resources.ff = shape.register_bits - 18;
+            Point { shape, estimate: None, ..point }
+        };
+        Results::new((0..24).map(made).collect())
+    }
+
+    #[test]
+    fn held_out_points_are_estimated_and_the_error_is_told() {
+        let model = Model::fit(&made(1.0)).unwrap();
+        for accuracy in &model.of(Family::Ecp5).unwrap().accuracy {
+            assert!(accuracy.worst < 0.01, "{accuracy:?}");
+        }
+        // A point that is off is told, and does not spoil the others.
+        let model = Model::fit(&made(1.5)).unwrap();
+        let lut = &model.of(Family::Ecp5).unwrap().accuracy[0];
+        assert_eq!((lut.what, lut.points), ("LUT", 24));
+        assert!(lut.at.ends_with("p07") && (0.25..0.4).contains(&lut.worst) && lut.median < 0.1, "{lut:?}");
+        let other = made(1.0).points()[3].clone();
+        let estimate = model.estimate(Family::Ecp5, &other.shape).unwrap();
+        assert_eq!((estimate.dsp, estimate.bram, estimate.points), (other.cost().unwrap().dsp, 1, 24));
+        assert!(
+            model.estimate(Family::Ice40, &other.shape).unwrap_err().to_string().contains("no cost model for ice40")
+        );
+    }
+
+    #[test]
+    fn too_few_points_and_two_versions_are_refused() {
+        let mut points = made(1.0).points().to_vec();
+        points.last_mut().unwrap().synthesis.as_mut().unwrap().tools.yosys = "Yosys 0.23".to_owned();
+        let error = Model::fit(&Results::new(points.clone())).unwrap_err().to_string();
+        assert!(error.contains("Yosys 0.23 and of Yosys 0.70"), "{error}");
+        points.truncate(FEWEST - 1);
+        assert!(Model::fit(&Results::new(points)).unwrap_err().to_string().contains("no family has 12"));
+    }
+}

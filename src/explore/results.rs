@@ -1,0 +1,463 @@
+//! The points of a run, written and read as CSV, JSON or SQLite.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Estimate, Point, Shape, Store};
+use crate::error::Error;
+use crate::spec::SpecFields;
+use crate::synth::{Family, Resources, Synthesis, Timing, Tools};
+
+/// The points that come with the program, as measured once; each row names the tools' versions.
+const BUILT_IN: &str = include_str!("../../docs/trade.csv");
+
+/// Points with their errors and costs.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Results(Vec<Point>);
+
+impl Results {
+    /// Results of these points, put into the order of [`Results::points`].
+    #[must_use]
+    pub fn new(mut points: Vec<Point>) -> Self {
+        let key = |point: &Point| {
+            let text = [&point.method, &point.coefficients, &point.variant, &point.shininess, &point.pipeline];
+            let text = text.map(String::clone);
+            (point.family, point.baseline, text, point.input_fraction, point.output_fraction, point.id.clone())
+        };
+        points.sort_by_cached_key(key);
+        Self(points)
+    }
+
+    /// The points, by family, the project's own methods before baselines, then by the columns that tell them apart, the id last: the
+    /// same points are always in the same order.
+    #[must_use]
+    pub fn points(&self) -> &[Point] {
+        &self.0
+    }
+
+    /// The points that come with the program.
+    ///
+    /// # Errors
+    /// None: a test reads them.
+    pub fn built_in() -> Result<Self, Error> {
+        Self::from_csv(BUILT_IN, "docs/trade.csv")
+    }
+
+    /// Reads a file: SQLite where its name ends in `.db`, JSON in `.json`, CSV in `.csv`.
+    ///
+    /// # Errors
+    /// Another ending, or a file that cannot be read or is no such results.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let text = || std::fs::read_to_string(path).map_err(|error| Error::io("cannot read", path, error));
+        let name = path.display().to_string();
+        match path.extension().and_then(|ending| ending.to_str()) {
+            Some("db") => Store::open_to_read(path)?.results(),
+            Some("json") => Self::from_json(&text()?, &name),
+            Some("csv") => Self::from_csv(&text()?, &name),
+            _ => Err(Error::input(format!("{name}: unknown kind of results"), "results end in .db, .json or .csv")),
+        }
+    }
+
+    /// The points as JSON: an array, as serde writes [`Point`].
+    ///
+    /// # Panics
+    /// Never: every point has a JSON form.
+    #[must_use]
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(&self.0).expect("JSON of plain values") + "\n"
+    }
+
+    /// Reads what [`Results::to_json`] writes; `file` names it in messages.
+    ///
+    /// # Errors
+    /// Text that is no such array, with the place.
+    pub fn from_json(text: &str, file: &str) -> Result<Self, Error> {
+        let points: Vec<Point> = serde_json::from_str(text).map_err(|error| {
+            let before: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
+            let at = (before + error.column().saturating_sub(1)).min(text.len());
+            Error::text(error.to_string(), "results of `brdfgen explore` as JSON", file, text, (at, 0))
+        })?;
+        Ok(Self::new(points))
+    }
+
+    /// The points as CSV, a line each: the columns of [`Point`], then those of its cost. Lists are written with spaces, the spec as a
+    /// TOML inline table; what is missing is empty. The slowest paths of a placement are left out.
+    ///
+    /// # Panics
+    /// Never: every point has a CSV form.
+    #[must_use]
+    pub fn to_csv(&self) -> String {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        for point in &self.0 {
+            writer.serialize(Row::of(point)).expect("a row of plain values");
+        }
+        String::from_utf8(writer.into_inner().expect("a buffer takes all")).expect("CSV of text is text")
+    }
+
+    /// Reads what [`Results::to_csv`] writes; `file` names it in messages. Columns may be in any order, and there may be more.
+    ///
+    /// # Errors
+    /// Text that is no such table, with the line.
+    pub fn from_csv(text: &str, file: &str) -> Result<Self, Error> {
+        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let wrong = |what: String, line: u64| {
+            let before = text.split_inclusive('\n').take(line.saturating_sub(1) as usize).map(str::len).sum();
+            let length = text.lines().nth(line.saturating_sub(1) as usize).map_or(0, str::len);
+            Error::text(what, "results of `brdfgen explore` as CSV", file, text, (before, length))
+        };
+        let mut points = Vec::new();
+        for (number, row) in reader.deserialize::<Row>().enumerate() {
+            let row = row.map_err(|error| {
+                let line = error.position().map_or(number as u64 + 2, csv::Position::line);
+                wrong(error.to_string(), line)
+            })?;
+            points.push(row.point().map_err(|what| wrong(what, number as u64 + 2))?);
+        }
+        Ok(Self::new(points))
+    }
+}
+
+/// A point as a line of the table.
+#[derive(Debug, Serialize, Deserialize)]
+struct Row {
+    id: String,
+    name: String,
+    family: Family,
+    method: String,
+    coefficients: String,
+    variant: String,
+    baseline: bool,
+    shininess: String,
+    rows: u32,
+    input_fraction: u32,
+    output_fraction: u32,
+    pipeline: String,
+    max_abs: f64,
+    max_rel: f64,
+    rms: f64,
+    worst_n: f64,
+    worst_x: f64,
+    checked: String,
+    bound: f64,
+    rom_bits: u64,
+    latency: u32,
+    multipliers: String,
+    memories: String,
+    adder_bits: u32,
+    mux_bits: u32,
+    shift_bits: u32,
+    register_bits: u32,
+    lut_total: Option<u32>,
+    lut: Option<u32>,
+    carry: Option<u32>,
+    ff: Option<u32>,
+    dsp: Option<u32>,
+    bram: Option<u32>,
+    min_mhz: Option<f64>,
+    median_mhz: Option<f64>,
+    max_mhz: Option<f64>,
+    mhz_by_seed: String,
+    target_mhz: Option<f64>,
+    latency_ns: Option<f64>,
+    results_per_second: Option<f64>,
+    device: String,
+    yosys: String,
+    nextpnr: String,
+    cells: String,
+    estimated_lut: Option<u32>,
+    estimated_ff: Option<u32>,
+    estimated_dsp: Option<u32>,
+    estimated_bram: Option<u32>,
+    estimated_mhz: Option<f64>,
+    estimated_from: Option<u32>,
+    estimated_yosys: String,
+    estimated_nextpnr: String,
+    failure: String,
+    spec: String,
+}
+
+/// Words with spaces between.
+fn words(items: impl Iterator<Item = String>) -> String {
+    items.collect::<Vec<_>>().join(" ")
+}
+
+/// What words with spaces between say.
+fn parsed<T: std::str::FromStr<Err = String>>(text: &str) -> Result<Vec<T>, String> {
+    text.split_ascii_whitespace().map(str::parse).collect()
+}
+
+impl Row {
+    fn of(point: &Point) -> Self {
+        let synthesis = point.synthesis.as_ref();
+        let resources = synthesis.map(|synthesis| &synthesis.resources);
+        let timing = synthesis.and_then(|synthesis| synthesis.timing.as_ref());
+        let estimate = point.estimate.as_ref();
+        let count = |of: fn(&Resources) -> u32| resources.map(of);
+        let mhz = |of: fn(&Timing) -> f64| timing.map(of);
+        let guess = |of: fn(&Estimate) -> u32| estimate.map(of);
+        let tool = |tools: Option<&Tools>| -> [String; 2] {
+            tools.map(|t| [t.yosys.clone(), t.nextpnr.clone().unwrap_or_default()]).unwrap_or_default()
+        };
+        let [yosys, nextpnr] = tool(synthesis.map(|synthesis| &synthesis.tools));
+        let [estimated_yosys, estimated_nextpnr] = tool(estimate.map(|estimate| &estimate.tools));
+        let point = point.clone();
+        Self {
+            id: point.id,
+            name: point.name,
+            family: point.family,
+            method: point.method,
+            coefficients: point.coefficients,
+            variant: point.variant,
+            baseline: point.baseline,
+            shininess: point.shininess,
+            rows: point.rows,
+            input_fraction: point.input_fraction,
+            output_fraction: point.output_fraction,
+            pipeline: point.pipeline,
+            max_abs: point.max_abs,
+            max_rel: point.max_rel,
+            rms: point.rms,
+            worst_n: point.worst_n,
+            worst_x: point.worst_x,
+            checked: point.checked,
+            bound: point.bound,
+            rom_bits: point.rom_bits,
+            latency: point.latency,
+            multipliers: words(point.shape.multipliers.iter().map(ToString::to_string)),
+            memories: words(point.shape.memories.iter().map(ToString::to_string)),
+            adder_bits: point.shape.adder_bits,
+            mux_bits: point.shape.mux_bits,
+            shift_bits: point.shape.shift_bits,
+            register_bits: point.shape.register_bits,
+            lut_total: count(|resources| resources.lut_total),
+            lut: count(|resources| resources.lut),
+            carry: count(|resources| resources.carry),
+            ff: count(|resources| resources.ff),
+            dsp: count(|resources| resources.dsp),
+            bram: count(|resources| resources.bram),
+            min_mhz: mhz(|timing| timing.min_mhz),
+            median_mhz: mhz(|timing| timing.median_mhz),
+            max_mhz: mhz(|timing| timing.max_mhz),
+            mhz_by_seed: words(timing.iter().flat_map(|timing| &timing.mhz).map(f64::to_string)),
+            target_mhz: mhz(|timing| timing.target_mhz),
+            latency_ns: synthesis.and_then(|synthesis| synthesis.latency_ns),
+            results_per_second: synthesis.and_then(|synthesis| synthesis.results_per_second),
+            device: synthesis.map(|synthesis| synthesis.device.clone()).unwrap_or_default(),
+            yosys,
+            nextpnr,
+            cells: words(resources.iter().flat_map(|r| &r.cells).map(|(cell, count)| format!("{cell}={count}"))),
+            estimated_lut: guess(|estimate| estimate.lut),
+            estimated_ff: guess(|estimate| estimate.ff),
+            estimated_dsp: guess(|estimate| estimate.dsp),
+            estimated_bram: guess(|estimate| estimate.bram),
+            estimated_mhz: estimate.and_then(|estimate| estimate.mhz),
+            estimated_from: guess(|estimate| estimate.points),
+            estimated_yosys,
+            estimated_nextpnr,
+            failure: point.failure.unwrap_or_default(),
+            spec: inline(&point.spec),
+        }
+    }
+
+    fn point(self) -> Result<Point, String> {
+        let filled = |text: &str| (!text.is_empty()).then(|| text.to_owned());
+        let tools = |yosys: &str, nextpnr: &str| Tools { yosys: yosys.to_owned(), nextpnr: filled(nextpnr) };
+        let timing = match (self.target_mhz, self.min_mhz, self.median_mhz, self.max_mhz) {
+            (Some(target_mhz), Some(min_mhz), Some(median_mhz), Some(max_mhz)) => {
+                let mhz: Result<Vec<f64>, _> = self.mhz_by_seed.split_ascii_whitespace().map(str::parse).collect();
+                let mhz = mhz.map_err(|_| format!("mhz_by_seed is {:?}, not numbers", self.mhz_by_seed))?;
+                Some(Timing { target_mhz, mhz, min_mhz, median_mhz, max_mhz, limits: Vec::new() })
+            }
+            _ => None,
+        };
+        let synthesis = match (self.lut_total, self.lut, self.carry, self.ff, self.dsp, self.bram) {
+            (Some(lut_total), Some(lut), Some(carry), Some(ff), Some(dsp), Some(bram)) => {
+                let cell = |word: &str| {
+                    let (name, count) = word.split_once('=')?;
+                    Some((name.to_owned(), count.parse().ok()?))
+                };
+                let cells: Option<BTreeMap<String, u32>> = self.cells.split_ascii_whitespace().map(cell).collect();
+                let cells = cells.ok_or_else(|| format!("cells is {:?}, not CELL=COUNT", self.cells))?;
+                Some(Synthesis {
+                    family: self.family,
+                    device: self.device,
+                    tools: tools(&self.yosys, &self.nextpnr),
+                    resources: Resources { lut, carry, lut_total, ff, dsp, bram, cells },
+                    timing,
+                    latency_clocks: self.latency,
+                    latency_ns: self.latency_ns,
+                    results_per_second: self.results_per_second,
+                })
+            }
+            _ => None,
+        };
+        let estimated = (self.estimated_lut, self.estimated_ff, self.estimated_dsp, self.estimated_bram);
+        let estimate = match estimated {
+            (Some(lut), Some(ff), Some(dsp), Some(bram)) => Some(Estimate {
+                tools: tools(&self.estimated_yosys, &self.estimated_nextpnr),
+                points: self.estimated_from.unwrap_or_default(),
+                lut,
+                ff,
+                dsp,
+                bram,
+                mhz: self.estimated_mhz,
+            }),
+            _ => None,
+        };
+        Ok(Point {
+            id: self.id,
+            name: self.name,
+            family: self.family,
+            method: self.method,
+            coefficients: self.coefficients,
+            variant: self.variant,
+            baseline: self.baseline,
+            shininess: self.shininess,
+            rows: self.rows,
+            input_fraction: self.input_fraction,
+            output_fraction: self.output_fraction,
+            pipeline: self.pipeline,
+            max_abs: self.max_abs,
+            max_rel: self.max_rel,
+            rms: self.rms,
+            worst_n: self.worst_n,
+            worst_x: self.worst_x,
+            checked: self.checked,
+            bound: self.bound,
+            rom_bits: self.rom_bits,
+            latency: self.latency,
+            shape: Shape {
+                multipliers: parsed(&self.multipliers)?,
+                memories: parsed(&self.memories)?,
+                adder_bits: self.adder_bits,
+                mux_bits: self.mux_bits,
+                shift_bits: self.shift_bits,
+                register_bits: self.register_bits,
+            },
+            synthesis,
+            estimate,
+            failure: filled(&self.failure),
+            spec: outlined(&self.spec)?,
+        })
+    }
+}
+
+/// A spec on one line: as a TOML inline table.
+fn inline(spec: &str) -> String {
+    let table: toml::Table = spec.parse().expect("a point holds the TOML of its spec");
+    toml::Value::Table(table).to_string()
+}
+
+/// The spec of an inline table, as a file has it.
+fn outlined(line: &str) -> Result<String, String> {
+    #[derive(Deserialize)]
+    struct Line {
+        spec: SpecFields,
+    }
+    let line: Line = toml::from_str(&format!("spec = {line}")).map_err(|error| error.message().to_owned())?;
+    Ok(line.spec.to_toml())
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    /// A point with the given spec, error and costs.
+    pub(in crate::explore) fn point(id: &str, max_abs: f64, [lut, dsp, bram, latency]: [u32; 4], mhz: f64) -> Point {
+        let spec = SpecFields::parse("method = 'power-4'\n[[material]]\nname = 'a, \"b\"'\nshininess = 5.5", "spec")
+            .and_then(SpecFields::resolve)
+            .unwrap();
+        let tools = Tools { yosys: "Yosys 0.70, one".to_owned(), nextpnr: Some("nextpnr-ecp5 0.11".to_owned()) };
+        let cells = BTreeMap::from([("LUT4".to_owned(), lut), ("TRELLIS_FF".to_owned(), 90)]);
+        Point {
+            id: id.to_owned(),
+            name: format!("power-4 {id}"),
+            family: Family::Ecp5,
+            method: "power-4".to_owned(),
+            coefficients: "minimax".to_owned(),
+            variant: "inside=linear".to_owned(),
+            baseline: false,
+            shininess: "1 material".to_owned(),
+            rows: 1,
+            input_fraction: 16,
+            output_fraction: 16,
+            pipeline: "auto".to_owned(),
+            max_abs,
+            max_rel: 0.1 + 0.2,
+            rms: max_abs / 3.0,
+            worst_n: 5.5,
+            worst_x: 0.987_654_321,
+            checked: "exhaustive".to_owned(),
+            bound: 1.4e-5,
+            rom_bits: 100,
+            latency,
+            shape: Shape {
+                multipliers: vec!["18x17".parse().unwrap(), "19x12s".parse().unwrap()],
+                memories: vec!["1024x24r".parse().unwrap(), "16x9".parse().unwrap()],
+                adder_bits: 40,
+                mux_bits: 30,
+                shift_bits: 20,
+                register_bits: 200,
+            },
+            synthesis: Some(Synthesis {
+                family: Family::Ecp5,
+                device: "LFE5U-85F".to_owned(),
+                tools: tools.clone(),
+                resources: Resources { lut, carry: 0, lut_total: lut, ff: 90, dsp, bram, cells },
+                timing: Some(Timing {
+                    target_mhz: 150.0,
+                    mhz: vec![mhz - 1.0, mhz, mhz + 1.1],
+                    min_mhz: mhz - 1.0,
+                    median_mhz: mhz,
+                    max_mhz: mhz + 1.1,
+                    limits: Vec::new(),
+                }),
+                latency_clocks: latency,
+                latency_ns: Some(1000.0 * f64::from(latency) / mhz),
+                results_per_second: Some(mhz * 1e6),
+            }),
+            estimate: Some(Estimate { tools, points: 9, lut: lut + 1, ff: 91, dsp, bram, mhz: None }),
+            failure: None,
+            spec: spec.to_toml(),
+        }
+    }
+
+    #[test]
+    fn points_survive_csv_and_json() {
+        let bare = Point {
+            synthesis: None,
+            estimate: None,
+            failure: Some("no, \"none\"\nat all".to_owned()),
+            ..point("b", 0.0, [1, 0, 0, 3], 100.0)
+        };
+        let results = Results::new(vec![bare, point("a", 0.1, [100, 2, 0, 7], 151.3)]);
+        assert_eq!(results.points()[0].id, "a");
+        let csv = results.to_csv();
+        assert_eq!(csv.lines().count(), 4, "a line a point but for the failure's own line break\n{csv}");
+        assert_eq!(Results::from_csv(&csv, "a.csv").unwrap(), results);
+        assert_eq!(Results::from_json(&results.to_json(), "a.json").unwrap(), results);
+    }
+
+    #[test]
+    fn wrong_files_are_named_with_the_line() {
+        let csv = Results::new(vec![point("a", 0.1, [100, 2, 0, 7], 151.3)]).to_csv();
+        for (text, expected) in [
+            (csv.replacen("ecp5", "ecp9", 1), "ecp9"),
+            (csv.replacen("TRELLIS_FF=90", "TRELLIS_FF", 1), "not CELL=COUNT"),
+            (csv.replacen("name", "nom", 1), "missing field"),
+            (csv.replacen("power-4\"", "power-5\"", 1), "power-5"),
+        ] {
+            let error = Results::from_csv(&text, "a.csv").expect_err(expected);
+            assert!(error.to_string().contains(expected), "{error}, expected: {expected}");
+        }
+        assert!(Results::from_json("[{}]", "a.json").is_err());
+        assert!(Results::read(Path::new("results.xml")).unwrap_err().to_string().contains("unknown kind"));
+    }
+
+    #[test]
+    fn the_built_in_points_are_read() {
+        assert!(Results::built_in().is_ok());
+    }
+}

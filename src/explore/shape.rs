@@ -1,0 +1,162 @@
+//! What a core is made of, before synthesis: the sizes of its operations, as its graph gives them.
+
+use std::fmt;
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use crate::datapath::graph::Op;
+use crate::design::Design;
+
+/// The sizes of a core's operations.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Shape {
+    /// The multiplications.
+    pub multipliers: Vec<Multiplier>,
+    /// The memories that are read.
+    pub memories: Vec<Memory>,
+    /// The bits of all sums, differences and comparisons.
+    pub adder_bits: u32,
+    /// The bits of all results that are chosen: selected, zeroed, clamped (twice: at either end), tested for zero.
+    pub mux_bits: u32,
+    /// The bits of all results that are shifted by a variable, each times the bits of its shift.
+    pub shift_bits: u32,
+    /// The bits of all registers.
+    pub register_bits: u32,
+}
+
+/// A multiplication, written `17x18`, or `17x18s` of signed numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Multiplier {
+    /// The width of the wider operand.
+    pub wide: u32,
+    /// The width of the other.
+    pub narrow: u32,
+    /// Whether both are signed; else neither is.
+    pub signed: bool,
+}
+
+/// A memory, written `1024x24`, or `1024x24r` where there is a register behind it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Memory {
+    /// The number of words.
+    pub depth: u32,
+    /// The bits of a word.
+    pub word: u32,
+    /// Whether its output goes into a register, as that of a block RAM must.
+    pub registered: bool,
+}
+
+impl Shape {
+    /// The shape of a core.
+    #[must_use]
+    pub fn of(design: &Design) -> Self {
+        let graph = design.graph();
+        let layout = design.layout();
+        let mut shape = Self { register_bits: design.register_bits(), ..Self::default() };
+        for node in &graph.nodes {
+            let width = node.format.width();
+            let arg = |index: usize| graph.nodes[node.args[index]].format;
+            let constant = |index: usize| matches!(graph.nodes[node.args[index]].op, Op::Constant(_));
+            match node.op {
+                Op::Add | Op::Sub => shape.adder_bits += width,
+                Op::Greater => shape.adder_bits += arg(0).width().max(arg(1).width()),
+                Op::Clamp { .. } => shape.mux_bits += 2 * width,
+                Op::ZeroIf | Op::Select => shape.mux_bits += width,
+                Op::NonZero => shape.mux_bits += arg(0).width(),
+                Op::ShiftLeft | Op::ShiftRight if !constant(1) => shape.shift_bits += width * arg(1).width(),
+                Op::Mul => {
+                    let (a, b) = (arg(0).width(), arg(1).width());
+                    shape.multipliers.push(Multiplier { wide: a.max(b), narrow: a.min(b), signed: arg(0).signed });
+                }
+                _ => {}
+            }
+        }
+        for (memory, table) in design.tables().iter().enumerate() {
+            if let Some(read) = layout.read(memory) {
+                let (depth, word, registered) = (table.depth() as u32, table.word_bits(), read.registered);
+                shape.memories.push(Memory { depth, word, registered });
+            }
+        }
+        shape
+    }
+}
+
+impl fmt::Display for Multiplier {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}{}", self.wide, self.narrow, if self.signed { "s" } else { "" })
+    }
+}
+
+impl fmt::Display for Memory {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}{}", self.depth, self.word, if self.registered { "r" } else { "" })
+    }
+}
+
+/// Two numbers with an `x` between, and whether the mark is behind them.
+fn sizes(text: &str, mark: char) -> Result<(u32, u32, bool), String> {
+    let bare = text.strip_suffix(mark);
+    let parts = bare.unwrap_or(text).split_once('x').and_then(|(a, b)| Some((a.parse().ok()?, b.parse().ok()?)));
+    let (a, b) = parts.ok_or_else(|| format!("`{text}` is no size, such as 18x17"))?;
+    Ok((a, b, bare.is_some()))
+}
+
+impl FromStr for Multiplier {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (a, b, signed) = sizes(text, 's')?;
+        Ok(Self { wide: a.max(b), narrow: a.min(b), signed })
+    }
+}
+
+impl FromStr for Memory {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (depth, word, registered) = sizes(text, 'r')?;
+        Ok(Self { depth, word, registered })
+    }
+}
+
+/// Written and read as text.
+macro_rules! as_text {
+    ($kind:ty) => {
+        impl Serialize for $kind {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                serializer.collect_str(self)
+            }
+        }
+        impl<'de> Deserialize<'de> for $kind {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                String::deserialize(deserializer)?.parse().map_err(serde::de::Error::custom)
+            }
+        }
+    };
+}
+as_text!(Multiplier);
+as_text!(Memory);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::spec::SpecFields;
+
+    #[test]
+    fn the_shape_of_a_core_is_that_of_its_graph() {
+        let text = "method = 'quadratic'\nshininess = '1..=1000'";
+        let design = Design::new(SpecFields::parse(text, "spec").unwrap().resolve().unwrap()).unwrap();
+        let shape = Shape::of(&design);
+        let widths: Vec<(u32, u32)> = shape.multipliers.iter().map(|m| (m.wide, m.narrow)).collect();
+        let expected: Vec<(u32, u32)> =
+            design.graph().multipliers().into_iter().map(|(a, b)| (a.max(b), a.min(b))).collect();
+        assert_eq!(widths, expected);
+        let table = &design.tables()[0];
+        let memory = Memory { depth: 1024, word: table.word_bits(), registered: true };
+        assert_eq!(shape.memories, [memory]);
+        assert_eq!(memory.to_string().parse(), Ok(memory));
+        assert_eq!(shape.register_bits, design.register_bits());
+        assert!(shape.adder_bits > 0 && "12x".parse::<Memory>().is_err() && "12x3r".parse::<Multiplier>().is_err());
+    }
+}

@@ -1,0 +1,210 @@
+//! What cores compute: error against the shininess, error against the angle, and the lobes themselves.
+
+use rayon::prelude::*;
+
+use super::chart::{Axis, BLACK, Chart, Curve, Style};
+use super::trade::{Group, Palette, powers_about};
+use crate::design::Design;
+use crate::error::Error;
+use crate::explore::Point;
+use crate::lobe::{degrees, exact, versine};
+use crate::number::exp2;
+use crate::spec::SpecFields;
+
+/// The shininesses that charts against the angle look for in the set.
+const WANTED: [f64; 3] = [10.0, 100.0, 1000.0];
+/// The level of the power at which those charts end.
+const LOWEST: f64 = 1e-3;
+/// Angles of a chart: one for about every second column of the picture.
+const ANGLES: u32 = 400;
+/// The most inputs of one core.
+const MOST_INPUTS: u64 = 1 << 26;
+
+/// A core that stands for its method, and what was measured of it.
+#[derive(Debug)]
+pub struct Measured<'a> {
+    /// The core's point.
+    pub point: &'a Point,
+    /// The core.
+    design: Design,
+    /// Each shininess, rising, and the largest error over the cosines.
+    by_shininess: Vec<(f64, f64)>,
+}
+
+/// A core's result at an angle.
+#[derive(Clone, Copy, Debug)]
+struct Seen {
+    /// In degrees.
+    angle: f64,
+    /// The power there.
+    power: f64,
+    /// What the core computes.
+    value: f64,
+}
+
+/// The cores that stand for the methods of a group: of each method the one with the least error; and the chosen one, if it is in the
+/// group.
+#[must_use]
+pub fn representatives<'a>(group: &Group<'a>, palette: &Palette, chosen: Option<&Point>) -> Vec<&'a Point> {
+    let mut best: Vec<&Point> = Vec::new();
+    for &point in &group.points {
+        match best.iter_mut().find(|known| known.method == point.method) {
+            Some(known) if point.max_abs < known.max_abs => *known = point,
+            Some(_) => {}
+            None => best.push(point),
+        }
+    }
+    best.sort_by_key(|point| palette.place(&point.method));
+    let others = group.points.iter().copied().filter(|point| chosen.is_some_and(|chosen| chosen.id == point.id));
+    let others: Vec<&Point> = others.filter(|point| best.iter().all(|known| known.id != point.id)).collect();
+    best.extend(others);
+    best
+}
+
+/// Builds the cores and measures them at every shininess; `done` is called after each shininess of each core.
+///
+/// Every code of the cosine in [0, 1] is taken, or every 2nd, 3rd, ... where that would be more than 2^26 inputs of a core.
+///
+/// # Errors
+/// A point whose spec is none, or of which no core can be built.
+pub fn measure<'a>(points: &[&'a Point], done: &(dyn Fn() + Sync)) -> Result<Vec<Measured<'a>>, Error> {
+    let build = |&point: &&'a Point| -> Result<Measured<'a>, Error> {
+        let design = Design::new(SpecFields::parse(&point.spec, &point.name)?.resolve()?)?;
+        let mut by_shininess = by_shininess(&design, done);
+        by_shininess.sort_by(|a, b| a.0.total_cmp(&b.0));
+        Ok(Measured { point, design, by_shininess })
+    };
+    points.par_iter().map(build).collect()
+}
+
+/// Each shininess and the largest error of the bit-exact arithmetic against the power.
+fn by_shininess(design: &Design, done: &(dyn Fn() + Sync)) -> Vec<(f64, f64)> {
+    let rows = design.spec.shininess.rows();
+    let codes = (1u64 << design.spec.input_fraction) + 1;
+    let step = (codes * rows as u64).div_ceil(MOST_INPUTS) as usize;
+    let operands: Vec<i64> = (0..codes as i64).step_by(step).collect();
+    let logs: Vec<f64> =
+        operands.iter().map(|&code| libm::log1p(-design.versine(design.operand_of_versine(code)))).collect();
+    let scale = exp2(-(design.spec.output_fraction as i32));
+    let evaluator = design.evaluator();
+    let row = |row: usize| {
+        let n = design.spec.shininess.value(row);
+        // Versine codes upwards are operand codes from this one on, up or down.
+        let first = design.operand_of_versine(0);
+        let stride = (design.operand_of_versine(1) - first) * step as i64;
+        let mut outputs = vec![0u32; operands.len()];
+        evaluator.evaluate(design.spec.shininess.index_of_row(row), first, stride, &mut outputs);
+        let error = |(&output, log): (&u32, &f64)| {
+            // Below e^-40 the power is nothing beside an ulp.
+            let power = if n * log < -40.0 { 0.0 } else { libm::exp(n * log) };
+            (f64::from(output) * scale - power).abs()
+        };
+        let largest = outputs.iter().zip(&logs).map(error).fold(0.0, f64::max);
+        done();
+        (n, largest)
+    };
+    (0..rows).into_par_iter().map(row).collect()
+}
+
+impl Measured<'_> {
+    /// The place in the set of the shininess nearest to a wanted one.
+    fn nearest(&self, wanted: f64) -> usize {
+        let set = &self.design.spec.shininess;
+        let distance = |&row: &usize| libm::fabs(libm::log(set.value(row) / wanted));
+        (0..set.rows()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
+    }
+
+    /// The results from the angle 0 to the widest, at angles of codes of the operand.
+    fn against_angle(&self, row: usize, widest: f64) -> Vec<Seen> {
+        let design = &self.design;
+        let (n, index) = (design.spec.shininess.value(row), design.spec.shininess.index_of_row(row));
+        let one = exp2(design.spec.input_fraction as i32);
+        let wanted = |step| versine(widest * f64::from(step) / f64::from(ANGLES));
+        let mut codes: Vec<i64> = (0..=ANGLES).map(|step| libm::round(wanted(step) * one) as i64).collect();
+        codes.dedup();
+        let scale = exp2(-(design.spec.output_fraction as i32));
+        let model = design.model();
+        let value = |code: i64| {
+            let operand = design.operand_of_versine(code);
+            let u = design.versine(operand);
+            let value = f64::from(model.evaluate(index, operand)) * scale;
+            Seen { angle: degrees(u), power: exact(n, u), value }
+        };
+        codes.into_iter().map(value).collect()
+    }
+
+    fn curve(&self, palette: &Palette, chosen: Option<&Point>, points: Vec<(f64, f64)>) -> Curve {
+        match chosen.filter(|chosen| chosen.id == self.point.id) {
+            Some(_) => {
+                Curve { label: format!("chosen: {}", self.point.name), colour: BLACK, style: Style::Dashed, points }
+            }
+            None => palette.curve(&self.point.method, points),
+        }
+    }
+}
+
+/// The charts of measured cores by name: error against the shininess, and for three shininesses error against the angle and the lobes.
+#[must_use]
+pub fn charts(cores: &[Measured], palette: &Palette, chosen: Option<&Point>) -> Vec<(String, Chart)> {
+    let Some(first) = cores.first() else { return Vec::new() };
+    let mut charts = Vec::new();
+    let (least, most) = (first.by_shininess[0].0, first.by_shininess[first.by_shininess.len() - 1].0);
+    if least < most {
+        let errors = cores.iter().flat_map(|core| &core.by_shininess).map(|&(_, error)| error);
+        let y = powers_about(errors.map(|error| error.max(exp2(-20))));
+        let curve = |core: &Measured| {
+            let points = core.by_shininess.iter().map(|&(n, error)| (n, error.max(y.start))).collect();
+            core.curve(palette, chosen, points)
+        };
+        let x = if most >= 10.0 * least { Axis::log } else { Axis::linear };
+        charts.push((
+            "error_against_n".to_owned(),
+            Chart {
+                title: "Largest error of each method's most exact core".to_owned(),
+                x: x("shininess n".to_owned(), least..most),
+                curves: cores.iter().map(curve).collect(),
+                y: Axis::powers("largest error against x^n", y),
+                spots: Vec::new(),
+            },
+        ));
+    }
+    let mut rows: Vec<usize> = WANTED.iter().map(|&wanted| first.nearest(wanted)).collect();
+    rows.dedup();
+    for row in rows {
+        let n = first.design.spec.shininess.value(row);
+        let widest = degrees(-libm::expm1(libm::log(LOWEST) / n));
+        let seen: Vec<Vec<Seen>> = cores.par_iter().map(|core| core.against_angle(core.nearest(n), widest)).collect();
+        let lowest = exp2(-18);
+        let error = |seen: &Seen| (seen.value - seen.power).abs().max(lowest);
+        let most = seen.iter().flatten().map(error).fold(lowest, f64::max);
+        let each = |of: &dyn Fn(&Seen) -> f64| -> Vec<Curve> {
+            let points = |seen: &[Seen]| seen.iter().map(|seen| (seen.angle, of(seen))).collect();
+            cores.iter().zip(&seen).map(|(core, seen)| core.curve(palette, chosen, points(seen))).collect()
+        };
+        let angle = || Axis::linear("angle between N and H, degrees", 0.0..widest);
+        charts.push((
+            format!("error_against_angle_n{n}"),
+            Chart {
+                title: format!("Error against the angle, n = {n}"),
+                x: angle(),
+                y: Axis::powers("error against x^n", lowest..powers_about([most].into_iter()).end),
+                curves: each(&error),
+                spots: Vec::new(),
+            },
+        ));
+        let power = seen[0].iter().map(|seen| (seen.angle, seen.power)).collect();
+        let mut curves = vec![Curve { label: format!("x^{n}"), colour: BLACK, style: Style::Solid, points: power }];
+        curves.extend(each(&|seen| seen.value));
+        charts.push((
+            format!("lobes_n{n}"),
+            Chart {
+                title: format!("The lobes, n = {n}"),
+                x: angle(),
+                y: Axis::linear("lobe", 0.0..1.05),
+                curves,
+                spots: Vec::new(),
+            },
+        ));
+    }
+    charts
+}

@@ -1,0 +1,67 @@
+//! SVG text as a PNG picture, on machines without fonts too.
+
+use std::sync::{Arc, OnceLock};
+
+use resvg::{tiny_skia, usvg};
+
+/// Pixels of the picture for each of the SVG's.
+const SCALE: f32 = 2.0;
+
+/// The one font that pictures are drawn with, DejaVu Sans, from the program itself: the same picture on every machine.
+fn fonts() -> Arc<usvg::fontdb::Database> {
+    static FONTS: OnceLock<Arc<usvg::fontdb::Database>> = OnceLock::new();
+    let load = || {
+        let mut fonts = usvg::fontdb::Database::new();
+        fonts.load_font_data(dejavu::sans::regular().to_vec());
+        fonts.set_sans_serif_family("DejaVu Sans");
+        Arc::new(fonts)
+    };
+    Arc::clone(FONTS.get_or_init(load))
+}
+
+/// A chart's SVG text as a PNG file of twice its size in pixels.
+///
+/// # Panics
+/// On text that is no SVG with a size; [`super::Chart::svg`] always is.
+#[must_use]
+pub fn png(svg: &str) -> Vec<u8> {
+    let options = usvg::Options { fontdb: fonts(), font_family: "DejaVu Sans".to_owned(), ..usvg::Options::default() };
+    let tree = usvg::Tree::from_str(svg, &options).expect("the text of a chart");
+    let (width, height) = ((tree.size().width() * SCALE) as u32, (tree.size().height() * SCALE) as u32);
+    let mut picture = tiny_skia::Pixmap::new(width, height).expect("a chart has a size");
+    resvg::render(&tree, tiny_skia::Transform::from_scale(SCALE, SCALE), &mut picture.as_mut());
+    picture.encode_png().expect("a picture in memory")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ink(svg: &str) -> usize {
+        let picture = tiny_skia::Pixmap::decode_png(&png(svg)).unwrap();
+        assert_eq!((picture.width(), picture.height()), (200, 80));
+        picture.pixels().iter().filter(|pixel| pixel.red() < 128).count()
+    }
+
+    #[test]
+    fn text_shows() {
+        let drawn = |text: &str| {
+            ink(&format!(
+                "<svg width=\"100\" height=\"40\" xmlns=\"http://www.w3.org/2000/svg\">\
+                 <rect width=\"100\" height=\"40\" fill=\"#FFFFFF\"/>\
+                 <text x=\"5\" y=\"25\" font-family=\"sans-serif\" font-size=\"14\" fill=\"#000000\">{text}</text></svg>"
+            ))
+        };
+        assert_eq!(drawn(""), 0);
+        assert!(drawn("2⁻¹²") > 50 && drawn("≥ µ") > 50);
+        // A missing letter would be drawn as the same box.
+        assert_ne!(png_of("⁻"), png_of("\u{e000}"));
+    }
+
+    fn png_of(text: &str) -> Vec<u8> {
+        png(&format!(
+            "<svg width=\"40\" height=\"40\" xmlns=\"http://www.w3.org/2000/svg\">\
+             <text x=\"5\" y=\"25\" font-family=\"sans-serif\" font-size=\"14\">{text}</text></svg>"
+        ))
+    }
+}
