@@ -2,9 +2,9 @@
 //!
 //! A *stage* is what lies between two registers. Every node is computed in one stage, as early as the rules allow;
 //! its value crosses into later stages through one register each. The rules for `auto`: the operands of a
-//! multiplier come from registers and its product goes into one; the ROM has two registers behind it (its own
-//! output register, and one more because a block RAM is slow to give its output), and is read no earlier than
-//! its word is wanted; and what is chained within a stage takes no longer than a multiplier, by the rough delays
+//! multiplier come from registers and its product goes into one; a ROM has two registers behind it (its own
+//! output register, and one more because a block RAM is slow to give its output), or three where it will be a block RAM, and is read
+//! no earlier than its word is wanted; and what is chained within a stage takes no longer than a multiplier, by the rough delays
 //! below.
 
 use super::graph::{Graph, Node, NodeId, Op};
@@ -25,23 +25,39 @@ pub struct Schedule {
 /// What limits a stage.
 #[derive(Clone, Copy, Debug)]
 struct Rules {
-    /// Registers directly behind the ROM.
+    /// Registers directly behind a ROM.
     rom_registers: u32,
+    /// Registers directly behind a ROM that will be a block RAM.
+    block_registers: u32,
     /// The longest chain of a stage, in units of a multiplier's delay.
     period: f64,
 }
 
 /// From the fastest to the shallowest pipeline.
 const RULES: [Rules; 8] = [
-    Rules { rom_registers: 2, period: 1.0 },
-    Rules { rom_registers: 1, period: 1.0 },
-    Rules { rom_registers: 1, period: 1.5 },
-    Rules { rom_registers: 1, period: 2.0 },
-    Rules { rom_registers: 1, period: 3.0 },
-    Rules { rom_registers: 1, period: 4.0 },
-    Rules { rom_registers: 1, period: 16.0 },
-    Rules { rom_registers: 0, period: f64::INFINITY },
+    Rules { rom_registers: 2, block_registers: 3, period: 1.0 },
+    Rules { rom_registers: 1, block_registers: 1, period: 1.0 },
+    Rules { rom_registers: 1, block_registers: 1, period: 1.5 },
+    Rules { rom_registers: 1, block_registers: 1, period: 2.0 },
+    Rules { rom_registers: 1, block_registers: 1, period: 3.0 },
+    Rules { rom_registers: 1, block_registers: 1, period: 4.0 },
+    Rules { rom_registers: 1, block_registers: 1, period: 16.0 },
+    Rules { rom_registers: 0, block_registers: 0, period: f64::INFINITY },
 ];
+
+/// A ROM of more bits than these becomes a block RAM: Yosys does so for ECP5, whose block costs it as much as 2048 bits in LUTs.
+const MOST_LOGIC_BITS: u64 = 2048;
+
+impl Rules {
+    /// Registers directly behind each memory: the fastest pipeline leaves a block RAM two of its own, the second because it is slow to
+    /// give its output, and one between it and what may lie far from it, such as a DSP block.
+    fn registers_behind(&self, graph: &Graph, memory: usize) -> u32 {
+        let of_memory = |node: &&Node| matches!(node.op, Op::Field { memory: of, .. } if of == memory);
+        let words: u32 = graph.nodes.iter().filter(of_memory).map(|node| node.format.width()).sum();
+        let address = graph.nodes.iter().find(of_memory).map_or(0, |node| graph.nodes[node.args[0]].format.width());
+        if u64::from(words) << address > MOST_LOGIC_BITS { self.block_registers } else { self.rom_registers }
+    }
+}
 
 /// Rough delays in units of a multiplier's, the same for every family: they rank, they do not time.
 fn delay(op: Op) -> f64 {
@@ -116,7 +132,7 @@ fn read_late(graph: &Graph, rules: Rules, stage: &mut [u32]) {
         let shown = reads.iter().any(|&id| graph.is_output(id));
         let Some(first) = uses.map(|id| stage[id]).min().filter(|_| word > address && !shown) else { continue };
         for id in reads {
-            stage[id] = stage[id].max(first.saturating_sub(rules.rom_registers));
+            stage[id] = stage[id].max(first.saturating_sub(rules.registers_behind(graph, memory)));
         }
     }
 }
@@ -132,7 +148,7 @@ fn place(graph: &Graph, rules: Rules, extra: &[u32]) -> Schedule {
             let from = &graph.nodes[arg];
             let registers = extra[arg]
                 + match from.op {
-                    Op::Field { .. } => rules.rom_registers,
+                    Op::Field { memory, .. } => rules.registers_behind(graph, memory),
                     _ => 0,
                 };
             let ready = stage[arg] + registers;
