@@ -98,6 +98,13 @@ impl<'a> VersineLog<'a> {
         (0..).find(|&bits| exp2(bits) * LOG2_E > f64::from(self.accuracy) + 0.5).unwrap_or_default()
     }
 
+    /// Integer bits of κ: where it is larger, so is L, and even the least shininess gives nothing that counts.
+    fn ratio_int_bits(&self, widths: &Widths) -> i32 {
+        let most = (f64::from(self.accuracy) + 1.5) / self.served(widths)[0];
+        // At x = 1/2 it is 2 already.
+        (2..).find(|&bits| exp2(bits) >= most).unwrap_or_default()
+    }
+
     /// Whether n = 1 gets x itself.
     fn bypasses(&self, widths: &Widths) -> bool {
         widths.get("one") == 1
@@ -117,6 +124,12 @@ impl<'a> VersineLog<'a> {
             + lost(v + widths.get("k"), z))
     }
 
+    /// Half an output ulp, where the result is rounded down from more bits than it has: the second table makes up for that, too.
+    fn half_ulp(&self, widths: &Widths) -> f64 {
+        let g = self.spec.output_fraction as i32;
+        if widths.get("e") > g { exp2(-g - 1) } else { 0.0 }
+    }
+
     fn log_chords<'f>(&self, widths: &Widths, weight: &'f dyn Fn(f64) -> f64) -> Chords<'f> {
         Chords {
             name: LOG_TABLE,
@@ -130,7 +143,7 @@ impl<'a> VersineLog<'a> {
             argument_bits: self.input_bits(),
             cut_bits: widths.get("k") + 2,
             value_bits: widths.get("k"),
-            int_bits: 4,
+            int_bits: self.ratio_int_bits(widths),
             slopes: LOG_SLOPES[widths.get("log_slope") as usize],
             weight: Some(weight),
         }
@@ -305,10 +318,8 @@ impl Architecture for VersineLog<'_> {
     fn cost(&self, w: &Widths) -> f64 {
         let n_bits = self.n.int_bits() + self.n.frac_bits(w);
         let zero = |f: f64| f;
-        // The table's last entries have a log ratio as large as its address has bits.
-        let ratio_int_bits = libm::ilogb(f64::from(w.get("log"))) + 1;
         multiplier_cost(n_bits, w.get("u"))
-            + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + ratio_int_bits)
+            + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + self.ratio_int_bits(w))
             + self.table_cost(&self.log_chords(w, &zero))
             + self.table_cost(&self.exp_chords(w, &zero))
             // The shifter has a multiplexer a bit and level.
@@ -319,10 +330,10 @@ impl Architecture for VersineLog<'_> {
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
         let mut tables: Vec<Table> = self.n.table(widths).into_iter().collect();
-        let lift = self.lift(widths);
+        let (lift, half) = (self.lift(widths), self.half_ulp(widths));
         let weight = Self::weight(self.served(widths)[0]);
         tables.push(self.log_chords(widths, &weight).table());
-        tables.push(self.exp_chords(widths, &|f| libm::exp2(-f - lift)).table());
+        tables.push(self.exp_chords(widths, &|f| libm::exp2(-f - lift) + half).table());
         tables
     }
 
