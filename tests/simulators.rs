@@ -110,6 +110,11 @@ const SPECS: &[&str] = &[
     "method = 'cubic'\ntail = 'hold'\nshininess = '1..=100'",
     "method = 'cubic-three-point'\ntail = 'hold'\nshininess = [1.2, 2.5, 70]\ninput_fraction = 9\noutput_fraction = 11",
     "method = 'cubic'\ncoefficients = 'minimax'\nshininess = '1..=64'\nshininess_fraction = 2\npipeline = 5",
+    // The power with constants in its tables, with slopes of a few bits, with multipliers; n = 1 by a way of its own or not.
+    "method = 'log-exp'\naccuracy = 4\nshininess = '1..=1000'",
+    "method = 'log-exp'\naccuracy = 9\nshininess = '1..=300'\ninput_fraction = 14\noutput_fraction = 12",
+    "method = 'log-exp'\naccuracy = 12\nshininess = [1, 2.5, 640]\noperand = 'versine'\nmemory = 'block'\nrom = 'file'",
+    "method = 'log-exp'\naccuracy = 6\nshininess = '2..=40'\nshininess_fraction = 3\ninput_fraction = 10\npipeline = 1",
     // Baselines: powers selected from a chain.
     "method = 'squaring'\nshininess = [1, 2, 8, 16, 64, 512]",
     "method = 'harris'\nshininess = '1..=200'\nlog_bits = 4\nexp_bits = 5\ninput_fraction = 12",

@@ -47,6 +47,8 @@ const RULES: [Rules; 8] = [
 
 /// A ROM of more bits than these becomes a block RAM: Yosys does so for ECP5, whose block costs it as much as 2048 bits in LUTs.
 const MOST_LOGIC_BITS: u64 = 2048;
+/// So may one of as many rows, by other tools.
+const BLOCK_ADDRESS_BITS: u32 = 7;
 
 impl Rules {
     /// Registers directly behind each memory: the fastest pipeline leaves a block RAM two of its own, the second because it is slow to
@@ -55,7 +57,8 @@ impl Rules {
         let of_memory = |node: &&Node| matches!(node.op, Op::Field { memory: of, .. } if of == memory);
         let words: u32 = graph.nodes.iter().filter(of_memory).map(|node| node.format.width()).sum();
         let address = graph.nodes.iter().find(of_memory).map_or(0, |node| graph.nodes[node.args[0]].format.width());
-        if u64::from(words) << address > MOST_LOGIC_BITS { self.block_registers } else { self.rom_registers }
+        let is_block = address >= BLOCK_ADDRESS_BITS || u64::from(words) << address > MOST_LOGIC_BITS;
+        if is_block { self.block_registers } else { self.rom_registers }
     }
 }
 

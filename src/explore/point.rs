@@ -9,9 +9,6 @@ use crate::rom::Table;
 use crate::spec::{CoreSpec, Pipeline, Shininess};
 use crate::synth::{Family, Synthesis, Tools};
 
-/// The methods that are built to be compared with: published ones by others, and plain ways.
-const BASELINES: [&str; 7] = ["schlick", "lyon-2", "lyon-4", "lyon-8", "table", "harris", "squaring"];
-
 /// One core for one family: a row of the results.
 ///
 /// Errors are those of the bit-exact arithmetic against `x^n`, as parts of 1, over the inputs that `checked` says.
@@ -146,7 +143,7 @@ impl Point {
             id: core.id.clone(),
             name: name.join(" "),
             family: core.family,
-            baseline: BASELINES.contains(&method.as_str()),
+            baseline: spec.method.is_baseline(),
             method,
             coefficients: chosen,
             variant: variant.iter().map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join(" "),

@@ -6,7 +6,7 @@ use super::register::{Register, Rescale, Rom, ValidChain};
 use rust_hdl::prelude::*;
 
 /// Register levels, which is the latency in enabled clocks.
-const LEVELS: usize = 8;
+const LEVELS: usize = 9;
 
 /// The widths of a cubic core, in bits. UQm.n is unsigned with m integer and n fraction bits.
 ///
@@ -119,11 +119,17 @@ pub(super) struct Cubic<
     c0: Rom<N, WA>,
     t0: Rom<N, X>,
     x1: Register<X, X>,
+    xw: Register<X, X>,
     u1: Register<X, X>,
+    uw: Register<X, X>,
     k1: Register<KW, KW>,
+    kw: Register<KW, KW>,
     a1: Register<WL, WL>,
+    aw: Register<WL, WL>,
     c1: Register<WA, WA>,
+    cw: Register<WA, WA>,
     t1: Register<X, X>,
+    tw: Register<X, X>,
     x2: Register<X, XB>,
     v2: Register<SHIFTED, V>,
     a2: Register<WL, WL>,
@@ -192,11 +198,17 @@ impl<
             c0: Rom::new("A", rom.constant),
             t0: Rom::new("T", rom.threshold),
             x1: Register::default(),
+            xw: Register::default(),
             u1: Register::default(),
+            uw: Register::default(),
             k1: Register::default(),
+            kw: Register::default(),
             a1: Register::default(),
+            aw: Register::default(),
             c1: Register::default(),
+            cw: Register::default(),
             t1: Register::default(),
+            tw: Register::default(),
             x2: Register::new(Rescale::new(w.f, w.xb)),
             v2: Register::new(Rescale::new(w.f, w.fv)),
             a2: Register::default(),
@@ -250,6 +262,7 @@ impl<
     #[hdl_gen]
     fn update(&mut self) {
         clock!(self, clock, valid, x0, k0, a0, c0, t0, x1, u1, k1, a1, c1, t1);
+        clock!(self, clock, xw, uw, kw, aw, cw, tw);
         clock!(self, clock, x2, v2, a2, c2, cut2, x3, v3, r3, c3, cut3, x4, v4);
         clock!(self, clock, q4, cut4, x5, p5, cut5, x6, t6, zero6, y7);
         self.valid.enable.next = self.ce.val();
@@ -259,11 +272,17 @@ impl<
         self.c0.enable.next = self.ce.val();
         self.t0.enable.next = self.ce.val();
         self.x1.enable.next = self.ce.val();
+        self.xw.enable.next = self.ce.val();
         self.u1.enable.next = self.ce.val();
+        self.uw.enable.next = self.ce.val();
         self.k1.enable.next = self.ce.val();
+        self.kw.enable.next = self.ce.val();
         self.a1.enable.next = self.ce.val();
+        self.aw.enable.next = self.ce.val();
         self.c1.enable.next = self.ce.val();
+        self.cw.enable.next = self.ce.val();
         self.t1.enable.next = self.ce.val();
+        self.tw.enable.next = self.ce.val();
         self.x2.enable.next = self.ce.val();
         self.v2.enable.next = self.ce.val();
         self.a2.enable.next = self.ce.val();
@@ -311,16 +330,24 @@ impl<
         self.c1.d.next = self.c0.data.val();
         self.t1.d.next = self.t0.data.val();
 
+        // The words of the table cross the chip; all else waits for them.
+        self.xw.d.next = self.x1.q.val();
+        self.uw.d.next = self.u1.q.val();
+        self.kw.d.next = self.k1.q.val();
+        self.aw.d.next = self.a1.q.val();
+        self.cw.d.next = self.c1.q.val();
+        self.tw.d.next = self.t1.q.val();
+
         // Stage 2: v = u 2^k; the result is 0 where u exceeds the threshold.
-        self.shifted.next = bit_cast::<SHIFTED, X>(self.u1.q.val()) << self.k1.q.val();
+        self.shifted.next = bit_cast::<SHIFTED, X>(self.uw.q.val()) << self.kw.q.val();
         self.v2.d.next = self.shifted.val();
         self.cut2.d.next = 0.into();
-        if self.u1.q.val() > self.t1.q.val() {
+        if self.uw.q.val() > self.tw.q.val() {
             self.cut2.d.next = 1.into();
         }
-        self.x2.d.next = self.x1.q.val();
-        self.a2.d.next = self.a1.q.val();
-        self.c2.d.next = self.c1.q.val();
+        self.x2.d.next = self.xw.q.val();
+        self.a2.d.next = self.aw.q.val();
+        self.c2.d.next = self.cw.q.val();
 
         // Stage 3: r = a v.
         self.r3.left.next = self.a2.q.val();

@@ -6,7 +6,7 @@ use super::register::{Register, Rescale, Rom, ValidChain};
 use rust_hdl::prelude::*;
 
 /// Register levels, which is the latency in enabled clocks.
-const LEVELS: usize = 6;
+const LEVELS: usize = 7;
 
 /// The widths of a quadratic core, in bits. UQm.n is unsigned with m integer and n fraction bits.
 ///
@@ -88,9 +88,13 @@ pub(super) struct Quadratic<
     k0: Rom<N, KW>,
     a0: Rom<N, CA>,
     x1: Register<X, X>,
+    xw: Register<X, X>,
     u1: Register<X, X>,
+    uw: Register<X, X>,
     k1: Register<KW, KW>,
+    kw: Register<KW, KW>,
     a1: Register<CA, CA>,
+    aw: Register<CA, CA>,
     x2: Register<X, XB>,
     v2: Register<SHIFTED, V>,
     a2: Register<CA, CA>,
@@ -148,9 +152,13 @@ impl<
             k0: Rom::new("k", rom.k),
             a0: Rom::new("a", rom.a),
             x1: Register::default(),
+            xw: Register::default(),
             u1: Register::default(),
+            uw: Register::default(),
             k1: Register::default(),
+            kw: Register::default(),
             a1: Register::default(),
+            aw: Register::default(),
             x2: Register::new(Rescale::new(w.f, w.xb)),
             v2: Register::new(Rescale::new(w.f, w.fv)),
             a2: Register::default(),
@@ -192,15 +200,20 @@ impl<
     #[hdl_gen]
     fn update(&mut self) {
         clock!(self, clock, valid, x0, k0, a0, x1, u1, k1, a1, x2, v2, a2, beyond2);
+        clock!(self, clock, xw, uw, kw, aw);
         clock!(self, clock, x3, p3, beyond3, x4, t4, zero4, y5);
         self.valid.enable.next = self.ce.val();
         self.x0.enable.next = self.ce.val();
         self.k0.enable.next = self.ce.val();
         self.a0.enable.next = self.ce.val();
         self.x1.enable.next = self.ce.val();
+        self.xw.enable.next = self.ce.val();
         self.u1.enable.next = self.ce.val();
+        self.uw.enable.next = self.ce.val();
         self.k1.enable.next = self.ce.val();
+        self.kw.enable.next = self.ce.val();
         self.a1.enable.next = self.ce.val();
+        self.aw.enable.next = self.ce.val();
         self.x2.enable.next = self.ce.val();
         self.v2.enable.next = self.ce.val();
         self.a2.enable.next = self.ce.val();
@@ -234,15 +247,21 @@ impl<
         self.k1.d.next = self.k0.data.val();
         self.a1.d.next = self.a0.data.val();
 
+        // The words of the table cross the chip; all else waits for them.
+        self.xw.d.next = self.x1.q.val();
+        self.uw.d.next = self.u1.q.val();
+        self.kw.d.next = self.k1.q.val();
+        self.aw.d.next = self.a1.q.val();
+
         // Stage 2: v = u 2^k; the result is 0 where v does not fit.
-        self.shifted.next = bit_cast::<SHIFTED, X>(self.u1.q.val()) << self.k1.q.val();
+        self.shifted.next = bit_cast::<SHIFTED, X>(self.uw.q.val()) << self.kw.q.val();
         self.v2.d.next = self.shifted.val();
         self.beyond2.d.next = 0.into();
         if self.shifted.val() >= self.v_two.val() {
             self.beyond2.d.next = 1.into();
         }
-        self.x2.d.next = self.x1.q.val();
-        self.a2.d.next = self.a1.q.val();
+        self.x2.d.next = self.xw.q.val();
+        self.a2.d.next = self.aw.q.val();
 
         // Stage 3: p = a v.
         self.p3.left.next = self.a2.q.val();

@@ -181,10 +181,13 @@ impl Method {
         matches!(self, Self::Quadratic | Self::Cubic | Self::CubicMinZero | Self::Power2 | Self::Power4 | Self::Power8)
     }
 
-    /// Whether it is what an engineer would build without this crate, kept to be compared with.
+    /// Whether it is there to be compared with: published by others, or what an engineer would build without this crate.
     #[must_use]
     pub fn is_baseline(self) -> bool {
-        matches!(self, Self::Schlick | Self::Squaring | Self::Harris | Self::Table)
+        matches!(
+            self,
+            Self::Schlick | Self::Lyon2 | Self::Lyon4 | Self::Lyon8 | Self::Squaring | Self::Harris | Self::Table
+        )
     }
 }
 

@@ -7,7 +7,7 @@
 //   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1
 //   out_spec  UQ1.16  the lobe, 0 to 1; 1.0 is exact
 //
-// Latency 8 clocks, one result a clock.
+// Latency 9 clocks, one result a clock.
 // Error against the real-valued method, in ulps of out_spec: proved within -0.875..+0.970.
 //   measured -0.727..+0.864 over all 65537000 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
@@ -29,19 +29,19 @@ module cubic (
     input  wire [9:0] in_n,
     // Q1.16: cosine x; below 0 gives 0, above 1 counts as 1
     input  wire [17:0] in_cos,
-    // out_spec is a result: in_valid, 8 enabled clocks later
+    // out_spec is a result: in_valid, 9 enabled clocks later
     output wire        out_valid,
     // UQ1.16: the lobe, 0 to 1; 1.0 is exact
     output wire [16:0] out_spec
 );
 
     // ===== Valid chain
-    reg [8:1] valid;
+    reg [9:1] valid;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 8'd0;
+            valid <= 9'd0;
         end else if (ce) begin
-            valid <= {valid[7:1], in_valid};
+            valid <= {valid[8:1], in_valid};
         end
     end
 
@@ -1118,131 +1118,149 @@ module cubic (
         end
     end
 
-    // ===== Stage 2: past_cut, u_scaled
-    // UQ1.0: u > cut: past the polynomial's end
-    wire past_cut_2 = u_2 > {1'd0, cut_2};
-    // UQ11.16: u 2^k
-    wire [26:0] u_scaled_2 = {10'd0, u_2} << k_2;
-    // UQ2.15: v = u 2^k, rounded down; wraps past the cut
-    wire [16:0] v_2 = u_scaled_2[17:1];
+    // ===== Stage 2: registers only
     reg [16:0] x_3;
+    reg [16:0] u_3;
     reg [19:0] big_a_3;
     reg [16:0] a_3;
-    reg past_cut_3;
-    reg [16:0] v_3;
+    reg [15:0] cut_3;
+    reg [3:0] k_3;
     always @(posedge clk) begin
         if (ce) begin
             x_3 <= x_2;
+            u_3 <= u_2;
             big_a_3 <= big_a_2;
             a_3 <= a_2;
-            past_cut_3 <= past_cut_2;
-            v_3 <= v_2;
+            cut_3 <= cut_2;
+            k_3 <= k_2;
         end
     end
 
-    // ===== Stage 3: av
-    // UQ1.33: (a 4^-k) v
-    wire [33:0] av_3 = a_3 * v_3;
-    // UQ-1.20: (a 4^-k) v, rounded down
-    wire [18:0] r_3 = av_3[31:13];
+    // ===== Stage 3: past_cut, u_scaled
+    // UQ1.0: u > cut: past the polynomial's end
+    wire past_cut_3 = u_3 > {1'd0, cut_3};
+    // UQ11.16: u 2^k
+    wire [26:0] u_scaled_3 = {10'd0, u_3} << k_3;
+    // UQ2.15: v = u 2^k, rounded down; wraps past the cut
+    wire [16:0] v_3 = u_scaled_3[17:1];
     reg [16:0] x_4;
     reg [19:0] big_a_4;
+    reg [16:0] a_4;
     reg past_cut_4;
     reg [16:0] v_4;
-    reg [18:0] r_4;
     always @(posedge clk) begin
         if (ce) begin
             x_4 <= x_3;
             big_a_4 <= big_a_3;
+            a_4 <= a_3;
             past_cut_4 <= past_cut_3;
             v_4 <= v_3;
-            r_4 <= r_3;
         end
     end
 
-    // ===== Stage 4: q
-    // UQ0.20: q = (A - a u) 2^-k; wraps past the cut
-    wire [19:0] q_4 = big_a_4 - {1'd0, r_4};
+    // ===== Stage 4: av
+    // UQ1.33: (a 4^-k) v
+    wire [33:0] av_4 = a_4 * v_4;
+    // UQ-1.20: (a 4^-k) v, rounded down
+    wire [18:0] r_4 = av_4[31:13];
     reg [16:0] x_5;
+    reg [19:0] big_a_5;
     reg past_cut_5;
     reg [16:0] v_5;
-    reg [19:0] q_5;
+    reg [18:0] r_5;
     always @(posedge clk) begin
         if (ce) begin
             x_5 <= x_4;
+            big_a_5 <= big_a_4;
             past_cut_5 <= past_cut_4;
             v_5 <= v_4;
-            q_5 <= q_4;
+            r_5 <= r_4;
         end
     end
 
-    // ===== Stage 5: vq
-    // UQ2.35: u (A - a u) = v q
-    wire [36:0] vq_5 = v_5 * q_5;
-    // UQ2.0: the integer bits of p: the lobe is 0 from p = 1 on
-    wire [1:0] p_above_bits_5 = vq_5[36:35];
-    // UQ0.18: p, rounded down
-    wire [17:0] p_5 = vq_5[34:17];
+    // ===== Stage 5: q
+    // UQ0.20: q = (A - a u) 2^-k; wraps past the cut
+    wire [19:0] q_5 = big_a_5 - {1'd0, r_5};
     reg [16:0] x_6;
     reg past_cut_6;
-    reg [1:0] p_above_bits_6;
-    reg [17:0] p_6;
+    reg [16:0] v_6;
+    reg [19:0] q_6;
     always @(posedge clk) begin
         if (ce) begin
             x_6 <= x_5;
             past_cut_6 <= past_cut_5;
-            p_above_bits_6 <= p_above_bits_5;
-            p_6 <= p_5;
+            v_6 <= v_5;
+            q_6 <= q_5;
         end
     end
 
-    // ===== Stage 6: xp
-    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
-    wire p_above_6 = |p_above_bits_6;
-    // UQ1.0: the result is 0
-    wire zero_6 = past_cut_6 | p_above_6;
-    // UQ1.34: x p
-    wire [34:0] xp_6 = x_6 * p_6;
-    // UQ0.17: t = x p, rounded down
-    wire [16:0] t_6 = xp_6[33:17];
+    // ===== Stage 6: vq
+    // UQ2.35: u (A - a u) = v q
+    wire [36:0] vq_6 = v_6 * q_6;
+    // UQ2.0: the integer bits of p: the lobe is 0 from p = 1 on
+    wire [1:0] p_above_bits_6 = vq_6[36:35];
+    // UQ0.18: p, rounded down
+    wire [17:0] p_6 = vq_6[34:17];
     reg [16:0] x_7;
-    reg zero_7;
-    reg [16:0] t_7;
+    reg past_cut_7;
+    reg [1:0] p_above_bits_7;
+    reg [17:0] p_7;
     always @(posedge clk) begin
         if (ce) begin
             x_7 <= x_6;
-            zero_7 <= zero_6;
-            t_7 <= t_6;
+            past_cut_7 <= past_cut_6;
+            p_above_bits_7 <= p_above_bits_6;
+            p_7 <= p_6;
         end
     end
 
-    // ===== Stage 7: y_exact, y
-    // UQ1.17: x - t = x (1 - p)
-    wire [17:0] y_exact_7 = {x_7, 1'd0} - {1'd0, t_7};
-    // UQ1.16: rounded down to the output's bits
-    wire [16:0] y_cut_7 = y_exact_7[17:1];
-    // UQ1.16: y, 0 where the lobe has ended
-    wire [16:0] y_7 = zero_7 ? 17'd0 : y_cut_7;
-    reg [16:0] y_8;
+    // ===== Stage 7: xp
+    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    wire p_above_7 = |p_above_bits_7;
+    // UQ1.0: the result is 0
+    wire zero_7 = past_cut_7 | p_above_7;
+    // UQ1.34: x p
+    wire [34:0] xp_7 = x_7 * p_7;
+    // UQ0.17: t = x p, rounded down
+    wire [16:0] t_7 = xp_7[33:17];
+    reg [16:0] x_8;
+    reg zero_8;
+    reg [16:0] t_8;
     always @(posedge clk) begin
         if (ce) begin
-            y_8 <= y_7;
+            x_8 <= x_7;
+            zero_8 <= zero_7;
+            t_8 <= t_7;
         end
     end
 
-    assign out_valid = valid[8];
-    assign out_spec  = y_8;
+    // ===== Stage 8: y_exact, y
+    // UQ1.17: x - t = x (1 - p)
+    wire [17:0] y_exact_8 = {x_8, 1'd0} - {1'd0, t_8};
+    // UQ1.16: rounded down to the output's bits
+    wire [16:0] y_cut_8 = y_exact_8[17:1];
+    // UQ1.16: y, 0 where the lobe has ended
+    wire [16:0] y_8 = zero_8 ? 17'd0 : y_cut_8;
+    reg [16:0] y_9;
+    always @(posedge clk) begin
+        if (ce) begin
+            y_9 <= y_8;
+        end
+    end
+
+    assign out_valid = valid[9];
+    assign out_spec  = y_9;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    u_scaled_2[26:18],
-                    u_scaled_2[0],
-                    av_3[33:32],
-                    av_3[12:0],
-                    vq_5[16:0],
-                    xp_6[34],
-                    xp_6[16:0],
-                    y_exact_7[0]};
+                    u_scaled_3[26:18],
+                    u_scaled_3[0],
+                    av_4[33:32],
+                    av_4[12:0],
+                    vq_6[16:0],
+                    xp_7[34],
+                    xp_7[16:0],
+                    y_exact_8[0]};
 
 endmodule
 

@@ -9,7 +9,7 @@
 //   wr_data   UQ16.0  word for the coefficient memory; layout as in its files
 //   out_spec  UQ1.12  the lobe, 0 to 1; 1.0 is exact
 //
-// Latency 8 clocks, one result a clock.
+// Latency 9 clocks, one result a clock.
 // Error against the real-valued method, in ulps of out_spec: proved within -0.625..+0.750.
 //   measured -0.616..+0.746 over all 520319 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
@@ -37,19 +37,19 @@ module cubic_min_zero (
     input  wire [6:0] wr_addr,
     // UQ16.0: word for the coefficient memory; layout as in its files
     input  wire [15:0] wr_data,
-    // out_spec is a result: in_valid, 8 enabled clocks later
+    // out_spec is a result: in_valid, 9 enabled clocks later
     output wire        out_valid,
     // UQ1.12: the lobe, 0 to 1; 1.0 is exact
     output wire [12:0] out_spec
 );
 
     // ===== Valid chain
-    reg [8:1] valid;
+    reg [9:1] valid;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 8'd0;
+            valid <= 9'd0;
         end else if (ce) begin
-            valid <= {valid[7:1], in_valid};
+            valid <= {valid[8:1], in_valid};
         end
     end
 
@@ -226,116 +226,130 @@ module cubic_min_zero (
         end
     end
 
-    // ===== Stage 2: u_scaled
-    // UQ7.12: u 2^k
-    wire [18:0] u_scaled_2 = {6'd0, u_2} << k_2;
-    // UQ7.-1: u 2^k >= 2: then A u >= 1, since A 2^-k >= 1/2
-    wire [5:0] beyond_bits_2 = u_scaled_2[18:13];
-    // UQ1.0: u 2^k >= 2: then A u >= 1, since A 2^-k >= 1/2
-    wire beyond_2 = |beyond_bits_2;
-    // UQ1.12: v = u 2^k, rounded down
-    wire [12:0] v_2 = u_scaled_2[12:0];
+    // ===== Stage 2: registers only
     reg [12:0] x_3;
+    reg [12:0] u_3;
     reg [12:0] big_a_3;
-    reg beyond_3;
-    reg [12:0] v_3;
+    reg [2:0] k_3;
     always @(posedge clk) begin
         if (ce) begin
             x_3 <= x_2;
+            u_3 <= u_2;
             big_a_3 <= big_a_2;
-            beyond_3 <= beyond_2;
-            v_3 <= v_2;
+            k_3 <= k_2;
         end
     end
 
-    // ===== Stage 3: Av
-    // UQ1.25: A u = (A 2^-k) v
-    wire [25:0] Av_3 = big_a_3 * v_3;
-    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
-    wire p_above_bits_3 = Av_3[25];
-    // UQ0.15: p, rounded down
-    wire [14:0] p_3 = Av_3[24:10];
+    // ===== Stage 3: u_scaled
+    // UQ7.12: u 2^k
+    wire [18:0] u_scaled_3 = {6'd0, u_3} << k_3;
+    // UQ7.-1: u 2^k >= 2: then A u >= 1, since A 2^-k >= 1/2
+    wire [5:0] beyond_bits_3 = u_scaled_3[18:13];
+    // UQ1.0: u 2^k >= 2: then A u >= 1, since A 2^-k >= 1/2
+    wire beyond_3 = |beyond_bits_3;
+    // UQ1.12: v = u 2^k, rounded down
+    wire [12:0] v_3 = u_scaled_3[12:0];
     reg [12:0] x_4;
+    reg [12:0] big_a_4;
     reg beyond_4;
-    reg p_above_bits_4;
-    reg [14:0] p_4;
+    reg [12:0] v_4;
     always @(posedge clk) begin
         if (ce) begin
             x_4 <= x_3;
+            big_a_4 <= big_a_3;
             beyond_4 <= beyond_3;
-            p_above_bits_4 <= p_above_bits_3;
-            p_4 <= p_3;
+            v_4 <= v_3;
         end
     end
 
-    // ===== Stage 4: w
-    // UQ1.15: w = 1 - p
-    wire [15:0] w_4 = 16'h8000 - {1'd0, p_4};
-    // UQ1.0: the result is 0
-    wire zero_4 = beyond_4 | p_above_bits_4;
+    // ===== Stage 4: Av
+    // UQ1.25: A u = (A 2^-k) v
+    wire [25:0] Av_4 = big_a_4 * v_4;
+    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    wire p_above_bits_4 = Av_4[25];
+    // UQ0.15: p, rounded down
+    wire [14:0] p_4 = Av_4[24:10];
     reg [12:0] x_5;
-    reg [15:0] w_5;
-    reg zero_5;
+    reg beyond_5;
+    reg p_above_bits_5;
+    reg [14:0] p_5;
     always @(posedge clk) begin
         if (ce) begin
             x_5 <= x_4;
-            w_5 <= w_4;
-            zero_5 <= zero_4;
+            beyond_5 <= beyond_4;
+            p_above_bits_5 <= p_above_bits_4;
+            p_5 <= p_4;
         end
     end
 
-    // ===== Stage 5: w2
-    // UQ2.30: w^2
-    wire [31:0] w2_5 = w_5 * w_5;
-    // UQ1.15: w^2, rounded down
-    wire [15:0] w2_cut_5 = w2_5[30:15];
+    // ===== Stage 5: w
+    // UQ1.15: w = 1 - p
+    wire [15:0] w_5 = 16'h8000 - {1'd0, p_5};
+    // UQ1.0: the result is 0
+    wire zero_5 = beyond_5 | p_above_bits_5;
     reg [12:0] x_6;
-    reg [15:0] w2_cut_6;
+    reg [15:0] w_6;
     reg zero_6;
     always @(posedge clk) begin
         if (ce) begin
             x_6 <= x_5;
-            w2_cut_6 <= w2_cut_5;
+            w_6 <= w_5;
             zero_6 <= zero_5;
         end
     end
 
-    // ===== Stage 6: xw
-    // UQ2.27: x w^2
-    wire [28:0] xw_6 = x_6 * w2_cut_6;
-    reg [28:0] xw_7;
+    // ===== Stage 6: w2
+    // UQ2.30: w^2
+    wire [31:0] w2_6 = w_6 * w_6;
+    // UQ1.15: w^2, rounded down
+    wire [15:0] w2_cut_6 = w2_6[30:15];
+    reg [12:0] x_7;
+    reg [15:0] w2_cut_7;
     reg zero_7;
     always @(posedge clk) begin
         if (ce) begin
-            xw_7 <= xw_6;
+            x_7 <= x_6;
+            w2_cut_7 <= w2_cut_6;
             zero_7 <= zero_6;
         end
     end
 
-    // ===== Stage 7: y_half, y
-    // UQ1.27: plus half an output ulp: the result is rounded to nearest
-    wire [27:0] y_half_7 = xw_7[27:0] + 28'h0004000;
-    // UQ1.12: rounded down to the output's bits
-    wire [12:0] y_cut_7 = y_half_7[27:15];
-    // UQ1.12: y, 0 where the lobe has ended
-    wire [12:0] y_7 = zero_7 ? 13'd0 : y_cut_7;
-    reg [12:0] y_8;
+    // ===== Stage 7: xw
+    // UQ2.27: x w^2
+    wire [28:0] xw_7 = x_7 * w2_cut_7;
+    reg [28:0] xw_8;
+    reg zero_8;
     always @(posedge clk) begin
         if (ce) begin
-            y_8 <= y_7;
+            xw_8 <= xw_7;
+            zero_8 <= zero_7;
         end
     end
 
-    assign out_valid = valid[8];
-    assign out_spec  = y_8;
+    // ===== Stage 8: y_half, y
+    // UQ1.27: plus half an output ulp: the result is rounded to nearest
+    wire [27:0] y_half_8 = xw_8[27:0] + 28'h0004000;
+    // UQ1.12: rounded down to the output's bits
+    wire [12:0] y_cut_8 = y_half_8[27:15];
+    // UQ1.12: y, 0 where the lobe has ended
+    wire [12:0] y_8 = zero_8 ? 13'd0 : y_cut_8;
+    reg [12:0] y_9;
+    always @(posedge clk) begin
+        if (ce) begin
+            y_9 <= y_8;
+        end
+    end
+
+    assign out_valid = valid[9];
+    assign out_spec  = y_9;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    Av_3[9:0],
-                    w2_5[31],
-                    w2_5[14:0],
-                    xw_7[28],
-                    y_half_7[14:0]};
+                    Av_4[9:0],
+                    w2_6[31],
+                    w2_6[14:0],
+                    xw_8[28],
+                    y_half_8[14:0]};
 
 endmodule
 

@@ -9,7 +9,7 @@
 --   wr_data   UQ16.0  word for the coefficient memory; layout as in its files
 --   out_spec  UQ1.12  the lobe, 0 to 1; 1.0 is exact
 --
--- Latency 8 clocks, one result a clock.
+-- Latency 9 clocks, one result a clock.
 -- Error against the real-valued method, in ulps of out_spec: proved within -0.625..+0.750.
 --   measured -0.616..+0.746 over all 520319 inputs in [0, 1].
 -- Error against x^n itself, measured over the same inputs:
@@ -39,7 +39,7 @@ entity cubic_min_zero is
         wr_addr   : in  unsigned(6 downto 0);
         -- UQ16.0: word for the coefficient memory; layout as in its files
         wr_data   : in  unsigned(15 downto 0);
-        -- out_spec is a result: in_valid, 8 enabled clocks later
+        -- out_spec is a result: in_valid, 9 enabled clocks later
         out_valid : out std_logic;
         -- UQ1.12: the lobe, 0 to 1; 1.0 is exact
         out_spec  : out unsigned(12 downto 0)
@@ -201,7 +201,7 @@ architecture rtl of cubic_min_zero is
     attribute ramstyle of rom : signal is "no_rw_check";
     signal rom_1 : std_logic_vector(15 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(8 downto 1) := (others => '0');
+    signal valid : std_logic_vector(9 downto 1) := (others => '0');
     signal x_0 : unsigned(12 downto 0);
     signal u_0 : unsigned(12 downto 0);
     signal x_1 : unsigned(12 downto 0) := (others => '0');
@@ -212,38 +212,42 @@ architecture rtl of cubic_min_zero is
     signal u_2 : unsigned(12 downto 0) := (others => '0');
     signal big_a_2 : unsigned(12 downto 0) := (others => '0');
     signal k_2 : unsigned(2 downto 0) := (others => '0');
-    signal u_scaled_2 : unsigned(18 downto 0);
-    signal beyond_bits_2 : unsigned(5 downto 0);
-    signal beyond_2 : std_logic;
-    signal v_2 : unsigned(12 downto 0);
     signal x_3 : unsigned(12 downto 0) := (others => '0');
+    signal u_3 : unsigned(12 downto 0) := (others => '0');
     signal big_a_3 : unsigned(12 downto 0) := (others => '0');
-    signal beyond_3 : std_logic := '0';
-    signal v_3 : unsigned(12 downto 0) := (others => '0');
-    signal Av_3 : unsigned(25 downto 0);
-    signal p_above_bits_3 : std_logic;
-    signal p_3 : unsigned(14 downto 0);
+    signal k_3 : unsigned(2 downto 0) := (others => '0');
+    signal u_scaled_3 : unsigned(18 downto 0);
+    signal beyond_bits_3 : unsigned(5 downto 0);
+    signal beyond_3 : std_logic;
+    signal v_3 : unsigned(12 downto 0);
     signal x_4 : unsigned(12 downto 0) := (others => '0');
+    signal big_a_4 : unsigned(12 downto 0) := (others => '0');
     signal beyond_4 : std_logic := '0';
-    signal p_above_bits_4 : std_logic := '0';
-    signal p_4 : unsigned(14 downto 0) := (others => '0');
-    signal w_4 : unsigned(15 downto 0);
-    signal zero_4 : std_logic;
+    signal v_4 : unsigned(12 downto 0) := (others => '0');
+    signal Av_4 : unsigned(25 downto 0);
+    signal p_above_bits_4 : std_logic;
+    signal p_4 : unsigned(14 downto 0);
     signal x_5 : unsigned(12 downto 0) := (others => '0');
-    signal w_5 : unsigned(15 downto 0) := (others => '0');
-    signal zero_5 : std_logic := '0';
-    signal w2_5 : unsigned(31 downto 0);
-    signal w2_cut_5 : unsigned(15 downto 0);
+    signal beyond_5 : std_logic := '0';
+    signal p_above_bits_5 : std_logic := '0';
+    signal p_5 : unsigned(14 downto 0) := (others => '0');
+    signal w_5 : unsigned(15 downto 0);
+    signal zero_5 : std_logic;
     signal x_6 : unsigned(12 downto 0) := (others => '0');
-    signal w2_cut_6 : unsigned(15 downto 0) := (others => '0');
+    signal w_6 : unsigned(15 downto 0) := (others => '0');
     signal zero_6 : std_logic := '0';
-    signal xw_6 : unsigned(28 downto 0);
-    signal xw_7 : unsigned(28 downto 0) := (others => '0');
+    signal w2_6 : unsigned(31 downto 0);
+    signal w2_cut_6 : unsigned(15 downto 0);
+    signal x_7 : unsigned(12 downto 0) := (others => '0');
+    signal w2_cut_7 : unsigned(15 downto 0) := (others => '0');
     signal zero_7 : std_logic := '0';
-    signal y_half_7 : unsigned(27 downto 0);
-    signal y_cut_7 : unsigned(12 downto 0);
-    signal y_7 : unsigned(12 downto 0);
-    signal y_8 : unsigned(12 downto 0) := (others => '0');
+    signal xw_7 : unsigned(28 downto 0);
+    signal xw_8 : unsigned(28 downto 0) := (others => '0');
+    signal zero_8 : std_logic := '0';
+    signal y_half_8 : unsigned(27 downto 0);
+    signal y_cut_8 : unsigned(12 downto 0);
+    signal y_8 : unsigned(12 downto 0);
+    signal y_9 : unsigned(12 downto 0) := (others => '0');
 
 begin
 
@@ -254,7 +258,7 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(7 downto 1) & in_valid;
+                valid <= valid(8 downto 1) & in_valid;
             end if;
         end if;
     end process;
@@ -309,108 +313,121 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 2: u_scaled
-    -- UQ7.12: u 2^k
-    u_scaled_2 <= shift_left(resize(u_2, 19), to_integer(k_2));
-    -- UQ7.-1: u 2^k >= 2: then A u >= 1, since A 2^-k >= 1/2
-    beyond_bits_2 <= u_scaled_2(18 downto 13);
-    -- UQ1.0: u 2^k >= 2: then A u >= 1, since A 2^-k >= 1/2
-    beyond_2 <= '1' when beyond_bits_2 /= 0 else '0';
-    -- UQ1.12: v = u 2^k, rounded down
-    v_2 <= u_scaled_2(12 downto 0);
+    -- ===== Stage 2: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_3 <= x_2;
+                u_3 <= u_2;
                 big_a_3 <= big_a_2;
-                beyond_3 <= beyond_2;
-                v_3 <= v_2;
+                k_3 <= k_2;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 3: Av
-    -- UQ1.25: A u = (A 2^-k) v
-    Av_3 <= big_a_3 * v_3;
-    -- UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
-    p_above_bits_3 <= Av_3(25);
-    -- UQ0.15: p, rounded down
-    p_3 <= Av_3(24 downto 10);
+    -- ===== Stage 3: u_scaled
+    -- UQ7.12: u 2^k
+    u_scaled_3 <= shift_left(resize(u_3, 19), to_integer(k_3));
+    -- UQ7.-1: u 2^k >= 2: then A u >= 1, since A 2^-k >= 1/2
+    beyond_bits_3 <= u_scaled_3(18 downto 13);
+    -- UQ1.0: u 2^k >= 2: then A u >= 1, since A 2^-k >= 1/2
+    beyond_3 <= '1' when beyond_bits_3 /= 0 else '0';
+    -- UQ1.12: v = u 2^k, rounded down
+    v_3 <= u_scaled_3(12 downto 0);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_4 <= x_3;
+                big_a_4 <= big_a_3;
                 beyond_4 <= beyond_3;
-                p_above_bits_4 <= p_above_bits_3;
-                p_4 <= p_3;
+                v_4 <= v_3;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 4: w
-    -- UQ1.15: w = 1 - p
-    w_4 <= to_unsigned(32768, 16) - resize(p_4, 16);
-    -- UQ1.0: the result is 0
-    zero_4 <= beyond_4 or p_above_bits_4;
+    -- ===== Stage 4: Av
+    -- UQ1.25: A u = (A 2^-k) v
+    Av_4 <= big_a_4 * v_4;
+    -- UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    p_above_bits_4 <= Av_4(25);
+    -- UQ0.15: p, rounded down
+    p_4 <= Av_4(24 downto 10);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_5 <= x_4;
-                w_5 <= w_4;
-                zero_5 <= zero_4;
+                beyond_5 <= beyond_4;
+                p_above_bits_5 <= p_above_bits_4;
+                p_5 <= p_4;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 5: w2
-    -- UQ2.30: w^2
-    w2_5 <= w_5 * w_5;
-    -- UQ1.15: w^2, rounded down
-    w2_cut_5 <= w2_5(30 downto 15);
+    -- ===== Stage 5: w
+    -- UQ1.15: w = 1 - p
+    w_5 <= to_unsigned(32768, 16) - resize(p_5, 16);
+    -- UQ1.0: the result is 0
+    zero_5 <= beyond_5 or p_above_bits_5;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_6 <= x_5;
-                w2_cut_6 <= w2_cut_5;
+                w_6 <= w_5;
                 zero_6 <= zero_5;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 6: xw
-    -- UQ2.27: x w^2
-    xw_6 <= x_6 * w2_cut_6;
+    -- ===== Stage 6: w2
+    -- UQ2.30: w^2
+    w2_6 <= w_6 * w_6;
+    -- UQ1.15: w^2, rounded down
+    w2_cut_6 <= w2_6(30 downto 15);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                xw_7 <= xw_6;
+                x_7 <= x_6;
+                w2_cut_7 <= w2_cut_6;
                 zero_7 <= zero_6;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 7: y_half, y
-    -- UQ1.27: plus half an output ulp: the result is rounded to nearest
-    y_half_7 <= xw_7(27 downto 0) + to_unsigned(16384, 28);
-    -- UQ1.12: rounded down to the output's bits
-    y_cut_7 <= y_half_7(27 downto 15);
-    -- UQ1.12: y, 0 where the lobe has ended
-    y_7 <= (others => '0') when zero_7 = '1' else y_cut_7;
+    -- ===== Stage 7: xw
+    -- UQ2.27: x w^2
+    xw_7 <= x_7 * w2_cut_7;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                y_8 <= y_7;
+                xw_8 <= xw_7;
+                zero_8 <= zero_7;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(8);
-    out_spec  <= y_8;
+    -- ===== Stage 8: y_half, y
+    -- UQ1.27: plus half an output ulp: the result is rounded to nearest
+    y_half_8 <= xw_8(27 downto 0) + to_unsigned(16384, 28);
+    -- UQ1.12: rounded down to the output's bits
+    y_cut_8 <= y_half_8(27 downto 15);
+    -- UQ1.12: y, 0 where the lobe has ended
+    y_8 <= (others => '0') when zero_8 = '1' else y_cut_8;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                y_9 <= y_8;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(9);
+    out_spec  <= y_9;
 
 end architecture rtl;

@@ -1126,41 +1126,47 @@ module cubic_paper (
         end
     end
 
-    // ===== Stage 2: past_cut, sx, bs, cx
-    // UQ1.0: u > cut: past the polynomial's end
-    wire past_cut_2 = u_2 > {1'd0, cut_2};
+    // ===== Stage 2: sx
     // UQ3.48: x^3
     wire [50:0] sx_2 = xx_2 * x_2;
     // UQ1.36: x^3, rounded down
     wire [36:0] h_2 = sx_2[48:12];
-    // Q23.48: b x^2
-    wire [71:0] bs_2 = $signed(b_2) * $signed(xx_signed_2);
-    // Q20.20: b x^2, rounded down
-    wire [40:0] m2_2 = bs_2[68:28];
-    // UQ20.32: c x
-    wire [51:0] cx_2 = c_2 * x_2;
-    // UQ19.20: c x, rounded down
-    wire [38:0] m1_2 = cx_2[50:12];
+    reg [16:0] x_3;
+    reg [16:0] u_3;
     reg [34:0] a_3;
-    reg past_cut_3;
+    reg [36:0] b_3;
+    reg [34:0] c_3;
+    reg [15:0] cut_3;
     reg [36:0] h_3;
-    reg [40:0] m2_3;
-    reg [38:0] m1_3;
+    reg [34:0] xx_signed_3;
     always @(posedge clk) begin
         if (ce) begin
+            x_3 <= x_2;
+            u_3 <= u_2;
             a_3 <= a_2;
-            past_cut_3 <= past_cut_2;
+            b_3 <= b_2;
+            c_3 <= c_2;
+            cut_3 <= cut_2;
             h_3 <= h_2;
-            m2_3 <= m2_2;
-            m1_3 <= m1_2;
+            xx_signed_3 <= xx_signed_2;
         end
     end
 
-    // ===== Stage 3: ah
+    // ===== Stage 3: past_cut, ah, bs, cx
+    // UQ1.0: u > cut: past the polynomial's end
+    wire past_cut_3 = u_3 > {1'd0, cut_3};
     // UQ20.52: a x^3
     wire [71:0] ah_3 = a_3 * h_3;
     // UQ19.20: a x^3, rounded down
     wire [38:0] m3_3 = ah_3[70:32];
+    // Q23.48: b x^2
+    wire [71:0] bs_3 = $signed(b_3) * $signed(xx_signed_3);
+    // Q20.20: b x^2, rounded down
+    wire [40:0] m2_3 = bs_3[68:28];
+    // UQ20.32: c x
+    wire [51:0] cx_3 = c_3 * x_3;
+    // UQ19.20: c x, rounded down
+    wire [38:0] m1_3 = cx_3[50:12];
     reg past_cut_4;
     reg [38:0] m3_4;
     reg [40:0] m2_4;
@@ -1213,11 +1219,11 @@ module cubic_paper (
                     sx_2[11:0],
                     ah_3[71],
                     ah_3[31:0],
-                    bs_2[71:69],
-                    bs_2[27:0],
+                    bs_3[71:69],
+                    bs_3[27:0],
                     m2_4[40],
-                    cx_2[51],
-                    cx_2[11:0],
+                    cx_3[51],
+                    cx_3[11:0],
                     m1_4[38:32],
                     sum_4[39:32],
                     y_half_5[3:0]};

@@ -4177,20 +4177,23 @@ architecture rtl of cubic_paper is
     signal cut_2 : unsigned(15 downto 0) := (others => '0');
     signal xx_2 : unsigned(33 downto 0) := (others => '0');
     signal xx_signed_2 : signed(34 downto 0) := (others => '0');
-    signal past_cut_2 : std_logic;
     signal sx_2 : unsigned(50 downto 0);
     signal h_2 : unsigned(36 downto 0);
-    signal bs_2 : signed(71 downto 0);
-    signal m2_2 : signed(40 downto 0);
-    signal cx_2 : unsigned(51 downto 0);
-    signal m1_2 : unsigned(38 downto 0);
+    signal x_3 : unsigned(16 downto 0) := (others => '0');
+    signal u_3 : unsigned(16 downto 0) := (others => '0');
     signal a_3 : unsigned(34 downto 0) := (others => '0');
-    signal past_cut_3 : std_logic := '0';
+    signal b_3 : signed(36 downto 0) := (others => '0');
+    signal c_3 : unsigned(34 downto 0) := (others => '0');
+    signal cut_3 : unsigned(15 downto 0) := (others => '0');
     signal h_3 : unsigned(36 downto 0) := (others => '0');
-    signal m2_3 : signed(40 downto 0) := (others => '0');
-    signal m1_3 : unsigned(38 downto 0) := (others => '0');
+    signal xx_signed_3 : signed(34 downto 0) := (others => '0');
+    signal past_cut_3 : std_logic;
     signal ah_3 : unsigned(71 downto 0);
     signal m3_3 : unsigned(38 downto 0);
+    signal bs_3 : signed(71 downto 0);
+    signal m2_3 : signed(40 downto 0);
+    signal cx_3 : unsigned(51 downto 0);
+    signal m1_3 : unsigned(38 downto 0);
     signal past_cut_4 : std_logic := '0';
     signal m3_4 : unsigned(38 downto 0) := (others => '0');
     signal m2_4 : signed(40 downto 0) := (others => '0');
@@ -4280,39 +4283,42 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 2: past_cut, sx, bs, cx
-    -- UQ1.0: u > cut: past the polynomial's end
-    past_cut_2 <= '1' when u_2 > cut_2 else '0';
+    -- ===== Stage 2: sx
     -- UQ3.48: x^3
     sx_2 <= xx_2 * x_2;
     -- UQ1.36: x^3, rounded down
     h_2 <= sx_2(48 downto 12);
-    -- Q23.48: b x^2
-    bs_2 <= b_2 * xx_signed_2;
-    -- Q20.20: b x^2, rounded down
-    m2_2 <= bs_2(68 downto 28);
-    -- UQ20.32: c x
-    cx_2 <= c_2 * x_2;
-    -- UQ19.20: c x, rounded down
-    m1_2 <= cx_2(50 downto 12);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
+                x_3 <= x_2;
+                u_3 <= u_2;
                 a_3 <= a_2;
-                past_cut_3 <= past_cut_2;
+                b_3 <= b_2;
+                c_3 <= c_2;
+                cut_3 <= cut_2;
                 h_3 <= h_2;
-                m2_3 <= m2_2;
-                m1_3 <= m1_2;
+                xx_signed_3 <= xx_signed_2;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 3: ah
+    -- ===== Stage 3: past_cut, ah, bs, cx
+    -- UQ1.0: u > cut: past the polynomial's end
+    past_cut_3 <= '1' when u_3 > cut_3 else '0';
     -- UQ20.52: a x^3
     ah_3 <= a_3 * h_3;
     -- UQ19.20: a x^3, rounded down
     m3_3 <= ah_3(70 downto 32);
+    -- Q23.48: b x^2
+    bs_3 <= b_3 * xx_signed_3;
+    -- Q20.20: b x^2, rounded down
+    m2_3 <= bs_3(68 downto 28);
+    -- UQ20.32: c x
+    cx_3 <= c_3 * x_3;
+    -- UQ19.20: c x, rounded down
+    m1_3 <= cx_3(50 downto 12);
     process (clk) is
     begin
         if rising_edge(clk) then

@@ -7,7 +7,7 @@
 //   in_cos    Q1.12   cosine x; below 0 gives 0, above 1 counts as 1
 //   out_spec  UQ1.12  the lobe, 0 to 1; 1.0 is exact
 //
-// Latency 11 clocks, one result a clock.
+// Latency 12 clocks, one result a clock.
 // Error against the real-valued method, in ulps of out_spec: proved within -0.959..+0.948.
 //   measured -0.689..+0.772 over all 520319 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
@@ -29,19 +29,19 @@ module cubic_rational (
     input  wire [6:0] in_n,
     // Q1.12: cosine x; below 0 gives 0, above 1 counts as 1
     input  wire [13:0] in_cos,
-    // out_spec is a result: in_valid, 11 enabled clocks later
+    // out_spec is a result: in_valid, 12 enabled clocks later
     output wire        out_valid,
     // UQ1.12: the lobe, 0 to 1; 1.0 is exact
     output wire [12:0] out_spec
 );
 
     // ===== Valid chain
-    reg [11:1] valid;
+    reg [12:1] valid;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 11'd0;
+            valid <= 12'd0;
         end else if (ce) begin
-            valid <= {valid[10:1], in_valid};
+            valid <= {valid[11:1], in_valid};
         end
     end
 
@@ -236,317 +236,318 @@ module cubic_rational (
         end
     end
 
-    // ===== Stage 2: past, u_scaled, bu
-    // UQ1.0: u > cut: past the cubic's versines
-    wire past_2 = u_2 > {1'd0, cut_2};
-    // UQ8.12: u 2^k
-    wire [19:0] u_scaled_2 = {7'd0, u_2} << k_2;
-    // UQ1.11: v = u 2^k, rounded down; wraps past the cut
-    wire [11:0] v_2 = u_scaled_2[12:1];
-    // UQ9.11: b u
-    wire [19:0] bu_2 = b_2 * u_2;
+    // ===== Stage 2: registers only
     reg [12:0] x_3;
-    reg past_3;
+    reg [12:0] u_3;
+    reg [11:0] cut_3;
     reg [14:0] big_a_3;
     reg [9:0] a_3;
-    reg [11:0] v_3;
+    reg [2:0] k_3;
+    reg [6:0] b_3;
     reg [14:0] d_3;
     reg [11:0] num_3;
-    reg [19:0] bu_3;
     always @(posedge clk) begin
         if (ce) begin
             x_3 <= x_2;
-            past_3 <= past_2;
+            u_3 <= u_2;
+            cut_3 <= cut_2;
             big_a_3 <= big_a_2;
             a_3 <= a_2;
-            v_3 <= v_2;
+            k_3 <= k_2;
+            b_3 <= b_2;
             d_3 <= d_2;
             num_3 <= num_2;
-            bu_3 <= bu_2;
         end
     end
 
-    // ===== Stage 3: av, den, m_4
-    // UQ0.22: (a 4^-k) v
-    wire [21:0] av_3 = a_3 * v_3;
-    // UQ-2.15: (a 4^-k) v, rounded down
-    wire [12:0] r_3 = av_3[19:7];
-    // UQ8.14: the tail's denominator, d + b u
-    wire [21:0] den_3 = {7'd0, d_3} + {bu_3[18:0], 3'd0};
-    // UQ8.-4: the bits from 2^4 on
-    wire [3:0] from_4_bits_3 = den_3[21:18];
-    // UQ1.0: the denominator is 2^4 or more
-    wire from_4_3 = |from_4_bits_3;
-    // UQ4.18: times 2^-4
-    wire [21:0] m_4_high_3 = den_3;
-    // UQ4.14: in one format
-    wire [17:0] m_4_high_wide_3 = m_4_high_3[21:4];
-    // UQ4.14: in one format
-    wire [17:0] m_4_low_wide_3 = den_3[17:0];
-    // UQ4.14: below 2^4
-    wire [17:0] m_4_3 = from_4_3 ? m_4_high_wide_3 : m_4_low_wide_3;
-    // UQ4.-2: the bits from 2^2 on
-    wire [1:0] from_2_bits_3 = m_4_3[17:16];
-    // UQ1.0: the denominator is 2^2 or more
-    wire from_2_3 = |from_2_bits_3;
-    // UQ2.16: times 2^-2
-    wire [17:0] m_2_high_3 = m_4_3;
-    // UQ2.14: in one format
-    wire [15:0] m_2_high_wide_3 = m_2_high_3[17:2];
-    // UQ2.14: in one format
-    wire [15:0] m_2_low_wide_3 = m_4_3[15:0];
+    // ===== Stage 3: past, u_scaled, bu
+    // UQ1.0: u > cut: past the cubic's versines
+    wire past_3 = u_3 > {1'd0, cut_3};
+    // UQ8.12: u 2^k
+    wire [19:0] u_scaled_3 = {7'd0, u_3} << k_3;
+    // UQ1.11: v = u 2^k, rounded down; wraps past the cut
+    wire [11:0] v_3 = u_scaled_3[12:1];
+    // UQ9.11: b u
+    wire [19:0] bu_3 = b_3 * u_3;
     reg [12:0] x_4;
     reg past_4;
     reg [14:0] big_a_4;
+    reg [9:0] a_4;
     reg [11:0] v_4;
-    reg [12:0] r_4;
+    reg [14:0] d_4;
     reg [11:0] num_4;
-    reg from_4_4;
-    reg from_2_4;
-    reg [15:0] m_2_high_wide_4;
-    reg [15:0] m_2_low_wide_4;
+    reg [19:0] bu_4;
     always @(posedge clk) begin
         if (ce) begin
             x_4 <= x_3;
             past_4 <= past_3;
             big_a_4 <= big_a_3;
+            a_4 <= a_3;
             v_4 <= v_3;
-            r_4 <= r_3;
+            d_4 <= d_3;
             num_4 <= num_3;
-            from_4_4 <= from_4_3;
-            from_2_4 <= from_2_3;
-            m_2_high_wide_4 <= m_2_high_wide_3;
-            m_2_low_wide_4 <= m_2_low_wide_3;
+            bu_4 <= bu_3;
         end
     end
 
-    // ===== Stage 4: q, m_2, m_1
-    // UQ0.15: q = (A - a u) 2^-k; wraps past the cut
-    wire [14:0] q_4 = big_a_4 - {2'd0, r_4};
-    // UQ2.14: below 2^2
-    wire [15:0] m_2_4 = from_2_4 ? m_2_high_wide_4 : m_2_low_wide_4;
-    // UQ2.-1: the bits from 2^1 on
-    wire from_1_bits_4 = m_2_4[15];
-    // UQ1.15: times 2^-1
-    wire [15:0] m_1_high_4 = m_2_4;
-    // UQ1.14: in one format
-    wire [14:0] m_1_high_wide_4 = m_1_high_4[15:1];
-    // UQ1.14: in one format
-    wire [14:0] m_1_low_wide_4 = m_2_4[14:0];
-    // UQ1.14: below 2^1
-    wire [14:0] m_1_4 = from_1_bits_4 ? m_1_high_wide_4 : m_1_low_wide_4;
-    // UQ0.14: m - 1, rounded down
-    wire [13:0] fraction_4 = m_1_4[13:0];
-    // UQ0.6: the entry of the table
-    wire [5:0] entry_4 = fraction_4[13:8];
-    // UQ-6.14: m less the entry's least m
-    wire [7:0] offset_4 = fraction_4[7:0];
+    // ===== Stage 4: av, den, m_4
+    // UQ0.22: (a 4^-k) v
+    wire [21:0] av_4 = a_4 * v_4;
+    // UQ-2.15: (a 4^-k) v, rounded down
+    wire [12:0] r_4 = av_4[19:7];
+    // UQ8.14: the tail's denominator, d + b u
+    wire [21:0] den_4 = {7'd0, d_4} + {bu_4[18:0], 3'd0};
+    // UQ8.-4: the bits from 2^4 on
+    wire [3:0] from_4_bits_4 = den_4[21:18];
+    // UQ1.0: the denominator is 2^4 or more
+    wire from_4_4 = |from_4_bits_4;
+    // UQ4.18: times 2^-4
+    wire [21:0] m_4_high_4 = den_4;
+    // UQ4.14: in one format
+    wire [17:0] m_4_high_wide_4 = m_4_high_4[21:4];
+    // UQ4.14: in one format
+    wire [17:0] m_4_low_wide_4 = den_4[17:0];
+    // UQ4.14: below 2^4
+    wire [17:0] m_4_4 = from_4_4 ? m_4_high_wide_4 : m_4_low_wide_4;
+    // UQ4.-2: the bits from 2^2 on
+    wire [1:0] from_2_bits_4 = m_4_4[17:16];
+    // UQ1.0: the denominator is 2^2 or more
+    wire from_2_4 = |from_2_bits_4;
+    // UQ2.16: times 2^-2
+    wire [17:0] m_2_high_4 = m_4_4;
+    // UQ2.14: in one format
+    wire [15:0] m_2_high_wide_4 = m_2_high_4[17:2];
+    // UQ2.14: in one format
+    wire [15:0] m_2_low_wide_4 = m_4_4[15:0];
     reg [12:0] x_5;
     reg past_5;
+    reg [14:0] big_a_5;
     reg [11:0] v_5;
-    reg [14:0] q_5;
+    reg [12:0] r_5;
     reg [11:0] num_5;
     reg from_4_5;
     reg from_2_5;
-    reg from_1_bits_5;
-    reg [5:0] entry_5;
-    reg [7:0] offset_5;
+    reg [15:0] m_2_high_wide_5;
+    reg [15:0] m_2_low_wide_5;
     always @(posedge clk) begin
         if (ce) begin
             x_5 <= x_4;
             past_5 <= past_4;
+            big_a_5 <= big_a_4;
             v_5 <= v_4;
-            q_5 <= q_4;
+            r_5 <= r_4;
             num_5 <= num_4;
             from_4_5 <= from_4_4;
             from_2_5 <= from_2_4;
-            from_1_bits_5 <= from_1_bits_4;
-            entry_5 <= entry_4;
-            offset_5 <= offset_4;
+            m_2_high_wide_5 <= m_2_high_wide_4;
+            m_2_low_wide_5 <= m_2_low_wide_4;
         end
     end
 
-    // ===== Stage 5: read reciprocal, vq
-    // The word of the memory reciprocal, of 64 words.
-    reg [21:0] reciprocal_6;
-    // UQ1.26: u (A - a u) = v q
-    wire [26:0] vq_5 = v_5 * q_5;
-    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
-    wire p_above_bits_5 = vq_5[26];
-    // UQ0.15: p, rounded down
-    wire [14:0] p_5 = vq_5[25:11];
-    always @(posedge clk) begin
-        if (ce) begin
-            case (entry_5)
-                6'd0: reciprocal_6 <= 22'h3fff3f;
-                6'd1: reciprocal_6 <= 22'h3f02fd;
-                6'd2: reciprocal_6 <= 22'h3e0e7b;
-                6'd3: reciprocal_6 <= 22'h3d22fa;
-                6'd4: reciprocal_6 <= 22'h3c3bf8;
-                6'd5: reciprocal_6 <= 22'h3b5bb6;
-                6'd6: reciprocal_6 <= 22'h3a83b5;
-                6'd7: reciprocal_6 <= 22'h39afb3;
-                6'd8: reciprocal_6 <= 22'h38e332;
-                6'd9: reciprocal_6 <= 22'h381cb1;
-                6'd10: reciprocal_6 <= 22'h3758ef;
-                6'd11: reciprocal_6 <= 22'h369c6e;
-                6'd12: reciprocal_6 <= 22'h35e4ed;
-                6'd13: reciprocal_6 <= 22'h35322c;
-                6'd14: reciprocal_6 <= 22'h3483eb;
-                6'd15: reciprocal_6 <= 22'h33d7e9;
-                6'd16: reciprocal_6 <= 22'h3331e8;
-                6'd17: reciprocal_6 <= 22'h329027;
-                6'd18: reciprocal_6 <= 22'h31f427;
-                6'd19: reciprocal_6 <= 22'h3159e6;
-                6'd20: reciprocal_6 <= 22'h30c365;
-                6'd21: reciprocal_6 <= 22'h303024;
-                6'd22: reciprocal_6 <= 22'h2fa023;
-                6'd23: reciprocal_6 <= 22'h2f13e2;
-                6'd24: reciprocal_6 <= 22'h2e8a61;
-                6'd25: reciprocal_6 <= 22'h2e0621;
-                6'd26: reciprocal_6 <= 22'h2d8260;
-                6'd27: reciprocal_6 <= 22'h2d01df;
-                6'd28: reciprocal_6 <= 22'h2c861f;
-                6'd29: reciprocal_6 <= 22'h2c0a9e;
-                6'd30: reciprocal_6 <= 22'h2b921d;
-                6'd31: reciprocal_6 <= 22'h2b1ddd;
-                6'd32: reciprocal_6 <= 22'h2aaa1c;
-                6'd33: reciprocal_6 <= 22'h2a3a9c;
-                6'd34: reciprocal_6 <= 22'h29cb5b;
-                6'd35: reciprocal_6 <= 22'h295e9a;
-                6'd36: reciprocal_6 <= 22'h28f59a;
-                6'd37: reciprocal_6 <= 22'h288cd9;
-                6'd38: reciprocal_6 <= 22'h2827d9;
-                6'd39: reciprocal_6 <= 22'h27c318;
-                6'd40: reciprocal_6 <= 22'h276218;
-                6'd41: reciprocal_6 <= 22'h270318;
-                6'd42: reciprocal_6 <= 22'h26a3d7;
-                6'd43: reciprocal_6 <= 22'h264817;
-                6'd44: reciprocal_6 <= 22'h25ec56;
-                6'd45: reciprocal_6 <= 22'h259416;
-                6'd46: reciprocal_6 <= 22'h253b55;
-                6'd47: reciprocal_6 <= 22'h24e655;
-                6'd48: reciprocal_6 <= 22'h249295;
-                6'd49: reciprocal_6 <= 22'h243e94;
-                6'd50: reciprocal_6 <= 22'h23edd4;
-                6'd51: reciprocal_6 <= 22'h239e94;
-                6'd52: reciprocal_6 <= 22'h234e93;
-                6'd53: reciprocal_6 <= 22'h230213;
-                6'd54: reciprocal_6 <= 22'h22b6d3;
-                6'd55: reciprocal_6 <= 22'h226a92;
-                6'd56: reciprocal_6 <= 22'h2221d2;
-                6'd57: reciprocal_6 <= 22'h21da52;
-                6'd58: reciprocal_6 <= 22'h2191d1;
-                6'd59: reciprocal_6 <= 22'h214c91;
-                6'd60: reciprocal_6 <= 22'h210851;
-                6'd61: reciprocal_6 <= 22'h20c511;
-                6'd62: reciprocal_6 <= 22'h208110;
-                6'd63: reciprocal_6 <= 22'h204010;
-                default: reciprocal_6 <= 22'h3fff3f;
-            endcase
-        end
-    end
+    // ===== Stage 5: q, m_2, m_1
+    // UQ0.15: q = (A - a u) 2^-k; wraps past the cut
+    wire [14:0] q_5 = big_a_5 - {2'd0, r_5};
+    // UQ2.14: below 2^2
+    wire [15:0] m_2_5 = from_2_5 ? m_2_high_wide_5 : m_2_low_wide_5;
+    // UQ2.-1: the bits from 2^1 on
+    wire from_1_bits_5 = m_2_5[15];
+    // UQ1.15: times 2^-1
+    wire [15:0] m_1_high_5 = m_2_5;
+    // UQ1.14: in one format
+    wire [14:0] m_1_high_wide_5 = m_1_high_5[15:1];
+    // UQ1.14: in one format
+    wire [14:0] m_1_low_wide_5 = m_2_5[14:0];
+    // UQ1.14: below 2^1
+    wire [14:0] m_1_5 = from_1_bits_5 ? m_1_high_wide_5 : m_1_low_wide_5;
+    // UQ0.14: m - 1, rounded down
+    wire [13:0] fraction_5 = m_1_5[13:0];
+    // UQ0.6: the entry of the table
+    wire [5:0] entry_5 = fraction_5[13:8];
+    // UQ-6.14: m less the entry's least m
+    wire [7:0] offset_5 = fraction_5[7:0];
     reg [12:0] x_6;
     reg past_6;
-    reg p_above_bits_6;
-    reg [14:0] p_6;
+    reg [11:0] v_6;
+    reg [14:0] q_6;
     reg [11:0] num_6;
     reg from_4_6;
     reg from_2_6;
     reg from_1_bits_6;
+    reg [5:0] entry_6;
     reg [7:0] offset_6;
     always @(posedge clk) begin
         if (ce) begin
             x_6 <= x_5;
             past_6 <= past_5;
-            p_above_bits_6 <= p_above_bits_5;
-            p_6 <= p_5;
+            v_6 <= v_5;
+            q_6 <= q_5;
             num_6 <= num_5;
             from_4_6 <= from_4_5;
             from_2_6 <= from_2_5;
             from_1_bits_6 <= from_1_bits_5;
+            entry_6 <= entry_5;
             offset_6 <= offset_5;
         end
     end
 
-    // ===== Stage 6: xp
-    // UQ1.27: x p
-    wire [27:0] xp_6 = x_6 * p_6;
-    // UQ0.13: t = x p, rounded down
-    wire [12:0] t_6 = xp_6[26:14];
-    // UQ0.16: about 1/m at the entry's least m
-    wire [15:0] seed_6 = reciprocal_6[21:6];
-    // UQ0.6: how fast 1/m falls
-    wire [5:0] slope_6 = reciprocal_6[5:0];
+    // ===== Stage 6: read reciprocal, vq
+    // The word of the memory reciprocal, of 64 words.
+    reg [21:0] reciprocal_7;
+    // UQ1.26: u (A - a u) = v q
+    wire [26:0] vq_6 = v_6 * q_6;
+    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    wire p_above_bits_6 = vq_6[26];
+    // UQ0.15: p, rounded down
+    wire [14:0] p_6 = vq_6[25:11];
+    always @(posedge clk) begin
+        if (ce) begin
+            case (entry_6)
+                6'd0: reciprocal_7 <= 22'h3fff3f;
+                6'd1: reciprocal_7 <= 22'h3f02fd;
+                6'd2: reciprocal_7 <= 22'h3e0e7b;
+                6'd3: reciprocal_7 <= 22'h3d22fa;
+                6'd4: reciprocal_7 <= 22'h3c3bf8;
+                6'd5: reciprocal_7 <= 22'h3b5bb6;
+                6'd6: reciprocal_7 <= 22'h3a83b5;
+                6'd7: reciprocal_7 <= 22'h39afb3;
+                6'd8: reciprocal_7 <= 22'h38e332;
+                6'd9: reciprocal_7 <= 22'h381cb1;
+                6'd10: reciprocal_7 <= 22'h3758ef;
+                6'd11: reciprocal_7 <= 22'h369c6e;
+                6'd12: reciprocal_7 <= 22'h35e4ed;
+                6'd13: reciprocal_7 <= 22'h35322c;
+                6'd14: reciprocal_7 <= 22'h3483eb;
+                6'd15: reciprocal_7 <= 22'h33d7e9;
+                6'd16: reciprocal_7 <= 22'h3331e8;
+                6'd17: reciprocal_7 <= 22'h329027;
+                6'd18: reciprocal_7 <= 22'h31f427;
+                6'd19: reciprocal_7 <= 22'h3159e6;
+                6'd20: reciprocal_7 <= 22'h30c365;
+                6'd21: reciprocal_7 <= 22'h303024;
+                6'd22: reciprocal_7 <= 22'h2fa023;
+                6'd23: reciprocal_7 <= 22'h2f13e2;
+                6'd24: reciprocal_7 <= 22'h2e8a61;
+                6'd25: reciprocal_7 <= 22'h2e0621;
+                6'd26: reciprocal_7 <= 22'h2d8260;
+                6'd27: reciprocal_7 <= 22'h2d01df;
+                6'd28: reciprocal_7 <= 22'h2c861f;
+                6'd29: reciprocal_7 <= 22'h2c0a9e;
+                6'd30: reciprocal_7 <= 22'h2b921d;
+                6'd31: reciprocal_7 <= 22'h2b1ddd;
+                6'd32: reciprocal_7 <= 22'h2aaa1c;
+                6'd33: reciprocal_7 <= 22'h2a3a9c;
+                6'd34: reciprocal_7 <= 22'h29cb5b;
+                6'd35: reciprocal_7 <= 22'h295e9a;
+                6'd36: reciprocal_7 <= 22'h28f59a;
+                6'd37: reciprocal_7 <= 22'h288cd9;
+                6'd38: reciprocal_7 <= 22'h2827d9;
+                6'd39: reciprocal_7 <= 22'h27c318;
+                6'd40: reciprocal_7 <= 22'h276218;
+                6'd41: reciprocal_7 <= 22'h270318;
+                6'd42: reciprocal_7 <= 22'h26a3d7;
+                6'd43: reciprocal_7 <= 22'h264817;
+                6'd44: reciprocal_7 <= 22'h25ec56;
+                6'd45: reciprocal_7 <= 22'h259416;
+                6'd46: reciprocal_7 <= 22'h253b55;
+                6'd47: reciprocal_7 <= 22'h24e655;
+                6'd48: reciprocal_7 <= 22'h249295;
+                6'd49: reciprocal_7 <= 22'h243e94;
+                6'd50: reciprocal_7 <= 22'h23edd4;
+                6'd51: reciprocal_7 <= 22'h239e94;
+                6'd52: reciprocal_7 <= 22'h234e93;
+                6'd53: reciprocal_7 <= 22'h230213;
+                6'd54: reciprocal_7 <= 22'h22b6d3;
+                6'd55: reciprocal_7 <= 22'h226a92;
+                6'd56: reciprocal_7 <= 22'h2221d2;
+                6'd57: reciprocal_7 <= 22'h21da52;
+                6'd58: reciprocal_7 <= 22'h2191d1;
+                6'd59: reciprocal_7 <= 22'h214c91;
+                6'd60: reciprocal_7 <= 22'h210851;
+                6'd61: reciprocal_7 <= 22'h20c511;
+                6'd62: reciprocal_7 <= 22'h208110;
+                6'd63: reciprocal_7 <= 22'h204010;
+                default: reciprocal_7 <= 22'h3fff3f;
+            endcase
+        end
+    end
     reg [12:0] x_7;
     reg past_7;
     reg p_above_bits_7;
-    reg [12:0] t_7;
+    reg [14:0] p_7;
     reg [11:0] num_7;
     reg from_4_7;
     reg from_2_7;
     reg from_1_bits_7;
-    reg [15:0] seed_7;
-    reg [5:0] slope_7;
     reg [7:0] offset_7;
     always @(posedge clk) begin
         if (ce) begin
             x_7 <= x_6;
             past_7 <= past_6;
             p_above_bits_7 <= p_above_bits_6;
-            t_7 <= t_6;
+            p_7 <= p_6;
             num_7 <= num_6;
             from_4_7 <= from_4_6;
             from_2_7 <= from_2_6;
             from_1_bits_7 <= from_1_bits_6;
-            seed_7 <= seed_6;
-            slope_7 <= slope_6;
             offset_7 <= offset_6;
         end
     end
 
-    // ===== Stage 7: y_exact, y, fall_exact
-    // UQ1.13: x - t = x (1 - p)
-    wire [13:0] y_exact_7 = {x_7, 1'd0} - {1'd0, t_7};
-    // UQ1.12: rounded down to the output's bits
-    wire [12:0] y_cut_7 = y_exact_7[13:1];
-    // UQ1.12: y, 0 where the lobe has ended
-    wire [12:0] y_7 = p_above_bits_7 ? 13'd0 : y_cut_7;
-    // UQ-6.20: slope d
-    wire [13:0] fall_exact_7 = slope_7 * offset_7;
-    // UQ-6.16: slope d, rounded down
-    wire [9:0] fall_7 = fall_exact_7[13:4];
+    // ===== Stage 7: xp
+    // UQ1.27: x p
+    wire [27:0] xp_7 = x_7 * p_7;
+    // UQ0.13: t = x p, rounded down
+    wire [12:0] t_7 = xp_7[26:14];
+    // UQ0.16: about 1/m at the entry's least m
+    wire [15:0] seed_7 = reciprocal_7[21:6];
+    // UQ0.6: how fast 1/m falls
+    wire [5:0] slope_7 = reciprocal_7[5:0];
+    reg [12:0] x_8;
     reg past_8;
-    reg [12:0] y_8;
+    reg p_above_bits_8;
+    reg [12:0] t_8;
     reg [11:0] num_8;
     reg from_4_8;
     reg from_2_8;
     reg from_1_bits_8;
     reg [15:0] seed_8;
-    reg [9:0] fall_8;
+    reg [5:0] slope_8;
+    reg [7:0] offset_8;
     always @(posedge clk) begin
         if (ce) begin
+            x_8 <= x_7;
             past_8 <= past_7;
-            y_8 <= y_7;
+            p_above_bits_8 <= p_above_bits_7;
+            t_8 <= t_7;
             num_8 <= num_7;
             from_4_8 <= from_4_7;
             from_2_8 <= from_2_7;
             from_1_bits_8 <= from_1_bits_7;
             seed_8 <= seed_7;
-            fall_8 <= fall_7;
+            slope_8 <= slope_7;
+            offset_8 <= offset_7;
         end
     end
 
-    // ===== Stage 8: inverse
-    // UQ0.16: 1/m = seed - slope d
-    wire [15:0] inverse_8 = seed_8 - {6'd0, fall_8};
+    // ===== Stage 8: y_exact, y, fall_exact
+    // UQ1.13: x - t = x (1 - p)
+    wire [13:0] y_exact_8 = {x_8, 1'd0} - {1'd0, t_8};
+    // UQ1.12: rounded down to the output's bits
+    wire [12:0] y_cut_8 = y_exact_8[13:1];
+    // UQ1.12: y, 0 where the lobe has ended
+    wire [12:0] y_8 = p_above_bits_8 ? 13'd0 : y_cut_8;
+    // UQ-6.20: slope d
+    wire [13:0] fall_exact_8 = slope_8 * offset_8;
+    // UQ-6.16: slope d, rounded down
+    wire [9:0] fall_8 = fall_exact_8[13:4];
     reg past_9;
     reg [12:0] y_9;
     reg [11:0] num_9;
     reg from_4_9;
     reg from_2_9;
     reg from_1_bits_9;
-    reg [15:0] inverse_9;
+    reg [15:0] seed_9;
+    reg [9:0] fall_9;
     always @(posedge clk) begin
         if (ce) begin
             past_9 <= past_8;
@@ -555,90 +556,113 @@ module cubic_rational (
             from_4_9 <= from_4_8;
             from_2_9 <= from_2_8;
             from_1_bits_9 <= from_1_bits_8;
-            inverse_9 <= inverse_8;
+            seed_9 <= seed_8;
+            fall_9 <= fall_8;
         end
     end
 
-    // ===== Stage 9: product
-    // UQ0.28: num / m
-    wire [27:0] product_9 = num_9 * inverse_9;
-    // UQ0.13: num / m, rounded down
-    wire [12:0] scaled_9 = product_9[27:15];
-    // UQ-4.17: as often halved
-    wire [12:0] scaled_4_moved_9 = scaled_9;
-    // UQ0.13: rounded down
-    wire [12:0] scaled_4_low_9 = {4'd0, scaled_4_moved_9[12:4]};
+    // ===== Stage 9: inverse
+    // UQ0.16: 1/m = seed - slope d
+    wire [15:0] inverse_9 = seed_9 - {6'd0, fall_9};
     reg past_10;
     reg [12:0] y_10;
+    reg [11:0] num_10;
     reg from_4_10;
     reg from_2_10;
     reg from_1_bits_10;
-    reg [12:0] scaled_10;
-    reg [12:0] scaled_4_low_10;
+    reg [15:0] inverse_10;
     always @(posedge clk) begin
         if (ce) begin
             past_10 <= past_9;
             y_10 <= y_9;
+            num_10 <= num_9;
             from_4_10 <= from_4_9;
             from_2_10 <= from_2_9;
             from_1_bits_10 <= from_1_bits_9;
-            scaled_10 <= scaled_9;
-            scaled_4_low_10 <= scaled_4_low_9;
+            inverse_10 <= inverse_9;
         end
     end
 
-    // ===== Stage 10: scaled_4, scaled_2, scaled_1, quotient_half, either
-    // UQ0.13: halved as often as the denominator was
-    wire [12:0] scaled_4_10 = from_4_10 ? scaled_4_low_10 : scaled_10;
-    // UQ-2.15: as often halved
-    wire [12:0] scaled_2_moved_10 = scaled_4_10;
+    // ===== Stage 10: product
+    // UQ0.28: num / m
+    wire [27:0] product_10 = num_10 * inverse_10;
+    // UQ0.13: num / m, rounded down
+    wire [12:0] scaled_10 = product_10[27:15];
+    // UQ-4.17: as often halved
+    wire [12:0] scaled_4_moved_10 = scaled_10;
     // UQ0.13: rounded down
-    wire [12:0] scaled_2_low_10 = {2'd0, scaled_2_moved_10[12:2]};
-    // UQ0.13: halved as often as the denominator was
-    wire [12:0] scaled_2_10 = from_2_10 ? scaled_2_low_10 : scaled_4_10;
-    // UQ-1.14: as often halved
-    wire [12:0] scaled_1_moved_10 = scaled_2_10;
-    // UQ0.13: rounded down
-    wire [12:0] scaled_1_low_10 = {1'd0, scaled_1_moved_10[12:1]};
-    // UQ0.13: halved as often as the denominator was
-    wire [12:0] scaled_1_10 = from_1_bits_10 ? scaled_1_low_10 : scaled_2_10;
-    // UQ1.13: plus half an output ulp
-    wire [13:0] quotient_half_10 = {1'd0, scaled_1_10} + 14'h0001;
-    // UQ1.12: num / den, rounded to nearest
-    wire [12:0] quotient_10 = quotient_half_10[13:1];
-    // UQ1.12: the tail past the cut, the cubic up to it
-    wire [12:0] either_10 = past_10 ? quotient_10 : y_10;
-    reg [12:0] either_11;
+    wire [12:0] scaled_4_low_10 = {4'd0, scaled_4_moved_10[12:4]};
+    reg past_11;
+    reg [12:0] y_11;
+    reg from_4_11;
+    reg from_2_11;
+    reg from_1_bits_11;
+    reg [12:0] scaled_11;
+    reg [12:0] scaled_4_low_11;
     always @(posedge clk) begin
         if (ce) begin
-            either_11 <= either_10;
+            past_11 <= past_10;
+            y_11 <= y_10;
+            from_4_11 <= from_4_10;
+            from_2_11 <= from_2_10;
+            from_1_bits_11 <= from_1_bits_10;
+            scaled_11 <= scaled_10;
+            scaled_4_low_11 <= scaled_4_low_10;
         end
     end
 
-    assign out_valid = valid[11];
-    assign out_spec  = either_11;
+    // ===== Stage 11: scaled_4, scaled_2, scaled_1, quotient_half, either
+    // UQ0.13: halved as often as the denominator was
+    wire [12:0] scaled_4_11 = from_4_11 ? scaled_4_low_11 : scaled_11;
+    // UQ-2.15: as often halved
+    wire [12:0] scaled_2_moved_11 = scaled_4_11;
+    // UQ0.13: rounded down
+    wire [12:0] scaled_2_low_11 = {2'd0, scaled_2_moved_11[12:2]};
+    // UQ0.13: halved as often as the denominator was
+    wire [12:0] scaled_2_11 = from_2_11 ? scaled_2_low_11 : scaled_4_11;
+    // UQ-1.14: as often halved
+    wire [12:0] scaled_1_moved_11 = scaled_2_11;
+    // UQ0.13: rounded down
+    wire [12:0] scaled_1_low_11 = {1'd0, scaled_1_moved_11[12:1]};
+    // UQ0.13: halved as often as the denominator was
+    wire [12:0] scaled_1_11 = from_1_bits_11 ? scaled_1_low_11 : scaled_2_11;
+    // UQ1.13: plus half an output ulp
+    wire [13:0] quotient_half_11 = {1'd0, scaled_1_11} + 14'h0001;
+    // UQ1.12: num / den, rounded to nearest
+    wire [12:0] quotient_11 = quotient_half_11[13:1];
+    // UQ1.12: the tail past the cut, the cubic up to it
+    wire [12:0] either_11 = past_11 ? quotient_11 : y_11;
+    reg [12:0] either_12;
+    always @(posedge clk) begin
+        if (ce) begin
+            either_12 <= either_11;
+        end
+    end
+
+    assign out_valid = valid[12];
+    assign out_spec  = either_12;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    u_scaled_2[19:13],
-                    u_scaled_2[0],
-                    av_3[21:20],
-                    av_3[6:0],
-                    vq_5[10:0],
-                    xp_6[27],
-                    xp_6[13:0],
-                    y_exact_7[0],
-                    bu_3[19],
-                    m_4_high_3[3:0],
-                    m_2_high_3[1:0],
-                    m_1_high_4[0],
-                    m_1_4[14],
-                    fall_exact_7[3:0],
-                    product_9[14:0],
-                    scaled_4_moved_9[3:0],
-                    scaled_2_moved_10[1:0],
-                    scaled_1_moved_10[0],
-                    quotient_half_10[0]};
+                    u_scaled_3[19:13],
+                    u_scaled_3[0],
+                    av_4[21:20],
+                    av_4[6:0],
+                    vq_6[10:0],
+                    xp_7[27],
+                    xp_7[13:0],
+                    y_exact_8[0],
+                    bu_4[19],
+                    m_4_high_4[3:0],
+                    m_2_high_4[1:0],
+                    m_1_high_5[0],
+                    m_1_5[14],
+                    fall_exact_8[3:0],
+                    product_10[14:0],
+                    scaled_4_moved_10[3:0],
+                    scaled_2_moved_11[1:0],
+                    scaled_1_moved_11[0],
+                    quotient_half_11[0]};
 
 endmodule
 

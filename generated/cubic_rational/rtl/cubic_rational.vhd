@@ -7,7 +7,7 @@
 --   in_cos    Q1.12   cosine x; below 0 gives 0, above 1 counts as 1
 --   out_spec  UQ1.12  the lobe, 0 to 1; 1.0 is exact
 --
--- Latency 11 clocks, one result a clock.
+-- Latency 12 clocks, one result a clock.
 -- Error against the real-valued method, in ulps of out_spec: proved within -0.959..+0.948.
 --   measured -0.689..+0.772 over all 520319 inputs in [0, 1].
 -- Error against x^n itself, measured over the same inputs:
@@ -31,7 +31,7 @@ entity cubic_rational is
         in_n      : in  unsigned(6 downto 0);
         -- Q1.12: cosine x; below 0 gives 0, above 1 counts as 1
         in_cos    : in  signed(13 downto 0);
-        -- out_spec is a result: in_valid, 11 enabled clocks later
+        -- out_spec is a result: in_valid, 12 enabled clocks later
         out_valid : out std_logic;
         -- UQ1.12: the lobe, 0 to 1; 1.0 is exact
         out_spec  : out unsigned(12 downto 0)
@@ -378,9 +378,9 @@ architecture rtl of cubic_rational is
         1 => x"3f02fd",
         0 => x"3fff3f"
     );
-    signal reciprocal_6 : std_logic_vector(21 downto 0) := (others => '0');
+    signal reciprocal_7 : std_logic_vector(21 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(11 downto 1) := (others => '0');
+    signal valid : std_logic_vector(12 downto 1) := (others => '0');
     signal x_0 : unsigned(12 downto 0);
     signal u_0 : unsigned(12 downto 0);
     signal num_0 : unsigned(11 downto 0);
@@ -402,132 +402,141 @@ architecture rtl of cubic_rational is
     signal b_2 : unsigned(6 downto 0) := (others => '0');
     signal d_2 : unsigned(14 downto 0) := (others => '0');
     signal num_2 : unsigned(11 downto 0) := (others => '0');
-    signal past_2 : std_logic;
-    signal u_scaled_2 : unsigned(19 downto 0);
-    signal v_2 : unsigned(11 downto 0);
-    signal bu_2 : unsigned(19 downto 0);
     signal x_3 : unsigned(12 downto 0) := (others => '0');
-    signal past_3 : std_logic := '0';
+    signal u_3 : unsigned(12 downto 0) := (others => '0');
+    signal cut_3 : unsigned(11 downto 0) := (others => '0');
     signal big_a_3 : unsigned(14 downto 0) := (others => '0');
     signal a_3 : unsigned(9 downto 0) := (others => '0');
-    signal v_3 : unsigned(11 downto 0) := (others => '0');
+    signal k_3 : unsigned(2 downto 0) := (others => '0');
+    signal b_3 : unsigned(6 downto 0) := (others => '0');
     signal d_3 : unsigned(14 downto 0) := (others => '0');
     signal num_3 : unsigned(11 downto 0) := (others => '0');
-    signal bu_3 : unsigned(19 downto 0) := (others => '0');
-    signal av_3 : unsigned(21 downto 0);
-    signal r_3 : unsigned(12 downto 0);
-    signal den_3 : unsigned(21 downto 0);
-    signal from_4_bits_3 : unsigned(3 downto 0);
-    signal from_4_3 : std_logic;
-    signal m_4_high_3 : unsigned(21 downto 0);
-    signal m_4_high_wide_3 : unsigned(17 downto 0);
-    signal m_4_low_wide_3 : unsigned(17 downto 0);
-    signal m_4_3 : unsigned(17 downto 0);
-    signal from_2_bits_3 : unsigned(1 downto 0);
-    signal from_2_3 : std_logic;
-    signal m_2_high_3 : unsigned(17 downto 0);
-    signal m_2_high_wide_3 : unsigned(15 downto 0);
-    signal m_2_low_wide_3 : unsigned(15 downto 0);
+    signal past_3 : std_logic;
+    signal u_scaled_3 : unsigned(19 downto 0);
+    signal v_3 : unsigned(11 downto 0);
+    signal bu_3 : unsigned(19 downto 0);
     signal x_4 : unsigned(12 downto 0) := (others => '0');
     signal past_4 : std_logic := '0';
     signal big_a_4 : unsigned(14 downto 0) := (others => '0');
+    signal a_4 : unsigned(9 downto 0) := (others => '0');
     signal v_4 : unsigned(11 downto 0) := (others => '0');
-    signal r_4 : unsigned(12 downto 0) := (others => '0');
+    signal d_4 : unsigned(14 downto 0) := (others => '0');
     signal num_4 : unsigned(11 downto 0) := (others => '0');
-    signal from_4_4 : std_logic := '0';
-    signal from_2_4 : std_logic := '0';
-    signal m_2_high_wide_4 : unsigned(15 downto 0) := (others => '0');
-    signal m_2_low_wide_4 : unsigned(15 downto 0) := (others => '0');
-    signal q_4 : unsigned(14 downto 0);
-    signal m_2_4 : unsigned(15 downto 0);
-    signal from_1_bits_4 : std_logic;
-    signal m_1_high_4 : unsigned(15 downto 0);
-    signal m_1_high_wide_4 : unsigned(14 downto 0);
-    signal m_1_low_wide_4 : unsigned(14 downto 0);
-    signal m_1_4 : unsigned(14 downto 0);
-    signal fraction_4 : unsigned(13 downto 0);
-    signal entry_4 : unsigned(5 downto 0);
-    signal offset_4 : unsigned(7 downto 0);
+    signal bu_4 : unsigned(19 downto 0) := (others => '0');
+    signal av_4 : unsigned(21 downto 0);
+    signal r_4 : unsigned(12 downto 0);
+    signal den_4 : unsigned(21 downto 0);
+    signal from_4_bits_4 : unsigned(3 downto 0);
+    signal from_4_4 : std_logic;
+    signal m_4_high_4 : unsigned(21 downto 0);
+    signal m_4_high_wide_4 : unsigned(17 downto 0);
+    signal m_4_low_wide_4 : unsigned(17 downto 0);
+    signal m_4_4 : unsigned(17 downto 0);
+    signal from_2_bits_4 : unsigned(1 downto 0);
+    signal from_2_4 : std_logic;
+    signal m_2_high_4 : unsigned(17 downto 0);
+    signal m_2_high_wide_4 : unsigned(15 downto 0);
+    signal m_2_low_wide_4 : unsigned(15 downto 0);
     signal x_5 : unsigned(12 downto 0) := (others => '0');
     signal past_5 : std_logic := '0';
+    signal big_a_5 : unsigned(14 downto 0) := (others => '0');
     signal v_5 : unsigned(11 downto 0) := (others => '0');
-    signal q_5 : unsigned(14 downto 0) := (others => '0');
+    signal r_5 : unsigned(12 downto 0) := (others => '0');
     signal num_5 : unsigned(11 downto 0) := (others => '0');
     signal from_4_5 : std_logic := '0';
     signal from_2_5 : std_logic := '0';
-    signal from_1_bits_5 : std_logic := '0';
-    signal entry_5 : unsigned(5 downto 0) := (others => '0');
-    signal offset_5 : unsigned(7 downto 0) := (others => '0');
-    signal vq_5 : unsigned(26 downto 0);
-    signal p_above_bits_5 : std_logic;
-    signal p_5 : unsigned(14 downto 0);
+    signal m_2_high_wide_5 : unsigned(15 downto 0) := (others => '0');
+    signal m_2_low_wide_5 : unsigned(15 downto 0) := (others => '0');
+    signal q_5 : unsigned(14 downto 0);
+    signal m_2_5 : unsigned(15 downto 0);
+    signal from_1_bits_5 : std_logic;
+    signal m_1_high_5 : unsigned(15 downto 0);
+    signal m_1_high_wide_5 : unsigned(14 downto 0);
+    signal m_1_low_wide_5 : unsigned(14 downto 0);
+    signal m_1_5 : unsigned(14 downto 0);
+    signal fraction_5 : unsigned(13 downto 0);
+    signal entry_5 : unsigned(5 downto 0);
+    signal offset_5 : unsigned(7 downto 0);
     signal x_6 : unsigned(12 downto 0) := (others => '0');
     signal past_6 : std_logic := '0';
-    signal p_above_bits_6 : std_logic := '0';
-    signal p_6 : unsigned(14 downto 0) := (others => '0');
+    signal v_6 : unsigned(11 downto 0) := (others => '0');
+    signal q_6 : unsigned(14 downto 0) := (others => '0');
     signal num_6 : unsigned(11 downto 0) := (others => '0');
     signal from_4_6 : std_logic := '0';
     signal from_2_6 : std_logic := '0';
     signal from_1_bits_6 : std_logic := '0';
+    signal entry_6 : unsigned(5 downto 0) := (others => '0');
     signal offset_6 : unsigned(7 downto 0) := (others => '0');
-    signal xp_6 : unsigned(27 downto 0);
-    signal t_6 : unsigned(12 downto 0);
-    signal seed_6 : unsigned(15 downto 0);
-    signal slope_6 : unsigned(5 downto 0);
+    signal vq_6 : unsigned(26 downto 0);
+    signal p_above_bits_6 : std_logic;
+    signal p_6 : unsigned(14 downto 0);
     signal x_7 : unsigned(12 downto 0) := (others => '0');
     signal past_7 : std_logic := '0';
     signal p_above_bits_7 : std_logic := '0';
-    signal t_7 : unsigned(12 downto 0) := (others => '0');
+    signal p_7 : unsigned(14 downto 0) := (others => '0');
     signal num_7 : unsigned(11 downto 0) := (others => '0');
     signal from_4_7 : std_logic := '0';
     signal from_2_7 : std_logic := '0';
     signal from_1_bits_7 : std_logic := '0';
-    signal seed_7 : unsigned(15 downto 0) := (others => '0');
-    signal slope_7 : unsigned(5 downto 0) := (others => '0');
     signal offset_7 : unsigned(7 downto 0) := (others => '0');
-    signal y_exact_7 : unsigned(13 downto 0);
-    signal y_cut_7 : unsigned(12 downto 0);
-    signal y_7 : unsigned(12 downto 0);
-    signal fall_exact_7 : unsigned(13 downto 0);
-    signal fall_7 : unsigned(9 downto 0);
+    signal xp_7 : unsigned(27 downto 0);
+    signal t_7 : unsigned(12 downto 0);
+    signal seed_7 : unsigned(15 downto 0);
+    signal slope_7 : unsigned(5 downto 0);
+    signal x_8 : unsigned(12 downto 0) := (others => '0');
     signal past_8 : std_logic := '0';
-    signal y_8 : unsigned(12 downto 0) := (others => '0');
+    signal p_above_bits_8 : std_logic := '0';
+    signal t_8 : unsigned(12 downto 0) := (others => '0');
     signal num_8 : unsigned(11 downto 0) := (others => '0');
     signal from_4_8 : std_logic := '0';
     signal from_2_8 : std_logic := '0';
     signal from_1_bits_8 : std_logic := '0';
     signal seed_8 : unsigned(15 downto 0) := (others => '0');
-    signal fall_8 : unsigned(9 downto 0) := (others => '0');
-    signal inverse_8 : unsigned(15 downto 0);
+    signal slope_8 : unsigned(5 downto 0) := (others => '0');
+    signal offset_8 : unsigned(7 downto 0) := (others => '0');
+    signal y_exact_8 : unsigned(13 downto 0);
+    signal y_cut_8 : unsigned(12 downto 0);
+    signal y_8 : unsigned(12 downto 0);
+    signal fall_exact_8 : unsigned(13 downto 0);
+    signal fall_8 : unsigned(9 downto 0);
     signal past_9 : std_logic := '0';
     signal y_9 : unsigned(12 downto 0) := (others => '0');
     signal num_9 : unsigned(11 downto 0) := (others => '0');
     signal from_4_9 : std_logic := '0';
     signal from_2_9 : std_logic := '0';
     signal from_1_bits_9 : std_logic := '0';
-    signal inverse_9 : unsigned(15 downto 0) := (others => '0');
-    signal product_9 : unsigned(27 downto 0);
-    signal scaled_9 : unsigned(12 downto 0);
-    signal scaled_4_moved_9 : unsigned(12 downto 0);
-    signal scaled_4_low_9 : unsigned(12 downto 0);
+    signal seed_9 : unsigned(15 downto 0) := (others => '0');
+    signal fall_9 : unsigned(9 downto 0) := (others => '0');
+    signal inverse_9 : unsigned(15 downto 0);
     signal past_10 : std_logic := '0';
     signal y_10 : unsigned(12 downto 0) := (others => '0');
+    signal num_10 : unsigned(11 downto 0) := (others => '0');
     signal from_4_10 : std_logic := '0';
     signal from_2_10 : std_logic := '0';
     signal from_1_bits_10 : std_logic := '0';
-    signal scaled_10 : unsigned(12 downto 0) := (others => '0');
-    signal scaled_4_low_10 : unsigned(12 downto 0) := (others => '0');
-    signal scaled_4_10 : unsigned(12 downto 0);
-    signal scaled_2_moved_10 : unsigned(12 downto 0);
-    signal scaled_2_low_10 : unsigned(12 downto 0);
-    signal scaled_2_10 : unsigned(12 downto 0);
-    signal scaled_1_moved_10 : unsigned(12 downto 0);
-    signal scaled_1_low_10 : unsigned(12 downto 0);
-    signal scaled_1_10 : unsigned(12 downto 0);
-    signal quotient_half_10 : unsigned(13 downto 0);
-    signal quotient_10 : unsigned(12 downto 0);
-    signal either_10 : unsigned(12 downto 0);
-    signal either_11 : unsigned(12 downto 0) := (others => '0');
+    signal inverse_10 : unsigned(15 downto 0) := (others => '0');
+    signal product_10 : unsigned(27 downto 0);
+    signal scaled_10 : unsigned(12 downto 0);
+    signal scaled_4_moved_10 : unsigned(12 downto 0);
+    signal scaled_4_low_10 : unsigned(12 downto 0);
+    signal past_11 : std_logic := '0';
+    signal y_11 : unsigned(12 downto 0) := (others => '0');
+    signal from_4_11 : std_logic := '0';
+    signal from_2_11 : std_logic := '0';
+    signal from_1_bits_11 : std_logic := '0';
+    signal scaled_11 : unsigned(12 downto 0) := (others => '0');
+    signal scaled_4_low_11 : unsigned(12 downto 0) := (others => '0');
+    signal scaled_4_11 : unsigned(12 downto 0);
+    signal scaled_2_moved_11 : unsigned(12 downto 0);
+    signal scaled_2_low_11 : unsigned(12 downto 0);
+    signal scaled_2_11 : unsigned(12 downto 0);
+    signal scaled_1_moved_11 : unsigned(12 downto 0);
+    signal scaled_1_low_11 : unsigned(12 downto 0);
+    signal scaled_1_11 : unsigned(12 downto 0);
+    signal quotient_half_11 : unsigned(13 downto 0);
+    signal quotient_11 : unsigned(12 downto 0);
+    signal either_11 : unsigned(12 downto 0);
+    signal either_12 : unsigned(12 downto 0) := (others => '0');
 
 begin
 
@@ -538,7 +547,7 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(10 downto 1) & in_valid;
+                valid <= valid(11 downto 1) & in_valid;
             end if;
         end if;
     end process;
@@ -604,60 +613,33 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 2: past, u_scaled, bu
-    -- UQ1.0: u > cut: past the cubic's versines
-    past_2 <= '1' when u_2 > cut_2 else '0';
-    -- UQ8.12: u 2^k
-    u_scaled_2 <= shift_left(resize(u_2, 20), to_integer(k_2));
-    -- UQ1.11: v = u 2^k, rounded down; wraps past the cut
-    v_2 <= u_scaled_2(12 downto 1);
-    -- UQ9.11: b u
-    bu_2 <= b_2 * u_2;
+    -- ===== Stage 2: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_3 <= x_2;
-                past_3 <= past_2;
+                u_3 <= u_2;
+                cut_3 <= cut_2;
                 big_a_3 <= big_a_2;
                 a_3 <= a_2;
-                v_3 <= v_2;
+                k_3 <= k_2;
+                b_3 <= b_2;
                 d_3 <= d_2;
                 num_3 <= num_2;
-                bu_3 <= bu_2;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 3: av, den, m_4
-    -- UQ0.22: (a 4^-k) v
-    av_3 <= a_3 * v_3;
-    -- UQ-2.15: (a 4^-k) v, rounded down
-    r_3 <= av_3(19 downto 7);
-    -- UQ8.14: the tail's denominator, d + b u
-    den_3 <= resize(d_3, 22) + shift_left(resize(bu_3, 22), 3);
-    -- UQ8.-4: the bits from 2^4 on
-    from_4_bits_3 <= den_3(21 downto 18);
-    -- UQ1.0: the denominator is 2^4 or more
-    from_4_3 <= '1' when from_4_bits_3 /= 0 else '0';
-    -- UQ4.18: times 2^-4
-    m_4_high_3 <= den_3;
-    -- UQ4.14: in one format
-    m_4_high_wide_3 <= m_4_high_3(21 downto 4);
-    -- UQ4.14: in one format
-    m_4_low_wide_3 <= den_3(17 downto 0);
-    -- UQ4.14: below 2^4
-    m_4_3 <= m_4_high_wide_3 when from_4_3 = '1' else m_4_low_wide_3;
-    -- UQ4.-2: the bits from 2^2 on
-    from_2_bits_3 <= m_4_3(17 downto 16);
-    -- UQ1.0: the denominator is 2^2 or more
-    from_2_3 <= '1' when from_2_bits_3 /= 0 else '0';
-    -- UQ2.16: times 2^-2
-    m_2_high_3 <= m_4_3;
-    -- UQ2.14: in one format
-    m_2_high_wide_3 <= m_2_high_3(17 downto 2);
-    -- UQ2.14: in one format
-    m_2_low_wide_3 <= m_4_3(15 downto 0);
+    -- ===== Stage 3: past, u_scaled, bu
+    -- UQ1.0: u > cut: past the cubic's versines
+    past_3 <= '1' when u_3 > cut_3 else '0';
+    -- UQ8.12: u 2^k
+    u_scaled_3 <= shift_left(resize(u_3, 20), to_integer(k_3));
+    -- UQ1.11: v = u 2^k, rounded down; wraps past the cut
+    v_3 <= u_scaled_3(12 downto 1);
+    -- UQ9.11: b u
+    bu_3 <= b_3 * u_3;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -665,98 +647,117 @@ begin
                 x_4 <= x_3;
                 past_4 <= past_3;
                 big_a_4 <= big_a_3;
+                a_4 <= a_3;
                 v_4 <= v_3;
-                r_4 <= r_3;
+                d_4 <= d_3;
                 num_4 <= num_3;
-                from_4_4 <= from_4_3;
-                from_2_4 <= from_2_3;
-                m_2_high_wide_4 <= m_2_high_wide_3;
-                m_2_low_wide_4 <= m_2_low_wide_3;
+                bu_4 <= bu_3;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 4: q, m_2, m_1
-    -- UQ0.15: q = (A - a u) 2^-k; wraps past the cut
-    q_4 <= big_a_4 - resize(r_4, 15);
-    -- UQ2.14: below 2^2
-    m_2_4 <= m_2_high_wide_4 when from_2_4 = '1' else m_2_low_wide_4;
-    -- UQ2.-1: the bits from 2^1 on
-    from_1_bits_4 <= m_2_4(15);
-    -- UQ1.15: times 2^-1
-    m_1_high_4 <= m_2_4;
-    -- UQ1.14: in one format
-    m_1_high_wide_4 <= m_1_high_4(15 downto 1);
-    -- UQ1.14: in one format
-    m_1_low_wide_4 <= m_2_4(14 downto 0);
-    -- UQ1.14: below 2^1
-    m_1_4 <= m_1_high_wide_4 when from_1_bits_4 = '1' else m_1_low_wide_4;
-    -- UQ0.14: m - 1, rounded down
-    fraction_4 <= m_1_4(13 downto 0);
-    -- UQ0.6: the entry of the table
-    entry_4 <= fraction_4(13 downto 8);
-    -- UQ-6.14: m less the entry's least m
-    offset_4 <= fraction_4(7 downto 0);
+    -- ===== Stage 4: av, den, m_4
+    -- UQ0.22: (a 4^-k) v
+    av_4 <= a_4 * v_4;
+    -- UQ-2.15: (a 4^-k) v, rounded down
+    r_4 <= av_4(19 downto 7);
+    -- UQ8.14: the tail's denominator, d + b u
+    den_4 <= resize(d_4, 22) + shift_left(resize(bu_4, 22), 3);
+    -- UQ8.-4: the bits from 2^4 on
+    from_4_bits_4 <= den_4(21 downto 18);
+    -- UQ1.0: the denominator is 2^4 or more
+    from_4_4 <= '1' when from_4_bits_4 /= 0 else '0';
+    -- UQ4.18: times 2^-4
+    m_4_high_4 <= den_4;
+    -- UQ4.14: in one format
+    m_4_high_wide_4 <= m_4_high_4(21 downto 4);
+    -- UQ4.14: in one format
+    m_4_low_wide_4 <= den_4(17 downto 0);
+    -- UQ4.14: below 2^4
+    m_4_4 <= m_4_high_wide_4 when from_4_4 = '1' else m_4_low_wide_4;
+    -- UQ4.-2: the bits from 2^2 on
+    from_2_bits_4 <= m_4_4(17 downto 16);
+    -- UQ1.0: the denominator is 2^2 or more
+    from_2_4 <= '1' when from_2_bits_4 /= 0 else '0';
+    -- UQ2.16: times 2^-2
+    m_2_high_4 <= m_4_4;
+    -- UQ2.14: in one format
+    m_2_high_wide_4 <= m_2_high_4(17 downto 2);
+    -- UQ2.14: in one format
+    m_2_low_wide_4 <= m_4_4(15 downto 0);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_5 <= x_4;
                 past_5 <= past_4;
+                big_a_5 <= big_a_4;
                 v_5 <= v_4;
-                q_5 <= q_4;
+                r_5 <= r_4;
                 num_5 <= num_4;
                 from_4_5 <= from_4_4;
                 from_2_5 <= from_2_4;
-                from_1_bits_5 <= from_1_bits_4;
-                entry_5 <= entry_4;
-                offset_5 <= offset_4;
+                m_2_high_wide_5 <= m_2_high_wide_4;
+                m_2_low_wide_5 <= m_2_low_wide_4;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 5: read reciprocal, vq
-    -- UQ1.26: u (A - a u) = v q
-    vq_5 <= v_5 * q_5;
-    -- UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
-    p_above_bits_5 <= vq_5(26);
-    -- UQ0.15: p, rounded down
-    p_5 <= vq_5(25 downto 11);
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                reciprocal_6(21 downto 0) <=
-                    RECIPROCAL_WORDS_0(to_integer(entry_5))(21 downto 0);
-            end if;
-        end if;
-    end process;
+    -- ===== Stage 5: q, m_2, m_1
+    -- UQ0.15: q = (A - a u) 2^-k; wraps past the cut
+    q_5 <= big_a_5 - resize(r_5, 15);
+    -- UQ2.14: below 2^2
+    m_2_5 <= m_2_high_wide_5 when from_2_5 = '1' else m_2_low_wide_5;
+    -- UQ2.-1: the bits from 2^1 on
+    from_1_bits_5 <= m_2_5(15);
+    -- UQ1.15: times 2^-1
+    m_1_high_5 <= m_2_5;
+    -- UQ1.14: in one format
+    m_1_high_wide_5 <= m_1_high_5(15 downto 1);
+    -- UQ1.14: in one format
+    m_1_low_wide_5 <= m_2_5(14 downto 0);
+    -- UQ1.14: below 2^1
+    m_1_5 <= m_1_high_wide_5 when from_1_bits_5 = '1' else m_1_low_wide_5;
+    -- UQ0.14: m - 1, rounded down
+    fraction_5 <= m_1_5(13 downto 0);
+    -- UQ0.6: the entry of the table
+    entry_5 <= fraction_5(13 downto 8);
+    -- UQ-6.14: m less the entry's least m
+    offset_5 <= fraction_5(7 downto 0);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_6 <= x_5;
                 past_6 <= past_5;
-                p_above_bits_6 <= p_above_bits_5;
-                p_6 <= p_5;
+                v_6 <= v_5;
+                q_6 <= q_5;
                 num_6 <= num_5;
                 from_4_6 <= from_4_5;
                 from_2_6 <= from_2_5;
                 from_1_bits_6 <= from_1_bits_5;
+                entry_6 <= entry_5;
                 offset_6 <= offset_5;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 6: xp
-    -- UQ1.27: x p
-    xp_6 <= x_6 * p_6;
-    -- UQ0.13: t = x p, rounded down
-    t_6 <= xp_6(26 downto 14);
-    -- UQ0.16: about 1/m at the entry's least m
-    seed_6 <= unsigned(reciprocal_6(21 downto 6));
-    -- UQ0.6: how fast 1/m falls
-    slope_6 <= unsigned(reciprocal_6(5 downto 0));
+    -- ===== Stage 6: read reciprocal, vq
+    -- UQ1.26: u (A - a u) = v q
+    vq_6 <= v_6 * q_6;
+    -- UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    p_above_bits_6 <= vq_6(26);
+    -- UQ0.15: p, rounded down
+    p_6 <= vq_6(25 downto 11);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                reciprocal_7(21 downto 0) <=
+                    RECIPROCAL_WORDS_0(to_integer(entry_6))(21 downto 0);
+            end if;
+        end if;
+    end process;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -764,48 +765,55 @@ begin
                 x_7 <= x_6;
                 past_7 <= past_6;
                 p_above_bits_7 <= p_above_bits_6;
-                t_7 <= t_6;
+                p_7 <= p_6;
                 num_7 <= num_6;
                 from_4_7 <= from_4_6;
                 from_2_7 <= from_2_6;
                 from_1_bits_7 <= from_1_bits_6;
-                seed_7 <= seed_6;
-                slope_7 <= slope_6;
                 offset_7 <= offset_6;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 7: y_exact, y, fall_exact
-    -- UQ1.13: x - t = x (1 - p)
-    y_exact_7 <= shift_left(resize(x_7, 14), 1) - resize(t_7, 14);
-    -- UQ1.12: rounded down to the output's bits
-    y_cut_7 <= y_exact_7(13 downto 1);
-    -- UQ1.12: y, 0 where the lobe has ended
-    y_7 <= (others => '0') when p_above_bits_7 = '1' else y_cut_7;
-    -- UQ-6.20: slope d
-    fall_exact_7 <= slope_7 * offset_7;
-    -- UQ-6.16: slope d, rounded down
-    fall_7 <= fall_exact_7(13 downto 4);
+    -- ===== Stage 7: xp
+    -- UQ1.27: x p
+    xp_7 <= x_7 * p_7;
+    -- UQ0.13: t = x p, rounded down
+    t_7 <= xp_7(26 downto 14);
+    -- UQ0.16: about 1/m at the entry's least m
+    seed_7 <= unsigned(reciprocal_7(21 downto 6));
+    -- UQ0.6: how fast 1/m falls
+    slope_7 <= unsigned(reciprocal_7(5 downto 0));
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
+                x_8 <= x_7;
                 past_8 <= past_7;
-                y_8 <= y_7;
+                p_above_bits_8 <= p_above_bits_7;
+                t_8 <= t_7;
                 num_8 <= num_7;
                 from_4_8 <= from_4_7;
                 from_2_8 <= from_2_7;
                 from_1_bits_8 <= from_1_bits_7;
                 seed_8 <= seed_7;
-                fall_8 <= fall_7;
+                slope_8 <= slope_7;
+                offset_8 <= offset_7;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 8: inverse
-    -- UQ0.16: 1/m = seed - slope d
-    inverse_8 <= seed_8 - resize(fall_8, 16);
+    -- ===== Stage 8: y_exact, y, fall_exact
+    -- UQ1.13: x - t = x (1 - p)
+    y_exact_8 <= shift_left(resize(x_8, 14), 1) - resize(t_8, 14);
+    -- UQ1.12: rounded down to the output's bits
+    y_cut_8 <= y_exact_8(13 downto 1);
+    -- UQ1.12: y, 0 where the lobe has ended
+    y_8 <= (others => '0') when p_above_bits_8 = '1' else y_cut_8;
+    -- UQ-6.20: slope d
+    fall_exact_8 <= slope_8 * offset_8;
+    -- UQ-6.16: slope d, rounded down
+    fall_8 <= fall_exact_8(13 downto 4);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -816,66 +824,85 @@ begin
                 from_4_9 <= from_4_8;
                 from_2_9 <= from_2_8;
                 from_1_bits_9 <= from_1_bits_8;
-                inverse_9 <= inverse_8;
+                seed_9 <= seed_8;
+                fall_9 <= fall_8;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 9: product
-    -- UQ0.28: num / m
-    product_9 <= num_9 * inverse_9;
-    -- UQ0.13: num / m, rounded down
-    scaled_9 <= product_9(27 downto 15);
-    -- UQ-4.17: as often halved
-    scaled_4_moved_9 <= scaled_9;
-    -- UQ0.13: rounded down
-    scaled_4_low_9 <= resize(scaled_4_moved_9(12 downto 4), 13);
+    -- ===== Stage 9: inverse
+    -- UQ0.16: 1/m = seed - slope d
+    inverse_9 <= seed_9 - resize(fall_9, 16);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 past_10 <= past_9;
                 y_10 <= y_9;
+                num_10 <= num_9;
                 from_4_10 <= from_4_9;
                 from_2_10 <= from_2_9;
                 from_1_bits_10 <= from_1_bits_9;
-                scaled_10 <= scaled_9;
-                scaled_4_low_10 <= scaled_4_low_9;
+                inverse_10 <= inverse_9;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 10: scaled_4, scaled_2, scaled_1, quotient_half, either
-    -- UQ0.13: halved as often as the denominator was
-    scaled_4_10 <= scaled_4_low_10 when from_4_10 = '1' else scaled_10;
-    -- UQ-2.15: as often halved
-    scaled_2_moved_10 <= scaled_4_10;
+    -- ===== Stage 10: product
+    -- UQ0.28: num / m
+    product_10 <= num_10 * inverse_10;
+    -- UQ0.13: num / m, rounded down
+    scaled_10 <= product_10(27 downto 15);
+    -- UQ-4.17: as often halved
+    scaled_4_moved_10 <= scaled_10;
     -- UQ0.13: rounded down
-    scaled_2_low_10 <= resize(scaled_2_moved_10(12 downto 2), 13);
-    -- UQ0.13: halved as often as the denominator was
-    scaled_2_10 <= scaled_2_low_10 when from_2_10 = '1' else scaled_4_10;
-    -- UQ-1.14: as often halved
-    scaled_1_moved_10 <= scaled_2_10;
-    -- UQ0.13: rounded down
-    scaled_1_low_10 <= resize(scaled_1_moved_10(12 downto 1), 13);
-    -- UQ0.13: halved as often as the denominator was
-    scaled_1_10 <= scaled_1_low_10 when from_1_bits_10 = '1' else scaled_2_10;
-    -- UQ1.13: plus half an output ulp
-    quotient_half_10 <= resize(scaled_1_10, 14) + to_unsigned(1, 14);
-    -- UQ1.12: num / den, rounded to nearest
-    quotient_10 <= quotient_half_10(13 downto 1);
-    -- UQ1.12: the tail past the cut, the cubic up to it
-    either_10 <= quotient_10 when past_10 = '1' else y_10;
+    scaled_4_low_10 <= resize(scaled_4_moved_10(12 downto 4), 13);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                either_11 <= either_10;
+                past_11 <= past_10;
+                y_11 <= y_10;
+                from_4_11 <= from_4_10;
+                from_2_11 <= from_2_10;
+                from_1_bits_11 <= from_1_bits_10;
+                scaled_11 <= scaled_10;
+                scaled_4_low_11 <= scaled_4_low_10;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(11);
-    out_spec  <= either_11;
+    -- ===== Stage 11: scaled_4, scaled_2, scaled_1, quotient_half, either
+    -- UQ0.13: halved as often as the denominator was
+    scaled_4_11 <= scaled_4_low_11 when from_4_11 = '1' else scaled_11;
+    -- UQ-2.15: as often halved
+    scaled_2_moved_11 <= scaled_4_11;
+    -- UQ0.13: rounded down
+    scaled_2_low_11 <= resize(scaled_2_moved_11(12 downto 2), 13);
+    -- UQ0.13: halved as often as the denominator was
+    scaled_2_11 <= scaled_2_low_11 when from_2_11 = '1' else scaled_4_11;
+    -- UQ-1.14: as often halved
+    scaled_1_moved_11 <= scaled_2_11;
+    -- UQ0.13: rounded down
+    scaled_1_low_11 <= resize(scaled_1_moved_11(12 downto 1), 13);
+    -- UQ0.13: halved as often as the denominator was
+    scaled_1_11 <= scaled_1_low_11 when from_1_bits_11 = '1' else scaled_2_11;
+    -- UQ1.13: plus half an output ulp
+    quotient_half_11 <= resize(scaled_1_11, 14) + to_unsigned(1, 14);
+    -- UQ1.12: num / den, rounded to nearest
+    quotient_11 <= quotient_half_11(13 downto 1);
+    -- UQ1.12: the tail past the cut, the cubic up to it
+    either_11 <= quotient_11 when past_11 = '1' else y_11;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                either_12 <= either_11;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(12);
+    out_spec  <= either_12;
 
 end architecture rtl;

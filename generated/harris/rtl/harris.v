@@ -7,7 +7,7 @@
 //   in_cos    Q1.12   cosine x; below 0 gives 0, above 1 counts as 1
 //   out_spec  UQ1.10  the lobe, 0 to 1; 1.0 is exact
 //
-// Latency 12 clocks, one result a clock.
+// Latency 13 clocks, one result a clock.
 // Error against the real-valued method, in ulps of out_spec: proved within -0.747..+0.740.
 //   measured -0.497..+0.732 over all 520319 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
@@ -29,19 +29,19 @@ module harris (
     input  wire [6:0] in_n,
     // Q1.12: cosine x; below 0 gives 0, above 1 counts as 1
     input  wire [13:0] in_cos,
-    // out_spec is a result: in_valid, 12 enabled clocks later
+    // out_spec is a result: in_valid, 13 enabled clocks later
     output wire        out_valid,
     // UQ1.10: the lobe, 0 to 1; 1.0 is exact
     output wire [10:0] out_spec
 );
 
     // ===== Valid chain
-    reg [12:1] valid;
+    reg [13:1] valid;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 12'd0;
+            valid <= 13'd0;
         end else if (ce) begin
-            valid <= {valid[11:1], in_valid};
+            valid <= {valid[12:1], in_valid};
         end
     end
 
@@ -490,173 +490,187 @@ module harris (
         end
     end
 
-    // ===== Stage 6: L
-    // UQ3.14: L = -log2 x
-    wire [16:0] L_6 = top_6 ? 17'd0 : log_6;
+    // ===== Stage 6: registers only
     reg [6:0] n_7;
-    reg [16:0] L_7;
+    reg top_7;
+    reg [16:0] log_7;
     reg dark_bits_7;
     always @(posedge clk) begin
         if (ce) begin
             n_7 <= n_6;
-            L_7 <= L_6;
+            top_7 <= top_6;
+            log_7 <= log_6;
             dark_bits_7 <= dark_bits_6;
         end
     end
 
-    // ===== Stage 7: z
-    // UQ10.14: z = n L
-    wire [23:0] z_7 = n_7 * L_7;
-    // UQ10.-4: z is past what the result can show
-    wire [5:0] over_bits_7 = z_7[23:18];
-    // UQ4.0: the integer part of z
-    wire [3:0] i_7 = z_7[17:14];
-    // UQ0.6: the leading bits of the fraction of z
-    wire [5:0] f_7 = z_7[13:8];
-    // UQ6.0: the entry of the second table
-    wire [5:0] entry_7 = f_7;
-    reg [5:0] over_bits_8;
-    reg [3:0] i_8;
-    reg [5:0] entry_8;
+    // ===== Stage 7: L
+    // UQ3.14: L = -log2 x
+    wire [16:0] L_7 = top_7 ? 17'd0 : log_7;
+    reg [6:0] n_8;
+    reg [16:0] L_8;
     reg dark_bits_8;
     always @(posedge clk) begin
         if (ce) begin
-            over_bits_8 <= over_bits_7;
-            i_8 <= i_7;
-            entry_8 <= entry_7;
+            n_8 <= n_7;
+            L_8 <= L_7;
             dark_bits_8 <= dark_bits_7;
         end
     end
 
-    // ===== Stage 8: read exp_table
-    // The word of the memory exp_table, of 64 words.
-    reg [10:0] exp_table_9;
-    // UQ1.0: z is past what the result can show
-    wire over_8 = |over_bits_8;
-    // UQ1.0: the result is 0
-    wire zero_8 = dark_bits_8 | over_8;
-    always @(posedge clk) begin
-        if (ce) begin
-            case (entry_8)
-                6'd0: exp_table_9 <= 11'h7f5;
-                6'd1: exp_table_9 <= 11'h7df;
-                6'd2: exp_table_9 <= 11'h7c9;
-                6'd3: exp_table_9 <= 11'h7b4;
-                6'd4: exp_table_9 <= 11'h79f;
-                6'd5: exp_table_9 <= 11'h78a;
-                6'd6: exp_table_9 <= 11'h775;
-                6'd7: exp_table_9 <= 11'h760;
-                6'd8: exp_table_9 <= 11'h74c;
-                6'd9: exp_table_9 <= 11'h738;
-                6'd10: exp_table_9 <= 11'h724;
-                6'd11: exp_table_9 <= 11'h710;
-                6'd12: exp_table_9 <= 11'h6fd;
-                6'd13: exp_table_9 <= 11'h6e9;
-                6'd14: exp_table_9 <= 11'h6d6;
-                6'd15: exp_table_9 <= 11'h6c4;
-                6'd16: exp_table_9 <= 11'h6b1;
-                6'd17: exp_table_9 <= 11'h69e;
-                6'd18: exp_table_9 <= 11'h68c;
-                6'd19: exp_table_9 <= 11'h67a;
-                6'd20: exp_table_9 <= 11'h668;
-                6'd21: exp_table_9 <= 11'h657;
-                6'd22: exp_table_9 <= 11'h645;
-                6'd23: exp_table_9 <= 11'h634;
-                6'd24: exp_table_9 <= 11'h623;
-                6'd25: exp_table_9 <= 11'h612;
-                6'd26: exp_table_9 <= 11'h601;
-                6'd27: exp_table_9 <= 11'h5f1;
-                6'd28: exp_table_9 <= 11'h5e0;
-                6'd29: exp_table_9 <= 11'h5d0;
-                6'd30: exp_table_9 <= 11'h5c0;
-                6'd31: exp_table_9 <= 11'h5b0;
-                6'd32: exp_table_9 <= 11'h5a0;
-                6'd33: exp_table_9 <= 11'h591;
-                6'd34: exp_table_9 <= 11'h582;
-                6'd35: exp_table_9 <= 11'h572;
-                6'd36: exp_table_9 <= 11'h563;
-                6'd37: exp_table_9 <= 11'h554;
-                6'd38: exp_table_9 <= 11'h546;
-                6'd39: exp_table_9 <= 11'h537;
-                6'd40: exp_table_9 <= 11'h529;
-                6'd41: exp_table_9 <= 11'h51b;
-                6'd42: exp_table_9 <= 11'h50d;
-                6'd43: exp_table_9 <= 11'h4ff;
-                6'd44: exp_table_9 <= 11'h4f1;
-                6'd45: exp_table_9 <= 11'h4e3;
-                6'd46: exp_table_9 <= 11'h4d6;
-                6'd47: exp_table_9 <= 11'h4c8;
-                6'd48: exp_table_9 <= 11'h4bb;
-                6'd49: exp_table_9 <= 11'h4ae;
-                6'd50: exp_table_9 <= 11'h4a1;
-                6'd51: exp_table_9 <= 11'h494;
-                6'd52: exp_table_9 <= 11'h488;
-                6'd53: exp_table_9 <= 11'h47b;
-                6'd54: exp_table_9 <= 11'h46f;
-                6'd55: exp_table_9 <= 11'h463;
-                6'd56: exp_table_9 <= 11'h457;
-                6'd57: exp_table_9 <= 11'h44b;
-                6'd58: exp_table_9 <= 11'h43f;
-                6'd59: exp_table_9 <= 11'h433;
-                6'd60: exp_table_9 <= 11'h428;
-                6'd61: exp_table_9 <= 11'h41c;
-                6'd62: exp_table_9 <= 11'h411;
-                6'd63: exp_table_9 <= 11'h406;
-                default: exp_table_9 <= 11'h7f5;
-            endcase
-        end
-    end
+    // ===== Stage 8: z
+    // UQ10.14: z = n L
+    wire [23:0] z_8 = n_8 * L_8;
+    // UQ10.-4: z is past what the result can show
+    wire [5:0] over_bits_8 = z_8[23:18];
+    // UQ4.0: the integer part of z
+    wire [3:0] i_8 = z_8[17:14];
+    // UQ0.6: the leading bits of the fraction of z
+    wire [5:0] f_8 = z_8[13:8];
+    // UQ6.0: the entry of the second table
+    wire [5:0] entry_8 = f_8;
+    reg [5:0] over_bits_9;
     reg [3:0] i_9;
-    reg zero_9;
+    reg [5:0] entry_9;
+    reg dark_bits_9;
     always @(posedge clk) begin
         if (ce) begin
+            over_bits_9 <= over_bits_8;
             i_9 <= i_8;
-            zero_9 <= zero_8;
+            entry_9 <= entry_8;
+            dark_bits_9 <= dark_bits_8;
         end
     end
 
-    // ===== Stage 9: registers only
-    // UQ0.11: 2^-f midway in the cell
-    wire [10:0] exp_9 = exp_table_9;
+    // ===== Stage 9: read exp_table
+    // The word of the memory exp_table, of 64 words.
+    reg [10:0] exp_table_10;
+    // UQ1.0: z is past what the result can show
+    wire over_9 = |over_bits_9;
+    // UQ1.0: the result is 0
+    wire zero_9 = dark_bits_9 | over_9;
+    always @(posedge clk) begin
+        if (ce) begin
+            case (entry_9)
+                6'd0: exp_table_10 <= 11'h7f5;
+                6'd1: exp_table_10 <= 11'h7df;
+                6'd2: exp_table_10 <= 11'h7c9;
+                6'd3: exp_table_10 <= 11'h7b4;
+                6'd4: exp_table_10 <= 11'h79f;
+                6'd5: exp_table_10 <= 11'h78a;
+                6'd6: exp_table_10 <= 11'h775;
+                6'd7: exp_table_10 <= 11'h760;
+                6'd8: exp_table_10 <= 11'h74c;
+                6'd9: exp_table_10 <= 11'h738;
+                6'd10: exp_table_10 <= 11'h724;
+                6'd11: exp_table_10 <= 11'h710;
+                6'd12: exp_table_10 <= 11'h6fd;
+                6'd13: exp_table_10 <= 11'h6e9;
+                6'd14: exp_table_10 <= 11'h6d6;
+                6'd15: exp_table_10 <= 11'h6c4;
+                6'd16: exp_table_10 <= 11'h6b1;
+                6'd17: exp_table_10 <= 11'h69e;
+                6'd18: exp_table_10 <= 11'h68c;
+                6'd19: exp_table_10 <= 11'h67a;
+                6'd20: exp_table_10 <= 11'h668;
+                6'd21: exp_table_10 <= 11'h657;
+                6'd22: exp_table_10 <= 11'h645;
+                6'd23: exp_table_10 <= 11'h634;
+                6'd24: exp_table_10 <= 11'h623;
+                6'd25: exp_table_10 <= 11'h612;
+                6'd26: exp_table_10 <= 11'h601;
+                6'd27: exp_table_10 <= 11'h5f1;
+                6'd28: exp_table_10 <= 11'h5e0;
+                6'd29: exp_table_10 <= 11'h5d0;
+                6'd30: exp_table_10 <= 11'h5c0;
+                6'd31: exp_table_10 <= 11'h5b0;
+                6'd32: exp_table_10 <= 11'h5a0;
+                6'd33: exp_table_10 <= 11'h591;
+                6'd34: exp_table_10 <= 11'h582;
+                6'd35: exp_table_10 <= 11'h572;
+                6'd36: exp_table_10 <= 11'h563;
+                6'd37: exp_table_10 <= 11'h554;
+                6'd38: exp_table_10 <= 11'h546;
+                6'd39: exp_table_10 <= 11'h537;
+                6'd40: exp_table_10 <= 11'h529;
+                6'd41: exp_table_10 <= 11'h51b;
+                6'd42: exp_table_10 <= 11'h50d;
+                6'd43: exp_table_10 <= 11'h4ff;
+                6'd44: exp_table_10 <= 11'h4f1;
+                6'd45: exp_table_10 <= 11'h4e3;
+                6'd46: exp_table_10 <= 11'h4d6;
+                6'd47: exp_table_10 <= 11'h4c8;
+                6'd48: exp_table_10 <= 11'h4bb;
+                6'd49: exp_table_10 <= 11'h4ae;
+                6'd50: exp_table_10 <= 11'h4a1;
+                6'd51: exp_table_10 <= 11'h494;
+                6'd52: exp_table_10 <= 11'h488;
+                6'd53: exp_table_10 <= 11'h47b;
+                6'd54: exp_table_10 <= 11'h46f;
+                6'd55: exp_table_10 <= 11'h463;
+                6'd56: exp_table_10 <= 11'h457;
+                6'd57: exp_table_10 <= 11'h44b;
+                6'd58: exp_table_10 <= 11'h43f;
+                6'd59: exp_table_10 <= 11'h433;
+                6'd60: exp_table_10 <= 11'h428;
+                6'd61: exp_table_10 <= 11'h41c;
+                6'd62: exp_table_10 <= 11'h411;
+                6'd63: exp_table_10 <= 11'h406;
+                default: exp_table_10 <= 11'h7f5;
+            endcase
+        end
+    end
     reg [3:0] i_10;
-    reg [10:0] exp_10;
     reg zero_10;
     always @(posedge clk) begin
         if (ce) begin
             i_10 <= i_9;
-            exp_10 <= exp_9;
             zero_10 <= zero_9;
         end
     end
 
-    // ===== Stage 10: power_shifted
-    // UQ0.11: 2^-z = 2^-f 2^-i
-    wire [10:0] power_shifted_10 = exp_10 >> i_10;
-    reg [10:0] power_shifted_11;
+    // ===== Stage 10: registers only
+    // UQ0.11: 2^-f midway in the cell
+    wire [10:0] exp_10 = exp_table_10;
+    reg [3:0] i_11;
+    reg [10:0] exp_11;
     reg zero_11;
     always @(posedge clk) begin
         if (ce) begin
-            power_shifted_11 <= power_shifted_10;
+            i_11 <= i_10;
+            exp_11 <= exp_10;
             zero_11 <= zero_10;
         end
     end
 
-    // ===== Stage 11: y_half, y
-    // UQ0.11: plus half an output ulp: the result is rounded to nearest
-    wire [10:0] y_half_11 = power_shifted_11 + 11'h001;
-    // UQ1.10: rounded to the output's bits
-    wire [10:0] y_cut_11 = {1'd0, y_half_11[10:1]};
-    // UQ1.10: y, 0 where it is below half an ulp
-    wire [10:0] y_11 = zero_11 ? 11'd0 : y_cut_11;
-    reg [10:0] y_12;
+    // ===== Stage 11: power_shifted
+    // UQ0.11: 2^-z = 2^-f 2^-i
+    wire [10:0] power_shifted_11 = exp_11 >> i_11;
+    reg [10:0] power_shifted_12;
+    reg zero_12;
     always @(posedge clk) begin
         if (ce) begin
-            y_12 <= y_11;
+            power_shifted_12 <= power_shifted_11;
+            zero_12 <= zero_11;
         end
     end
 
-    assign out_valid = valid[12];
-    assign out_spec  = y_12;
+    // ===== Stage 12: y_half, y
+    // UQ0.11: plus half an output ulp: the result is rounded to nearest
+    wire [10:0] y_half_12 = power_shifted_12 + 11'h001;
+    // UQ1.10: rounded to the output's bits
+    wire [10:0] y_cut_12 = {1'd0, y_half_12[10:1]};
+    // UQ1.10: y, 0 where it is below half an ulp
+    wire [10:0] y_12 = zero_12 ? 11'd0 : y_cut_12;
+    reg [10:0] y_13;
+    always @(posedge clk) begin
+        if (ce) begin
+            y_13 <= y_12;
+        end
+    end
+
+    assign out_valid = valid[13];
+    assign out_spec  = y_13;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
@@ -666,8 +680,8 @@ module harris (
                     m_by_1_1[12],
                     m_1_2[12:11],
                     m_1_2[6:0],
-                    z_7[7:0],
-                    y_half_11[0]};
+                    z_8[7:0],
+                    y_half_12[0]};
 
 endmodule
 

@@ -7,7 +7,7 @@
 --   in_cos    Q1.12   cosine x; below 0 gives 0, above 1 counts as 1
 --   out_spec  UQ1.10  the lobe, 0 to 1; 1.0 is exact
 --
--- Latency 12 clocks, one result a clock.
+-- Latency 13 clocks, one result a clock.
 -- Error against the real-valued method, in ulps of out_spec: proved within -0.747..+0.740.
 --   measured -0.497..+0.732 over all 520319 inputs in [0, 1].
 -- Error against x^n itself, measured over the same inputs:
@@ -31,7 +31,7 @@ entity harris is
         in_n      : in  unsigned(6 downto 0);
         -- Q1.12: cosine x; below 0 gives 0, above 1 counts as 1
         in_cos    : in  signed(13 downto 0);
-        -- out_spec is a result: in_valid, 12 enabled clocks later
+        -- out_spec is a result: in_valid, 13 enabled clocks later
         out_valid : out std_logic;
         -- UQ1.10: the lobe, 0 to 1; 1.0 is exact
         out_spec  : out unsigned(10 downto 0)
@@ -373,9 +373,9 @@ architecture rtl of harris is
         1 => x"7df",
         0 => x"7f5"
     );
-    signal exp_table_9 : std_logic_vector(10 downto 0) := (others => '0');
+    signal exp_table_10 : std_logic_vector(10 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(12 downto 1) := (others => '0');
+    signal valid : std_logic_vector(13 downto 1) := (others => '0');
     signal n_0 : unsigned(6 downto 0);
     signal x_0 : unsigned(12 downto 0);
     signal u_0 : unsigned(12 downto 0);
@@ -448,34 +448,38 @@ architecture rtl of harris is
     signal top_6 : std_logic := '0';
     signal log_6 : unsigned(16 downto 0) := (others => '0');
     signal dark_bits_6 : std_logic := '0';
-    signal L_6 : unsigned(16 downto 0);
     signal n_7 : unsigned(6 downto 0) := (others => '0');
-    signal L_7 : unsigned(16 downto 0) := (others => '0');
+    signal top_7 : std_logic := '0';
+    signal log_7 : unsigned(16 downto 0) := (others => '0');
     signal dark_bits_7 : std_logic := '0';
-    signal z_7 : unsigned(23 downto 0);
-    signal over_bits_7 : unsigned(5 downto 0);
-    signal i_7 : unsigned(3 downto 0);
-    signal f_7 : unsigned(5 downto 0);
-    signal entry_7 : unsigned(5 downto 0);
-    signal over_bits_8 : unsigned(5 downto 0) := (others => '0');
-    signal i_8 : unsigned(3 downto 0) := (others => '0');
-    signal entry_8 : unsigned(5 downto 0) := (others => '0');
+    signal L_7 : unsigned(16 downto 0);
+    signal n_8 : unsigned(6 downto 0) := (others => '0');
+    signal L_8 : unsigned(16 downto 0) := (others => '0');
     signal dark_bits_8 : std_logic := '0';
-    signal over_8 : std_logic;
-    signal zero_8 : std_logic;
+    signal z_8 : unsigned(23 downto 0);
+    signal over_bits_8 : unsigned(5 downto 0);
+    signal i_8 : unsigned(3 downto 0);
+    signal f_8 : unsigned(5 downto 0);
+    signal entry_8 : unsigned(5 downto 0);
+    signal over_bits_9 : unsigned(5 downto 0) := (others => '0');
     signal i_9 : unsigned(3 downto 0) := (others => '0');
-    signal zero_9 : std_logic := '0';
-    signal exp_9 : unsigned(10 downto 0);
+    signal entry_9 : unsigned(5 downto 0) := (others => '0');
+    signal dark_bits_9 : std_logic := '0';
+    signal over_9 : std_logic;
+    signal zero_9 : std_logic;
     signal i_10 : unsigned(3 downto 0) := (others => '0');
-    signal exp_10 : unsigned(10 downto 0) := (others => '0');
     signal zero_10 : std_logic := '0';
-    signal power_shifted_10 : unsigned(10 downto 0);
-    signal power_shifted_11 : unsigned(10 downto 0) := (others => '0');
+    signal exp_10 : unsigned(10 downto 0);
+    signal i_11 : unsigned(3 downto 0) := (others => '0');
+    signal exp_11 : unsigned(10 downto 0) := (others => '0');
     signal zero_11 : std_logic := '0';
-    signal y_half_11 : unsigned(10 downto 0);
-    signal y_cut_11 : unsigned(10 downto 0);
-    signal y_11 : unsigned(10 downto 0);
-    signal y_12 : unsigned(10 downto 0) := (others => '0');
+    signal power_shifted_11 : unsigned(10 downto 0);
+    signal power_shifted_12 : unsigned(10 downto 0) := (others => '0');
+    signal zero_12 : std_logic := '0';
+    signal y_half_12 : unsigned(10 downto 0);
+    signal y_cut_12 : unsigned(10 downto 0);
+    signal y_12 : unsigned(10 downto 0);
+    signal y_13 : unsigned(10 downto 0) := (others => '0');
 
 begin
 
@@ -486,7 +490,7 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(11 downto 1) & in_valid;
+                valid <= valid(12 downto 1) & in_valid;
             end if;
         end if;
     end process;
@@ -671,111 +675,124 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 6: L
-    -- UQ3.14: L = -log2 x
-    L_6 <= (others => '0') when top_6 = '1' else log_6;
+    -- ===== Stage 6: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 n_7 <= n_6;
-                L_7 <= L_6;
+                top_7 <= top_6;
+                log_7 <= log_6;
                 dark_bits_7 <= dark_bits_6;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 7: z
-    -- UQ10.14: z = n L
-    z_7 <= n_7 * L_7;
-    -- UQ10.-4: z is past what the result can show
-    over_bits_7 <= z_7(23 downto 18);
-    -- UQ4.0: the integer part of z
-    i_7 <= z_7(17 downto 14);
-    -- UQ0.6: the leading bits of the fraction of z
-    f_7 <= z_7(13 downto 8);
-    -- UQ6.0: the entry of the second table
-    entry_7 <= f_7;
+    -- ===== Stage 7: L
+    -- UQ3.14: L = -log2 x
+    L_7 <= (others => '0') when top_7 = '1' else log_7;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                over_bits_8 <= over_bits_7;
-                i_8 <= i_7;
-                entry_8 <= entry_7;
+                n_8 <= n_7;
+                L_8 <= L_7;
                 dark_bits_8 <= dark_bits_7;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 8: read exp_table
-    -- UQ1.0: z is past what the result can show
-    over_8 <= '1' when over_bits_8 /= 0 else '0';
-    -- UQ1.0: the result is 0
-    zero_8 <= dark_bits_8 or over_8;
+    -- ===== Stage 8: z
+    -- UQ10.14: z = n L
+    z_8 <= n_8 * L_8;
+    -- UQ10.-4: z is past what the result can show
+    over_bits_8 <= z_8(23 downto 18);
+    -- UQ4.0: the integer part of z
+    i_8 <= z_8(17 downto 14);
+    -- UQ0.6: the leading bits of the fraction of z
+    f_8 <= z_8(13 downto 8);
+    -- UQ6.0: the entry of the second table
+    entry_8 <= f_8;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                exp_table_9(10 downto 0) <=
-                    EXP_TABLE_WORDS_0(to_integer(entry_8))(10 downto 0);
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
+                over_bits_9 <= over_bits_8;
                 i_9 <= i_8;
-                zero_9 <= zero_8;
+                entry_9 <= entry_8;
+                dark_bits_9 <= dark_bits_8;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 9: registers only
-    -- UQ0.11: 2^-f midway in the cell
-    exp_9 <= unsigned(exp_table_9(10 downto 0));
+    -- ===== Stage 9: read exp_table
+    -- UQ1.0: z is past what the result can show
+    over_9 <= '1' when over_bits_9 /= 0 else '0';
+    -- UQ1.0: the result is 0
+    zero_9 <= dark_bits_9 or over_9;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                exp_table_10(10 downto 0) <=
+                    EXP_TABLE_WORDS_0(to_integer(entry_9))(10 downto 0);
+            end if;
+        end if;
+    end process;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 i_10 <= i_9;
-                exp_10 <= exp_9;
                 zero_10 <= zero_9;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 10: power_shifted
-    -- UQ0.11: 2^-z = 2^-f 2^-i
-    power_shifted_10 <= shift_right(exp_10, to_integer(i_10));
+    -- ===== Stage 10: registers only
+    -- UQ0.11: 2^-f midway in the cell
+    exp_10 <= unsigned(exp_table_10(10 downto 0));
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                power_shifted_11 <= power_shifted_10;
+                i_11 <= i_10;
+                exp_11 <= exp_10;
                 zero_11 <= zero_10;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 11: y_half, y
-    -- UQ0.11: plus half an output ulp: the result is rounded to nearest
-    y_half_11 <= power_shifted_11 + to_unsigned(1, 11);
-    -- UQ1.10: rounded to the output's bits
-    y_cut_11 <= resize(y_half_11(10 downto 1), 11);
-    -- UQ1.10: y, 0 where it is below half an ulp
-    y_11 <= (others => '0') when zero_11 = '1' else y_cut_11;
+    -- ===== Stage 11: power_shifted
+    -- UQ0.11: 2^-z = 2^-f 2^-i
+    power_shifted_11 <= shift_right(exp_11, to_integer(i_11));
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                y_12 <= y_11;
+                power_shifted_12 <= power_shifted_11;
+                zero_12 <= zero_11;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(12);
-    out_spec  <= y_12;
+    -- ===== Stage 12: y_half, y
+    -- UQ0.11: plus half an output ulp: the result is rounded to nearest
+    y_half_12 <= power_shifted_12 + to_unsigned(1, 11);
+    -- UQ1.10: rounded to the output's bits
+    y_cut_12 <= resize(y_half_12(10 downto 1), 11);
+    -- UQ1.10: y, 0 where it is below half an ulp
+    y_12 <= (others => '0') when zero_12 = '1' else y_cut_12;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                y_13 <= y_12;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(13);
+    out_spec  <= y_13;
 
 end architecture rtl;

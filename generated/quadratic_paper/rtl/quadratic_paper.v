@@ -1115,20 +1115,20 @@ module quadratic_paper (
     // ===== Stage 2: d
     // Q1.27: x^2 - x
     wire [28:0] d_2 = {1'd0, s_2} - {1'd0, x_2, 11'd0};
-    // Q10.14: a sign bit for the signed product
-    wire [24:0] a_signed_2 = {1'd0, a_2};
+    reg [23:0] a_3;
     reg [28:0] d_3;
-    reg [24:0] a_signed_3;
     reg [17:0] x_half_3;
     always @(posedge clk) begin
         if (ce) begin
+            a_3 <= a_2;
             d_3 <= d_2;
-            a_signed_3 <= a_signed_2;
             x_half_3 <= x_half_2;
         end
     end
 
     // ===== Stage 3: ad
+    // Q10.14: a sign bit for the signed product
+    wire [24:0] a_signed_3 = {1'd0, a_3};
     // Q12.41: a (x^2 - x)
     wire [53:0] ad_3 = $signed(a_signed_3) * $signed(d_3);
     // Q10.17: a (x^2 - x), rounded down

@@ -1084,10 +1084,10 @@ architecture rtl of quadratic_paper is
     signal s_2 : unsigned(27 downto 0) := (others => '0');
     signal x_half_2 : unsigned(17 downto 0) := (others => '0');
     signal d_2 : signed(28 downto 0);
-    signal a_signed_2 : signed(24 downto 0);
+    signal a_3 : unsigned(23 downto 0) := (others => '0');
     signal d_3 : signed(28 downto 0) := (others => '0');
-    signal a_signed_3 : signed(24 downto 0) := (others => '0');
     signal x_half_3 : unsigned(17 downto 0) := (others => '0');
+    signal a_signed_3 : signed(24 downto 0);
     signal ad_3 : signed(53 downto 0);
     signal m_3 : signed(27 downto 0);
     signal m_4 : signed(27 downto 0) := (others => '0');
@@ -1159,20 +1159,20 @@ begin
     -- ===== Stage 2: d
     -- Q1.27: x^2 - x
     d_2 <= signed(resize(s_2, 29)) - shift_left(signed(resize(x_2, 29)), 11);
-    -- Q10.14: a sign bit for the signed product
-    a_signed_2 <= signed(resize(a_2, 25));
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
+                a_3 <= a_2;
                 d_3 <= d_2;
-                a_signed_3 <= a_signed_2;
                 x_half_3 <= x_half_2;
             end if;
         end if;
     end process;
 
     -- ===== Stage 3: ad
+    -- Q10.14: a sign bit for the signed product
+    a_signed_3 <= signed(resize(a_3, 25));
     -- Q12.41: a (x^2 - x)
     ad_3 <= a_signed_3 * d_3;
     -- Q10.17: a (x^2 - x), rounded down

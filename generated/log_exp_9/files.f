@@ -1,0 +1,1 @@
+rtl/log_exp_9.v
