@@ -30,6 +30,14 @@ pub(super) fn title(spec: &CoreSpec) -> String {
     )
 }
 
+/// What the bound of the error is below, in words.
+fn allowed(spec: &CoreSpec) -> String {
+    match spec.accuracy {
+        None => "1 ulp: the core is faithful".to_owned(),
+        Some(bits) => format!("{} ulps, the 2^-{bits} that was asked for", 1u32 << (spec.output_fraction - bits)),
+    }
+}
+
 /// What the lobe is, in a line.
 fn lobe_text(spec: &CoreSpec) -> String {
     let mut text = format!("specular lobe x^n as {}", spec.method.formula());
@@ -203,6 +211,8 @@ struct Datasheet<'a> {
     interpolated: bool,
     datapath: String,
     rows: Vec<(usize, String, String)>,
+    /// What the bound is below.
+    allowed: String,
     contributions: &'a [Contribution],
     coefficient_error: String,
     arithmetic_error: String,
@@ -411,6 +421,7 @@ pub(super) fn datasheet(
         datapath: design.datapath_digest(),
         memories: memories(design),
         rows,
+        allowed: allowed(&design.spec),
         contributions: &budget.contributions,
         coefficient_error: interval_text(budget.coefficient_ulps),
         arithmetic_error: interval_text(budget.arithmetic_ulps),
