@@ -250,8 +250,9 @@ fn the_cheapest_core_is_chosen_and_built() {
         assert!(miss["point"]["max_abs"].as_f64().unwrap() > 0.2 && miss["octaves"].as_f64().unwrap() > 0.0);
         assert!(miss["why"][0].as_str().unwrap().contains("times what is wished"));
     }
-    let said = prints(at, &["choose", "--max-error", "2^-30"], 1);
-    assert!(said.contains("no core meets the wish") && said.contains("nearest misses:"), "{said}");
+    let said = prints(at, &["choose", "--max-error", "2^-30", "--min-mhz", "500", "--max-dsp", "3"], 1);
+    let wished = "no core meets the wish: an error of at most 9.31e-8 % (2^-30.00), at least 500 MHz, at most 3 DSPs";
+    assert!(said.contains(wished) && said.contains("nearest misses:"), "{said}");
 
     let said = prints(
         at,
@@ -264,6 +265,21 @@ fn the_cheapest_core_is_chosen_and_built() {
     let method = format!("method = {}", chosen["point"]["method"]);
     assert!(toml.contains(&method), "{toml}\nexpected: {method}");
     assert!(prints(at, &["generate", "--max-error", "2^-30", "--out", "none"], 1).contains("no core meets"));
+    let none = brdfgen(at, &["generate", "--max-error", "2^-30", "--out", "none", "--json"]);
+    let choice: Value = serde_json::from_slice(&none.stdout).unwrap();
+    assert!(choice["chosen"].is_null() && choice["misses"].as_array().unwrap().len() == 3, "{choice}");
+
+    // Figures of a version whose core took fewer clocks: that is told, and no core that is too slow is built.
+    let mut point: Point = serde_json::from_value(chosen["point"].clone()).unwrap();
+    let latency =
+        brdfgen::design::Design::new(brdfgen::spec::SpecFields::parse(&point.spec, "spec").unwrap().resolve().unwrap());
+    point.latency = latency.unwrap().schedule.latency - 1;
+    let promised = point.latency.to_string();
+    std::fs::write(at.join("old.json"), Results::new(vec![point]).to_json()).unwrap();
+    let old = ["generate", "--max-error", "20%", "--results", "old.json", "--out", "old"];
+    let said = prints(at, &[&old[..], &["--max-latency", &promised]].concat(), 1);
+    assert!(said.contains(&format!("where the results say {promised}")) && !at.join("old").exists(), "{said}");
+    prints(at, &old, 0);
     assert!(!at.join("none").exists());
 }
 
@@ -278,6 +294,8 @@ fn bad_input_is_named() {
     .unwrap();
     std::fs::write(at.join("bad.toml"), "[[sweep]]\nmethod = ['cubic', 'qubic']\n").unwrap();
     std::fs::write(at.join("bad.csv"), "id,name\n1,2\n").unwrap();
+    std::fs::write(at.join("empty.csv"), "").unwrap();
+    std::fs::create_dir(at.join("folder.db")).unwrap();
     let results = ["--results", "a.db"];
     for (arguments, expected) in [
         (vec!["explore", "sweep.toml"], "--results"),
@@ -296,6 +314,12 @@ fn bad_input_is_named() {
         (vec!["explore", "merge", "a.db", "--out", "b.db"], "cannot read a.db"),
         (vec!["explore", "merge", "no.db", "--out", "b.db"], "no.db is no results file"),
         (vec!["choose"], "--max-error"),
+        (
+            vec!["choose", "--max-error", "1%", "--results", "empty.csv"],
+            "empty.csv, line 1: there is no line of headings",
+        ),
+        (vec!["choose", "--max-error", "1%", "--results", "folder.db"], "folder.db is no results file"),
+        (vec!["choose", "--max-error", "1%", "--results", "none.db"], "cannot read none.db: No such file"),
         (vec!["choose", "--max-error", "200%"], "above 0 and at most 1"),
         (vec!["choose", "--max-error", "1%", "--results", "a.xml"], "unknown kind of results"),
         (vec!["choose", "--max-error", "1%", "--min-mhz", "nan"], "NaN MHz is not allowed"),
@@ -306,6 +330,37 @@ fn bad_input_is_named() {
         assert!(said.contains(expected), "{arguments:?}\n{said}\nexpected: {expected}");
     }
     assert!(!at.join("a.db").exists(), "a refused run leaves nothing behind");
+}
+
+/// Whoever reads an output may go away before its end, as `head` does: that is no error, and changes no exit code.
+#[test]
+fn a_reader_that_goes_away_changes_nothing() {
+    let scratch = scratch();
+    let gone = |arguments: &[&str]| {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_brdfgen"))
+            .current_dir(scratch.path())
+            .args(arguments)
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        drop((child.stdout.take(), child.stderr.take()));
+        child.wait().unwrap().code()
+    };
+    let run = ["explore", "sweep.toml", "--estimate", "--shard", "1/52", "--results", "a.db", "--csv", "-"];
+    assert_eq!(gone(&run), Some(0));
+    assert_eq!(gone(&["choose", "--max-error", "1%", "--results", "none.db"]), Some(2));
+    assert_eq!(gone(&["generate", "--max-error", "2^-30", "--out", "none"]), Some(1));
+}
+
+#[test]
+fn the_list_of_cores_is_printed_wherever_results_go() {
+    let scratch = scratch();
+    let list = ["explore", "sweep.toml", "--list", "--output-fraction", "8", "--input-fraction", "13"];
+    for more in [&[][..], &["--csv", "-"], &["--json", "-"]] {
+        let said = prints(scratch.path(), &[&list[..], more].concat(), 0);
+        assert_eq!(said.lines().filter(|line| line.contains(" ecp5 ")).count(), 2, "{said}");
+    }
 }
 
 /// The job array of docs/explore.slurm, on whatever cluster answers here.

@@ -93,7 +93,7 @@ pub(super) struct WishFlags {
     #[arg(long, value_name = "FILE")]
     results: Option<PathBuf>,
 
-    /// Consider cores too that are there to be compared with
+    /// Consider cores too that are there to be compared with; those of a --method that is named are in any case
     #[arg(long)]
     baselines: bool,
 }
@@ -167,7 +167,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 
 /// An error as a percentage and as a power of two.
 fn error_text(value: f64) -> String {
-    format!("{:.3} % (2^{:.2})", 100.0 * value, libm::log2(value))
+    // Three significant digits of what is very small.
+    let percent = match 100.0 * value {
+        percent if percent < 0.001 => format!("{percent:.2e}"),
+        percent => format!("{percent:.3}"),
+    };
+    format!("{percent} % (2^{:.2})", libm::log2(value))
+}
+
+/// All that a core must meet, in words.
+fn wish_text(wish: &Wish) -> String {
+    let limits = wish.limits.iter().map(|(objective, most)| format!("at most {most} {}", objective.label()));
+    let mhz = wish.min_mhz.map(|mhz| format!("at least {mhz} MHz"));
+    let error = format!("an error of at most {}", error_text(wish.max_error.0));
+    std::iter::once(error).chain(mhz).chain(limits).collect::<Vec<_>>().join(", ")
 }
 
 fn cost_text(cost: &Cost) -> String {
@@ -188,7 +201,7 @@ pub(super) fn describe(wish: &Wish, choice: &Choice) -> Vec<String> {
     let mut lines = Vec::new();
     match chosen {
         Some(chosen) => lines.push(core_text(chosen)),
-        None => lines.push(format!("no core meets the wish: an error of {}", error_text(wish.max_error.0))),
+        None => lines.push(format!("no core meets the wish: {}", wish_text(wish))),
     }
     lines.push(format!("  {meeting} of the {considered} cores considered meet the wish"));
     if !misses.is_empty() {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Subcommand};
 use serde_json::json;
 
-use super::{Verdict, progress, say, say_json, write_to};
+use super::{Verdict, progress, say, say_json, warn, write_to};
 use crate::error::Error;
 use crate::explore::run::{self, Costing, Flow, Summary};
 use crate::explore::sweep::{Axes, Plan, Shard, word};
@@ -229,7 +229,7 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
     if arguments.list {
         for core in &cores {
             let point = Point::unmeasured(core);
-            tell(format!("{} {} {}", point.id, word(&point.family), point.name));
+            say(format!("{} {} {}", point.id, word(&point.family), point.name));
         }
         return Ok(Verdict::Done);
     }
@@ -260,7 +260,7 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
         bar.inc(1);
         if let Some(failure) = &point.failure {
             let first = failure.lines().next().unwrap_or_default();
-            bar.suspend(|| eprintln!("{} {}: {first}", point.id, point.name));
+            bar.suspend(|| warn(format!("{} {}: {first}", point.id, point.name)));
         }
     };
     let summary = run::run(&cores, &costing, &mut store, jobs, arguments.retry_failed, &progress)?;

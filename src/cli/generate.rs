@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::choose::{self, WishFlags};
 use super::source::Source;
-use super::{Verdict, progress, say, say_json};
+use super::{Verdict, progress, say, say_json, warn};
 use crate::cosim::{self, Job, Sim};
 use crate::design::{Account, Design};
 use crate::error::Error;
@@ -61,17 +61,22 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             Some(arguments.wish.wish(error, goal, arguments.source.fields()?)?)
         }
     };
+    let mut promised = None;
     let spec = match &wish {
         None => arguments.source.spec()?,
         Some(wish) => {
             let choice = wish.choose(&arguments.wish.results()?)?;
             let Some(chosen) = &choice.chosen else {
-                choose::describe(wish, &choice).iter().for_each(|line| eprintln!("{line}"));
+                if arguments.json {
+                    say_json(&choice);
+                }
+                choose::describe(wish, &choice).iter().for_each(warn);
                 return Ok(Verdict::Differs);
             };
             if !arguments.json {
                 choose::describe(wish, &choice).iter().for_each(say);
             }
+            promised = Some(chosen.cost.latency);
             wish.spec_of(chosen)?.resolve()?
         }
     };
@@ -106,10 +111,20 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     if let (Some(MaxError(wished)), Account::Lobe(measured)) = (arguments.max_error, &account)
         && measured.max_abs > wished
     {
-        eprintln!(
+        warn(format!(
             "the chosen core has an error of {}, more than wished: the results that it was chosen from are of another version",
             package::percent_text(measured.max_abs)
-        );
+        ));
+        return Ok(Verdict::Differs);
+    }
+    let latency = design.schedule.latency;
+    if let Some(promised) = promised.filter(|&promised| promised != latency) {
+        warn(format!(
+            "the core takes {latency} clocks, where the results say {promised}: they are of another version, or of more shininesses"
+        ));
+    }
+    let limits = wish.iter().flat_map(|wish| &wish.limits);
+    if limits.into_iter().any(|&(objective, most)| objective == Objective::Latency && latency > most) {
         return Ok(Verdict::Differs);
     }
 

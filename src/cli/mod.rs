@@ -96,7 +96,7 @@ pub fn main() -> ExitCode {
         Ok(Verdict::Done) => ExitCode::SUCCESS,
         Ok(Verdict::Differs) => ExitCode::from(1),
         Err(error) => {
-            eprintln!("{:?}", miette::Report::new(error));
+            warn(format!("{:?}", miette::Report::new(error)));
             ExitCode::from(2)
         }
     }
@@ -107,17 +107,26 @@ fn say(text: impl AsRef<str>) {
     let _ = writeln!(std::io::stdout(), "{}", text.as_ref());
 }
 
+/// Prints a line to standard error. A reader that went away is no error: the exit code still says how the command ended.
+fn warn(text: impl AsRef<str>) {
+    let _ = writeln!(std::io::stderr(), "{}", text.as_ref());
+}
+
 /// Prints a value as JSON.
 fn say_json(value: &impl Serialize) {
     say(serde_json::to_string_pretty(value).expect("JSON of plain values"));
 }
 
-/// Writes to a file, or to standard output where the path is `-`.
+/// Writes to a file, or to standard output where the path is `-`. A reader that went away is no error.
 fn write_to(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     if path.as_os_str() != "-" {
         return package::write_file(path, bytes);
     }
-    std::io::stdout()
-        .write_all(bytes)
-        .map_err(|error| Error::io("cannot write to", Path::new("standard output"), error))
+    let mut output = std::io::stdout();
+    match output.write_all(bytes).and_then(|()| output.flush()) {
+        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Error::io("cannot write to", Path::new("standard output"), error))
+        }
+        _ => Ok(()),
+    }
 }

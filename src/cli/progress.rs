@@ -2,15 +2,22 @@
 
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanDuration, ProgressBar, ProgressState, ProgressStyle};
 
 /// A bar of `total` steps with an estimate of the time left; hidden where standard error is no terminal.
 pub(super) fn bar(what: &'static str, total: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg} [{bar:40}] {human_pos}/{human_len} {eta} left");
+    let style = ProgressStyle::with_template("{msg} [{bar:40}] {human_pos}/{human_len} {left}");
     let bar = ProgressBar::new(total).with_message(what);
     if let Ok(style) = style {
-        bar.set_style(style.progress_chars("=> "));
+        // Nothing is known of the time before the first step is done.
+        let left = |state: &ProgressState, to: &mut dyn std::fmt::Write| {
+            let _ = if state.pos() == 0 { Ok(()) } else { write!(to, "{:#} left", HumanDuration(state.eta())) };
+        };
+        bar.set_style(style.with_key("left", left).progress_chars("=> "));
     }
+    // Drawn at once and each second: a step may take a minute.
+    bar.enable_steady_tick(Duration::from_secs(1));
+    bar.tick();
     bar
 }
 

@@ -35,7 +35,7 @@ pub(super) struct Arguments {
     max_error: Option<MaxError>,
 
     /// What is to be least of the chosen core, as for `brdfgen choose` [default: lut]
-    #[arg(long, value_enum, value_name = "COST", requires = "max_error")]
+    #[arg(long, visible_alias = "goal", value_enum, value_name = "COST", requires = "max_error")]
     objective: Option<Objective>,
 
     #[command(flatten)]

@@ -40,7 +40,9 @@ impl<'a> Evaluator<'a> {
         let mut varies: Vec<bool> = Vec::new();
         for (id, node) in graph.nodes.iter().enumerate() {
             let own = node.op == Op::Input && graph.port(id) > 0;
-            varies.push(own || node.args.iter().any(|&arg| varies[arg]));
+            // What every address of a memory holds does not depend on the address.
+            let same = matches!(node.op, Op::Field { memory, .. } if tables[memory].rows() == 1);
+            varies.push(own || (!same && node.args.iter().any(|&arg| varies[arg])));
         }
         let codes = |(node, &varies): (&Node, &bool)| match node.op {
             Op::Field { memory, field } if varies => {

@@ -1,6 +1,8 @@
 //! Fitted coefficients as ROM words: the search over the integers about the rounded ones, so that what becomes least is the error
 //! of what the hardware computes, its roundings included.
 
+use std::collections::VecDeque;
+
 use rayon::prelude::*;
 
 use crate::datapath::evaluate::Evaluator;
@@ -15,6 +17,10 @@ use crate::spec::{CoreSpec, Operand};
 const MOST_POINTS: i128 = 2048;
 /// Past this depth, s = n u, the power is below 2^-23 and no core has anything but 0 or a held value.
 const DEEPEST: f64 = 16.0;
+/// Points of a block that is looked at first: as many as the evaluator computes at a time.
+const BLOCK: usize = 64;
+/// The blocks that are looked at first: an error curve that is as flat as it can be has about so many summits.
+const WITNESSES: usize = 6;
 /// The most steps of a search.
 const MOST_STEPS: usize = 64;
 
@@ -59,13 +65,43 @@ impl Points {
         Some(Self { index, first: first as i64, stride: stride as i64, targets })
     }
 
-    /// The largest weighted error of a datapath whose memories are `tables`.
-    fn error(&self, spec: &CoreSpec, datapath: &Datapath, tables: &[Table]) -> f64 {
-        let mut outputs = vec![0; self.targets.len()];
-        Evaluator::new(&datapath.graph, tables).evaluate(self.index, self.first, self.stride, &mut outputs);
+    /// The largest weighted error of a datapath whose memories are `tables`, if it is less than `bound`.
+    ///
+    /// Most words fail where others have failed before them: `witnesses` are the blocks of points with the largest errors of late, which
+    /// are looked at first.
+    fn error_below(
+        &self,
+        bound: f64,
+        witnesses: &mut VecDeque<usize>,
+        spec: &CoreSpec,
+        datapath: &Datapath,
+        tables: &[Table],
+    ) -> Option<f64> {
+        let evaluator = Evaluator::new(&datapath.graph, tables);
         let ulp = exp2(-(spec.output_fraction as i32));
-        let errors = outputs.iter().zip(&self.targets);
-        errors.map(|(&output, &(power, weight))| (f64::from(output) * ulp - power).abs() * weight).fold(0.0, f64::max)
+        // The largest error of the points from a place on, and where it is.
+        let largest = |from: usize, count: usize| {
+            let targets = &self.targets[from..(from + count).min(self.targets.len())];
+            let mut outputs = vec![0; targets.len()];
+            evaluator.evaluate(self.index, self.first + self.stride * from as i64, self.stride, &mut outputs);
+            let errors = outputs.iter().zip(targets);
+            let errors = errors.map(|(&output, &(power, weight))| (f64::from(output) * ulp - power).abs() * weight);
+            let place =
+                errors.enumerate().fold((0.0, 0), |most, (at, error)| if error > most.0 { (error, at) } else { most });
+            (place.0, from + place.1)
+        };
+        let failed = witnesses.iter().position(|&block| largest(block * BLOCK, BLOCK).0 >= bound);
+        if let Some(place) = failed {
+            witnesses.swap(0, place);
+            return None;
+        }
+        let (error, at) = largest(0, self.targets.len());
+        let block = at / BLOCK;
+        if !witnesses.contains(&block) {
+            witnesses.truncate(WITNESSES - 1);
+            witnesses.push_front(block);
+        }
+        (error < bound).then_some(error)
     }
 }
 
@@ -92,13 +128,14 @@ fn searched(
             },
         )
         .collect();
-    let mut error_of = |words: &[i128]| {
+    let mut witnesses = VecDeque::new();
+    let mut error_below = |bound: f64, words: &[i128]| {
         for (&field, &code) in fields.iter().zip(words) {
             tables[memory].fields[field].codes[0] = code;
         }
-        points.error(spec, datapath, &tables)
+        points.error_below(bound, &mut witnesses, spec, datapath, &tables)
     };
-    let mut least = error_of(&best);
+    let Some(mut least) = error_below(f64::INFINITY, &best) else { return best };
     for _ in 0..MOST_STEPS {
         let mut step: Option<(f64, Vec<i128>)> = None;
         for neighbour in 0..3usize.pow(fields.len() as u32) {
@@ -111,10 +148,8 @@ fn searched(
             if words == best || !fields.iter().zip(&words).all(fits) {
                 continue;
             }
-            let error = error_of(&words);
-            if error < step.as_ref().map_or(least, |(error, _)| *error) {
-                step = Some((error, words));
-            }
+            let bound = step.as_ref().map_or(least, |(error, _)| *error);
+            step = error_below(bound, &words).map(|error| (error, words)).or(step);
         }
         let Some((error, words)) = step else { break };
         (least, best) = (error, words);

@@ -56,7 +56,7 @@ pub struct Wish {
     pub shininess: Shininess,
     /// Keys of the spec that the core must have as they are here; `name`, `languages`, `rom_formats` and the shininess are not looked at.
     pub keys: SpecFields,
-    /// Whether cores are considered that are there to be compared with.
+    /// Whether cores are considered that are there to be compared with; those of a method that `keys` name are in any case.
     pub baselines: bool,
 }
 
@@ -137,7 +137,9 @@ fn serves(own: &Shininess, wished: &Shininess) -> bool {
 impl Wish {
     /// Whether the point is one of those asked for, whatever its error and cost.
     fn asks_for(&self, point: &Point) -> bool {
-        if point.family != self.family || (point.baseline && !self.baselines) {
+        // Who names the method wants it, whatever it is there for.
+        let compared_only = point.baseline && !self.baselines && self.keys.method.is_none();
+        if point.family != self.family || compared_only {
             return false;
         }
         let Some(own) = fields(point) else { return false };
@@ -191,19 +193,24 @@ impl Wish {
         let candidate = |point: &Point| point.cost().map(|cost| Candidate { point: point.clone(), cost });
         let mut all: Vec<Candidate> =
             results.points().iter().filter(|point| self.asks_for(point)).filter_map(candidate).collect();
-        let versions: BTreeSet<&str> =
-            all.iter().filter_map(|candidate| candidate.point.tools()).map(|tools| tools.yosys.as_str()).collect();
-        if versions.len() > 1 {
+        // Cores that were not placed are of no nextpnr, and may stand beside those of one.
+        let tools = || all.iter().filter_map(|candidate| candidate.point.tools());
+        let yosys: BTreeSet<&str> = tools().map(|tools| tools.yosys.as_str()).collect();
+        let nextpnr: BTreeSet<&str> = tools().filter_map(|tools| tools.nextpnr.as_deref()).collect();
+        if let Some(versions) = [&yosys, &nextpnr].into_iter().find(|versions| versions.len() > 1) {
+            let versions: Vec<&str> = versions.iter().copied().collect();
             return Err(Error::input(
-                format!("the results hold figures of {}", versions.into_iter().collect::<Vec<_>>().join(" and of ")),
+                format!("the results hold figures of {}", versions.join(" and of ")),
                 "figures of two versions cannot be compared: explore with one of them",
             ));
         }
-        let tools = all.iter().find_map(|candidate| candidate.point.tools()).cloned().ok_or_else(|| {
+        let placed = tools().find(|tools| tools.nextpnr.is_some());
+        let tools = placed.or_else(|| tools().next()).cloned().ok_or_else(|| {
             let (family, set) = (word(&self.family), &self.shininess);
+            let method = self.keys.method.map(|method| format!(" --method {}", word(&method))).unwrap_or_default();
             Error::input(
                 format!("the results hold no such core for {family} that serves the shininess {set}"),
-                format!("make some: brdfgen explore --family {family} --shininess '{set}' --results FILE.db"),
+                format!("make some: brdfgen explore --family {family}{method} --shininess '{set}' --results FILE.db"),
             )
         })?;
         all.sort_by(|a, b| self.rank(a).cmp(&self.rank(b)).then(a.point.max_abs.total_cmp(&b.point.max_abs)));
@@ -327,6 +334,30 @@ mod tests {
         assert_eq!(choice.misses[0].candidate.point.id, "fine");
         assert_eq!(choice.misses[0].why, ["it has 1 block RAMs too many"]);
         assert!(choice.misses[1].why[0].starts_with("its error is 2.000 times"), "{:?}", choice.misses[1].why);
+    }
+
+    #[test]
+    fn a_baseline_that_is_named_is_considered_and_two_versions_of_a_tool_never() {
+        let baseline = Point { baseline: true, ..ranged("base", 0.001, [10, 0, 0, 2], 300.0) };
+        let mut results = Results::new(vec![baseline]);
+        let unnamed = wish(0.5, Objective::Lut);
+        assert!(unnamed.choose(&results).is_err());
+        let named = Wish { keys: SpecFields::parse("method = 'quadratic'", "keys").unwrap(), ..unnamed.clone() };
+        assert_eq!(named.choose(&results).unwrap().chosen.unwrap().point.id, "base");
+        let other = Wish { keys: SpecFields::parse("method = 'squaring'", "keys").unwrap(), ..unnamed.clone() };
+        let help = format!("{:?}", other.choose(&results).unwrap_err());
+        assert!(help.contains("explore --family ecp5 --method squaring --shininess '5..=9'"), "{help}");
+        // A core that was not placed is of no nextpnr; two of them are one too many.
+        let version = |id: &str, nextpnr: Option<&str>| {
+            let mut point = ranged(id, 0.1, [50, 1, 0, 5], 200.0);
+            point.synthesis.as_mut().unwrap().tools.nextpnr = nextpnr.map(str::to_owned);
+            point
+        };
+        results = Results::new(vec![version("a", None), version("b", Some("nextpnr 1"))]);
+        assert_eq!(unnamed.choose(&results).unwrap().tools.nextpnr.as_deref(), Some("nextpnr 1"));
+        results = Results::new(vec![version("a", Some("nextpnr 2")), version("b", Some("nextpnr 1"))]);
+        let error = unnamed.choose(&results).unwrap_err().to_string();
+        assert_eq!(error, "the results hold figures of nextpnr 1 and of nextpnr 2");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! The points of a run, written and read as CSV, JSON or SQLite.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
@@ -72,14 +72,14 @@ impl Results {
     /// Reads what [`Results::to_json`] writes; `file` names it in messages.
     ///
     /// # Errors
-    /// Text that is no such array, with the place.
+    /// Text that is no such array, with the place; a point that is there twice, or a figure that is no number of 0 or more.
     pub fn from_json(text: &str, file: &str) -> Result<Self, Error> {
         let points: Vec<Point> = serde_json::from_str(text).map_err(|error| {
             let before: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
             let at = (before + error.column().saturating_sub(1)).min(text.len());
             Error::text(error.to_string(), "results of `brdfgen explore` as JSON", file, text, (at, 0))
         })?;
-        Ok(Self::new(points))
+        Self::checked(points, file)
     }
 
     /// The points as CSV, a line each: the columns of [`Point`], then those of its cost. Lists are written with spaces, the spec as a
@@ -99,21 +99,70 @@ impl Results {
     /// Reads what [`Results::to_csv`] writes; `file` names it in messages. Columns may be in any order, and there may be more.
     ///
     /// # Errors
-    /// Text that is no such table, with the line.
+    /// Text that is no such table, with the line and the column; a point that is there twice, or a figure that is no number of 0 or
+    /// more.
     pub fn from_csv(text: &str, file: &str) -> Result<Self, Error> {
         let mut reader = csv::Reader::from_reader(text.as_bytes());
+        // A line is longer than a screen: its number says more than its text.
         let wrong = |what: String, line: u64| {
-            let before = text.split_inclusive('\n').take(line.saturating_sub(1) as usize).map(str::len).sum();
-            let length = text.lines().nth(line.saturating_sub(1) as usize).map_or(0, str::len);
-            Error::text(what, "results of `brdfgen explore` as CSV", file, text, (before, length))
+            Error::input(format!("{file}, line {line}: {what}"), "results of `brdfgen explore` as CSV")
         };
+        let heads = reader.headers().map_err(|error| wrong(error.to_string(), 1))?.clone();
+        if heads.is_empty() {
+            return Err(wrong("there is no line of headings".to_owned(), 1));
+        }
         let mut points = Vec::new();
-        for (number, row) in reader.deserialize::<Row>().enumerate() {
-            let row = row.map_err(|error| {
-                let line = error.position().map_or(number as u64 + 2, csv::Position::line);
-                wrong(error.to_string(), line)
+        for record in reader.records() {
+            let record = record.map_err(|error| {
+                let line = error.position().map_or(1, csv::Position::line);
+                let what = match error.kind() {
+                    csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+                        format!("it has {len} fields, where the headings are {expected_len}")
+                    }
+                    _ => error.to_string(),
+                };
+                wrong(what, line)
             })?;
-            points.push(row.point().map_err(|what| wrong(what, number as u64 + 2))?);
+            let line = record.position().map_or(1, csv::Position::line);
+            let row: Row = record.deserialize(Some(&heads)).map_err(|error| {
+                let what = match error.kind() {
+                    csv::ErrorKind::Deserialize { err, .. } => {
+                        let column = err.field().and_then(|field| heads.get(field as usize));
+                        column.map_or_else(|| err.kind().to_string(), |column| format!("{column}: {}", err.kind()))
+                    }
+                    _ => error.to_string(),
+                };
+                wrong(what, line)
+            })?;
+            points.push(row.point().map_err(|what| wrong(what, line))?);
+        }
+        Self::checked(points, file)
+    }
+
+    /// Results whose errors are numbers that can be compared, each core once.
+    fn checked(points: Vec<Point>, file: &str) -> Result<Self, Error> {
+        let mut seen = BTreeSet::new();
+        for point in &points {
+            let wrong = |what: String| {
+                Error::input(
+                    format!("{file}: the point {} {what}", point.id),
+                    "results of `brdfgen explore`, as it wrote them",
+                )
+            };
+            if !seen.insert(&point.id) {
+                return Err(wrong("is there twice".to_owned()));
+            }
+            let timing = point.synthesis.as_ref().and_then(|synthesis| synthesis.timing.as_ref());
+            let estimate = point.estimate.as_ref().and_then(|estimate| estimate.mhz);
+            let clocks = timing.map(|timing| timing.median_mhz).into_iter().chain(estimate);
+            let errors =
+                [("max_abs", point.max_abs), ("max_rel", point.max_rel), ("rms", point.rms), ("bound", point.bound)];
+            let figures = errors.into_iter().chain(clocks.map(|mhz| ("the frequency", mhz)));
+            for (what, value) in figures {
+                if !(value.is_finite() && value >= 0.0) {
+                    return Err(wrong(format!("says {what} is {value}, where a number of 0 or more is needed")));
+                }
+            }
         }
         Ok(Self::new(points))
     }
@@ -448,6 +497,12 @@ pub(super) mod tests {
             (csv.replacen("TRELLIS_FF=90", "TRELLIS_FF", 1), "not CELL=COUNT"),
             (csv.replacen("name", "nom", 1), "missing field"),
             (csv.replacen("power-4\"", "power-5\"", 1), "power-5"),
+            (String::new(), "a.csv, line 1: there is no line of headings"),
+            (csv[..csv.len() - 300].to_owned(), "a.csv, line 2: it has "),
+            (csv.replacen("exhaustive,0.000014", "exhaustive,x", 1), "a.csv, line 2: bound: "),
+            (csv.replacen(",16,16,auto,0.1,", ",16,16,auto,NaN,", 1), "the point a says max_abs is NaN"),
+            (csv.replacen(",16,16,auto,0.1,", ",16,16,auto,-1,", 1), "the point a says max_abs is -1"),
+            (csv.clone() + csv.lines().nth(1).unwrap_or_default(), "the point a is there twice"),
         ] {
             let error = Results::from_csv(&text, "a.csv").expect_err(expected);
             assert!(error.to_string().contains(expected), "{error}, expected: {expected}");

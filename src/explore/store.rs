@@ -115,8 +115,10 @@ impl Store {
 
     fn connect(path: &Path, flags: OpenFlags) -> Result<Self, Error> {
         let creates = flags.contains(OpenFlags::SQLITE_OPEN_CREATE);
-        if !creates && !path.exists() {
-            return Err(Error::io("cannot read", path, std::io::ErrorKind::NotFound.into()));
+        match std::fs::metadata(path) {
+            Ok(there) if there.is_dir() => return Err(not_ours(path)),
+            Err(error) if !creates => return Err(Error::io("cannot read", path, error)),
+            _ => {}
         }
         let refused = |error: rusqlite::Error| refusal(path, &error);
         let connection = Connection::open_with_flags(path, flags | OpenFlags::SQLITE_OPEN_NO_MUTEX).map_err(refused)?;

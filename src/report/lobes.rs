@@ -1,15 +1,18 @@
 //! What cores compute: error against the shininess, error against the angle, and the lobes themselves.
 
+use std::collections::BTreeSet;
+
 use rayon::prelude::*;
 
 use super::chart::{Axis, BLACK, Chart, Curve, Style};
 use super::trade::{Group, Palette, powers_about};
+use crate::datapath::evaluate::Evaluator;
 use crate::design::Design;
 use crate::error::Error;
 use crate::explore::Point;
 use crate::lobe::{degrees, exact, versine};
 use crate::number::exp2;
-use crate::spec::SpecFields;
+use crate::spec::{Shininess, SpecFields};
 
 /// The shininesses that charts against the angle look for in the set.
 const WANTED: [f64; 3] = [10.0, 100.0, 1000.0];
@@ -17,6 +20,8 @@ const WANTED: [f64; 3] = [10.0, 100.0, 1000.0];
 const LOWEST: f64 = 1e-3;
 /// Angles of a chart: one for about every second column of the picture.
 const ANGLES: u32 = 400;
+/// The most shininesses of the chart against the shininess, but for those at which a core is worst.
+const MOST_ROWS: usize = 256;
 /// The most inputs of one core.
 const MOST_INPUTS: u64 = 1 << 26;
 
@@ -27,7 +32,7 @@ pub struct Measured<'a> {
     pub point: &'a Point,
     /// The core.
     design: Design,
-    /// Each shininess, rising, and the largest error over the cosines.
+    /// The shininesses looked at, rising, and the largest error over the cosines.
     by_shininess: Vec<(f64, f64)>,
 }
 
@@ -61,49 +66,76 @@ pub fn representatives<'a>(group: &Group<'a>, palette: &Palette, chosen: Option<
     best
 }
 
-/// Builds the cores and measures them at every shininess; `done` is called after each shininess of each core.
+/// The shininesses at which cores of one group are measured, by their places in the set: all, or, of more than [`MOST_ROWS`], so many
+/// that lie evenly on a logarithmic axis, and those at which a core is worst.
+fn places(set: &Shininess, points: &[&Point]) -> Vec<usize> {
+    let rows = set.rows();
+    if rows <= MOST_ROWS {
+        return (0..rows).collect();
+    }
+    let step = libm::log(rows as f64) / (MOST_ROWS - 1) as f64;
+    let even = (0..MOST_ROWS).map(|place| (libm::round(libm::exp(step * place as f64)) as usize).clamp(1, rows) - 1);
+    let worst = (0..rows).filter(|&row| points.iter().any(|point| point.worst_n == set.value(row)));
+    even.chain(worst).collect::<BTreeSet<_>>().into_iter().collect()
+}
+
+/// How many shininesses of how many cores [`measure`] looks at.
+#[must_use]
+pub fn work(points: &[&Point]) -> u64 {
+    let spec = points.first().and_then(|point| SpecFields::parse(&point.spec, &point.name).ok()?.resolve().ok());
+    spec.map_or(0, |spec| (places(&spec.shininess, points).len() * points.len()) as u64)
+}
+
+/// Builds the cores of points of one group, which have their shininesses and their cosines in common, and measures them at every
+/// shininess, or at some of many; `done` is called after each shininess of each core.
 ///
 /// Every code of the cosine in [0, 1] is taken, or every 2nd, 3rd, ... where that would be more than 2^26 inputs of a core.
 ///
 /// # Errors
 /// A point whose spec is none, or of which no core can be built.
 pub fn measure<'a>(points: &[&'a Point], done: &(dyn Fn() + Sync)) -> Result<Vec<Measured<'a>>, Error> {
-    let build = |&point: &&'a Point| -> Result<Measured<'a>, Error> {
-        let design = Design::new(SpecFields::parse(&point.spec, &point.name)?.resolve()?)?;
-        let mut by_shininess = by_shininess(&design, done);
+    let build = |point: &&'a Point| Design::new(SpecFields::parse(&point.spec, &point.name)?.resolve()?);
+    let designs: Vec<Design> = points.par_iter().map(build).collect::<Result<_, _>>()?;
+    let errors = by_shininess(points, &designs, done);
+    let measured = |((&point, design), mut by_shininess): ((&&'a Point, Design), Vec<(f64, f64)>)| {
         by_shininess.sort_by(|a, b| a.0.total_cmp(&b.0));
-        Ok(Measured { point, design, by_shininess })
+        Measured { point, design, by_shininess }
     };
-    points.par_iter().map(build).collect()
+    Ok(points.iter().zip(designs).zip(errors).map(measured).collect())
 }
 
-/// Each shininess and the largest error of the bit-exact arithmetic against the power.
-fn by_shininess(design: &Design, done: &(dyn Fn() + Sync)) -> Vec<(f64, f64)> {
-    let rows = design.spec.shininess.rows();
-    let codes = (1u64 << design.spec.input_fraction) + 1;
+/// Of each core the shininesses and the largest error of the bit-exact arithmetic against the power. The powers take longer than the
+/// arithmetic, so that they are computed once for all cores.
+fn by_shininess(points: &[&Point], designs: &[Design], done: &(dyn Fn() + Sync)) -> Vec<Vec<(f64, f64)>> {
+    let Some(spec) = designs.first().map(|design| &design.spec) else { return Vec::new() };
+    let rows = spec.shininess.rows();
+    let places = places(&spec.shininess, points);
+    let codes = (1u64 << spec.input_fraction) + 1;
     let step = (codes * rows as u64).div_ceil(MOST_INPUTS) as usize;
-    let operands: Vec<i64> = (0..codes as i64).step_by(step).collect();
-    let logs: Vec<f64> =
-        operands.iter().map(|&code| libm::log1p(-design.versine(design.operand_of_versine(code)))).collect();
-    let scale = exp2(-(design.spec.output_fraction as i32));
-    let evaluator = design.evaluator();
-    let row = |row: usize| {
-        let n = design.spec.shininess.value(row);
-        // Versine codes upwards are operand codes from this one on, up or down.
-        let first = design.operand_of_versine(0);
-        let stride = (design.operand_of_versine(1) - first) * step as i64;
-        let mut outputs = vec![0u32; operands.len()];
-        evaluator.evaluate(design.spec.shininess.index_of_row(row), first, stride, &mut outputs);
-        let error = |(&output, log): (&u32, &f64)| {
-            // Below e^-40 the power is nothing beside an ulp.
-            let power = if n * log < -40.0 { 0.0 } else { libm::exp(n * log) };
-            (f64::from(output) * scale - power).abs()
+    let one = exp2(spec.input_fraction as i32);
+    let logs: Vec<f64> = (0..codes).step_by(step).map(|versine| libm::log1p(-(versine as f64 / one))).collect();
+    let evaluators: Vec<_> = designs.iter().map(Design::evaluator).collect();
+    let at = |&row: &usize| -> Vec<(f64, f64)> {
+        let n = spec.shininess.value(row);
+        // Below e^-40 the power is nothing beside an ulp.
+        let power = |log: &f64| if n * log < -40.0 { 0.0 } else { libm::exp(n * log) };
+        let powers: Vec<f64> = logs.iter().map(power).collect();
+        let mut outputs = vec![0u32; powers.len()];
+        let largest = |(design, evaluator): (&Design, &Evaluator)| {
+            // Versine codes upwards are operand codes from this one on, up or down.
+            let first = design.operand_of_versine(0);
+            let stride = (design.operand_of_versine(1) - first) * step as i64;
+            evaluator.evaluate(design.spec.shininess.index_of_row(row), first, stride, &mut outputs);
+            let scale = exp2(-(design.spec.output_fraction as i32));
+            let error = |(&output, power): (&u32, &f64)| (f64::from(output) * scale - power).abs();
+            let largest = outputs.iter().zip(&powers).map(error).fold(0.0, f64::max);
+            done();
+            (n, largest)
         };
-        let largest = outputs.iter().zip(&logs).map(error).fold(0.0, f64::max);
-        done();
-        (n, largest)
+        designs.iter().zip(&evaluators).map(largest).collect()
     };
-    (0..rows).into_par_iter().map(row).collect()
+    let by_row: Vec<Vec<(f64, f64)>> = places.par_iter().map(at).collect();
+    (0..designs.len()).map(|core| by_row.iter().map(|row| row[core]).collect()).collect()
 }
 
 impl Measured<'_> {
@@ -207,4 +239,33 @@ pub fn charts(cores: &[Measured], palette: &Palette, chosen: Option<&Point>) -> 
         ));
     }
     charts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::explore::sweep::Core;
+    use crate::synth::Family;
+
+    fn point(set: &str, worst_n: f64) -> Point {
+        let text = format!("method = 'schlick'\nshininess = '{set}'");
+        let spec = SpecFields::parse(&text, "test").and_then(SpecFields::resolve).unwrap();
+        Point { worst_n, ..Point::unmeasured(&Core::new(spec, Family::Ecp5)) }
+    }
+
+    #[test]
+    fn of_many_shininesses_some_are_looked_at_and_the_worst_among_them() {
+        let points = [point("1..=1000", 777.0), point("1..=1000", 999.0)];
+        let points: Vec<&Point> = points.iter().collect();
+        let places = places(&Shininess::Range(1, 1000), &points);
+        assert!(places.is_sorted_by(|a, b| a < b) && places.len() <= MOST_ROWS + 2, "{places:?}");
+        assert_eq!((places[..20].to_vec(), places.last()), ((0..20).collect(), Some(&999)));
+        assert!(places.contains(&776) && places.contains(&998));
+        // No gap of more than 3 %, where a chart of a thousand columns has 0.7 % a column.
+        assert!(places.windows(2).all(|pair| (pair[1] + 1) as f64 <= 1.03 * (pair[0] + 2) as f64), "{places:?}");
+        assert_eq!(work(&points), 2 * places.len() as u64);
+        assert_eq!(super::places(&Shininess::Range(5, 260), &points), (0..256).collect::<Vec<_>>());
+        assert_eq!(work(&[&point("4,2.5", 4.0)]), 2);
+        assert_eq!(work(&[]), 0);
+    }
 }

@@ -31,7 +31,7 @@ impl<'a> Report<'a> {
     pub fn work(points: &[Point], chosen: Option<&Point>) -> u64 {
         let (groups, palette) = (groups(points, chosen), Palette::of(points));
         let shown = groups.first().map(|group| lobes::representatives(group, &palette, chosen)).unwrap_or_default();
-        shown.iter().map(|point| u64::from(point.rows)).sum()
+        lobes::work(&shown)
     }
 
     /// Measures the cores that stand for the methods and draws all charts; the chosen core is marked. `done` is called after each

@@ -19,7 +19,8 @@ pub enum Family {
     Ecp5,
     /// Lattice iCE40: UP5K, SG48, which has DSP blocks; the core is placed between two shift registers, as it has too few pins.
     Ice40,
-    /// Gowin GW2A: GW2A-18, PG256, C8/I7; placed as on iCE40.
+    /// Gowin GW2A: GW2A-18, PG256, C8/I7; placed as on iCE40; nextpnr's delays of its DSP blocks look incomplete, so that the
+    /// clock of a core with multipliers may be too high.
     Gowin,
     /// AMD 7 series: cells only, as there is no placement here.
     Xc7,
