@@ -1,20 +1,17 @@
-//! Compares the methods: `cargo run --release --example methods -- [--yosys]` writes docs/methods.md and docs/methods.csv.
+//! Compares the methods: `cargo run --release --example methods` writes docs/methods.md and docs/methods.csv.
 //!
-//! Every figure is of the bit-exact arithmetic; with `--yosys` the cells of each core are counted as well.
+//! Every figure is of the bit-exact arithmetic; what the cores cost is in docs/trade.csv.
 
 use std::error::Error;
 use std::fmt::Write;
 use std::path::Path;
-use std::process::Command;
 
 use brdfgen::design::Design;
-use brdfgen::hdl::{self, Texts};
 use brdfgen::package;
-use brdfgen::spec::{Language, SpecFields};
-use rayon::prelude::*;
+use brdfgen::spec::SpecFields;
 
 /// What is compared: a name for the table, and the spec's lines.
-const METHODS: [(&str, &str); 34] = [
+const METHODS: [(&str, &str); 40] = [
     ("quadratic", "method = 'quadratic'"),
     ("quadratic, minimax", "method = 'quadratic'\ncoefficients = 'minimax'"),
     ("quadratic, paper form", "method = 'quadratic'\nform = 'paper'"),
@@ -46,6 +43,12 @@ const METHODS: [(&str, &str); 34] = [
     ("segmented-4", "method = 'segmented-4'"),
     ("segmented-8", "method = 'segmented-8'"),
     ("log-exp", "method = 'log-exp'"),
+    ("log-exp to 2^-5", "method = 'log-exp'\naccuracy = 5"),
+    ("log-exp to 2^-7", "method = 'log-exp'\naccuracy = 7"),
+    ("log-exp to 2^-9", "method = 'log-exp'\naccuracy = 9"),
+    ("log-exp to 2^-11", "method = 'log-exp'\naccuracy = 11"),
+    ("log-exp to 2^-14", "method = 'log-exp'\naccuracy = 14"),
+    ("harris", "method = 'harris'"),
     ("quadratic, in_n with 3 fraction bits", "method = 'quadratic'\nshininess_fraction = 3"),
     ("cubic, in_n with 3 fraction bits", "method = 'cubic'\nshininess_fraction = 3"),
     ("power-4, in_n with 3 fraction bits", "method = 'power-4'\nshininess_fraction = 3"),
@@ -53,13 +56,8 @@ const METHODS: [(&str, &str); 34] = [
 
 /// The shininesses at which errors are measured.
 const MEASURED: [u32; 3] = [10, 100, 1000];
-/// Output fraction bits of the synthesised cores.
-const SYNTHESISED: [u32; 3] = [8, 12, 16];
-/// The cells that are counted.
-const CELLS: [&str; 5] = ["LUT4", "CCU2C", "TRELLIS_FF", "MULT18X18D", "DP16KD"];
-
-fn design(method: &str, output_fraction: u32) -> Result<Design, brdfgen::error::Error> {
-    let text = format!("{method}\nshininess = '1..=1000'\ninput_fraction = 16\noutput_fraction = {output_fraction}");
+fn design(method: &str) -> Result<Design, brdfgen::error::Error> {
+    let text = format!("{method}\nshininess = '1..=1000'\ninput_fraction = 16\noutput_fraction = 16");
     Design::new(SpecFields::parse(&text, "method")?.resolve()?)
 }
 
@@ -127,46 +125,11 @@ impl Entry {
     }
 }
 
-/// Yosys' version, or `None` if it is not there.
-fn yosys_version() -> Option<String> {
-    let output = Command::new("yosys").arg("-V").output().ok().filter(|output| output.status.success())?;
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    Some(text.split_ascii_whitespace().take(2).collect::<Vec<_>>().join(" "))
-}
-
-/// The cells that `yosys synth_ecp5` makes of a core's Verilog, in the order of [`CELLS`].
-fn synthesised(design: &Design) -> Result<Vec<u32>, String> {
-    let name = design.spec.name.clone();
-    let texts = Texts {
-        name: name.clone(),
-        header: Vec::new(),
-        ports: design.ports(),
-        rom_files: Vec::new(),
-        writes: Vec::new(),
-    };
-    let scratch = tempfile::tempdir().map_err(|error| error.to_string())?;
-    let text = hdl::backend(Language::Verilog).emit(&design.layout(), &texts).map_err(|error| error.to_string())?;
-    package::write_file(&scratch.path().join("core.v"), text.as_bytes()).map_err(|error| error.to_string())?;
-    let script = format!("read_verilog core.v; synth_ecp5 -top {name}; stat");
-    let output = Command::new("yosys").current_dir(scratch.path()).args(["-p", &script]).output();
-    let output = output.map_err(|error| error.to_string())?;
-    if !output.status.success() {
-        return Err(format!("yosys fails on {name}: {}", String::from_utf8_lossy(&output.stderr)));
-    }
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let report = text.rsplit("Printing statistics").next().unwrap_or_default();
-    let count = |cell: &&str| {
-        let line = report.lines().find(|line| line.split_ascii_whitespace().any(|word| word == *cell));
-        line.and_then(|line| line.split_ascii_whitespace().find_map(|word| word.parse().ok())).unwrap_or(0)
-    };
-    Ok(CELLS.iter().map(count).collect())
-}
-
 const ABOUT: &str = "\
 # The methods, measured
 
-Written by `cargo run --release --example methods -- --yosys`; the same figures are in methods.csv. All cores serve the integers n = 1 to 1000
-(the last ones also eighths between them) and have F = G = 16 fraction bits, except where another G is given.
+Written by `cargo run --release --example methods`; the same figures are in methods.csv. All cores serve the integers n = 1 to 1000
+(the last ones also eighths between them) and have F = G = 16 fraction bits. What they cost is in [targets.md](targets.md) and trade.csv.
 
 The errors are those of the bit-exact evaluator, which the tests hold equal to the reference model, at n = 10, 100 and 1000, over every code of
 the cosine in [0, 1], 65537 of them, against x^n:
@@ -188,16 +151,10 @@ fn sig(value: f64) -> String {
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let with_yosys = match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        [] => false,
-        ["--yosys"] => true,
-        _ => return Err("usage: methods [--yosys]".into()),
-    };
     let mut refused = Vec::new();
     let mut entries = Vec::new();
     for (name, method) in METHODS {
-        match design(method, 16) {
+        match design(method) {
             Ok(design) => entries.push((name, method, Entry::of(&design))),
             Err(error) => refused.push(format!("{name}: {error}")),
         }
@@ -240,34 +197,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
 
-    if with_yosys {
-        if let Some(version) = yosys_version() {
-            text += &cells(&entries, &version)?;
-        } else {
-            eprintln!("yosys is not installed (apt-get install yosys): the cells are left out");
-        }
-    }
     package::write_file(Path::new("docs/methods.md"), text.as_bytes())?;
     package::write_file(Path::new("docs/methods.csv"), csv.as_bytes())?;
     Ok(())
-}
-
-/// The chapter on cells; two runs of Yosys at a time.
-fn cells(entries: &[(&str, &str, Entry)], version: &str) -> Result<String, Box<dyn Error>> {
-    let jobs: Vec<(&str, &str, u32)> =
-        entries.iter().flat_map(|&(name, method, _)| SYNTHESISED.map(|g| (name, method, g))).collect();
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build()?;
-    let counted: Vec<Result<Vec<u32>, String>> = pool.install(|| {
-        let one =
-            |&(_, method, g): &(&str, &str, u32)| synthesised(&design(method, g).map_err(|error| error.to_string())?);
-        jobs.par_iter().map(one).collect()
-    });
-    let mut text = format!("\n## Cells on ECP5\n\n`synth_ecp5` of {version}, before placement, F = 16.\n\n");
-    writeln!(text, "| method | G | {} |", CELLS.join(" | "))?;
-    writeln!(text, "| --- | ---: |{}", " ---: |".repeat(CELLS.len()))?;
-    for ((name, _, g), counts) in jobs.iter().zip(counted) {
-        let counts: Vec<String> = counts?.iter().map(u32::to_string).collect();
-        writeln!(text, "| {name} | {g} | {} |", counts.join(" | "))?;
-    }
-    Ok(text)
 }
