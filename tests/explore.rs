@@ -279,7 +279,7 @@ fn the_cheapest_core_is_chosen_and_built() {
     let old = ["generate", "--max-error", "20%", "--results", "old.json", "--out", "old"];
     let said = prints(at, &[&old[..], &["--max-latency", &promised]].concat(), 1);
     assert!(said.contains(&format!("where the results say {promised}")) && !at.join("old").exists(), "{said}");
-    prints(at, &old, 0);
+    prints(at, &[&old[..], &["--shininess", "1..=16"]].concat(), 0);
     assert!(!at.join("none").exists());
 }
 
@@ -351,6 +351,23 @@ fn a_reader_that_goes_away_changes_nothing() {
     assert_eq!(gone(&run), Some(0));
     assert_eq!(gone(&["choose", "--max-error", "1%", "--results", "none.db"]), Some(2));
     assert_eq!(gone(&["generate", "--max-error", "2^-30", "--out", "none"]), Some(1));
+}
+
+/// What `choose` says makes the core does make it, however many flags that takes.
+#[test]
+fn the_command_of_a_chosen_core_makes_it() {
+    let scratch = scratch();
+    let at = scratch.path();
+    let axes = "--method quadratic --coefficients minimax --shininess 1..=16 --input-fraction 8 --output-fraction 8 --pipeline 6";
+    let run: Vec<&str> = ["explore", "--estimate", "--results", "a.db"].into_iter().chain(axes.split(' ')).collect();
+    prints(at, &run, 0);
+    let said = prints(at, &["choose", "--results", "a.db", "--max-error", "50%", "--shininess", "1..=16"], 0);
+    let command = said.lines().find_map(|line| line.trim().strip_prefix("made by: brdfgen ")).expect(&said);
+    let arguments: Vec<&str> = command.split(' ').map(|word| if word == "DIR" { "core" } else { word }).collect();
+    prints(at, &arguments, 0);
+    let toml = std::fs::read_to_string(at.join("core/core.toml")).unwrap();
+    let own = brdfgen::spec::SpecFields::parse(&toml, "core.toml").unwrap().resolve().unwrap();
+    assert_eq!(own.to_toml(), points(&at.join("a.db"))[0].spec);
 }
 
 #[test]

@@ -159,7 +159,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     } else {
         describe(&wish, &choice).iter().for_each(say);
         if let Some(chosen) = &choice.chosen {
-            say(format!("  made by: {}", wish.spec_of(chosen)?.resolve()?.command()));
+            // In full, however long: there is no core.toml yet.
+            let flags = wish.spec_of(chosen)?.resolve()?.flags().join(" ");
+            say(format!("  made by: brdfgen generate {flags} --out DIR"));
         }
     }
     Ok(Verdict::of(choice.chosen.is_some()))

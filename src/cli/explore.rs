@@ -254,7 +254,7 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
     };
     let mut store = Store::open(path, &costing.provenance(&cores)?, arguments.fresh)?;
     let jobs = arguments.jobs.or_else(|| std::thread::available_parallelism().ok()).map_or(1, usize::from);
-    let bar = progress::bar("exploring", 0);
+    let bar = progress::bar("exploring", cores.len() as u64);
     let progress = |_: usize, wanted: usize, point: &Point| {
         bar.set_length(wanted as u64);
         bar.inc(1);
