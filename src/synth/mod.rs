@@ -31,7 +31,7 @@ use cache::{Cache, key};
 use place::Nextpnr;
 use yosys::Yosys;
 
-/// The versions of the programs, exactly as they print them.
+/// The versions of the programs, as they print them.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tools {
     /// Yosys.

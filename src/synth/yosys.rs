@@ -28,7 +28,7 @@ pub(super) struct Yosys {
     /// What is started: `python3` for the Python package.
     program: String,
     python: bool,
-    /// Its version, as it prints it.
+    /// Its version, as it prints it, without who compiled it with what and where.
     pub(super) version: String,
 }
 
@@ -69,15 +69,15 @@ impl Yosys {
         let mut found = Self { program: "python3".to_owned(), python: true, version: String::new() };
         found.run(directory.path(), "write_json version.json\n").ok()?;
         let bytes = std::fs::read(directory.path().join("version.json")).ok()?;
-        found.version = parse_netlist(&bytes).ok()?["creator"].as_str()?.to_owned();
+        found.version = bare(parse_netlist(&bytes).ok()?["creator"].as_str()?);
         Some(found)
     }
 
     fn named(program: &str) -> Option<Self> {
         let output = Command::new(program).arg(YOSYS.version_flag).output().ok()?;
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
-        let version = text.lines().map(str::trim).find(|line| line.starts_with("Yosys "))?.to_owned();
-        Some(Self { program: program.to_owned(), python: false, version })
+        let version = text.lines().map(str::trim).find(|line| line.starts_with("Yosys "))?;
+        Some(Self { program: program.to_owned(), python: false, version: bare(version) })
     }
 
     /// Runs a script, a command a line, in a directory.
@@ -135,4 +135,25 @@ pub(super) fn count(netlist: &Value, module: &str) -> Result<BTreeMap<String, u3
         }
     }
     Ok(count)
+}
+
+/// A version without what follows the commit in its brackets: the build and the compiler's path.
+fn bare(version: &str) -> String {
+    match version.split_once(", ") {
+        Some((version, _)) if version.contains('(') => format!("{version})"),
+        _ => version.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_version_has_no_path() {
+        let printed = "Yosys 0.70 (git sha1 28ba3cb92, Release, GNU /opt/c++ 14.2.1)";
+        assert_eq!(bare(printed), "Yosys 0.70 (git sha1 28ba3cb92)");
+        assert_eq!(bare("Yosys 0.23 (git sha1 7ce5011c24b)"), "Yosys 0.23 (git sha1 7ce5011c24b)");
+        assert_eq!(bare("Yosys 0.70"), "Yosys 0.70");
+    }
 }
