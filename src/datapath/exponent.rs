@@ -93,6 +93,15 @@ impl<'a> Exponent<'a> {
         b.clamped_index(self.set, port)
     }
 
+    /// Half of the most that rounding u, v and z down lowers z by where the result is near 1, u having `input_bits` before: the
+    /// exponential's table makes up for it.
+    pub fn lift(&self, input_bits: i32, widths: &Widths) -> f64 {
+        let (u, v, z) = (widths.get("u"), widths.get("v"), widths.get("z"));
+        let lost = |from: i32, to: i32| (exp2(-to) - exp2(-from)).max(0.0);
+        let of_v = self.largest * lost(input_bits, u) + lost(self.frac_bits(widths) + u, v);
+        0.5 * (std::f64::consts::LOG2_E * of_v + lost(v + widths.get("k"), z))
+    }
+
     /// The range of `(n' - n) / n'` over the set, n' being what the ROM has in place of n.
     pub fn relative_error(&self, tables: &[Table]) -> Interval {
         let Some(table) = tables.iter().find(|table| table.name == Table::COEFFICIENTS) else { return Interval::ZERO };

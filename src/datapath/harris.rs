@@ -14,7 +14,7 @@
 use std::sync::Arc;
 
 use super::builder::{Bound, Builder, Case};
-use super::exponent::exact_bits;
+use super::exponent::{Exponent, exact_bits};
 use super::graph::NodeId;
 use super::polynomial::{self, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
@@ -22,7 +22,7 @@ use crate::error::Error;
 use crate::lobe::{self, Lobe};
 use crate::number::{Format, Interval, exp2};
 use crate::rom::Table;
-use crate::spec::{CoreSpec, Shininess, Widths};
+use crate::spec::{CoreSpec, Widths};
 
 /// The memory of L.
 const LOG_TABLE: &str = "log_table";
@@ -35,8 +35,7 @@ const MOST_LOG_BITS: i32 = 26;
 #[derive(Debug)]
 pub struct Harris<'a> {
     spec: &'a CoreSpec,
-    least: f64,
-    largest: f64,
+    n: Exponent<'a>,
 }
 
 impl<'a> Harris<'a> {
@@ -45,10 +44,7 @@ impl<'a> Harris<'a> {
     /// # Errors
     /// A shininess that the method refuses.
     pub fn new(spec: &'a CoreSpec) -> Result<Self, Error> {
-        let (least, largest) = spec.shininess.ends();
-        lobe::check_shininess(least)?;
-        lobe::check_shininess(largest)?;
-        Ok(Self { spec, least, largest })
+        Ok(Self { spec, n: Exponent::new(spec)? })
     }
 
     fn input_bits(&self) -> i32 {
@@ -59,27 +55,22 @@ impl<'a> Harris<'a> {
         self.spec.output_fraction as i32
     }
 
-    /// Whether n is read from a ROM: the port is an index.
-    fn reads_shininess(&self) -> bool {
-        matches!(self.spec.shininess, Shininess::List(_) | Shininess::Materials(_))
-    }
-
     /// Fraction bits of n: rounding it moves z by a fraction of a cell of the second table.
     fn shininess_bits(&self) -> i32 {
-        if !self.reads_shininess() {
+        if !self.n.is_read() {
             return self.spec.shininess.frac_bits() as i32;
         }
-        exact_bits(&self.spec.shininess).min((self.spec.exp_bits as i32 + 4 - libm::ilogb(self.least)).max(0))
+        exact_bits(&self.spec.shininess).min((self.spec.exp_bits as i32 + 4 - libm::ilogb(self.n.least)).max(0))
     }
 
     /// Octaves of the versine with cells of their own: below them z is less than 0.4 of a cell of the second table.
     fn octaves(&self) -> i32 {
-        self.input_bits().min(self.spec.exp_bits as i32 + libm::ilogb(self.largest) + 3)
+        self.input_bits().min(self.spec.exp_bits as i32 + libm::ilogb(self.n.largest) + 3)
     }
 
     /// Fraction bits of L: rounding it moves z by a quarter of a cell of the second table at most.
     fn log_bits(&self) -> i32 {
-        (self.spec.exp_bits as i32 + libm::ilogb(self.largest) + 2).min(MOST_LOG_BITS)
+        (self.spec.exp_bits as i32 + libm::ilogb(self.n.largest) + 2).min(MOST_LOG_BITS)
     }
 
     /// Bits of the integer part of z: the result is 0 from `2^this >= G + 1` on.
@@ -90,7 +81,7 @@ impl<'a> Harris<'a> {
     fn log_table(&self) -> Table {
         let (cells, one) = (1i32 << self.spec.log_bits, exp2(self.input_bits()));
         // With the least shininess the result is 0 from here on.
-        let most = f64::from(self.output_bits() + 2) / self.least;
+        let most = f64::from(self.output_bits() + 2) / self.n.least;
         let entry = |index: i32| {
             let (octave, cell) = (index / cells, index % cells);
             let edge = |cell: i32| exp2(-octave - 1) * (1.0 + f64::from(cell) / f64::from(cells));
@@ -123,17 +114,6 @@ impl<'a> Harris<'a> {
         let codes = reals.iter().map(|&real| nearest_code(real, bits)).collect();
         let keys = (0..entries).map(|entry| entry as f64).collect();
         Table::listed(EXP_TABLE, "entry", keys, vec![field("exp", "2^-f midway in the cell", bits, codes, reals)])
-    }
-
-    /// n as a number.
-    fn shininess(&self, b: &mut Builder) -> NodeId {
-        let set = &self.spec.shininess;
-        if self.reads_shininess() {
-            let address = b.address(set, 0);
-            return b.field(0, address, "n");
-        }
-        let port = b.index(set);
-        b.clamped_index(set, port)
     }
 
     /// L of the versine, 0 below the octaves.
@@ -177,14 +157,14 @@ impl Architecture for Harris<'_> {
         let word = 5 + self.log_bits();
         let memory = f64::from(self.octaves() * word) * exp2(self.spec.log_bits as i32)
             + f64::from(w.get("e")) * exp2(self.spec.exp_bits as i32);
-        multiplier_cost(libm::ilogb(self.largest) + 1 + self.shininess_bits(), word)
+        multiplier_cost(self.n.int_bits() + self.shininess_bits(), word)
             + memory / 16.0
             + f64::from(w.get("e") * self.whole_bits())
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
         let mut tables = Vec::new();
-        if self.reads_shininess() {
+        if self.n.is_read() {
             let bits = self.shininess_bits();
             let reals = self.spec.shininess.values();
             let codes = reals.iter().map(|&n| nearest_code(n, bits)).collect();
@@ -195,11 +175,8 @@ impl Architecture for Harris<'_> {
     }
 
     fn description(&self, _tables: &[Table]) -> Description {
-        let rounded = if self.reads_shininess() {
-            format!(", n with {} fraction bits", self.shininess_bits())
-        } else {
-            String::new()
-        };
+        let rounded =
+            if self.n.is_read() { format!(", n with {} fraction bits", self.shininess_bits()) } else { String::new() };
         Description {
             formula: "y = 2^(-n L(u)), L and 2^-f constant in cells; 0 at x = 0".to_owned(),
             evaluation: format!(
@@ -231,9 +208,9 @@ impl Architecture for Harris<'_> {
     fn build(&self, _widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
         let (g, bits) = (self.output_bits(), self.spec.exp_bits as i32);
         let exp_memory = tables.len() - 1;
-        let case = Case { active: Interval::UNIT, shininess: self.largest, rows: vec![None; tables.len()] };
+        let case = Case { active: Interval::UNIT, shininess: self.n.largest, rows: vec![None; tables.len()] };
         let mut b = Builder::new(&tables, vec![case]);
-        let n = self.shininess(&mut b);
+        let n = self.n.node(&mut b, &tables);
         let (_, u) = b.operand(self.spec);
         let log = self.logarithm(&mut b, exp_memory - 1, u);
         let z = b.mul(n, log, "z", "z = n L");

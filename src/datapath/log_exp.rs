@@ -41,6 +41,61 @@ pub(super) const LOG_TABLE: &str = "log_table";
 /// The memory of the exponential.
 pub(super) const EXP_TABLE: &str = "exp_table";
 
+/// `2^-f` for the fraction f of z, from its table.
+pub(super) fn exp_chords<'f>(widths: &Widths, slopes: Slopes, function: &'f dyn Fn(f64) -> f64) -> Chords<'f> {
+    Chords {
+        name: EXP_TABLE,
+        fields: ["exp_base", "exp_slope"],
+        meanings: ["2^-f at the entry's start", "how steeply 2^-f falls"],
+        function,
+        curvature: EXP_CURVATURE,
+        start: 0.0,
+        domain: 0,
+        address_bits: widths.get("exp"),
+        argument_bits: widths.get("z"),
+        cut_bits: widths.get("z"),
+        value_bits: widths.get("e"),
+        int_bits: 0,
+        slopes,
+        weight: None,
+    }
+}
+
+/// `2^-z = 2^-f 2^-i`, `z = i + f`, the integer part having `whole_bits`: `exp` is the table of `2^-(f + lift)` and lies in `memory`. Each
+/// case has the real z in its level.
+pub(super) fn power_of_two(
+    b: &mut Builder,
+    exp: &Chords,
+    memory: usize,
+    z: NodeId,
+    whole_bits: i32,
+    lift: f64,
+    levels: &[Interval],
+) -> Option<NodeId> {
+    let fraction = exp.look_up(b, memory, z, "power", "2^-f");
+    let table = b.table(memory);
+    let table_error = (0..table.rows()).map(|entry| exp.error(table, entry)).reduce(Interval::hull)?;
+    let whole = whole_bits.min(b.format(z).int_bits);
+    let whole = b.cast(z, Format::unsigned(whole, 0), true, "i", "the integer part of z");
+    let shifted = b.shift_right(fraction, whole, "power_shifted", "2^-z = 2^-f 2^-i");
+    let grid = b.format(shifted).frac_bits;
+    let bound = |(level, z): (&Interval, &Bound)| {
+        let off = z.error;
+        let hardware = Interval::new((level.low + off.low).max(0.0), (level.high + off.high).max(0.0));
+        let (least, most) = (hardware.low as i32, hardware.high as i32);
+        let scale = Interval::new(exp2(-most), exp2(-least));
+        let real = Interval::new(libm::exp2(-level.high), libm::exp2(-level.low));
+        // What a shift by i drops of a multiple of 2^-e is below 2^-e by the weight of its own last bit.
+        let lost = exp2(-exp.value_bits) * (1.0 - exp2(-most));
+        let error =
+            real * power_less_one(off + Interval::point(lift)) + table_error * scale + Interval::new(-lost, 0.0);
+        Bound { range: Interval::UNIT, error, grid }
+    };
+    let bounds = levels.iter().zip(b.bounds(z)).map(bound).collect();
+    b.assume(shifted, bounds);
+    Some(shifted)
+}
+
 /// `2^(-n L(x))`.
 #[derive(Debug)]
 pub struct LogExp<'a> {
@@ -85,15 +140,6 @@ impl<'a> LogExp<'a> {
         (0..).find(|&bits| exp2(bits) * LOG2_E >= f64::from(self.output_bits() + 1)).unwrap_or_default()
     }
 
-    /// Half of the most that rounding u, v and z down lowers z by where the result is near 1: the second table makes up for it.
-    fn lift(&self, widths: &Widths) -> f64 {
-        let n_bits = self.n.frac_bits(widths);
-        let (u, v, z) = (widths.get("u"), widths.get("v"), widths.get("z"));
-        let lost = |from: i32, to: i32| (exp2(-to) - exp2(-from)).max(0.0);
-        0.5 * (LOG2_E * (self.n.largest * lost(self.input_bits(), u) + lost(n_bits + u, v))
-            + lost(v + widths.get("k"), z))
-    }
-
     fn log_chords(&self, widths: &Widths) -> Chords<'static> {
         Chords {
             name: LOG_TABLE,
@@ -108,25 +154,6 @@ impl<'a> LogExp<'a> {
             cut_bits: widths.get("k") + 1,
             value_bits: widths.get("k"),
             int_bits: 1,
-            slopes: Slopes::Matched,
-            weight: None,
-        }
-    }
-
-    fn exp_chords<'f>(&self, widths: &Widths, function: &'f dyn Fn(f64) -> f64) -> Chords<'f> {
-        Chords {
-            name: EXP_TABLE,
-            fields: ["exp_base", "exp_slope"],
-            meanings: ["2^-f at the entry's start", "how steeply 2^-f falls"],
-            function,
-            curvature: EXP_CURVATURE,
-            start: 0.0,
-            domain: 0,
-            address_bits: widths.get("exp"),
-            argument_bits: widths.get("z"),
-            cut_bits: widths.get("z"),
-            value_bits: widths.get("e"),
-            int_bits: 0,
             slopes: Slopes::Matched,
             weight: None,
         }
@@ -215,16 +242,16 @@ impl Architecture for LogExp<'_> {
         multiplier_cost(n_bits, w.get("u"))
             + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + 1)
             + self.log_chords(w).cost()
-            + self.exp_chords(w, &power).cost()
+            + exp_chords(w, Slopes::Matched, &power).cost()
             // The shifter has a multiplexer a bit and level.
             + f64::from(w.get("e") * self.whole_bits() + 2 * w.get("z") + w.get("v"))
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
         let mut tables: Vec<Table> = self.n.table(widths).into_iter().collect();
-        let lift = self.lift(widths);
+        let lift = self.n.lift(self.input_bits(), widths);
         tables.push(self.log_chords(widths).table());
-        tables.push(self.exp_chords(widths, &|f| libm::exp2(-f - lift)).table());
+        tables.push(exp_chords(widths, Slopes::Matched, &|f| libm::exp2(-f - lift)).table());
         tables
     }
 
@@ -308,36 +335,14 @@ impl Architecture for LogExp<'_> {
         let whole_bits = self.whole_bits();
         let over = b.reaches(z, whole_bits, "over", "z is past what the result can show");
 
-        let lift = self.lift(widths);
+        let lift = self.n.lift(self.input_bits(), widths);
+        // The places where the result is forced to 0 rest on this.
+        if b.bounds(z).iter().any(|z| z.error.magnitude() > 0.25) {
+            return None;
+        }
         let power = |f: f64| libm::exp2(-f - lift);
-        let exp = self.exp_chords(widths, &power);
-        let fraction = exp.look_up(&mut b, exp_memory, z, "power", "2^-f");
-        let table_error = (0..1usize << exp.address_bits)
-            .map(|entry| exp.error(&tables[exp_memory], entry))
-            .reduce(Interval::hull)?;
-        let whole = whole_bits.min(b.format(z).int_bits);
-        let whole = b.cast(z, Format::unsigned(whole, 0), true, "i", "the integer part of z");
-        let shifted = b.shift_right(fraction, whole, "power_shifted", "2^-z = 2^-f 2^-i");
-        let bounds: Option<Vec<Bound>> = (0..count)
-            .map(|case| {
-                let level = levels[case];
-                let off = b.bounds(z)[case].error;
-                // The places where the result is forced to 0 rest on this.
-                if off.magnitude() > 0.25 {
-                    return None;
-                }
-                let hardware = Interval::new((level.low + off.low).max(0.0), level.high + off.high);
-                let scale = Interval::new(exp2(-(hardware.high as i32)), exp2(-(hardware.low as i32)));
-                let real = Interval::new(libm::exp2(-level.high), libm::exp2(-level.low));
-                // What a shift by i drops of a multiple of 2^-e is below 2^-e by the weight of its own last bit.
-                let lost = exp2(-widths.get("e")) * (1.0 - exp2(-(hardware.high as i32)));
-                let error = real * power_less_one(off + Interval::point(lift))
-                    + table_error * scale
-                    + Interval::new(-lost, 0.0);
-                Some(Bound { range: Interval::UNIT, error, grid: b.format(shifted).frac_bits })
-            })
-            .collect();
-        b.assume(shifted, bounds?);
+        let exp = exp_chords(widths, Slopes::Matched, &power);
+        let shifted = power_of_two(&mut b, &exp, exp_memory, z, whole_bits, lift, &levels)?;
 
         let y = b.add_half(shifted, g, "y_half");
         let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded to the output's bits");

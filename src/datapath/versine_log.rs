@@ -18,12 +18,12 @@
 
 use super::builder::{Bound, Builder, Case};
 use super::chords::{Chords, Slopes};
-use super::exponent::{Exponent, error_of_exponent, power_less_one};
-use super::log_exp::{EXP_TABLE, LOG_TABLE};
+use super::exponent::{Exponent, error_of_exponent};
+use super::log_exp::{EXP_TABLE, LOG_TABLE, exp_chords, power_of_two};
 use super::polynomial;
 use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::error::Error;
-use crate::lobe::log_exp::{EXP_CURVATURE, log_ratio};
+use crate::lobe::log_exp::log_ratio;
 use crate::lobe::{self, Lobe};
 use crate::number::{Format, Interval, exp2};
 use crate::rom::Table;
@@ -115,15 +115,6 @@ impl<'a> VersineLog<'a> {
         &self.first[usize::from(self.bypasses(widths) && self.first.len() > 1)..]
     }
 
-    /// Half of the most that rounding u, v and z down lowers z by where the result is near 1: the second table makes up for it.
-    fn lift(&self, widths: &Widths) -> f64 {
-        let n_bits = self.n.frac_bits(widths);
-        let (u, v, z) = (widths.get("u"), widths.get("v"), widths.get("z"));
-        let lost = |from: i32, to: i32| (exp2(-to) - exp2(-from)).max(0.0);
-        0.5 * (LOG2_E * (self.n.largest * lost(self.input_bits(), u) + lost(n_bits + u, v))
-            + lost(v + widths.get("k"), z))
-    }
-
     /// Half an output ulp, where the result is rounded down from more bits than it has: the second table makes up for that, too.
     fn half_ulp(&self, widths: &Widths) -> f64 {
         let g = self.spec.output_fraction as i32;
@@ -159,23 +150,8 @@ impl<'a> VersineLog<'a> {
         }
     }
 
-    fn exp_chords<'f>(&self, widths: &Widths, function: &'f dyn Fn(f64) -> f64) -> Chords<'f> {
-        Chords {
-            name: EXP_TABLE,
-            fields: ["exp_base", "exp_slope"],
-            meanings: ["2^-f at the entry's start", "how steeply 2^-f falls"],
-            function,
-            curvature: EXP_CURVATURE,
-            start: 0.0,
-            domain: 0,
-            address_bits: widths.get("exp"),
-            argument_bits: widths.get("z"),
-            cut_bits: widths.get("z"),
-            value_bits: widths.get("e"),
-            int_bits: 0,
-            slopes: EXP_SLOPES[widths.get("exp_slope") as usize],
-            weight: None,
-        }
+    fn exp_chords<'f>(widths: &Widths, function: &'f dyn Fn(f64) -> f64) -> Chords<'f> {
+        exp_chords(widths, EXP_SLOPES[widths.get("exp_slope") as usize], function)
     }
 
     /// An estimate of a table's size in LUTs, for ranking; infinite where the tables may not be as large.
@@ -321,7 +297,7 @@ impl Architecture for VersineLog<'_> {
         multiplier_cost(n_bits, w.get("u"))
             + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + self.ratio_int_bits(w))
             + self.table_cost(&self.log_chords(w, &zero))
-            + self.table_cost(&self.exp_chords(w, &zero))
+            + self.table_cost(&Self::exp_chords(w, &zero))
             // The shifter has a multiplexer a bit and level.
             + 0.7 * f64::from(w.get("e") * self.whole_bits())
             + 0.1 * f64::from(w.get("z") + w.get("v") + w.get("u"))
@@ -330,10 +306,10 @@ impl Architecture for VersineLog<'_> {
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
         let mut tables: Vec<Table> = self.n.table(widths).into_iter().collect();
-        let (lift, half) = (self.lift(widths), self.half_ulp(widths));
+        let (lift, half) = (self.n.lift(self.input_bits(), widths), self.half_ulp(widths));
         let weight = Self::weight(self.served(widths)[0]);
         tables.push(self.log_chords(widths, &weight).table());
-        tables.push(self.exp_chords(widths, &|f| libm::exp2(-f - lift) + half).table());
+        tables.push(Self::exp_chords(widths, &|f| libm::exp2(-f - lift) + half).table());
         tables
     }
 
@@ -395,33 +371,10 @@ impl Architecture for VersineLog<'_> {
         let whole_bits = self.whole_bits();
         let over = b.reaches(z, whole_bits, "over", "z is past what the result can show");
 
-        let lift = self.lift(widths);
+        let lift = self.n.lift(self.input_bits(), widths);
         let power = |f: f64| libm::exp2(-f - lift);
-        let exp = self.exp_chords(widths, &power);
-        let fraction = exp.look_up(&mut b, exp_memory, z, "power", "2^-f");
-        let table_error = (0..1usize << exp.address_bits)
-            .map(|entry| exp.error(&tables[exp_memory], entry))
-            .reduce(Interval::hull)?;
-        let whole = whole_bits.min(b.format(z).int_bits);
-        let whole = b.cast(z, Format::unsigned(whole, 0), true, "i", "the integer part of z");
-        let shifted = b.shift_right(fraction, whole, "power_shifted", "2^-z = 2^-f 2^-i");
-        let bounds: Vec<Bound> = (0..count)
-            .map(|case| {
-                let level = levels[case];
-                let off = b.bounds(z)[case].error;
-                let hardware = Interval::new((level.low + off.low).max(0.0), (level.high + off.high).max(0.0));
-                let (least, most) = (hardware.low as i32, hardware.high as i32);
-                let scale = Interval::new(exp2(-most), exp2(-least));
-                let real = Interval::new(libm::exp2(-level.high), libm::exp2(-level.low));
-                // What a shift by i drops of a multiple of 2^-e is below 2^-e by the weight of its own last bit.
-                let lost = exp2(-widths.get("e")) * (1.0 - exp2(-most));
-                let error = real * power_less_one(off + Interval::point(lift))
-                    + table_error * scale
-                    + Interval::new(-lost, 0.0);
-                Bound { range: Interval::UNIT, error, grid: b.format(shifted).frac_bits }
-            })
-            .collect();
-        b.assume(shifted, bounds);
+        let exp = Self::exp_chords(widths, &power);
+        let shifted = power_of_two(&mut b, &exp, exp_memory, z, whole_bits, lift, &levels)?;
 
         let y = b.cast(shifted, Format::unsigned(1, g), false, "y_cut", "the output's bits");
         let zero = b.any(&[dark, beyond, over], "zero", "the result is 0");
