@@ -191,6 +191,9 @@ impl Writer<'_> {
     fn cast(&self, id: NodeId) -> String {
         let node = &self.layout.nodes()[id];
         let (from, to, name) = (self.format(node.args[0]), node.format, self.name(node.args[0]));
+        if to.frac_bits == from.frac_bits && self.layout.is_flag(id) && !self.layout.is_flag(node.args[0]) {
+            return format!("{name}(0)");
+        }
         if to.frac_bits >= from.frac_bits {
             return self.fitted(node.args[0], to);
         }

@@ -20,6 +20,11 @@ const WANTED: [f64; 3] = [10.0, 100.0, 1000.0];
 const LOWEST: f64 = 1e-3;
 /// Angles of a chart: one for about every second column of the picture.
 const ANGLES: u32 = 400;
+/// The error shown at an angle is the largest from as many angles before it to as many behind, so that the curve shows what it may be
+/// there and not where it happens to be 0,
+const AROUND: usize = 3;
+/// at about as many codes.
+const SAMPLES: i64 = 48;
 /// The most shininesses of the chart against the shininess, but for those at which a core is worst.
 const MOST_ROWS: usize = 256;
 /// The most inputs of one core.
@@ -45,6 +50,8 @@ struct Seen {
     power: f64,
     /// What the core computes.
     value: f64,
+    /// The largest error about the angle.
+    error: f64,
 }
 
 /// The cores that stand for the methods of a group: of each method the one with the least error; and the chosen one, if it is in the
@@ -156,13 +163,19 @@ impl Measured<'_> {
         codes.dedup();
         let scale = exp2(-(design.spec.output_fraction as i32));
         let model = design.model();
-        let value = |code: i64| {
+        let at = |code: i64| {
             let operand = design.operand_of_versine(code);
             let u = design.versine(operand);
-            let value = f64::from(model.evaluate(index, operand)) * scale;
-            Seen { angle: degrees(u), power: exact(n, u), value }
+            (u, exact(n, u), f64::from(model.evaluate(index, operand)) * scale)
         };
-        codes.into_iter().map(value).collect()
+        let seen = |place: usize| {
+            let (u, power, value) = at(codes[place]);
+            let (first, last) = (codes[place.saturating_sub(AROUND)], codes[(place + AROUND).min(codes.len() - 1)]);
+            let stride = ((last - first) / SAMPLES).max(1) as usize;
+            let around = (first..=last).step_by(stride).map(at).map(|(_, power, value)| (value - power).abs());
+            Seen { angle: degrees(u), power, value, error: around.fold(0.0, f64::max) }
+        };
+        (0..codes.len()).map(seen).collect()
     }
 
     fn curve(&self, palette: &Palette, chosen: Option<&Point>, points: Vec<(f64, f64)>) -> Curve {
@@ -207,7 +220,7 @@ pub fn charts(cores: &[Measured], palette: &Palette, chosen: Option<&Point>) -> 
         let widest = degrees(-libm::expm1(libm::log(LOWEST) / n));
         let seen: Vec<Vec<Seen>> = cores.par_iter().map(|core| core.against_angle(core.nearest(n), widest)).collect();
         let lowest = exp2(-18);
-        let error = |seen: &Seen| (seen.value - seen.power).abs().max(lowest);
+        let error = |seen: &Seen| seen.error.max(lowest);
         let most = seen.iter().flatten().map(error).fold(lowest, f64::max);
         let each = |of: &dyn Fn(&Seen) -> f64| -> Vec<Curve> {
             let points = |seen: &[Seen]| seen.iter().map(|seen| (seen.angle, of(seen))).collect();
@@ -217,7 +230,7 @@ pub fn charts(cores: &[Measured], palette: &Palette, chosen: Option<&Point>) -> 
         charts.push((
             format!("error_against_angle_n{n}"),
             Chart {
-                title: format!("Error against the angle, n = {n}"),
+                title: format!("Largest error about the angle, n = {n}"),
                 x: angle(),
                 y: Axis::powers("error against x^n", lowest..powers_about([most].into_iter()).end),
                 curves: each(&error),

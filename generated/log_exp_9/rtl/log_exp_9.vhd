@@ -409,7 +409,7 @@ begin
 
     -- ===== Stage 3: ratio_fall_term_0, ratio_fall_term_1, ratio_fall_to_1
     -- UQ1.0: a bit of the slope
-    ratio_fall_bit_0_3 <= log_slope_3(0 downto 0);
+    ratio_fall_bit_0_3 <= log_slope_3(0);
     -- UQ1.0: the bit is 0
     ratio_fall_without_0_3 <= not ratio_fall_bit_0_3;
     -- UQ-6.11: 0 where the bit is 0
@@ -551,7 +551,7 @@ begin
 
     -- ===== Stage 8: power_fall_term_0, power_fall_term_1, power_fall_to_1 and 2 more
     -- UQ-3.4: a bit of the slope
-    power_fall_bit_0_8 <= exp_slope_8(0 downto 0);
+    power_fall_bit_0_8 <= exp_slope_8(0);
     -- UQ1.0: the bit is 0
     power_fall_without_0_8 <= not power_fall_bit_0_8;
     -- UQ-9.14: 0 where the bit is 0
