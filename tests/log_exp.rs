@@ -104,6 +104,12 @@ fn an_accuracy_is_kept_at_every_input() {
     }
 }
 
+/// With n = 1 by a way of its own, the shininesses that the proof takes together begin behind it.
+#[test]
+fn an_accuracy_is_kept_by_every_shininess_of_a_coarse_cosine() {
+    assert_every_input("accuracy = 11\nshininess = '1..=39'\ninput_fraction = 8\noutput_fraction = 14", 1, 3);
+}
+
 #[test]
 fn every_cosine_of_the_default_core_keeps_an_accuracy() {
     for accuracy in [5, 14] {

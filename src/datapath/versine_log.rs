@@ -67,7 +67,7 @@ pub struct VersineLog<'a> {
     /// A: the error is below `2^-A`.
     accuracy: i32,
     n: Exponent<'a>,
-    /// The set's first shininesses, rising, and the next one.
+    /// The set's first shininesses, rising, and the next ones.
     first: Vec<f64>,
 }
 
@@ -80,7 +80,8 @@ impl<'a> VersineLog<'a> {
         let mut first = spec.shininess.values();
         first.sort_by(f64::total_cmp);
         first.dedup();
-        first.truncate(SINGLE + 1);
+        // One more where n = 1 goes a way of its own.
+        first.truncate(SINGLE + 2);
         Ok(Self { spec, accuracy: accuracy as i32, n: Exponent::new(spec)?, first })
     }
 
