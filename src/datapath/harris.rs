@@ -16,6 +16,7 @@ use std::sync::Arc;
 use super::builder::{Bound, Builder, Case};
 use super::exponent::{Exponent, exact_bits};
 use super::graph::NodeId;
+use super::log_exp::{EXP_TABLE, LOG_TABLE};
 use super::polynomial::{self, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::error::Error;
@@ -24,10 +25,6 @@ use crate::number::{Format, Interval, exp2};
 use crate::rom::Table;
 use crate::spec::{CoreSpec, Widths};
 
-/// The memory of L.
-const LOG_TABLE: &str = "log_table";
-/// The memory of `2^-f`.
-const EXP_TABLE: &str = "exp_table";
 /// No word of L needs more fraction bits than this.
 const MOST_LOG_BITS: i32 = 26;
 

@@ -46,7 +46,7 @@ const RULES: [Rules; 8] = [
 ];
 
 /// A ROM of more bits than these becomes a block RAM: Yosys does so for ECP5, whose block costs it as much as 2048 bits in LUTs.
-const MOST_LOGIC_BITS: u64 = 2048;
+pub(super) const MOST_LOGIC_BITS: u64 = 2048;
 /// So may one of as many rows, by other tools.
 const BLOCK_ADDRESS_BITS: u32 = 7;
 

@@ -21,6 +21,7 @@ use super::chords::{Chords, Slopes};
 use super::exponent::{Exponent, error_of_exponent};
 use super::log_exp::{EXP_TABLE, LOG_TABLE, exp_chords, power_of_two};
 use super::polynomial;
+use super::schedule::MOST_LOGIC_BITS;
 use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::error::Error;
 use crate::lobe::log_exp::log_ratio;
@@ -53,9 +54,6 @@ const EXP_SLOPES: [Slopes; 7] = [
     Slopes::Bits { int: 0, frac: 5 },
     Slopes::Bits { int: 0, frac: 8 },
 ];
-
-/// A larger table is put into a block RAM: Yosys does so for ECP5, whose block costs it as much as 2048 bits in LUTs.
-const MOST_LOGIC_BITS: f64 = 2048.0;
 
 /// The first shininesses of the set, for which the codes that lead into a case are known one by one.
 const SINGLE: usize = 4;
@@ -159,7 +157,7 @@ impl<'a> VersineLog<'a> {
     fn table_cost(&self, chords: &Chords) -> f64 {
         let (word, rows) = (chords.word_bits(), exp2(chords.address_bits));
         let bits = f64::from(word) * rows;
-        let memory = if bits <= MOST_LOGIC_BITS {
+        let memory = if bits <= MOST_LOGIC_BITS as f64 {
             bits / 16.0
         } else {
             // 18 kbit: 512 words of 36 bits, 1024 of 18, 2048 of 9.
