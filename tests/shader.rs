@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use brdfgen::cosim::{self, Job, Outcome, Sim};
-use brdfgen::design::scene::{Scene, random_codes};
+use brdfgen::design::sample::{Sample, random_codes};
 use brdfgen::design::{Account, Design};
 use brdfgen::error::Error;
 use brdfgen::golden::{self, Golden};
@@ -81,12 +81,12 @@ fn through_graph(design: &Design, codes: &[i64]) -> Vec<i64> {
     design.graph().outputs.iter().map(|&(_, node)| values[node] as i64).collect()
 }
 
-fn random_scene(design: &Design, dice: &mut Dice) -> Scene {
+fn random_sample(design: &Design, dice: &mut Dice) -> Sample {
     let row = dice.below(design.spec.shininess.rows() as u64) as usize;
-    Scene::random(shader(design), row as u32, design.spec.shininess.value(row), dice)
+    Sample::random(shader(design), row as u32, design.spec.shininess.value(row), dice)
 }
 
-/// A million inputs: scenes, random codes, and codes that are each at an end, about 0 or about 1.
+/// A million inputs: samples, random codes, and codes that are each at an end, about 0 or about 1.
 #[test]
 fn the_model_equals_the_graph_on_a_million_samples() {
     let specs = specs();
@@ -99,7 +99,7 @@ fn the_model_equals_the_graph_on_a_million_samples() {
         let mut bright = 0;
         for sample in 0..each {
             let codes = match sample % 3 {
-                0 => random_scene(&design, &mut dice).codes(shader(&design)),
+                0 => random_sample(&design, &mut dice).codes(shader(&design)),
                 1 => random_codes(&ports, &mut dice),
                 _ => ports
                     .iter()
@@ -122,15 +122,15 @@ fn the_model_equals_the_graph_on_a_million_samples() {
 
 /// A shader in double precision, from the formulas: the channels in codes, not rounded. `power` is the highlight for a material's n and
 /// the cosine.
-fn in_double(design: &Design, scene: &Scene, power: impl Fn(f64, f64) -> f64) -> [f64; 3] {
+fn in_double(design: &Design, sample: &Sample, power: impl Fn(f64, f64) -> f64) -> [f64; 3] {
     let shader = shader(design);
     let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let row = (scene.material as usize).min(design.spec.shininess.rows() - 1);
+    let row = (sample.material as usize).min(design.spec.shininess.rows() - 1);
     let surface = Shader::surfaces(&design.spec)[row];
     let mut sums = [0, 1, 2].map(|channel| shader.ambient_light[channel] * surface.ambient[channel]);
-    for (number, light) in scene.lights.iter().enumerate() {
-        let (nl, nv) = (dot(scene.normal, light.direction), dot(scene.normal, scene.viewer));
-        let lv = dot(light.direction, scene.viewer);
+    for (number, light) in sample.lights.iter().enumerate() {
+        let (nl, nv) = (dot(sample.normal, light.direction), dot(sample.normal, sample.viewer));
+        let lv = dot(light.direction, sample.viewer);
         if nl <= 0.0 {
             continue;
         }
@@ -138,7 +138,7 @@ fn in_double(design: &Design, scene: &Scene, power: impl Fn(f64, f64) -> f64) ->
             Cosine::Mirror => 2.0 * nl * nv - lv,
             Cosine::Sqrt => (nl + nv) / (2.0 + 2.0 * lv).sqrt(),
             Cosine::Half => {
-                let d = [0, 1, 2].map(|axis| scene.normal[axis] - light.half[axis]);
+                let d = [0, 1, 2].map(|axis| sample.normal[axis] - light.half[axis]);
                 1.0 - dot(d, d) / 2.0
             }
         };
@@ -167,12 +167,12 @@ fn the_hardware_is_near_a_shader_in_double_precision() {
         let [low, high] = account.whole.codes;
         let mut dice = Dice::new(7);
         for _ in 0..20_000 {
-            let scene = random_scene(&design, &mut dice);
-            let rounded = scene.quantised(shader(&design));
-            let hardware = design.evaluate(&scene.codes(shader(&design)));
+            let sample = random_sample(&design, &mut dice);
+            let rounded = sample.quantised(shader(&design));
+            let hardware = design.evaluate(&sample.codes(shader(&design)));
             let quadratic = |n: f64, x: f64| (x * (1.0 - Quadratic::new(n).unwrap().a * (1.0 - x))).max(0.0);
             let method = in_double(&design, &rounded, quadratic);
-            let exact = in_double(&design, &scene, |n, x| x.powf(n));
+            let exact = in_double(&design, &sample, |n, x| x.powf(n));
             // A highlight of n = 128 has a slope of 102 at its top; the cosine has errors of three of its dot products' last bits, and
             // where these are divided by a root of s = 2 + 2 L.V of more.
             let full = shader(&design).full_scale() as f64;
@@ -183,14 +183,14 @@ fn the_hardware_is_near_a_shader_in_double_precision() {
             });
             for channel in 0..3 {
                 let (got, method) = (hardware[channel] as f64, method[channel]);
-                assert!((got - method).abs() < allowed, "{spec}\n{scene:?}: {got}, in double precision {method}");
+                assert!((got - method).abs() < allowed, "{spec}\n{sample:?}: {got}, in double precision {method}");
                 let error = got - exact[channel];
                 let on_horizon = rounded
                     .angles(shader(&design))
                     .iter()
-                    .zip(scene.angles(shader(&design)))
+                    .zip(sample.angles(shader(&design)))
                     .any(|(a, b)| (a.diffuse > 0.0) != (b.diffuse > 0.0));
-                assert!(on_horizon || (low - 1.0..=high + 1.0).contains(&error), "{spec}\n{scene:?}: {error}");
+                assert!(on_horizon || (low - 1.0..=high + 1.0).contains(&error), "{spec}\n{sample:?}: {error}");
             }
         }
         // The parts say what they should: the method's error is that of the quadratic, the rounding of the output half a code.

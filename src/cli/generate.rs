@@ -185,7 +185,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         }
         Account::Shader(error) => {
             say(format!("error of the lobe against its method: proved {proved} ulp"));
-            say(format!("error against the exact shader in codes of a channel, over {} scenes:", error.samples));
+            say(format!("error against the exact shader in codes of a channel, over {} samples:", error.samples));
             for part in error.parts.iter().chain([&error.whole]) {
                 say(format!("  {:<12} {} rms {:.3}", part.name, package::interval_text(part.codes), part.rms));
             }

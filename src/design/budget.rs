@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::Design;
-use super::scene::Scene;
+use super::sample::Sample;
 use crate::lobe;
 use crate::number::Dice;
 use crate::number::wide::Wide;
@@ -27,7 +27,7 @@ pub struct Part {
 /// The error account of a shader.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ShaderError {
-    /// The scenes measured.
+    /// The samples measured.
     pub samples: u64,
     /// The parts, each switched from exact to what the hardware does with all before it switched already; they add up, sample by
     /// sample, to the whole.
@@ -47,11 +47,11 @@ const PARTS: [(&str, &str); 5] = [
 /// Scenes of a measurement, shared out over the materials.
 const SAMPLES: u64 = 1 << 18;
 
-/// Sums over scenes: least, greatest, squares; one a part and one of the whole.
+/// Sums over samples: least, greatest, squares; one a part and one of the whole.
 type Sums = [[f64; 3]; PARTS.len() + 1];
 
 impl ShaderError {
-    /// Measures a shader over random scenes that a camera may see ([`Scene::random`]).
+    /// Measures a shader over random samples that a camera may see ([`Sample::random`]).
     #[must_use]
     pub fn of(design: &Design, shader: &Shader) -> Self {
         let rows = design.spec.shininess.rows();
@@ -65,13 +65,13 @@ impl ShaderError {
             let n = design.spec.shininess.value(row);
             let mut sums: Sums = [[f64::INFINITY, f64::NEG_INFINITY, 0.0]; PARTS.len() + 1];
             for _ in 0..each {
-                let scene = Scene::random(shader, row as u32, n, &mut dice);
-                let rounded = scene.quantised(shader);
-                let codes = scene.codes(shader);
-                let lights = |scene: &Scene, highlight: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
+                let sample = Sample::random(shader, row as u32, n, &mut dice);
+                let rounded = sample.quantised(shader);
+                let codes = sample.codes(shader);
+                let lights = |sample: &Sample, highlight: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
                     // A versine of 1 gives no highlight: that of lights behind the surface is 1.
                     let of = |versine: f64| if versine >= 1.0 { 0.0 } else { highlight(versine) };
-                    scene.angles(shader).iter().map(|angles| (angles.diffuse, of(angles.versine))).collect()
+                    sample.angles(shader).iter().map(|angles| (angles.diffuse, of(angles.versine))).collect()
                 };
                 let power = |versine: f64| lobe::exact(n, versine);
                 let method = |versine: f64| lobes[row].at(versine);
@@ -92,14 +92,14 @@ impl ShaderError {
                     let field = table.field(name);
                     field.format.value(field.codes[row])
                 };
-                let channels = |scene: &Scene, lights: &[(f64, f64)]| scene.channels(design, shader, lights, real);
+                let channels = |sample: &Sample, lights: &[(f64, f64)]| sample.channels(design, shader, lights, real);
                 let hardware = model.evaluate(&codes);
                 let stages = [
-                    channels(&scene, &lights(&scene, &power)),
-                    channels(&scene, &lights(&scene, &method)),
+                    channels(&sample, &lights(&sample, &power)),
+                    channels(&sample, &lights(&sample, &method)),
                     channels(&rounded, &lights(&rounded, &method)),
                     channels(&rounded, &front),
-                    scene.channels(design, shader, &front, stored),
+                    sample.channels(design, shader, &front, stored),
                     [0, 1, 2].map(|channel| hardware[channel] as f64),
                 ];
                 for channel in [0, 1, 2] {

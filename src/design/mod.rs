@@ -2,7 +2,7 @@
 
 mod budget;
 mod measure;
-pub mod scene;
+pub mod sample;
 mod tune;
 
 pub use budget::{Part, ShaderError};

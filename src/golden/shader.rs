@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::{OutputHash, Vector};
 use crate::design::Design;
-use crate::design::scene::{Scene, normalised, random_codes};
+use crate::design::sample::{Sample, normalised, random_codes};
 use crate::hdl::Direction;
 use crate::number::Dice;
 use crate::rom::Table;
@@ -54,14 +54,14 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
         let z = [0.0, 0.0, 1.0];
         let last = 1u32 << ports[0].1.width();
         let codes = (0..last).step_by((last as usize).div_ceil(2 * MOST_ROWS));
-        codes.map(|material| Scene::of(material, z, z, &vec![z; shader.lights as usize]).codes(shader)).collect()
+        codes.map(|material| Sample::of(material, z, z, &vec![z; shader.lights as usize]).codes(shader)).collect()
     }));
     groups.push(("each light alone, the others behind the surface", {
         let (front, behind) = ([0.6, 0.0, 0.8], [0.0, 0.0, -1.0]);
         let alone = |light: usize, material: u32| {
             let lights: Vec<_> =
                 (0..shader.lights as usize).map(|other| if other == light { front } else { behind }).collect();
-            Scene::of(material, [0.0, 0.0, 1.0], [-0.6, 0.0, 0.8], &lights).codes(shader)
+            Sample::of(material, [0.0, 0.0, 1.0], [-0.6, 0.0, 0.8], &lights).codes(shader)
         };
         let pairs = (0..shader.lights as usize).flat_map(|l| materials.iter().map(move |&m| (l, m)));
         pairs.map(|(light, material)| alone(light, material)).collect()
@@ -69,12 +69,12 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
     let telling: Vec<Vec<Vec<i64>>> = materials.par_iter().map(|&row| telling(design, shader, row)).collect();
     groups.push(("rows told from rows with any bit of a word flipped", telling.concat()));
     groups.push(("random codes", (0..RANDOM).map(|_| random_codes(&ports, &mut dice)).collect()));
-    groups.push(("random scenes", {
-        let scene = |_| {
+    groups.push(("random samples", {
+        let sample = |_| {
             let (material, n) = any_material(&mut dice);
-            Scene::random(shader, material, n, &mut dice).codes(shader)
+            Sample::random(shader, material, n, &mut dice).codes(shader)
         };
-        (0..RANDOM).map(scene).collect()
+        (0..RANDOM).map(sample).collect()
     }));
 
     let vector = |inputs: Vec<i64>, dice: &mut Dice| {
@@ -107,7 +107,7 @@ fn along_axes(shader: &Shader, materials: &[u32]) -> Vec<Vec<i64>> {
                         .map(|light| directions[(first + light) % directions.len()])
                         .collect();
                     let material = materials[result.len() % materials.len()];
-                    result.push(Scene::of(material, normal, viewer, &lights).codes(shader));
+                    result.push(Sample::of(material, normal, viewer, &lights).codes(shader));
                 }
             }
         }
@@ -115,13 +115,13 @@ fn along_axes(shader: &Shader, materials: &[u32]) -> Vec<Vec<i64>> {
     result
 }
 
-/// The fewest scenes that a greedy search finds to tell a material's words from those with one bit flipped, as far as any candidate
+/// The fewest samples that a greedy search finds to tell a material's words from those with one bit flipped, as far as any candidate
 /// tells them.
 fn telling(design: &Design, shader: &Shader, row: u32) -> Vec<Vec<i64>> {
     let mut dice = Dice::new((1 << 40) + u64::from(row));
     let n = design.spec.shininess.value(row as usize);
     let candidates: Vec<Vec<i64>> =
-        (0..CANDIDATES).map(|_| Scene::random(shader, row, n, &mut dice).codes(shader)).collect();
+        (0..CANDIDATES).map(|_| Sample::random(shader, row, n, &mut dice).codes(shader)).collect();
     let outputs = |tables: &[Table]| -> Vec<Vec<i64>> {
         candidates.iter().map(|codes| through_graph(design, tables, codes)).collect()
     };
@@ -149,7 +149,7 @@ fn through_graph(design: &Design, tables: &[Table], codes: &[i64]) -> Vec<i64> {
     design.graph().outputs.iter().map(|&(_, node)| values[node] as i64).collect()
 }
 
-/// The digest of a material: its stream's samples are scenes and random codes in turn.
+/// The digest of a material: its stream's inputs are samples and random codes in turn.
 pub(super) fn digest(design: &Design, shader: &Shader, index: u32) -> u64 {
     let mut dice = Dice::new((2 << 40) + u64::from(index));
     let ports = design.numbers(Direction::In);
@@ -157,7 +157,7 @@ pub(super) fn digest(design: &Design, shader: &Shader, index: u32) -> u64 {
     let mut hash = OutputHash::default();
     for sample in 0..STREAM {
         let codes = if sample % 2 == 0 {
-            Scene::random(shader, index, n, &mut dice).codes(shader)
+            Sample::random(shader, index, n, &mut dice).codes(shader)
         } else {
             let mut codes = random_codes(&ports, &mut dice);
             codes[0] = index.into();

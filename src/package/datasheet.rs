@@ -83,7 +83,7 @@ pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
             [proved].into_iter().chain(measured_lines(measured)).collect()
         }
         Account::Shader(error) => vec![
-            format!("Error against the exact shader, in codes of a channel, over {} scenes:", error.samples),
+            format!("Error against the exact shader, in codes of a channel, over {} samples:", error.samples),
             format!("  {}, root mean square {:.3}.", interval_text(error.whole.codes), error.whole.rms),
         ],
     }

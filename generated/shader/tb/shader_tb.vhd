@@ -21,7 +21,7 @@
 --   out_b       UQ8.0   blue; 255 is full scale
 --
 -- Latency 14 clocks, one result a clock.
--- Error against the exact shader, in codes of a channel, over 262144 scenes:
+-- Error against the exact shader, in codes of a channel, over 262144 samples:
 --   -61.201..+5.929, root mean square 8.984.
 
 library ieee;

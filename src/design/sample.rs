@@ -22,7 +22,7 @@ pub struct Light {
 
 /// A sample: a point of a surface, seen and lit.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
+pub struct Sample {
     /// The code of `in_material`.
     pub material: u32,
     /// N.
@@ -64,8 +64,8 @@ fn random_direction(dice: &mut Dice) -> Vector {
     [r * libm::cos(angle), r * libm::sin(angle), z]
 }
 
-impl Scene {
-    /// A scene of these directions, with white lights.
+impl Sample {
+    /// A sample of these directions, with white lights.
     #[must_use]
     pub fn of(material: u32, normal: Vector, viewer: Vector, lights: &[Vector]) -> Self {
         let light =
@@ -73,7 +73,7 @@ impl Scene {
         Self { material, normal, viewer, lights: lights.iter().map(light).collect() }
     }
 
-    /// A random scene that a camera may see: the viewer in front of the surface, half of the lights anywhere in front of it and some
+    /// A random sample that a camera may see: the viewer in front of the surface, half of the lights anywhere in front of it and some
     /// behind, the other half where their mirror images are near the viewer, as near as the highlight of `shininess` is wide.
     #[must_use]
     pub fn random(shader: &Shader, material: u32, shininess: f64, dice: &mut Dice) -> Self {
@@ -97,14 +97,14 @@ impl Scene {
                 }
             })
             .collect();
-        let mut scene = Self::of(material, normal, viewer, &lights);
+        let mut sample = Self::of(material, normal, viewer, &lights);
         if shader.light_colours == LightColours::Ports {
             let full = shader.full_scale();
-            for light in &mut scene.lights {
+            for light in &mut sample.lights {
                 light.colour = [(); 3].map(|()| dice.below(full as u64 + 1) as f64 / full as f64);
             }
         }
-        scene
+        sample
     }
 
     /// The codes of the input ports: the nearest to each number.
@@ -129,7 +129,7 @@ impl Scene {
         codes
     }
 
-    /// The scene with every number taken to the value of its nearest code.
+    /// The sample with every number taken to the value of its nearest code.
     #[must_use]
     pub fn quantised(&self, shader: &Shader) -> Self {
         let scale = exp2(shader.vector_fraction as i32);
