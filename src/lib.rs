@@ -23,6 +23,7 @@
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
 //! | [`tool`] | external programs: where they are, how they are run |
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
+//! | [`scene`] | scene files, what a scene requires of a core, pictures |
 //! | [`report`] | charts as SVG and PNG; the trade as an HTML page |
 //! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
 //! | [`cli`] | the commands; the only module that prints |
@@ -48,6 +49,7 @@ pub mod number;
 pub mod package;
 pub mod report;
 pub mod rom;
+pub mod scene;
 pub mod spec;
 pub mod synth;
 pub mod tool;

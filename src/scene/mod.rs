@@ -1,0 +1,18 @@
+//! Scenes: what a picture asks of the lobe, and the core that this picture needs.
+//!
+//! - [`file`](mod@file): scene files, read and checked;
+//! - [`mesh`]: triangle meshes from OBJ and PLY;
+//! - [`frame`]: a picture as the lobes that it asks for, and with their values as codes of its channels;
+//! - [`highlight`]: those values: exact, by the bit-exact model of a core, or by the compiled core itself;
+//! - [`difference`]: two pictures compared, in output steps.
+
+pub mod difference;
+pub mod file;
+pub mod frame;
+pub mod highlight;
+pub mod mesh;
+
+pub use difference::Difference;
+pub use file::{Budget, Camera, Light, LightKind, Object, Scene, Shape, Wishes};
+pub use frame::{Frame, Picture};
+pub use highlight::Highlights;
