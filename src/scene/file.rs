@@ -103,7 +103,7 @@ pub enum Shape {
 }
 
 /// The error that a picture may have; where both are given, both hold. Without any: one step at most.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
 pub struct Budget {
     /// The largest difference of a channel's code from the exact picture's, in steps.
     pub max_steps: Option<u32>,
