@@ -5,14 +5,17 @@
 
 mod bench;
 mod builtin;
+mod compiled;
 mod exhaustive;
 mod ghdl;
 mod icarus;
+mod stream;
 mod verilator;
 
 pub use builtin::{Engine, builtin_engine};
 pub use exhaustive::exhaustive;
 pub(crate) use ghdl::as_verilog;
+pub use stream::stream;
 
 use std::path::Path;
 

@@ -1,10 +1,17 @@
 //! The values of a picture's lobes: exact, by the bit-exact model of a core, or by the compiled core itself.
 
+use std::path::Path;
+use std::sync::atomic::{AtomicU64, Ordering};
+
 use rayon::prelude::*;
 
 use super::{Frame, Scene};
+use crate::cosim;
+use crate::design::Design;
 use crate::error::Error;
 use crate::lobe;
+use crate::number::exp2;
+use crate::spec::Operand;
 
 /// Something that computes `x^n`.
 pub trait Highlights {
@@ -30,5 +37,183 @@ impl Highlights for Exact {
             lobe::exact(scene.materials[usize::from(frame.material[index / lights])].shininess, versine)
         };
         Ok(frame.versine.par_iter().enumerate().map(sample).collect())
+    }
+}
+
+/// The codes of a core's ports that a frame's samples come to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Codes {
+    /// The code of `in_n` of each material of the scene: that of the core's shininess that is nearest to the material's, of two the lower.
+    pub indices: Vec<u32>,
+    /// The code of the operand of each sample, as [`Frame::versine`] has them: the nearest that its port holds; 0 where the versine is NaN.
+    pub operands: Vec<i32>,
+}
+
+impl Codes {
+    /// The codes of a frame's samples for a lobe's core.
+    #[must_use]
+    pub fn of(design: &Design, scene: &Scene, frame: &Frame) -> Self {
+        let values = design.spec.shininess.values();
+        let nearest = |shininess: f64| {
+            let away = |row: &usize| (values[*row] - shininess).abs();
+            let closer = |a: &usize, b: &usize| away(a).total_cmp(&away(b)).then(values[*a].total_cmp(&values[*b]));
+            design.spec.shininess.index_of_row((0..values.len()).min_by(closer).unwrap_or(0))
+        };
+        let indices = scene.materials.iter().map(|material| nearest(material.shininess)).collect();
+        let one = exp2(design.spec.input_fraction as i32);
+        let format = design.operand_format();
+        let (low, high) = (format.min_code() as f64, format.max_code() as f64);
+        let operand = |&versine: &f64| {
+            let value = match design.spec.operand {
+                Operand::Cos => 1.0 - versine,
+                Operand::Versine => versine,
+            };
+            // Of a NaN 0.
+            libm::round(value * one).clamp(low, high) as i32
+        };
+        Self { indices, operands: frame.versine.par_iter().map(operand).collect() }
+    }
+
+    /// The material of a sample; none where its versine is NaN.
+    fn material(frame: &Frame, sample: usize) -> Option<usize> {
+        (!frame.versine[sample].is_nan()).then(|| usize::from(frame.material[sample / frame.lights]))
+    }
+
+    /// The codes of `in_n` and of the operand of a sample; none where its versine is NaN.
+    #[must_use]
+    pub fn sample(&self, frame: &Frame, sample: usize) -> Option<(u32, i32)> {
+        Self::material(frame, sample).map(|material| (self.indices[material], self.operands[sample]))
+    }
+}
+
+/// The bit-exact model of a lobe's core.
+#[derive(Clone, Copy, Debug)]
+pub struct CoreModel<'a> {
+    design: &'a Design,
+}
+
+/// The core's own results for the codes of one `in_n` that a frame asks for.
+struct Results {
+    index: u32,
+    /// A bit for each code from `first`: whether it is asked for.
+    asked: Vec<AtomicU64>,
+    /// How many are asked for before each word of `asked`.
+    before: Vec<usize>,
+    /// The results for the codes that are asked for, in their order.
+    values: Vec<f64>,
+}
+
+impl<'a> CoreModel<'a> {
+    /// The model of a core.
+    ///
+    /// # Errors
+    /// A core that is no lobe.
+    pub fn new(design: &'a Design) -> Result<Self, Error> {
+        check_lobe(design)?;
+        Ok(Self { design })
+    }
+}
+
+/// Refuses a core that is no lobe.
+fn check_lobe(design: &Design) -> Result<(), Error> {
+    if design.spec.block.shader().is_none() {
+        return Ok(());
+    }
+    Err(Error::input(
+        format!("the core {} is a shader, and a picture's highlights need a lobe", design.spec.name),
+        "leave block = \"shader\" out",
+    ))
+}
+
+impl Highlights for CoreModel<'_> {
+    fn of(&self, scene: &Scene, frame: &Frame) -> Result<Vec<f64>, Error> {
+        let codes = Codes::of(self.design, scene, frame);
+        let format = self.design.operand_format();
+        let first = format.min_code() as i32;
+        let place = |operand: i32| (operand - first) as usize;
+        let words = place(format.max_code() as i32) / 64 + 1;
+        let mut distinct = codes.indices.clone();
+        distinct.sort_unstable();
+        distinct.dedup();
+        let mut tables: Vec<Results> = distinct
+            .into_iter()
+            .map(|index| Results {
+                index,
+                asked: (0..words).map(|_| AtomicU64::new(0)).collect(),
+                before: Vec::new(),
+                values: Vec::new(),
+            })
+            .collect();
+        let table_of = |index: &u32| tables.partition_point(|table| table.index < *index);
+        let of_material: Vec<usize> = codes.indices.iter().map(table_of).collect();
+
+        (0..codes.operands.len()).into_par_iter().for_each(|sample| {
+            if let Some(material) = Codes::material(frame, sample) {
+                let place = place(codes.operands[sample]);
+                let (word, bit) = (&tables[of_material[material]].asked[place / 64], 1 << (place % 64));
+                if word.load(Ordering::Relaxed) & bit == 0 {
+                    word.fetch_or(bit, Ordering::Relaxed);
+                }
+            }
+        });
+
+        let lsb = self.design.output_format().lsb();
+        let model = self.design.model();
+        for table in &mut tables {
+            let mut count = 0;
+            let mut asked = Vec::new();
+            for (place, word) in table.asked.iter_mut().enumerate() {
+                table.before.push(count);
+                let word = *word.get_mut();
+                count += word.count_ones() as usize;
+                asked.extend(
+                    (0..64).filter(|bit| word >> bit & 1 == 1).map(|bit| first as i64 + (64 * place + bit) as i64),
+                );
+            }
+            let value = |&operand: &i64| f64::from(model.evaluate(table.index, operand)) * lsb;
+            table.values = asked.par_iter().map(value).collect();
+        }
+
+        let look_up = |sample: usize| {
+            let Some(material) = Codes::material(frame, sample) else { return 0.0 };
+            let table = &tables[of_material[material]];
+            let place = place(codes.operands[sample]);
+            let below = table.asked[place / 64].load(Ordering::Relaxed) & ((1 << (place % 64)) - 1);
+            table.values[table.before[place / 64] + below.count_ones() as usize]
+        };
+        Ok((0..codes.operands.len()).into_par_iter().map(look_up).collect())
+    }
+}
+
+/// A lobe's core itself, compiled by Verilator and given every sample in the frame's order, one a clock.
+#[derive(Clone, Copy)]
+pub struct Compiled<'a> {
+    design: &'a Design,
+    directory: &'a Path,
+    progress: &'a dyn Fn(u64),
+}
+
+impl<'a> Compiled<'a> {
+    /// The core in a directory, with its HDL, and the files of its ROM where it reads such; `progress` is told how many results have come.
+    ///
+    /// # Errors
+    /// A core that is no lobe.
+    pub fn new(design: &'a Design, directory: &'a Path, progress: &'a dyn Fn(u64)) -> Result<Self, Error> {
+        check_lobe(design)?;
+        Ok(Self { design, directory, progress })
+    }
+}
+
+impl Highlights for Compiled<'_> {
+    fn of(&self, scene: &Scene, frame: &Frame) -> Result<Vec<f64>, Error> {
+        let codes = Codes::of(self.design, scene, frame);
+        let inputs: Vec<(u32, i32)> =
+            (0..frame.versine.len()).into_par_iter().filter_map(|sample| codes.sample(frame, sample)).collect();
+        let results = cosim::stream(self.design, self.directory, &inputs, self.progress)?;
+        let lsb = self.design.output_format().lsb();
+        let mut results = results.into_iter().map(|code| f64::from(code) * lsb);
+        let value = |versine: &f64| if versine.is_nan() { Some(0.0) } else { results.next() };
+        // As many as were asked for: `stream` sees to that.
+        Ok(frame.versine.iter().map_while(value).collect())
     }
 }

@@ -4,15 +4,23 @@
 //! - [`mesh`]: triangle meshes from OBJ and PLY;
 //! - [`frame`]: a picture as the lobes that it asks for, and with their values as codes of its channels;
 //! - [`highlight`]: those values: exact, by the bit-exact model of a core, or by the compiled core itself;
-//! - [`difference`]: two pictures compared, in output steps.
+//! - [`trace`]: what a ray of sight meets, and which lights shine there;
+//! - [`difference`]: two pictures compared, in output steps;
+//! - [`require`]: what a scene requires of a core;
+//! - [`choice`]: the cheapest core that keeps the scene's budget.
 
+pub mod choice;
 pub mod difference;
 pub mod file;
 pub mod frame;
 pub mod highlight;
 pub mod mesh;
+pub mod require;
+pub mod trace;
 
 pub use difference::Difference;
 pub use file::{Budget, Camera, Light, LightKind, Object, Scene, Shape, Wishes};
 pub use frame::{Frame, Picture};
 pub use highlight::Highlights;
+pub use require::Requirements;
+pub use trace::{Hit, Lit, Tracer};

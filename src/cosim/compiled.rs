@@ -1,0 +1,140 @@
+//! A core as a program.
+//!
+//! Verilator compiles the core with a harness of ours, `testbench/exhaustive.cpp`, into a program that reads runs of operand codes and
+//! writes the results, both as binary records through pipes, one input a clock.
+
+use std::fs;
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+use sha2::{Digest, Sha256};
+
+use super::ghdl;
+use crate::design::Design;
+use crate::error::Error;
+use crate::package;
+use crate::spec::{Language, hex};
+use crate::tool::{self, Tool, VERILATOR};
+
+const HARNESS: &str = include_str!("../../testbench/exhaustive.cpp");
+
+/// The program, for messages.
+pub(super) const CORE: Tool =
+    Tool { program: "the compiled core", version_flag: "", package: "verilator", pypi: "", purpose: "" };
+
+/// A run of consecutive operand codes for one shininess, as the harness reads it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Record {
+    /// The code of `in_n`.
+    pub(super) index: u32,
+    /// The first operand code.
+    pub(super) first: i32,
+    /// How many there are.
+    pub(super) count: u32,
+}
+
+impl Record {
+    /// Writes it in the harness's form.
+    pub(super) fn write(self, pipe: &mut dyn Write) -> io::Result<()> {
+        let mut bytes = [0; 12];
+        bytes[..4].copy_from_slice(&self.index.to_le_bytes());
+        bytes[4..8].copy_from_slice(&self.first.to_le_bytes());
+        bytes[8..].copy_from_slice(&self.count.to_le_bytes());
+        pipe.write_all(&bytes)
+    }
+}
+
+/// A compiled core.
+pub(super) struct Compiled<'a> {
+    program: PathBuf,
+    /// The core's directory: a ROM file is named relative to it.
+    directory: &'a Path,
+}
+
+impl<'a> Compiled<'a> {
+    /// The core in a directory as a program; a build takes some ten seconds, so it is kept.
+    ///
+    /// # Errors
+    /// A tool that is not installed or does not compile the core.
+    pub(super) fn of(design: &Design, directory: &'a Path, language: Language) -> Result<Self, Error> {
+        let source = directory.join(package::rtl_path(design, language));
+        let verilog = match language {
+            Language::Verilog => fs::read(&source).map_err(|error| Error::io("cannot read", &source, error))?,
+            Language::Vhdl => ghdl::as_verilog(&design.spec.name, directory, &source)?,
+        };
+        Ok(Self { program: build(design, &verilog)?, directory })
+    }
+
+    /// Runs the core: `send` writes the records, in a thread of its own, `receive` reads the results, a little-endian `u32` each.
+    ///
+    /// # Errors
+    /// A program that cannot be started. How it ended is for the caller to judge.
+    pub(super) fn run(
+        &self,
+        send: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send,
+        receive: impl FnOnce(&mut dyn Read),
+    ) -> Result<Output, Error> {
+        let mut child = Command::new(&self.program)
+            .current_dir(self.directory)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .map_err(|error| CORE.start_error(error))?;
+        let stdin = child.stdin.take().ok_or_else(|| CORE.missing())?;
+        let mut stdout = child.stdout.take().ok_or_else(|| CORE.missing())?;
+        std::thread::scope(|scope| {
+            scope.spawn(move || {
+                let mut pipe = io::BufWriter::with_capacity(1 << 16, stdin);
+                // A core that ended early is noticed by its missing results.
+                let _ = send(&mut pipe).and_then(|()| pipe.flush());
+            });
+            receive(&mut stdout);
+            // A core that still has results to write must not wait for a reader.
+            drop(stdout);
+        });
+        child.wait_with_output().map_err(|error| CORE.start_error(error))
+    }
+}
+
+/// The program of a core.
+fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
+    let version = VERILATOR.version().ok_or_else(|| VERILATOR.missing())?;
+    let flags = format!(
+        "-O2 -DOPERAND={} -DOPERAND_BITS={} -DLATENCY={}",
+        design.operand_name(),
+        design.operand_format().width(),
+        design.schedule.latency
+    );
+    // The memories keep the words that they come up with.
+    let low: String = design.write_ports().iter().map(|port| format!(" core->{} = 0;", port.enable.name)).collect();
+    let harness = format!("#define DISABLE_WRITES{low}\n{HARNESS}");
+    let mut digest = Sha256::new();
+    for part in [verilog, harness.as_bytes(), flags.as_bytes(), version.as_bytes()] {
+        digest.update((part.len() as u64).to_le_bytes());
+        digest.update(part);
+    }
+    let cache = tool::cache_directory();
+    let kept = cache.join(format!("{}-{}", design.spec.name, &hex(&digest.finalize())[..24]));
+    if kept.exists() {
+        return Ok(kept);
+    }
+    fs::create_dir_all(&cache).map_err(|error| Error::io("cannot make", &cache, error))?;
+    let scratch =
+        tempfile::tempdir_in(&cache).map_err(|error| Error::io("cannot make a directory in", &cache, error))?;
+    let put = |name: &str, bytes: &[u8]| {
+        let path = scratch.path().join(name);
+        fs::write(&path, bytes).map_err(|error| Error::io("cannot write", &path, error))
+    };
+    put("core.v", verilog)?;
+    put("exhaustive.cpp", harness.as_bytes())?;
+    let mut command = VERILATOR.command(scratch.path());
+    command.args(["--cc", "--exe", "--build", "-O3", "-Wno-fatal", "-Wno-lint", "-j", "2", "--prefix", "Vcore"]);
+    command.args(["--top-module", &design.spec.name, "-CFLAGS", &flags, "core.v", "exhaustive.cpp"]);
+    VERILATOR.succeed(&mut command)?;
+    let built = scratch.path().join("obj_dir").join("Vcore");
+    // A rename, so that two runs at once do not see each other's half-copied program.
+    fs::rename(&built, &kept).map_err(|error| Error::io("cannot keep", &kept, error))?;
+    Ok(kept)
+}
