@@ -7,7 +7,8 @@
 //! - [`trace`]: what a ray of sight meets, and which lights shine there;
 //! - [`difference`]: two pictures compared, in output steps;
 //! - [`require`]: what a scene requires of a core;
-//! - [`choice`]: the cheapest core that keeps the scene's budget.
+//! - [`choice`]: the cheapest core that keeps the scene's budget;
+//! - [`shade`]: the whole shader around it.
 
 pub mod choice;
 pub mod difference;
@@ -16,6 +17,7 @@ pub mod frame;
 pub mod highlight;
 pub mod mesh;
 pub mod require;
+pub mod shade;
 pub mod trace;
 
 pub use difference::Difference;
