@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use brdfgen::datapath::evaluate::Evaluator;
-use brdfgen::datapath::graph::Op;
+use brdfgen::datapath::graph::{Node, Op};
 use brdfgen::datapath::schedule::schedule;
 use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::design::{Design, Measured};
@@ -174,6 +174,47 @@ fn every_input_equals_the_model_at_9_bits() {
                 &format!("{kind}\nshininess = '1..=300'\ninput_fraction = {f}\noutput_fraction = {g}"),
                 1,
             );
+        }
+    }
+}
+
+/// Every kind, and those of the methods whose other tests are elsewhere.
+fn every_kind() -> impl Iterator<Item = &'static str> {
+    let others = [
+        "method = 'log-exp'",
+        "method = 'harris'",
+        "method = 'table'",
+        "method = 'schlick'",
+        "method = 'schlick'\ndivider = 'reciprocal'",
+        "method = 'cubic-rational'",
+    ];
+    kinds::ALL.into_iter().chain(others)
+}
+
+#[test]
+fn a_core_for_the_codes_from_0_to_1_needs_no_limits_and_agrees_with_one_for_any() {
+    for kind in every_kind() {
+        for operand in ["cos", "versine"] {
+            let spec = |range: &str| {
+                format!(
+                    "{kind}\nshininess = [1, 2, 7.5, 30, 300]\noperand = '{operand}'\ninput_range = '{range}'\ninput_fraction = 10\noutput_fraction = 10"
+                )
+            };
+            assert_every_input(&spec("unit"), 1);
+            let [any, unit] = ["any", "unit"].map(|range| design(&spec(range)));
+            let limits = |design: &Design| {
+                let of_port = |node: &&Node| node.args.first() == Some(&design.graph().operand());
+                let limit = |node: &Node| matches!(node.op, Op::Clamp { .. });
+                design.graph().nodes.iter().filter(of_port).any(limit)
+            };
+            assert!(limits(&any) && !limits(&unit), "{kind}");
+            assert_eq!(unit.operand_format().width(), 11, "{kind}: no sign");
+            for row in 0..5 {
+                for operand in 0..=1024i64 {
+                    let (any, unit) = (any.model().evaluate(row, operand), unit.model().evaluate(row, operand));
+                    assert_eq!(any, unit, "{kind}: row {row}, operand {operand}");
+                }
+            }
         }
     }
 }

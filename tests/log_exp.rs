@@ -145,6 +145,18 @@ fn versines_are_within_the_proof() {
 }
 
 #[test]
+fn codes_from_0_to_1_are_within_the_proof() {
+    for operand in ["cos", "versine"] {
+        for set in ["'3..=70'", "[1, 2, 40]", "[1000]"] {
+            let unit = format!(
+                "shininess = {set}\noperand = '{operand}'\ninput_range = 'unit'\naccuracy = 6\ninput_fraction = 11"
+            );
+            assert_every_input(&unit, 1, 1);
+        }
+    }
+}
+
+#[test]
 fn rounding_a_list_to_its_rom_is_in_the_proof() {
     let list = "shininess = [1, 1.0001, 1.3, 2.71828, 7, 99.9, 1234.567, 300000.3, 1048576]";
     for (f, g) in [(16, 16), (13, 8), (11, 20), (20, 12)] {
@@ -168,9 +180,10 @@ proptest! {
     }
 
     #[test]
-    fn any_accuracy_is_kept(a in 3u32..=13, f in 8u32..=12, spare in 1u32..=6, first in 1u32..=9, span in 0u32..=300, versine: bool) {
+    fn any_accuracy_is_kept(a in 3u32..=13, f in 8u32..=12, spare in 1u32..=6, first in 1u32..=9, span in 0u32..=300, versine: bool, unit: bool) {
         let (operand, g, last) = (if versine { "versine" } else { "cos" }, a + spare, first + span);
-        let spec = format!("accuracy = {a}\nshininess = '{first}..={last}'\noperand = '{operand}'");
+        let range = if unit { "unit" } else { "any" };
+        let spec = format!("accuracy = {a}\nshininess = '{first}..={last}'\noperand = '{operand}'\ninput_range = '{range}'");
         assert_every_input(&format!("{spec}\ninput_fraction = {f}\noutput_fraction = {g}"), 1, 3);
     }
 

@@ -11,7 +11,7 @@
 use super::graph::{Graph, Node, NodeId, Op};
 use crate::number::{Format, Interval};
 use crate::rom::Table;
-use crate::spec::{CoreSpec, Operand, Shininess};
+use crate::spec::{CoreSpec, InputRange, Operand, Shininess};
 
 /// What is known of a value in one case.
 #[derive(Clone, Copy, Debug)]
@@ -192,27 +192,69 @@ impl<'a> Builder<'a> {
         let versine: Vec<Bound> = self.cases.iter().map(|case| exact(case.active)).collect();
         let cosine: Vec<Bound> =
             self.cases.iter().map(|c| exact(Interval::new(1.0 - c.active.high, 1.0 - c.active.low))).collect();
+        let (name, signed, ranges) = match spec.operand {
+            Operand::Cos => ("in_cos", spec.input_range == InputRange::Any, &cosine),
+            Operand::Versine => ("in_ver", false, &versine),
+        };
+        let port = self.push(Op::Input, &[], Format { signed, ..unit }, name, String::new(), ranges.clone());
+        self.inputs.push(port);
         let clamp = Op::Clamp { low: 0, high: one };
-        match spec.operand {
-            Operand::Cos => {
-                let port = self.input(Format::signed(1, f), "in_cos", |c| {
-                    exact(Interval::new(1.0 - c.active.high, 1.0 - c.active.low))
-                });
+        match (spec.operand, spec.input_range) {
+            (Operand::Cos, InputRange::Any) => {
                 let comment = "x = in_cos taken into [0, 1]: back-facing gives x = 0".to_owned();
                 let x = self.push(clamp, &[port], unit, "x", comment, cosine);
                 let one = self.constant(one, unit, "one");
                 let u = self.push(Op::Sub, &[one, x], unit, "u", "u = 1 - x, the versine".to_owned(), versine);
                 (x, u)
             }
-            Operand::Versine => {
-                let port = self.input(unit, "in_ver", |c| exact(c.active));
+            (Operand::Versine, InputRange::Any) => {
                 let comment = "u = in_ver taken into [0, 1]: back-facing gives u = 1".to_owned();
                 let u = self.push(clamp, &[port], unit, "u", comment, versine);
                 let one = self.constant(one, unit, "one");
                 let x = self.push(Op::Sub, &[one, u], unit, "x", "x = 1 - u, the cosine".to_owned(), cosine);
                 (x, u)
             }
+            (Operand::Cos, InputRange::Unit) => {
+                let [x, u] = self.within_unit(port, ["x", "u"], [cosine, versine]);
+                (x, u)
+            }
+            (Operand::Versine, InputRange::Unit) => {
+                let [u, x] = self.within_unit(port, ["u", "x"], [versine, cosine]);
+                (x, u)
+            }
         }
+    }
+
+    /// A port of `UQ1.F` whose codes are meant to lie in [0, 1], and 1 minus it. Both stay in [0, 1] for every code: where the fraction is
+    /// not 0 the whole bit does not count. That takes no comparison, and only the results' own whole bits any logic.
+    fn within_unit(
+        &mut self,
+        port: NodeId,
+        [name, complement]: [&str; 2],
+        [own, rest]: [Vec<Bound>; 2],
+    ) -> [NodeId; 2] {
+        let unit = self.format(port);
+        let fraction_bits = Format::unsigned(0, unit.frac_bits);
+        let part = |b: &mut Self, of: NodeId, format: Format, what: &str, comment: &str| {
+            let bound = Bound { range: Interval::UNIT, error: Interval::ZERO, grid: unit.frac_bits };
+            let bounds = vec![bound; b.cases.len()];
+            b.push(Op::Cast, &[of], format, what, comment.to_owned(), bounds)
+        };
+        let whole = part(self, port, Format::FLAG, &format!("{name}_whole"), "1, unless there is a fraction");
+        let fraction = part(self, port, fraction_bits, &format!("{name}_fraction"), "without the whole bit");
+        let some = self.flag(Op::NonZero, &[fraction], &format!("{name}_some"), "there is a fraction");
+        let below = part(self, fraction, unit, &format!("{name}_below_1"), "with a whole bit of 0");
+        let own = self.push(Op::Select, &[some, below, port], unit, name, format!("{name}, 0 to 1"), own);
+
+        let one = self.constant(1 << unit.frac_bits, unit, "one");
+        let above = format!("{complement}_above_0");
+        let comment = format!("1 minus the fraction: {complement}, where {name} is not 1");
+        let above = self.push(Op::Sub, &[one, fraction], unit, &above, comment, rest.clone());
+        let fraction = part(self, above, fraction_bits, &format!("{complement}_fraction"), "without the whole bit");
+        let below = part(self, fraction, unit, &format!("{complement}_below_1"), "with a whole bit of 0");
+        let comment = format!("{complement} = 1 - {name}");
+        let rest = self.push(Op::Select, &[whole, below, above], unit, complement, comment, rest);
+        [own, rest]
     }
 
     /// The port `in_n` and the address that it is for the memory `memory`, whose rows are those of the set.

@@ -24,7 +24,7 @@ use crate::lobe::Lobe;
 use crate::model::{Model, ShaderModel};
 use crate::number::Format;
 use crate::rom::Table;
-use crate::spec::{Block, CoreSpec, Operand, RomStyle, Shader, Shininess, Widths, hex};
+use crate::spec::{Block, CoreSpec, InputRange, Operand, RomStyle, Shader, Shininess, Widths, hex};
 
 /// The measured error of a core.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -219,9 +219,13 @@ impl Design {
         if let Block::Shader(shader) = &self.spec.block {
             return self.shader_input_meanings(shader);
         }
-        let operand = match self.spec.operand {
-            Operand::Cos => "cosine x; below 0 gives 0, above 1 counts as 1",
-            Operand::Versine => "versine u = 1 - x; above 1 counts as 1, which gives 0",
+        let operand = match (self.spec.operand, self.spec.input_range) {
+            (Operand::Cos, InputRange::Any) => "cosine x; below 0 gives 0, above 1 counts as 1",
+            (Operand::Versine, InputRange::Any) => "versine u = 1 - x; above 1 counts as 1, which gives 0",
+            (Operand::Cos, InputRange::Unit) => "cosine x, 0 to 1; a code above 1 counts as what it is above 1",
+            (Operand::Versine, InputRange::Unit) => {
+                "versine u = 1 - x, 0 to 1; a code above 1 counts as what it is above 1"
+            }
         };
         vec![self.spec.shininess.index_meaning(), operand.to_owned()]
     }
@@ -331,9 +335,14 @@ impl Design {
     #[must_use]
     pub fn versine(&self, operand: i64) -> f64 {
         let one = 1i64 << self.spec.input_fraction;
+        let within = match self.spec.input_range {
+            InputRange::Any => operand.clamp(0, one),
+            InputRange::Unit if operand > one => operand - one,
+            InputRange::Unit => operand,
+        };
         let u = match self.spec.operand {
-            Operand::Cos => one - operand.clamp(0, one),
-            Operand::Versine => operand.clamp(0, one),
+            Operand::Cos => one - within,
+            Operand::Versine => within,
         };
         u as f64 / one as f64
     }

@@ -2,11 +2,11 @@
 
 use super::{CubicRom, CubicWidths, Kernel, QuadraticRom, QuadraticWidths, cubic, quadratic};
 use crate::design::Design;
-use crate::spec::{Block, Form, Method, Operand, Pipeline, RomStyle, Tail};
+use crate::spec::{Block, Form, InputRange, Method, Operand, Pipeline, RomStyle, Tail};
 
 /// The kernel of a design's method, if there is an instance at just its widths.
 ///
-/// The kernels have the pipeline of `auto`, take the cosine, round down, read a ROM that is addressed by `in_n` itself and cannot
+/// The kernels have the pipeline of `auto`, take any cosine, round down, read a ROM that is addressed by `in_n` itself and cannot
 /// be written, and scale by a shift that is wholly in the ROM.
 #[must_use]
 pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
@@ -16,6 +16,7 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
         && spec.form == Form::Stable
         && spec.tail == Tail::Cut
         && spec.operand == Operand::Cos
+        && spec.input_range == InputRange::Any
         && spec.pipeline == Pipeline::Auto
         && spec.rom != RomStyle::Writable
         && spec.input_fraction <= spec.output_fraction

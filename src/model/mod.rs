@@ -21,7 +21,7 @@ pub use shader::{Cosines, ShaderModel};
 
 use crate::number::wide::{self, Wide};
 use crate::rom::Table;
-use crate::spec::{CoreSpec, Form, Method, Operand, Widths};
+use crate::spec::{CoreSpec, Form, InputRange, Method, Operand, Widths};
 
 /// The core's function for one spec.
 #[derive(Clone, Debug)]
@@ -45,9 +45,14 @@ impl<'a> Model<'a> {
         let (row, fraction) = self.spec.shininess.knot(self.spec.shininess.row_of_index(index));
         let one = Wide::ONE;
         let operand = wide::from_code(operand.into(), self.spec.input_fraction);
+        let within = match self.spec.input_range {
+            InputRange::Any => operand.clamp(Wide::ZERO, one),
+            InputRange::Unit if operand > one => operand - one,
+            InputRange::Unit => operand,
+        };
         let x = match self.spec.operand {
-            Operand::Cos => operand.clamp(Wide::ZERO, one),
-            Operand::Versine => one - operand.min(one),
+            Operand::Cos => within,
+            Operand::Versine => one - within,
         };
         let inputs = Inputs {
             spec: self.spec,

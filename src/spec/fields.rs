@@ -9,8 +9,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{
     ACCURACY, ACCURACY_INPUT_FRACTION, Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, EXP_BITS, Form,
-    INPUT_FRACTION, Inside, LOG_BITS, Language, Material, Memory, Method, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH,
-    Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, Tail,
+    INPUT_FRACTION, InputRange, Inside, LOG_BITS, Language, Material, Memory, Method, OUTPUT_FRACTION, Operand,
+    PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, Tail,
 };
 use crate::error::Error;
 use crate::fit::Objective;
@@ -128,6 +128,12 @@ pub struct SpecFields {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub operand: Option<Operand>,
 
+    /// Codes of the operand that the core may be given: any, or those in [0, 1], which spares it the limits at both ends
+    /// [default: any]
+    #[arg(long, value_enum, value_name = "RANGE")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub input_range: Option<InputRange>,
+
     /// Where the HDL finds the coefficients [default: inline]
     #[arg(long, value_enum)]
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -239,6 +245,7 @@ impl SpecFields {
             input_fraction: self.input_fraction.or(other.input_fraction),
             output_fraction: self.output_fraction.or(other.output_fraction),
             operand: self.operand.or(other.operand),
+            input_range: self.input_range.or(other.input_range),
             rom: self.rom.or(other.rom),
             rom_formats: self.rom_formats.or(other.rom_formats),
             pipeline: self.pipeline.or(other.pipeline),
@@ -281,6 +288,9 @@ impl SpecFields {
             (Some(shader), None) if shader.cosine == Cosine::Half => Operand::Versine,
             (Some(_), None) => Operand::Cos,
         };
+        if shader.is_some() && self.input_range.is_some() {
+            return Err(Error::input("a shader keeps its own cosine in [0, 1]", "leave input_range out"));
+        }
         let shininess = match (self.shininess, self.material) {
             (set, None) if shader.is_some() => {
                 let set = set.map_or("no materials".to_owned(), |set| format!("the shininess {set}"));
@@ -439,6 +449,7 @@ impl SpecFields {
             input_fraction,
             output_fraction,
             operand,
+            input_range: self.input_range.unwrap_or(InputRange::Any),
             rom: self.rom.unwrap_or(RomStyle::Inline),
             rom_formats,
             pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
@@ -481,6 +492,8 @@ impl SpecFields {
             input_fraction: Some(spec.input_fraction),
             output_fraction: Some(spec.output_fraction),
             operand: shader.is_none().then_some(spec.operand),
+            // The key is younger than specs that are compared by their digests.
+            input_range: Some(spec.input_range).filter(|&range| range != InputRange::Any),
             rom: Some(spec.rom),
             rom_formats: Some(spec.rom_formats.clone()),
             pipeline: Some(spec.pipeline),
@@ -585,6 +598,9 @@ impl SpecFields {
         }
         if let Some(operand) = self.operand.filter(|_| self.operand != defaults.operand) {
             flag("operand", word(&operand));
+        }
+        if let Some(range) = self.input_range.filter(|&range| range != InputRange::Any) {
+            flag("input-range", word(&range));
         }
         if let Some(rom) = self.rom.filter(|_| self.rom != defaults.rom) {
             flag("rom", word(&rom));

@@ -55,6 +55,16 @@ pub enum Operand {
     Versine,
 }
 
+/// Which codes of the operand's port the core may be given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum InputRange {
+    /// Any: a cosine is signed, Q1.F, and what lies outside [0, 1] is taken to the nearer end.
+    Any,
+    /// Those in [0, 1]: the port is unsigned, UQ1.F, and nothing is compared. A code above 1 counts as what it is above 1.
+    Unit,
+}
+
 /// Where the HDL finds the coefficients.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "kebab-case")]
@@ -138,6 +148,8 @@ pub struct CoreSpec {
     pub output_fraction: u32,
     /// What the core is given.
     pub operand: Operand,
+    /// Which codes of it the core may be given.
+    pub input_range: InputRange,
     /// Where the HDL finds the coefficients.
     pub rom: RomStyle,
     /// The ROM files that are written beside the HDL; always holds [`RomFormat::Mem`].
