@@ -65,14 +65,12 @@ pub struct Transform {
     pub translate: Vector,
 }
 
-/// What a file says of a mesh.
+/// What a file says of a mesh: every coordinate within [`MAX_COORDINATE`], every corner there.
 struct Raw {
     positions: Vec<Vector>,
     /// Not yet of length 1; empty where the file has none, or not one for every corner.
     normals: Vec<Vector>,
     triangles: Vec<[Corner; 3]>,
-    /// The number that the file's first vertex goes by.
-    first: usize,
 }
 
 impl Mesh {
@@ -166,20 +164,9 @@ fn own_normal(positions: &[Vector], triangle: &[Corner; 3]) -> Option<Vector> {
 }
 
 impl Raw {
-    /// Checks the coordinates, leaves out what has no area, and sees to the normals.
+    /// Leaves out what has no area, and sees to the normals.
     fn finish(self, file: &str, wanted: Normals) -> Result<Mesh, Error> {
-        let Self { positions, normals: given, mut triangles, first } = self;
-        for (what, vectors) in [("vertex", &positions), ("normal", &given)] {
-            let wrong = vectors.iter().enumerate().find_map(|(index, vector)| {
-                vector.iter().find(|component| !(component.abs() <= MAX_COORDINATE)).map(|value| (index + first, value))
-            });
-            if let Some((index, value)) = wrong {
-                return Err(Error::input(
-                    format!("{file}: the {what} {index}, counted from {first}, has the component {value}"),
-                    format!("a number of at most {MAX_COORDINATE:e} either side of 0"),
-                ));
-            }
-        }
+        let Self { positions, normals: given, mut triangles } = self;
         if positions.len().max(triangles.len()) > MAX_TRIANGLES {
             let what = format!("{file} has {} vertices and {} triangles", positions.len(), triangles.len());
             return Err(Error::input(what, format!("a mesh has at most {MAX_TRIANGLES} of each")));
@@ -305,14 +292,179 @@ fn read_obj(text: &str, file: &str) -> Result<Raw, Error> {
             })
         }));
     }
-    if let Some(number) = positions.iter().flatten().chain(normals.iter().flatten()).find(|value| !value.is_finite()) {
-        // The parser gives its own numbers to the vertices: the text says which one it is.
-        let wrong = |line: &&str| line.split_whitespace().skip(1).any(|w| w.parse().is_ok_and(|v: f64| !v.is_finite()));
-        let vertices = plain.lines().enumerate().filter(|(_, line)| line.starts_with('v'));
-        if let Some((line, words)) = vertices.into_iter().find(|(_, line)| wrong(line)) {
-            let what = format!("{file}, line {}: `{}` has the component {number}", line + 1, words.trim());
-            return Err(Error::input(what, "coordinates are finite numbers"));
+    Ok(Raw { positions, normals, triangles })
+}
+
+/// The lines `v`, `vn` and `f` of an OBJ text, each in its place, once it is known that every coordinate is a number and every face's
+/// vertices and normals are there; and whether every corner of a face has a normal. The parser itself would wrap a face's index
+/// around, name no line, and lend a corner without a normal another one's.
+fn plain_obj(text: &str, file: &str) -> Result<(String, bool), Error> {
+    let first = |line: &str| {
+        line.split_whitespace()
+            .next()
+            .map_or(0, |word| ["v", "vn"].iter().position(|w| *w == word).map_or(0, |at| at + 1))
+    };
+    let mut all = [0; 3];
+    text.lines().for_each(|line| all[first(line)] += 1);
+    let (mut read, mut faces, mut every_normal) = ([0u64; 3], 0, true);
+    let mut plain = String::with_capacity(text.len());
+    for (number, line) in text.lines().enumerate() {
+        let line = line.split('#').next().unwrap_or_default();
+        let wrong =
+            |what: String, allowed: String| Err(Error::input(format!("{file}, line {}: {what}", number + 1), allowed));
+        let mut words = line.split_whitespace();
+        match words.next() {
+            Some(word @ ("v" | "vn")) => {
+                let kind = first(word);
+                read[kind] += 1;
+                let mut numbers = words.map_while(|word| word.parse::<f64>().ok()).collect::<Vec<_>>();
+                if let (1, &[x, y, z, weight]) = (kind, &numbers[..]) {
+                    numbers = vec![x / weight, y / weight, z / weight];
+                }
+                if let Some(value) = numbers.iter().take(3).find(|value| !(value.abs() <= MAX_COORDINATE)) {
+                    let (what, index) = (["vertex", "normal"][kind - 1], read[kind]);
+                    return wrong(format!("the {what} {index} has the component {value}"), allowed_coordinate());
+                }
+            }
+            Some("f") => {
+                faces += 1;
+                for corner in words {
+                    let mut indices = corner.split('/').map(str::parse::<i64>);
+                    let (vertex, normal) = (indices.next(), indices.nth(1));
+                    every_normal &= matches!(normal, Some(Ok(_)));
+                    for (kind, index) in [(1, vertex), (2, normal)] {
+                        let Some(Ok(index)) = index else { continue };
+                        let there = if index < 0 { read[kind] } else { all[kind] };
+                        if index == 0 || index.unsigned_abs() > there {
+                            let what = ["vertex", "normal"][kind - 1];
+                            let allowed =
+                                format!("the file has {} of them up to this line, {} in all", read[kind], all[kind]);
+                            return wrong(format!("a face names the {what} {index}, which is not there"), allowed);
+                        }
+                    }
+                }
+            }
+            _ => {
+                plain.push('\n');
+                continue;
+            }
+        }
+        plain.push_str(line);
+        plain.push('\n');
+    }
+    if read[1] == 0 && faces == 0 {
+        return Err(Error::input(format!("{file} is neither OBJ nor PLY"), FORMATS));
+    }
+    Ok((plain, every_normal))
+}
+
+/// A vertex or a face of a PLY file: what is read of it.
+struct Element {
+    /// x, y, z, nx, ny, nz.
+    components: [f64; 6],
+    /// A face's vertices; one that no u32 holds is the greatest.
+    corners: Vec<u32>,
+}
+
+/// The names of [`Element::components`].
+const COMPONENTS: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
+/// The two names that the list of a face's vertices goes by.
+const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
+
+impl PropertyAccess for Element {
+    fn new() -> Self {
+        Self { components: [f64::NAN; 6], corners: Vec::new() }
+    }
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        let Some(component) = COMPONENTS.iter().position(|component| *component == name) else {
+            if !CORNERS.contains(&name) {
+                return PropertyAccessResult::Ignored;
+            }
+            fn all<T: Copy + TryInto<u32>>(list: &[T]) -> Vec<u32> {
+                list.iter().map(|index| (*index).try_into().unwrap_or(u32::MAX)).collect()
+            }
+            self.corners = match &property {
+                Property::ListChar(list) => all(list),
+                Property::ListUChar(list) => all(list),
+                Property::ListShort(list) => all(list),
+                Property::ListUShort(list) => all(list),
+                Property::ListInt(list) => all(list),
+                Property::ListUInt(list) => all(list),
+                _ => return PropertyAccessResult::UnsupportedType,
+            };
+            return PropertyAccessResult::Set;
+        };
+        self.components[component] = match property {
+            Property::Char(value) => value.into(),
+            Property::UChar(value) => value.into(),
+            Property::Short(value) => value.into(),
+            Property::UShort(value) => value.into(),
+            Property::Int(value) => value.into(),
+            Property::UInt(value) => value.into(),
+            Property::Float(value) => value.into(),
+            Property::Double(value) => value,
+            _ => return PropertyAccessResult::UnsupportedType,
+        };
+        PropertyAccessResult::Set
+    }
+}
+
+/// Reads a PLY file: the elements `vertex` and `face`.
+fn read_ply(bytes: &[u8], file: &str) -> Result<Raw, Error> {
+    let refused = |error: ParseError| {
+        let what = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
+        let mut what: String = what.chars().take(200).collect();
+        what.retain(|c| !c.is_control());
+        Error::input(format!("{file}: {what}"), FORMATS)
+    };
+    let (parser, mut reader) = (Parser::<Element>::new(), Reader::new(bytes));
+    let header = parser.read_header(&mut reader).map_err(refused)?;
+    for (name, element) in &header.elements {
+        // Any number of elements that take no bytes would be read from no bytes.
+        if element.properties.is_empty() && element.count > 0 {
+            return Err(Error::input(format!("{file}: the element {name} has no properties"), FORMATS));
         }
     }
-    Ok(Raw { positions, normals, triangles, first: 1 })
+    let has = |element: &str, property: &str| {
+        header.elements.get(element).is_some_and(|element| element.properties.contains_key(property))
+    };
+    if let Some(missing) = COMPONENTS[..3].iter().find(|name| !has("vertex", name)) {
+        return Err(Error::input(format!("{file}: its vertices have no {missing}"), FORMATS));
+    }
+    if !CORNERS.iter().any(|name| has("face", name)) {
+        let what = format!("{file} has no faces");
+        return Err(Error::input(what, "an element face with a list vertex_indices"));
+    }
+    let has_normals = COMPONENTS[3..].iter().all(|name| has("vertex", name));
+    let mut payload = parser.read_payload(&mut reader, &header).map_err(refused)?;
+    let mut elements = |name| payload.shift_remove(name).unwrap_or_default();
+    let (vertices, faces): (Vec<Element>, Vec<Element>) = (elements("vertex"), elements("face"));
+    let part = |from: usize| vertices.iter().map(|v| [0, 1, 2].map(|axis| v.components[from + axis])).collect();
+    let (positions, normals): (Vec<Vector>, Vec<Vector>) = (part(0), if has_normals { part(3) } else { Vec::new() });
+    for (what, vectors) in [("", &positions), ("normal's ", &normals)] {
+        for (vertex, vector) in vectors.iter().enumerate() {
+            if let Some(value) = vector.iter().find(|value| !(value.abs() <= MAX_COORDINATE)) {
+                let what = format!("{file}: the vertex {vertex}, counted from 0, has the {what}component {value}");
+                return Err(Error::input(what, allowed_coordinate()));
+            }
+        }
+    }
+    let mut triangles = Vec::with_capacity(faces.len());
+    for (face, Element { corners, .. }) in faces.iter().enumerate() {
+        if let Some(vertex) = corners.iter().find(|vertex| **vertex as usize >= positions.len()) {
+            let vertex = if *vertex == u32::MAX { "a vertex".to_owned() } else { format!("the vertex {vertex}") };
+            return Err(Error::input(
+                format!("{file}: the face {face}, counted from 0, names {vertex}, which is not there"),
+                format!("the file has {} vertices, the first of them 0", positions.len()),
+            ));
+        }
+        let corner = |index: usize| Corner { position: corners[index], normal: corners[index] };
+        triangles.extend((2..corners.len()).map(|last| [corner(0), corner(last - 1), corner(last)]));
+    }
+    Ok(Raw { positions, normals, triangles })
+}
+
+fn allowed_coordinate() -> String {
+    format!("a number of at most {MAX_COORDINATE:e} either side of 0")
 }
