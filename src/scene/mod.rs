@@ -4,6 +4,7 @@
 //! - [`mesh`]: triangle meshes from OBJ and PLY;
 //! - [`frame`]: a picture as the lobes that it asks for, and with their values as codes of its channels;
 //! - [`highlight`]: those values: exact, by the bit-exact model of a core, or by the compiled core itself;
+//! - [`trace`]: what a ray of sight meets, and which lights shine there;
 //! - [`difference`]: two pictures compared, in output steps.
 
 pub mod difference;
@@ -11,8 +12,10 @@ pub mod file;
 pub mod frame;
 pub mod highlight;
 pub mod mesh;
+pub mod trace;
 
 pub use difference::Difference;
 pub use file::{Budget, Camera, Light, LightKind, Object, Scene, Shape, Wishes};
 pub use frame::{Frame, Picture};
 pub use highlight::Highlights;
+pub use trace::{Hit, Lit, Tracer};
