@@ -23,7 +23,7 @@ use crate::explore::{Cost, Model, Objective, Point, Results};
 use crate::fit;
 use crate::number::exp2;
 use crate::spec::{
-    ACCURACY, ACCURACY_INPUT_FRACTION, Coefficients, Divider, INPUT_FRACTION, Inside, Material, Method,
+    ACCURACY, ACCURACY_INPUT_FRACTION, Coefficients, Divider, INPUT_FRACTION, InputRange, Inside, Material, Method,
     OUTPUT_FRACTION, SpecFields, TABLE_BITS, Tail,
 };
 use crate::synth::{self, Family, Tools};
@@ -264,7 +264,7 @@ impl<'a> Search<'a> {
         Ok(Self { scene, requirements, costing, screen, keys, slots: Mutex::default() })
     }
 
-    /// The keys that every candidate has: the scene's name and materials.
+    /// The keys that every candidate has unless others are given: the scene's name and materials, and a port for what occurs.
     fn common(&self) -> SpecFields {
         let material = |row: &super::require::Row| Material {
             name: row.name.clone(),
@@ -278,6 +278,7 @@ impl<'a> Search<'a> {
         SpecFields {
             name: Some(self.scene.name.clone()),
             material: Some(self.requirements.rows.iter().map(material).collect()),
+            input_range: self.requirements.stays_in_range().then_some(InputRange::Unit),
             ..SpecFields::default()
         }
     }

@@ -10,7 +10,7 @@ use super::{Requirements, Scene};
 use crate::error::Error;
 use crate::explore::Cost;
 use crate::fit::Objective;
-use crate::spec::{CoreSpec, MAX_ROWS, Method, Shininess, SpecFields};
+use crate::spec::{CoreSpec, InputRange, MAX_ROWS, Method, Shininess, SpecFields};
 
 /// The fraction bits of input and output of a core that nothing is known of.
 const GENERAL_FRACTION: u32 = 16;
@@ -90,7 +90,7 @@ pub fn simplifications(
         output(requirements, &fields, &spec),
         accuracy(requirements, chosen, &fields, &spec, scene),
         tail(requirements, &fields, &spec),
-        range(requirements, &fields),
+        range(requirements, &fields, &spec),
         lights(requirements),
         saturation(requirements),
     ];
@@ -191,6 +191,7 @@ fn faithful(fields: &SpecFields) -> SpecFields {
         material,
         input_fraction,
         output_fraction,
+        input_range,
         operand,
         rom,
         rom_formats,
@@ -204,6 +205,7 @@ fn faithful(fields: &SpecFields) -> SpecFields {
         material,
         input_fraction,
         output_fraction,
+        input_range,
         operand,
         rom,
         rom_formats,
@@ -277,17 +279,24 @@ fn tail(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Si
     Simplification::new(what, false, format!("{seen}; {why}"), &evidence)
 }
 
-fn range(requirements: &Requirements, _fields: &SpecFields) -> Simplification {
+fn range(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Simplification {
     let counts = requirements.base.and(&requirements.moved);
     let negative = percent(counts.negative, counts.lit());
     let least = requirements.least_cosine.unwrap_or(0.0);
     let evidence = [("least_cosine", least), ("negative_percent", negative)];
-    let reason = if counts.negative > 0 {
-        format!("negative cosines occur: {negative:.2} % of the lit samples, down to {least:.4}; the clamp stays")
-    } else {
-        format!("no lit sample has a negative cosine: the least is {least:.4}")
-    };
-    Simplification::new("no negative cosines", false, reason, &evidence)
+    let what = "no negative cosines";
+    if !requirements.stays_in_range() {
+        let reason =
+            format!("negative cosines occur: {negative:.2} % of the lit samples, down to {least:.4}; the clamp stays");
+        return Simplification::new(what, false, reason, &evidence);
+    }
+    let reason = format!("no lit sample has a negative cosine: the least is {least:.4}");
+    if spec.input_range != InputRange::Unit {
+        return Simplification::new(what, false, reason + "; the keys ask for a port that takes any", &evidence);
+    }
+    let range = |range: InputRange| SpecFields { input_range: Some(range), ..SpecFields::default() };
+    Simplification::new(what, true, reason, &evidence)
+        .with(range(InputRange::Unit), range(InputRange::Any).or(fields.clone()))
 }
 
 fn lights(requirements: &Requirements) -> Simplification {
