@@ -283,11 +283,9 @@ fn picture_text(error: &PictureError) -> String {
 }
 
 fn core_text(core: &SceneCore) -> String {
-    let point = &core.candidate.point;
     format!(
-        "{}, F{}: {}; base {}; moved {}",
-        point.name,
-        point.input_fraction,
+        "{}: {}; base {}; moved {}",
+        core.candidate.point.name,
         cost_text(&core.candidate.cost),
         picture_text(&core.base),
         picture_text(&core.moved),

@@ -34,6 +34,8 @@ pub const RUNNER_UPS: usize = 6;
 const SHORTLIST: usize = 8;
 /// Fraction bits of a port that are tried, from the fewest that any core can do with.
 const WIDTHS: u32 = 3;
+/// The fewest fraction bits that are tried of a port of which no number is enough.
+const UNMET_WIDTH: u32 = 18;
 /// A method that misses the budget by more octaves than this with the most fraction bits is not tried with fewer.
 const HOPELESS: f64 = 1.0;
 /// The widest gap, in codes, that is evaluated too and passed over.
@@ -357,7 +359,8 @@ impl<'a> Search<'a> {
             return vec![given];
         }
         let last = *allowed.end();
-        let first = fewest.unwrap_or(last).clamp(*allowed.start(), last);
+        // Where no width is enough, the misses are no nearer with the widest ports than with these.
+        let first = fewest.unwrap_or(UNMET_WIDTH).clamp(*allowed.start(), last);
         (first..=(first + WIDTHS - 1).min(last)).collect()
     }
 

@@ -115,8 +115,8 @@ fn materials(scene: &Scene, requirements: &Requirements, fields: &SpecFields) ->
     let unseen = requirements.materials.iter().filter(|need| need.row.is_none()).count();
     let shared = requirements.materials.len() - unseen - rows.len();
     let mut reason = format!(
-        "{} of the scene's {} asked for, in {} of a ROM",
-        plural(rows.len(), "shininess").replace("shininesss", "shininesses"),
+        "the pictures ask for {} of the scene's {}: {} of a ROM",
+        if rows.len() == 1 { "1 shininess".to_owned() } else { format!("{} shininesses", rows.len()) },
         plural(requirements.materials.len(), "material"),
         plural(rows.len(), "row"),
     );
