@@ -266,7 +266,9 @@ impl Source<'_> {
         }
     }
 
-    fn toml(&self, error: &toml::de::Error, more: &[&str]) -> Error {
+    /// What the TOML parser refuses; `more` are known keys of the table that has the key `beside`.
+    fn toml(&self, error: &toml::de::Error, beside: &str, more: &[&str]) -> Error {
+        let more = if error.message().contains(&format!("`{beside}`")) { more } else { &[] };
         toml_error(error, more, HELP, self.file, self.text)
     }
 }
@@ -301,10 +303,10 @@ impl Scene {
     /// wrong, with what is allowed and the place.
     pub fn parse(text: &str, file: &str, directory: &Path) -> Result<Self, Error> {
         let source = Source { text, file };
-        let mut table = DeTable::parse(text).map_err(|error| source.toml(&error, &[]))?;
+        let mut table = DeTable::parse(text).map_err(|error| source.toml(&error, "", &[]))?;
         let core = table.get_mut().remove("core");
-        let fields =
-            SceneFields::deserialize(Deserializer::from(table)).map_err(|error| source.toml(&error, &["core"]))?;
+        let fields = SceneFields::deserialize(Deserializer::from(table))
+            .map_err(|error| source.toml(&error, "camera", &["core"]))?;
         let core = core.map(|table| wishes(&source, table)).transpose()?;
         fields.resolve(&source, core, directory)
     }
@@ -323,8 +325,8 @@ fn wishes(source: &Source, table: Spanned<DeValue>) -> Result<Wishes, Error> {
         }
     }
     let table = |keys| Deserializer::from(Spanned::new(span.clone(), keys));
-    let own = WishFields::deserialize(table(own)).map_err(|error| source.toml(&error, &[]))?;
-    let keys = SpecFields::deserialize(table(keys)).map_err(|error| source.toml(&error, &WISHES))?;
+    let own = WishFields::deserialize(table(own)).map_err(|error| source.toml(&error, "", &[]))?;
+    let keys = SpecFields::deserialize(table(keys)).map_err(|error| source.toml(&error, "method", &WISHES))?;
     let given = [
         ("a name", keys.name.is_some(), "the core is called as the scene: give the scene's key name"),
         ("a shininess", keys.shininess.is_some(), "the scene's materials have them"),
