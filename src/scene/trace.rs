@@ -282,7 +282,8 @@ fn edge(b: Vector, a: Vector) -> f64 {
 }
 
 impl Tracer {
-    /// Makes the objects of a scene ready. All their numbers must be finite.
+    /// Makes the objects of a scene ready. All their numbers must be finite; squares of coordinates must neither overflow nor vanish,
+    /// as they do beyond about `1e150` and within `1e-150`.
     ///
     /// # Panics
     /// On `2^31` triangles or more.
@@ -335,7 +336,7 @@ impl Tracer {
         self.reach = low.amax().max(high.amax());
         // The crate gives up to sort what is nearer than 2^-52: the scene is brought to about size 1 for it, by a power of two, which
         // rounds nothing.
-        let exponent = if self.size > 0.0 { libm::ilogb(self.size) } else { 0 };
+        let exponent = if self.size > 0.0 { libm::ilogb(self.size).clamp(-1000, 1000) } else { 0 };
         let (down, up) = (exp2(-exponent), exp2(exponent));
         let boxed = |[low, high]: [V; 2]| Boxed {
             bounds: Aabb::with_bounds(Point3::from(low * down), Point3::from(high * down)),
@@ -368,8 +369,8 @@ impl Tracer {
     }
 
     /// The nearest surface along a ray. The direction need not have length 1 but must not be null. What is nearer to the origin than
-    /// rounding errors (`2^-36` of the size of the scene) is not seen. Of surfaces at the same distance, the one that is first in the
-    /// scene, and in its mesh, is seen.
+    /// rounding errors (`2^-36` of the size of the scene) is not seen. Of surfaces at exactly the same distance, the one that is first in
+    /// the scene, and in its mesh, is seen; a mesh within a plane is at the same distance but for the rounding.
     #[must_use]
     pub fn hit(&self, origin: Vector, direction: Vector) -> Option<Hit> {
         let ray = Ray::new(origin.into(), unit(direction.into())?, self.reach);
