@@ -168,7 +168,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 }
 
 /// An error as a percentage and as a power of two.
-fn error_text(value: f64) -> String {
+pub(super) fn error_text(value: f64) -> String {
     // Three significant digits of what is very small.
     let percent = match 100.0 * value {
         percent if percent < 0.001 => format!("{percent:.2e}"),
@@ -185,7 +185,7 @@ fn wish_text(wish: &Wish) -> String {
     std::iter::once(error).chain(mhz).chain(limits).collect::<Vec<_>>().join(", ")
 }
 
-fn cost_text(cost: &Cost) -> String {
+pub(super) fn cost_text(cost: &Cost) -> String {
     let mhz = cost.mhz.map_or_else(|| "not placed".to_owned(), |mhz| format!("{mhz:.1} MHz"));
     let Cost { lut, ff, dsp, bram, latency, .. } = cost;
     let source = if cost.estimated { ", estimated" } else { "" };

@@ -7,6 +7,7 @@ use clap::Args;
 use serde_json::json;
 
 use super::choose::{self, WishFlags};
+use super::scene::{self, Made, SceneFlags};
 use super::source::Source;
 use super::{Verdict, progress, say, say_json, warn};
 use crate::cosim::{self, Job, Sim};
@@ -16,6 +17,7 @@ use crate::explore::{MaxError, Objective};
 use crate::golden::Golden;
 use crate::hdl::Direction;
 use crate::package;
+use crate::spec::CoreSpec;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -34,6 +36,9 @@ pub(super) struct Arguments {
     #[command(flatten)]
     wish: WishFlags,
 
+    #[command(flatten)]
+    scene: SceneFlags,
+
     /// Directory of the core: new, empty, or one that brdfgen wrote
     #[arg(long, short, value_name = "DIR")]
     out: PathBuf,
@@ -47,7 +52,25 @@ pub(super) struct Arguments {
     json: bool,
 }
 
+/// The core of a spec.
+fn of_spec(spec: CoreSpec) -> Result<Made, Error> {
+    let spinner = progress::spinner(format!("building {}", spec.name));
+    let design = Design::new(spec)?;
+    spinner.finish_and_clear();
+    Ok(Made { design, files: Vec::new() })
+}
+
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
+    let of_scene = arguments.source.scene()?;
+    if of_scene.is_none() && !arguments.scene.is_empty() {
+        return Err(Error::input("--margin and --synth are for scenes", "give a scene file, or leave them out"));
+    }
+    if of_scene.is_some() && (arguments.max_error.is_some() || !arguments.wish.is_empty()) {
+        return Err(Error::input(
+            "a scene says itself what error its pictures may have and what is wished of the core",
+            "write it in the tables [budget] and [core] of the scene file",
+        ));
+    }
     let wish = match arguments.max_error {
         None if arguments.wish.is_empty() => None,
         None => {
@@ -61,10 +84,17 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             Some(arguments.wish.wish(error, goal, arguments.source.fields()?)?)
         }
     };
+    if !arguments.check {
+        package::check_target(&arguments.out)?;
+    }
     let mut promised = None;
-    let spec = match &wish {
-        None => arguments.source.spec()?,
-        Some(wish) => {
+    let made = match (&of_scene, &wish) {
+        (Some((scene, keys)), _) => match scene::make(scene, &arguments.scene, keys, arguments.json)? {
+            Some(made) => made,
+            None => return Ok(Verdict::Differs),
+        },
+        (None, None) => of_spec(arguments.source.spec()?)?,
+        (None, Some(wish)) => {
             let choice = wish.choose(&arguments.wish.results()?)?;
             let Some(chosen) = &choice.chosen else {
                 if arguments.json {
@@ -77,17 +107,14 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
                 choose::describe(wish, &choice).iter().for_each(say);
             }
             promised = Some(chosen.cost.latency);
-            wish.spec_of(chosen)?.resolve()?
+            of_spec(wish.spec_of(chosen)?.resolve()?)?
         }
     };
-    if !arguments.check {
-        package::check_target(&arguments.out)?;
-    }
-    let spinner = progress::spinner(format!("generating {}", spec.name));
-    let design = Design::new(spec)?;
+    let Made { design, files: others } = made;
+    let spinner = progress::spinner(format!("generating {}", design.spec.name));
     let account = Account::of(&design);
     let golden = Golden::of(&design);
-    let files = package::files(&design, &account, &golden)?;
+    let files = package::files_with(&design, &account, &golden, others)?;
     spinner.finish_and_clear();
 
     if arguments.check {

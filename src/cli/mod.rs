@@ -13,6 +13,7 @@ mod golden;
 mod progress;
 mod report;
 mod rom;
+mod scene;
 mod source;
 mod synth;
 
@@ -36,8 +37,8 @@ struct Cli {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Make a core directory and check it in process
-    Generate(generate::Arguments),
+    /// Make a core directory, from a spec or from a scene, and check it in process
+    Generate(Box<generate::Arguments>),
     /// Write the coefficient ROM in any format, or check a file
     Rom(rom::Arguments),
     /// Write the golden vectors, or check a file
@@ -56,6 +57,8 @@ enum Command {
     Claims(claims::Arguments),
     /// Show the trade of error against cost as one HTML page, and its charts as SVG and PNG
     Report(report::Arguments),
+    /// Say what a scene requires of a core
+    Scene(Box<scene::Arguments>),
     /// Say which external tools are there, and which package brings the missing ones
     Doctor(doctor::Arguments),
 }
@@ -80,7 +83,7 @@ pub fn main() -> ExitCode {
     // Unwrapped, so that a path stays whole and can be found in a log.
     let _ = miette::set_hook(Box::new(|_| Box::new(miette::MietteHandlerOpts::new().wrap_lines(false).build())));
     let result = match Cli::parse().command {
-        Command::Generate(arguments) => generate::run(arguments),
+        Command::Generate(arguments) => generate::run(*arguments),
         Command::Rom(arguments) => rom::run(arguments),
         Command::Golden(arguments) => golden::run(arguments),
         Command::Cosim(arguments) => cosim::run(arguments),
@@ -90,6 +93,7 @@ pub fn main() -> ExitCode {
         Command::Choose(arguments) => choose::run(&arguments),
         Command::Claims(arguments) => claims::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
+        Command::Scene(arguments) => scene::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
     };
     match result {

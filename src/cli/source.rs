@@ -8,12 +8,13 @@ use crate::design::{Account, Design};
 use crate::error::Error;
 use crate::golden::{self, Golden};
 use crate::package;
+use crate::scene::Scene;
 use crate::spec::{CoreSpec, SpecFields};
 
 /// The core that a command works on.
 #[derive(Args)]
 pub(super) struct Source {
-    /// A spec file, or the directory of a generated core; flags win over it
+    /// A spec file, or the directory of a generated core; flags win over it. For `generate` also a scene file
     #[arg(value_name = "SPEC")]
     path: Option<PathBuf>,
 
@@ -32,9 +33,22 @@ impl Source {
         let written = match &self.path {
             None => SpecFields::default(),
             Some(path) if path.is_dir() => SpecFields::read(&path.join("core.toml"))?,
+            Some(path) if is_scene(path) => {
+                let name = path.display();
+                return Err(Error::input(
+                    format!("{name} is a scene, and a core or its spec is needed"),
+                    format!("make the scene's core first: brdfgen generate {name} --out DIR; then give DIR"),
+                ));
+            }
             Some(path) => SpecFields::read(path)?,
         };
         Ok(self.fields.clone().or(written))
+    }
+
+    /// The scene with the keys that are given beside it, if it is a scene file.
+    pub(super) fn scene(&self) -> Result<Option<(Scene, SpecFields)>, Error> {
+        let Some(path) = self.path.as_deref().filter(|path| is_scene(path)) else { return Ok(None) };
+        Ok(Some((Scene::read(path)?, self.fields.clone())))
     }
 
     /// The spec.
@@ -46,6 +60,11 @@ impl Source {
     pub(super) fn design(&self) -> Result<Design, Error> {
         Design::new(self.spec()?)
     }
+}
+
+/// Whether a path is a scene file; of one that cannot be read, whoever reads it says so.
+fn is_scene(path: &Path) -> bool {
+    !path.is_dir() && std::fs::read_to_string(path).is_ok_and(|text| Scene::is_scene(&text))
 }
 
 /// A core on disk: the user's directory, or one generated for the occasion.

@@ -129,6 +129,14 @@ pub fn spec_text(design: &Design) -> String {
 /// # Errors
 /// If a template cannot be filled in.
 pub fn files(design: &Design, account: &Account, golden: &Golden) -> Result<Vec<File>, Error> {
+    files_with(design, account, golden, Vec::new())
+}
+
+/// As [`files`], with more files of the core's.
+///
+/// # Errors
+/// As [`files`].
+pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: Vec<File>) -> Result<Vec<File>, Error> {
     let spec = &design.spec;
     let layout = design.layout();
     let texts = texts(design, account);
@@ -162,6 +170,7 @@ pub fn files(design: &Design, account: &Account, golden: &Golden) -> Result<Vec<
     let list: String = listed.map(|&language| rtl_path(design, language) + "\n").into_iter().collect();
     add("files.f".to_owned(), list.into_bytes());
 
+    files.extend(others);
     let manifest = manifest(design, account, &files);
     files.push(File { path: "manifest.json".to_owned(), bytes: (manifest + "\n").into_bytes() });
     Ok(files)
@@ -248,7 +257,7 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
 }
 
 /// Numbers to 9 significant digits, which is more than they mean and hides the last bits of sums.
-fn rounded(value: serde_json::Value) -> serde_json::Value {
+pub(crate) fn rounded(value: serde_json::Value) -> serde_json::Value {
     match value {
         serde_json::Value::Number(number) => match number.as_f64().filter(|_| number.is_f64()) {
             Some(float) => json!(format!("{float:.8e}").parse::<f64>().unwrap_or(float)),

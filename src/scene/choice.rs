@@ -23,7 +23,7 @@ use crate::explore::{Cost, Model, Objective, Point, Results};
 use crate::fit;
 use crate::number::exp2;
 use crate::spec::{
-    ACCURACY, ACCURACY_INPUT_FRACTION, Coefficients, Divider, INPUT_FRACTION, Inside, Material, Method,
+    ACCURACY, ACCURACY_INPUT_FRACTION, Coefficients, Divider, INPUT_FRACTION, InputRange, Inside, Material, Method,
     OUTPUT_FRACTION, SpecFields, TABLE_BITS, Tail,
 };
 use crate::synth::{self, Family, Tools};
@@ -34,6 +34,8 @@ pub const RUNNER_UPS: usize = 6;
 const SHORTLIST: usize = 8;
 /// Fraction bits of a port that are tried, from the fewest that any core can do with.
 const WIDTHS: u32 = 3;
+/// The fewest fraction bits that are tried of a port of which no number is enough.
+const UNMET_WIDTH: u32 = 18;
 /// A method that misses the budget by more octaves than this with the most fraction bits is not tried with fewer.
 const HOPELESS: f64 = 1.0;
 /// The widest gap, in codes, that is evaluated too and passed over.
@@ -264,7 +266,7 @@ impl<'a> Search<'a> {
         Ok(Self { scene, requirements, costing, screen, keys, slots: Mutex::default() })
     }
 
-    /// The keys that every candidate has: the scene's name and materials.
+    /// The keys that every candidate has unless others are given: the scene's name and materials, and a port for what occurs.
     fn common(&self) -> SpecFields {
         let material = |row: &super::require::Row| Material {
             name: row.name.clone(),
@@ -278,6 +280,7 @@ impl<'a> Search<'a> {
         SpecFields {
             name: Some(self.scene.name.clone()),
             material: Some(self.requirements.rows.iter().map(material).collect()),
+            input_range: self.requirements.stays_in_range().then_some(InputRange::Unit),
             ..SpecFields::default()
         }
     }
@@ -356,7 +359,8 @@ impl<'a> Search<'a> {
             return vec![given];
         }
         let last = *allowed.end();
-        let first = fewest.unwrap_or(last).clamp(*allowed.start(), last);
+        // Where no width is enough, the misses are no nearer with the widest ports than with these.
+        let first = fewest.unwrap_or(UNMET_WIDTH).clamp(*allowed.start(), last);
         (first..=(first + WIDTHS - 1).min(last)).collect()
     }
 

@@ -8,16 +8,20 @@
 //! - [`difference`]: two pictures compared, in output steps;
 //! - [`require`]: what a scene requires of a core;
 //! - [`choice`]: the cheapest core that keeps the scene's budget;
-//! - [`shade`]: the whole shader around it.
+//! - [`shade`]: the whole shader around it;
+//! - [`simplify`]: what that core leaves out, and what this saves;
+//! - [`document`]: all of it in files beside the core.
 
 pub mod choice;
 pub mod difference;
+pub mod document;
 pub mod file;
 pub mod frame;
 pub mod highlight;
 pub mod mesh;
 pub mod require;
 pub mod shade;
+pub mod simplify;
 pub mod trace;
 
 pub use difference::Difference;

@@ -525,6 +525,12 @@ fn needs(scene: &Scene, [base, moved, both]: [&Survey; 3], rows: &[Row], full: f
 }
 
 impl Requirements {
+    /// Whether no lit sample has a negative cosine, so that a port for 0 to 1 holds all of them.
+    #[must_use]
+    pub fn stays_in_range(&self) -> bool {
+        self.base.negative + self.moved.negative == 0
+    }
+
     /// The worst error over the moved pictures that `highlights` gives, and that of the base picture before it.
     pub(super) fn errors(&self, scene: &Scene, highlights: &dyn Fn(usize) -> Vec<f64>) -> [PictureError; 2] {
         let mut errors = self.views.iter().enumerate().map(|(place, view)| view.error(scene, &highlights(place)));

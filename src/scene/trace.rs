@@ -12,7 +12,7 @@ use bvh::bvh::{Bvh, BvhNode};
 use nalgebra::{Point3, Vector3};
 
 use super::mesh::Mesh;
-use super::{Camera, LightKind, Scene, Shape};
+use super::{Camera, LightKind, Object, Scene, Shape};
 use crate::design::sample::Vector;
 use crate::number::exp2;
 
@@ -282,12 +282,17 @@ fn edge(b: Vector, a: Vector) -> f64 {
 }
 
 impl Tracer {
-    /// Makes the objects of a scene ready. All their numbers must be finite.
+    /// Makes the objects of a scene ready. All their numbers must be finite; squares of coordinates must neither overflow nor vanish,
+    /// as they do beyond about `1e150` and within `1e-150`.
     ///
     /// # Panics
     /// On `2^31` triangles or more.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
+        Self::of(&scene.objects)
+    }
+
+    fn of(objects: &[Object]) -> Self {
         let mut tracer = Self {
             planes: Vec::new(),
             spheres: Vec::new(),
@@ -299,7 +304,7 @@ impl Tracer {
             size: 0.0,
             reach: 0.0,
         };
-        for (number, object) in scene.objects.iter().enumerate() {
+        for (number, object) in objects.iter().enumerate() {
             let number = u32::try_from(number).expect("a scene's objects are few");
             tracer.materials.push(object.material);
             tracer.meshes.push(None);
@@ -331,7 +336,7 @@ impl Tracer {
         self.reach = low.amax().max(high.amax());
         // The crate gives up to sort what is nearer than 2^-52: the scene is brought to about size 1 for it, by a power of two, which
         // rounds nothing.
-        let exponent = if self.size > 0.0 { libm::ilogb(self.size) } else { 0 };
+        let exponent = if self.size > 0.0 { libm::ilogb(self.size).clamp(-1000, 1000) } else { 0 };
         let (down, up) = (exp2(-exponent), exp2(exponent));
         let boxed = |[low, high]: [V; 2]| Boxed {
             bounds: Aabb::with_bounds(Point3::from(low * down), Point3::from(high * down)),
@@ -364,27 +369,34 @@ impl Tracer {
     }
 
     /// The nearest surface along a ray. The direction need not have length 1 but must not be null. What is nearer to the origin than
-    /// rounding errors (`2^-36` of the size of the scene) is not seen. Of surfaces at the same distance, the one that is first in the
-    /// scene, and in its mesh, is seen.
+    /// rounding errors (`2^-36` of the size of the scene) is not seen. Of surfaces at exactly the same distance, the one that is first in
+    /// the scene, and in its mesh, is seen; a mesh within a plane is at the same distance but for the rounding.
     #[must_use]
     pub fn hit(&self, origin: Vector, direction: Vector) -> Option<Hit> {
-        let origin = V::from(origin);
-        let ray = Ray::new(origin, unit(direction.into())?, self.reach);
-        let from = self.offset(origin.amax());
+        let ray = Ray::new(origin.into(), unit(direction.into())?, self.reach);
+        let found = self.nearest(&ray, self.offset(ray.origin.amax()))?;
+        Some(self.describe(&ray, found))
+    }
+
+    /// The nearest that a ray meets beyond a distance.
+    fn nearest(&self, ray: &Ray, from: f64) -> Option<Found> {
         let mut found = None;
         for &(point, normal, object) in &self.planes {
-            let t = normal.dot(&(point - origin)) / normal.dot(&ray.direction);
+            let t = normal.dot(&(point - ray.origin)) / normal.dot(&ray.direction);
             if t.is_finite() {
                 self.consider(&mut found, from, Found { t, key: (object, 0), on: On::Plane(normal) });
             }
         }
-        self.walk(self.root, &ray, f64::INFINITY, &mut |item| {
-            if let Some(candidate) = self.meet(&ray, item, from) {
-                self.consider(&mut found, from, candidate);
-            }
-            found.map_or(f64::INFINITY, |found| found.t)
-        });
-        found.map(|found| self.describe(&ray, found))
+        if let Some(root) = self.root {
+            let reached = |found: Option<Found>| found.map_or(f64::INFINITY, |found| found.t);
+            self.walk(root, ray, reached(found), &mut |item| {
+                if let Some(candidate) = self.meet(ray, item, from) {
+                    self.consider(&mut found, from, candidate);
+                }
+                reached(found)
+            });
+        }
+        found
     }
 
     /// How far places with these coordinates may be off.
@@ -416,51 +428,20 @@ impl Tracer {
     }
 
     /// Visits the spheres and triangles whose boxes a ray meets before a limit, the nearer boxes first; a visit returns the new limit.
-    fn walk(&self, from: Option<Child>, ray: &Ray, mut limit: f64, visit: &mut impl FnMut(usize) -> f64) -> f64 {
-        const DEPTH: usize = 48;
-        let mut stack = [(Child::Item(0), 0.0); DEPTH];
-        let mut depth = 0;
-        let mut next = from;
-        loop {
-            match next {
-                Some(Child::Item(item)) => {
-                    limit = visit(item as usize);
-                    next = None;
-                }
-                Some(Child::Node(node)) => {
-                    let node = &self.nodes[node as usize];
-                    let [left, right] = [0, 1].map(|side| ray.enters(&node.boxes[side], limit));
-                    let [first, second] = node.children;
-                    let ((nearer, _), farther) = match (left, right) {
-                        (None, None) => {
-                            next = None;
-                            continue;
-                        }
-                        (Some(t), None) => ((first, t), None),
-                        (None, Some(t)) => ((second, t), None),
-                        (Some(l), Some(r)) if l <= r => ((first, l), Some((second, r))),
-                        (Some(l), Some(r)) => ((second, r), Some((first, l))),
-                    };
-                    next = Some(nearer);
-                    if let Some(farther) = farther {
-                        if depth < DEPTH {
-                            stack[depth] = farther;
-                            depth += 1;
-                        } else {
-                            // A hierarchy as deep as this is rare: very uneven meshes only.
-                            limit = self.walk(Some(nearer), ray, limit, visit);
-                            next = (farther.1 <= limit).then_some(farther.0);
-                        }
-                    }
-                }
-                None => {
-                    if depth == 0 {
-                        return limit;
-                    }
-                    depth -= 1;
-                    let (child, entry) = stack[depth];
-                    next = (entry <= limit).then_some(child);
-                }
+    fn walk(&self, from: Child, ray: &Ray, limit: f64, visit: &mut impl FnMut(usize) -> f64) -> f64 {
+        let node = match from {
+            Child::Item(item) => return visit(item as usize),
+            Child::Node(node) => &self.nodes[node as usize],
+        };
+        let enters = [0, 1].map(|side| ray.enters(&node.boxes[side], limit));
+        match enters {
+            [None, None] => limit,
+            [Some(_), None] => self.walk(node.children[0], ray, limit, visit),
+            [None, Some(_)] => self.walk(node.children[1], ray, limit, visit),
+            [Some(left), Some(right)] => {
+                let (nearer, farther) = if left <= right { (0, 1) } else { (1, 0) };
+                let limit = self.walk(node.children[nearer], ray, limit, visit);
+                if left.max(right) <= limit { self.walk(node.children[farther], ray, limit, visit) } else { limit }
             }
         }
     }
@@ -562,11 +543,147 @@ impl Tracer {
         if self.planes.iter().any(plane) {
             return true;
         }
-        let mut blocked = false;
-        self.walk(self.root, &ray, limit, &mut |item| {
-            blocked |= self.meet(&ray, item, 0.0).is_some_and(|found| meets(found.t));
+        let Some(root) = self.root else { return false };
+        let visit = &mut |item| {
+            let blocked = self.meet(&ray, item, 0.0).is_some_and(|found| meets(found.t));
             if blocked { f64::NEG_INFINITY } else { limit }
+        };
+        self.walk(root, &ray, limit, visit) == f64::NEG_INFINITY
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::super::mesh::Corner;
+    use super::*;
+
+    /// A tracer of loose triangles and spheres.
+    fn soup(triangles: &[[Vector; 3]], spheres: &[(Vector, f64)]) -> Tracer {
+        let corner = |place: usize| Corner { position: place as u32, normal: 0 };
+        let mesh = Arc::new(Mesh {
+            positions: triangles.as_flattened().to_vec(),
+            normals: vec![[0.0, 0.0, 1.0]],
+            triangles: (0..triangles.len()).map(|t| [3 * t, 3 * t + 1, 3 * t + 2].map(corner)).collect(),
         });
-        blocked
+        let mut shapes: Vec<Shape> = spheres.iter().map(|&(centre, radius)| Shape::Sphere { centre, radius }).collect();
+        shapes.insert(shapes.len() / 2, Shape::Mesh(mesh));
+        let objects: Vec<_> = shapes.into_iter().map(|shape| Object { shape, material: 0 }).collect();
+        Tracer::of(&objects)
+    }
+
+    /// The nearest of all, each tried.
+    fn brute(tracer: &Tracer, ray: &Ray, from: f64) -> Option<Found> {
+        let mut found = None;
+        for item in 0..tracer.spheres.len() + tracer.triangles.len() {
+            if let Some(candidate) = tracer.meet(ray, item, from) {
+                tracer.consider(&mut found, from, candidate);
+            }
+        }
+        found
+    }
+
+    /// The textbook's way: solve for t and the weights by Cramer's rule (T. Möller, B. Trumbore 1997).
+    fn textbook(ray: &Ray, [a, b, c]: [V; 3]) -> Option<(f64, [f64; 3])> {
+        let (e, f, s) = (b - a, c - a, ray.origin - a);
+        let determinant = e.dot(&ray.direction.cross(&f));
+        let v = s.dot(&ray.direction.cross(&f)) / determinant;
+        let w = ray.direction.dot(&s.cross(&e)) / determinant;
+        (determinant.abs() > 1e-9).then(|| (f.dot(&s.cross(&e)) / determinant, [1.0 - v - w, v, w]))
+    }
+
+    /// Whole numbers, with which much is degenerate or parallel to an axis, mixed with any numbers.
+    fn coordinate() -> impl Strategy<Value = f64> {
+        prop_oneof![3 => (-2i32..=2).prop_map(f64::from), 1 => -2.0..2.0f64, 1 => Just(-0.0)]
+    }
+
+    fn vector() -> impl Strategy<Value = Vector> {
+        prop::array::uniform3(coordinate())
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
+
+        #[test]
+        fn the_hierarchy_finds_what_trying_all_finds(
+            triangles in prop::collection::vec(prop::array::uniform3(vector()), 0..40),
+            spheres in prop::collection::vec((vector(), 0.1..1.0f64), 0..4),
+            rays in prop::collection::vec((vector(), vector()), 1..40),
+            exponent in prop::sample::select(vec![0, 0, -40, 40]),
+            shift in prop::sample::select(vec![0.0, 0.0, 1e7]),
+        ) {
+            let scale = exp2(exponent);
+            let put = |v: Vector| v.map(|c| (c + shift) * scale);
+            let triangles: Vec<_> = triangles.into_iter().map(|corners| corners.map(put)).collect();
+            let spheres: Vec<_> = spheres.into_iter().map(|(centre, r)| (put(centre), r * scale)).collect();
+            let tracer = soup(&triangles, &spheres);
+            for (origin, direction) in rays {
+                let Some(unit) = unit(direction.into()) else { continue };
+                let origin = V::from(put(origin));
+                let ray = Ray::new(origin, unit, tracer.reach);
+                let from = tracer.offset(origin.amax());
+                let expected = brute(&tracer, &ray, from);
+                let hit = tracer.hit(origin.into(), direction);
+                let expected = expected.map(|found| tracer.describe(&ray, found));
+                prop_assert_eq!(&hit, &expected);
+                for vector in hit.iter().flat_map(|hit| [hit.normal, hit.facet, hit.viewer]) {
+                    prop_assert!((V::from(vector).norm() - 1.0).abs() < 1e-14);
+                }
+                // Any hit is met before a limit if the nearest is.
+                let nearest = brute(&tracer, &ray, 0.0).map_or(f64::INFINITY, |found| found.t);
+                for limit in [nearest, nearest * 1.5, f64::INFINITY] {
+                    prop_assert_eq!(tracer.blocked(origin, unit, limit), nearest < limit);
+                }
+            }
+        }
+
+        #[test]
+        fn triangles_are_met_as_in_the_textbook(corners in prop::array::uniform3(vector()), origin in vector(), direction in vector()) {
+            prop_assume!(direction != [0.0; 3]);
+            let ray = Ray::new(origin.into(), unit(direction.into()).unwrap(), 2.0);
+            let corners = corners.map(V::from);
+            let met = ray.triangle(&corners);
+            if let Some((t, weights)) = textbook(&ray, corners) {
+                let least = weights.into_iter().fold(f64::INFINITY, f64::min);
+                prop_assert!(least.abs() < 1e-9 || met.is_some() == (least > 0.0));
+                if let Some((own_t, own)) = met {
+                    prop_assert!((own_t - t).abs() < 1e-9);
+                    prop_assert!((0..3).all(|k| (own[k] - weights[k]).abs() < 1e-9));
+                }
+            }
+        }
+
+        #[test]
+        fn edges_have_exact_signs(a in prop::array::uniform3(-1e3..1e3f64), k in 1u32..100, ulps in -3i64..=3) {
+            // b is along a but for a few units in the last place of a component.
+            let factor = f64::from(k) / 64.0;
+            let mut b = a.map(|c| c * factor);
+            b[1] = f64::from_bits((b[1].to_bits() as i64 + ulps) as u64);
+            prop_assert_eq!(edge(a, b), -edge(b, a));
+            let big = |x: f64| num_traits::FromPrimitive::from_f64(x * 2f64.powi(60)).unwrap();
+            let product = |x: f64, y: f64| -> num_bigint::BigInt { let (x, y): (num_bigint::BigInt, num_bigint::BigInt) = (big(x), big(y)); x * y };
+            let whole = |x: f64| (x * 2f64.powi(60)).fract() == 0.0;
+            prop_assume!([a[0], a[1], b[0], b[1]].into_iter().all(whole));
+            let exact = product(a[0], b[1]) - product(a[1], b[0]);
+            let sign = |x: f64| if x > 0.0 { num_bigint::Sign::Plus } else if x < 0.0 { num_bigint::Sign::Minus } else { num_bigint::Sign::NoSign };
+            prop_assert_eq!(sign(edge(a, b)), exact.sign());
+        }
+    }
+
+    /// Triangles whose sizes and distances shrink by half, far below what the crate can sort.
+    #[test]
+    fn an_uneven_hierarchy_is_walked_whole() {
+        let triangle = |k: i32| {
+            let at = |x: f64, y: f64| [x * exp2(-k), y * exp2(-k), 3.0 * exp2(-k)];
+            [at(-1.0, -1.0), at(1.0, -1.0), at(0.0, 1.0)]
+        };
+        let triangles: Vec<_> = (0..400).map(triangle).collect();
+        let tracer = soup(&triangles, &[]);
+        for k in 0..400 {
+            let from = [0.0, 0.0, 3.5 * exp2(-k)];
+            let ray = Ray::new(V::from(from), -V::z(), tracer.reach);
+            assert_eq!(tracer.nearest(&ray, 0.0).map(|found| found.key), Some((0, k as u32)));
+        }
     }
 }

@@ -1,0 +1,343 @@
+//! `brdfgen scene`, and what `brdfgen generate` says of a scene's core.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+use serde_json::json;
+
+use super::choose::{cost_text, error_text};
+use super::{Verdict, progress, say, say_json, warn};
+use crate::design::Design;
+use crate::error::Error;
+use crate::explore::run::{Costing, Flow};
+use crate::explore::{Model, Results};
+use crate::package::File;
+use crate::scene::choice::{NearMiss, RunnerUp, SceneChoice, SceneCore, Search, Verified};
+use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
+use crate::scene::require::{Counts, PictureError};
+use crate::scene::simplify::{Simplification, simplifications};
+use crate::scene::{Requirements, Scene};
+use crate::spec::SpecFields;
+use crate::synth;
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Say what a scene requires of a core, which core is the cheapest that keeps its budget, and what that core leaves out
+    Inspect(Inspect),
+}
+
+#[derive(Args)]
+struct Inspect {
+    /// A scene file
+    #[arg(value_name = "SCENE")]
+    scene: PathBuf,
+
+    #[command(flatten)]
+    flags: SceneFlags,
+
+    #[command(flatten)]
+    keys: SpecFields,
+
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// How a scene's core is chosen.
+#[derive(Args, Clone, Debug)]
+#[command(next_help_heading = "Scene")]
+pub(super) struct SceneFlags {
+    /// Move the camera and each light by so many degrees too, 0 to 45: what these pictures need is kept [default: 5]
+    #[arg(long, value_name = "DEGREES")]
+    margin: Option<f64>,
+
+    /// Costs by synthesis instead of the cost model
+    #[arg(long)]
+    synth: bool,
+}
+
+impl SceneFlags {
+    /// Whether none of them is given.
+    pub(super) fn is_empty(&self) -> bool {
+        self.margin.is_none() && !self.synth
+    }
+
+    fn costing(&self) -> Result<Costing, Error> {
+        if self.synth {
+            return Ok(Costing::Synthesis(Flow {
+                seeds: 3,
+                target_mhz: None,
+                place: true,
+                pack: true,
+                yosys: None,
+                cache: Some(synth::default_cache()),
+            }));
+        }
+        Ok(Costing::Estimate(Model::fit(&Results::built_in()?)?))
+    }
+}
+
+/// A scene's core.
+pub(super) struct Made {
+    pub(super) design: Design,
+    /// The files beside the core's own.
+    pub(super) files: Vec<File>,
+}
+
+/// What is known of a scene, with a core or without.
+struct Known {
+    requirements: Requirements,
+    choice: SceneChoice,
+    core: Option<(SceneCore, Design, Vec<Simplification>, Verified)>,
+}
+
+impl Known {
+    fn of(scene: &Scene, flags: &SceneFlags, keys: &SpecFields) -> Result<Self, Error> {
+        let bar = progress::bar("rendering", 1);
+        let told = |done: usize, of: usize| {
+            bar.set_length(of as u64);
+            bar.set_position(done as u64);
+        };
+        let requirements = Requirements::of(scene, flags.margin.unwrap_or(5.0), &told)?;
+        let costing = flags.costing()?;
+        let search = Search::new(scene, &requirements, &costing, keys)?;
+        let choice = search.choose(&|what, done, of| {
+            bar.set_message(what);
+            told(done, of);
+        })?;
+        let core = match &choice.chosen {
+            None => None,
+            Some(chosen) => {
+                bar.set_message("verifying");
+                let design = Design::new(chosen.spec()?.resolve()?)?;
+                let verified = search.verified(&design)?;
+                let list = simplifications(scene, &requirements, &search, chosen)?;
+                Some((chosen.clone(), design, list, verified))
+            }
+        };
+        bar.finish_and_clear();
+        Ok(Self { requirements, choice, core })
+    }
+
+    fn findings<'a>(&'a self, scene: &'a Scene) -> Option<Findings<'a>> {
+        let (chosen, design, simplifications, verified) = self.core.as_ref()?;
+        let Self { requirements, choice, .. } = self;
+        Some(Findings { scene, requirements, choice, chosen, simplifications, design, verified })
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
+    let Command::Inspect(inspect) = &arguments.command;
+    let scene = Scene::read(&inspect.scene)?;
+    let known = Known::of(&scene, &inspect.flags, &inspect.keys)?;
+    let findings = known.findings(&scene);
+    if inspect.json {
+        match &findings {
+            Some(findings) => say_json(&findings.json()),
+            None => say_json(&json!({ "requires": known.requirements, "choice": known.choice })),
+        }
+        return Ok(Verdict::of(findings.is_some()));
+    }
+    requirements_text(&scene, &known.requirements).iter().for_each(say);
+    choice_text(&known).iter().for_each(say);
+    Ok(Verdict::of(findings.is_some()))
+}
+
+/// The core that a scene needs, and the files that go with it; none where no core keeps the budget. Says what was chosen unless `quiet`.
+pub(super) fn make(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: bool) -> Result<Option<Made>, Error> {
+    let known = Known::of(scene, flags, keys)?;
+    let files = known.findings(scene).map(|findings| findings.files()).transpose()?;
+    let lines = choice_text(&known);
+    match (known.core, files) {
+        (Some((_, design, ..)), Some(files)) => {
+            if !quiet {
+                lines.iter().for_each(say);
+            }
+            Ok(Some(Made { design, files }))
+        }
+        _ => {
+            if quiet {
+                say_json(&known.choice);
+            }
+            lines.iter().for_each(warn);
+            Ok(None)
+        }
+    }
+}
+
+/// A table of columns with a heading each; all but the first `left` are set flush right.
+fn table(heading: &[&str], rows: &[Vec<String>], left: usize) -> Vec<String> {
+    let width = |column: usize| {
+        let own = rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+        own.max(heading[column].chars().count())
+    };
+    let line = |cells: Vec<&str>| {
+        let cell = |(column, cell): (usize, &str)| {
+            let width = width(column);
+            if column < left { format!("{cell:<width$}") } else { format!("{cell:>width$}") }
+        };
+        format!("  {}", cells.into_iter().enumerate().map(cell).collect::<Vec<_>>().join("  ").trim_end())
+    };
+    let mut lines = vec![line(heading.to_vec())];
+    lines.extend(rows.iter().map(|row| line(row.iter().map(String::as_str).collect())));
+    lines
+}
+
+fn share(part: u64, whole: u64) -> String {
+    if whole == 0 { "-".to_owned() } else { format!("{:.2} %", 100.0 * part as f64 / whole as f64) }
+}
+
+fn bits(bits: Option<u32>) -> String {
+    bits.map_or_else(|| "none".to_owned(), |bits| bits.to_string())
+}
+
+/// What a scene requires, as tables.
+fn requirements_text(scene: &Scene, requirements: &Requirements) -> Vec<String> {
+    let Requirements { materials, rows, base, moved, pictures, size, moved_size, saturated, .. } = requirements;
+    let moves = pictures.len() - 1;
+    let mut lines = vec![format!(
+        "{}: {} by {} pixels, {} bits a channel, {} light{}; {} moved pictures of {} by {}, by {} degrees",
+        scene.name,
+        size[0],
+        size[1],
+        scene.channel_bits,
+        requirements.lights,
+        if requirements.lights == 1 { "" } else { "s" },
+        moves,
+        moved_size[0],
+        moved_size[1],
+        requirements.margin_degrees,
+    )];
+    lines.push(format!("budget: {}", budget_text(&requirements.budget)));
+    lines.push(String::new());
+    let heading = [
+        "material",
+        "row",
+        "shininess",
+        "peak steps",
+        "lit base",
+        "lit moved",
+        "epicentre",
+        "tail",
+        "unseen",
+        "x < 0",
+        "least x",
+    ];
+    let row = |need: &crate::scene::require::MaterialNeed| {
+        let both = need.base.and(&need.moved);
+        let of = |count: u64| share(count, both.lit());
+        vec![
+            need.name.clone(),
+            need.row.map_or_else(|| "none".to_owned(), |row| row.to_string()),
+            need.shininess.to_string(),
+            format!("{:.1}", need.peak_steps),
+            need.base.lit().to_string(),
+            need.moved.lit().to_string(),
+            of(both.epicentre),
+            of(both.visible_tail),
+            of(both.invisible_tail),
+            of(both.negative),
+            need.least_cosine.map_or_else(|| "-".to_owned(), |least| format!("{least:.4}")),
+        ]
+    };
+    lines.extend(table(&heading, &materials.iter().map(row).collect::<Vec<_>>(), 1));
+    lines.push(String::new());
+    let kinds: [(&str, fn(&Counts) -> u64); 6] = [
+        ("epicentre, x^n >= 1/2", |counts| counts.epicentre),
+        ("tail of half a step or more", |counts| counts.visible_tail),
+        ("tail below half a step", |counts| counts.invisible_tail),
+        ("negative cosine", |counts| counts.negative),
+        ("behind the surface or in shadow", |counts| counts.dark),
+        ("material without a highlight", |counts| counts.matte),
+    ];
+    let of_kind = |(name, of): (&str, fn(&Counts) -> u64)| {
+        vec![name.to_owned(), share(of(base), base.samples), share(of(moved), moved.samples)]
+    };
+    lines.extend(table(&["samples", "base", "moved"], &kinds.map(of_kind), 1));
+    lines.push(String::new());
+    lines.push(format!("rows of the core: {}", rows.len()));
+    lines.push(format!(
+        "pixels above full scale: {} in the base picture, {} in the moved ones",
+        saturated[0], saturated[1]
+    ));
+    for (port, need) in [("input", requirements.input_fraction), ("output", requirements.output_fraction)] {
+        lines.push(format!(
+            "fraction bits of the {port}: at least {} by the pictures, {} by the derivation for any view",
+            bits(need.measured),
+            bits(need.derived),
+        ));
+    }
+    lines.push(String::new());
+    lines
+}
+
+fn picture_text(error: &PictureError) -> String {
+    let PictureError { max_steps, mean_steps, psnr, .. } = error;
+    format!("{max_steps} steps at most, {mean_steps:.4} in the mean, {}", psnr_text(*psnr))
+}
+
+fn core_text(core: &SceneCore) -> String {
+    format!(
+        "{}: {}; base {}; moved {}",
+        core.candidate.point.name,
+        cost_text(&core.candidate.cost),
+        picture_text(&core.base),
+        picture_text(&core.moved),
+    )
+}
+
+/// The choice, what it leaves out, and what it was chosen from.
+fn choice_text(known: &Known) -> Vec<String> {
+    let Known { requirements, choice, core } = known;
+    let SceneChoice { runner_ups, misses, considered, meeting, estimated, tools, .. } = choice;
+    let mut lines = Vec::new();
+    match core {
+        None => lines.push(format!("no core keeps {}", budget_text(&requirements.budget))),
+        Some((chosen, _, simplifications, verified)) => {
+            lines.push(core_text(chosen));
+            let point = &chosen.candidate.point;
+            lines.push(format!(
+                "  the lobe is off by {} at most, {:.2e} rms on the picture's samples; {} ROM bits",
+                error_text(point.max_abs),
+                chosen.lobe_rms,
+                point.rom_bits,
+            ));
+            lines.push(format!(
+                "  {} lit samples of {} pictures through the bit-exact model: {} steps at most in the base picture, {} in the moved ones",
+                verified.samples, verified.pictures, verified.base.max_steps, verified.moved.max_steps,
+            ));
+            lines.push(format!("  any other view: {} steps at most", chosen.guaranteed_steps()));
+            for (applies, heading) in [(true, "left out:"), (false, "not left out:")] {
+                lines.push(heading.to_owned());
+                for one in simplifications.iter().filter(|one| one.applies == applies) {
+                    lines.push(format!("  {}: {}", one.what, one.reason));
+                    if let Some(saves) = &one.saves {
+                        lines.push(format!("    {}; saves {}", keys_text(&one.keys), saving_text(saves)));
+                    }
+                }
+            }
+        }
+    }
+    lines.push(format!("{meeting} of the {considered} cores considered keep the budget"));
+    if !runner_ups.is_empty() {
+        lines.push("runners-up:".to_owned());
+        lines.extend(runner_ups.iter().map(|RunnerUp { core, why }| format!("  {}: {why}", core_text(core))));
+    }
+    if !misses.is_empty() {
+        lines.push("nearest misses:".to_owned());
+        lines.extend(
+            misses.iter().map(|NearMiss { core, why, .. }| format!("  {}: {}", core_text(core), why.join(", "))),
+        );
+    }
+    if let Some(tools) = tools {
+        let how = if *estimated { "estimated by a cost model that follows" } else { "synthesised with" };
+        lines.push(format!("costs {how} {}", tools.yosys));
+    }
+    lines
+}

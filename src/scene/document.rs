@@ -1,0 +1,303 @@
+//! What a scene's core says of itself: `scene.md` for people and `scene.json` for programs.
+
+use askama::Template;
+use serde::Serialize;
+use serde_json::json;
+
+use super::choice::{SceneChoice, SceneCore, Verified};
+use super::highlight::Codes;
+use super::require::PictureError;
+use super::simplify::{Saving, Simplification};
+use super::{Budget, Requirements, Scene};
+use crate::design::Design;
+use crate::error::Error;
+use crate::explore::Cost;
+use crate::hdl::{Direction, render};
+use crate::package::{File, rounded};
+use crate::spec::{Operand, SpecFields};
+
+/// All that is known of a scene's core.
+#[derive(Clone, Copy)]
+pub struct Findings<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// What it requires.
+    pub requirements: &'a Requirements,
+    /// The choice.
+    pub choice: &'a SceneChoice,
+    /// The chosen core.
+    pub chosen: &'a SceneCore,
+    /// What it leaves out.
+    pub simplifications: &'a [Simplification],
+    /// The chosen core, built.
+    pub design: &'a Design,
+    /// Its pictures.
+    pub verified: &'a Verified,
+}
+
+/// A material and the code of `in_n` that stands for it.
+#[derive(Clone, Debug, Serialize)]
+struct Coded {
+    name: String,
+    shininess: f64,
+    in_n: u32,
+    modelled: bool,
+    #[serde(skip)]
+    note: String,
+}
+
+struct LeftOut {
+    what: &'static str,
+    reason: String,
+    keys: String,
+    saves: String,
+}
+
+#[derive(Template)]
+#[template(path = "scene/scene.md", escape = "none")]
+struct Sheet<'a> {
+    scene: &'a Scene,
+    design: &'a Design,
+    budget: String,
+    margin: f64,
+    materials: Vec<Coded>,
+    operand: String,
+    operand_format: String,
+    output: String,
+    output_format: String,
+    base_size: [u32; 2],
+    moved_size: [u32; 2],
+    moves: usize,
+    samples: u64,
+    errors: Vec<(&'static str, u16, String, String, u64)>,
+    left_out: Vec<LeftOut>,
+    estimated_by: String,
+    kept: Vec<LeftOut>,
+    outside: Vec<String>,
+}
+
+/// A budget in words.
+#[must_use]
+pub fn budget_text(budget: &Budget) -> String {
+    let (steps, psnr) = budget.limits();
+    let steps = steps.map(|steps| format!("an error of at most {steps} step{}", if steps == 1 { "" } else { "s" }));
+    let psnr = psnr.map(|psnr| format!("a PSNR of at least {psnr} dB"));
+    steps.into_iter().chain(psnr).collect::<Vec<_>>().join(" and ")
+}
+
+/// A PSNR in words.
+#[must_use]
+pub fn psnr_text(psnr: Option<f64>) -> String {
+    psnr.map_or_else(|| "no difference".to_owned(), |psnr| format!("{psnr:.2} dB"))
+}
+
+/// What a cost is more or less than another, in words; nothing where they are the same.
+#[must_use]
+pub fn saving_text(saving: &Saving) -> String {
+    let part = |more: i64, what: &str| match more {
+        0 => None,
+        more if more > 0 => Some(format!("{more} {what}")),
+        more => Some(format!("-{} {what}", -more)),
+    };
+    let difference = |of: fn(&Cost) -> u32| i64::from(of(&saving.without)) - i64::from(of(&saving.with));
+    let parts = [
+        part(difference(|cost| cost.lut), "LUT"),
+        part(difference(|cost| cost.ff), "FF"),
+        part(difference(|cost| cost.dsp), "DSP"),
+        part(difference(|cost| cost.bram), "block RAM"),
+        part(difference(|cost| cost.latency), "clocks"),
+        part(saving.without_rom_bits as i64 - saving.with_rom_bits as i64, "ROM bits"),
+    ];
+    let parts: Vec<String> = parts.into_iter().flatten().collect();
+    if parts.is_empty() { "nothing".to_owned() } else { parts.join(", ") }
+}
+
+/// Keys of a spec in a line, a list of materials as its length.
+#[must_use]
+pub fn keys_text(keys: &SpecFields) -> String {
+    let materials = keys.material.as_ref().map(|all| format!("{} materials", all.len()));
+    let rest = SpecFields { material: None, ..keys.clone() }.to_toml();
+    let rest = rest.lines().map(str::to_owned).filter(|line| !line.is_empty());
+    materials.into_iter().chain(rest).collect::<Vec<_>>().join(", ")
+}
+
+impl Findings<'_> {
+    fn materials(&self) -> Vec<Coded> {
+        let Self { scene, requirements, design, .. } = self;
+        let indices = Codes::of(design, scene, &requirements.frame).indices;
+        let coded = |(need, &in_n): (&super::require::MaterialNeed, &u32)| {
+            let row = design.spec.shininess.row_of_index(in_n);
+            let modelled = need.row.is_some();
+            let note = match (modelled, need.used) {
+                (true, _) => String::new(),
+                _ if need.peak_steps == 0.0 => "no highlight: k_s is 0".to_owned(),
+                (_, used) => {
+                    let why = if used { "on no lit pixel" } else { "no object has it" };
+                    format!("not modelled: {why}; the nearest row, n = {}", design.spec.shininess.value(row))
+                }
+            };
+            Coded { name: need.name.clone(), shininess: need.shininess, in_n, modelled, note }
+        };
+        requirements.materials.iter().zip(&indices).map(coded).collect()
+    }
+
+    /// What the core does with inputs, materials and views that were not modelled.
+    fn outside(&self) -> Vec<String> {
+        let Self { requirements, chosen, design, scene, .. } = self;
+        let last = design.spec.shininess.rows() - 1;
+        let mut lines =
+            vec![format!("`in_n` above {last} selects row {last}, n = {}.", design.spec.shininess.value(last))];
+        let operand = design.ports().into_iter().find(|port| port.name == design.operand_name());
+        lines.extend(operand.map(|port| format!("`{}`: {}.", port.name, port.meaning)));
+        if design.spec.operand == Operand::Cos && requirements.least_cosine.is_some_and(|least| least < 0.0) {
+            lines.push("Negative cosines were met, and give 0.".to_owned());
+        }
+        let n = match requirements.rows.as_slice() {
+            [one] => format!("n = {}", one.shininess),
+            _ => "the rows".to_owned(),
+        };
+        lines.push(format!(
+            "Any other view, normal and light direction: with {n} of these materials and the {} light{} of the scene no channel is off by more than {} \
+             step{}, as the lobe is off by at most {:.3e} ({}) and half of the input's last bit moves it by at most n 2^-{}.",
+            requirements.lights,
+            if requirements.lights == 1 { "" } else { "s" },
+            chosen.guaranteed_steps(),
+            if chosen.guaranteed_steps() == 1 { "" } else { "s" },
+            chosen.candidate.point.max_abs,
+            chosen.candidate.point.checked,
+            design.spec.input_fraction + 1,
+        ));
+        lines.push(format!(
+            "Another shininess than those of the rows is not served; a material that is not modelled is drawn with the row whose shininess is \
+             nearest. More or brighter lights raise the bound in proportion. Make the core anew when `{}`'s materials change.",
+            scene.name
+        ));
+        lines
+    }
+
+    fn errors(&self) -> Vec<(&'static str, u16, String, String, u64)> {
+        let Self { verified, requirements, .. } = self;
+        let base = &verified.base;
+        let off = base.pixels.iter().skip(1).sum();
+        let row = |name, steps, mean: f64, psnr, off| (name, steps, format!("{mean:.5}"), psnr_text(psnr), off);
+        let mut rows = vec![row("base", base.max_steps, base.mean_steps, base.psnr, off)];
+        if requirements.pictures.len() > 1 {
+            let PictureError { max_steps, mean_steps, psnr, pixels_off, .. } = verified.moved;
+            rows.push(row("moved, the worst of each", max_steps, mean_steps, psnr, pixels_off));
+        }
+        rows
+    }
+
+    /// The files `scene.md` and `scene.json`.
+    ///
+    /// # Errors
+    /// If the template cannot be filled in.
+    pub fn files(&self) -> Result<Vec<File>, Error> {
+        let sheet = File { path: "scene.md".to_owned(), bytes: self.sheet()?.into_bytes() };
+        let json = serde_json::to_string_pretty(&rounded(self.json())).expect("JSON of plain values") + "\n";
+        Ok(vec![sheet, File { path: "scene.json".to_owned(), bytes: json.into_bytes() }])
+    }
+
+    fn sheet(&self) -> Result<String, Error> {
+        let Self { scene, requirements, choice, simplifications, design, verified, .. } = self;
+        let (applied, kept): (Vec<&Simplification>, Vec<&Simplification>) =
+            simplifications.iter().partition(|one| one.applies);
+        let left_out = |one: &Simplification| LeftOut {
+            what: one.what,
+            reason: one.reason.clone(),
+            keys: keys_text(&one.keys),
+            saves: one.saves.as_ref().map(saving_text).unwrap_or_default(),
+        };
+        let tools = choice.tools.as_ref().map(|tools| tools.yosys.clone()).unwrap_or_default();
+        let estimated_by = if choice.estimated {
+            format!(
+                "Savings are estimates by a cost model that follows {tools}: the core against the same core with that one thing put back."
+            )
+        } else {
+            format!(
+                "Savings are as synthesised with {tools}: the core against the same core with that one thing put back."
+            )
+        };
+        render(&Sheet {
+            scene,
+            design,
+            budget: budget_text(&requirements.budget),
+            margin: requirements.margin_degrees,
+            materials: self.materials(),
+            operand: design.operand_name().to_owned(),
+            operand_format: design.operand_format().to_string(),
+            output: design.numbers(Direction::Out)[0].0.to_owned(),
+            output_format: design.output_format().to_string(),
+            base_size: requirements.size,
+            moved_size: requirements.moved_size,
+            moves: requirements.pictures.len() - 1,
+            samples: verified.samples,
+            errors: self.errors(),
+            left_out: applied.into_iter().map(left_out).collect(),
+            estimated_by,
+            kept: kept.into_iter().map(left_out).collect(),
+            outside: self.outside(),
+        })
+    }
+
+    /// All of it.
+    #[must_use]
+    pub fn json(&self) -> serde_json::Value {
+        let Self { scene, requirements, choice, chosen, simplifications, design, verified } = self;
+        let base = &verified.base;
+        let core = |core: &SceneCore| {
+            json!({
+                "name": core.candidate.point.name,
+                "cost": core.candidate.cost,
+                "rom_bits": core.candidate.point.rom_bits,
+                "max_abs": core.candidate.point.max_abs,
+                "checked": core.candidate.point.checked,
+                "lobe_rms_on_the_picture": core.lobe_rms,
+                "base": core.base,
+                "moved": core.moved,
+                "guaranteed_steps": core.guaranteed_steps(),
+            })
+        };
+        let runner_up = |one: &super::choice::RunnerUp| {
+            let mut value = core(&one.core);
+            value["why_not"] = json!(one.why);
+            value
+        };
+        let miss = |one: &super::choice::NearMiss| {
+            let mut value = core(&one.core);
+            value["why_not"] = json!(one.why);
+            value
+        };
+        json!({
+            "scene": scene.name,
+            "model": scene.model,
+            "channel_bits": scene.channel_bits,
+            "lights": scene.lights.len(),
+            "budget": requirements.budget,
+            "margin_degrees": requirements.margin_degrees,
+            "materials": self.materials(),
+            "ports": {
+                design.operand_name(): design.operand_format().to_string(),
+                design.numbers(Direction::Out)[0].0: design.output_format().to_string(),
+            },
+            "pictures": requirements.pictures,
+            "size": requirements.size,
+            "moved_size": requirements.moved_size,
+            "requires": requirements,
+            "through_the_model": {
+                "samples": verified.samples,
+                "base": base,
+                "moved": verified.moved,
+            },
+            "chosen": core(chosen),
+            "runner_ups": choice.runner_ups.iter().map(runner_up).collect::<Vec<_>>(),
+            "near_misses": choice.misses.iter().map(miss).collect::<Vec<_>>(),
+            "considered": choice.considered,
+            "meeting": choice.meeting,
+            "costs_are_estimates": choice.estimated,
+            "tools": choice.tools,
+            "simplifications": simplifications,
+            "outside_of_what_was_modelled": self.outside(),
+        })
+    }
+}

@@ -1,0 +1,319 @@
+//! What a scene's core may leave out, why, and what that saves.
+
+use std::collections::BTreeMap;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::choice::{SceneCore, Search};
+use super::{Requirements, Scene};
+use crate::error::Error;
+use crate::explore::Cost;
+use crate::fit::Objective;
+use crate::spec::{CoreSpec, InputRange, MAX_ROWS, Method, Shininess, SpecFields};
+
+/// The fraction bits of input and output of a core that nothing is known of.
+const GENERAL_FRACTION: u32 = 16;
+/// The greatest shininess of a core that nothing is known of.
+const GENERAL_SHININESS: u32 = 1000;
+
+/// A simplification, or why there is none.
+#[derive(Clone, Debug, Serialize)]
+pub struct Simplification {
+    /// What is simplified.
+    pub what: &'static str,
+    /// Whether the chosen core has it.
+    pub applies: bool,
+    /// Why it may be, or why it is not.
+    pub reason: String,
+    /// The figures behind the reason.
+    pub evidence: BTreeMap<&'static str, f64>,
+    /// The keys of the spec that make it; none of one that does not apply, or that no key makes.
+    pub keys: SpecFields,
+    /// The chosen core without it, whole.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub undone: Option<SpecFields>,
+    /// What it saves.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub saves: Option<Saving>,
+}
+
+/// What a simplification saves: the chosen core against the same core without it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Saving {
+    /// What the chosen core takes.
+    pub with: Cost,
+    /// The bits of its memories.
+    pub with_rom_bits: u64,
+    /// What it would take without the simplification.
+    pub without: Cost,
+    /// The bits of its memories then.
+    pub without_rom_bits: u64,
+}
+
+impl Simplification {
+    fn new(what: &'static str, applies: bool, reason: String, evidence: &[(&'static str, f64)]) -> Self {
+        let evidence = evidence.iter().copied().collect();
+        Self { what, applies, reason, evidence, keys: SpecFields::default(), undone: None, saves: None }
+    }
+
+    fn with(self, keys: SpecFields, undone: SpecFields) -> Self {
+        Self { keys, undone: Some(undone), ..self }
+    }
+}
+
+/// A share of samples as a percentage.
+fn percent(part: u64, whole: u64) -> f64 {
+    if whole == 0 { 0.0 } else { 100.0 * part as f64 / whole as f64 }
+}
+
+fn plural(count: usize, one: &str) -> String {
+    format!("{count} {one}{}", if count == 1 { "" } else { "s" })
+}
+
+/// Everything that the chosen core of a scene may leave out, whether it does and why, with what each saves: the cost, by the costing of the
+/// search, of the chosen core against the same core with that one simplification undone.
+///
+/// # Errors
+/// A tool that is missing or fails.
+pub fn simplifications(
+    scene: &Scene,
+    requirements: &Requirements,
+    search: &Search,
+    chosen: &SceneCore,
+) -> Result<Vec<Simplification>, Error> {
+    let fields = chosen.spec()?;
+    let spec = fields.clone().resolve()?;
+    let all = vec![
+        materials(scene, requirements, &fields),
+        input(requirements, &fields, &spec),
+        output(requirements, &fields, &spec),
+        accuracy(requirements, chosen, &fields, &spec, scene),
+        tail(requirements, &fields, &spec),
+        range(requirements, &fields, &spec),
+        lights(requirements),
+        saturation(requirements),
+    ];
+    let with = (chosen.candidate.cost, chosen.candidate.point.rom_bits);
+    let costed = |one: Simplification| -> Result<Simplification, Error> {
+        let saves = match &one.undone {
+            Some(undone) if one.applies => {
+                let (without, without_rom_bits) = search.cost(undone)?;
+                Some(Saving { with: with.0, with_rom_bits: with.1, without, without_rom_bits })
+            }
+            _ => None,
+        };
+        Ok(Simplification { saves, ..one })
+    };
+    all.into_par_iter().map(costed).collect()
+}
+
+fn materials(scene: &Scene, requirements: &Requirements, fields: &SpecFields) -> Simplification {
+    let rows = &requirements.rows;
+    let greatest = rows.iter().map(|row| row.shininess).fold(1.0, f64::max);
+    let last = f64::from(GENERAL_SHININESS).max(libm::ceil(greatest)) as u32;
+    let unseen = requirements.materials.iter().filter(|need| need.row.is_none()).count();
+    let shared = requirements.materials.len() - unseen - rows.len();
+    let mut reason = format!(
+        "the pictures ask for {} of the scene's {}: {} of a ROM",
+        if rows.len() == 1 { "1 shininess".to_owned() } else { format!("{} shininesses", rows.len()) },
+        plural(requirements.materials.len(), "material"),
+        plural(rows.len(), "row"),
+    );
+    if shared > 0 {
+        reason += &format!("; {shared} more have the shininess of another");
+    }
+    if unseen > 0 {
+        reason += &format!("; {unseen} need none: without a highlight, or on no lit pixel");
+    }
+    // Beyond that many rows the general core cannot be built.
+    let undone = (last as usize <= MAX_ROWS).then(|| SpecFields {
+        material: None,
+        shininess: Some(Shininess::Range(1, last)),
+        ..fields.clone()
+    });
+    let keys = SpecFields { material: fields.material.clone(), ..SpecFields::default() };
+    let evidence = [
+        ("materials", scene.materials.len() as f64),
+        ("rows", rows.len() as f64),
+        ("rows_of_the_general_core", f64::from(last)),
+        ("greatest_shininess", greatest),
+    ];
+    let simplification = Simplification::new("only the scene's materials", true, reason, &evidence);
+    Simplification { keys, undone, ..simplification }
+}
+
+/// How many bits are needed, in words.
+fn bits_text(port: &str, bits: super::require::Bits, own: u32) -> String {
+    let measured = match bits.measured {
+        Some(fewest) => format!("no picture keeps the budget with fewer than {fewest} fraction bits of the {port}"),
+        None => format!("not even the most fraction bits of the {port} keep the budget"),
+    };
+    let derived = match bits.derived {
+        Some(bits) => format!("with {bits} the rounding takes at most a quarter of the budget in any view"),
+        None => "no number of them is proved to be enough in any view".to_owned(),
+    };
+    format!("{measured}, and {derived}; {own} were chosen by the pictures")
+}
+
+fn input(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Simplification {
+    let own = spec.input_fraction;
+    let applies = own < GENERAL_FRACTION;
+    let mut reason = bits_text("input", requirements.input_fraction, own);
+    if !applies {
+        reason += &format!(", no fewer than the {GENERAL_FRACTION} of a general core");
+    }
+    let greatest = requirements.rows.iter().map(|row| row.shininess).fold(1.0, f64::max);
+    let evidence = [("bits", f64::from(own)), ("greatest_shininess", greatest)];
+    let one = Simplification::new("fewer bits of the cosine", applies, reason, &evidence);
+    let width = |bits: u32| SpecFields { input_fraction: Some(bits), ..SpecFields::default() };
+    if applies { one.with(width(own), width(GENERAL_FRACTION).or(fields.clone())) } else { one }
+}
+
+fn output(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Simplification {
+    let own = spec.output_fraction;
+    let applies = own < GENERAL_FRACTION;
+    let mut reason = bits_text("output", requirements.output_fraction, own);
+    if !applies {
+        reason += &format!(", no fewer than the {GENERAL_FRACTION} of a general core");
+    }
+    let peak = requirements.materials.iter().map(|need| need.peak_steps).fold(0.0, f64::max);
+    let evidence = [("bits", f64::from(own)), ("brightest_highlight_steps", peak)];
+    let one = Simplification::new("fewer bits of the lobe", applies, reason, &evidence);
+    let width = |bits: u32| SpecFields { output_fraction: Some(bits), ..SpecFields::default() };
+    if applies { one.with(width(own), width(GENERAL_FRACTION).or(fields.clone())) } else { one }
+}
+
+/// The core that computes `x^n` to its last bit, with the ports of the chosen one.
+fn faithful(fields: &SpecFields) -> SpecFields {
+    let SpecFields {
+        name,
+        material,
+        input_fraction,
+        output_fraction,
+        input_range,
+        operand,
+        rom,
+        rom_formats,
+        pipeline,
+        languages,
+        ..
+    } = fields.clone();
+    SpecFields {
+        method: Some(Method::LogExp),
+        name,
+        material,
+        input_fraction,
+        output_fraction,
+        input_range,
+        operand,
+        rom,
+        rom_formats,
+        pipeline,
+        languages,
+        ..SpecFields::default()
+    }
+}
+
+fn accuracy(
+    requirements: &Requirements,
+    chosen: &SceneCore,
+    fields: &SpecFields,
+    spec: &CoreSpec,
+    scene: &Scene,
+) -> Simplification {
+    let point = &chosen.candidate.point;
+    let applies = spec.method != Method::LogExp || spec.accuracy.is_some();
+    let allowed = requirements.budget.steps(scene.channel_bits);
+    let reason = if applies {
+        format!(
+            "the budget allows {allowed:.3} steps before the rounding; this core's lobe is off by at most {:.2e}, {:.2e} rms on the picture's samples",
+            point.max_abs, chosen.lobe_rms
+        )
+    } else {
+        "the budget needs the lobe to its last bit".to_owned()
+    };
+    let evidence = [
+        ("allowed_steps", allowed),
+        ("max_abs", point.max_abs),
+        ("rms_on_the_picture", chosen.lobe_rms),
+        ("max_steps", f64::from(chosen.base.max_steps.max(chosen.moved.max_steps))),
+    ];
+    let one = Simplification::new("accuracy from the budget", applies, reason, &evidence);
+    let undone = faithful(fields);
+    if !applies || undone.clone().resolve().is_err() {
+        return one;
+    }
+    let SpecFields { method, coefficients, accuracy, .. } = fields.clone();
+    one.with(SpecFields { method, coefficients, accuracy, ..SpecFields::default() }, undone)
+}
+
+fn tail(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Simplification {
+    let counts = requirements.base.and(&requirements.moved);
+    let level = requirements.invisible_below.unwrap_or(1.0);
+    let (visible, invisible) =
+        (percent(counts.visible_tail, counts.lit()), percent(counts.invisible_tail, counts.lit()));
+    let evidence = [
+        ("invisible_below", level),
+        ("visible_tail_percent", visible),
+        ("invisible_tail_percent", invisible),
+        ("epicentre_percent", percent(counts.epicentre, counts.lit())),
+    ];
+    let seen = format!(
+        "highlights below {:.3} % of the lobe are less than half a step: {invisible:.1} % of the lit samples, and {visible:.1} % are of a tail that is seen",
+        100.0 * level
+    );
+    let applies = spec.is_fitted() && matches!(spec.objective, Objective::MaxAbsLevel { .. });
+    let what = "the tail that cannot be seen";
+    if applies {
+        let reason = format!("{seen}; the coefficients are fitted above {} only", spec.objective);
+        let keys = SpecFields { objective: Some(spec.objective), ..SpecFields::default() };
+        let undone = SpecFields { objective: Some(Objective::MaxAbs), ..fields.clone() };
+        return Simplification::new(what, true, reason, &evidence).with(keys, undone);
+    }
+    let why = if spec.is_fitted() {
+        "coefficients fitted to the visible part alone make no cheaper core that keeps the budget"
+    } else {
+        "the chosen method has no fitted coefficients that could leave it out"
+    };
+    Simplification::new(what, false, format!("{seen}; {why}"), &evidence)
+}
+
+fn range(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Simplification {
+    let counts = requirements.base.and(&requirements.moved);
+    let negative = percent(counts.negative, counts.lit());
+    let least = requirements.least_cosine.unwrap_or(0.0);
+    let evidence = [("least_cosine", least), ("negative_percent", negative)];
+    let what = "no negative cosines";
+    if !requirements.stays_in_range() {
+        let reason =
+            format!("negative cosines occur: {negative:.2} % of the lit samples, down to {least:.4}; the clamp stays");
+        return Simplification::new(what, false, reason, &evidence);
+    }
+    let reason = format!("no lit sample has a negative cosine: the least is {least:.4}");
+    if spec.input_range != InputRange::Unit {
+        return Simplification::new(what, false, reason + "; the keys ask for a port that takes any", &evidence);
+    }
+    let range = |range: InputRange| SpecFields { input_range: Some(range), ..SpecFields::default() };
+    Simplification::new(what, true, reason, &evidence)
+        .with(range(InputRange::Unit), range(InputRange::Any).or(fields.clone()))
+}
+
+fn lights(requirements: &Requirements) -> Simplification {
+    let count = requirements.lights;
+    let reason = format!("the scene has {}: a shader around this lobe needs no more", plural(count, "light"));
+    Simplification::new("no more lights than there are", false, reason, &[("lights", count as f64)])
+}
+
+fn saturation(requirements: &Requirements) -> Simplification {
+    let [base, moved] = requirements.saturated;
+    let reason = if base + moved > 0 {
+        format!(
+            "channels exceed full scale in {base} pixels of the base picture and {moved} of the moved ones: a shader must saturate"
+        )
+    } else {
+        "no channel exceeds full scale in any picture; the lobe has no adder that could lose its saturation".to_owned()
+    };
+    let evidence = [("pixels_base", base as f64), ("pixels_moved", moved as f64)];
+    Simplification::new("no saturation", false, reason, &evidence)
+}
