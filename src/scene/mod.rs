@@ -4,15 +4,20 @@
 //! - [`mesh`]: triangle meshes from OBJ and PLY;
 //! - [`frame`]: a picture as the lobes that it asks for, and with their values as codes of its channels;
 //! - [`highlight`]: those values: exact, by the bit-exact model of a core, or by the compiled core itself;
-//! - [`difference`]: two pictures compared, in output steps.
+//! - [`difference`]: two pictures compared, in output steps;
+//! - [`picture`]: pictures as files: PNG and OpenEXR;
+//! - [`sheet`]: pages of pictures with what is to be said of them.
 
 pub mod difference;
 pub mod file;
 pub mod frame;
 pub mod highlight;
 pub mod mesh;
+pub mod picture;
+pub mod sheet;
 
 pub use difference::Difference;
 pub use file::{Budget, Camera, Light, LightKind, Object, Scene, Shape, Wishes};
 pub use frame::{Frame, Picture};
-pub use highlight::Highlights;
+pub use highlight::{Codes, Compiled, CoreModel, Exact, Highlights};
+pub use picture::Pixels;
