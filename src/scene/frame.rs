@@ -1,7 +1,12 @@
 //! A picture as the lobes that it asks for, and with their values as codes of its channels.
 
-use super::Scene;
-use crate::spec::Colour;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use super::trace::{Hit, Lit, Tracer, across, unit};
+use super::{Camera, Light, LightKind, Scene};
+use crate::design::sample::Vector;
+use crate::spec::{Colour, Model, Surface};
 
 /// The material of a pixel that shows no object.
 pub const BACKGROUND: u16 = u16::MAX;
@@ -39,7 +44,76 @@ pub struct Picture {
     pub codes: Vec<[u16; 3]>,
 }
 
+/// The versine of a highlight's cosine, from 0 to 2 and without cancellation, for directions of length 1: half the square of the distance
+/// between V and the mirrored light `R = 2 (N.L) N - L` (B. T. Phong, "Illumination for computer generated pictures", 1975), or between
+/// N and H (J. F. Blinn, "Models of light reflection for computer synthesized pictures", 1977).
+///
+/// It is computed as it is also where interpolation has turned N away from the viewer; it may exceed 1 there as anywhere else.
+#[must_use]
+pub fn versine(model: Model, normal: Vector, viewer: Vector, direction: Vector, half: Vector) -> f64 {
+    let normal = Vector3::from(normal);
+    let apart = match model {
+        Model::Phong => {
+            let direction = Vector3::from(direction);
+            let mirrored = normal * (2.0 * normal.dot(&direction)) - direction;
+            // Its length is 1 but for the rounding, and but for that of N's length, which would move the highlight's middle.
+            Vector3::from(viewer) - unit(mirrored).unwrap_or(normal)
+        }
+        Model::Blinn => normal - Vector3::from(half),
+    };
+    (apart.dot(&apart) / 2.0).min(2.0)
+}
+
 impl Frame {
+    /// Renders a scene but for its highlights, with one sample in the middle of each pixel. `done` is called once a row.
+    ///
+    /// The result does not depend on the number of threads.
+    #[must_use]
+    pub fn render(scene: &Scene, done: &(dyn Fn() + Sync)) -> Self {
+        Self::trace(&Tracer::new(scene), scene, done)
+    }
+
+    /// The same with a tracer that was made of a scene with the same objects, such as the same scene before its camera or a light
+    /// moved.
+    #[must_use]
+    pub fn trace(tracer: &Tracer, scene: &Scene, done: &(dyn Fn() + Sync)) -> Self {
+        let (width, lights) = (scene.width as usize, scene.lights.len());
+        let pixels = width * scene.height as usize;
+        let mut frame = Self {
+            width: scene.width,
+            height: scene.height,
+            lights,
+            material: vec![BACKGROUND; pixels],
+            base: vec![scene.background; pixels],
+            versine: vec![f64::NAN; pixels * lights],
+        };
+        let surfaces: Vec<Surface> = scene.materials.iter().map(|material| material.surface()).collect();
+        let rows = frame
+            .material
+            .par_chunks_mut(width)
+            .zip(frame.base.par_chunks_mut(width))
+            .zip(frame.versine.par_chunks_mut(width * lights));
+        rows.enumerate().for_each(|(row, ((material, base), versines))| {
+            for (x, hit) in tracer.row(scene, row as u32).into_iter().enumerate() {
+                let Some(hit) = hit else { continue };
+                material[x] = u16::try_from(hit.material).expect("materials are few");
+                let surface = &surfaces[hit.material];
+                let mut sum = [0, 1, 2].map(|c| scene.ambient[c] * surface.ambient[c]);
+                for (light, versine) in versines[x * lights..][..lights].iter_mut().enumerate() {
+                    let lit = tracer.light(scene, &hit, light);
+                    if lit.visible {
+                        let colour = scene.lights[light].colour;
+                        sum = [0, 1, 2].map(|c| sum[c] + colour[c] * surface.diffuse[c] * lit.cosine);
+                        *versine = of_light(scene.model, &hit, &lit);
+                    }
+                }
+                base[x] = sum;
+            }
+            done();
+        });
+        frame
+    }
+
     /// The picture with these values of the lobes, one a pixel and light, each 0 to 1; those of NaN versines are not looked at.
     #[must_use]
     pub fn picture(&self, scene: &Scene, highlights: &[f64]) -> Picture {
@@ -59,13 +133,85 @@ impl Frame {
             }
             sum.map(|channel| libm::round(channel.clamp(0.0, 1.0) * full) as u16)
         };
-        use rayon::prelude::*;
         let codes = (0..self.material.len()).into_par_iter().map(pixel).collect();
         Picture { width: self.width, height: self.height, channel_bits: scene.channel_bits, codes }
     }
 }
 
+fn of_light(model: Model, hit: &Hit, lit: &Lit) -> f64 {
+    versine(model, hit.normal, hit.viewer, lit.direction, lit.half)
+}
+
+/// The directions across a way, to the right and up, as a camera has them that looks back along the way.
+fn aside(way: Vector3<f64>, up: Vector) -> [Vector3<f64>; 2] {
+    let right = unit(Vector3::from(up).cross(&way)).unwrap_or_else(|| across(way));
+    [right, way.cross(&right)]
+}
+
 impl Scene {
+    /// The scene with its camera and each of its lights moved by an angle, one at a time, with the names of the moves.
+    ///
+    /// The camera orbits its target: up, down, left and right as it sees them, and in the four directions between these; its own up turns
+    /// with it. Each light moves up, down, left and right as one sees it who looks at it with the camera's up: a directional light turns,
+    /// a point light orbits the camera's target (one at the target stays where it is, and is left out). Distances are kept. There are
+    /// no moves by 0 degrees.
+    #[must_use]
+    pub fn moved(&self, margin_degrees: f64) -> Vec<(String, Self)> {
+        if margin_degrees == 0.0 {
+            return Vec::new();
+        }
+        let (sine, cosine) = libm::sincos(margin_degrees.to_radians());
+        let turned = |from: Vector3<f64>, to: Vector3<f64>| from * cosine + to * sine;
+        let diagonal = std::f64::consts::FRAC_1_SQRT_2;
+        let moves = [
+            ("up", [0.0, 1.0]),
+            ("down", [0.0, -1.0]),
+            ("left", [-1.0, 0.0]),
+            ("right", [1.0, 0.0]),
+            ("up and left", [-diagonal, diagonal]),
+            ("up and right", [diagonal, diagonal]),
+            ("down and left", [-diagonal, -diagonal]),
+            ("down and right", [diagonal, -diagonal]),
+        ];
+        let mut scenes = Vec::new();
+        let [right, up, ahead] = self.camera.axes().map(Vector3::from);
+        let target = Vector3::from(self.camera.target);
+        let distance = (Vector3::from(self.camera.position) - target).norm();
+        for (name, [x, y]) in moves {
+            let towards = right * x + up * y;
+            let position = target + turned(-ahead, towards) * distance;
+            // Of the camera's up, only the part in the plane of the turn moves.
+            let up = up + turned(towards, ahead) * y - towards * y;
+            let camera = Camera { position: position.into(), up: up.into(), ..self.camera };
+            scenes.push((format!("camera {name}"), Self { camera, ..self.clone() }));
+        }
+        for (number, light) in self.lights.iter().enumerate() {
+            let (way, distance) = match light.kind {
+                LightKind::Directional(direction) => (Vector3::from(direction), 1.0),
+                LightKind::Point(place) => (Vector3::from(place) - target, (Vector3::from(place) - target).norm()),
+            };
+            let Some(way) = unit(way) else { continue };
+            let [right, up] = aside(way, up.into());
+            for (name, [x, y]) in &moves[..4] {
+                let way = turned(way, right * *x + up * *y);
+                let kind = match light.kind {
+                    LightKind::Directional(_) => LightKind::Directional(way.into()),
+                    LightKind::Point(_) => LightKind::Point((target + way * distance).into()),
+                };
+                let mut scene = self.clone();
+                scene.lights[number] = Light { kind, ..*light };
+                scenes.push((format!("light {} {name}", number + 1), scene));
+            }
+        }
+        scenes
+    }
+
+    /// The scene as a picture of another size.
+    #[must_use]
+    pub fn resized(&self, width: u32, height: u32) -> Self {
+        Self { width, height, ..self.clone() }
+    }
+
     /// `k_s I` of a material under a light, a channel: what its highlight is multiplied by.
     #[must_use]
     pub fn specular(&self, material: usize, light: usize) -> Colour {

@@ -4,6 +4,7 @@
 //! - [`mesh`]: triangle meshes from OBJ and PLY;
 //! - [`frame`]: a picture as the lobes that it asks for, and with their values as codes of its channels;
 //! - [`highlight`]: those values: exact, by the bit-exact model of a core, or by the compiled core itself;
+//! - [`trace`]: what a ray of sight meets, and which lights shine there;
 //! - [`difference`]: two pictures compared, in output steps;
 //! - [`picture`]: pictures as files: PNG and OpenEXR;
 //! - [`sheet`]: pages of pictures with what is to be said of them.
@@ -15,9 +16,11 @@ pub mod highlight;
 pub mod mesh;
 pub mod picture;
 pub mod sheet;
+pub mod trace;
 
 pub use difference::Difference;
 pub use file::{Budget, Camera, Light, LightKind, Object, Scene, Shape, Wishes};
 pub use frame::{Frame, Picture};
 pub use highlight::{Codes, Compiled, CoreModel, Exact, Highlights};
 pub use picture::Pixels;
+pub use trace::{Hit, Lit, Tracer};

@@ -1,0 +1,572 @@
+//! What a ray of sight meets in a scene, and which lights shine there.
+//!
+//! Spheres and triangles sit in one bounding volume hierarchy, built by the crate `bvh`; planes, which have no bounds, are tried one by
+//! one. All tolerances grow with the coordinates, so that a scene looks the same at any scale.
+
+use std::cmp::Ordering;
+use std::sync::Arc;
+
+use bvh::aabb::{Aabb, Bounded};
+use bvh::bounding_hierarchy::{BHShape, BoundingHierarchy};
+use bvh::bvh::{Bvh, BvhNode};
+use nalgebra::{Point3, Vector3};
+
+use super::mesh::Mesh;
+use super::{Camera, LightKind, Scene, Shape};
+use crate::design::sample::Vector;
+use crate::number::exp2;
+
+/// Rounding errors of places, relative to the coordinates that they come from: 64 times that of one operation, `2^-52`.
+const ROUNDING: f64 = 1.0 / (1u64 << 46) as f64;
+/// How far from the surface a ray of shadow begins, relative to the size of the scene.
+const OFFSET: f64 = 1.0 / (1u64 << 36) as f64;
+
+type V = Vector3<f64>;
+
+/// What a ray of sight meets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Hit {
+    /// The place, P.
+    pub position: Vector,
+    /// N, of length 1: of a mesh interpolated between its corners (Phong 1975), with which a mesh looks smooth. It is on the side of
+    /// [`Hit::facet`], so that planes, open meshes and spheres from inside are lit on the side that is seen.
+    pub normal: Vector,
+    /// The normal of the surface as it is, of length 1, turned to the viewer. On a mesh, where it differs from N, the angle between N and
+    /// the viewer may exceed 90 degrees near the outline; N is left as it is then.
+    pub facet: Vector,
+    /// V, of length 1: the direction to the viewer.
+    pub viewer: Vector,
+    /// How far it is from the origin of the ray.
+    pub distance: f64,
+    /// The place of its material in [`Scene::materials`].
+    pub material: usize,
+    /// Where rays of shadow begin.
+    start: V,
+    /// How far that is from the surface at least.
+    offset: f64,
+}
+
+/// A light as it is seen from a point of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lit {
+    /// L, of length 1: the direction to it. N for a point light that lies at the very point.
+    pub direction: Vector,
+    /// H, of length 1: halfway between L and V (Blinn 1977); across N where L and V are opposite.
+    pub half: Vector,
+    /// N.L.
+    pub cosine: f64,
+    /// Whether it shines on the point: it is in front of the surface (`N.L > 0`), nothing is in between (looked at only where the scene
+    /// has shadows), and it does not lie at the point itself.
+    pub visible: bool,
+}
+
+/// The objects of a scene, made ready for rays.
+///
+/// It knows nothing of the camera and of the lights: scenes with the same objects may share it.
+#[derive(Debug)]
+pub struct Tracer {
+    /// The planes: point, normal, object.
+    planes: Vec<(V, V, u32)>,
+    /// The spheres: centre, radius, object.
+    spheres: Vec<(V, f64, u32)>,
+    triangles: Vec<Triangle>,
+    /// The mesh of each object that is one.
+    meshes: Vec<Option<Arc<Mesh>>>,
+    /// The material of each object.
+    materials: Vec<usize>,
+    nodes: Vec<Node>,
+    root: Option<Child>,
+    /// The largest extent of spheres and meshes along an axis.
+    size: f64,
+    /// Their largest coordinate.
+    reach: f64,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Triangle {
+    corners: [V; 3],
+    object: u32,
+    /// Its place in the mesh.
+    index: u32,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    /// The children's boxes: least and greatest corner.
+    boxes: [[Vector; 2]; 2],
+    children: [Child; 2],
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Child {
+    Node(u32),
+    /// A sphere, or with the number of spheres added a triangle.
+    Item(u32),
+}
+
+/// A thing with a box, while the hierarchy is built.
+struct Boxed {
+    bounds: Aabb<f64, 3>,
+    node: usize,
+}
+
+impl Bounded<f64, 3> for Boxed {
+    fn aabb(&self) -> Aabb<f64, 3> {
+        self.bounds
+    }
+}
+
+impl BHShape<f64, 3> for Boxed {
+    fn set_bh_node_index(&mut self, node: usize) {
+        self.node = node;
+    }
+
+    fn bh_node_index(&self) -> usize {
+        self.node
+    }
+}
+
+/// A ray with what the tests need of it.
+struct Ray {
+    origin: V,
+    direction: V,
+    inverse: Vector,
+    /// For each axis which of a box's two corners is the nearer.
+    near: [usize; 3],
+    /// The origin, moved by more than all rounding errors so that boxes are met too early and left too late.
+    early: Vector,
+    late: Vector,
+    /// The axis along which it runs most, and the two others.
+    axes: [usize; 3],
+    /// `d_x / d_z`, `d_y / d_z` and `1 / d_z` on these axes, with z the first of them.
+    shear: Vector,
+}
+
+/// What is met, so far.
+#[derive(Clone, Copy, Debug)]
+struct Found {
+    t: f64,
+    /// The object, and the place of the triangle: decides between things at the same distance.
+    key: (u32, u32),
+    on: On,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum On {
+    Plane(V),
+    Sphere(V, f64),
+    /// The triangle and the weights of its corners.
+    Triangle(usize, [f64; 3]),
+}
+
+/// The vector of length 1 in a direction, or none for the null vector. Without overflow.
+pub(super) fn unit(v: V) -> Option<V> {
+    let largest = v.amax();
+    (largest > 0.0).then(|| {
+        let v = v / largest;
+        v / libm::sqrt(v.dot(&v))
+    })
+}
+
+/// A unit vector across another.
+pub(super) fn across(v: V) -> V {
+    let least = v.iamin();
+    unit(v.cross(&V::ith(least, 1.0))).unwrap_or_else(V::x)
+}
+
+impl Camera {
+    /// The camera's axes, of length 1: to the right, up and ahead.
+    #[must_use]
+    pub fn axes(&self) -> [Vector; 3] {
+        let ahead = unit(V::from(self.target) - V::from(self.position)).unwrap_or_else(|| -V::z());
+        let right = unit(ahead.cross(&V::from(self.up))).unwrap_or_else(|| across(ahead));
+        [right, right.cross(&ahead), ahead].map(V::into)
+    }
+
+    /// The directions, not of length 1, through the middles of the pixels of a row; row 0 is at the top.
+    pub fn row(&self, width: u32, height: u32, row: u32) -> impl Iterator<Item = Vector> + use<> {
+        let [right, up, ahead] = self.axes().map(V::from);
+        let (width, height) = (f64::from(width), f64::from(height));
+        let tangent = libm::tan(self.field_of_view.to_radians() / 2.0);
+        let along = up * (tangent * (1.0 - (2.0 * f64::from(row) + 1.0) / height)) + ahead;
+        (0..width as u32).map(move |x| (along + right * (tangent * (2.0 * f64::from(x) + 1.0 - width) / height)).into())
+    }
+}
+
+impl Ray {
+    fn new(origin: V, direction: V, reach: f64) -> Self {
+        let slack = ROUNDING * (origin.amax() + reach);
+        let z = direction.iamax();
+        let axes = [z, (z + 1) % 3, (z + 2) % 3];
+        let over = 1.0 / direction[z];
+        let mut ray = Self {
+            origin,
+            direction,
+            inverse: direction.map(|c| 1.0 / c).into(),
+            near: [0; 3],
+            early: origin.into(),
+            late: origin.into(),
+            axes,
+            shear: [direction[axes[1]] * over, direction[axes[2]] * over, over],
+        };
+        for axis in 0..3 {
+            let sign = f64::copysign(1.0, direction[axis]);
+            ray.near[axis] = usize::from(sign < 0.0);
+            ray.early[axis] += sign * slack;
+            ray.late[axis] -= sign * slack;
+        }
+        ray
+    }
+
+    /// Where it enters a box, if it does so before `limit`. After "Robust BVH ray traversal" (T. Ize, 2013): NaN, of a ray within the plane
+    /// of a face, takes no part in the comparisons, and no box is missed through rounding.
+    fn enters(&self, bounds: &[Vector; 2], limit: f64) -> Option<f64> {
+        let (mut from, mut to) = (0.0, limit);
+        for axis in 0..3 {
+            let near = (bounds[self.near[axis]][axis] - self.early[axis]) * self.inverse[axis];
+            let far = (bounds[1 - self.near[axis]][axis] - self.late[axis]) * self.inverse[axis];
+            from = if near > from { near } else { from };
+            to = if far < to { far } else { to };
+        }
+        // Three roundings on each side.
+        (from <= to * (1.0 + 8.0 * f64::EPSILON)).then_some(from)
+    }
+
+    /// The distance of a triangle and the weights of its corners. After "Watertight ray/triangle intersection" (S. Woop, C. Benthin,
+    /// I. Wald, JCGT 2013): the ray is sheared onto an axis, and three edge functions tell on which side of each edge it passes. The two
+    /// triangles at an edge compute the same number for it, with opposite signs, and its sign is exact: no ray slips through.
+    fn triangle(&self, corners: &[V; 3]) -> Option<(f64, [f64; 3])> {
+        let [z, x, y] = self.axes;
+        let [a, b, c] = corners.map(|corner| {
+            let p = corner - self.origin;
+            [p[x] - self.shear[0] * p[z], p[y] - self.shear[1] * p[z], self.shear[2] * p[z]]
+        });
+        let weights = [edge(c, b), edge(a, c), edge(b, a)];
+        if weights.iter().any(|&w| w < 0.0) && weights.iter().any(|&w| w > 0.0) {
+            return None;
+        }
+        // All have one sign: nothing cancels. 0 is a triangle without area, or one that is seen edge-on.
+        let sum = weights[0] + weights[1] + weights[2];
+        if sum == 0.0 {
+            return None;
+        }
+        let weights = weights.map(|w| w / sum);
+        Some((weights[0] * a[2] + weights[1] * b[2] + weights[2] * c[2], weights))
+    }
+
+    /// The distances at which it passes through a sphere, the smaller first. After "Precision improvements for ray/sphere intersection"
+    /// (E. Haines, J. Günther, T. Akenine-Möller, Ray Tracing Gems 2019): no cancellation for spheres far away.
+    fn sphere(&self, centre: V, radius: f64) -> Option<[f64; 2]> {
+        let f = self.origin - centre;
+        let b = -f.dot(&self.direction);
+        let aside = f + self.direction * b;
+        let discriminant = radius * radius - aside.dot(&aside);
+        if discriminant < 0.0 {
+            return None;
+        }
+        let q = b + f64::copysign(libm::sqrt(discriminant), b);
+        let other = if q == 0.0 { 0.0 } else { (f.dot(&f) - radius * radius) / q };
+        Some(if q < other { [q, other] } else { [other, q] })
+    }
+}
+
+/// `b_x a_y - b_y a_x` with the right sign.
+fn edge(b: Vector, a: Vector) -> f64 {
+    let (p, q) = (b[0] * a[1], b[1] * a[0]);
+    if (p - q).abs() > f64::EPSILON * (p.abs() + q.abs()) {
+        return p - q;
+    }
+    // The products' rounding errors, which are numbers themselves.
+    let (p_error, q_error) = (libm::fma(b[0], a[1], -p), libm::fma(-b[1], a[0], q));
+    (p - q) + (p_error + q_error)
+}
+
+impl Tracer {
+    /// Makes the objects of a scene ready. All their numbers must be finite.
+    ///
+    /// # Panics
+    /// On `2^31` triangles or more.
+    #[must_use]
+    pub fn new(scene: &Scene) -> Self {
+        let mut tracer = Self {
+            planes: Vec::new(),
+            spheres: Vec::new(),
+            triangles: Vec::new(),
+            meshes: Vec::new(),
+            materials: Vec::new(),
+            nodes: Vec::new(),
+            root: None,
+            size: 0.0,
+            reach: 0.0,
+        };
+        for (number, object) in scene.objects.iter().enumerate() {
+            let number = u32::try_from(number).expect("a scene's objects are few");
+            tracer.materials.push(object.material);
+            tracer.meshes.push(None);
+            match &object.shape {
+                Shape::Sphere { centre, radius } => tracer.spheres.push((V::from(*centre), *radius, number)),
+                Shape::Plane { point, normal } => tracer.planes.push((V::from(*point), V::from(*normal), number)),
+                Shape::Mesh(mesh) => {
+                    let triangle = |(index, corners): (usize, &[super::mesh::Corner; 3])| Triangle {
+                        corners: corners.map(|corner| V::from(mesh.positions[corner.position as usize])),
+                        object: number,
+                        index: u32::try_from(index).expect("fewer than 2^31 triangles"),
+                    };
+                    tracer.triangles.extend(mesh.triangles.iter().enumerate().map(triangle));
+                    tracer.meshes[number as usize] = Some(Arc::clone(mesh));
+                }
+            }
+        }
+        tracer.build();
+        tracer
+    }
+
+    /// Builds the hierarchy over the spheres and the triangles.
+    fn build(&mut self) {
+        let of_sphere = |&(centre, radius, _): &(V, f64, u32)| [centre.add_scalar(-radius), centre.add_scalar(radius)];
+        let of_triangle = |&Triangle { corners: [a, b, c], .. }: &Triangle| [a.inf(&b).inf(&c), a.sup(&b).sup(&c)];
+        let boxes = self.spheres.iter().map(of_sphere).chain(self.triangles.iter().map(of_triangle));
+        let Some([low, high]) = boxes.clone().reduce(|a, b| [a[0].inf(&b[0]), a[1].sup(&b[1])]) else { return };
+        self.size = (high - low).max();
+        self.reach = low.amax().max(high.amax());
+        // The crate gives up to sort what is nearer than 2^-52: the scene is brought to about size 1 for it, by a power of two, which
+        // rounds nothing.
+        let exponent = if self.size > 0.0 { libm::ilogb(self.size) } else { 0 };
+        let (down, up) = (exp2(-exponent), exp2(exponent));
+        let boxed = |[low, high]: [V; 2]| Boxed {
+            bounds: Aabb::with_bounds(Point3::from(low * down), Point3::from(high * down)),
+            node: 0,
+        };
+        let mut items: Vec<Boxed> = boxes.map(boxed).collect();
+        assert!(items.len() < 1 << 31, "fewer than 2^31 triangles");
+        let hierarchy = Bvh::build_par(&mut items);
+        drop(items);
+        // Only inner nodes are kept, one after the other.
+        let mut place = 0;
+        let child = |node: &BvhNode<f64, 3>| match node {
+            BvhNode::Node { .. } => {
+                place += 1;
+                Child::Node(place - 1)
+            }
+            BvhNode::Leaf { shape_index, .. } => Child::Item(*shape_index as u32),
+        };
+        let places: Vec<Child> = hierarchy.nodes.iter().map(child).collect();
+        let back = |bounds: &Aabb<f64, 3>| [(bounds.min.coords * up).into(), (bounds.max.coords * up).into()];
+        let node = |node: &BvhNode<f64, 3>| match node {
+            BvhNode::Node { child_l_index, child_l_aabb, child_r_index, child_r_aabb, .. } => Some(Node {
+                boxes: [back(child_l_aabb), back(child_r_aabb)],
+                children: [places[*child_l_index], places[*child_r_index]],
+            }),
+            BvhNode::Leaf { .. } => None,
+        };
+        self.nodes = hierarchy.nodes.iter().filter_map(node).collect();
+        self.root = places.first().copied();
+    }
+
+    /// The nearest surface along a ray. The direction need not have length 1 but must not be null. What is nearer to the origin than
+    /// rounding errors (`2^-36` of the size of the scene) is not seen. Of surfaces at the same distance, the one that is first in the
+    /// scene, and in its mesh, is seen.
+    #[must_use]
+    pub fn hit(&self, origin: Vector, direction: Vector) -> Option<Hit> {
+        let origin = V::from(origin);
+        let ray = Ray::new(origin, unit(direction.into())?, self.reach);
+        let from = self.offset(origin.amax());
+        let mut found = None;
+        for &(point, normal, object) in &self.planes {
+            let t = normal.dot(&(point - origin)) / normal.dot(&ray.direction);
+            if t.is_finite() {
+                self.consider(&mut found, from, Found { t, key: (object, 0), on: On::Plane(normal) });
+            }
+        }
+        self.walk(self.root, &ray, f64::INFINITY, &mut |item| {
+            if let Some(candidate) = self.meet(&ray, item, from) {
+                self.consider(&mut found, from, candidate);
+            }
+            found.map_or(f64::INFINITY, |found| found.t)
+        });
+        found.map(|found| self.describe(&ray, found))
+    }
+
+    /// How far places with these coordinates may be off.
+    fn offset(&self, coordinates: f64) -> f64 {
+        OFFSET * self.size + ROUNDING * coordinates
+    }
+
+    /// Takes what is nearer.
+    fn consider(&self, found: &mut Option<Found>, from: f64, candidate: Found) {
+        let nearer = |found: &Found| match candidate.t.total_cmp(&found.t) {
+            Ordering::Equal => candidate.key < found.key,
+            order => order == Ordering::Less,
+        };
+        if candidate.t > from && found.as_ref().is_none_or(nearer) {
+            *found = Some(candidate);
+        }
+    }
+
+    /// Where a ray meets a sphere or a triangle, beyond a distance.
+    fn meet(&self, ray: &Ray, item: usize, from: f64) -> Option<Found> {
+        if let Some(&(centre, radius, object)) = self.spheres.get(item) {
+            let t = ray.sphere(centre, radius)?.into_iter().find(|&t| t > from)?;
+            return Some(Found { t, key: (object, 0), on: On::Sphere(centre, radius) });
+        }
+        let place = item - self.spheres.len();
+        let triangle = &self.triangles[place];
+        let (t, weights) = ray.triangle(&triangle.corners)?;
+        Some(Found { t, key: (triangle.object, triangle.index), on: On::Triangle(place, weights) })
+    }
+
+    /// Visits the spheres and triangles whose boxes a ray meets before a limit, the nearer boxes first; a visit returns the new limit.
+    fn walk(&self, from: Option<Child>, ray: &Ray, mut limit: f64, visit: &mut impl FnMut(usize) -> f64) -> f64 {
+        const DEPTH: usize = 48;
+        let mut stack = [(Child::Item(0), 0.0); DEPTH];
+        let mut depth = 0;
+        let mut next = from;
+        loop {
+            match next {
+                Some(Child::Item(item)) => {
+                    limit = visit(item as usize);
+                    next = None;
+                }
+                Some(Child::Node(node)) => {
+                    let node = &self.nodes[node as usize];
+                    let [left, right] = [0, 1].map(|side| ray.enters(&node.boxes[side], limit));
+                    let [first, second] = node.children;
+                    let ((nearer, _), farther) = match (left, right) {
+                        (None, None) => {
+                            next = None;
+                            continue;
+                        }
+                        (Some(t), None) => ((first, t), None),
+                        (None, Some(t)) => ((second, t), None),
+                        (Some(l), Some(r)) if l <= r => ((first, l), Some((second, r))),
+                        (Some(l), Some(r)) => ((second, r), Some((first, l))),
+                    };
+                    next = Some(nearer);
+                    if let Some(farther) = farther {
+                        if depth < DEPTH {
+                            stack[depth] = farther;
+                            depth += 1;
+                        } else {
+                            // A hierarchy as deep as this is rare: very uneven meshes only.
+                            limit = self.walk(Some(nearer), ray, limit, visit);
+                            next = (farther.1 <= limit).then_some(farther.0);
+                        }
+                    }
+                }
+                None => {
+                    if depth == 0 {
+                        return limit;
+                    }
+                    depth -= 1;
+                    let (child, entry) = stack[depth];
+                    next = (entry <= limit).then_some(child);
+                }
+            }
+        }
+    }
+
+    /// The place, the normals and the rest of what was found.
+    fn describe(&self, ray: &Ray, found: Found) -> Hit {
+        let viewer = -ray.direction;
+        let ahead = ray.origin + ray.direction * found.t;
+        let turned = |facet: V| if facet.dot(&viewer) < 0.0 { -facet } else { facet };
+        let (mut lift, normal, facet, position);
+        match found.on {
+            On::Plane(of_plane) => {
+                (lift, facet, position) = (V::zeros(), turned(of_plane), ahead);
+                normal = facet;
+            }
+            On::Sphere(centre, radius) => {
+                // The place is put onto the sphere: from afar, `origin + t direction` is not exact enough.
+                let outwards = unit(ahead - centre).unwrap_or(viewer);
+                (lift, facet, position) = (V::zeros(), turned(outwards), centre + outwards * radius);
+                normal = facet;
+            }
+            On::Triangle(place, weights) => {
+                let Triangle { corners, object, index } = &self.triangles[place];
+                let mesh = self.meshes[*object as usize].as_ref().expect("a triangle's object is a mesh");
+                let normals =
+                    mesh.triangles[*index as usize].map(|corner| V::from(mesh.normals[corner.normal as usize]));
+                let mix = |of: &[V; 3]| of[0] * weights[0] + of[1] * weights[1] + of[2] * weights[2];
+                let [a, b, c] = *corners;
+                facet = turned(unit((b - a).cross(&(c - a))).unwrap_or(viewer));
+                position = mix(corners);
+                let interpolated = unit(mix(&normals)).unwrap_or(facet);
+                let side = f64::copysign(1.0, interpolated.dot(&facet));
+                normal = interpolated * side;
+                lift = V::zeros();
+                for corner in 0..3 {
+                    let below = (position - corners[corner]).dot(&normals[corner]) * side;
+                    lift -= normals[corner] * (side * weights[corner] * below.min(0.0));
+                }
+            }
+        }
+        let offset = self.offset(position.amax() + found.t);
+        lift += facet * offset;
+        Hit {
+            position: position.into(),
+            normal: normal.into(),
+            facet: facet.into(),
+            viewer: viewer.into(),
+            distance: found.t,
+            material: self.materials[found.key.0 as usize],
+            start: position + lift,
+            offset,
+        }
+    }
+
+    /// What the pixels of a row of a scene's picture show, from the left; row 0 is at the top.
+    #[must_use]
+    pub fn row(&self, scene: &Scene, row: u32) -> Vec<Option<Hit>> {
+        let camera = &scene.camera;
+        camera.row(scene.width, scene.height, row).map(|direction| self.hit(camera.position, direction)).collect()
+    }
+
+    /// A light of a scene, seen from a point of a surface. The scene must have the objects of the tracer.
+    ///
+    /// Rays of shadow begin off the surface by `2^-36` of the scene's size plus what rounding needs. On a mesh with interpolated normals a
+    /// facet's plane would cut the light off before N.L does, and the shadow's edge would follow the facets; there the ray begins on
+    /// the smooth surface that the normals imply, by "Hacking the shadow terminator" (J. Hanika, Ray Tracing Gems II 2021, chapter 4):
+    /// the point is lifted to the tangent planes of the corners, as far as it is below them.
+    #[must_use]
+    pub fn light(&self, scene: &Scene, hit: &Hit, light: usize) -> Lit {
+        let (normal, viewer) = (V::from(hit.normal), V::from(hit.viewer));
+        let (towards, distant) = match scene.lights[light].kind {
+            LightKind::Directional(direction) => (V::from(direction), true),
+            LightKind::Point(place) => (V::from(place) - V::from(hit.position), false),
+        };
+        let apart = distant || towards.amax() > hit.offset;
+        let direction = unit(towards).unwrap_or(normal);
+        let half = direction + viewer;
+        let half = if half.amax() > 1e-12 { unit(half) } else { None }.unwrap_or_else(|| across(normal));
+        let cosine = normal.dot(&direction);
+        let mut visible = apart && cosine > 0.0;
+        if visible && scene.shadows {
+            visible = match scene.lights[light].kind {
+                LightKind::Directional(_) => !self.blocked(hit.start, direction, f64::INFINITY),
+                LightKind::Point(place) => {
+                    let way = V::from(place) - hit.start;
+                    let length = way.norm();
+                    length <= hit.offset || !self.blocked(hit.start, way / length, length - hit.offset)
+                }
+            };
+        }
+        Lit { direction: direction.into(), half: half.into(), cosine, visible }
+    }
+
+    /// Whether anything is met before a distance.
+    fn blocked(&self, origin: V, direction: V, limit: f64) -> bool {
+        let ray = Ray::new(origin, direction, self.reach);
+        let meets = |t: f64| t > 0.0 && t < limit;
+        let plane = |&(point, normal, _): &(V, V, u32)| meets(normal.dot(&(point - origin)) / normal.dot(&direction));
+        if self.planes.iter().any(plane) {
+            return true;
+        }
+        let mut blocked = false;
+        self.walk(self.root, &ray, limit, &mut |item| {
+            blocked |= self.meet(&ray, item, 0.0).is_some_and(|found| meets(found.t));
+            if blocked { f64::NEG_INFINITY } else { limit }
+        });
+        blocked
+    }
+}
