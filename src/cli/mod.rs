@@ -11,6 +11,7 @@ mod explore;
 mod generate;
 mod golden;
 mod progress;
+mod render;
 mod report;
 mod rom;
 mod source;
@@ -54,6 +55,8 @@ enum Command {
     Choose(Box<choose::Arguments>),
     /// Measure the papers' claims and compare with the recorded values
     Claims(claims::Arguments),
+    /// Draw a scene exactly and through a core, and how the two differ
+    Render(Box<render::Arguments>),
     /// Show the trade of error against cost as one HTML page, and its charts as SVG and PNG
     Report(report::Arguments),
     /// Say which external tools are there, and which package brings the missing ones
@@ -89,6 +92,7 @@ pub fn main() -> ExitCode {
         Command::Explore(arguments) => explore::run(*arguments),
         Command::Choose(arguments) => choose::run(&arguments),
         Command::Claims(arguments) => claims::run(&arguments),
+        Command::Render(arguments) => render::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
     };

@@ -78,8 +78,10 @@ pub struct Cell {
     pub picture: Picture,
     /// How that differs from the exact one.
     pub difference: Difference,
-    /// What is to be said of it beside its error, such as its cost; a line each.
+    /// What is to be said of it before its error, such as its cost; a line each.
     pub lines: Vec<String>,
+    /// What is to be said of its error.
+    pub verdict: String,
 }
 
 /// The place in the heat map's scale of a pixel that is off by so many steps: 0 if it is not off, else 1 and the place in [`HEAT`].
@@ -147,7 +149,8 @@ fn steps(count: u16) -> String {
 }
 
 /// A difference in words: the largest, the mean, the signal-to-noise ratio and the share of pixels that are off.
-fn figures(difference: &Difference) -> [String; 4] {
+#[must_use]
+pub fn figures(difference: &Difference) -> [String; 4] {
     let all: u64 = difference.pixels.iter().sum();
     let psnr = difference.psnr.map_or_else(|| "the same picture".to_owned(), |psnr| format!("PSNR {psnr:.1} dB"));
     let mean = match difference.mean_steps {
@@ -426,6 +429,7 @@ pub fn contact(frame: &Frame, exact: &Picture, cells: &[Cell], title: &str, line
                 }
                 down = page.paragraph((left, down), room, 0.95, INK, &format!("{psnr} · {most}"));
                 down = page.paragraph((left, down), room, 0.95, INK, &off);
+                down = page.paragraph((left, down), room, 0.95, GREY, &cells[core].verdict);
             }
         }
         below = below.max(down);
