@@ -42,7 +42,8 @@ pub struct Angles {
     pub versine: f64,
 }
 
-fn dot(a: Vector, b: Vector) -> f64 {
+/// The scalar product.
+pub(crate) fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 

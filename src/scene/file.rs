@@ -1,12 +1,30 @@
 //! Scene files: TOML, read and checked.
 
+use std::fs;
+use std::ops::Range;
+use std::path::Path;
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, Deserializer};
+
 use super::mesh::Mesh;
-use crate::design::sample::Vector;
+use crate::design::sample::{Vector, dot, normalised};
+use crate::error::Error;
 use crate::explore::Objective;
-use crate::spec::{Colour, Material, Model, SpecFields};
+use crate::lobe::MAX_SHININESS;
+use crate::spec::{
+    CHANNEL_BITS, Colour, LIGHTS, Material, Model, Shininess, SpecFields, check_name, suggest, toml_error, unit,
+};
 use crate::synth::Family;
+
+/// The most pixels a side of a picture.
+pub const MAX_SIDE: u32 = 16_384;
+/// The greatest magnitude of a coordinate, a radius or a scale.
+pub const MAX_COORDINATE: f64 = 1e9;
+/// The help to errors of the TOML parser.
+const HELP: &str = "docs/scene-files.md lists the keys and values of a scene file";
 
 /// A scene, every default resolved and every value checked.
 #[derive(Clone, Debug)]
@@ -42,7 +60,7 @@ pub struct Scene {
 }
 
 /// A pinhole camera.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Camera {
     /// Where it stands.
     pub position: Vector,
@@ -55,7 +73,7 @@ pub struct Camera {
 }
 
 /// A light.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Light {
     /// Where its light comes from.
     pub kind: LightKind,
@@ -64,7 +82,8 @@ pub struct Light {
 }
 
 /// Where a light's light comes from. Light is not weakened by distance, as in the classical models: the core then needs no light's strength.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum LightKind {
     /// From this direction, a unit vector towards the light.
     Directional(Vector),
@@ -102,8 +121,8 @@ pub enum Shape {
     Mesh(Arc<Mesh>),
 }
 
-/// The error that a picture may have; where both are given, both hold. Without any: one step at most.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The error that a picture may have; where both are given, both hold. A file that gives neither asks for one step at most.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Budget {
     /// The largest difference of a channel's code from the exact picture's, in steps.
     pub max_steps: Option<u32>,
@@ -122,4 +141,508 @@ pub struct Wishes {
     pub objective: Objective,
     /// Keys of the spec that the core must have, such as its method; no shininess and no materials.
     pub keys: SpecFields,
+}
+
+/// A scene as written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SceneFields {
+    name: Option<String>,
+    model: Option<Model>,
+    width: Option<u32>,
+    height: Option<u32>,
+    channel_bits: Option<u32>,
+    ambient: Option<Colour>,
+    background: Option<Colour>,
+    shadows: Option<bool>,
+    camera: Option<Spanned<CameraFields>>,
+    #[serde(default)]
+    material: Vec<Spanned<MaterialFields>>,
+    #[serde(default)]
+    light: Vec<Spanned<LightFields>>,
+    #[serde(default)]
+    object: Vec<Spanned<ObjectFields>>,
+    budget: Option<Spanned<BudgetFields>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct CameraFields {
+    position: Vector,
+    target: Option<Vector>,
+    up: Option<Vector>,
+    field_of_view: Option<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct MaterialFields {
+    name: String,
+    shininess: Option<f64>,
+    roughness: Option<f64>,
+    #[serde(alias = "k_a")]
+    ambient: Option<f64>,
+    #[serde(alias = "k_d")]
+    diffuse: Option<f64>,
+    #[serde(alias = "k_s")]
+    specular: Option<f64>,
+    colour: Option<Colour>,
+    specular_colour: Option<Colour>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct LightFields {
+    direction: Option<Vector>,
+    position: Option<Vector>,
+    colour: Option<Colour>,
+    intensity: Option<f64>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct ObjectFields {
+    kind: Kind,
+    material: String,
+    centre: Option<Vector>,
+    radius: Option<f64>,
+    point: Option<Vector>,
+    normal: Option<Vector>,
+}
+
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Kind {
+    Sphere,
+    Plane,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct BudgetFields {
+    max_steps: Option<u32>,
+    min_psnr: Option<f64>,
+}
+
+/// The keys of `[core]` that are none of a core spec.
+#[derive(Default, Deserialize)]
+struct WishFields {
+    family: Option<Family>,
+    min_mhz: Option<f64>,
+    objective: Option<Objective>,
+}
+
+const WISHES: [&str; 3] = ["family", "min_mhz", "objective"];
+
+/// A file's text with its name, for messages.
+struct Source<'a> {
+    text: &'a str,
+    file: &'a str,
+}
+
+impl Source<'_> {
+    /// The error with a name and the place in the text of what it is about.
+    fn at(&self, what: &str, span: &Range<usize>, error: Error) -> Error {
+        match error {
+            Error::Input { what: wrong, allowed } => {
+                // Only the first line: the span of a table goes over all its keys.
+                let length = self.text[span.clone()].find('\n').unwrap_or(span.len());
+                Error::text(format!("{what}{wrong}"), allowed, self.file, self.text, (span.start, length))
+            }
+            other => other,
+        }
+    }
+
+    fn toml(&self, error: &toml::de::Error, more: &[&str]) -> Error {
+        toml_error(error, more, HELP, self.file, self.text)
+    }
+}
+
+impl Scene {
+    /// Reads a scene file; the meshes that it names lie where their paths lead from the file's directory.
+    ///
+    /// # Errors
+    /// An unreadable file or what [`Scene::parse`] refuses.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        let bytes = fs::read(path).map_err(|e| Error::io("cannot read", path, e))?;
+        let text = String::from_utf8(bytes)
+            .map_err(|_| Error::input(format!("{} is not UTF-8 text", path.display()), "a scene is a TOML file"))?;
+        Self::parse(&text, &path.display().to_string(), path.parent().unwrap_or(Path::new("")))
+    }
+
+    /// Whether a TOML text is a scene rather than the spec of a core: it has one of the keys `camera` and `object`, or is no TOML but
+    /// has a line with such a table.
+    #[must_use]
+    pub fn is_scene(text: &str) -> bool {
+        match DeTable::parse(text) {
+            Ok(table) => ["camera", "object"].iter().any(|key| table.get_ref().contains_key(*key)),
+            Err(_) => text.lines().any(|line| ["[camera]", "[[object]]"].contains(&line.trim())),
+        }
+    }
+
+    /// Reads the text of a scene file. `file` is its name, for messages and as the default of the scene's; the paths of its meshes
+    /// start at `directory`.
+    ///
+    /// # Errors
+    /// Text that is not TOML, an unknown key or material (with the nearest known one), a mesh that cannot be read, or a value that is
+    /// wrong, with what is allowed and the place.
+    pub fn parse(text: &str, file: &str, _directory: &Path) -> Result<Self, Error> {
+        let source = Source { text, file };
+        let mut table = DeTable::parse(text).map_err(|error| source.toml(&error, &[]))?;
+        let core = table.get_mut().remove("core");
+        let fields =
+            SceneFields::deserialize(Deserializer::from(table)).map_err(|error| source.toml(&error, &["core"]))?;
+        let core = core.map(|table| wishes(&source, table)).transpose()?;
+        fields.resolve(&source, core)
+    }
+}
+
+/// The table `[core]`.
+fn wishes(source: &Source, table: Spanned<DeValue>) -> Result<Wishes, Error> {
+    let span = table.span();
+    let DeValue::Table(mut keys) = table.into_inner() else {
+        return Err(source.at("", &span, Error::input("core is no table", "write a line [core] and its keys below")));
+    };
+    let mut own = DeTable::new();
+    for key in WISHES {
+        if let Some((key, value)) = keys.remove_entry(key) {
+            own.insert(key, value);
+        }
+    }
+    let table = |keys| Deserializer::from(Spanned::new(span.clone(), keys));
+    let own = WishFields::deserialize(table(own)).map_err(|error| source.toml(&error, &[]))?;
+    let keys = SpecFields::deserialize(table(keys)).map_err(|error| source.toml(&error, &WISHES))?;
+    let given = [
+        ("a name", keys.name.is_some(), "the core is called as the scene: give the scene's key name"),
+        ("a shininess", keys.shininess.is_some(), "the scene's materials have them"),
+        ("materials", keys.material.is_some(), "give them as the scene's: [[material]]"),
+    ];
+    if let Some((what, _, allowed)) = given.into_iter().find(|(_, given, _)| *given) {
+        return Err(source.at("", &span, Error::input(format!("core is given {what}"), allowed)));
+    }
+    if let Some(mhz) = own.min_mhz.filter(|mhz| !(*mhz > 0.0 && mhz.is_finite())) {
+        let wrong = Error::input(format!("min_mhz = {mhz} is out of range"), "a real number above 0");
+        return Err(source.at("core: ", &span, wrong));
+    }
+    Ok(Wishes {
+        family: own.family.unwrap_or(Family::Ecp5),
+        min_mhz: own.min_mhz,
+        objective: own.objective.unwrap_or(Objective::Lut),
+        keys,
+    })
+}
+
+impl SceneFields {
+    /// Fills in the defaults and checks every value.
+    fn resolve(self, source: &Source, core: Option<Wishes>) -> Result<Scene, Error> {
+        let name = match self.name {
+            Some(name) => name,
+            None => identifier(source.file),
+        };
+        check_name(&name)?;
+        let (width, height) = (self.width.unwrap_or(640), self.height.unwrap_or(480));
+        for (what, side) in [("width", width), ("height", height)] {
+            if !(1..=MAX_SIDE).contains(&side) {
+                return Err(Error::input(
+                    format!("{what} = {side} is out of range"),
+                    format!("a picture has 1 to {MAX_SIDE} pixels a side"),
+                ));
+            }
+        }
+        let channel_bits = self.channel_bits.unwrap_or(8);
+        if !CHANNEL_BITS.contains(&channel_bits) {
+            return Err(Error::input(format!("channel_bits = {channel_bits} is not offered"), "8, 10 or 12"));
+        }
+        let (ambient, background) = (self.ambient.unwrap_or([0.2; 3]), self.background.unwrap_or([0.0; 3]));
+        unit("ambient", &ambient)?;
+        unit("background", &background)?;
+        let camera =
+            self.camera.ok_or_else(|| Error::input("the scene has no camera", "give [camera] with a position"))?;
+        let span = camera.span();
+        let camera = camera.into_inner().resolve().map_err(|error| source.at("camera: ", &span, error))?;
+
+        let mut materials: Vec<Material> = Vec::with_capacity(self.material.len());
+        for (index, material) in self.material.into_iter().enumerate() {
+            let span = material.span();
+            let place = |error| source.at("", &span, error);
+            let material = material.into_inner().resolve(index).map_err(place)?;
+            if materials.iter().any(|other| other.name == material.name) {
+                let what = format!("there are two materials {}", material.name);
+                return Err(place(Error::input(what, "each has a name of its own")));
+            }
+            materials.push(material);
+        }
+        if materials.is_empty() {
+            return Err(Error::input("the scene has no materials", "give one at least: [[material]]"));
+        }
+        Shininess::Materials(materials.clone()).check()?;
+
+        if !LIGHTS.contains(&(self.light.len() as u32)) {
+            let (least, most) = (LIGHTS.start(), LIGHTS.end());
+            return Err(Error::input(
+                format!("the scene has {} lights", self.light.len()),
+                format!("a scene has {least} to {most} lights: [[light]]"),
+            ));
+        }
+        let lights = numbered(source, "light", self.light, |_| String::new(), LightFields::resolve)?;
+        if self.object.is_empty() {
+            return Err(Error::input("the scene has no objects", "give one at least: [[object]]"));
+        }
+        let objects = numbered(
+            source,
+            "object",
+            self.object,
+            |object| format!(" ({})", object.kind.name()),
+            |object| object.resolve(&materials),
+        )?;
+        let budget = match self.budget {
+            None => Budget { max_steps: Some(1), min_psnr: None },
+            Some(budget) => {
+                budget.get_ref().resolve(channel_bits).map_err(|error| source.at("budget: ", &budget.span(), error))?
+            }
+        };
+        Ok(Scene {
+            name,
+            model: self.model.unwrap_or(Model::Phong),
+            width,
+            height,
+            channel_bits,
+            ambient,
+            background,
+            camera,
+            materials,
+            lights,
+            objects,
+            shadows: self.shadows.unwrap_or(false),
+            budget,
+            core: core.unwrap_or_else(|| Wishes {
+                family: Family::Ecp5,
+                min_mhz: None,
+                objective: Objective::Lut,
+                keys: SpecFields::default(),
+            }),
+        })
+    }
+}
+
+/// Resolves each of a list; an error says which it is, counted from 1.
+fn numbered<F, T>(
+    source: &Source,
+    what: &str,
+    list: Vec<Spanned<F>>,
+    kind: impl Fn(&F) -> String,
+    resolve: impl Fn(F) -> Result<T, Error>,
+) -> Result<Vec<T>, Error> {
+    let one = |(index, item): (usize, Spanned<F>)| {
+        let (span, kind) = (item.span(), kind(item.get_ref()));
+        resolve(item.into_inner()).map_err(|error| source.at(&format!("{what} {}{kind}: ", index + 1), &span, error))
+    };
+    list.into_iter().enumerate().map(one).collect()
+}
+
+/// A file's stem as an identifier of both languages: lower-case letters, digits and single underscores, a letter first.
+fn identifier(file: &str) -> String {
+    let stem = Path::new(file).file_stem().map(|stem| stem.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+    let words = stem.split(|c: char| !c.is_ascii_lowercase() && !c.is_ascii_digit()).filter(|word| !word.is_empty());
+    let mut name = words.collect::<Vec<_>>().join("_");
+    if check_name(&name).is_err() {
+        // It starts with a digit, is a reserved word, too long or empty.
+        name = format!("scene_{name}");
+        name.truncate(64);
+        name.truncate(name.trim_end_matches('_').len());
+    }
+    name
+}
+
+/// Refuses a coordinate that is not a number or beyond all measure.
+fn coordinates(what: &str, values: &[f64]) -> Result<(), Error> {
+    match values.iter().find(|value| !(value.abs() <= MAX_COORDINATE)) {
+        None => Ok(()),
+        Some(value) => {
+            let allowed = format!("a number of at most {MAX_COORDINATE:e} either side of 0");
+            Err(Error::input(format!("{what} = {value} is out of range"), allowed))
+        }
+    }
+}
+
+/// The unit vector of a direction as written.
+fn direction(what: &str, given: Vector) -> Result<Vector, Error> {
+    coordinates(what, &given)?;
+    let largest = given.iter().fold(0.0f64, |most, c| most.max(c.abs()));
+    if largest == 0.0 {
+        return Err(Error::input(format!("{what} is the zero vector"), "a direction has a length above 0"));
+    }
+    // By the largest component first: a direction of tiny numbers is one too.
+    Ok(normalised(given.map(|c| c / largest)))
+}
+
+impl CameraFields {
+    fn resolve(self) -> Result<Camera, Error> {
+        let target = self.target.unwrap_or([0.0; 3]);
+        coordinates("position", &self.position)?;
+        coordinates("target", &target)?;
+        let view = [0, 1, 2].map(|axis| target[axis] - self.position[axis]);
+        if view == [0.0; 3] {
+            return Err(Error::input("the camera stands at its target", "give it another position or target"));
+        }
+        let (view, up) = (direction("view", view)?, direction("up", self.up.unwrap_or([0.0, 1.0, 0.0]))?);
+        if dot(view, up).abs() > 1.0 - 1e-12 {
+            return Err(Error::input(
+                "up is along the view",
+                "give an up that is across the view from position to target",
+            ));
+        }
+        let field_of_view = self.field_of_view.unwrap_or(40.0);
+        if !(0.01..=179.0).contains(&field_of_view) {
+            return Err(Error::input(
+                format!("field_of_view = {field_of_view} is out of range"),
+                "the vertical angle of view in degrees, from 0.01 to 179",
+            ));
+        }
+        Ok(Camera { position: self.position, target, up, field_of_view })
+    }
+}
+
+impl MaterialFields {
+    /// The material with its surface; `index` is its place in the file, from 0.
+    fn resolve(self, index: usize) -> Result<Material, Error> {
+        let name = if self.name.is_empty() { format!("{}", index + 1) } else { self.name.clone() };
+        let shininess = match (self.shininess, self.roughness) {
+            (Some(shininess), None) => shininess,
+            (None, Some(alpha)) => of_roughness(alpha).ok_or_else(|| {
+                Error::input(
+                    format!("material {name}: roughness = {alpha} is out of range"),
+                    "a real number above 0.0014 and at most sqrt(2/3) = 0.8164: the shininess is 2 / roughness^2 - 2",
+                )
+            })?,
+            (Some(_), Some(_)) => {
+                let what = format!("material {name} has both shininess and roughness");
+                return Err(Error::input(what, "give one of the two"));
+            }
+            (None, None) => {
+                return Err(Error::input(format!("material {name} has no shininess"), "give shininess or roughness"));
+            }
+        };
+        let material = Material {
+            name: self.name,
+            shininess,
+            ambient: self.ambient,
+            diffuse: self.diffuse,
+            specular: self.specular,
+            colour: self.colour,
+            specular_colour: self.specular_colour,
+        };
+        Shininess::Materials(vec![material.clone()]).check()?;
+        material.check_surface()?;
+        Ok(material.with_surface())
+    }
+}
+
+/// The shininess of a roughness: the exponent of the Phong distribution of half vectors that is about as wide as the Beckmann
+/// distribution of width alpha, `n = 2 / alpha^2 - 2` (Walter, Marschner, Li and Torrance 2007, "Microfacet Models for Refraction
+/// through Rough Surfaces", section 5.2); none where that is below 1 or beyond the greatest shininess.
+fn of_roughness(alpha: f64) -> Option<f64> {
+    let n = 2.0 / (alpha * alpha) - 2.0;
+    // The root of 2/3 itself is no f64.
+    let n = if (1.0 - 1e-9..1.0).contains(&n) { 1.0 } else { n };
+    (alpha > 0.0 && (1.0..=MAX_SHININESS).contains(&n)).then_some(n)
+}
+
+impl LightFields {
+    fn resolve(self) -> Result<Light, Error> {
+        let kind = match (self.direction, self.position) {
+            (Some(towards), None) => LightKind::Directional(direction("direction", towards)?),
+            (None, Some(position)) => {
+                coordinates("position", &position)?;
+                LightKind::Point(position)
+            }
+            (Some(_), Some(_)) => {
+                return Err(Error::input("both direction and position are given", "give one of the two"));
+            }
+            (None, None) => {
+                return Err(Error::input(
+                    "neither direction nor position is given",
+                    "give the direction towards a distant light, or the position of a near one",
+                ));
+            }
+        };
+        let colour = self.colour.unwrap_or([1.0; 3]);
+        unit("colour", &colour)?;
+        let intensity = self.intensity.unwrap_or(1.0);
+        if !(intensity >= 0.0 && intensity.is_finite()) {
+            return Err(Error::input(
+                format!("intensity = {intensity} is out of range"),
+                "a real number of at least 0",
+            ));
+        }
+        let most = colour.iter().fold(0.0f64, |most, &channel| most.max(channel));
+        if intensity * most > 1.0 {
+            return Err(Error::input(
+                format!("intensity = {intensity} times the colour is above 1, full scale: the channel saturates"),
+                format!("an intensity of at most {} for this colour", 1.0 / most),
+            ));
+        }
+        Ok(Light { kind, colour: colour.map(|channel| channel * intensity) })
+    }
+}
+
+impl Kind {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Sphere => "sphere",
+            Self::Plane => "plane",
+        }
+    }
+}
+
+impl ObjectFields {
+    fn resolve(self, materials: &[Material]) -> Result<Object, Error> {
+        let keys = [
+            ("centre", self.centre.is_some(), Kind::Sphere),
+            ("radius", self.radius.is_some(), Kind::Sphere),
+            ("point", self.point.is_some(), Kind::Plane),
+            ("normal", self.normal.is_some(), Kind::Plane),
+        ];
+        if let Some((key, ..)) = keys.iter().find(|(_, given, kind)| *given && *kind != self.kind) {
+            let own = keys.iter().filter(|(.., kind)| *kind == self.kind).map(|(key, ..)| *key).collect::<Vec<_>>();
+            let what = format!("a {} has no {key}", self.kind.name());
+            return Err(Error::input(what, format!("its keys are kind, material, {}", own.join(", "))));
+        }
+        let material = materials.iter().position(|material| material.name == self.material).ok_or_else(|| {
+            let known = materials.iter().map(|material| material.name.as_str());
+            Error::input(format!("unknown material `{}`", self.material), suggest("materials", &self.material, known))
+        })?;
+        let shape = match self.kind {
+            Kind::Sphere => {
+                let (centre, radius) = (self.centre.unwrap_or([0.0; 3]), self.radius.unwrap_or(1.0));
+                coordinates("centre", &centre)?;
+                if !(radius > 0.0 && radius <= MAX_COORDINATE) {
+                    let allowed = format!("a radius is above 0 and at most {MAX_COORDINATE:e}");
+                    return Err(Error::input(format!("radius = {radius} is out of range"), allowed));
+                }
+                Shape::Sphere { centre, radius }
+            }
+            Kind::Plane => {
+                let point = self.point.unwrap_or([0.0; 3]);
+                coordinates("point", &point)?;
+                Shape::Plane { point, normal: direction("normal", self.normal.unwrap_or([0.0, 1.0, 0.0]))? }
+            }
+        };
+        Ok(Object { shape, material })
+    }
+}
+
+impl BudgetFields {
+    fn resolve(self, channel_bits: u32) -> Result<Budget, Error> {
+        let full = (1 << channel_bits) - 1;
+        if let Some(steps) = self.max_steps.filter(|steps| *steps > full) {
+            let allowed = format!("0 to {full}, the steps of a channel of {channel_bits} bits");
+            return Err(Error::input(format!("max_steps = {steps} is out of range"), allowed));
+        }
+        if let Some(psnr) = self.min_psnr.filter(|psnr| !(*psnr > 0.0 && psnr.is_finite())) {
+            return Err(Error::input(format!("min_psnr = {psnr} is out of range"), "a number of dB above 0"));
+        }
+        let max_steps = self.max_steps.or(if self.min_psnr.is_none() { Some(1) } else { None });
+        Ok(Budget { max_steps, min_psnr: self.min_psnr })
+    }
 }

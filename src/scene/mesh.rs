@@ -3,7 +3,7 @@
 use crate::design::sample::Vector;
 
 /// A triangle mesh with a normal at each corner.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
     /// The places of the vertices.
     pub positions: Vec<Vector>,
@@ -11,6 +11,8 @@ pub struct Mesh {
     pub normals: Vec<Vector>,
     /// The triangles: for each corner the place of its position and of its normal.
     pub triangles: Vec<[Corner; 3]>,
+    /// How many triangles of the file were left out because they have no area.
+    pub dropped: usize,
 }
 
 /// A corner of a triangle.

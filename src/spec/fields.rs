@@ -208,24 +208,7 @@ impl SpecFields {
     /// As [`SpecFields::read`].
     pub fn parse(text: &str, file: &str) -> Result<Self, Error> {
         toml::from_str(text).map_err(|error| {
-            let span = error.span().unwrap_or(0..0);
-            let at = (span.start, span.len());
-            match error.message().strip_prefix("unknown field `").and_then(|rest| rest.split_once('`')) {
-                Some((key, rest)) => Error::text(
-                    format!("unknown key `{key}`"),
-                    suggest(key, rest.split('`').skip(1).step_by(2)),
-                    file,
-                    text,
-                    at,
-                ),
-                None => Error::text(
-                    error.message(),
-                    "see `brdfgen generate --help` for the keys and values",
-                    file,
-                    text,
-                    at,
-                ),
-            }
+            toml_error(&error, &[], "see `brdfgen generate --help` for the keys and values", file, text)
         })
     }
 
@@ -646,17 +629,32 @@ fn word<T: ValueEnum>(value: &T) -> String {
     value.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
 }
 
-/// "did you mean ...?" where a known key is near, and the list of all keys.
-fn suggest<'a>(key: &str, known: impl Iterator<Item = &'a str>) -> String {
+/// What is wrong with TOML text, with its place: an unknown key with the nearest of those that the parser or `more` knows, or what
+/// the parser says with `help`.
+pub(crate) fn toml_error(error: &toml::de::Error, more: &[&str], help: &str, file: &str, text: &str) -> Error {
+    let span = error.span().unwrap_or(0..0);
+    let (what, allowed) = match error.message().strip_prefix("unknown field `").and_then(|rest| rest.split_once('`')) {
+        Some((key, rest)) => {
+            let known = rest.split('`').skip(1).step_by(2).chain(more.iter().copied());
+            (format!("unknown key `{key}`"), suggest("keys", key, known))
+        }
+        None => (error.message().to_owned(), help.to_owned()),
+    };
+    Error::text(what, allowed, file, text, (span.start, span.len()))
+}
+
+/// "did you mean ...?" where a known name is near, and the list of all of them; `what` they are, in the plural.
+pub(crate) fn suggest<'a>(what: &str, name: &str, known: impl Iterator<Item = &'a str>) -> String {
     let known: Vec<&str> = known.collect();
-    let nearest = known.iter().max_by(|a, b| strsim::jaro_winkler(key, a).total_cmp(&strsim::jaro_winkler(key, b)));
-    match nearest.filter(|near| strsim::jaro_winkler(key, near) > 0.7) {
-        Some(near) => format!("did you mean `{near}`? The keys are {}", known.join(", ")),
-        None => format!("the keys are {}", known.join(", ")),
+    let nearest = known.iter().max_by(|a, b| strsim::jaro_winkler(name, a).total_cmp(&strsim::jaro_winkler(name, b)));
+    match nearest.filter(|near| strsim::jaro_winkler(name, near) > 0.7) {
+        Some(near) => format!("did you mean `{near}`? The {what} are {}", known.join(", ")),
+        None => format!("the {what} are {}", known.join(", ")),
     }
 }
 
-fn check_name(name: &str) -> Result<(), Error> {
+/// Refuses a name that is not an identifier of both languages.
+pub(crate) fn check_name(name: &str) -> Result<(), Error> {
     let plain = name.len() <= 64
         && name.starts_with(|c: char| c.is_ascii_lowercase())
         && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')

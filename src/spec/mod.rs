@@ -13,8 +13,12 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 pub use fields::SpecFields;
+pub(crate) use fields::{check_name, suggest, toml_error};
 pub use method::{Coefficients, Divider, Form, Inside, Memory, Method, Tail};
-pub use shader::{Block, BlockKind, Colour, Cosine, Front, LightColours, Model, Shader, ShaderFields, Surface};
+pub(crate) use shader::unit;
+pub use shader::{
+    Block, BlockKind, CHANNEL_BITS, Colour, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, Surface,
+};
 pub use shininess::{MAX_ROWS, Material, Shininess};
 pub use widths::Widths;
 

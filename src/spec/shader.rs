@@ -195,7 +195,7 @@ impl Material {
     }
 
     /// Refuses a coefficient or a colour outside 0 to 1.
-    pub(super) fn check_surface(&self) -> Result<(), Error> {
+    pub(crate) fn check_surface(&self) -> Result<(), Error> {
         for (what, value) in [("ambient", self.ambient), ("diffuse", self.diffuse), ("specular", self.specular)] {
             unit(&format!("material {}: {what}", self.name), &value.into_iter().collect::<Vec<_>>())?;
         }
@@ -212,7 +212,8 @@ impl Material {
     }
 }
 
-fn unit(what: &str, values: &[f64]) -> Result<(), Error> {
+/// Refuses a number outside 0 to 1; `what` names them.
+pub(crate) fn unit(what: &str, values: &[f64]) -> Result<(), Error> {
     match values.iter().find(|value| !(0.0..=1.0).contains(*value)) {
         None => Ok(()),
         Some(value) => Err(Error::input(format!("{what} = {value} is out of range"), "a real number from 0 to 1")),

@@ -22,13 +22,13 @@ pub struct Material {
     /// The shininess, a real number of at least 1.
     pub shininess: f64,
     /// k_a: how much of the ambient light it reflects, 0 to 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, alias = "k_a", skip_serializing_if = "Option::is_none")]
     pub ambient: Option<f64>,
     /// k_d: how much it scatters, 0 to 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, alias = "k_d", skip_serializing_if = "Option::is_none")]
     pub diffuse: Option<f64>,
     /// k_s: how much it mirrors, 0 to 1.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default, alias = "k_s", skip_serializing_if = "Option::is_none")]
     pub specular: Option<f64>,
     /// The colour of the ambient and the diffuse light that it gives back.
     #[serde(default, skip_serializing_if = "Option::is_none")]
