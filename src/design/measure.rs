@@ -60,6 +60,12 @@ impl Measured {
     /// Measures a design.
     #[must_use]
     pub fn of(design: &Design) -> Self {
+        Self::with_rows(design).0
+    }
+
+    /// As [`Measured::of`], with the largest |hardware - x^n| of each row that was measured, in order.
+    #[must_use]
+    pub fn with_rows(design: &Design) -> (Self, Vec<f64>) {
         let sweep = Sweep::of(design);
         let lobes = design.lobes();
         let shininess = design.spec.shininess.values();
@@ -113,6 +119,7 @@ impl Measured {
         };
         let rows: Vec<usize> = (0..design.spec.shininess.rows()).step_by(sweep.row_step as usize).collect();
         let parts: Vec<([f64; 7], [f64; 2])> = rows.into_par_iter().map(row).collect();
+        let by_row = parts.iter().map(|(part, _)| part[2]).collect();
         // In order, so that the sum is the same on every machine.
         let (total, worst) = parts.into_iter().fold((Self::NONE, [shininess[0], 0.0]), |(a, worst), (b, at)| {
             let worst = if b[2] > a[2] { at } else { worst };
@@ -120,7 +127,7 @@ impl Measured {
                 [a[0].min(b[0]), a[1].max(b[1]), a[2].max(b[2]), a[3].max(b[3]), a[4].max(b[4])];
             ([low, high, abs, near, relative, a[5] + b[5], a[6] + b[6]], worst)
         });
-        Self {
+        let measured = Self {
             sweep,
             ulps: [total[0], total[1]],
             max_abs: total[2],
@@ -128,7 +135,8 @@ impl Measured {
             max_abs_epicentre: total[3],
             max_rel_epicentre: total[4],
             rms: (total[5] / sweep.inputs as f64).sqrt(),
-        }
+        };
+        (measured, by_row)
     }
 }
 

@@ -121,6 +121,77 @@ impl Objective {
     }
 }
 
+/// How a core stands in a choice.
+#[derive(Clone, Debug)]
+pub struct Standing {
+    /// What it takes.
+    pub cost: Cost,
+    /// Its errors, less is better; the first decides between cores of the same cost.
+    pub errors: Vec<f64>,
+    /// What it misses of the wish, each as log2 of value / allowed and in words; nothing of a core that meets it.
+    pub missed: Vec<(f64, String)>,
+}
+
+/// Cores by how well they meet a wish.
+#[derive(Clone, Debug)]
+pub struct Ranking<T> {
+    /// Those that meet it, the cheapest first.
+    pub meeting: Vec<T>,
+    /// Those of the others that no core dominates in errors, the four costs and, where a frequency is wished, the frequency; the nearest
+    /// first.
+    pub misses: Vec<Missed<T>>,
+}
+
+/// A core that does not meet a wish.
+#[derive(Clone, Debug)]
+pub struct Missed<T> {
+    /// The core.
+    pub core: T,
+    /// How far it misses: the sum of log2 of value / allowed over what it misses.
+    pub octaves: f64,
+    /// What it misses, and by how much.
+    pub why: Vec<String>,
+}
+
+impl<T> Ranking<T> {
+    /// Ranks cores: the cheapest is that with the least of the objective; of equals that with the least of the other costs in the order of
+    /// [`Objective::order`], then the least flip-flops, the least error, the first one given.
+    #[must_use]
+    pub fn of(all: Vec<T>, objective: Objective, min_mhz: Option<f64>, standing: &dyn Fn(&T) -> Standing) -> Self {
+        let rank = |Standing { cost, .. }: &Standing| (objective.order().map(|one| one.of(cost)), cost.ff);
+        let mut all: Vec<(Standing, T)> = all.into_iter().map(|core| (standing(&core), core)).collect();
+        all.sort_by(|(a, _), (b, _)| rank(a).cmp(&rank(b)).then(a.errors[0].total_cmp(&b.errors[0])));
+        let values = |(Standing { cost, errors, .. }, _): &(Standing, T)| -> Vec<f64> {
+            let costs = Objective::ALL.iter().map(|objective| f64::from(objective.of(cost)));
+            let slowness = min_mhz.map(|_| -cost.mhz.unwrap_or(0.0));
+            errors.iter().copied().chain(costs).chain(slowness).collect()
+        };
+        let places: Vec<Vec<f64>> = all.iter().map(values).collect();
+        let (mut meeting, mut misses) = (Vec::new(), Vec::new());
+        for ((Standing { missed, .. }, core), own) in all.into_iter().zip(&places) {
+            if missed.is_empty() {
+                meeting.push(core);
+            } else if !places.iter().any(|other| dominates(other, own)) {
+                let octaves = missed.iter().map(|(octaves, _)| octaves).sum();
+                misses.push(Missed { core, octaves, why: missed.into_iter().map(|(_, why)| why).collect() });
+            }
+        }
+        misses.sort_by(|a, b| a.octaves.total_cmp(&b.octaves));
+        Self { meeting, misses }
+    }
+}
+
+/// How much slower a core is than wished, as log2 of wished / own and in words. A frequency that is not known is missed by 1.
+#[must_use]
+pub fn too_slow(cost: &Cost, min_mhz: Option<f64>) -> Option<(f64, String)> {
+    let wished = min_mhz?;
+    match cost.mhz {
+        Some(mhz) if mhz >= wished => None,
+        Some(mhz) => Some((libm::log2(wished / mhz), format!("it is {:.1} MHz too slow", wished - mhz))),
+        None => Some((1.0, "its frequency is not known: it was not placed".to_owned())),
+    }
+}
+
 /// The spec of a point, as far as this version of the program knows its keys.
 fn fields(point: &Point) -> Option<SpecFields> {
     SpecFields::parse(&point.spec, &point.id).ok()
@@ -155,7 +226,7 @@ impl Wish {
         same && own.resolve().is_ok_and(|spec| serves(&spec.shininess, &self.shininess))
     }
 
-    /// What a candidate misses, each as log2 of value / allowed and in words. A frequency that is not known is missed by 1.
+    /// What a candidate misses, each as log2 of value / allowed and in words.
     fn missed(&self, Candidate { point, cost }: &Candidate) -> Vec<(f64, String)> {
         let mut missed = Vec::new();
         let MaxError(allowed) = self.max_error;
@@ -163,15 +234,7 @@ impl Wish {
             let ratio = point.max_abs / allowed;
             missed.push((libm::log2(ratio), format!("its error is {ratio:.3} times what is wished")));
         }
-        if let Some(wished) = self.min_mhz {
-            match cost.mhz {
-                Some(mhz) if mhz >= wished => {}
-                Some(mhz) => {
-                    missed.push((libm::log2(wished / mhz), format!("it is {:.1} MHz too slow", wished - mhz)));
-                }
-                None => missed.push((1.0, "its frequency is not known: it was not placed".to_owned())),
-            }
-        }
+        missed.extend(too_slow(cost, self.min_mhz));
         for &(objective, most) in &self.limits {
             let own = objective.of(cost);
             if own > most {
@@ -184,14 +247,13 @@ impl Wish {
 
     /// Chooses among results.
     ///
-    /// The cheapest is that with the least of the objective; of equals that with the least of the other costs in the
-    /// order of [`Objective::order`], then the least flip-flops, the least error, the first id.
+    /// They are ranked as [`Ranking::of`] says; the results are in the order of their ids.
     ///
     /// # Errors
     /// Results that hold nothing for the family and the shininess, or figures of several versions of the tools.
     pub fn choose(&self, results: &Results) -> Result<Choice, Error> {
         let candidate = |point: &Point| point.cost().map(|cost| Candidate { point: point.clone(), cost });
-        let mut all: Vec<Candidate> =
+        let all: Vec<Candidate> =
             results.points().iter().filter(|point| self.asks_for(point)).filter_map(candidate).collect();
         // Cores that were not placed are of no nextpnr, and may stand beside those of one.
         let tools = || all.iter().filter_map(|candidate| candidate.point.tools());
@@ -213,32 +275,17 @@ impl Wish {
                 format!("make some: brdfgen explore --family {family}{method} --shininess '{set}' --results FILE.db"),
             )
         })?;
-        all.sort_by(|a, b| self.rank(a).cmp(&self.rank(b)).then(a.point.max_abs.total_cmp(&b.point.max_abs)));
         let considered = all.len();
-        let values = |candidate: &Candidate| -> Vec<f64> {
-            let costs = Objective::ALL.iter().map(|objective| f64::from(objective.of(&candidate.cost)));
-            let slowness = self.min_mhz.map(|_| -candidate.cost.mhz.unwrap_or(0.0));
-            std::iter::once(candidate.point.max_abs).chain(costs).chain(slowness).collect()
+        let standing = |candidate: &Candidate| Standing {
+            cost: candidate.cost,
+            errors: vec![candidate.point.max_abs],
+            missed: self.missed(candidate),
         };
-        let places: Vec<Vec<f64>> = all.iter().map(values).collect();
-        let (mut meeting, mut misses) = (Vec::new(), Vec::new());
-        for (candidate, own) in all.into_iter().zip(&places) {
-            let missed = self.missed(&candidate);
-            if missed.is_empty() {
-                meeting.push(candidate);
-            } else if !places.iter().any(|other| dominates(other, own)) {
-                let octaves = missed.iter().map(|(octaves, _)| octaves).sum();
-                misses.push(Miss { candidate, octaves, why: missed.into_iter().map(|(_, why)| why).collect() });
-            }
-        }
-        misses.sort_by(|a, b| a.octaves.total_cmp(&b.octaves));
+        let Ranking { meeting, mut misses } = Ranking::of(all, self.objective, self.min_mhz, &standing);
         misses.truncate(MISSES);
+        let misses = misses.into_iter().map(|Missed { core, octaves, why }| Miss { candidate: core, octaves, why });
+        let misses = misses.collect();
         Ok(Choice { considered, meeting: meeting.len(), chosen: meeting.into_iter().next(), misses, tools })
-    }
-
-    /// What decides between two cores that meet the wish, but for the error.
-    fn rank(&self, candidate: &Candidate) -> ([u32; 4], u32) {
-        (self.objective.order().map(|objective| objective.of(&candidate.cost)), candidate.cost.ff)
     }
 
     /// The spec of a chosen core, with the wish's own shininess, name, languages and ROM formats.

@@ -172,7 +172,12 @@ impl Point {
     /// The point of a core with its error, measured on the bit-exact arithmetic; without a cost.
     #[must_use]
     pub fn measured(core: &Core, design: &Design) -> Self {
-        let measured = Measured::of(design);
+        Self::with_measured(core, design, &Measured::of(design))
+    }
+
+    /// As [`Point::measured`], with an error that is measured already.
+    #[must_use]
+    pub fn with_measured(core: &Core, design: &Design, measured: &Measured) -> Self {
         let sweep = &measured.sweep;
         let checked = match (sweep.exhaustive, sweep.row_step) {
             (true, _) => "exhaustive".to_owned(),

@@ -6,15 +6,19 @@
 //! - [`highlight`]: those values: exact, by the bit-exact model of a core, or by the compiled core itself;
 //! - [`trace`]: what a ray of sight meets, and which lights shine there;
 //! - [`difference`]: two pictures compared, in output steps;
+//! - [`require`]: what a scene requires of a core;
+//! - [`choice`]: the cheapest core that keeps the scene's budget;
 //! - [`picture`]: pictures as files: PNG and OpenEXR;
 //! - [`sheet`]: pages of pictures with what is to be said of them.
 
+pub mod choice;
 pub mod difference;
 pub mod file;
 pub mod frame;
 pub mod highlight;
 pub mod mesh;
 pub mod picture;
+pub mod require;
 pub mod sheet;
 pub mod trace;
 
@@ -23,4 +27,5 @@ pub use file::{Budget, Camera, Light, LightKind, Object, Scene, Shape, Wishes};
 pub use frame::{Frame, Picture};
 pub use highlight::{Codes, Compiled, CoreModel, Exact, Highlights};
 pub use picture::Pixels;
+pub use require::Requirements;
 pub use trace::{Hit, Lit, Tracer};

@@ -1,0 +1,581 @@
+//! What a scene requires of a core: which lobes its pictures ask for, where on them, and how finely.
+//!
+//! The scene is rendered in double precision with the exact lobe, at its full size and, at a reduced one, with its camera and each light
+//! moved by a margin ([`Scene::moved`]). What no pixel of these pictures asks for need not be built; what a core does there all the same is
+//! defined by its ports.
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::frame::BACKGROUND;
+use super::highlight::Exact;
+use super::trace::Tracer;
+use super::{Budget, Difference, Frame, Highlights, Picture, Scene};
+use crate::error::Error;
+use crate::lobe;
+use crate::number::exp2;
+use crate::spec::{INPUT_FRACTION, Material, OUTPUT_FRACTION};
+
+/// The most pixels a row of a moved picture.
+pub const MOVED_WIDTH: u32 = 320;
+/// The most samples, pixels times lights, of all moved pictures together; they are made smaller until they have no more.
+const MOVED_SAMPLES: u64 = 6_000_000;
+/// The largest margin in degrees.
+pub const MAX_MARGIN: f64 = 45.0;
+/// Bins of [`Spread::scaled`].
+pub const SCALED_BINS: usize = 64;
+/// Bins of `s = n u` to 1.
+const BINS_OF_ONE: f64 = 4.0;
+/// Bins of [`Spread::degrees`], of 2 degrees each.
+pub const DEGREE_BINS: usize = 90;
+/// The part of the budget that each of the roundings of input and output may take by the derivation.
+const SHARE: f64 = 0.25;
+
+/// How many samples there are of each kind. A sample is a pixel of an object under one light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Counts {
+    /// All of them.
+    pub samples: u64,
+    /// Those of materials that have no highlight: k_s times every light is 0.
+    pub matte: u64,
+    /// Of the rest, those that the light does not reach: it is behind the surface or in shadow.
+    pub dark: u64,
+    /// Those with a negative cosine, whose highlight is 0.
+    pub negative: u64,
+    /// Those on the epicentre: `x^n >= 1/2`.
+    pub epicentre: u64,
+    /// Those below it whose highlight is half an output step or more.
+    pub visible_tail: u64,
+    /// Those below it whose highlight is less.
+    pub invisible_tail: u64,
+}
+
+/// How the cosines of a material's highlights are distributed, over base and moved pictures.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Spread {
+    /// How many lie in each quarter of `s = n (1 - x)`, from 0; the last bin holds all beyond.
+    pub scaled: Vec<u64>,
+    /// How many lie in each 2 degrees of the angle whose cosine is x, from 0 to 180.
+    pub degrees: Vec<u64>,
+}
+
+/// What a scene asks of one of its materials.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct MaterialNeed {
+    /// Its name.
+    pub name: String,
+    /// Its shininess.
+    pub shininess: f64,
+    /// The highlight's peak in output steps: the largest channel of k_s times the sum of all lights, times full scale.
+    pub peak_steps: f64,
+    /// Whether an object has it.
+    pub used: bool,
+    /// The row of the core that serves it, by its place in [`Requirements::rows`]; none where no row is needed.
+    pub row: Option<usize>,
+    /// Its samples in the base picture.
+    pub base: Counts,
+    /// Its samples in the moved pictures.
+    pub moved: Counts,
+    /// The least cosine of a lit sample.
+    pub least_cosine: Option<f64>,
+    /// Where on its lobe the samples are.
+    pub spread: Spread,
+}
+
+/// A shininess that the core must serve.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Row {
+    /// The shininess.
+    pub shininess: f64,
+    /// The materials that have it, joined by `+`.
+    pub name: String,
+    /// The sum over the lights of `k_s I` at full scale, of the material and channel where it is largest.
+    pub weight: f64,
+}
+
+/// A picture of the scene, reduced to the pixels that highlights fall on: the others are the same whatever the core.
+#[derive(Clone, Debug)]
+pub struct View {
+    /// The name: `base`, or that of the move.
+    pub name: String,
+    /// The pixels of the whole picture.
+    pub pixels: u64,
+    /// The lit pixels, as a picture of one row.
+    pub lit: Frame,
+    /// The exact picture of the lit pixels.
+    pub exact: Picture,
+    /// The exact lobe of each sample of the lit pixels.
+    pub lobes: Vec<f64>,
+}
+
+/// How a picture through a core differs from the exact one.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct PictureError {
+    /// The greatest difference of a channel in output steps.
+    pub max_steps: u16,
+    /// The mean of all differences in output steps.
+    pub mean_steps: f64,
+    /// The mean square of all differences in squared output steps.
+    pub mean_square: f64,
+    /// The peak signal-to-noise ratio in dB; none of the same picture.
+    pub psnr: Option<f64>,
+    /// The pixels that differ.
+    pub pixels_off: u64,
+}
+
+/// Fraction bits of a port.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Bits {
+    /// The fewest with which the rounding is proved to take no more than a quarter of the budget; none where the budget allows no error, or
+    /// where it needs more than a port may have.
+    pub derived: Option<u32>,
+    /// The fewest with which the pictures keep the budget where the lobe is exact and only this port is rounded; none where it needs more than
+    /// a port may have.
+    pub measured: Option<u32>,
+}
+
+/// What a scene requires.
+#[derive(Clone, Debug, Serialize)]
+pub struct Requirements {
+    /// The angle in degrees by which the camera and each light were moved.
+    pub margin_degrees: f64,
+    /// The error that is allowed in each picture.
+    pub budget: Budget,
+    /// The number of lights.
+    pub lights: usize,
+    /// The names of the pictures: the base, then the moves.
+    pub pictures: Vec<String>,
+    /// Pixels a row and rows of the base picture.
+    pub size: [u32; 2],
+    /// Pixels a row and rows of the moved pictures.
+    pub moved_size: [u32; 2],
+    /// The materials, in the scene's order.
+    pub materials: Vec<MaterialNeed>,
+    /// The shininesses that are needed, ascending.
+    pub rows: Vec<Row>,
+    /// All samples of the base picture.
+    pub base: Counts,
+    /// All samples of the moved pictures.
+    pub moved: Counts,
+    /// The least cosine of a lit sample of a material with a highlight.
+    pub least_cosine: Option<f64>,
+    /// The pixels of the base picture and of all moved ones with a channel whose sum exceeds full scale.
+    pub saturated: [u64; 2],
+    /// The value of the lobe below which a highlight is less than half an output step, however bright material and light: `1 / (2 w full)`
+    /// of the largest `w = k_s I` of a light.
+    pub invisible_below: Option<f64>,
+    /// F: an input off by half of its last bit moves `x^n` by at most `n 2^-(F+1)`, as its slope is at most n, and a channel by at most
+    /// `sum(k_s I) full n 2^-(F+1)` steps.
+    pub input_fraction: Bits,
+    /// G: an output off by half of its last bit moves a channel by at most `sum(k_s I) full 2^-(G+1)` steps.
+    pub output_fraction: Bits,
+    /// The pictures.
+    #[serde(skip)]
+    pub(super) views: Vec<View>,
+    /// The whole base picture.
+    #[serde(skip)]
+    pub(super) frame: Frame,
+}
+
+impl Counts {
+    fn add(&mut self, other: &Self) {
+        let Self { samples, matte, dark, negative, epicentre, visible_tail, invisible_tail } = other;
+        self.samples += samples;
+        self.matte += matte;
+        self.dark += dark;
+        self.negative += negative;
+        self.epicentre += epicentre;
+        self.visible_tail += visible_tail;
+        self.invisible_tail += invisible_tail;
+    }
+
+    /// Those that ask for a lobe: lit, of a material with a highlight.
+    #[must_use]
+    pub fn lit(&self) -> u64 {
+        self.negative + self.epicentre + self.visible_tail + self.invisible_tail
+    }
+
+    /// The sum of two.
+    #[must_use]
+    pub fn and(mut self, other: &Self) -> Self {
+        self.add(other);
+        self
+    }
+}
+
+impl Budget {
+    /// Both limits, the default put in where none is given: one step at most.
+    #[must_use]
+    pub fn limits(&self) -> (Option<u32>, Option<f64>) {
+        match (self.max_steps, self.min_psnr) {
+            (None, None) => (Some(1), None),
+            both => both,
+        }
+    }
+
+    /// What a picture misses of it, each as log2 of value / allowed and in words.
+    #[must_use]
+    pub fn missed(&self, error: &PictureError, of: &str) -> Vec<(f64, String)> {
+        let (steps, psnr) = self.limits();
+        let mut missed = Vec::new();
+        if let Some(allowed) = steps.filter(|&allowed| u32::from(error.max_steps) > allowed) {
+            // One more of each, as 0 may be allowed.
+            let octaves = libm::log2((f64::from(error.max_steps) + 1.0) / (f64::from(allowed) + 1.0));
+            missed.push((octaves, format!("{of} is off by {} steps where {allowed} are allowed", error.max_steps)));
+        }
+        if let (Some(allowed), Some(own)) = (psnr, error.psnr)
+            && own < allowed
+        {
+            let octave = 20.0 * std::f64::consts::LOG10_2;
+            missed.push(((allowed - own) / octave, format!("{of} has {:.2} dB too little", allowed - own)));
+        }
+        missed
+    }
+
+    /// The real-valued error in steps that keeps it whatever the picture: the greatest that moves no code by more than the steps that are
+    /// allowed; of a PSNR, the error e whose share of moved codes, e of them by one step, has the mean square that is allowed.
+    #[must_use]
+    pub fn steps(&self, channel_bits: u32) -> f64 {
+        let full = f64::from((1u32 << channel_bits) - 1);
+        let (steps, psnr) = self.limits();
+        let of_psnr = |psnr: f64| {
+            let rms = full * libm::pow(10.0, -psnr / 20.0);
+            if rms < 1.0 { rms * rms } else { rms }
+        };
+        steps.map_or(f64::INFINITY, f64::from).min(psnr.map_or(f64::INFINITY, of_psnr))
+    }
+}
+
+impl View {
+    fn new(name: String, scene: &Scene, frame: &Frame) -> Self {
+        let lights = frame.lights;
+        let shiny: Vec<Vec<bool>> = (0..scene.materials.len())
+            .map(|m| (0..lights).map(|l| scene.specular(m, l).iter().any(|&weight| weight > 0.0)).collect())
+            .collect();
+        let is_lit = |&pixel: &usize| {
+            let material = frame.material[pixel];
+            material != BACKGROUND
+                && (0..lights).any(|l| shiny[usize::from(material)][l] && !frame.versine[pixel * lights + l].is_nan())
+        };
+        let kept: Vec<usize> = (0..frame.material.len()).filter(is_lit).collect();
+        let versines = |&pixel: &usize| &frame.versine[pixel * lights..][..lights];
+        let lit = Frame {
+            width: kept.len() as u32,
+            height: 1,
+            lights,
+            material: kept.iter().map(|&pixel| frame.material[pixel]).collect(),
+            base: kept.iter().map(|&pixel| frame.base[pixel]).collect(),
+            versine: kept.iter().flat_map(versines).copied().collect(),
+        };
+        let lobes = exact(scene, &lit);
+        let exact = lit.picture(scene, &lobes);
+        Self { name, pixels: frame.material.len() as u64, lit, exact, lobes }
+    }
+
+    /// How the whole picture with these values of the lobes, a sample of the lit pixels each, differs from the exact one.
+    #[must_use]
+    pub fn error(&self, scene: &Scene, highlights: &[f64]) -> PictureError {
+        let own = Difference::of(&self.exact, &self.lit.picture(scene, highlights));
+        // Where nothing is lit there is nothing to compare.
+        let lit = self.lit.material.len() as f64;
+        if lit == 0.0 {
+            return PictureError::default();
+        }
+        let part = lit / self.pixels as f64;
+        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let squares = own.psnr.map_or(0.0, |psnr| full * full * libm::pow(10.0, -psnr / 10.0) * part);
+        PictureError {
+            max_steps: own.max_steps,
+            mean_steps: own.mean_steps * part,
+            mean_square: squares,
+            psnr: own.psnr.map(|psnr| psnr - 10.0 * libm::log10(part)),
+            pixels_off: own.pixels.iter().skip(1).sum(),
+        }
+    }
+}
+
+impl PictureError {
+    /// The worse of two in each figure, where they are of several pictures; the pixels are added.
+    #[must_use]
+    pub fn worst(self, other: Self) -> Self {
+        let psnr = match (self.psnr, other.psnr) {
+            (Some(a), Some(b)) => Some(a.min(b)),
+            (a, b) => a.or(b),
+        };
+        Self {
+            max_steps: self.max_steps.max(other.max_steps),
+            mean_steps: self.mean_steps.max(other.mean_steps),
+            mean_square: self.mean_square.max(other.mean_square),
+            psnr,
+            pixels_off: self.pixels_off + other.pixels_off,
+        }
+    }
+}
+
+fn exact(scene: &Scene, frame: &Frame) -> Vec<f64> {
+    Exact.of(scene, frame).expect("the exact lobe needs no tools")
+}
+
+/// What a frame's samples are, material by material.
+#[derive(Clone)]
+struct Survey {
+    counts: Vec<Counts>,
+    least: Vec<f64>,
+    spreads: Vec<Spread>,
+    saturated: u64,
+}
+
+impl Survey {
+    fn new(materials: usize) -> Self {
+        let spread = Spread { scaled: vec![0; SCALED_BINS], degrees: vec![0; DEGREE_BINS] };
+        Self {
+            counts: vec![Counts::default(); materials],
+            least: vec![f64::INFINITY; materials],
+            spreads: vec![spread; materials],
+            saturated: 0,
+        }
+    }
+
+    fn of(scene: &Scene, frame: &Frame) -> Self {
+        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let lights = frame.lights;
+        let weights: Vec<Vec<[f64; 3]>> =
+            (0..scene.materials.len()).map(|m| (0..lights).map(|l| scene.specular(m, l)).collect()).collect();
+        let strength = |material: usize, light: usize| weights[material][light].into_iter().fold(0.0, f64::max);
+        let mut survey = Self::new(scene.materials.len());
+        for (pixel, &material) in frame.material.iter().enumerate() {
+            let mut sum = frame.base[pixel];
+            if material == BACKGROUND {
+                continue;
+            }
+            let material = usize::from(material);
+            let n = scene.materials[material].shininess;
+            let matte = (0..lights).all(|light| strength(material, light) == 0.0);
+            let counts = &mut survey.counts[material];
+            for light in 0..lights {
+                let versine = frame.versine[pixel * lights + light];
+                counts.samples += 1;
+                if matte {
+                    counts.matte += 1;
+                    continue;
+                }
+                if versine.is_nan() {
+                    counts.dark += 1;
+                    continue;
+                }
+                let spread = &mut survey.spreads[material];
+                spread.scaled[((n * versine * BINS_OF_ONE) as usize).min(SCALED_BINS - 1)] += 1;
+                let degrees = lobe::degrees(versine.min(2.0));
+                spread.degrees[((degrees * DEGREE_BINS as f64 / 180.0) as usize).min(DEGREE_BINS - 1)] += 1;
+                survey.least[material] = survey.least[material].min(1.0 - versine);
+                if versine > 1.0 {
+                    counts.negative += 1;
+                    continue;
+                }
+                let value = lobe::exact(n, versine);
+                let steps = strength(material, light) * value * full;
+                *(match value {
+                    value if value >= 0.5 => &mut counts.epicentre,
+                    _ if steps >= 0.5 => &mut counts.visible_tail,
+                    _ => &mut counts.invisible_tail,
+                }) += 1;
+                sum = [0, 1, 2].map(|c| sum[c] + weights[material][light][c] * value);
+            }
+            survey.saturated += u64::from(sum.iter().any(|&channel| channel > 1.0));
+        }
+        survey
+    }
+
+    fn and(mut self, other: &Self) -> Self {
+        for (material, counts) in other.counts.iter().enumerate() {
+            self.counts[material].add(counts);
+            self.least[material] = self.least[material].min(other.least[material]);
+            let (own, other) = (&mut self.spreads[material], &other.spreads[material]);
+            own.scaled.iter_mut().zip(&other.scaled).for_each(|(own, other)| *own += other);
+            own.degrees.iter_mut().zip(&other.degrees).for_each(|(own, other)| *own += other);
+        }
+        self.saturated += other.saturated;
+        self
+    }
+}
+
+/// The size of the moved pictures: as the base's, made smaller to at most [`MOVED_WIDTH`] pixels a row and so many samples in all of them.
+fn moved_size(scene: &Scene, moves: usize) -> [u32; 2] {
+    let samples = moves as f64 * scene.lights.len() as f64 * f64::from(scene.width) * f64::from(scene.height);
+    let narrow = f64::from(MOVED_WIDTH) / f64::from(scene.width);
+    let few = libm::sqrt(MOVED_SAMPLES as f64 / samples.max(1.0));
+    let scale = narrow.min(few).min(1.0);
+    [scene.width, scene.height].map(|side| (libm::round(f64::from(side) * scale) as u32).max(1))
+}
+
+impl Requirements {
+    /// Finds what a scene requires, with its camera and each of its lights moved by `margin_degrees`, from 0 to [`MAX_MARGIN`]. `done` is told
+    /// how many of how many pictures have been rendered.
+    ///
+    /// # Errors
+    /// A margin that is not allowed.
+    pub fn of(scene: &Scene, margin_degrees: f64, done: &(dyn Fn(usize, usize) + Sync)) -> Result<Self, Error> {
+        if !(0.0..=MAX_MARGIN).contains(&margin_degrees) {
+            return Err(Error::input(
+                format!("a margin of {margin_degrees} degrees is out of range"),
+                format!("a margin is a real number from 0 to {MAX_MARGIN}"),
+            ));
+        }
+        let moved = scene.moved(margin_degrees);
+        let [width, height] = moved_size(scene, moved.len());
+        let total = 1 + moved.len();
+        let tracer = Tracer::new(scene);
+        let frame = Frame::trace(&tracer, scene, &|| {});
+        let base = Survey::of(scene, &frame);
+        let mut pictures = vec!["base".to_owned()];
+        let mut views = vec![View::new("base".to_owned(), scene, &frame)];
+        done(1, total);
+        let finished = std::sync::atomic::AtomicUsize::new(1);
+        let of_moved: Vec<(View, Survey)> = moved
+            .into_par_iter()
+            .map(|(name, moved)| {
+                let moved = moved.resized(width, height);
+                let frame = Frame::trace(&tracer, &moved, &|| {});
+                let both = (View::new(name, scene, &frame), Survey::of(&moved, &frame));
+                done(finished.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, total);
+                both
+            })
+            .collect();
+        let mut elsewhere = Survey::new(scene.materials.len());
+        for (view, survey) in of_moved {
+            elsewhere = elsewhere.and(&survey);
+            pictures.push(view.name.clone());
+            views.push(view);
+        }
+        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let rows = rows(scene, &base, &elsewhere);
+        let all = |counts: &[Counts]| counts.iter().fold(Counts::default(), |sum, counts| sum.and(counts));
+        let (base_counts, moved_counts) = (all(&base.counts), all(&elsewhere.counts));
+        let saturated = [base.saturated, elsewhere.saturated];
+        let lit = |&material: &usize| base.counts[material].lit() + elsewhere.counts[material].lit() > 0;
+        let served = (0..scene.materials.len()).filter(lit);
+        let strengths = served.flat_map(|material| (0..scene.lights.len()).map(move |light| (material, light)));
+        let strongest = strengths.flat_map(|(material, light)| scene.specular(material, light)).fold(0.0, f64::max);
+        let materials = needs(scene, [&base, &elsewhere, &base.clone().and(&elsewhere)], &rows, full);
+        let least = materials.iter().filter_map(|need| need.least_cosine).fold(f64::INFINITY, f64::min);
+        let mut requirements = Self {
+            margin_degrees,
+            budget: scene.budget,
+            lights: scene.lights.len(),
+            pictures,
+            size: [scene.width, scene.height],
+            moved_size: [width, height],
+            materials,
+            rows,
+            base: base_counts,
+            moved: moved_counts,
+            least_cosine: least.is_finite().then_some(least),
+            saturated,
+            invisible_below: (strongest > 0.0).then(|| 0.5 / (strongest * full)),
+            input_fraction: Bits { derived: None, measured: None },
+            output_fraction: Bits { derived: None, measured: None },
+            views,
+            frame,
+        };
+        requirements.input_fraction = requirements.input_bits(scene);
+        requirements.output_fraction = requirements.output_bits(scene);
+        Ok(requirements)
+    }
+}
+
+/// The largest channel of k_s times the sum of all lights.
+fn weight(scene: &Scene, material: usize) -> f64 {
+    let of_channel = |c: usize| (0..scene.lights.len()).map(|light| scene.specular(material, light)[c]).sum::<f64>();
+    [0, 1, 2].map(of_channel).into_iter().fold(0.0, f64::max)
+}
+
+/// The shininesses of the materials with lit samples, ascending.
+fn rows(scene: &Scene, base: &Survey, moved: &Survey) -> Vec<Row> {
+    let mut rows: Vec<Row> = Vec::new();
+    for (place, material) in scene.materials.iter().enumerate() {
+        if base.counts[place].lit() + moved.counts[place].lit() == 0 {
+            continue;
+        }
+        let weight = weight(scene, place);
+        match rows.iter_mut().find(|row| row.shininess == material.shininess) {
+            Some(row) => {
+                row.name = format!("{}+{}", row.name, material.name);
+                row.weight = row.weight.max(weight);
+            }
+            None => rows.push(Row { shininess: material.shininess, name: material.name.clone(), weight }),
+        }
+    }
+    rows.sort_by(|a, b| a.shininess.total_cmp(&b.shininess));
+    rows
+}
+
+fn needs(scene: &Scene, [base, moved, both]: [&Survey; 3], rows: &[Row], full: f64) -> Vec<MaterialNeed> {
+    let need = |(place, material): (usize, &Material)| MaterialNeed {
+        name: material.name.clone(),
+        shininess: material.shininess,
+        peak_steps: weight(scene, place) * full,
+        used: scene.objects.iter().any(|object| object.material == place),
+        row: rows.iter().position(|row| row.shininess == material.shininess).filter(|_| both.counts[place].lit() > 0),
+        base: base.counts[place],
+        moved: moved.counts[place],
+        least_cosine: both.least[place].is_finite().then_some(both.least[place]),
+        spread: both.spreads[place].clone(),
+    };
+    scene.materials.iter().enumerate().map(need).collect()
+}
+
+impl Requirements {
+    /// The worst error over the moved pictures that `highlights` gives, and that of the base picture before it.
+    pub(super) fn errors(&self, scene: &Scene, highlights: &dyn Fn(usize) -> Vec<f64>) -> [PictureError; 2] {
+        let mut errors = self.views.iter().enumerate().map(|(place, view)| view.error(scene, &highlights(place)));
+        let base = errors.next().unwrap_or_default();
+        [base, errors.fold(PictureError::default(), PictureError::worst)]
+    }
+
+    /// Whether the budget holds in the base and in every moved picture.
+    fn keeps(&self, scene: &Scene, highlights: &dyn Fn(usize) -> Vec<f64>) -> bool {
+        self.errors(scene, highlights).iter().all(|error| self.budget.missed(error, "").is_empty())
+    }
+
+    /// The fewest bits for which a bound, which halves with each bit, is within the share of the budget.
+    fn derived(&self, scene: &Scene, bound: &dyn Fn(i32) -> f64, most: u32) -> Option<u32> {
+        let allowed = SHARE * self.budget.steps(scene.channel_bits);
+        (1..=most).find(|&bits| bound(bits as i32) <= allowed)
+    }
+
+    fn input_bits(&self, scene: &Scene) -> Bits {
+        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let steepest = self.rows.iter().map(|row| row.shininess * row.weight * full).fold(0.0, f64::max);
+        let derived = self.derived(scene, &|bits| steepest * exp2(-bits - 1), *INPUT_FRACTION.end());
+        let rounded = |bits: u32| {
+            let one = exp2(bits as i32);
+            move |view: usize| -> Vec<f64> {
+                let lit = &self.views[view].lit;
+                let value = |(sample, &versine): (usize, &f64)| {
+                    if versine.is_nan() || versine >= 1.0 {
+                        return 0.0;
+                    }
+                    let n = scene.materials[usize::from(lit.material[sample / lit.lights])].shininess;
+                    lobe::exact(n, 1.0 - libm::round((1.0 - versine) * one) / one)
+                };
+                lit.versine.par_iter().enumerate().map(value).collect()
+            }
+        };
+        let measured = INPUT_FRACTION.clone().find(|&bits| self.keeps(scene, &rounded(bits)));
+        Bits { derived: derived.map(|bits| bits.max(*INPUT_FRACTION.start())), measured }
+    }
+
+    fn output_bits(&self, scene: &Scene) -> Bits {
+        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let strongest = self.rows.iter().map(|row| row.weight * full).fold(0.0, f64::max);
+        let derived = self.derived(scene, &|bits| strongest * exp2(-bits - 1), *OUTPUT_FRACTION.end());
+        let rounded = |bits: u32| {
+            let one = exp2(bits as i32);
+            move |view: usize| -> Vec<f64> {
+                self.views[view].lobes.par_iter().map(|value| libm::round(value * one) / one).collect()
+            }
+        };
+        let measured = OUTPUT_FRACTION.clone().find(|&bits| self.keeps(scene, &rounded(bits)));
+        Bits { derived: derived.map(|bits| bits.max(*OUTPUT_FRACTION.start())), measured }
+    }
+}
