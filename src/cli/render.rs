@@ -16,8 +16,9 @@ use crate::explore::run::{Costing, Flow};
 use crate::explore::sweep::Core;
 use crate::explore::{Cost, Model, Point, Results};
 use crate::package;
+use crate::scene::choice::Search;
 use crate::scene::sheet::{self, Cell, Sheet};
-use crate::scene::{Compiled, CoreModel, Difference, Exact, Frame, Highlights, Scene, picture};
+use crate::scene::{Compiled, CoreModel, Difference, Exact, Frame, Highlights, Requirements, Scene, picture};
 use crate::spec::{Language, Shininess, SpecFields};
 use crate::synth::{self, Family};
 use crate::tool;
@@ -25,6 +26,9 @@ use crate::tool;
 /// The cores that `--compare` shows where it is not told which.
 const COMPARED: &str =
     "quadratic,cubic,cubic-min-zero:coefficients=minimax,schlick,power-4,log-exp:accuracy=5,log-exp:accuracy=9";
+
+/// The degrees that the camera and the lights are moved by where a core is chosen.
+const MARGIN: f64 = 5.0;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -55,18 +59,23 @@ pub(super) struct Arguments {
 
     /// Make a contact sheet of several cores: methods, each with keys if need be, as in `cubic,log-exp:accuracy=9`, spec files or core
     /// directories [default: quadratic, cubic, cubic-min-zero minimax, schlick, power-4, log-exp of accuracy 5 and 9]
-    #[arg(long, value_name = "CORES", num_args = 0..=1, require_equals = true, value_delimiter = ',', default_missing_value = COMPARED)]
+    #[arg(long, value_name = "CORES", num_args = 0..=1, require_equals = true, value_delimiter = ',', default_missing_value = COMPARED, conflicts_with = "method")]
     compare: Option<Vec<String>>,
 
-    /// With --compare: measure the cost of the cores by synthesis and placement, instead of estimating it
-    #[arg(long, requires = "compare")]
+    /// Where a core is to be chosen: move the camera and each light by so many degrees too, 0 to 45 [default: 5]
+    #[arg(long, value_name = "DEGREES", conflicts_with_all = ["compare", "core", "method"])]
+    margin: Option<f64>,
+
+    /// Costs by synthesis and placement instead of the cost model, where a core is to be chosen and with --compare
+    #[arg(long, conflicts_with_all = ["core", "method"])]
     synth: bool,
 
     /// With --compare: the family of FPGAs that the costs are for [default: the scene's]
     #[arg(long, value_enum, requires = "compare")]
     family: Option<Family>,
 
-    /// The core: a spec file, or the directory of a generated core; flags win over it
+    /// The core: a spec file, or the directory of a generated core; flags win over it. Without it and without --method: the cheapest core
+    /// that keeps the scene's budget
     #[arg(long, value_name = "SPEC", help_heading = "Core", conflicts_with = "compare")]
     core: Option<PathBuf>,
 
@@ -141,6 +150,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     if piped && (arguments.json || arguments.exr.as_deref().is_some_and(to_stdout) && to_stdout(&arguments.out)) {
         return Err(Error::input("standard output cannot take two things", "write the picture to a file"));
     }
+    std::iter::once(&arguments.out).chain(&arguments.exr).try_for_each(|path| check_writable(path))?;
     let scene = read_scene(&arguments.scene)?;
     let scene = match arguments.size {
         Some(Size(width, height)) => scene.resized(width, height),
@@ -218,7 +228,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
             "channel_bits": scene.channel_bits,
             "samples": samples(&frame),
             "core": core,
-            "budget": { "max_steps": limits(&scene).0, "min_psnr": limits(&scene).1 },
+            "budget": budget_json(&scene),
             "kept": core.as_ref().map(|_| missed.is_empty()),
             "missed": missed,
             "panels": panels,
@@ -253,12 +263,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 /// The contact sheet.
 fn compare(arguments: &Arguments, scene: &Scene, cores: &[Chosen], piped: bool) -> Result<Verdict, Error> {
     let family = arguments.family.unwrap_or(scene.core.family);
-    let costing = if arguments.synth {
-        let cache = Some(synth::default_cache());
-        Costing::Synthesis(Flow { seeds: 3, target_mhz: None, place: true, pack: true, yosys: None, cache })
-    } else {
-        Costing::Estimate(Model::fit(&Results::built_in()?)?)
-    };
+    let costing = costing(arguments.synth)?;
     let frame = trace(scene);
     let exact = frame.picture(scene, &Exact.of(scene, &frame)?);
     let bar = progress::bar("cores", cores.len() as u64);
@@ -300,7 +305,7 @@ fn compare(arguments: &Arguments, scene: &Scene, cores: &[Chosen], piped: bool) 
             "samples": samples(&frame),
             "family": family,
             "through": arguments.through,
-            "budget": { "max_steps": limits(scene).0, "min_psnr": limits(scene).1 },
+            "budget": budget_json(scene),
             "cores": list,
             "panels": panels,
         }));
@@ -313,6 +318,19 @@ fn compare(arguments: &Arguments, scene: &Scene, cores: &[Chosen], piped: bool) 
         say(arguments.out.display().to_string());
     }
     Ok(Verdict::Done)
+}
+
+/// Refuses a file that cannot be written, before the work begins.
+fn check_writable(path: &Path) -> Result<(), Error> {
+    let directory = path.parent().filter(|parent| !parent.as_os_str().is_empty());
+    match directory.filter(|directory| !directory.is_dir()) {
+        Some(missing) => Err(Error::input(
+            format!("there is no directory {} for {}", missing.display(), path.display()),
+            "make it first, or name another place",
+        )),
+        None if path.is_dir() => Err(Error::input(format!("{} is a directory", path.display()), "name a file")),
+        None => Ok(()),
+    }
 }
 
 /// Reads a scene; a spec is told apart.
@@ -376,30 +394,54 @@ fn the_core(arguments: &Arguments, scene: &Scene) -> Result<Chosen, Error> {
         let directory = (path.is_dir() && flags == SpecFields::default()).then(|| path.clone());
         return Ok(Chosen { design: core_for(scene, flags.or(read_core(path)?))?, directory });
     }
-    let fields = with_wishes(flags, scene);
-    if fields.method.is_none() {
-        return Err(Error::input(
-            "no core is named",
-            "give --core with a spec file or a core's directory, or --method cubic or another, or a method in the scene's [core]",
-        ));
+    if flags.method.is_none() {
+        return Ok(Chosen { design: needed_core(arguments, scene, &flags)?, directory: None });
     }
-    Ok(Chosen { design: core_for(scene, fields)?, directory: None })
+    Ok(Chosen { design: core_for(scene, with_wishes(flags, scene))?, directory: None })
 }
 
-/// Keys, and where one is missing that of the scene's `[core]`: of a method of their own only what any core may have.
+/// How costs are found: by synthesis, or by the cost model.
+fn costing(synthesis: bool) -> Result<Costing, Error> {
+    if !synthesis {
+        return Ok(Costing::Estimate(Model::fit(&Results::built_in()?)?));
+    }
+    let cache = Some(synth::default_cache());
+    Ok(Costing::Synthesis(Flow { seeds: 3, target_mhz: None, place: true, pack: true, yosys: None, cache }))
+}
+
+/// The core that the scene needs, with these keys, as `generate` chooses it.
+fn needed_core(arguments: &Arguments, scene: &Scene, keys: &SpecFields) -> Result<Design, Error> {
+    let bar = progress::bar("rendering", 1);
+    let told = |done: usize, of: usize| {
+        bar.set_length(of as u64);
+        bar.set_position(done as u64);
+    };
+    let requirements = Requirements::of(scene, arguments.margin.unwrap_or(MARGIN), &told)?;
+    let costing = costing(arguments.synth)?;
+    let choice = Search::new(scene, &requirements, &costing, keys)?.choose(&|what, done, of| {
+        bar.set_message(what);
+        told(done, of);
+    })?;
+    bar.finish_and_clear();
+    let chosen = choice.chosen.ok_or_else(|| {
+        Error::input(
+            format!("none of the {} cores considered keeps the budget of the scene {}", choice.considered, scene.name),
+            "allow more in its [budget], or name a core with --core or --method: its picture is drawn in any case",
+        )
+    })?;
+    Design::new(chosen.spec()?.resolve()?)
+}
+
+/// Keys of a core with a method of its own, and where one is missing that of the scene's `[core]` that any core may have.
 fn with_wishes(fields: SpecFields, scene: &Scene) -> SpecFields {
     let wishes = scene.core.keys.clone();
-    let wishes = match fields.method {
-        None => wishes,
-        Some(_) => SpecFields {
-            input_fraction: wishes.input_fraction,
-            output_fraction: wishes.output_fraction,
-            operand: wishes.operand,
-            pipeline: wishes.pipeline,
-            ..SpecFields::default()
-        },
-    };
-    fields.or(wishes)
+    fields.or(SpecFields {
+        input_fraction: wishes.input_fraction,
+        output_fraction: wishes.output_fraction,
+        operand: wishes.operand,
+        pipeline: wishes.pipeline,
+        ..SpecFields::default()
+    })
 }
 
 /// A core that `--compare` names: `METHOD`, `METHOD:KEY=VALUE:...`, a spec file or a directory.
@@ -464,17 +506,9 @@ fn samples(frame: &Frame) -> u64 {
     frame.versine.iter().filter(|versine| !versine.is_nan()).count() as u64
 }
 
-/// The scene's limits, with the default where it has none: one step.
-fn limits(scene: &Scene) -> (Option<u32>, Option<f64>) {
-    match (scene.budget.max_steps, scene.budget.min_psnr) {
-        (None, None) => (Some(1), None),
-        both => both,
-    }
-}
-
 /// What a picture misses of the budget, in words.
 fn missed(scene: &Scene, difference: &Difference) -> Vec<String> {
-    let (steps, psnr) = limits(scene);
+    let (steps, psnr) = scene.budget.limits();
     let mut missed = Vec::new();
     if let Some(allowed) = steps.filter(|&allowed| u32::from(difference.max_steps) > allowed) {
         missed.push(format!("over the budget: off by {} steps where {allowed} are allowed", difference.max_steps));
@@ -487,8 +521,13 @@ fn missed(scene: &Scene, difference: &Difference) -> Vec<String> {
     missed
 }
 
+fn budget_json(scene: &Scene) -> Value {
+    let (max_steps, min_psnr) = scene.budget.limits();
+    json!({ "max_steps": max_steps, "min_psnr": min_psnr })
+}
+
 fn budget_text(scene: &Scene) -> String {
-    let (steps, psnr) = limits(scene);
+    let (steps, psnr) = scene.budget.limits();
     let steps = steps.map(|steps| format!("at most {steps} {} off", if steps == 1 { "step" } else { "steps" }));
     let psnr = psnr.map(|psnr| format!("a PSNR of at least {psnr} dB"));
     steps.into_iter().chain(psnr).collect::<Vec<_>>().join(", ")
