@@ -4,6 +4,7 @@ mod chart;
 mod lobes;
 mod page;
 mod png;
+mod scene;
 mod speed;
 mod trade;
 
@@ -12,5 +13,6 @@ pub use chart::{Axis, BLACK, COLOURS, Chart, Curve, Scale, Shape, Spot, Spots, S
 pub use page::Report;
 pub use png::png;
 pub(crate) use png::{draw, text_width};
+pub use scene::ScenePart;
 pub use speed::Speed;
 pub use trade::{Group, Palette, groups};

@@ -5,6 +5,7 @@ use askama::Template;
 use super::chart::Chart;
 use super::lobes::{self, Measured};
 use super::png::png;
+use super::scene::ScenePart;
 use super::speed::{Speed, time};
 use super::trade::{Group, Palette, error_text, family_name, groups};
 use crate::error::Error;
@@ -23,6 +24,7 @@ pub struct Report<'a> {
     lobes: Vec<(String, Chart)>,
     /// The cores that the charts of the lobes show.
     shown: Vec<&'a Point>,
+    scenes: Vec<ScenePart>,
 }
 
 impl<'a> Report<'a> {
@@ -67,14 +69,22 @@ impl<'a> Report<'a> {
             lobes: lobes::charts(&measured, &palette, chosen),
             groups,
             shown,
+            scenes: Vec::new(),
         })
+    }
+
+    /// The report with these scenes, which stand first.
+    #[must_use]
+    pub fn with_scenes(self, scenes: Vec<ScenePart>) -> Self {
+        Self { scenes, ..self }
     }
 
     /// All charts as files, each as SVG and as PNG.
     #[must_use]
     pub fn plots(&self) -> Vec<File> {
         let mut files = Vec::new();
-        for (name, chart) in self.trade.iter().flatten().chain(&self.lobes) {
+        let of_scenes = self.scenes.iter().flat_map(|scene| &scene.charts);
+        for (name, chart) in self.trade.iter().flatten().chain(&self.lobes).chain(of_scenes) {
             let svg = chart.svg();
             files.push(File { path: format!("{name}.png"), bytes: png(&svg) });
             files.push(File { path: format!("{name}.svg"), bytes: svg.into_bytes() });
@@ -100,6 +110,7 @@ impl<'a> Report<'a> {
         let page = Page {
             version: env!("CARGO_PKG_VERSION"),
             points: self.points.len(),
+            scenes: &self.scenes,
             sections: sections.collect(),
             chosen: self.chosen.map(Chosen::of),
             lobes: figures(&self.lobes),
@@ -115,9 +126,10 @@ impl<'a> Report<'a> {
 
 #[derive(Template)]
 #[template(path = "report/report.html")]
-struct Page {
+struct Page<'a> {
     version: &'static str,
     points: usize,
+    scenes: &'a [ScenePart],
     sections: Vec<Section>,
     chosen: Option<Chosen>,
     lobes: Vec<Figure>,
@@ -140,14 +152,14 @@ struct Section {
 }
 
 /// A chart in the page.
-struct Figure {
+pub(super) struct Figure {
     name: String,
     title: String,
     svg: String,
 }
 
 impl Figure {
-    fn of(name: &str, chart: &Chart) -> Self {
+    pub(super) fn of(name: &str, chart: &Chart) -> Self {
         // In HTML an SVG needs no name space.
         let svg = chart.svg().replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
         Self { name: name.to_owned(), title: chart.title.clone(), svg }
@@ -181,44 +193,48 @@ impl Chosen {
 }
 
 /// A table that sorts.
-struct Table {
-    title: String,
-    heads: Vec<Head>,
-    rows: Vec<Line>,
+#[derive(Debug)]
+pub(super) struct Table {
+    pub(super) title: String,
+    pub(super) heads: Vec<Head>,
+    pub(super) rows: Vec<Line>,
 }
 
 /// A column.
-struct Head {
-    name: &'static str,
+#[derive(Debug)]
+pub(super) struct Head {
+    pub(super) name: &'static str,
     /// What it is, for who points at it.
-    meaning: &'static str,
+    pub(super) meaning: &'static str,
 }
 
 /// A line of a table.
-struct Line {
-    chosen: bool,
-    cells: Vec<Cell>,
+#[derive(Debug)]
+pub(super) struct Line {
+    pub(super) chosen: bool,
+    pub(super) cells: Vec<Cell>,
 }
 
 /// A field: its text, and the number by which it is sorted, or nothing where it is sorted by its text. A number that is missing is
 /// the empty text.
-struct Cell {
+#[derive(Debug)]
+pub(super) struct Cell {
     text: String,
     key: Option<String>,
 }
 
-fn word(text: impl Into<String>) -> Cell {
+pub(super) fn word(text: impl Into<String>) -> Cell {
     Cell { text: text.into(), key: None }
 }
 
-fn number(value: Option<f64>, text: impl Fn(f64) -> String) -> Cell {
+pub(super) fn number(value: Option<f64>, text: impl Fn(f64) -> String) -> Cell {
     Cell {
         text: value.map(text).unwrap_or_default(),
         key: Some(value.map(|value| format!("{value:e}")).unwrap_or_default()),
     }
 }
 
-fn count(value: Option<u32>) -> Cell {
+pub(super) fn count(value: Option<u32>) -> Cell {
     number(value.map(f64::from), |value| format!("{value}"))
 }
 
