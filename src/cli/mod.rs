@@ -11,6 +11,7 @@ mod explore;
 mod generate;
 mod golden;
 mod progress;
+mod render;
 mod report;
 mod rom;
 mod scene;
@@ -55,6 +56,8 @@ enum Command {
     Choose(Box<choose::Arguments>),
     /// Measure the papers' claims and compare with the recorded values
     Claims(claims::Arguments),
+    /// Draw a scene exactly and through a core, and how the two differ
+    Render(Box<render::Arguments>),
     /// Show the trade of error against cost as one HTML page, and its charts as SVG and PNG
     Report(report::Arguments),
     /// Say what a scene requires of a core
@@ -92,6 +95,7 @@ pub fn main() -> ExitCode {
         Command::Explore(arguments) => explore::run(*arguments),
         Command::Choose(arguments) => choose::run(&arguments),
         Command::Claims(arguments) => claims::run(&arguments),
+        Command::Render(arguments) => render::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),

@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::point::NO_CORE;
 use super::store::Provenance;
 use super::sweep::{Core, word};
-use super::{Model, Point, Store};
+use super::{Cost, Model, Point, Shape, Store};
 use crate::design::Design;
 use crate::error::Error;
 use crate::synth::{self, Family, Options};
@@ -103,6 +103,24 @@ impl Costing {
         };
         let costing = costing + packed;
         Ok(Provenance { program: env!("CARGO_PKG_VERSION").to_owned(), costing, tools })
+    }
+
+    /// What a core takes.
+    ///
+    /// # Errors
+    /// A family without a cost model, or a tool that is missing or fails.
+    pub fn cost(&self, design: &Design, family: Family) -> Result<Cost, Error> {
+        let latency = design.schedule.latency;
+        let unmeasured = Point { latency, ..Point::unmeasured(&Core::new(design.spec.clone(), family)) };
+        let point = match self {
+            Self::Estimate(model) => {
+                Point { estimate: Some(model.estimate(family, &Shape::of(design))?), ..unmeasured }
+            }
+            Self::Synthesis(flow) => {
+                Point { synthesis: Some(synth::synthesise(design, &flow.options(family))?), ..unmeasured }
+            }
+        };
+        Ok(point.cost().expect("a point with a cost"))
     }
 
     /// The point of a core. What is wrong with the core is in it; what is wrong with the machine is an error.

@@ -73,6 +73,26 @@ fn extension(language: Language) -> &'static str {
     }
 }
 
+/// What tools that read a core in one language need: the files of its memories, where it reads them from such, and last the HDL itself,
+/// without the comment at its head; nothing is measured for it.
+///
+/// # Errors
+/// A core that cannot be written in the language.
+pub fn sources(design: &Design, language: Language) -> Result<Vec<File>, Error> {
+    let spec = &design.spec;
+    let mut files = Vec::new();
+    if spec.rom != RomStyle::Inline {
+        for table in design.tables() {
+            let name = rom::memory_name(&spec.name, table);
+            let bytes = rom::write(table, RomFormat::Mem, &name, &spec.digest(), &spec.command());
+            files.push(File { path: rom_path(design, table, RomFormat::Mem), bytes });
+        }
+    }
+    let source = hdl::backend(language).emit(&design.layout(), &texts_without_header(design))?;
+    files.push(File { path: rtl_path(design, language), bytes: source.into_bytes() });
+    Ok(files)
+}
+
 /// What the texts of a core's HDL say about it.
 #[must_use]
 pub fn texts(design: &Design, account: &Account) -> Texts {
@@ -99,7 +119,7 @@ pub fn texts(design: &Design, account: &Account) -> Texts {
 
 /// As [`texts`], without the comment at the head of the HDL; so nothing is measured.
 #[must_use]
-pub fn texts_without_header(design: &Design) -> Texts {
+fn texts_without_header(design: &Design) -> Texts {
     let spec = &design.spec;
     let rom_file = |table: &Table| RomFile {
         memory: table.name,

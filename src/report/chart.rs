@@ -416,7 +416,7 @@ impl Spots {
 }
 
 /// Text as it stands in an element of SVG.
-fn escaped(text: &str) -> String {
+pub(crate) fn escaped(text: &str) -> String {
     let mut result = String::new();
     for c in text.chars() {
         match c {

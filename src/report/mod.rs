@@ -7,8 +7,10 @@ mod png;
 mod speed;
 mod trade;
 
+pub(crate) use chart::escaped;
 pub use chart::{Axis, BLACK, COLOURS, Chart, Curve, Scale, Shape, Spot, Spots, Style};
 pub use page::Report;
 pub use png::png;
+pub(crate) use png::{draw, text_width};
 pub use speed::Speed;
 pub use trade::{Group, Palette, groups};

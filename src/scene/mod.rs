@@ -9,7 +9,9 @@
 //! - [`require`]: what a scene requires of a core;
 //! - [`choice`]: the cheapest core that keeps the scene's budget;
 //! - [`simplify`]: what that core leaves out, and what this saves;
-//! - [`document`]: all of it in files beside the core.
+//! - [`document`]: all of it in files beside the core;
+//! - [`picture`]: pictures as files: PNG and OpenEXR;
+//! - [`sheet`]: pages of pictures with what is to be said of them.
 
 pub mod choice;
 pub mod difference;
@@ -18,13 +20,16 @@ pub mod file;
 pub mod frame;
 pub mod highlight;
 pub mod mesh;
+pub mod picture;
 pub mod require;
+pub mod sheet;
 pub mod simplify;
 pub mod trace;
 
 pub use difference::Difference;
 pub use file::{Budget, Camera, Light, LightKind, Object, Scene, Shape, Wishes};
 pub use frame::{Frame, Picture};
-pub use highlight::Highlights;
+pub use highlight::{Codes, Compiled, CoreModel, Exact, Highlights};
+pub use picture::Pixels;
 pub use require::Requirements;
 pub use trace::{Hit, Lit, Tracer};

@@ -22,10 +22,8 @@ use tempfile::TempDir;
 use crate::cosim;
 use crate::design::Design;
 use crate::error::Error;
-use crate::hdl;
 use crate::package;
-use crate::rom::{self, RomFormat};
-use crate::spec::{Language, RomStyle};
+use crate::spec::Language;
 use crate::tool;
 use cache::{Cache, key};
 use place::Nextpnr;
@@ -270,26 +268,14 @@ pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Resul
 
 /// The files that Yosys reads, by their paths: the core as Verilog, and its memories' words where it reads them from files.
 fn files(design: &Design, language: Language) -> Result<Vec<package::File>, Error> {
-    let texts = package::texts_without_header(design);
-    let source = hdl::backend(language).emit(&design.layout(), &texts)?.into_bytes();
-    let spec = &design.spec;
-    let mut files = Vec::new();
-    if spec.rom != RomStyle::Inline {
-        for table in design.tables() {
-            let name = rom::memory_name(&spec.name, table);
-            let bytes = rom::write(table, RomFormat::Mem, &name, &spec.digest(), &spec.command());
-            files.push(package::File { path: package::rom_path(design, table, RomFormat::Mem), bytes });
-        }
-    }
+    let mut files = package::sources(design, language)?;
     let bytes = match language {
-        Language::Verilog => source,
+        Language::Verilog => files.pop().expect("the HDL").bytes,
         Language::Vhdl => {
             let scratch = tool::scratch()?;
-            let path = package::rtl_path(design, language);
-            files.push(package::File { path: path.clone(), bytes: source });
             write_all(scratch.path(), &files)?;
-            files.pop();
-            cosim::as_verilog(&spec.name, scratch.path(), &scratch.path().join(path))?
+            let source = scratch.path().join(files.pop().expect("the HDL").path);
+            cosim::as_verilog(&design.spec.name, scratch.path(), &source)?
         }
     };
     files.push(package::File { path: CORE.to_owned(), bytes });
