@@ -197,6 +197,9 @@ fn bits(bits: Option<u32>) -> String {
     bits.map_or_else(|| "none".to_owned(), |bits| bits.to_string())
 }
 
+/// A kind of samples and how many of them there are.
+type Kind = (&'static str, fn(&Counts) -> u64);
+
 /// What a scene requires, as tables.
 fn requirements_text(scene: &Scene, requirements: &Requirements) -> Vec<String> {
     let Requirements { materials, rows, base, moved, pictures, size, moved_size, saturated, .. } = requirements;
@@ -248,7 +251,7 @@ fn requirements_text(scene: &Scene, requirements: &Requirements) -> Vec<String> 
     };
     lines.extend(table(&heading, &materials.iter().map(row).collect::<Vec<_>>(), 1));
     lines.push(String::new());
-    let kinds: [(&str, fn(&Counts) -> u64); 6] = [
+    let kinds: [Kind; 6] = [
         ("epicentre, x^n >= 1/2", |counts| counts.epicentre),
         ("tail of half a step or more", |counts| counts.visible_tail),
         ("tail below half a step", |counts| counts.invisible_tail),
@@ -256,9 +259,8 @@ fn requirements_text(scene: &Scene, requirements: &Requirements) -> Vec<String> 
         ("behind the surface or in shadow", |counts| counts.dark),
         ("material without a highlight", |counts| counts.matte),
     ];
-    let of_kind = |(name, of): (&str, fn(&Counts) -> u64)| {
-        vec![name.to_owned(), share(of(base), base.samples), share(of(moved), moved.samples)]
-    };
+    let of_kind =
+        |(name, of): Kind| vec![name.to_owned(), share(of(base), base.samples), share(of(moved), moved.samples)];
     lines.extend(table(&["samples", "base", "moved"], &kinds.map(of_kind), 1));
     lines.push(String::new());
     lines.push(format!("rows of the core: {}", rows.len()));

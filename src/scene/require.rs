@@ -352,8 +352,7 @@ impl Survey {
             let n = scene.materials[material].shininess;
             let matte = (0..lights).all(|light| strength(material, light) == 0.0);
             let counts = &mut survey.counts[material];
-            for light in 0..lights {
-                let versine = frame.versine[pixel * lights + light];
+            for (light, &versine) in frame.versine[pixel * lights..][..lights].iter().enumerate() {
                 counts.samples += 1;
                 if matte {
                     counts.matte += 1;
