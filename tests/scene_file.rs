@@ -243,7 +243,7 @@ fn every_wrong_value_is_named() {
         (end("[budget]\nmax_steps = 256"), "budget: max_steps = 256 is out of range | 0 to 255"),
         (end("[budget]\nmin_psnr = 0"), "budget: min_psnr = 0"),
         (end("[budget]\nmin_psnr = nan"), "budget: min_psnr = NaN"),
-        (end("[budget]\npsnr = 40"), "did you mean `min_psnr`?"),
+        (end("[budget]\npsnr = 40"), "unknown key `psnr` | the keys are max_steps, min_psnr"),
         (end("[core]\nname = \"a\""), "core is given a name"),
         (end("[core]\nshininess = [3]"), "core is given a shininess"),
         (end("[[core.material]]\nname = \"a\"\nshininess = 3"), "core is given materials"),
@@ -411,14 +411,16 @@ fn transforms_scale_then_turn_then_move_and_keep_normals_outside() {
         for scale in [[1.0, 1.0, 1.0], [-1.0, 1.0, 1.0], [2.0, -3.0, -0.1], [-1.0, -1.0, -1.0], [1e-6, 1e-6, 1e-6]] {
             let transform = Transform { scale, rotate: [20.0, 130.0, -70.0], translate: [3.0, 4.0, 5.0] };
             let there = mesh(tetrahedron, normals).transformed(&transform).unwrap();
-            outside(&there, 0.0, &format!("{normals:?} {scale:?}"));
             if normals == Normals::Flat {
-                // Each triangle's own normal, seen from the middle, points away from it.
-                let middle = [0, 1, 2].map(|i| there.positions.iter().map(|p| p[i]).sum::<f64>() / 4.0);
-                for corner in there.triangles.iter().flatten() {
-                    let (p, n) = (there.positions[corner.position as usize], there.normals[corner.normal as usize]);
-                    assert!([0, 1, 2].iter().map(|&i| n[i] * (p[i] - middle[i])).sum::<f64>() > 0.0, "{scale:?}");
-                }
+                outside(&there, 0.0, &format!("{scale:?}"));
+            }
+            // A normal and the way from the middle to its corner keep their scalar product's sign, however the mesh is scaled.
+            let middle = [0, 1, 2].map(|i| there.positions.iter().map(|p| p[i]).sum::<f64>() / 4.0);
+            for corner in there.triangles.iter().flatten() {
+                let (p, n) = (there.positions[corner.position as usize], there.normals[corner.normal as usize]);
+                let out: f64 = [0, 1, 2].iter().map(|&i| n[i] * (p[i] - middle[i])).sum();
+                assert!(out > 0.0, "{normals:?} {scale:?}");
+                assert!((n.iter().map(|c| c * c).sum::<f64>() - 1.0).abs() < 1e-9, "{n:?}");
             }
         }
     }
