@@ -55,13 +55,15 @@ fn the_scenes_read() {
                 _ => (4, 2),
             };
             assert_eq!((mesh.triangles.len(), mesh.dropped), (triangles, dropped), "{file}");
-            outside(mesh, file);
+            outside(mesh, 0.02, file);
         }
     }
 }
 
-/// Every normal is a unit vector and lies on the side of its triangle that turns to the left.
-fn outside(mesh: &Mesh, what: &str) {
+/// Every normal is a unit vector, and all but a part of them lie on the side of their triangle from which it turns to the left: at a
+/// sharp edge a smooth one may not.
+fn outside(mesh: &Mesh, part: f64, what: &str) {
+    let mut inside = 0;
     for triangle in &mesh.triangles {
         let [a, b, c] = triangle.map(|corner| mesh.positions[corner.position as usize]);
         let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
@@ -70,9 +72,10 @@ fn outside(mesh: &Mesh, what: &str) {
             let normal = mesh.normals[corner.normal as usize];
             let dot = |a: [f64; 3]| a[0] * normal[0] + a[1] * normal[1] + a[2] * normal[2];
             assert!((dot(normal) - 1.0).abs() < 1e-9, "{what}: {normal:?}");
-            assert!(dot(own) > -0.2 * own.iter().map(|c| c * c).sum::<f64>().sqrt(), "{what}: {normal:?} at {own:?}");
+            inside += usize::from(dot(own) <= 0.0);
         }
     }
+    assert!(inside as f64 <= part * 3.0 * mesh.triangles.len() as f64, "{what}: {inside} normals on the inside");
 }
 
 #[test]
@@ -236,11 +239,11 @@ fn every_wrong_value_is_named() {
         (teapot("rotate = [0, inf, 0]"), "object 2 (mesh): rotate = inf"),
         (teapot("translate = [0, 0, nan]"), "object 2 (mesh): translate = NaN"),
         (teapot("scale = 1e9"), "comes to lie at"),
-        (teapot("scale = [1e-9, 1, 1e9]"), "comes to lie at"),
+        (teapot("scale = [1e-9, 1e-9, 1e8]"), "its scale leaves no triangle of the mesh with an area"),
         (end("[budget]\nmax_steps = 256"), "budget: max_steps = 256 is out of range | 0 to 255"),
         (end("[budget]\nmin_psnr = 0"), "budget: min_psnr = 0"),
         (end("[budget]\nmin_psnr = nan"), "budget: min_psnr = NaN"),
-        (end("[budget]\npsnr = 40"), "did you mean `min_psnr`?"),
+        (end("[budget]\npsnr = 40"), "unknown key `psnr` | the keys are max_steps, min_psnr"),
         (end("[core]\nname = \"a\""), "core is given a name"),
         (end("[core]\nshininess = [3]"), "core is given a shininess"),
         (end("[[core.material]]\nname = \"a\"\nshininess = 3"), "core is given materials"),
@@ -296,7 +299,10 @@ fn every_wrong_mesh_is_named() {
         ("ply\nformat ascii 2.0\nend_header\n".to_owned(), "vertices have no x"),
         (format!("{}{three}3 0 1 3\n", ascii(3, 1)), "the face 0, counted from 0, names the vertex 3"),
         (format!("{}{three}3 0 1 -1\n", ascii(3, 1)), "the face 0, counted from 0, names a vertex, which is not there"),
-        (format!("{}0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", ascii(3, 1)), "m.x: Line 10: "),
+        (
+            format!("{}0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n", ascii(3, 1)),
+            "m.x: Line 11: Couldn't read element line. String: '1 nan 0 ' | ",
+        ),
         (
             format!("{}0 0 0\n1 1e99 0\n0 1 0\n3 0 1 2\n", ascii(3, 1)),
             "the vertex 1, counted from 0, has the component inf",
@@ -371,14 +377,13 @@ fn normals_are_the_files_smooth_or_flat() {
     };
     let (left, right, up) = ([-half, half, 0.0], [half, half, 0.0], [0.0, 1.0, 0.0]);
     let flat = [left, left, left, right, right, right];
-    let file = mesh(&plain, Normals::Flat);
-    near(&corner_normals(&file), &flat.map(|n| n.map(|c| -c)));
+    near(&corner_normals(&mesh(&plain, Normals::Flat)), &flat);
     let turned = format!("{roof}f 1 3 2\nf 4 5 6\n");
-    near(&corner_normals(&mesh(&turned, Normals::Flat)), &flat);
+    near(&corner_normals(&mesh(&turned, Normals::Flat)), &flat.map(|n| n.map(|c| -c)));
     let smooth = [left, up, up, right, up, up];
-    near(&corner_normals(&mesh(&turned, Normals::Smooth)), &smooth);
-    near(&corner_normals(&mesh(&turned, Normals::File)), &smooth);
-    let given = format!("{roof}vn 0 0 7\nvn 0 0 0\nf 1//1 3//1 2//1\nf 4//1 5//2 6//2\n");
+    near(&corner_normals(&mesh(&plain, Normals::Smooth)), &smooth);
+    near(&corner_normals(&mesh(&plain, Normals::File)), &smooth);
+    let given = format!("{roof}vn 0 0 7\nvn 0 0 0\nf 1//1 2//1 3//1\nf 4//1 6//2 5//2\n");
     let z = [0.0, 0.0, 1.0];
     near(&corner_normals(&mesh(&given, Normals::File)), &[z, z, z, z, right, right]);
     near(&corner_normals(&mesh(&given, Normals::Smooth)), &smooth);
@@ -406,14 +411,16 @@ fn transforms_scale_then_turn_then_move_and_keep_normals_outside() {
         for scale in [[1.0, 1.0, 1.0], [-1.0, 1.0, 1.0], [2.0, -3.0, -0.1], [-1.0, -1.0, -1.0], [1e-6, 1e-6, 1e-6]] {
             let transform = Transform { scale, rotate: [20.0, 130.0, -70.0], translate: [3.0, 4.0, 5.0] };
             let there = mesh(tetrahedron, normals).transformed(&transform).unwrap();
-            outside(&there, &format!("{normals:?} {scale:?}"));
             if normals == Normals::Flat {
-                // Each triangle's own normal, seen from the middle, points away from it.
-                let middle = [0, 1, 2].map(|i| there.positions.iter().map(|p| p[i]).sum::<f64>() / 4.0);
-                for corner in there.triangles.iter().flatten() {
-                    let (p, n) = (there.positions[corner.position as usize], there.normals[corner.normal as usize]);
-                    assert!([0, 1, 2].iter().map(|&i| n[i] * (p[i] - middle[i])).sum::<f64>() > 0.0, "{scale:?}");
-                }
+                outside(&there, 0.0, &format!("{scale:?}"));
+            }
+            // A normal and the way from the middle to its corner keep their scalar product's sign, however the mesh is scaled.
+            let middle = [0, 1, 2].map(|i| there.positions.iter().map(|p| p[i]).sum::<f64>() / 4.0);
+            for corner in there.triangles.iter().flatten() {
+                let (p, n) = (there.positions[corner.position as usize], there.normals[corner.normal as usize]);
+                let out: f64 = [0, 1, 2].iter().map(|&i| n[i] * (p[i] - middle[i])).sum();
+                assert!(out > 0.0, "{normals:?} {scale:?}");
+                assert!((n.iter().map(|c| c * c).sum::<f64>() - 1.0).abs() < 1e-9, "{n:?}");
             }
         }
     }

@@ -414,8 +414,9 @@ impl PropertyAccess for Element {
 fn read_ply(bytes: &[u8], file: &str) -> Result<Raw, Error> {
     let refused = |error: ParseError| {
         let what = error.to_string().split_whitespace().collect::<Vec<_>>().join(" ");
-        let mut what: String = what.chars().take(200).collect();
-        what.retain(|c| !c.is_control());
+        // What follows is its grammar's, and the line again.
+        let what = what.split(" Error: Couldn't parse").next().unwrap_or_default();
+        let what: String = what.chars().filter(|c| !c.is_control()).take(200).collect();
         Error::input(format!("{file}: {what}"), FORMATS)
     };
     let (parser, mut reader) = (Parser::<Element>::new(), Reader::new(bytes));
