@@ -226,7 +226,7 @@ impl<'a> Page<'a> {
         let (mut x, mut y) = (left, top);
         for Entry { colour, label, note } in entries {
             let text = |text: &str, size: f64| report::text_width(text, size * self.unit);
-            let wide = swatch + self.units(1.6) + libm::ceil(text(label, 1.0).max(text(note, 0.8))) as u32;
+            let wide = swatch + self.units(1.2) + libm::ceil(text(label, 1.0).max(text(note, 0.8))) as u32;
             if x > left && x + wide > left + width {
                 (x, y) = (left, y + row);
             }
@@ -370,7 +370,7 @@ pub fn contact(frame: &Frame, exact: &Picture, cells: &[Cell], title: &str, line
     let shape = |columns: &u32| {
         let rows = count.div_ceil(*columns);
         let ratio = f64::from(columns * room) / f64::from(rows * (2 * high + 110));
-        libm::fabs(libm::log(ratio / 1.4)) + 0.5 * f64::from(columns * rows - count) / f64::from(count)
+        libm::fabs(libm::log(ratio / 1.4)) + 2.0 * f64::from(columns * rows - count) / f64::from(count)
     };
     let columns = (1..=count).min_by(|a, b| shape(a).total_cmp(&shape(b))).unwrap_or(1);
     let mut page = Page::new(unit((columns * room).max(LEAST_WIDTH)));
