@@ -55,7 +55,7 @@ max_steps = 2
 
 /// The same spheres, seen from elsewhere, with half vectors and 10 bits a channel.
 fn other_scene() -> String {
-    let changed = SPHERES.replace("position = [0, 0.5, 6]", "position = [3, 2, 4]").replace("spheres\"", "others\"");
+    let changed = SPHERES.replace("position = [0, 0.5, 6]", "position = [3, 2, 4]").replace("spheres\"", "second\"");
     format!("model = \"blinn\"\nchannel_bits = 10\n{changed}")
 }
 

@@ -19,7 +19,7 @@ use crate::package;
 use crate::scene::choice::Search;
 use crate::scene::sheet::{self, Cell, Sheet};
 use crate::scene::{Compiled, CoreModel, Difference, Exact, Frame, Highlights, Requirements, Scene, picture};
-use crate::spec::{CoreSpec, Language, Shininess, SpecFields};
+use crate::spec::{BlockKind, CoreSpec, Language, Shininess, SpecFields};
 use crate::synth::{self, Family};
 use crate::tool;
 
@@ -371,12 +371,15 @@ fn read_core(path: &Path) -> Result<SpecFields, Error> {
 
 /// The core of these keys for a scene: for the shininesses of its objects' materials, unless the keys name some.
 fn core_for(scene: &Scene, fields: SpecFields) -> Result<Design, Error> {
+    if fields.block == Some(BlockKind::Shader) {
+        return Err(Error::input(
+            "the core is a shader, and a picture's highlights need a lobe",
+            "leave block = \"shader\" and the other keys of a shader out",
+        ));
+    }
     let own = fields.shininess.is_some() || fields.material.is_some();
     let shininess = if own { fields.shininess.clone() } else { Some(Shininess::List(shininesses(scene))) };
-    let design = Design::new(SpecFields { shininess, ..fields }.resolve()?)?;
-    // Refused before anything is traced.
-    CoreModel::new(&design)?;
-    Ok(design)
+    Design::new(SpecFields { shininess, ..fields }.resolve()?)
 }
 
 /// The distinct shininesses of the materials that objects have, ascending.

@@ -323,10 +323,9 @@ pub fn triptych(
     y += page.units(0.8);
     let heads = ["exact", "core", "difference in output steps"];
     let kinds = [Shows::Exact, Shows::Core, Shows::Difference];
-    let start = margin + (inner - (columns * wide + (columns - 1) * gap)) / 2;
     let mut below = y;
     for (place, (head, shows)) in heads.into_iter().zip(kinds).enumerate() {
-        let left = start + if stacked { 0 } else { place as u32 * (wide + gap) };
+        let left = margin + if stacked { 0 } else { place as u32 * (wide + gap) };
         let top = if stacked { below } else { y };
         let room = if stacked { inner } else { wide };
         // One line each, so that the pictures stand side by side: what does not fit is the same in fewer words.
