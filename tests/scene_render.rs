@@ -55,7 +55,7 @@ max_steps = 2
 
 /// The same spheres, seen from elsewhere, with half vectors and 10 bits a channel.
 fn other_scene() -> String {
-    let changed = SPHERES.replace("position = [0, 0.5, 6]", "position = [3, 2, 4]").replace("spheres\"", "others\"");
+    let changed = SPHERES.replace("position = [0, 0.5, 6]", "position = [3, 2, 4]").replace("spheres\"", "second\"");
     format!("model = \"blinn\"\nchannel_bits = 10\n{changed}")
 }
 
@@ -289,7 +289,7 @@ fn the_exit_code_says_whether_the_budget_is_kept() {
     let exact = "--method log-exp --out p.png";
     scratch.run(&format!("render spheres.toml {exact}")).succeeds().says(&["within the budget: at most 2 steps off"]);
     let miss = scratch.run("render spheres.toml --method quadratic --out p.png").ends_with(1);
-    miss.says(&["core quadratic: quadratic", "over the budget: off by", "where 2 are allowed", "p.png", "traced in"]);
+    miss.says(&["core quadratic: quadratic", "over the budget: ", " steps off, 2 allowed", "p.png", "traced in"]);
     scratch.write("psnr.toml", SPHERES.replace("max_steps = 2", "min_psnr = 300"));
     scratch.run("render psnr.toml --method cubic --out p.png").ends_with(1).says(&["where 300 dB are wanted"]);
     // Nothing is compared where only the exact picture is drawn.

@@ -19,7 +19,7 @@ use crate::package;
 use crate::scene::choice::Search;
 use crate::scene::sheet::{self, Cell, Sheet};
 use crate::scene::{Compiled, CoreModel, Difference, Exact, Frame, Highlights, Requirements, Scene, picture};
-use crate::spec::{Language, Shininess, SpecFields};
+use crate::spec::{BlockKind, CoreSpec, Language, Shininess, SpecFields};
 use crate::synth::{self, Family};
 use crate::tool;
 
@@ -371,12 +371,15 @@ fn read_core(path: &Path) -> Result<SpecFields, Error> {
 
 /// The core of these keys for a scene: for the shininesses of its objects' materials, unless the keys name some.
 fn core_for(scene: &Scene, fields: SpecFields) -> Result<Design, Error> {
+    if fields.block == Some(BlockKind::Shader) {
+        return Err(Error::input(
+            "the core is a shader, and a picture's highlights need a lobe",
+            "leave block = \"shader\" and the other keys of a shader out",
+        ));
+    }
     let own = fields.shininess.is_some() || fields.material.is_some();
     let shininess = if own { fields.shininess.clone() } else { Some(Shininess::List(shininesses(scene))) };
-    let design = Design::new(SpecFields { shininess, ..fields }.resolve()?)?;
-    // Refused before anything is traced.
-    CoreModel::new(&design)?;
-    Ok(design)
+    Design::new(SpecFields { shininess, ..fields }.resolve()?)
 }
 
 /// The distinct shininesses of the materials that objects have, ascending.
@@ -511,7 +514,7 @@ fn missed(scene: &Scene, difference: &Difference) -> Vec<String> {
     let (steps, psnr) = scene.budget.limits();
     let mut missed = Vec::new();
     if let Some(allowed) = steps.filter(|&allowed| u32::from(difference.max_steps) > allowed) {
-        missed.push(format!("over the budget: off by {} steps where {allowed} are allowed", difference.max_steps));
+        missed.push(format!("over the budget: {} steps off, {allowed} allowed", difference.max_steps));
     }
     if let (Some(allowed), Some(own)) = (psnr, difference.psnr)
         && own < allowed
@@ -550,14 +553,22 @@ fn scene_text(scene: &Scene, frame: &Frame) -> String {
     )
 }
 
-/// A core's short name for people.
+/// A core's short name for people, without its shininesses.
 fn name(design: &Design) -> String {
-    Point::unmeasured(&Core::new(design.spec.clone(), Family::Ecp5)).name
+    // Those that need not be named.
+    let spec = CoreSpec { shininess: Shininess::Range(1, 1000), ..design.spec.clone() };
+    Point::unmeasured(&Core::new(spec, Family::Ecp5)).name
 }
 
 /// A core in a line.
 fn core_text(design: &Design) -> String {
-    format!("{}: {}, {} clocks", design.spec.name, name(design), design.schedule.latency)
+    format!(
+        "{}: {}, n = {}, {} clocks",
+        design.spec.name,
+        name(design),
+        design.spec.shininess.to_string().replace(',', ", "),
+        design.schedule.latency
+    )
 }
 
 /// A core's cost in two lines.

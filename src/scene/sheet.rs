@@ -226,7 +226,7 @@ impl<'a> Page<'a> {
         let (mut x, mut y) = (left, top);
         for Entry { colour, label, note } in entries {
             let text = |text: &str, size: f64| report::text_width(text, size * self.unit);
-            let wide = swatch + self.units(1.6) + libm::ceil(text(label, 1.0).max(text(note, 0.8))) as u32;
+            let wide = swatch + self.units(1.2) + libm::ceil(text(label, 1.0).max(text(note, 0.8))) as u32;
             if x > left && x + wide > left + width {
                 (x, y) = (left, y + row);
             }
@@ -323,10 +323,9 @@ pub fn triptych(
     y += page.units(0.8);
     let heads = ["exact", "core", "difference in output steps"];
     let kinds = [Shows::Exact, Shows::Core, Shows::Difference];
-    let start = margin + (inner - (columns * wide + (columns - 1) * gap)) / 2;
     let mut below = y;
     for (place, (head, shows)) in heads.into_iter().zip(kinds).enumerate() {
-        let left = start + if stacked { 0 } else { place as u32 * (wide + gap) };
+        let left = margin + if stacked { 0 } else { place as u32 * (wide + gap) };
         let top = if stacked { below } else { y };
         let room = if stacked { inner } else { wide };
         // One line each, so that the pictures stand side by side: what does not fit is the same in fewer words.
@@ -370,7 +369,7 @@ pub fn contact(frame: &Frame, exact: &Picture, cells: &[Cell], title: &str, line
     let shape = |columns: &u32| {
         let rows = count.div_ceil(*columns);
         let ratio = f64::from(columns * room) / f64::from(rows * (2 * high + 110));
-        libm::fabs(libm::log(ratio / 1.4)) + 0.5 * f64::from(columns * rows - count) / f64::from(count)
+        libm::fabs(libm::log(ratio / 1.4)) + 2.0 * f64::from(columns * rows - count) / f64::from(count)
     };
     let columns = (1..=count).min_by(|a, b| shape(a).total_cmp(&shape(b))).unwrap_or(1);
     let mut page = Page::new(unit((columns * room).max(LEAST_WIDTH)));
