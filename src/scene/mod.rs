@@ -8,3 +8,30 @@
 //! - [`difference`]: two pictures compared, in output steps;
 //! - [`require`]: what a scene requires of a core;
 //! - [`choice`]: the cheapest core that keeps the scene's budget;
+//! - [`shade`]: the whole shader around it;
+//! - [`simplify`]: what that core leaves out, and what this saves;
+//! - [`document`]: all of it in files beside the core;
+//! - [`picture`]: pictures as files: PNG and OpenEXR;
+//! - [`sheet`]: pages of pictures with what is to be said of them.
+
+pub mod choice;
+pub mod difference;
+pub mod document;
+pub mod file;
+pub mod frame;
+pub mod highlight;
+pub mod mesh;
+pub mod picture;
+pub mod require;
+pub mod shade;
+pub mod sheet;
+pub mod simplify;
+pub mod trace;
+
+pub use difference::Difference;
+pub use file::{Budget, Camera, Light, LightKind, Object, Scene, Shape, Wishes};
+pub use frame::{Frame, Picture};
+pub use highlight::{Codes, Compiled, CoreModel, Exact, Highlights};
+pub use picture::Pixels;
+pub use require::Requirements;
+pub use trace::{Hit, Lit, Tracer};
