@@ -469,9 +469,14 @@ fn identifier(file: &str) -> String {
     name
 }
 
+/// The first that is no number, or beyond [`MAX_COORDINATE`].
+pub(super) fn beyond(coordinates: &[f64]) -> Option<f64> {
+    coordinates.iter().copied().find(|value| !(-MAX_COORDINATE..=MAX_COORDINATE).contains(value))
+}
+
 /// Refuses a coordinate that is not a number or beyond all measure.
 fn coordinates(what: &str, values: &[f64]) -> Result<(), Error> {
-    match values.iter().find(|value| !(value.abs() <= MAX_COORDINATE)) {
+    match beyond(values) {
         None => Ok(()),
         Some(value) => {
             let allowed = format!("a number of at most {MAX_COORDINATE:e} either side of 0");

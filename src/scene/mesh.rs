@@ -8,7 +8,7 @@ use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 use serde::Deserialize;
 
-use super::file::MAX_COORDINATE;
+use super::file::{MAX_COORDINATE, beyond};
 use crate::design::sample::{Vector, cross, dot, minus, normalised};
 use crate::error::Error;
 
@@ -124,7 +124,7 @@ impl Mesh {
         let least = scale.iter().fold(f64::INFINITY, |least, factor| least.min(factor.abs()));
         let across = |n: &Vector| normalised(turned([0, 1, 2].map(|axis| n[axis] * (least / scale[axis]))));
         let positions: Vec<Vector> = self.positions.iter().map(place).collect();
-        if let Some(vertex) = positions.iter().position(|p| !p.iter().all(|c| c.abs() <= MAX_COORDINATE)) {
+        if let Some(vertex) = positions.iter().position(|p| beyond(p).is_some()) {
             return Err(Error::input(
                 format!("the mesh's vertex {vertex} comes to lie at {:?}", positions[vertex]),
                 format!("coordinates of at most {MAX_COORDINATE:e} either side of 0"),
@@ -321,7 +321,7 @@ fn plain_obj(text: &str, file: &str) -> Result<(String, bool), Error> {
                 if let (1, &[x, y, z, weight]) = (kind, &numbers[..]) {
                     numbers = vec![x / weight, y / weight, z / weight];
                 }
-                if let Some(value) = numbers.iter().take(3).find(|value| !(value.abs() <= MAX_COORDINATE)) {
+                if let Some(value) = beyond(&numbers[..numbers.len().min(3)]) {
                     let (what, index) = (["vertex", "normal"][kind - 1], read[kind]);
                     return wrong(format!("the {what} {index} has the component {value}"), allowed_coordinate());
                 }
@@ -445,7 +445,7 @@ fn read_ply(bytes: &[u8], file: &str) -> Result<Raw, Error> {
     let (positions, normals): (Vec<Vector>, Vec<Vector>) = (part(0), if has_normals { part(3) } else { Vec::new() });
     for (what, vectors) in [("", &positions), ("normal's ", &normals)] {
         for (vertex, vector) in vectors.iter().enumerate() {
-            if let Some(value) = vector.iter().find(|value| !(value.abs() <= MAX_COORDINATE)) {
+            if let Some(value) = beyond(vector) {
                 let what = format!("{file}: the vertex {vertex}, counted from 0, has the {what}component {value}");
                 return Err(Error::input(what, allowed_coordinate()));
             }
