@@ -51,6 +51,16 @@ fn plus(a: Vector, b: Vector, times: f64) -> Vector {
     [0, 1, 2].map(|axis| a[axis] + times * b[axis])
 }
 
+/// a - b.
+pub(crate) fn minus(a: Vector, b: Vector) -> Vector {
+    plus(a, b, -1.0)
+}
+
+/// The vector product.
+pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
 /// The vector with this direction and the length 1; z where it has no direction.
 #[must_use]
 pub fn normalised(a: Vector) -> Vector {

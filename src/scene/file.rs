@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
 
-use super::mesh::Mesh;
+use super::mesh::{Mesh, Normals, Transform};
 use crate::design::sample::{Vector, dot, normalised};
 use crate::error::Error;
 use crate::explore::Objective;
@@ -208,6 +208,18 @@ struct ObjectFields {
     radius: Option<f64>,
     point: Option<Vector>,
     normal: Option<Vector>,
+    file: Option<String>,
+    normals: Option<Normals>,
+    scale: Option<ScaleFields>,
+    rotate: Option<Vector>,
+    translate: Option<Vector>,
+}
+
+#[derive(Clone, Copy, Deserialize)]
+#[serde(untagged, expecting = "a scale is a number, or a list of three: along x, y and z")]
+enum ScaleFields {
+    All(f64),
+    Each(Vector),
 }
 
 #[derive(Clone, Copy, PartialEq, Deserialize)]
@@ -215,6 +227,7 @@ struct ObjectFields {
 enum Kind {
     Sphere,
     Plane,
+    Mesh,
 }
 
 #[derive(Clone, Copy, Deserialize)]
@@ -253,7 +266,9 @@ impl Source<'_> {
         }
     }
 
-    fn toml(&self, error: &toml::de::Error, more: &[&str]) -> Error {
+    /// What the TOML parser refuses; `more` are known keys of the table that has the key `beside`.
+    fn toml(&self, error: &toml::de::Error, beside: &str, more: &[&str]) -> Error {
+        let more = if error.message().contains(&format!("`{beside}`")) { more } else { &[] };
         toml_error(error, more, HELP, self.file, self.text)
     }
 }
@@ -286,14 +301,14 @@ impl Scene {
     /// # Errors
     /// Text that is not TOML, an unknown key or material (with the nearest known one), a mesh that cannot be read, or a value that is
     /// wrong, with what is allowed and the place.
-    pub fn parse(text: &str, file: &str, _directory: &Path) -> Result<Self, Error> {
+    pub fn parse(text: &str, file: &str, directory: &Path) -> Result<Self, Error> {
         let source = Source { text, file };
-        let mut table = DeTable::parse(text).map_err(|error| source.toml(&error, &[]))?;
+        let mut table = DeTable::parse(text).map_err(|error| source.toml(&error, "", &[]))?;
         let core = table.get_mut().remove("core");
-        let fields =
-            SceneFields::deserialize(Deserializer::from(table)).map_err(|error| source.toml(&error, &["core"]))?;
+        let fields = SceneFields::deserialize(Deserializer::from(table))
+            .map_err(|error| source.toml(&error, "camera", &["core"]))?;
         let core = core.map(|table| wishes(&source, table)).transpose()?;
-        fields.resolve(&source, core)
+        fields.resolve(&source, core, directory)
     }
 }
 
@@ -310,8 +325,8 @@ fn wishes(source: &Source, table: Spanned<DeValue>) -> Result<Wishes, Error> {
         }
     }
     let table = |keys| Deserializer::from(Spanned::new(span.clone(), keys));
-    let own = WishFields::deserialize(table(own)).map_err(|error| source.toml(&error, &[]))?;
-    let keys = SpecFields::deserialize(table(keys)).map_err(|error| source.toml(&error, &WISHES))?;
+    let own = WishFields::deserialize(table(own)).map_err(|error| source.toml(&error, "", &[]))?;
+    let keys = SpecFields::deserialize(table(keys)).map_err(|error| source.toml(&error, "method", &WISHES))?;
     let given = [
         ("a name", keys.name.is_some(), "the core is called as the scene: give the scene's key name"),
         ("a shininess", keys.shininess.is_some(), "the scene's materials have them"),
@@ -334,7 +349,7 @@ fn wishes(source: &Source, table: Spanned<DeValue>) -> Result<Wishes, Error> {
 
 impl SceneFields {
     /// Fills in the defaults and checks every value.
-    fn resolve(self, source: &Source, core: Option<Wishes>) -> Result<Scene, Error> {
+    fn resolve(self, source: &Source, core: Option<Wishes>, directory: &Path) -> Result<Scene, Error> {
         let name = match self.name {
             Some(name) => name,
             None => identifier(source.file),
@@ -393,7 +408,7 @@ impl SceneFields {
             "object",
             self.object,
             |object| format!(" ({})", object.kind.name()),
-            |object| object.resolve(&materials),
+            |object| object.resolve(&materials, directory),
         )?;
         let budget = match self.budget {
             None => Budget { max_steps: Some(1), min_psnr: None },
@@ -591,17 +606,23 @@ impl Kind {
         match self {
             Self::Sphere => "sphere",
             Self::Plane => "plane",
+            Self::Mesh => "mesh",
         }
     }
 }
 
 impl ObjectFields {
-    fn resolve(self, materials: &[Material]) -> Result<Object, Error> {
+    fn resolve(self, materials: &[Material], directory: &Path) -> Result<Object, Error> {
         let keys = [
             ("centre", self.centre.is_some(), Kind::Sphere),
             ("radius", self.radius.is_some(), Kind::Sphere),
             ("point", self.point.is_some(), Kind::Plane),
             ("normal", self.normal.is_some(), Kind::Plane),
+            ("file", self.file.is_some(), Kind::Mesh),
+            ("normals", self.normals.is_some(), Kind::Mesh),
+            ("scale", self.scale.is_some(), Kind::Mesh),
+            ("rotate", self.rotate.is_some(), Kind::Mesh),
+            ("translate", self.translate.is_some(), Kind::Mesh),
         ];
         if let Some((key, ..)) = keys.iter().find(|(_, given, kind)| *given && *kind != self.kind) {
             let own = keys.iter().filter(|(.., kind)| *kind == self.kind).map(|(key, ..)| *key).collect::<Vec<_>>();
@@ -626,6 +647,28 @@ impl ObjectFields {
                 let point = self.point.unwrap_or([0.0; 3]);
                 coordinates("point", &point)?;
                 Shape::Plane { point, normal: direction("normal", self.normal.unwrap_or([0.0, 1.0, 0.0]))? }
+            }
+            Kind::Mesh => {
+                let file =
+                    self.file.ok_or_else(|| Error::input("file is missing", "give the path of an OBJ or PLY file"))?;
+                let scale = match self.scale.unwrap_or(ScaleFields::All(1.0)) {
+                    ScaleFields::All(factor) => [factor; 3],
+                    ScaleFields::Each(factors) => factors,
+                };
+                let allowed = 1.0 / MAX_COORDINATE..=MAX_COORDINATE;
+                if let Some(factor) = scale.iter().find(|factor| !allowed.contains(&factor.abs())) {
+                    let what = format!("scale = {factor} is out of range");
+                    let allowed =
+                        format!("a factor from {:e} to {:e}, or the negative of one", allowed.start(), allowed.end());
+                    return Err(Error::input(what, allowed));
+                }
+                let default = Transform::default();
+                let (rotate, translate) =
+                    (self.rotate.unwrap_or(default.rotate), self.translate.unwrap_or(default.translate));
+                coordinates("rotate", &rotate)?;
+                coordinates("translate", &translate)?;
+                let mesh = Mesh::read(&directory.join(file), self.normals.unwrap_or_default())?;
+                Shape::Mesh(Arc::new(mesh.transformed(&Transform { scale, rotate, translate })?))
             }
         };
         Ok(Object { shape, material })
