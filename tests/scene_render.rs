@@ -159,7 +159,8 @@ fn the_figures_are_those_of_the_files() {
             assert!(is_heat_of(heat.pixels[pixel], steps), "pixel {pixel}, {steps} steps: {:?}", heat.pixels[pixel]);
         }
         let neutral = heat.pixels.iter().filter(|&&colour| colour == NO_OBJECT).count();
-        assert!((100..2000).contains(&neutral), "{neutral}");
+        // From above the plane fills the picture.
+        assert_eq!((100..2000).contains(&neutral), file == "spheres.toml", "{neutral}");
         assert!(heat.pixels.iter().any(|&colour| colour == HEAT[0].1));
 
         // The page has the very pixels, each as a square.

@@ -266,7 +266,9 @@ mod tests {
         // Of two as near the lower; beyond the ends the end.
         assert_eq!(of("method = \"cubic\"\nshininess = [60.0, 20.0, 4.0]").indices, [2, 1, 0]);
         for operand in ["cos", "versine"] {
-            let design = design(&format!("method = \"cubic\"\noperand = {operand:?}\ninput_fraction = 12"));
+            let design = design(&format!(
+                "method = \"cubic\"\noperand = {operand:?}\ninput_fraction = 12\nshininess = \"1..=1000\""
+            ));
             let codes = Codes::of(&design, &scene, &frame);
             let format = design.operand_format();
             let mut dark = 0;
@@ -304,7 +306,7 @@ mod tests {
                 assert_eq!(value, f64::from(wanted) / 65_536.0, "{spec}, sample {sample}");
             }
         }
-        let shader = design("method = \"cubic\"\nblock = \"shader\"");
+        let shader = design("method = \"cubic\"\nblock = \"shader\"\n[[material]]\nname = \"a\"\nshininess = 8.0");
         assert!(CoreModel::new(&shader).unwrap_err().to_string().contains("is a shader"));
     }
 }
