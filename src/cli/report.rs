@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::choose::{Keys, WishFlags};
-use super::{Verdict, progress, say};
+use super::{Verdict, progress, say, scene};
 use crate::error::Error;
 use crate::explore::{MaxError, Objective, Point, Results};
 use crate::package;
 use crate::report::{Report, Speed};
+use crate::scene::Scene;
 use crate::spec::SpecFields;
 
 /// The page's name in a directory.
@@ -28,6 +29,10 @@ pub(super) struct Arguments {
     /// Also write each chart as SVG and PNG into this directory; what is there under the same names is replaced
     #[arg(long, value_name = "DIR")]
     plots: Option<PathBuf>,
+
+    /// A scene file: its pictures, what it asks for and the core that it needs come first; repeat for more
+    #[arg(long, value_name = "SCENE")]
+    scene: Vec<PathBuf>,
 
     /// Mark the core that `brdfgen choose` chooses for this error and the other wishes, such as 0.01, 1% or 2^-7; exit 1 if there is
     /// none
@@ -62,8 +67,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         ));
     }
     let chosen = chosen(arguments, &results)?;
+    let mut scenes = Vec::new();
+    for path in &arguments.scene {
+        let scene = Scene::read(path)?;
+        match scene::part(&scene)? {
+            Some(part) => scenes.push(part),
+            None => {
+                let help = format!("see `brdfgen scene inspect {}`", path.display());
+                return Err(Error::input(format!("no core keeps the budget of {}", path.display()), help));
+            }
+        }
+    }
     let bar = progress::bar("measuring", Report::work(points, chosen));
-    let report = Report::new(points, chosen, &speed, &|| bar.inc(1))?;
+    let report = Report::new(points, chosen, &speed, &|| bar.inc(1))?.with_scenes(scenes);
     bar.finish_and_clear();
     let page = page(&arguments.out);
     package::write_file(&page, report.html().as_bytes())?;

@@ -12,11 +12,12 @@ use crate::error::Error;
 use crate::explore::run::{Costing, Flow};
 use crate::explore::{Model, Results};
 use crate::package::File;
+use crate::report::ScenePart;
 use crate::scene::choice::{NearMiss, RunnerUp, SceneChoice, SceneCore, Search, Verified};
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
 use crate::scene::require::{Counts, PictureError};
 use crate::scene::simplify::{Simplification, simplifications};
-use crate::scene::{Requirements, Scene};
+use crate::scene::{CoreModel, Exact, Frame, Highlights, Requirements, Scene, sheet};
 use crate::spec::SpecFields;
 use crate::synth;
 
@@ -50,7 +51,7 @@ struct Inspect {
 }
 
 /// How a scene's core is chosen.
-#[derive(Args, Clone, Debug)]
+#[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Scene")]
 pub(super) struct SceneFlags {
     /// Move the camera and each light by so many degrees too, 0 to 45: what these pictures need is kept [default: 5]
@@ -169,6 +170,26 @@ pub(super) fn make(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: 
             Ok(None)
         }
     }
+}
+
+/// A scene's part of the report; none where no core keeps the budget.
+pub(super) fn part(scene: &Scene) -> Result<Option<ScenePart>, Error> {
+    let known = Known::of(scene, &SceneFlags::default(), &SpecFields::default())?;
+    let Some(findings) = known.findings(scene) else { return Ok(None) };
+    let frame = Frame::render(scene, &|| {});
+    let exact = frame.picture(scene, &Exact.of(scene, &frame)?);
+    let own = frame.picture(scene, &CoreModel::new(findings.design)?.of(scene, &frame)?);
+    let lines = [format!("core {}", findings.chosen.candidate.point.name)];
+    let budget = budget_text(&scene.budget);
+    let sheet = sheet::triptych(
+        &frame,
+        [&exact, &own],
+        &findings.verified.base,
+        &scene.name,
+        &lines,
+        &format!("budget: {budget}"),
+    );
+    Ok(Some(ScenePart::of(&findings, &sheet)))
 }
 
 /// A table of columns with a heading each; all but the first `left` are set flush right.
