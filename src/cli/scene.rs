@@ -17,8 +17,9 @@ use crate::scene::choice::{NearMiss, RunnerUp, SceneChoice, SceneCore, Search, V
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
 use crate::scene::require::{Counts, PictureError};
 use crate::scene::simplify::{Simplification, simplifications};
+use crate::scene::shade::{self, Shaded};
 use crate::scene::{CoreModel, Exact, Frame, Highlights, Requirements, Scene, sheet};
-use crate::spec::SpecFields;
+use crate::spec::{BlockKind, ShaderFields, SpecFields};
 use crate::synth;
 
 #[derive(Args)]
@@ -96,10 +97,18 @@ struct Known {
     requirements: Requirements,
     choice: SceneChoice,
     core: Option<(SceneCore, Design, Vec<Simplification>, Verified)>,
+    /// The shader around it, where one is asked for.
+    shaded: Option<Shaded>,
 }
 
 impl Known {
     fn of(scene: &Scene, flags: &SceneFlags, keys: &SpecFields) -> Result<Self, Error> {
+        // The lobe is chosen as if it were alone.
+        let asked = keys.clone().or(scene.core.keys.clone());
+        let alone = |keys: &SpecFields| SpecFields { block: None, shader: ShaderFields::default(), ..keys.clone() };
+        let (keys, mut lobe_scene) = (&alone(keys), scene.clone());
+        lobe_scene.core.keys = alone(&scene.core.keys);
+        let scene = &lobe_scene;
         let bar = progress::bar("rendering", 1);
         let told = |done: usize, of: usize| {
             bar.set_length(of as u64);
@@ -122,14 +131,26 @@ impl Known {
                 Some((chosen.clone(), design, list, verified))
             }
         };
+        let shaded = match &core {
+            Some((chosen, ..)) if asked.block == Some(BlockKind::Shader) => {
+                bar.set_message("drawing the scene through its shader");
+                bar.set_length(0);
+                Some(shade::make(scene, &requirements, &chosen.spec()?, &asked.shader, &|| bar.inc(1))?)
+            }
+            _ if asked.block != Some(BlockKind::Shader) && !asked.shader.is_empty() => {
+                return Err(Error::input("keys of a shader are given for a lobe", "use --block shader, or leave them out"));
+            }
+            _ => None,
+        };
         bar.finish_and_clear();
-        Ok(Self { requirements, choice, core })
+        Ok(Self { requirements, choice, core, shaded })
     }
 
     fn findings<'a>(&'a self, scene: &'a Scene) -> Option<Findings<'a>> {
         let (chosen, design, simplifications, verified) = self.core.as_ref()?;
-        let Self { requirements, choice, .. } = self;
-        Some(Findings { scene, requirements, choice, chosen, simplifications, design, verified })
+        let Self { requirements, choice, shaded, .. } = self;
+        let shaded = shaded.as_ref();
+        Some(Findings { scene, requirements, choice, chosen, simplifications, design, verified, shaded })
     }
 }
 
@@ -155,12 +176,13 @@ pub(super) fn make(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: 
     let known = Known::of(scene, flags, keys)?;
     let files = known.findings(scene).map(|findings| findings.files()).transpose()?;
     let lines = choice_text(&known);
+    let kept = known.shaded.as_ref().is_none_or(|shaded| shaded.missed.is_empty());
     match (known.core, files) {
-        (Some((_, design, ..)), Some(files)) => {
+        (Some((_, design, ..)), Some(files)) if kept => {
             if !quiet {
                 lines.iter().for_each(say);
             }
-            Ok(Some(Made { design, files }))
+            Ok(Some(Made { design: known.shaded.map_or(design, |shaded| shaded.design), files }))
         }
         _ => {
             if quiet {
@@ -315,9 +337,24 @@ fn core_text(core: &SceneCore) -> String {
     )
 }
 
+/// A shader around the chosen lobe.
+fn shader_text(shaded: &Shaded) -> String {
+    let spec = &shaded.design.spec;
+    let bits = spec.block.shader().map_or(0, |shader| shader.vector_fraction);
+    let end = if shaded.missed.is_empty() { String::new() } else { format!("; {}", shaded.missed.join(", ")) };
+    format!(
+        "  the shader around it: vectors of {bits} fraction bits, F{}, {} clocks; {} samples through its bit-exact model: base {}; moved {}{end}",
+        spec.input_fraction,
+        shaded.design.schedule.latency,
+        shaded.samples,
+        picture_text(&shaded.base),
+        picture_text(&shaded.moved),
+    )
+}
+
 /// The choice, what it leaves out, and what it was chosen from.
 fn choice_text(known: &Known) -> Vec<String> {
-    let Known { requirements, choice, core } = known;
+    let Known { requirements, choice, core, shaded } = known;
     let SceneChoice { runner_ups, misses, considered, meeting, estimated, tools, .. } = choice;
     let mut lines = Vec::new();
     match core {
@@ -336,6 +373,7 @@ fn choice_text(known: &Known) -> Vec<String> {
                 verified.samples, verified.pictures, verified.base.max_steps, verified.moved.max_steps,
             ));
             lines.push(format!("  any other view: {} steps at most", chosen.guaranteed_steps()));
+            lines.extend(shaded.iter().map(shader_text));
             for (applies, heading) in [(true, "left out:"), (false, "not left out:")] {
                 lines.push(heading.to_owned());
                 for one in simplifications.iter().filter(|one| one.applies == applies) {

@@ -33,6 +33,8 @@ pub struct Findings<'a> {
     pub design: &'a Design,
     /// Its pictures.
     pub verified: &'a Verified,
+    /// The shader around it, where that is what was asked for.
+    pub shaded: Option<&'a Shaded>,
 }
 
 /// A material and the code of `in_n` that stands for it.
@@ -57,7 +59,10 @@ struct LeftOut {
 #[template(path = "scene/scene.md", escape = "none")]
 struct Sheet<'a> {
     scene: &'a Scene,
-    design: &'a Design,
+    /// The name of the core: the lobe's, or that of the shader around it.
+    name: &'a str,
+    shader: bool,
+    port: &'static str,
     budget: String,
     margin: f64,
     materials: Vec<Coded>,
@@ -176,13 +181,14 @@ impl Findings<'_> {
     }
 
     fn errors(&self) -> Vec<(&'static str, u16, String, String, u64)> {
-        let Self { verified, requirements, .. } = self;
-        let base = &verified.base;
-        let off = base.pixels.iter().skip(1).sum();
+        let Self { verified, requirements, scene, shaded, .. } = self;
+        let own = |of: fn(&Shaded) -> PictureError, lobe: PictureError| shaded.map_or(lobe, of);
+        let base = own(|shaded| shaded.base, PictureError::of(&verified.base, scene.channel_bits));
         let row = |name, steps, mean: f64, psnr, off| (name, steps, format!("{mean:.5}"), psnr_text(psnr), off);
-        let mut rows = vec![row("base", base.max_steps, base.mean_steps, base.psnr, off)];
+        let mut rows = vec![row("base", base.max_steps, base.mean_steps, base.psnr, base.pixels_off)];
         if requirements.pictures.len() > 1 {
-            let PictureError { max_steps, mean_steps, psnr, pixels_off, .. } = verified.moved;
+            let moved = own(|shaded| shaded.moved, verified.moved);
+            let PictureError { max_steps, mean_steps, psnr, pixels_off, .. } = moved;
             rows.push(row("moved, the worst of each", max_steps, mean_steps, psnr, pixels_off));
         }
         rows
@@ -198,8 +204,13 @@ impl Findings<'_> {
         Ok(vec![sheet, File { path: "scene.json".to_owned(), bytes: json.into_bytes() }])
     }
 
+    /// The port that selects the material.
+    fn port(&self) -> &'static str {
+        if self.shaded.is_some() { "in_material" } else { "in_n" }
+    }
+
     fn sheet(&self) -> Result<String, Error> {
-        let Self { scene, requirements, choice, simplifications, design, verified, .. } = self;
+        let Self { scene, requirements, choice, simplifications, design, verified, shaded, .. } = self;
         let (applied, kept): (Vec<&Simplification>, Vec<&Simplification>) =
             simplifications.iter().partition(|one| one.applies);
         let left_out = |one: &Simplification| LeftOut {
@@ -220,7 +231,9 @@ impl Findings<'_> {
         };
         render(&Sheet {
             scene,
-            design,
+            name: &shaded.map_or(design, |shaded| &shaded.design).spec.name,
+            shader: shaded.is_some(),
+            port: self.port(),
             budget: budget_text(&requirements.budget),
             margin: requirements.margin_degrees,
             materials: self.materials(),
@@ -231,7 +244,7 @@ impl Findings<'_> {
             base_size: requirements.size,
             moved_size: requirements.moved_size,
             moves: requirements.pictures.len() - 1,
-            samples: verified.samples,
+            samples: shaded.map_or(verified.samples, |shaded| shaded.samples),
             errors: self.errors(),
             left_out: applied.into_iter().map(left_out).collect(),
             estimated_by,

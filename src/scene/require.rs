@@ -123,6 +123,17 @@ pub struct PictureError {
     pub pixels_off: u64,
 }
 
+impl PictureError {
+    /// The error of a whole picture.
+    #[must_use]
+    pub fn of(difference: &Difference, channel_bits: u32) -> Self {
+        let &Difference { max_steps, mean_steps, psnr, .. } = difference;
+        let full = f64::from((1u32 << channel_bits) - 1);
+        let mean_square = psnr.map_or(0.0, |psnr| full * full / libm::pow(10.0, psnr / 10.0));
+        Self { max_steps, mean_steps, mean_square, psnr, pixels_off: difference.pixels.iter().skip(1).sum() }
+    }
+}
+
 /// Fraction bits of a port.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Bits {

@@ -2,12 +2,15 @@
 
 use rayon::prelude::*;
 
+use super::require::PictureError;
 use super::trace::{Hit, Tracer};
-use super::{Picture, Requirements, Scene};
+use super::{Difference, Exact, Frame, Highlights, Picture, Requirements, Scene};
 use crate::design::Design;
 use crate::design::sample::{self, Sample, Vector};
 use crate::error::Error;
-use crate::spec::{BlockKind, Front, LightColours, Material, Model, Shader, ShaderFields, Shininess, SpecFields};
+use crate::spec::{
+    BlockKind, Front, INPUT_FRACTION, LightColours, Material, Model, Shader, ShaderFields, Shininess, SpecFields, VECTOR_FRACTION,
+};
 
 /// The spec of the shader of a scene around a lobe.
 ///
@@ -64,6 +67,100 @@ pub fn spec(
         shader,
         ..lobe.clone()
     })
+}
+
+/// A scene's shader and its pictures.
+#[derive(Debug)]
+pub struct Shaded {
+    /// The shader.
+    pub design: Design,
+    /// The samples, pixels of objects with all their lights, that went through its bit-exact model.
+    pub samples: u64,
+    /// The error of the base picture.
+    pub base: PictureError,
+    /// The worst error of a moved picture.
+    pub moved: PictureError,
+    /// What of the budget is missed, in words; nothing of a shader that keeps it.
+    pub missed: Vec<String>,
+}
+
+/// The fraction bits that the lobe's input may get beyond those that the lobe was chosen with: before it more is rounded than one cosine.
+const FINER: [u32; 3] = [0, 2, 4];
+
+/// The shader of a scene around the lobe that was chosen for it, with the fewest fraction bits of the vectors, and then of the lobe's input,
+/// whose pictures keep the scene's budget; all of them are drawn through the bit-exact model, every pixel and every light. If none
+/// does, the finest. `done` is called once a picture.
+///
+/// # Errors
+/// As [`spec`], and a shader that cannot be built.
+pub fn make(
+    scene: &Scene,
+    requirements: &Requirements,
+    lobe: &SpecFields,
+    asked: &ShaderFields,
+    done: &(dyn Fn() + Sync),
+) -> Result<Shaded, Error> {
+    let tracer = Tracer::new(scene);
+    let [width, height] = requirements.moved_size;
+    let moved = scene.moved(requirements.margin_degrees).into_iter().map(|(_, moved)| moved.resized(width, height));
+    let views: Vec<Scene> = std::iter::once(scene.clone()).chain(moved).collect();
+    let exact = |view: &Scene| -> Result<Picture, Error> {
+        let frame = Frame::trace(&tracer, view, &|| {});
+        Ok(frame.picture(view, &Exact.of(view, &frame)?))
+    };
+    let pictures: Vec<Picture> = views.iter().map(exact).collect::<Result<_, _>>()?;
+    let widths: Vec<u32> = asked.vector_fraction.map_or_else(|| VECTOR_FRACTION.collect(), |bits| vec![bits]);
+    let input = lobe.clone().resolve()?.input_fraction;
+    let mut last = None;
+    for finer in FINER.into_iter().filter(|finer| input + finer <= *INPUT_FRACTION.end()) {
+        let lobe = SpecFields { input_fraction: Some(input + finer), ..lobe.clone() };
+        let with = |bits: u32| -> Result<Shaded, Error> {
+            let asked = ShaderFields { vector_fraction: Some(bits), ..asked.clone() };
+            let design = Design::new(spec(scene, requirements, &lobe, &asked)?.resolve()?)?;
+            let mut shaded = Shaded {
+                design,
+                samples: 0,
+                base: PictureError::default(),
+                moved: PictureError::default(),
+                missed: Vec::new(),
+            };
+            let shader = shaded.design.spec.block.shader().expect("a shader was asked for").clone();
+            for (place, (view, exact)) in views.iter().zip(&pictures).enumerate() {
+                let (own, samples) = picture(&shaded.design, &shader, view, &tracer, &|| {})?;
+                done();
+                let error = PictureError::of(&Difference::of(exact, &own), scene.channel_bits);
+                shaded.samples += samples;
+                let what = if place == 0 { "the picture" } else { "a moved picture" };
+                shaded.missed.extend(requirements.budget.missed(&error, what).into_iter().map(|(_, why)| why));
+                if place == 0 {
+                    shaded.base = error;
+                } else {
+                    shaded.moved = shaded.moved.worst(error);
+                }
+                if !shaded.missed.is_empty() {
+                    break;
+                }
+            }
+            Ok(shaded)
+        };
+        // With the most bits first: if these do not do, no fewer will.
+        let mut best = with(widths[widths.len() - 1])?;
+        if best.missed.is_empty() {
+            let (mut few, mut enough) = (0, widths.len() - 1);
+            while few < enough {
+                let middle = (few + enough) / 2;
+                let shaded = with(widths[middle])?;
+                if shaded.missed.is_empty() {
+                    (enough, best) = (middle, shaded);
+                } else {
+                    few = middle + 1;
+                }
+            }
+            return Ok(best);
+        }
+        last = Some(best);
+    }
+    last.ok_or_else(|| Error::input("the lobe's input has too many bits", "use fewer input_fraction bits"))
 }
 
 /// A point of a surface as the shader is given it: the material's row, N, V, and of each light L and H. A light that does not shine on the
