@@ -290,7 +290,13 @@ fn the_exit_code_says_whether_the_budget_is_kept() {
     let exact = "--method log-exp --out p.png";
     scratch.run(&format!("render spheres.toml {exact}")).succeeds().says(&["within the budget: at most 2 steps off"]);
     let miss = scratch.run("render spheres.toml --method quadratic --out p.png").ends_with(1);
-    miss.says(&["core quadratic: quadratic", "over the budget: ", " steps off, 2 allowed", "p.png", "traced in"]);
+    miss.says(&[
+        "core quadratic: quadratic",
+        "the picture is off by ",
+        " steps where 2 are allowed",
+        "p.png",
+        "traced in",
+    ]);
     scratch.write("psnr.toml", SPHERES.replace("max_steps = 2", "min_psnr = 300"));
     scratch.run("render psnr.toml --method cubic --out p.png").ends_with(1).says(&["where 300 dB are wanted"]);
     // Nothing is compared where only the exact picture is drawn.

@@ -9,26 +9,24 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use super::scene::{MARGIN, costing};
 use super::{Verdict, progress, say, say_json, write_to};
 use crate::design::Design;
 use crate::error::Error;
-use crate::explore::run::{Costing, Flow};
 use crate::explore::sweep::Core;
-use crate::explore::{Cost, Model, Point, Results};
+use crate::explore::{Cost, Point};
 use crate::package;
 use crate::scene::choice::Search;
+use crate::scene::require::PictureError;
 use crate::scene::sheet::{self, Cell, Sheet};
 use crate::scene::{Compiled, CoreModel, Difference, Exact, Frame, Highlights, Requirements, Scene, picture};
 use crate::spec::{BlockKind, CoreSpec, Language, Shininess, SpecFields};
-use crate::synth::{self, Family};
+use crate::synth::Family;
 use crate::tool;
 
 /// The cores that `--compare` shows where it is not told which.
 const COMPARED: &str =
     "quadratic,cubic,cubic-min-zero:coefficients=minimax,schlick,power-4,log-exp:accuracy=5,log-exp:accuracy=9";
-
-/// The degrees that the camera and the lights are moved by where a core is chosen.
-const MARGIN: f64 = 5.0;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -403,15 +401,6 @@ fn the_core(arguments: &Arguments, scene: &Scene) -> Result<Chosen, Error> {
     Ok(Chosen { design: core_for(scene, with_wishes(flags, scene))?, directory: None })
 }
 
-/// How costs are found: by synthesis, or by the cost model.
-fn costing(synthesis: bool) -> Result<Costing, Error> {
-    if !synthesis {
-        return Ok(Costing::Estimate(Model::fit(&Results::built_in()?)?));
-    }
-    let cache = Some(synth::default_cache());
-    Ok(Costing::Synthesis(Flow { seeds: 3, target_mhz: None, place: true, pack: true, yosys: None, cache }))
-}
-
 /// The core that the scene needs, with these keys, as `generate` chooses it.
 fn needed_core(arguments: &Arguments, scene: &Scene, keys: &SpecFields) -> Result<Design, Error> {
     let bar = progress::bar("rendering", 1);
@@ -509,19 +498,10 @@ fn samples(frame: &Frame) -> u64 {
     frame.versine.iter().filter(|versine| !versine.is_nan()).count() as u64
 }
 
-/// What a picture misses of the budget, in words.
+/// What of the scene's budget a picture misses, in words.
 fn missed(scene: &Scene, difference: &Difference) -> Vec<String> {
-    let (steps, psnr) = scene.budget.limits();
-    let mut missed = Vec::new();
-    if let Some(allowed) = steps.filter(|&allowed| u32::from(difference.max_steps) > allowed) {
-        missed.push(format!("over the budget: {} steps off, {allowed} allowed", difference.max_steps));
-    }
-    if let (Some(allowed), Some(own)) = (psnr, difference.psnr)
-        && own < allowed
-    {
-        missed.push(format!("over the budget: a PSNR of {own:.2} dB where {allowed} dB are wanted"));
-    }
-    missed
+    let error = PictureError::of(difference, scene.channel_bits);
+    scene.budget.missed(&error, "the picture").into_iter().map(|(_, why)| why).collect()
 }
 
 fn budget_json(scene: &Scene) -> Value {

@@ -16,8 +16,8 @@ use crate::report::ScenePart;
 use crate::scene::choice::{NearMiss, RunnerUp, SceneChoice, SceneCore, Search, Verified};
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
 use crate::scene::require::{Counts, PictureError};
-use crate::scene::simplify::{Simplification, simplifications};
 use crate::scene::shade::{self, Shaded};
+use crate::scene::simplify::{Simplification, simplifications};
 use crate::scene::{CoreModel, Exact, Frame, Highlights, Requirements, Scene, sheet};
 use crate::spec::{BlockKind, ShaderFields, SpecFields};
 use crate::synth;
@@ -51,6 +51,9 @@ struct Inspect {
     json: bool,
 }
 
+/// The degrees that the camera and the lights are moved by where the user does not say.
+pub(super) const MARGIN: f64 = 5.0;
+
 /// How a scene's core is chosen.
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Scene")]
@@ -69,20 +72,15 @@ impl SceneFlags {
     pub(super) fn is_empty(&self) -> bool {
         self.margin.is_none() && !self.synth
     }
+}
 
-    fn costing(&self) -> Result<Costing, Error> {
-        if self.synth {
-            return Ok(Costing::Synthesis(Flow {
-                seeds: 3,
-                target_mhz: None,
-                place: true,
-                pack: true,
-                yosys: None,
-                cache: Some(synth::default_cache()),
-            }));
-        }
-        Ok(Costing::Estimate(Model::fit(&Results::built_in()?)?))
+/// How costs are found: by synthesis, or by the cost model.
+pub(super) fn costing(synthesis: bool) -> Result<Costing, Error> {
+    if !synthesis {
+        return Ok(Costing::Estimate(Model::fit(&Results::built_in()?)?));
     }
+    let cache = Some(synth::default_cache());
+    Ok(Costing::Synthesis(Flow { seeds: 3, target_mhz: None, place: true, pack: true, yosys: None, cache }))
 }
 
 /// A scene's core.
@@ -114,8 +112,8 @@ impl Known {
             bar.set_length(of as u64);
             bar.set_position(done as u64);
         };
-        let requirements = Requirements::of(scene, flags.margin.unwrap_or(5.0), &told)?;
-        let costing = flags.costing()?;
+        let requirements = Requirements::of(scene, flags.margin.unwrap_or(MARGIN), &told)?;
+        let costing = costing(flags.synth)?;
         let search = Search::new(scene, &requirements, &costing, keys)?;
         let choice = search.choose(&|what, done, of| {
             bar.set_message(what);
@@ -138,7 +136,10 @@ impl Known {
                 Some(shade::make(scene, &requirements, &chosen.spec()?, &asked.shader, &|| bar.inc(1))?)
             }
             _ if asked.block != Some(BlockKind::Shader) && !asked.shader.is_empty() => {
-                return Err(Error::input("keys of a shader are given for a lobe", "use --block shader, or leave them out"));
+                return Err(Error::input(
+                    "keys of a shader are given for a lobe",
+                    "use --block shader, or leave them out",
+                ));
             }
             _ => None,
         };

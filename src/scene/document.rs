@@ -6,7 +6,8 @@ use serde_json::json;
 
 use super::choice::{SceneChoice, SceneCore, Verified};
 use super::highlight::Codes;
-use super::require::PictureError;
+use super::require::{MaterialNeed, PictureError};
+use super::shade::{self, Shaded};
 use super::simplify::{Saving, Simplification};
 use super::{Budget, Requirements, Scene};
 use crate::design::Design;
@@ -42,7 +43,7 @@ pub struct Findings<'a> {
 struct Coded {
     name: String,
     shininess: f64,
-    in_n: u32,
+    code: Option<u32>,
     modelled: bool,
     #[serde(skip)]
     note: String,
@@ -128,10 +129,19 @@ pub fn keys_text(keys: &SpecFields) -> String {
 
 impl Findings<'_> {
     fn materials(&self) -> Vec<Coded> {
-        let Self { scene, requirements, design, .. } = self;
+        let Self { scene, requirements, design, shaded, .. } = self;
+        if let Some(shaded) = shaded {
+            let codes = shade::rows(&shaded.design, scene);
+            let coded = |(need, code): (&MaterialNeed, &Option<u32>)| {
+                let note = if code.is_some() { "" } else { "not modelled: no picture shows it" };
+                let (name, note) = (need.name.clone(), note.to_owned());
+                Coded { name, shininess: need.shininess, code: *code, modelled: code.is_some(), note }
+            };
+            return requirements.materials.iter().zip(&codes).map(coded).collect();
+        }
         let indices = Codes::of(design, scene, &requirements.frame).indices;
-        let coded = |(need, &in_n): (&super::require::MaterialNeed, &u32)| {
-            let row = design.spec.shininess.row_of_index(in_n);
+        let coded = |(need, &code): (&MaterialNeed, &u32)| {
+            let row = design.spec.shininess.row_of_index(code);
             let modelled = need.row.is_some();
             let note = match (modelled, need.used) {
                 (true, _) => String::new(),
@@ -141,7 +151,7 @@ impl Findings<'_> {
                     format!("not modelled: {why}; the nearest row, n = {}", design.spec.shininess.value(row))
                 }
             };
-            Coded { name: need.name.clone(), shininess: need.shininess, in_n, modelled, note }
+            Coded { name: need.name.clone(), shininess: need.shininess, code: Some(code), modelled, note }
         };
         requirements.materials.iter().zip(&indices).map(coded).collect()
     }
@@ -149,6 +159,20 @@ impl Findings<'_> {
     /// What the core does with inputs, materials and views that were not modelled.
     fn outside(&self) -> Vec<String> {
         let Self { requirements, chosen, design, scene, .. } = self;
+        if let Some(shaded) = self.shaded {
+            let last = shaded.design.spec.shininess.rows() - 1;
+            return vec![
+                format!("`in_material` above {last} selects row {last}."),
+                "Vectors of any length and direction have a defined result: each cosine is taken into [0, 1], a light from behind gives nothing, and a \
+                 channel above full scale is full scale."
+                    .to_owned(),
+                format!(
+                    "Other views are measured only as far as the moved pictures go. Another light, colour or material than those of `{}` needs another \
+                     shader.",
+                    scene.name
+                ),
+            ];
+        }
         let last = design.spec.shininess.rows() - 1;
         let mut lines =
             vec![format!("`in_n` above {last} selects row {last}, n = {}.", design.spec.shininess.value(last))];
@@ -231,7 +255,7 @@ impl Findings<'_> {
         };
         render(&Sheet {
             scene,
-            name: &shaded.map_or(design, |shaded| &shaded.design).spec.name,
+            name: &shaded.map_or(*design, |shaded| &shaded.design).spec.name,
             shader: shaded.is_some(),
             port: self.port(),
             budget: budget_text(&requirements.budget),
@@ -256,7 +280,7 @@ impl Findings<'_> {
     /// All of it.
     #[must_use]
     pub fn json(&self) -> serde_json::Value {
-        let Self { scene, requirements, choice, chosen, simplifications, design, verified } = self;
+        let Self { scene, requirements, choice, chosen, simplifications, design, verified, .. } = self;
         let base = &verified.base;
         let core = |core: &SceneCore| {
             json!({
@@ -297,6 +321,18 @@ impl Findings<'_> {
             "size": requirements.size,
             "moved_size": requirements.moved_size,
             "requires": requirements,
+            "port": self.port(),
+            "shader": self.shaded.map(|shaded| {
+                json!({
+                    "name": shaded.design.spec.name,
+                    "flags": shaded.design.spec.flags(),
+                    "latency": shaded.design.schedule.latency,
+                    "samples": shaded.samples,
+                    "base": shaded.base,
+                    "moved": shaded.moved,
+                    "missed": shaded.missed,
+                })
+            }),
             "through_the_model": {
                 "samples": verified.samples,
                 "base": base,

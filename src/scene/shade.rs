@@ -9,7 +9,8 @@ use crate::design::Design;
 use crate::design::sample::{self, Sample, Vector};
 use crate::error::Error;
 use crate::spec::{
-    BlockKind, Front, INPUT_FRACTION, LightColours, Material, Model, Shader, ShaderFields, Shininess, SpecFields, VECTOR_FRACTION,
+    BlockKind, Front, INPUT_FRACTION, LightColours, Material, Model, Shader, ShaderFields, Shininess, SpecFields,
+    VECTOR_FRACTION,
 };
 
 /// The spec of the shader of a scene around a lobe.

@@ -18,6 +18,7 @@ pub use method::{Coefficients, Divider, Form, Inside, Memory, Method, Tail};
 pub(crate) use shader::unit;
 pub use shader::{
     Block, BlockKind, CHANNEL_BITS, Colour, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, Surface,
+    VECTOR_FRACTION,
 };
 pub use shininess::{MAX_ROWS, Material, Shininess};
 pub use widths::Widths;
