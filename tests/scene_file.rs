@@ -86,7 +86,7 @@ fn defaults_are_filled_in() {
     assert_eq!(scene.lights[0].kind, LightKind::Directional([0.0, 0.0, 1.0]));
     assert_eq!(scene.materials[0].diffuse, Some(0.6));
     assert_eq!((scene.budget.max_steps, scene.budget.min_psnr), (Some(1), None));
-    assert_eq!((scene.core.family, scene.core.objective), (Family::Ecp5, Objective::Lut));
+    assert_eq!((scene.core.family, scene.core.objective), (Family::Ecp5, Objective::Area));
     assert!(!scene.shadows);
 }
 

@@ -72,7 +72,8 @@ fn the_cosines_of_a_sphere_are_distributed_as_its_geometry_says() {
         let mut within = 0u64;
         for (bin, count) in spread.degrees.iter().enumerate() {
             within += count;
-            let angle = ((bin + 1) as f64 * 180.0 / DEGREE_BINS as f64 / times).to_radians().min(1.570_796f64);
+            let angle =
+                ((bin + 1) as f64 * 180.0 / DEGREE_BINS as f64 / times).to_radians().min(std::f64::consts::FRAC_PI_2);
             let expected = angle.sin().powi(2);
             assert!(
                 (within as f64 / all - expected).abs() < 0.006,
@@ -266,7 +267,7 @@ fn a_scene_becomes_a_core_with_its_documents_the_same_on_any_number_of_threads()
     scratch.run("generate hidden.toml --margin 3 --out one --check").succeeds();
     scratch.run("cosim one --sim builtin").succeeds();
     let json: serde_json::Value = serde_json::from_str(&scratch.text("one/scene.json")).unwrap();
-    assert_eq!(json["materials"][0]["in_n"], 0);
+    assert_eq!((&json["port"], &json["materials"][0]["code"]), (&"in_n".into(), &0.into()));
     assert_eq!(json["materials"][1]["modelled"], false);
     assert_eq!(json["through_the_model"]["base"]["max_steps"], 1);
     let sheet = scratch.text("one/scene.md");

@@ -104,7 +104,7 @@ fn globe(centre: Vector, radius: f64, rings: u32) -> Mesh {
         }
     }
     let positions = normals.iter().map(|n| [0, 1, 2].map(|axis| centre[axis] + radius * n[axis])).collect();
-    Mesh { positions, normals, triangles }
+    Mesh { positions, normals, triangles, ..Mesh::default() }
 }
 
 /// A square from -1 to 1 in x and y at z = 0, of two triangles whose normals are z.
@@ -114,6 +114,7 @@ fn square() -> Mesh {
         positions: vec![[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]],
         normals: vec![[0.0, 0.0, 1.0]],
         triangles: corners.map(|corners| corners.map(|position| Corner { position, normal: 0 })).to_vec(),
+        ..Mesh::default()
     }
 }
 
@@ -647,8 +648,9 @@ fn meshes_without_area_are_not_seen() {
         triangles: (0..10)
             .map(|t| [3 * t, 3 * t + 1, 3 * t + 2].map(|position| Corner { position, normal: 0 }))
             .collect(),
+        ..Mesh::default()
     };
-    let empty = Mesh { positions: vec![], normals: vec![], triangles: vec![] };
+    let empty = Mesh::default();
     for mesh_of in
         [empty, flat(|_| [0.0; 3]), flat(|k| [k as f64 / 15.0 - 1.0, 0.0, 0.0]), flat(|k| [k as f64 / 15.0 - 1.0; 3])]
     {

@@ -106,6 +106,7 @@ impl Objective {
             Self::Dsp => [Self::Dsp, Self::Bram, Self::Lut, Self::Latency],
             Self::Bram => [Self::Bram, Self::Dsp, Self::Lut, Self::Latency],
             Self::Latency => [Self::Latency, Self::Lut, Self::Dsp, Self::Bram],
+            Self::Area => [Self::Area, Self::Dsp, Self::Bram, Self::Latency],
         }
     }
 
@@ -117,6 +118,7 @@ impl Objective {
             Self::Dsp => "DSPs",
             Self::Bram => "block RAMs",
             Self::Latency => "clocks of latency",
+            Self::Area => "LUTs (a DSP block counting as 536, a block RAM as 402)",
         }
     }
 }
@@ -360,6 +362,11 @@ mod tests {
         assert_eq!(chosen(&wish(0.05, Objective::Dsp)).0.as_deref(), Some("fine"));
         assert_eq!(chosen(&wish(0.05, Objective::Bram)).0.as_deref(), Some("fair"));
         assert_eq!(chosen(&wish(0.5, Objective::Latency)).0.as_deref(), Some("rough"));
+        // 100 LUTs and two DSP blocks are less than 300, one and a block RAM, and these less than 500 and three.
+        assert_eq!(chosen(&wish(0.055, Objective::Area)).0.as_deref(), Some("fair"));
+        assert_eq!(chosen(&wish(0.035, Objective::Area)).0.as_deref(), Some("fine"));
+        let of = |costs| Objective::Area.of(&point("p", 0.1, costs, 150.0).cost().unwrap());
+        assert_eq!([of([100, 2, 0, 7]), of([300, 1, 1, 9])], [100 + 2 * 536, 300 + 536 + 402]);
         // The error that is wished exactly is met.
         assert_eq!(chosen(&wish(0.004, Objective::Lut)).0.as_deref(), Some("finest"));
         let (core, misses) = chosen(&wish(0.003, Objective::Lut));

@@ -16,10 +16,16 @@ pub enum Objective {
     Bram,
     /// Clocks from input to output.
     Latency,
+    /// LUTs, DSP blocks and block RAMs together, as LUTs: a DSP block is 536 of them and a block RAM 402.
+    Area,
 }
 
+/// As many LUTs as there are for each DSP block and for each block RAM of an LFE5U-85F, which has 83640, 156 and 208 (Lattice FPGA-DS-02012,
+/// ECP5 family data sheet).
+const LUTS_OF_A_BLOCK: [u32; 2] = [536, 402];
+
 impl Objective {
-    /// All of them.
+    /// Those that are counted; [`Self::Area`] follows from them.
     pub const ALL: [Self; 4] = [Self::Lut, Self::Dsp, Self::Bram, Self::Latency];
 
     /// This cost of a core.
@@ -30,6 +36,7 @@ impl Objective {
             Self::Dsp => cost.dsp,
             Self::Bram => cost.bram,
             Self::Latency => cost.latency,
+            Self::Area => cost.lut + LUTS_OF_A_BLOCK[0] * cost.dsp + LUTS_OF_A_BLOCK[1] * cost.bram,
         }
     }
 }

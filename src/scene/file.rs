@@ -342,7 +342,7 @@ fn wishes(source: &Source, table: Spanned<DeValue>) -> Result<Wishes, Error> {
     Ok(Wishes {
         family: own.family.unwrap_or(Family::Ecp5),
         min_mhz: own.min_mhz,
-        objective: own.objective.unwrap_or(Objective::Lut),
+        objective: own.objective.unwrap_or(Objective::Area),
         keys,
     })
 }
@@ -433,7 +433,7 @@ impl SceneFields {
             core: core.unwrap_or_else(|| Wishes {
                 family: Family::Ecp5,
                 min_mhz: None,
-                objective: Objective::Lut,
+                objective: Objective::Area,
                 keys: SpecFields::default(),
             }),
         })

@@ -566,6 +566,7 @@ mod tests {
             positions: triangles.as_flattened().to_vec(),
             normals: vec![[0.0, 0.0, 1.0]],
             triangles: (0..triangles.len()).map(|t| [3 * t, 3 * t + 1, 3 * t + 2].map(corner)).collect(),
+            ..Mesh::default()
         });
         let mut shapes: Vec<Shape> = spheres.iter().map(|&(centre, radius)| Shape::Sphere { centre, radius }).collect();
         shapes.insert(shapes.len() / 2, Shape::Mesh(mesh));
