@@ -45,7 +45,7 @@ impl ScenePart {
                 requirements.margin_degrees,
             ),
             format!(
-                "The cheapest of the {} cores that drew it and keep the budget is {}: {} ({figures}). Through its bit-exact model the picture is off by {} \
+                "Of the {} cores that drew it the cheapest that keeps the budget is {}: {} ({figures}). Through its bit-exact model the picture is off by {} \
                  step{} at most, PSNR {}; {} lit samples in {} pictures. In any view of these materials under these lights no channel is off by \
                  more than {} steps.",
                 choice.considered,
