@@ -261,7 +261,7 @@ fn a_scene_becomes_a_core_with_its_documents_the_same_on_any_number_of_threads()
     let said = run("1", "one");
     run("4", "four");
     assert_eq!(scratch.tree("one"), scratch.tree("four"));
-    for words in ["left out:", "only the scene's materials", "runners-up:", "any other view"] {
+    for words in ["left out:", "only the scene's materials", "runners-up ", "any other view"] {
         assert!(said.contains(words), "{words}\n{said}");
     }
     scratch.run("generate hidden.toml --margin 3 --out one --check").succeeds();
@@ -272,6 +272,11 @@ fn a_scene_becomes_a_core_with_its_documents_the_same_on_any_number_of_threads()
     assert_eq!(json["through_the_model"]["base"]["max_steps"], 1);
     let sheet = scratch.text("one/scene.md");
     assert!(sheet.contains("| front | 20 | 0 |") && sheet.contains("not modelled"), "{sheet}");
+    // Made again from its directory, the core keeps the documents of its scene.
+    scratch.run("generate one --out one --check").succeeds();
+    scratch.run("generate one --out one").succeeds();
+    scratch.run("generate one --out again").succeeds();
+    assert_eq!((scratch.text("one/scene.md"), scratch.tree("again")), (sheet, scratch.tree("one")));
     // What depends on the margin is in the documents.
     scratch.run("generate hidden.toml --margin 2 --out one --check").ends_with(1);
     // Every other command wants a core.
@@ -293,11 +298,49 @@ fn a_budget_that_no_core_keeps_ends_with_the_nearest_misses() {
     let before = scratch.tree("");
     let run = scratch.run("generate strict.toml --out core").ends_with(1);
     assert!(run.stderr.contains("no core keeps an error of at most 0 steps"), "{}", run.stderr);
-    assert!(run.stderr.contains("nearest misses:") && run.stderr.contains("where 0 are allowed"), "{}", run.stderr);
+    assert!(run.stderr.contains("nearest misses ") && run.stderr.contains("where 0 are allowed"), "{}", run.stderr);
     assert_eq!(scratch.tree(""), before);
     let json = scratch.run("scene inspect strict.toml --json").ends_with(1).json();
     assert!(json["choice"]["chosen"].is_null() && json["choice"]["misses"][0]["octaves"].as_f64().unwrap() > 0.0);
     let dark = HIDDEN.replace("k_s = 0.5", "k_s = 0.0").replace("k_s = 0.3", "k_s = 0.0");
     scratch.write("dark.toml", dark);
     scratch.run("scene inspect dark.toml").refuses(&["needs no core"]);
+}
+
+#[test]
+fn one_of_a_thing_is_singular_and_what_is_not_there_is_not_named() {
+    let scratch = Scratch::new();
+    let small =
+        lone("phong", 10.5, "shadows = false").replace("200", "40").replace("shininess = 10.5", "roughness = 0.4");
+    scratch.write("lone.toml", &small);
+    let said = scratch.run("scene inspect lone.toml --margin 0").succeeds().stdout;
+    for words in ["1 light; no moved pictures", "  10.5  ", "n=1 material:", "1 step at most"] {
+        assert!(said.contains(words), "{words}\n{said}");
+    }
+    for words in ["1 steps", "1 materials", "1 lights", "10.4999", "1 DSPs", "1 LUTs"] {
+        assert!(!said.contains(words), "{words}\n{said}");
+    }
+    // A frequency that no core reaches is no fault of the budget.
+    scratch.write("fast.toml", format!("{small}[core]\nmin_mhz = 1000.0\n"));
+    let said = scratch.run("scene inspect fast.toml").ends_with(1).stdout;
+    assert!(said.contains("no core keeps an error of at most 1 step at 1000 MHz or more"), "{said}");
+    // What is no scene is told apart, and a margin below 0 is no flag.
+    scratch.write("spec.toml", "method = 'cubic'\n");
+    scratch.run("scene inspect spec.toml").refuses(&["spec.toml is the spec of a core, and no scene"]);
+    scratch.run("scene inspect lone.toml --margin -1").refuses(&["a margin of -1 degrees is out of range"]);
+    scratch.run_each(["scene", "inspect", "."]).refuses(&[". is a directory, and no scene"]);
+}
+
+/// Where a view may meet the whole lobe however few points of it the pictures show, no channel is off by more than the whole highlight.
+#[test]
+fn no_view_is_off_by_more_than_the_highlight() {
+    let scene = scene(&lone("phong", 1000.0, "").replace("= 200", "= 1"));
+    let needs = required(&scene, 0.0);
+    let costing = estimates();
+    let search = Search::new(&scene, &needs, &costing, &keys("method = 'quadratic'\ninput_fraction = 4")).unwrap();
+    let all = search.candidates(&|_, _| {});
+    assert!(!all.is_empty());
+    for core in all {
+        assert!(core.guarantee > 50.0 && core.guarantee <= needs.materials[0].peak_steps + 1e-9, "{}", core.guarantee);
+    }
 }

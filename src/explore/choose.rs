@@ -119,7 +119,8 @@ impl Objective {
             Self::Dsp => ("DSP", ""),
             Self::Bram => ("block RAM", ""),
             Self::Latency => ("clock", " of latency"),
-            Self::Area => ("LUT", " (a DSP block counting as 536, a block RAM as 402)"),
+            // A DSP block counts as some hundred of them, and so does a block RAM.
+            Self::Area => ("LUT", " of area"),
         };
         counted(count, one) + rest
     }

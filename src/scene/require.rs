@@ -14,6 +14,7 @@ use super::{Budget, Difference, Frame, Highlights, Picture, Scene};
 use crate::error::Error;
 use crate::lobe;
 use crate::number::exp2;
+use crate::package::counted;
 use crate::spec::{INPUT_FRACTION, Material, OUTPUT_FRACTION};
 
 /// The most pixels a row of a moved picture.
@@ -232,7 +233,9 @@ impl Budget {
         if let Some(allowed) = steps.filter(|&allowed| u32::from(error.max_steps) > allowed) {
             // One more of each, as 0 may be allowed.
             let octaves = libm::log2((f64::from(error.max_steps) + 1.0) / (f64::from(allowed) + 1.0));
-            missed.push((octaves, format!("{of} is off by {} steps where {allowed} are allowed", error.max_steps)));
+            let are = if allowed == 1 { "is" } else { "are" };
+            let own = counted(error.max_steps, "step");
+            missed.push((octaves, format!("{of} is off by {own} where {allowed} {are} allowed")));
         }
         if let (Some(allowed), Some(own)) = (psnr, error.psnr)
             && own < allowed
