@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use crate::datapath::graph::Op;
+use crate::datapath::graph::{Graph, NodeId, Op};
 use crate::design::Design;
 
 /// The sizes of a core's operations.
@@ -17,7 +17,7 @@ pub struct Shape {
     pub memories: Vec<Memory>,
     /// The bits of all sums, differences and comparisons.
     pub adder_bits: u32,
-    /// The bits of all results that are chosen: selected, zeroed, clamped (twice: at either end), tested for zero.
+    /// The bits of all results that are chosen: selected (but those that are the same either way), zeroed, clamped (twice: at either end), tested for zero.
     pub mux_bits: u32,
     /// The bits of all results that are shifted by a variable, each times the bits of its shift.
     pub shift_bits: u32,
@@ -62,7 +62,12 @@ impl Shape {
                 Op::Add | Op::Sub => shape.adder_bits += width,
                 Op::Greater => shape.adder_bits += arg(0).width().max(arg(1).width()),
                 Op::Clamp { .. } => shape.mux_bits += 2 * width,
-                Op::ZeroIf | Op::Select => shape.mux_bits += width,
+                Op::ZeroIf => shape.mux_bits += width,
+                Op::Select => {
+                    // A bit that comes from the same place either way is a wire.
+                    let chosen = |bit: &u32| source(graph, node.args[1], *bit) != source(graph, node.args[2], *bit);
+                    shape.mux_bits += (0..width).filter(chosen).count() as u32;
+                }
                 Op::NonZero => shape.mux_bits += arg(0).width(),
                 Op::ShiftLeft | Op::ShiftRight if !constant(1) => shape.shift_bits += width * arg(1).width(),
                 Op::Mul => {
@@ -80,6 +85,25 @@ impl Shape {
         }
         shape
     }
+}
+
+/// Where a bit of an unsigned node, counted from its last, comes from through formats that are changed: a node and its bit, or nothing where
+/// it is always 0. Bits of signed nodes are their own.
+fn source(graph: &Graph, id: NodeId, bit: u32) -> Option<(NodeId, u32)> {
+    let node = &graph.nodes[id];
+    if node.format.signed || !matches!(node.op, Op::Cast | Op::Scale) {
+        return Some((id, bit));
+    }
+    let of = graph.nodes[node.args[0]].format;
+    if of.signed {
+        return Some((id, bit));
+    }
+    let moved = if node.op == Op::Cast { of.frac_bits - node.format.frac_bits } else { 0 };
+    let bit = bit as i32 + moved;
+    if !(0..of.width() as i32).contains(&bit) {
+        return None;
+    }
+    source(graph, node.args[0], bit as u32)
 }
 
 impl fmt::Display for Multiplier {
@@ -157,6 +181,10 @@ mod tests {
         assert_eq!(shape.memories, [memory]);
         assert_eq!(memory.to_string().parse(), Ok(memory));
         assert_eq!(shape.register_bits, design.register_bits());
+        // Of what is chosen in place of the two limits, all bits but one come from the same place either way.
+        let unit = format!("{text}\ninput_range = 'unit'");
+        let unit = Shape::of(&Design::new(SpecFields::parse(&unit, "spec").unwrap().resolve().unwrap()).unwrap());
+        assert_eq!(shape.mux_bits - unit.mux_bits, 2 * 17 - (16 + 1 + 1));
         assert!(shape.adder_bits > 0 && "12x".parse::<Memory>().is_err() && "12x3r".parse::<Multiplier>().is_err());
     }
 }
