@@ -169,6 +169,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 
 /// An error as a percentage and as a power of two.
 pub(super) fn error_text(value: f64) -> String {
+    if value == 0.0 {
+        return "nothing".to_owned();
+    }
     // Three significant digits of what is very small.
     let percent = match 100.0 * value {
         percent if percent < 0.001 => format!("{percent:.2e}"),
@@ -179,7 +182,7 @@ pub(super) fn error_text(value: f64) -> String {
 
 /// All that a core must meet, in words.
 fn wish_text(wish: &Wish) -> String {
-    let limits = wish.limits.iter().map(|(objective, most)| format!("at most {most} {}", objective.label()));
+    let limits = wish.limits.iter().map(|(objective, most)| format!("at most {}", objective.counted(*most)));
     let mhz = wish.min_mhz.map(|mhz| format!("at least {mhz} MHz"));
     let error = format!("an error of at most {}", error_text(wish.max_error.0));
     std::iter::once(error).chain(mhz).chain(limits).collect::<Vec<_>>().join(", ")

@@ -16,7 +16,7 @@ use crate::error::Error;
 use crate::explore::{MaxError, Objective};
 use crate::golden::Golden;
 use crate::hdl::Direction;
-use crate::package;
+use crate::package::{self, File};
 use crate::spec::CoreSpec;
 
 #[derive(Args)]
@@ -52,12 +52,12 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-/// The core of a spec.
-fn of_spec(spec: CoreSpec) -> Result<Made, Error> {
+/// The core of a spec, and the files that go with it.
+fn of_spec(spec: CoreSpec, files: Vec<File>) -> Result<Made, Error> {
     let spinner = progress::spinner(format!("building {}", spec.name));
     let design = Design::new(spec)?;
     spinner.finish_and_clear();
-    Ok(Made { design, files: Vec::new() })
+    Ok(Made { design, files })
 }
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
@@ -93,7 +93,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             Some(made) => made,
             None => return Ok(Verdict::Differs),
         },
-        (None, None) => of_spec(arguments.source.spec()?)?,
+        (None, None) => of_spec(arguments.source.spec()?, arguments.source.companions())?,
         (None, Some(wish)) => {
             let choice = wish.choose(&arguments.wish.results()?)?;
             let Some(chosen) = &choice.chosen else {
@@ -107,7 +107,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
                 choose::describe(wish, &choice).iter().for_each(say);
             }
             promised = Some(chosen.cost.latency);
-            of_spec(wish.spec_of(chosen)?.resolve()?)?
+            of_spec(wish.spec_of(chosen)?.resolve()?, Vec::new())?
         }
     };
     let Made { design, files: others } = made;

@@ -10,6 +10,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::scene::{MARGIN, costing};
+use super::source::read_scene;
 use super::{Verdict, progress, say, say_json, write_to};
 use crate::design::Design;
 use crate::error::Error;
@@ -61,7 +62,7 @@ pub(super) struct Arguments {
     compare: Option<Vec<String>>,
 
     /// Where a core is to be chosen: move the camera and each light by so many degrees too, 0 to 45 [default: 5]
-    #[arg(long, value_name = "DEGREES", conflicts_with_all = ["compare", "core", "method"])]
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, conflicts_with_all = ["compare", "core", "method"])]
     margin: Option<f64>,
 
     /// Costs by synthesis and placement instead of the cost model, where a core is to be chosen and with --compare
@@ -329,27 +330,6 @@ fn check_writable(path: &Path) -> Result<(), Error> {
         None if path.is_dir() => Err(Error::input(format!("{} is a directory", path.display()), "name a file")),
         None => Ok(()),
     }
-}
-
-/// Reads a scene; a spec is told apart.
-fn read_scene(path: &Path) -> Result<Scene, Error> {
-    let shown = path.display();
-    if path.is_dir() {
-        return Err(Error::input(
-            format!("{shown} is a directory, and no scene"),
-            format!("give a scene file; the directory of a core is given as --core {shown}"),
-        ));
-    }
-    let bytes = fs::read(path).map_err(|error| Error::io("cannot read", path, error))?;
-    let text = String::from_utf8(bytes)
-        .map_err(|_| Error::input(format!("{shown} is not UTF-8 text"), "a scene is a TOML file"))?;
-    if !Scene::is_scene(&text) && SpecFields::parse(&text, &shown.to_string()).is_ok() {
-        return Err(Error::input(
-            format!("{shown} is the spec of a core, and no scene"),
-            format!("give a scene file first, and the spec as --core {shown}"),
-        ));
-    }
-    Scene::read(path)
 }
 
 /// Reads the keys of a core; a scene is told apart.

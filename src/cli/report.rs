@@ -5,12 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::choose::{Keys, WishFlags};
+use super::source::read_scene;
 use super::{Verdict, progress, say, scene};
 use crate::error::Error;
 use crate::explore::{MaxError, Objective, Point, Results};
 use crate::package;
 use crate::report::{Report, Speed};
-use crate::scene::Scene;
 use crate::spec::SpecFields;
 
 /// The page's name in a directory.
@@ -69,7 +69,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let chosen = chosen(arguments, &results)?;
     let mut scenes = Vec::new();
     for path in &arguments.scene {
-        let scene = Scene::read(path)?;
+        let scene = read_scene(path)?;
         match scene::part(&scene)? {
             Some(part) => scenes.push(part),
             None => {

@@ -6,12 +6,13 @@ use clap::{Args, Subcommand};
 use serde_json::json;
 
 use super::choose::{cost_text, error_text};
+use super::source::read_scene;
 use super::{Verdict, progress, say, say_json, warn};
 use crate::design::Design;
 use crate::error::Error;
 use crate::explore::run::{Costing, Flow};
-use crate::explore::{Model, Results};
-use crate::package::File;
+use crate::explore::{Cost, Model, Results};
+use crate::package::{File, counted};
 use crate::report::ScenePart;
 use crate::scene::choice::{NearMiss, RunnerUp, SceneChoice, SceneCore, Search, Verified};
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
@@ -59,7 +60,7 @@ pub(super) const MARGIN: f64 = 5.0;
 #[command(next_help_heading = "Scene")]
 pub(super) struct SceneFlags {
     /// Move the camera and each light by so many degrees too, 0 to 45: what these pictures need is kept [default: 5]
-    #[arg(long, value_name = "DEGREES")]
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
     margin: Option<f64>,
 
     /// Costs by synthesis instead of the cost model
@@ -97,6 +98,8 @@ struct Known {
     core: Option<(SceneCore, Design, Vec<Simplification>, Verified)>,
     /// The shader around it, where one is asked for.
     shaded: Option<Shaded>,
+    /// The least frequency that the scene wishes.
+    min_mhz: Option<f64>,
 }
 
 impl Known {
@@ -144,7 +147,7 @@ impl Known {
             _ => None,
         };
         bar.finish_and_clear();
-        Ok(Self { requirements, choice, core, shaded })
+        Ok(Self { requirements, choice, core, shaded, min_mhz: scene.core.min_mhz })
     }
 
     fn findings<'a>(&'a self, scene: &'a Scene) -> Option<Findings<'a>> {
@@ -157,7 +160,7 @@ impl Known {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let Command::Inspect(inspect) = &arguments.command;
-    let scene = Scene::read(&inspect.scene)?;
+    let scene = read_scene(&inspect.scene)?;
     let known = Known::of(&scene, &inspect.flags, &inspect.keys)?;
     let findings = known.findings(&scene);
     if inspect.json {
@@ -249,17 +252,19 @@ fn requirements_text(scene: &Scene, requirements: &Requirements) -> Vec<String> 
     let Requirements { materials, rows, base, moved, pictures, size, moved_size, saturated, .. } = requirements;
     let moves = pictures.len() - 1;
     let mut lines = vec![format!(
-        "{}: {} by {} pixels, {} bits a channel, {} light{}; {} moved pictures of {} by {}, by {} degrees",
+        "{}: {} by {} pixels, {} bits a channel, {}; {}",
         scene.name,
         size[0],
         size[1],
         scene.channel_bits,
-        requirements.lights,
-        if requirements.lights == 1 { "" } else { "s" },
-        moves,
-        moved_size[0],
-        moved_size[1],
-        requirements.margin_degrees,
+        counted(requirements.lights as u64, "light"),
+        if moves == 0 {
+            "no moved pictures".to_owned()
+        } else {
+            let [width, height] = moved_size;
+            let pictures = counted(moves as u64, "moved picture");
+            format!("{pictures} of {width} by {height}, by {}", degrees(requirements.margin_degrees))
+        },
     )];
     lines.push(format!("budget: {}", budget_text(&requirements.budget)));
     lines.push(String::new());
@@ -323,9 +328,13 @@ fn requirements_text(scene: &Scene, requirements: &Requirements) -> Vec<String> 
     lines
 }
 
+fn degrees(angle: f64) -> String {
+    format!("{angle} degree{}", if angle == 1.0 { "" } else { "s" })
+}
+
 fn picture_text(error: &PictureError) -> String {
     let PictureError { max_steps, mean_steps, psnr, .. } = error;
-    format!("{max_steps} steps at most, {mean_steps:.4} in the mean, {}", psnr_text(*psnr))
+    format!("{} at most, {mean_steps:.4} in the mean, {}", counted(*max_steps, "step"), psnr_text(*psnr))
 }
 
 fn core_text(core: &SceneCore) -> String {
@@ -336,6 +345,23 @@ fn core_text(core: &SceneCore) -> String {
         picture_text(&core.base),
         picture_text(&core.moved),
     )
+}
+
+/// A core as a row of [`cores_table`].
+fn core_row(core: &SceneCore, why: String) -> Vec<String> {
+    let Cost { lut, ff, dsp, bram, latency, mhz, .. } = core.candidate.cost;
+    let mhz = mhz.map_or_else(|| "-".to_owned(), |mhz| format!("{mhz:.0}"));
+    let psnr = |psnr: Option<f64>| psnr.map_or_else(|| "-".to_owned(), |psnr| format!("{psnr:.1}"));
+    let counts = [lut, ff, dsp, bram, latency].map(|count| count.to_string());
+    let steps = format!("{}, {}", core.base.max_steps, core.moved.max_steps);
+    let psnrs = format!("{}, {}", psnr(core.base.psnr), psnr(core.moved.psnr));
+    [core.candidate.point.name.clone(), why].into_iter().chain(counts).chain([mhz, steps, psnrs]).collect()
+}
+
+/// Cores in a table with what there is to say of each; of two figures of pictures the second is of the moved ones.
+fn cores_table(what: &str, rows: &[Vec<String>]) -> Vec<String> {
+    let heading = [what, "why", "LUT", "FF", "DSP", "BRAM", "clocks", "MHz", "steps", "PSNR in dB"];
+    table(&heading, rows, 2)
 }
 
 /// A shader around the chosen lobe.
@@ -355,11 +381,14 @@ fn shader_text(shaded: &Shaded) -> String {
 
 /// The choice, what it leaves out, and what it was chosen from.
 fn choice_text(known: &Known) -> Vec<String> {
-    let Known { requirements, choice, core, shaded } = known;
+    let Known { requirements, choice, core, shaded, .. } = known;
     let SceneChoice { runner_ups, misses, considered, meeting, estimated, tools, .. } = choice;
     let mut lines = Vec::new();
     match core {
-        None => lines.push(format!("no core keeps {}", budget_text(&requirements.budget))),
+        None => {
+            let mhz = known.min_mhz.map(|mhz| format!(" at {mhz} MHz or more"));
+            lines.push(format!("no core keeps {}{}", budget_text(&requirements.budget), mhz.unwrap_or_default()));
+        }
         Some((chosen, _, simplifications, verified)) => {
             lines.push(core_text(chosen));
             let point = &chosen.candidate.point;
@@ -370,10 +399,13 @@ fn choice_text(known: &Known) -> Vec<String> {
                 point.rom_bits,
             ));
             lines.push(format!(
-                "  {} lit samples of {} pictures through the bit-exact model: {} steps at most in the base picture, {} in the moved ones",
-                verified.samples, verified.pictures, verified.base.max_steps, verified.moved.max_steps,
+                "  {} lit samples of {} through the bit-exact model: {} at most in the base picture, {} in the moved ones",
+                verified.samples,
+                counted(verified.pictures as u64, "picture"),
+                counted(verified.base.max_steps, "step"),
+                verified.moved.max_steps,
             ));
-            lines.push(format!("  any other view: {} steps at most", chosen.guaranteed_steps()));
+            lines.push(format!("  any other view: {} at most", counted(chosen.guaranteed_steps(), "step")));
             lines.extend(shaded.iter().map(shader_text));
             for (applies, heading) in [(true, "left out:"), (false, "not left out:")] {
                 lines.push(heading.to_owned());
@@ -386,16 +418,15 @@ fn choice_text(known: &Known) -> Vec<String> {
             }
         }
     }
-    lines.push(format!("{meeting} of the {considered} cores considered keep the budget"));
+    let speed = if known.min_mhz.is_some() { " and the frequency" } else { "" };
+    lines.push(format!("{meeting} of the {considered} cores considered keep the budget{speed}"));
     if !runner_ups.is_empty() {
-        lines.push("runners-up:".to_owned());
-        lines.extend(runner_ups.iter().map(|RunnerUp { core, why }| format!("  {}: {why}", core_text(core))));
+        let row = |RunnerUp { core, why }: &RunnerUp| core_row(core, why.clone());
+        lines.extend(cores_table("runners-up", &runner_ups.iter().map(row).collect::<Vec<_>>()));
     }
     if !misses.is_empty() {
-        lines.push("nearest misses:".to_owned());
-        lines.extend(
-            misses.iter().map(|NearMiss { core, why, .. }| format!("  {}: {}", core_text(core), why.join(", "))),
-        );
+        let row = |NearMiss { core, why, .. }: &NearMiss| core_row(core, why.join(", "));
+        lines.extend(cores_table("nearest misses", &misses.iter().map(row).collect::<Vec<_>>()));
     }
     if let Some(tools) = tools {
         let how = if *estimated { "estimated by a cost model that follows" } else { "synthesised with" };

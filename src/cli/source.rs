@@ -7,8 +7,8 @@ use clap::Args;
 use crate::design::{Account, Design};
 use crate::error::Error;
 use crate::golden::{self, Golden};
-use crate::package;
-use crate::scene::Scene;
+use crate::package::{self, File};
+use crate::scene::{Scene, document};
 use crate::spec::{CoreSpec, SpecFields};
 
 /// The core that a command works on.
@@ -26,6 +26,16 @@ impl Source {
     /// The directory, if the core is a generated one taken as it is.
     pub(super) fn directory(&self) -> Option<&Path> {
         self.path.as_deref().filter(|path| path.is_dir() && self.fields == SpecFields::default())
+    }
+
+    /// The files that a scene's core has beside its own, if the core is a generated one taken as it is.
+    pub(super) fn companions(&self) -> Vec<File> {
+        let read = |directory: &Path, path: &str| {
+            let bytes = std::fs::read(directory.join(path)).ok()?;
+            Some(File { path: path.to_owned(), bytes })
+        };
+        let all = |directory| document::FILES.into_iter().filter_map(|path| read(directory, path)).collect();
+        self.directory().map(all).unwrap_or_default()
     }
 
     /// The keys that are given.
@@ -65,6 +75,27 @@ impl Source {
 /// Whether a path is a scene file; of one that cannot be read, whoever reads it says so.
 fn is_scene(path: &Path) -> bool {
     !path.is_dir() && std::fs::read_to_string(path).is_ok_and(|text| Scene::is_scene(&text))
+}
+
+/// Reads a scene; a spec is told apart.
+pub(super) fn read_scene(path: &Path) -> Result<Scene, Error> {
+    let shown = path.display();
+    if path.is_dir() {
+        return Err(Error::input(
+            format!("{shown} is a directory, and no scene"),
+            format!("give a scene file; `render` takes the directory of a core as --core {shown}"),
+        ));
+    }
+    let bytes = std::fs::read(path).map_err(|error| Error::io("cannot read", path, error))?;
+    let text = String::from_utf8(bytes)
+        .map_err(|_| Error::input(format!("{shown} is not UTF-8 text"), "a scene is a TOML file"))?;
+    if !Scene::is_scene(&text) && SpecFields::parse(&text, &shown.to_string()).is_ok() {
+        return Err(Error::input(
+            format!("{shown} is the spec of a core, and no scene"),
+            format!("give a scene file; `render` takes the spec as --core {shown}"),
+        ));
+    }
+    Scene::read(path)
 }
 
 /// A core on disk: the user's directory, or one generated for the occasion.

@@ -96,21 +96,30 @@ impl Chords<'_> {
         self.start + entry as f64 * exp2(-self.step_bits())
     }
 
+    /// The arguments of an entry; of more entries than arguments, some serve none.
+    fn arguments(&self) -> i64 {
+        1 << (self.argument_bits - self.step_bits()).max(0)
+    }
+
     /// From an entry's first argument to its last; 0 where it has only one, or none.
     fn span(&self) -> f64 {
         (exp2(-self.step_bits()) - exp2(-self.argument_bits)).max(0.0)
     }
 
-    /// The arguments of an entry with `-slope d`, as the hardware computes it, minus the function.
-    fn differences(&self, entry: usize, slope_code: i128) -> impl Iterator<Item = (f64, f64)> + '_ {
+    /// The arguments of an entry with `-slope d`, as the hardware computes it, minus the function: every `stride`th from the first, and the
+    /// last.
+    fn differences(&self, entry: usize, slope_code: i128, stride: i64) -> impl Iterator<Item = (f64, f64)> + '_ {
         let first = self.first(entry);
-        let spare_bits = (self.argument_bits - self.step_bits()).max(0);
-        (0..1i128 << spare_bits).map(move |code| {
-            let product = slope_code * (code >> (self.argument_bits - self.cut_bits()));
+        let count = self.arguments();
+        let last = ((count - 1) % stride != 0).then_some(count - 1);
+        (0..count).step_by(stride as usize).chain(last).map(move |code| {
+            let product = slope_code * i128::from(code >> (self.argument_bits - self.cut_bits()));
             let dropped = self.slope_bits() + self.cut_bits() - self.value_bits;
             let product = if dropped > 0 { product >> dropped } else { product << -dropped };
+            // Of 64 bits the processor itself makes a float.
+            let product = i64::try_from(product).map_or(product as f64, |product| product as f64);
             let argument = first + code as f64 * exp2(-self.argument_bits);
-            (argument, -(product as f64) * exp2(-self.value_bits) - (self.function)(argument))
+            (argument, -product * exp2(-self.value_bits) - (self.function)(argument))
         })
     }
 
@@ -121,20 +130,18 @@ impl Chords<'_> {
         let of_entry = |entry: usize| {
             let value = base.format.value(base.codes[entry]);
             let slope_code = slope.map_or(0, |slope| slope.codes[entry]);
-            self.differences(entry, slope_code).map(move |(argument, difference)| (argument, value + difference))
+            self.differences(entry, slope_code, 1).map(move |(argument, difference)| (argument, value + difference))
         };
         (0..table.rows()).flat_map(of_entry).filter(|(_, error)| error.is_finite()).collect()
     }
 
     /// The slope's code and the base with the least largest weighted error over an entry.
     fn weighed(&self, entry: usize, weight: &dyn Fn(f64) -> f64) -> (i128, f64) {
-        let spare = 1i128 << (self.argument_bits - self.step_bits()).max(0);
         // To choose by, samples do; what is proved of the choice goes over all arguments.
-        let stride = (spare / 32).max(1) as usize;
+        let stride = (self.arguments() / 32).max(1);
         let sampled = |slope_code: i128| -> Vec<(f64, f64)> {
-            let all = self.differences(entry, slope_code);
-            let chosen = all.enumerate().filter(|(code, _)| code % stride == 0 || *code as i128 == spare - 1);
-            let weighed = chosen.map(|(_, (argument, difference))| (weight(argument), -difference));
+            let chosen = self.differences(entry, slope_code, stride);
+            let weighed = chosen.map(|(argument, difference)| (weight(argument), -difference));
             weighed.filter(|(_, value)| value.is_finite()).collect()
         };
         let flat = sampled(0);
@@ -174,13 +181,11 @@ impl Chords<'_> {
     fn shape(&self, entry: usize, slope_code: i128) -> Interval {
         let first = self.first(entry);
         let slope = slope_code as f64 * exp2(-self.slope_bits());
-        // Of more entries than arguments, some serve none.
-        let spare_bits = (self.argument_bits - self.step_bits()).max(0);
         let hull = |values: &mut dyn Iterator<Item = f64>| {
             values.map(Interval::point).reduce(Interval::hull).unwrap_or(Interval::ZERO)
         };
-        if 1i64 << spare_bits.min(32) <= FEW {
-            return hull(&mut self.differences(entry, slope_code).map(|(_, difference)| difference));
+        if self.arguments() <= FEW {
+            return hull(&mut self.differences(entry, slope_code, 1).map(|(_, difference)| difference));
         }
         let piece = self.span() / PIECES as f64;
         let value = |step: i64| -slope * (step as f64 * piece) - (self.function)(first + step as f64 * piece);

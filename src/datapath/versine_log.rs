@@ -16,6 +16,8 @@
 //! every code of x, and a case is charged with the codes only that lead into it, for each of the set's first shininesses; for all
 //! others together, with every code up to the last that does. n = 1, which reaches the pole, may get x itself by a way of its own.
 
+use std::sync::OnceLock;
+
 use super::builder::{Bound, Builder, Case};
 use super::chords::{Chords, Slopes};
 use super::exponent::{Exponent, error_of_exponent};
@@ -67,6 +69,8 @@ pub struct VersineLog<'a> {
     n: Exponent<'a>,
     /// The set's first shininesses, rising, and the next ones.
     first: Vec<f64>,
+    /// See [`Self::codes`].
+    codes: OnceLock<Vec<[f64; 2]>>,
 }
 
 impl<'a> VersineLog<'a> {
@@ -80,11 +84,25 @@ impl<'a> VersineLog<'a> {
         first.dedup();
         // One more where n = 1 goes a way of its own.
         first.truncate(SINGLE + 2);
-        Ok(Self { spec, accuracy: accuracy as i32, n: Exponent::new(spec)?, first })
+        Ok(Self { spec, accuracy: accuracy as i32, n: Exponent::new(spec)?, first, codes: OnceLock::new() })
     }
 
     fn input_bits(&self) -> i32 {
         self.spec.input_fraction as i32
+    }
+
+    /// -log2 and the log ratio of every code of x in [0, 1): each of the widths that are tried asks for all of them.
+    fn codes(&self) -> &[[f64; 2]] {
+        self.codes.get_or_init(|| {
+            let codes = 0..1u32 << self.spec.input_fraction;
+            let x = |code: u32| f64::from(code) * exp2(-self.input_bits());
+            codes.map(|code| [-libm::log2(x(code)), log_ratio(x(code))]).collect()
+        })
+    }
+
+    /// Both of the code x.
+    fn code(&self, x: f64) -> [f64; 2] {
+        self.codes()[(x * exp2(self.input_bits())) as usize]
     }
 
     /// Bits of the integer part of z: the result is 0 from `2^this > A` on.
@@ -120,12 +138,18 @@ impl<'a> VersineLog<'a> {
         if widths.get("e") > g { exp2(-g - 1) } else { 0.0 }
     }
 
-    fn log_chords<'f>(&self, widths: &Widths, weight: &'f dyn Fn(f64) -> f64) -> Chords<'f> {
+    /// The logarithm's table; its function is only asked for codes.
+    fn log_chords<'f>(
+        &self,
+        widths: &Widths,
+        function: &'f dyn Fn(f64) -> f64,
+        weight: &'f dyn Fn(f64) -> f64,
+    ) -> Chords<'f> {
         Chords {
             name: LOG_TABLE,
             fields: ["log_base", "log_slope"],
             meanings: ["log ratio at the entry's start", "how steeply the log ratio falls"],
-            function: &log_ratio,
+            function,
             curvature: f64::INFINITY,
             start: 0.0,
             domain: 0,
@@ -186,8 +210,11 @@ impl<'a> VersineLog<'a> {
     fn ratios(&self, widths: &Widths, errors: &[(f64, f64)], levels: &[Interval]) -> Vec<Interval> {
         let served = self.served(widths);
         // From x = 1 downwards, L rises.
-        let codes: Vec<(f64, Interval)> =
-            errors.iter().rev().map(|&(x, error)| (-libm::log2(x), Interval::point(error / log_ratio(x)))).collect();
+        let relative = |&(x, error): &(f64, f64)| {
+            let [log, ratio] = self.code(x);
+            (log, Interval::point(error / ratio))
+        };
+        let codes: Vec<(f64, Interval)> = errors.iter().rev().map(relative).collect();
         let mut hulls = Vec::with_capacity(codes.len());
         let mut hull = Interval::ZERO;
         for &(_, ratio) in &codes {
@@ -295,7 +322,7 @@ impl Architecture for VersineLog<'_> {
         let zero = |f: f64| f;
         multiplier_cost(n_bits, w.get("u"))
             + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + self.ratio_int_bits(w))
-            + self.table_cost(&self.log_chords(w, &zero))
+            + self.table_cost(&self.log_chords(w, &zero, &zero))
             + self.table_cost(&Self::exp_chords(w, &zero))
             // The shifter has a multiplexer a bit and level.
             + 0.7 * f64::from(w.get("e") * self.whole_bits())
@@ -307,7 +334,7 @@ impl Architecture for VersineLog<'_> {
         let mut tables: Vec<Table> = self.n.table(widths).into_iter().collect();
         let (lift, half) = (self.n.lift(self.input_bits(), widths), self.half_ulp(widths));
         let weight = Self::weight(self.served(widths)[0]);
-        tables.push(self.log_chords(widths, &weight).table());
+        tables.push(self.log_chords(widths, &|x| self.code(x)[1], &weight).table());
         tables.push(Self::exp_chords(widths, &|f| libm::exp2(-f - lift) + half).table());
         tables
     }
@@ -359,7 +386,8 @@ impl Architecture for VersineLog<'_> {
         let v = b.cast(nu, v, true, "v", "v = n u, rounded down");
 
         let weight = |_: f64| 1.0;
-        let log = self.log_chords(widths, &weight);
+        let function = |x: f64| self.code(x)[1];
+        let log = self.log_chords(widths, &function, &weight);
         let ratio = log.look_up(&mut b, log_memory, x, "ratio", "k = -log2(x) / u");
         let product = b.mul(v, ratio, "vk", "v k");
         let ratios = self.ratios(widths, &log.errors(&tables[log_memory]), &levels);

@@ -9,6 +9,7 @@ use super::pareto::dominates;
 use super::sweep::word;
 use super::{Cost, Objective, Point, Results};
 use crate::error::Error;
+use crate::package::counted;
 use crate::spec::{Shininess, SpecFields};
 use crate::synth::{Family, Tools};
 
@@ -110,16 +111,17 @@ impl Objective {
         }
     }
 
-    /// Its name, for people.
+    /// So much of it, for people.
     #[must_use]
-    pub fn label(self) -> &'static str {
-        match self {
-            Self::Lut => "LUTs",
-            Self::Dsp => "DSPs",
-            Self::Bram => "block RAMs",
-            Self::Latency => "clocks of latency",
-            Self::Area => "LUTs (a DSP block counting as 536, a block RAM as 402)",
-        }
+    pub fn counted(self, count: u32) -> String {
+        let (one, rest) = match self {
+            Self::Lut => ("LUT", ""),
+            Self::Dsp => ("DSP", ""),
+            Self::Bram => ("block RAM", ""),
+            Self::Latency => ("clock", " of latency"),
+            Self::Area => ("LUT", " (a DSP block counting as 536, a block RAM as 402)"),
+        };
+        counted(count, one) + rest
     }
 }
 
@@ -241,7 +243,7 @@ impl Wish {
             let own = objective.of(cost);
             if own > most {
                 let octaves = libm::log2(f64::from(own + 1) / f64::from(most + 1));
-                missed.push((octaves, format!("it has {} {} too many", own - most, objective.label())));
+                missed.push((octaves, format!("it has {} too many", objective.counted(own - most))));
             }
         }
         missed

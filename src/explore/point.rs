@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::Shape;
 use super::sweep::{Core, word};
 use crate::design::{Design, Measured};
+use crate::package::counted;
 use crate::rom::Table;
 use crate::spec::{CoreSpec, Pipeline, Shininess};
 use crate::synth::{Family, Synthesis, Tools};
@@ -135,8 +136,8 @@ impl Point {
         name.extend((spec.pipeline != Pipeline::Auto).then(|| format!("P{pipeline}")));
         let shininess = match &spec.shininess {
             set @ (Shininess::Range(..) | Shininess::Fixed { .. }) => set.to_string(),
-            Shininess::List(list) => format!("{} values", list.len()),
-            Shininess::Materials(materials) => format!("{} materials", materials.len()),
+            Shininess::List(list) => counted(list.len() as u64, "value"),
+            Shininess::Materials(materials) => counted(materials.len() as u64, "material"),
         };
         name.extend((shininess != "1..=1000").then(|| format!("n={shininess}")));
         Self {

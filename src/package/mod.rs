@@ -276,6 +276,12 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     serde_json::to_string_pretty(&rounded(manifest)).expect("JSON of plain values")
 }
 
+/// A count of things in words; `one` is the word for one of them.
+pub(crate) fn counted(count: impl Into<u64>, one: &str) -> String {
+    let count = count.into();
+    format!("{count} {one}{}", if count == 1 { "" } else { "s" })
+}
+
 /// Numbers to 9 significant digits, which is more than they mean and hides the last bits of sums.
 pub(crate) fn rounded(value: serde_json::Value) -> serde_json::Value {
     match value {

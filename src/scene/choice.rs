@@ -22,6 +22,7 @@ use crate::explore::sweep::Core;
 use crate::explore::{Cost, Model, Objective, Point, Results};
 use crate::fit;
 use crate::number::exp2;
+use crate::package::counted;
 use crate::spec::{
     ACCURACY, ACCURACY_INPUT_FRACTION, Coefficients, Divider, INPUT_FRACTION, InputRange, Inside, Material, Method,
     OUTPUT_FRACTION, SpecFields, TABLE_BITS, Tail,
@@ -54,7 +55,7 @@ pub struct SceneCore {
     /// The root of the mean square of result - `x^n` over the lit samples of the base picture: what the scene meets of the lobe's error.
     pub lobe_rms: f64,
     /// The largest error in output steps that any view of these materials under these lights can have before the channel is rounded: the
-    /// largest over the rows of `sum(k_s I) full (max |result - x^n| + n 2^-(F+1))`.
+    /// largest over the rows of `sum(k_s I) full (max |result - x^n| + n 2^-(F+1))`, the bracket at most 1, as result and lobe lie in [0, 1].
     pub guarantee: f64,
 }
 
@@ -402,7 +403,7 @@ impl<'a> Search<'a> {
         let full = f64::from((1u32 << self.scene.channel_bits) - 1);
         let half_step = exp2(-(design.spec.input_fraction as i32) - 1);
         let bound =
-            |(row, own): (&super::require::Row, &f64)| row.weight * full * (own + (row.shininess * half_step).min(1.0));
+            |(row, own): (&super::require::Row, &f64)| row.weight * full * (own + row.shininess * half_step).min(1.0);
         let guarantee = self.requirements.rows.iter().zip(&by_row).map(bound).fold(0.0, f64::max);
         let lobe_rms = if count == 0 { 0.0 } else { (sum / count as f64).sqrt() };
         Some(SceneCore { candidate: Candidate { point, cost }, base, moved, lobe_rms, guarantee })
@@ -652,12 +653,12 @@ impl<'a> Search<'a> {
     fn dearer(&self, chosen: &SceneCore, core: &SceneCore) -> String {
         let (own, best) = (&core.candidate.cost, &chosen.candidate.cost);
         let objective = self.scene.core.objective;
-        let more = |objective: Objective| (objective.of(own), objective.of(best), objective.label());
+        let more = |objective: Objective| (objective.of(own), objective.of(best), objective);
         let order = objective.order().map(more);
         let behind = order.into_iter().find(|(own, best, _)| own != best);
         match behind {
-            Some((own, best, label)) => format!("{} {label} more", own.saturating_sub(best)),
-            None if own.ff > best.ff => format!("{} flip-flops more", own.ff - best.ff),
+            Some((own, best, objective)) => format!("{} more", objective.counted(own.saturating_sub(best))),
+            None if own.ff > best.ff => format!("{} more", counted(own.ff - best.ff, "flip-flop")),
             None => "as cheap, and no better in the picture".to_owned(),
         }
     }

@@ -14,8 +14,11 @@ use crate::design::Design;
 use crate::error::Error;
 use crate::explore::Cost;
 use crate::hdl::{Direction, render};
-use crate::package::{File, rounded};
-use crate::spec::{Operand, SpecFields};
+use crate::package::{File, counted, rounded};
+use crate::spec::{InputRange, Operand, SpecFields};
+
+/// The names of the files.
+pub const FILES: [&str; 2] = ["scene.md", "scene.json"];
 
 /// All that is known of a scene's core.
 #[derive(Clone, Copy)]
@@ -75,7 +78,7 @@ struct Sheet<'a> {
     moved_size: [u32; 2],
     moves: usize,
     samples: u64,
-    errors: Vec<(&'static str, u16, String, String, u64)>,
+    errors: Vec<(&'static str, String, String, String, String)>,
     left_out: Vec<LeftOut>,
     estimated_by: String,
     kept: Vec<LeftOut>,
@@ -121,7 +124,7 @@ pub fn saving_text(saving: &Saving) -> String {
 /// Keys of a spec in a line, a list of materials as its length.
 #[must_use]
 pub fn keys_text(keys: &SpecFields) -> String {
-    let materials = keys.material.as_ref().map(|all| format!("{} materials", all.len()));
+    let materials = keys.material.as_ref().map(|all| counted(all.len() as u64, "material"));
     let rest = SpecFields { material: None, ..keys.clone() }.to_toml();
     let rest = rest.lines().map(str::to_owned).filter(|line| !line.is_empty());
     materials.into_iter().chain(rest).collect::<Vec<_>>().join(", ")
@@ -181,6 +184,11 @@ impl Findings<'_> {
         if design.spec.operand == Operand::Cos && requirements.least_cosine.is_some_and(|least| least < 0.0) {
             lines.push("Negative cosines were met, and give 0.".to_owned());
         }
+        if design.spec.operand == Operand::Cos && design.spec.input_range == InputRange::Unit {
+            lines.push(
+                "No picture has a negative cosine on a lit point; the port has no sign, so give 0 for one.".to_owned(),
+            );
+        }
         let n = match requirements.rows.as_slice() {
             [one] => format!("n = {}", one.shininess),
             _ => "the rows".to_owned(),
@@ -204,16 +212,18 @@ impl Findings<'_> {
         lines
     }
 
-    fn errors(&self) -> Vec<(&'static str, u16, String, String, u64)> {
+    fn errors(&self) -> Vec<(&'static str, String, String, String, String)> {
         let Self { verified, requirements, scene, shaded, .. } = self;
         let own = |of: fn(&Shaded) -> PictureError, lobe: PictureError| shaded.map_or(lobe, of);
         let base = own(|shaded| shaded.base, PictureError::of(&verified.base, scene.channel_bits));
-        let row = |name, steps, mean: f64, psnr, off| (name, steps, format!("{mean:.5}"), psnr_text(psnr), off);
-        let mut rows = vec![row("base", base.max_steps, base.mean_steps, base.psnr, base.pixels_off)];
+        let row = |name, steps: u16, mean: f64, psnr, off| {
+            (name, counted(steps, "step"), format!("{mean:.5}"), psnr_text(psnr), off)
+        };
+        let mut rows = vec![row("base", base.max_steps, base.mean_steps, base.psnr, base.pixels_off.to_string())];
         if requirements.pictures.len() > 1 {
             let moved = own(|shaded| shaded.moved, verified.moved);
             let PictureError { max_steps, mean_steps, psnr, pixels_off, .. } = moved;
-            rows.push(row("moved, the worst of each", max_steps, mean_steps, psnr, pixels_off));
+            rows.push(row("moved, the worst of each", max_steps, mean_steps, psnr, format!("{pixels_off} in all")));
         }
         rows
     }
@@ -223,9 +233,9 @@ impl Findings<'_> {
     /// # Errors
     /// If the template cannot be filled in.
     pub fn files(&self) -> Result<Vec<File>, Error> {
-        let sheet = File { path: "scene.md".to_owned(), bytes: self.sheet()?.into_bytes() };
+        let sheet = File { path: FILES[0].to_owned(), bytes: self.sheet()?.into_bytes() };
         let json = serde_json::to_string_pretty(&rounded(self.json())).expect("JSON of plain values") + "\n";
-        Ok(vec![sheet, File { path: "scene.json".to_owned(), bytes: json.into_bytes() }])
+        Ok(vec![sheet, File { path: FILES[1].to_owned(), bytes: json.into_bytes() }])
     }
 
     /// The port that selects the material.

@@ -560,9 +560,11 @@ impl MaterialFields {
 
 /// The shininess of a roughness: the exponent of the Phong distribution of half vectors that is about as wide as the Beckmann
 /// distribution of width alpha, `n = 2 / alpha^2 - 2` (Walter, Marschner, Li and Torrance 2007, "Microfacet Models for Refraction
-/// through Rough Surfaces", section 5.2); none where that is below 1 or beyond the greatest shininess.
+/// through Rough Surfaces", section 5.2), to 12 significant digits; none where that is below 1 or beyond the greatest shininess.
 fn of_roughness(alpha: f64) -> Option<f64> {
     let n = 2.0 / (alpha * alpha) - 2.0;
+    // Without the last bits, which are of the computation: 0.4 gives 10.5.
+    let n = format!("{n:.11e}").parse().unwrap_or(n);
     // The root of 2/3 itself is no f64.
     let n = if (1.0 - 1e-9..1.0).contains(&n) { 1.0 } else { n };
     (alpha > 0.0 && (1.0..=MAX_SHININESS).contains(&n)).then_some(n)

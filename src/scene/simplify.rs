@@ -10,6 +10,7 @@ use super::{Requirements, Scene};
 use crate::error::Error;
 use crate::explore::Cost;
 use crate::fit::Objective;
+use crate::package::counted;
 use crate::spec::{CoreSpec, InputRange, MAX_ROWS, Method, Shininess, SpecFields};
 
 /// The fraction bits of input and output of a core that nothing is known of.
@@ -67,10 +68,6 @@ fn percent(part: u64, whole: u64) -> f64 {
     if whole == 0 { 0.0 } else { 100.0 * part as f64 / whole as f64 }
 }
 
-fn plural(count: usize, one: &str) -> String {
-    format!("{count} {one}{}", if count == 1 { "" } else { "s" })
-}
-
 /// Everything that the chosen core of a scene may leave out, whether it does and why, with what each saves: the cost, by the costing of the
 /// search, of the chosen core against the same core with that one simplification undone.
 ///
@@ -117,14 +114,17 @@ fn materials(scene: &Scene, requirements: &Requirements, fields: &SpecFields) ->
     let mut reason = format!(
         "the pictures ask for {} of the scene's {}: {} of a ROM",
         if rows.len() == 1 { "1 shininess".to_owned() } else { format!("{} shininesses", rows.len()) },
-        plural(requirements.materials.len(), "material"),
-        plural(rows.len(), "row"),
+        counted(requirements.materials.len() as u64, "material"),
+        counted(rows.len() as u64, "row"),
     );
     if shared > 0 {
-        reason += &format!("; {shared} more have the shininess of another");
+        reason += &format!("; {shared} more {} the shininess of another", if shared == 1 { "has" } else { "have" });
     }
     if unseen > 0 {
-        reason += &format!("; {unseen} need none: without a highlight, or on no lit pixel");
+        reason += &format!(
+            "; {unseen} {} none: without a highlight, or on no lit pixel",
+            if unseen == 1 { "needs" } else { "need" }
+        );
     }
     // Beyond that many rows the general core cannot be built.
     let undone = (last as usize <= MAX_ROWS).then(|| SpecFields {
@@ -146,7 +146,9 @@ fn materials(scene: &Scene, requirements: &Requirements, fields: &SpecFields) ->
 /// How many bits are needed, in words.
 fn bits_text(port: &str, bits: super::require::Bits, own: u32) -> String {
     let measured = match bits.measured {
-        Some(fewest) => format!("no picture keeps the budget with fewer than {fewest} fraction bits of the {port}"),
+        Some(fewest) => format!(
+            "with the exact lobe, every picture keeps the budget from {fewest} fraction bits of the {port} on, and not with fewer"
+        ),
         None => format!("not even the most fraction bits of the {port} keep the budget"),
     };
     let derived = match bits.derived {
@@ -227,8 +229,10 @@ fn accuracy(
     let allowed = requirements.budget.steps(scene.channel_bits);
     let reason = if applies {
         format!(
-            "the budget allows {allowed:.3} steps before the rounding; this core's lobe is off by at most {:.2e}, {:.2e} rms on the picture's samples",
-            point.max_abs, chosen.lobe_rms
+            "the budget allows {allowed:.3} step{} before the rounding; this core's lobe is off by at most {:.2e}, {:.2e} rms on the picture's samples",
+            if allowed == 1.0 { "" } else { "s" },
+            point.max_abs,
+            chosen.lobe_rms
         )
     } else {
         "the budget needs the lobe to its last bit".to_owned()
@@ -301,7 +305,7 @@ fn range(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> S
 
 fn lights(requirements: &Requirements) -> Simplification {
     let count = requirements.lights;
-    let reason = format!("the scene has {}: a shader around this lobe needs no more", plural(count, "light"));
+    let reason = format!("the scene has {}: a shader around this lobe needs no more", counted(count as u64, "light"));
     Simplification::new("no more lights than there are", false, reason, &[("lights", count as f64)])
 }
 
