@@ -241,7 +241,10 @@ impl Budget {
             && own < allowed
         {
             let octave = 20.0 * std::f64::consts::LOG10_2;
-            missed.push(((allowed - own) / octave, format!("{of} has {:.2} dB too little", allowed - own)));
+            missed.push((
+                (allowed - own) / octave,
+                format!("{of} has a PSNR of {own:.2} dB where {allowed} dB are wanted"),
+            ));
         }
         missed
     }
