@@ -147,7 +147,7 @@ fn materials(scene: &Scene, requirements: &Requirements, fields: &SpecFields) ->
 fn bits_text(port: &str, bits: super::require::Bits, own: u32) -> String {
     let measured = match bits.measured {
         Some(fewest) => format!(
-            "with the exact lobe, every picture keeps the budget from {fewest} fraction bits of the {port} on, and not with fewer"
+            "with the exact lobe, all pictures keep the budget with {fewest} fraction bits of the {port} and not with fewer"
         ),
         None => format!("not even the most fraction bits of the {port} keep the budget"),
     };
