@@ -100,25 +100,29 @@ pub fn psnr_text(psnr: Option<f64>) -> String {
     psnr.map_or_else(|| "no difference".to_owned(), |psnr| format!("{psnr:.2} dB"))
 }
 
-/// What a cost is more or less than another, in words; nothing where they are the same.
+/// What a simplification saves, and what it costs, in words; nothing where the costs are the same.
 #[must_use]
 pub fn saving_text(saving: &Saving) -> String {
-    let part = |more: i64, what: &str| match more {
-        0 => None,
-        more if more > 0 => Some(format!("{more} {what}")),
-        more => Some(format!("-{} {what}", -more)),
-    };
     let difference = |of: fn(&Cost) -> u32| i64::from(of(&saving.without)) - i64::from(of(&saving.with));
-    let parts = [
-        part(difference(|cost| cost.lut), "LUT"),
-        part(difference(|cost| cost.ff), "FF"),
-        part(difference(|cost| cost.dsp), "DSP"),
-        part(difference(|cost| cost.bram), "block RAM"),
-        part(difference(|cost| cost.latency), "clocks"),
-        part(saving.without_rom_bits as i64 - saving.with_rom_bits as i64, "ROM bits"),
+    let clocks = difference(|cost| cost.latency);
+    let all = [
+        (difference(|cost| cost.lut), "LUT"),
+        (difference(|cost| cost.ff), "FF"),
+        (difference(|cost| cost.dsp), "DSP"),
+        (difference(|cost| cost.bram), "block RAM"),
+        (clocks, if clocks.abs() == 1 { "clock" } else { "clocks" }),
+        (saving.without_rom_bits as i64 - saving.with_rom_bits as i64, "ROM bits"),
     ];
-    let parts: Vec<String> = parts.into_iter().flatten().collect();
-    if parts.is_empty() { "nothing".to_owned() } else { parts.join(", ") }
+    let listed = |sign: i64| -> String {
+        let of_sign = all.iter().filter(|(more, _)| more.signum() == sign);
+        of_sign.map(|(more, what)| format!("{} {what}", more.abs())).collect::<Vec<_>>().join(", ")
+    };
+    match (listed(1), listed(-1)) {
+        (less, more) if less.is_empty() && more.is_empty() => "nothing".to_owned(),
+        (less, more) if more.is_empty() => less,
+        (less, more) if less.is_empty() => format!("nothing, and takes {more} more"),
+        (less, more) => format!("{less}, and takes {more} more"),
+    }
 }
 
 /// Keys of a spec in a line, a list of materials as its length.
