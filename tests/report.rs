@@ -118,6 +118,37 @@ fn the_page_is_whole_and_stands_alone() {
     assert!(text(document.root()).contains("Yosys 1 & 2; nextpnr 9 <9>; a device"));
 }
 
+/// A small scene with one material that nothing needs.
+const SCENE: &str = "width = 48\nheight = 32\n[camera]\nposition = [0, 0, 5]\n[[light]]\ndirection = [1, 1, 2]\n\
+    [[material]]\nname = 'wax'\nshininess = 12.0\n[[material]]\nname = 'unused'\nshininess = 90.0\n\
+    [[object]]\nkind = 'sphere'\nmaterial = 'wax'\n[core]\nmethod = 'power-4'\n";
+
+#[test]
+fn a_scene_comes_with_its_pictures_its_needs_and_its_cores() {
+    let scratch = scratch();
+    scratch.write("ball.toml", SCENE);
+    scratch.run("report --results r.json --scene ball.toml --out page.html --plots plots").succeeds();
+    let page = scratch.text("page.html");
+    let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+    let document = Document::parse_with_options(&page, options).unwrap_or_else(|error| panic!("{error}"));
+    let heading = document.descendants().filter(|node| node.has_tag_name("h2")).map(text).next();
+    assert_eq!(heading.as_deref(), Some("The scene ball"));
+    let picture = document.descendants().find(|node| node.has_tag_name("img")).unwrap().attribute("src").unwrap();
+    let encoded = picture.strip_prefix("data:image/png;base64,").unwrap();
+    let png = base64::Engine::decode(&base64::engine::general_purpose::STANDARD, encoded).unwrap();
+    assert!(Pixmap::decode_png(&png).unwrap().width() >= 3 * 48);
+    let rows: Vec<String> = document.descendants().filter(|node| node.has_tag_name("tr")).map(text).collect();
+    let of = |start: &str| rows.iter().filter(|row| row.starts_with(start)).count();
+    assert_eq!([of("wax12"), of("unused90"), of("only the scene's materialsyes")], [1, 1, 1], "{rows:#?}");
+    assert!(rows.iter().any(|row| row.starts_with("power-4") && row.ends_with("chosen")), "{rows:#?}");
+    for chart in ["scene_ball_angle", "scene_ball_lobe"] {
+        assert!(scratch.text(&format!("plots/{chart}.svg")).contains("wax (n = 12)"));
+    }
+    scratch.write("never.toml", SCENE.replace("[core]", "[budget]\nmin_psnr = 400.0\n[core]"));
+    scratch.refused("report --results r.json --scene never.toml --out x.html", &["no core keeps the budget"]);
+    scratch.refused("report --results r.json --scene r.json --out x.html", &["r.json"]);
+}
+
 #[test]
 fn a_wish_that_none_meets_is_said() {
     let scratch = scratch();
@@ -153,7 +184,7 @@ fn the_same_results_make_the_same_bytes_and_pictures_show_something() {
     for name in [
         "trade_ecp5_n1_40_f10_lut",
         "trade_ecp5_n1_40_f10_v2_dsp",
-        "trade_ice40_n1_values_f10_latency_ns",
+        "trade_ice40_n1_value_f10_latency_ns",
         "error_against_n",
     ] {
         assert!(files.contains(&format!("{name}.svg")), "{name} is not in {files:?}");

@@ -1,5 +1,7 @@
 //! The whole shader of a scene: its picture by the bit-exact model against the exact picture.
 
+mod common;
+
 use std::path::Path;
 
 use brdfgen::design::Design;
@@ -7,6 +9,7 @@ use brdfgen::scene::highlight::Exact;
 use brdfgen::scene::trace::Tracer;
 use brdfgen::scene::{Difference, Frame, Highlights, Requirements, Scene, shade};
 use brdfgen::spec::{Front, ShaderFields, SpecFields};
+use common::Scratch;
 
 const SCENE: &str = "
 width = 96
@@ -111,4 +114,32 @@ fn the_scene_itself_says_what_is_in_it() {
     let asked = ShaderFields { lights: Some(3), ..ShaderFields::default() };
     let error = shade::spec(&scene, &requirements, &lobe("method = 'quadratic'"), &asked).unwrap_err();
     assert!(error.to_string().contains("the scene says itself"), "{error}");
+}
+
+#[test]
+fn a_scene_becomes_a_shader_with_its_documents() {
+    let scratch = Scratch::new();
+    let small = SCENE.replace("width = 96", "width = 36").replace("height = 64", "height = 24");
+    scratch.write("two.toml", format!("model = 'blinn'\n{small}"));
+    let run = scratch.run("generate two.toml --block shader --method log-exp --margin 2 --out made").succeeds();
+    run.says(&["the shader around it: vectors of ", "samples through its bit-exact model"]);
+    scratch.run("generate two.toml --block shader --method log-exp --margin 2 --out made --check").succeeds();
+    let core = scratch.text("made/core.toml");
+    assert!(core.contains("block = \"shader\"") && core.contains("lights = 2") && !core.contains("nowhere"), "{core}");
+    let json: serde_json::Value = serde_json::from_str(&scratch.text("made/scene.json")).unwrap();
+    assert_eq!(json["port"], "in_material");
+    assert_eq!(json["materials"][3]["code"], serde_json::Value::Null, "an object that is not there");
+    for pictures in ["base", "moved"] {
+        assert!(json["shader"][pictures]["max_steps"].as_u64().unwrap() <= 1, "{}", json["shader"]);
+    }
+    let sheet = scratch.text("made/scene.md");
+    assert!(sheet.contains("the shader of a scene") && sheet.contains("L = -N"), "{sheet}");
+    scratch
+        .refused("generate two.toml --lights 3 --method log-exp --out x", &["keys of a shader are given for a lobe"]);
+    let lights = "generate two.toml --block shader --lights 3 --method log-exp --out x";
+    scratch.refused(lights, &["the scene says itself"]);
+    // Vectors this coarse cannot keep the budget.
+    let coarse = "generate two.toml --block shader --vector-fraction 8 --method log-exp --out x";
+    scratch.run(coarse).ends_with(1);
+    assert!(!scratch.path("x").exists());
 }
