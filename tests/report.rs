@@ -142,7 +142,7 @@ fn a_scene_comes_with_its_pictures_its_needs_and_its_cores() {
     assert_eq!([of("wax12"), of("unused90"), of("only the scene's materialsyes")], [1, 1, 1], "{rows:#?}");
     assert!(rows.iter().any(|row| row.starts_with("power-4") && row.ends_with("chosen")), "{rows:#?}");
     for chart in ["scene_ball_angle", "scene_ball_lobe"] {
-        assert!(scratch.text(&format!("plots/{chart}.svg")).contains("wax (n = 12)"));
+        assert!(scratch.text(format!("plots/{chart}.svg")).contains("wax (n = 12)"));
     }
     scratch.write("never.toml", SCENE.replace("[core]", "[budget]\nmin_psnr = 400.0\n[core]"));
     scratch.refused("report --results r.json --scene never.toml --out x.html", &["no core keeps the budget"]);

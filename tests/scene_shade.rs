@@ -121,9 +121,9 @@ fn a_scene_becomes_a_shader_with_its_documents() {
     let scratch = Scratch::new();
     let small = SCENE.replace("width = 96", "width = 36").replace("height = 64", "height = 24");
     scratch.write("two.toml", format!("model = 'blinn'\n{small}"));
-    let run = scratch.run("generate two.toml --block shader --method log-exp --margin 2 --out made").succeeds();
+    let run = scratch.run("generate two.toml --block shader --method power-8 --margin 2 --out made").succeeds();
     run.says(&["the shader around it: vectors of ", "samples through its bit-exact model"]);
-    scratch.run("generate two.toml --block shader --method log-exp --margin 2 --out made --check").succeeds();
+    scratch.run("generate two.toml --block shader --method power-8 --margin 2 --out made --check").succeeds();
     let core = scratch.text("made/core.toml");
     assert!(core.contains("block = \"shader\"") && core.contains("lights = 2") && !core.contains("nowhere"), "{core}");
     let json: serde_json::Value = serde_json::from_str(&scratch.text("made/scene.json")).unwrap();
@@ -135,11 +135,11 @@ fn a_scene_becomes_a_shader_with_its_documents() {
     let sheet = scratch.text("made/scene.md");
     assert!(sheet.contains("the shader of a scene") && sheet.contains("L = -N"), "{sheet}");
     scratch
-        .refused("generate two.toml --lights 3 --method log-exp --out x", &["keys of a shader are given for a lobe"]);
-    let lights = "generate two.toml --block shader --lights 3 --method log-exp --out x";
+        .refused("generate two.toml --lights 3 --method power-8 --out x", &["keys of a shader are given for a lobe"]);
+    let lights = "generate two.toml --block shader --lights 3 --method power-8 --out x";
     scratch.refused(lights, &["the scene says itself"]);
     // Vectors this coarse cannot keep the budget.
-    let coarse = "generate two.toml --block shader --vector-fraction 8 --method log-exp --out x";
+    let coarse = "generate two.toml --block shader --vector-fraction 8 --method power-8 --out x";
     scratch.run(coarse).ends_with(1);
     assert!(!scratch.path("x").exists());
 }
