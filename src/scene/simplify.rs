@@ -143,47 +143,52 @@ fn materials(scene: &Scene, requirements: &Requirements, fields: &SpecFields) ->
     Simplification { keys, undone, ..simplification }
 }
 
-/// How many bits are needed, in words.
-fn bits_text(port: &str, bits: super::require::Bits, own: u32) -> String {
-    let measured = match bits.measured {
+/// Fewer bits of a port than a general core has: `what` is simplified, `own` of the bits are the chosen core's, and `width` sets them.
+fn fewer_bits(
+    what: &'static str,
+    (port, needed): (&str, super::require::Bits),
+    own: u32,
+    measure: (&'static str, f64),
+    fields: &SpecFields,
+    width: fn(u32) -> SpecFields,
+) -> Simplification {
+    let measured = match needed.measured {
         Some(fewest) => format!(
             "with the exact lobe, all pictures keep the budget with {fewest} fraction bits of the {port} and not with fewer"
         ),
         None => format!("not even the most fraction bits of the {port} keep the budget"),
     };
-    let derived = match bits.derived {
+    let derived = match needed.derived {
         Some(bits) => format!("with {bits} the rounding takes at most a quarter of the budget in any view"),
         None => "no number of them is proved to be enough in any view".to_owned(),
     };
-    format!("{measured}, and {derived}; {own} were chosen by the pictures")
+    let mut reason = format!("{measured}, and {derived}; {own} were chosen by the pictures");
+    let applies = own < GENERAL_FRACTION;
+    if !applies {
+        reason += &format!(", no fewer than the {GENERAL_FRACTION} of a general core");
+    }
+    let one = Simplification::new(what, applies, reason, &[("bits", f64::from(own)), measure]);
+    if applies { one.with(width(own), width(GENERAL_FRACTION).or(fields.clone())) } else { one }
 }
 
 fn input(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Simplification {
-    let own = spec.input_fraction;
-    let applies = own < GENERAL_FRACTION;
-    let mut reason = bits_text("input", requirements.input_fraction, own);
-    if !applies {
-        reason += &format!(", no fewer than the {GENERAL_FRACTION} of a general core");
-    }
     let greatest = requirements.rows.iter().map(|row| row.shininess).fold(1.0, f64::max);
-    let evidence = [("bits", f64::from(own)), ("greatest_shininess", greatest)];
-    let one = Simplification::new("fewer bits of the cosine", applies, reason, &evidence);
-    let width = |bits: u32| SpecFields { input_fraction: Some(bits), ..SpecFields::default() };
-    if applies { one.with(width(own), width(GENERAL_FRACTION).or(fields.clone())) } else { one }
+    let port = ("input", requirements.input_fraction);
+    let measure = ("greatest_shininess", greatest);
+    fewer_bits("fewer bits of the cosine", port, spec.input_fraction, measure, fields, |bits| SpecFields {
+        input_fraction: Some(bits),
+        ..SpecFields::default()
+    })
 }
 
 fn output(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Simplification {
-    let own = spec.output_fraction;
-    let applies = own < GENERAL_FRACTION;
-    let mut reason = bits_text("output", requirements.output_fraction, own);
-    if !applies {
-        reason += &format!(", no fewer than the {GENERAL_FRACTION} of a general core");
-    }
     let peak = requirements.materials.iter().map(|need| need.peak_steps).fold(0.0, f64::max);
-    let evidence = [("bits", f64::from(own)), ("brightest_highlight_steps", peak)];
-    let one = Simplification::new("fewer bits of the lobe", applies, reason, &evidence);
-    let width = |bits: u32| SpecFields { output_fraction: Some(bits), ..SpecFields::default() };
-    if applies { one.with(width(own), width(GENERAL_FRACTION).or(fields.clone())) } else { one }
+    let port = ("output", requirements.output_fraction);
+    let measure = ("brightest_highlight_steps", peak);
+    fewer_bits("fewer bits of the lobe", port, spec.output_fraction, measure, fields, |bits| SpecFields {
+        output_fraction: Some(bits),
+        ..SpecFields::default()
+    })
 }
 
 /// The core that computes `x^n` to its last bit, with the ports of the chosen one.
