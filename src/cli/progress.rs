@@ -21,6 +21,12 @@ pub(super) fn bar(what: &'static str, total: u64) -> ProgressBar {
     bar
 }
 
+/// Shows how much is done, where the whole is not known before.
+pub(super) fn show(bar: &ProgressBar, done: usize, of: usize) {
+    bar.set_length(of as u64);
+    bar.set_position(done as u64);
+}
+
 /// A spinner for work whose length is not known.
 pub(super) fn spinner(what: String) -> ProgressBar {
     let spinner = ProgressBar::new_spinner().with_message(what);

@@ -16,7 +16,7 @@ use crate::design::Design;
 use crate::error::Error;
 use crate::explore::sweep::Core;
 use crate::explore::{Cost, Point};
-use crate::package;
+use crate::package::{self, counted};
 use crate::scene::choice::Search;
 use crate::scene::require::PictureError;
 use crate::scene::sheet::{self, Cell, Sheet};
@@ -384,10 +384,7 @@ fn the_core(arguments: &Arguments, scene: &Scene) -> Result<Chosen, Error> {
 /// The core that the scene needs, with these keys, as `generate` chooses it.
 fn needed_core(arguments: &Arguments, scene: &Scene, keys: &SpecFields) -> Result<Design, Error> {
     let bar = progress::bar("rendering", 1);
-    let told = |done: usize, of: usize| {
-        bar.set_length(of as u64);
-        bar.set_position(done as u64);
-    };
+    let told = |done, of| progress::show(&bar, done, of);
     let requirements = Requirements::of(scene, arguments.margin.unwrap_or(MARGIN), &told)?;
     let costing = costing(arguments.synth)?;
     let choice = Search::new(scene, &requirements, &costing, keys)?.choose(&|what, done, of| {
@@ -501,14 +498,13 @@ fn shininess_text(scene: &Scene) -> String {
 }
 
 fn scene_text(scene: &Scene, frame: &Frame) -> String {
-    let counted = |count: usize, one: &str| format!("{count} {one}{}", if count == 1 { "" } else { "s" });
     format!(
         "{} × {} pixels, {} bits a channel, {}, {}, {} samples",
         frame.width,
         frame.height,
         scene.channel_bits,
         crate::explore::sweep::word(&scene.model),
-        counted(scene.lights.len(), "light"),
+        counted(scene.lights.len() as u64, "light"),
         samples(frame)
     )
 }
@@ -535,9 +531,8 @@ fn core_text(design: &Design) -> String {
 fn cost_lines(cost: &Cost) -> Vec<String> {
     let Cost { lut, dsp, bram, latency, mhz, .. } = cost;
     let mhz = mhz.map_or_else(|| "not placed".to_owned(), |mhz| format!("{mhz:.0} MHz"));
-    let plural = |count: u32| if count == 1 { "" } else { "s" };
     vec![
-        format!("{lut} LUTs, {dsp} DSP{}, {bram} block RAM{}", plural(*dsp), plural(*bram)),
+        format!("{lut} LUTs, {}, {}", counted(*dsp, "DSP"), counted(*bram, "block RAM")),
         format!("{mhz}, {latency} clocks"),
     ]
 }

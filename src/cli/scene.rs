@@ -111,10 +111,7 @@ impl Known {
         lobe_scene.core.keys = alone(&scene.core.keys);
         let scene = &lobe_scene;
         let bar = progress::bar("rendering", 1);
-        let told = |done: usize, of: usize| {
-            bar.set_length(of as u64);
-            bar.set_position(done as u64);
-        };
+        let told = |done, of| progress::show(&bar, done, of);
         let requirements = Requirements::of(scene, flags.margin.unwrap_or(MARGIN), &told)?;
         let costing = costing(flags.synth)?;
         let search = Search::new(scene, &requirements, &costing, keys)?;

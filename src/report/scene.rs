@@ -5,6 +5,7 @@ use base64::Engine as _;
 use super::chart::{Axis, COLOURS, Chart, Curve, Style};
 use super::page::{Cell, Figure, Head, Line, Table, count, number, word};
 use crate::explore::Cost;
+use crate::package::counted;
 use crate::scene::choice::SceneCore;
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
 use crate::scene::require::{Counts, DEGREE_BINS, MaterialNeed, SCALED_BINS};
@@ -35,24 +36,22 @@ impl ScenePart {
         let figures = if choice.estimated { "estimated" } else { "measured" };
         let lines = vec![
             format!(
-                "{} by {} pixels of {} bits a channel, {} light{}; the budget is {}, with the camera and each light moved by up to {} degrees.",
+                "{} by {} pixels of {} bits a channel, {}; the budget is {}, with the camera and each light moved by up to {} degrees.",
                 requirements.size[0],
                 requirements.size[1],
                 scene.channel_bits,
-                requirements.lights,
-                if requirements.lights == 1 { "" } else { "s" },
+                counted(requirements.lights as u64, "light"),
                 budget_text(&requirements.budget),
                 requirements.margin_degrees,
             ),
             format!(
                 "Of the {} cores that drew it the cheapest that keeps the budget is {}: {} ({figures}). Through its bit-exact model the picture is off by {} \
-                 step{} at most, PSNR {}; {} lit samples in {} pictures. In any view of these materials under these lights no channel is off by \
+                 at most, PSNR {}; {} lit samples in {} pictures. In any view of these materials under these lights no channel is off by \
                  more than {} steps.",
                 choice.considered,
                 chosen.candidate.point.name,
                 cost_text(&chosen.candidate.cost),
-                verified.base.max_steps,
-                if verified.base.max_steps == 1 { "" } else { "s" },
+                counted(verified.base.max_steps, "step"),
                 psnr_text(verified.base.psnr),
                 verified.samples,
                 verified.pictures,

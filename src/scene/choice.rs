@@ -567,21 +567,7 @@ impl<'a> Search<'a> {
     pub fn cost(&self, fields: &SpecFields) -> Result<(Cost, u64), Error> {
         let design = Design::new(fields.clone().resolve()?)?;
         let rom_bits = design.tables().iter().map(|table| table.bits() as u64).sum();
-        let family = self.scene.core.family;
-        let point = Point::unmeasured(&Core::new(design.spec.clone(), family));
-        let (latency, shape) = (design.schedule.latency, crate::explore::Shape::of(&design));
-        let point = match self.costing {
-            Costing::Estimate(model) => {
-                let estimate = Some(model.estimate(family, &shape)?);
-                Point { estimate, latency, ..point }
-            }
-            Costing::Synthesis(flow) => {
-                let synthesis = Some(synth::synthesise(&design, &flow.options(family))?);
-                Point { synthesis, latency, ..point }
-            }
-        };
-        let cost =
-            point.cost().ok_or_else(|| Error::input("the core has no cost", "this is a fault of the program"))?;
+        let cost = self.costing.cost(&design, self.scene.core.family)?;
         Ok((cost, rom_bits))
     }
 

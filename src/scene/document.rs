@@ -89,7 +89,7 @@ struct Sheet<'a> {
 #[must_use]
 pub fn budget_text(budget: &Budget) -> String {
     let (steps, psnr) = budget.limits();
-    let steps = steps.map(|steps| format!("an error of at most {steps} step{}", if steps == 1 { "" } else { "s" }));
+    let steps = steps.map(|steps| format!("an error of at most {}", counted(steps, "step")));
     let psnr = psnr.map(|psnr| format!("a PSNR of at least {psnr} dB"));
     steps.into_iter().chain(psnr).collect::<Vec<_>>().join(" and ")
 }
@@ -198,12 +198,10 @@ impl Findings<'_> {
             _ => "the rows".to_owned(),
         };
         lines.push(format!(
-            "Any other view, normal and light direction: with {n} of these materials and the {} light{} of the scene no channel is off by more than {} \
-             step{}, as the lobe is off by at most {:.3e} ({}) and half of the input's last bit moves it by at most n 2^-{}.",
-            requirements.lights,
-            if requirements.lights == 1 { "" } else { "s" },
-            chosen.guaranteed_steps(),
-            if chosen.guaranteed_steps() == 1 { "" } else { "s" },
+            "Any other view, normal and light direction: with {n} of these materials and the {} of the scene no channel is off by more than {}, \
+             as the lobe is off by at most {:.3e} ({}) and half of the input's last bit moves it by at most n 2^-{}.",
+            counted(requirements.lights as u64, "light"),
+            counted(chosen.guaranteed_steps(), "step"),
             chosen.candidate.point.max_abs,
             chosen.candidate.point.checked,
             design.spec.input_fraction + 1,
