@@ -389,7 +389,7 @@ mod tests {
         let choice = small.choose(&results()).unwrap();
         assert_eq!((choice.meeting, choice.considered), (0, 6));
         assert_eq!(choice.misses[0].candidate.point.id, "fine");
-        assert_eq!(choice.misses[0].why, ["it has 1 block RAMs too many"]);
+        assert_eq!(choice.misses[0].why, ["it has 1 block RAM too many"]);
         assert!(choice.misses[1].why[0].starts_with("its error is 2.000 times"), "{:?}", choice.misses[1].why);
     }
 
