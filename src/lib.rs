@@ -24,6 +24,7 @@
 //! | [`tool`] | external programs: where they are, how they are run |
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
 //! | [`scene`] | scene files, what a scene requires of a core, pictures |
+//! | [`stability`] | how cores hold up where forms degenerate: registers, ends, seams, every input |
 //! | [`report`] | charts as SVG and PNG; the trade as an HTML page |
 //! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
 //! | [`cli`] | the commands; the only module that prints |
@@ -51,5 +52,6 @@ pub mod report;
 pub mod rom;
 pub mod scene;
 pub mod spec;
+pub mod stability;
 pub mod synth;
 pub mod tool;

@@ -16,6 +16,7 @@ mod report;
 mod rom;
 mod scene;
 mod source;
+mod stability;
 mod synth;
 
 use std::io::Write;
@@ -56,6 +57,8 @@ enum Command {
     Choose(Box<choose::Arguments>),
     /// Measure the papers' claims and compare with the recorded values
     Claims(claims::Arguments),
+    /// Inspect a core, or a study of many, where forms degenerate: every input, every register
+    Stability(Box<stability::Arguments>),
     /// Draw a scene exactly and through a core, and how the two differ
     Render(Box<render::Arguments>),
     /// Show the trade of error against cost as one HTML page, and its charts as SVG and PNG
@@ -95,6 +98,7 @@ pub fn main() -> ExitCode {
         Command::Explore(arguments) => explore::run(*arguments),
         Command::Choose(arguments) => choose::run(&arguments),
         Command::Claims(arguments) => claims::run(&arguments),
+        Command::Stability(arguments) => stability::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),

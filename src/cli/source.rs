@@ -38,6 +38,11 @@ impl Source {
         self.directory().map(all).unwrap_or_default()
     }
 
+    /// Whether a core is named at all.
+    pub(super) fn is_given(&self) -> bool {
+        self.path.is_some() || self.fields != SpecFields::default()
+    }
+
     /// The keys that are given.
     pub(super) fn fields(&self) -> Result<SpecFields, Error> {
         let written = match &self.path {

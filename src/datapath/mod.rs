@@ -26,6 +26,7 @@ pub mod normalise;
 mod polynomial;
 pub mod power;
 pub mod quadratic;
+pub mod range;
 pub mod schedule;
 pub mod schlick;
 pub mod segmented;

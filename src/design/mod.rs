@@ -15,6 +15,7 @@ use sha2::{Digest, Sha256};
 
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
+use crate::datapath::range::{Analysis, Narrowed, Region, regions};
 use crate::datapath::schedule::{Schedule, schedule};
 use crate::datapath::widths::{Budget, Solution, solve};
 use crate::datapath::{Datapath, Description, architecture, shader};
@@ -60,6 +61,8 @@ pub struct Design {
     pub schedule: Schedule,
     /// The proved error of the lobe.
     pub budget: Budget,
+    /// The values of the lobe that the range analysis took bits off.
+    pub narrowed: Vec<Narrowed>,
     /// The real-valued method of each shininess; kept, so that coefficients are fitted once.
     lobes: Arc<[Box<dyn Lobe>]>,
     /// What the lobe computes and how.
@@ -81,7 +84,8 @@ impl Design {
         let lobes = architecture.lobes(&solution.datapath.tables).into();
         let description = architecture.description(&solution.datapath.tables);
         drop(architecture);
-        let Solution { widths, datapath: lobe, budget } = solution;
+        let Solution { widths, datapath: mut lobe, budget } = solution;
+        let narrowed = narrow(&spec, &mut lobe);
         let datapath = match &spec.block {
             Block::Lobe => lobe,
             Block::Shader(shader) => shader::build(&spec, shader, &lobe).ok_or_else(|| {
@@ -89,7 +93,7 @@ impl Design {
             })?,
         };
         let schedule = schedule(&datapath.graph, spec.pipeline)?;
-        let design = Self { widths, datapath, schedule, budget, lobes, description, spec };
+        let design = Self { widths, datapath, schedule, budget, narrowed, lobes, description, spec };
         if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {
             return Err(Error::input(
                 format!("the core {} has no coefficient memory that could be written", design.spec.name),
@@ -164,6 +168,15 @@ impl Design {
     #[must_use]
     pub fn evaluator(&self) -> Evaluator<'_> {
         Evaluator::new(self.graph(), self.tables())
+    }
+
+    /// All inputs of a lobe's core, row by row, for the range analysis.
+    ///
+    /// # Panics
+    /// For a shader.
+    #[must_use]
+    pub fn regions(&self) -> Vec<Region> {
+        regions_of(&self.spec, self.graph())
     }
 
     /// Stages and names, for the HDL.
@@ -369,6 +382,27 @@ impl Design {
         let words: u32 = self.tables().iter().enumerate().map(word).sum();
         (0..self.schedule.latency).map(crossing).sum::<u32>() + words + self.schedule.latency
     }
+}
+
+/// Blocks of inputs that narrowing may look at in all: less than a second's work.
+const NARROWING_BLOCKS: usize = 1 << 19;
+
+fn regions_of(spec: &CoreSpec, graph: &Graph) -> Vec<Region> {
+    let (knots, frac_bits) = (spec.shininess.of_knots(), spec.shininess.frac_bits());
+    regions(graph, |index| knots.row_of_index(index >> frac_bits))
+}
+
+/// Takes off a lobe's formats the bits that no input uses. A core whose words may be written keeps them: other words may use them.
+fn narrow(spec: &CoreSpec, lobe: &mut Datapath) -> Vec<Narrowed> {
+    if spec.rom == RomStyle::Writable {
+        return Vec::new();
+    }
+    let analysis = Analysis::new(&lobe.graph, &lobe.tables);
+    let regions = regions_of(spec, &lobe.graph);
+    let ranges = analysis.over(&regions, (NARROWING_BLOCKS / regions.len()) as u64);
+    let (graph, narrowed) = analysis.narrowed(&ranges);
+    lobe.graph = graph;
+    narrowed
 }
 
 /// The ports' names with their verb, or `many` where they are more than two.

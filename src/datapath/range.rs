@@ -1,0 +1,713 @@
+//! Which values the nodes of a graph take: an interval analysis of their integers, refined until it decides.
+//!
+//! [`builder`](super::builder) chooses formats from intervals of reals, a case at a time. This is a second look, at the finished
+//! graph and without any of the builder's knowledge: it follows intervals of codes through the operations as hardware does them, a
+//! block of inputs at a time (a row, and a stretch of operand codes), and halves a block wherever the intervals are too wide to tell.
+//! A block of one input is exact, so the analysis decides everything if it is let.
+//!
+//! A value is *needed* in a block if the output depends on it there: what a flag forces to 0 may be anything. It *overflows* if it is
+//! needed and its exact value is outside its format. A cast that drops high bits on purpose is told from one that loses them by what
+//! becomes of the bits: other nodes look at them.
+
+use rayon::prelude::*;
+
+use super::graph::{Graph, Node, NodeId, Op};
+use crate::number::Format;
+use crate::rom::Table;
+
+/// The codes from one to another, both included.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Span {
+    /// The least.
+    pub low: i128,
+    /// The greatest.
+    pub high: i128,
+}
+
+impl Span {
+    /// One code.
+    #[must_use]
+    pub const fn point(code: i128) -> Self {
+        Self { low: code, high: code }
+    }
+
+    /// The least span that holds both.
+    #[must_use]
+    pub fn hull(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+
+    /// Whether every code of it is one of the format's.
+    #[must_use]
+    pub fn fits(self, format: Format) -> bool {
+        format.min_code() <= self.low && self.high <= format.max_code()
+    }
+
+    /// Whether the code is one of it.
+    #[must_use]
+    pub fn contains(self, code: i128) -> bool {
+        self.low <= code && code <= self.high
+    }
+
+    /// The larger of the two ends' magnitudes.
+    #[must_use]
+    pub fn magnitude(self) -> u128 {
+        self.low.unsigned_abs().max(self.high.unsigned_abs())
+    }
+
+    fn map(self, f: impl Fn(i128) -> i128) -> Self {
+        Self { low: f(self.low), high: f(self.high) }
+    }
+
+    fn times(self, other: Self) -> Self {
+        let ends = [self.low * other.low, self.low * other.high, self.high * other.low, self.high * other.high];
+        let [mut low, mut high] = [ends[0]; 2];
+        for end in ends {
+            (low, high) = (low.min(end), high.max(end));
+        }
+        Self { low, high }
+    }
+
+    fn is_point(self) -> bool {
+        self.low == self.high
+    }
+
+    fn count(self) -> u128 {
+        (self.high - self.low) as u128 + 1
+    }
+
+    /// Two halves of a span of more than one code.
+    fn halves(self) -> [Self; 2] {
+        let middle = self.low + (self.high - self.low) / 2;
+        [Self { low: self.low, high: middle }, Self { low: middle + 1, high: self.high }]
+    }
+
+    /// The integer bits, sign not counted, of the narrowest format that holds it.
+    fn int_bits(self, frac_bits: i32) -> i32 {
+        Format::holding(self.low, self.high, frac_bits).int_bits
+    }
+}
+
+/// The least and greatest codes of a field over any stretch of addresses.
+#[derive(Clone, Debug)]
+struct Extremes {
+    /// A binary tree: `nodes[leaves + i]` is the code at address `i`, `nodes[i]` the hull of `nodes[2 i]` and `nodes[2 i + 1]`.
+    nodes: Vec<Span>,
+}
+
+impl Extremes {
+    fn of(table: &Table, field: usize) -> Self {
+        let depth = table.depth();
+        let mut nodes = vec![Span::point(0); 2 * depth];
+        for address in 0..depth {
+            nodes[depth + address] = Span::point(table.code_at(field, address));
+        }
+        for place in (1..depth).rev() {
+            nodes[place] = nodes[2 * place].hull(nodes[2 * place + 1]);
+        }
+        Self { nodes }
+    }
+
+    fn over(&self, addresses: Span) -> Span {
+        let leaves = self.nodes.len() / 2;
+        let (mut low, mut high) = (leaves + addresses.low as usize, leaves + addresses.high as usize + 1);
+        let mut hull = self.nodes[low];
+        while low < high {
+            if low % 2 == 1 {
+                hull = hull.hull(self.nodes[low]);
+                low += 1;
+            }
+            if high % 2 == 1 {
+                high -= 1;
+                hull = hull.hull(self.nodes[high]);
+            }
+            (low, high) = (low / 2, high / 2);
+        }
+        hull
+    }
+}
+
+/// `x - floor(x p)`, which plain intervals take for a difference of two values that have nothing to do with each other.
+#[derive(Clone, Copy, Debug)]
+struct Complement {
+    product: NodeId,
+    x: NodeId,
+    p: NodeId,
+    /// Fraction bits of the floor.
+    floor: NodeId,
+    /// What is added to x first.
+    added: Option<NodeId>,
+}
+
+/// Inputs: the codes of each port.
+pub type Region = Vec<Span>;
+
+/// The whole of a lobe's inputs, row by row: the codes of `in_n` that read the same row, and every code of the operand. What lies
+/// between two rows of a memory reads the one below: all of it goes together.
+///
+/// # Panics
+/// If the graph is no lobe's.
+#[must_use]
+pub fn regions(graph: &Graph, row_of_index: impl Fn(u32) -> usize) -> Vec<Region> {
+    let [index, operand] = [graph.index(), graph.operand()].map(|id| graph.nodes[id].format);
+    let whole = Span { low: operand.min_code(), high: operand.max_code() };
+    let mut regions: Vec<(usize, Region)> = Vec::new();
+    for code in 0..=index.max_code() {
+        let row = row_of_index(code as u32);
+        match regions.last_mut() {
+            Some((last, region)) if *last == row => region[0].high = code,
+            _ => regions.push((row, vec![Span::point(code), whole])),
+        }
+    }
+    regions.into_iter().map(|(_, region)| region).collect()
+}
+
+/// A value that got fewer bits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Narrowed {
+    /// Its node's name.
+    pub name: String,
+    /// The format that the builder chose.
+    pub from: Format,
+    /// The format that it has now.
+    pub to: Format,
+}
+
+impl Narrowed {
+    /// The bits that were taken off.
+    #[must_use]
+    pub fn bits(&self) -> u32 {
+        self.from.width() - self.to.width()
+    }
+}
+
+/// What is known in a block of inputs.
+#[derive(Clone, Debug)]
+struct Block {
+    /// The exact values of each node, before they are taken into the node's format.
+    exact: Vec<Span>,
+    /// The codes of each node.
+    codes: Vec<Span>,
+    needed: Vec<bool>,
+}
+
+/// A needed value that leaves its format.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Overflow {
+    /// The node.
+    pub node: NodeId,
+    /// The codes at the input ports.
+    pub inputs: Vec<i128>,
+    /// The exact value, in units of the node's last bit.
+    pub value: i128,
+}
+
+/// What was found over a set of inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ranges {
+    /// For each node a span that holds its exact value wherever it is needed; `None` if it never is.
+    pub needed: Vec<Option<Span>>,
+    /// For each node that is a cast the bits that it drops above those that others take, as a number: the same wherever it is needed,
+    /// as the leading 1 of a normalised value is.
+    pub dropped: Vec<Option<i128>>,
+    /// For each node whether the analysis ran out of blocks before it could tell whether the value fits.
+    pub undecided: Vec<bool>,
+    /// The first overflow of each node that has one, in the order of the inputs' blocks.
+    pub overflows: Vec<Overflow>,
+    /// The blocks that were looked at.
+    pub blocks: u64,
+}
+
+impl Ranges {
+    fn none(nodes: usize) -> Self {
+        let (needed, dropped) = (vec![None; nodes], vec![None; nodes]);
+        Self { needed, dropped, undecided: vec![false; nodes], overflows: Vec::new(), blocks: 0 }
+    }
+
+    fn hold(&mut self, id: NodeId, span: Span) {
+        self.needed[id] = Some(self.needed[id].map_or(span, |known| known.hull(span)));
+    }
+
+    /// What is found over two sets of inputs together; the overflows of `self` come first.
+    #[must_use]
+    fn and(mut self, other: Self) -> Self {
+        for (id, span) in other.needed.into_iter().enumerate() {
+            if let Some(span) = span {
+                self.hold(id, span);
+            }
+        }
+        self.undecided.iter_mut().zip(other.undecided).for_each(|(own, other)| *own |= other);
+        for overflow in other.overflows {
+            self.add(overflow);
+        }
+        for (id, dropped) in other.dropped.into_iter().enumerate() {
+            match (self.dropped[id], dropped) {
+                (None, dropped) => self.dropped[id] = dropped,
+                (Some(own), Some(theirs)) if own != theirs => self.undecided[id] = true,
+                _ => {}
+            }
+        }
+        self.blocks += other.blocks;
+        self
+    }
+
+    fn add(&mut self, overflow: Overflow) {
+        if self.overflows.iter().all(|known| known.node != overflow.node) {
+            self.overflows.push(overflow);
+        }
+    }
+
+    /// Whether it is proved that no needed value leaves its format.
+    #[must_use]
+    pub fn is_safe(&self) -> bool {
+        self.overflows.is_empty() && !self.undecided.contains(&true)
+    }
+}
+
+/// Analyses a graph with given memories.
+#[derive(Clone, Debug)]
+pub struct Analysis<'a> {
+    graph: &'a Graph,
+    /// For each node that is a field its codes' extremes.
+    extremes: Vec<Option<Extremes>>,
+    /// For each node the format that its exact value must fit: the node's own, with the bits that a cast drops and other nodes take.
+    room: Vec<Format>,
+    /// Casts whose value is looked at only where it is not negative.
+    guarded: Vec<bool>,
+    complements: Vec<Option<Complement>>,
+}
+
+impl<'a> Analysis<'a> {
+    /// Prepares a graph.
+    #[must_use]
+    pub fn new(graph: &'a Graph, tables: &[Table]) -> Self {
+        let ids = 0..graph.nodes.len();
+        let extremes = graph.nodes.iter().map(|node| match node.op {
+            Op::Field { memory, field } => Some(Extremes::of(&tables[memory], field)),
+            _ => None,
+        });
+        Self {
+            graph,
+            extremes: extremes.collect(),
+            room: ids.clone().map(|id| room(graph, id)).collect(),
+            guarded: ids.clone().map(|id| is_guarded_by_sign(graph, id)).collect(),
+            complements: ids.map(|id| complement(graph, id)).collect(),
+        }
+    }
+
+    /// What the nodes take over these regions, looking at no more than about `most_blocks` blocks in each.
+    #[must_use]
+    pub fn over(&self, regions: &[Region], most_blocks: u64) -> Ranges {
+        // In order, so that the overflows are the same whatever runs first.
+        let parts: Vec<Ranges> = regions.par_iter().map(|region| self.region(region, most_blocks)).collect();
+        parts.into_iter().fold(Ranges::none(self.graph.nodes.len()), Ranges::and)
+    }
+
+    fn region(&self, region: &Region, most_blocks: u64) -> Ranges {
+        let nodes = self.graph.nodes.len();
+        let mut found = Ranges::none(nodes);
+        // What single inputs show is certain; a block tells more than these only by needing more bits.
+        let mut certain = Ranges::none(nodes);
+        for end in [|span: &Span| span.low, |span: &Span| span.high, |span: &Span| (span.low + span.high) / 2] {
+            self.point(&region.iter().map(end).collect::<Vec<_>>(), &mut certain);
+        }
+        let mut open = vec![region.clone()];
+        while let Some(inputs) = open.pop() {
+            found.blocks += 1;
+            let block = self.block(&inputs);
+            let is_point = inputs.iter().all(|span| span.is_point());
+            if is_point || found.blocks > most_blocks || !self.is_open(&block, &certain) {
+                self.accept(&block, &inputs, is_point, &mut found);
+                continue;
+            }
+            let halves = self.split(&inputs, region);
+            self.point(&halves[0].iter().map(|span| span.high).collect::<Vec<_>>(), &mut certain);
+            // The lower half is looked at first.
+            open.extend(halves.into_iter().rev());
+        }
+        found
+    }
+
+    /// Halves the port that has been halved least.
+    fn split(&self, inputs: &Region, region: &Region) -> [Region; 2] {
+        let part = |port: usize| inputs[port].count() as f64 / region[port].count() as f64;
+        let candidates = (0..inputs.len()).filter(|&port| !inputs[port].is_point());
+        let port = candidates.max_by(|&a, &b| part(a).total_cmp(&part(b))).expect("more than one input");
+        inputs[port].halves().map(|half| {
+            let mut inputs = inputs.clone();
+            inputs[port] = half;
+            inputs
+        })
+    }
+
+    /// Whether halving the block may tell more.
+    fn is_open(&self, block: &Block, certain: &Ranges) -> bool {
+        self.graph.nodes.iter().enumerate().any(|(id, node)| {
+            if !block.needed[id] {
+                return false;
+            }
+            if !self.keeps(id, block.exact[id], certain.dropped[id]) {
+                return true;
+            }
+            let bits = |span: Span| span.int_bits(node.format.frac_bits);
+            let taken = self.taken(id, block);
+            can_narrow(node.op) && certain.needed[id].is_none_or(|known| bits(taken) > bits(known.hull(Span::point(0))))
+        })
+    }
+
+    fn accept(&self, block: &Block, inputs: &Region, is_point: bool, found: &mut Ranges) {
+        for (id, node) in self.graph.nodes.iter().enumerate().filter(|&(id, _)| block.needed[id]) {
+            let exact = block.exact[id];
+            found.hold(id, self.taken(id, block));
+            if self.keeps(id, exact, found.dropped[id]) {
+                if node.op == Op::Cast {
+                    found.dropped[id] = self.dropped(id, exact);
+                }
+            } else if is_point {
+                let inputs = inputs.iter().map(|span| span.low).collect();
+                found.add(Overflow { node: id, inputs, value: exact.low });
+            } else {
+                found.undecided[id] = true;
+            }
+        }
+    }
+
+    /// What a format must hold of a node: its value, or of a cast that drops bits on purpose the code that is left.
+    fn taken(&self, id: NodeId, block: &Block) -> Span {
+        let is_cast = self.graph.nodes[id].op == Op::Cast;
+        if is_cast && !block.exact[id].fits(self.graph.nodes[id].format) { block.codes[id] } else { block.exact[id] }
+    }
+
+    /// The bits of a value above its room, as a number, if they are the same all over the span.
+    fn dropped(&self, id: NodeId, exact: Span) -> Option<i128> {
+        let room = self.room[id];
+        let part = |code: i128| (code - room.wrap(code)) >> room.width();
+        (part(exact.low) == part(exact.high)).then(|| part(exact.low))
+    }
+
+    /// Whether nothing is lost of a node's value: it fits, or a cast drops of it what it drops everywhere.
+    fn keeps(&self, id: NodeId, exact: Span, known: Option<i128>) -> bool {
+        match self.dropped(id, exact) {
+            Some(dropped) if self.graph.nodes[id].op == Op::Cast => known.is_none_or(|known| known == dropped),
+            dropped => dropped == Some(0),
+        }
+    }
+
+    fn point(&self, inputs: &[i128], certain: &mut Ranges) {
+        let block = self.block(&inputs.iter().map(|&code| Span::point(code)).collect());
+        for id in (0..self.graph.nodes.len()).filter(|&id| block.needed[id]) {
+            certain.hold(id, self.taken(id, &block));
+            if self.graph.nodes[id].op == Op::Cast {
+                certain.dropped[id] = certain.dropped[id].or(self.dropped(id, block.exact[id]));
+            }
+        }
+    }
+
+    fn block(&self, inputs: &Region) -> Block {
+        let count = self.graph.nodes.len();
+        let mut block =
+            Block { exact: Vec::with_capacity(count), codes: Vec::with_capacity(count), needed: vec![false; count] };
+        for (id, node) in self.graph.nodes.iter().enumerate() {
+            let mut exact = self.exact(id, node, inputs, &block);
+            if self.guarded[id] {
+                exact = exact.map(|code| code.max(0));
+            }
+            block.exact.push(exact);
+            block.codes.push(wrapped(exact, node.format));
+        }
+        for (_, output) in &self.graph.outputs {
+            block.needed[*output] = true;
+        }
+        for id in (0..count).rev() {
+            if !block.needed[id] {
+                continue;
+            }
+            let node = &self.graph.nodes[id];
+            let flag = |place: usize| block.codes[node.args[place]];
+            let (no, yes) = (Span::point(0), Span::point(1));
+            let unused = match node.op {
+                Op::ZeroIf | Op::Or if flag(0) == yes => Some(1),
+                Op::Or if flag(1) == yes => Some(0),
+                Op::Select if flag(0) == yes => Some(2),
+                Op::Select if flag(0) == no => Some(1),
+                // A product with 0 is 0, whatever the other factor is.
+                Op::Mul if flag(0) == no => Some(1),
+                Op::Mul if flag(1) == no => Some(0),
+                _ => None,
+            };
+            for (place, &arg) in node.args.iter().enumerate() {
+                block.needed[arg] |= Some(place) != unused;
+            }
+        }
+        block
+    }
+
+    /// The exact values of a node, given its arguments' codes.
+    fn exact(&self, id: NodeId, node: &Node, inputs: &Region, block: &Block) -> Span {
+        let arg = |place: usize| block.codes[node.args[place]];
+        let frac = |place: usize| self.graph.nodes[node.args[place]].format.frac_bits;
+        let aligned = |place: usize| arg(place).map(|code| code << (node.format.frac_bits - frac(place)));
+        let flag = |known: Option<bool>| match known {
+            Some(known) => Span::point(known.into()),
+            None => Span { low: 0, high: 1 },
+        };
+        match node.op {
+            Op::Input => inputs[self.graph.port(id)],
+            Op::Field { .. } => self.extremes[id].as_ref().expect("a field has extremes").over(arg(0)),
+            Op::Constant(code) => Span::point(code),
+            Op::Clamp { low, high } => arg(0).map(|code| code.clamp(low, high)),
+            Op::Add => {
+                let (a, b) = (aligned(0), aligned(1));
+                Span { low: a.low + b.low, high: a.high + b.high }
+            }
+            Op::Sub => {
+                let (a, b) = (aligned(0), aligned(1));
+                let plain = Span { low: a.low - b.high, high: a.high - b.low };
+                let related = self.complements[id].and_then(|complement| self.related(node, complement, block));
+                related.map_or(plain, |related| Span {
+                    low: plain.low.max(related.low),
+                    high: plain.high.min(related.high),
+                })
+            }
+            Op::Mul if node.args[0] == node.args[1] => {
+                let a = arg(0);
+                let squares = a.map(|code| code * code);
+                let least = if a.contains(0) { 0 } else { squares.low.min(squares.high) };
+                Span { low: least, high: squares.low.max(squares.high) }
+            }
+            Op::Mul => arg(0).times(arg(1)),
+            Op::ShiftLeft => {
+                let (a, by) = (arg(0), arg(1));
+                a.map(|code| code << by.low).hull(a.map(|code| code << by.high))
+            }
+            Op::ShiftRight => {
+                let (a, by) = (arg(0), arg(1));
+                let shifted = |by: i128| a.map(|code| code >> by.min(127));
+                shifted(by.low).hull(shifted(by.high))
+            }
+            Op::Cast if node.format.frac_bits >= frac(0) => aligned(0),
+            Op::Cast => arg(0).map(|code| code >> (frac(0) - node.format.frac_bits)),
+            Op::Scale => arg(0),
+            Op::NonZero => flag(match arg(0) {
+                span if span == Span::point(0) => Some(false),
+                span if !span.contains(0) => Some(true),
+                _ => None,
+            }),
+            Op::Greater => {
+                let (a, b) = (arg(0), arg(1));
+                flag(if a.low > b.high {
+                    Some(true)
+                } else if a.high <= b.low {
+                    Some(false)
+                } else {
+                    None
+                })
+            }
+            Op::Or => {
+                let (a, b) = (arg(0), arg(1));
+                Span { low: a.low.max(b.low), high: a.high.max(b.high) }
+            }
+            Op::Not => Span { low: 1 - arg(0).high, high: 1 - arg(0).low },
+            Op::Select => match arg(0) {
+                span if span == Span::point(1) => arg(1),
+                span if span == Span::point(0) => arg(2),
+                _ => arg(1).hull(arg(2)),
+            },
+            Op::ZeroIf => match arg(0) {
+                span if span == Span::point(1) => Span::point(0),
+                span if span == Span::point(0) => arg(1),
+                _ => arg(1).hull(Span::point(0)),
+            },
+        }
+    }
+
+    /// `x + c - floor(x p) = x (1 - p) + c + (x p - floor(x p))`, where nothing of it is taken modulo a width; in units of the node's
+    /// last bit.
+    fn related(&self, node: &Node, complement: Complement, block: &Block) -> Option<Span> {
+        let format = |id: NodeId| self.graph.nodes[id].format;
+        let Complement { product, x, p, floor, added } = complement;
+        let untouched = |id: NodeId| block.exact[id].fits(format(id));
+        if ![product, floor, node.args[0]].into_iter().all(untouched) {
+            return None;
+        }
+        // All in units of the product's last bit.
+        let one = 1i128.checked_shl(format(p).frac_bits.try_into().ok()?)?;
+        let unit = format(product).frac_bits;
+        let rest = Span { low: one - block.codes[p].high, high: one - block.codes[p].low };
+        let product = block.codes[x].times(rest);
+        let lost = (1i128 << (unit - format(floor).frac_bits).max(0)) - 1;
+        let shift = unit - node.format.frac_bits;
+        if shift < 0 {
+            return None;
+        }
+        let constant = match added {
+            Some(id) => block.codes[id].low << (unit - format(id).frac_bits),
+            None => 0,
+        };
+        let (low, high) = (product.low + constant, product.high + constant + lost);
+        // The value is a multiple of the node's last bit: the ends round inwards.
+        let last = (1i128 << shift) - 1;
+        Some(Span { low: (low + last) >> shift, high: high >> shift })
+    }
+
+    /// The graph with every format as narrow as the ranges allow: sums, differences, shifts and casts lose the integer bits that no
+    /// needed value uses, and products those that their narrower operands leave idle. The function stays what it is for every input
+    /// that `ranges` covers.
+    #[must_use]
+    pub fn narrowed(&self, ranges: &Ranges) -> (Graph, Vec<Narrowed>) {
+        let mut graph = self.graph.clone();
+        let fixed = self.fixed_formats();
+        for (id, &fixed) in fixed.iter().enumerate() {
+            let node = &graph.nodes[id];
+            let format = |place: usize| graph.nodes[node.args[place]].format;
+            let int_bits = match node.op {
+                Op::Mul => format(0).int_bits + format(1).int_bits + i32::from(node.format.signed),
+                Op::ZeroIf => format(1).int_bits,
+                op if can_narrow(op) && !fixed && !ranges.undecided[id] => {
+                    let span = ranges.needed[id].unwrap_or(Span::point(0)).hull(Span::point(0));
+                    let bits = span.int_bits(node.format.frac_bits);
+                    bits.clamp(1 - node.format.frac_bits, node.format.int_bits)
+                }
+                _ => node.format.int_bits,
+            };
+            graph.nodes[id].format.int_bits = int_bits;
+        }
+        let pairs = self.graph.nodes.iter().zip(&graph.nodes).filter(|(before, after)| before.format != after.format);
+        let narrowed = |(before, after): (&Node, &Node)| Narrowed {
+            name: after.name.clone(),
+            from: before.format,
+            to: after.format,
+        };
+        let narrowed = pairs.map(narrowed).collect();
+        (graph, narrowed)
+    }
+
+    /// The graph with registers in which nothing can overflow unseen: sums, differences, products, shifts and casts get a sign and eight
+    /// integer bits more. Where no needed value leaves its format, its outputs are those of the graph itself; so running both over every
+    /// input checks an analysis that found none. What casts drop on purpose, as `ranges` tells, they drop here too.
+    #[must_use]
+    pub fn with_spare_bits(&self, ranges: &Ranges) -> Graph {
+        let mut graph = self.graph.clone();
+        for (id, node) in graph.nodes.iter_mut().enumerate() {
+            let widened = match node.op {
+                Op::Add | Op::Sub | Op::Mul | Op::ShiftLeft => true,
+                Op::Cast => self.room[id] == node.format && matches!(ranges.dropped[id], None | Some(0)),
+                _ => false,
+            };
+            if widened {
+                let int_bits = (node.format.int_bits + SPARE_BITS).min(126 - node.format.frac_bits);
+                node.format = Format { signed: true, int_bits, ..node.format };
+            }
+        }
+        graph
+    }
+
+    /// The nodes whose formats something else rests on: ports, addresses, operands of what only renames or shifts bits, of limits that
+    /// are compared in the operand's width, and of a result that is a port.
+    fn fixed_formats(&self) -> Vec<bool> {
+        let graph = self.graph;
+        let mut fixed: Vec<bool> = (0..graph.nodes.len()).map(|id| graph.is_output(id)).collect();
+        for (id, node) in graph.nodes.iter().enumerate().rev() {
+            let holds = match node.op {
+                Op::Field { .. } | Op::Scale | Op::ShiftRight => true,
+                Op::Clamp { low, .. } => low != 0,
+                Op::ZeroIf => fixed[id],
+                _ => false,
+            };
+            if holds {
+                node.args.iter().for_each(|&arg| fixed[arg] = true);
+            }
+        }
+        fixed
+    }
+}
+
+/// What [`Analysis::with_spare_bits`] adds.
+const SPARE_BITS: i32 = 8;
+
+/// Operations whose result's format is the builder's choice.
+fn can_narrow(op: Op) -> bool {
+    matches!(op, Op::Add | Op::Sub | Op::ShiftLeft | Op::Cast)
+}
+
+/// What hardware keeps of a span of exact values.
+fn wrapped(exact: Span, format: Format) -> Span {
+    if exact.fits(format) {
+        return exact;
+    }
+    let codes = exact.map(|code| format.wrap(code));
+    // Within one period of the wrapping the order stays.
+    if exact.count() <= 1 << format.width() && codes.low <= codes.high {
+        return codes;
+    }
+    Span { low: format.min_code(), high: format.max_code() }
+}
+
+/// The format that a node's exact value must fit for nothing to be lost: for a cast that keeps low bits while other casts of the same
+/// value take the bits above these, the format with these bits too; a cast that takes the sign as a bit loses nothing.
+fn room(graph: &Graph, id: NodeId) -> Format {
+    let node = &graph.nodes[id];
+    if node.op != Op::Cast {
+        return node.format;
+    }
+    let from = graph.nodes[node.args[0]].format;
+    if from.signed && node.format.width() == 1 && node.format.int_bits > from.int_bits {
+        return Format { signed: true, int_bits: node.format.int_bits, ..node.format };
+    }
+    let of_same = |(other, other_node): &(usize, &Node)| {
+        *other != id && other_node.op == Op::Cast && other_node.args[0] == node.args[0]
+    };
+    let others: Vec<Format> = graph.nodes.iter().enumerate().filter(of_same).map(|(_, node)| node.format).collect();
+    let taken = |bit: &i32| others.iter().any(|other| (-other.frac_bits..other.int_bits).contains(bit));
+    let above = (node.format.int_bits..from.int_bits).take_while(taken).count() as i32;
+    Format { int_bits: node.format.int_bits + above, ..node.format }
+}
+
+/// Whether a node is an unsigned cast of a signed value, used only as what a selection takes where that value is not negative.
+fn is_guarded_by_sign(graph: &Graph, id: NodeId) -> bool {
+    let node = &graph.nodes[id];
+    if node.op != Op::Cast || node.format.signed || !graph.nodes[node.args[0]].format.signed || graph.is_output(id) {
+        return false;
+    }
+    let takes_sign = |flag: NodeId| {
+        graph.nodes[flag].op == Op::Cast && graph.nodes[flag].args[0] == node.args[0] && room(graph, flag).signed
+    };
+    let mut users = graph.nodes.iter().filter(|user| user.args.contains(&id)).peekable();
+    users.peek().is_some()
+        && users
+            .all(|user| user.op == Op::Select && takes_sign(user.args[0]) && user.args[1] != id && user.args[2] == id)
+}
+
+/// Whether a node is `x - floor(x p)` or `(x + c) - floor(x p)`.
+fn complement(graph: &Graph, id: NodeId) -> Option<Complement> {
+    let of = |id: NodeId| &graph.nodes[id];
+    // A sign bit makes no other number of an unsigned one.
+    let unsigned = |id: NodeId| match of(id) {
+        Node { op: Op::Cast, args, format, .. }
+            if format.frac_bits == of(args[0]).format.frac_bits && format.int_bits >= of(args[0]).format.int_bits =>
+        {
+            args[0]
+        }
+        _ => id,
+    };
+    let node = of(id);
+    if node.op != Op::Sub {
+        return None;
+    }
+    let (minuend, floor) = (node.args[0], node.args[1]);
+    let product = match of(floor) {
+        Node { op: Op::Cast, args, .. } => args[0],
+        _ => floor,
+    };
+    if of(product).op != Op::Mul || of(floor).format.frac_bits > of(product).format.frac_bits {
+        return None;
+    }
+    let factors = [of(product).args[0], of(product).args[1]];
+    let (base, added) = match of(minuend) {
+        Node { op: Op::Add, args, .. } if matches!(of(args[1]).op, Op::Constant(_)) => (args[0], Some(args[1])),
+        _ => (minuend, None),
+    };
+    let place = factors.iter().position(|&factor| unsigned(factor) == unsigned(base))?;
+    let p = factors[1 - place];
+    (of(p).format.frac_bits >= 0).then_some(Complement { product, x: factors[place], p, floor, added })
+}

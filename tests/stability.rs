@@ -1,0 +1,200 @@
+//! Cores where forms degenerate, and the range analysis against planted faults and against every input.
+
+use assert_cmd::Command;
+use brdfgen::datapath::evaluate::Evaluator;
+use brdfgen::datapath::graph::{Graph, Op};
+use brdfgen::datapath::range::Analysis;
+use brdfgen::design::Design;
+use brdfgen::spec::{Method, SpecFields};
+use brdfgen::stability::inspect::Inspection;
+use brdfgen::stability::study::{self, Axis};
+use rayon::prelude::*;
+
+fn design(spec: &str) -> Design {
+    SpecFields::parse(spec, "test").and_then(SpecFields::resolve).and_then(Design::new).expect(spec)
+}
+
+/// Cores of every kind of datapath, small enough for all their inputs.
+const SPECS: [&str; 12] = [
+    "method = 'quadratic'\nshininess = '1..=64'\ninput_fraction = 10\noutput_fraction = 10",
+    "method = 'quadratic'\nform = 'paper'\nshininess = '1..=64'\ninput_fraction = 10\noutput_fraction = 10",
+    "method = 'cubic'\nshininess = '1..=64'\ninput_fraction = 10\noutput_fraction = 10",
+    "method = 'cubic'\nform = 'paper'\nshininess = [1.1, 2.5, 40]\ninput_fraction = 10\noutput_fraction = 10",
+    "method = 'cubic'\ntail = 'hold'\nshininess = [1.1, 2.5, 40]\ninput_fraction = 10\noperand = 'versine'",
+    "method = 'cubic-rational'\nshininess = '1..=40'\ninput_fraction = 10\noutput_fraction = 10",
+    "method = 'schlick'\nshininess = '1..=20'\ninput_fraction = 9\noutput_fraction = 9",
+    "method = 'power-4'\nshininess = '1..=64'\ninput_fraction = 10\noutput_fraction = 10",
+    "method = 'segmented-4'\nshininess = '1..=32'\ninput_fraction = 10\noutput_fraction = 10",
+    "method = 'log-exp'\nshininess = '1..=15'\nshininess_fraction = 1\ninput_fraction = 10\noutput_fraction = 10",
+    "method = 'log-exp'\naccuracy = 6\nshininess = '1..=64'\ninput_fraction = 10\ninput_range = 'unit'",
+    "method = 'harris'\nlog_bits = 4\nexp_bits = 6\nshininess = '1..=40'\ninput_fraction = 10\noutput_fraction = 10",
+];
+
+/// The outputs of a graph for every code of its operand's port, for each row.
+fn outputs(design: &Design, graph: &Graph) -> Vec<Vec<u32>> {
+    let evaluator = Evaluator::new(graph, design.tables());
+    let (first, count) = brdfgen::golden::all_codes(design.operand_format());
+    let run = |row: usize| {
+        let mut outputs = vec![0; count as usize];
+        evaluator.evaluate(design.spec.shininess.index_of_row(row), first, 1, &mut outputs);
+        outputs
+    };
+    (0..design.spec.shininess.rows()).into_par_iter().map(run).collect()
+}
+
+#[test]
+fn no_needed_value_overflows_and_the_narrowed_graph_computes_the_same() {
+    for spec in SPECS {
+        let design = design(spec);
+        let found = Inspection::of(&design).expect(spec);
+        assert_eq!(found.broken(), Vec::<String>::new(), "{spec}");
+        // Once more, with everything that may be narrowed as wide as it can be: nothing but formats changes.
+        let mut wide = design.graph().clone();
+        for id in 0..wide.nodes.len() {
+            let fixed =
+                wide.is_output(id) || wide.nodes.iter().any(|user| user.args.contains(&id) && needs_its_width(user.op));
+            let node = &mut wide.nodes[id];
+            if matches!(node.op, Op::Add | Op::Sub | Op::ShiftLeft) && !fixed {
+                node.format.int_bits += 3;
+            }
+        }
+        let analysis = Analysis::new(&wide, design.tables());
+        let ranges = analysis.over(&design.regions(), 1 << 16);
+        let (narrowed, list) = analysis.narrowed(&ranges);
+        assert!(ranges.is_safe(), "{spec}");
+        assert!(wide == *design.graph() || !list.is_empty(), "{spec}");
+        assert_eq!(outputs(&design, &narrowed), outputs(&design, design.graph()), "{spec}");
+        let bits = |graph: &Graph| graph.nodes.iter().map(|node| node.format.width()).sum::<u32>();
+        assert!(bits(&narrowed) <= bits(design.graph()), "{spec}");
+    }
+}
+
+fn needs_its_width(op: Op) -> bool {
+    matches!(op, Op::Field { .. } | Op::Scale | Op::ShiftRight | Op::ZeroIf | Op::Clamp { .. } | Op::Mul)
+}
+
+#[test]
+fn a_register_with_a_bit_too_few_is_found_by_the_analysis_and_by_the_wide_registers() {
+    let mut planted = 0;
+    for spec in SPECS {
+        let design = design(spec);
+        let regions = design.regions();
+        let right = outputs(&design, design.graph());
+        for id in 0..design.graph().nodes.len() {
+            let mut graph = design.graph().clone();
+            let node = &mut graph.nodes[id];
+            if !matches!(node.op, Op::Add | Op::Sub) || node.format.width() < 2 {
+                continue;
+            }
+            node.format.int_bits -= 1;
+            let name = node.name.clone();
+            let analysis = Analysis::new(&graph, design.tables());
+            let ranges = analysis.over(&regions, 1 << 16);
+            let overflows = ranges.overflows.iter().any(|overflow| overflow.node == id);
+            let differs = outputs(&design, &graph) != right;
+            // A result that differs is an overflow; one that stays may be a bit that only values past the end use.
+            assert!(overflows || !differs, "{spec}: {name}");
+            if overflows {
+                let overflow = ranges.overflows.iter().find(|overflow| overflow.node == id).unwrap();
+                assert!(
+                    !(graph.nodes[id].format.min_code()..=graph.nodes[id].format.max_code()).contains(&overflow.value)
+                );
+            }
+            if differs {
+                let wide = analysis.with_spare_bits(&ranges);
+                assert_ne!(outputs(&design, &wide), outputs(&design, &graph), "{spec}: {name}");
+                planted += 1;
+            }
+        }
+    }
+    assert!(planted >= 20, "only {planted} faults change a result");
+}
+
+#[test]
+fn values_lie_in_their_ranges() {
+    for spec in SPECS {
+        let design = design(spec);
+        let graph = design.graph();
+        let analysis = Analysis::new(graph, design.tables());
+        let ranges = analysis.over(&design.regions(), 1 << 16);
+        let (first, count) = brdfgen::golden::all_codes(design.operand_format());
+        for row in 0..design.spec.shininess.rows() {
+            let index = design.spec.shininess.index_of_row(row);
+            for place in (0..count as i64).step_by(37) {
+                let values = graph.values(design.tables(), &[index.into(), (first + place).into()]);
+                // The output is always needed.
+                let (output, span) = (values[graph.output()], ranges.needed[graph.output()].unwrap());
+                assert!(span.contains(output), "{spec}: {output} at {index}, {}", first + place);
+            }
+        }
+        // A span is not wider than its format says.
+        for (node, span) in graph.nodes.iter().zip(&ranges.needed) {
+            assert!(span.is_none_or(|span| span.fits(node.format)), "{spec}: {}", node.name);
+        }
+    }
+}
+
+#[test]
+fn a_writable_core_keeps_its_bits() {
+    let text = "method = 'cubic-min-zero'\nshininess = '1..=64'\nrom = 'writable'";
+    assert!(design(text).narrowed.is_empty());
+    let fixed = design("method = 'cubic'\nshininess = '1..=64'");
+    assert!(fixed.narrowed.iter().any(|narrowed| narrowed.name == "u_scaled"), "{:?}", fixed.narrowed);
+}
+
+#[test]
+fn cores_at_the_extremes_keep_every_promise() {
+    for axis in [Axis::Shininess, Axis::Level, Axis::Input, Axis::Output] {
+        let cases = study::cases(axis, &study::methods(), true);
+        assert!(cases.len() > 15, "{axis:?}");
+        // Every other core of the quick study: the command runs all of them.
+        for case in cases.iter().step_by(2) {
+            let entry = case.inspect();
+            match (&entry.found, &entry.refused) {
+                (Some(found), _) => assert_eq!(found.broken(), Vec::<String>::new(), "{}", case.spec),
+                (None, reason) => panic!("{}: {reason:?}", case.spec),
+            }
+        }
+    }
+}
+
+#[test]
+fn the_study_says_what_it_finds() {
+    let entry = study::cases(Axis::Shininess, &[Method::Cubic], true).remove(0).inspect();
+    let found = entry.found.unwrap();
+    assert_eq!((found.rows, found.at_zero, found.above_one, found.outside_differences), (13, 0, 0, 0));
+    let places: Vec<&str> = found.places.iter().map(|place| place.name).collect();
+    assert!(places.contains(&"cusp") && places.contains(&"x = 1"), "{places:?}");
+    // The printed form's values are some thousand times as large.
+    let printed = study::cases(Axis::Shininess, &[Method::Cubic], true);
+    let printed = printed.iter().find(|case| case.method.contains("printed")).unwrap().inspect();
+    if let Some(printed) = printed.found {
+        assert!(
+            printed.largest.largest > 1e6 && found.largest.largest < 1e5,
+            "{:?} {:?}",
+            printed.largest,
+            found.largest
+        );
+    }
+}
+
+#[test]
+fn the_command_inspects_a_core_and_refuses_what_does_not_fit() {
+    let run = |arguments: &[&str]| Command::cargo_bin("brdfgen").unwrap().args(arguments).output().unwrap();
+    let output = run(&["stability", "--method", "cubic", "--shininess", "1..=40", "--input-fraction", "10", "--json"]);
+    assert!(output.status.success(), "{output:?}");
+    let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(value["core"]["wide_differences"], 0);
+    assert_eq!(value["broken"].as_array().unwrap().len(), 0);
+    let refused = run(&["stability", "--method", "cubic", "--shininess", "1..=40", "--quick"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("--quick"), "{refused:?}");
+    let scratch = tempfile::tempdir().unwrap();
+    let out = scratch.path().join("study");
+    let arguments = ["stability", "--quick", "--axis", "shininess", "--only", "squaring", "--out"];
+    let output = Command::cargo_bin("brdfgen").unwrap().args(arguments).arg(&out).output().unwrap();
+    assert!(output.status.success(), "{output:?}");
+    let text = std::fs::read_to_string(out.join("stability.md")).unwrap();
+    assert!(text.contains("It holds for all of them") && text.contains("| squaring | 2 |"), "{text}");
+    assert!(std::fs::read_to_string(out.join("cores.csv")).unwrap().lines().count() == 3);
+}
