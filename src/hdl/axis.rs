@@ -32,6 +32,11 @@ use crate::error::Error;
 use crate::number::Format;
 use crate::spec::Language;
 
+/// `high:low`, or the bit if it is one.
+fn range(low: u32, bits: u32) -> String {
+    if bits == 1 { low.to_string() } else { format!("{}:{low}", low + bits - 1) }
+}
+
 /// The place of a core's port in `tdata`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Lane {
@@ -44,10 +49,10 @@ pub struct Lane {
 }
 
 impl Lane {
-    /// The bits of `tdata` that it takes, `high:low`.
+    /// The bits of `tdata` that it takes, `high:low`, or the one.
     #[must_use]
     pub fn range(&self) -> String {
-        format!("{}:{}", self.low + self.bits - 1, self.low)
+        range(self.low, self.bits)
     }
 
     /// The same in VHDL.
@@ -95,7 +100,13 @@ impl Packing {
         self.bits.next_multiple_of(8)
     }
 
-    /// The bits at the top of `tdata` that hold nothing.
+    /// The bits at the top of `tdata` that hold nothing, `high:low`, or the one.
+    #[must_use]
+    pub fn padding_range(&self) -> String {
+        range(self.bits, self.padding())
+    }
+
+    /// The number of bits at the top of `tdata` that hold nothing.
     #[must_use]
     pub fn padding(&self) -> u32 {
         self.tdata_bits() - self.bits
@@ -197,6 +208,16 @@ impl Axis {
     /// The lowest bit of the last stage among them.
     fn user_low(&self) -> u32 {
         self.tuser_bits * (self.latency - 1)
+    }
+
+    /// The bits of the last stage among them, in Verilog.
+    fn oldest_user(&self) -> String {
+        range(self.user_low(), self.tuser_bits)
+    }
+
+    /// The bits of tuser in a beat, in Verilog.
+    fn shown_user(&self) -> String {
+        range(self.outputs.bits + 1, self.tuser_bits)
     }
 
     /// The bits of a beat of results, from the lowest on: the outputs, tlast, tuser.

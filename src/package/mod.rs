@@ -171,8 +171,7 @@ pub fn axis(design: &Design) -> Option<Axis> {
             rows.push([format!("[{}]", lane.range()), name.clone(), lane.port.format_text(), meaning.clone()]);
         }
         if packing.padding() > 0 {
-            let range = format!("[{}:{}]", packing.tdata_bits() - 1, packing.bits);
-            rows.push([range, padding.to_owned(), String::new(), String::new()]);
+            rows.push([format!("[{}]", packing.padding_range()), padding.to_owned(), String::new(), String::new()]);
         }
         let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
         let (range, name, format) = (width(0), width(1), width(2));

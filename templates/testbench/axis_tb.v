@@ -4,9 +4,7 @@
 `default_nettype none
 `timescale 1ns/1ps
 
-/* verilator lint_off DECLFILENAME */ // a wrapper and its benches are told apart by their files' names
 module {{ axis.name }}_tb;
-/* verilator lint_on DECLFILENAME */
 
     localparam NAME    = "{{ axis.name }}";
     localparam LATENCY = {{ axis.latency }};
@@ -158,7 +156,7 @@ module {{ axis.name }}_tb;
         begin
             mismatches = mismatches + 1;
             if (mismatches <= SHOWN)
-                $display("brdfgen: %0s: vector %0d: expected tuser %h, tlast %b, tdata %h, got %h %b %h",
+                $display("brdfgen: %0s: vector %0d: expected tuser, tlast, tdata %h %b %h, got %h %b %h",
                          NAME, due_number[oldest],
                          due[oldest][BEAT-1:{{ axis.outputs.tdata_bits() + 1 }}],
                          due[oldest][{{ axis.outputs.tdata_bits() }}],
@@ -299,7 +297,10 @@ module {{ axis.name }}_tb;
     endtask
 
     task send_vector;
-        send(vectors{% for port in bench.numbers() %}, file_{{ port.name }}{% endfor %});
+        send(
+            vectors{% for port in bench.numbers() %},
+            file_{{ port.name }}{% endfor %}
+        );
     endtask
 
     // Nothing is under way any more, and nothing more comes.

@@ -181,14 +181,14 @@ begin
         end procedure;
 
         procedure show_mismatch is
-            alias want : beat_word is due(oldest).beat;
+            variable want : beat_word := due(oldest).beat;
         begin
             mismatches := mismatches + 1;
             if mismatches <= SHOWN then
-                say("vector " & to_string(due(oldest).number) & ": expected tuser "
+                say("vector " & to_string(due(oldest).number) & ": expected tuser, tlast, tdata "
                     & hex(want(want'high downto {{ axis.outputs.tdata_bits() + 1 }}))
-                    & ", tlast " & to_string(want({{ axis.outputs.tdata_bits() }}))
-                    & ", tdata " & hex(want({{ axis.outputs.tdata_bits() - 1 }} downto 0))
+                    & " " & to_string(want({{ axis.outputs.tdata_bits() }}))
+                    & " " & hex(want({{ axis.outputs.tdata_bits() - 1 }} downto 0))
                     & ", got " & hex(m_axis_tuser) & " " & to_string(m_axis_tlast)
                     & " " & hex(m_axis_tdata));
             end if;
@@ -462,7 +462,10 @@ begin
                 if stalls then
                     choose_rates;
                 end if;
-                send(vectors{% for port in bench.numbers() %}, file_{{ port.name }}{% endfor %});
+                send(
+                    vectors{% for port in bench.numbers() %},
+                    file_{{ port.name }}{% endfor %}
+                );
                 read_vector;
             end loop;
             file_close(vector_file);

@@ -70,7 +70,7 @@ module {{ axis.name }}
     // The beat at the end of the pipeline. While ready is 1 the pipeline moves on at every clock,
     // whatever the sink does: a beat that the sink leaves waits in the skid register.
     wire [{{ axis.beat_bits() - 1 }}:0] beat = {
-        user[{{ axis.user_bits() - 1 }}:{{ axis.user_low() }}],
+        user[{{ axis.oldest_user() }}],
         last[{{ axis.latency }}],
 {%- for lane in axis.outputs.lanes.iter().rev() %}
         {{ lane.port.name }}{% if !loop.last %},{% endif %}
@@ -98,11 +98,11 @@ module {{ axis.name }}
     assign m_axis_tvalid = skid_valid | out_valid;
     assign m_axis_tdata = {% if axis.outputs.padding() > 0 %}{ {{- axis.outputs.padding() }}'d0, shown[{{ axis.outputs.bits - 1 }}:0]}{% else %}shown[{{ axis.outputs.bits - 1 }}:0]{% endif %};
     assign m_axis_tlast = shown[{{ axis.outputs.bits }}];
-    assign m_axis_tuser = shown[{{ axis.beat_bits() - 1 }}:{{ axis.outputs.bits + 1 }}];
+    assign m_axis_tuser = shown[{{ axis.shown_user() }}];
 {%- if axis.inputs.padding() > 0 %}
 
     // What fills s_axis_tdata up to whole bytes.
-    wire unused = &{1'b0, s_axis_tdata[{{ axis.inputs.tdata_bits() - 1 }}:{{ axis.inputs.bits }}]};
+    wire unused = &{1'b0, s_axis_tdata[{{ axis.inputs.padding_range() }}]};
 {%- endif %}
 
 endmodule
