@@ -22,6 +22,7 @@
 //! | [`cosim`] | runs the HDL in simulators and compares it with the model |
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
 //! | [`tool`] | external programs: where they are, how they are run |
+//! | [`transient`] | temporary files and started programs: none outlives a run |
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
 //! | [`scene`] | scene files, what a scene requires of a core, pictures |
 //! | [`report`] | charts as SVG and PNG; the trade as an HTML page |
@@ -53,3 +54,4 @@ pub mod scene;
 pub mod spec;
 pub mod synth;
 pub mod tool;
+pub mod transient;

@@ -10,6 +10,8 @@ use crate::golden::{self, Golden};
 use crate::package::{self, File};
 use crate::scene::{Scene, document};
 use crate::spec::{CoreSpec, SpecFields};
+use crate::tool;
+use crate::transient::Folder;
 
 /// The core that a command works on.
 #[derive(Args)]
@@ -102,7 +104,7 @@ pub(super) fn read_scene(path: &Path) -> Result<Scene, Error> {
 pub(super) struct OnDisk {
     pub(super) golden: Golden,
     path: PathBuf,
-    _scratch: Option<tempfile::TempDir>,
+    _scratch: Option<Folder>,
 }
 
 impl OnDisk {
@@ -118,7 +120,7 @@ impl OnDisk {
             let golden = read_golden(design, &file)?;
             return Ok(Self { golden, path: path.to_owned(), _scratch: None });
         }
-        let scratch = tempfile::tempdir().map_err(|error| Error::io("cannot make", &std::env::temp_dir(), error))?;
+        let scratch = tool::scratch()?;
         let golden = Golden::of(design);
         let path = scratch.path().join("core");
         package::write_directory(&path, &package::files(design, &Account::of(design), &golden)?)?;
