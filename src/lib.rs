@@ -27,6 +27,7 @@
 //! | [`scene`] | scene files, what a scene requires of a core, pictures |
 //! | [`report`] | charts as SVG and PNG; the trade as an HTML page |
 //! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
+//! | [`input`] | the user's files, read within limits |
 //! | [`cli`] | the commands; the only module that prints |
 //!
 //! `model` and `datapath` never import each other: what the one says, the other is checked against.
@@ -42,6 +43,7 @@ pub mod explore;
 pub mod fit;
 pub mod golden;
 pub mod hdl;
+pub mod input;
 #[cfg(feature = "kernel")]
 pub mod kernel;
 pub mod lobe;

@@ -12,6 +12,7 @@ mod yosys;
 pub use family::Family;
 pub use pack::{Packed, pack};
 pub use place::{Limit, Placed, parse_report};
+pub use yosys::{count, parse_netlist};
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};

@@ -129,7 +129,7 @@ fn failed(tool: Tool, what: String, output: String) -> Error {
 ///
 /// # Errors
 /// A text that is none.
-pub(super) fn parse_netlist(bytes: &[u8]) -> Result<Value, Error> {
+pub fn parse_netlist(bytes: &[u8]) -> Result<Value, Error> {
     let value: Value = serde_json::from_slice(bytes)
         .map_err(|error| failed(YOSYS, format!("its netlist is not whole: {error}"), String::new()))?;
     if value["modules"].is_object() {
@@ -142,7 +142,7 @@ pub(super) fn parse_netlist(bytes: &[u8]) -> Result<Value, Error> {
 ///
 /// # Errors
 /// A netlist without the module.
-pub(super) fn count(netlist: &Value, module: &str) -> Result<BTreeMap<String, u32>, Error> {
+pub fn count(netlist: &Value, module: &str) -> Result<BTreeMap<String, u32>, Error> {
     let cells = netlist["modules"][module]["cells"]
         .as_object()
         .ok_or_else(|| failed(YOSYS, format!("its netlist has no module {module}"), String::new()))?;
