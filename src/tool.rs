@@ -348,6 +348,31 @@ pub fn scratch() -> Result<Folder, Error> {
     Folder::new().map_err(|error| Error::io("cannot make a directory in", &std::env::temp_dir(), error))
 }
 
+/// A directory as [`scratch`] makes it, whose path Make can work with: none with a space or another letter that it minds. Where the temporary
+/// folder has such a path, it is in the user's folder for caches or in `/tmp` or `/var/tmp`.
+///
+/// # Errors
+/// If there is no such directory, or the system refuses to make it.
+pub(crate) fn scratch_for_make() -> Result<Folder, Error> {
+    let plain = |path: &PathBuf| {
+        let bytes = path.as_os_str().as_encoded_bytes();
+        bytes.iter().all(|byte| byte.is_ascii_alphanumeric() || b"/\\:._-+".contains(byte))
+    };
+    let places = [std::env::temp_dir(), cache_directory(), "/tmp".into(), "/var/tmp".into()];
+    let mut made = places.iter().filter(|place| plain(place)).map(|place| {
+        // The folder for caches may not be there yet.
+        let _ = std::fs::create_dir_all(place);
+        Folder::new_at(place)
+    });
+    let first = made.find_map(Result::ok);
+    first.ok_or_else(|| {
+        Error::input(
+            "there is no temporary folder that Make can work in",
+            "set TMPDIR to a folder that can be written, without spaces or signs in its path",
+        )
+    })
+}
+
 /// Where what took long to make is kept: the folder `brdfgen` in the user's folder for caches, or in the temporary one where the user
 /// has none.
 #[must_use]

@@ -55,7 +55,15 @@ impl Folder {
     /// # Errors
     /// If the system refuses.
     pub fn new() -> io::Result<Self> {
-        Self::named(PREFIX, &std::env::temp_dir())
+        Self::new_at(&std::env::temp_dir())
+    }
+
+    /// A new directory in `parent`, which must be there and is a temporary one.
+    ///
+    /// # Errors
+    /// If the system refuses.
+    pub fn new_at(parent: &Path) -> io::Result<Self> {
+        Self::named(PREFIX, parent)
     }
 
     /// A new hidden directory in `parent`, which must be there.

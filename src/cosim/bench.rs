@@ -6,7 +6,7 @@ use super::{Job, LISTED, Outcome};
 use crate::error::Error;
 use crate::package;
 use crate::spec::Language;
-use crate::tool::{self, Tool, tail};
+use crate::tool::{Tool, tail};
 use crate::transient::Folder;
 
 /// The core and its bench, relative to the core's directory.
@@ -14,10 +14,9 @@ pub(super) fn sources(job: &Job, language: Language) -> [String; 2] {
     [package::rtl_path(job.design, language), package::bench_path(job.design, language)]
 }
 
-/// A copy of the core's sources and of the files that its bench reads, under their usual relative paths, to be worked in: simulators and what
+/// Puts a copy of the core's sources and of the files that its bench reads into a directory, under their usual relative paths: simulators and what
 /// they start read few names of directories as they are, those with spaces, quotes and other letters among them.
-pub(super) fn copied(job: &Job) -> Result<Folder, Error> {
-    let scratch = tool::scratch()?;
+pub(super) fn copied(job: &Job, scratch: Folder) -> Result<Folder, Error> {
     // A core without a memory has no folder for it.
     let rom = (!job.design.tables().is_empty()).then_some("rom");
     for part in ["rtl", "tb", "golden"].into_iter().chain(rom) {

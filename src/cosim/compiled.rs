@@ -123,7 +123,7 @@ fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
         return Ok(kept);
     }
     fs::create_dir_all(&cache).map_err(|error| Error::io("cannot make", &cache, error))?;
-    let scratch = Folder::new_in(&cache).map_err(|error| Error::io("cannot make a directory in", &cache, error))?;
+    let scratch = tool::scratch_for_make()?;
     let put = |name: &str, bytes: &[u8]| {
         let path = scratch.path().join(name);
         fs::write(&path, bytes).map_err(|error| Error::io("cannot write", &path, error))
@@ -136,6 +136,9 @@ fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
     VERILATOR.succeed(&mut command)?;
     let built = scratch.path().join("obj_dir").join("Vcore");
     // A rename, so that two runs at once do not see each other's half-copied program.
-    fs::rename(&built, &kept).map_err(|error| Error::io("cannot keep", &kept, error))?;
+    let whole = Folder::new_in(&cache).map_err(|error| Error::io("cannot make a directory in", &cache, error))?;
+    let copy = whole.path().join("core");
+    let keep = fs::copy(&built, &copy).and_then(|_| fs::rename(&copy, &kept));
+    keep.map_err(|error| Error::io("cannot keep", &kept, error))?;
     Ok(kept)
 }

@@ -22,7 +22,7 @@ impl Simulator for Ghdl {
 
     fn golden(&self, job: &Job) -> Result<Outcome, Error> {
         // A compiling back end leaves an executable in the current directory.
-        let scratch = bench::copied(job)?;
+        let scratch = bench::copied(job, tool::scratch()?)?;
         let top = format!("{}_tb", job.design.spec.name);
         let mut analyse = GHDL.command(scratch.path());
         analyse.args(["-a", "--std=08"]).args(bench::sources(job, Language::Vhdl));

@@ -3,7 +3,7 @@
 use super::{Job, Outcome, Simulator, bench};
 use crate::error::Error;
 use crate::spec::Language;
-use crate::tool::{IVERILOG, VVP};
+use crate::tool::{self, IVERILOG, VVP};
 
 /// Icarus Verilog.
 #[derive(Clone, Copy, Debug)]
@@ -19,7 +19,7 @@ impl Simulator for Icarus {
     }
 
     fn golden(&self, job: &Job) -> Result<Outcome, Error> {
-        let scratch = bench::copied(job)?;
+        let scratch = bench::copied(job, tool::scratch()?)?;
         let mut compile = IVERILOG.command(scratch.path());
         compile.args(["-g2005", "-Wall", "-o", "core.vvp"]).args(bench::sources(job, Language::Verilog));
         if let Some(failed) = bench::compiled(self.name(), IVERILOG, &IVERILOG.output(&mut compile)?, job) {

@@ -6,7 +6,7 @@ use super::compiled::CORE;
 use super::{Job, Outcome, Simulator, bench};
 use crate::error::Error;
 use crate::spec::Language;
-use crate::tool::VERILATOR;
+use crate::tool::{self, VERILATOR};
 
 /// Verilator, with the generated bench.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +22,7 @@ impl Simulator for Verilator {
     }
 
     fn golden(&self, job: &Job) -> Result<Outcome, Error> {
-        let scratch = bench::copied(job)?;
+        let scratch = bench::copied(job, tool::scratch_for_make()?)?;
         let mut compile = VERILATOR.command(scratch.path());
         compile.args(["--binary", "--timing", "-Wno-fatal", "-O3", "-j", "2", "--Mdir", "obj_dir"]);
         compile.args(["--top-module", &format!("{}_tb", job.design.spec.name), "-o", "bench"]);
