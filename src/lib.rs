@@ -22,10 +22,12 @@
 //! | [`cosim`] | runs the HDL in simulators and compares it with the model |
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
 //! | [`tool`] | external programs: where they are, how they are run |
+//! | [`transient`] | temporary files and started programs: none outlives a run |
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
 //! | [`scene`] | scene files, what a scene requires of a core, pictures |
 //! | [`report`] | charts as SVG and PNG; the trade as an HTML page |
 //! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
+//! | [`input`] | the user's files, read within limits |
 //! | [`cli`] | the commands; the only module that prints |
 //!
 //! `model` and `datapath` never import each other: what the one says, the other is checked against.
@@ -41,6 +43,7 @@ pub mod explore;
 pub mod fit;
 pub mod golden;
 pub mod hdl;
+pub mod input;
 #[cfg(feature = "kernel")]
 pub mod kernel;
 pub mod lobe;
@@ -53,3 +56,4 @@ pub mod scene;
 pub mod spec;
 pub mod synth;
 pub mod tool;
+pub mod transient;

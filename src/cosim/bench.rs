@@ -3,13 +3,33 @@
 use std::process::Output;
 
 use super::{Job, LISTED, Outcome};
+use crate::error::Error;
 use crate::package;
 use crate::spec::Language;
 use crate::tool::{Tool, tail};
+use crate::transient::Folder;
 
 /// The core and its bench, relative to the core's directory.
 pub(super) fn sources(job: &Job, language: Language) -> [String; 2] {
     [package::rtl_path(job.design, language), package::bench_path(job.design, language)]
+}
+
+/// Puts a copy of the core's sources and of the files that its bench reads into a directory, under their usual relative paths: simulators and what
+/// they start read few names of directories as they are, those with spaces, quotes and other letters among them.
+pub(super) fn copied(job: &Job, scratch: Folder) -> Result<Folder, Error> {
+    // A core without a memory has no folder for it.
+    let rom = (!job.design.tables().is_empty()).then_some("rom");
+    for part in ["rtl", "tb", "golden"].into_iter().chain(rom) {
+        let target = scratch.path().join(part);
+        std::fs::create_dir_all(&target).map_err(|error| Error::io("cannot make", &target, error))?;
+        let source = job.directory.join(part);
+        let entries = std::fs::read_dir(&source).map_err(|error| Error::io("cannot read", &source, error))?;
+        for entry in entries.flatten().filter(|entry| entry.path().is_file()) {
+            let to = target.join(entry.file_name());
+            std::fs::copy(entry.path(), &to).map_err(|error| Error::io("cannot copy to", &to, error))?;
+        }
+    }
+    Ok(scratch)
 }
 
 /// An outcome without a vector compared.
@@ -28,7 +48,7 @@ fn failure(simulator: &str, job: &Job, first: Vec<String>) -> Outcome {
 /// The failed outcome of a compilation that did not succeed.
 pub(super) fn compiled(simulator: &str, tool: Tool, output: &Output, job: &Job) -> Option<Outcome> {
     (!output.status.success()).then(|| {
-        let what = format!("{} does not compile the core: {}", tool.program, tail(output, 12));
+        let what = format!("{} does not compile the core ({}): {}", tool.program, output.status, tail(output, 12));
         failure(simulator, job, vec![what])
     })
 }
@@ -40,7 +60,11 @@ pub(super) fn judge(simulator: &str, output: &Output, job: &Job) -> Outcome {
     let marker = format!("brdfgen: {name}: ");
     let verdict = text.lines().rev().find_map(|line| line.split_once(&marker).map(|(_, rest)| rest.trim().to_owned()));
     let Some(verdict) = verdict else {
-        return failure(simulator, job, vec![format!("the bench gave no verdict: {}", tail(output, 12))]);
+        return failure(
+            simulator,
+            job,
+            vec![format!("the bench gave no verdict ({}): {}", output.status, tail(output, 12))],
+        );
     };
     let number = |before: &str| -> Option<u64> {
         verdict.split(before).next()?.split_ascii_whitespace().next_back()?.parse().ok()

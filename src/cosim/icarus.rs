@@ -19,15 +19,14 @@ impl Simulator for Icarus {
     }
 
     fn golden(&self, job: &Job) -> Result<Outcome, Error> {
-        let scratch = tool::scratch()?;
-        let program = scratch.path().join("core.vvp");
-        let mut compile = IVERILOG.command(job.directory);
-        compile.args(["-g2005", "-Wall", "-o"]).arg(&program).args(bench::sources(job, Language::Verilog));
+        let scratch = bench::copied(job, tool::scratch()?)?;
+        let mut compile = IVERILOG.command(scratch.path());
+        compile.args(["-g2005", "-Wall", "-o", "core.vvp"]).args(bench::sources(job, Language::Verilog));
         if let Some(failed) = bench::compiled(self.name(), IVERILOG, &IVERILOG.output(&mut compile)?, job) {
             return Ok(failed);
         }
-        let mut run = VVP.command(job.directory);
-        run.arg("-n").arg(&program);
+        let mut run = VVP.command(scratch.path());
+        run.args(["-n", "core.vvp"]);
         Ok(bench::judge(self.name(), &VVP.output(&mut run)?, job))
     }
 }

@@ -1,6 +1,5 @@
 //! The spec as it is written, in TOML or as flags.
 
-use std::fs;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -14,6 +13,7 @@ use super::{
 };
 use crate::error::Error;
 use crate::fit::Objective;
+use crate::input;
 use crate::lobe;
 use crate::rom::RomFormat;
 
@@ -212,9 +212,7 @@ impl SpecFields {
     /// An unreadable file, text that is not TOML, an unknown key (with the nearest known one) or a value
     /// of the wrong kind, with its place.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        let bytes = fs::read(path).map_err(|e| Error::io("cannot read", path, e))?;
-        let text = String::from_utf8(bytes)
-            .map_err(|_| Error::input(format!("{} is not UTF-8 text", path.display()), "a spec is a TOML file"))?;
+        let text = input::read_text(path, "a spec is a TOML file")?;
         Self::parse(&text, &path.display().to_string())
     }
 
