@@ -21,6 +21,7 @@
 //! | [`package`] | the core directory: all files of a core, put on disk whole |
 //! | [`cosim`] | runs the HDL in simulators and compares it with the model |
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
+//! | [`formal`] | proves that the HDL texts of a core are the same circuit |
 //! | [`tool`] | external programs: where they are, how they are run |
 //! | [`transient`] | temporary files and started programs: none outlives a run |
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
@@ -41,6 +42,7 @@ pub mod design;
 pub mod error;
 pub mod explore;
 pub mod fit;
+pub mod formal;
 pub mod golden;
 pub mod hdl;
 pub mod input;

@@ -7,7 +7,7 @@ mod cache;
 mod family;
 mod pack;
 mod place;
-mod yosys;
+pub(crate) mod yosys;
 
 pub use family::Family;
 pub use pack::{Packed, pack};
