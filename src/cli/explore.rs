@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::explore::run::{self, Costing, Flow, Summary};
 use crate::explore::sweep::{Axes, Plan, Shard, word};
 use crate::explore::{Model, Point, Results, Store, Sweep};
+use crate::input;
 use crate::synth;
 
 #[derive(Args)]
@@ -208,7 +209,7 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
     let sweep = match &arguments.path {
         None => Sweep::of(axes),
         Some(path) => {
-            let text = std::fs::read_to_string(path).map_err(|error| Error::io("cannot read", path, error))?;
+            let text = input::read_text(path, "a sweep is a TOML file")?;
             Sweep::parse(&text, &path.display().to_string())?.with(&axes)
         }
     };

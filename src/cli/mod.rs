@@ -8,6 +8,7 @@ mod cosim;
 mod doctor;
 mod eval;
 mod explore;
+mod formal;
 mod generate;
 mod golden;
 mod progress;
@@ -19,20 +20,25 @@ mod source;
 mod stability;
 mod synth;
 
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::{Mutex, PoisonError};
 
 use clap::{Parser, Subcommand};
 use serde::Serialize;
 
 use crate::error::Error;
-use crate::package;
+use crate::{package, tool, transient};
 
 /// Generates FPGA cores for the specular term cos^n of a shader
 #[derive(Parser)]
 #[command(version, about, max_term_width = 100)]
 struct Cli {
+    /// How long each external program may run, in seconds [default: 600]
+    #[arg(long, global = true, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..=31_536_000))]
+    time_limit: Option<u64>,
+
     #[command(subcommand)]
     command: Command,
 }
@@ -47,6 +53,8 @@ enum Command {
     Golden(golden::Arguments),
     /// Run a core in simulators and compare it with the model
     Cosim(cosim::Arguments),
+    /// Prove that a core's Verilog, VHDL and rust-hdl Verilog are the same circuit
+    Formal(formal::Arguments),
     /// Synthesise a core for an FPGA family: cells, clock, latency
     Synth(synth::Arguments),
     /// Evaluate one shininess and cosine: exact, method, model, error
@@ -88,11 +96,15 @@ impl Verdict {
 pub fn main() -> ExitCode {
     // Unwrapped, so that a path stays whole and can be found in a log.
     let _ = miette::set_hook(Box::new(|_| Box::new(miette::MietteHandlerOpts::new().wrap_lines(false).build())));
-    let result = match Cli::parse().command {
+    transient::clean_on_signals();
+    let Cli { time_limit, command } = Cli::parse();
+    time_limit.into_iter().for_each(tool::set_time_limit);
+    let result = match command {
         Command::Generate(arguments) => generate::run(*arguments),
         Command::Rom(arguments) => rom::run(arguments),
         Command::Golden(arguments) => golden::run(arguments),
         Command::Cosim(arguments) => cosim::run(arguments),
+        Command::Formal(arguments) => formal::run(&arguments),
         Command::Synth(arguments) => synth::run(arguments),
         Command::Eval(arguments) => eval::run(arguments),
         Command::Explore(arguments) => explore::run(*arguments),
@@ -104,7 +116,7 @@ pub fn main() -> ExitCode {
         Command::Scene(arguments) => scene::run(&arguments),
         Command::Doctor(arguments) => doctor::run(&arguments),
     };
-    match result {
+    match result.and_then(printed) {
         Ok(Verdict::Done) => ExitCode::SUCCESS,
         Ok(Verdict::Differs) => ExitCode::from(1),
         Err(error) => {
@@ -114,9 +126,27 @@ pub fn main() -> ExitCode {
     }
 }
 
-/// Prints a line to standard output. A reader that went away is no error.
+/// Whether something could not be printed: a full disk behind standard output, for one.
+static UNPRINTED: Mutex<Option<std::io::Error>> = Mutex::new(None);
+
+/// Prints a line to standard output. A reader that went away is no error; what else is wrong is told at the end.
 fn say(text: impl AsRef<str>) {
-    let _ = writeln!(std::io::stdout(), "{}", text.as_ref());
+    match writeln!(std::io::stdout(), "{}", text.as_ref()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            UNPRINTED.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+        }
+        _ => {}
+    }
+}
+
+/// The verdict, unless what was to be printed was not.
+fn printed(verdict: Verdict) -> Result<Verdict, Error> {
+    let unprinted = UNPRINTED.lock().unwrap_or_else(PoisonError::into_inner).take();
+    let flushed = std::io::stdout().flush().err().filter(|error| error.kind() != ErrorKind::BrokenPipe);
+    match unprinted.or(flushed) {
+        None => Ok(verdict),
+        Some(error) => Err(Error::io("cannot write to", Path::new("standard output"), error)),
+    }
 }
 
 /// Prints a line to standard error. A reader that went away is no error: the exit code still says how the command ended.
@@ -136,7 +166,7 @@ fn write_to(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     }
     let mut output = std::io::stdout();
     match output.write_all(bytes).and_then(|()| output.flush()) {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
             Err(Error::io("cannot write to", Path::new("standard output"), error))
         }
         _ => Ok(()),

@@ -1,6 +1,5 @@
 //! `brdfgen render`.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::time::Instant;
@@ -16,6 +15,7 @@ use crate::design::Design;
 use crate::error::Error;
 use crate::explore::sweep::Core;
 use crate::explore::{Cost, Point};
+use crate::input;
 use crate::package::{self, counted};
 use crate::scene::choice::Search;
 use crate::scene::require::PictureError;
@@ -337,7 +337,7 @@ fn read_core(path: &Path) -> Result<SpecFields, Error> {
     if path.is_dir() {
         return SpecFields::read(&path.join("core.toml"));
     }
-    let text = fs::read_to_string(path).unwrap_or_default();
+    let text = input::read_text(path, "").unwrap_or_default();
     if Scene::is_scene(&text) {
         return Err(Error::input(
             format!("{} is a scene, and no core", path.display()),

@@ -9,6 +9,7 @@ use super::source::read_scene;
 use super::{Verdict, progress, say, scene};
 use crate::error::Error;
 use crate::explore::{MaxError, Objective, Point, Results};
+use crate::input;
 use crate::package;
 use crate::report::{Report, Speed};
 use crate::spec::SpecFields;
@@ -54,7 +55,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let results = arguments.wish.results()?;
     let speed = match &arguments.speed {
         Some(path) => {
-            let text = std::fs::read_to_string(path).map_err(|error| Error::io("cannot read", path, error))?;
+            let text = input::read_text(path, "measured speeds are a CSV file")?;
             Speed::from_csv(&text, &path.display().to_string())?
         }
         None => Speed::built_in()?,

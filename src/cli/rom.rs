@@ -8,6 +8,7 @@ use serde_json::json;
 use super::source::Source;
 use super::{Verdict, say, say_json, write_to};
 use crate::error::Error;
+use crate::input;
 use crate::rom::{self, RomFormat, Table};
 
 #[derive(Args)]
@@ -43,7 +44,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     }
     if let Some(path) = &arguments.check {
         let format = RomFormat::of_file(path)?;
-        let bytes = std::fs::read(path).map_err(|error| Error::io("cannot read", path, error))?;
+        let bytes = input::read(path, input::MAX_TEXT)?;
         // By its name, if that is one of the core's memories' names; the coefficients else.
         let named = |table: &&Table| path.file_name().is_some_and(|name| *name == *format.file_name(&spec.name, table));
         let table = design.tables().iter().find(named).unwrap_or(&design.tables()[0]);

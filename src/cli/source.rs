@@ -7,9 +7,12 @@ use clap::Args;
 use crate::design::{Account, Design};
 use crate::error::Error;
 use crate::golden::{self, Golden};
+use crate::input;
 use crate::package::{self, File};
 use crate::scene::{Scene, document};
 use crate::spec::{CoreSpec, SpecFields};
+use crate::tool;
+use crate::transient::Folder;
 
 /// The core that a command works on.
 #[derive(Args)]
@@ -79,7 +82,7 @@ impl Source {
 
 /// Whether a path is a scene file; of one that cannot be read, whoever reads it says so.
 fn is_scene(path: &Path) -> bool {
-    !path.is_dir() && std::fs::read_to_string(path).is_ok_and(|text| Scene::is_scene(&text))
+    !path.is_dir() && input::read_text(path, "").is_ok_and(|text| Scene::is_scene(&text))
 }
 
 /// Reads a scene; a spec is told apart.
@@ -91,9 +94,7 @@ pub(super) fn read_scene(path: &Path) -> Result<Scene, Error> {
             format!("give a scene file; `render` takes the directory of a core as --core {shown}"),
         ));
     }
-    let bytes = std::fs::read(path).map_err(|error| Error::io("cannot read", path, error))?;
-    let text = String::from_utf8(bytes)
-        .map_err(|_| Error::input(format!("{shown} is not UTF-8 text"), "a scene is a TOML file"))?;
+    let text = input::read_text(path, "a scene is a TOML file")?;
     if !Scene::is_scene(&text) && SpecFields::parse(&text, &shown.to_string()).is_ok() {
         return Err(Error::input(
             format!("{shown} is the spec of a core, and no scene"),
@@ -107,7 +108,7 @@ pub(super) fn read_scene(path: &Path) -> Result<Scene, Error> {
 pub(super) struct OnDisk {
     pub(super) golden: Golden,
     path: PathBuf,
-    _scratch: Option<tempfile::TempDir>,
+    _scratch: Option<Folder>,
 }
 
 impl OnDisk {
@@ -123,7 +124,7 @@ impl OnDisk {
             let golden = read_golden(design, &file)?;
             return Ok(Self { golden, path: path.to_owned(), _scratch: None });
         }
-        let scratch = tempfile::tempdir().map_err(|error| Error::io("cannot make", &std::env::temp_dir(), error))?;
+        let scratch = tool::scratch()?;
         let golden = Golden::of(design);
         let path = scratch.path().join("core");
         package::write_directory(&path, &package::files(design, &Account::of(design), &golden)?)?;
@@ -133,9 +134,6 @@ impl OnDisk {
 
 /// Reads a golden file of a design.
 pub(super) fn read_golden(design: &Design, path: &Path) -> Result<Golden, Error> {
-    let bytes = std::fs::read(path).map_err(|error| Error::io("cannot read", path, error))?;
-    let name = path.display().to_string();
-    let text = String::from_utf8(bytes)
-        .map_err(|_| Error::input(format!("{name} is not text"), "golden vectors are ASCII text"))?;
-    golden::parse(design, &text, &name)
+    let text = input::read_text(path, "golden vectors are ASCII text")?;
+    golden::parse(design, &text, &path.display().to_string())
 }

@@ -7,6 +7,7 @@ use std::fs;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::time::Instant;
 
 use sha2::{Digest, Sha256};
 
@@ -16,6 +17,7 @@ use crate::error::Error;
 use crate::package;
 use crate::spec::{Language, hex};
 use crate::tool::{self, Tool, VERILATOR};
+use crate::transient::Folder;
 
 const HARNESS: &str = include_str!("../../testbench/exhaustive.cpp");
 
@@ -69,21 +71,19 @@ impl<'a> Compiled<'a> {
     /// Runs the core: `send` writes the records, in a thread of its own, `receive` reads the results, a little-endian `u32` each.
     ///
     /// # Errors
-    /// A program that cannot be started. How it ended is for the caller to judge.
+    /// A program that cannot be started, or takes longer than it may. How it ended is for the caller to judge.
     pub(super) fn run(
         &self,
         send: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send,
         receive: impl FnOnce(&mut dyn Read),
     ) -> Result<Output, Error> {
-        let mut child = Command::new(&self.program)
-            .current_dir(self.directory)
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .map_err(|error| CORE.start_error(error))?;
-        let stdin = child.stdin.take().ok_or_else(|| CORE.missing())?;
-        let mut stdout = child.stdout.take().ok_or_else(|| CORE.missing())?;
+        let mut command = Command::new(&self.program);
+        command.current_dir(self.directory).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let deadline = Instant::now() + tool::time_limit();
+        let mut running = CORE.start(&mut command)?;
+        let errors = running.errors();
+        let stdin = running.child.stdin.take().ok_or_else(|| CORE.missing())?;
+        let mut stdout = running.child.stdout.take().ok_or_else(|| CORE.missing())?;
         std::thread::scope(|scope| {
             scope.spawn(move || {
                 let mut pipe = io::BufWriter::with_capacity(1 << 16, stdin);
@@ -94,7 +94,9 @@ impl<'a> Compiled<'a> {
             // A core that still has results to write must not wait for a reader.
             drop(stdout);
         });
-        child.wait_with_output().map_err(|error| CORE.start_error(error))
+        let status = running.finish()?;
+        let stderr = errors.and_then(|errors| errors.printed(deadline).ok()).unwrap_or_default();
+        Ok(Output { status, stdout: Vec::new(), stderr })
     }
 }
 
@@ -121,8 +123,7 @@ fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
         return Ok(kept);
     }
     fs::create_dir_all(&cache).map_err(|error| Error::io("cannot make", &cache, error))?;
-    let scratch =
-        tempfile::tempdir_in(&cache).map_err(|error| Error::io("cannot make a directory in", &cache, error))?;
+    let scratch = tool::scratch_for_make()?;
     let put = |name: &str, bytes: &[u8]| {
         let path = scratch.path().join(name);
         fs::write(&path, bytes).map_err(|error| Error::io("cannot write", &path, error))
@@ -135,6 +136,9 @@ fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
     VERILATOR.succeed(&mut command)?;
     let built = scratch.path().join("obj_dir").join("Vcore");
     // A rename, so that two runs at once do not see each other's half-copied program.
-    fs::rename(&built, &kept).map_err(|error| Error::io("cannot keep", &kept, error))?;
+    let whole = Folder::new_in(&cache).map_err(|error| Error::io("cannot make a directory in", &cache, error))?;
+    let copy = whole.path().join("core");
+    let keep = fs::copy(&built, &copy).and_then(|_| fs::rename(&copy, &kept));
+    keep.map_err(|error| Error::io("cannot keep", &kept, error))?;
     Ok(kept)
 }

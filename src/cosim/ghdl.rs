@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{Job, Outcome, Simulator, bench};
+use super::{Job, Outcome, Part, Simulator, bench};
 use crate::error::Error;
 use crate::spec::Language;
 use crate::tool::{self, GHDL};
@@ -20,38 +20,19 @@ impl Simulator for Ghdl {
         Some(Language::Vhdl)
     }
 
-    fn golden(&self, job: &Job) -> Result<Outcome, Error> {
-        let scratch = tool::scratch()?;
-        // In the scratch directory: a compiling back end leaves an executable in the current one, and GHDL's library
-        // holds the name of the sources' directory, in which it reads neither quotes nor other than Latin letters.
-        copy_core(job, scratch.path())?;
-        let top = format!("{}_tb", job.design.spec.name);
+    fn run(&self, job: &Job, part: Part) -> Result<Outcome, Error> {
+        // A compiling back end leaves an executable in the current directory.
+        let scratch = bench::copied(job, tool::scratch()?)?;
+        let top = part.top(job);
         let mut analyse = GHDL.command(scratch.path());
-        analyse.args(["-a", "--std=08"]).args(bench::sources(job, Language::Vhdl));
-        if let Some(failed) = bench::compiled(self.name(), GHDL, &GHDL.output(&mut analyse)?, job) {
+        analyse.args(["-a", "--std=08"]).args(part.sources(job, Language::Vhdl));
+        if let Some(failed) = bench::compiled(self.name(), GHDL, &GHDL.output(&mut analyse)?, job, part) {
             return Ok(failed);
         }
         let mut run = GHDL.command(scratch.path());
         run.args(["--elab-run", "--std=08", &top]);
-        Ok(bench::judge(self.name(), &GHDL.output(&mut run)?, job))
+        Ok(bench::judge(self.name(), &GHDL.output(&mut run)?, job, part))
     }
-}
-
-/// Copies a core's sources and the files that its bench reads to `scratch`, under their usual relative paths.
-fn copy_core(job: &Job, scratch: &Path) -> Result<(), Error> {
-    // A core without a memory has no folder for it.
-    let rom = (!job.design.tables().is_empty()).then_some("rom");
-    for part in ["rtl", "tb", "golden"].into_iter().chain(rom) {
-        let target = scratch.join(part);
-        std::fs::create_dir_all(&target).map_err(|error| Error::io("cannot make", &target, error))?;
-        let source = job.directory.join(part);
-        let entries = std::fs::read_dir(&source).map_err(|error| Error::io("cannot read", &source, error))?;
-        for entry in entries.flatten().filter(|entry| entry.path().is_file()) {
-            let to = target.join(entry.file_name());
-            std::fs::copy(entry.path(), &to).map_err(|error| Error::io("cannot copy to", &to, error))?;
-        }
-    }
-    Ok(())
 }
 
 /// A VHDL core, the entity `top` in the file `source`, as Verilog by GHDL's synthesis. `directory` is the core's: a ROM file is read at

@@ -1,6 +1,6 @@
 //! Icarus Verilog.
 
-use super::{Job, Outcome, Simulator, bench};
+use super::{Job, Outcome, Part, Simulator, bench};
 use crate::error::Error;
 use crate::spec::Language;
 use crate::tool::{self, IVERILOG, VVP};
@@ -18,16 +18,15 @@ impl Simulator for Icarus {
         Some(Language::Verilog)
     }
 
-    fn golden(&self, job: &Job) -> Result<Outcome, Error> {
-        let scratch = tool::scratch()?;
-        let program = scratch.path().join("core.vvp");
-        let mut compile = IVERILOG.command(job.directory);
-        compile.args(["-g2005", "-Wall", "-o"]).arg(&program).args(bench::sources(job, Language::Verilog));
-        if let Some(failed) = bench::compiled(self.name(), IVERILOG, &IVERILOG.output(&mut compile)?, job) {
+    fn run(&self, job: &Job, part: Part) -> Result<Outcome, Error> {
+        let scratch = bench::copied(job, tool::scratch()?)?;
+        let mut compile = IVERILOG.command(scratch.path());
+        compile.args(["-g2005", "-Wall", "-o", "core.vvp"]).args(part.sources(job, Language::Verilog));
+        if let Some(failed) = bench::compiled(self.name(), IVERILOG, &IVERILOG.output(&mut compile)?, job, part) {
             return Ok(failed);
         }
-        let mut run = VVP.command(job.directory);
-        run.arg("-n").arg(&program);
-        Ok(bench::judge(self.name(), &VVP.output(&mut run)?, job))
+        let mut run = VVP.command(scratch.path());
+        run.args(["-n", "core.vvp"]);
+        Ok(bench::judge(self.name(), &VVP.output(&mut run)?, job, part))
     }
 }

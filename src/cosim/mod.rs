@@ -12,6 +12,7 @@ mod icarus;
 mod stream;
 mod verilator;
 
+pub use bench::Part;
 pub use builtin::{Engine, builtin_engine};
 pub use exhaustive::exhaustive;
 pub(crate) use ghdl::as_verilog;
@@ -79,11 +80,11 @@ pub trait Simulator {
     /// The language that it reads, if it reads one.
     fn language(&self) -> Option<Language>;
 
-    /// Runs the golden vectors.
+    /// Runs the golden vectors with one of the core's benches; the built-in one has the core's only.
     ///
     /// # Errors
     /// If a program that it needs is not installed or cannot be started; a core that fails is an [`Outcome`].
-    fn golden(&self, job: &Job) -> Result<Outcome, Error>;
+    fn run(&self, job: &Job, part: Part) -> Result<Outcome, Error>;
 }
 
 /// A core on disk, with what it is compared with.
@@ -132,6 +133,22 @@ pub const LISTED: usize = 10;
 /// # Errors
 /// A simulator that is not installed, or a language that the core does not have.
 pub fn golden(sim: Sim, job: &Job) -> Result<Outcome, Error> {
+    run(sim, job, Part::Core)
+}
+
+/// Runs the golden vectors through the core's wrapper with AXI4-Stream interfaces, with stalls of both sides. `None` if the core has no
+/// wrapper, and of the built-in simulator, which steps the datapath and not the wrapper's HDL.
+///
+/// # Errors
+/// As [`golden`].
+pub fn axis(sim: Sim, job: &Job) -> Result<Option<Outcome>, Error> {
+    if job.design.spec.axi_stream.is_none() || sim.language().is_none() {
+        return Ok(None);
+    }
+    run(sim, job, Part::Axis).map(Some)
+}
+
+fn run(sim: Sim, job: &Job, part: Part) -> Result<Outcome, Error> {
     if let Some(language) = sim.language()
         && !job.design.spec.languages.contains(&language)
     {
@@ -141,7 +158,7 @@ pub fn golden(sim: Sim, job: &Job) -> Result<Outcome, Error> {
         ));
     }
     let start = std::time::Instant::now();
-    let mut outcome = sim.simulator().golden(job)?;
+    let mut outcome = sim.simulator().run(job, part)?;
     outcome.seconds = start.elapsed().as_secs_f64();
     Ok(outcome)
 }

@@ -1,6 +1,9 @@
 //! Verilator, with the generated bench.
 
-use super::{Job, Outcome, Simulator, bench};
+use std::process::Command;
+
+use super::compiled::CORE;
+use super::{Job, Outcome, Part, Simulator, bench};
 use crate::error::Error;
 use crate::spec::Language;
 use crate::tool::{self, VERILATOR};
@@ -18,17 +21,16 @@ impl Simulator for Verilator {
         Some(Language::Verilog)
     }
 
-    fn golden(&self, job: &Job) -> Result<Outcome, Error> {
-        let scratch = tool::scratch()?;
-        let mut compile = VERILATOR.command(job.directory);
-        compile.args(["--binary", "--timing", "-Wno-fatal", "-O3", "-j", "2", "--Mdir"]);
-        compile.arg(scratch.path()).args(["--top-module", &format!("{}_tb", job.design.spec.name), "-o", "bench"]);
-        compile.args(bench::sources(job, Language::Verilog));
-        if let Some(failed) = bench::compiled(self.name(), VERILATOR, &VERILATOR.output(&mut compile)?, job) {
+    fn run(&self, job: &Job, part: Part) -> Result<Outcome, Error> {
+        let scratch = bench::copied(job, tool::scratch_for_make()?)?;
+        let mut compile = VERILATOR.command(scratch.path());
+        compile.args(["--binary", "--timing", "-Wno-fatal", "-O3", "-j", "2", "--Mdir", "obj_dir"]);
+        compile.args(["--top-module", &part.top(job), "-o", "bench"]);
+        compile.args(part.sources(job, Language::Verilog));
+        if let Some(failed) = bench::compiled(self.name(), VERILATOR, &VERILATOR.output(&mut compile)?, job, part) {
             return Ok(failed);
         }
-        let mut run = std::process::Command::new(scratch.path().join("bench"));
-        let output = run.current_dir(job.directory).output().map_err(|error| VERILATOR.start_error(error))?;
-        Ok(bench::judge(self.name(), &output, job))
+        let mut run = Command::new(scratch.path().join("obj_dir").join("bench"));
+        Ok(bench::judge(self.name(), &CORE.output(run.current_dir(scratch.path()))?, job, part))
     }
 }

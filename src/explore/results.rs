@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Estimate, Point, Shape, Store};
 use crate::error::Error;
+use crate::input;
 use crate::spec::SpecFields;
 use crate::synth::{Family, Resources, Synthesis, Timing, Tools};
 
@@ -50,7 +51,7 @@ impl Results {
     /// # Errors
     /// Another ending, or a file that cannot be read or is no such results.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        let text = || std::fs::read_to_string(path).map_err(|error| Error::io("cannot read", path, error));
+        let text = || input::read_text(path, "results of `brdfgen explore` are text");
         let name = path.display().to_string();
         match path.extension().and_then(|ending| ending.to_str()) {
             Some("db") => Store::open_to_read(path)?.results(),

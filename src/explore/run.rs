@@ -140,7 +140,9 @@ impl Costing {
             }
             Self::Synthesis(flow) => match synth::synthesise(&design, &flow.options(core.family)) {
                 Ok(synthesis) => Ok(Point { synthesis: Some(synthesis), ..point }),
-                Err(error @ Error::ToolFailed { .. }) => Ok(Point { failure: Some(in_full(&error)), ..point }),
+                Err(error @ (Error::ToolFailed { .. } | Error::TimeLimit { .. })) => {
+                    Ok(Point { failure: Some(in_full(&error)), ..point })
+                }
                 Err(other) => Err(other),
             },
         }

@@ -3,6 +3,7 @@
 //! A results file holds figures of one kind and one set of tools: what made them is written in it, and a run of another kind is refused.
 
 use std::collections::BTreeMap;
+use std::fs::{File, TryLockError};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -12,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::{Point, Results};
 use crate::error::Error;
 use crate::synth::Tools;
+use crate::transient::Folder;
 
 /// What made the figures of a results file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -29,6 +31,8 @@ pub struct Provenance {
 pub struct Store {
     connection: Connection,
     path: PathBuf,
+    /// Held while a run works with the file; closed after the connection, as closing any handle of a file ends SQLite's locks on it.
+    lock: Option<File>,
 }
 
 /// Marks the file as one of ours: `brdf`.
@@ -85,23 +89,37 @@ impl Store {
     /// A file that is no results file, that holds figures made otherwise, or that cannot be written.
     pub fn open(path: &Path, provenance: &Provenance, fresh: bool) -> Result<Self, Error> {
         let mut store = Self::connect(path, OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE)?;
-        if fresh {
-            store.write(|transaction| {
+        store.lock(fresh)?;
+        let mut refused = None;
+        store.write(|transaction| {
+            if fresh {
                 transaction.execute_batch("DELETE FROM point; DELETE FROM provenance;")?;
-                Ok(())
-            })?;
-        }
-        let joined = match store.provenance()? {
-            None => provenance.clone(),
-            Some(held) => held.with(provenance).map_err(|what| {
-                Error::input(
-                    format!("{}: the results would hold figures {what}", path.display()),
-                    "give another file, or --fresh to start this one anew: figures that are made differently cannot be compared",
-                )
-            })?,
-        };
-        store.set_provenance(&joined)?;
-        Ok(store)
+            }
+            let held: Option<String> =
+                transaction.query_row("SELECT document FROM provenance", [], |row| row.get(0)).optional()?;
+            let held = match held.map(|text| serde_json::from_str::<Provenance>(&text)).transpose() {
+                Ok(held) => held,
+                Err(error) => {
+                    refused = Some(damaged(path, &error));
+                    return Ok(());
+                }
+            };
+            match held.map_or_else(|| Ok(provenance.clone()), |held| held.with(provenance)) {
+                Ok(joined) => {
+                    let text = serde_json::to_string(&joined).expect("JSON of plain values");
+                    transaction.execute("DELETE FROM provenance", [])?;
+                    transaction.execute("INSERT INTO provenance VALUES (?1)", [text])?;
+                }
+                Err(what) => {
+                    refused = Some(Error::input(
+                        format!("{}: the results would hold figures {what}", path.display()),
+                        "give another file, or --fresh to start this one anew: figures that are made differently cannot be compared",
+                    ));
+                }
+            }
+            Ok(())
+        })?;
+        refused.map_or(Ok(store), Err)
     }
 
     /// Opens a results file to read it.
@@ -125,7 +143,7 @@ impl Store {
         connection.busy_timeout(Duration::from_secs(60)).map_err(refused)?;
         // A commit is on the disk when it returns, so that no crash of the machine takes a finished point back either.
         connection.pragma_update(None, "synchronous", "FULL").map_err(refused)?;
-        let mut store = Self { connection, path: path.to_owned() };
+        let mut store = Self { connection, path: path.to_owned(), lock: None };
         let pragma = |name: &str| store.connection.pragma_query_value(None, name, |row| row.get::<_, i32>(0));
         let (application, version) =
             (pragma("application_id").map_err(refused)?, pragma("schema_version").map_err(refused)?);
@@ -134,11 +152,34 @@ impl Store {
                 return Err(refusal(path, &rusqlite::Error::InvalidQuery));
             }
             store.write(|transaction| {
+                // Another run may have been faster.
+                let application: i32 = transaction.pragma_query_value(None, "application_id", |row| row.get(0))?;
+                if application == APPLICATION {
+                    return Ok(());
+                }
                 transaction.execute_batch(SCHEMA)?;
                 transaction.pragma_update(None, "application_id", APPLICATION)
             })?;
         }
         Ok(store)
+    }
+
+    /// Says to other runs that this one works with the file, as several may, or that it starts the file anew, as one alone may.
+    fn lock(&mut self, alone: bool) -> Result<(), Error> {
+        // Beside SQLite's own locks, which are of another kind and last for a transaction.
+        let file = File::open(&self.path).map_err(|error| Error::io("cannot read", &self.path, error))?;
+        match if alone { file.try_lock() } else { file.try_lock_shared() } {
+            Err(TryLockError::WouldBlock) => {
+                return Err(Error::input(
+                    format!("another run of explore works with {}", self.path.display()),
+                    "runs share a results file, but one that starts it anew with --fresh must be alone: wait, or give another file",
+                ));
+            }
+            // A file system without locks.
+            Err(TryLockError::Error(_)) | Ok(()) => {}
+        }
+        self.lock = Some(file);
+        Ok(())
     }
 
     fn refused(&self) -> impl Fn(rusqlite::Error) -> Error + '_ {
@@ -164,14 +205,6 @@ impl Store {
         let query = self.connection.query_row("SELECT document FROM provenance", [], |row| row.get::<_, String>(0));
         let text = query.optional().map_err(self.refused())?;
         text.map(|text| serde_json::from_str(&text).map_err(|error| damaged(&self.path, &error))).transpose()
-    }
-
-    fn set_provenance(&mut self, provenance: &Provenance) -> Result<(), Error> {
-        let text = serde_json::to_string(provenance).expect("JSON of plain values");
-        self.write(|transaction| {
-            transaction.execute("DELETE FROM provenance", [])?;
-            transaction.execute("INSERT INTO provenance VALUES (?1)", [text]).map(|_| ())
-        })
     }
 
     /// The ids of the points that are there, each with whether it failed and may be tried again.
@@ -259,8 +292,7 @@ impl Store {
         };
         // Under another name until it is whole.
         let directory = out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
-        let scratch =
-            tempfile::tempdir_in(directory).map_err(|error| Error::io("cannot write in", directory, error))?;
+        let scratch = Folder::new_in(directory).map_err(|error| Error::io("cannot write in", directory, error))?;
         let whole = scratch.path().join("merged.db");
         let mut store = Self::open(&whole, &provenance, false)?;
         let count = points.len();

@@ -4,11 +4,13 @@
 //! [`Backend`] writes one expression an operation in its language; the templates in `templates/` arrange them. No
 //! arithmetic is decided here: formats and operations come from the datapath.
 
+mod axis;
 mod layout;
 mod testbench;
 mod verilog;
 mod vhdl;
 
+pub use axis::{Axis, AxisPort, Lane, Packing};
 pub use layout::Layout;
 pub use testbench::test_bench;
 

@@ -2,7 +2,7 @@
 
 use askama::Template;
 
-use super::{Direction, Layout, Port, RomFile, Texts, WritePort, render};
+use super::{Axis, Direction, Layout, Port, RomFile, Texts, WritePort, render};
 use crate::error::Error;
 use crate::golden::Vector;
 use crate::spec::Language;
@@ -65,8 +65,13 @@ impl<'a> BenchWrite<'a> {
 
     /// As many random numbers side by side as fill a word, in VHDL.
     fn noise(&self) -> String {
-        vec!["lfsr"; self.draws as usize].join(" & ")
+        repeated(self.draws)
     }
+}
+
+/// A random number of 32 bits, several times side by side, in VHDL.
+pub(super) fn repeated(draws: u32) -> String {
+    vec!["lfsr"; draws as usize].join(" & ")
 }
 
 /// What the templates of both languages need.
@@ -118,6 +123,20 @@ struct VhdlBench<'a> {
     bench: &'a Bench<'a>,
 }
 
+#[derive(Template)]
+#[template(path = "testbench/axis_tb.v", escape = "none")]
+struct VerilogAxisBench<'a> {
+    bench: &'a Bench<'a>,
+    axis: &'a Axis,
+}
+
+#[derive(Template)]
+#[template(path = "testbench/axis_tb.vhd", escape = "none")]
+struct VhdlAxisBench<'a> {
+    bench: &'a Bench<'a>,
+    axis: &'a Axis,
+}
+
 /// The codes of a vector's inputs and outputs as literals of the ports' widths.
 fn literals(language: Language, ports: &[&BenchPort], vector: &Vector) -> String {
     let literal = |(port, &code): (&&BenchPort, &i64)| {
@@ -134,7 +153,8 @@ fn literals(language: Language, ports: &[&BenchPort], vector: &Vector) -> String
 }
 
 /// The test bench of a core in a language; `golden` is the path of its vectors, relative to the core's directory. For a core whose
-/// memories can be written, `complemented` are some vectors with the outputs for the words' complements.
+/// memories can be written, `complemented` are some vectors with the outputs for the words' complements. With `axis`, it is the bench
+/// of the core's wrapper.
 ///
 /// # Errors
 /// If the template cannot be filled in.
@@ -144,6 +164,7 @@ pub fn test_bench(
     texts: &Texts,
     golden: &str,
     complemented: &[Vector],
+    axis: Option<&Axis>,
 ) -> Result<String, Error> {
     let is_write = |port: &&Port| texts.writes.iter().flat_map(|(write, _)| write.ports()).any(|write| write == *port);
     let numbers = |direction: Direction| -> Vec<BenchPort> {
@@ -168,8 +189,10 @@ pub fn test_bench(
         line_bytes: (1 + digits + 20 + 2 + 1).next_multiple_of(8),
         latency: layout.schedule.latency,
     };
-    match language {
-        Language::Verilog => render(&VerilogBench { bench }),
-        Language::Vhdl => render(&VhdlBench { bench }),
+    match (language, axis) {
+        (Language::Verilog, None) => render(&VerilogBench { bench }),
+        (Language::Vhdl, None) => render(&VhdlBench { bench }),
+        (Language::Verilog, Some(axis)) => render(&VerilogAxisBench { bench, axis }),
+        (Language::Vhdl, Some(axis)) => render(&VhdlAxisBench { bench, axis }),
     }
 }

@@ -7,7 +7,7 @@ use crate::datapath::shader::COLOURS;
 use crate::datapath::widths::Contribution;
 use crate::design::{Account, Design, Measured, Part, ShaderError};
 use crate::error::Error;
-use crate::hdl::{Port, WritePort, render};
+use crate::hdl::{Axis, Port, WritePort, render};
 use crate::rom::{Field, RomFormat, Table};
 use crate::spec::{
     Block, Coefficients, Colour, CoreSpec, Cosine, Form, LightColours, Material, RomStyle, Shader, Shininess, Tail,
@@ -226,6 +226,7 @@ struct Datasheet<'a> {
     rms: String,
     forms: Vec<FormRow>,
     other_failed: Option<String>,
+    axis: Option<Axis>,
     files: Vec<(String, &'static str)>,
 }
 
@@ -259,6 +260,10 @@ fn files(design: &Design) -> Vec<(String, &'static str)> {
     for &language in &spec.languages {
         files.push((super::rtl_path(design, language), "the core"));
         files.push((super::bench_path(design, language), "its self-checking test bench; run it in this directory"));
+        if spec.axi_stream.is_some() {
+            files.push((super::axis_path(design, language), "its wrapper with AXI4-Stream interfaces"));
+            files.push((super::axis_bench_path(design, language), "the wrapper's test bench, likewise"));
+        }
     }
     for table in design.tables() {
         let what = match table.name {
@@ -311,6 +316,7 @@ struct ShaderSheet<'a> {
     rom_file: bool,
     memories: Vec<Memory>,
     cost: FormRow,
+    axis: Option<Axis>,
     files: Vec<(String, &'static str)>,
 }
 
@@ -369,6 +375,7 @@ pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError
         rom_file: spec.rom == RomStyle::File,
         memories: memories(design),
         cost: FormRow::of(design),
+        axis: super::axis(design),
         files: files(design),
     })
 }
@@ -435,6 +442,7 @@ pub(super) fn datasheet(
         rms: percent_text(measured.rms),
         forms,
         other_failed,
+        axis: super::axis(design),
         files: files(design),
     })
 }

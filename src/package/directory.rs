@@ -1,13 +1,16 @@
 //! Files on disk: whole or not at all.
 
+use std::collections::BTreeSet;
 use std::fs;
+#[cfg(unix)]
+use std::fs::TryLockError;
 use std::io::Write;
-use std::path::{Path, PathBuf};
-
-use tempfile::NamedTempFile;
+use std::path::Path;
+use std::time::{Duration, Instant};
 
 use super::File;
 use crate::error::Error;
+use crate::transient::{self, Draft, Folder};
 
 /// How the `core.toml` of a generated core begins.
 pub const GENERATED_MARK: &str = "# brdfgen core";
@@ -22,6 +25,11 @@ pub struct Kind {
     /// How that file begins.
     pub mark: &'static str,
 }
+
+/// The list of a core's other files with their digests.
+const MANIFEST: &str = "manifest.json";
+/// The list of files that is there while a directory is being written.
+const UNFINISHED: &str = ".brdfgen-unfinished.json";
 
 const CORE: Kind = Kind { what: "a generated core", file: "core.toml", mark: GENERATED_MARK };
 
@@ -43,8 +51,8 @@ pub fn check_target_of(kind: Kind, directory: &Path) -> Result<(), Error> {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
         Err(error) => return Err(Error::io("cannot use", directory, error)),
     };
-    let known = fs::read_to_string(directory.join(kind.file)).unwrap_or_default();
-    if entries.count() == 0 || known.starts_with(kind.mark) {
+    let known = fs::read(directory.join(kind.file)).unwrap_or_default();
+    if entries.count() == 0 || known.starts_with(kind.mark.as_bytes()) || !unfinished(directory).is_empty() {
         return Ok(());
     }
     Err(Error::input(
@@ -54,22 +62,32 @@ pub fn check_target_of(kind: Kind, directory: &Path) -> Result<(), Error> {
 }
 
 /// Writes a file under a temporary name in the same directory, and renames it: a reader sees the old content or
-/// the new, never a part.
+/// the new, never a part. A link is followed; a device or a pipe is written to.
 ///
 /// # Errors
 /// If the system refuses.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     let failed = |error| Error::io("cannot write", path, error);
+    // A rename would put a file in the place of `/dev/null`.
+    if fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
+        let mut file = fs::OpenOptions::new().write(true).open(path).map_err(failed)?;
+        return file.write_all(bytes).map_err(failed);
+    }
+    let real = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+    draft(&real, bytes).and_then(|draft| draft.keep_as(&real)).map_err(failed)
+}
+
+/// A file's content under a temporary name in the directory where it is to be.
+fn draft(path: &Path, bytes: &[u8]) -> std::io::Result<Draft> {
     let parent = match path.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent.to_owned(),
-        _ => PathBuf::from("."),
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
     };
-    fs::create_dir_all(&parent).map_err(failed)?;
-    let mut file = NamedTempFile::new_in(&parent).map_err(failed)?;
-    file.write_all(bytes).map_err(failed)?;
-    make_readable(file.path()).map_err(failed)?;
-    file.persist(path).map_err(|error| failed(error.error))?;
-    Ok(())
+    fs::create_dir_all(parent)?;
+    let draft = Draft::new_in(parent)?;
+    draft.file().write_all(bytes)?;
+    make_readable(draft.path())?;
+    Ok(draft)
 }
 
 /// Temporary files and directories are made for their owner only; the results are for all.
@@ -85,11 +103,12 @@ fn make_readable(_: &Path) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Writes a core's directory. A new one appears whole, by a rename. In an existing one each file is replaced whole; its
-/// `manifest.json` goes first and comes last, so that an interrupted run leaves a directory without one.
+/// Writes a core's directory. A new one appears whole, by a rename. In an existing one each file is replaced whole, once all are on the
+/// disk under temporary names; its `manifest.json` goes first and comes last, so that an interrupted run leaves a directory without one, and
+/// a list of files from which the next run finishes the work. Of several runs at once one writes after the other.
 ///
 /// # Errors
-/// If the directory is somebody else's (see [`check_target`]) or the system refuses.
+/// If the directory is somebody else's (see [`check_target`]), another run does not end its writing, or the system refuses.
 pub fn write_directory(directory: &Path, files: &[File]) -> Result<(), Error> {
     write_directory_of(CORE, directory, files)
 }
@@ -97,47 +116,122 @@ pub fn write_directory(directory: &Path, files: &[File]) -> Result<(), Error> {
 /// Writes a directory of another kind in the same way.
 ///
 /// # Errors
-/// If the directory is somebody else's (see [`check_target_of`]) or the system refuses.
+/// If the directory is somebody else's (see [`check_target_of`]), another run does not end its writing, or the system refuses.
 pub fn write_directory_of(kind: Kind, directory: &Path, files: &[File]) -> Result<(), Error> {
     check_target_of(kind, directory)?;
     let failed = |error| Error::io("cannot write", directory, error);
     if directory.exists() {
-        return replace(directory, files);
+        return replace(kind, directory, files);
     }
     // `canonicalize` needs the directory to be there, and its parent is what the temporary one must share.
     let absolute = std::path::absolute(directory).map_err(failed)?;
     let parent = absolute.parent().unwrap_or(&absolute);
     fs::create_dir_all(parent).map_err(failed)?;
-    let staging = tempfile::Builder::new().prefix(".brdfgen-").tempdir_in(parent).map_err(failed)?;
+    let staging = Folder::new_in(parent).map_err(failed)?;
     for file in files {
-        write_file(&staging.path().join(&file.path), &file.bytes)?;
+        let path = staging.path().join(&file.path);
+        draft(&path, &file.bytes).and_then(|draft| draft.keep_as(&path)).map_err(failed)?;
     }
     make_readable(staging.path()).map_err(failed)?;
-    fs::rename(staging.path(), directory).map_err(failed)
+    match fs::rename(staging.path(), directory) {
+        // Another run was faster.
+        Err(_) if directory.is_dir() => replace(kind, directory, files),
+        renamed => renamed.map_err(failed),
+    }
 }
 
-fn replace(directory: &Path, files: &[File]) -> Result<(), Error> {
-    let manifest = directory.join("manifest.json");
-    let stale = stale_files(&manifest, files);
-    if manifest.exists() {
-        fs::remove_file(&manifest).map_err(|error| Error::io("cannot replace", &manifest, error))?;
-    }
-    for path in stale {
-        let path = directory.join(path);
-        if path.is_file() {
-            fs::remove_file(&path).map_err(|error| Error::io("cannot remove", &path, error))?;
+/// The longest that a run waits for another one that writes into the same directory.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// The lock of a directory; nothing on a file system without locks.
+#[cfg(unix)]
+fn lock(directory: &Path) -> Result<Option<fs::File>, Error> {
+    let file = fs::File::open(directory).map_err(|error| Error::io("cannot use", directory, error))?;
+    let start = Instant::now();
+    loop {
+        match file.try_lock() {
+            Ok(()) => return Ok(Some(file)),
+            Err(TryLockError::Error(_)) => return Ok(None),
+            Err(TryLockError::WouldBlock) if start.elapsed() < PATIENCE => {
+                std::thread::sleep(Duration::from_millis(20))
+            }
+            Err(TryLockError::WouldBlock) => {
+                return Err(Error::input(
+                    format!("another process has kept {} locked for {} s", directory.display(), PATIENCE.as_secs()),
+                    "one run at a time writes into a directory: give another one, or wait for its end",
+                ));
+            }
         }
     }
-    files.iter().try_for_each(|file| write_file(&directory.join(&file.path), &file.bytes))
 }
 
-/// The files of an earlier core in this directory that the new one does not have, by the earlier manifest.
-fn stale_files(manifest: &Path, files: &[File]) -> Vec<String> {
+#[cfg(not(unix))]
+fn lock(_: &Path) -> Result<Option<fs::File>, Error> {
+    Ok(None)
+}
+
+fn replace(kind: Kind, directory: &Path, files: &[File]) -> Result<(), Error> {
+    let _lock = lock(directory)?;
+    check_target_of(kind, directory)?;
+    let manifest = directory.join(MANIFEST);
+    let mut known: BTreeSet<String> = listed(&manifest).into_iter().chain(unfinished(directory)).collect();
+    let stale: Vec<String> =
+        known.iter().filter(|path| files.iter().all(|file| file.path != **path)).cloned().collect();
+    known.extend(files.iter().map(|file| file.path.clone()));
+    for path in &known {
+        // What a run that was killed while it wrote there left.
+        directory.join(path).parent().into_iter().for_each(transient::sweep);
+    }
+    let failed = |path: &Path| {
+        let path = path.to_owned();
+        move |error| Error::io("cannot write", &path, error)
+    };
+    // Before anything else, so that whatever is found here after a run that was killed is known to be ours.
+    let list = directory.join(UNFINISHED);
+    write_file(&list, serde_json::to_string(&known).expect("JSON of plain values").as_bytes())?;
+    let drafted = files.iter().map(|file| {
+        let path = directory.join(&file.path);
+        draft(&path, &file.bytes).map(|draft| (draft, path.clone())).map_err(failed(&path))
+    });
+    let mut drafts: Vec<_> = drafted.collect::<Result<_, _>>().inspect_err(|_| {
+        // All is as it was.
+        if manifest.exists() {
+            let _ = fs::remove_file(&list);
+        }
+    })?;
+    let remove = |path: &Path| match fs::remove_file(path) {
+        Err(error) if error.kind() != std::io::ErrorKind::NotFound => Err(Error::io("cannot remove", path, error)),
+        _ => Ok(()),
+    };
+    remove(&manifest)?;
+    for path in stale.iter().map(|path| directory.join(path)).filter(|path| path.is_file()) {
+        remove(&path)?;
+    }
+    // The manifest last.
+    drafts.sort_by_key(|(_, path)| *path == manifest);
+    for (draft, path) in drafts {
+        draft.keep_as(&path).map_err(failed(&path))?;
+    }
+    remove(&list)
+}
+
+/// The paths of all files that an unfinished writing was about, old and new.
+fn unfinished(directory: &Path) -> Vec<String> {
+    let bytes = fs::read(directory.join(UNFINISHED)).unwrap_or_default();
+    let paths: Vec<String> = serde_json::from_slice(&bytes).unwrap_or_default();
+    paths.into_iter().filter(|path| is_inside(path)).collect()
+}
+
+/// The files that a manifest lists; none if it is not there or is not one.
+fn listed(manifest: &Path) -> Vec<String> {
     let text = fs::read_to_string(manifest).unwrap_or_default();
     let Ok(value) = serde_json::from_str::<serde_json::Value>(&text) else { return Vec::new() };
     let Some(known) = value["files_sha256"].as_object() else { return Vec::new() };
-    // A manifest is a file like any other: nothing outside the directory is touched on its word.
-    let inside =
-        |path: &&String| Path::new(path).components().all(|part| matches!(part, std::path::Component::Normal(_)));
-    known.keys().filter(inside).filter(|path| files.iter().all(|file| file.path != **path)).cloned().collect()
+    known.keys().filter(|path| is_inside(path)).cloned().collect()
+}
+
+/// Whether a path stays in the directory that it is relative to: a list is a file like any other, and nothing outside the directory is
+/// touched on its word.
+fn is_inside(path: &str) -> bool {
+    Path::new(path).components().all(|part| matches!(part, std::path::Component::Normal(_)))
 }

@@ -15,7 +15,7 @@ use crate::datapath::widths::Budget;
 use crate::design::{Account, Design};
 use crate::error::Error;
 use crate::golden::{self, Golden};
-use crate::hdl::{self, RomFile, Texts, WritePort};
+use crate::hdl::{self, Axis, Port, RomFile, Texts, WritePort};
 use crate::number::Format;
 use crate::rom::{self, RomFormat, Table};
 use crate::spec::{Block, Coefficients, Form, Language, RomStyle, hex};
@@ -64,6 +64,18 @@ pub fn rtl_path(design: &Design, language: Language) -> String {
 #[must_use]
 pub fn bench_path(design: &Design, language: Language) -> String {
     format!("tb/{}_tb.{}", design.spec.name, extension(language))
+}
+
+/// The path of the wrapper with AXI4-Stream interfaces in the core's directory, if it has one.
+#[must_use]
+pub fn axis_path(design: &Design, language: Language) -> String {
+    format!("rtl/{}_axis.{}", design.spec.name, extension(language))
+}
+
+/// The path of the wrapper's test bench in the core's directory, if it has one.
+#[must_use]
+pub fn axis_bench_path(design: &Design, language: Language) -> String {
+    format!("tb/{}_axis_tb.{}", design.spec.name, extension(language))
 }
 
 fn extension(language: Language) -> &'static str {
@@ -138,6 +150,48 @@ fn texts_without_header(design: &Design) -> Texts {
     Texts { name: spec.name.clone(), header: Vec::new(), ports: design.ports(), rom_files, writes }
 }
 
+/// The core's wrapper with AXI4-Stream interfaces, if the spec asks for one.
+#[must_use]
+pub fn axis(design: &Design) -> Option<Axis> {
+    let spec = &design.spec;
+    let axis = Axis::of(&texts_without_header(design), design.schedule.latency, spec.axi_stream?);
+    let mut header = vec![
+        format!("{}: AXI4-Stream interfaces for the core {}", axis.name, spec.name),
+        String::new(),
+        format!("Made by: {}", spec.command()),
+        format!("Spec {}. Generated; the wrapper is yours to use under any terms.", spec.digest()),
+    ];
+    for (name, packing, padding) in
+        [("s_axis_tdata", &axis.inputs, "of no meaning"), ("m_axis_tdata", &axis.outputs, "0")]
+    {
+        header.extend([String::new(), format!("{name}, {} bytes:", packing.tdata_bits() / 8)]);
+        let mut rows: Vec<[String; 4]> = Vec::new();
+        for lane in &packing.lanes {
+            let Port { name, meaning, .. } = &lane.port;
+            rows.push([format!("[{}]", lane.range()), name.clone(), lane.port.format_text(), meaning.clone()]);
+        }
+        if packing.padding() > 0 {
+            rows.push([format!("[{}]", packing.padding_range()), padding.to_owned(), String::new(), String::new()]);
+        }
+        let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
+        let (range, name, format) = (width(0), width(1), width(2));
+        let line = |row: &[String; 4]| {
+            format!("  {:<range$} {:<name$} {:<format$} {}", row[0], row[1], row[2], row[3]).trim_end().to_owned()
+        };
+        header.extend(rows.iter().map(line));
+    }
+    header.extend([
+        String::new(),
+        "tlast and tuser stay with their beat. tkeep and tstrb are not needed: a beat is always whole.".to_owned(),
+        format!(
+            "Latency {} clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and",
+            axis.latency
+        ),
+        "m_axis_tready leads to registers only.".to_owned(),
+    ]);
+    Some(Axis { header, ..axis })
+}
+
 /// The text of `core.toml`.
 #[must_use]
 pub fn spec_text(design: &Design) -> String {
@@ -162,6 +216,7 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     let texts = texts(design, account);
     let golden_path = golden_path(design);
     let complemented = golden::complemented(design, golden);
+    let axis = axis(design);
     let mut files = Vec::new();
     let mut add = |path: String, bytes: Vec<u8>| files.push(File { path, bytes });
 
@@ -174,8 +229,12 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     add("README.md".to_owned(), sheet.into_bytes());
     for &language in &spec.languages {
         add(rtl_path(design, language), hdl::backend(language).emit(&layout, &texts)?.into_bytes());
-        let bench = hdl::test_bench(language, &layout, &texts, &golden_path, &complemented)?;
-        add(bench_path(design, language), bench.into_bytes());
+        let bench = |axis| hdl::test_bench(language, &layout, &texts, &golden_path, &complemented, axis);
+        add(bench_path(design, language), bench(None)?.into_bytes());
+        if let Some(axis) = &axis {
+            add(axis_path(design, language), axis.emit(language, &texts)?.into_bytes());
+            add(axis_bench_path(design, language), bench(Some(axis))?.into_bytes());
+        }
     }
     for table in design.tables() {
         for &format in &spec.rom_formats {
@@ -187,7 +246,11 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     add(golden_path, golden.to_text(design).into_bytes());
     // The option is a Verilog one: a simulator that takes the list takes one language.
     let listed = spec.languages.iter().find(|&&language| language == Language::Verilog).or(spec.languages.first());
-    let list: String = listed.map(|&language| rtl_path(design, language) + "\n").into_iter().collect();
+    let sources = |&language: &Language| {
+        let axis = spec.axi_stream.map(|_| axis_path(design, language));
+        std::iter::once(rtl_path(design, language)).chain(axis)
+    };
+    let list: String = listed.into_iter().flat_map(sources).map(|path| path + "\n").collect();
     add("files.f".to_owned(), list.into_bytes());
 
     files.extend(others);
@@ -273,7 +336,34 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     if !loads.is_empty() {
         manifest["loading"] = json!({ "datapath": design.datapath_digest(), "memories": loads });
     }
+    if let Some(axis) = axis(design) {
+        manifest["axi_stream"] = axis_manifest(&axis);
+    }
     serde_json::to_string_pretty(&rounded(manifest)).expect("JSON of plain values")
+}
+
+/// What the manifest says of the wrapper.
+fn axis_manifest(axis: &Axis) -> serde_json::Value {
+    let port = |port: &hdl::AxisPort| {
+        json!({
+            "name": port.name,
+            "direction": port.direction.word(),
+            "bits": port.bits.unwrap_or(1),
+            "meaning": port.meaning,
+        })
+    };
+    let packing = |packing: &hdl::Packing| {
+        let field = |lane: &hdl::Lane| json!({ "port": lane.port.name, "low_bit": lane.low, "bits": lane.bits });
+        let fields: Vec<_> = packing.lanes.iter().map(field).collect();
+        json!({ "bits": packing.tdata_bits(), "fields": fields })
+    };
+    json!({
+        "name": axis.name,
+        "tuser_bits": axis.tuser_bits,
+        "ports": axis.ports().iter().map(port).collect::<Vec<_>>(),
+        "s_axis_tdata": packing(&axis.inputs),
+        "m_axis_tdata": packing(&axis.outputs),
+    })
 }
 
 /// A count of things in words; `one` is the word for one of them.

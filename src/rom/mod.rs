@@ -3,7 +3,7 @@
 mod files;
 mod table;
 
-pub use files::{Difference, RomImage, first_difference, read, write};
+pub use files::{Difference, MAX_DEPTH, RomImage, first_difference, read, write};
 pub use table::{Field, Table, interned};
 
 use std::path::Path;

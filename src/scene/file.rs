@@ -1,6 +1,5 @@
 //! Scene files: TOML, read and checked.
 
-use std::fs;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
@@ -13,6 +12,7 @@ use super::mesh::{Mesh, Normals, Transform};
 use crate::design::sample::{Vector, dot, normalised};
 use crate::error::Error;
 use crate::explore::Objective;
+use crate::input;
 use crate::lobe::MAX_SHININESS;
 use crate::spec::{
     CHANNEL_BITS, Colour, LIGHTS, Material, Model, Shininess, SpecFields, check_name, suggest, toml_error, unit,
@@ -279,9 +279,7 @@ impl Scene {
     /// # Errors
     /// An unreadable file or what [`Scene::parse`] refuses.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        let bytes = fs::read(path).map_err(|e| Error::io("cannot read", path, e))?;
-        let text = String::from_utf8(bytes)
-            .map_err(|_| Error::input(format!("{} is not UTF-8 text", path.display()), "a scene is a TOML file"))?;
+        let text = input::read_text(path, "a scene is a TOML file")?;
         Self::parse(&text, &path.display().to_string(), path.parent().unwrap_or(Path::new("")))
     }
 

@@ -1,7 +1,6 @@
 //! Triangle meshes, from OBJ and PLY.
 
 use std::collections::HashMap;
-use std::fs;
 use std::path::Path;
 
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
@@ -11,6 +10,7 @@ use serde::Deserialize;
 use super::file::{MAX_COORDINATE, beyond};
 use crate::design::sample::{Vector, cross, dot, minus, normalised};
 use crate::error::Error;
+use crate::input;
 
 /// The most vertices, and the most triangles, of a mesh.
 pub const MAX_TRIANGLES: usize = 1 << 26;
@@ -79,7 +79,7 @@ impl Mesh {
     /// # Errors
     /// An unreadable file, or what [`Mesh::parse`] refuses.
     pub fn read(path: &Path, normals: Normals) -> Result<Self, Error> {
-        let bytes = fs::read(path).map_err(|e| Error::io("cannot read", path, e))?;
+        let bytes = input::read(path, input::MAX_MESH)?;
         Self::parse(&bytes, &path.display().to_string(), normals)
     }
 

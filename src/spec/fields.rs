@@ -1,6 +1,5 @@
 //! The spec as it is written, in TOML or as flags.
 
-use std::fs;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -10,10 +9,11 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use super::{
     ACCURACY, ACCURACY_INPUT_FRACTION, Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, EXP_BITS, Form,
     INPUT_FRACTION, InputRange, Inside, LOG_BITS, Language, Material, Memory, Method, OUTPUT_FRACTION, Operand,
-    PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, Tail,
+    PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, TUSER_BITS, Tail,
 };
 use crate::error::Error;
 use crate::fit::Objective;
+use crate::input;
 use crate::lobe;
 use crate::rom::RomFormat;
 
@@ -154,6 +154,16 @@ pub struct SpecFields {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub languages: Option<Vec<Language>>,
 
+    /// Write a wrapper with AXI4-Stream interfaces around the core as well
+    #[arg(long, value_name = "true|false", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub axi_stream: Option<bool>,
+
+    /// Bits of tuser of the AXI4-Stream interfaces, 1 to 64 [default: 1]
+    #[arg(long, value_name = "BITS")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tuser_bits: Option<u32>,
+
     /// A named material, NAME=SHININESS; repeat for more. `in_n` is their index
     #[arg(long, value_name = "NAME=SHININESS")]
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -202,9 +212,7 @@ impl SpecFields {
     /// An unreadable file, text that is not TOML, an unknown key (with the nearest known one) or a value
     /// of the wrong kind, with its place.
     pub fn read(path: &Path) -> Result<Self, Error> {
-        let bytes = fs::read(path).map_err(|e| Error::io("cannot read", path, e))?;
-        let text = String::from_utf8(bytes)
-            .map_err(|_| Error::input(format!("{} is not UTF-8 text", path.display()), "a spec is a TOML file"))?;
+        let text = input::read_text(path, "a spec is a TOML file")?;
         Self::parse(&text, &path.display().to_string())
     }
 
@@ -250,6 +258,8 @@ impl SpecFields {
             rom_formats: self.rom_formats.or(other.rom_formats),
             pipeline: self.pipeline.or(other.pipeline),
             languages: self.languages.or(other.languages),
+            axi_stream: self.axi_stream.or(other.axi_stream),
+            tuser_bits: self.tuser_bits.or(other.tuser_bits),
             material: if set_here { self.material } else { other.material },
             shader: self.shader.or(other.shader),
         }
@@ -428,6 +438,16 @@ impl SpecFields {
         if languages.is_empty() {
             return Err(Error::input("no language is given", "give verilog, vhdl or both"));
         }
+        let axi_stream = match (self.axi_stream.unwrap_or(false), self.tuser_bits) {
+            (true, bits) => Some(within("tuser_bits", bits.unwrap_or(1), TUSER_BITS)?),
+            (false, None) => None,
+            (false, Some(_)) => {
+                return Err(Error::input(
+                    "tuser_bits is given for a core without AXI4-Stream interfaces",
+                    "give axi_stream as well, or leave tuser_bits out",
+                ));
+            }
+        };
         Ok(CoreSpec {
             name,
             block: shader.map_or(Block::Lobe, Block::Shader),
@@ -454,6 +474,7 @@ impl SpecFields {
             rom_formats,
             pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
             languages,
+            axi_stream,
         })
     }
 
@@ -492,12 +513,15 @@ impl SpecFields {
             input_fraction: Some(spec.input_fraction),
             output_fraction: Some(spec.output_fraction),
             operand: shader.is_none().then_some(spec.operand),
-            // The key is younger than specs that are compared by their digests.
+            // As below, the key is younger than specs that are compared by their digests.
             input_range: Some(spec.input_range).filter(|&range| range != InputRange::Any),
             rom: Some(spec.rom),
             rom_formats: Some(spec.rom_formats.clone()),
             pipeline: Some(spec.pipeline),
             languages: Some(spec.languages.clone()),
+            // The keys are younger than specs that are compared by their digests.
+            axi_stream: spec.axi_stream.map(|_| true),
+            tuser_bits: spec.axi_stream,
             material,
             shader: shader.map(ShaderFields::from_shader).unwrap_or_default(),
         }
@@ -613,6 +637,13 @@ impl SpecFields {
         }
         if let Some(languages) = self.languages.as_ref().filter(|_| self.languages != defaults.languages) {
             flag("languages", languages.iter().map(word).collect::<Vec<_>>().join(","));
+        }
+        if self.axi_stream == Some(true) {
+            flags.push("--axi-stream".to_owned());
+        }
+        let mut flag = |name: &str, value: String| flags.push(format!("--{name} {value}"));
+        if let Some(bits) = self.tuser_bits.filter(|bits| bits != TUSER_BITS.start()) {
+            flag("tuser-bits", bits.to_string());
         }
         let (shader, plain) = (&self.shader, &defaults.shader);
         if let Some(model) = &shader.model {
@@ -757,6 +788,24 @@ mod tests {
         assert_eq!(parse("method = \"cubic\"\nshininess = [3]\nq = 0.051").unwrap().q, 0.051);
     }
 
+    /// Specs without the interfaces keep the digests that they had before there were any.
+    #[test]
+    fn axi_stream_is_written_only_where_it_is_asked_for() {
+        let base = "method = \"quadratic\"\nshininess = \"1..=1000\"\n";
+        let plain = parse(base).unwrap();
+        assert_eq!(plain.axi_stream, None);
+        assert!(!plain.to_toml().contains("axi") && !plain.to_toml().contains("tuser"));
+        assert_eq!(parse(&format!("{base}axi_stream = false")).unwrap(), plain);
+        for (more, bits, flags) in [("", 1, "--axi-stream"), ("tuser_bits = 64", 64, "--axi-stream --tuser-bits 64")] {
+            let spec = parse(&format!("{base}axi_stream = true\n{more}")).unwrap();
+            assert_eq!(spec.axi_stream, Some(bits));
+            assert!(spec.to_toml().contains(&format!("axi_stream = true\ntuser_bits = {bits}\n")));
+            assert_eq!(parse(&spec.to_toml()).unwrap(), spec);
+            assert_ne!(spec.digest(), plain.digest());
+            assert_eq!(spec.command(), format!("brdfgen generate --method quadratic --shininess 1..=1000 {flags}"));
+        }
+    }
+
     #[test]
     fn every_wrong_value_is_named() {
         let base = "method = \"cubic\"\nshininess = \"1..=1000\"\n";
@@ -795,6 +844,11 @@ mod tests {
             ("method = \"quadratic\"\nshininess = [3]\ntail = \"hold\"".to_owned(), "has no choice of tail"),
             ("method = \"quadratic\"\nshininess = [3]\nshininess_fraction = 2".to_owned(), "needs a range"),
             (format!("{}\nq = 0.7", set("[3]")), "the method quadratic has no level q"),
+            (format!("{base}tuser_bits = 4"), "tuser_bits is given for a core without AXI4-Stream interfaces"),
+            (format!("{base}axi_stream = false\ntuser_bits = 4"), "give axi_stream as well"),
+            (format!("{base}axi_stream = true\ntuser_bits = 0"), "tuser_bits = 0 is out of range"),
+            (format!("{base}axi_stream = true\ntuser_bits = 65"), "from 1 to 64"),
+            (format!("{base}axi_stream = 1"), "invalid type"),
         ] {
             let message = message(&text);
             assert!(message.contains(expected), "{text}\n{message}\nexpected: {expected}");

@@ -39,6 +39,9 @@ pub const SHININESS_FRACTION: std::ops::RangeInclusive<u32> = 0..=10;
 /// Pipeline depths that are allowed.
 pub const PIPELINE_DEPTH: std::ops::RangeInclusive<u32> = 1..=64;
 
+/// Bits of `tuser` that are allowed; the first is the default.
+pub const TUSER_BITS: std::ops::RangeInclusive<u32> = 1..=64;
+
 /// Address bits of the versine in [`Method::Table`] that are allowed.
 pub const TABLE_BITS: std::ops::RangeInclusive<u32> = 2..=14;
 /// Address bits of the logarithm's table in [`Method::Harris`] that are allowed, within an octave of the versine.
@@ -159,6 +162,8 @@ pub struct CoreSpec {
     pub pipeline: Pipeline,
     /// The languages that are written.
     pub languages: Vec<Language>,
+    /// The bits of `tuser`, 1 to 64, if a wrapper with AXI4-Stream interfaces is written around the core.
+    pub axi_stream: Option<u32>,
 }
 
 impl CoreSpec {

@@ -7,26 +7,26 @@ mod cache;
 mod family;
 mod pack;
 mod place;
-mod yosys;
+pub(crate) mod yosys;
 
 pub use family::Family;
 pub use pack::{Packed, pack};
 pub use place::{Limit, Placed, parse_report};
+pub use yosys::{count, parse_netlist};
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-
-use serde::{Deserialize, Serialize};
-use tempfile::TempDir;
 
 use crate::cosim;
 use crate::design::Design;
 use crate::error::Error;
 use crate::package;
 use crate::spec::Language;
-use crate::tool;
+use crate::tool::{self, YOSYS};
+use crate::transient::Folder;
 use cache::{Cache, key};
 use place::Nextpnr;
+use serde::{Deserialize, Serialize};
 use yosys::Yosys;
 
 /// The versions of the programs, as they print them.
@@ -296,7 +296,7 @@ struct Work<'a> {
     options: &'a Options,
     yosys: &'a Yosys,
     /// The directory, once a program had to be run in it.
-    directory: Option<TempDir>,
+    directory: Option<Folder>,
     cache: Cache,
     /// The programs that had to be run.
     ran: u32,
@@ -392,6 +392,5 @@ impl Work<'_> {
 }
 
 fn read_netlist(path: &Path) -> Result<serde_json::Value, Error> {
-    let bytes = std::fs::read(path).map_err(|error| Error::io("cannot read", path, error))?;
-    yosys::parse_netlist(&bytes)
+    yosys::parse_netlist(&YOSYS.written(path)?)
 }

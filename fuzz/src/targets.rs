@@ -1,0 +1,186 @@
+//! What is fuzzed: each reader of files with the properties that must hold of it whatever the bytes are. The fuzzer and
+//! `tests/parsers.rs` share this file.
+//!
+//! A property that fails is a panic. Memory and time are watched from outside.
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use brdfgen::claims::Recorded;
+use brdfgen::design::Design;
+use brdfgen::error::Error;
+use brdfgen::explore::{Results, Sweep};
+use brdfgen::golden;
+use brdfgen::report::Speed;
+use brdfgen::rom::{self, RomFormat};
+use brdfgen::scene::Scene;
+use brdfgen::scene::mesh::{Mesh, Normals};
+use brdfgen::spec::SpecFields;
+use brdfgen::synth;
+
+/// A reader: its name, which is that of its corpus, and what is done with some bytes.
+pub type Target = (&'static str, fn(&[u8]));
+
+/// All of them.
+pub const TARGETS: [Target; 9] = [
+    ("spec", spec),
+    ("golden", golden_vectors),
+    ("rom", rom_file),
+    ("scene", scene),
+    ("mesh", mesh),
+    ("netlist", netlist),
+    ("sweep", sweep),
+    ("results", results),
+    ("tables", tables),
+];
+
+/// An error points inside the text that it shows, at whole characters.
+fn checked<T>(result: Result<T, Error>) -> Option<T> {
+    match result {
+        Ok(value) => Some(value),
+        Err(Error::Text { text, at, .. }) => {
+            let (from, to) = (at.offset(), at.offset() + at.len());
+            let text = text.inner();
+            assert!(to <= text.len(), "{from}..{to} is not in the {} bytes of the text", text.len());
+            assert!(text.is_char_boundary(from) && text.is_char_boundary(to), "{from}..{to} cuts a character");
+            None
+        }
+        Err(_) => None,
+    }
+}
+
+/// A spec is the same after it was written and read, as given and with its defaults.
+fn spec(bytes: &[u8]) {
+    let Ok(text) = str::from_utf8(bytes) else { return };
+    let Some(fields) = checked(SpecFields::parse(text, "spec.toml")) else { return };
+    let again = SpecFields::parse(&fields.to_toml(), "again").expect("what was written can be read");
+    // Not with `==`: a value may be no number.
+    assert_eq!(again.to_toml(), fields.to_toml());
+    let Some(spec) = checked(fields.resolve()) else { return };
+    let again = SpecFields::parse(&spec.to_toml(), "again").and_then(SpecFields::resolve);
+    assert_eq!(again.expect("a whole spec is a spec"), spec);
+}
+
+/// Two cores: one with a signed operand, one with several outputs.
+fn designs() -> &'static [Design; 2] {
+    static DESIGNS: OnceLock<[Design; 2]> = OnceLock::new();
+    DESIGNS.get_or_init(|| {
+        let small = "method = \"quadratic\"\nshininess = [5]\ninput_fraction = 4\noutput_fraction = 4\n";
+        let shader = "block = \"shader\"\nmethod = \"quadratic\"\nmaterial = [{ name = \"a\", shininess = 9 }]\n";
+        [small, shader].map(|text| {
+            SpecFields::parse(text, "small").and_then(SpecFields::resolve).and_then(Design::new).expect("a core")
+        })
+    })
+}
+
+/// Vectors are the same after they were written and read; the first byte chooses the core, and whether its name is put before them.
+fn golden_vectors(bytes: &[u8]) {
+    let Some((&first, rest)) = bytes.split_first() else { return };
+    let Ok(text) = str::from_utf8(rest) else { return };
+    let design = &designs()[usize::from(first & 1)];
+    // No fuzzer guesses a digest.
+    let head = format!("# core {}\n# spec {}\n", design.spec.name, design.spec.digest());
+    let text = &if first & 2 == 0 { head + text } else { text.to_owned() };
+    let Some(read) = checked(golden::parse(design, text, "file.vec")) else { return };
+    let again = golden::parse(design, &read.to_text(design), "again").expect("what was written can be read");
+    let plain = |golden: &golden::Golden| golden.vectors().into_iter().cloned().collect::<Vec<_>>();
+    assert_eq!((plain(&again), &again.digests), (plain(&read), &read.digests));
+}
+
+/// The words of a file are no more than a ROM has and fit their width; written as plain words they are read again. The first byte chooses
+/// the format, the second the width.
+fn rom_file(bytes: &[u8]) {
+    let [format, width, rest @ ..] = bytes else { return };
+    let format = RomFormat::ALL[usize::from(*format) % RomFormat::ALL.len()];
+    let width = u32::from(*width) % 150 + 1;
+    let Some(image) = checked(rom::read(rest, format, "file", width)) else { return };
+    assert!(!image.words.is_empty() && image.words.len() <= rom::MAX_DEPTH);
+    assert!(image.words.iter().all(|word| word.bits() <= u64::from(width)));
+    let digits = width.div_ceil(4) as usize;
+    let text: String = image.words.iter().map(|word| format!("{word:0digits$x}\n")).collect();
+    let again = rom::read(text.as_bytes(), RomFormat::Mem, "again", width).expect("plain words can be read");
+    assert_eq!(again.words, image.words);
+}
+
+/// A scene is read or refused; its meshes are looked for where there are none.
+fn scene(bytes: &[u8]) {
+    let Ok(text) = str::from_utf8(bytes) else { return };
+    // Anything that is there could be named, devices among it.
+    if text.contains("/") || text.contains("..") {
+        return;
+    }
+    let _ = Scene::is_scene(text);
+    if let Some(scene) = checked(Scene::parse(text, "scene.toml", Path::new("/nonexistent"))) {
+        assert!(scene.width > 0 && scene.height > 0 && !scene.materials.is_empty());
+    }
+}
+
+/// Every corner of a mesh is there, every number is one, and every normal has the length 1; written as plain OBJ it has the same triangles.
+fn mesh(bytes: &[u8]) {
+    for normals in [Normals::File, Normals::Smooth, Normals::Flat] {
+        let Some(mesh) = checked(Mesh::parse(bytes, "mesh", normals)) else { continue };
+        let length = |v: &[f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
+        assert!(mesh.positions.iter().flatten().all(|c| c.is_finite()));
+        assert!(mesh.normals.iter().all(|n| (length(n) - 1.0).abs() < 1e-9), "{:?}", mesh.normals);
+        for corner in mesh.triangles.iter().flatten() {
+            assert!((corner.position as usize) < mesh.positions.len() && (corner.normal as usize) < mesh.normals.len());
+        }
+        let mut text = String::new();
+        for [x, y, z] in &mesh.positions {
+            text += &format!("v {x:?} {y:?} {z:?}\n");
+        }
+        for corners in &mesh.triangles {
+            let [a, b, c] = corners.map(|corner| corner.position + 1);
+            text += &format!("f {a} {b} {c}\n");
+        }
+        let again = Mesh::parse(text.as_bytes(), "again.obj", normals).expect("a plain mesh can be read");
+        assert_eq!((again.triangles.len(), again.dropped), (mesh.triangles.len(), 0));
+    }
+}
+
+/// Two JSON texts, with a zero byte between: a netlist, which is packed and counted, and a report of its placement.
+fn netlist(bytes: &[u8]) {
+    let mut parts = bytes.splitn(2, |byte| *byte == 0);
+    let (netlist, report) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
+    let mut value = checked(synth::parse_netlist(netlist)).unwrap_or_default();
+    if checked(synth::count(&value, "top")).is_some() && checked(synth::pack(&mut value, "top")).is_some() {
+        checked(synth::count(&value, "top")).expect("a packed netlist has its cells");
+    }
+    if let Some(synth::Placed { clock: Some((mhz, _)) }) = checked(synth::parse_report(report, &value)) {
+        assert!(mhz.is_finite() && mhz > 0.0);
+    }
+}
+
+/// A sweep is read or refused, and has no more cores than a run may have.
+fn sweep(bytes: &[u8]) {
+    let Ok(text) = str::from_utf8(bytes) else { return };
+    let Some(sweep) = checked(Sweep::parse(text, "sweep.toml")) else { return };
+    // Each combination is resolved, which takes time: long lists are left to the count.
+    if text.matches(',').count() < 12
+        && let Some(plan) = checked(sweep.expand())
+    {
+        assert!(!plan.cores.is_empty() && plan.cores.len() + plan.repeated <= plan.combinations);
+    }
+}
+
+/// Results are the same after they were written and read, in both forms.
+fn results(bytes: &[u8]) {
+    let Ok(text) = str::from_utf8(bytes) else { return };
+    let json = checked(Results::from_json(text, "results.json"));
+    let csv = checked(Results::from_csv(text, "results.csv"));
+    for read in [json, csv].into_iter().flatten() {
+        let again = Results::from_json(&read.to_json(), "again").expect("what was written can be read");
+        assert_eq!(again, read);
+        if !read.points().is_empty() {
+            let again = Results::from_csv(&read.to_csv(), "again").expect("what was written can be read");
+            assert_eq!(again.to_csv(), read.to_csv());
+        }
+    }
+}
+
+/// The tables of measured speeds and of claims' figures.
+fn tables(bytes: &[u8]) {
+    let Ok(text) = str::from_utf8(bytes) else { return };
+    checked(Speed::from_csv(text, "speed.csv"));
+    checked(Recorded::parse(text, "claims.csv"));
+}

@@ -1,0 +1,110 @@
+{%- for line in axis.header %}
+{%- if line.is_empty() %}
+//
+{%- else %}
+// {{ line }}
+{%- endif %}
+{%- endfor %}
+
+`timescale 1ns / 1ps
+`default_nettype none
+
+module {{ axis.name }}
+{%- if !texts.rom_files.is_empty() %} #(
+{%- for file in texts.rom_files %}
+    // Path of the memory {{ file.memory }}, read by $readmemh.
+    parameter {{ file.parameter }} = "{{ file.path }}"{% if !loop.last %},{% endif %}
+{%- endfor %}
+)
+{%- endif %} (
+{%- for (comment, declaration) in ports %}
+    // {{ comment }}
+    {{ declaration }}{% if !loop.last %},{% endif %}
+{%- endfor %}
+);
+
+    // ===== The core
+    // The enable of the whole pipeline and the source's tready: a register.
+    reg ready;
+    wire out_valid;
+{%- for lane in axis.outputs.lanes %}
+    wire [{{ lane.bits - 1 }}:0] {{ lane.port.name }};
+{%- endfor %}
+    {{ texts.name }}{% if !texts.rom_files.is_empty() %} #(
+{%- for file in texts.rom_files %}
+        .{{ file.parameter }}({{ file.parameter }}){% if !loop.last %},{% endif %}
+{%- endfor %}
+    ){% endif %} core (
+        .{{ axis.padded("clk") }} (aclk),
+        .{{ axis.padded("rst") }} (~aresetn),
+        .{{ axis.padded("ce") }} (ready),
+        .{{ axis.padded("in_valid") }} (s_axis_tvalid),
+{%- for lane in axis.inputs.lanes %}
+        .{{ axis.padded(lane.port.name) }} (s_axis_tdata[{{ lane.range() }}]),
+{%- endfor %}
+{%- for port in axis.writes %}
+        .{{ axis.padded(port.name) }} ({{ port.name }}),
+{%- endfor %}
+        .{{ axis.padded("out_valid") }} (out_valid),
+{%- for lane in axis.outputs.lanes %}
+        .{{ axis.padded(lane.port.name) }} ({{ lane.port.name }}){% if !loop.last %},{% endif %}
+{%- endfor %}
+    );
+
+    // ===== tlast and tuser, in step with the core's valid chain
+    reg [{{ axis.latency }}:1] last;
+    reg [{{ axis.user_bits() - 1 }}:0] user;
+    always @(posedge aclk) begin
+        if (ready) begin
+{%- if axis.latency == 1 %}
+            last <= s_axis_tlast;
+            user <= s_axis_tuser;
+{%- else %}
+            last <= {last[{{ axis.latency - 1 }}:1], s_axis_tlast};
+            user <= {user[{{ axis.user_low() - 1 }}:0], s_axis_tuser};
+{%- endif %}
+        end
+    end
+
+    // ===== Skid register
+    // The beat at the end of the pipeline. While ready is 1 the pipeline moves on at every clock,
+    // whatever the sink does: a beat that the sink leaves waits in the skid register.
+    wire [{{ axis.beat_bits() - 1 }}:0] beat = {
+        user[{{ axis.oldest_user() }}],
+        last[{{ axis.latency }}],
+{%- for lane in axis.outputs.lanes.iter().rev() %}
+        {{ lane.port.name }}{% if !loop.last %},{% endif %}
+{%- endfor %}
+    };
+    reg [{{ axis.beat_bits() - 1 }}:0] skid;
+    always @(posedge aclk) begin
+        if (ready) skid <= beat;
+    end
+
+    reg skid_valid;
+    wire waits = m_axis_tvalid & ~m_axis_tready;
+    always @(posedge aclk) begin
+        if (~aresetn) begin
+            ready <= 1'b0;
+            skid_valid <= 1'b0;
+        end else begin
+            ready <= ~waits;
+            skid_valid <= waits;
+        end
+    end
+
+    wire [{{ axis.beat_bits() - 1 }}:0] shown = skid_valid ? skid : beat;
+    assign s_axis_tready = ready;
+    assign m_axis_tvalid = skid_valid | out_valid;
+    assign m_axis_tdata = {% if axis.outputs.padding() > 0 %}{ {{- axis.outputs.padding() }}'d0, shown[{{ axis.outputs.bits - 1 }}:0]}{% else %}shown[{{ axis.outputs.bits - 1 }}:0]{% endif %};
+    assign m_axis_tlast = shown[{{ axis.outputs.bits }}];
+    assign m_axis_tuser = shown[{{ axis.shown_user() }}];
+{%- if axis.inputs.padding() > 0 %}
+
+    // What fills s_axis_tdata up to whole bytes.
+    wire unused = &{1'b0, s_axis_tdata[{{ axis.inputs.padding_range() }}]};
+{%- endif %}
+
+endmodule
+
+`default_nettype wire

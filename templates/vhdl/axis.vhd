@@ -1,0 +1,135 @@
+{%- for line in axis.header %}
+{%- if line.is_empty() %}
+--
+{%- else %}
+-- {{ line }}
+{%- endif %}
+{%- endfor %}
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity {{ axis.name }} is
+{%- if !texts.rom_files.is_empty() %}
+    generic (
+{%- for file in texts.rom_files %}
+        -- Path of the memory {{ file.memory }}, in the format of Verilog's $readmemh.
+        {{ file.parameter }} : string := "{{ file.path }}"{% if !loop.last %};{% endif %}
+{%- endfor %}
+    );
+{%- endif %}
+    port (
+{%- for (comment, declaration) in ports %}
+        -- {{ comment }}
+        {{ declaration }}{% if !loop.last %};{% endif %}
+{%- endfor %}
+    );
+end entity {{ axis.name }};
+
+architecture rtl of {{ axis.name }} is
+
+    -- The enable of the whole pipeline and the source's tready: a register.
+    signal ready      : std_logic := '0';
+    signal rst        : std_logic;
+    signal out_valid  : std_logic;
+{%- for lane in axis.outputs.lanes %}
+    signal {{ "{:<10}"|format(lane.port.name) }} : {{ lane.kind() }};
+{%- endfor %}
+
+    signal last       : std_logic_vector({{ axis.latency }} downto 1);
+    signal user       : std_logic_vector({{ axis.user_bits() - 1 }} downto 0);
+
+    signal beat       : std_logic_vector({{ axis.beat_bits() - 1 }} downto 0);
+    signal skid       : std_logic_vector({{ axis.beat_bits() - 1 }} downto 0);
+    signal skid_valid : std_logic := '0';
+    signal waits      : std_logic;
+    signal shown      : std_logic_vector({{ axis.beat_bits() - 1 }} downto 0);
+    signal valid      : std_logic;
+
+begin
+
+    -- ===== The core
+    rst <= not aresetn;
+
+    core : entity work.{{ texts.name }}
+{%- if !texts.rom_files.is_empty() %}
+        generic map (
+{%- for file in texts.rom_files %}
+            {{ file.parameter }} => {{ file.parameter }}{% if !loop.last %},{% endif %}
+{%- endfor %}
+        )
+{%- endif %}
+        port map (
+            {{ axis.padded("clk") }} => aclk,
+            {{ axis.padded("rst") }} => rst,
+            {{ axis.padded("ce") }} => ready,
+            {{ axis.padded("in_valid") }} => s_axis_tvalid,
+{%- for lane in axis.inputs.lanes %}
+            {{ axis.padded(lane.port.name) }} => {{ lane.sign() }}(s_axis_tdata({{ lane.downto() }})),
+{%- endfor %}
+{%- for port in axis.writes %}
+            {{ axis.padded(port.name) }} => {{ port.name }},
+{%- endfor %}
+            {{ axis.padded("out_valid") }} => out_valid,
+{%- for lane in axis.outputs.lanes %}
+            {{ axis.padded(lane.port.name) }} => {{ lane.port.name }}{% if !loop.last %},{% endif %}
+{%- endfor %}
+        );
+
+    -- ===== tlast and tuser, in step with the core's valid chain
+    process (aclk) is
+    begin
+        if rising_edge(aclk) then
+            if ready = '1' then
+{%- if axis.latency == 1 %}
+                last(1) <= s_axis_tlast;
+                user    <= s_axis_tuser;
+{%- else %}
+                last <= last({{ axis.latency - 1 }} downto 1) & s_axis_tlast;
+                user <= user({{ axis.user_low() - 1 }} downto 0) & s_axis_tuser;
+{%- endif %}
+            end if;
+        end if;
+    end process;
+
+    -- ===== Skid register
+    -- The beat at the end of the pipeline. While ready is 1 the pipeline moves on at every clock,
+    -- whatever the sink does: a beat that the sink leaves waits in the skid register.
+    beat <= user({{ axis.user_bits() - 1 }} downto {{ axis.user_low() }})
+            & last({{ axis.latency }})
+{%- for lane in axis.outputs.lanes.iter().rev() %}
+            & std_logic_vector({{ lane.port.name }}){% if loop.last %};{% endif %}
+{%- endfor %}
+    process (aclk) is
+    begin
+        if rising_edge(aclk) then
+            if ready = '1' then
+                skid <= beat;
+            end if;
+        end if;
+    end process;
+
+    valid <= skid_valid or out_valid;
+    waits <= valid and not m_axis_tready;
+    process (aclk) is
+    begin
+        if rising_edge(aclk) then
+            if aresetn = '0' then
+                ready      <= '0';
+                skid_valid <= '0';
+            else
+                ready      <= not waits;
+                skid_valid <= waits;
+            end if;
+        end if;
+    end process;
+
+    shown         <= skid when skid_valid = '1' else beat;
+    s_axis_tready <= ready;
+    m_axis_tvalid <= valid;
+    m_axis_tdata  <= {% if axis.outputs.padding() > 0 %}({{ axis.outputs.padding() - 1 }} downto 0 => '0') & {% endif %}shown({{ axis.outputs.bits - 1 }} downto 0);
+    m_axis_tlast  <= shown({{ axis.outputs.bits }});
+    m_axis_tuser  <= shown({{ axis.beat_bits() - 1 }} downto {{ axis.outputs.bits + 1 }});
+
+end architecture rtl;

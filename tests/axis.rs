@@ -1,0 +1,228 @@
+//! The wrapper with AXI4-Stream interfaces: it passes its benches and is proved, broken ones are found by both, linters are silent.
+//!
+//! Needs iverilog, verilator, ghdl, yosys and Yices; `test.sh` installs them.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use brdfgen::cosim::{self, Job, Sim};
+use brdfgen::design::{Account, Design};
+use brdfgen::formal::{self, Verdict};
+use brdfgen::golden::Golden;
+use brdfgen::package;
+use brdfgen::spec::{Language, SpecFields};
+use rayon::prelude::*;
+use tempfile::TempDir;
+
+struct Core {
+    design: Design,
+    golden: Golden,
+    files: Vec<package::File>,
+}
+
+impl Core {
+    fn new(spec: &str) -> Self {
+        let spec = SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec);
+        let design = Design::new(spec).expect("a design");
+        let golden = Golden::of(&design);
+        let files = package::files(&design, &Account::of(&design), &golden).expect("files");
+        Self { design, golden, files }
+    }
+
+    fn text(&self, path: &str) -> String {
+        let file = self.files.iter().find(|file| file.path == path).expect(path);
+        String::from_utf8(file.bytes.clone()).expect("text")
+    }
+
+    fn on_disk(&self) -> (TempDir, PathBuf) {
+        let scratch = tempfile::tempdir().expect("a directory");
+        let path = scratch.path().join("core");
+        package::write_directory(&path, &self.files).expect("written");
+        (scratch, path)
+    }
+
+    /// Its directory with a fault in the wrapper.
+    fn broken(&self, language: Language, (what, from, to): Fault) -> (TempDir, PathBuf) {
+        let (scratch, path) = self.on_disk();
+        let file = package::axis_path(&self.design, language);
+        let text = self.text(&file);
+        assert_eq!(text.matches(from).count(), 1, "{what}: `{from}` in\n{text}");
+        std::fs::write(path.join(file), text.replace(from, to)).expect("written");
+        (scratch, path)
+    }
+
+    fn job<'a>(&'a self, directory: &'a Path) -> Job<'a> {
+        Job { design: &self.design, golden: &self.golden, directory }
+    }
+}
+
+/// Lobes and shaders; one stage and many; ROM in the text, in a file and writable; `tuser` of one bit and of many.
+const SPECS: &[&str] = &[
+    "axi_stream = true\nmethod = 'quadratic'\nshininess = '1..=1000'",
+    "axi_stream = true\ntuser_bits = 64\nmethod = 'cubic'\nshininess = '1..=64'\npipeline = 1\nrom = 'file'",
+    "axi_stream = true\ntuser_bits = 40\nmethod = 'cubic'\nshininess = '1..=64'\nrom = 'writable'\noutput_fraction = 15",
+    "axi_stream = true\ntuser_bits = 2\nmethod = 'schlick'\nshininess = [20]\noperand = 'versine'\ninput_fraction = 6",
+    "axi_stream = true\ntuser_bits = 5\nblock = 'shader'\nmethod = 'quadratic'\nmaterial = [{ name = 'a', shininess = 9 }]\n\
+     [shader]\nmodel = 'blinn'\nchannel_bits = 10\nlight_colours = 'ports'",
+];
+
+fn silent(directory: &Path, program: &str, arguments: &[&str], what: &str) {
+    let output = Command::new(program).current_dir(directory).args(arguments).output().expect(program);
+    let text = format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success() && text.trim().is_empty(), "{program} on {what}:\n{text}");
+}
+
+#[test]
+fn every_wrapper_passes_its_benches_lints_clean_and_is_proved() {
+    SPECS.par_iter().for_each(|spec| {
+        let core = Core::new(spec);
+        let (scratch, path) = core.on_disk();
+        for sim in [Sim::Icarus, Sim::Ghdl] {
+            let outcome = cosim::axis(sim, &core.job(&path)).expect("it runs").expect("there is a wrapper");
+            assert!(outcome.passed(), "{spec}\n{outcome:?}");
+            assert_eq!(outcome.vectors, core.golden.vectors().len() as u64);
+        }
+        assert_eq!(cosim::axis(Sim::Builtin, &core.job(&path)).expect("an answer"), None);
+
+        let name = &core.design.spec.name;
+        let verilog = [format!("rtl/{name}.v"), format!("rtl/{name}_axis.v"), format!("tb/{name}_axis_tb.v")];
+        let vhdl = [format!("rtl/{name}.vhd"), format!("rtl/{name}_axis.vhd"), format!("tb/{name}_axis_tb.vhd")];
+        let work = scratch.path().join("work");
+        std::fs::create_dir(&work).expect("a directory");
+        let (workdir, out) = (format!("--workdir={}", work.display()), work.join("out").display().to_string());
+        let top = format!("{name}_axis");
+        silent(&path, "verilator", &["--lint-only", "-Wall", "--top-module", &top, &verilog[0], &verilog[1]], spec);
+        silent(&path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog[0], &verilog[1]], spec);
+        silent(&path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog[0], &verilog[1], &verilog[2]], spec);
+        silent(&path, "ghdl", &["-a", "--std=08", &workdir, &vhdl[0], &vhdl[1], &vhdl[2]], spec);
+        let script =
+            format!("read_verilog {} {}; hierarchy -check -top {top}; proc; check -assert", verilog[0], verilog[1]);
+        silent(&path, "yosys", &["-q", "-p", &script], spec);
+        for file in verilog[1..].iter().chain(&vhdl[1..]) {
+            let text = core.text(file);
+            assert!(text.is_ascii() && text.ends_with('\n') && !text.contains(['\t', '\r']), "{file} of {spec}");
+            let long = text.lines().find(|line| line.len() > 100 || line.ends_with(' '));
+            assert_eq!(long, None, "{file} of {spec}");
+        }
+
+        let proofs = formal::stream(&core.design, &path, &|_| {}).expect("it runs");
+        assert_eq!(proofs.len(), 2);
+        assert!(proofs.iter().all(|proof| proof.verdict == Verdict::Proved), "{spec}\n{proofs:?}");
+    });
+}
+
+#[test]
+fn the_wrapper_passes_in_verilator() {
+    let core = Core::new(SPECS[2]);
+    let (_scratch, path) = core.on_disk();
+    let outcome = cosim::axis(Sim::Verilator, &core.job(&path)).expect("it runs").expect("there is a wrapper");
+    assert!(outcome.passed(), "{outcome:?}");
+}
+
+/// A fault: what it is, a text of the HDL, and what takes its place.
+type Fault = (&'static str, &'static str, &'static str);
+
+const SMALL: &str = "axi_stream = true\ntuser_bits = 3\nmethod = 'quadratic'\nshininess = '1..=64'\ninput_fraction = 10\n\
+                     output_fraction = 10\npipeline = 4";
+
+const VERILOG_FAULTS: &[Fault] = &[
+    ("tlast a stage short", "        last[4],", "        last[3],"),
+    ("tready always 1", "s_axis_tready = ready;", "s_axis_tready = 1'b1;"),
+    ("output overwritten under back-pressure", "if (ready) skid <= beat;", "skid <= beat;"),
+    ("skid register dropped", "skid_valid ? skid : beat;", "beat;"),
+    ("skid register not shown", "skid_valid | out_valid;", "out_valid;"),
+    ("tuser swapped", "m_axis_tuser = shown[14:12];", "m_axis_tuser = {shown[12], shown[13], shown[14]};"),
+    ("tuser of the beat before", "        user[11:9],", "        user[8:6],"),
+    ("ce stuck at 1", ".ce        (ready)", ".ce        (1'b1)"),
+    ("tlast and tuser not held", "if (ready) begin\n            last", "begin\n            last"),
+    ("reset ignored by the wrapper", "if (~aresetn) begin", "if (1'b0) begin"),
+    ("reset ignored by the core", ".rst       (~aresetn)", ".rst       (1'b0)"),
+    ("tready waits for the sink", "s_axis_tready = ready;", "s_axis_tready = ready & m_axis_tready;"),
+    ("tvalid waits for the sink", "skid_valid | out_valid;", "(skid_valid | out_valid) & m_axis_tready;"),
+    ("a bubble behind a stall", "ready <= ~waits;", "ready <= ~waits & ~skid_valid;"),
+    ("every other clock only", "ready <= ~waits;", "ready <= ~waits & ~ready;"),
+    ("in_valid stuck at 1", ".in_valid  (s_axis_tvalid)", ".in_valid  (1'b1)"),
+    ("an operand in the wrong place", "(s_axis_tdata[18:7])", "(s_axis_tdata[19:8])"),
+    ("padding that is not 0", "{5'd0, shown", "{5'd1, shown"),
+];
+
+const VHDL_FAULTS: &[Fault] = &[
+    ("tlast a stage short", "& last(4)", "& last(3)"),
+    ("tready always 1", "s_axis_tready <= ready;", "s_axis_tready <= '1';"),
+    ("output overwritten", "if ready = '1' then\n                skid", "if true then\n                skid"),
+    ("skid register dropped", "skid when skid_valid = '1' else beat;", "beat;"),
+    ("tuser swapped", "<= shown(14 downto 12);", "<= shown(12) & shown(13) & shown(14);"),
+    ("ce stuck at 1", "ce        => ready", "ce        => '1'"),
+    ("reset ignored by the wrapper", "if aresetn = '0' then", "if false then"),
+    ("reset ignored by the core", "rst <= not aresetn;", "rst <= '0';"),
+    ("a bubble behind a stall", "<= not waits;", "<= not waits and not skid_valid;"),
+    ("an operand in the wrong place", "s_axis_tdata(18 downto 7)", "s_axis_tdata(19 downto 8)"),
+];
+
+#[test]
+fn benches_find_broken_wrappers() {
+    let core = Core::new(SMALL);
+    for (language, sim, faults) in
+        [(Language::Verilog, Sim::Icarus, VERILOG_FAULTS), (Language::Vhdl, Sim::Ghdl, VHDL_FAULTS)]
+    {
+        faults.par_iter().for_each(|&fault| {
+            let (_scratch, path) = core.broken(language, fault);
+            let outcome = cosim::axis(sim, &core.job(&path)).expect("it runs").expect("there is a wrapper");
+            assert!(!outcome.passed() && !outcome.first[0].contains("compile"), "{language}, {}: {outcome:?}", fault.0);
+        });
+    }
+}
+
+#[test]
+fn proofs_find_broken_wrappers() {
+    let core = Core::new(SMALL);
+    for (language, faults) in [(Language::Verilog, VERILOG_FAULTS), (Language::Vhdl, VHDL_FAULTS)] {
+        faults.par_iter().for_each(|&fault| {
+            let (_scratch, path) = core.broken(language, fault);
+            let proofs = formal::stream(&core.design, &path, &|_| {});
+            // GHDL leaves out what has no use, so that the claims cannot be connected to it.
+            let Ok(proofs) = proofs else {
+                assert!(language == Language::Vhdl && fault.0 == "skid register dropped", "{}: {proofs:?}", fault.0);
+                return;
+            };
+            for proof in &proofs {
+                let expected =
+                    if proof.claim.contains(&language.to_string()) { Verdict::Refuted } else { Verdict::Proved };
+                assert_eq!(proof.verdict, expected, "{}: {proof:?}", fault.0);
+            }
+        });
+    }
+}
+
+/// What a core with a wrapper has more than one without: files, a section of the datasheet, a part of the manifest.
+#[test]
+fn the_packing_is_said_wherever_it_is_looked_for() {
+    let core = Core::new(SMALL);
+    let plain = Core::new(&SMALL.replace("axi_stream = true\ntuser_bits = 3\n", ""));
+    assert_eq!(core.text("files.f"), "rtl/quadratic.v\nrtl/quadratic_axis.v\n");
+    let more: Vec<&str> = core.files.iter().map(|file| file.path.as_str()).collect();
+    let more: Vec<&&str> = more.iter().filter(|path| plain.files.iter().all(|file| file.path != **path)).collect();
+    assert_eq!(
+        more,
+        [&"rtl/quadratic_axis.v", &"tb/quadratic_axis_tb.v", &"rtl/quadratic_axis.vhd", &"tb/quadratic_axis_tb.vhd"]
+    );
+    assert!(!plain.text("README.md").contains("axis") && !plain.text("manifest.json").contains("axi"));
+    for line in ["| 6:0 | `in_n`, UQ7.0 |", "| 18:7 | `in_cos`, Q1.10 |", "| 23:19 | of no meaning |", "| 15:11 | 0 |"]
+    {
+        assert!(core.text("README.md").contains(line), "{line}\n{}", core.text("README.md"));
+    }
+    let manifest: serde_json::Value = serde_json::from_str(&core.text("manifest.json")).expect("JSON");
+    assert_eq!(
+        manifest["axi_stream"]["s_axis_tdata"],
+        serde_json::json!({ "bits": 24, "fields": [
+            { "port": "in_n", "low_bit": 0, "bits": 7 },
+            { "port": "in_cos", "low_bit": 7, "bits": 12 },
+        ] })
+    );
+    for path in ["rtl/quadratic_axis.v", "rtl/quadratic_axis.vhd"] {
+        assert!(core.text(path).contains("  [18:7]  in_cos        Q1.10 cosine x;"), "{}", core.text(path));
+    }
+    // The core itself is the same but for the spec's digest and the command in its header.
+    let body = |core: &Core| core.text("rtl/quadratic.v").split_once("`timescale").map(|(_, body)| body.to_owned());
+    assert_eq!(body(&core), body(&plain));
+}
