@@ -74,6 +74,9 @@ cargo doc --locked --no-deps --quiet
 say "tests"
 cargo test --locked --no-fail-fast
 
+say "fuzzing, 9 readers for 10 s each, two at a time"
+fuzz/run.sh 10
+
 say "reference cores"
 cargo build --locked --release
 for core in generated/*/; do

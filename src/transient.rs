@@ -5,6 +5,7 @@
 //! behind without their lock; the next run that makes something in the same directory removes them.
 
 use std::collections::BTreeSet;
+use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -210,14 +211,17 @@ pub fn sweep(directory: &Path) {
         return;
     }
     let Ok(entries) = fs::read_dir(directory) else { return };
-    for entry in entries.flatten().filter(|entry| is_temporary(&entry.file_name().to_string_lossy())) {
+    for entry in entries.flatten().filter(|entry| is_temporary(&entry.file_name())) {
         remove_leftover(&entry.path());
     }
 }
 
-/// Whether a name is one of ours.
-fn is_temporary(name: &str) -> bool {
-    let middle = name.strip_prefix('.').unwrap_or(name).strip_prefix(PREFIX).and_then(|rest| rest.strip_suffix(SUFFIX));
+/// Whether a name is that of a temporary file or directory of ours.
+#[must_use]
+pub fn is_temporary(name: &OsStr) -> bool {
+    let name = name.to_string_lossy();
+    let middle =
+        name.strip_prefix('.').unwrap_or(&name).strip_prefix(PREFIX).and_then(|rest| rest.strip_suffix(SUFFIX));
     middle.is_some_and(|middle| middle.len() == RANDOM && middle.bytes().all(|byte| byte.is_ascii_alphanumeric()))
 }
 
@@ -336,11 +340,11 @@ mod tests {
     #[test]
     fn only_our_own_names_are_temporary() {
         for name in ["brdfgen-aB3xYz.tmp", ".brdfgen-000000.tmp"] {
-            assert!(is_temporary(name), "{name}");
+            assert!(is_temporary(OsStr::new(name)), "{name}");
         }
         for name in ["brdfgen-results", "brdfgen-aB3xYz", "brdfgen-a.tmp", "brdfgen-aB3-Yz.tmp", "x.brdfgen-aB3xYz.tmp"]
         {
-            assert!(!is_temporary(name), "{name}");
+            assert!(!is_temporary(OsStr::new(name)), "{name}");
         }
     }
 

@@ -1,7 +1,7 @@
 //! Every reader of files on a corpus, on what has once made one of them fail, and on changes of both. The corpus comes from the fuzzer; see
 //! docs/fuzzing.md.
 
-#[path = "../fuzz/src/targets.rs"]
+#[path = "../fuzz/targets.rs"]
 mod targets;
 
 use std::fs;

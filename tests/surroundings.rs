@@ -307,6 +307,10 @@ fn every_state_of_an_interrupted_writing_is_finished() {
             assert_eq!(files(&scratch.tree("core")), files(wanted), "{state} files, over a core: {over}");
         }
     }
+    // An empty directory whose list was not yet there.
+    scratch.write("empty/.brdfgen-aBcDe1.tmp", "[");
+    scratch.run(&format!("generate {ONE} --out empty")).succeeds();
+    assert_eq!(scratch.tree("empty"), old);
     // Somebody else's directory does not become ours by a list that is none.
     scratch.write("theirs/.brdfgen-unfinished.json", "{}");
     scratch.refused(&format!("generate {ONE} --out theirs"), &["is not empty"]);

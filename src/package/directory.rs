@@ -51,8 +51,11 @@ pub fn check_target_of(kind: Kind, directory: &Path) -> Result<(), Error> {
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(()),
         Err(error) => return Err(Error::io("cannot use", directory, error)),
     };
-    let known = fs::read(directory.join(kind.file)).unwrap_or_default();
-    if entries.count() == 0 || known.starts_with(kind.mark.as_bytes()) || !unfinished(directory).is_empty() {
+    // What a run that was killed, or that is about to begin, has there is not the user's.
+    let entries = entries.flatten().filter(|entry| !transient::is_temporary(&entry.file_name())).count();
+    let is_ours = || fs::read(directory.join(kind.file)).is_ok_and(|bytes| bytes.starts_with(kind.mark.as_bytes()));
+    // Asked twice: another run may end its writing between the two questions.
+    if entries == 0 || is_ours() || !unfinished(directory).is_empty() || is_ours() {
         return Ok(());
     }
     Err(Error::input(
