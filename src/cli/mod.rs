@@ -10,6 +10,7 @@ mod eval;
 mod explore;
 mod generate;
 mod golden;
+mod mutate;
 mod progress;
 mod render;
 mod report;
@@ -46,6 +47,8 @@ enum Command {
     Golden(golden::Arguments),
     /// Run a core in simulators and compare it with the model
     Cosim(cosim::Arguments),
+    /// Plant mistakes in a core and say which of them its golden vectors miss
+    Mutate(mutate::Arguments),
     /// Synthesise a core for an FPGA family: cells, clock, latency
     Synth(synth::Arguments),
     /// Evaluate one shininess and cosine: exact, method, model, error
@@ -90,6 +93,7 @@ pub fn main() -> ExitCode {
         Command::Rom(arguments) => rom::run(arguments),
         Command::Golden(arguments) => golden::run(arguments),
         Command::Cosim(arguments) => cosim::run(arguments),
+        Command::Mutate(arguments) => mutate::run(&arguments),
         Command::Synth(arguments) => synth::run(arguments),
         Command::Eval(arguments) => eval::run(arguments),
         Command::Explore(arguments) => explore::run(*arguments),

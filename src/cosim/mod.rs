@@ -12,6 +12,7 @@ mod icarus;
 mod stream;
 mod verilator;
 
+pub(crate) use builtin::Vectors;
 pub use builtin::{Engine, builtin_engine};
 pub use exhaustive::exhaustive;
 pub(crate) use ghdl::as_verilog;
