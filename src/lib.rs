@@ -22,6 +22,7 @@
 //! | [`mutate`] | mutants of a core, and whether the golden vectors kill them |
 //! | [`cosim`] | runs the HDL in simulators and compares it with the model |
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
+//! | [`formal`] | proves that the HDL texts of a core are the same circuit |
 //! | [`tool`] | external programs: where they are, how they are run |
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
 //! | [`scene`] | scene files, what a scene requires of a core, pictures |
@@ -40,6 +41,7 @@ pub mod design;
 pub mod error;
 pub mod explore;
 pub mod fit;
+pub mod formal;
 pub mod golden;
 pub mod hdl;
 #[cfg(feature = "kernel")]

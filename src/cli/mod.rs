@@ -8,6 +8,7 @@ mod cosim;
 mod doctor;
 mod eval;
 mod explore;
+mod formal;
 mod generate;
 mod golden;
 mod mutate;
@@ -47,6 +48,8 @@ enum Command {
     Golden(golden::Arguments),
     /// Run a core in simulators and compare it with the model
     Cosim(cosim::Arguments),
+    /// Prove that a core's Verilog, VHDL and rust-hdl Verilog are the same circuit
+    Formal(formal::Arguments),
     /// Plant mistakes in a core and say which of them its golden vectors miss
     Mutate(mutate::Arguments),
     /// Synthesise a core for an FPGA family: cells, clock, latency
@@ -93,6 +96,7 @@ pub fn main() -> ExitCode {
         Command::Rom(arguments) => rom::run(arguments),
         Command::Golden(arguments) => golden::run(arguments),
         Command::Cosim(arguments) => cosim::run(arguments),
+        Command::Formal(arguments) => formal::run(&arguments),
         Command::Mutate(arguments) => mutate::run(&arguments),
         Command::Synth(arguments) => synth::run(arguments),
         Command::Eval(arguments) => eval::run(arguments),

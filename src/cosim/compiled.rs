@@ -100,7 +100,6 @@ impl<'a> Compiled<'a> {
 
 /// The program of a core.
 fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
-    let version = VERILATOR.version().ok_or_else(|| VERILATOR.missing())?;
     let flags = format!(
         "-O2 -DOPERAND={} -DOPERAND_BITS={} -DLATENCY={}",
         design.operand_name(),
@@ -110,28 +109,39 @@ fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
     // The memories keep the words that they come up with.
     let low: String = design.write_ports().iter().map(|port| format!(" core->{} = 0;", port.enable.name)).collect();
     let harness = format!("#define DISABLE_WRITES{low}\n{HARNESS}");
+    let sources = [("core.v", verilog), ("exhaustive.cpp", harness.as_bytes())];
+    program(&design.spec.name, &sources, &flags)
+}
+
+/// The program that Verilator makes of a core and a harness in C++, a file each by its name; other files are headers. `top` is the core's
+/// module. A build takes some ten seconds, so it is kept.
+///
+/// # Errors
+/// A tool that is not installed or does not compile it.
+pub(super) fn program(top: &str, sources: &[(&str, &[u8])], flags: &str) -> Result<PathBuf, Error> {
+    let version = VERILATOR.version().ok_or_else(|| VERILATOR.missing())?;
     let mut digest = Sha256::new();
-    for part in [verilog, harness.as_bytes(), flags.as_bytes(), version.as_bytes()] {
+    let names = sources.iter().flat_map(|(name, bytes)| [name.as_bytes(), bytes]);
+    for part in names.chain([flags.as_bytes(), version.as_bytes()]) {
         digest.update((part.len() as u64).to_le_bytes());
         digest.update(part);
     }
     let cache = tool::cache_directory();
-    let kept = cache.join(format!("{}-{}", design.spec.name, &hex(&digest.finalize())[..24]));
+    let kept = cache.join(format!("{top}-{}", &hex(&digest.finalize())[..24]));
     if kept.exists() {
         return Ok(kept);
     }
     fs::create_dir_all(&cache).map_err(|error| Error::io("cannot make", &cache, error))?;
     let scratch =
         tempfile::tempdir_in(&cache).map_err(|error| Error::io("cannot make a directory in", &cache, error))?;
-    let put = |name: &str, bytes: &[u8]| {
+    for (name, bytes) in sources {
         let path = scratch.path().join(name);
-        fs::write(&path, bytes).map_err(|error| Error::io("cannot write", &path, error))
-    };
-    put("core.v", verilog)?;
-    put("exhaustive.cpp", harness.as_bytes())?;
+        fs::write(&path, bytes).map_err(|error| Error::io("cannot write", &path, error))?;
+    }
     let mut command = VERILATOR.command(scratch.path());
     command.args(["--cc", "--exe", "--build", "-O3", "-Wno-fatal", "-Wno-lint", "-j", "2", "--prefix", "Vcore"]);
-    command.args(["--top-module", &design.spec.name, "-CFLAGS", &flags, "core.v", "exhaustive.cpp"]);
+    command.args(["--top-module", top, "-CFLAGS", flags]);
+    command.args(sources.iter().map(|(name, _)| name).filter(|name| !name.ends_with(".h")));
     VERILATOR.succeed(&mut command)?;
     let built = scratch.path().join("obj_dir").join("Vcore");
     // A rename, so that two runs at once do not see each other's half-copied program.

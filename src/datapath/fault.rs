@@ -344,12 +344,16 @@ fn hunt_in<L: Lane>(probe: &Probe, faults: &[&Fault], hunt: &mut dyn Hunt) {
     let mut kept: Vec<(NodeId, [L; LANES])> = Vec::new();
     let mut differs = vec![false; nodes.len()];
     let mut block = Block::new(graph.inputs.len());
+    // For each node the bits that are 1 in any and in every lane, and in which block: most stuck bits are seen to be as they should at once.
+    let mut ends = vec![(0u64, L::zero(), L::zero()); nodes.len()];
+    let mut number = 0;
     while !hunted.is_empty() && hunt.next(&mut block) {
         for (&port, codes) in graph.inputs.iter().zip(&block.ports) {
             for (value, &code) in columns[port].iter_mut().zip(codes) {
                 *value = L::from_code(code.into());
             }
         }
+        number += 1;
         // As long as nothing that reads a port has changed, nothing else has.
         let mut changed = first;
         first = false;
@@ -371,6 +375,19 @@ fn hunt_in<L: Lane>(probe: &Probe, faults: &[&Fault], hunt: &mut dyn Hunt) {
             }
             let fault = faults[place];
             let id = fault.node;
+            if let Change::Stuck { bit, high } = fault.change {
+                if ends[id].0 != number {
+                    let (any, every) = columns[id]
+                        .iter()
+                        .fold((L::zero(), !L::zero()), |(any, every), &value| (any | value, every & value));
+                    ends[id] = (number, any, every);
+                }
+                let (_, any, every) = ends[id];
+                let is_so = if high { every } else { !any };
+                if is_so >> bit as usize & L::one() == L::one() {
+                    return true;
+                }
+            }
             let mut result = columns[id];
             if matches!(fault.change, Change::Instead { .. } | Change::Address(_)) {
                 compute(probe, id, &operations[place], fault.words_on(), &columns[..id], &mut result);

@@ -10,7 +10,8 @@
 //! - [`schedule`]: places the pipeline registers;
 //! - [`simulate`]: the pipeline, clock by clock;
 //! - [`evaluate`]: the function, many inputs at a time;
-//! - [`fault`]: faults planted in it, to see whether a check finds them.
+//! - [`fault`]: faults planted in it, to see whether a check finds them;
+//! - [`mutants`]: the faults that a core's vectors are to find.
 
 pub mod builder;
 mod chords;
@@ -24,6 +25,7 @@ pub mod fault;
 pub mod graph;
 pub mod harris;
 pub mod log_exp;
+pub mod mutants;
 pub mod normalise;
 mod polynomial;
 pub mod power;

@@ -1,70 +1,14 @@
 //! Mutants of a core: is every one that computes something else killed by the core's golden vectors?
 //!
 //! - [`source`]: mutants of the operations, the memories' words, the pipeline registers and the valid chain, simulated in this process;
+//! - [`netlist`]: mutants of the Verilog's netlist by Yosys, simulated by Verilator;
 //! - [`equivalent`]: what is found out of a mutant that the vectors do not kill: an input that would, or a proof that there is none.
 
 pub mod equivalent;
+pub mod netlist;
 pub mod source;
 
 use serde::Serialize;
-
-use crate::datapath::fault::Defect;
-
-/// A core with one thing wrong in it.
-#[derive(Clone, Debug)]
-pub struct Mutant {
-    /// What sort of mistake it stands for.
-    pub kind: Kind,
-    /// What is wrong, for people.
-    pub what: String,
-    /// The same for the simulation.
-    pub defect: Defect,
-}
-
-/// Sorts of mistakes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Kind {
-    /// A bit of a signal that never changes.
-    StuckBit,
-    /// A flag that is inverted, or a comparison that holds for equal values too.
-    Flag,
-    /// A result or a constant off by one.
-    OffByOne,
-    /// Rounding another way, or without its constant.
-    Rounding,
-    /// A bound of a clamp off by one.
-    Clamp,
-    /// Operands swapped, another operand, or another operation.
-    Operand,
-    /// A wrong bit in a memory, or the word beside the right one.
-    Word,
-    /// A pipeline register too few or too many.
-    Register,
-    /// A register that ignores `ce`.
-    Enable,
-    /// The valid chain or its reset.
-    Valid,
-}
-
-impl Kind {
-    /// Its name, for people.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::StuckBit => "stuck bit",
-            Self::Flag => "flag",
-            Self::OffByOne => "off by one",
-            Self::Rounding => "rounding",
-            Self::Clamp => "clamp",
-            Self::Operand => "operand",
-            Self::Word => "word",
-            Self::Register => "register",
-            Self::Enable => "enable",
-            Self::Valid => "valid",
-        }
-    }
-}
 
 /// What became of a mutant.
 #[derive(Clone, Debug, PartialEq, Serialize)]

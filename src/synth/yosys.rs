@@ -24,12 +24,12 @@ for line in open(sys.argv[1]):
 
 /// A Yosys.
 #[derive(Clone, Debug)]
-pub(super) struct Yosys {
+pub(crate) struct Yosys {
     /// What is started: `python3` for the Python package.
     program: String,
     python: bool,
     /// Its version, as it prints it, without who compiled it with what and where.
-    pub(super) version: String,
+    pub(crate) version: String,
 }
 
 /// What was found, by what was asked for; programs do not change while this one runs.
@@ -40,7 +40,7 @@ impl Yosys {
     ///
     /// # Errors
     /// If there is none.
-    pub(super) fn find(asked: Option<&str>) -> Result<Self, Error> {
+    pub(crate) fn find(asked: Option<&str>) -> Result<Self, Error> {
         let asked = asked.map(str::to_owned);
         let mut found = FOUND.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         if let Some(known) = found.get(&asked) {
@@ -84,7 +84,7 @@ impl Yosys {
     ///
     /// # Errors
     /// If it does not run to its end.
-    pub(super) fn run(&self, directory: &Path, script: &str) -> Result<(), Error> {
+    pub(crate) fn run(&self, directory: &Path, script: &str) -> Result<(), Error> {
         // By relative names: a program in WebAssembly sees only the directory that it is started in.
         package::write_file(&directory.join("flow.ys"), script.as_bytes())?;
         let mut command = Command::new(&self.program);
@@ -110,7 +110,7 @@ fn failed(tool: Tool, what: String, output: String) -> Error {
 ///
 /// # Errors
 /// A text that is none.
-pub(super) fn parse_netlist(bytes: &[u8]) -> Result<Value, Error> {
+pub(crate) fn parse_netlist(bytes: &[u8]) -> Result<Value, Error> {
     let value: Value = serde_json::from_slice(bytes)
         .map_err(|error| failed(YOSYS, format!("its netlist is not whole: {error}"), String::new()))?;
     if value["modules"].is_object() {
