@@ -318,7 +318,7 @@ fn values(design: &Design, node: NodeId) -> Option<BTreeMap<i128, u64>> {
         evaluator.evaluate(index as u32, first, 1, &mut codes);
         for (place, &code) in codes.iter().enumerate() {
             let code = graph.nodes[node].format.wrap(code.into());
-            let at = (index << design.operand_format().width()) | (first as u64 + place as u64) & (count - 1);
+            let at = (index << design.operand_format().width()) | ((first + place as i64) as u64 & (count - 1));
             found.entry(code).or_insert(at);
         }
         if found.len() > MOST_VALUES || graph.nodes[node].format.width() > u32::BITS {
