@@ -8,6 +8,7 @@ use multiversion::multiversion;
 
 use super::evaluate::{Arg, LANES, Lane, codes_by_address, is_narrow, step, wrap};
 use super::graph::{Graph, Node, NodeId, Op};
+use super::schedule::Schedule;
 use crate::rom::Table;
 
 /// What a fault does to the value of a node. Every result is taken modulo the width of the node's format.
@@ -189,6 +190,26 @@ pub enum Timing {
     ResetOfLastStage,
 }
 
+/// The graph with a copy of a node, which is read from behind one of its registers on: what a mistake in that register can change.
+#[must_use]
+pub fn with_copy(graph: &Graph, schedule: &Schedule, node: NodeId, register: usize) -> (Graph, NodeId) {
+    let copy = node + 1;
+    let moved = |id: NodeId| if id > node { id + 1 } else { id };
+    let mut nodes: Vec<Node> = Vec::new();
+    for (id, old) in graph.nodes.iter().enumerate() {
+        let late = schedule.stage[id] > schedule.stage[node] + register as u32;
+        let arg = |&arg: &NodeId| if arg == node && late { copy } else { moved(arg) };
+        nodes.push(Node { args: old.args.iter().map(arg).collect(), ..old.clone() });
+        if id == node {
+            nodes.push(Node { op: Op::Scale, args: vec![node], name: format!("{}_late", old.name), ..old.clone() });
+        }
+    }
+    let outputs = &graph.outputs;
+    let output = |(name, id): &(String, NodeId)| (name.clone(), if *id == node { copy } else { moved(*id) });
+    let outputs = outputs.iter().map(output).collect();
+    (Graph { nodes, inputs: graph.inputs.iter().map(|&id| moved(id)).collect(), outputs }, copy)
+}
+
 /// Something wrong with a core.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Defect {
@@ -290,7 +311,7 @@ impl<'a> Probe<'a> {
     }
 }
 
-#[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2", "x86_64+sse4.1", "aarch64+neon"))]
+#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
 fn hunt_narrow(probe: &Probe, faults: &[&Fault], hunt: &mut dyn Hunt) {
     hunt_in::<i64>(probe, faults, hunt);
 }
@@ -305,10 +326,8 @@ fn compute<L: Lane>(
     columns: &[[L; LANES]],
     result: &mut [L; LANES],
 ) {
-    let arg = |index: usize| match probe.graph.nodes[node.args[index]].op {
-        Op::Constant(code) => Arg::Uniform(code),
-        _ => Arg::Column(node.args[index]),
-    };
+    // A fault may be in a constant: it has a column like any other node.
+    let arg = |index: usize| Arg::Column(node.args[index]);
     match node.op {
         Op::Constant(code) => result.fill(L::from_code(code)),
         Op::Field { .. } => {
@@ -339,7 +358,6 @@ fn hunt_in<L: Lane>(probe: &Probe, faults: &[&Fault], hunt: &mut dyn Hunt) {
     let operations: Vec<Node> = faults.iter().map(|fault| fault.operation(graph)).collect();
     let sees_port: Vec<bool> = faults.iter().map(|fault| probe.sees_port(fault)).collect();
     let mut hunted: Vec<usize> = (0..faults.len()).collect();
-    let mut before = vec![[L::zero(); LANES]; nodes.len()];
     let mut first = true;
     let mut kept: Vec<(NodeId, [L; LANES])> = Vec::new();
     let mut differs = vec![false; nodes.len()];
@@ -357,62 +375,61 @@ fn hunt_in<L: Lane>(probe: &Probe, faults: &[&Fault], hunt: &mut dyn Hunt) {
         // As long as nothing that reads a port has changed, nothing else has.
         let mut changed = first;
         first = false;
-        for (id, node) in nodes.iter().enumerate() {
-            if matches!(node.op, Op::Input | Op::Constant(_)) || !(changed || probe.reads_port[id]) {
-                continue;
-            }
-            let (left, rest) = columns.split_at_mut(id);
-            compute(probe, id, node, 0, left, &mut rest[0]);
-            if probe.reads_port[id] && rest[0] != before[id] {
-                before[id] = rest[0];
-                changed = true;
-            }
-        }
         let lanes = if block.count < LANES { (1u64 << block.count) - 1 } else { u64::MAX };
-        hunted.retain(|&place| {
-            if !changed && !sees_port[place] {
-                return true;
-            }
-            let fault = faults[place];
-            let id = fault.node;
-            if let Change::Stuck { bit, high } = fault.change {
-                if ends[id].0 != number {
-                    let (any, every) = columns[id]
-                        .iter()
-                        .fold((L::zero(), !L::zero()), |(any, every), &value| (any | value, every & value));
-                    ends[id] = (number, any, every);
-                }
-                let (_, any, every) = ends[id];
-                let is_so = if high { every } else { !any };
-                if is_so >> bit as usize & L::one() == L::one() {
-                    return true;
-                }
-            }
-            let mut result = columns[id];
-            if matches!(fault.change, Change::Instead { .. } | Change::Address(_)) {
-                compute(probe, id, &operations[place], fault.words_on(), &columns[..id], &mut result);
-            } else {
-                let arg = |arg: usize| &columns[nodes[id].args[arg]][..];
-                alter(&fault.change, graph, &nodes[id], arg, &mut result);
-                wrap(&mut result, nodes[id].format);
-            }
-            if result == columns[id] {
-                return true;
-            }
-            kept.push((id, std::mem::replace(&mut columns[id], result)));
-            differs[id] = true;
-            for (id, node) in nodes.iter().enumerate().skip(id + 1) {
-                if !node.args.iter().any(|&arg| differs[arg]) {
-                    continue;
-                }
-                let mut result = [L::zero(); LANES];
-                compute(probe, id, node, 0, &columns[..id], &mut result);
-                if result != columns[id] {
-                    kept.push((id, std::mem::replace(&mut columns[id], result)));
-                    differs[id] = true;
-                }
-            }
+        // First without a fault, then with each: one loop, as what it calls becomes part of it.
+        let mut done = 0;
+        let mut pass = None;
+        loop {
+            let fault = pass.map(|place: usize| faults[place]);
             let mut shown = 0u64;
+            let seen = match fault {
+                None => true,
+                Some(_) if !changed && !sees_port[pass.unwrap_or_default()] => false,
+                Some(Fault { node, change: Change::Stuck { bit, high } }) => {
+                    let id = *node;
+                    if ends[id].0 != number {
+                        let both = |(any, every), &value: &L| (any | value, every & value);
+                        let (any, every) = columns[id].iter().fold((L::zero(), !L::zero()), both);
+                        ends[id] = (number, any, every);
+                    }
+                    let (_, any, every) = ends[id];
+                    let is_so = if *high { every } else { !any };
+                    is_so >> *bit as usize & L::one() == L::zero()
+                }
+                Some(_) => true,
+            };
+            if seen {
+                let begin = fault.map_or(0, |fault| fault.node);
+                for (id, own) in nodes.iter().enumerate().skip(begin) {
+                    let here = fault.filter(|fault| fault.node == id);
+                    let computed = match fault {
+                        None => !matches!(own.op, Op::Input | Op::Constant(_)) && (changed || probe.reads_port[id]),
+                        Some(_) => here.is_some() || own.args.iter().any(|&arg| differs[arg]),
+                    };
+                    if !computed {
+                        continue;
+                    }
+                    let instead =
+                        here.is_none_or(|fault| matches!(fault.change, Change::Instead { .. } | Change::Address(_)));
+                    let mut result = columns[id];
+                    if instead {
+                        let node = if here.is_some() { &operations[pass.unwrap_or_default()] } else { own };
+                        compute(probe, id, node, here.map_or(0, Fault::words_on), &columns[..id], &mut result);
+                    } else if let Some(fault) = here {
+                        alter(&fault.change, graph, own, |arg| &columns[own.args[arg]][..], &mut result);
+                        wrap(&mut result, own.format);
+                    }
+                    if fault.is_none() {
+                        changed |= probe.reads_port[id] && result != columns[id];
+                        columns[id] = result;
+                    } else if result != columns[id] {
+                        kept.push((id, std::mem::replace(&mut columns[id], result)));
+                        differs[id] = true;
+                    } else if here.is_some() {
+                        break;
+                    }
+                }
+            }
             for (id, right) in kept.drain(..) {
                 if graph.is_output(id) {
                     for lane in 0..LANES {
@@ -422,8 +439,15 @@ fn hunt_in<L: Lane>(probe: &Probe, faults: &[&Fault], hunt: &mut dyn Hunt) {
                 columns[id] = right;
                 differs[id] = false;
             }
-            let shown = shown & lanes;
-            shown == 0 || hunt.shown(place, shown, &block)
-        });
+            if let Some(place) = pass {
+                if shown & lanes != 0 && !hunt.shown(place, shown & lanes, &block) {
+                    hunted.remove(done);
+                } else {
+                    done += 1;
+                }
+            }
+            let Some(&next) = hunted.get(done) else { break };
+            pass = Some(next);
+        }
     }
 }

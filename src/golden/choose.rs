@@ -65,10 +65,15 @@ pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
     if !mutants.is_empty() {
         groups.push(("mutants that no vector above tells from the core".to_owned(), mutants));
     }
+    let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
+    let pausing = told::pausing(design, &known, &|task| chooser.candidates(task));
+    if !pausing.is_empty() {
+        groups.push(("mutants of registers that no vector above tells from the core".to_owned(), pausing));
+    }
     groups
 }
 
-impl Chooser<'_> {
+impl<'a> Chooser<'a> {
     fn vector(&mut self, index: u32, operand: i64) -> Vector {
         let (idle, stall) = (super::pause(&mut self.dice), super::pause(&mut self.dice));
         let inputs = vec![index.into(), operand];
@@ -371,38 +376,44 @@ impl Chooser<'_> {
         chosen.into_iter().map(|(index, versine)| self.vector(index, design.operand_of_versine(versine))).collect()
     }
 
-    /// Inputs that tell mutants which no known vector does: sought among all inputs of a small core, else among random ones, half of them
-    /// on the highlight.
-    fn mutants(&mut self, known: &[&Vector]) -> Vec<Vector> {
-        let design = self.design;
+    /// Bits of the ports, or fewer where not all inputs are candidates.
+    fn candidate_bits(&self) -> u32 {
+        (self.design.index_format().width() + self.design.operand_format().width()).min(MOST_CANDIDATE_BITS)
+    }
+
+    /// A task's candidates among which inputs are sought that tell mutants: all inputs of a small core, else random ones, most of them on
+    /// the highlight.
+    fn candidates(&self, task: u64) -> told::Candidates<'a> {
+        let (design, one, bits) = (self.design, self.one, self.candidate_bits());
         let (index_bits, operand) = (design.index_format().width(), design.operand_format());
-        let bits = (index_bits + operand.width()).min(MOST_CANDIDATE_BITS);
         let all = index_bits + operand.width() == bits;
-        let one = self.one;
         let (first, operands) = super::all_codes(operand);
         let rows = design.spec.shininess.rows() as u64;
-        let task = |task: u64| -> told::Candidates {
-            let mut dice = Dice::new((5 << 40) + task);
-            let mut places = task << TASK_BITS..((task + 1) << TASK_BITS).min(1 << bits);
-            Box::new(move |block| {
-                block.count = 0;
-                for place in places.by_ref().take(Block::LANES) {
-                    let (index, operand) = if all {
-                        (place >> operand.width(), first + (place & (operands - 1)) as i64)
-                    } else if place % 4 == 0 {
-                        (dice.below(1 << index_bits), first + dice.below(operands) as i64)
-                    } else {
-                        let row = dice.below(rows) as usize;
-                        let widest = (3.0 / design.spec.shininess.value(row)).min(1.0) * one as f64;
-                        let versine = dice.below(widest as u64 + 1) as i64;
-                        (design.spec.shininess.index_of_row(row).into(), design.operand_of_versine(versine))
-                    };
-                    block.push(&[index as i64, operand]);
-                }
-                block.count > 0
-            })
-        };
-        let chosen = told::telling(design, known, (1u64 << bits).div_ceil(1 << TASK_BITS), &task);
+        let mut dice = Dice::new((5 << 40) + task);
+        let mut places = task << TASK_BITS..((task + 1) << TASK_BITS).min(1 << bits);
+        Box::new(move |block| {
+            block.count = 0;
+            for place in places.by_ref().take(Block::LANES) {
+                let (index, operand) = if all {
+                    (place >> operand.width(), first + (place & (operands - 1)) as i64)
+                } else if place % 4 == 0 {
+                    (dice.below(1 << index_bits), first + dice.below(operands) as i64)
+                } else {
+                    let row = dice.below(rows) as usize;
+                    let widest = (3.0 / design.spec.shininess.value(row)).min(1.0) * one as f64;
+                    let versine = dice.below(widest as u64 + 1) as i64;
+                    (design.spec.shininess.index_of_row(row).into(), design.operand_of_versine(versine))
+                };
+                block.push(&[index as i64, operand]);
+            }
+            block.count > 0
+        })
+    }
+
+    /// Inputs that tell mutants which no known vector does.
+    fn mutants(&mut self, known: &[&Vector]) -> Vec<Vector> {
+        let tasks = (1u64 << self.candidate_bits()).div_ceil(1 << TASK_BITS);
+        let chosen = told::telling(self.design, known, tasks, &|task| self.candidates(task));
         chosen.into_iter().map(|inputs| self.vector(inputs[0] as u32, inputs[1])).collect()
     }
 

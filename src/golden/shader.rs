@@ -97,6 +97,11 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
             mutants.into_iter().map(|inputs| vector(inputs, &mut dice)).collect(),
         ));
     }
+    let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
+    let pausing = told::pausing(design, &known, &|task| candidates(design, shader, task));
+    if !pausing.is_empty() {
+        groups.push(("mutants of registers that no vector above tells from the core".to_owned(), pausing));
+    }
     groups
 }
 

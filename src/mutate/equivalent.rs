@@ -13,9 +13,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use rayon::prelude::*;
 
 use crate::datapath::evaluate::Evaluator;
-use crate::datapath::fault::{Block, Change, Defect, Fault, Hunt, Probe, Registered, Timing};
+use crate::datapath::fault::{Block, Change, Defect, Fault, Hunt, Probe, Registered, Timing, with_copy};
 use crate::datapath::graph::{Graph, Node, NodeId, Op};
-use crate::datapath::schedule::Schedule;
 use crate::design::Design;
 use crate::design::sample::{Sample, random_codes};
 use crate::golden::all_codes;
@@ -285,25 +284,6 @@ fn part_behind(graph: &Graph, cut: &[NodeId], fault: &Fault) -> Option<(Graph, F
         other => other.clone(),
     };
     Some((Graph { nodes, inputs, outputs }, Fault { node: place[fault.node], change }))
-}
-
-/// The graph with a copy of a node, which is read from behind one of its registers on.
-fn with_copy(graph: &Graph, schedule: &Schedule, node: NodeId, register: usize) -> (Graph, NodeId) {
-    let copy = node + 1;
-    let moved = |id: NodeId| if id > node { id + 1 } else { id };
-    let mut nodes: Vec<Node> = Vec::new();
-    for (id, old) in graph.nodes.iter().enumerate() {
-        let late = schedule.stage[id] > schedule.stage[node] + register as u32;
-        let arg = |&arg: &NodeId| if arg == node && late { copy } else { moved(arg) };
-        nodes.push(Node { args: old.args.iter().map(arg).collect(), ..old.clone() });
-        if id == node {
-            nodes.push(Node { op: Op::Scale, args: vec![node], name: format!("{}_late", old.name), ..old.clone() });
-        }
-    }
-    let outputs = &graph.outputs;
-    let output = |(name, id): &(String, NodeId)| (name.clone(), if *id == node { copy } else { moved(*id) });
-    let outputs = outputs.iter().map(output).collect();
-    (Graph { nodes, inputs: graph.inputs.iter().map(|&id| moved(id)).collect(), outputs }, copy)
 }
 
 /// The values of a node, each with an input that gives it; `None` if they are many.
