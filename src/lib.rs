@@ -19,6 +19,7 @@
 //! | [`hdl`] | datapath to Verilog and VHDL, through templates |
 //! | [`golden`] | golden vectors: make, read, compare |
 //! | [`package`] | the core directory: all files of a core, put on disk whole |
+//! | [`mutate`] | mutants of a core, and whether the golden vectors kill them |
 //! | [`cosim`] | runs the HDL in simulators and compares it with the model |
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
 //! | [`formal`] | proves that the HDL texts of a core are the same circuit |
@@ -51,6 +52,7 @@ pub mod input;
 pub mod kernel;
 pub mod lobe;
 pub mod model;
+pub mod mutate;
 pub mod number;
 pub mod package;
 pub mod report;

@@ -11,6 +11,7 @@ mod explore;
 mod formal;
 mod generate;
 mod golden;
+mod mutate;
 mod progress;
 mod render;
 mod report;
@@ -55,6 +56,8 @@ enum Command {
     Cosim(cosim::Arguments),
     /// Prove that a core's Verilog, VHDL and rust-hdl Verilog are the same circuit
     Formal(formal::Arguments),
+    /// Plant mistakes in a core and say which of them its golden vectors miss
+    Mutate(mutate::Arguments),
     /// Synthesise a core for an FPGA family: cells, clock, latency
     Synth(synth::Arguments),
     /// Evaluate one shininess and cosine: exact, method, model, error
@@ -105,6 +108,7 @@ pub fn main() -> ExitCode {
         Command::Golden(arguments) => golden::run(arguments),
         Command::Cosim(arguments) => cosim::run(arguments),
         Command::Formal(arguments) => formal::run(&arguments),
+        Command::Mutate(arguments) => mutate::run(&arguments),
         Command::Synth(arguments) => synth::run(arguments),
         Command::Eval(arguments) => eval::run(arguments),
         Command::Explore(arguments) => explore::run(*arguments),

@@ -3,10 +3,11 @@
 use std::collections::VecDeque;
 
 use super::{Job, LISTED, Outcome, Part, Simulator};
+use crate::datapath::fault::Defect;
 use crate::datapath::simulate::{Inputs, Outputs, Simulation, Write};
 use crate::design::Design;
 use crate::error::Error;
-use crate::golden::{self, Vector, codes_text};
+use crate::golden::{self, Golden, Vector, codes_text};
 use crate::hdl::Direction;
 #[cfg(feature = "kernel")]
 use crate::kernel;
@@ -96,44 +97,78 @@ impl Simulator for Builtin {
     }
 }
 
-/// Runs the golden vectors, with their pauses, and compares `out_valid` and the outputs at every clock. A core whose memories can be
-/// written runs them as it comes up, then some vectors with other words in its memories, and all again with the right words.
-fn run(job: &Job) -> Outcome {
-    let design = job.design;
-    let vectors = job.golden.vectors();
-    let complemented = golden::complemented(design, job.golden);
-    let complemented: Vec<&Vector> = complemented.iter().collect();
-    let mut device = device(design);
-    let mut bench = Bench::new(device.as_mut(), design).run_reset(&vectors);
-    bench.run(&vectors);
-    let mut first = Vec::new();
-    if !design.write_ports().is_empty() {
-        let mut due = vectors.len();
-        for (what, tables, vectors) in [
-            ("with complemented words", golden::complemented_tables(design), &complemented),
-            ("with the words loaded", design.tables().to_vec(), &vectors),
-        ] {
-            let compared = std::mem::take(&mut bench.compared);
-            if compared == 0 || compared != due as u64 {
-                first.push(format!("{compared} of {due} vectors compared before the run {what}"));
-            }
-            let before = bench.mismatches;
-            due = vectors.len();
-            bench.load(&tables);
-            bench.run(vectors);
-            if bench.mismatches > before {
-                first.push(format!("{} mismatches {what}", bench.mismatches - before));
+/// Golden vectors in the form in which a simulation in this process runs them.
+#[derive(Clone, Debug)]
+pub(crate) struct Vectors<'a> {
+    design: &'a Design,
+    vectors: Vec<&'a Vector>,
+    complemented: Vec<Vector>,
+}
+
+impl<'a> Vectors<'a> {
+    /// Those of a golden file.
+    pub(crate) fn of(design: &'a Design, golden: &'a Golden) -> Self {
+        Self { design, vectors: golden.vectors(), complemented: golden::complemented(design, golden) }
+    }
+
+    /// What a core with something wrong in it does that the vectors do not expect: the first such thing, if there is one.
+    pub(crate) fn kill(&self, defect: &Defect) -> Option<String> {
+        let design = self.design;
+        let mut device = Simulation::new(design.graph(), &design.schedule, design.tables()).with(defect);
+        self.run(&mut device, 1).first.into_iter().next()
+    }
+
+    /// Runs the vectors, with their pauses, and compares `out_valid` and the outputs at every clock, until there are so many mismatches.
+    /// A core whose memories can be written runs them as it comes up, then some vectors with other words in its memories, and all again
+    /// with the right words.
+    fn run(&self, device: &mut dyn Device, most: u64) -> Found {
+        let Self { design, vectors, complemented } = self;
+        let complemented: Vec<&Vector> = complemented.iter().collect();
+        let mut bench = Bench::new(device, design, most).run_reset(vectors);
+        bench.run(vectors);
+        let mut first = Vec::new();
+        if !design.write_ports().is_empty() && bench.mismatches < most {
+            let mut due = vectors.len();
+            for (what, tables, vectors) in [
+                ("with complemented words", golden::complemented_tables(design), &complemented),
+                ("with the words loaded", design.tables().to_vec(), vectors),
+            ] {
+                let compared = std::mem::take(&mut bench.compared);
+                if compared == 0 || compared != due as u64 {
+                    first.push(format!("{compared} of {due} vectors compared before the run {what}"));
+                }
+                let before = bench.mismatches;
+                due = vectors.len();
+                bench.load(&tables);
+                bench.run(vectors);
+                if bench.mismatches > before {
+                    first.push(format!("{} mismatches {what}", bench.mismatches - before));
+                }
             }
         }
+        first.append(&mut bench.first);
+        Found { compared: bench.compared, mismatches: bench.mismatches, first }
     }
-    first.append(&mut bench.first);
+}
+
+/// What a run of vectors found.
+struct Found {
+    compared: u64,
+    mismatches: u64,
+    first: Vec<String>,
+}
+
+fn run(job: &Job) -> Outcome {
+    let design = job.design;
+    let vectors = Vectors::of(design, job.golden);
+    let found = vectors.run(device(design).as_mut(), u64::MAX);
     Outcome {
         simulator: builtin_engine(design).name().to_owned(),
         mode: "golden vectors",
-        vectors: bench.compared,
-        expected_vectors: vectors.len() as u64,
-        mismatches: bench.mismatches,
-        first,
+        vectors: found.compared,
+        expected_vectors: vectors.vectors.len() as u64,
+        mismatches: found.mismatches,
+        first: found.first,
         seconds: 0.0,
     }
 }
@@ -149,20 +184,25 @@ struct Bench<'a> {
     expected: VecDeque<Option<(usize, &'a Vector)>>,
     compared: u64,
     mismatches: u64,
+    /// Mismatches after which no more vectors are fed.
+    most: u64,
     /// The first differences, a line each.
     first: Vec<String>,
 }
 
 impl<'a> Bench<'a> {
-    fn new(device: &'a mut dyn Device, design: &'a Design) -> Self {
+    fn new(device: &'a mut dyn Device, design: &'a Design, most: u64) -> Self {
         let expected = std::iter::repeat_n(None, design.schedule.latency as usize).collect();
-        Self { device, design, expected, compared: 0, mismatches: 0, first: Vec::new() }
+        Self { device, design, expected, compared: 0, mismatches: 0, most, first: Vec::new() }
     }
 
     /// Feeds vectors, with their pauses, until all results are out.
     fn run(&mut self, vectors: &[&'a Vector]) {
         let ports = self.design.numbers(Direction::In);
         for (number, &vector) in vectors.iter().enumerate() {
+            if self.mismatches >= self.most {
+                return;
+            }
             let inverted = |(&code, &(_, format)): (&i64, &(&str, Format))| format.wrap(!i128::from(code));
             let garbage = Inputs {
                 rst: false,

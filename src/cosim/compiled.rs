@@ -77,32 +77,42 @@ impl<'a> Compiled<'a> {
         send: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send,
         receive: impl FnOnce(&mut dyn Read),
     ) -> Result<Output, Error> {
-        let mut command = Command::new(&self.program);
-        command.current_dir(self.directory).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        let deadline = Instant::now() + tool::time_limit();
-        let mut running = CORE.start(&mut command)?;
-        let errors = running.errors();
-        let stdin = running.child.stdin.take().ok_or_else(|| CORE.missing())?;
-        let mut stdout = running.child.stdout.take().ok_or_else(|| CORE.missing())?;
-        std::thread::scope(|scope| {
-            scope.spawn(move || {
-                let mut pipe = io::BufWriter::with_capacity(1 << 16, stdin);
-                // A core that ended early is noticed by its missing results.
-                let _ = send(&mut pipe).and_then(|()| pipe.flush());
-            });
-            receive(&mut stdout);
-            // A core that still has results to write must not wait for a reader.
-            drop(stdout);
-        });
-        let status = running.finish()?;
-        let stderr = errors.and_then(|errors| errors.printed(deadline).ok()).unwrap_or_default();
-        Ok(Output { status, stdout: Vec::new(), stderr })
+        converse(Command::new(&self.program).current_dir(self.directory), send, receive)
     }
+}
+
+/// Runs a compiled core: `send` writes to it, in a thread of its own, `receive` reads what it answers.
+///
+/// # Errors
+/// A program that cannot be started, or takes longer than it may. How it ended is for the caller to judge.
+pub(super) fn converse(
+    command: &mut Command,
+    send: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send,
+    receive: impl FnOnce(&mut dyn Read),
+) -> Result<Output, Error> {
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let deadline = Instant::now() + tool::time_limit();
+    let mut running = CORE.start(command)?;
+    let errors = running.errors();
+    let stdin = running.child.stdin.take().ok_or_else(|| CORE.missing())?;
+    let mut stdout = running.child.stdout.take().ok_or_else(|| CORE.missing())?;
+    std::thread::scope(|scope| {
+        scope.spawn(move || {
+            let mut pipe = io::BufWriter::with_capacity(1 << 16, stdin);
+            // A core that ended early is noticed by its missing results.
+            let _ = send(&mut pipe).and_then(|()| pipe.flush());
+        });
+        receive(&mut stdout);
+        // A core that still has results to write must not wait for a reader.
+        drop(stdout);
+    });
+    let status = running.finish()?;
+    let stderr = errors.and_then(|errors| errors.printed(deadline).ok()).unwrap_or_default();
+    Ok(Output { status, stdout: Vec::new(), stderr })
 }
 
 /// The program of a core.
 fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
-    let version = VERILATOR.version().ok_or_else(|| VERILATOR.missing())?;
     let flags = format!(
         "-O2 -DOPERAND={} -DOPERAND_BITS={} -DLATENCY={}",
         design.operand_name(),
@@ -112,27 +122,38 @@ fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
     // The memories keep the words that they come up with.
     let low: String = design.write_ports().iter().map(|port| format!(" core->{} = 0;", port.enable.name)).collect();
     let harness = format!("#define DISABLE_WRITES{low}\n{HARNESS}");
+    let sources = [("core.v", verilog), ("exhaustive.cpp", harness.as_bytes())];
+    program(&design.spec.name, &sources, &flags)
+}
+
+/// The program that Verilator makes of a core and a harness in C++, a file each by its name; other files are headers. `top` is the core's
+/// module. A build takes some ten seconds, so it is kept.
+///
+/// # Errors
+/// A tool that is not installed or does not compile it.
+pub(super) fn program(top: &str, sources: &[(&str, &[u8])], flags: &str) -> Result<PathBuf, Error> {
+    let version = VERILATOR.version().ok_or_else(|| VERILATOR.missing())?;
     let mut digest = Sha256::new();
-    for part in [verilog, harness.as_bytes(), flags.as_bytes(), version.as_bytes()] {
+    let names = sources.iter().flat_map(|(name, bytes)| [name.as_bytes(), bytes]);
+    for part in names.chain([flags.as_bytes(), version.as_bytes()]) {
         digest.update((part.len() as u64).to_le_bytes());
         digest.update(part);
     }
     let cache = tool::cache_directory();
-    let kept = cache.join(format!("{}-{}", design.spec.name, &hex(&digest.finalize())[..24]));
+    let kept = cache.join(format!("{top}-{}", &hex(&digest.finalize())[..24]));
     if kept.exists() {
         return Ok(kept);
     }
     fs::create_dir_all(&cache).map_err(|error| Error::io("cannot make", &cache, error))?;
     let scratch = tool::scratch_for_make()?;
-    let put = |name: &str, bytes: &[u8]| {
+    for (name, bytes) in sources {
         let path = scratch.path().join(name);
-        fs::write(&path, bytes).map_err(|error| Error::io("cannot write", &path, error))
-    };
-    put("core.v", verilog)?;
-    put("exhaustive.cpp", harness.as_bytes())?;
+        fs::write(&path, bytes).map_err(|error| Error::io("cannot write", &path, error))?;
+    }
     let mut command = VERILATOR.command(scratch.path());
     command.args(["--cc", "--exe", "--build", "-O3", "-Wno-fatal", "-Wno-lint", "-j", "2", "--prefix", "Vcore"]);
-    command.args(["--top-module", &design.spec.name, "-CFLAGS", &flags, "core.v", "exhaustive.cpp"]);
+    command.args(["--top-module", top, "-CFLAGS", flags]);
+    command.args(sources.iter().map(|(name, _)| name).filter(|name| !name.ends_with(".h")));
     VERILATOR.succeed(&mut command)?;
     let built = scratch.path().join("obj_dir").join("Vcore");
     // A rename, so that two runs at once do not see each other's half-copied program.

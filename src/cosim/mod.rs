@@ -9,13 +9,16 @@ mod compiled;
 mod exhaustive;
 mod ghdl;
 mod icarus;
+mod mutants;
 mod stream;
 mod verilator;
 
 pub use bench::Part;
+pub(crate) use builtin::Vectors;
 pub use builtin::{Engine, builtin_engine};
 pub use exhaustive::exhaustive;
 pub(crate) use ghdl::as_verilog;
+pub(crate) use mutants::{Found, Mutants};
 pub use stream::stream;
 
 use std::path::Path;

@@ -5,18 +5,18 @@
 //! instructions. Columns hold 64-bit integers, or 128-bit ones where a value of the graph needs them.
 
 use multiversion::multiversion;
-use num_traits::PrimInt;
+use num_traits::{PrimInt, WrappingMul};
 
 use super::graph::{Graph, Node, NodeId, Op};
 use crate::number::Format;
 use crate::rom::Table;
 
 /// Inputs of a column: small enough for all columns of a core to stay in the first-level cache.
-const LANES: usize = 64;
+pub(super) const LANES: usize = 64;
 
 /// An argument of a step: the same for all lanes, or a column.
 #[derive(Clone, Copy, Debug)]
-enum Arg {
+pub(super) enum Arg {
     Uniform(i128),
     Column(NodeId),
 }
@@ -29,7 +29,7 @@ pub struct Evaluator<'a> {
     /// For each node whether it depends on a port other than the first, a lobe's `in_n`.
     varies: Vec<bool>,
     /// The codes by address of each field that is read at an address that varies.
-    looked_up: Vec<Vec<i64>>,
+    looked_up: Vec<Vec<i128>>,
     narrow: bool,
 }
 
@@ -44,17 +44,9 @@ impl<'a> Evaluator<'a> {
             let same = matches!(node.op, Op::Field { memory, .. } if tables[memory].rows() == 1);
             varies.push(own || (!same && node.args.iter().any(|&arg| varies[arg])));
         }
-        let codes = |(node, &varies): (&Node, &bool)| match node.op {
-            Op::Field { memory, field } if varies => {
-                let table = &tables[memory];
-                (0..table.depth()).map(|address| table.code_at(field, address) as i64).collect()
-            }
-            _ => Vec::new(),
-        };
+        let codes = |(node, &varies): (&Node, &bool)| if varies { codes_by_address(node, tables) } else { Vec::new() };
         let looked_up = graph.nodes.iter().zip(&varies).map(codes).collect();
-        // Aligning and shifting happen before a result is taken into its format: leave a bit for the carry.
-        let narrow = graph.nodes.iter().all(|node| node.format.width() <= 62);
-        Self { graph, tables, varies, looked_up, narrow }
+        Self { graph, tables, varies, looked_up, narrow: is_narrow(graph) }
     }
 
     /// Writes the codes of `out_spec` for the `in_n` code `index` and the operand codes `first`, `first + stride`, ...
@@ -85,14 +77,33 @@ impl<'a> Evaluator<'a> {
     }
 }
 
+/// The codes of the field that a node reads, by address; none for any other node.
+pub(super) fn codes_by_address(node: &Node, tables: &[Table]) -> Vec<i128> {
+    match node.op {
+        Op::Field { memory, field } => {
+            let table = &tables[memory];
+            (0..table.depth()).map(|address| table.code_at(field, address)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// Whether 64 bits are enough for every operation of a graph.
+pub(super) fn is_narrow(graph: &Graph) -> bool {
+    // Aligning and shifting happen before a result is taken into its format: leave a bit for the carry.
+    graph.nodes.iter().all(|node| node.format.width() <= 62)
+}
+
 #[multiversion(targets("x86_64+avx512f+avx512bw+avx512dq+avx512vl", "x86_64+avx2", "x86_64+sse4.1", "aarch64+neon"))]
 fn run_narrow(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64, out: &mut [u32]) {
     run::<i64>(evaluator, uniform, first, stride, out);
 }
 
-trait Lane: PrimInt {
+pub(super) trait Lane: PrimInt + WrappingMul {
     fn from_code(code: i128) -> Self;
     fn to_output(self) -> u32;
+    /// The code that it holds.
+    fn to_code(self) -> i128;
     /// Half of the lane's bits.
     const HALF: u32;
     /// The product of two numbers of at most [`Lane::HALF`] bits each, sign included: one multiplication of the machine.
@@ -110,6 +121,10 @@ impl Lane for i64 {
         self as u32
     }
     #[inline(always)]
+    fn to_code(self) -> i128 {
+        self.into()
+    }
+    #[inline(always)]
     fn mul_narrow(self, other: Self) -> Self {
         Self::from(self as i32) * Self::from(other as i32)
     }
@@ -124,6 +139,10 @@ impl Lane for i128 {
     #[inline(always)]
     fn to_output(self) -> u32 {
         self as u32
+    }
+    #[inline(always)]
+    fn to_code(self) -> i128 {
+        self
     }
     #[inline(always)]
     fn mul_narrow(self, other: Self) -> Self {
@@ -147,77 +166,13 @@ fn run<L: Lane>(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64
                 let id = node.args[index];
                 if evaluator.varies[id] { Arg::Column(id) } else { Arg::Uniform(uniform[id]) }
             };
-            let frac = |index: usize| graph.nodes[node.args[index]].format.frac_bits;
-            let align = |index: usize| (node.format.frac_bits - frac(index)) as usize;
             match node.op {
                 Op::Input => {
                     for (lane, value) in result.iter_mut().enumerate() {
                         *value = L::from_code(i128::from(start + stride * lane as i64));
                     }
                 }
-                Op::Clamp { low, high } => {
-                    let (low, high) = (L::from_code(low), L::from_code(high));
-                    map(result, before, arg(0), |a| a.max(low).min(high));
-                }
-                Op::Add => {
-                    let (sa, sb) = (align(0), align(1));
-                    zip(result, before, arg(0), arg(1), |a, b| (a << sa) + (b << sb));
-                    wrap(result, node.format);
-                }
-                Op::Sub => {
-                    let (sa, sb) = (align(0), align(1));
-                    zip(result, before, arg(0), arg(1), |a, b| (a << sa) - (b << sb));
-                    wrap(result, node.format);
-                }
-                Op::Mul => {
-                    let width = |index: usize| {
-                        let format = graph.nodes[node.args[index]].format;
-                        format.width() + u32::from(!format.signed)
-                    };
-                    if width(0) <= L::HALF && width(1) <= L::HALF {
-                        zip(result, before, arg(0), arg(1), L::mul_narrow);
-                    } else {
-                        zip(result, before, arg(0), arg(1), |a, b| a * b);
-                    }
-                }
-                Op::ShiftLeft => {
-                    zip(result, before, arg(0), arg(1), |a, b| a << b.to_output() as usize);
-                    wrap(result, node.format);
-                }
-                Op::ShiftRight => zip(result, before, arg(0), arg(1), |a, b| a >> b.to_output() as usize),
-                Op::Field { .. } => {
-                    let codes = &evaluator.looked_up[id];
-                    map(result, before, arg(0), |address| L::from_code(codes[address.to_output() as usize].into()));
-                }
-                Op::Cast if node.format.frac_bits >= frac(0) => {
-                    let shift = align(0);
-                    map(result, before, arg(0), |a| a << shift);
-                    wrap(result, node.format);
-                }
-                Op::Cast => {
-                    let shift = (frac(0) - node.format.frac_bits) as usize;
-                    map(result, before, arg(0), |a| a >> shift);
-                    wrap(result, node.format);
-                }
-                Op::Scale => map(result, before, arg(0), |a| a),
-                Op::NonZero => map(result, before, arg(0), |a| if a == L::zero() { L::zero() } else { L::one() }),
-                Op::Greater => {
-                    zip(result, before, arg(0), arg(1), |a, b| if a > b { L::one() } else { L::zero() });
-                }
-                Op::Or => zip(result, before, arg(0), arg(1), |a, b| a | b),
-                Op::Not => map(result, before, arg(0), |a| L::one() - a),
-                Op::ZeroIf => zip(result, before, arg(0), arg(1), |flag, a| (flag - L::one()) & a),
-                Op::Select => {
-                    let mut second = [L::zero(); LANES];
-                    map(&mut second, before, arg(2), |b| b);
-                    zip(result, before, arg(0), arg(1), |flag, a| (L::zero() - flag) & a);
-                    let mut rest = [L::zero(); LANES];
-                    map(&mut rest, before, arg(0), |flag| flag - L::one());
-                    for ((result, second), keep) in result.iter_mut().zip(second).zip(rest) {
-                        *result = *result | (second & keep);
-                    }
-                }
-                Op::Constant(_) => {}
+                _ => step(graph, node, &evaluator.looked_up[id], arg, before, result),
             }
         }
         let output = graph.output();
@@ -230,6 +185,104 @@ fn run<L: Lane>(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64
         }
         start += stride * LANES as i64;
     }
+}
+
+/// The values of a node for a column of inputs, given its arguments'; `codes` are those of the field that it reads, by address. A port or a
+/// constant is not computed.
+#[inline(always)]
+pub(super) fn step<L: Lane>(
+    graph: &Graph,
+    node: &Node,
+    codes: &[i128],
+    arg: impl Fn(usize) -> Arg,
+    before: &[[L; LANES]],
+    result: &mut [L; LANES],
+) {
+    let frac = |index: usize| graph.nodes[node.args[index]].format.frac_bits;
+    let align = |index: usize| (node.format.frac_bits - frac(index)) as usize;
+    match node.op {
+        Op::Clamp { low, high } => {
+            let (low, high) = (L::from_code(low), L::from_code(high));
+            map(result, before, arg(0), |a| a.max(low).min(high));
+        }
+        Op::Add => {
+            let (sa, sb) = (align(0), align(1));
+            zip(result, before, arg(0), arg(1), |a, b| (a << sa) + (b << sb));
+            wrap(result, node.format);
+        }
+        Op::Sub => {
+            let (sa, sb) = (align(0), align(1));
+            zip(result, before, arg(0), arg(1), |a, b| (a << sa) - (b << sb));
+            wrap(result, node.format);
+        }
+        Op::Mul => {
+            let width = |index: usize| {
+                let format = graph.nodes[node.args[index]].format;
+                format.width() + u32::from(!format.signed)
+            };
+            if width(0) <= L::HALF && width(1) <= L::HALF {
+                zip(result, before, arg(0), arg(1), L::mul_narrow);
+            } else {
+                // A product that a fault makes longer than its format keeps its low bits.
+                zip(result, before, arg(0), arg(1), |a, b| a.wrapping_mul(&b));
+            }
+        }
+        Op::ShiftLeft => {
+            if fits_shift::<L>(graph, node) {
+                zip(result, before, arg(0), arg(1), |a, b| a << b.to_output() as usize);
+            } else {
+                let most = 2 * L::HALF as usize - 1;
+                let shift =
+                    |a: L, b: L| if b.to_output() as usize > most { L::zero() } else { a << b.to_output() as usize };
+                zip(result, before, arg(0), arg(1), shift);
+            }
+            wrap(result, node.format);
+        }
+        Op::ShiftRight if fits_shift::<L>(graph, node) => {
+            zip(result, before, arg(0), arg(1), |a, b| a >> b.to_output() as usize);
+        }
+        Op::ShiftRight => {
+            let most = 2 * L::HALF as usize - 1;
+            zip(result, before, arg(0), arg(1), |a, b| a >> (b.to_output() as usize).min(most));
+        }
+        Op::Field { .. } => {
+            map(result, before, arg(0), |address| L::from_code(codes[address.to_output() as usize]));
+        }
+        Op::Cast if node.format.frac_bits >= frac(0) => {
+            let shift = align(0);
+            map(result, before, arg(0), |a| a << shift);
+            wrap(result, node.format);
+        }
+        Op::Cast => {
+            let shift = (frac(0) - node.format.frac_bits) as usize;
+            map(result, before, arg(0), |a| a >> shift);
+            wrap(result, node.format);
+        }
+        Op::Scale => map(result, before, arg(0), |a| a),
+        Op::NonZero => map(result, before, arg(0), |a| if a == L::zero() { L::zero() } else { L::one() }),
+        Op::Greater => {
+            zip(result, before, arg(0), arg(1), |a, b| if a > b { L::one() } else { L::zero() });
+        }
+        Op::Or => zip(result, before, arg(0), arg(1), |a, b| a | b),
+        Op::Not => map(result, before, arg(0), |a| L::one() - a),
+        Op::ZeroIf => zip(result, before, arg(0), arg(1), |flag, a| (flag - L::one()) & a),
+        Op::Select => {
+            let mut second = [L::zero(); LANES];
+            map(&mut second, before, arg(2), |b| b);
+            zip(result, before, arg(0), arg(1), |flag, a| (L::zero() - flag) & a);
+            let mut rest = [L::zero(); LANES];
+            map(&mut rest, before, arg(0), |flag| flag - L::one());
+            for ((result, second), keep) in result.iter_mut().zip(second).zip(rest) {
+                *result = *result | (second & keep);
+            }
+        }
+        Op::Input | Op::Constant(_) => {}
+    }
+}
+
+/// Whether a lane can be shifted by every amount that a shift's argument may hold.
+fn fits_shift<L: Lane>(graph: &Graph, node: &Node) -> bool {
+    graph.nodes[node.args[1]].format.max_code() < i128::from(2 * L::HALF)
 }
 
 #[inline(always)]
@@ -263,8 +316,9 @@ fn zip<L: Lane>(result: &mut [L; LANES], columns: &[[L; LANES]], a: Arg, b: Arg,
     }
 }
 
+/// Takes codes into a format.
 #[inline(always)]
-fn wrap<L: Lane>(result: &mut [L; LANES], format: Format) {
+pub(super) fn wrap<L: Lane>(result: &mut [L; LANES], format: Format) {
     if format.signed {
         let spare = std::mem::size_of::<L>() * 8 - format.width() as usize;
         for value in result {

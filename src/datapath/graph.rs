@@ -88,7 +88,15 @@ impl Graph {
     /// For [`Op::Input`] and [`Op::Field`], which have their values from elsewhere.
     #[must_use]
     pub fn apply(&self, id: NodeId, args: &[i128]) -> i128 {
-        let node = &self.nodes[id];
+        self.apply_node(&self.nodes[id], args)
+    }
+
+    /// The code of a node that may be another than the graph's own at its place, given its arguments' codes.
+    ///
+    /// # Panics
+    /// As [`Graph::apply`].
+    #[must_use]
+    pub fn apply_node(&self, node: &Node, args: &[i128]) -> i128 {
         let frac = |arg: usize| self.nodes[node.args[arg]].format.frac_bits;
         let aligned = |arg: usize| args[arg] << (node.format.frac_bits - frac(arg));
         node.format.wrap(match node.op {
@@ -97,9 +105,10 @@ impl Graph {
             Op::Clamp { low, high } => args[0].clamp(low, high),
             Op::Add => aligned(0) + aligned(1),
             Op::Sub => aligned(0) - aligned(1),
-            Op::Mul => args[0] * args[1],
-            Op::ShiftLeft => args[0] << args[1],
-            Op::ShiftRight => args[0] >> args[1],
+            // What a fault makes longer than any format keeps its low bits.
+            Op::Mul => args[0].wrapping_mul(args[1]),
+            Op::ShiftLeft => args[0].checked_shl(args[1] as u32).unwrap_or_default(),
+            Op::ShiftRight => args[0] >> args[1].min(127),
             Op::Cast if node.format.frac_bits >= frac(0) => aligned(0),
             Op::Cast => args[0] >> (frac(0) - node.format.frac_bits),
             Op::Scale => args[0],

@@ -9,7 +9,9 @@
 //! - [`widths`]: "computing just right": the cheapest inner widths whose proved error is below one output ulp;
 //! - [`schedule`]: places the pipeline registers;
 //! - [`simulate`]: the pipeline, clock by clock;
-//! - [`evaluate`]: the function, many inputs at a time.
+//! - [`evaluate`]: the function, many inputs at a time;
+//! - [`fault`]: faults planted in it, to see whether a check finds them;
+//! - [`mutants`]: the faults that a core's vectors are to find.
 
 pub mod builder;
 mod chords;
@@ -19,9 +21,11 @@ pub mod cubic_rational;
 mod divide;
 pub mod evaluate;
 mod exponent;
+pub mod fault;
 pub mod graph;
 pub mod harris;
 pub mod log_exp;
+pub mod mutants;
 pub mod normalise;
 mod polynomial;
 pub mod power;

@@ -2,7 +2,8 @@
 
 use num_bigint::BigUint;
 
-use super::graph::{Graph, Op};
+use super::fault::{Change, Defect, Fault, Registered, Timing};
+use super::graph::{Graph, NodeId, Op};
 use super::schedule::Schedule;
 use crate::rom::Table;
 
@@ -50,6 +51,7 @@ pub struct Simulation<'a> {
     /// `registers[id][i]`: node `id`'s value as seen in stage `schedule.stage[id] + 1 + i`.
     registers: Vec<Vec<i128>>,
     valid: Vec<bool>,
+    defect: Option<&'a Defect>,
 }
 
 impl<'a> Simulation<'a> {
@@ -62,7 +64,64 @@ impl<'a> Simulation<'a> {
             |table: &Table, address| (0..table.fields.len()).map(|field| table.code_at(field, address)).collect();
         let words = |table: &Table| (0..table.depth()).map(|address| word(table, address)).collect();
         let contents = tables.iter().map(words).collect();
-        Self { graph, schedule, tables, contents, registers, valid: vec![false; schedule.latency as usize] }
+        let valid = vec![false; schedule.latency as usize];
+        Self { graph, schedule, tables, contents, registers, valid, defect: None }
+    }
+
+    /// The same core with something wrong in it.
+    ///
+    /// # Panics
+    /// If it is in a register that the core does not have, or the valid chain is to be shorter than one stage.
+    #[must_use]
+    pub fn with(mut self, defect: &'a Defect) -> Self {
+        match defect {
+            Defect::Timing(Timing::Register { node, register, what }) => {
+                assert!(*register < self.registers[*node].len(), "no register {register} of node {node}");
+                match what {
+                    Registered::Missing => drop(self.registers[*node].pop()),
+                    Registered::Doubled => self.registers[*node].push(0),
+                    Registered::FreeRunning => {}
+                }
+            }
+            Defect::Timing(Timing::ValidEarly) => drop(self.valid.pop().expect("a stage")),
+            Defect::Timing(Timing::ValidLate) => self.valid.push(false),
+            // A memory that is written loses it.
+            Defect::Value(Fault { node, change: Change::Word { address, bit } }) => {
+                if let Op::Field { memory, field } = self.graph.nodes[*node].op {
+                    let code = &mut self.contents[memory][*address][field];
+                    *code = self.graph.nodes[*node].format.wrap(*code ^ (1 << bit));
+                }
+            }
+            _ => {}
+        }
+        self.defect = Some(defect);
+        self
+    }
+
+    fn timing(&self) -> Option<Timing> {
+        match self.defect {
+            Some(Defect::Timing(timing)) => Some(*timing),
+            _ => None,
+        }
+    }
+
+    fn fault(&self, id: NodeId) -> Option<&'a Fault> {
+        match self.defect {
+            Some(Defect::Value(fault)) if fault.node == id => Some(fault),
+            _ => None,
+        }
+    }
+
+    /// The register from which a stage reads a node, by how many stages later it is than the node's; none where it reads the node itself.
+    fn place(&self, id: NodeId, crossed: usize) -> Option<usize> {
+        match self.timing() {
+            Some(Timing::Register { node, register, what }) if node == id && crossed > register => match what {
+                Registered::Missing => (crossed - 1).checked_sub(1),
+                Registered::Doubled => Some(crossed),
+                Registered::FreeRunning => Some(crossed - 1),
+            },
+            _ => crossed.checked_sub(1),
+        }
     }
 
     /// One rising edge.
@@ -84,6 +143,7 @@ impl<'a> Simulation<'a> {
     }
 
     fn advance(&mut self, inputs: &Inputs) -> Outputs {
+        let timing = self.timing();
         if inputs.ce {
             let values = self.settle(inputs);
             for (registers, value) in self.registers.iter_mut().zip(values) {
@@ -92,15 +152,32 @@ impl<'a> Simulation<'a> {
                     registers[0] = value;
                 }
             }
+        } else if let Some(Timing::Register { node, register, what: Registered::FreeRunning }) = timing {
+            let value = if register == 0 { self.settle(inputs)[node] } else { self.registers[node][register - 1] };
+            self.registers[node][register] = value;
+        }
+        if (inputs.ce || timing == Some(Timing::ValidFreeRunning)) && !self.valid.is_empty() {
             self.valid.rotate_right(1);
-            self.valid[0] = inputs.in_valid;
+            self.valid[0] = inputs.in_valid || timing == Some(Timing::ValidAlways);
         }
-        if inputs.rst {
-            self.valid.fill(false);
+        match timing {
+            _ if !inputs.rst => {}
+            Some(Timing::ResetIgnored) => {}
+            Some(Timing::ResetNeedsEnable) if !inputs.ce => {}
+            Some(Timing::ResetOfLastStage) => self.valid.last_mut().into_iter().for_each(|valid| *valid = false),
+            _ => self.valid.fill(false),
         }
-        let code = |&(_, output): &(String, usize)| self.registers[output].last().copied().unwrap_or_default();
+        let code = |&(_, output): &(String, usize)| {
+            let crossed = self.schedule.latency - self.schedule.stage[output];
+            match self.place(output, crossed as usize) {
+                Some(place) => self.registers[output][place],
+                // Without its only register the output is what the stage before gives after the edge.
+                None => self.settle(inputs)[output],
+            }
+        };
+        let out_valid = self.valid.last().copied().unwrap_or(inputs.in_valid);
         Outputs {
-            out_valid: self.valid.last().copied().unwrap_or_default(),
+            out_valid: out_valid != (timing == Some(Timing::ValidInverted)),
             codes: self.graph.outputs.iter().map(code).collect(),
         }
     }
@@ -108,22 +185,31 @@ impl<'a> Simulation<'a> {
     /// The combinational value of every node in its stage.
     fn settle(&self, inputs: &Inputs) -> Vec<i128> {
         let mut values: Vec<i128> = Vec::with_capacity(self.graph.nodes.len());
-        for (id, node) in self.graph.nodes.iter().enumerate() {
-            let args: Vec<i128> = node
-                .args
-                .iter()
-                .map(|&arg| match self.schedule.stage[id] - self.schedule.stage[arg] {
-                    0 => values[arg],
-                    _ if matches!(self.graph.nodes[arg].op, Op::Constant(_)) => values[arg],
-                    crossed => self.registers[arg][crossed as usize - 1],
-                })
-                .collect();
-            let value = match node.op {
+        let mut args: Vec<i128> = Vec::new();
+        for (id, own) in self.graph.nodes.iter().enumerate() {
+            let fault = self.fault(id);
+            let changed = fault.map(|fault| fault.operation(self.graph));
+            let node = changed.as_ref().unwrap_or(own);
+            args.clear();
+            args.extend(node.args.iter().map(|&arg| {
+                if matches!(self.graph.nodes[arg].op, Op::Constant(_)) {
+                    return values[arg];
+                }
+                let crossed = self.schedule.stage[id] - self.schedule.stage[arg];
+                self.place(arg, crossed as usize).map_or(values[arg], |place| self.registers[arg][place])
+            }));
+            let right = match node.op {
                 Op::Input => inputs.codes.get(self.graph.port(id)).copied().unwrap_or_default(),
-                Op::Field { memory, field } => self.contents[memory][args[0] as usize][field],
-                _ => self.graph.apply(id, &args),
+                // A fault in the address may leave it wider than the memory is deep.
+                Op::Field { memory, field } => {
+                    let contents = &self.contents[memory];
+                    let address = args[0] as i64 + fault.map_or(0, Fault::words_on);
+                    contents[address as usize & (contents.len() - 1)][field]
+                }
+                _ => self.graph.apply_node(node, &args),
             };
-            values.push(value);
+            let planted = fault.filter(|fault| !matches!(fault.change, Change::Word { .. }));
+            values.push(planted.map_or(right, |fault| fault.code(self.graph, &args, right)));
         }
         values
     }

@@ -2,8 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::Vector;
+use super::{Vector, told};
 use crate::datapath::evaluate::Evaluator;
+use crate::datapath::fault::Block;
 use crate::datapath::graph::{Graph, Node, Op};
 use crate::design::Design;
 use crate::lobe::Lobe;
@@ -16,6 +17,9 @@ const MOST_ROWS: usize = 1024;
 const MOST_CANDIDATES: usize = 1 << 17;
 /// Random vectors of each of the two kinds.
 const RANDOM: usize = 512;
+/// Inputs among which those are sought that tell mutants, as a power of two, and those of one task.
+const MOST_CANDIDATE_BITS: u32 = 21;
+const TASK_BITS: u32 = 15;
 
 /// An input, and for each function table the entry that it reads and a bit for each flipped bit of it that changes the output.
 struct Candidate {
@@ -56,10 +60,20 @@ pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
     }
     groups.push(("random, all codes".to_owned(), chooser.random_codes()));
     groups.push(("random, on the highlight".to_owned(), chooser.random_highlight()));
+    let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
+    let mutants = chooser.mutants(&known);
+    if !mutants.is_empty() {
+        groups.push(("mutants that no vector above tells from the core".to_owned(), mutants));
+    }
+    let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
+    let pausing = told::pausing(design, &known, &|task| chooser.candidates(task));
+    if !pausing.is_empty() {
+        groups.push(("mutants of registers that no vector above tells from the core".to_owned(), pausing));
+    }
     groups
 }
 
-impl Chooser<'_> {
+impl<'a> Chooser<'a> {
     fn vector(&mut self, index: u32, operand: i64) -> Vector {
         let (idle, stall) = (super::pause(&mut self.dice), super::pause(&mut self.dice));
         let inputs = vec![index.into(), operand];
@@ -164,7 +178,7 @@ impl Chooser<'_> {
             .collect()
     }
 
-    /// For each row the fewest inputs that a greedy search finds to tell its ROM word from every word with one bit flipped, as
+    /// For each code of in_n the fewest inputs that a greedy search finds to tell its ROM word from every word with one bit flipped, as
     /// far as any candidate tells them.
     fn rom_bits(&mut self) -> Vec<Vector> {
         let design = self.design;
@@ -188,29 +202,33 @@ impl Chooser<'_> {
         }
         // Made once, as an evaluator lays out what is looked up at computed addresses.
         let flipped: Vec<Evaluator> = flipped.iter().map(|tables| Evaluator::new(design.graph(), tables)).collect();
-        // Where coefficients are interpolated at too many places: at each row of the ROM, and the last before the next.
+        // Every code of in_n, as words stand behind those outside the set too. Where coefficients are interpolated at too many places: at each
+        // row of the ROM, and the last before the next.
         let most = set.rows() - 1;
-        let rows: Vec<usize> = if most < MOST_ROWS {
-            (0..=most).collect()
+        let port_codes = 1usize << design.index_format().width();
+        let indices: Vec<u32> = if port_codes <= MOST_ROWS {
+            (0..port_codes as u32).collect()
+        } else if most < MOST_ROWS {
+            (0..=most).map(|row| set.index_of_row(row)).collect()
         } else {
             let knots = (0..count).step_by(count.div_ceil(MOST_ROWS));
             let ends = knots.flat_map(|knot| [knot << set.frac_bits(), ((knot + 1) << set.frac_bits()) - 1]);
             let mut places: Vec<usize> = ends.map(|place| place.min(most)).collect();
             places.dedup();
-            places
+            places.into_iter().map(|row| set.index_of_row(row)).collect()
         };
-        let chosen: Vec<Vec<i64>> = rows.par_iter().map(|&row| self.telling(row, &flipped)).collect();
+        let chosen: Vec<Vec<i64>> = indices.par_iter().map(|&index| self.telling(index, &flipped)).collect();
         let mut result = Vec::new();
-        for (row, codes) in rows.into_iter().zip(chosen) {
-            let index = design.spec.shininess.index_of_row(row);
+        for (index, codes) in indices.into_iter().zip(chosen) {
             result.extend(codes.into_iter().map(|code| self.vector(index, design.operand_of_versine(code))));
         }
         result
     }
 
-    /// Versine codes that tell a row's word from as many of the `flipped` ones as possible.
-    fn telling(&self, row: usize, flipped: &[Evaluator]) -> Vec<i64> {
+    /// Versine codes that tell the word of a code of in_n from as many of the `flipped` ones as possible.
+    fn telling(&self, index: u32, flipped: &[Evaluator]) -> Vec<i64> {
         let design = self.design;
+        let row = design.spec.shininess.row_of_index(index);
         let end = self.end(row);
         let cuts = design.datapath.coefficients().and_then(|table| table.find("cut"));
         let cut = cuts.map_or(end, |field| field.codes[design.spec.shininess.knot(row).0] as i64);
@@ -222,7 +240,7 @@ impl Chooser<'_> {
         let mut open: Vec<usize> = (0..flipped.len()).collect();
         let mut chosen = Vec::new();
         for combs in steps {
-            self.tell(design.spec.shininess.index_of_row(row), &combs, flipped, &mut open, &mut chosen);
+            self.tell(index, &combs, flipped, &mut open, &mut chosen);
         }
         chosen
     }
@@ -356,6 +374,47 @@ impl Chooser<'_> {
             }
         }
         chosen.into_iter().map(|(index, versine)| self.vector(index, design.operand_of_versine(versine))).collect()
+    }
+
+    /// Bits of the ports, or fewer where not all inputs are candidates.
+    fn candidate_bits(&self) -> u32 {
+        (self.design.index_format().width() + self.design.operand_format().width()).min(MOST_CANDIDATE_BITS)
+    }
+
+    /// A task's candidates among which inputs are sought that tell mutants: all inputs of a small core, else random ones, most of them on
+    /// the highlight.
+    fn candidates(&self, task: u64) -> told::Candidates<'a> {
+        let (design, one, bits) = (self.design, self.one, self.candidate_bits());
+        let (index_bits, operand) = (design.index_format().width(), design.operand_format());
+        let all = index_bits + operand.width() == bits;
+        let (first, operands) = super::all_codes(operand);
+        let rows = design.spec.shininess.rows() as u64;
+        let mut dice = Dice::new((5 << 40) + task);
+        let mut places = task << TASK_BITS..((task + 1) << TASK_BITS).min(1 << bits);
+        Box::new(move |block| {
+            block.count = 0;
+            for place in places.by_ref().take(Block::LANES) {
+                let (index, operand) = if all {
+                    (place >> operand.width(), first + (place & (operands - 1)) as i64)
+                } else if place % 4 == 0 {
+                    (dice.below(1 << index_bits), first + dice.below(operands) as i64)
+                } else {
+                    let row = dice.below(rows) as usize;
+                    let widest = (3.0 / design.spec.shininess.value(row)).min(1.0) * one as f64;
+                    let versine = dice.below(widest as u64 + 1) as i64;
+                    (design.spec.shininess.index_of_row(row).into(), design.operand_of_versine(versine))
+                };
+                block.push(&[index as i64, operand]);
+            }
+            block.count > 0
+        })
+    }
+
+    /// Inputs that tell mutants which no known vector does.
+    fn mutants(&mut self, known: &[&Vector]) -> Vec<Vector> {
+        let tasks = (1u64 << self.candidate_bits()).div_ceil(1 << TASK_BITS);
+        let chosen = told::telling(self.design, known, tasks, &|task| self.candidates(task));
+        chosen.into_iter().map(|inputs| self.vector(inputs[0] as u32, inputs[1])).collect()
     }
 
     fn random_codes(&mut self) -> Vec<Vector> {

@@ -8,6 +8,7 @@ mod choose;
 mod complement;
 mod file;
 mod shader;
+mod told;
 
 use rayon::prelude::*;
 use serde::Serialize;

@@ -2,7 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::{OutputHash, Vector};
+use super::{OutputHash, Vector, told};
+use crate::datapath::fault::Block;
 use crate::design::Design;
 use crate::design::sample::{Sample, normalised, random_codes};
 use crate::hdl::Direction;
@@ -16,6 +17,9 @@ const MOST_ROWS: usize = 256;
 const RANDOM: usize = 512;
 /// Scenes among which those are sought that tell a ROM word from one with a flipped bit.
 const CANDIDATES: usize = 96;
+/// Tasks that seek inputs which tell mutants, and the candidates of each.
+const TASKS: u64 = 16;
+const OF_TASK: u64 = 1 << 14;
 /// Samples of a material's stream.
 pub(super) const STREAM: u64 = 1 << 13;
 
@@ -81,10 +85,45 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
         let (idle, stall) = (super::pause(dice), super::pause(dice));
         Vector { outputs: design.evaluate(&inputs), inputs, idle, stall }
     };
-    let group = |(heading, inputs): (&str, Vec<Vec<i64>>)| {
+    let mut group = |(heading, inputs): (&str, Vec<Vec<i64>>)| {
         (heading.to_owned(), inputs.into_iter().map(|inputs| vector(inputs, &mut dice)).collect())
     };
-    groups.into_iter().map(group).collect()
+    let mut groups: Vec<(String, Vec<Vector>)> = groups.into_iter().map(&mut group).collect();
+    let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
+    let mutants = told::telling(design, &known, TASKS, &|task| candidates(design, shader, task));
+    if !mutants.is_empty() {
+        groups.push((
+            "mutants that no vector above tells from the core".to_owned(),
+            mutants.into_iter().map(|inputs| vector(inputs, &mut dice)).collect(),
+        ));
+    }
+    let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
+    let pausing = told::pausing(design, &known, &|task| candidates(design, shader, task));
+    if !pausing.is_empty() {
+        groups.push(("mutants of registers that no vector above tells from the core".to_owned(), pausing));
+    }
+    groups
+}
+
+/// A task's candidates among which those are sought that tell mutants: samples and random codes in turn.
+fn candidates<'a>(design: &'a Design, shader: &'a Shader, task: u64) -> told::Candidates<'a> {
+    let mut dice = Dice::new((5 << 40) + task);
+    let ports = design.numbers(Direction::In);
+    let mut left = OF_TASK;
+    Box::new(move |block| {
+        block.count = 0;
+        while left > 0 && block.count < Block::LANES {
+            let row = dice.below(design.spec.shininess.rows() as u64) as u32;
+            let n = design.spec.shininess.value(row as usize);
+            let codes = match left % 2 {
+                0 => Sample::random(shader, row, n, &mut dice).codes(shader),
+                _ => random_codes(&ports, &mut dice),
+            };
+            block.push(&codes);
+            left -= 1;
+        }
+        block.count > 0
+    })
 }
 
 /// Normal, viewer and lights along the axes and halfway between them: scalar products of 0, 1 and -1.

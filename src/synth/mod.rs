@@ -5,9 +5,12 @@
 
 mod cache;
 mod family;
+mod mutate;
 mod pack;
 mod place;
 pub(crate) mod yosys;
+
+pub(crate) use mutate::{Mutated, mutated};
 
 pub use family::Family;
 pub use pack::{Packed, pack};

@@ -1,0 +1,125 @@
+//! `brdfgen mutate`.
+
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::Args;
+use serde::Serialize;
+use serde_json::json;
+
+use super::source::{OnDisk, Source, read_golden};
+use super::{Verdict, progress, say, say_json};
+use crate::datapath::mutants::Mutant;
+use crate::design::Design;
+use crate::error::Error;
+use crate::mutate::netlist::{self, NetlistMutant};
+use crate::mutate::{Fate, Tally, source};
+use crate::package::rtl_path;
+use crate::spec::{Language, RomStyle};
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    #[command(flatten)]
+    source: Source,
+
+    /// Golden vectors [default: the core's own]
+    #[arg(long, value_name = "FILE")]
+    golden: Option<PathBuf>,
+
+    /// At most so many of the mutants of the operations, registers and memories, evenly spread
+    #[arg(long = "source", value_name = "N", default_value_t = usize::MAX, hide_default_value = true)]
+    most: usize,
+
+    /// So many mutants of the netlist of the core's Verilog as well, by Yosys and Verilator; its memories must be in its text
+    #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
+    netlist: u32,
+
+    /// Which words of the memories get a wrong bit, and which mutants of the netlist are taken
+    #[arg(long, default_value_t = 0)]
+    seed: u32,
+
+    /// Print every mutant and what became of it
+    #[arg(long)]
+    list: bool,
+
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
+    let start = Instant::now();
+    let design = arguments.source.design()?;
+    let core = OnDisk::of(&arguments.source, &design)?;
+    let named = arguments.golden.as_ref().map(|path| read_golden(&design, path)).transpose()?;
+    let golden = named.as_ref().unwrap_or(&core.golden);
+    let all = source::mutants(&design, arguments.seed);
+    let step = all.len().div_ceil(arguments.most.max(1)).max(1);
+    let mutants: Vec<Mutant> = all.into_iter().step_by(step).collect();
+    let bar = progress::bar("mutants", mutants.len() as u64);
+    let fates = source::fates(&design, golden, &mutants, &|| bar.inc(1));
+    bar.finish_and_clear();
+    let row = |(mutant, fate): (Mutant, Fate)| Row { kind: mutant.kind.name(), what: mutant.what, fate };
+    let mut sorts = vec![("source", mutants.into_iter().zip(fates).map(row).collect::<Vec<Row>>())];
+    if arguments.netlist > 0 {
+        let spinner = progress::spinner("mutants of the netlist".to_owned());
+        let row = |mutant: NetlistMutant| Row { kind: "netlist", what: mutant.what, fate: mutant.fate };
+        let found = netlist::fates(&design, &verilog(&design, &core)?, golden, arguments.netlist, arguments.seed)?;
+        sorts.push(("netlist", found.into_iter().map(row).collect()));
+        spinner.finish_and_clear();
+    }
+    let tallies: Vec<(&str, Tally)> =
+        sorts.iter().map(|(sort, rows)| (*sort, Tally::of(rows.iter().map(|row| &row.fate)))).collect();
+    let name = &design.spec.name;
+    let shown = sorts.iter().flat_map(|(_, rows)| rows).filter(|row| arguments.list || !is_settled(&row.fate));
+    if arguments.json {
+        let of: serde_json::Map<_, _> =
+            tallies.iter().map(|(sort, tally)| ((*sort).to_owned(), json!(tally))).collect();
+        let list: Vec<_> = shown.collect();
+        say_json(&json!({ "core": name, "tallies": of, "mutants": list }));
+    } else {
+        for Row { kind, what, fate } in shown {
+            let end = match fate {
+                Fate::Killed { by } => format!("killed: {by}"),
+                Fate::Equivalent { proof } => format!("equivalent: {proof}"),
+                Fate::Survives { input } => format!("SURVIVES; shown by {input}"),
+                Fate::Undecided { tried } => format!("not decided by {tried}"),
+            };
+            say(format!("{kind}: {what}: {end}"));
+        }
+        for (sort, tally) in &tallies {
+            say(format!(
+                "{name}, {sort}: {} mutants, {} killed, {} equivalent, {} survivors, {} not decided",
+                tally.mutants, tally.killed, tally.equivalent, tally.survivors, tally.undecided
+            ));
+        }
+        say(format!("{:.1} s", start.elapsed().as_secs_f64()));
+    }
+    Ok(Verdict::of(tallies.iter().all(|(_, tally)| tally.survivors == 0)))
+}
+
+/// A mutant, for printing.
+#[derive(Serialize)]
+struct Row {
+    kind: &'static str,
+    what: String,
+    #[serde(flatten)]
+    fate: Fate,
+}
+
+/// The Verilog of a core on disk.
+fn verilog(design: &Design, core: &OnDisk) -> Result<Vec<u8>, Error> {
+    if !design.spec.languages.contains(&Language::Verilog) || design.spec.rom == RomStyle::File {
+        return Err(Error::input(
+            format!("the core {} has no Verilog with its memories in the text", design.spec.name),
+            "leave --netlist out, or generate the core with Verilog and an inline ROM",
+        ));
+    }
+    let path = core.path().join(rtl_path(design, Language::Verilog));
+    std::fs::read(&path).map_err(|error| Error::io("cannot read", &path, error))
+}
+
+/// Whether there is nothing to be done about a mutant.
+fn is_settled(fate: &Fate) -> bool {
+    matches!(fate, Fate::Killed { .. } | Fate::Equivalent { .. })
+}

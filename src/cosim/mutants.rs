@@ -1,0 +1,150 @@
+//! Many mutants of a netlist as one program.
+//!
+//! Verilator compiles a netlist with an input `mutant`, which chooses what is wrong in it, with a harness of ours, `testbench/mutants.cpp`,
+//! into a program that runs golden vectors, any of all inputs, or random ones through each.
+
+use std::path::PathBuf;
+use std::process::Command;
+
+use super::compiled::{CORE, converse, program};
+use crate::design::Design;
+use crate::error::Error;
+use crate::golden::Golden;
+use crate::hdl::Direction;
+
+const HARNESS: &str = include_str!("../../testbench/mutants.cpp");
+
+/// How a mutant was found out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Found {
+    /// By no vector.
+    Not,
+    /// By the reset in front of the vectors.
+    ByReset,
+    /// By the vector of this number, from 1.
+    ByVector(u32),
+}
+
+/// A netlist with mutants, compiled.
+pub(crate) struct Mutants<'a> {
+    design: &'a Design,
+    program: PathBuf,
+}
+
+impl<'a> Mutants<'a> {
+    /// Compiles a core's netlist with the input `mutant`, 0 for none.
+    ///
+    /// # Errors
+    /// A tool that is not installed or does not compile the netlist.
+    pub(crate) fn of(design: &'a Design, verilog: &[u8]) -> Result<Self, Error> {
+        let sources =
+            [("core.v", verilog), ("core.h", &header(design).into_bytes()), ("mutants.cpp", HARNESS.as_bytes())];
+        Ok(Self { design, program: program(&design.spec.name, &sources, "-O2")? })
+    }
+
+    /// How each of the mutants from 0 to before `count` is found out by golden vectors.
+    ///
+    /// # Errors
+    /// A program that does not run to its end.
+    pub(crate) fn golden(&self, golden: &Golden, count: u32) -> Result<Vec<Found>, Error> {
+        let vectors = golden.vectors();
+        let mut words = vec![0, count, vectors.len() as u32];
+        for vector in vectors {
+            words.extend(vector.inputs.iter().chain(&vector.outputs).map(|&code| code as u32));
+            words.extend([vector.idle, vector.stall]);
+        }
+        let found = |word: u32| match word {
+            0 => Found::Not,
+            u32::MAX => Found::ByReset,
+            number => Found::ByVector(number),
+        };
+        Ok(self.ask(&words, count as usize)?.into_iter().map(found).collect())
+    }
+
+    /// The place of the first of all inputs, the ports' bits side by side, that tells a mutant from the core, from `first` on.
+    ///
+    /// # Errors
+    /// A program that does not run to its end.
+    pub(crate) fn every(&self, mutant: u32, first: u64, count: u64) -> Result<Option<u64>, Error> {
+        let halves = |word: u64| [word as u32, (word >> 32) as u32];
+        let words = [[1, mutant].as_slice(), &halves(first), &halves(count)].concat();
+        self.place(&words)
+    }
+
+    /// The first of so many clocks with random inputs, `ce`, `in_valid` and `rst` that tells a mutant from the core.
+    ///
+    /// # Errors
+    /// A program that does not run to its end.
+    pub(crate) fn at_random(&self, mutant: u32, clocks: u32) -> Result<Option<u64>, Error> {
+        self.place(&[2, mutant, clocks])
+    }
+
+    fn place(&self, words: &[u32]) -> Result<Option<u64>, Error> {
+        let found = self.ask(words, 2)?;
+        let place = u64::from(found[0]) | u64::from(found[1]) << 32;
+        Ok((place != u64::MAX).then_some(place))
+    }
+
+    /// The program's answer of so many words.
+    fn ask(&self, words: &[u32], answer: usize) -> Result<Vec<u32>, Error> {
+        let question: Vec<u8> = words.iter().flat_map(|word| word.to_ne_bytes()).collect();
+        let mut bytes = vec![0; 4 * answer];
+        let mut whole = false;
+        let output = converse(
+            &mut Command::new(&self.program),
+            |pipe| pipe.write_all(&question),
+            |answer| whole = answer.read_exact(&mut bytes).is_ok(),
+        )?;
+        if whole && output.status.success() {
+            return Ok(bytes.as_chunks::<4>().0.iter().map(|word| u32::from_ne_bytes(*word)).collect());
+        }
+        Err(Error::ToolFailed {
+            tool: CORE.program.to_owned(),
+            what: format!("no whole answer, {}", output.status),
+            output: crate::tool::tail(&output, 4),
+        })
+    }
+
+    /// The codes of the ports at a place among all inputs.
+    pub(crate) fn inputs_at(&self, place: u64) -> Vec<i64> {
+        let ports = self.design.numbers(Direction::In);
+        let mut rest: u32 = ports.iter().map(|(_, format)| format.width()).sum();
+        let code = |(_, format): &(&str, crate::number::Format)| {
+            rest -= format.width();
+            format.wrap(i128::from(place >> rest)) as i64
+        };
+        ports.iter().map(code).collect()
+    }
+}
+
+/// What the harness needs to know of the core.
+fn header(design: &Design) -> String {
+    let (inputs, outputs) = (design.numbers(Direction::In), design.numbers(Direction::Out));
+    let mask = |bits: u32| u32::MAX >> (32 - bits);
+    let widths: Vec<String> = inputs.iter().map(|(_, format)| format.width().to_string()).collect();
+    let mut text = format!(
+        "#define LATENCY {}\n#define INPUTS {}\n#define OUTPUTS {}\nstatic const int INPUT_BITS[] = {{{}}};\n",
+        design.schedule.latency,
+        inputs.len(),
+        outputs.len(),
+        widths.join(", ")
+    );
+    let mut line = |line: String| text.push_str(&(line + "\n"));
+    line("static void present(Vcore& core, const uint32_t* codes) {".to_owned());
+    for (place, (name, format)) in inputs.iter().enumerate() {
+        line(format!("    core.{name} = codes[{place}] & {:#x}u;", mask(format.width())));
+    }
+    for port in design.write_ports() {
+        line(format!("    core.{} = 0;", port.enable.name));
+    }
+    line("}\nstatic bool shows(const Vcore& core, const uint32_t* codes) {\n    return true".to_owned());
+    for (place, (name, format)) in outputs.iter().enumerate() {
+        line(format!("        && uint32_t(core.{name}) == (codes[{place}] & {:#x}u)", mask(format.width())));
+    }
+    line("        ;\n}\nstatic bool same(const Vcore& a, const Vcore& b) {\n    return true".to_owned());
+    for (name, _) in outputs {
+        line(format!("        && a.{name} == b.{name}"));
+    }
+    line("        ;\n}".to_owned());
+    text
+}

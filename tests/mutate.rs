@@ -1,0 +1,205 @@
+//! Mutants: the run finds what the golden vectors miss, and claims of none what is not so.
+//!
+//! Needs iverilog, ghdl, verilator and yosys; `test.sh` installs them.
+
+mod common;
+
+use brdfgen::cosim::{self, Job, Sim};
+use brdfgen::datapath::fault::{Block, Change, Defect, Fault, Hunt, Probe};
+use brdfgen::datapath::graph::Op;
+use brdfgen::datapath::simulate::{Inputs, Simulation};
+use brdfgen::design::{Account, Design};
+use brdfgen::golden::Golden;
+use brdfgen::mutate::equivalent::{Decision, decide};
+use brdfgen::mutate::{Fate, Tally, netlist, source};
+use brdfgen::package;
+use brdfgen::spec::{Language, SpecFields};
+use common::Scratch;
+
+const SMALL: &str = "method = \"quadratic\"\nshininess = \"1..=15\"\ninput_fraction = 8\noutput_fraction = 8\n";
+
+fn design(spec: &str) -> Design {
+    Design::new(SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec)).expect("a design")
+}
+
+/// Without most vectors: the corners of the ports' codes only.
+fn thinned(golden: &Golden) -> Golden {
+    Golden { groups: golden.groups[..1].to_vec(), ..golden.clone() }
+}
+
+#[test]
+fn all_vectors_kill_what_few_do_not() {
+    let design = design(SMALL);
+    let golden = Golden::of(&design);
+    let mutants = source::mutants(&design, 0);
+    assert!(mutants.len() >= 200, "{}", mutants.len());
+    let fates = source::fates(&design, &golden, &mutants, &|| ());
+    let tally = Tally::of(&fates);
+    assert_eq!((tally.mutants, tally.survivors, tally.undecided), (mutants.len(), 0, 0), "{fates:?}");
+    assert!(tally.killed > 9 * tally.equivalent / 2, "{tally:?}");
+
+    let few = source::fates(&design, &thinned(&golden), &mutants, &|| ());
+    let survivors = Tally::of(&few).survivors;
+    assert!(survivors > 20, "{survivors}");
+    for (all, few) in fates.iter().zip(&few) {
+        // What the one run proves equivalent the other does not let survive.
+        assert!(!matches!((all, few), (Fate::Equivalent { .. }, Fate::Survives { .. } | Fate::Killed { .. })));
+    }
+}
+
+#[test]
+fn the_command_ends_with_1_when_a_mutant_survives() {
+    let scratch = Scratch::new();
+    let design = design(SMALL);
+    let golden = Golden::of(&design);
+    let files = package::files(&design, &Account::of(&design), &golden).expect("files");
+    package::write_directory(&scratch.path("core"), &files).expect("written");
+    scratch.write("few.vec", &thinned(&golden).to_text(&design));
+    scratch.run("mutate core").succeeds().says(&[" 0 survivors", " 0 not decided"]);
+    let few = "mutate core --golden few.vec";
+    let said = scratch.run(few).ends_with(1).says(&["SURVIVES; shown by in_n "]);
+    assert!(!said.stdout.contains(" 0 survivors"), "{}", said.stdout);
+    let json = format!("{few} --json --seed 7");
+    assert_eq!(scratch.run(&json).stdout, scratch.run(&json).ends_with(1).stdout, "the same seed, the same answer");
+}
+
+#[test]
+fn a_seed_says_which_words_are_wrong() {
+    let design = design(SMALL);
+    let what = |seed: u32| -> Vec<String> { source::mutants(&design, seed).into_iter().map(|m| m.what).collect() };
+    assert_eq!(what(3), what(3));
+    assert_ne!(what(3), what(4));
+}
+
+#[test]
+fn equivalent_mutants_are_told_from_others() {
+    let design = design(SMALL);
+    let graph = design.graph();
+    let sum = graph.nodes.iter().position(|node| matches!(node.op, Op::Add | Op::Sub)).expect("a sum");
+    let args = &graph.nodes[sum].args;
+    let instead = |op, args| Defect::Value(Fault { node: sum, change: Change::Instead { op, args } });
+    let same = instead(graph.nodes[sum].op, args.clone());
+    let swapped = instead(Op::Sub, vec![args[1], args[0]]);
+    let off = Defect::Value(Fault { node: graph.output(), change: Change::Offset(1) });
+    let decisions = decide(&design, &[&same, &swapped, &off]);
+    assert!(matches!(decisions[0], Decision::Same { .. }), "{decisions:?}");
+    assert!(matches!(decisions[1], Decision::Differs { .. }), "{decisions:?}");
+    assert!(matches!(decisions[2], Decision::Differs { .. }), "{decisions:?}");
+}
+
+/// Runs one block of inputs.
+struct Once<'a> {
+    block: Option<&'a Block>,
+    shown: Vec<u64>,
+}
+
+impl Hunt for Once<'_> {
+    fn next(&mut self, block: &mut Block) -> bool {
+        let Some(next) = self.block.take() else { return false };
+        *block = next.clone();
+        true
+    }
+
+    fn shown(&mut self, place: usize, lanes: u64, _: &Block) -> bool {
+        self.shown[place] = lanes;
+        true
+    }
+}
+
+/// The probe and the pipeline have every kind of fault of their own.
+#[test]
+fn the_probe_shows_what_the_pipeline_does() {
+    for spec in [
+        SMALL,
+        "method = \"schlick\"\nshininess = \"1..=15\"\ninput_fraction = 8\noutput_fraction = 8\n",
+        "method = \"cubic\"\nform = \"paper\"\nshininess = \"1..=40\"\ninput_fraction = 12\noutput_fraction = 12\n",
+        "method = \"log-exp\"\nshininess = \"1..=15\"\ninput_fraction = 8\noutput_fraction = 8\n",
+    ] {
+        let design = design(spec);
+        let mut block = Block::new(2);
+        let golden = Golden::of(&design);
+        let vectors = golden.vectors();
+        for vector in vectors.iter().step_by(vectors.len() / 60).take(Block::LANES) {
+            block.push(&vector.inputs);
+        }
+        let value = |defect| if let Defect::Value(fault) = defect { Some(fault) } else { None };
+        let faults: Vec<Fault> = source::mutants(&design, 1).into_iter().filter_map(|m| value(m.defect)).collect();
+        let mut once = Once { block: Some(&block), shown: vec![0; faults.len()] };
+        Probe::new(design.graph(), design.tables()).run(&faults.iter().collect::<Vec<_>>(), &mut once);
+
+        let outputs = |defect: Option<&Defect>| -> Vec<Vec<i128>> {
+            let core = Simulation::new(design.graph(), &design.schedule, design.tables());
+            let mut core = if let Some(defect) = defect { core.with(defect) } else { core };
+            let latency = design.schedule.latency as usize;
+            let clocks = (0..block.count + latency).map(|clock| {
+                let codes = block.inputs(clock.min(block.count - 1)).into_iter().map(i128::from).collect();
+                core.clock(&Inputs { rst: false, ce: true, in_valid: true, codes }).codes
+            });
+            clocks.skip(latency - 1).take(block.count).collect()
+        };
+        let right = outputs(None);
+        let mut differing = 0;
+        for (fault, lanes) in faults.into_iter().zip(once.shown) {
+            let defect = Defect::Value(fault);
+            let wrong = outputs(Some(&defect));
+            for (lane, (wrong, right)) in wrong.iter().zip(&right).enumerate() {
+                assert_eq!(lanes >> lane & 1 == 1, wrong != right, "{defect:?} at {:?}", block.inputs(lane));
+                differing += usize::from(wrong != right);
+            }
+        }
+        assert!(differing > 1000, "{differing}");
+    }
+}
+
+/// The same mistake in the HDL: the generated benches fail.
+#[test]
+fn mutants_in_the_hdl_fail_in_the_simulators() {
+    let design = design(SMALL);
+    let golden = Golden::of(&design);
+    let account = Account::of(&design);
+    let mutants = source::mutants(&design, 0);
+    let fates = source::fates(&design, &golden, &mutants, &|| ());
+    let mut written = 0;
+    for (mutant, fate) in mutants.iter().zip(&fates) {
+        let Defect::Value(Fault { node, change: Change::Instead { op, args } }) = &mutant.defect else { continue };
+        // A bench's verdict is over all vectors, as that of the simulation in process is.
+        let mut wrong = design.clone();
+        wrong.datapath.graph.nodes[*node].op = *op;
+        wrong.datapath.graph.nodes[*node].args = args.clone();
+        // Arguments from earlier stages have to be kept for longer: only those that are there already.
+        if args.iter().any(|&arg| design.schedule.last_use[arg] < design.schedule.stage[*node]) {
+            continue;
+        }
+        written += 1;
+        if written % 3 != 0 {
+            continue;
+        }
+        let scratch = tempfile::tempdir().expect("a directory");
+        let path = scratch.path().join("core");
+        package::write_directory(&path, &package::files(&wrong, &account, &golden).expect("files")).expect("written");
+        let job = Job { design: &wrong, golden: &golden, directory: &path };
+        for sim in [Sim::Icarus, Sim::Ghdl] {
+            let outcome = cosim::golden(sim, &job).expect("it runs");
+            assert!(outcome.vectors > 0, "{}: {outcome:?}", mutant.what);
+            assert_eq!(outcome.passed(), !matches!(fate, Fate::Killed { .. }), "{}: {outcome:?}", mutant.what);
+        }
+    }
+    assert!(written > 12, "{written}");
+}
+
+#[test]
+fn mutants_of_the_netlist_are_killed_by_all_vectors_and_not_by_few() {
+    let design = design(SMALL);
+    let golden = Golden::of(&design);
+    let files = package::files(&design, &Account::of(&design), &golden).expect("files");
+    let path = package::rtl_path(&design, Language::Verilog);
+    let verilog = &files.iter().find(|file| file.path == path).expect("its Verilog").bytes;
+    let tally = |golden: &Golden| {
+        let mutants = netlist::fates(&design, verilog, golden, 100, 0).expect("it runs");
+        (Tally::of(mutants.iter().map(|mutant| &mutant.fate)), mutants)
+    };
+    let (all, mutants) = tally(&golden);
+    assert_eq!((all.mutants, all.survivors), (100, 0), "{mutants:?}");
+    assert!(all.killed > 80, "{all:?}");
+    assert!(tally(&thinned(&golden)).0.survivors > 0);
+}
