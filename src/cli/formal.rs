@@ -3,8 +3,8 @@
 use clap::Args;
 use serde_json::json;
 
-use super::source::Source;
-use super::{Verdict, say, say_json};
+use super::source::{OnDisk, Source};
+use super::{Verdict, progress, say, say_json};
 use crate::error::Error;
 use crate::formal::{self, Proof};
 
@@ -13,6 +13,10 @@ pub(super) struct Arguments {
     #[command(flatten)]
     source: Source,
 
+    /// The most seconds that the solver may take at once
+    #[arg(long, value_name = "S", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
+    time_limit: u32,
+
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
@@ -20,7 +24,11 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
-    let proofs: Vec<Proof> = Vec::new();
+    let core = OnDisk::of(&arguments.source, &design)?;
+    let spinner = progress::spinner("formal".to_owned());
+    let tell = |claim: &str| spinner.set_message(claim.to_owned());
+    let proofs = formal::equivalence(&design, core.path(), arguments.time_limit, &tell)?;
+    spinner.finish_and_clear();
     let passed = !proofs.is_empty() && proofs.iter().all(|proof| proof.verdict == formal::Verdict::Proved);
     if arguments.json {
         say_json(&json!({ "core": design.spec.name, "passed": passed, "proofs": proofs }));
@@ -37,8 +45,5 @@ fn say_proof(proof: &Proof) {
         formal::Verdict::Refuted => "REFUTED",
         formal::Verdict::Open => "OPEN",
     };
-    say(format!("{verdict} {}, {:.1} s", proof.claim, proof.seconds));
-    for line in &proof.why {
-        say(format!("  {line}"));
-    }
+    say(format!("{verdict} {}: {}, {:.1} s", proof.claim, proof.how, proof.seconds));
 }
