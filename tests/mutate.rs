@@ -54,7 +54,7 @@ fn the_command_ends_with_1_when_a_mutant_survives() {
     let golden = Golden::of(&design);
     let files = package::files(&design, &Account::of(&design), &golden).expect("files");
     package::write_directory(&scratch.path("core"), &files).expect("written");
-    scratch.write("few.vec", &thinned(&golden).to_text(&design));
+    scratch.write("few.vec", thinned(&golden).to_text(&design));
     scratch.run("mutate core").succeeds().says(&[" 0 survivors", " 0 not decided"]);
     let few = "mutate core --golden few.vec";
     let said = scratch.run(few).ends_with(1).says(&["SURVIVES; shown by in_n "]);

@@ -1,7 +1,5 @@
 //! ABC: whether two combinational circuits are the same function.
 
-use tempfile::TempDir;
-
 use super::aig::{Aig, Literal};
 use crate::error::Error;
 use crate::package;
@@ -21,7 +19,7 @@ pub(super) enum Answer {
 /// # Errors
 /// If ABC is not installed, or says neither.
 pub(super) fn equal(aig: &Aig, pairs: &[(Literal, Literal)], seconds: u32) -> Result<Answer, Error> {
-    let scratch: TempDir = tool::scratch()?;
+    let scratch = tool::scratch()?;
     let sides: [Vec<Literal>; 2] =
         [pairs.iter().map(|pair| pair.0).collect(), pairs.iter().map(|pair| pair.1).collect()];
     for (name, outputs) in [("one.aig", &sides[0]), ("other.aig", &sides[1])] {
