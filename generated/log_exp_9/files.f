@@ -1,1 +1,2 @@
 rtl/log_exp_9.v
+rtl/log_exp_9_axis.v

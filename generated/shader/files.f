@@ -1,1 +1,2 @@
 rtl/shader.v
+rtl/shader_axis.v

@@ -156,7 +156,7 @@ module {{ axis.name }}_tb;
         begin
             mismatches = mismatches + 1;
             if (mismatches <= SHOWN)
-                $display("brdfgen: %0s: vector %0d: expected tuser, tlast, tdata %h %b %h, got %h %b %h",
+                $display("brdfgen: %0s: vector %0d: due tuser, tlast, tdata %h %b %h, got %h %b %h",
                          NAME, due_number[oldest],
                          due[oldest][BEAT-1:{{ axis.outputs.tdata_bits() + 1 }}],
                          due[oldest][{{ axis.outputs.tdata_bits() }}],

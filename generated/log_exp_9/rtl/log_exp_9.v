@@ -1,7 +1,7 @@
 // log_exp_9: specular lobe x^n as 2^(-n L(x)), L = -log2 x, n = 1 to 255
 //
 // Made by: brdfgen generate core.toml
-// Spec 3f56e034199e37a9. Generated; the core is yours to use under any terms.
+// Spec 608aa1feabb28d90. Generated; the core is yours to use under any terms.
 //
 //   in_n      UQ8.0   shininess, 1 to 255; outside: the nearest end
 //   in_cos    Q1.14   cosine x; below 0 gives 0, above 1 counts as 1
