@@ -21,6 +21,8 @@ impl Simulator for Icarus {
     fn golden(&self, job: &Job) -> Result<Outcome, Error> {
         let scratch = bench::copied(job, tool::scratch()?)?;
         let mut compile = IVERILOG.command(scratch.path());
+        // Its driver puts temporary files there, by way of a shell.
+        compile.env("TMPDIR", ".");
         compile.args(["-g2005", "-Wall", "-o", "core.vvp"]).args(bench::sources(job, Language::Verilog));
         if let Some(failed) = bench::compiled(self.name(), IVERILOG, &IVERILOG.output(&mut compile)?, job) {
             return Ok(failed);
