@@ -11,11 +11,9 @@ shift || true
 targets=("$@")
 [ ${#targets[@]} -gt 0 ] || targets=(spec golden rom scene mesh netlist sweep results tables)
 
-# Cargo's own words name the program that it has built.
-program=$(RUSTC_WORKSPACE_WRAPPER=$PWD/fuzz/instrument.sh cargo test --locked --features fuzz --test fuzz --no-run 2>&1 |
-    tee /dev/stderr | sed -n 's/^ *Executable .*(\(.*\))$/\1/p')
+RUSTC_WORKSPACE_WRAPPER=$PWD/fuzz/instrument.sh cargo build --locked --profile test --features fuzz --example fuzz
 mkdir -p target/fuzz
-cp "$program" target/fuzz/fuzzer
+cp target/debug/examples/fuzz target/fuzz/fuzzer
 
 # Inputs of more than 4 kB are slow and find nothing that a smaller one does not.
 limits="-timeout=10 -rss_limit_mb=1024 -max_len=4096 -print_final_stats=1 -verbosity=0"

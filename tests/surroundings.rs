@@ -752,7 +752,15 @@ fn other_commands_work_at_any_path() {
             &json,
         ]);
         for results in [&results, &csv, &json] {
-            run(&[word("choose"), word("--results"), results, word("--max-error"), word("0.2")]);
+            run(&[
+                word("choose"),
+                word("--results"),
+                results,
+                word("--max-error"),
+                word("0.2"),
+                word("--shininess"),
+                word("1..=9"),
+            ]);
         }
         let answer = run(&[word("golden"), word("core"), word("--out"), &at("g.vec"), word("--json")]).json();
         assert!(answer["file"].as_str().unwrap().ends_with("g.vec"));

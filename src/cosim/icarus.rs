@@ -21,6 +21,8 @@ impl Simulator for Icarus {
     fn run(&self, job: &Job, part: Part) -> Result<Outcome, Error> {
         let scratch = bench::copied(job, tool::scratch()?)?;
         let mut compile = IVERILOG.command(scratch.path());
+        // Its driver puts temporary files there, by way of a shell.
+        compile.env("TMPDIR", ".");
         compile.args(["-g2005", "-Wall", "-o", "core.vvp"]).args(part.sources(job, Language::Verilog));
         if let Some(failed) = bench::compiled(self.name(), IVERILOG, &IVERILOG.output(&mut compile)?, job, part) {
             return Ok(failed);

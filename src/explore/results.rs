@@ -155,10 +155,15 @@ impl Results {
             }
             let timing = point.synthesis.as_ref().and_then(|synthesis| synthesis.timing.as_ref());
             let estimate = point.estimate.as_ref().and_then(|estimate| estimate.mhz);
-            let clocks = timing.map(|timing| timing.median_mhz).into_iter().chain(estimate);
+            let clocks = timing.into_iter().flat_map(|timing| {
+                let Timing { target_mhz, mhz, min_mhz, median_mhz, max_mhz, limits: _ } = timing;
+                [*target_mhz, *min_mhz, *median_mhz, *max_mhz].into_iter().chain(mhz.iter().copied())
+            });
+            let rates = point.synthesis.iter().flat_map(|all| [all.latency_ns, all.results_per_second]).flatten();
+            let clocks = clocks.chain(rates).chain(estimate);
             let errors =
                 [("max_abs", point.max_abs), ("max_rel", point.max_rel), ("rms", point.rms), ("bound", point.bound)];
-            let figures = errors.into_iter().chain(clocks.map(|mhz| ("the frequency", mhz)));
+            let figures = errors.into_iter().chain(clocks.map(|mhz| ("a frequency or a rate", mhz)));
             for (what, value) in figures {
                 if !(value.is_finite() && value >= 0.0) {
                     return Err(wrong(format!("says {what} is {value}, where a number of 0 or more is needed")));
