@@ -116,9 +116,19 @@ pub(super) fn pausing<'a>(
     let clocks = Clocks::of(design, known);
     let mut open: Vec<&Defect> = registers.par_iter().filter(|defect| !clocks.tell(design, defect)).collect();
     let mut chosen = Vec::new();
+    if open.is_empty() {
+        return chosen;
+    }
+    let mut inputs: Vec<Vec<i64>> = known.iter().map(|vector| vector.inputs.clone()).collect();
+    let (mut more, mut block) = (candidates(0), Block::new(design.graph().inputs.len()));
+    while more(&mut block) {
+        inputs.extend((0..block.count).map(|lane| block.inputs(lane)));
+    }
+    let nodes: Vec<NodeId> = open.iter().filter_map(|defect| node_of(defect)).collect();
+    let values = values(design, &inputs, &nodes);
     while let Some(defect) = open.first() {
         let Defect::Timing(Timing::Register { node, register, .. }) = **defect else { return chosen };
-        let pattern = pair(design, known, candidates, node, register).map(|pair| pattern(design, &pair));
+        let pattern = pair(design, &inputs, &values[&node], node, register).map(|pair| pattern(design, &pair));
         let Some(pattern) = pattern else {
             open.remove(0);
             continue;
@@ -135,26 +145,48 @@ pub(super) fn pausing<'a>(
     chosen
 }
 
+fn node_of(defect: &Defect) -> Option<NodeId> {
+    if let Defect::Timing(Timing::Register { node, .. }) = defect { Some(*node) } else { None }
+}
+
+/// Some values of nodes, each with the place of the first of the inputs that gives it.
+fn values(design: &Design, inputs: &[Vec<i64>], nodes: &[NodeId]) -> BTreeMap<NodeId, BTreeMap<i128, usize>> {
+    const CHUNK: usize = 1024;
+    let of_chunk = |(chunk, inputs): (usize, &[Vec<i64>])| {
+        let mut found: BTreeMap<NodeId, BTreeMap<i128, usize>> = BTreeMap::new();
+        for (place, inputs) in inputs.iter().enumerate() {
+            let codes: Vec<i128> = inputs.iter().copied().map(i128::from).collect();
+            let values = design.graph().values(design.tables(), &codes);
+            for &node in nodes {
+                let known = found.entry(node).or_default();
+                if known.len() < MOST_VALUES {
+                    known.entry(values[node]).or_insert(CHUNK * chunk + place);
+                }
+            }
+        }
+        found
+    };
+    let chunks: Vec<_> = inputs.par_chunks(CHUNK).enumerate().map(of_chunk).collect();
+    let mut all: BTreeMap<NodeId, BTreeMap<i128, usize>> = BTreeMap::new();
+    for (node, values) in chunks.into_iter().flatten() {
+        let known = all.entry(node).or_default();
+        for (value, place) in values {
+            if known.len() < MOST_VALUES {
+                known.entry(value).or_insert(place);
+            }
+        }
+    }
+    all
+}
+
 /// An input and another, of which a register may hold the value in the place of the first's, so that it shows.
-fn pair<'a>(
-    design: &'a Design,
-    known: &[&Vector],
-    candidates: &(dyn Fn(u64) -> Candidates<'a> + Sync),
+fn pair(
+    design: &Design,
+    inputs: &[Vec<i64>],
+    values: &BTreeMap<i128, usize>,
     node: NodeId,
     register: usize,
 ) -> Option<[Vec<i64>; 2]> {
-    let mut inputs: Vec<Vec<i64>> = known.iter().map(|vector| vector.inputs.clone()).collect();
-    let (mut more, mut block) = (candidates(0), Block::new(design.graph().inputs.len()));
-    while more(&mut block) {
-        inputs.extend((0..block.count).map(|lane| block.inputs(lane)));
-    }
-    let mut values: BTreeMap<i128, &Vec<i64>> = BTreeMap::new();
-    for inputs in &inputs {
-        if values.len() < MOST_VALUES {
-            let codes: Vec<i128> = inputs.iter().copied().map(i128::from).collect();
-            values.entry(design.graph().values(design.tables(), &codes)[node]).or_insert(inputs);
-        }
-    }
     let (graph, copy) = with_copy(design.graph(), &design.schedule, node, register);
     let held =
         |&code: &i128| Fault { node: copy, change: Change::Instead { op: Op::Constant(code), args: Vec::new() } };
@@ -167,7 +199,7 @@ fn pair<'a>(
     });
     let mut hunt = First { candidates, shown: vec![None; faults.len()] };
     Probe::new(&graph, design.tables()).run(&faults.iter().collect::<Vec<_>>(), &mut hunt);
-    hunt.shown.into_iter().zip(values.values()).find_map(|(shown, other)| Some([shown?, (*other).clone()]))
+    hunt.shown.into_iter().zip(values.values()).find_map(|(shown, &other)| Some([shown?, inputs[other].clone()]))
 }
 
 /// One input between two of the other, then with the clock disabled once while it is in each stage, and at last, since the inputs are

@@ -25,8 +25,9 @@ use crate::spec::Shader;
 
 /// Ports of more bits than these together are not run through all their codes.
 const MOST_BITS: u32 = 34;
-/// The same for a cut.
+/// The same for a cut of a shader, and of a lobe, all of whose inputs can be run for all mutants at once.
 const MOST_CUT_BITS: u32 = 20;
+const MOST_LOBE_CUT_BITS: u32 = 14;
 /// Values of a register that are tried in the place of any other.
 const MOST_VALUES: usize = 16;
 /// Inputs that one task runs.
@@ -229,6 +230,7 @@ fn locally(design: &Design, defect: &Defect) -> Option<Decision> {
             graph.nodes[id].args.iter().for_each(|&arg| above[arg] = true);
         }
     }
+    let most = if design.spec.block.shader().is_some() { MOST_CUT_BITS } else { MOST_LOBE_CUT_BITS };
     let mut cuts: Vec<Vec<NodeId>> = Vec::new();
     let own: Vec<NodeId> = graph.nodes[fault.node].args.iter().copied().filter(|&arg| !is_constant(arg)).collect();
     cuts.push(own);
@@ -238,7 +240,7 @@ fn locally(design: &Design, defect: &Defect) -> Option<Decision> {
     cuts.push(vec![index]);
     cuts.extend(others.clone().map(|id| vec![id]));
     cuts.extend(others.map(|id| vec![index, id]));
-    cuts.retain(|cut| !cut.is_empty() && cut.iter().map(|&id| width(id)).sum::<u32>() <= MOST_CUT_BITS);
+    cuts.retain(|cut| !cut.is_empty() && cut.iter().map(|&id| width(id)).sum::<u32>() <= most);
     cuts.sort_by_key(|cut| cut.iter().map(|&id| width(id)).sum::<u32>());
     cuts.into_iter().find_map(|mut cut| {
         cut.sort_unstable();
