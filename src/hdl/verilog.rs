@@ -227,7 +227,10 @@ impl Writer<'_> {
         let own = slice(&name, from.width(), width.min(magnitude) - 1, 0);
         let own = if magnitude < width { format!("{{{}, {own}}}", zeros(width - magnitude)) } else { own };
         let mut text = String::new();
-        if from.signed {
+        if from.signed && low > 0 {
+            let bound = literal(low, from.width());
+            text += &format!("($signed({name}) < $signed({bound})) ? {} : ", literal(low, width));
+        } else if from.signed {
             text += &format!("{name}[{}] ? {} : ", from.width() - 1, literal(low, width));
         } else if low > 0 {
             text += &format!("({name} < {}) ? {} : ", literal(low, from.width()), literal(low, width));

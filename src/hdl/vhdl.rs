@@ -227,7 +227,7 @@ impl Writer<'_> {
         }
         let magnitude = from.width() - u32::from(from.signed);
         let mut text = String::new();
-        if from.signed {
+        if from.signed && low == 0 {
             text += &format!("(others => '0') when {name}({}) = '1' else\n        ", from.width() - 1);
         } else if low > 0 {
             text += &format!("to_unsigned({low}, {width}) when {name} < {low} else\n        ");
