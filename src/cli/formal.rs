@@ -27,7 +27,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let core = OnDisk::of(&arguments.source, &design)?;
     let spinner = progress::spinner("formal".to_owned());
     let tell = |claim: &str| spinner.set_message(claim.to_owned());
-    let mut proofs = formal::equivalence(&design, core.path(), arguments.solver_limit, &tell)?;
+    let mut proofs = formal::equivalence(&design, core.path(), &core.golden, arguments.solver_limit, &tell)?;
     proofs.extend(formal::stream(&design, core.path(), &tell)?);
     spinner.finish_and_clear();
     let passed = !proofs.is_empty() && proofs.iter().all(|proof| proof.verdict == formal::Verdict::Proved);

@@ -86,6 +86,8 @@ pub(super) struct Circuit {
     pub(super) outputs: BTreeMap<String, Vec<Bit>>,
     pub(super) parts: Vec<Part>,
     pub(super) memories: Vec<Memory>,
+    /// Nets that stand for the bits that the text leaves undefined, such as a case that never happens: each may be anything.
+    undefined: Vec<usize>,
     nets: usize,
 }
 
@@ -144,16 +146,18 @@ impl Circuit {
         yosys.run(scratch.path(), &script(top))?;
         let path = scratch.path().join(GATES);
         let bytes = std::fs::read(&path).map_err(|error| Error::io("cannot read", &path, error))?;
-        Ok(Self::of(&parse_netlist(&bytes)?["modules"][top]))
+        Ok(Self::of(&mut parse_netlist(&bytes)?["modules"][top]))
     }
 
     /// The circuit of a module of a netlist.
-    fn of(module: &Value) -> Result<Self, Unfit> {
+    fn of(module: &mut Value) -> Result<Self, Unfit> {
+        let undefined = name_undefined(module);
         let mut circuit = Self {
             inputs: BTreeMap::new(),
             outputs: BTreeMap::new(),
             parts: Vec::new(),
             memories: Vec::new(),
+            undefined,
             nets: 0,
         };
         for (name, port) in object(&module["ports"]) {
@@ -282,7 +286,8 @@ impl Circuit {
         let read: Vec<Bit> = self.outputs.values().flatten().copied().collect();
         let written = self.memories.iter().flat_map(|memory| &memory.writes).flat_map(|write| write.bits.clone());
         let read: Vec<Bit> = read.into_iter().chain(written).chain(parts.iter().flat_map(Part::reads)).collect();
-        let driven = parts.iter().flat_map(Part::drives).chain(self.inputs.values().flatten().copied());
+        let free = || self.inputs.values().flatten().chain(&self.undefined).copied();
+        let driven = parts.iter().flat_map(Part::drives).chain(free());
         let of = |bit: &Bit| if let Bit::Net(net) = bit { Some(*net) } else { None };
         self.nets = driven.chain(read.iter().filter_map(of)).max().map_or(0, |net| net + 1);
         let mut driver = vec![None; self.nets];
@@ -294,7 +299,7 @@ impl Circuit {
             }
         }
         let mut is_input = vec![false; self.nets];
-        for &net in self.inputs.values().flatten() {
+        for net in self.inputs.values().flatten().chain(&self.undefined).copied() {
             is_input[net] = true;
         }
         if read.iter().filter_map(of).any(|net| !is_input[net] && driver[net].is_none()) {
@@ -356,6 +361,9 @@ impl Circuit {
             for (place, &net) in nets.iter().enumerate() {
                 wires.0[net] = input(name, place);
             }
+        }
+        for &net in &self.undefined {
+            wires.0[net] = aig.input();
         }
         for (index, part) in self.parts.iter().enumerate() {
             match part {
@@ -488,6 +496,30 @@ impl Circuit {
         }
         Ok((depth, depths))
     }
+}
+
+/// Gives each undefined bit that a cell or an output takes a net of its own, and returns these.
+fn name_undefined(module: &mut Value) -> Vec<usize> {
+    let mut lists: Vec<&mut Value> = Vec::new();
+    let Some(module) = module.as_object_mut() else { return Vec::new() };
+    for (section, value) in module.iter_mut() {
+        let things = value.as_object_mut().into_iter().flat_map(Map::values_mut);
+        match section.as_str() {
+            "ports" => lists.extend(things.filter_map(|port| port.get_mut("bits"))),
+            "cells" => lists.extend(things.flat_map(|cell| {
+                cell.get_mut("connections").and_then(Value::as_object_mut).into_iter().flat_map(Map::values_mut)
+            })),
+            _ => {}
+        }
+    }
+    let all = lists.iter().filter_map(|list| list.as_array()).flatten();
+    let first = all.filter_map(Value::as_u64).max().map_or(0, |net| net as usize + 1);
+    let mut made = Vec::new();
+    for bit in lists.into_iter().filter_map(Value::as_array_mut).flatten().filter(|bit| *bit == "x") {
+        *bit = (first + made.len()).into();
+        made.push(first + made.len());
+    }
+    made
 }
 
 /// What each net of a circuit is in a graph.

@@ -15,6 +15,7 @@ use serde::Serialize;
 use crate::cosim;
 use crate::design::Design;
 use crate::error::Error;
+use crate::golden::Golden;
 #[cfg(feature = "kernel")]
 use crate::kernel;
 use crate::package;
@@ -81,7 +82,8 @@ fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
 }
 
 /// Proves that the texts of the core in a directory are pipelines of the core's latency and all the same circuit: see
-/// [`equivalence`](self) for what that says. Each text is first run on random inputs against the model.
+/// [`equivalence`](self) for what that says. Each text is first run on the golden
+/// vectors.
 ///
 /// `seconds` is the most that the solver may take at once; `progress` is told of each claim before it is looked at. A claim that was
 /// proved is proved again with faults planted in one of the circuits; if one of them is not found, the claim counts as open.
@@ -91,6 +93,7 @@ fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
 pub fn equivalence(
     design: &Design,
     directory: &Path,
+    golden: &Golden,
     seconds: u32,
     progress: &dyn Fn(&str),
 ) -> Result<Vec<Proof>, Error> {
@@ -104,9 +107,9 @@ pub fn equivalence(
         progress(&claim);
         let circuit = Circuit::read(&yosys, directory, &text.top, &text.bytes)?;
         let pipeline = circuit.and_then(|circuit| Pipeline::of(circuit, latency));
-        let ran = pipeline.as_ref().map(|pipeline| pipeline.against_model(design));
+        let ran = pipeline.as_ref().map(|pipeline| pipeline.against(design, golden));
         let (verdict, how) = match ran {
-            Ok(Ok(runs)) => (Verdict::Proved, format!("and has the model's results on {runs} inputs")),
+            Ok(Ok(runs)) => (Verdict::Proved, format!("and gives the results of {runs} golden vectors")),
             Ok(Err(differs)) => (Verdict::Refuted, format!("it is another core: {differs}")),
             Err(why) => (Verdict::Open, why.clone()),
         };

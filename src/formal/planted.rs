@@ -59,6 +59,7 @@ pub(super) fn check(comparison: &Comparison, seconds: u32) -> Result<(usize, Vec
         note(what, found);
     }
     let Ok(pairs) = comparison.pairs() else { return Ok((planted, vec!["the comparison itself".to_owned()])) };
+    let pairs = comparison.confirmed(pairs);
     let (mut both, duties) = comparison.cut(&pairs);
     let mut pairs_of_bits: Vec<(Literal, Literal)> = duties.iter().map(|pair| pair.bits).collect();
     // The lowest bit of a result is wrong for one of all inputs.
