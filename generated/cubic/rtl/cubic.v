@@ -1139,8 +1139,8 @@ module cubic (
     // ===== Stage 3: past_cut, u_scaled
     // UQ1.0: u > cut: past the polynomial's end
     wire past_cut_3 = u_3 > {1'd0, cut_3};
-    // UQ11.16: u 2^k
-    wire [26:0] u_scaled_3 = {10'd0, u_3} << k_3;
+    // UQ2.16: u 2^k
+    wire [17:0] u_scaled_3 = {1'd0, u_3} << k_3;
     // UQ2.15: v = u 2^k, rounded down; wraps past the cut
     wire [16:0] v_3 = u_scaled_3[17:1];
     reg [16:0] x_4;
@@ -1197,13 +1197,13 @@ module cubic (
     // ===== Stage 6: vq
     // UQ2.35: u (A - a u) = v q
     wire [36:0] vq_6 = v_6 * q_6;
-    // UQ2.0: the integer bits of p: the lobe is 0 from p = 1 on
-    wire [1:0] p_above_bits_6 = vq_6[36:35];
+    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    wire p_above_bits_6 = vq_6[35];
     // UQ0.18: p, rounded down
     wire [17:0] p_6 = vq_6[34:17];
     reg [16:0] x_7;
     reg past_cut_7;
-    reg [1:0] p_above_bits_7;
+    reg p_above_bits_7;
     reg [17:0] p_7;
     always @(posedge clk) begin
         if (ce) begin
@@ -1253,10 +1253,10 @@ module cubic (
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    u_scaled_3[26:18],
                     u_scaled_3[0],
                     av_4[33:32],
                     av_4[12:0],
+                    vq_6[36],
                     vq_6[16:0],
                     xp_7[34],
                     xp_7[16:0],

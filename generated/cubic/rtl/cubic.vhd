@@ -2122,7 +2122,7 @@ architecture rtl of cubic is
     signal cut_3 : unsigned(15 downto 0) := (others => '0');
     signal k_3 : unsigned(3 downto 0) := (others => '0');
     signal past_cut_3 : std_logic;
-    signal u_scaled_3 : unsigned(26 downto 0);
+    signal u_scaled_3 : unsigned(17 downto 0);
     signal v_3 : unsigned(16 downto 0);
     signal x_4 : unsigned(16 downto 0) := (others => '0');
     signal big_a_4 : unsigned(19 downto 0) := (others => '0');
@@ -2142,11 +2142,11 @@ architecture rtl of cubic is
     signal v_6 : unsigned(16 downto 0) := (others => '0');
     signal q_6 : unsigned(19 downto 0) := (others => '0');
     signal vq_6 : unsigned(36 downto 0);
-    signal p_above_bits_6 : unsigned(1 downto 0);
+    signal p_above_bits_6 : unsigned(0 downto 0);
     signal p_6 : unsigned(17 downto 0);
     signal x_7 : unsigned(16 downto 0) := (others => '0');
     signal past_cut_7 : std_logic := '0';
-    signal p_above_bits_7 : unsigned(1 downto 0) := (others => '0');
+    signal p_above_bits_7 : unsigned(0 downto 0) := (others => '0');
     signal p_7 : unsigned(17 downto 0) := (others => '0');
     signal p_above_7 : std_logic;
     signal zero_7 : std_logic;
@@ -2243,8 +2243,8 @@ begin
     -- ===== Stage 3: past_cut, u_scaled
     -- UQ1.0: u > cut: past the polynomial's end
     past_cut_3 <= '1' when u_3 > cut_3 else '0';
-    -- UQ11.16: u 2^k
-    u_scaled_3 <= shift_left(resize(u_3, 27), to_integer(k_3));
+    -- UQ2.16: u 2^k
+    u_scaled_3 <= shift_left(resize(u_3, 18), to_integer(k_3));
     -- UQ2.15: v = u 2^k, rounded down; wraps past the cut
     v_3 <= u_scaled_3(17 downto 1);
     process (clk) is
@@ -2296,8 +2296,8 @@ begin
     -- ===== Stage 6: vq
     -- UQ2.35: u (A - a u) = v q
     vq_6 <= v_6 * q_6;
-    -- UQ2.0: the integer bits of p: the lobe is 0 from p = 1 on
-    p_above_bits_6 <= vq_6(36 downto 35);
+    -- UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    p_above_bits_6 <= vq_6(35 downto 35);
     -- UQ0.18: p, rounded down
     p_6 <= vq_6(34 downto 17);
     process (clk) is

@@ -532,7 +532,7 @@ module cubic_min_zero_tb;
 
     task feed_complements;
         begin
-            feed_complement(7'h00, 14'h0fff, 13'h0f03);
+            feed_complement(7'h00, 14'h0800, 13'h0000);
             feed_complement(7'h02, 14'h0800, 13'h0000);
             feed_complement(7'h04, 14'h0801, 13'h0000);
             feed_complement(7'h06, 14'h0f97, 13'h05cb);
@@ -588,7 +588,7 @@ module cubic_min_zero_tb;
             feed_complement(7'h6a, 14'h0f9e, 13'h0f02);
             feed_complement(7'h6c, 14'h0fe4, 13'h0fb8);
             feed_complement(7'h6e, 14'h0fdb, 13'h0fa2);
-            feed_complement(7'h70, 14'h0fe8, 13'h0fc4);
+            feed_complement(7'h70, 14'h0f95, 13'h0ef9);
             feed_complement(7'h72, 14'h0faa, 13'h0f30);
             feed_complement(7'h74, 14'h0ffd, 13'h0ff9);
             feed_complement(7'h76, 14'h02a4, 13'h007a);

@@ -588,7 +588,7 @@ begin
 
         procedure feed_complements is
         begin
-            feed_complement(7x"00", 14x"0fff", 13x"0f03");
+            feed_complement(7x"00", 14x"0800", 13x"0000");
             feed_complement(7x"02", 14x"0800", 13x"0000");
             feed_complement(7x"04", 14x"0801", 13x"0000");
             feed_complement(7x"06", 14x"0f97", 13x"05cb");
@@ -644,7 +644,7 @@ begin
             feed_complement(7x"6a", 14x"0f9e", 13x"0f02");
             feed_complement(7x"6c", 14x"0fe4", 13x"0fb8");
             feed_complement(7x"6e", 14x"0fdb", 13x"0fa2");
-            feed_complement(7x"70", 14x"0fe8", 13x"0fc4");
+            feed_complement(7x"70", 14x"0f95", 13x"0ef9");
             feed_complement(7x"72", 14x"0faa", 13x"0f30");
             feed_complement(7x"74", 14x"0ffd", 13x"0ff9");
             feed_complement(7x"76", 14x"02a4", 13x"007a");

@@ -1103,8 +1103,8 @@ module cubic_paper (
     wire [15:0] cut_1 = rom_1[15:0];
     // UQ2.32: x^2
     wire [33:0] xx_1 = x_1 * x_1;
-    // Q2.32: a sign bit for the signed product
-    wire [34:0] xx_signed_1 = {1'd0, xx_1};
+    // Q1.32: a sign bit for the signed product
+    wire [33:0] xx_signed_1 = xx_1;
     reg [16:0] x_2;
     reg [16:0] u_2;
     reg [34:0] a_2;
@@ -1112,7 +1112,7 @@ module cubic_paper (
     reg [34:0] c_2;
     reg [15:0] cut_2;
     reg [33:0] xx_2;
-    reg [34:0] xx_signed_2;
+    reg [33:0] xx_signed_2;
     always @(posedge clk) begin
         if (ce) begin
             x_2 <= x_1;
@@ -1138,7 +1138,7 @@ module cubic_paper (
     reg [34:0] c_3;
     reg [15:0] cut_3;
     reg [36:0] h_3;
-    reg [34:0] xx_signed_3;
+    reg [33:0] xx_signed_3;
     always @(posedge clk) begin
         if (ce) begin
             x_3 <= x_2;
@@ -1159,8 +1159,8 @@ module cubic_paper (
     wire [71:0] ah_3 = a_3 * h_3;
     // UQ19.20: a x^3, rounded down
     wire [38:0] m3_3 = ah_3[70:32];
-    // Q23.48: b x^2
-    wire [71:0] bs_3 = $signed(b_3) * $signed(xx_signed_3);
+    // Q22.48: b x^2
+    wire [70:0] bs_3 = $signed(b_3) * $signed(xx_signed_3);
     // Q20.20: b x^2, rounded down
     wire [40:0] m2_3 = bs_3[68:28];
     // UQ20.32: c x
@@ -1219,7 +1219,7 @@ module cubic_paper (
                     sx_2[11:0],
                     ah_3[71],
                     ah_3[31:0],
-                    bs_3[71:69],
+                    bs_3[70:69],
                     bs_3[27:0],
                     m2_4[40],
                     cx_3[51],

@@ -4168,7 +4168,7 @@ architecture rtl of cubic_paper is
     signal c_1 : unsigned(34 downto 0);
     signal cut_1 : unsigned(15 downto 0);
     signal xx_1 : unsigned(33 downto 0);
-    signal xx_signed_1 : signed(34 downto 0);
+    signal xx_signed_1 : signed(33 downto 0);
     signal x_2 : unsigned(16 downto 0) := (others => '0');
     signal u_2 : unsigned(16 downto 0) := (others => '0');
     signal a_2 : unsigned(34 downto 0) := (others => '0');
@@ -4176,7 +4176,7 @@ architecture rtl of cubic_paper is
     signal c_2 : unsigned(34 downto 0) := (others => '0');
     signal cut_2 : unsigned(15 downto 0) := (others => '0');
     signal xx_2 : unsigned(33 downto 0) := (others => '0');
-    signal xx_signed_2 : signed(34 downto 0) := (others => '0');
+    signal xx_signed_2 : signed(33 downto 0) := (others => '0');
     signal sx_2 : unsigned(50 downto 0);
     signal h_2 : unsigned(36 downto 0);
     signal x_3 : unsigned(16 downto 0) := (others => '0');
@@ -4186,11 +4186,11 @@ architecture rtl of cubic_paper is
     signal c_3 : unsigned(34 downto 0) := (others => '0');
     signal cut_3 : unsigned(15 downto 0) := (others => '0');
     signal h_3 : unsigned(36 downto 0) := (others => '0');
-    signal xx_signed_3 : signed(34 downto 0) := (others => '0');
+    signal xx_signed_3 : signed(33 downto 0) := (others => '0');
     signal past_cut_3 : std_logic;
     signal ah_3 : unsigned(71 downto 0);
     signal m3_3 : unsigned(38 downto 0);
-    signal bs_3 : signed(71 downto 0);
+    signal bs_3 : signed(70 downto 0);
     signal m2_3 : signed(40 downto 0);
     signal cx_3 : unsigned(51 downto 0);
     signal m1_3 : unsigned(38 downto 0);
@@ -4265,8 +4265,8 @@ begin
     cut_1 <= unsigned(rom_1(15 downto 0));
     -- UQ2.32: x^2
     xx_1 <= x_1 * x_1;
-    -- Q2.32: a sign bit for the signed product
-    xx_signed_1 <= signed(resize(xx_1, 35));
+    -- Q1.32: a sign bit for the signed product
+    xx_signed_1 <= signed(xx_1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4311,7 +4311,7 @@ begin
     ah_3 <= a_3 * h_3;
     -- UQ19.20: a x^3, rounded down
     m3_3 <= ah_3(70 downto 32);
-    -- Q23.48: b x^2
+    -- Q22.48: b x^2
     bs_3 <= b_3 * xx_signed_3;
     -- Q20.20: b x^2, rounded down
     m2_3 <= bs_3(68 downto 28);

@@ -263,8 +263,8 @@ module cubic_rational (
     // ===== Stage 3: past, u_scaled, bu
     // UQ1.0: u > cut: past the cubic's versines
     wire past_3 = u_3 > {1'd0, cut_3};
-    // UQ8.12: u 2^k
-    wire [19:0] u_scaled_3 = {7'd0, u_3} << k_3;
+    // UQ1.12: u 2^k
+    wire [12:0] u_scaled_3 = u_3 << k_3;
     // UQ1.11: v = u 2^k, rounded down; wraps past the cut
     wire [11:0] v_3 = u_scaled_3[12:1];
     // UQ9.11: b u
@@ -397,8 +397,8 @@ module cubic_rational (
     wire [26:0] vq_6 = v_6 * q_6;
     // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
     wire p_above_bits_6 = vq_6[26];
-    // UQ0.15: p, rounded down
-    wire [14:0] p_6 = vq_6[25:11];
+    // UQ-1.15: p, rounded down
+    wire [13:0] p_6 = vq_6[24:11];
     always @(posedge clk) begin
         if (ce) begin
             case (entry_6)
@@ -473,7 +473,7 @@ module cubic_rational (
     reg [12:0] x_7;
     reg past_7;
     reg p_above_bits_7;
-    reg [14:0] p_7;
+    reg [13:0] p_7;
     reg [11:0] num_7;
     reg from_4_7;
     reg from_2_7;
@@ -494,10 +494,10 @@ module cubic_rational (
     end
 
     // ===== Stage 7: xp
-    // UQ1.27: x p
-    wire [27:0] xp_7 = x_7 * p_7;
-    // UQ0.13: t = x p, rounded down
-    wire [12:0] t_7 = xp_7[26:14];
+    // UQ0.27: x p
+    wire [26:0] xp_7 = x_7 * p_7;
+    // UQ-1.13: t = x p, rounded down
+    wire [11:0] t_7 = xp_7[25:14];
     // UQ0.16: about 1/m at the entry's least m
     wire [15:0] seed_7 = reciprocal_7[21:6];
     // UQ0.6: how fast 1/m falls
@@ -505,7 +505,7 @@ module cubic_rational (
     reg [12:0] x_8;
     reg past_8;
     reg p_above_bits_8;
-    reg [12:0] t_8;
+    reg [11:0] t_8;
     reg [11:0] num_8;
     reg from_4_8;
     reg from_2_8;
@@ -531,7 +531,7 @@ module cubic_rational (
 
     // ===== Stage 8: y_exact, y, fall_exact
     // UQ1.13: x - t = x (1 - p)
-    wire [13:0] y_exact_8 = {x_8, 1'd0} - {1'd0, t_8};
+    wire [13:0] y_exact_8 = {x_8, 1'd0} - {2'd0, t_8};
     // UQ1.12: rounded down to the output's bits
     wire [12:0] y_cut_8 = y_exact_8[13:1];
     // UQ1.12: y, 0 where the lobe has ended
@@ -590,15 +590,15 @@ module cubic_rational (
     wire [12:0] scaled_10 = product_10[27:15];
     // UQ-4.17: as often halved
     wire [12:0] scaled_4_moved_10 = scaled_10;
-    // UQ0.13: rounded down
-    wire [12:0] scaled_4_low_10 = {4'd0, scaled_4_moved_10[12:4]};
+    // UQ-4.13: rounded down
+    wire [8:0] scaled_4_low_10 = scaled_4_moved_10[12:4];
     reg past_11;
     reg [12:0] y_11;
     reg from_4_11;
     reg from_2_11;
     reg from_1_bits_11;
     reg [12:0] scaled_11;
-    reg [12:0] scaled_4_low_11;
+    reg [8:0] scaled_4_low_11;
     always @(posedge clk) begin
         if (ce) begin
             past_11 <= past_10;
@@ -613,25 +613,25 @@ module cubic_rational (
 
     // ===== Stage 11: scaled_4, scaled_2, scaled_1, quotient_half, either
     // UQ0.13: halved as often as the denominator was
-    wire [12:0] scaled_4_11 = from_4_11 ? scaled_4_low_11 : scaled_11;
+    wire [12:0] scaled_4_11 = from_4_11 ? {4'd0, scaled_4_low_11} : scaled_11;
     // UQ-2.15: as often halved
     wire [12:0] scaled_2_moved_11 = scaled_4_11;
-    // UQ0.13: rounded down
-    wire [12:0] scaled_2_low_11 = {2'd0, scaled_2_moved_11[12:2]};
+    // UQ-2.13: rounded down
+    wire [10:0] scaled_2_low_11 = scaled_2_moved_11[12:2];
     // UQ0.13: halved as often as the denominator was
-    wire [12:0] scaled_2_11 = from_2_11 ? scaled_2_low_11 : scaled_4_11;
+    wire [12:0] scaled_2_11 = from_2_11 ? {2'd0, scaled_2_low_11} : scaled_4_11;
     // UQ-1.14: as often halved
     wire [12:0] scaled_1_moved_11 = scaled_2_11;
-    // UQ0.13: rounded down
-    wire [12:0] scaled_1_low_11 = {1'd0, scaled_1_moved_11[12:1]};
+    // UQ-1.13: rounded down
+    wire [11:0] scaled_1_low_11 = scaled_1_moved_11[12:1];
     // UQ0.13: halved as often as the denominator was
-    wire [12:0] scaled_1_11 = from_1_bits_11 ? scaled_1_low_11 : scaled_2_11;
-    // UQ1.13: plus half an output ulp
-    wire [13:0] quotient_half_11 = {1'd0, scaled_1_11} + 14'h0001;
-    // UQ1.12: num / den, rounded to nearest
-    wire [12:0] quotient_11 = quotient_half_11[13:1];
+    wire [12:0] scaled_1_11 = from_1_bits_11 ? {1'd0, scaled_1_low_11} : scaled_2_11;
+    // UQ0.13: plus half an output ulp
+    wire [12:0] quotient_half_11 = scaled_1_11 + 13'h0001;
+    // UQ0.12: num / den, rounded to nearest
+    wire [11:0] quotient_11 = quotient_half_11[12:1];
     // UQ1.12: the tail past the cut, the cubic up to it
-    wire [12:0] either_11 = past_11 ? quotient_11 : y_11;
+    wire [12:0] either_11 = past_11 ? {1'd0, quotient_11} : y_11;
     reg [12:0] either_12;
     always @(posedge clk) begin
         if (ce) begin
@@ -644,12 +644,12 @@ module cubic_rational (
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    u_scaled_3[19:13],
                     u_scaled_3[0],
                     av_4[21:20],
                     av_4[6:0],
+                    vq_6[25],
                     vq_6[10:0],
-                    xp_7[27],
+                    xp_7[26],
                     xp_7[13:0],
                     y_exact_8[0],
                     bu_4[19],

@@ -412,7 +412,7 @@ architecture rtl of cubic_rational is
     signal d_3 : unsigned(14 downto 0) := (others => '0');
     signal num_3 : unsigned(11 downto 0) := (others => '0');
     signal past_3 : std_logic;
-    signal u_scaled_3 : unsigned(19 downto 0);
+    signal u_scaled_3 : unsigned(12 downto 0);
     signal v_3 : unsigned(11 downto 0);
     signal bu_3 : unsigned(19 downto 0);
     signal x_4 : unsigned(12 downto 0) := (others => '0');
@@ -469,24 +469,24 @@ architecture rtl of cubic_rational is
     signal offset_6 : unsigned(7 downto 0) := (others => '0');
     signal vq_6 : unsigned(26 downto 0);
     signal p_above_bits_6 : std_logic;
-    signal p_6 : unsigned(14 downto 0);
+    signal p_6 : unsigned(13 downto 0);
     signal x_7 : unsigned(12 downto 0) := (others => '0');
     signal past_7 : std_logic := '0';
     signal p_above_bits_7 : std_logic := '0';
-    signal p_7 : unsigned(14 downto 0) := (others => '0');
+    signal p_7 : unsigned(13 downto 0) := (others => '0');
     signal num_7 : unsigned(11 downto 0) := (others => '0');
     signal from_4_7 : std_logic := '0';
     signal from_2_7 : std_logic := '0';
     signal from_1_bits_7 : std_logic := '0';
     signal offset_7 : unsigned(7 downto 0) := (others => '0');
-    signal xp_7 : unsigned(27 downto 0);
-    signal t_7 : unsigned(12 downto 0);
+    signal xp_7 : unsigned(26 downto 0);
+    signal t_7 : unsigned(11 downto 0);
     signal seed_7 : unsigned(15 downto 0);
     signal slope_7 : unsigned(5 downto 0);
     signal x_8 : unsigned(12 downto 0) := (others => '0');
     signal past_8 : std_logic := '0';
     signal p_above_bits_8 : std_logic := '0';
-    signal t_8 : unsigned(12 downto 0) := (others => '0');
+    signal t_8 : unsigned(11 downto 0) := (others => '0');
     signal num_8 : unsigned(11 downto 0) := (others => '0');
     signal from_4_8 : std_logic := '0';
     signal from_2_8 : std_logic := '0';
@@ -518,23 +518,23 @@ architecture rtl of cubic_rational is
     signal product_10 : unsigned(27 downto 0);
     signal scaled_10 : unsigned(12 downto 0);
     signal scaled_4_moved_10 : unsigned(12 downto 0);
-    signal scaled_4_low_10 : unsigned(12 downto 0);
+    signal scaled_4_low_10 : unsigned(8 downto 0);
     signal past_11 : std_logic := '0';
     signal y_11 : unsigned(12 downto 0) := (others => '0');
     signal from_4_11 : std_logic := '0';
     signal from_2_11 : std_logic := '0';
     signal from_1_bits_11 : std_logic := '0';
     signal scaled_11 : unsigned(12 downto 0) := (others => '0');
-    signal scaled_4_low_11 : unsigned(12 downto 0) := (others => '0');
+    signal scaled_4_low_11 : unsigned(8 downto 0) := (others => '0');
     signal scaled_4_11 : unsigned(12 downto 0);
     signal scaled_2_moved_11 : unsigned(12 downto 0);
-    signal scaled_2_low_11 : unsigned(12 downto 0);
+    signal scaled_2_low_11 : unsigned(10 downto 0);
     signal scaled_2_11 : unsigned(12 downto 0);
     signal scaled_1_moved_11 : unsigned(12 downto 0);
-    signal scaled_1_low_11 : unsigned(12 downto 0);
+    signal scaled_1_low_11 : unsigned(11 downto 0);
     signal scaled_1_11 : unsigned(12 downto 0);
-    signal quotient_half_11 : unsigned(13 downto 0);
-    signal quotient_11 : unsigned(12 downto 0);
+    signal quotient_half_11 : unsigned(12 downto 0);
+    signal quotient_11 : unsigned(11 downto 0);
     signal either_11 : unsigned(12 downto 0);
     signal either_12 : unsigned(12 downto 0) := (others => '0');
 
@@ -634,8 +634,8 @@ begin
     -- ===== Stage 3: past, u_scaled, bu
     -- UQ1.0: u > cut: past the cubic's versines
     past_3 <= '1' when u_3 > cut_3 else '0';
-    -- UQ8.12: u 2^k
-    u_scaled_3 <= shift_left(resize(u_3, 20), to_integer(k_3));
+    -- UQ1.12: u 2^k
+    u_scaled_3 <= shift_left(u_3, to_integer(k_3));
     -- UQ1.11: v = u 2^k, rounded down; wraps past the cut
     v_3 <= u_scaled_3(12 downto 1);
     -- UQ9.11: b u
@@ -747,8 +747,8 @@ begin
     vq_6 <= v_6 * q_6;
     -- UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
     p_above_bits_6 <= vq_6(26);
-    -- UQ0.15: p, rounded down
-    p_6 <= vq_6(25 downto 11);
+    -- UQ-1.15: p, rounded down
+    p_6 <= vq_6(24 downto 11);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -776,10 +776,10 @@ begin
     end process;
 
     -- ===== Stage 7: xp
-    -- UQ1.27: x p
+    -- UQ0.27: x p
     xp_7 <= x_7 * p_7;
-    -- UQ0.13: t = x p, rounded down
-    t_7 <= xp_7(26 downto 14);
+    -- UQ-1.13: t = x p, rounded down
+    t_7 <= xp_7(25 downto 14);
     -- UQ0.16: about 1/m at the entry's least m
     seed_7 <= unsigned(reciprocal_7(21 downto 6));
     -- UQ0.6: how fast 1/m falls
@@ -855,8 +855,8 @@ begin
     scaled_10 <= product_10(27 downto 15);
     -- UQ-4.17: as often halved
     scaled_4_moved_10 <= scaled_10;
-    -- UQ0.13: rounded down
-    scaled_4_low_10 <= resize(scaled_4_moved_10(12 downto 4), 13);
+    -- UQ-4.13: rounded down
+    scaled_4_low_10 <= scaled_4_moved_10(12 downto 4);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -874,25 +874,25 @@ begin
 
     -- ===== Stage 11: scaled_4, scaled_2, scaled_1, quotient_half, either
     -- UQ0.13: halved as often as the denominator was
-    scaled_4_11 <= scaled_4_low_11 when from_4_11 = '1' else scaled_11;
+    scaled_4_11 <= resize(scaled_4_low_11, 13) when from_4_11 = '1' else scaled_11;
     -- UQ-2.15: as often halved
     scaled_2_moved_11 <= scaled_4_11;
-    -- UQ0.13: rounded down
-    scaled_2_low_11 <= resize(scaled_2_moved_11(12 downto 2), 13);
+    -- UQ-2.13: rounded down
+    scaled_2_low_11 <= scaled_2_moved_11(12 downto 2);
     -- UQ0.13: halved as often as the denominator was
-    scaled_2_11 <= scaled_2_low_11 when from_2_11 = '1' else scaled_4_11;
+    scaled_2_11 <= resize(scaled_2_low_11, 13) when from_2_11 = '1' else scaled_4_11;
     -- UQ-1.14: as often halved
     scaled_1_moved_11 <= scaled_2_11;
-    -- UQ0.13: rounded down
-    scaled_1_low_11 <= resize(scaled_1_moved_11(12 downto 1), 13);
+    -- UQ-1.13: rounded down
+    scaled_1_low_11 <= scaled_1_moved_11(12 downto 1);
     -- UQ0.13: halved as often as the denominator was
-    scaled_1_11 <= scaled_1_low_11 when from_1_bits_11 = '1' else scaled_2_11;
-    -- UQ1.13: plus half an output ulp
-    quotient_half_11 <= resize(scaled_1_11, 14) + to_unsigned(1, 14);
-    -- UQ1.12: num / den, rounded to nearest
-    quotient_11 <= quotient_half_11(13 downto 1);
+    scaled_1_11 <= resize(scaled_1_low_11, 13) when from_1_bits_11 = '1' else scaled_2_11;
+    -- UQ0.13: plus half an output ulp
+    quotient_half_11 <= scaled_1_11 + to_unsigned(1, 13);
+    -- UQ0.12: num / den, rounded to nearest
+    quotient_11 <= quotient_half_11(12 downto 1);
     -- UQ1.12: the tail past the cut, the cubic up to it
-    either_11 <= quotient_11 when past_11 = '1' else y_11;
+    either_11 <= resize(quotient_11, 13) when past_11 = '1' else y_11;
     process (clk) is
     begin
         if rising_edge(clk) then

@@ -54,21 +54,21 @@ module harris (
     wire [12:0] u_0 = 13'h1000 - x_0;
     // UQ1.0: the versine lies in one of the table's octaves
     wire in_octaves_0 = |u_0;
-    // UQ1.8: a bit of weight 2^-8 or more is set
-    wire [8:0] m_above_8_bits_0 = u_0[12:4];
+    // UQ0.8: a bit of weight 2^-8 or more is set
+    wire [7:0] m_above_8_bits_0 = u_0[11:4];
     // UQ1.0: a bit of weight 2^-8 or more is set
     wire m_above_8_0 = |m_above_8_bits_0;
     // UQ9.4: shifted
     wire [12:0] m_by_8_0 = u_0;
-    // UQ1.12: the high bits are 0
-    wire [12:0] m_moved_8_0 = {m_by_8_0[4:0], 8'd0};
+    // UQ0.12: the high bits are 0
+    wire [11:0] m_moved_8_0 = {m_by_8_0[3:0], 8'd0};
     // UQ1.0: u = 1: the surface faces away
     wire dark_bits_0 = u_0[12];
     reg [6:0] n_1;
     reg [12:0] u_1;
     reg in_octaves_1;
     reg m_above_8_1;
-    reg [12:0] m_moved_8_1;
+    reg [11:0] m_moved_8_1;
     reg dark_bits_1;
     always @(posedge clk) begin
         if (ce) begin
@@ -85,35 +85,35 @@ module harris (
     // UQ1.0: x is 1, or so near to it that L counts as 0
     wire top_1 = ~in_octaves_1;
     // UQ1.12: shifted to the left by 8 where that loses no bit
-    wire [12:0] m_8_1 = m_above_8_1 ? u_1 : m_moved_8_1;
-    // UQ1.4: a bit of weight 2^-4 or more is set
-    wire [4:0] m_above_4_bits_1 = m_8_1[12:8];
+    wire [12:0] m_8_1 = m_above_8_1 ? u_1 : {1'd0, m_moved_8_1};
+    // UQ0.4: a bit of weight 2^-4 or more is set
+    wire [3:0] m_above_4_bits_1 = m_8_1[11:8];
     // UQ1.0: a bit of weight 2^-4 or more is set
     wire m_above_4_1 = |m_above_4_bits_1;
     // UQ5.8: shifted
     wire [12:0] m_by_4_1 = m_8_1;
-    // UQ1.12: the high bits are 0
-    wire [12:0] m_moved_4_1 = {m_by_4_1[8:0], 4'd0};
+    // UQ0.12: the high bits are 0
+    wire [11:0] m_moved_4_1 = {m_by_4_1[7:0], 4'd0};
     // UQ1.12: shifted to the left by 4 where that loses no bit
-    wire [12:0] m_4_1 = m_above_4_1 ? m_8_1 : m_moved_4_1;
-    // UQ1.2: a bit of weight 2^-2 or more is set
-    wire [2:0] m_above_2_bits_1 = m_4_1[12:10];
+    wire [12:0] m_4_1 = m_above_4_1 ? m_8_1 : {1'd0, m_moved_4_1};
+    // UQ0.2: a bit of weight 2^-2 or more is set
+    wire [1:0] m_above_2_bits_1 = m_4_1[11:10];
     // UQ1.0: a bit of weight 2^-2 or more is set
     wire m_above_2_1 = |m_above_2_bits_1;
     // UQ3.10: shifted
     wire [12:0] m_by_2_1 = m_4_1;
-    // UQ1.12: the high bits are 0
-    wire [12:0] m_moved_2_1 = {m_by_2_1[10:0], 2'd0};
+    // UQ0.12: the high bits are 0
+    wire [11:0] m_moved_2_1 = {m_by_2_1[9:0], 2'd0};
     // UQ1.12: shifted to the left by 2 where that loses no bit
-    wire [12:0] m_2_1 = m_above_2_1 ? m_4_1 : m_moved_2_1;
-    // UQ1.1: a bit of weight 2^-1 or more is set
-    wire [1:0] m_above_1_bits_1 = m_2_1[12:11];
+    wire [12:0] m_2_1 = m_above_2_1 ? m_4_1 : {1'd0, m_moved_2_1};
+    // UQ0.1: a bit of weight 2^-1 or more is set
+    wire m_above_1_bits_1 = m_2_1[11];
     // UQ1.0: a bit of weight 2^-1 or more is set
     wire m_above_1_1 = |m_above_1_bits_1;
     // UQ2.11: shifted
     wire [12:0] m_by_1_1 = m_2_1;
-    // UQ1.12: the high bits are 0
-    wire [12:0] m_moved_1_1 = {m_by_1_1[11:0], 1'd0};
+    // UQ0.12: the high bits are 0
+    wire [11:0] m_moved_1_1 = {m_by_1_1[10:0], 1'd0};
     // UQ1.0: this step of the shift was taken
     wire taken_8_1 = ~m_above_8_1;
     // UQ4.-3: its part of the octave
@@ -132,7 +132,7 @@ module harris (
     reg top_2;
     reg [12:0] m_2_2;
     reg m_above_1_2;
-    reg [12:0] m_moved_1_2;
+    reg [11:0] m_moved_1_2;
     reg [1:0] octave_4_2;
     reg part_2_2;
     reg dark_bits_2;
@@ -151,7 +151,7 @@ module harris (
 
     // ===== Stage 2: m_1, octave_2, octave_1
     // UQ1.12: shifted to the left by 1 where that loses no bit
-    wire [12:0] m_1_2 = m_above_1_2 ? m_2_2 : m_moved_1_2;
+    wire [12:0] m_1_2 = m_above_1_2 ? m_2_2 : {1'd0, m_moved_1_2};
     // UQ-1.5: where in its octave the versine lies
     wire [3:0] cell_2 = m_1_2[10:7];
     // UQ4.0: as a number
@@ -674,10 +674,10 @@ module harris (
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    m_by_8_0[12:5],
-                    m_by_4_1[12:9],
-                    m_by_2_1[12:11],
-                    m_by_1_1[12],
+                    m_by_8_0[12:4],
+                    m_by_4_1[12:8],
+                    m_by_2_1[12:10],
+                    m_by_1_1[12:11],
                     m_1_2[12:11],
                     m_1_2[6:0],
                     z_8[7:0],

@@ -380,33 +380,33 @@ architecture rtl of harris is
     signal x_0 : unsigned(12 downto 0);
     signal u_0 : unsigned(12 downto 0);
     signal in_octaves_0 : std_logic;
-    signal m_above_8_bits_0 : unsigned(8 downto 0);
+    signal m_above_8_bits_0 : unsigned(7 downto 0);
     signal m_above_8_0 : std_logic;
     signal m_by_8_0 : unsigned(12 downto 0);
-    signal m_moved_8_0 : unsigned(12 downto 0);
+    signal m_moved_8_0 : unsigned(11 downto 0);
     signal dark_bits_0 : std_logic;
     signal n_1 : unsigned(6 downto 0) := (others => '0');
     signal u_1 : unsigned(12 downto 0) := (others => '0');
     signal in_octaves_1 : std_logic := '0';
     signal m_above_8_1 : std_logic := '0';
-    signal m_moved_8_1 : unsigned(12 downto 0) := (others => '0');
+    signal m_moved_8_1 : unsigned(11 downto 0) := (others => '0');
     signal dark_bits_1 : std_logic := '0';
     signal top_1 : std_logic;
     signal m_8_1 : unsigned(12 downto 0);
-    signal m_above_4_bits_1 : unsigned(4 downto 0);
+    signal m_above_4_bits_1 : unsigned(3 downto 0);
     signal m_above_4_1 : std_logic;
     signal m_by_4_1 : unsigned(12 downto 0);
-    signal m_moved_4_1 : unsigned(12 downto 0);
+    signal m_moved_4_1 : unsigned(11 downto 0);
     signal m_4_1 : unsigned(12 downto 0);
-    signal m_above_2_bits_1 : unsigned(2 downto 0);
+    signal m_above_2_bits_1 : unsigned(1 downto 0);
     signal m_above_2_1 : std_logic;
     signal m_by_2_1 : unsigned(12 downto 0);
-    signal m_moved_2_1 : unsigned(12 downto 0);
+    signal m_moved_2_1 : unsigned(11 downto 0);
     signal m_2_1 : unsigned(12 downto 0);
-    signal m_above_1_bits_1 : unsigned(1 downto 0);
+    signal m_above_1_bits_1 : unsigned(0 downto 0);
     signal m_above_1_1 : std_logic;
     signal m_by_1_1 : unsigned(12 downto 0);
-    signal m_moved_1_1 : unsigned(12 downto 0);
+    signal m_moved_1_1 : unsigned(11 downto 0);
     signal taken_8_1 : std_logic;
     signal part_8_1 : unsigned(0 downto 0);
     signal taken_4_1 : std_logic;
@@ -418,7 +418,7 @@ architecture rtl of harris is
     signal top_2 : std_logic := '0';
     signal m_2_2 : unsigned(12 downto 0) := (others => '0');
     signal m_above_1_2 : std_logic := '0';
-    signal m_moved_1_2 : unsigned(12 downto 0) := (others => '0');
+    signal m_moved_1_2 : unsigned(11 downto 0) := (others => '0');
     signal octave_4_2 : unsigned(1 downto 0) := (others => '0');
     signal part_2_2 : unsigned(0 downto 0) := (others => '0');
     signal dark_bits_2 : std_logic := '0';
@@ -507,14 +507,14 @@ begin
     u_0 <= to_unsigned(4096, 13) - x_0;
     -- UQ1.0: the versine lies in one of the table's octaves
     in_octaves_0 <= '1' when u_0 /= 0 else '0';
-    -- UQ1.8: a bit of weight 2^-8 or more is set
-    m_above_8_bits_0 <= u_0(12 downto 4);
+    -- UQ0.8: a bit of weight 2^-8 or more is set
+    m_above_8_bits_0 <= u_0(11 downto 4);
     -- UQ1.0: a bit of weight 2^-8 or more is set
     m_above_8_0 <= '1' when m_above_8_bits_0 /= 0 else '0';
     -- UQ9.4: shifted
     m_by_8_0 <= u_0;
-    -- UQ1.12: the high bits are 0
-    m_moved_8_0 <= shift_left(m_by_8_0, 8);
+    -- UQ0.12: the high bits are 0
+    m_moved_8_0 <= shift_left(m_by_8_0(11 downto 0), 8);
     -- UQ1.0: u = 1: the surface faces away
     dark_bits_0 <= u_0(12);
     process (clk) is
@@ -535,35 +535,35 @@ begin
     -- UQ1.0: x is 1, or so near to it that L counts as 0
     top_1 <= not in_octaves_1;
     -- UQ1.12: shifted to the left by 8 where that loses no bit
-    m_8_1 <= u_1 when m_above_8_1 = '1' else m_moved_8_1;
-    -- UQ1.4: a bit of weight 2^-4 or more is set
-    m_above_4_bits_1 <= m_8_1(12 downto 8);
+    m_8_1 <= u_1 when m_above_8_1 = '1' else resize(m_moved_8_1, 13);
+    -- UQ0.4: a bit of weight 2^-4 or more is set
+    m_above_4_bits_1 <= m_8_1(11 downto 8);
     -- UQ1.0: a bit of weight 2^-4 or more is set
     m_above_4_1 <= '1' when m_above_4_bits_1 /= 0 else '0';
     -- UQ5.8: shifted
     m_by_4_1 <= m_8_1;
-    -- UQ1.12: the high bits are 0
-    m_moved_4_1 <= shift_left(m_by_4_1, 4);
+    -- UQ0.12: the high bits are 0
+    m_moved_4_1 <= shift_left(m_by_4_1(11 downto 0), 4);
     -- UQ1.12: shifted to the left by 4 where that loses no bit
-    m_4_1 <= m_8_1 when m_above_4_1 = '1' else m_moved_4_1;
-    -- UQ1.2: a bit of weight 2^-2 or more is set
-    m_above_2_bits_1 <= m_4_1(12 downto 10);
+    m_4_1 <= m_8_1 when m_above_4_1 = '1' else resize(m_moved_4_1, 13);
+    -- UQ0.2: a bit of weight 2^-2 or more is set
+    m_above_2_bits_1 <= m_4_1(11 downto 10);
     -- UQ1.0: a bit of weight 2^-2 or more is set
     m_above_2_1 <= '1' when m_above_2_bits_1 /= 0 else '0';
     -- UQ3.10: shifted
     m_by_2_1 <= m_4_1;
-    -- UQ1.12: the high bits are 0
-    m_moved_2_1 <= shift_left(m_by_2_1, 2);
+    -- UQ0.12: the high bits are 0
+    m_moved_2_1 <= shift_left(m_by_2_1(11 downto 0), 2);
     -- UQ1.12: shifted to the left by 2 where that loses no bit
-    m_2_1 <= m_4_1 when m_above_2_1 = '1' else m_moved_2_1;
-    -- UQ1.1: a bit of weight 2^-1 or more is set
-    m_above_1_bits_1 <= m_2_1(12 downto 11);
+    m_2_1 <= m_4_1 when m_above_2_1 = '1' else resize(m_moved_2_1, 13);
+    -- UQ0.1: a bit of weight 2^-1 or more is set
+    m_above_1_bits_1 <= m_2_1(11 downto 11);
     -- UQ1.0: a bit of weight 2^-1 or more is set
     m_above_1_1 <= '1' when m_above_1_bits_1 /= 0 else '0';
     -- UQ2.11: shifted
     m_by_1_1 <= m_2_1;
-    -- UQ1.12: the high bits are 0
-    m_moved_1_1 <= shift_left(m_by_1_1, 1);
+    -- UQ0.12: the high bits are 0
+    m_moved_1_1 <= shift_left(m_by_1_1(11 downto 0), 1);
     -- UQ1.0: this step of the shift was taken
     taken_8_1 <= not m_above_8_1;
     -- UQ4.-3: its part of the octave
@@ -596,7 +596,7 @@ begin
 
     -- ===== Stage 2: m_1, octave_2, octave_1
     -- UQ1.12: shifted to the left by 1 where that loses no bit
-    m_1_2 <= m_2_2 when m_above_1_2 = '1' else m_moved_1_2;
+    m_1_2 <= m_2_2 when m_above_1_2 = '1' else resize(m_moved_1_2, 13);
     -- UQ-1.5: where in its octave the versine lies
     cell_2 <= m_1_2(10 downto 7);
     -- UQ4.0: as a number

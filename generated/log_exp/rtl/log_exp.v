@@ -60,26 +60,26 @@ module log_exp (
     wire m_above_8_0 = |m_above_8_bits_0;
     // UQ9.4: shifted
     wire [12:0] m_by_8_0 = x_0;
-    // UQ1.12: the high bits are 0
-    wire [12:0] m_moved_8_0 = {m_by_8_0[4:0], 8'd0};
+    // UQ0.12: the high bits are 0
+    wire [11:0] m_moved_8_0 = {m_by_8_0[3:0], 8'd0};
     // UQ1.12: shifted to the left by 8 where that loses no bit
-    wire [12:0] m_8_0 = m_above_8_0 ? x_0 : m_moved_8_0;
+    wire [12:0] m_8_0 = m_above_8_0 ? x_0 : {1'd0, m_moved_8_0};
     // UQ1.4: a bit of weight 2^-4 or more is set
     wire [4:0] m_above_4_bits_0 = m_8_0[12:8];
     // UQ1.0: a bit of weight 2^-4 or more is set
     wire m_above_4_0 = |m_above_4_bits_0;
     // UQ5.8: shifted
     wire [12:0] m_by_4_0 = m_8_0;
-    // UQ1.12: the high bits are 0
-    wire [12:0] m_moved_4_0 = {m_by_4_0[8:0], 4'd0};
+    // UQ0.12: the high bits are 0
+    wire [11:0] m_moved_4_0 = {m_by_4_0[7:0], 4'd0};
     // UQ1.12: shifted to the left by 4 where that loses no bit
-    wire [12:0] m_4_0 = m_above_4_0 ? m_8_0 : m_moved_4_0;
+    wire [12:0] m_4_0 = m_above_4_0 ? m_8_0 : {1'd0, m_moved_4_0};
     // UQ1.2: a bit of weight 2^-2 or more is set
     wire [2:0] m_above_2_bits_0 = m_4_0[12:10];
     // UQ3.10: shifted
     wire [12:0] m_by_2_0 = m_4_0;
-    // UQ1.12: the high bits are 0
-    wire [12:0] m_moved_2_0 = {m_by_2_0[10:0], 2'd0};
+    // UQ0.12: the high bits are 0
+    wire [11:0] m_moved_2_0 = {m_by_2_0[9:0], 2'd0};
     // UQ5.2: n or more than the result can show, where x < 1/2
     wire [6:0] n_low_0 = (|n_0[7:6]) ? 7'h40 : n_0[6:0];
     // UQ8.-1: 8 n
@@ -98,7 +98,7 @@ module log_exp (
     reg small_1;
     reg [12:0] m_4_1;
     reg [2:0] m_above_2_bits_1;
-    reg [12:0] m_moved_2_1;
+    reg [11:0] m_moved_2_1;
     reg [6:0] ne_8_1;
     reg [6:0] ne_4_1;
     reg [6:0] n_2_1;
@@ -121,17 +121,17 @@ module log_exp (
     // UQ1.0: a bit of weight 2^-2 or more is set
     wire m_above_2_1 = |m_above_2_bits_1;
     // UQ1.12: shifted to the left by 2 where that loses no bit
-    wire [12:0] m_2_1 = m_above_2_1 ? m_4_1 : m_moved_2_1;
+    wire [12:0] m_2_1 = m_above_2_1 ? m_4_1 : {1'd0, m_moved_2_1};
     // UQ1.1: a bit of weight 2^-1 or more is set
     wire [1:0] m_above_1_bits_1 = m_2_1[12:11];
     // UQ1.0: a bit of weight 2^-1 or more is set
     wire m_above_1_1 = |m_above_1_bits_1;
     // UQ2.11: shifted
     wire [12:0] m_by_1_1 = m_2_1;
-    // UQ1.12: the high bits are 0
-    wire [12:0] m_moved_1_1 = {m_by_1_1[11:0], 1'd0};
+    // UQ0.12: the high bits are 0
+    wire [11:0] m_moved_1_1 = {m_by_1_1[10:0], 1'd0};
     // UQ1.12: shifted to the left by 1 where that loses no bit
-    wire [12:0] m_1_1 = m_above_1_1 ? m_2_1 : m_moved_1_1;
+    wire [12:0] m_1_1 = m_above_1_1 ? m_2_1 : {1'd0, m_moved_1_1};
     // UQ-1.5: the bits that select the entry
     wire [3:0] ratio_high_1 = m_1_1[10:7];
     // UQ4.0: the address in the table
@@ -215,8 +215,8 @@ module log_exp (
     // ===== Stage 3: nu
     // UQ6.14: n (1 - m)
     wire [19:0] nu_3 = n_3 * um_3;
-    // UQ6.-4: so large that z is past what the result can show
-    wire [1:0] beyond_bits_3 = nu_3[19:18];
+    // UQ5.-4: so large that z is past what the result can show
+    wire beyond_bits_3 = nu_3[18];
     // UQ4.14: v = n (1 - m), rounded down
     wire [17:0] v_3 = nu_3[17:0];
     // UQ1.14: log ratio at the entry's start
@@ -224,7 +224,7 @@ module log_exp (
     // UQ1.10: how steeply the log ratio falls
     wire [10:0] log_slope_3 = log_table_3[10:0];
     reg small_4;
-    reg [1:0] beyond_bits_4;
+    reg beyond_bits_4;
     reg [17:0] v_4;
     reg [14:0] log_base_4;
     reg [10:0] log_slope_4;
@@ -299,10 +299,10 @@ module log_exp (
     end
 
     // ===== Stage 7: z_sum
-    // UQ9.15: z = n e + v k
-    wire [23:0] z_sum_7 = {1'd0, ne_sum_2_0_7, 13'd0} + {4'd0, vk_cut_7};
-    // UQ9.-4: z is past what the result can show
-    wire [4:0] over_bits_7 = z_sum_7[23:19];
+    // UQ8.15: z = n e + v k
+    wire [22:0] z_sum_7 = {ne_sum_2_0_7, 13'd0} + {3'd0, vk_cut_7};
+    // UQ8.-4: z is past what the result can show
+    wire [3:0] over_bits_7 = z_sum_7[22:19];
     // UQ1.0: z is past what the result can show
     wire over_7 = |over_bits_7;
     // UQ0.5: the bits that select the entry
@@ -464,11 +464,12 @@ module log_exp (
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    m_by_8_0[12:5],
-                    m_by_4_0[12:9],
-                    m_by_2_0[12:11],
-                    m_by_1_1[12],
+                    m_by_8_0[12:4],
+                    m_by_4_0[12:8],
+                    m_by_2_0[12:10],
+                    m_by_1_1[12:11],
                     m_1_2[12],
+                    nu_3[19],
                     ratio_fall_4[7:0],
                     vk_6[12:0],
                     power_fall_10[10:0],

@@ -111,16 +111,16 @@ architecture rtl of log_exp is
     signal m_above_8_bits_0 : unsigned(8 downto 0);
     signal m_above_8_0 : std_logic;
     signal m_by_8_0 : unsigned(12 downto 0);
-    signal m_moved_8_0 : unsigned(12 downto 0);
+    signal m_moved_8_0 : unsigned(11 downto 0);
     signal m_8_0 : unsigned(12 downto 0);
     signal m_above_4_bits_0 : unsigned(4 downto 0);
     signal m_above_4_0 : std_logic;
     signal m_by_4_0 : unsigned(12 downto 0);
-    signal m_moved_4_0 : unsigned(12 downto 0);
+    signal m_moved_4_0 : unsigned(11 downto 0);
     signal m_4_0 : unsigned(12 downto 0);
     signal m_above_2_bits_0 : unsigned(2 downto 0);
     signal m_by_2_0 : unsigned(12 downto 0);
-    signal m_moved_2_0 : unsigned(12 downto 0);
+    signal m_moved_2_0 : unsigned(11 downto 0);
     signal n_low_0 : unsigned(6 downto 0);
     signal n_8_0 : unsigned(6 downto 0);
     signal ne_8_0 : unsigned(6 downto 0);
@@ -132,7 +132,7 @@ architecture rtl of log_exp is
     signal small_1 : std_logic := '0';
     signal m_4_1 : unsigned(12 downto 0) := (others => '0');
     signal m_above_2_bits_1 : unsigned(2 downto 0) := (others => '0');
-    signal m_moved_2_1 : unsigned(12 downto 0) := (others => '0');
+    signal m_moved_2_1 : unsigned(11 downto 0) := (others => '0');
     signal ne_8_1 : unsigned(6 downto 0) := (others => '0');
     signal ne_4_1 : unsigned(6 downto 0) := (others => '0');
     signal n_2_1 : unsigned(6 downto 0) := (others => '0');
@@ -142,7 +142,7 @@ architecture rtl of log_exp is
     signal m_above_1_bits_1 : unsigned(1 downto 0);
     signal m_above_1_1 : std_logic;
     signal m_by_1_1 : unsigned(12 downto 0);
-    signal m_moved_1_1 : unsigned(12 downto 0);
+    signal m_moved_1_1 : unsigned(11 downto 0);
     signal m_1_1 : unsigned(12 downto 0);
     signal ratio_high_1 : unsigned(3 downto 0);
     signal ratio_entry_1 : unsigned(3 downto 0);
@@ -167,12 +167,12 @@ architecture rtl of log_exp is
     signal ratio_d_3 : unsigned(6 downto 0) := (others => '0');
     signal ne_sum_2_0_3 : unsigned(9 downto 0) := (others => '0');
     signal nu_3 : unsigned(19 downto 0);
-    signal beyond_bits_3 : unsigned(1 downto 0);
+    signal beyond_bits_3 : unsigned(0 downto 0);
     signal v_3 : unsigned(17 downto 0);
     signal log_base_3 : unsigned(14 downto 0);
     signal log_slope_3 : unsigned(10 downto 0);
     signal small_4 : std_logic := '0';
-    signal beyond_bits_4 : unsigned(1 downto 0) := (others => '0');
+    signal beyond_bits_4 : unsigned(0 downto 0) := (others => '0');
     signal v_4 : unsigned(17 downto 0) := (others => '0');
     signal log_base_4 : unsigned(14 downto 0) := (others => '0');
     signal log_slope_4 : unsigned(10 downto 0) := (others => '0');
@@ -197,8 +197,8 @@ architecture rtl of log_exp is
     signal vk_cut_7 : unsigned(19 downto 0) := (others => '0');
     signal ne_sum_2_0_7 : unsigned(9 downto 0) := (others => '0');
     signal zero_of_2_7 : std_logic := '0';
-    signal z_sum_7 : unsigned(23 downto 0);
-    signal over_bits_7 : unsigned(4 downto 0);
+    signal z_sum_7 : unsigned(22 downto 0);
+    signal over_bits_7 : unsigned(3 downto 0);
     signal over_7 : std_logic;
     signal power_high_7 : unsigned(4 downto 0);
     signal power_entry_7 : unsigned(4 downto 0);
@@ -270,26 +270,26 @@ begin
     m_above_8_0 <= '1' when m_above_8_bits_0 /= 0 else '0';
     -- UQ9.4: shifted
     m_by_8_0 <= x_0;
-    -- UQ1.12: the high bits are 0
-    m_moved_8_0 <= shift_left(m_by_8_0, 8);
+    -- UQ0.12: the high bits are 0
+    m_moved_8_0 <= shift_left(m_by_8_0(11 downto 0), 8);
     -- UQ1.12: shifted to the left by 8 where that loses no bit
-    m_8_0 <= x_0 when m_above_8_0 = '1' else m_moved_8_0;
+    m_8_0 <= x_0 when m_above_8_0 = '1' else resize(m_moved_8_0, 13);
     -- UQ1.4: a bit of weight 2^-4 or more is set
     m_above_4_bits_0 <= m_8_0(12 downto 8);
     -- UQ1.0: a bit of weight 2^-4 or more is set
     m_above_4_0 <= '1' when m_above_4_bits_0 /= 0 else '0';
     -- UQ5.8: shifted
     m_by_4_0 <= m_8_0;
-    -- UQ1.12: the high bits are 0
-    m_moved_4_0 <= shift_left(m_by_4_0, 4);
+    -- UQ0.12: the high bits are 0
+    m_moved_4_0 <= shift_left(m_by_4_0(11 downto 0), 4);
     -- UQ1.12: shifted to the left by 4 where that loses no bit
-    m_4_0 <= m_8_0 when m_above_4_0 = '1' else m_moved_4_0;
+    m_4_0 <= m_8_0 when m_above_4_0 = '1' else resize(m_moved_4_0, 13);
     -- UQ1.2: a bit of weight 2^-2 or more is set
     m_above_2_bits_0 <= m_4_0(12 downto 10);
     -- UQ3.10: shifted
     m_by_2_0 <= m_4_0;
-    -- UQ1.12: the high bits are 0
-    m_moved_2_0 <= shift_left(m_by_2_0, 2);
+    -- UQ0.12: the high bits are 0
+    m_moved_2_0 <= shift_left(m_by_2_0(11 downto 0), 2);
     -- UQ5.2: n or more than the result can show, where x < 1/2
     n_low_0 <= (6 => '1', others => '0') when unsigned(n_0(7 downto 6)) /= 0 else
         n_0(6 downto 0);
@@ -326,17 +326,17 @@ begin
     -- UQ1.0: a bit of weight 2^-2 or more is set
     m_above_2_1 <= '1' when m_above_2_bits_1 /= 0 else '0';
     -- UQ1.12: shifted to the left by 2 where that loses no bit
-    m_2_1 <= m_4_1 when m_above_2_1 = '1' else m_moved_2_1;
+    m_2_1 <= m_4_1 when m_above_2_1 = '1' else resize(m_moved_2_1, 13);
     -- UQ1.1: a bit of weight 2^-1 or more is set
     m_above_1_bits_1 <= m_2_1(12 downto 11);
     -- UQ1.0: a bit of weight 2^-1 or more is set
     m_above_1_1 <= '1' when m_above_1_bits_1 /= 0 else '0';
     -- UQ2.11: shifted
     m_by_1_1 <= m_2_1;
-    -- UQ1.12: the high bits are 0
-    m_moved_1_1 <= shift_left(m_by_1_1, 1);
+    -- UQ0.12: the high bits are 0
+    m_moved_1_1 <= shift_left(m_by_1_1(11 downto 0), 1);
     -- UQ1.12: shifted to the left by 1 where that loses no bit
-    m_1_1 <= m_2_1 when m_above_1_1 = '1' else m_moved_1_1;
+    m_1_1 <= m_2_1 when m_above_1_1 = '1' else resize(m_moved_1_1, 13);
     -- UQ-1.5: the bits that select the entry
     ratio_high_1 <= m_1_1(10 downto 7);
     -- UQ4.0: the address in the table
@@ -397,8 +397,8 @@ begin
     -- ===== Stage 3: nu
     -- UQ6.14: n (1 - m)
     nu_3 <= n_3 * um_3;
-    -- UQ6.-4: so large that z is past what the result can show
-    beyond_bits_3 <= nu_3(19 downto 18);
+    -- UQ5.-4: so large that z is past what the result can show
+    beyond_bits_3 <= nu_3(18 downto 18);
     -- UQ4.14: v = n (1 - m), rounded down
     v_3 <= nu_3(17 downto 0);
     -- UQ1.14: log ratio at the entry's start
@@ -474,10 +474,10 @@ begin
     end process;
 
     -- ===== Stage 7: z_sum
-    -- UQ9.15: z = n e + v k
-    z_sum_7 <= shift_left(resize(ne_sum_2_0_7, 24), 13) + resize(vk_cut_7, 24);
-    -- UQ9.-4: z is past what the result can show
-    over_bits_7 <= z_sum_7(23 downto 19);
+    -- UQ8.15: z = n e + v k
+    z_sum_7 <= shift_left(resize(ne_sum_2_0_7, 23), 13) + resize(vk_cut_7, 23);
+    -- UQ8.-4: z is past what the result can show
+    over_bits_7 <= z_sum_7(22 downto 19);
     -- UQ1.0: z is past what the result can show
     over_7 <= '1' when over_bits_7 /= 0 else '0';
     -- UQ0.5: the bits that select the entry

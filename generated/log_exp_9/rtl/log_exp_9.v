@@ -92,8 +92,8 @@ module log_exp_9 (
     reg [13:0] log_table_2;
     // UQ9.14: n u
     wire [22:0] nu_1 = n_1 * u_1;
-    // UQ9.-3: so large that z is past what the result can show
-    wire [5:0] beyond_bits_1 = nu_1[22:17];
+    // UQ8.-3: so large that z is past what the result can show
+    wire [4:0] beyond_bits_1 = nu_1[21:17];
     // UQ3.11: v = n u, rounded down
     wire [13:0] v_1 = nu_1[16:3];
     always @(posedge clk) begin
@@ -169,7 +169,7 @@ module log_exp_9 (
     end
     reg [14:0] x_2;
     reg dark_bits_2;
-    reg [5:0] beyond_bits_2;
+    reg [4:0] beyond_bits_2;
     reg [13:0] v_2;
     reg [4:0] ratio_fall_by_0_2;
     reg [4:0] ratio_fall_by_1_2;
@@ -506,12 +506,12 @@ module log_exp_9 (
     // ===== Stage 11: power_shifted, y, y_or_x
     // UQ0.12: 2^-z = 2^-f 2^-i
     wire [11:0] power_shifted_11 = power_11 >> i_11;
-    // UQ1.14: the output's bits
-    wire [14:0] y_cut_11 = {1'd0, power_shifted_11, 2'd0};
-    // UQ1.14: y, 0 where it is past what the result can show
-    wire [14:0] y_11 = zero_11 ? 15'd0 : y_cut_11;
+    // UQ0.14: the output's bits
+    wire [13:0] y_cut_11 = {power_shifted_11, 2'd0};
+    // UQ0.14: y, 0 where it is past what the result can show
+    wire [13:0] y_11 = zero_11 ? 14'd0 : y_cut_11;
     // UQ1.14: x itself for n = 1
-    wire [14:0] y_or_x_11 = above_one_11 ? y_11 : x_11;
+    wire [14:0] y_or_x_11 = above_one_11 ? {1'd0, y_11} : x_11;
     reg [14:0] y_or_x_12;
     always @(posedge clk) begin
         if (ce) begin
@@ -524,6 +524,7 @@ module log_exp_9 (
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
+                    nu_1[22],
                     nu_1[2:0],
                     ratio_fall_to_1_3[1:0],
                     vk_5[9:0],

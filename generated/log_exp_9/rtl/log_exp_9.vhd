@@ -171,11 +171,11 @@ architecture rtl of log_exp_9 is
     signal ratio_fall_by_1_1 : unsigned(4 downto 0) := (others => '0');
     signal above_one_1 : std_logic := '0';
     signal nu_1 : unsigned(22 downto 0);
-    signal beyond_bits_1 : unsigned(5 downto 0);
+    signal beyond_bits_1 : unsigned(4 downto 0);
     signal v_1 : unsigned(13 downto 0);
     signal x_2 : unsigned(14 downto 0) := (others => '0');
     signal dark_bits_2 : std_logic := '0';
-    signal beyond_bits_2 : unsigned(5 downto 0) := (others => '0');
+    signal beyond_bits_2 : unsigned(4 downto 0) := (others => '0');
     signal v_2 : unsigned(13 downto 0) := (others => '0');
     signal ratio_fall_by_0_2 : unsigned(4 downto 0) := (others => '0');
     signal ratio_fall_by_1_2 : unsigned(4 downto 0) := (others => '0');
@@ -292,8 +292,8 @@ architecture rtl of log_exp_9 is
     signal zero_11 : std_logic := '0';
     signal above_one_11 : std_logic := '0';
     signal power_shifted_11 : unsigned(11 downto 0);
-    signal y_cut_11 : unsigned(14 downto 0);
-    signal y_11 : unsigned(14 downto 0);
+    signal y_cut_11 : unsigned(13 downto 0);
+    signal y_11 : unsigned(13 downto 0);
     signal y_or_x_11 : unsigned(14 downto 0);
     signal y_or_x_12 : unsigned(14 downto 0) := (others => '0');
 
@@ -354,8 +354,8 @@ begin
     -- ===== Stage 1: read log_table, nu
     -- UQ9.14: n u
     nu_1 <= n_1 * u_1;
-    -- UQ9.-3: so large that z is past what the result can show
-    beyond_bits_1 <= nu_1(22 downto 17);
+    -- UQ8.-3: so large that z is past what the result can show
+    beyond_bits_1 <= nu_1(21 downto 17);
     -- UQ3.11: v = n u, rounded down
     v_1 <= nu_1(16 downto 3);
     process (clk) is
@@ -635,12 +635,12 @@ begin
     -- ===== Stage 11: power_shifted, y, y_or_x
     -- UQ0.12: 2^-z = 2^-f 2^-i
     power_shifted_11 <= shift_right(power_11, to_integer(i_11));
-    -- UQ1.14: the output's bits
-    y_cut_11 <= shift_left(resize(power_shifted_11, 15), 2);
-    -- UQ1.14: y, 0 where it is past what the result can show
+    -- UQ0.14: the output's bits
+    y_cut_11 <= shift_left(resize(power_shifted_11, 14), 2);
+    -- UQ0.14: y, 0 where it is past what the result can show
     y_11 <= (others => '0') when zero_11 = '1' else y_cut_11;
     -- UQ1.14: x itself for n = 1
-    y_or_x_11 <= y_11 when above_one_11 = '1' else x_11;
+    y_or_x_11 <= resize(y_11, 15) when above_one_11 = '1' else x_11;
     process (clk) is
     begin
         if rising_edge(clk) then

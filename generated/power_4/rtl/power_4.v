@@ -245,10 +245,10 @@ module power_4 (
     // ===== Stage 3: past_cut, u_scaled
     // UQ1.0: u > cut: past the polynomial's end
     wire past_cut_3 = u_3 > {1'd0, cut_3};
-    // UQ6.12: u 2^k
-    wire [17:0] u_scaled_3 = {5'd0, u_3} << k_3;
+    // UQ2.12: u 2^k
+    wire [13:0] u_scaled_3 = {1'd0, u_3} << k_3;
     // UQ2.12: v = u 2^k, rounded down
-    wire [13:0] v_3 = u_scaled_3[13:0];
+    wire [13:0] v_3 = u_scaled_3;
     // Q2.12: a sign bit for the signed product
     wire [14:0] v_signed_3 = {1'd0, v_3};
     reg [15:0] big_a_4;
@@ -307,12 +307,12 @@ module power_4 (
     // ===== Stage 6: vq
     // UQ2.28: u (A - a u) = v q
     wire [29:0] vq_6 = v_6 * q_6;
-    // UQ2.0: the integer bits of p: the lobe is 0 from p = 1 on
-    wire [1:0] p_above_bits_6 = vq_6[29:28];
+    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    wire p_above_bits_6 = vq_6[28];
     // UQ0.16: p, rounded down
     wire [15:0] p_6 = vq_6[27:12];
     reg past_cut_7;
-    reg [1:0] p_above_bits_7;
+    reg p_above_bits_7;
     reg [15:0] p_7;
     reg dark_bits_7;
     always @(posedge clk) begin
@@ -393,9 +393,9 @@ module power_4 (
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    u_scaled_3[17:14],
                     av_4[28:26],
                     av_4[9:0],
+                    vq_6[29],
                     vq_6[11:0],
                     w2_8[33],
                     w2_8[16:0],

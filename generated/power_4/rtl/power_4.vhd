@@ -331,7 +331,7 @@ architecture rtl of power_4 is
     signal a_3 : signed(13 downto 0) := (others => '0');
     signal dark_bits_3 : std_logic := '0';
     signal past_cut_3 : std_logic;
-    signal u_scaled_3 : unsigned(17 downto 0);
+    signal u_scaled_3 : unsigned(13 downto 0);
     signal v_3 : unsigned(13 downto 0);
     signal v_signed_3 : signed(14 downto 0);
     signal big_a_4 : unsigned(15 downto 0) := (others => '0');
@@ -353,10 +353,10 @@ architecture rtl of power_4 is
     signal q_6 : unsigned(15 downto 0) := (others => '0');
     signal dark_bits_6 : std_logic := '0';
     signal vq_6 : unsigned(29 downto 0);
-    signal p_above_bits_6 : unsigned(1 downto 0);
+    signal p_above_bits_6 : unsigned(0 downto 0);
     signal p_6 : unsigned(15 downto 0);
     signal past_cut_7 : std_logic := '0';
-    signal p_above_bits_7 : unsigned(1 downto 0) := (others => '0');
+    signal p_above_bits_7 : unsigned(0 downto 0) := (others => '0');
     signal p_7 : unsigned(15 downto 0) := (others => '0');
     signal dark_bits_7 : std_logic := '0';
     signal p_above_7 : std_logic;
@@ -465,10 +465,10 @@ begin
     -- ===== Stage 3: past_cut, u_scaled
     -- UQ1.0: u > cut: past the polynomial's end
     past_cut_3 <= '1' when u_3 > cut_3 else '0';
-    -- UQ6.12: u 2^k
-    u_scaled_3 <= shift_left(resize(u_3, 18), to_integer(k_3));
+    -- UQ2.12: u 2^k
+    u_scaled_3 <= shift_left(resize(u_3, 14), to_integer(k_3));
     -- UQ2.12: v = u 2^k, rounded down
-    v_3 <= u_scaled_3(13 downto 0);
+    v_3 <= u_scaled_3;
     -- Q2.12: a sign bit for the signed product
     v_signed_3 <= signed(resize(v_3, 15));
     process (clk) is
@@ -521,8 +521,8 @@ begin
     -- ===== Stage 6: vq
     -- UQ2.28: u (A - a u) = v q
     vq_6 <= v_6 * q_6;
-    -- UQ2.0: the integer bits of p: the lobe is 0 from p = 1 on
-    p_above_bits_6 <= vq_6(29 downto 28);
+    -- UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    p_above_bits_6 <= vq_6(28 downto 28);
     -- UQ0.16: p, rounded down
     p_6 <= vq_6(27 downto 12);
     process (clk) is

@@ -96,13 +96,13 @@ module schlick (
     wire weighted_1_2 = zero_1_2;
     // UQ8.-7: 2 r < den
     wire below_1_2 = trial_1_2[19];
-    // UQ2.12: 2 r - den
-    wire [13:0] less_1_2 = trial_1_2[13:0];
+    // UQ1.12: 2 r - den
+    wire [12:0] less_1_2 = trial_1_2[12:0];
     reg [18:0] den_3;
     reg weighted_1_3;
     reg below_1_3;
     reg [13:0] kept_1_3;
-    reg [13:0] less_1_3;
+    reg [12:0] less_1_3;
     always @(posedge clk) begin
         if (ce) begin
             den_3 <= den_2;
@@ -115,7 +115,7 @@ module schlick (
 
     // ===== Stage 3: r_1, trial_2, r_2
     // UQ2.12: the remainder
-    wire [13:0] r_1_3 = below_1_3 ? kept_1_3 : less_1_3;
+    wire [13:0] r_1_3 = below_1_3 ? kept_1_3 : {1'd0, less_1_3};
     // UQ3.11: 2 r
     wire [13:0] double_2_3 = r_1_3;
     // Q7.12: 2 r - den
@@ -128,10 +128,10 @@ module schlick (
     wire below_2_3 = trial_2_3[19];
     // UQ3.12: 2 r
     wire [14:0] kept_2_3 = {double_2_3, 1'd0};
-    // UQ3.12: 2 r - den
-    wire [14:0] less_2_3 = trial_2_3[14:0];
+    // UQ2.12: 2 r - den
+    wire [13:0] less_2_3 = trial_2_3[13:0];
     // UQ3.12: the remainder
-    wire [14:0] r_2_3 = below_2_3 ? kept_2_3 : less_2_3;
+    wire [14:0] r_2_3 = below_2_3 ? kept_2_3 : {1'd0, less_2_3};
     // UQ4.11: 2 r
     wire [14:0] double_3_3 = r_2_3;
     // UQ4.12: 2 r
@@ -164,10 +164,10 @@ module schlick (
     wire [2:0] zeros_3_4 = {zeros_2_4, 1'd0} + {2'd0, weighted_3_4};
     // UQ8.-7: 2 r < den
     wire below_3_4 = trial_3_4[19];
-    // UQ4.12: 2 r - den
-    wire [15:0] less_3_4 = trial_3_4[15:0];
+    // UQ3.12: 2 r - den
+    wire [14:0] less_3_4 = trial_3_4[14:0];
     // UQ4.12: the remainder
-    wire [15:0] r_3_4 = below_3_4 ? kept_3_4 : less_3_4;
+    wire [15:0] r_3_4 = below_3_4 ? kept_3_4 : {1'd0, less_3_4};
     // UQ5.11: 2 r
     wire [15:0] double_4_4 = r_3_4;
     // UQ5.12: 2 r
@@ -196,10 +196,10 @@ module schlick (
     wire [3:0] zeros_4_5 = {zeros_3_5, 1'd0} + {3'd0, weighted_4_5};
     // UQ8.-7: 2 r < den
     wire below_4_5 = trial_4_5[19];
-    // UQ5.12: 2 r - den
-    wire [16:0] less_4_5 = trial_4_5[16:0];
+    // UQ4.12: 2 r - den
+    wire [15:0] less_4_5 = trial_4_5[15:0];
     // UQ5.12: the remainder
-    wire [16:0] r_4_5 = below_4_5 ? kept_4_5 : less_4_5;
+    wire [16:0] r_4_5 = below_4_5 ? kept_4_5 : {1'd0, less_4_5};
     // UQ6.11: 2 r
     wire [16:0] double_5_5 = r_4_5;
     // UQ6.12: 2 r
@@ -228,10 +228,10 @@ module schlick (
     wire [4:0] zeros_5_6 = {zeros_4_6, 1'd0} + {4'd0, weighted_5_6};
     // UQ8.-7: 2 r < den
     wire below_5_6 = trial_5_6[19];
-    // UQ6.12: 2 r - den
-    wire [17:0] less_5_6 = trial_5_6[17:0];
+    // UQ5.12: 2 r - den
+    wire [16:0] less_5_6 = trial_5_6[16:0];
     // UQ6.12: the remainder
-    wire [17:0] r_5_6 = below_5_6 ? kept_5_6 : less_5_6;
+    wire [17:0] r_5_6 = below_5_6 ? kept_5_6 : {1'd0, less_5_6};
     // UQ7.11: 2 r
     wire [17:0] double_6_6 = r_5_6;
     // UQ7.12: 2 r
@@ -260,10 +260,10 @@ module schlick (
     wire [5:0] zeros_6_7 = {zeros_5_7, 1'd0} + {5'd0, weighted_6_7};
     // UQ8.-7: 2 r < den
     wire below_6_7 = trial_6_7[19];
-    // UQ7.12: 2 r - den
-    wire [18:0] less_6_7 = trial_6_7[18:0];
+    // UQ6.12: 2 r - den
+    wire [17:0] less_6_7 = trial_6_7[17:0];
     // UQ7.12: the remainder
-    wire [18:0] r_6_7 = below_6_7 ? kept_6_7 : less_6_7;
+    wire [18:0] r_6_7 = below_6_7 ? kept_6_7 : {1'd0, less_6_7};
     // UQ8.11: 2 r
     wire [18:0] double_7_7 = r_6_7;
     // UQ7.12: 2 r
@@ -503,11 +503,12 @@ module schlick (
     // Bits that the roundings drop.
     wire unused = &{1'b0,
                     n1u_2[19],
-                    trial_1_2[18:14],
-                    trial_2_3[18:15],
-                    trial_3_4[18:16],
-                    trial_4_5[18:17],
-                    trial_5_6[18],
+                    trial_1_2[18:13],
+                    trial_2_3[18:14],
+                    trial_3_4[18:15],
+                    trial_4_5[18:16],
+                    trial_5_6[18:17],
+                    trial_6_7[18],
                     trial_13_14[18:0],
                     quotient_half_15[0]};
 

@@ -59,12 +59,12 @@ architecture rtl of schlick is
     signal zero_1_2 : unsigned(0 downto 0);
     signal weighted_1_2 : unsigned(0 downto 0);
     signal below_1_2 : std_logic;
-    signal less_1_2 : unsigned(13 downto 0);
+    signal less_1_2 : unsigned(12 downto 0);
     signal den_3 : unsigned(18 downto 0) := (others => '0');
     signal weighted_1_3 : unsigned(0 downto 0) := (others => '0');
     signal below_1_3 : std_logic := '0';
     signal kept_1_3 : unsigned(13 downto 0) := (others => '0');
-    signal less_1_3 : unsigned(13 downto 0) := (others => '0');
+    signal less_1_3 : unsigned(12 downto 0) := (others => '0');
     signal r_1_3 : unsigned(13 downto 0);
     signal double_2_3 : unsigned(13 downto 0);
     signal trial_2_3 : signed(19 downto 0);
@@ -72,7 +72,7 @@ architecture rtl of schlick is
     signal weighted_2_3 : unsigned(0 downto 0);
     signal below_2_3 : std_logic;
     signal kept_2_3 : unsigned(14 downto 0);
-    signal less_2_3 : unsigned(14 downto 0);
+    signal less_2_3 : unsigned(13 downto 0);
     signal r_2_3 : unsigned(14 downto 0);
     signal double_3_3 : unsigned(14 downto 0);
     signal kept_3_3 : unsigned(15 downto 0);
@@ -87,7 +87,7 @@ architecture rtl of schlick is
     signal weighted_3_4 : unsigned(0 downto 0);
     signal zeros_3_4 : unsigned(2 downto 0);
     signal below_3_4 : std_logic;
-    signal less_3_4 : unsigned(15 downto 0);
+    signal less_3_4 : unsigned(14 downto 0);
     signal r_3_4 : unsigned(15 downto 0);
     signal double_4_4 : unsigned(15 downto 0);
     signal kept_4_4 : unsigned(16 downto 0);
@@ -100,7 +100,7 @@ architecture rtl of schlick is
     signal weighted_4_5 : unsigned(0 downto 0);
     signal zeros_4_5 : unsigned(3 downto 0);
     signal below_4_5 : std_logic;
-    signal less_4_5 : unsigned(16 downto 0);
+    signal less_4_5 : unsigned(15 downto 0);
     signal r_4_5 : unsigned(16 downto 0);
     signal double_5_5 : unsigned(16 downto 0);
     signal kept_5_5 : unsigned(17 downto 0);
@@ -113,7 +113,7 @@ architecture rtl of schlick is
     signal weighted_5_6 : unsigned(0 downto 0);
     signal zeros_5_6 : unsigned(4 downto 0);
     signal below_5_6 : std_logic;
-    signal less_5_6 : unsigned(17 downto 0);
+    signal less_5_6 : unsigned(16 downto 0);
     signal r_5_6 : unsigned(17 downto 0);
     signal double_6_6 : unsigned(17 downto 0);
     signal kept_6_6 : unsigned(18 downto 0);
@@ -126,7 +126,7 @@ architecture rtl of schlick is
     signal weighted_6_7 : unsigned(0 downto 0);
     signal zeros_6_7 : unsigned(5 downto 0);
     signal below_6_7 : std_logic;
-    signal less_6_7 : unsigned(18 downto 0);
+    signal less_6_7 : unsigned(17 downto 0);
     signal r_6_7 : unsigned(18 downto 0);
     signal double_7_7 : unsigned(18 downto 0);
     signal kept_7_7 : unsigned(18 downto 0);
@@ -286,8 +286,8 @@ begin
     weighted_1_2 <= zero_1_2;
     -- UQ8.-7: 2 r < den
     below_1_2 <= trial_1_2(19);
-    -- UQ2.12: 2 r - den
-    less_1_2 <= unsigned(trial_1_2(13 downto 0));
+    -- UQ1.12: 2 r - den
+    less_1_2 <= unsigned(trial_1_2(12 downto 0));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -303,7 +303,7 @@ begin
 
     -- ===== Stage 3: r_1, trial_2, r_2
     -- UQ2.12: the remainder
-    r_1_3 <= kept_1_3 when below_1_3 = '1' else less_1_3;
+    r_1_3 <= kept_1_3 when below_1_3 = '1' else resize(less_1_3, 14);
     -- UQ3.11: 2 r
     double_2_3 <= r_1_3;
     -- Q7.12: 2 r - den
@@ -316,10 +316,10 @@ begin
     below_2_3 <= trial_2_3(19);
     -- UQ3.12: 2 r
     kept_2_3 <= shift_left(resize(double_2_3, 15), 1);
-    -- UQ3.12: 2 r - den
-    less_2_3 <= unsigned(trial_2_3(14 downto 0));
+    -- UQ2.12: 2 r - den
+    less_2_3 <= unsigned(trial_2_3(13 downto 0));
     -- UQ3.12: the remainder
-    r_2_3 <= kept_2_3 when below_2_3 = '1' else less_2_3;
+    r_2_3 <= kept_2_3 when below_2_3 = '1' else resize(less_2_3, 15);
     -- UQ4.11: 2 r
     double_3_3 <= r_2_3;
     -- UQ4.12: 2 r
@@ -350,10 +350,10 @@ begin
     zeros_3_4 <= shift_left(resize(zeros_2_4, 3), 1) + resize(weighted_3_4, 3);
     -- UQ8.-7: 2 r < den
     below_3_4 <= trial_3_4(19);
-    -- UQ4.12: 2 r - den
-    less_3_4 <= unsigned(trial_3_4(15 downto 0));
+    -- UQ3.12: 2 r - den
+    less_3_4 <= unsigned(trial_3_4(14 downto 0));
     -- UQ4.12: the remainder
-    r_3_4 <= kept_3_4 when below_3_4 = '1' else less_3_4;
+    r_3_4 <= kept_3_4 when below_3_4 = '1' else resize(less_3_4, 16);
     -- UQ5.11: 2 r
     double_4_4 <= r_3_4;
     -- UQ5.12: 2 r
@@ -381,10 +381,10 @@ begin
     zeros_4_5 <= shift_left(resize(zeros_3_5, 4), 1) + resize(weighted_4_5, 4);
     -- UQ8.-7: 2 r < den
     below_4_5 <= trial_4_5(19);
-    -- UQ5.12: 2 r - den
-    less_4_5 <= unsigned(trial_4_5(16 downto 0));
+    -- UQ4.12: 2 r - den
+    less_4_5 <= unsigned(trial_4_5(15 downto 0));
     -- UQ5.12: the remainder
-    r_4_5 <= kept_4_5 when below_4_5 = '1' else less_4_5;
+    r_4_5 <= kept_4_5 when below_4_5 = '1' else resize(less_4_5, 17);
     -- UQ6.11: 2 r
     double_5_5 <= r_4_5;
     -- UQ6.12: 2 r
@@ -412,10 +412,10 @@ begin
     zeros_5_6 <= shift_left(resize(zeros_4_6, 5), 1) + resize(weighted_5_6, 5);
     -- UQ8.-7: 2 r < den
     below_5_6 <= trial_5_6(19);
-    -- UQ6.12: 2 r - den
-    less_5_6 <= unsigned(trial_5_6(17 downto 0));
+    -- UQ5.12: 2 r - den
+    less_5_6 <= unsigned(trial_5_6(16 downto 0));
     -- UQ6.12: the remainder
-    r_5_6 <= kept_5_6 when below_5_6 = '1' else less_5_6;
+    r_5_6 <= kept_5_6 when below_5_6 = '1' else resize(less_5_6, 18);
     -- UQ7.11: 2 r
     double_6_6 <= r_5_6;
     -- UQ7.12: 2 r
@@ -443,10 +443,10 @@ begin
     zeros_6_7 <= shift_left(resize(zeros_5_7, 6), 1) + resize(weighted_6_7, 6);
     -- UQ8.-7: 2 r < den
     below_6_7 <= trial_6_7(19);
-    -- UQ7.12: 2 r - den
-    less_6_7 <= unsigned(trial_6_7(18 downto 0));
+    -- UQ6.12: 2 r - den
+    less_6_7 <= unsigned(trial_6_7(17 downto 0));
     -- UQ7.12: the remainder
-    r_6_7 <= kept_6_7 when below_6_7 = '1' else less_6_7;
+    r_6_7 <= kept_6_7 when below_6_7 = '1' else resize(less_6_7, 19);
     -- UQ8.11: 2 r
     double_7_7 <= r_6_7;
     -- UQ7.12: 2 r

@@ -634,11 +634,11 @@ module segmented_4 (
     // ===== Stage 12: vq
     // UQ4.29: u (A - a u) = v q
     wire [32:0] vq_12 = v_12 * q_12;
-    // UQ1.14: u (A - a u), rounded down
-    wire [14:0] m_12 = vq_12[29:15];
+    // UQ0.14: u (A - a u), rounded down
+    wire [13:0] m_12 = vq_12[28:15];
     reg [12:0] x_13;
     reg [14:0] c_13;
-    reg [14:0] m_13;
+    reg [13:0] m_13;
     reg zero_13;
     always @(posedge clk) begin
         if (ce) begin
@@ -651,7 +651,7 @@ module segmented_4 (
 
     // ===== Stage 13: d, d_positive
     // Q1.14: d = c - u (A - a u)
-    wire [15:0] d_13 = {1'd0, c_13} - {1'd0, m_13};
+    wire [15:0] d_13 = {1'd0, c_13} - {2'd0, m_13};
     // UQ1.14: d, at least 0
     wire [14:0] d_positive_13 = d_13[15] ? 15'h0000 : d_13[14:0];
     reg [12:0] x_14;
@@ -699,7 +699,7 @@ module segmented_4 (
                     s_exact_3[8:0],
                     av_10[28:25],
                     av_10[7:0],
-                    vq_12[32:30],
+                    vq_12[32:29],
                     vq_12[14:0],
                     xd_15[27],
                     y_half_15[13:0]};

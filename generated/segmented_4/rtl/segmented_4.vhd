@@ -726,10 +726,10 @@ architecture rtl of segmented_4 is
     signal q_12 : unsigned(17 downto 0) := (others => '0');
     signal zero_12 : std_logic := '0';
     signal vq_12 : unsigned(32 downto 0);
-    signal m_12 : unsigned(14 downto 0);
+    signal m_12 : unsigned(13 downto 0);
     signal x_13 : unsigned(12 downto 0) := (others => '0');
     signal c_13 : unsigned(14 downto 0) := (others => '0');
-    signal m_13 : unsigned(14 downto 0) := (others => '0');
+    signal m_13 : unsigned(13 downto 0) := (others => '0');
     signal zero_13 : std_logic := '0';
     signal d_13 : signed(15 downto 0);
     signal d_positive_13 : unsigned(14 downto 0);
@@ -1006,8 +1006,8 @@ begin
     -- ===== Stage 12: vq
     -- UQ4.29: u (A - a u) = v q
     vq_12 <= v_12 * q_12;
-    -- UQ1.14: u (A - a u), rounded down
-    m_12 <= vq_12(29 downto 15);
+    -- UQ0.14: u (A - a u), rounded down
+    m_12 <= vq_12(28 downto 15);
     process (clk) is
     begin
         if rising_edge(clk) then
