@@ -248,7 +248,7 @@ fn golden_refuses_what_is_no_golden_file() {
     scratch.write("code.vec", replaced(&text, "\nv 0 200 ", "\nv 0 fff "));
     scratch.refused("golden core --check code.vec", &["code.vec:8:1", "`fff` is not a 10-bit code"]);
     scratch.write("binary.vec", b"# \xff");
-    scratch.refused("golden core --check binary.vec", &["binary.vec is not text", "ASCII"]);
+    scratch.refused("golden core --check binary.vec", &["binary.vec is not UTF-8 text", "ASCII"]);
     scratch.write("empty.vec", "");
     scratch.refused("golden core --check empty.vec", &["empty.vec", "no golden file", "`c` line"]);
     scratch.refused("golden core --check core/rom/quadratic.mem", &["quadratic.mem:1:1", "malformed"]);

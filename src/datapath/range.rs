@@ -588,8 +588,12 @@ impl<'a> Analysis<'a> {
     #[must_use]
     pub fn with_spare_bits(&self, ranges: &Ranges) -> Graph {
         let mut graph = self.graph.clone();
+        // An address beyond a memory would be none at all.
+        let reads = |node: &&Node| matches!(node.op, Op::Field { .. });
+        let addresses: Vec<NodeId> = self.graph.nodes.iter().filter(reads).map(|node| node.args[0]).collect();
         for (id, node) in graph.nodes.iter_mut().enumerate() {
             let widened = match node.op {
+                _ if addresses.contains(&id) => false,
                 Op::Add | Op::Sub | Op::Mul | Op::ShiftLeft => true,
                 Op::Cast => self.room[id] == node.format && matches!(ranges.dropped[id], None | Some(0)),
                 _ => false,

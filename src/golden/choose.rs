@@ -382,7 +382,7 @@ impl<'a> Chooser<'a> {
     }
 
     /// A task's candidates among which inputs are sought that tell mutants: all inputs of a small core, else random ones, most of them on
-    /// the highlight.
+    /// the highlight and many at the least shininesses.
     fn candidates(&self, task: u64) -> told::Candidates<'a> {
         let (design, one, bits) = (self.design, self.one, self.candidate_bits());
         let (index_bits, operand) = (design.index_format().width(), design.operand_format());
@@ -399,7 +399,9 @@ impl<'a> Chooser<'a> {
                 } else if place % 4 == 0 {
                     (dice.below(1 << index_bits), first + dice.below(operands) as i64)
                 } else {
-                    let row = dice.below(rows) as usize;
+                    // Every other row from the lower ones, where more of a lobe's inputs give anything.
+                    let most = if place % 4 == 1 { rows.min(2 << dice.below(index_bits.into())) } else { rows };
+                    let row = dice.below(most) as usize;
                     let widest = (3.0 / design.spec.shininess.value(row)).min(1.0) * one as f64;
                     let versine = dice.below(widest as u64 + 1) as i64;
                     (design.spec.shininess.index_of_row(row).into(), design.operand_of_versine(versine))
