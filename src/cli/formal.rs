@@ -14,7 +14,7 @@ pub(super) struct Arguments {
     source: Source,
 
     /// The most seconds that the solver may take at once
-    #[arg(long, value_name = "S", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "S", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     solver_limit: u32,
 
     /// End with exit code 0 although a claim is open, that is, neither proved nor refuted; without this it is 1, as for a refuted one

@@ -177,14 +177,14 @@ impl Aig {
         Values(values)
     }
 
-    /// What a constant or an input is in a run: its bit i is the input i.
+    /// What a constant or an input is in a run.
     ///
     /// # Panics
     /// For any other literal.
-    pub(super) fn value(&self, literal: Literal, run: u64) -> bool {
+    pub(super) fn value(&self, literal: Literal, run: &[bool]) -> bool {
         let value = match self.nodes[literal.node()] {
             Node::Zero => false,
-            Node::Input(index) => run >> index & 1 == 1,
+            Node::Input(index) => run[index as usize],
             Node::And(..) => panic!("a literal that must be computed"),
         };
         value != (literal.0 & 1 == 1)
@@ -205,9 +205,12 @@ impl Aig {
         used
     }
 
-    /// Runs through all values of the inputs, at most 63, and returns the least for which the literals of a pair differ: its bit i is the
-    /// input i.
-    pub(super) fn difference(&self, pairs: &[(Literal, Literal)]) -> Option<u64> {
+    /// Runs through all values of the inputs on which the pairs depend, and returns values of all inputs for which the literals of a pair
+    /// differ, if there are such; the inputs on which they do not depend are 0.
+    ///
+    /// # Errors
+    /// If they depend on more than `most` inputs, at most 63: how many.
+    pub(super) fn difference(&self, pairs: &[(Literal, Literal)], most: usize) -> Result<Option<Vec<bool>>, usize> {
         /// The values of the six lowest inputs in the runs of a word.
         const LOWEST: [u64; 6] = [
             0xaaaa_aaaa_aaaa_aaaa,
@@ -224,10 +227,21 @@ impl Aig {
         // The nodes that count, one after the other, so that their values stay near each other: a graph holds many that do not.
         let mut places = vec![0u32; self.nodes.len()];
         let mut kept: Vec<Node> = Vec::new();
+        let mut inputs: Vec<u32> = Vec::new();
         for (index, node) in self.nodes.iter().enumerate().filter(|(index, _)| used[*index]) {
             places[index] = kept.len() as u32;
             let moved = |literal: Literal| Literal(2 * places[literal.node()] + (literal.0 & 1));
-            kept.push(if let Node::And(a, b) = *node { Node::And(moved(a), moved(b)) } else { *node });
+            kept.push(match *node {
+                Node::Zero => Node::Zero,
+                Node::And(a, b) => Node::And(moved(a), moved(b)),
+                Node::Input(input) => {
+                    inputs.push(input);
+                    Node::Input(inputs.len() as u32 - 1)
+                }
+            });
+        }
+        if inputs.len() > most {
+            return Err(inputs.len());
         }
         let moved = |literal: Literal| Literal(2 * places[literal.node()] + (literal.0 & 1));
         let pairs: Vec<[Literal; 2]> = pairs.iter().map(|&(one, other)| [moved(one), moved(other)]).collect();
@@ -237,7 +251,7 @@ impl Aig {
         };
         let mut values: Vec<Block> = vec![[0; LANES]; kept.len()];
         let runs_of_block = 64 * LANES as u64;
-        (0..1u64 << self.inputs).step_by(64 * LANES).find_map(|first| {
+        let found = (0..1u64 << inputs.len()).step_by(64 * LANES).find_map(|first| {
             for (place, node) in kept.iter().enumerate() {
                 values[place] = match *node {
                     Node::Zero => [0; LANES],
@@ -259,7 +273,14 @@ impl Aig {
             let run = (0..runs_of_block).find(|run| differs[(run / 64) as usize] >> (run % 64) & 1 == 1)?;
             // Of fewer inputs than make a block the runs repeat themselves, the least come first.
             Some(first + run)
-        })
+        });
+        Ok(found.map(|run| {
+            let mut shown = vec![false; self.inputs()];
+            for (place, &input) in inputs.iter().enumerate() {
+                shown[input as usize] = run >> place & 1 == 1;
+            }
+            shown
+        }))
     }
 
     /// The graph of these outputs in the binary AIGER format (Biere, "The AIGER And-Inverter Graph format", 2007); all inputs are kept, in
@@ -322,15 +343,17 @@ mod tests {
             let sum = bits.iter().fold(Literal::FALSE, |sum, &bit| aig.xor(sum, bit));
             let again = bits.iter().rev().fold(Literal::FALSE, |sum, &bit| aig.xor(sum, bit));
             assert_ne!(sum, again);
-            assert_eq!(aig.difference(&[(sum, again)]), None);
+            assert_eq!(aig.difference(&[(sum, again)], inputs), Ok(None));
+            assert_eq!(aig.difference(&[(sum, again)], inputs - 1), Err(inputs));
             for run in [0, 5, (1u64 << inputs) - 1] {
                 let hit = bits.iter().enumerate().fold(Literal::TRUE, |hit, (place, &bit)| {
                     let wanted = if run >> place & 1 == 1 { bit } else { !bit };
                     aig.and(hit, wanted)
                 });
                 let wrong = aig.xor(again, hit);
-                assert_eq!(aig.difference(&[(again, again), (sum, wrong)]), Some(run));
-                assert!(bits.iter().enumerate().all(|(place, &bit)| aig.value(bit, run) == (run >> place & 1 == 1)));
+                let found = aig.difference(&[(again, again), (sum, wrong)], inputs).expect("few inputs").expect("one");
+                let shown = bits.iter().enumerate().map(|(place, bit)| u64::from(aig.value(*bit, &found)) << place);
+                assert_eq!(shown.sum::<u64>(), run);
             }
         }
     }

@@ -347,11 +347,6 @@ impl Circuit {
         Ok(())
     }
 
-    /// Whether the text leaves a bit undefined.
-    pub(super) fn has_undefined(&self) -> bool {
-        !self.undefined.is_empty()
-    }
-
     /// The registers, with their places among the parts.
     pub(super) fn registers(&self) -> impl Iterator<Item = (usize, &Register)> {
         self.parts.iter().enumerate().filter_map(|(index, part)| match part {

@@ -13,8 +13,8 @@
 //!    registers are compared, and so are the outputs, as functions of the circuits' inputs and these new ones; most are the same node, the
 //!    others go to ABC's `cec`. If all are the same, then so are the circuits: by induction over the stages, as what stands before a
 //!    register depends on earlier stages alone. A pair that was no pair makes this fail; it cannot make it succeed.
-//! 4. If it fails, the outputs are compared as functions of the inputs, without cuts: by running every value of the inputs through both
-//!    where they have at most 28 bits, otherwise by ABC within the time limit. The rust-hdl kernels need this: they keep bits that the
+//! 4. If it fails, the outputs are compared as functions of the inputs, without cuts: by ABC within the time limit, then by running every
+//!    value of the inputs through both where they have at most 28 bits. The rust-hdl kernels need this: they keep bits that the
 //!    others leave out because they matter for no value of the inputs, though for values of the registers that never come up together.
 //!
 //! A memory with a write port is outside of both circuits: what it shows is a new input, and its address and its write port (the
@@ -483,16 +483,15 @@ impl<'a> Comparison<'a> {
         Ok(Asked { answer, shown: None, compared: duties.len(), open: open.len() })
     }
 
-    /// Whether so few values of the inputs are all that matters that they can be run through.
-    fn has_few_inputs(&self) -> bool {
-        let few = self.sides[0].data_inputs().values().sum::<usize>() <= MOST_BITS;
-        few && self.reads.is_empty() && self.sides.iter().all(|side| !side.circuit.has_undefined())
-    }
-
     /// Runs all values of the inputs through both: those of the widest port, once for each value of the others, which makes the graph small.
+    /// Bits that a text leaves undefined are run through as well; where there are too many, it is not found out.
     fn every(&self, planted: bool) -> Asked {
         let ports = self.sides[0].data_inputs();
-        let others: usize = ports.values().sum::<usize>() - ports.values().max().copied().unwrap_or(0);
+        let bits: usize = ports.values().sum();
+        let widest = ports.values().max().copied().unwrap_or(0);
+        if bits > MOST_BITS || !self.reads.is_empty() {
+            return Asked { answer: Answer::Unknown, shown: None, compared: 0, open: 0 };
+        }
         let duties_of = |number: u64| {
             let mut aig = Aig::new();
             let inputs = Inputs::of_widest(&mut aig, self.sides[0], number);
@@ -504,17 +503,24 @@ impl<'a> Comparison<'a> {
             (both, duties)
         };
         let (_, duties) = duties_of(0);
-        let shown = (0..1u64 << others).into_par_iter().find_map_first(|number| {
+        let found = (0..1u64 << (bits - widest)).into_par_iter().find_map_first(|number| {
             let (both, duties) = duties_of(number);
-            let value = both.aig.difference(&open(&duties))?;
-            let of = |&bit: &Literal| both.aig.value(bit, value);
+            let values = match both.aig.difference(&open(&duties), MOST_BITS - (bits - widest)) {
+                Ok(found) => found?,
+                Err(_) => return Some(None),
+            };
             let port = |(name, port): (&String, &Vec<Literal>)| {
-                let code: u64 = port.iter().enumerate().map(|(place, bit)| u64::from(of(bit)) << place).sum();
+                let bits = port.iter().enumerate();
+                let code: u64 = bits.map(|(place, &bit)| u64::from(both.aig.value(bit, &values)) << place).sum();
                 format!("{name} = {}'h{code:x}", port.len())
             };
-            Some(both.inputs.0.iter().map(port).collect::<Vec<_>>().join(", "))
+            Some(Some(both.inputs.0.iter().map(port).collect::<Vec<_>>().join(", ")))
         });
-        let answer = if shown.is_some() { Answer::Different } else { Answer::Equal };
+        let (answer, shown) = match found {
+            None => (Answer::Equal, None),
+            Some(None) => (Answer::Unknown, None),
+            Some(shown) => (Answer::Different, shown),
+        };
         Asked { answer, shown, compared: duties.len(), open: duties.len() }
     }
 
@@ -532,8 +538,13 @@ impl<'a> Comparison<'a> {
         if asked.answer == Answer::Equal {
             return Ok(Compared::Same { method: stages, compared: asked.compared, open: asked.open });
         }
-        let method = if self.has_few_inputs() { Method::Every } else { Method::Whole };
-        let Asked { answer, shown, compared, open } = self.ask(&method, false, seconds)?;
+        let mut method = Method::Whole;
+        let mut asked = self.ask(&method, false, seconds)?;
+        if asked.answer == Answer::Unknown {
+            method = Method::Every;
+            asked = self.ask(&method, false, seconds)?;
+        }
+        let Asked { answer, shown, compared, open } = asked;
         Ok(match answer {
             Answer::Equal => Compared::Same { method, compared, open },
             Answer::Different => Compared::Different(shown.map_or_else(
@@ -541,7 +552,7 @@ impl<'a> Comparison<'a> {
                 |shown| format!("the outputs differ for {shown}"),
             )),
             Answer::Unknown => Compared::Unknown(format!(
-                "their registers are not the same stage by stage, and the solver did not compare the outputs as functions of the inputs in {seconds} s"
+                "their registers are not the same stage by stage, and the solver did not compare the outputs as functions of the inputs in {seconds} s; these have more values than are run through"
             )),
         })
     }

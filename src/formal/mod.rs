@@ -124,10 +124,13 @@ pub fn equivalence(
     for text in texts(design, directory)? {
         let claim = format!("{} is a pipeline of {latency} clocks", text.name);
         proofs.push(tried(claim, progress, || {
-            let circuit = Circuit::read(&yosys, directory, &text.top, &text.bytes)?;
-            let pipeline = match circuit.and_then(|circuit| Pipeline::of(circuit, latency)) {
-                Ok(pipeline) => pipeline,
+            let circuit = match Circuit::read(&yosys, directory, &text.top, &text.bytes)? {
+                Ok(circuit) => circuit,
                 Err(why) => return Ok((Verdict::Open, why)),
+            };
+            let pipeline = match Pipeline::of(circuit, latency) {
+                Ok(pipeline) => pipeline,
+                Err(why) => return Ok((Verdict::Refuted, why)),
             };
             let ran = pipeline.against(design, golden);
             known.push((text.name, pipeline));
