@@ -144,10 +144,14 @@ impl Tool {
     /// # Errors
     /// If it is not installed or the system refuses to start it.
     pub(crate) fn start(self, command: &mut Command) -> Result<Running, Error> {
+        self.start_within(command, time_limit())
+    }
+
+    fn start_within(self, command: &mut Command, limit: Duration) -> Result<Running, Error> {
         let (group, child) = Group::spawn(command).map_err(|error| self.start_error(error))?;
         let (done, ended) = mpsc::channel::<()>();
         let expired = Arc::new(AtomicBool::new(false));
-        let (id, limit, tell) = (group.id(), time_limit(), Arc::clone(&expired));
+        let (id, tell) = (group.id(), Arc::clone(&expired));
         let watch = std::thread::spawn(move || {
             if ended.recv_timeout(limit) == Err(RecvTimeoutError::Timeout) {
                 tell.store(true, Ordering::SeqCst);
@@ -163,8 +167,14 @@ impl Tool {
     /// If it is not installed or the system refuses to start it, if it takes longer than [`time_limit`], or prints more than
     /// [`MAX_PRINTED`]; it is stopped then, with all that it has started.
     pub fn output(self, command: &mut Command) -> Result<Output, Error> {
+        self.output_within(command, time_limit())
+    }
+
+    /// As [`output`](Self::output), with a limit of its own for this run; [`time_limit`] holds as well.
+    pub(crate) fn output_within(self, command: &mut Command, limit: Duration) -> Result<Output, Error> {
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
-        let mut running = self.start(command)?;
+        let limit = limit.min(time_limit());
+        let mut running = self.start_within(command, limit)?;
         let streams = [
             running.child.stdout.take().map(|stream| Stream::of(stream, running.group.id())),
             running.child.stderr.take().map(|stream| Stream::of(stream, running.group.id())),
@@ -179,7 +189,7 @@ impl Tool {
                 Err(self.failed(format!("it printed more than {} MiB and was stopped", MAX_PRINTED >> 20)))
             }
             // What it started lives on in a group of its own, and holds the pipe.
-            _ => Err(result.err().unwrap_or_else(|| self.too_long(time_limit()))),
+            _ => Err(result.err().unwrap_or_else(|| self.too_long(limit))),
         }
     }
 

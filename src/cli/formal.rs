@@ -6,7 +6,7 @@ use serde_json::json;
 use super::source::{OnDisk, Source};
 use super::{Verdict, progress, say, say_json};
 use crate::error::Error;
-use crate::formal::{self, Proof};
+use crate::formal::{self, Proof, Step};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -14,8 +14,12 @@ pub(super) struct Arguments {
     source: Source,
 
     /// The most seconds that the solver may take at once
-    #[arg(long, value_name = "S", default_value_t = 60, value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "S", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     solver_limit: u32,
+
+    /// End with exit code 0 although a claim is open, that is, neither proved nor refuted; without this it is 1, as for a refuted one
+    #[arg(long)]
+    allow_open: bool,
 
     /// Print the result as JSON
     #[arg(long)]
@@ -26,17 +30,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
     let core = OnDisk::of(&arguments.source, &design)?;
     let spinner = progress::spinner("formal".to_owned());
-    let tell = |claim: &str| spinner.set_message(claim.to_owned());
+    let tell = |step: Step| match step {
+        Step::Begun(claim) => spinner.set_message(claim.to_owned()),
+        Step::Ended(_) if arguments.json => {}
+        Step::Ended(proof) => spinner.suspend(|| say_proof(proof)),
+    };
     let mut proofs = formal::equivalence(&design, core.path(), &core.golden, arguments.solver_limit, &tell)?;
     proofs.extend(formal::stream(&design, core.path(), &tell)?);
     spinner.finish_and_clear();
-    let passed = !proofs.is_empty() && proofs.iter().all(|proof| proof.verdict == formal::Verdict::Proved);
+    let all = |passes: &dyn Fn(formal::Verdict) -> bool| proofs.iter().all(|proof| passes(proof.verdict));
     if arguments.json {
+        let passed = all(&|verdict| verdict == formal::Verdict::Proved);
         say_json(&json!({ "core": design.spec.name, "passed": passed, "proofs": proofs }));
-    } else {
-        proofs.iter().for_each(say_proof);
     }
-    Ok(Verdict::of(passed))
+    Ok(Verdict::of(all(&|verdict| match verdict {
+        formal::Verdict::Proved => true,
+        formal::Verdict::Open => arguments.allow_open,
+        formal::Verdict::Refuted => false,
+    })))
 }
 
 /// Prints what came of a proof.

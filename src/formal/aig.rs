@@ -177,9 +177,21 @@ impl Aig {
         Values(values)
     }
 
-    /// The graph of these outputs in the binary AIGER format (Biere, "The AIGER And-Inverter Graph format", 2007); all inputs are kept, in
-    /// their order.
-    pub(super) fn aiger(&self, outputs: &[Literal]) -> Vec<u8> {
+    /// What a constant or an input is in a run.
+    ///
+    /// # Panics
+    /// For any other literal.
+    pub(super) fn value(&self, literal: Literal, run: &[bool]) -> bool {
+        let value = match self.nodes[literal.node()] {
+            Node::Zero => false,
+            Node::Input(index) => run[index as usize],
+            Node::And(..) => panic!("a literal that must be computed"),
+        };
+        value != (literal.0 & 1 == 1)
+    }
+
+    /// Which nodes these literals depend on.
+    fn cone(&self, outputs: impl Iterator<Item = Literal>) -> Vec<bool> {
         let mut used = vec![false; self.nodes.len()];
         for output in outputs {
             used[output.node()] = true;
@@ -190,6 +202,91 @@ impl Aig {
                 used[b.node()] = true;
             }
         }
+        used
+    }
+
+    /// Runs through all values of the inputs on which the pairs depend, and returns values of all inputs for which the literals of a pair
+    /// differ, if there are such; the inputs on which they do not depend are 0.
+    ///
+    /// # Errors
+    /// If they depend on more than `most` inputs, at most 63: how many.
+    pub(super) fn difference(&self, pairs: &[(Literal, Literal)], most: usize) -> Result<Option<Vec<bool>>, usize> {
+        /// The values of the six lowest inputs in the runs of a word.
+        const LOWEST: [u64; 6] = [
+            0xaaaa_aaaa_aaaa_aaaa,
+            0xcccc_cccc_cccc_cccc,
+            0xf0f0_f0f0_f0f0_f0f0,
+            0xff00_ff00_ff00_ff00,
+            0xffff_0000_ffff_0000,
+            0xffff_ffff_0000_0000,
+        ];
+        /// Words that are computed together, whose number in a block is the next three inputs.
+        const LANES: usize = 8;
+        type Block = [u64; LANES];
+        let used = self.cone(pairs.iter().flat_map(|&(one, other)| [one, other]));
+        // The nodes that count, one after the other, so that their values stay near each other: a graph holds many that do not.
+        let mut places = vec![0u32; self.nodes.len()];
+        let mut kept: Vec<Node> = Vec::new();
+        let mut inputs: Vec<u32> = Vec::new();
+        for (index, node) in self.nodes.iter().enumerate().filter(|(index, _)| used[*index]) {
+            places[index] = kept.len() as u32;
+            let moved = |literal: Literal| Literal(2 * places[literal.node()] + (literal.0 & 1));
+            kept.push(match *node {
+                Node::Zero => Node::Zero,
+                Node::And(a, b) => Node::And(moved(a), moved(b)),
+                Node::Input(input) => {
+                    inputs.push(input);
+                    Node::Input(inputs.len() as u32 - 1)
+                }
+            });
+        }
+        if inputs.len() > most {
+            return Err(inputs.len());
+        }
+        let moved = |literal: Literal| Literal(2 * places[literal.node()] + (literal.0 & 1));
+        let pairs: Vec<[Literal; 2]> = pairs.iter().map(|&(one, other)| [moved(one), moved(other)]).collect();
+        let of = |values: &[Block], literal: Literal| -> Block {
+            let flip = 0u64.wrapping_sub(u64::from(literal.0 & 1));
+            values[literal.node()].map(|word| word ^ flip)
+        };
+        let mut values: Vec<Block> = vec![[0; LANES]; kept.len()];
+        let runs_of_block = 64 * LANES as u64;
+        let found = (0..1u64 << inputs.len()).step_by(64 * LANES).find_map(|first| {
+            for (place, node) in kept.iter().enumerate() {
+                values[place] = match *node {
+                    Node::Zero => [0; LANES],
+                    Node::Input(index) => std::array::from_fn(|lane| match LOWEST.get(index as usize) {
+                        Some(word) => *word,
+                        None => 0u64.wrapping_sub((first + 64 * lane as u64) >> index & 1),
+                    }),
+                    Node::And(a, b) => {
+                        let (a, b) = (of(&values, a), of(&values, b));
+                        std::array::from_fn(|lane| a[lane] & b[lane])
+                    }
+                };
+            }
+            let mut differs: Block = [0; LANES];
+            for [one, other] in &pairs {
+                let (one, other) = (of(&values, *one), of(&values, *other));
+                differs = std::array::from_fn(|lane| differs[lane] | (one[lane] ^ other[lane]));
+            }
+            let run = (0..runs_of_block).find(|run| differs[(run / 64) as usize] >> (run % 64) & 1 == 1)?;
+            // Of fewer inputs than make a block the runs repeat themselves, the least come first.
+            Some(first + run)
+        });
+        Ok(found.map(|run| {
+            let mut shown = vec![false; self.inputs()];
+            for (place, &input) in inputs.iter().enumerate() {
+                shown[input as usize] = run >> place & 1 == 1;
+            }
+            shown
+        }))
+    }
+
+    /// The graph of these outputs in the binary AIGER format (Biere, "The AIGER And-Inverter Graph format", 2007); all inputs are kept, in
+    /// their order.
+    pub(super) fn aiger(&self, outputs: &[Literal]) -> Vec<u8> {
+        let used = self.cone(outputs.iter().copied());
         let mut number = vec![0u32; self.nodes.len()];
         let mut next = self.inputs + 1;
         for (index, node) in self.nodes.iter().enumerate() {
@@ -237,6 +334,29 @@ impl Values {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_one_value_that_differs_is_found_and_none_where_there_is_none() {
+        for inputs in [3usize, 9, 13] {
+            let mut aig = Aig::new();
+            let bits: Vec<Literal> = (0..inputs).map(|_| aig.input()).collect();
+            let sum = bits.iter().fold(Literal::FALSE, |sum, &bit| aig.xor(sum, bit));
+            let again = bits.iter().rev().fold(Literal::FALSE, |sum, &bit| aig.xor(sum, bit));
+            assert_ne!(sum, again);
+            assert_eq!(aig.difference(&[(sum, again)], inputs), Ok(None));
+            assert_eq!(aig.difference(&[(sum, again)], inputs - 1), Err(inputs));
+            for run in [0, 5, (1u64 << inputs) - 1] {
+                let hit = bits.iter().enumerate().fold(Literal::TRUE, |hit, (place, &bit)| {
+                    let wanted = if run >> place & 1 == 1 { bit } else { !bit };
+                    aig.and(hit, wanted)
+                });
+                let wrong = aig.xor(again, hit);
+                let found = aig.difference(&[(again, again), (sum, wrong)], inputs).expect("few inputs").expect("one");
+                let shown = bits.iter().enumerate().map(|(place, bit)| u64::from(aig.value(*bit, &found)) << place);
+                assert_eq!(shown.sum::<u64>(), run);
+            }
+        }
+    }
 
     /// Runs through all values of up to `bits` inputs, 64 at a time.
     fn all(aig: &Aig, bits: usize) -> Vec<Values> {

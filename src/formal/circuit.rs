@@ -63,11 +63,19 @@ impl Part {
     }
 }
 
-/// A memory's write port; `bits` holds the address, the word and the enable of each of its bits.
+/// A memory's write port, with an enable for each bit of the word.
 #[derive(Clone, Debug)]
 pub(super) struct Write {
     clock: Bit,
-    pub(super) bits: Vec<Bit>,
+    pub(super) address: Vec<Bit>,
+    pub(super) data: Vec<Bit>,
+    pub(super) enable: Vec<Bit>,
+}
+
+impl Write {
+    fn bits(&self) -> Vec<Bit> {
+        [self.address.as_slice(), &self.data, &self.enable].concat()
+    }
 }
 
 /// A memory: 2^address bits words, each lowest bit first.
@@ -263,12 +271,12 @@ impl Circuit {
                 if parameter(cell, "WR_CLK_ENABLE")? != "1" || parameter(cell, "WR_CLK_POLARITY")? != "1" {
                     return Err("a write without a rising clock".to_owned());
                 }
-                let bits = [("WR_ADDR", address), ("WR_DATA", width), ("WR_EN", width)]
-                    .map(|(name, width)| port(name, index, width))
-                    .into_iter()
-                    .collect::<Result<Vec<_>, _>>()?
-                    .concat();
-                Ok(Write { clock: port("WR_CLK", index, 1)?[0], bits })
+                Ok(Write {
+                    clock: port("WR_CLK", index, 1)?[0],
+                    address: port("WR_ADDR", index, address)?,
+                    data: port("WR_DATA", index, width)?,
+                    enable: port("WR_EN", index, width)?,
+                })
             })
             .collect::<Result<_, Unfit>>()?;
         let memory = self.memories.len();
@@ -284,7 +292,7 @@ impl Circuit {
     /// Puts the parts in order.
     fn order(&mut self, parts: Vec<Part>) -> Result<(), Unfit> {
         let read: Vec<Bit> = self.outputs.values().flatten().copied().collect();
-        let written = self.memories.iter().flat_map(|memory| &memory.writes).flat_map(|write| write.bits.clone());
+        let written = self.memories.iter().flat_map(|memory| &memory.writes).flat_map(Write::bits);
         let read: Vec<Bit> = read.into_iter().chain(written).chain(parts.iter().flat_map(Part::reads)).collect();
         let free = || self.inputs.values().flatten().chain(&self.undefined).copied();
         let driven = parts.iter().flat_map(Part::drives).chain(free());
@@ -477,7 +485,7 @@ impl Circuit {
             if write.clock != clk {
                 return Err("a write port has another clock than clk".to_owned());
             }
-            if !matches!(data(&is, &write.bits)?, Is::Data(0) | Is::Constant) {
+            if !matches!(data(&is, &write.bits())?, Is::Data(0) | Is::Constant) {
                 return Err("a write port takes what went through registers".to_owned());
             }
         }

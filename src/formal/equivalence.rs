@@ -13,10 +13,12 @@
 //!    registers are compared, and so are the outputs, as functions of the circuits' inputs and these new ones; most are the same node, the
 //!    others go to ABC's `cec`. If all are the same, then so are the circuits: by induction over the stages, as what stands before a
 //!    register depends on earlier stages alone. A pair that was no pair makes this fail; it cannot make it succeed.
-//! 4. If it fails, the outputs are compared whole, without cuts, by ABC within the time limit.
+//! 4. If it fails, the outputs are compared as functions of the inputs, without cuts: by ABC within the time limit, then by running every
+//!    value of the inputs through both where they have at most 28 bits. The rust-hdl kernels need this: they keep bits that the
+//!    others leave out because they matter for no value of the inputs, though for values of the registers that never come up together.
 //!
-//! A memory with a write port is outside of both circuits: what it shows is a new input, and its address and its write port are
-//! compared as outputs are, its first words as they are. Two memories with the same words, written alike and read at the same address
+//! A memory with a write port is outside of both circuits: what it shows is a new input, and its address and its write port (the
+//! word and the address of that only while it writes) are compared as outputs are, its first words as they are. Two memories with the same words, written alike and read at the same address
 //! in the same stage, show the same.
 //!
 //! A bit that a text leaves undefined, as in a case that never happens, is a new input as well, another in each circuit, so that the
@@ -28,7 +30,9 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::abc::{self, Answer};
 use super::aig::{Aig, Literal};
-use super::circuit::{Bit, Circuit, Part, Register, Unfit, Wires};
+use super::circuit::{Bit, Circuit, Part, Register, Unfit, Wires, Write};
+use rayon::prelude::*;
+
 use crate::design::Design;
 use crate::error::Error;
 use crate::golden::{Golden, Vector};
@@ -37,6 +41,9 @@ use crate::number::Dice;
 
 /// Blocks of 64 random runs.
 const BLOCKS: usize = 64;
+
+/// The most bits of inputs whose values are all run through: a quarter of a minute for a cubic core on two cores.
+const MOST_BITS: usize = 28;
 
 /// Inputs that are no data.
 const CONTROL: [&str; 4] = ["clk", "rst", "ce", "in_valid"];
@@ -51,21 +58,32 @@ pub(super) struct Pipeline {
     before: HashMap<usize, u32>,
 }
 
-/// How two circuits compare.
+/// How two circuits are compared.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Method {
+    /// Cut at these pairs of registers, by the solver.
+    Stages(Vec<[usize; 2]>),
+    /// From the inputs to the outputs, each of the inputs' values.
+    Every,
+    /// From the inputs to the outputs, by the solver.
+    Whole,
+}
+
+/// What a comparison gives.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Compared {
-    /// They are the same. Of `compared` bits `solved` needed the solver; `whole` if the registers were not cut at.
-    Same { compared: usize, solved: usize, whole: bool },
+    /// They are the same. Of `compared` bits `open` were not the same node from the start.
+    Same { method: Method, compared: usize, open: usize },
     /// They are not: why.
     Different(String),
-    /// It was not found out.
+    /// It was not found out: why.
     Unknown(String),
 }
 
 /// A bit of both circuits that must be the same.
-pub(super) struct Pair {
+struct Pair {
     what: String,
-    pub(super) bits: (Literal, Literal),
+    bits: (Literal, Literal),
 }
 
 impl Pipeline {
@@ -144,7 +162,7 @@ impl Pipeline {
 }
 
 /// The data inputs of both circuits, as inputs of a graph.
-pub(super) struct Inputs(BTreeMap<String, Vec<Literal>>);
+struct Inputs(BTreeMap<String, Vec<Literal>>);
 
 impl Inputs {
     /// The first inputs of a graph.
@@ -159,8 +177,24 @@ impl Inputs {
     }
 
     /// All bits.
-    pub(super) fn all(&self) -> Vec<Literal> {
+    fn all(&self) -> Vec<Literal> {
         self.0.values().flatten().copied().collect()
+    }
+
+    /// The bits of the widest port as the first inputs of a graph, and those of the others as the constants of a number, lowest first.
+    fn of_widest(aig: &mut Aig, of: &Pipeline, mut number: u64) -> Self {
+        let ports = of.data_inputs();
+        let widest = widest(&ports);
+        let port = |(name, width): (&str, usize)| {
+            let mut bit = || {
+                let bit = (number & 1 == 1).into();
+                number >>= 1;
+                bit
+            };
+            let bits = (0..width).map(|_| if Some(name) == widest { aig.input() } else { bit() }).collect();
+            (name.to_owned(), bits)
+        };
+        Self(ports.into_iter().map(port).collect())
     }
 
     /// Values for all inputs of a graph, 64 runs: a port is even over its range, or near an end or the middle of it.
@@ -206,6 +240,11 @@ impl Inputs {
     }
 }
 
+/// The name of the port with the most bits.
+fn widest<'a>(ports: &BTreeMap<&'a str, usize>) -> Option<&'a str> {
+    ports.iter().max_by_key(|(_, width)| **width).map(|(name, _)| *name)
+}
+
 /// Two pipelines side by side.
 pub(super) struct Comparison<'a> {
     pub(super) sides: [&'a Pipeline; 2],
@@ -214,10 +253,34 @@ pub(super) struct Comparison<'a> {
 }
 
 /// Both circuits in one graph.
-pub(super) struct Both {
-    pub(super) aig: Aig,
-    pub(super) inputs: Inputs,
+struct Both {
+    aig: Aig,
+    inputs: Inputs,
     wires: [Wires; 2],
+}
+
+impl Both {
+    /// What a write port of a side does: its enables; its word and address where they are taken, and 0 where they are not.
+    fn written(&mut self, side: usize, write: &Write) -> Vec<Literal> {
+        let [mut taken, data, address] =
+            [&write.enable, &write.data, &write.address].map(|bits| self.wires[side].bits(bits));
+        let any = taken.iter().fold(Literal::FALSE, |any, &enable| self.aig.or(any, enable));
+        let enables = taken.clone().into_iter().chain(std::iter::repeat_n(any, address.len()));
+        taken.extend(data.into_iter().chain(address).zip(enables).map(|(bit, enable)| self.aig.and(bit, enable)));
+        taken
+    }
+
+    /// Makes the lowest bit of a result of the second side wrong for one of all inputs.
+    fn plant(&mut self, duties: &mut [Pair]) {
+        let mut dice = Dice::new(5);
+        let hit = self.inputs.all().into_iter().fold(Literal::TRUE, |hit, bit| {
+            let wanted = if dice.below(2) == 0 { bit } else { !bit };
+            self.aig.and(hit, wanted)
+        });
+        if let Some(Pair { bits: (_, wrong), .. }) = duties.first_mut() {
+            *wrong = self.aig.xor(*wrong, hit);
+        }
+    }
 }
 
 impl<'a> Comparison<'a> {
@@ -255,6 +318,10 @@ impl<'a> Comparison<'a> {
     fn build(&self, cuts: &[[usize; 2]]) -> Both {
         let mut aig = Aig::new();
         let inputs = Inputs::new(&mut aig, self.sides[0]);
+        self.build_on(aig, inputs, cuts)
+    }
+
+    fn build_on(&self, mut aig: Aig, inputs: Inputs, cuts: &[[usize; 2]]) -> Both {
         let mut shown: HashMap<usize, Vec<Literal>> = HashMap::new();
         for &[place, _] in &self.reads {
             if let Part::Read { data, .. } = &self.sides[0].circuit.parts[place] {
@@ -276,35 +343,36 @@ impl<'a> Comparison<'a> {
     }
 
     /// What must be the same: outputs, and what memories with a write port take.
-    fn duties(&self, both: &Both) -> Vec<Pair> {
+    fn duties(&self, both: &mut Both) -> Vec<Pair> {
         let mut pairs = Vec::new();
-        let mut add = |what: &dyn Fn(usize) -> String, bits: [&[Bit]; 2]| {
-            let [ours, theirs] = [0, 1].map(|side| both.wires[side].bits(bits[side]));
+        let mut add = |what: &dyn Fn(usize) -> String, [ours, theirs]: [Vec<Literal>; 2]| {
             let new = ours.into_iter().zip(theirs).enumerate();
             pairs.extend(new.map(|(place, bits)| Pair { what: what(place), bits }));
         };
-        let [outputs, others] = self.sides.map(Pipeline::data_outputs);
-        for (name, bits) in outputs {
-            add(&|place| format!("{name}[{place}]"), [bits, others[name]]);
+        let outputs = self.sides.map(Pipeline::data_outputs);
+        for name in outputs[0].keys() {
+            add(&|place| format!("{name}[{place}]"), [0, 1].map(|side| both.wires[side].bits(outputs[side][name])));
         }
         for pair in &self.reads {
-            let [ours, theirs] = [0, 1].map(|side| match &self.sides[side].circuit.parts[pair[side]] {
+            let ports = [0, 1].map(|side| match &self.sides[side].circuit.parts[pair[side]] {
                 Part::Read { memory, address, .. } => {
-                    let written = self.sides[side].circuit.memories[*memory].writes.iter();
-                    let written: Vec<Bit> = written.flat_map(|write| write.bits.iter().copied()).collect();
-                    [address.clone(), written].concat()
+                    let mut port = both.wires[side].bits(address);
+                    for write in &self.sides[side].circuit.memories[*memory].writes {
+                        port.extend(both.written(side, write));
+                    }
+                    port
                 }
                 _ => unreachable!("a read"),
             });
-            add(&|place| format!("the memory's port, bit {place}"), [&ours, &theirs]);
+            add(&|place| format!("the memory's port, bit {place}"), ports);
         }
         pairs
     }
 
     /// The pairs of registers that were the same in all runs, or a run that shows other outputs.
-    pub(super) fn pairs(&self) -> Result<Vec<[usize; 2]>, String> {
-        let both = self.build(&[]);
-        let duties = self.duties(&both);
+    fn pairs(&self) -> Result<Vec<[usize; 2]>, String> {
+        let mut both = self.build(&[]);
+        let duties = self.duties(&mut both);
         let mut dice = Dice::new(4);
         let registers = [0, 1].map(|side| self.sides[side].circuit.registers().collect::<Vec<_>>());
         let mut seen: [Vec<Vec<u64>>; 2] = [0, 1].map(|side| vec![Vec::with_capacity(BLOCKS); registers[side].len()]);
@@ -358,7 +426,7 @@ impl<'a> Comparison<'a> {
 
     /// The pairs whose registers also take the same in random runs of the cut circuits: those that only looked alike are dropped, one
     /// round after the other, as what stands behind a pair that is dropped is then seen through it.
-    pub(super) fn confirmed(&self, mut pairs: Vec<[usize; 2]>) -> Vec<[usize; 2]> {
+    fn confirmed(&self, mut pairs: Vec<[usize; 2]>) -> Vec<[usize; 2]> {
         let mut dice = Dice::new(6);
         loop {
             let (both, duties) = self.cut(&pairs);
@@ -380,9 +448,9 @@ impl<'a> Comparison<'a> {
     }
 
     /// Both, cut at the pairs, and what must then be the same.
-    pub(super) fn cut(&self, cuts: &[[usize; 2]]) -> (Both, Vec<Pair>) {
-        let both = self.build(cuts);
-        let mut duties = self.duties(&both);
+    fn cut(&self, cuts: &[[usize; 2]]) -> (Both, Vec<Pair>) {
+        let mut both = self.build(cuts);
+        let mut duties = self.duties(&mut both);
         for cut in cuts {
             let [ours, theirs] = [0, 1].map(|side| match &self.sides[side].circuit.parts[cut[side]] {
                 Part::Register(register) => (register.names.first(), both.wires[side].bit(register.d)),
@@ -395,6 +463,67 @@ impl<'a> Comparison<'a> {
         (both, duties)
     }
 
+    /// Asks a method. `planted`: with one wrong result. Returns the answer, with the inputs that show a difference where the method says
+    /// them, how many bits were compared, and how many were not the same node. `seconds` is the most that the solver may take.
+    ///
+    /// # Errors
+    /// If the solver does not work.
+    pub(super) fn ask(&self, method: &Method, planted: bool, seconds: u32) -> Result<Asked, Error> {
+        let pairs: &[[usize; 2]] = match method {
+            Method::Stages(pairs) => pairs,
+            Method::Every => return Ok(self.every(planted)),
+            Method::Whole => &[],
+        };
+        let (mut both, mut duties) = self.cut(pairs);
+        if planted {
+            both.plant(&mut duties);
+        }
+        let open = open(&duties);
+        let answer = if open.is_empty() { Answer::Equal } else { abc::equal(&both.aig, &open, seconds)? };
+        Ok(Asked { answer, shown: None, compared: duties.len(), open: open.len() })
+    }
+
+    /// Runs all values of the inputs through both: those of the widest port, once for each value of the others, which makes the graph small.
+    /// Bits that a text leaves undefined are run through as well; where there are too many, it is not found out.
+    fn every(&self, planted: bool) -> Asked {
+        let ports = self.sides[0].data_inputs();
+        let bits: usize = ports.values().sum();
+        let widest = ports.values().max().copied().unwrap_or(0);
+        if bits > MOST_BITS || !self.reads.is_empty() {
+            return Asked { answer: Answer::Unknown, shown: None, compared: 0, open: 0 };
+        }
+        let duties_of = |number: u64| {
+            let mut aig = Aig::new();
+            let inputs = Inputs::of_widest(&mut aig, self.sides[0], number);
+            let mut both = self.build_on(aig, inputs, &[]);
+            let mut duties = self.duties(&mut both);
+            if planted {
+                both.plant(&mut duties);
+            }
+            (both, duties)
+        };
+        let (_, duties) = duties_of(0);
+        let found = (0..1u64 << (bits - widest)).into_par_iter().find_map_first(|number| {
+            let (both, duties) = duties_of(number);
+            let values = match both.aig.difference(&open(&duties), MOST_BITS - (bits - widest)) {
+                Ok(found) => found?,
+                Err(_) => return Some(None),
+            };
+            let port = |(name, port): (&String, &Vec<Literal>)| {
+                let bits = port.iter().enumerate();
+                let code: u64 = bits.map(|(place, &bit)| u64::from(both.aig.value(bit, &values)) << place).sum();
+                format!("{name} = {}'h{code:x}", port.len())
+            };
+            Some(Some(both.inputs.0.iter().map(port).collect::<Vec<_>>().join(", ")))
+        });
+        let (answer, shown) = match found {
+            None => (Answer::Equal, None),
+            Some(None) => (Answer::Unknown, None),
+            Some(shown) => (Answer::Different, shown),
+        };
+        Asked { answer, shown, compared: duties.len(), open: duties.len() }
+    }
+
     /// Compares the two. `seconds` is the most that the solver may take, each of the two times that it is asked.
     ///
     /// # Errors
@@ -404,26 +533,41 @@ impl<'a> Comparison<'a> {
             Ok(pairs) => pairs,
             Err(differs) => return Ok(Compared::Different(differs)),
         };
-        let pairs = self.confirmed(pairs);
-        let (both, duties) = self.cut(&pairs);
-        let open = open(&duties);
-        let (compared, solved) = (duties.len(), open.len());
-        if open.is_empty() || abc::equal(&both.aig, &open, seconds)? == Answer::Equal {
-            return Ok(Compared::Same { compared, solved, whole: false });
+        let stages = Method::Stages(self.confirmed(pairs));
+        let asked = self.ask(&stages, false, seconds)?;
+        if asked.answer == Answer::Equal {
+            return Ok(Compared::Same { method: stages, compared: asked.compared, open: asked.open });
         }
-        let (both, duties) = self.cut(&[]);
-        let open = self::open(&duties);
-        Ok(match abc::equal(&both.aig, &open, seconds)? {
-            Answer::Equal => Compared::Same { compared: duties.len(), solved: open.len(), whole: true },
-            Answer::Different => {
-                Compared::Different("the solver has found inputs for which the outputs differ".to_owned())
-            }
-            Answer::Unknown => Compared::Unknown(format!("the solver has not found out in {seconds} s")),
+        let mut method = Method::Whole;
+        let mut asked = self.ask(&method, false, seconds)?;
+        if asked.answer == Answer::Unknown {
+            method = Method::Every;
+            asked = self.ask(&method, false, seconds)?;
+        }
+        let Asked { answer, shown, compared, open } = asked;
+        Ok(match answer {
+            Answer::Equal => Compared::Same { method, compared, open },
+            Answer::Different => Compared::Different(shown.map_or_else(
+                || "the solver has found inputs for which the outputs differ".to_owned(),
+                |shown| format!("the outputs differ for {shown}"),
+            )),
+            Answer::Unknown => Compared::Unknown(format!(
+                "their registers are not the same stage by stage, and the solver did not compare the outputs as functions of the inputs in {seconds} s; these have more values than are run through"
+            )),
         })
     }
 }
 
+/// What a method says.
+pub(super) struct Asked {
+    pub(super) answer: Answer,
+    /// The inputs for which the outputs differ, if the method says them.
+    shown: Option<String>,
+    compared: usize,
+    open: usize,
+}
+
 /// The pairs that are not the same node.
-pub(super) fn open(pairs: &[Pair]) -> Vec<(Literal, Literal)> {
+fn open(pairs: &[Pair]) -> Vec<(Literal, Literal)> {
     pairs.iter().map(|pair| pair.bits).filter(|(one, other)| one != other).collect()
 }

@@ -22,7 +22,7 @@ use crate::package;
 use crate::spec::Language;
 use crate::synth::yosys::Yosys;
 use circuit::Circuit;
-use equivalence::{Compared, Comparison, Pipeline};
+use equivalence::{Compared, Comparison, Method, Pipeline};
 pub use stream::stream;
 
 /// What came of a proof.
@@ -50,10 +50,30 @@ pub struct Proof {
     pub seconds: f64,
 }
 
-impl Proof {
-    fn new(claim: String, verdict: Verdict, how: String, start: Instant) -> Self {
-        Self { claim, verdict, how, seconds: start.elapsed().as_secs_f64() }
-    }
+/// What is told while the proofs run.
+#[derive(Clone, Copy, Debug)]
+pub enum Step<'a> {
+    /// A claim that is looked at now.
+    Begun(&'a str),
+    /// What came of it.
+    Ended(&'a Proof),
+}
+
+/// Looks at a claim, and tells of it.
+///
+/// # Errors
+/// Those of `prove`.
+fn tried(
+    claim: String,
+    progress: &dyn Fn(Step),
+    prove: impl FnOnce() -> Result<(Verdict, String), Error>,
+) -> Result<Proof, Error> {
+    progress(Step::Begun(&claim));
+    let start = Instant::now();
+    let (verdict, how) = prove()?;
+    let proof = Proof { claim, verdict, how, seconds: start.elapsed().as_secs_f64() };
+    progress(Step::Ended(&proof));
+    Ok(proof)
 }
 
 /// A text of a core as Verilog: its name for people, its top module, its bytes.
@@ -85,7 +105,7 @@ fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
 /// [`equivalence`](self) for what that says. Each text is first run on the golden
 /// vectors.
 ///
-/// `seconds` is the most that the solver may take at once; `progress` is told of each claim before it is looked at. A claim that was
+/// `seconds` is the most that the solver may take at once; `progress` is told of each claim before and after it is looked at. A claim that was
 /// proved is proved again with faults planted in one of the circuits; if one of them is not found, the claim counts as open.
 ///
 /// # Errors
@@ -95,36 +115,34 @@ pub fn equivalence(
     directory: &Path,
     golden: &Golden,
     seconds: u32,
-    progress: &dyn Fn(&str),
+    progress: &dyn Fn(Step),
 ) -> Result<Vec<Proof>, Error> {
     let yosys = Yosys::find(None)?;
     let latency = design.schedule.latency;
     let mut proofs = Vec::new();
     let mut known: Vec<(String, Pipeline)> = Vec::new();
     for text in texts(design, directory)? {
-        let start = Instant::now();
         let claim = format!("{} is a pipeline of {latency} clocks", text.name);
-        progress(&claim);
-        let circuit = Circuit::read(&yosys, directory, &text.top, &text.bytes)?;
-        let pipeline = circuit.and_then(|circuit| Pipeline::of(circuit, latency));
-        let ran = pipeline.as_ref().map(|pipeline| pipeline.against(design, golden));
-        let (verdict, how) = match ran {
-            Ok(Ok(runs)) => (Verdict::Proved, format!("and gives the results of {runs} golden vectors")),
-            Ok(Err(differs)) => (Verdict::Refuted, format!("it is another core: {differs}")),
-            Err(why) => (Verdict::Open, why.clone()),
-        };
-        proofs.push(Proof::new(claim, verdict, how, start));
-        if let Ok(pipeline) = pipeline {
+        proofs.push(tried(claim, progress, || {
+            let circuit = match Circuit::read(&yosys, directory, &text.top, &text.bytes)? {
+                Ok(circuit) => circuit,
+                Err(why) => return Ok((Verdict::Open, why)),
+            };
+            let pipeline = match Pipeline::of(circuit, latency) {
+                Ok(pipeline) => pipeline,
+                Err(why) => return Ok((Verdict::Refuted, why)),
+            };
+            let ran = pipeline.against(design, golden);
             known.push((text.name, pipeline));
-        }
+            Ok(match ran {
+                Ok(runs) => (Verdict::Proved, format!("and gives the results of {runs} golden vectors")),
+                Err(differs) => (Verdict::Refuted, format!("it is another core: {differs}")),
+            })
+        })?);
     }
     let Some(((name, first), others)) = known.split_first() else { return Ok(proofs) };
     for (other_name, other) in others {
-        let start = Instant::now();
-        let claim = format!("{name} = {other_name}");
-        progress(&claim);
-        let (verdict, how) = compare(first, other, seconds)?;
-        proofs.push(Proof::new(claim, verdict, how, start));
+        proofs.push(tried(format!("{name} = {other_name}"), progress, || compare(first, other, seconds))?);
     }
     Ok(proofs)
 }
@@ -134,18 +152,20 @@ fn compare(one: &Pipeline, other: &Pipeline, seconds: u32) -> Result<(Verdict, S
         Ok(comparison) => comparison,
         Err(differ) => return Ok((Verdict::Refuted, differ)),
     };
-    let (compared, solved, whole) = match comparison.run(seconds)? {
-        Compared::Same { compared, solved, whole } => (compared, solved, whole),
+    let (method, compared, open) = match comparison.run(seconds)? {
+        Compared::Same { method, compared, open } => (method, compared, open),
         Compared::Different(why) => return Ok((Verdict::Refuted, why)),
         Compared::Unknown(why) => return Ok((Verdict::Open, why)),
     };
-    let (planted, missed) = planted::check(&comparison, seconds)?;
+    let (planted, missed) = planted::check(&comparison, &method, seconds)?;
     if !missed.is_empty() {
         let how = format!("the proof goes through with a planted fault as well: {}", missed.join(", "));
         return Ok((Verdict::Open, how));
     }
-    let cut = if whole { "from the inputs to the outputs" } else { "stage by stage" };
-    let how =
-        format!("{cut}, {compared} bits, {solved} of them by the solver; {planted} of {planted} planted faults found");
-    Ok((Verdict::Proved, how))
+    let method = match method {
+        Method::Stages(_) => format!("stage by stage, {compared} bits, {open} of them by the solver"),
+        Method::Every => format!("from the inputs to the outputs, {compared} bits, for every value of the inputs"),
+        Method::Whole => format!("from the inputs to the outputs, {compared} bits, {open} of them by the solver"),
+    };
+    Ok((Verdict::Proved, format!("{method}; {planted} of {planted} planted faults found")))
 }

@@ -12,11 +12,10 @@
 
 use std::path::Path;
 use std::process::Command;
-use std::time::Instant;
 
 use askama::Template;
 
-use super::{Proof, Verdict};
+use super::{Proof, Step, Verdict, tried};
 use crate::cosim;
 use crate::design::Design;
 use crate::error::Error;
@@ -41,18 +40,15 @@ const PROBLEM: &str = "stream.smt2";
 
 /// Proves what the core's wrapper promises, once for each of its languages; of a core without a wrapper there is nothing to prove.
 ///
-/// `directory` is the core's. `progress` is told of each claim before it is looked at.
+/// `directory` is the core's. `progress` is told of each claim before and after it is looked at.
 ///
 /// # Errors
 /// A tool that is not installed, or a text that GHDL or Yosys does not read.
-pub fn stream(design: &Design, directory: &Path, progress: &dyn Fn(&str)) -> Result<Vec<Proof>, Error> {
+pub fn stream(design: &Design, directory: &Path, progress: &dyn Fn(Step)) -> Result<Vec<Proof>, Error> {
     let Some(axis) = package::axis(design) else { return Ok(Vec::new()) };
     let of_language = |&language: &Language| {
-        let start = Instant::now();
         let claim = format!("{} in {language} keeps every beat, in order and unchanged, at full throughput", axis.name);
-        progress(&claim);
-        let (verdict, how) = prove(design, &axis, directory, language)?;
-        Ok(Proof::new(claim, verdict, how, start))
+        tried(claim, progress, || prove(design, &axis, directory, language))
     };
     design.spec.languages.iter().map(of_language).collect()
 }
