@@ -37,7 +37,8 @@ pub(super) fn simulate(
     let mut compile = IVERILOG.command(directory.path());
     // Its driver puts temporary files there, by way of a shell.
     compile.env("TMPDIR", ".");
-    compile.args(["-g2005", "-Wall", "-o", "core.vvp"]).args(sources);
+    // A module that nobody uses would be a top as well.
+    compile.args(["-g2005", "-Wall", "-s", &part.top(job), "-o", "core.vvp"]).args(sources);
     let output = IVERILOG.output(&mut compile)?;
     if let Some(failed) = bench::compiled(Icarus.name(), IVERILOG, &output, job, part) {
         return Ok(failed);
