@@ -588,12 +588,17 @@ impl<'a> Analysis<'a> {
     #[must_use]
     pub fn with_spare_bits(&self, ranges: &Ranges) -> Graph {
         let mut graph = self.graph.clone();
-        // An address beyond a memory would be none at all.
-        let reads = |node: &&Node| matches!(node.op, Op::Field { .. });
-        let addresses: Vec<NodeId> = self.graph.nodes.iter().filter(reads).map(|node| node.args[0]).collect();
+        // An address beyond a memory would be none at all: what makes it, through operations that pass on what they get, stays.
+        let mut is_address = vec![false; graph.nodes.len()];
+        for (id, node) in self.graph.nodes.iter().enumerate().rev() {
+            let passes = matches!(node.op, Op::Scale | Op::ShiftRight | Op::Select | Op::ZeroIf);
+            if matches!(node.op, Op::Field { .. }) || (passes && is_address[id]) {
+                node.args.iter().for_each(|&arg| is_address[arg] = true);
+            }
+        }
         for (id, node) in graph.nodes.iter_mut().enumerate() {
             let widened = match node.op {
-                _ if addresses.contains(&id) => false,
+                _ if is_address[id] => false,
                 Op::Add | Op::Sub | Op::Mul | Op::ShiftLeft => true,
                 Op::Cast => self.room[id] == node.format && matches!(ranges.dropped[id], None | Some(0)),
                 _ => false,
