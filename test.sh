@@ -93,6 +93,10 @@ for core in generated/*/; do
     esac
     # shellcheck disable=SC2086
     [ "$name" = shader ] || target/release/brdfgen mutate "$core" $mutants
+    # The netlists of two cores; the same command runs those of the others.
+    case $name in
+    table_2d | quadratic) target/release/brdfgen cosim "$core" --netlist ecp5 ;;
+    esac
     # A shader has too many inputs to run through them all.
     grep -q '^block = "shader"' "$core/core.toml" || target/release/brdfgen cosim "$core" --sim all --exhaustive
 done

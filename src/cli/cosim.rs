@@ -12,6 +12,7 @@ use crate::cosim::{self, Job, Outcome, Sim};
 use crate::error::Error;
 use crate::golden::{self, Golden};
 use crate::spec::Language;
+use crate::synth::{self, Family, Options};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -26,6 +27,10 @@ pub(super) struct Arguments {
     /// synthesis and Verilator), all takes both
     #[arg(long)]
     exhaustive: bool,
+
+    /// The netlist that `synth` makes of the core for this family, registers in its blocks included, in place of the core: ecp5, in Icarus
+    #[arg(long, value_enum, value_name = "FAMILY", conflicts_with_all = ["exhaustive", "sim"])]
+    netlist: Option<Family>,
 
     /// Print the result as JSON
     #[arg(long)]
@@ -44,6 +49,10 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             "leave it out: the golden vectors and the digests are checked",
         ));
     }
+    if let Some(family) = arguments.netlist.filter(|family| *family != Family::Ecp5) {
+        let name = format!("{family:?}").to_lowercase();
+        return Err(Error::input(format!("--netlist {name} has no models of its cells"), "ecp5 has"));
+    }
     let core = OnDisk::of(&arguments.source, &design)?;
     let job = Job { design: &design, golden: &core.golden, directory: core.path() };
     let sims = arguments.sim.expand(&design.spec.languages);
@@ -58,6 +67,12 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             outcomes.push(cosim::exhaustive(&job, language, &tell)?);
             bar.finish_and_clear();
         }
+    } else if let Some(family) = arguments.netlist {
+        outcomes.push(model(&job));
+        let spinner = progress::spinner("netlist".to_owned());
+        let netlist = synth::netlist(&design, &Options::new(family))?;
+        outcomes.push(cosim::netlist(&job, &netlist)?);
+        spinner.finish_and_clear();
     } else {
         outcomes.push(model(&job));
         for sim in sims {

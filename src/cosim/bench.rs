@@ -71,7 +71,7 @@ pub(super) fn copied(job: &Job, scratch: Folder) -> Result<Folder, Error> {
 }
 
 /// An outcome without a vector compared.
-fn failure(simulator: &str, job: &Job, part: Part, first: Vec<String>) -> Outcome {
+pub(super) fn failure(simulator: &str, job: &Job, part: Part, first: Vec<String>) -> Outcome {
     Outcome {
         simulator: simulator.to_owned(),
         mode: part.mode(),

@@ -1,9 +1,10 @@
 //! Icarus Verilog.
 
-use super::{Job, Outcome, Part, Simulator, bench};
+use super::{Job, LISTED, Outcome, Part, Simulator, bench};
 use crate::error::Error;
 use crate::spec::Language;
 use crate::tool::{self, IVERILOG, VVP};
+use crate::transient::Folder;
 
 /// Icarus Verilog.
 #[derive(Clone, Copy, Debug)]
@@ -20,15 +21,35 @@ impl Simulator for Icarus {
 
     fn run(&self, job: &Job, part: Part) -> Result<Outcome, Error> {
         let scratch = bench::copied(job, tool::scratch()?)?;
-        let mut compile = IVERILOG.command(scratch.path());
-        // Its driver puts temporary files there, by way of a shell.
-        compile.env("TMPDIR", ".");
-        compile.args(["-g2005", "-Wall", "-o", "core.vvp"]).args(part.sources(job, Language::Verilog));
-        if let Some(failed) = bench::compiled(self.name(), IVERILOG, &IVERILOG.output(&mut compile)?, job, part) {
-            return Ok(failed);
-        }
-        let mut run = VVP.command(scratch.path());
-        run.args(["-n", "core.vvp"]);
-        Ok(bench::judge(self.name(), &VVP.output(&mut run)?, job, part))
+        simulate(&scratch, &part.sources(job, Language::Verilog), &[], job, part)
     }
+}
+
+/// Compiles these files of a directory, whose last one is a bench of this part of the core, and runs them. What the compiler says with one of
+/// `fatal` in it is no mere warning.
+pub(super) fn simulate(
+    directory: &Folder,
+    sources: &[String],
+    fatal: &[&str],
+    job: &Job,
+    part: Part,
+) -> Result<Outcome, Error> {
+    let mut compile = IVERILOG.command(directory.path());
+    // Its driver puts temporary files there, by way of a shell.
+    compile.env("TMPDIR", ".");
+    // A module that nobody uses would be a top as well.
+    compile.args(["-g2005", "-Wall", "-s", &part.top(job), "-o", "core.vvp"]).args(sources);
+    let output = IVERILOG.output(&mut compile)?;
+    if let Some(failed) = bench::compiled(Icarus.name(), IVERILOG, &output, job, part) {
+        return Ok(failed);
+    }
+    let said = String::from_utf8_lossy(&output.stderr);
+    let lines: Vec<String> =
+        said.lines().filter(|line| fatal.iter().any(|words| line.contains(words))).map(str::to_owned).collect();
+    if !lines.is_empty() {
+        return Ok(bench::failure(Icarus.name(), job, part, lines.into_iter().take(LISTED).collect()));
+    }
+    let mut run = VVP.command(directory.path());
+    run.args(["-n", "core.vvp"]);
+    Ok(bench::judge(Icarus.name(), &VVP.output(&mut run)?, job, part))
 }

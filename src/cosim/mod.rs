@@ -10,6 +10,7 @@ mod exhaustive;
 mod ghdl;
 mod icarus;
 mod mutants;
+mod netlist;
 mod stream;
 mod verilator;
 
@@ -19,6 +20,7 @@ pub use builtin::{Engine, builtin_engine};
 pub use exhaustive::exhaustive;
 pub(crate) use ghdl::as_verilog;
 pub(crate) use mutants::{Found, Mutants};
+pub use netlist::netlist;
 pub use stream::stream;
 
 use std::path::Path;
@@ -106,7 +108,7 @@ pub struct Job<'a> {
 pub struct Outcome {
     /// What ran, such as "icarus" or "builtin (rust-hdl kernel)".
     pub simulator: String,
-    /// What it ran: "golden vectors" or "every input".
+    /// What it ran, such as "golden vectors" or "every input".
     pub mode: &'static str,
     /// The vectors compared.
     pub vectors: u64,
@@ -152,16 +154,21 @@ pub fn axis(sim: Sim, job: &Job) -> Result<Option<Outcome>, Error> {
 }
 
 fn run(sim: Sim, job: &Job, part: Part) -> Result<Outcome, Error> {
-    if let Some(language) = sim.language()
-        && !job.design.spec.languages.contains(&language)
-    {
-        return Err(Error::input(
-            format!("the core {} has no {language}", job.design.spec.name),
-            "generate it with that language, or choose another simulator",
-        ));
+    if let Some(language) = sim.language() {
+        has_language(job, language)?;
     }
     let start = std::time::Instant::now();
     let mut outcome = sim.simulator().run(job, part)?;
     outcome.seconds = start.elapsed().as_secs_f64();
     Ok(outcome)
+}
+
+fn has_language(job: &Job, language: Language) -> Result<(), Error> {
+    if job.design.spec.languages.contains(&language) {
+        return Ok(());
+    }
+    Err(Error::input(
+        format!("the core {} has no {language}", job.design.spec.name),
+        "generate it with that language, or choose another simulator",
+    ))
 }

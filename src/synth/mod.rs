@@ -269,6 +269,34 @@ pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Resul
     Ok(Run { synthesis, cached: work.ran == 0 })
 }
 
+/// The netlist of the core alone as Verilog: the one whose cells [`synthesise`] counts, on ECP5 with the registers in the blocks. Its module
+/// has the core's name and ports.
+///
+/// # Errors
+/// Options out of range, no Yosys, or one that does not read the core.
+pub fn netlist(design: &Design, options: &Options) -> Result<Vec<u8>, Error> {
+    options.check()?;
+    let yosys = Yosys::find(options.yosys.as_deref())?;
+    let mut work = Work {
+        files: files(design, options.language)?,
+        design,
+        options,
+        yosys: &yosys,
+        directory: None,
+        cache: Cache::new(None),
+        ran: 0,
+    };
+    let file = work.netlist(Netlist::Core)?;
+    let directory = work.directory()?;
+    let name = &design.spec.name;
+    // Without the library's cells, which Yosys would write as empty modules.
+    let value = read_netlist(&directory.join(file))?;
+    let core = serde_json::json!({ "modules": { name: value["modules"][name] } });
+    package::write_file(&directory.join("alone.json"), core.to_string().as_bytes())?;
+    yosys.run(&directory, "read_json alone.json\nwrite_verilog -noattr netlist.v\n")?;
+    YOSYS.written(&directory.join("netlist.v"))
+}
+
 /// The files that Yosys reads, by their paths: the core as Verilog, and its memories' words where it reads them from files.
 fn files(design: &Design, language: Language) -> Result<Vec<package::File>, Error> {
     let mut files = package::sources(design, language)?;
