@@ -1,5 +1,6 @@
-// Lattice ECP5's cells as far as a synthesised core uses them, for a simulation without delays: from Lattice's sysDSP (FPGA-TN-02205)
-// and sysMEM (FPGA-TN-02204) usage guides and the family's data sheet (FPGA-DS-02012). Not from Yosys, whose mapping is what is tested.
+// Lattice ECP5's cells as far as a synthesised core uses them, for a simulation without delays. Tables, carry chains and the order of a
+// block RAM's words and halves follow what Yosys says of the cells in its own library and mapping (`share/lattice`), so a misreading of
+// the device that both share is not found; Lattice's guides are sysDSP (FPGA-TN-02205) and sysMEM (FPGA-TN-02204).
 //
 // A setting or a mode that is not modelled ends the simulation without a verdict of the bench. Registers come up as their REGSET says,
 // those inside of blocks 0. An undefined clock enable makes a register undefined.
