@@ -81,9 +81,8 @@ for core in generated/*/; do
     target/release/brdfgen generate "$core" --check --out "$core"
     target/release/brdfgen golden "$core" --check "testbench/golden/$name.vec"
     target/release/brdfgen cosim "$core" --sim all
-    # For every input and every clock, where the simulators compare runs. What the solver does not decide in time is said and stays open: so
-    # far the rust-hdl kernel of the cubic core.
-    target/release/brdfgen formal "$core" --allow-open --solver-limit 5
+    # For every input and every clock, where the simulators compare runs.
+    target/release/brdfgen formal "$core" --solver-limit 5
     # The netlist of a small core has mutants too: it is compiled anew. Of the printed cubic one of 235 is not killed and all take minutes; of
     # a shader some are not: see docs/mutation.md.
     mutants=""
