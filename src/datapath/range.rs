@@ -588,17 +588,21 @@ impl<'a> Analysis<'a> {
     #[must_use]
     pub fn with_spare_bits(&self, ranges: &Ranges) -> Graph {
         let mut graph = self.graph.clone();
-        // An address beyond a memory would be none at all: what makes it, through operations that pass on what they get, stays.
-        let mut is_address = vec![false; graph.nodes.len()];
+        // An address beyond a memory would be none at all, and a flag is one bit: what makes these, through operations that pass on what
+        // they get, stays.
+        let mut stays = vec![false; graph.nodes.len()];
         for (id, node) in self.graph.nodes.iter().enumerate().rev() {
-            let passes = matches!(node.op, Op::Scale | Op::ShiftRight | Op::Select | Op::ZeroIf);
-            if matches!(node.op, Op::Field { .. }) || (passes && is_address[id]) {
-                node.args.iter().for_each(|&arg| is_address[arg] = true);
-            }
+            let kept: &[NodeId] = match node.op {
+                Op::Field { .. } | Op::Or | Op::Not => &node.args,
+                Op::Scale | Op::ShiftRight | Op::Select | Op::ZeroIf if stays[id] => &node.args,
+                Op::Select | Op::ZeroIf => &node.args[..1],
+                _ => &[],
+            };
+            kept.iter().for_each(|&arg| stays[arg] = true);
         }
         for (id, node) in graph.nodes.iter_mut().enumerate() {
             let widened = match node.op {
-                _ if is_address[id] => false,
+                _ if stays[id] => false,
                 Op::Add | Op::Sub | Op::Mul | Op::ShiftLeft => true,
                 Op::Cast => self.room[id] == node.format && matches!(ranges.dropped[id], None | Some(0)),
                 _ => false,
@@ -653,7 +657,8 @@ fn wrapped(exact: Span, format: Format) -> Span {
 }
 
 /// The format that a node's exact value must fit for nothing to be lost: for a cast that keeps low bits while other casts of the same
-/// value take the bits above these, the format with these bits too; a cast that takes the sign as a bit loses nothing.
+/// value take the bits above these, the format with these bits too; a cast that takes the sign as a bit loses nothing, nor does one
+/// that rounds nothing of a value that another node uses whole.
 fn room(graph: &Graph, id: NodeId) -> Format {
     let node = &graph.nodes[id];
     if node.op != Op::Cast {
@@ -667,6 +672,10 @@ fn room(graph: &Graph, id: NodeId) -> Format {
         *other != id && other_node.op == Op::Cast && other_node.args[0] == node.args[0]
     };
     let others: Vec<Format> = graph.nodes.iter().enumerate().filter(of_same).map(|(_, node)| node.format).collect();
+    let uses_whole = |user: &Node| user.op != Op::Cast && user.args.contains(&node.args[0]);
+    if node.format.frac_bits == from.frac_bits && graph.nodes.iter().any(uses_whole) {
+        return Format { int_bits: node.format.int_bits.max(from.int_bits), ..node.format };
+    }
     let taken = |bit: &i32| others.iter().any(|other| (-other.frac_bits..other.int_bits).contains(bit));
     let above = (node.format.int_bits..from.int_bits).take_while(taken).count() as i32;
     Format { int_bits: node.format.int_bits + above, ..node.format }
