@@ -151,6 +151,7 @@ impl<'a> Layout<'a> {
                 }
                 // A result narrower than its operands needs their low bits only.
                 Op::Add | Op::Sub => (0, node.format.width().saturating_sub(padding)),
+                Op::ShiftLeft if node.args[1] != id => (0, node.format.width()),
                 _ => (0, width),
             };
             used[low.min(width) as usize..high.min(width) as usize].fill(true);

@@ -201,7 +201,7 @@ impl Writer<'_> {
         if low >= from.width() {
             // Every bit is dropped: what is left of a number is its sign.
             let bit = if from.signed { format!("{name}({})", from.width() - 1) } else { "'0'".to_owned() };
-            return format!("(others => {bit})");
+            return if self.layout.is_flag(id) { bit } else { format!("(others => {bit})") };
         }
         let kept = (from.width() - low).min(to.width());
         if self.layout.is_flag(id) {
