@@ -26,6 +26,8 @@ impl Simulator for Verilator {
         let mut compile = VERILATOR.command(scratch.path());
         compile.args(["--binary", "--timing", "-Wno-fatal", "-O3", "-j", "2", "--Mdir", "obj_dir"]);
         compile.args(["--top-module", &part.top(job), "-o", "bench"]);
+        // A bench runs for a fraction of a second: its compiler's optimisation takes longer than it saves.
+        compile.args(["-MAKEFLAGS", "OPT_FAST=-O0 OPT_GLOBAL=-O0 OPT_SLOW=-O0"]);
         compile.args(part.sources(job, Language::Verilog));
         if let Some(failed) = bench::compiled(self.name(), VERILATOR, &VERILATOR.output(&mut compile)?, job, part) {
             return Ok(failed);

@@ -193,21 +193,7 @@ pub enum Timing {
 /// The graph with a copy of a node, which is read from behind one of its registers on: what a mistake in that register can change.
 #[must_use]
 pub fn with_copy(graph: &Graph, schedule: &Schedule, node: NodeId, register: usize) -> (Graph, NodeId) {
-    let copy = node + 1;
-    let moved = |id: NodeId| if id > node { id + 1 } else { id };
-    let mut nodes: Vec<Node> = Vec::new();
-    for (id, old) in graph.nodes.iter().enumerate() {
-        let late = schedule.stage[id] > schedule.stage[node] + register as u32;
-        let arg = |&arg: &NodeId| if arg == node && late { copy } else { moved(arg) };
-        nodes.push(Node { args: old.args.iter().map(arg).collect(), ..old.clone() });
-        if id == node {
-            nodes.push(Node { op: Op::Scale, args: vec![node], name: format!("{}_late", old.name), ..old.clone() });
-        }
-    }
-    let outputs = &graph.outputs;
-    let output = |(name, id): &(String, NodeId)| (name.clone(), if *id == node { copy } else { moved(*id) });
-    let outputs = outputs.iter().map(output).collect();
-    (Graph { nodes, inputs: graph.inputs.iter().map(|&id| moved(id)).collect(), outputs }, copy)
+    graph.with_copy(node, |id| schedule.stage[id] > schedule.stage[node] + register as u32)
 }
 
 /// Something wrong with a core.

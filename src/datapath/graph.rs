@@ -172,6 +172,25 @@ impl Graph {
         self.outputs.iter().any(|&(_, node)| node == id)
     }
 
+    /// The graph with a copy of a node, which those read in its place that `reads_copy` says, and the outputs; and the copy. Nodes behind the
+    /// first move one further.
+    #[must_use]
+    pub fn with_copy(&self, node: NodeId, reads_copy: impl Fn(NodeId) -> bool) -> (Self, NodeId) {
+        let copy = node + 1;
+        let moved = |id: NodeId| if id > node { id + 1 } else { id };
+        let mut nodes: Vec<Node> = Vec::new();
+        for (id, old) in self.nodes.iter().enumerate() {
+            let arg = |&arg: &NodeId| if arg == node && reads_copy(id) { copy } else { moved(arg) };
+            nodes.push(Node { args: old.args.iter().map(arg).collect(), ..old.clone() });
+            if id == node {
+                nodes.push(Node { op: Op::Scale, args: vec![node], name: format!("{}_late", old.name), ..old.clone() });
+            }
+        }
+        let output = |(name, id): &(String, NodeId)| (name.clone(), if *id == node { copy } else { moved(*id) });
+        let outputs = self.outputs.iter().map(output).collect();
+        (Self { nodes, inputs: self.inputs.iter().map(|&id| moved(id)).collect(), outputs }, copy)
+    }
+
     /// The multiplications: the widths of the two operands of each.
     #[must_use]
     pub fn multipliers(&self) -> Vec<(u32, u32)> {

@@ -31,6 +31,12 @@ impl Span {
         Self { low: code, high: code }
     }
 
+    /// Every code of a format.
+    #[must_use]
+    pub fn all(format: Format) -> Self {
+        Self { low: format.min_code(), high: format.max_code() }
+    }
+
     /// The least span that holds both.
     #[must_use]
     pub fn hull(self, other: Self) -> Self {
@@ -68,11 +74,15 @@ impl Span {
         Self { low, high }
     }
 
-    fn is_point(self) -> bool {
+    /// Whether it holds one code only.
+    #[must_use]
+    pub fn is_point(self) -> bool {
         self.low == self.high
     }
 
-    fn count(self) -> u128 {
+    /// How many codes it holds.
+    #[must_use]
+    pub fn count(self) -> u128 {
         (self.high - self.low) as u128 + 1
     }
 
@@ -142,21 +152,22 @@ struct Complement {
 /// Inputs: the codes of each port.
 pub type Region = Vec<Span>;
 
-/// The whole of a lobe's inputs, row by row: the codes of `in_n` that read the same row, and every code of the operand. What lies
-/// between two rows of a memory reads the one below: all of it goes together.
-///
-/// # Panics
-/// If the graph is no lobe's.
+/// The whole of a core's inputs, row by row: the codes of the first port that read the same row, and every code of the other ports. What
+/// lies between two rows of a memory reads the one below: all of it goes together.
 #[must_use]
 pub fn regions(graph: &Graph, row_of_index: impl Fn(u32) -> usize) -> Vec<Region> {
-    let [index, operand] = [graph.index(), graph.operand()].map(|id| graph.nodes[id].format);
-    let whole = Span { low: operand.min_code(), high: operand.max_code() };
+    let formats = graph.inputs.iter().map(|&id| graph.nodes[id].format);
+    let whole: Region = formats.map(Span::all).collect();
     let mut regions: Vec<(usize, Region)> = Vec::new();
-    for code in 0..=index.max_code() {
+    for code in 0..=whole[0].high {
         let row = row_of_index(code as u32);
         match regions.last_mut() {
             Some((last, region)) if *last == row => region[0].high = code,
-            _ => regions.push((row, vec![Span::point(code), whole])),
+            _ => {
+                let mut region = whole.clone();
+                region[0] = Span::point(code);
+                regions.push((row, region));
+            }
         }
     }
     regions.into_iter().map(|(_, region)| region).collect()
@@ -403,18 +414,31 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    fn block(&self, inputs: &Region) -> Block {
+    /// For each node a span that holds its code for every input of a region, whether it is needed or not.
+    #[must_use]
+    pub fn codes(&self, region: &Region) -> Vec<Span> {
+        self.forward(region, |_| false).codes
+    }
+
+    /// The values of a block, with those that are guarded known not to be negative.
+    fn forward(&self, inputs: &Region, is_guarded: impl Fn(NodeId) -> bool) -> Block {
         let count = self.graph.nodes.len();
         let mut block =
             Block { exact: Vec::with_capacity(count), codes: Vec::with_capacity(count), needed: vec![false; count] };
         for (id, node) in self.graph.nodes.iter().enumerate() {
             let mut exact = self.exact(id, node, inputs, &block);
-            if self.guarded[id] {
+            if is_guarded(id) {
                 exact = exact.map(|code| code.max(0));
             }
             block.exact.push(exact);
             block.codes.push(wrapped(exact, node.format));
         }
+        block
+    }
+
+    fn block(&self, inputs: &Region) -> Block {
+        let count = self.graph.nodes.len();
+        let mut block = self.forward(inputs, |id| self.guarded[id]);
         for (_, output) in &self.graph.outputs {
             block.needed[*output] = true;
         }

@@ -1,6 +1,7 @@
 //! A resolved core: its spec, widths, ROM, datapath, schedule, and what is proved and measured of its error.
 
 mod budget;
+pub mod edges;
 mod measure;
 pub mod sample;
 mod tune;
@@ -170,10 +171,7 @@ impl Design {
         Evaluator::new(self.graph(), self.tables())
     }
 
-    /// All inputs of a lobe's core, row by row, for the range analysis.
-    ///
-    /// # Panics
-    /// For a shader.
+    /// All inputs, row by row, for the range analysis.
     #[must_use]
     pub fn regions(&self) -> Vec<Region> {
         regions_of(&self.spec, self.graph())

@@ -47,7 +47,8 @@ pub(crate) fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-fn plus(a: Vector, b: Vector, times: f64) -> Vector {
+/// a, and b so many times.
+pub(crate) fn plus(a: Vector, b: Vector, times: f64) -> Vector {
     [0, 1, 2].map(|axis| a[axis] + times * b[axis])
 }
 
@@ -68,11 +69,18 @@ pub fn normalised(a: Vector) -> Vector {
     if length < 1e-9 { [0.0, 0.0, 1.0] } else { a.map(|component| component / length) }
 }
 
-fn random_direction(dice: &mut Dice) -> Vector {
+/// A direction, each as likely as any other.
+pub(crate) fn random_direction(dice: &mut Dice) -> Vector {
     let z = 2.0 * dice.unit() - 1.0;
     let angle = 2.0 * std::f64::consts::PI * dice.unit();
     let r = libm::sqrt((1.0 - z * z).max(0.0));
     [r * libm::cos(angle), r * libm::sin(angle), z]
+}
+
+/// The direction or its mirror image, whichever is in front of the surface with this normal.
+pub(crate) fn front(direction: Vector, normal: Vector) -> Vector {
+    let cosine = dot(direction, normal);
+    if cosine < 0.0 { plus(direction, normal, -2.0 * cosine) } else { direction }
 }
 
 impl Sample {
@@ -89,11 +97,20 @@ impl Sample {
     #[must_use]
     pub fn random(shader: &Shader, material: u32, shininess: f64, dice: &mut Dice) -> Self {
         let normal = random_direction(dice);
-        let front = |direction: Vector, normal: Vector| {
-            let cosine = dot(direction, normal);
-            if cosine < 0.0 { plus(direction, normal, -2.0 * cosine) } else { direction }
-        };
         let viewer = front(random_direction(dice), normal);
+        Self::seen(shader, material, shininess, normal, viewer, dice)
+    }
+
+    /// The same for a given normal and a given viewer.
+    #[must_use]
+    pub fn seen(
+        shader: &Shader,
+        material: u32,
+        shininess: f64,
+        normal: Vector,
+        viewer: Vector,
+        dice: &mut Dice,
+    ) -> Self {
         let mirrored = plus(normal.map(|c| 2.0 * dot(normal, viewer) * c), viewer, -1.0);
         let lights: Vec<Vector> = (0..shader.lights)
             .map(|_| {

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use super::{OutputHash, Vector, told};
 use crate::datapath::fault::Block;
 use crate::design::Design;
+use crate::design::edges::varied;
 use crate::design::sample::{Sample, normalised, random_codes};
 use crate::hdl::Direction;
 use crate::number::Dice;
@@ -18,7 +19,7 @@ const RANDOM: usize = 512;
 /// Scenes among which those are sought that tell a ROM word from one with a flipped bit.
 const CANDIDATES: usize = 96;
 /// Tasks that seek inputs which tell mutants, and the candidates of each.
-const TASKS: u64 = 16;
+const TASKS: u64 = 64;
 const OF_TASK: u64 = 1 << 14;
 /// Samples of a material's stream.
 pub(super) const STREAM: u64 = 1 << 13;
@@ -105,21 +106,14 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
     groups
 }
 
-/// A task's candidates among which those are sought that tell mutants: samples and random codes in turn.
+/// A task's candidates among which those are sought that tell mutants.
 fn candidates<'a>(design: &'a Design, shader: &'a Shader, task: u64) -> told::Candidates<'a> {
     let mut dice = Dice::new((5 << 40) + task);
-    let ports = design.numbers(Direction::In);
     let mut left = OF_TASK;
     Box::new(move |block| {
         block.count = 0;
         while left > 0 && block.count < Block::LANES {
-            let row = dice.below(design.spec.shininess.rows() as u64) as u32;
-            let n = design.spec.shininess.value(row as usize);
-            let codes = match left % 2 {
-                0 => Sample::random(shader, row, n, &mut dice).codes(shader),
-                _ => random_codes(&ports, &mut dice),
-            };
-            block.push(&codes);
+            block.push(&varied(design, shader, &mut dice));
             left -= 1;
         }
         block.count > 0

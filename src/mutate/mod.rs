@@ -2,9 +2,11 @@
 //!
 //! - [`source`]: mutants of the operations, the memories' words, the pipeline registers and the valid chain, simulated in this process;
 //! - [`netlist`]: mutants of the Verilog's netlist by Yosys, simulated by Verilator;
-//! - [`equivalent`]: what is found out of a mutant that the vectors do not kill: an input that would, or a proof that there is none.
+//! - [`equivalent`]: what is found out of a mutant that the vectors do not kill: an input that would, or a proof that there is none;
+//! - `local`: such proofs from a part of the graph.
 
 pub mod equivalent;
+mod local;
 pub mod netlist;
 pub mod source;
 
