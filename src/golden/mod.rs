@@ -67,11 +67,11 @@ const MOST_SAMPLES: u64 = 1 << 20;
 /// The heading of the vectors that a spec asks for.
 const FROM_SPEC: &str = "inputs of the spec, one a clock and then with a clock without ce before each";
 
-/// The vectors that a spec asks for. They come last and take no part in the choice of the others, so that one more changes none of these.
+/// The vectors for inputs that a spec asks for. They come last and take no part in the choice of the others, so that one more changes none
+/// of these.
 ///
 /// Some mistakes need inputs right behind one another, others a clock without `ce` while an input is in a certain register.
-fn from_spec(design: &Design) -> Vec<Vector> {
-    let inputs = &design.spec.golden_inputs.0;
+pub(crate) fn asked_for(design: &Design, inputs: &[Vec<i64>]) -> Vec<Vector> {
     let vector = |stall| {
         move |inputs: &Vec<i64>| Vector { outputs: design.evaluate(inputs), inputs: inputs.clone(), idle: 0, stall }
     };
@@ -119,7 +119,7 @@ impl Golden {
             Block::Shader(shader) => shader::vectors(design, shader),
         };
         if !design.spec.golden_inputs.0.is_empty() {
-            groups.push((FROM_SPEC.to_owned(), from_spec(design)));
+            groups.push((FROM_SPEC.to_owned(), asked_for(design, &design.spec.golden_inputs.0)));
         }
         Self { core: design.spec.name.clone(), spec_digest: design.spec.digest(), groups, digests }
     }
