@@ -26,8 +26,10 @@ pub(crate) enum Told {
     Same(String),
     /// It is another: the codes of the input ports, in order, for which it gives something else.
     Other(Vec<i64>),
-    /// Neither: what was tried.
+    /// It is a pipeline as the core is; whether it is the same was not found out: what was tried.
     Open(String),
+    /// It is no pipeline, or not known to be one, so that it may depend on what came before: why.
+    Unfit(Unfit),
 }
 
 /// What is found out of mutants of a core's netlist, by their numbers. The netlist, with the input `mutant`, holds no other mutants.
@@ -35,22 +37,22 @@ pub(crate) enum Told {
 /// # Errors
 /// A tool that is not installed or does not do its work.
 pub(crate) fn told(design: &Design, verilog: &[u8], mutants: &[u32]) -> Result<Vec<Told>, Error> {
-    let all_open = |why: Unfit| Ok(vec![Told::Open(why); mutants.len()]);
+    let all = |why: Unfit| Ok(vec![Told::Unfit(why); mutants.len()]);
     // The memories are in the text.
     let no_files = tool::scratch()?;
     let circuit = match Circuit::read(&Yosys::find(None)?, no_files.path(), &design.spec.name, verilog)? {
         Ok(circuit) => circuit,
-        Err(why) => return all_open(why),
+        Err(why) => return all(why),
     };
     let side = |mutant: u32| Pipeline::of(circuit.with("mutant", mutant), design.schedule.latency);
     let core = match side(0) {
         Ok(core) => core,
-        Err(why) => return all_open(why),
+        Err(why) => return all(why),
     };
     let sides: Vec<Result<Pipeline, Unfit>> = mutants.par_iter().map(|&mutant| side(mutant)).collect();
     let by_stages = |side: &Result<Pipeline, Unfit>| match side {
         Ok(side) => Ok(is_same_by_stages(&core, side)?.then(|| Told::Same("stage by stage".to_owned()))),
-        Err(why) => Ok(Some(Told::Open(why.clone()))),
+        Err(why) => Ok(Some(Told::Unfit(why.clone()))),
     };
     let mut told = sides.par_iter().map(by_stages).collect::<Result<Vec<Option<Told>>, Error>>()?;
     let left: Vec<usize> = (0..told.len()).filter(|&place| told[place].is_none()).collect();

@@ -64,7 +64,7 @@ pub fn fates(
         let fate = match found[place + 1] {
             Found::ByReset => Fate::Killed { by: "the reset".to_owned() },
             Found::ByVector(number) => Fate::Killed { by: format!("vector {number}") },
-            Found::Not => decided(design, &mutants, place as u32 + 1, &listed, told)?,
+            Found::Not => decided(design, &mutants, place as u32 + 1, told)?,
         };
         Ok(NetlistMutant { what: listed.what, fate })
     };
@@ -72,15 +72,10 @@ pub fn fates(
 }
 
 /// What becomes of a mutant that the vectors do not kill, given what was told of it as a function.
-fn decided(
-    design: &Design,
-    mutants: &Mutants,
-    mutant: u32,
-    listed: &Listed,
-    told: Option<Told>,
-) -> Result<Fate, Error> {
+fn decided(design: &Design, mutants: &Mutants, mutant: u32, told: Option<Told>) -> Result<Fate, Error> {
     let survives = |inputs: &[Vec<i64>]| Fate::Survives { input: inputs_text(design, inputs) };
     let mut tried = Vec::new();
+    let is_function = matches!(told, Some(Told::Open(_) | Told::Other(_)));
     match told {
         Some(Told::Same(proof)) => return Ok(Fate::Equivalent { proof }),
         // What the simulator does not show may hang on a bit that the netlist leaves undefined.
@@ -88,15 +83,16 @@ fn decided(
             return Ok(survives(&[codes]));
         }
         Some(Told::Other(codes)) => tried.push(format!("a proof, which {} refutes", inputs_text(design, &[codes]))),
-        Some(Told::Open(why)) => tried.push(format!("a proof ({why})")),
+        Some(Told::Open(why) | Told::Unfit(why)) => tried.push(format!("a proof ({why})")),
         None => {}
     }
     let bits: u32 = design.numbers(Direction::In).iter().map(|(_, format)| format.width()).sum();
     // Run one a clock, they say nothing of what a register does when it should wait.
-    if !listed.is_control && bits <= MOST_BITS {
+    if is_function && bits <= MOST_BITS {
+        let words = if design.write_ports().is_empty() { "" } else { " with the words that the memory comes up with" };
         return Ok(match mutants.every(mutant, 0, 1 << bits)? {
             Some(place) => survives(&[mutants.inputs_at(place)]),
-            None => Fate::Equivalent { proof: format!("none of all 2^{bits} inputs, one a clock, shows it") },
+            None => Fate::Equivalent { proof: format!("none of all 2^{bits} inputs, one a clock, shows it{words}") },
         });
     }
     if let Some(AtRandom { clock, recent }) = mutants.at_random(mutant, CLOCKS)? {

@@ -36,22 +36,25 @@ fn script(top: &str) -> String {
     )
 }
 
+/// Mutants that are asked for beyond those that are wanted, as some cannot be.
+const SPARE: u32 = 40;
+
 /// A core's netlist with so many mutants, which `seed` chooses. The core's memories must be in its text.
 ///
 /// # Errors
 /// No Yosys, or one that does not read the core.
 pub(crate) fn mutated(top: &str, verilog: &[u8], count: u32, seed: u32) -> Result<Mutated, Error> {
-    let directory = scratch()?;
-    let path = |name: &str| directory.path().join(name);
-    package::write_file(&path("core.v"), verilog)?;
-    let bits = (u32::BITS - count.leading_zeros()).max(1);
-    let script = format!(
-        "{}mutate -list {count} -seed {seed} -ctrl mutant {bits} 1 -o mutants.ys\nscript mutants.ys\nopt_clean\nwrite_verilog -noattr mutated.v\n",
-        script(top)
-    );
-    Yosys::find(None)?.run(directory.path(), &script)?;
-    let list = String::from_utf8_lossy(&read(&path("mutants.ys"))?).into_owned();
-    Ok(Mutated { verilog: read(&path("mutated.v"))?, mutants: list.lines().map(Listed::of).collect() })
+    let list = format!("mutate -list {} -seed {seed} -o mutants.ys\n", count + SPARE);
+    let list = run(top, verilog, &list, "mutants.ys")?;
+    let list = String::from_utf8_lossy(&list);
+    // Yosys has no memory whose read without a clock has another enable or reset than constants.
+    let possible = list
+        .lines()
+        .filter(|line| !line.contains("-port RD_") || line.contains("-port RD_ADDR") || line.contains("-port RD_DATA"));
+    let bits = u32::BITS - count.leading_zeros();
+    let mutants: Vec<Listed> =
+        possible.take(count as usize).zip(1..).map(|(line, number)| Listed::of(line, bits, number)).collect();
+    Ok(Mutated { verilog: mutated_by(top, verilog, &mutants.iter().collect::<Vec<_>>())?, mutants })
 }
 
 /// The same netlist with some of its mutants alone, under their numbers.
@@ -59,12 +62,16 @@ pub(crate) fn mutated(top: &str, verilog: &[u8], count: u32, seed: u32) -> Resul
 /// # Errors
 /// As [`mutated`].
 pub(crate) fn mutated_by(top: &str, verilog: &[u8], mutants: &[&Listed]) -> Result<Vec<u8>, Error> {
+    let commands: Vec<&str> = mutants.iter().map(|mutant| mutant.command.as_str()).collect();
+    run(top, verilog, &format!("{}\nopt_clean\nwrite_verilog -noattr mutated.v\n", commands.join("\n")), "mutated.v")
+}
+
+/// Runs commands on a core's netlist, and returns a file that they write.
+fn run(top: &str, verilog: &[u8], commands: &str, file: &str) -> Result<Vec<u8>, Error> {
     let directory = scratch()?;
     package::write_file(&directory.path().join("core.v"), verilog)?;
-    let commands: Vec<&str> = mutants.iter().map(|mutant| mutant.command.as_str()).collect();
-    let script = format!("{}{}\nopt_clean\nwrite_verilog -noattr mutated.v\n", script(top), commands.join("\n"));
-    Yosys::find(None)?.run(directory.path(), &script)?;
-    read(&directory.path().join("mutated.v"))
+    Yosys::find(None)?.run(directory.path(), &(script(top) + commands))?;
+    read(&directory.path().join(file))
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, Error> {
@@ -72,14 +79,14 @@ fn read(path: &Path) -> Result<Vec<u8>, Error> {
 }
 
 impl Listed {
-    /// Of a line of the list, which has the choice in front and the places in the text behind.
-    fn of(line: &str) -> Self {
+    /// Of a line of the list, which has the places in the text at its end; the input `mutant` of so many bits chooses it by a number.
+    fn of(line: &str, bits: u32, number: u32) -> Self {
         let words: Vec<&str> = line.split_whitespace().collect();
         let option = |name: &str| words.iter().position(|word| *word == name).and_then(|place| words.get(place + 1));
         let part = |name: &str| option(name).map(|word| format!("{} {word}", name.trim_start_matches('-')));
         let parts = ["-mode", "-cell", "-port", "-portbit", "-ctrlbit", "-wire", "-wirebit"];
         let is_control = option("-port").is_some_and(|port| ["CLK", "EN", "SRST", "ARST"].contains(port));
         let what = parts.into_iter().filter_map(part).collect::<Vec<_>>().join(" ");
-        Self { what, is_control, command: line.to_owned() }
+        Self { what, is_control, command: line.replacen("mutate", &format!("mutate -ctrl mutant {bits} {number}"), 1) }
     }
 }
