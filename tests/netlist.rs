@@ -40,18 +40,19 @@ impl Core {
     }
 
     fn passes(&self, netlist: &str) -> (bool, String) {
-        self.passes_with(&self.golden, netlist)
+        self.passes_with("core", &self.golden, netlist)
     }
 
-    fn passes_with(&self, golden: &Golden, netlist: &str) -> (bool, String) {
-        let directory = self.scratch.path("core");
+    /// With other golden vectors, those of the core in another directory.
+    fn passes_with(&self, directory: &str, golden: &Golden, netlist: &str) -> (bool, String) {
+        let directory = self.scratch.path(directory);
         let job = Job { design: &self.design, golden, directory: &directory };
         let outcome = cosim::netlist(&job, netlist.as_bytes()).expect("Icarus runs");
         assert_eq!(outcome.expected_vectors, golden.vectors().len() as u64);
         (outcome.passed(), outcome.first.join("\n"))
     }
 
-    /// Every input as a vector.
+    /// Every input as a vector, and the core with them in the directory `every`.
     fn every(&self) -> Golden {
         let ports = self.design.numbers(Direction::In);
         let [(first, firsts), (second, seconds)] = [0, 1].map(|port| all_codes(ports[port].1));
@@ -59,7 +60,10 @@ impl Core {
             .map(|place| vec![first + (place / seconds) as i64, second + (place % seconds) as i64]);
         let vector = |inputs: Vec<i64>| Vector { outputs: self.design.evaluate(&inputs), inputs, idle: 0, stall: 0 };
         let groups = vec![("all".to_owned(), inputs.map(vector).collect())];
-        Golden { groups, ..self.golden.clone() }
+        let golden = Golden { groups, ..self.golden.clone() };
+        let files = package::files(&self.design, &Account::of(&self.design), &golden).expect("files");
+        package::write_directory(&self.scratch.path("every"), &files).expect("written");
+        golden
     }
 
     /// Inverts single bits of the 16-bit tables that stand behind `words` in the netlist, one of every `step`, and says how many there are and
@@ -68,13 +72,15 @@ impl Core {
         let found = words.iter().flat_map(|word| self.netlist.match_indices(word)).map(|(at, word)| at + word.len());
         let bits: Vec<(usize, u32)> = found.flat_map(|at| (0..16).map(move |bit| (at, bit))).step_by(step).collect();
         let every = self.every();
+        let (passed, said) = self.passes_with("every", &every, &self.netlist);
+        assert!(passed, "{said}");
         let caught = bits.par_iter().filter(|&&(at, bit)| {
             let mut wrong = self.netlist.clone();
             let word = u16::from_str_radix(&wrong[at..at + 4], 16).expect("four digits");
             wrong.replace_range(at..at + 4, &format!("{:04x}", word ^ 1 << bit));
             let caught = !self.passes(&wrong).0;
             if !caught {
-                let (passed, said) = self.passes_with(&every, &wrong);
+                let (passed, said) = self.passes_with("every", &every, &wrong);
                 assert!(passed, "bit {bit} of the table at {at} is found by all inputs and not by the vectors: {said}");
             }
             caught

@@ -62,6 +62,15 @@ impl<'a> Mutants<'a> {
         self.by_vectors(&golden.vectors(), 0, count)
     }
 
+    /// The place of the vector that goes in when a mutant is first seen to differ from these vectors.
+    ///
+    /// # Errors
+    /// A program that does not run to its end.
+    pub(crate) fn first_of(&self, mutant: u32, vectors: &[Vector]) -> Result<Option<usize>, Error> {
+        let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), mutant, 1)?;
+        Ok(if let [Found::ByVector(number)] = found[..] { Some(number as usize - 1) } else { None })
+    }
+
     /// Whether inputs show a mutant as vectors that a spec asks for.
     ///
     /// # Errors

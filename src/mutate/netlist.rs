@@ -4,19 +4,25 @@
 //! the core's or not, which is proved, or all inputs are run through it. A mistake in a register's clock, enable or reset
 //! depends on what came before, so random clocks are run through it, and the last inputs are reduced to those that are needed to show it.
 
+use std::sync::LazyLock;
+
 use rayon::prelude::*;
 
 use super::Fate;
 use crate::cosim::{AtRandom, Found, Mutants};
 use crate::design::Design;
+use crate::design::sample::Sample;
 use crate::error::Error;
 use crate::formal::{self, Told};
-use crate::golden::Golden;
+use crate::golden::{Golden, Vector};
 use crate::hdl::Direction;
+use crate::number::Dice;
 use crate::synth::{Listed, Mutated, mutated, mutated_by};
 
 /// Random clocks of the control inputs.
 const CLOCKS: u32 = 1 << 20;
+/// Samples of a shader.
+const SAMPLES: usize = 1 << 18;
 /// All inputs are run in the simulator, one after the other, where the ports have so many bits at most.
 const MOST_BITS: u32 = 22;
 
@@ -60,11 +66,12 @@ pub fn fates(
         let answers = formal::told(design, &mutated_by(top, verilog, &chosen)?, &numbers)?;
         functions.into_iter().zip(answers).for_each(|(place, answer)| told[place] = Some(answer));
     }
+    let samples = LazyLock::new(|| samples(design));
     let fate = |(place, (listed, told)): (usize, (Listed, Option<Told>))| {
         let fate = match found[place + 1] {
             Found::ByReset => Fate::Killed { by: "the reset".to_owned() },
             Found::ByVector(number) => Fate::Killed { by: format!("vector {number}") },
-            Found::Not => decided(design, &mutants, place as u32 + 1, told)?,
+            Found::Not => decided(design, &mutants, &samples, place as u32 + 1, told)?,
         };
         Ok(NetlistMutant { what: listed.what, fate })
     };
@@ -72,7 +79,13 @@ pub fn fates(
 }
 
 /// What becomes of a mutant that the vectors do not kill, given what was told of it as a function.
-fn decided(design: &Design, mutants: &Mutants, mutant: u32, told: Option<Told>) -> Result<Fate, Error> {
+fn decided(
+    design: &Design,
+    mutants: &Mutants,
+    samples: &LazyLock<Vec<Vector>, impl FnOnce() -> Vec<Vector>>,
+    mutant: u32,
+    told: Option<Told>,
+) -> Result<Fate, Error> {
     let survives = |inputs: &[Vec<i64>]| Fate::Survives { input: inputs_text(design, inputs) };
     let mut tried = Vec::new();
     let is_function = matches!(told, Some(Told::Open(_) | Told::Other(_)));
@@ -95,6 +108,16 @@ fn decided(design: &Design, mutants: &Mutants, mutant: u32, told: Option<Told>) 
             None => Fate::Equivalent { proof: format!("none of all 2^{bits} inputs, one a clock, shows it{words}") },
         });
     }
+    if design.spec.block.shader().is_some() {
+        if let Some(place) = mutants.first_of(mutant, samples)? {
+            // It is one that is on its way through the core then.
+            let first = place.saturating_sub(design.schedule.latency as usize + 1);
+            let recent: Vec<Vec<i64>> = samples[first..=place].iter().map(|vector| vector.inputs.clone()).collect();
+            let needed = reduced(mutants, mutant, recent.clone())?;
+            return Ok(survives(&needed.unwrap_or(recent)));
+        }
+        tried.push(format!("{SAMPLES} samples"));
+    }
     if let Some(AtRandom { clock, recent }) = mutants.at_random(mutant, CLOCKS)? {
         return Ok(match reduced(mutants, mutant, recent)? {
             Some(inputs) => survives(&inputs),
@@ -103,6 +126,19 @@ fn decided(design: &Design, mutants: &Mutants, mutant: u32, told: Option<Told>) 
     }
     tried.push(format!("{CLOCKS} random clocks"));
     Ok(Fate::Undecided { tried: tried.join(" and ") })
+}
+
+/// Samples of a shader as vectors: of random codes, hardly any sees a highlight.
+fn samples(design: &Design) -> Vec<Vector> {
+    let Some(shader) = design.spec.block.shader() else { return Vec::new() };
+    let mut dice = Dice::new(7 << 40);
+    let sample = |_| {
+        let row = dice.below(design.spec.shininess.rows() as u64) as u32;
+        Sample::random(shader, row, design.spec.shininess.value(row as usize), &mut dice).codes(shader)
+    };
+    let inputs: Vec<Vec<i64>> = (0..SAMPLES).map(sample).collect();
+    let vector = |inputs: Vec<i64>| Vector { outputs: design.evaluate(&inputs), inputs, idle: 0, stall: 0 };
+    inputs.into_par_iter().map(vector).collect()
 }
 
 /// An input that shows a mutant as a vector, if one of these does; else as few of them, in their order, as show it; `None` if not even all do.
