@@ -1,18 +1,19 @@
 // Runs golden vectors through a Verilated core with an input `mutant` that chooses what is wrong in it; 0 is the core as it should be.
 //
 // A header, written by brdfgen for each core, defines LATENCY, INPUTS and OUTPUTS (how many ports carry numbers), INPUT_BITS (an array
-// of their widths), and the functions
+// of their widths), RECENT (how many of the last inputs are told), and the functions
 //   void present(Vcore&, const uint32_t* codes)   sets the input ports, masked to their widths, and makes write enables 0
 //   bool shows(const Vcore&, const uint32_t* codes)   compares the output ports
 //   bool same(const Vcore&, const Vcore&)   compares two cores' output ports
 //
 // Standard input, in 32-bit words of the machine's order: a task, then what it needs.
-//   0, mutants, vectors, then for each vector its inputs, its outputs, idle and stall: writes for each of the mutants 0, 1, ... the
-//      number of the vector (from 1) at which it is found out, 0xffffffff if by the reset, and 0 if it is not found out.
+//   0, first mutant, mutants, vectors, then for each vector its inputs, its outputs, idle and stall: writes for each of the mutants from
+//      the first on the number of the vector (from 1) at which it is found out, 0xffffffff if by the reset, and 0 if it is not found out.
 //   1, mutant, low and high word of the first place, low and high word of how many: runs these of all inputs, the ports' bits side by
 //      side, first port most significant, one a clock, and writes the place of the first that tells the mutant from the core, as two
 //      words, 0xffffffff twice if none does.
-//   2, mutant, clocks: random inputs, ce, in_valid and rst; writes the clock at which the mutant differs, two words as above.
+//   2, mutant, clocks: random inputs, ce, in_valid and rst; writes the clock at which the mutant differs, two words as above, and the
+//      last RECENT inputs that came with ce, in their order (zeros in front of them if there were fewer).
 //
 // Exit status: 0, or 2 if the input ends too early.
 
@@ -166,6 +167,7 @@ void every(uint32_t mutant, uint64_t first, uint64_t count) {
 void at_random(uint32_t mutant, uint32_t clocks) {
     auto right = powered(0), wrong = powered(mutant);
     uint64_t state = 0x9e3779b97f4a7c15u, found = ~uint64_t(0);
+    std::vector<uint32_t> recent(RECENT * INPUTS, 0);
     const auto draw = [&state] {
         state ^= state << 13;
         state ^= state >> 7;
@@ -176,6 +178,10 @@ void at_random(uint32_t mutant, uint32_t clocks) {
         uint32_t inputs[INPUTS];
         for (int port = 0; port < INPUTS; ++port) inputs[port] = draw();
         const uint32_t control = draw();
+        if (control % 4 != 0) {
+            recent.erase(recent.begin(), recent.begin() + INPUTS);
+            recent.insert(recent.end(), inputs, inputs + INPUTS);
+        }
         for (Vcore* core : {right.get(), wrong.get()}) {
             present(*core, inputs);
             core->ce = control % 4 != 0;
@@ -190,6 +196,7 @@ void at_random(uint32_t mutant, uint32_t clocks) {
     }
     const uint32_t words[2] = {uint32_t(found), uint32_t(found >> 32)};
     write_words(words, 2);
+    write_words(recent.data(), recent.size());
 }
 
 }  // namespace
@@ -200,14 +207,14 @@ int main(int argc, char** argv) {
     while (read_words(&task, 1)) {
         uint32_t words[5];
         if (task == 0) {
-            if (!read_words(words, 2)) return 2;
-            std::vector<Vector> vectors(words[1]);
+            if (!read_words(words, 3)) return 2;
+            std::vector<Vector> vectors(words[2]);
             for (Vector& vector : vectors)
                 if (!read_words(vector.inputs, INPUTS) || !read_words(vector.outputs, OUTPUTS)
                     || !read_words(&vector.idle, 1) || !read_words(&vector.stall, 1))
                     return 2;
-            for (uint32_t mutant = 0; mutant < words[0]; ++mutant) {
-                const uint32_t found = Bench(mutant, vectors).run();
+            for (uint32_t mutant = 0; mutant < words[1]; ++mutant) {
+                const uint32_t found = Bench(words[0] + mutant, vectors).run();
                 write_words(&found, 1);
             }
         } else if (task == 1) {

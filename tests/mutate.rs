@@ -63,6 +63,53 @@ fn the_command_ends_with_1_when_a_mutant_survives() {
     assert_eq!(scratch.run(&json).stdout, scratch.run(&json).ends_with(1).stdout, "the same seed, the same answer");
 }
 
+/// What a spec asks for is in its golden vectors, behind the others, which stay as they are; a golden file without it is not the core's.
+#[test]
+fn golden_inputs_of_a_spec_are_in_its_vectors() {
+    let scratch = Scratch::new();
+    let plain = Golden::of(&design(SMALL));
+    let with = format!("{SMALL}golden_inputs = [[3, 250], [15, -7]]\n");
+    let design = design(&with);
+    let golden = Golden::of(&design);
+    let (group, others) = golden.groups.split_last().expect("groups");
+    assert_eq!(others, plain.groups);
+    assert!(group.0.starts_with("inputs of the spec"), "{}", group.0);
+    let vectors: Vec<_> = group.1.iter().map(|vector| (vector.inputs.clone(), vector.idle, vector.stall)).collect();
+    let (one, other) = (vec![3, 250], vec![15, -7]);
+    assert_eq!(vectors, [(one.clone(), 0, 0), (other.clone(), 0, 0), (one, 0, 1), (other, 0, 1)]);
+    assert_eq!(group.1[0].outputs, design.evaluate(&[3, 250]));
+    assert_ne!(golden.spec_digest, plain.spec_digest);
+
+    scratch.write("core.toml", &with);
+    scratch.run("generate core.toml --out core").succeeds();
+    scratch.run("generate core --check --out core").succeeds().says(&[" files are as they should be"]);
+    scratch.run("golden core --check core/golden/quadratic.vec").succeeds();
+    scratch.refused("golden core --golden-inputs 3,251;15,-7 --check core/golden/quadratic.vec", &["spec"]);
+    scratch.write("plain.toml", SMALL);
+    scratch.run("generate plain.toml --golden-inputs 3,250;15,-7 --out flags").succeeds();
+    assert_eq!(scratch.read("flags/golden/quadratic.vec"), scratch.read("core/golden/quadratic.vec"));
+}
+
+#[test]
+fn golden_inputs_that_the_ports_do_not_take_are_refused() {
+    let scratch = Scratch::new();
+    scratch.write("plain.toml", SMALL);
+    for (inputs, words) in [
+        ("3,250;4", ["number 2 of golden_inputs has 1 codes", "each of the 2 ports in_n, in_cos"]),
+        ("3,250,1", ["number 1 of golden_inputs has 3 codes", "in_n, in_cos"]),
+        ("16,250", ["number 1 of golden_inputs has the code 16 for in_n", "the codes of in_n are 0 to 15"]),
+        ("3,512", ["has the code 512 for in_cos", "the codes of in_cos are -512 to 511"]),
+        ("3,-513", ["has the code -513 for in_cos", "-512 to 511"]),
+        ("3;x", ["`x` is no code", "CODE,CODE;CODE,CODE"]),
+    ] {
+        scratch.refused(&format!("generate plain.toml --golden-inputs {inputs} --out core"), &words);
+    }
+    let shader = "block = 'shader'\nmethod = 'quadratic'\nmaterial = [{ name = 'a', shininess = 9 }]\n";
+    let spec = SpecFields::parse(&format!("golden_inputs = [[0, 1]]\n{shader}"), "test").and_then(SpecFields::resolve);
+    let said = spec.and_then(Design::new).expect_err("two codes").to_string();
+    assert!(said.contains("number 1 of golden_inputs has 2 codes"), "{said}");
+}
+
 #[test]
 fn a_seed_says_which_words_are_wrong() {
     let design = design(SMALL);
@@ -198,12 +245,29 @@ fn mutants_of_the_netlist_are_killed_by_all_vectors_and_not_by_few() {
     let files = package::files(&design, &Account::of(&design), &golden).expect("files");
     let path = package::rtl_path(&design, Language::Verilog);
     let verilog = &files.iter().find(|file| file.path == path).expect("its Verilog").bytes;
-    let tally = |golden: &Golden| {
-        let mutants = netlist::fates(&design, verilog, golden, 100, 0).expect("it runs");
+    let tally = |design: &Design, golden: &Golden| {
+        let mutants = netlist::fates(design, verilog, golden, 100, 0).expect("it runs");
         (Tally::of(mutants.iter().map(|mutant| &mutant.fate)), mutants)
     };
-    let (all, mutants) = tally(&golden);
-    assert_eq!((all.mutants, all.survivors), (100, 0), "{mutants:?}");
-    assert!(all.killed > 80, "{all:?}");
-    assert!(tally(&thinned(&golden)).0.survivors > 0);
+    let (all, mutants) = tally(&design, &golden);
+    assert_eq!((all.mutants, all.survivors, all.undecided), (100, 0, 0), "{mutants:?}");
+    assert!(all.killed > 80 && all.equivalent > 0, "{all:?}");
+
+    // With few vectors, most is left for the proofs, which must not go through.
+    let (few, left) = tally(&design, &thinned(&golden));
+    assert!(few.survivors > 10, "{few:?}");
+    assert_eq!((few.equivalent, few.undecided), (all.equivalent, 0), "{left:?}");
+    // What shows the survivors finds all of them once it is in the spec.
+    let shown = |mutant: &netlist::NetlistMutant| match &mutant.fate {
+        Fate::Survives { input } => Some(input.replace("in_n ", "[").replace(", in_cos", ",").replace(", then", "],")),
+        _ => None,
+    };
+    let inputs: Vec<String> = left.iter().filter_map(shown).collect();
+    let with = self::design(&format!("{SMALL}golden_inputs = [{}]]\n", inputs.join("], ")));
+    let mut asked = Golden::of(&with);
+    let from_spec = asked.groups.pop().expect("the inputs of the spec");
+    asked.groups.truncate(1);
+    asked.groups.push(from_spec);
+    let (killed, mutants) = tally(&with, &asked);
+    assert_eq!((killed.killed, killed.survivors), (all.killed, 0), "{mutants:?}");
 }

@@ -19,7 +19,7 @@ pub(crate) use builtin::Vectors;
 pub use builtin::{Engine, builtin_engine};
 pub use exhaustive::exhaustive;
 pub(crate) use ghdl::as_verilog;
-pub(crate) use mutants::{Found, Mutants};
+pub(crate) use mutants::{AtRandom, Found, Mutants};
 pub use netlist::netlist;
 pub use stream::stream;
 

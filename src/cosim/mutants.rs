@@ -9,8 +9,12 @@ use std::process::Command;
 use super::compiled::{CORE, converse, program};
 use crate::design::Design;
 use crate::error::Error;
-use crate::golden::Golden;
+use crate::golden::{self, Golden, Vector};
 use crate::hdl::Direction;
+use crate::number::Format;
+
+/// How many of the last inputs are told of what random ones find, beyond those that are on their way through the core.
+const BEFORE: usize = 8;
 
 const HARNESS: &str = include_str!("../../testbench/mutants.cpp");
 
@@ -23,6 +27,14 @@ pub(crate) enum Found {
     ByReset,
     /// By the vector of this number, from 1.
     ByVector(u32),
+}
+
+/// How random clocks found a mutant out.
+pub(crate) struct AtRandom {
+    /// At which clock, from 0.
+    pub(crate) clock: u64,
+    /// The last inputs that were taken until then, in order.
+    pub(crate) recent: Vec<Vec<i64>>,
 }
 
 /// A netlist with mutants, compiled.
@@ -47,8 +59,32 @@ impl<'a> Mutants<'a> {
     /// # Errors
     /// A program that does not run to its end.
     pub(crate) fn golden(&self, golden: &Golden, count: u32) -> Result<Vec<Found>, Error> {
-        let vectors = golden.vectors();
-        let mut words = vec![0, count, vectors.len() as u32];
+        self.by_vectors(&golden.vectors(), 0, count)
+    }
+
+    /// The place of the vector that goes in when a mutant is first seen to differ from these vectors.
+    ///
+    /// # Errors
+    /// A program that does not run to its end.
+    pub(crate) fn first_of(&self, mutant: u32, vectors: &[Vector]) -> Result<Option<usize>, Error> {
+        let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), mutant, 1)?;
+        Ok(if let [Found::ByVector(number)] = found[..] { Some(number as usize - 1) } else { None })
+    }
+
+    /// Whether inputs show a mutant as vectors that a spec asks for.
+    ///
+    /// # Errors
+    /// A program that does not run to its end.
+    pub(crate) fn show(&self, mutant: u32, inputs: &[Vec<i64>]) -> Result<bool, Error> {
+        let vectors = golden::asked_for(self.design, inputs);
+        let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), mutant, 1)?;
+        // In front of others the reset would find what it finds here.
+        Ok(matches!(found[..], [Found::ByVector(_)]))
+    }
+
+    /// How each of so many mutants from the first on is found out by vectors.
+    fn by_vectors(&self, vectors: &[&Vector], first: u32, count: u32) -> Result<Vec<Found>, Error> {
+        let mut words = vec![0, first, count, vectors.len() as u32];
         for vector in vectors {
             words.extend(vector.inputs.iter().chain(&vector.outputs).map(|&code| code as u32));
             words.extend([vector.idle, vector.stall]);
@@ -68,21 +104,20 @@ impl<'a> Mutants<'a> {
     pub(crate) fn every(&self, mutant: u32, first: u64, count: u64) -> Result<Option<u64>, Error> {
         let halves = |word: u64| [word as u32, (word >> 32) as u32];
         let words = [[1, mutant].as_slice(), &halves(first), &halves(count)].concat();
-        self.place(&words)
+        Ok(place(&self.ask(&words, 2)?))
     }
 
-    /// The first of so many clocks with random inputs, `ce`, `in_valid` and `rst` that tells a mutant from the core.
+    /// The first of so many clocks with random inputs, `ce`, `in_valid` and `rst` that tells a mutant from the core, and the last inputs that
+    /// were taken until then.
     ///
     /// # Errors
     /// A program that does not run to its end.
-    pub(crate) fn at_random(&self, mutant: u32, clocks: u32) -> Result<Option<u64>, Error> {
-        self.place(&[2, mutant, clocks])
-    }
-
-    fn place(&self, words: &[u32]) -> Result<Option<u64>, Error> {
-        let found = self.ask(words, 2)?;
-        let place = u64::from(found[0]) | u64::from(found[1]) << 32;
-        Ok((place != u64::MAX).then_some(place))
+    pub(crate) fn at_random(&self, mutant: u32, clocks: u32) -> Result<Option<AtRandom>, Error> {
+        let ports = self.design.numbers(Direction::In);
+        let answer = self.ask(&[2, mutant, clocks], 2 + recent(self.design) * ports.len())?;
+        let code = |(&word, (_, format)): (&u32, &(&str, Format))| format.wrap(word.into()) as i64;
+        let inputs = answer[2..].chunks(ports.len()).map(|words| words.iter().zip(&ports).map(code).collect());
+        Ok(place(&answer).map(|clock| AtRandom { clock, recent: inputs.collect() }))
     }
 
     /// The program's answer of so many words.
@@ -109,12 +144,23 @@ impl<'a> Mutants<'a> {
     pub(crate) fn inputs_at(&self, place: u64) -> Vec<i64> {
         let ports = self.design.numbers(Direction::In);
         let mut rest: u32 = ports.iter().map(|(_, format)| format.width()).sum();
-        let code = |(_, format): &(&str, crate::number::Format)| {
+        let code = |(_, format): &(&str, Format)| {
             rest -= format.width();
             format.wrap(i128::from(place >> rest)) as i64
         };
         ports.iter().map(code).collect()
     }
+}
+
+/// How many of the last inputs are told.
+fn recent(design: &Design) -> usize {
+    design.schedule.latency as usize + BEFORE
+}
+
+/// A place in the first two words of an answer, if there is one.
+fn place(answer: &[u32]) -> Option<u64> {
+    let place = u64::from(answer[0]) | u64::from(answer[1]) << 32;
+    (place != u64::MAX).then_some(place)
 }
 
 /// What the harness needs to know of the core.
@@ -123,10 +169,11 @@ fn header(design: &Design) -> String {
     let mask = |bits: u32| u32::MAX >> (32 - bits);
     let widths: Vec<String> = inputs.iter().map(|(_, format)| format.width().to_string()).collect();
     let mut text = format!(
-        "#define LATENCY {}\n#define INPUTS {}\n#define OUTPUTS {}\nstatic const int INPUT_BITS[] = {{{}}};\n",
+        "#define LATENCY {}\n#define INPUTS {}\n#define OUTPUTS {}\n#define RECENT {}\nstatic const int INPUT_BITS[] = {{{}}};\n",
         design.schedule.latency,
         inputs.len(),
         outputs.len(),
+        recent(design),
         widths.join(", ")
     );
     let mut line = |line: String| text.push_str(&(line + "\n"));

@@ -4,6 +4,8 @@
 //! changes a pipeline register or the valid chain: only the [simulation](super::simulate) shows it, clock by clock. Both are a
 //! [`Defect`].
 
+use std::ops::Range;
+
 use multiversion::multiversion;
 
 use super::evaluate::{Arg, LANES, Lane, codes_by_address, is_narrow, step, wrap};
@@ -252,6 +254,8 @@ pub struct Probe<'a> {
     reads_port: Vec<bool>,
     /// Whether a node or one that depends on it does.
     leads_to_port: Vec<bool>,
+    /// The bits of each node that any reader takes.
+    read: Vec<Range<u32>>,
     narrow: bool,
 }
 
@@ -278,7 +282,8 @@ impl<'a> Probe<'a> {
             }
         }
         let looked_up = graph.nodes.iter().map(|node| codes_by_address(node, tables)).collect();
-        Self { graph, looked_up, reads_port, leads_to_port, narrow: is_narrow(graph) }
+        let read = read_bits(graph);
+        Self { graph, looked_up, reads_port, leads_to_port, read, narrow: is_narrow(graph) }
     }
 
     /// Looks, in every block of the hunt's inputs, for every fault that is still hunted.
@@ -295,6 +300,31 @@ impl<'a> Probe<'a> {
         let reads = |args: &[NodeId]| args.iter().any(|&arg| self.graph.nodes[arg].op == Op::Input);
         self.leads_to_port[fault.node] || matches!(&fault.change, Change::Instead { args, .. } if reads(args))
     }
+}
+
+/// The bits of each node that any reader takes: a cast drops low and high ones.
+fn read_bits(graph: &Graph) -> Vec<Range<u32>> {
+    let mut read: Vec<Option<Range<u32>>> = vec![None; graph.nodes.len()];
+    let mut add = |id: NodeId, bits: Range<u32>| {
+        read[id] = Some(match read[id].take() {
+            Some(known) => known.start.min(bits.start)..known.end.max(bits.end),
+            None => bits,
+        });
+    };
+    for node in &graph.nodes {
+        for &arg in &node.args {
+            let dropped = graph.nodes[arg].format.frac_bits - node.format.frac_bits;
+            add(
+                arg,
+                match (node.op, u32::try_from(dropped)) {
+                    (Op::Cast, Ok(dropped)) => dropped..dropped + node.format.width(),
+                    _ => 0..u32::MAX,
+                },
+            );
+        }
+    }
+    graph.outputs.iter().for_each(|&(_, id)| add(id, 0..u32::MAX));
+    read.into_iter().map(Option::unwrap_or_default).collect()
 }
 
 #[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
@@ -343,7 +373,12 @@ fn hunt_in<L: Lane>(probe: &Probe, faults: &[&Fault], hunt: &mut dyn Hunt) {
     }
     let operations: Vec<Node> = faults.iter().map(|fault| fault.operation(graph)).collect();
     let sees_port: Vec<bool> = faults.iter().map(|fault| probe.sees_port(fault)).collect();
-    let mut hunted: Vec<usize> = (0..faults.len()).collect();
+    // What changes a bit that nothing reads never shows.
+    let is_read = |&place: &usize| match faults[place] {
+        Fault { node, change: Change::Stuck { bit, .. } | Change::Flipped { bit } } => probe.read[*node].contains(bit),
+        _ => true,
+    };
+    let mut hunted: Vec<usize> = (0..faults.len()).filter(is_read).collect();
     let mut first = true;
     let mut kept: Vec<(NodeId, [L; LANES])> = Vec::new();
     let mut differs = vec![false; nodes.len()];

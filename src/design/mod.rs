@@ -95,6 +95,7 @@ impl Design {
         };
         let schedule = schedule(&datapath.graph, spec.pipeline)?;
         let design = Self { widths, datapath, schedule, budget, narrowed, lobes, description, spec };
+        design.spec.golden_inputs.check(&design.numbers(Direction::In))?;
         if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {
             return Err(Error::input(
                 format!("the core {} has no coefficient memory that could be written", design.spec.name),

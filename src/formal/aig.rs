@@ -211,6 +211,19 @@ impl Aig {
     /// # Errors
     /// If they depend on more than `most` inputs, at most 63: how many.
     pub(super) fn difference(&self, pairs: &[(Literal, Literal)], most: usize) -> Result<Option<Vec<bool>>, usize> {
+        Ok(self.differences(&[pairs.to_vec()], most)?.pop().flatten())
+    }
+
+    /// As [`Self::difference`], for several groups of pairs at once: for each the first values for which the literals of one of its pairs
+    /// differ.
+    ///
+    /// # Errors
+    /// As there, of all groups together.
+    pub(super) fn differences(
+        &self,
+        groups: &[Vec<(Literal, Literal)>],
+        most: usize,
+    ) -> Result<Vec<Option<Vec<bool>>>, usize> {
         /// The values of the six lowest inputs in the runs of a word.
         const LOWEST: [u64; 6] = [
             0xaaaa_aaaa_aaaa_aaaa,
@@ -223,7 +236,7 @@ impl Aig {
         /// Words that are computed together, whose number in a block is the next three inputs.
         const LANES: usize = 8;
         type Block = [u64; LANES];
-        let used = self.cone(pairs.iter().flat_map(|&(one, other)| [one, other]));
+        let used = self.cone(groups.iter().flatten().flat_map(|&(one, other)| [one, other]));
         // The nodes that count, one after the other, so that their values stay near each other: a graph holds many that do not.
         let mut places = vec![0u32; self.nodes.len()];
         let mut kept: Vec<Node> = Vec::new();
@@ -244,14 +257,16 @@ impl Aig {
             return Err(inputs.len());
         }
         let moved = |literal: Literal| Literal(2 * places[literal.node()] + (literal.0 & 1));
-        let pairs: Vec<[Literal; 2]> = pairs.iter().map(|&(one, other)| [moved(one), moved(other)]).collect();
+        let pair = |&(one, other): &(Literal, Literal)| [moved(one), moved(other)];
+        let groups: Vec<Vec<[Literal; 2]>> = groups.iter().map(|pairs| pairs.iter().map(pair).collect()).collect();
         let of = |values: &[Block], literal: Literal| -> Block {
             let flip = 0u64.wrapping_sub(u64::from(literal.0 & 1));
             values[literal.node()].map(|word| word ^ flip)
         };
         let mut values: Vec<Block> = vec![[0; LANES]; kept.len()];
         let runs_of_block = 64 * LANES as u64;
-        let found = (0..1u64 << inputs.len()).step_by(64 * LANES).find_map(|first| {
+        let mut found: Vec<Option<u64>> = vec![None; groups.len()];
+        for first in (0..1u64 << inputs.len()).step_by(64 * LANES) {
             for (place, node) in kept.iter().enumerate() {
                 values[place] = match *node {
                     Node::Zero => [0; LANES],
@@ -265,22 +280,28 @@ impl Aig {
                     }
                 };
             }
-            let mut differs: Block = [0; LANES];
-            for [one, other] in &pairs {
-                let (one, other) = (of(&values, *one), of(&values, *other));
-                differs = std::array::from_fn(|lane| differs[lane] | (one[lane] ^ other[lane]));
+            for (pairs, found) in groups.iter().zip(&mut found).filter(|(_, found)| found.is_none()) {
+                let mut differs: Block = [0; LANES];
+                for [one, other] in pairs {
+                    let (one, other) = (of(&values, *one), of(&values, *other));
+                    differs = std::array::from_fn(|lane| differs[lane] | (one[lane] ^ other[lane]));
+                }
+                let run = (0..runs_of_block).find(|run| differs[(run / 64) as usize] >> (run % 64) & 1 == 1);
+                // Of fewer inputs than make a block the runs repeat themselves, the least come first.
+                *found = run.map(|run| first + run);
             }
-            let run = (0..runs_of_block).find(|run| differs[(run / 64) as usize] >> (run % 64) & 1 == 1)?;
-            // Of fewer inputs than make a block the runs repeat themselves, the least come first.
-            Some(first + run)
-        });
-        Ok(found.map(|run| {
+            if found.iter().all(Option::is_some) {
+                break;
+            }
+        }
+        let values = |run: u64| {
             let mut shown = vec![false; self.inputs()];
             for (place, &input) in inputs.iter().enumerate() {
                 shown[input as usize] = run >> place & 1 == 1;
             }
             shown
-        }))
+        };
+        Ok(found.into_iter().map(|run| run.map(values)).collect())
     }
 
     /// The graph of these outputs in the binary AIGER format (Biere, "The AIGER And-Inverter Graph format", 2007); all inputs are kept, in

@@ -355,6 +355,18 @@ impl Circuit {
         })
     }
 
+    /// The circuit with a number at an input, which it does not have any more.
+    pub(super) fn with(&self, input: &str, number: u32) -> Self {
+        let mut circuit = self.clone();
+        let nets = circuit.inputs.remove(input).unwrap_or_default();
+        let constant = |(place, y): (usize, usize)| {
+            let a = Bit::Constant(number.checked_shr(place as u32).is_some_and(|rest| rest & 1 == 1));
+            Part::And { a, b: Bit::Constant(true), y }
+        };
+        circuit.parts.splice(0..0, nets.into_iter().enumerate().map(constant));
+        circuit
+    }
+
     /// Builds the circuit with registers as wires. `input` says what a port's bit is, `cut` what stands for a register, by
     /// its place, instead of its input.
     pub(super) fn build(

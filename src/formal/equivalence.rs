@@ -27,6 +27,7 @@
 //! What is not said: what the outputs are while `out_valid` is 0, and what the registers hold when the power comes.
 
 use std::collections::{BTreeMap, HashMap};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::abc::{self, Answer};
 use super::aig::{Aig, Literal};
@@ -240,6 +241,51 @@ impl Inputs {
     }
 }
 
+/// For each of the circuits the codes of the ports, as whole numbers, for which its outputs differ from the first circuit's: of all inputs
+/// the first, those of the widest port for each value of the others. `None` if there are too many inputs, or a memory has a write port.
+pub(super) fn first_shown(core: &Pipeline, others: &[&Pipeline]) -> Option<Vec<Option<BTreeMap<String, u64>>>> {
+    let ports = core.data_inputs();
+    let bits: usize = ports.values().sum();
+    let widest = ports.values().max().copied().unwrap_or(0);
+    if bits > MOST_BITS || !core.written_reads().is_empty() {
+        return None;
+    }
+    // The first values of the other ports of those that are known.
+    let first: Vec<AtomicU64> = others.iter().map(|_| AtomicU64::new(u64::MAX)).collect();
+    let run = |number: u64| -> Option<Vec<(usize, BTreeMap<String, u64>)>> {
+        let open: Vec<usize> =
+            (0..others.len()).filter(|&place| first[place].load(Ordering::Relaxed) > number).collect();
+        let mut aig = Aig::new();
+        let inputs = Inputs::of_widest(&mut aig, core, number);
+        let mut outputs = |side: &Pipeline| -> Vec<Literal> {
+            let no_write = |_: &mut Aig, _, _: &[Literal]| unreachable!("no memory has a write port");
+            let wires = side.circuit.build(&mut aig, &|name, bit| inputs.bit(name, bit), &no_write, &|_| None);
+            side.data_outputs().into_values().flat_map(|bits| wires.bits(bits)).collect()
+        };
+        let right = outputs(core);
+        let differing = |wrong: Vec<Literal>| right.iter().copied().zip(wrong).filter(|(a, b)| a != b).collect();
+        let groups: Vec<Vec<(Literal, Literal)>> =
+            open.iter().map(|&place| differing(outputs(others[place]))).collect();
+        let shown = aig.differences(&groups, widest).ok()?;
+        let found = open.into_iter().zip(shown).filter_map(|(place, values)| {
+            let values = values?;
+            first[place].fetch_min(number, Ordering::Relaxed);
+            let code = |port: &Vec<Literal>| {
+                port.iter().enumerate().map(|(place, &bit)| u64::from(aig.value(bit, &values)) << place).sum()
+            };
+            Some((place, inputs.0.iter().map(|(name, port)| (name.clone(), code(port))).collect()))
+        });
+        Some(found.collect())
+    };
+    let found: Option<Vec<_>> = (0..1u64 << (bits - widest)).into_par_iter().map(run).collect();
+    let mut shown: Vec<Option<BTreeMap<String, u64>>> = vec![None; others.len()];
+    // In the order of the numbers.
+    for (place, codes) in found?.into_iter().flatten() {
+        shown[place].get_or_insert(codes);
+    }
+    Some(shown)
+}
+
 /// The name of the port with the most bits.
 fn widest<'a>(ports: &BTreeMap<&'a str, usize>) -> Option<&'a str> {
     ports.iter().max_by_key(|(_, width)| **width).map(|(name, _)| *name)
@@ -426,7 +472,7 @@ impl<'a> Comparison<'a> {
 
     /// The pairs whose registers also take the same in random runs of the cut circuits: those that only looked alike are dropped, one
     /// round after the other, as what stands behind a pair that is dropped is then seen through it.
-    fn confirmed(&self, mut pairs: Vec<[usize; 2]>) -> Vec<[usize; 2]> {
+    pub(super) fn confirmed(&self, mut pairs: Vec<[usize; 2]>) -> Vec<[usize; 2]> {
         let mut dice = Dice::new(6);
         loop {
             let (both, duties) = self.cut(&pairs);

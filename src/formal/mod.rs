@@ -4,6 +4,7 @@ mod abc;
 mod aig;
 mod circuit;
 mod equivalence;
+mod mutants;
 mod planted;
 mod stream;
 
@@ -23,6 +24,7 @@ use crate::spec::Language;
 use crate::synth::yosys::Yosys;
 use circuit::Circuit;
 use equivalence::{Compared, Comparison, Method, Pipeline};
+pub(crate) use mutants::{Told, told};
 pub use stream::stream;
 
 /// What came of a proof.

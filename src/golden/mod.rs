@@ -64,6 +64,20 @@ const MOST_OUTPUTS: u64 = 1 << 30;
 /// The same for the samples of a shader's streams.
 const MOST_SAMPLES: u64 = 1 << 20;
 
+/// The heading of the vectors that a spec asks for.
+const FROM_SPEC: &str = "inputs of the spec, one a clock and then with a clock without ce before each";
+
+/// The vectors for inputs that a spec asks for. They come last and take no part in the choice of the others, so that one more changes none
+/// of these.
+///
+/// Some mistakes need inputs right behind one another, others a clock without `ce` while an input is in a certain register.
+pub(crate) fn asked_for(design: &Design, inputs: &[Vec<i64>]) -> Vec<Vector> {
+    let vector = |stall| {
+        move |inputs: &Vec<i64>| Vector { outputs: design.evaluate(inputs), inputs: inputs.clone(), idle: 0, stall }
+    };
+    inputs.iter().map(vector(0)).chain(inputs.iter().map(vector(1))).collect()
+}
+
 /// Clocks of a pause: mostly none, else up to three.
 fn pause(dice: &mut Dice) -> u32 {
     if dice.below(12) == 0 { 1 + dice.below(3) as u32 } else { 0 }
@@ -100,15 +114,14 @@ impl Golden {
                 RowDigest { index, digest }
             })
             .collect();
-        Self {
-            core: design.spec.name.clone(),
-            spec_digest: design.spec.digest(),
-            groups: match &design.spec.block {
-                Block::Lobe => choose::vectors(design),
-                Block::Shader(shader) => shader::vectors(design, shader),
-            },
-            digests,
+        let mut groups = match &design.spec.block {
+            Block::Lobe => choose::vectors(design),
+            Block::Shader(shader) => shader::vectors(design, shader),
+        };
+        if !design.spec.golden_inputs.0.is_empty() {
+            groups.push((FROM_SPEC.to_owned(), asked_for(design, &design.spec.golden_inputs.0)));
         }
+        Self { core: design.spec.name.clone(), spec_digest: design.spec.digest(), groups, digests }
     }
 
     /// All vectors, in order.

@@ -8,8 +8,9 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{
     ACCURACY, ACCURACY_INPUT_FRACTION, Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, EXP_BITS, Form,
-    INPUT_FRACTION, InputRange, Inside, LOG_BITS, Language, Material, Memory, Method, OUTPUT_FRACTION, Operand,
-    PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, TUSER_BITS, Tail,
+    GoldenInputs, INPUT_FRACTION, InputRange, Inside, LOG_BITS, Language, Material, Memory, Method, OUTPUT_FRACTION,
+    Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, TUSER_BITS,
+    Tail,
 };
 use crate::error::Error;
 use crate::fit::Objective;
@@ -164,6 +165,11 @@ pub struct SpecFields {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tuser_bits: Option<u32>,
 
+    /// Inputs for the golden vectors besides those that are chosen: the codes of the input ports in order, CODE,CODE;CODE,CODE
+    #[arg(long, value_name = "INPUTS")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub golden_inputs: Option<GoldenInputs>,
+
     /// A named material, NAME=SHININESS; repeat for more. `in_n` is their index
     #[arg(long, value_name = "NAME=SHININESS")]
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -260,6 +266,7 @@ impl SpecFields {
             languages: self.languages.or(other.languages),
             axi_stream: self.axi_stream.or(other.axi_stream),
             tuser_bits: self.tuser_bits.or(other.tuser_bits),
+            golden_inputs: self.golden_inputs.or(other.golden_inputs),
             material: if set_here { self.material } else { other.material },
             shader: self.shader.or(other.shader),
         }
@@ -475,6 +482,7 @@ impl SpecFields {
             pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
             languages,
             axi_stream,
+            golden_inputs: self.golden_inputs.unwrap_or_default(),
         })
     }
 
@@ -522,6 +530,7 @@ impl SpecFields {
             // The keys are younger than specs that are compared by their digests.
             axi_stream: spec.axi_stream.map(|_| true),
             tuser_bits: spec.axi_stream,
+            golden_inputs: Some(spec.golden_inputs.clone()).filter(|inputs| !inputs.0.is_empty()),
             material,
             shader: shader.map(ShaderFields::from_shader).unwrap_or_default(),
         }
@@ -644,6 +653,9 @@ impl SpecFields {
         let mut flag = |name: &str, value: String| flags.push(format!("--{name} {value}"));
         if let Some(bits) = self.tuser_bits.filter(|bits| bits != TUSER_BITS.start()) {
             flag("tuser-bits", bits.to_string());
+        }
+        if let Some(inputs) = &self.golden_inputs {
+            flag("golden-inputs", format!("'{inputs}'"));
         }
         let (shader, plain) = (&self.shader, &defaults.shader);
         if let Some(model) = &shader.model {
@@ -806,6 +818,24 @@ mod tests {
         }
     }
 
+    /// As above; what the codes may be is for the design to say.
+    #[test]
+    fn golden_inputs_are_written_only_where_there_are_any() {
+        let base = "method = \"quadratic\"\nshininess = \"1..=1000\"\n";
+        let plain = parse(base).unwrap();
+        assert!(!plain.to_toml().contains("golden_inputs"));
+        assert_eq!(parse(&format!("{base}golden_inputs = []")).unwrap(), plain);
+        let spec = parse(&format!("{base}golden_inputs = [[4, 57395], [7, -3]]")).unwrap();
+        assert_eq!(spec.golden_inputs, "4,57395; 7, -3".parse().unwrap());
+        assert!(spec.to_toml().contains("golden_inputs = [[4, 57395], [7, -3]]\n"));
+        assert_eq!(parse(&spec.to_toml()).unwrap(), spec);
+        assert_ne!(spec.digest(), plain.digest());
+        assert_eq!(spec.flags().last().unwrap(), "--golden-inputs '4,57395;7,-3'");
+        for wrong in ["4,", "", "4;;5", "0x4,5", "9223372036854775808,1"] {
+            assert!(wrong.parse::<GoldenInputs>().unwrap_err().contains("is no code"), "{wrong}");
+        }
+    }
+
     #[test]
     fn every_wrong_value_is_named() {
         let base = "method = \"cubic\"\nshininess = \"1..=1000\"\n";
@@ -849,6 +879,8 @@ mod tests {
             (format!("{base}axi_stream = true\ntuser_bits = 0"), "tuser_bits = 0 is out of range"),
             (format!("{base}axi_stream = true\ntuser_bits = 65"), "from 1 to 64"),
             (format!("{base}axi_stream = 1"), "invalid type"),
+            (format!("{base}golden_inputs = [4, 57395]"), "invalid type"),
+            (format!("{base}golden_inputs = [[4, 1.5]]"), "invalid type"),
         ] {
             let message = message(&text);
             assert!(message.contains(expected), "{text}\n{message}\nexpected: {expected}");

@@ -4,6 +4,7 @@
 //! checks every value once. Nothing behind [`CoreSpec`] checks again.
 
 mod fields;
+mod golden_inputs;
 mod method;
 mod shader;
 mod shininess;
@@ -14,6 +15,7 @@ use sha2::{Digest, Sha256};
 
 pub use fields::SpecFields;
 pub(crate) use fields::{check_name, suggest, toml_error};
+pub use golden_inputs::GoldenInputs;
 pub use method::{Coefficients, Divider, Form, Inside, Memory, Method, Tail};
 pub(crate) use shader::unit;
 pub use shader::{
@@ -164,6 +166,8 @@ pub struct CoreSpec {
     pub languages: Vec<Language>,
     /// The bits of `tuser`, 1 to 64, if a wrapper with AXI4-Stream interfaces is written around the core.
     pub axi_stream: Option<u32>,
+    /// Inputs that the golden vectors hold besides those that are chosen for them.
+    pub golden_inputs: GoldenInputs,
 }
 
 impl CoreSpec {

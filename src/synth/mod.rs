@@ -10,7 +10,7 @@ mod pack;
 mod place;
 pub(crate) mod yosys;
 
-pub(crate) use mutate::{Mutated, mutated};
+pub(crate) use mutate::{Listed, Mutated, mutated, mutated_by};
 
 pub use family::Family;
 pub use pack::{Packed, pack};

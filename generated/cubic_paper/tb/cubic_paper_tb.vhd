@@ -1,7 +1,7 @@
 -- cubic_paper: specular lobe x^n as x(1 - u(A - a u)), cut, n = 1 to 1000, paper form
 --
--- Made by: brdfgen generate --method cubic --shininess 1..=1000 --form paper
--- Spec 16918f4592c43deb. Generated; the core is yours to use under any terms.
+-- Made by: brdfgen generate core.toml
+-- Spec e0f3ddabe55a74ea. Generated; the core is yours to use under any terms.
 --
 --   in_n      UQ10.0  shininess, 1 to 1000; outside: the nearest end
 --   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1

@@ -1,0 +1,73 @@
+//! Inputs that a core's golden vectors always hold.
+
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use crate::error::Error;
+use crate::number::Format;
+
+/// The most inputs that a spec may give.
+const MOST: usize = 4096;
+
+/// Inputs for the golden vectors, in order: each the codes of all input ports, in the ports' order, as numbers (negative for negative
+/// cosines).
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct GoldenInputs(pub Vec<Vec<i64>>);
+
+impl GoldenInputs {
+    /// Refuses what is not a code for each of these ports.
+    ///
+    /// # Errors
+    /// Names the input that is wrong, and what is allowed.
+    pub fn check(&self, ports: &[(&str, Format)]) -> Result<(), Error> {
+        if self.0.len() > MOST {
+            return Err(Error::input(
+                format!("{} golden_inputs are given", self.0.len()),
+                format!("at most {MOST} may be"),
+            ));
+        }
+        for (place, codes) in self.0.iter().enumerate() {
+            let number = place + 1;
+            if codes.len() != ports.len() {
+                let names: Vec<&str> = ports.iter().map(|(name, _)| *name).collect();
+                return Err(Error::input(
+                    format!("number {number} of golden_inputs has {} codes", codes.len()),
+                    format!("give one for each of the {} ports {}", ports.len(), names.join(", ")),
+                ));
+            }
+            for ((name, format), &code) in ports.iter().zip(codes) {
+                let (least, most) = (format.min_code(), format.max_code());
+                if !(least..=most).contains(&i128::from(code)) {
+                    return Err(Error::input(
+                        format!("number {number} of golden_inputs has the code {code} for {name}"),
+                        format!("the codes of {name} are {least} to {most}"),
+                    ));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+impl FromStr for GoldenInputs {
+    type Err = String;
+
+    /// Reads `CODE,CODE;CODE,CODE`: a comma between the codes of an input, a semicolon between inputs.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let code = |code: &str| {
+            let code = code.trim();
+            code.parse().map_err(|_| format!("`{code}` is no code; inputs are written CODE,CODE;CODE,CODE"))
+        };
+        let input = |input: &str| input.split(',').map(code).collect();
+        text.split(';').map(input).collect::<Result<_, _>>().map(Self)
+    }
+}
+
+impl std::fmt::Display for GoldenInputs {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let input = |codes: &Vec<i64>| codes.iter().map(i64::to_string).collect::<Vec<_>>().join(",");
+        f.write_str(&self.0.iter().map(input).collect::<Vec<_>>().join(";"))
+    }
+}
