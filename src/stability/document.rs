@@ -90,12 +90,8 @@ fn line(method: &str, entries: &[&Entry]) -> Line {
     let greatest = |key: &dyn Fn(&Inspection) -> f64| {
         found.iter().copied().reduce(|best, other| if key(other) > key(best) { other } else { best })
     };
-    let bits = |format: &str| -> f64 {
-        let digits = format.trim_start_matches(['U', 'Q']).split('.').filter_map(|part| part.parse::<f64>().ok());
-        digits.sum::<f64>() + f64::from(u8::from(!format.starts_with('U')))
-    };
     let largest = greatest(&|of| of.largest.largest);
-    let widest = greatest(&|of| bits(&of.widest.format));
+    let widest = greatest(&|of| f64::from(of.widest.width));
     let low = found.iter().map(|of| of.measured_ulps[0]).fold(0.0, f64::min);
     let high = found.iter().map(|of| of.measured_ulps[1]).fold(0.0, f64::max);
     Line {

@@ -6,7 +6,6 @@ use serde::Serialize;
 use super::EXTREMES;
 use super::inspect::Inspection;
 use crate::design::Design;
-use crate::error::Error;
 use crate::spec::{Method, SpecFields};
 
 /// What is varied, everything else at its usual value.
@@ -147,15 +146,11 @@ impl Case {
     pub fn inspect(&self) -> Entry {
         let case = self.clone();
         let design = SpecFields::parse(&self.spec, "spec").and_then(SpecFields::resolve).and_then(Design::new);
-        match design.and_then(|design| Inspection::of(&design)) {
-            Ok(found) => Entry { case, refused: None, found: Some(found) },
-            Err(error) => Entry { case, refused: Some(reason(&error)), found: None },
+        match design {
+            Ok(design) => Entry { case, refused: None, found: Some(Inspection::of(&design)) },
+            Err(error) => Entry { case, refused: Some(error.to_string()), found: None },
         }
     }
-}
-
-fn reason(error: &Error) -> String {
-    error.to_string()
 }
 
 /// All methods that are built as hardware.
