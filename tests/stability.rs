@@ -9,6 +9,7 @@ use brdfgen::design::sample::{Sample, random_codes};
 use brdfgen::hdl::Direction;
 use brdfgen::number::Dice;
 use brdfgen::spec::{Block, Method, SpecFields};
+use brdfgen::stability::document::{self, Study};
 use brdfgen::stability::inspect::Inspection;
 use brdfgen::stability::shader::{Proof, ShaderInspection};
 use brdfgen::stability::study::{self, Axis};
@@ -308,5 +309,35 @@ fn a_register_of_a_shader_with_a_bit_too_few_is_found() {
     }
     for part in ["front end", "root", "lobe", "colours"] {
         assert!(found_in.get(part).is_some_and(|&count| count >= 2), "{part}: {found_in:?}");
+    }
+}
+
+#[test]
+fn the_committed_study_is_current() {
+    let committed = |name: &str| {
+        std::fs::read_to_string(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/stability").join(name))
+            .unwrap()
+    };
+    let [chapter, table] = ["stability.md", "cores.csv"].map(committed);
+    for (axis, method, of_table) in [
+        (Axis::Shininess, Method::Lyon2, 2),
+        (Axis::Shininess, Method::Quadratic, 3),
+        (Axis::Output, Method::Squaring, 3),
+    ] {
+        let cases = study::cases(axis, &[method], false);
+        let is_whole = cases.len() == of_table;
+        let entries = cases.iter().take(of_table).map(study::Case::inspect).collect();
+        let study = Study { conditioning: Vec::new(), front_ends: Vec::new(), entries };
+        let files = document::files(&study).unwrap();
+        let text =
+            |name: &str| String::from_utf8(files.iter().find(|file| file.path == name).unwrap().bytes.clone()).unwrap();
+        assert_eq!(text("cores.csv").lines().count(), of_table + 1);
+        for line in text("cores.csv").lines() {
+            assert!(table.lines().any(|known| known == line), "not in docs/stability/cores.csv: {line}");
+        }
+        // The lines of methods in the tables of cores have twelve columns.
+        for line in text("stability.md").lines().filter(|line| is_whole && line.matches('|').count() == 13) {
+            assert!(chapter.lines().any(|known| known == line), "not in docs/stability/stability.md: {line}");
+        }
     }
 }
