@@ -27,7 +27,7 @@
 //! | [`transient`] | temporary files and started programs: none outlives a run |
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
 //! | [`scene`] | scene files, what a scene requires of a core, pictures |
-//! | [`stability`] | how cores hold up where forms degenerate: registers, ends, seams, every input |
+//! | [`stability`] | how cores hold up where forms degenerate: registers (of shaders too), ends, seams, every input |
 //! | [`report`] | charts as SVG and PNG; the trade as an HTML page |
 //! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
 //! | [`input`] | the user's files, read within limits |

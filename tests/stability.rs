@@ -5,8 +5,13 @@ use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::graph::{Graph, Op};
 use brdfgen::datapath::range::Analysis;
 use brdfgen::design::Design;
-use brdfgen::spec::{Method, SpecFields};
+use brdfgen::design::sample::{Sample, random_codes};
+use brdfgen::hdl::Direction;
+use brdfgen::number::Dice;
+use brdfgen::spec::{Block, Method, SpecFields};
+use brdfgen::stability::document::{self, Study};
 use brdfgen::stability::inspect::Inspection;
+use brdfgen::stability::shader::{Proof, ShaderInspection};
 use brdfgen::stability::study::{self, Axis};
 use rayon::prelude::*;
 
@@ -46,7 +51,7 @@ fn outputs(design: &Design, graph: &Graph) -> Vec<Vec<u32>> {
 fn no_needed_value_overflows_and_the_narrowed_graph_computes_the_same() {
     for spec in SPECS {
         let design = design(spec);
-        let found = Inspection::of(&design).expect(spec);
+        let found = Inspection::of(&design);
         assert_eq!(found.broken(), Vec::<String>::new(), "{spec}");
         // Once more, with everything that may be narrowed as wide as it can be: nothing but formats changes.
         let mut wide = design.graph().clone();
@@ -200,4 +205,139 @@ fn the_command_inspects_a_core_and_refuses_what_does_not_fit() {
     let text = std::fs::read_to_string(out.join("stability.md")).unwrap();
     assert!(text.contains("It holds for all of them") && text.contains("| squaring | 2 |"), "{text}");
     assert!(std::fs::read_to_string(out.join("cores.csv")).unwrap().lines().count() == 3);
+}
+
+const MATERIALS: &str = "
+[[material]]
+name = 'matt'
+shininess = 3
+diffuse = 0.9
+
+[[material]]
+name = 'steel'
+shininess = 200
+diffuse = 0.9
+specular = 0.9
+";
+
+/// Every way to the highlight's cosine with both sources of the lights' colours, and lobes of several kinds.
+const SHADERS: [(&str, &str); 6] = [
+    ("method = 'quadratic'", "model = 'blinn'\nfront = 'half'"),
+    ("method = 'cubic'", "model = 'blinn'\nfront = 'half'\nlight_colours = 'ports'\nlights = 2"),
+    ("method = 'cubic-rational'", "model = 'phong'"),
+    ("method = 'segmented-4'", "model = 'phong'\nlight_colours = 'ports'\nchannel_bits = 12"),
+    ("method = 'power-4'", "model = 'blinn'\nfront = 'sqrt'\nlights = 2"),
+    ("method = 'log-exp'", "model = 'blinn'\nfront = 'sqrt'\nlight_colours = 'ports'"),
+];
+
+fn shader_design((core, shader): (&str, &str)) -> Design {
+    design(&format!(
+        "block = 'shader'\n{core}\ninput_fraction = 10\noutput_fraction = 10\n[shader]\n{shader}\n{MATERIALS}"
+    ))
+}
+
+fn prove(design: &Design, graph: &Graph) -> Proof {
+    let Block::Shader(shader) = &design.spec.block else { panic!("a shader") };
+    Proof::of(&design.spec.shininess, shader, graph, design.tables())
+}
+
+#[test]
+fn no_value_of_a_shader_overflows() {
+    for text in SHADERS {
+        let design = shader_design(text);
+        let Block::Shader(shader) = &design.spec.block else { panic!("a shader") };
+        let found = ShaderInspection::of(&design, shader);
+        assert_eq!(found.broken(), Vec::<String>::new(), "{text:?}");
+        let parts = |name: &str| found.parts.iter().filter(|part| part.name.starts_with(name)).count();
+        let lights = shader.lights as usize;
+        let roots = if text.1.contains("sqrt") { lights } else { 0 };
+        assert_eq!([parts("front end"), parts("root"), parts("lobe"), parts("colours")], [lights, roots, lights, 1]);
+        // What random inputs make of the outputs lies in the ranges.
+        let graph = design.graph();
+        let proof = prove(&design, graph);
+        let ports = design.numbers(Direction::In);
+        let mut dice = Dice::new(1);
+        for _ in 0..500 {
+            let codes: Vec<i128> = random_codes(&ports, &mut dice).into_iter().map(i128::from).collect();
+            let values = graph.values(design.tables(), &codes);
+            for &(_, id) in &graph.outputs {
+                assert!(proof.ranges.needed[id].unwrap().contains(values[id]), "{text:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_register_of_a_shader_with_a_bit_too_few_is_found() {
+    let mut found_in = std::collections::BTreeMap::new();
+    for text in SHADERS {
+        let design = shader_design(text);
+        let Block::Shader(shader) = &design.spec.block else { panic!("a shader") };
+        let mut dice = Dice::new(1);
+        let samples: Vec<Vec<i128>> = (0..200)
+            .map(|place| {
+                let sample = Sample::random(shader, place % 2, 3.0, &mut dice).codes(shader);
+                sample.into_iter().map(i128::from).collect()
+            })
+            .collect();
+        let outputs = |graph: &Graph| -> Vec<Vec<i128>> {
+            let of = |codes: &Vec<i128>| {
+                let values = graph.values(design.tables(), codes);
+                graph.outputs.iter().map(|&(_, id)| values[id]).collect()
+            };
+            samples.iter().map(of).collect()
+        };
+        let right = outputs(design.graph());
+        let is_sum = |id: &usize| matches!(design.graph().nodes[*id].op, Op::Add | Op::Sub);
+        for id in (0..design.graph().nodes.len()).filter(is_sum).step_by(2) {
+            let mut graph = design.graph().clone();
+            let is_address = graph.nodes.iter().any(|user| matches!(user.op, Op::Field { .. }) && user.args[0] == id);
+            let node = &mut graph.nodes[id];
+            if node.format.width() < 2 || is_address {
+                continue;
+            }
+            node.format.int_bits -= 1;
+            let name = node.name.clone();
+            let proof = prove(&design, &graph);
+            let overflow = proof.overflows.iter().find(|(node, _)| *node == id);
+            assert!(!proof.is_safe() || outputs(&graph) == right, "{text:?}: {name}");
+            if let Some((_, what)) = overflow {
+                let part = what.split('"').nth(1).unwrap().split(" of ").next().unwrap().to_owned();
+                *found_in.entry(part).or_insert(0) += 1;
+            }
+        }
+    }
+    for part in ["front end", "root", "lobe", "colours"] {
+        assert!(found_in.get(part).is_some_and(|&count| count >= 2), "{part}: {found_in:?}");
+    }
+}
+
+#[test]
+fn the_committed_study_is_current() {
+    let committed = |name: &str| {
+        std::fs::read_to_string(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/stability").join(name))
+            .unwrap()
+    };
+    let [chapter, table] = ["stability.md", "cores.csv"].map(committed);
+    for (axis, method, of_table) in [
+        (Axis::Shininess, Method::Lyon2, 2),
+        (Axis::Shininess, Method::Quadratic, 3),
+        (Axis::Output, Method::Squaring, 3),
+    ] {
+        let cases = study::cases(axis, &[method], false);
+        let is_whole = cases.len() == of_table;
+        let entries = cases.iter().take(of_table).map(study::Case::inspect).collect();
+        let study = Study { conditioning: Vec::new(), front_ends: Vec::new(), entries };
+        let files = document::files(&study).unwrap();
+        let text =
+            |name: &str| String::from_utf8(files.iter().find(|file| file.path == name).unwrap().bytes.clone()).unwrap();
+        assert_eq!(text("cores.csv").lines().count(), of_table + 1);
+        for line in text("cores.csv").lines() {
+            assert!(table.lines().any(|known| known == line), "not in docs/stability/cores.csv: {line}");
+        }
+        // The lines of methods in the tables of cores have twelve columns.
+        for line in text("stability.md").lines().filter(|line| is_whole && line.matches('|').count() == 13) {
+            assert!(chapter.lines().any(|known| known == line), "not in docs/stability/stability.md: {line}");
+        }
+    }
 }

@@ -7,11 +7,13 @@ use serde_json::json;
 
 use super::source::Source;
 use super::{Verdict, progress, say, say_json};
+use crate::design::Design;
 use crate::error::Error;
 use crate::package;
-use crate::spec::Method;
+use crate::spec::{Block, Method, Shader};
 use crate::stability::document::{self, Study};
-use crate::stability::inspect::Inspection;
+use crate::stability::inspect::{Inspection, Signal};
+use crate::stability::shader::ShaderInspection;
 use crate::stability::study::{self, Axis, Entry};
 use crate::stability::{EXTREMES, conditioning, quantisation};
 
@@ -110,8 +112,11 @@ fn broken_of(entry: &Entry) -> Vec<String> {
 
 fn one(arguments: &Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
+    if let Block::Shader(shader) = &design.spec.block {
+        return one_shader(arguments, &design, shader);
+    }
     let spinner = progress::spinner("every input".to_owned());
-    let found = Inspection::of(&design)?;
+    let found = Inspection::of(&design);
     spinner.finish_and_clear();
     let broken = found.broken();
     if arguments.json {
@@ -119,15 +124,9 @@ fn one(arguments: &Arguments) -> Result<Verdict, Error> {
         return Ok(Verdict::of(broken.is_empty()));
     }
     say(format!("{}: {} rows, {} inputs", found.core, found.rows, found.inputs));
-    let proof =
-        if found.overflows.is_empty() && found.undecided.is_empty() { "no needed value overflows" } else { "NOT SAFE" };
-    say(format!("  ranges        {proof}; proved in {} blocks of inputs", found.blocks));
+    say(format!("  ranges        {}, in {} blocks of inputs", proof(&found.overflows, &found.undecided), found.blocks));
     say(format!("  wide registers {} results differ", found.wide_differences));
-    let signal = |what: &str, signal: &crate::stability::inspect::Signal| {
-        format!("  {what} {} {}, up to {}", signal.name, signal.format, signal.largest)
-    };
-    say(signal("largest value", &found.largest));
-    say(signal("widest value ", &found.widest));
+    say_signals(&found.largest, &found.widest);
     for narrowed in &design.narrowed {
         say(format!("  narrowed      {} {} -> {}", narrowed.name, narrowed.from, narrowed.to));
     }
@@ -141,11 +140,44 @@ fn one(arguments: &Arguments) -> Result<Verdict, Error> {
         found.at_zero, found.below_one, found.above_one
     ));
     for (what, worst) in [("largest fall ", found.fall), ("largest seam ", found.seam)] {
-        say(format!("  {what} {:.3} ulps at n = {}, x = {}", worst.ulps, worst.shininess, worst.cosine));
+        match worst.ulps {
+            0.0 => say(format!("  {what} none")),
+            ulps => say(format!("  {what} {ulps:.3} ulps at n = {}, x = {}", worst.shininess, worst.cosine)),
+        }
     }
     for place in &found.places {
         say(format!("  at {:<13} {:.3} ulps off x^n at most (n = {})", place.name, place.ulps, place.shininess));
     }
+    broken.iter().for_each(|what| say(format!("FAIL {what}")));
+    Ok(Verdict::of(broken.is_empty()))
+}
+
+fn proof(overflows: &[String], undecided: &[String]) -> &'static str {
+    if overflows.is_empty() && undecided.is_empty() { "proved that no needed value overflows" } else { "NOT SAFE" }
+}
+
+fn say_signals(largest: &Signal, widest: &Signal) {
+    for (what, signal) in [("largest value", largest), ("widest value ", widest)] {
+        say(format!("  {what} {} {}, up to {}", signal.name, signal.format, signal.largest));
+    }
+}
+
+fn one_shader(arguments: &Arguments, design: &Design, shader: &Shader) -> Result<Verdict, Error> {
+    let spinner = progress::spinner("the shader's parts".to_owned());
+    let found = ShaderInspection::of(design, shader);
+    spinner.finish_and_clear();
+    let broken = found.broken();
+    if arguments.json {
+        say_json(&json!({ "core": found, "broken": broken }));
+        return Ok(Verdict::of(broken.is_empty()));
+    }
+    say(format!("{}: {} materials, {} lights; too many inputs to run all", found.core, found.rows, shader.lights));
+    say(format!("  ranges        {}, part by part", proof(&found.overflows, &found.undecided)));
+    for part in &found.parts {
+        say(format!("    {:<22} {} blocks of inputs", part.name, part.blocks));
+    }
+    say(format!("  wide registers {} results differ, of {} inputs run", found.wide_differences, found.samples));
+    say_signals(&found.largest, &found.widest);
     broken.iter().for_each(|what| say(format!("FAIL {what}")));
     Ok(Verdict::of(broken.is_empty()))
 }

@@ -33,7 +33,7 @@ impl Span {
 
     /// Every code of a format.
     #[must_use]
-    pub fn all(format: Format) -> Self {
+    pub const fn of(format: Format) -> Self {
         Self { low: format.min_code(), high: format.max_code() }
     }
 
@@ -46,7 +46,13 @@ impl Span {
     /// Whether every code of it is one of the format's.
     #[must_use]
     pub fn fits(self, format: Format) -> bool {
-        format.min_code() <= self.low && self.high <= format.max_code()
+        Self::of(format).holds(self)
+    }
+
+    /// Whether all of the other span is in it.
+    #[must_use]
+    pub fn holds(self, other: Self) -> bool {
+        self.low <= other.low && other.high <= self.high
     }
 
     /// Whether the code is one of it.
@@ -86,10 +92,8 @@ impl Span {
         (self.high - self.low) as u128 + 1
     }
 
-    /// Two halves of a span of more than one code.
-    fn halves(self) -> [Self; 2] {
-        let middle = self.low + (self.high - self.low) / 2;
-        [Self { low: self.low, high: middle }, Self { low: middle + 1, high: self.high }]
+    fn middle(self) -> i128 {
+        self.low + (self.high - self.low) / 2
     }
 
     /// The integer bits, sign not counted, of the narrowest format that holds it.
@@ -149,28 +153,40 @@ struct Complement {
     added: Option<NodeId>,
 }
 
+/// A step of a restoring division: `2r - d`, of which the sign selects between `2r` and the difference. Plain intervals lose that what is
+/// selected is at most d, as r was.
+#[derive(Clone, Copy, Debug)]
+struct Restoring {
+    doubled: NodeId,
+    divisor: NodeId,
+    /// The `2r - d` of the step before.
+    before: Option<NodeId>,
+}
+
 /// Inputs: the codes of each port.
 pub type Region = Vec<Span>;
 
-/// The whole of a core's inputs, row by row: the codes of the first port that read the same row, and every code of the other ports. What
-/// lies between two rows of a memory reads the one below: all of it goes together.
+/// The whole of a graph's inputs, row by row: the codes of the first port, of format `index`, that read the same row, and what the other
+/// ports take. What lies between two rows of a memory reads the one below: all of it goes together.
 #[must_use]
-pub fn regions(graph: &Graph, row_of_index: impl Fn(u32) -> usize) -> Vec<Region> {
-    let formats = graph.inputs.iter().map(|&id| graph.nodes[id].format);
-    let whole: Region = formats.map(Span::all).collect();
+pub fn by_rows(index: Format, others: &[Span], row_of_index: impl Fn(u32) -> usize) -> Vec<Region> {
     let mut regions: Vec<(usize, Region)> = Vec::new();
-    for code in 0..=whole[0].high {
+    for code in 0..=index.max_code() {
         let row = row_of_index(code as u32);
         match regions.last_mut() {
             Some((last, region)) if *last == row => region[0].high = code,
-            _ => {
-                let mut region = whole.clone();
-                region[0] = Span::point(code);
-                regions.push((row, region));
-            }
+            _ => regions.push((row, std::iter::once(Span::point(code)).chain(others.iter().copied()).collect())),
         }
     }
     regions.into_iter().map(|(_, region)| region).collect()
+}
+
+/// [`by_rows`] of a core, with every code of the other ports.
+#[must_use]
+pub fn regions(graph: &Graph, row_of_index: impl Fn(u32) -> usize) -> Vec<Region> {
+    let formats: Vec<Format> = graph.inputs.iter().map(|&id| graph.nodes[id].format).collect();
+    let others: Vec<Span> = formats[1..].iter().map(|&format| Span::of(format)).collect();
+    by_rows(formats[0], &others, row_of_index)
 }
 
 /// A value that got fewer bits.
@@ -192,7 +208,7 @@ impl Narrowed {
     }
 }
 
-/// What is known in a block of inputs.
+/// What is known in a block of inputs, of the nodes that are looked at.
 #[derive(Clone, Debug)]
 struct Block {
     /// The exact values of each node, before they are taken into the node's format.
@@ -200,6 +216,20 @@ struct Block {
     /// The codes of each node.
     codes: Vec<Span>,
     needed: Vec<bool>,
+    /// Of each `2r - d` whether r is at most d, and so the difference, too.
+    restores: Vec<bool>,
+}
+
+impl Block {
+    /// Room for this many nodes.
+    fn of(nodes: usize) -> Self {
+        Self {
+            exact: vec![Span::point(0); nodes],
+            codes: vec![Span::point(0); nodes],
+            needed: vec![false; nodes],
+            restores: vec![false; nodes],
+        }
+    }
 }
 
 /// A needed value that leaves its format.
@@ -207,7 +237,7 @@ struct Block {
 pub struct Overflow {
     /// The node.
     pub node: NodeId,
-    /// The codes at the input ports.
+    /// The codes at the ports of what was analysed.
     pub inputs: Vec<i128>,
     /// The exact value, in units of the node's last bit.
     pub value: i128,
@@ -230,7 +260,9 @@ pub struct Ranges {
 }
 
 impl Ranges {
-    fn none(nodes: usize) -> Self {
+    /// What is found over no input of a graph of so many nodes.
+    #[must_use]
+    pub fn none(nodes: usize) -> Self {
         let (needed, dropped) = (vec![None; nodes], vec![None; nodes]);
         Self { needed, dropped, undecided: vec![false; nodes], overflows: Vec::new(), blocks: 0 }
     }
@@ -241,7 +273,7 @@ impl Ranges {
 
     /// What is found over two sets of inputs together; the overflows of `self` come first.
     #[must_use]
-    fn and(mut self, other: Self) -> Self {
+    pub fn and(mut self, other: Self) -> Self {
         for (id, span) in other.needed.into_iter().enumerate() {
             if let Some(span) = span {
                 self.hold(id, span);
@@ -275,35 +307,92 @@ impl Ranges {
     }
 }
 
-/// Analyses a graph with given memories.
+/// Analyses a graph, or a part of one, with given memories.
 #[derive(Clone, Debug)]
 pub struct Analysis<'a> {
     graph: &'a Graph,
+    /// The nodes that the part's results depend on, from its ports on; arguments before results.
+    nodes: Vec<NodeId>,
+    /// For each node that is a port of the part its place among these.
+    ports: Vec<Option<usize>>,
+    /// The part's results: always needed.
+    results: Vec<NodeId>,
+    /// Whether blocks are halved until it is known which bits the values use, not only whether they fit.
+    is_tight: bool,
     /// For each node that is a field its codes' extremes.
     extremes: Vec<Option<Extremes>>,
-    /// For each node the format that its exact value must fit: the node's own, with the bits that a cast drops and other nodes take.
-    room: Vec<Format>,
+    /// For each node the format that its exact value must fit, and the codes of that: the node's own, with the bits that a cast drops and
+    /// other nodes take.
+    room: Vec<(Format, Span)>,
     /// Casts whose value is looked at only where it is not negative.
     guarded: Vec<bool>,
     complements: Vec<Option<Complement>>,
+    restoring: Vec<Option<Restoring>>,
+    /// For each node that is the `2r` of a step of a restoring division, looked at only where it is less than d: the `2r - d`.
+    kept: Vec<Option<NodeId>>,
 }
 
 impl<'a> Analysis<'a> {
-    /// Prepares a graph.
+    /// Prepares a graph, from its input ports to its outputs.
     #[must_use]
     pub fn new(graph: &'a Graph, tables: &[Table]) -> Self {
+        let outputs: Vec<NodeId> = graph.outputs.iter().map(|&(_, node)| node).collect();
+        Self { is_tight: true, ..Self::of_part(graph, tables, &graph.inputs, &outputs) }
+    }
+
+    /// Prepares the part of a graph between `ports`, which are any nodes, and `results`: a port takes what a region says of it, whatever
+    /// makes it in the graph. Where the regions hold what the ports take in the graph, so does what is found of the part. Blocks are
+    /// halved only until it is known whether values fit.
+    ///
+    /// # Panics
+    /// In [`Analysis::over`] if a result depends on an input of the graph that is no port of the part.
+    #[must_use]
+    pub fn of_part(graph: &'a Graph, tables: &[Table], ports: &[NodeId], results: &[NodeId]) -> Self {
         let ids = 0..graph.nodes.len();
-        let extremes = graph.nodes.iter().map(|node| match node.op {
-            Op::Field { memory, field } => Some(Extremes::of(&tables[memory], field)),
-            _ => None,
-        });
-        Self {
-            graph,
-            extremes: extremes.collect(),
-            room: ids.clone().map(|id| room(graph, id)).collect(),
-            guarded: ids.clone().map(|id| is_guarded_by_sign(graph, id)).collect(),
-            complements: ids.map(|id| complement(graph, id)).collect(),
+        let place = |id: NodeId| ports.iter().position(|&port| port == id);
+        let ports: Vec<Option<usize>> = ids.clone().map(place).collect();
+        let mut seen = vec![false; graph.nodes.len()];
+        results.iter().for_each(|&id| seen[id] = true);
+        for id in ids.clone().rev() {
+            if seen[id] && ports[id].is_none() {
+                graph.nodes[id].args.iter().for_each(|&arg| seen[arg] = true);
+            }
         }
+        let extremes = |id: NodeId| match graph.nodes[id].op {
+            Op::Field { memory, field } if seen[id] && ports[id].is_none() => {
+                Some(Extremes::of(&tables[memory], field))
+            }
+            _ => None,
+        };
+        let with_codes = |format: Format| (format, Span::of(format));
+        let is_inside = |id: NodeId| seen[id] && ports[id].is_none();
+        let complement = |id: NodeId| {
+            let found = complement(graph, id)?;
+            [found.product, found.x, found.p, found.floor].into_iter().all(|id| seen[id]).then_some(found)
+        };
+        let kept = |id: NodeId| kept_where_less(graph, id).filter(|&trial| is_inside(trial));
+        let restoring = |id: NodeId| {
+            let found = restoring(graph, id)?;
+            Some(Restoring { before: found.before.filter(|&trial| is_inside(trial)), ..found })
+        };
+        Self {
+            extremes: ids.clone().map(extremes).collect(),
+            room: ids.clone().map(|id| with_codes(if seen[id] { room(graph, id) } else { Format::FLAG })).collect(),
+            guarded: ids.clone().map(|id| is_inside(id) && is_guarded_by_sign(graph, id)).collect(),
+            complements: ids.clone().map(|id| is_inside(id).then(|| complement(id)).flatten()).collect(),
+            restoring: ids.clone().map(|id| is_inside(id).then(|| restoring(id)).flatten()).collect(),
+            kept: ids.clone().map(|id| is_inside(id).then(|| kept(id)).flatten()).collect(),
+            nodes: ids.filter(|&id| seen[id]).collect(),
+            results: results.to_vec(),
+            is_tight: false,
+            graph,
+            ports,
+        }
+    }
+
+    /// The nodes whose values are computed here: all that the results depend on, without the ports.
+    pub fn computed(&self) -> impl Iterator<Item = NodeId> + '_ {
+        self.nodes.iter().copied().filter(|&id| self.ports[id].is_none())
     }
 
     /// What the nodes take over these regions, looking at no more than about `most_blocks` blocks in each.
@@ -319,41 +408,46 @@ impl<'a> Analysis<'a> {
         let mut found = Ranges::none(nodes);
         // What single inputs show is certain; a block tells more than these only by needing more bits.
         let mut certain = Ranges::none(nodes);
-        for end in [|span: &Span| span.low, |span: &Span| span.high, |span: &Span| (span.low + span.high) / 2] {
-            self.point(&region.iter().map(end).collect::<Vec<_>>(), &mut certain);
+        let mut block = Block::of(nodes);
+        for end in [|span: &Span| span.low, |span: &Span| span.high, |span: &Span| span.middle()] {
+            self.point(region.iter().map(end), &mut block, &mut certain);
         }
         let mut open = vec![region.clone()];
-        while let Some(inputs) = open.pop() {
+        while let Some(mut inputs) = open.pop() {
             found.blocks += 1;
-            let block = self.block(&inputs);
+            self.look(&inputs, &mut block);
             let is_point = inputs.iter().all(|span| span.is_point());
+            if is_point {
+                self.hold(&block, &mut certain);
+            }
             if is_point || found.blocks > most_blocks || !self.is_open(&block, &certain) {
                 self.accept(&block, &inputs, is_point, &mut found);
                 continue;
             }
-            let halves = self.split(&inputs, region);
-            self.point(&halves[0].iter().map(|span| span.high).collect::<Vec<_>>(), &mut certain);
-            // The lower half is looked at first.
-            open.extend(halves.into_iter().rev());
+            let port = Self::widest(&inputs, region);
+            let mut upper = inputs.clone();
+            let middle = inputs[port].middle();
+            (inputs[port].high, upper[port].low) = (middle, middle + 1);
+            // A single input is looked at next.
+            if !inputs.iter().all(|span| span.is_point()) {
+                self.point(inputs.iter().map(|span| span.high), &mut block, &mut certain);
+            }
+            open.extend([upper, inputs]);
         }
         found
     }
 
-    /// Halves the port that has been halved least.
-    fn split(&self, inputs: &Region, region: &Region) -> [Region; 2] {
+    /// The port that has been halved least.
+    fn widest(inputs: &Region, region: &Region) -> usize {
         let part = |port: usize| inputs[port].count() as f64 / region[port].count() as f64;
         let candidates = (0..inputs.len()).filter(|&port| !inputs[port].is_point());
-        let port = candidates.max_by(|&a, &b| part(a).total_cmp(&part(b))).expect("more than one input");
-        inputs[port].halves().map(|half| {
-            let mut inputs = inputs.clone();
-            inputs[port] = half;
-            inputs
-        })
+        candidates.max_by(|&a, &b| part(a).total_cmp(&part(b))).expect("more than one input")
     }
 
     /// Whether halving the block may tell more.
     fn is_open(&self, block: &Block, certain: &Ranges) -> bool {
-        self.graph.nodes.iter().enumerate().any(|(id, node)| {
+        self.nodes.iter().any(|&id| {
+            let node = &self.graph.nodes[id];
             if !block.needed[id] {
                 return false;
             }
@@ -362,16 +456,17 @@ impl<'a> Analysis<'a> {
             }
             let bits = |span: Span| span.int_bits(node.format.frac_bits);
             let taken = self.taken(id, block);
-            can_narrow(node.op) && certain.needed[id].is_none_or(|known| bits(taken) > bits(known.hull(Span::point(0))))
+            let uses_more = |known: Span| !known.holds(taken) && bits(taken) > bits(known.hull(Span::point(0)));
+            self.is_tight && can_narrow(node.op) && certain.needed[id].is_none_or(uses_more)
         })
     }
 
     fn accept(&self, block: &Block, inputs: &Region, is_point: bool, found: &mut Ranges) {
-        for (id, node) in self.graph.nodes.iter().enumerate().filter(|&(id, _)| block.needed[id]) {
+        for &id in self.nodes.iter().filter(|&&id| block.needed[id]) {
             let exact = block.exact[id];
             found.hold(id, self.taken(id, block));
             if self.keeps(id, exact, found.dropped[id]) {
-                if node.op == Op::Cast {
+                if self.graph.nodes[id].op == Op::Cast {
                     found.dropped[id] = self.dropped(id, exact);
                 }
             } else if is_point {
@@ -391,7 +486,10 @@ impl<'a> Analysis<'a> {
 
     /// The bits of a value above its room, as a number, if they are the same all over the span.
     fn dropped(&self, id: NodeId, exact: Span) -> Option<i128> {
-        let room = self.room[id];
+        let (room, codes) = self.room[id];
+        if codes.holds(exact) {
+            return Some(0);
+        }
         let part = |code: i128| (code - room.wrap(code)) >> room.width();
         (part(exact.low) == part(exact.high)).then(|| part(exact.low))
     }
@@ -404,10 +502,16 @@ impl<'a> Analysis<'a> {
         }
     }
 
-    fn point(&self, inputs: &[i128], certain: &mut Ranges) {
-        let block = self.block(&inputs.iter().map(|&code| Span::point(code)).collect());
-        for id in (0..self.graph.nodes.len()).filter(|&id| block.needed[id]) {
-            certain.hold(id, self.taken(id, &block));
+    /// Looks at one input.
+    fn point(&self, inputs: impl Iterator<Item = i128>, block: &mut Block, certain: &mut Ranges) {
+        self.look(&inputs.map(Span::point).collect(), block);
+        self.hold(block, certain);
+    }
+
+    /// Takes over what the block of one input shows.
+    fn hold(&self, block: &Block, certain: &mut Ranges) {
+        for &id in self.nodes.iter().filter(|&&id| block.needed[id]) {
+            certain.hold(id, self.taken(id, block));
             if self.graph.nodes[id].op == Op::Cast {
                 certain.dropped[id] = certain.dropped[id].or(self.dropped(id, block.exact[id]));
             }
@@ -417,33 +521,46 @@ impl<'a> Analysis<'a> {
     /// For each node a span that holds its code for every input of a region, whether it is needed or not.
     #[must_use]
     pub fn codes(&self, region: &Region) -> Vec<Span> {
-        self.forward(region, |_| false).codes
+        let mut block = Block::of(self.graph.nodes.len());
+        block.codes = self.graph.nodes.iter().map(|node| Span::of(node.format)).collect();
+        for &id in &self.nodes {
+            block.exact[id] = self.value(id, region, &block);
+            block.codes[id] = wrapped(block.exact[id], self.graph.nodes[id].format);
+        }
+        block.codes
     }
 
-    /// The values of a block, with those that are guarded known not to be negative.
-    fn forward(&self, inputs: &Region, is_guarded: impl Fn(NodeId) -> bool) -> Block {
-        let count = self.graph.nodes.len();
-        let mut block =
-            Block { exact: Vec::with_capacity(count), codes: Vec::with_capacity(count), needed: vec![false; count] };
-        for (id, node) in self.graph.nodes.iter().enumerate() {
-            let mut exact = self.exact(id, node, inputs, &block);
-            if is_guarded(id) {
+    /// What a node takes, given what its arguments do.
+    fn value(&self, id: NodeId, inputs: &Region, block: &Block) -> Span {
+        self.ports[id].map_or_else(|| self.exact(id, &self.graph.nodes[id], block), |port| inputs[port])
+    }
+
+    /// Follows a block of inputs through the operations.
+    fn look(&self, inputs: &Region, block: &mut Block) {
+        for &id in &self.nodes {
+            let node = &self.graph.nodes[id];
+            let mut exact = self.value(id, inputs, block);
+            if self.guarded[id] {
                 exact = exact.map(|code| code.max(0));
             }
-            block.exact.push(exact);
-            block.codes.push(wrapped(exact, node.format));
+            if let (Some(step), false) = (self.restoring[id], exact.is_point()) {
+                block.restores[id] = self.restores(step, block);
+                if block.restores[id] {
+                    exact.high = exact.high.min(self.aligned(step.divisor, node.format, block).high);
+                }
+            }
+            if let (Some(trial), false) = (self.kept[id], exact.is_point()) {
+                let divisor = self.restoring[trial].expect("a step").divisor;
+                // Below the divisor by a last bit of the finer at least.
+                exact.high = exact.high.min(self.aligned(divisor, node.format, block).high);
+            }
+            block.exact[id] = exact;
+            block.codes[id] = wrapped(exact, node.format);
+            block.needed[id] = false;
         }
-        block
-    }
-
-    fn block(&self, inputs: &Region) -> Block {
-        let count = self.graph.nodes.len();
-        let mut block = self.forward(inputs, |id| self.guarded[id]);
-        for (_, output) in &self.graph.outputs {
-            block.needed[*output] = true;
-        }
-        for id in (0..count).rev() {
-            if !block.needed[id] {
+        self.results.iter().for_each(|&result| block.needed[result] = true);
+        for &id in self.nodes.iter().rev() {
+            if !block.needed[id] || self.ports[id].is_some() {
                 continue;
             }
             let node = &self.graph.nodes[id];
@@ -463,11 +580,25 @@ impl<'a> Analysis<'a> {
                 block.needed[arg] |= Some(place) != unused;
             }
         }
-        block
+    }
+
+    /// The codes of a node with as many fraction bits as a format has, which are no fewer.
+    fn aligned(&self, id: NodeId, format: Format, block: &Block) -> Span {
+        block.codes[id].map(|code| code << (format.frac_bits - self.graph.nodes[id].format.frac_bits))
+    }
+
+    /// Whether r is at most d in a step: it was in the step before, or the whole block says so.
+    fn restores(&self, step: Restoring, block: &Block) -> bool {
+        if step.before.is_some_and(|before| block.restores[before]) {
+            return true;
+        }
+        let [doubled, divisor] = [step.doubled, step.divisor].map(|id| self.graph.nodes[id].format);
+        let finer = if doubled.frac_bits > divisor.frac_bits { doubled } else { divisor };
+        self.aligned(step.doubled, finer, block).high <= 2 * self.aligned(step.divisor, finer, block).low
     }
 
     /// The exact values of a node, given its arguments' codes.
-    fn exact(&self, id: NodeId, node: &Node, inputs: &Region, block: &Block) -> Span {
+    fn exact(&self, id: NodeId, node: &Node, block: &Block) -> Span {
         let arg = |place: usize| block.codes[node.args[place]];
         let frac = |place: usize| self.graph.nodes[node.args[place]].format.frac_bits;
         let aligned = |place: usize| arg(place).map(|code| code << (node.format.frac_bits - frac(place)));
@@ -476,7 +607,7 @@ impl<'a> Analysis<'a> {
             None => Span { low: 0, high: 1 },
         };
         match node.op {
-            Op::Input => inputs[self.graph.port(id)],
+            Op::Input => panic!("{} is no port of the part", node.name),
             Op::Field { .. } => self.extremes[id].as_ref().expect("a field has extremes").over(arg(0)),
             Op::Constant(code) => Span::point(code),
             Op::Clamp { low, high } => arg(0).map(|code| code.clamp(low, high)),
@@ -607,7 +738,7 @@ impl<'a> Analysis<'a> {
     }
 
     /// The graph with registers in which nothing can overflow unseen: sums, differences, products, shifts and casts get a sign and eight
-    /// integer bits more. Where no needed value leaves its format, its outputs are those of the graph itself; so running both over every
+    /// integer bits more, or as many as make them 62 bits wide, which are evaluated faster than more. Where no needed value leaves its format, its outputs are those of the graph itself; so running both over every
     /// input checks an analysis that found none. What casts drop on purpose, as `ranges` tells, they drop here too.
     #[must_use]
     pub fn with_spare_bits(&self, ranges: &Ranges) -> Graph {
@@ -624,15 +755,17 @@ impl<'a> Analysis<'a> {
             };
             kept.iter().for_each(|&arg| stays[arg] = true);
         }
+        // Two bits more than any value has are enough to see a carry out of it and its sign.
+        let most = if graph.nodes.iter().all(|node| node.format.width() <= 59) { 61 } else { 126 };
         for (id, node) in graph.nodes.iter_mut().enumerate() {
             let widened = match node.op {
                 _ if stays[id] => false,
                 Op::Add | Op::Sub | Op::Mul | Op::ShiftLeft => true,
-                Op::Cast => self.room[id] == node.format && matches!(ranges.dropped[id], None | Some(0)),
+                Op::Cast => self.room[id].0 == node.format && matches!(ranges.dropped[id], None | Some(0)),
                 _ => false,
             };
             if widened {
-                let int_bits = (node.format.int_bits + SPARE_BITS).min(126 - node.format.frac_bits);
+                let int_bits = (node.format.int_bits + SPARE_BITS).min(most - node.format.frac_bits);
                 node.format = Format { signed: true, int_bits, ..node.format };
             }
         }
@@ -711,13 +844,71 @@ fn is_guarded_by_sign(graph: &Graph, id: NodeId) -> bool {
     if node.op != Op::Cast || node.format.signed || !graph.nodes[node.args[0]].format.signed || graph.is_output(id) {
         return false;
     }
-    let takes_sign = |flag: NodeId| {
-        graph.nodes[flag].op == Op::Cast && graph.nodes[flag].args[0] == node.args[0] && room(graph, flag).signed
-    };
     let mut users = graph.nodes.iter().filter(|user| user.args.contains(&id)).peekable();
     users.peek().is_some()
-        && users
-            .all(|user| user.op == Op::Select && takes_sign(user.args[0]) && user.args[1] != id && user.args[2] == id)
+        && users.all(|user| {
+            user.op == Op::Select
+                && takes_sign(graph, user.args[0], node.args[0])
+                && user.args[1] != id
+                && user.args[2] == id
+        })
+}
+
+/// Whether a node is the `2r - d` of a step of a restoring division.
+fn restoring(graph: &Graph, id: NodeId) -> Option<Restoring> {
+    let of = |id: NodeId| &graph.nodes[id];
+    let [doubled, divisor] = of(id).args[..] else { return None };
+    if of(id).op != Op::Sub || of(doubled).op != Op::Scale {
+        return None;
+    }
+    // r is what a step before selects, or anything.
+    let step_before = || {
+        let remainder = of(doubled).args[0];
+        let [flag, kept, less] = of(remainder).args[..] else { return None };
+        let (Op::Select, Op::Cast) = (of(remainder).op, of(less).op) else { return None };
+        let trial = of(less).args[0];
+        let is_step = of(trial).op == Op::Sub
+            && of(trial).args[1] == divisor
+            && takes_sign(graph, flag, trial)
+            && of(kept).op == Op::Cast
+            && of(kept).args[0] == of(trial).args[0]
+            && [kept, less].iter().all(|&id| of(id).format.frac_bits == of(trial).format.frac_bits)
+            && of(of(trial).args[0]).op == Op::Scale;
+        is_step.then_some(trial)
+    };
+    // Twice what is scaled: the binary point is one place further.
+    let is_twice = of(doubled).format.frac_bits + 1 == of(of(doubled).args[0]).format.frac_bits;
+    is_twice.then(|| Restoring { doubled, divisor, before: step_before() })
+}
+
+/// Whether a node is an unsigned cast of the `2r` of a step of a restoring division, used only as what is selected where the step's
+/// difference is negative: that difference.
+fn kept_where_less(graph: &Graph, id: NodeId) -> Option<NodeId> {
+    let of = |id: NodeId| &graph.nodes[id];
+    if of(id).op != Op::Cast || graph.is_output(id) {
+        return None;
+    }
+    let mut found = None;
+    for user in graph.nodes.iter().filter(|user| user.args.contains(&id)) {
+        let [flag, kept, less] = user.args[..] else { return None };
+        if user.op != Op::Select || kept != id || less == id || flag == id || of(flag).op != Op::Cast {
+            return None;
+        }
+        let trial = of(flag).args[0];
+        let is_step = restoring(graph, trial).is_some_and(|step| step.doubled == of(id).args[0])
+            && takes_sign(graph, flag, trial)
+            && of(id).format.frac_bits == of(trial).format.frac_bits;
+        if !is_step || found.is_some_and(|known| known != trial) {
+            return None;
+        }
+        found = Some(trial);
+    }
+    found
+}
+
+/// Whether a flag is the sign of a value.
+fn takes_sign(graph: &Graph, flag: NodeId, value: NodeId) -> bool {
+    graph.nodes[flag].op == Op::Cast && graph.nodes[flag].args[0] == value && room(graph, flag).signed
 }
 
 /// Whether a node is `x - floor(x p)` or `(x + c) - floor(x p)`.

@@ -367,6 +367,42 @@ pub fn build(spec: &CoreSpec, shader: &Shader, lobe: &Datapath) -> Option<Datapa
     Some(Datapath { graph, tables, errors: lobe.errors.clone(), constants: lobe.constants.clone() })
 }
 
+/// The nodes of a light at which a shader falls into parts that can be looked at one by one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Joints {
+    /// Where the cosine takes a root: s = 2 + 2 L.V and a = N.L + N.V, as they go into it.
+    pub root: Option<[NodeId; 2]>,
+    /// The lobe's operand.
+    pub operand: NodeId,
+    /// The lobe's result.
+    pub lobe: NodeId,
+    /// Whether the light is behind the surface.
+    pub dark: NodeId,
+    /// N.L for the diffuse term.
+    pub psi: NodeId,
+}
+
+/// The joints of each light of a graph that [`build`] made for this shader.
+///
+/// # Panics
+/// If the graph is another.
+#[must_use]
+pub fn joints(shader: &Shader, graph: &Graph) -> Vec<Joints> {
+    let find = |name: String| graph.nodes.iter().position(|node| node.name == name).expect("the shader's own names");
+    let of_light = |l: u32| {
+        let highlight = &graph.nodes[find(format!("spec{l}"))].args;
+        Joints {
+            root: (shader.cosine == Cosine::Sqrt).then(|| ["s", "a"].map(|name| find(format!("{name}{l}")))),
+            operand: find(format!("{}{l}", if shader.cosine == Cosine::Half { "u" } else { "x" })),
+            dark: highlight[0],
+            lobe: highlight[1],
+            // Where it needs no rounding it has no name of its own.
+            psi: graph.nodes[find(format!("dif{l}_{}_exact", CHANNELS[0]))].args[1],
+        }
+    };
+    (1..=shader.lights).map(of_light).collect()
+}
+
 /// The port `in_material`.
 fn material_port(b: &mut Builder, set: &Shininess) -> NodeId {
     let last = f64::from(set.index_of_row(set.rows() - 1));

@@ -215,7 +215,7 @@ mod tests {
     #[test]
     fn odd_numbers_have_inverses() {
         for odd in [-7, -1, 1, 3, 12345, 65535] {
-            assert_eq!(inverse(odd, 17) * odd & 0x1_ffff, 1, "{odd}");
+            assert_eq!((inverse(odd, 17) * odd) & 0x1_ffff, 1, "{odd}");
         }
     }
 

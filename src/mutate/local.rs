@@ -36,7 +36,7 @@ impl Domain {
 
     /// Every code of every port.
     pub(super) fn whole(graph: &Graph) -> Self {
-        Self::of(graph.inputs.iter().map(|&id| Span::all(graph.nodes[id].format)).collect())
+        Self::of(graph.inputs.iter().map(|&id| Span::of(graph.nodes[id].format)).collect())
     }
 
     /// How many there are, if a number of 64 bits can say it.
@@ -511,7 +511,7 @@ mod tests {
             node(Op::Cast, &[4], 3, 1, "cut"),
         ];
         let graph = Graph { nodes, inputs: vec![0, 1], outputs: vec![("out".to_owned(), 5)] };
-        let spans = graph.nodes.iter().map(|node| Span::all(node.format)).collect();
+        let spans = graph.nodes.iter().map(|node| Span::of(node.format)).collect();
         let zeros = zeros(&graph);
         assert_eq!(zeros[3], 3);
         let local = Local { graph: &graph, tables: &[], most_bits: 8, spans, zeros };

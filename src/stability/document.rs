@@ -63,8 +63,9 @@ struct Chapter {
     rounding: Vec<Vec<String>>,
     fractions: Vec<u32>,
     front_ends: Vec<[String; 4]>,
-    places: Vec<[String; 4]>,
+    places: Vec<[String; 5]>,
     refused: Vec<[String; 3]>,
+    findings: Vec<String>,
     broken: Vec<String>,
     cores: usize,
     inputs: String,
@@ -90,12 +91,8 @@ fn line(method: &str, entries: &[&Entry]) -> Line {
     let greatest = |key: &dyn Fn(&Inspection) -> f64| {
         found.iter().copied().reduce(|best, other| if key(other) > key(best) { other } else { best })
     };
-    let bits = |format: &str| -> f64 {
-        let digits = format.trim_start_matches(['U', 'Q']).split('.').filter_map(|part| part.parse::<f64>().ok());
-        digits.sum::<f64>() + f64::from(u8::from(!format.starts_with('U')))
-    };
     let largest = greatest(&|of| of.largest.largest);
-    let widest = greatest(&|of| bits(&of.widest.format));
+    let widest = greatest(&|of| f64::from(of.widest.width));
     let low = found.iter().map(|of| of.measured_ulps[0]).fold(0.0, f64::min);
     let high = found.iter().map(|of| of.measured_ulps[1]).fold(0.0, f64::max);
     Line {
@@ -122,8 +119,12 @@ fn sections(entries: &[Entry]) -> Vec<Section> {
             "Every method with its forms, both operands; 16 bits in and out.",
         ),
         Axis::Level => ("Every level Q from 0.05 to 0.95", "The methods with a level, at the same shininesses."),
-        Axis::Input => ("Input fractions", "n = 1, 1.001, 2, 3, 1000 and 65536."),
-        Axis::Output => ("Output fractions", "n = 1, 1.001, 2, 3, 1000 and 65536."),
+        Axis::Input => (
+            "Input fractions from 8 to 24",
+            "n = 1, 1.001, 2, 3, 1000 and 65536; with more than 22 fraction bits, where a shininess has millions of inputs, 1000 and 65536 \
+             only, but every input of these.",
+        ),
+        Axis::Output => ("Output fractions from 4 to 20", "n = 1, 1.001, 2, 3, 1000 and 65536."),
     };
     let axes = [Axis::Shininess, Axis::Level, Axis::Input, Axis::Output];
     let section = |axis: Axis| {
@@ -168,7 +169,7 @@ fn chapter(study: &Study) -> Chapter {
     });
     let found = || study.entries.iter().filter_map(|entry| Some((&entry.case, entry.found.as_ref()?)));
     // The worst of the stable forms at each place, over the cores of the first axis.
-    let mut places: Vec<[String; 4]> = Vec::new();
+    let mut places: Vec<[String; 5]> = Vec::new();
     let of_axis: Vec<_> = found().filter(|(case, _)| case.axis == Axis::Shininess && case.value == "cosine").collect();
     for (case, of) in &of_axis {
         let worst = |names: &[&str]| {
@@ -178,6 +179,7 @@ fn chapter(study: &Study) -> Chapter {
             case.method.clone(),
             format!("{:.2}", worst(&["x = 0", "1 ulp"])),
             format!("{:.2}", worst(&["cusp - 1 ulp", "cusp", "cusp + 1 ulp"])),
+            format!("{:.2}", worst(&["end - 1 ulp", "end", "end + 1 ulp"])),
             format!("{:.2}", worst(&["1 - 1 ulp", "x = 1"])),
         ]);
     }
@@ -196,10 +198,103 @@ fn chapter(study: &Study) -> Chapter {
         front_ends: front_ends.collect(),
         places,
         refused: refused.collect(),
+        findings: findings(study),
         broken: broken.collect(),
         cores: found().count(),
         inputs: grouped(found().map(|(_, of)| of.inputs).sum()),
     }
+}
+
+/// Whether a core is of a printed form.
+fn is_printed(entry: &Entry) -> bool {
+    entry.case.method.ends_with("printed form")
+}
+
+/// What matters most, a sentence or two each.
+fn findings(study: &Study) -> Vec<String> {
+    let mut findings = Vec::new();
+    let found = |printed: bool| {
+        let of = study.entries.iter().filter(move |entry| is_printed(entry) == printed);
+        of.filter_map(|entry| Some((&entry.case, entry.found.as_ref()?)))
+    };
+    let overflows: usize = found(false).chain(found(true)).map(|(_, of)| of.overflows.len() + of.undecided.len()).sum();
+    let differences: u64 = found(false).chain(found(true)).map(|(_, of)| of.wide_differences).sum();
+    let outside: u64 = found(false).chain(found(true)).map(|(_, of)| of.outside_differences).sum();
+    findings.push(match (overflows, differences, outside) {
+        (0, 0, 0) => "**Registers.** It is proved of every core that no value overflows where the result depends on it; no result is another \
+                      one with wide registers; every input beyond the ends of [0, 1] gives the end's result."
+            .to_owned(),
+        _ => format!(
+            "**Registers.** {overflows} values overflow or are not proved to stay in their registers; {differences} results differ with wide \
+             registers; {outside} inputs beyond the ends of [0, 1] give another result than the end."
+        ),
+    });
+    for of in study.conditioning.iter().filter(|of| of.degree == 3 && [1000.0, 65536.0].contains(&of.shininess)) {
+        findings.push(format!(
+            "**Cancellation, n = {}.** The terms of the printed cubic add up to {:.3e} times its value: for 2^-12 it needs {} fraction bits in \
+             every register, for 2^-16 {}. The form that is built needs {} and {}.",
+            of.shininess,
+            of.condition,
+            bits(of.printed_bits[0]),
+            bits(of.printed_bits[1]),
+            bits(of.built_bits[0]),
+            bits(of.built_bits[1]),
+        ));
+    }
+    for (printed, form) in [(true, "the printed forms"), (false, "the other forms and methods")] {
+        let worst =
+            found(printed).reduce(|best, other| if other.1.fall.ulps > best.1.fall.ulps { other } else { best });
+        let falling = found(printed).filter(|(_, of)| of.fall.ulps > 0.0).count();
+        let steeply = found(printed).filter(|(_, of)| of.fall.ulps > 1.0).count();
+        let Some((case, of)) = worst else { continue };
+        let largest = match of.fall.ulps {
+            0.0 => String::new(),
+            _ => format!(" The largest fall is of {} ({}, {}).", ulps(&of.fall), case.method, case.value),
+        };
+        findings.push(format!(
+            "**Monotone.** Of {} cores of {form}, {falling} fall anywhere as the cosine rises, {steeply} of them by more than one ulp.{largest}",
+            found(printed).count(),
+        ));
+    }
+    // Where every method is at the same shininesses and formats.
+    let alike = || found(false).filter(|(case, _)| case.axis == Axis::Shininess && case.value == "cosine");
+    let by = |wins: fn(f64, f64) -> bool| {
+        alike().reduce(|best, other| if wins(other.1.seam.ulps, best.1.seam.ulps) { other } else { best })
+    };
+    if let (Some((least, low)), Some((most, high))) = (by(|a, b| a < b), by(|a, b| a > b)) {
+        findings.push(format!(
+            "**Seams.** With the same shininesses and formats the largest seam is from {} ({}) to {} ulps ({}): cuts, bounds of segments and \
+             lobes a few inputs wide are the methods' own; hardware adds what the column of the error says.",
+            ulps(&low.seam),
+            least.method,
+            ulps(&high.seam),
+            most.method,
+        ));
+    }
+    let mut inexact: Vec<&str> = found(false)
+        .chain(found(true))
+        .filter(|(_, of)| of.below_one > 0)
+        .map(|(case, _)| case.method.as_str())
+        .collect();
+    inexact.sort_unstable();
+    inexact.dedup();
+    findings.push(match inexact.as_slice() {
+        [] => "**The ends.** Every core gives exactly 1 at x = 1.".to_owned(),
+        some => format!("**The ends.** All give exactly 1 at x = 1 but some cores of: {}.", some.join(", ")),
+    });
+    let refused = study.entries.iter().filter(|entry| entry.refused.is_some()).count();
+    findings.push(match refused {
+        0 => "**Refused.** No core is refused.".to_owned(),
+        count => format!("**Refused.** There is no core for {count} of the specs; the reasons are listed below."),
+    });
+    let saved = study.front_ends.iter().filter(|of| of.bits == 16 && of.shininess >= 1000.0);
+    findings.extend(saved.map(|of| {
+        format!(
+            "**The input, n = {}.** Vectors of 16 fraction bits make an error of {:.3} through N·H and of {:.2e} through |N - H|²/2.",
+            of.shininess, of.cosine, of.versine
+        )
+    }));
+    findings
 }
 
 fn cores_table(entries: &[Entry]) -> Result<Vec<u8>, csv::Error> {

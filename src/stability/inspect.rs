@@ -4,14 +4,14 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::datapath::evaluate::Evaluator;
+use crate::datapath::graph::Graph;
 use crate::datapath::range::{Analysis, Ranges};
 use crate::design::{Design, Measured};
-use crate::error::Error;
 use crate::number::exp2;
-use crate::spec::{Block, InputRange, Operand};
+use crate::spec::{InputRange, Operand};
 
 /// Blocks of inputs that the range analysis may look at for each row.
-const MOST_BLOCKS: u64 = 1 << 18;
+pub(super) const MOST_BLOCKS: u64 = 1 << 18;
 /// Codes beyond [0, 1] on either side, and at either end of the port, that are tried beside all from 0 to 1.
 const BEYOND: i64 = 1024;
 
@@ -22,6 +22,8 @@ pub struct Signal {
     pub name: String,
     /// Its format.
     pub format: String,
+    /// Its bits.
+    pub width: u32,
     /// The largest magnitude that it takes where the result depends on it.
     pub largest: f64,
 }
@@ -133,15 +135,10 @@ struct Row {
 impl Inspection {
     /// Inspects a lobe's core.
     ///
-    /// # Errors
-    /// A shader, whose inputs are too many.
-    pub fn of(design: &Design) -> Result<Self, Error> {
-        if design.spec.block != Block::Lobe {
-            return Err(Error::input(
-                format!("{} is a shader, and every input is run", design.spec.name),
-                "inspect the lobe inside it: leave `block` out of its spec",
-            ));
-        }
+    /// # Panics
+    /// For a shader, whose inputs are too many: see [`super::shader`].
+    #[must_use]
+    pub fn of(design: &Design) -> Self {
         let set = &design.spec.shininess;
         let analysis = Analysis::new(design.graph(), design.tables());
         let ranges = analysis.over(&design.regions(), MOST_BLOCKS);
@@ -171,7 +168,7 @@ impl Inspection {
         let overflow = |overflow: &crate::datapath::range::Overflow| {
             format!("{} at the inputs {:?}", nodes[overflow.node].name, overflow.inputs)
         };
-        Ok(Self {
+        Self {
             core: design.spec.name.clone(),
             rows: rows.len(),
             inputs: rows.iter().map(|row| codes as u64 + row.outside).sum(),
@@ -179,8 +176,8 @@ impl Inspection {
             overflows: ranges.overflows.iter().map(overflow).collect(),
             undecided: named(&mut (0..nodes.len()).filter(|&id| ranges.undecided[id])),
             wide_differences: sum(|row| row.wide_differences),
-            largest: signal(design, &ranges, |signal, _| signal.largest),
-            widest: signal(design, &ranges, |_, width| f64::from(width)),
+            largest: signal(design.graph(), &ranges, |signal| signal.largest),
+            widest: signal(design.graph(), &ranges, |signal| f64::from(signal.width)),
             narrowed_bits: design.narrowed.iter().map(|narrowed| narrowed.bits()).sum(),
             measured_ulps: measured.ulps,
             proved_ulps: design.budget.proved_ulps,
@@ -193,7 +190,7 @@ impl Inspection {
             fall: worst(|row| row.fall),
             seam: worst(|row| row.seam),
             places: PLACES.iter().enumerate().map(place).collect(),
-        })
+        }
     }
 
     /// What a core must keep and this one does not, a line each.
@@ -221,14 +218,18 @@ impl Inspection {
     }
 }
 
-/// The signal for which `key` is largest, of those that the result depends on somewhere.
-fn signal(design: &Design, ranges: &Ranges, key: impl Fn(&Signal, u32) -> f64) -> Signal {
+/// The signal for which `key` is largest, of those that the result depends on somewhere. A bit of another value is none: its weight is only
+/// where that value has it.
+pub(super) fn signal(graph: &Graph, ranges: &Ranges, key: impl Fn(&Signal) -> f64) -> Signal {
     let mut best: Option<(f64, Signal)> = None;
-    for (node, span) in design.graph().nodes.iter().zip(&ranges.needed) {
-        let Some(span) = span else { continue };
+    for (node, span) in graph.nodes.iter().zip(&ranges.needed) {
+        let (Some(span), width) = (span, node.format.width()) else { continue };
+        if width == 1 {
+            continue;
+        }
         let largest = span.magnitude() as f64 * node.format.lsb();
-        let signal = Signal { name: node.name.clone(), format: node.format.to_string(), largest };
-        let key = key(&signal, node.format.width());
+        let signal = Signal { name: node.name.clone(), format: node.format.to_string(), width, largest };
+        let key = key(&signal);
         if best.as_ref().is_none_or(|(known, _)| key > *known) {
             best = Some((key, signal));
         }
@@ -279,7 +280,8 @@ impl Row {
         found.at_zero = outputs[0].into();
         found.below_one = top - i64::from(outputs[one as usize]);
         found.above_one = outputs.iter().filter(|&&output| i64::from(output) > top).count() as u64;
-        let exact = |x: usize| if x == 0 { 0.0 } else { scale * libm::exp(n * logs[x]) };
+        // Below e^-40 the power is nothing beside an ulp.
+        let exact = |x: usize| if n * logs[x] < -40.0 { 0.0 } else { scale * libm::exp(n * logs[x]) };
         let cosine = |x: usize| x as f64 / one as f64;
         let mut before = exact(0);
         for x in 1..outputs.len() {

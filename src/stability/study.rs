@@ -6,7 +6,6 @@ use serde::Serialize;
 use super::EXTREMES;
 use super::inspect::Inspection;
 use crate::design::Design;
-use crate::error::Error;
 use crate::spec::{Method, SpecFields};
 
 /// What is varied, everything else at its usual value.
@@ -64,7 +63,13 @@ pub struct Entry {
 /// Shininesses for the axes that vary a format: fewer, because every input is run.
 const FEW: [f64; 6] = [1.0, 1.001, 2.0, 3.0, 1000.0, 65536.0];
 
-/// Levels of Q, in hundredths.
+/// Those at which the input's fraction matters most, for cores with more than 2^[`ALL_OF_FEW`] codes a shininess.
+const LARGE: [f64; 2] = [1000.0, 65536.0];
+
+/// Up to this input fraction the cores of [`Axis::Input`] have all of [`FEW`].
+pub const ALL_OF_FEW: u32 = 22;
+
+/// Levels of Q, in twentieths.
 const LEVELS: std::ops::RangeInclusive<u32> = 1..=19;
 
 fn list(shininesses: &[f64]) -> String {
@@ -75,6 +80,7 @@ fn list(shininesses: &[f64]) -> String {
 /// The set for a method: powers of two where it takes no others.
 fn set(method: Method, shininesses: &[f64]) -> String {
     match method {
+        Method::Squaring if shininesses == LARGE => list(&[1024.0, 65536.0]),
         Method::Squaring => list(&[1.0, 2.0, 4.0, 1024.0, 4096.0, 65536.0]),
         _ => list(shininesses),
     }
@@ -128,7 +134,8 @@ pub fn cases(axis: Axis, methods: &[Method], quick: bool) -> Vec<Case> {
             Axis::Level => {}
             Axis::Input => {
                 for fraction in (8..=if quick { 16 } else { 24 }).step_by(step) {
-                    add(&name, format!("F = {fraction}"), head(&FEW) + &formats(fraction, output));
+                    let set: &[f64] = if fraction > ALL_OF_FEW { &LARGE } else { &FEW };
+                    add(&name, format!("F = {fraction}"), head(set) + &formats(fraction, output));
                 }
             }
             Axis::Output => {
@@ -147,15 +154,11 @@ impl Case {
     pub fn inspect(&self) -> Entry {
         let case = self.clone();
         let design = SpecFields::parse(&self.spec, "spec").and_then(SpecFields::resolve).and_then(Design::new);
-        match design.and_then(|design| Inspection::of(&design)) {
-            Ok(found) => Entry { case, refused: None, found: Some(found) },
-            Err(error) => Entry { case, refused: Some(reason(&error)), found: None },
+        match design {
+            Ok(design) => Entry { case, refused: None, found: Some(Inspection::of(&design)) },
+            Err(error) => Entry { case, refused: Some(error.to_string()), found: None },
         }
     }
-}
-
-fn reason(error: &Error) -> String {
-    error.to_string()
 }
 
 /// All methods that are built as hardware.
