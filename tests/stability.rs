@@ -289,14 +289,16 @@ fn a_register_of_a_shader_with_a_bit_too_few_is_found() {
         };
         let right = outputs(design.graph());
         let is_sum = |id: &usize| matches!(design.graph().nodes[*id].op, Op::Add | Op::Sub);
-        for id in (0..design.graph().nodes.len()).filter(is_sum).step_by(2) {
+        let sums: Vec<usize> = (0..design.graph().nodes.len()).filter(is_sum).step_by(2).collect();
+        // The colours' sums are sized for lobes of up to 2: of them a second bit is to go.
+        for (id, bits) in sums.iter().flat_map(|&id| [(id, 1), (id, 2)]) {
             let mut graph = design.graph().clone();
             let is_address = graph.nodes.iter().any(|user| matches!(user.op, Op::Field { .. }) && user.args[0] == id);
             let node = &mut graph.nodes[id];
-            if node.format.width() < 2 || is_address {
+            if node.format.width() <= bits || is_address {
                 continue;
             }
-            node.format.int_bits -= 1;
+            node.format.int_bits -= bits as i32;
             let name = node.name.clone();
             let proof = prove(&design, &graph);
             let overflow = proof.overflows.iter().find(|(node, _)| *node == id);

@@ -294,8 +294,12 @@ impl Ranges {
         self
     }
 
+    fn has_overflow(&self, id: NodeId) -> bool {
+        self.overflows.iter().any(|known| known.node == id)
+    }
+
     fn add(&mut self, overflow: Overflow) {
-        if self.overflows.iter().all(|known| known.node != overflow.node) {
+        if !self.has_overflow(overflow.node) {
             self.overflows.push(overflow);
         }
     }
@@ -420,7 +424,7 @@ impl<'a> Analysis<'a> {
             if is_point {
                 self.hold(&block, &mut certain);
             }
-            if is_point || found.blocks > most_blocks || !self.is_open(&block, &certain) {
+            if is_point || found.blocks > most_blocks || !self.is_open(&block, &certain, &found) {
                 self.accept(&block, &inputs, is_point, &mut found);
                 continue;
             }
@@ -445,14 +449,15 @@ impl<'a> Analysis<'a> {
     }
 
     /// Whether halving the block may tell more.
-    fn is_open(&self, block: &Block, certain: &Ranges) -> bool {
+    fn is_open(&self, block: &Block, certain: &Ranges, found: &Ranges) -> bool {
         self.nodes.iter().any(|&id| {
             let node = &self.graph.nodes[id];
             if !block.needed[id] {
                 return false;
             }
             if !self.keeps(id, block.exact[id], certain.dropped[id]) {
-                return true;
+                // One overflow of a node is enough.
+                return !found.has_overflow(id);
             }
             let bits = |span: Span| span.int_bits(node.format.frac_bits);
             let taken = self.taken(id, block);
@@ -472,7 +477,7 @@ impl<'a> Analysis<'a> {
             } else if is_point {
                 let inputs = inputs.iter().map(|span| span.low).collect();
                 found.add(Overflow { node: id, inputs, value: exact.low });
-            } else {
+            } else if !found.has_overflow(id) {
                 found.undecided[id] = true;
             }
         }
