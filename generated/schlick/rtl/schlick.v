@@ -56,12 +56,12 @@ module schlick (
     wire [12:0] u_0 = 13'h1000 - x_0;
     // UQ2.11: 2 r
     wire [12:0] double_1_0 = x_0;
-    // UQ2.12: 2 r
-    wire [13:0] kept_1_0 = {double_1_0, 1'd0};
+    // UQ1.12: 2 r
+    wire [12:0] kept_1_0 = {double_1_0[11:0], 1'd0};
     reg [6:0] n1_1;
     reg [12:0] u_1;
     reg [12:0] double_1_1;
-    reg [13:0] kept_1_1;
+    reg [12:0] kept_1_1;
     always @(posedge clk) begin
         if (ce) begin
             n1_1 <= n1_0;
@@ -76,7 +76,7 @@ module schlick (
     wire [19:0] n1u_1 = n1_1 * u_1;
     reg [19:0] n1u_2;
     reg [12:0] double_1_2;
-    reg [13:0] kept_1_2;
+    reg [12:0] kept_1_2;
     always @(posedge clk) begin
         if (ce) begin
             n1u_2 <= n1u_1;
@@ -101,7 +101,7 @@ module schlick (
     reg [18:0] den_3;
     reg weighted_1_3;
     reg below_1_3;
-    reg [13:0] kept_1_3;
+    reg [12:0] kept_1_3;
     reg [12:0] less_1_3;
     always @(posedge clk) begin
         if (ce) begin
@@ -115,7 +115,7 @@ module schlick (
 
     // ===== Stage 3: r_1, trial_2, r_2
     // UQ2.12: the remainder
-    wire [13:0] r_1_3 = below_1_3 ? kept_1_3 : {1'd0, less_1_3};
+    wire [13:0] r_1_3 = below_1_3 ? {1'd0, kept_1_3} : {1'd0, less_1_3};
     // UQ3.11: 2 r
     wire [13:0] double_2_3 = r_1_3;
     // Q7.12: 2 r - den
@@ -126,21 +126,21 @@ module schlick (
     wire weighted_2_3 = zero_2_3;
     // UQ8.-7: 2 r < den
     wire below_2_3 = trial_2_3[19];
-    // UQ3.12: 2 r
-    wire [14:0] kept_2_3 = {double_2_3, 1'd0};
-    // UQ2.12: 2 r - den
-    wire [13:0] less_2_3 = trial_2_3[13:0];
+    // UQ2.12: 2 r
+    wire [13:0] kept_2_3 = {double_2_3[12:0], 1'd0};
+    // UQ1.12: 2 r - den
+    wire [12:0] less_2_3 = trial_2_3[12:0];
     // UQ3.12: the remainder
-    wire [14:0] r_2_3 = below_2_3 ? kept_2_3 : {1'd0, less_2_3};
+    wire [14:0] r_2_3 = below_2_3 ? {1'd0, kept_2_3} : {2'd0, less_2_3};
     // UQ4.11: 2 r
     wire [14:0] double_3_3 = r_2_3;
-    // UQ4.12: 2 r
-    wire [15:0] kept_3_3 = {double_3_3, 1'd0};
+    // UQ3.12: 2 r
+    wire [14:0] kept_3_3 = {double_3_3[13:0], 1'd0};
     reg [18:0] den_4;
     reg weighted_1_4;
     reg weighted_2_4;
     reg [14:0] double_3_4;
-    reg [15:0] kept_3_4;
+    reg [14:0] kept_3_4;
     always @(posedge clk) begin
         if (ce) begin
             den_4 <= den_3;
@@ -164,18 +164,18 @@ module schlick (
     wire [2:0] zeros_3_4 = {zeros_2_4, 1'd0} + {2'd0, weighted_3_4};
     // UQ8.-7: 2 r < den
     wire below_3_4 = trial_3_4[19];
-    // UQ3.12: 2 r - den
-    wire [14:0] less_3_4 = trial_3_4[14:0];
+    // UQ2.12: 2 r - den
+    wire [13:0] less_3_4 = trial_3_4[13:0];
     // UQ4.12: the remainder
-    wire [15:0] r_3_4 = below_3_4 ? kept_3_4 : {1'd0, less_3_4};
+    wire [15:0] r_3_4 = below_3_4 ? {1'd0, kept_3_4} : {2'd0, less_3_4};
     // UQ5.11: 2 r
     wire [15:0] double_4_4 = r_3_4;
-    // UQ5.12: 2 r
-    wire [16:0] kept_4_4 = {double_4_4, 1'd0};
+    // UQ4.12: 2 r
+    wire [15:0] kept_4_4 = {double_4_4[14:0], 1'd0};
     reg [18:0] den_5;
     reg [2:0] zeros_3_5;
     reg [15:0] double_4_5;
-    reg [16:0] kept_4_5;
+    reg [15:0] kept_4_5;
     always @(posedge clk) begin
         if (ce) begin
             den_5 <= den_4;
@@ -196,18 +196,18 @@ module schlick (
     wire [3:0] zeros_4_5 = {zeros_3_5, 1'd0} + {3'd0, weighted_4_5};
     // UQ8.-7: 2 r < den
     wire below_4_5 = trial_4_5[19];
-    // UQ4.12: 2 r - den
-    wire [15:0] less_4_5 = trial_4_5[15:0];
+    // UQ3.12: 2 r - den
+    wire [14:0] less_4_5 = trial_4_5[14:0];
     // UQ5.12: the remainder
-    wire [16:0] r_4_5 = below_4_5 ? kept_4_5 : {1'd0, less_4_5};
+    wire [16:0] r_4_5 = below_4_5 ? {1'd0, kept_4_5} : {2'd0, less_4_5};
     // UQ6.11: 2 r
     wire [16:0] double_5_5 = r_4_5;
-    // UQ6.12: 2 r
-    wire [17:0] kept_5_5 = {double_5_5, 1'd0};
+    // UQ5.12: 2 r
+    wire [16:0] kept_5_5 = {double_5_5[15:0], 1'd0};
     reg [18:0] den_6;
     reg [3:0] zeros_4_6;
     reg [16:0] double_5_6;
-    reg [17:0] kept_5_6;
+    reg [16:0] kept_5_6;
     always @(posedge clk) begin
         if (ce) begin
             den_6 <= den_5;
@@ -228,18 +228,18 @@ module schlick (
     wire [4:0] zeros_5_6 = {zeros_4_6, 1'd0} + {4'd0, weighted_5_6};
     // UQ8.-7: 2 r < den
     wire below_5_6 = trial_5_6[19];
-    // UQ5.12: 2 r - den
-    wire [16:0] less_5_6 = trial_5_6[16:0];
+    // UQ4.12: 2 r - den
+    wire [15:0] less_5_6 = trial_5_6[15:0];
     // UQ6.12: the remainder
-    wire [17:0] r_5_6 = below_5_6 ? kept_5_6 : {1'd0, less_5_6};
+    wire [17:0] r_5_6 = below_5_6 ? {1'd0, kept_5_6} : {2'd0, less_5_6};
     // UQ7.11: 2 r
     wire [17:0] double_6_6 = r_5_6;
-    // UQ7.12: 2 r
-    wire [18:0] kept_6_6 = {double_6_6, 1'd0};
+    // UQ6.12: 2 r
+    wire [17:0] kept_6_6 = {double_6_6[16:0], 1'd0};
     reg [18:0] den_7;
     reg [4:0] zeros_5_7;
     reg [17:0] double_6_7;
-    reg [18:0] kept_6_7;
+    reg [17:0] kept_6_7;
     always @(posedge clk) begin
         if (ce) begin
             den_7 <= den_6;
@@ -260,18 +260,18 @@ module schlick (
     wire [5:0] zeros_6_7 = {zeros_5_7, 1'd0} + {5'd0, weighted_6_7};
     // UQ8.-7: 2 r < den
     wire below_6_7 = trial_6_7[19];
-    // UQ6.12: 2 r - den
-    wire [17:0] less_6_7 = trial_6_7[17:0];
+    // UQ5.12: 2 r - den
+    wire [16:0] less_6_7 = trial_6_7[16:0];
     // UQ7.12: the remainder
-    wire [18:0] r_6_7 = below_6_7 ? kept_6_7 : {1'd0, less_6_7};
+    wire [18:0] r_6_7 = below_6_7 ? {1'd0, kept_6_7} : {2'd0, less_6_7};
     // UQ8.11: 2 r
     wire [18:0] double_7_7 = r_6_7;
-    // UQ7.12: 2 r
-    wire [18:0] kept_7_7 = {double_7_7[17:0], 1'd0};
+    // UQ6.12: 2 r
+    wire [17:0] kept_7_7 = {double_7_7[16:0], 1'd0};
     reg [18:0] den_8;
     reg [5:0] zeros_6_8;
     reg [18:0] double_7_8;
-    reg [18:0] kept_7_8;
+    reg [17:0] kept_7_8;
     always @(posedge clk) begin
         if (ce) begin
             den_8 <= den_7;
@@ -292,10 +292,10 @@ module schlick (
     wire [6:0] zeros_7_8 = {zeros_6_8, 1'd0} + {6'd0, weighted_7_8};
     // UQ8.-7: 2 r < den
     wire below_7_8 = trial_7_8[19];
-    // UQ7.12: 2 r - den
-    wire [18:0] less_7_8 = trial_7_8[18:0];
+    // UQ6.12: 2 r - den
+    wire [17:0] less_7_8 = trial_7_8[17:0];
     // UQ7.12: the remainder
-    wire [18:0] r_7_8 = below_7_8 ? kept_7_8 : less_7_8;
+    wire [18:0] r_7_8 = below_7_8 ? {1'd0, kept_7_8} : {1'd0, less_7_8};
     // UQ8.11: 2 r
     wire [18:0] double_8_8 = r_7_8;
     // UQ7.12: 2 r
@@ -324,10 +324,10 @@ module schlick (
     wire [7:0] zeros_8_9 = {zeros_7_9, 1'd0} + {7'd0, weighted_8_9};
     // UQ8.-7: 2 r < den
     wire below_8_9 = trial_8_9[19];
-    // UQ7.12: 2 r - den
-    wire [18:0] less_8_9 = trial_8_9[18:0];
+    // UQ6.12: 2 r - den
+    wire [17:0] less_8_9 = trial_8_9[17:0];
     // UQ7.12: the remainder
-    wire [18:0] r_8_9 = below_8_9 ? kept_8_9 : less_8_9;
+    wire [18:0] r_8_9 = below_8_9 ? kept_8_9 : {1'd0, less_8_9};
     // UQ8.11: 2 r
     wire [18:0] double_9_9 = r_8_9;
     // UQ7.12: 2 r
@@ -504,11 +504,13 @@ module schlick (
     wire unused = &{1'b0,
                     n1u_2[19],
                     trial_1_2[18:13],
-                    trial_2_3[18:14],
-                    trial_3_4[18:15],
-                    trial_4_5[18:16],
-                    trial_5_6[18:17],
-                    trial_6_7[18],
+                    trial_2_3[18:13],
+                    trial_3_4[18:14],
+                    trial_4_5[18:15],
+                    trial_5_6[18:16],
+                    trial_6_7[18:17],
+                    trial_7_8[18],
+                    trial_8_9[18],
                     trial_13_14[18:0],
                     quotient_half_15[0]};
 

@@ -45,15 +45,15 @@ architecture rtl of schlick is
     signal x_0 : unsigned(12 downto 0);
     signal u_0 : unsigned(12 downto 0);
     signal double_1_0 : unsigned(12 downto 0);
-    signal kept_1_0 : unsigned(13 downto 0);
+    signal kept_1_0 : unsigned(12 downto 0);
     signal n1_1 : unsigned(6 downto 0) := (others => '0');
     signal u_1 : unsigned(12 downto 0) := (others => '0');
     signal double_1_1 : unsigned(12 downto 0) := (others => '0');
-    signal kept_1_1 : unsigned(13 downto 0) := (others => '0');
+    signal kept_1_1 : unsigned(12 downto 0) := (others => '0');
     signal n1u_1 : unsigned(19 downto 0);
     signal n1u_2 : unsigned(19 downto 0) := (others => '0');
     signal double_1_2 : unsigned(12 downto 0) := (others => '0');
-    signal kept_1_2 : unsigned(13 downto 0) := (others => '0');
+    signal kept_1_2 : unsigned(12 downto 0) := (others => '0');
     signal den_2 : unsigned(18 downto 0);
     signal trial_1_2 : signed(19 downto 0);
     signal zero_1_2 : unsigned(0 downto 0);
@@ -63,7 +63,7 @@ architecture rtl of schlick is
     signal den_3 : unsigned(18 downto 0) := (others => '0');
     signal weighted_1_3 : unsigned(0 downto 0) := (others => '0');
     signal below_1_3 : std_logic := '0';
-    signal kept_1_3 : unsigned(13 downto 0) := (others => '0');
+    signal kept_1_3 : unsigned(12 downto 0) := (others => '0');
     signal less_1_3 : unsigned(12 downto 0) := (others => '0');
     signal r_1_3 : unsigned(13 downto 0);
     signal double_2_3 : unsigned(13 downto 0);
@@ -71,75 +71,75 @@ architecture rtl of schlick is
     signal zero_2_3 : unsigned(0 downto 0);
     signal weighted_2_3 : unsigned(0 downto 0);
     signal below_2_3 : std_logic;
-    signal kept_2_3 : unsigned(14 downto 0);
-    signal less_2_3 : unsigned(13 downto 0);
+    signal kept_2_3 : unsigned(13 downto 0);
+    signal less_2_3 : unsigned(12 downto 0);
     signal r_2_3 : unsigned(14 downto 0);
     signal double_3_3 : unsigned(14 downto 0);
-    signal kept_3_3 : unsigned(15 downto 0);
+    signal kept_3_3 : unsigned(14 downto 0);
     signal den_4 : unsigned(18 downto 0) := (others => '0');
     signal weighted_1_4 : unsigned(0 downto 0) := (others => '0');
     signal weighted_2_4 : unsigned(0 downto 0) := (others => '0');
     signal double_3_4 : unsigned(14 downto 0) := (others => '0');
-    signal kept_3_4 : unsigned(15 downto 0) := (others => '0');
+    signal kept_3_4 : unsigned(14 downto 0) := (others => '0');
     signal zeros_2_4 : unsigned(1 downto 0);
     signal trial_3_4 : signed(19 downto 0);
     signal zero_3_4 : unsigned(0 downto 0);
     signal weighted_3_4 : unsigned(0 downto 0);
     signal zeros_3_4 : unsigned(2 downto 0);
     signal below_3_4 : std_logic;
-    signal less_3_4 : unsigned(14 downto 0);
+    signal less_3_4 : unsigned(13 downto 0);
     signal r_3_4 : unsigned(15 downto 0);
     signal double_4_4 : unsigned(15 downto 0);
-    signal kept_4_4 : unsigned(16 downto 0);
+    signal kept_4_4 : unsigned(15 downto 0);
     signal den_5 : unsigned(18 downto 0) := (others => '0');
     signal zeros_3_5 : unsigned(2 downto 0) := (others => '0');
     signal double_4_5 : unsigned(15 downto 0) := (others => '0');
-    signal kept_4_5 : unsigned(16 downto 0) := (others => '0');
+    signal kept_4_5 : unsigned(15 downto 0) := (others => '0');
     signal trial_4_5 : signed(19 downto 0);
     signal zero_4_5 : unsigned(0 downto 0);
     signal weighted_4_5 : unsigned(0 downto 0);
     signal zeros_4_5 : unsigned(3 downto 0);
     signal below_4_5 : std_logic;
-    signal less_4_5 : unsigned(15 downto 0);
+    signal less_4_5 : unsigned(14 downto 0);
     signal r_4_5 : unsigned(16 downto 0);
     signal double_5_5 : unsigned(16 downto 0);
-    signal kept_5_5 : unsigned(17 downto 0);
+    signal kept_5_5 : unsigned(16 downto 0);
     signal den_6 : unsigned(18 downto 0) := (others => '0');
     signal zeros_4_6 : unsigned(3 downto 0) := (others => '0');
     signal double_5_6 : unsigned(16 downto 0) := (others => '0');
-    signal kept_5_6 : unsigned(17 downto 0) := (others => '0');
+    signal kept_5_6 : unsigned(16 downto 0) := (others => '0');
     signal trial_5_6 : signed(19 downto 0);
     signal zero_5_6 : unsigned(0 downto 0);
     signal weighted_5_6 : unsigned(0 downto 0);
     signal zeros_5_6 : unsigned(4 downto 0);
     signal below_5_6 : std_logic;
-    signal less_5_6 : unsigned(16 downto 0);
+    signal less_5_6 : unsigned(15 downto 0);
     signal r_5_6 : unsigned(17 downto 0);
     signal double_6_6 : unsigned(17 downto 0);
-    signal kept_6_6 : unsigned(18 downto 0);
+    signal kept_6_6 : unsigned(17 downto 0);
     signal den_7 : unsigned(18 downto 0) := (others => '0');
     signal zeros_5_7 : unsigned(4 downto 0) := (others => '0');
     signal double_6_7 : unsigned(17 downto 0) := (others => '0');
-    signal kept_6_7 : unsigned(18 downto 0) := (others => '0');
+    signal kept_6_7 : unsigned(17 downto 0) := (others => '0');
     signal trial_6_7 : signed(19 downto 0);
     signal zero_6_7 : unsigned(0 downto 0);
     signal weighted_6_7 : unsigned(0 downto 0);
     signal zeros_6_7 : unsigned(5 downto 0);
     signal below_6_7 : std_logic;
-    signal less_6_7 : unsigned(17 downto 0);
+    signal less_6_7 : unsigned(16 downto 0);
     signal r_6_7 : unsigned(18 downto 0);
     signal double_7_7 : unsigned(18 downto 0);
-    signal kept_7_7 : unsigned(18 downto 0);
+    signal kept_7_7 : unsigned(17 downto 0);
     signal den_8 : unsigned(18 downto 0) := (others => '0');
     signal zeros_6_8 : unsigned(5 downto 0) := (others => '0');
     signal double_7_8 : unsigned(18 downto 0) := (others => '0');
-    signal kept_7_8 : unsigned(18 downto 0) := (others => '0');
+    signal kept_7_8 : unsigned(17 downto 0) := (others => '0');
     signal trial_7_8 : signed(19 downto 0);
     signal zero_7_8 : unsigned(0 downto 0);
     signal weighted_7_8 : unsigned(0 downto 0);
     signal zeros_7_8 : unsigned(6 downto 0);
     signal below_7_8 : std_logic;
-    signal less_7_8 : unsigned(18 downto 0);
+    signal less_7_8 : unsigned(17 downto 0);
     signal r_7_8 : unsigned(18 downto 0);
     signal double_8_8 : unsigned(18 downto 0);
     signal kept_8_8 : unsigned(18 downto 0);
@@ -152,7 +152,7 @@ architecture rtl of schlick is
     signal weighted_8_9 : unsigned(0 downto 0);
     signal zeros_8_9 : unsigned(7 downto 0);
     signal below_8_9 : std_logic;
-    signal less_8_9 : unsigned(18 downto 0);
+    signal less_8_9 : unsigned(17 downto 0);
     signal r_8_9 : unsigned(18 downto 0);
     signal double_9_9 : unsigned(18 downto 0);
     signal kept_9_9 : unsigned(18 downto 0);
@@ -247,8 +247,8 @@ begin
     u_0 <= to_unsigned(4096, 13) - x_0;
     -- UQ2.11: 2 r
     double_1_0 <= x_0;
-    -- UQ2.12: 2 r
-    kept_1_0 <= shift_left(resize(double_1_0, 14), 1);
+    -- UQ1.12: 2 r
+    kept_1_0 <= shift_left(double_1_0, 1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -303,7 +303,7 @@ begin
 
     -- ===== Stage 3: r_1, trial_2, r_2
     -- UQ2.12: the remainder
-    r_1_3 <= kept_1_3 when below_1_3 = '1' else resize(less_1_3, 14);
+    r_1_3 <= resize(kept_1_3, 14) when below_1_3 = '1' else resize(less_1_3, 14);
     -- UQ3.11: 2 r
     double_2_3 <= r_1_3;
     -- Q7.12: 2 r - den
@@ -314,16 +314,16 @@ begin
     weighted_2_3 <= zero_2_3;
     -- UQ8.-7: 2 r < den
     below_2_3 <= trial_2_3(19);
-    -- UQ3.12: 2 r
-    kept_2_3 <= shift_left(resize(double_2_3, 15), 1);
-    -- UQ2.12: 2 r - den
-    less_2_3 <= unsigned(trial_2_3(13 downto 0));
+    -- UQ2.12: 2 r
+    kept_2_3 <= shift_left(double_2_3, 1);
+    -- UQ1.12: 2 r - den
+    less_2_3 <= unsigned(trial_2_3(12 downto 0));
     -- UQ3.12: the remainder
-    r_2_3 <= kept_2_3 when below_2_3 = '1' else resize(less_2_3, 15);
+    r_2_3 <= resize(kept_2_3, 15) when below_2_3 = '1' else resize(less_2_3, 15);
     -- UQ4.11: 2 r
     double_3_3 <= r_2_3;
-    -- UQ4.12: 2 r
-    kept_3_3 <= shift_left(resize(double_3_3, 16), 1);
+    -- UQ3.12: 2 r
+    kept_3_3 <= shift_left(double_3_3, 1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -350,14 +350,14 @@ begin
     zeros_3_4 <= shift_left(resize(zeros_2_4, 3), 1) + resize(weighted_3_4, 3);
     -- UQ8.-7: 2 r < den
     below_3_4 <= trial_3_4(19);
-    -- UQ3.12: 2 r - den
-    less_3_4 <= unsigned(trial_3_4(14 downto 0));
+    -- UQ2.12: 2 r - den
+    less_3_4 <= unsigned(trial_3_4(13 downto 0));
     -- UQ4.12: the remainder
-    r_3_4 <= kept_3_4 when below_3_4 = '1' else resize(less_3_4, 16);
+    r_3_4 <= resize(kept_3_4, 16) when below_3_4 = '1' else resize(less_3_4, 16);
     -- UQ5.11: 2 r
     double_4_4 <= r_3_4;
-    -- UQ5.12: 2 r
-    kept_4_4 <= shift_left(resize(double_4_4, 17), 1);
+    -- UQ4.12: 2 r
+    kept_4_4 <= shift_left(double_4_4, 1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -381,14 +381,14 @@ begin
     zeros_4_5 <= shift_left(resize(zeros_3_5, 4), 1) + resize(weighted_4_5, 4);
     -- UQ8.-7: 2 r < den
     below_4_5 <= trial_4_5(19);
-    -- UQ4.12: 2 r - den
-    less_4_5 <= unsigned(trial_4_5(15 downto 0));
+    -- UQ3.12: 2 r - den
+    less_4_5 <= unsigned(trial_4_5(14 downto 0));
     -- UQ5.12: the remainder
-    r_4_5 <= kept_4_5 when below_4_5 = '1' else resize(less_4_5, 17);
+    r_4_5 <= resize(kept_4_5, 17) when below_4_5 = '1' else resize(less_4_5, 17);
     -- UQ6.11: 2 r
     double_5_5 <= r_4_5;
-    -- UQ6.12: 2 r
-    kept_5_5 <= shift_left(resize(double_5_5, 18), 1);
+    -- UQ5.12: 2 r
+    kept_5_5 <= shift_left(double_5_5, 1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -412,14 +412,14 @@ begin
     zeros_5_6 <= shift_left(resize(zeros_4_6, 5), 1) + resize(weighted_5_6, 5);
     -- UQ8.-7: 2 r < den
     below_5_6 <= trial_5_6(19);
-    -- UQ5.12: 2 r - den
-    less_5_6 <= unsigned(trial_5_6(16 downto 0));
+    -- UQ4.12: 2 r - den
+    less_5_6 <= unsigned(trial_5_6(15 downto 0));
     -- UQ6.12: the remainder
-    r_5_6 <= kept_5_6 when below_5_6 = '1' else resize(less_5_6, 18);
+    r_5_6 <= resize(kept_5_6, 18) when below_5_6 = '1' else resize(less_5_6, 18);
     -- UQ7.11: 2 r
     double_6_6 <= r_5_6;
-    -- UQ7.12: 2 r
-    kept_6_6 <= shift_left(resize(double_6_6, 19), 1);
+    -- UQ6.12: 2 r
+    kept_6_6 <= shift_left(double_6_6, 1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -443,14 +443,14 @@ begin
     zeros_6_7 <= shift_left(resize(zeros_5_7, 6), 1) + resize(weighted_6_7, 6);
     -- UQ8.-7: 2 r < den
     below_6_7 <= trial_6_7(19);
-    -- UQ6.12: 2 r - den
-    less_6_7 <= unsigned(trial_6_7(17 downto 0));
+    -- UQ5.12: 2 r - den
+    less_6_7 <= unsigned(trial_6_7(16 downto 0));
     -- UQ7.12: the remainder
-    r_6_7 <= kept_6_7 when below_6_7 = '1' else resize(less_6_7, 19);
+    r_6_7 <= resize(kept_6_7, 19) when below_6_7 = '1' else resize(less_6_7, 19);
     -- UQ8.11: 2 r
     double_7_7 <= r_6_7;
-    -- UQ7.12: 2 r
-    kept_7_7 <= shift_left(double_7_7, 1);
+    -- UQ6.12: 2 r
+    kept_7_7 <= shift_left(double_7_7(17 downto 0), 1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -474,10 +474,10 @@ begin
     zeros_7_8 <= shift_left(resize(zeros_6_8, 7), 1) + resize(weighted_7_8, 7);
     -- UQ8.-7: 2 r < den
     below_7_8 <= trial_7_8(19);
-    -- UQ7.12: 2 r - den
-    less_7_8 <= unsigned(trial_7_8(18 downto 0));
+    -- UQ6.12: 2 r - den
+    less_7_8 <= unsigned(trial_7_8(17 downto 0));
     -- UQ7.12: the remainder
-    r_7_8 <= kept_7_8 when below_7_8 = '1' else less_7_8;
+    r_7_8 <= resize(kept_7_8, 19) when below_7_8 = '1' else resize(less_7_8, 19);
     -- UQ8.11: 2 r
     double_8_8 <= r_7_8;
     -- UQ7.12: 2 r
@@ -505,10 +505,10 @@ begin
     zeros_8_9 <= shift_left(resize(zeros_7_9, 8), 1) + resize(weighted_8_9, 8);
     -- UQ8.-7: 2 r < den
     below_8_9 <= trial_8_9(19);
-    -- UQ7.12: 2 r - den
-    less_8_9 <= unsigned(trial_8_9(18 downto 0));
+    -- UQ6.12: 2 r - den
+    less_8_9 <= unsigned(trial_8_9(17 downto 0));
     -- UQ7.12: the remainder
-    r_8_9 <= kept_8_9 when below_8_9 = '1' else less_8_9;
+    r_8_9 <= kept_8_9 when below_8_9 = '1' else resize(less_8_9, 19);
     -- UQ8.11: 2 r
     double_9_9 <= r_8_9;
     -- UQ7.12: 2 r
