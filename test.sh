@@ -83,12 +83,11 @@ for core in generated/*/; do
     target/release/brdfgen cosim "$core" --sim all
     # For every input and every clock, where the simulators compare runs.
     target/release/brdfgen formal "$core" --solver-limit 5
-    # The netlist of a small core has mutants too: it is compiled anew. Of the printed cubic one of 235 is not killed and all take minutes; of
-    # a shader some are not: see docs/mutation.md.
+    # The netlist of a small core has mutants too: it is compiled anew. Of a shader some mutants are not killed: see docs/mutation.md.
     mutants=""
     [ "$name" = squaring ] && mutants="--netlist 200"
     # shellcheck disable=SC2086
-    [ "$name" = shader ] || [ "$name" = cubic_paper ] || target/release/brdfgen mutate "$core" $mutants
+    [ "$name" = shader ] || target/release/brdfgen mutate "$core" $mutants
     # The netlists of two cores; the same command runs those of the others.
     case $name in
     table_2d | quadratic) target/release/brdfgen cosim "$core" --netlist ecp5 ;;
