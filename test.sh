@@ -83,11 +83,11 @@ for core in generated/*/; do
     target/release/brdfgen cosim "$core" --sim all
     # For every input and every clock, where the simulators compare runs.
     target/release/brdfgen formal "$core" --solver-limit 5
-    # The netlist of a small core has mutants too: it is compiled anew. All mutants of the printed cubic take minutes: see docs/mutation.md.
+    # The netlist of a small core has mutants too: it is compiled anew.
     mutants=""
     [ "$name" = squaring ] && mutants="--netlist 200"
     # shellcheck disable=SC2086
-    [ "$name" = cubic_paper ] || target/release/brdfgen mutate "$core" $mutants
+    target/release/brdfgen mutate "$core" $mutants
     # The netlists of two cores; the same command runs those of the others.
     case $name in
     table_2d | quadratic) target/release/brdfgen cosim "$core" --netlist ecp5 ;;

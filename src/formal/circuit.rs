@@ -107,9 +107,9 @@ pub(super) type Unfit = String;
 
 /// From a Verilog text to gates: no pass here removes, adds or merges a register that is not the same as another, and none uses what a
 /// register or memory holds when it comes up. A register that Yosys would zero by a data signal gets a gate instead; products stay whole.
-fn script(top: &str) -> String {
+fn script(reader: &str, top: &str) -> String {
     format!(
-        "read_verilog {TEXT}\n\
+        "{reader} {TEXT}\n\
          hierarchy -check -top {top}\n\
          proc\n\
          flatten\n\
@@ -151,8 +151,23 @@ impl Circuit {
             let bytes = std::fs::read(entry.path()).map_err(|error| Error::io("cannot read", &entry.path(), error))?;
             package::write_file(&scratch.path().join("rom").join(entry.file_name()), &bytes)?;
         }
-        yosys.run(scratch.path(), &script(top))?;
-        let path = scratch.path().join(GATES);
+        Self::gates(yosys, scratch.path(), "read_verilog", top)
+    }
+
+    /// Reads the module `top` of a netlist in Yosys' own language, whose memories' words are in it.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub(super) fn read_netlist(yosys: &Yosys, top: &str, netlist: &[u8]) -> Result<Result<Self, Unfit>, Error> {
+        let scratch = tool::scratch()?;
+        package::write_file(&scratch.path().join(TEXT), netlist)?;
+        Self::gates(yosys, scratch.path(), "read_rtlil", top)
+    }
+
+    /// The circuit of the text in a directory.
+    fn gates(yosys: &Yosys, directory: &Path, reader: &str, top: &str) -> Result<Result<Self, Unfit>, Error> {
+        yosys.run(directory, &script(reader, top))?;
+        let path = directory.join(GATES);
         let bytes = std::fs::read(&path).map_err(|error| Error::io("cannot read", &path, error))?;
         Ok(Self::of(&mut parse_netlist(&bytes)?["modules"][top]))
     }

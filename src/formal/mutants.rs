@@ -14,7 +14,6 @@ use crate::design::Design;
 use crate::error::Error;
 use crate::hdl::Direction;
 use crate::synth::yosys::Yosys;
-use crate::tool;
 
 /// The most that the solver may take at once, in seconds.
 const SECONDS: u32 = 20;
@@ -28,6 +27,8 @@ pub(crate) enum Told {
     Other(Vec<i64>),
     /// It is a pipeline as the core is; whether it is the same was not found out: what was tried.
     Open(String),
+    /// It is a pipeline, and another one; what shows it is not known, or is what a memory is given.
+    Refuted,
     /// It is no pipeline, or not known to be one, so that it may depend on what came before: why.
     Unfit(Unfit),
 }
@@ -36,11 +37,9 @@ pub(crate) enum Told {
 ///
 /// # Errors
 /// A tool that is not installed or does not do its work.
-pub(crate) fn told(design: &Design, verilog: &[u8], mutants: &[u32]) -> Result<Vec<Told>, Error> {
+pub(crate) fn told(design: &Design, netlist: &[u8], mutants: &[u32]) -> Result<Vec<Told>, Error> {
     let all = |why: Unfit| Ok(vec![Told::Unfit(why); mutants.len()]);
-    // The memories are in the text.
-    let no_files = tool::scratch()?;
-    let circuit = match Circuit::read(&Yosys::find(None)?, no_files.path(), &design.spec.name, verilog)? {
+    let circuit = match Circuit::read_netlist(&Yosys::find(None)?, &design.spec.name, netlist)? {
         Ok(circuit) => circuit,
         Err(why) => return all(why),
     };
@@ -72,14 +71,11 @@ pub(crate) fn told(design: &Design, verilog: &[u8], mutants: &[u32]) -> Result<V
             });
         }
     } else {
-        let whole = |side: &&Pipeline| is_same_as_a_whole(&core, side);
-        let same = others.par_iter().map(whole).collect::<Result<Vec<bool>, Error>>()?;
-        for (place, _) in left.into_iter().zip(same).filter(|(_, same)| *same) {
-            told[place] = Some(Told::Same("from the inputs to the outputs, by ABC".to_owned()));
-        }
+        let whole = |side: &&Pipeline| as_a_whole(&core, side);
+        let answers = others.par_iter().map(whole).collect::<Result<Vec<Told>, Error>>()?;
+        left.into_iter().zip(answers).for_each(|(place, answer)| told[place] = Some(answer));
     }
-    let open = || Told::Open(format!("ABC within {SECONDS} s"));
-    Ok(told.into_iter().map(|told| told.unwrap_or_else(open)).collect())
+    Ok(told.into_iter().map(|told| told.expect("each was asked for")).collect())
 }
 
 fn is_same_by_stages(core: &Pipeline, side: &Pipeline) -> Result<bool, Error> {
@@ -89,7 +85,11 @@ fn is_same_by_stages(core: &Pipeline, side: &Pipeline) -> Result<bool, Error> {
     Ok(comparison.ask(&stages, false, SECONDS)?.answer == Answer::Equal)
 }
 
-fn is_same_as_a_whole(core: &Pipeline, side: &Pipeline) -> Result<bool, Error> {
-    let Ok(comparison) = Comparison::new(core, side) else { return Ok(false) };
-    Ok(comparison.ask(&Method::Whole, false, SECONDS)?.answer == Answer::Equal)
+fn as_a_whole(core: &Pipeline, side: &Pipeline) -> Result<Told, Error> {
+    let Ok(comparison) = Comparison::new(core, side) else { return Ok(Told::Refuted) };
+    Ok(match comparison.ask(&Method::Whole, false, SECONDS)?.answer {
+        Answer::Equal => Told::Same("from the inputs to the outputs, by ABC".to_owned()),
+        Answer::Different => Told::Refuted,
+        Answer::Unknown => Told::Open(format!("ABC within {SECONDS} s")),
+    })
 }

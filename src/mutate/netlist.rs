@@ -97,6 +97,7 @@ fn decided(
         }
         Some(Told::Other(codes)) => tried.push(format!("a proof, which {} refutes", inputs_text(design, &[codes]))),
         Some(Told::Open(why) | Told::Unfit(why)) => tried.push(format!("a proof ({why})")),
+        Some(Told::Refuted) => tried.push("a proof, which ABC refutes".to_owned()),
         None => {}
     }
     let bits: u32 = design.numbers(Direction::In).iter().map(|(_, format)| format.width()).sum();

@@ -54,16 +54,23 @@ pub(crate) fn mutated(top: &str, verilog: &[u8], count: u32, seed: u32) -> Resul
     let bits = u32::BITS - count.leading_zeros();
     let mutants: Vec<Listed> =
         possible.take(count as usize).zip(1..).map(|(line, number)| Listed::of(line, bits, number)).collect();
-    Ok(Mutated { verilog: mutated_by(top, verilog, &mutants.iter().collect::<Vec<_>>())?, mutants })
+    let verilog = with(top, verilog, &mutants.iter().collect::<Vec<_>>(), "write_verilog -noattr")?;
+    Ok(Mutated { verilog, mutants })
 }
 
-/// The same netlist with some of its mutants alone, under their numbers.
+/// The same netlist with some of its mutants alone, under their numbers, in Yosys' own language: in Verilog, a write port of a memory may
+/// become several.
 ///
 /// # Errors
 /// As [`mutated`].
 pub(crate) fn mutated_by(top: &str, verilog: &[u8], mutants: &[&Listed]) -> Result<Vec<u8>, Error> {
+    with(top, verilog, mutants, "write_rtlil")
+}
+
+/// The netlist with these mutants, as a command writes it.
+fn with(top: &str, verilog: &[u8], mutants: &[&Listed], write: &str) -> Result<Vec<u8>, Error> {
     let commands: Vec<&str> = mutants.iter().map(|mutant| mutant.command.as_str()).collect();
-    run(top, verilog, &format!("{}\nopt_clean\nwrite_verilog -noattr mutated.v\n", commands.join("\n")), "mutated.v")
+    run(top, verilog, &format!("{}\nopt_clean\n{write} mutated\n", commands.join("\n")), "mutated")
 }
 
 /// Runs commands on a core's netlist, and returns a file that they write.
