@@ -74,6 +74,10 @@ cargo doc --locked --no-deps --quiet
 say "tests"
 cargo test --locked --no-fail-fast
 
+# The same seconds in every run, not the same inputs: what it finds goes into fuzz/regressions, which the tests run.
+say "fuzzing"
+fuzz/run.sh 10
+
 say "reference cores"
 cargo build --locked --release
 for core in generated/*/; do
