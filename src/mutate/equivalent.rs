@@ -1,7 +1,7 @@
 //! What is found out of mutants that no golden vector tells from the core.
 //!
 //! A change of what is computed is decided by running inputs through the graph with the change in it: all of them, where the ports are
-//! narrow enough. Before that, and for a shader instead, a [proof](super::local) is sought in a part of the graph.
+//! narrow enough. Before that, and for a shader instead, a proof is sought in a part of the graph.
 //!
 //! A change of a pipeline register puts the value of one input in the place of another's. It is decided the same way, for the few values
 //! that a register that survives can hold.

@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use super::Fate;
 use crate::cosim::{AtRandom, Found, Mutants};
 use crate::design::Design;
-use crate::design::sample::Sample;
+use crate::design::edges::varied;
 use crate::error::Error;
 use crate::formal::{self, Told};
 use crate::golden::{Golden, Vector};
@@ -129,15 +129,11 @@ fn decided(
     Ok(Fate::Undecided { tried: tried.join(" and ") })
 }
 
-/// Samples of a shader as vectors: of random codes, hardly any sees a highlight.
+/// Inputs of a shader as vectors: of random codes, hardly any sees a highlight.
 fn samples(design: &Design) -> Vec<Vector> {
     let Some(shader) = design.spec.block.shader() else { return Vec::new() };
     let mut dice = Dice::new(7 << 40);
-    let sample = |_| {
-        let row = dice.below(design.spec.shininess.rows() as u64) as u32;
-        Sample::random(shader, row, design.spec.shininess.value(row as usize), &mut dice).codes(shader)
-    };
-    let inputs: Vec<Vec<i64>> = (0..SAMPLES).map(sample).collect();
+    let inputs: Vec<Vec<i64>> = (0..SAMPLES).map(|_| varied(design, shader, &mut dice)).collect();
     let vector = |inputs: Vec<i64>| Vector { outputs: design.evaluate(&inputs), inputs, idle: 0, stall: 0 };
     inputs.into_par_iter().map(vector).collect()
 }

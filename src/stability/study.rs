@@ -66,7 +66,7 @@ const FEW: [f64; 6] = [1.0, 1.001, 2.0, 3.0, 1000.0, 65536.0];
 /// Those at which the input's fraction matters most, for cores with more than 2^[`ALL_OF_FEW`] codes a shininess.
 const LARGE: [f64; 2] = [1000.0, 65536.0];
 
-/// Up to this input fraction the cores of [`Axis::Input`] have all of [`FEW`].
+/// Up to this input fraction the cores of [`Axis::Input`] have all of the shininesses.
 pub const ALL_OF_FEW: u32 = 22;
 
 /// Levels of Q, in twentieths.
