@@ -1,14 +1,16 @@
 // Runs golden vectors through a Verilated core with an input `mutant` that chooses what is wrong in it; 0 is the core as it should be.
 //
 // A header, written by brdfgen for each core, defines LATENCY, INPUTS and OUTPUTS (how many ports carry numbers), INPUT_BITS (an array
-// of their widths), RECENT (how many of the last inputs are told), and the functions
+// of their widths), RECENT (how many of the last inputs are told), WRITE_WORDS (of a write: the write port's number, the address, and the
+// memory's word, lowest 32 bits first), and the functions
 //   void present(Vcore&, const uint32_t* codes)   sets the input ports, masked to their widths, and makes write enables 0
 //   bool shows(const Vcore&, const uint32_t* codes)   compares the output ports
 //   bool same(const Vcore&, const Vcore&)   compares two cores' output ports
+//   void write(Vcore&, const uint32_t* write)   sets the write port of a memory
 //
 // Standard input, in 32-bit words of the machine's order: a task, then what it needs.
-//   0, first mutant, mutants, vectors, then for each vector its inputs, its outputs, idle and stall: writes for each of the mutants from
-//      the first on the number of the vector (from 1) at which it is found out, 0xffffffff if by the reset, and 0 if it is not found out.
+//   0, first mutant, mutants, vectors, then for each vector its inputs, its outputs, idle, stall, how many writes come before it, when
+//      the core is empty, and these: writes for each of the mutants from the first on the number of the vector (from 1) at which it is found out, 0xffffffff if by the reset, and 0 if it is not found out.
 //   1, mutant, low and high word of the first place, low and high word of how many: runs these of all inputs, the ports' bits side by
 //      side, first port most significant, one a clock, and writes the place of the first that tells the mutant from the core, as two
 //      words, 0xffffffff twice if none does.
@@ -36,6 +38,7 @@ struct Vector {
     uint32_t outputs[OUTPUTS];
     uint32_t idle;
     uint32_t stall;
+    std::vector<uint32_t> writes;
 };
 
 bool read_words(uint32_t* words, size_t count) {
@@ -81,19 +84,38 @@ class Bench {
             const Vector& vector = vectors_[number - 1];
             uint32_t garbage[INPUTS];
             for (int port = 0; port < INPUTS; ++port) garbage[port] = ~vector.inputs[port];
+            if (!vector.writes.empty() && !loads(vector.writes)) return number;
             for (uint32_t i = 0; i < vector.idle; ++i)
                 if (!step(garbage, true, false, 0)) return number;
             for (uint32_t i = 0; i < vector.stall; ++i)
                 if (!step(garbage, false, true, 0)) return number;
             if (!step(vector.inputs, true, true, number)) return number;
         }
-        const uint32_t zero[INPUTS] = {};
-        for (int i = 0; i < LATENCY + 2; ++i)
-            if (!step(zero, true, false, 0)) return uint32_t(vectors_.size());
-        return 0;
+        return runs_empty() ? 0 : uint32_t(vectors_.size());
     }
 
   private:
+    bool runs_empty() {
+        const uint32_t zero[INPUTS] = {};
+        for (int i = 0; i < LATENCY + 2; ++i)
+            if (!step(zero, true, false, 0)) return false;
+        return true;
+    }
+
+    // Writes into the memories, whatever ce and rst are.
+    bool loads(const std::vector<uint32_t>& writes) {
+        const uint32_t zero[INPUTS] = {};
+        if (!runs_empty()) return false;
+        for (size_t i = 0; i < writes.size() / WRITE_WORDS; ++i) {
+            set(zero, i % 2 == 0, false);
+            core_->rst = i % 4 < 2;
+            write(*core_, &writes[i * WRITE_WORDS]);
+            clock_core(*core_);
+        }
+        core_->rst = 0;
+        return true;
+    }
+
     // Filled and reset, with the clock enabled and then without: nothing may come out.
     bool reset_is_right() {
         const uint32_t zero[INPUTS] = {};
@@ -209,10 +231,14 @@ int main(int argc, char** argv) {
         if (task == 0) {
             if (!read_words(words, 3)) return 2;
             std::vector<Vector> vectors(words[2]);
-            for (Vector& vector : vectors)
+            for (Vector& vector : vectors) {
+                uint32_t writes;
                 if (!read_words(vector.inputs, INPUTS) || !read_words(vector.outputs, OUTPUTS)
-                    || !read_words(&vector.idle, 1) || !read_words(&vector.stall, 1))
+                    || !read_words(&vector.idle, 1) || !read_words(&vector.stall, 1) || !read_words(&writes, 1))
                     return 2;
+                vector.writes.resize(size_t(writes) * WRITE_WORDS);
+                if (!read_words(vector.writes.data(), vector.writes.size())) return 2;
+            }
             for (uint32_t mutant = 0; mutant < words[1]; ++mutant) {
                 const uint32_t found = Bench(words[0] + mutant, vectors).run();
                 write_words(&found, 1);

@@ -271,3 +271,21 @@ fn mutants_of_the_netlist_are_killed_by_all_vectors_and_not_by_few() {
     let (killed, mutants) = tally(&with, &asked);
     assert_eq!((killed.killed, killed.survivors), (all.killed, 0), "{mutants:?}");
 }
+
+/// What is wrong with the write port of a memory shows only once something is written.
+#[test]
+fn mutants_of_a_write_port_are_killed() {
+    let design = design(&format!("{SMALL}rom = \"writable\"\n"));
+    let golden = Golden::of(&design);
+    let files = package::files(&design, &Account::of(&design), &golden).expect("files");
+    let path = package::rtl_path(&design, Language::Verilog);
+    let verilog = &files.iter().find(|file| file.path == path).expect("its Verilog").bytes;
+    let mutants = netlist::fates(&design, verilog, &golden, 100, 0).expect("it runs");
+    let tally = Tally::of(mutants.iter().map(|mutant| &mutant.fate));
+    assert_eq!((tally.mutants, tally.survivors, tally.undecided), (100, 0, 0), "{mutants:?}");
+    let of_port =
+        |mutant: &&netlist::NetlistMutant| mutant.what.contains("wire wr_") || mutant.what.contains("port WR_");
+    let killed = |mutant: &netlist::NetlistMutant| matches!(mutant.fate, Fate::Killed { .. });
+    assert!(mutants.iter().filter(of_port).count() > 3, "{mutants:?}");
+    assert!(mutants.iter().filter(of_port).all(killed), "{mutants:?}");
+}

@@ -10,8 +10,9 @@ use super::compiled::{CORE, converse, program};
 use crate::design::Design;
 use crate::error::Error;
 use crate::golden::{self, Golden, Vector};
-use crate::hdl::Direction;
+use crate::hdl::{Direction, WritePort};
 use crate::number::Format;
+use crate::rom::Table;
 
 /// How many of the last inputs are told of what random ones find, beyond those that are on their way through the core.
 const BEFORE: usize = 8;
@@ -54,12 +55,23 @@ impl<'a> Mutants<'a> {
         Ok(Self { design, program: program(&design.spec.name, &sources, "-O2")? })
     }
 
-    /// How each of the mutants from 0 to before `count` is found out by golden vectors.
+    /// How each of the mutants from 0 to before `count` is found out by golden vectors; where memories can be written, by some with other
+    /// words as well, and by all with the right words written.
     ///
     /// # Errors
     /// A program that does not run to its end.
     pub(crate) fn golden(&self, golden: &Golden, count: u32) -> Result<Vec<Found>, Error> {
-        self.by_vectors(&golden.vectors(), 0, count)
+        let own = golden.vectors();
+        if self.design.write_ports().is_empty() {
+            return self.by_vectors(&own, &[], 0, count);
+        }
+        let other = golden::complemented(self.design, golden);
+        let vectors: Vec<&Vector> = own.iter().copied().chain(&other).chain(own.iter().copied()).collect();
+        let loads = [
+            (own.len(), golden::complemented_tables(self.design)),
+            (own.len() + other.len(), self.design.tables().to_vec()),
+        ];
+        self.by_vectors(&vectors, &loads, 0, count)
     }
 
     /// The place of the vector that goes in when a mutant is first seen to differ from these vectors.
@@ -67,7 +79,7 @@ impl<'a> Mutants<'a> {
     /// # Errors
     /// A program that does not run to its end.
     pub(crate) fn first_of(&self, mutant: u32, vectors: &[Vector]) -> Result<Option<usize>, Error> {
-        let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), mutant, 1)?;
+        let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), &[], mutant, 1)?;
         Ok(if let [Found::ByVector(number)] = found[..] { Some(number as usize - 1) } else { None })
     }
 
@@ -77,17 +89,27 @@ impl<'a> Mutants<'a> {
     /// A program that does not run to its end.
     pub(crate) fn show(&self, mutant: u32, inputs: &[Vec<i64>]) -> Result<bool, Error> {
         let vectors = golden::asked_for(self.design, inputs);
-        let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), mutant, 1)?;
+        let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), &[], mutant, 1)?;
         // In front of others the reset would find what it finds here.
         Ok(matches!(found[..], [Found::ByVector(_)]))
     }
 
-    /// How each of so many mutants from the first on is found out by vectors.
-    fn by_vectors(&self, vectors: &[&Vector], first: u32, count: u32) -> Result<Vec<Found>, Error> {
+    /// How each of so many mutants from the first on is found out by vectors. Before those at some places words are written into the memories.
+    fn by_vectors(
+        &self,
+        vectors: &[&Vector],
+        loads: &[(usize, Vec<Table>)],
+        first: u32,
+        count: u32,
+    ) -> Result<Vec<Found>, Error> {
         let mut words = vec![0, first, count, vectors.len() as u32];
-        for vector in vectors {
+        for (place, vector) in vectors.iter().enumerate() {
             words.extend(vector.inputs.iter().chain(&vector.outputs).map(|&code| code as u32));
             words.extend([vector.idle, vector.stall]);
+            let load = loads.iter().find(|(before, _)| *before == place);
+            let writes = load.map_or_else(Vec::new, |(_, tables)| writes(self.design, tables));
+            words.push(writes.len() as u32);
+            words.extend(writes.into_iter().flatten());
         }
         let found = |word: u32| match word {
             0 => Found::Not,
@@ -163,17 +185,37 @@ fn place(answer: &[u32]) -> Option<u64> {
     (place != u64::MAX).then_some(place)
 }
 
+/// 32-bit words of the widest word that is written into a memory.
+fn data_words(design: &Design) -> usize {
+    let words = |port: &WritePort| design.tables()[port.memory].word_bits().div_ceil(u32::BITS) as usize;
+    design.write_ports().iter().map(words).max().unwrap_or(0)
+}
+
+/// What is written to put these tables into the memories that can be written: the write port's number, the address, the word.
+fn writes(design: &Design, tables: &[Table]) -> Vec<Vec<u32>> {
+    let mut writes = Vec::new();
+    for (port, of) in design.write_ports().iter().enumerate() {
+        for (address, word) in tables[of.memory].words().into_iter().enumerate() {
+            let mut digits = word.to_u32_digits();
+            digits.resize(data_words(design), 0);
+            writes.push([vec![port as u32, address as u32], digits].concat());
+        }
+    }
+    writes
+}
+
 /// What the harness needs to know of the core.
 fn header(design: &Design) -> String {
     let (inputs, outputs) = (design.numbers(Direction::In), design.numbers(Direction::Out));
     let mask = |bits: u32| u32::MAX >> (32 - bits);
     let widths: Vec<String> = inputs.iter().map(|(_, format)| format.width().to_string()).collect();
     let mut text = format!(
-        "#define LATENCY {}\n#define INPUTS {}\n#define OUTPUTS {}\n#define RECENT {}\nstatic const int INPUT_BITS[] = {{{}}};\n",
+        "#define LATENCY {}\n#define INPUTS {}\n#define OUTPUTS {}\n#define RECENT {}\n#define WRITE_WORDS {}\nstatic const int INPUT_BITS[] = {{{}}};\n",
         design.schedule.latency,
         inputs.len(),
         outputs.len(),
         recent(design),
+        2 + data_words(design),
         widths.join(", ")
     );
     let mut line = |line: String| text.push_str(&(line + "\n"));
@@ -192,6 +234,26 @@ fn header(design: &Design) -> String {
     for (name, _) in outputs {
         line(format!("        && a.{name} == b.{name}"));
     }
-    line("        ;\n}".to_owned());
+    line(
+        "        ;\n}\nstatic void write(Vcore& core, const uint32_t* write) {\n    (void)core, (void)write;"
+            .to_owned(),
+    );
+    for (number, port) in design.write_ports().iter().enumerate() {
+        let [enable, address, data] = port.ports().map(|port| port.name.as_str());
+        line(format!(
+            "    if (write[0] == {number}) {{\n        core.{enable} = 1;\n        core.{address} = write[1];"
+        ));
+        let bits = design.tables()[port.memory].word_bits();
+        match bits {
+            0..=32 => line(format!("        core.{data} = write[2];")),
+            33..=64 => line(format!("        core.{data} = write[2] | uint64_t(write[3]) << 32;")),
+            _ => {
+                let words = bits.div_ceil(u32::BITS);
+                line(format!("        for (int i = 0; i < {words}; ++i) core.{data}[i] = write[2 + i];"));
+            }
+        }
+        line("    }".to_owned());
+    }
+    line("}".to_owned());
     text
 }

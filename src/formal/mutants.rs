@@ -16,7 +16,7 @@ use crate::hdl::Direction;
 use crate::synth::yosys::Yosys;
 
 /// The most that the solver may take at once, in seconds.
-const SECONDS: u32 = 20;
+const SECONDS: u32 = 5;
 
 /// What is found out of a mutant.
 #[derive(Clone, Debug, PartialEq, Eq)]
