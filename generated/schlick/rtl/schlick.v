@@ -1,7 +1,7 @@
 // schlick: specular lobe x^n as x/(1 + (n-1)u), n = 1 to 127
 //
 // Made by: brdfgen generate core.toml
-// Spec 287f0a66f056d95a. Generated; the core is yours to use under any terms.
+// Spec 500a8fd02d5cfbe6. Generated; the core is yours to use under any terms.
 //
 //   in_n      UQ7.0   shininess, 1 to 127; outside: the nearest end
 //   in_cos    Q1.12   cosine x; below 0 gives 0, above 1 counts as 1

@@ -1,7 +1,7 @@
 // shader_axis: AXI4-Stream interfaces for the core shader
 //
 // Made by: brdfgen generate core.toml
-// Spec 880b5b7e92119168. Generated; the wrapper is yours to use under any terms.
+// Spec ef73cb5e346c03ce. Generated; the wrapper is yours to use under any terms.
 //
 // s_axis_tdata, 28 bytes:
 //   [1:0]     in_material   UQ2.0 index of the material, 0 to 3; above: the last

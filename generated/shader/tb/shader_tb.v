@@ -1,7 +1,7 @@
 // shader: Phong shader, 2 lights, 4 materials, 8 bits a channel
 //
 // Made by: brdfgen generate core.toml
-// Spec 880b5b7e92119168. Generated; the core is yours to use under any terms.
+// Spec ef73cb5e346c03ce. Generated; the core is yours to use under any terms.
 //
 //   in_material UQ2.0   index of the material, 0 to 3; above: the last
 //   in_nx       Q1.16   x of the normal N, of unit length
