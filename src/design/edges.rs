@@ -219,7 +219,8 @@ mod tests {
         }
     }
 
-    /// Each scalar product's dropped bits are all 1 in one input of three hundred or more, not in one of 2^14.
+    /// Each scalar product's dropped bits are all 1 in one input of three hundred or more, not in one of 2^14; and there is light that hardly
+    /// reaches the surface and makes a highlight.
     #[test]
     fn products_are_often_just_below_a_last_bit() {
         let design = design();
@@ -239,8 +240,7 @@ mod tests {
             for (count, name) in found.iter_mut().zip(names) {
                 *count += usize::from(value(name) & 0x3fff == 0x3fff);
             }
-            grazing +=
-                usize::from((1..1 << dropped).contains(&value(names[0])) && values[design.graph().output()] > 200);
+            grazing += usize::from((1..1 << dropped).contains(&value(names[0])) && value("spec1") > 0);
         }
         assert!(found.iter().all(|&count| count > 10), "{found:?}");
         assert!(grazing > 10, "{grazing}");
