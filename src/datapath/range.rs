@@ -67,6 +67,11 @@ impl Span {
         self.low.unsigned_abs().max(self.high.unsigned_abs())
     }
 
+    /// What of it is no greater than a bound that is known to hold; all of it where nothing is, as behind a value that has left its format.
+    fn up_to(self, bound: i128) -> Self {
+        if bound < self.low { self } else { Self { high: self.high.min(bound), ..self } }
+    }
+
     fn map(self, f: impl Fn(i128) -> i128) -> Self {
         Self { low: f(self.low), high: f(self.high) }
     }
@@ -551,13 +556,13 @@ impl<'a> Analysis<'a> {
             if let (Some(step), false) = (self.restoring[id], exact.is_point()) {
                 block.restores[id] = self.restores(step, block);
                 if block.restores[id] {
-                    exact.high = exact.high.min(self.aligned(step.divisor, node.format, block).high);
+                    exact = exact.up_to(self.aligned(step.divisor, node.format, block).high);
                 }
             }
             if let (Some(trial), false) = (self.kept[id], exact.is_point()) {
                 let divisor = self.restoring[trial].expect("a step").divisor;
                 // Below the divisor by a last bit of the finer at least.
-                exact.high = exact.high.min(self.aligned(divisor, node.format, block).high);
+                exact = exact.up_to(self.aligned(divisor, node.format, block).high);
             }
             block.exact[id] = exact;
             block.codes[id] = wrapped(exact, node.format);
