@@ -19,7 +19,7 @@ const RANDOM: usize = 512;
 /// Scenes among which those are sought that tell a ROM word from one with a flipped bit.
 const CANDIDATES: usize = 96;
 /// Tasks that seek inputs which tell mutants, and the candidates of each.
-const TASKS: u64 = 16;
+const TASKS: u64 = 64;
 const OF_TASK: u64 = 1 << 14;
 /// Samples of a material's stream.
 pub(super) const STREAM: u64 = 1 << 13;
