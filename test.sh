@@ -78,26 +78,27 @@ cargo test --locked --no-fail-fast
 say "fuzzing"
 fuzz/run.sh 10
 
-say "reference cores"
-cargo build --locked --release
+# The program as the tests have compiled it: optimised too, and a second compilation of everything would take longer than it saves.
+brdfgen=target/debug/brdfgen
 for core in generated/*/; do
     name=$(basename "$core")
-    target/release/brdfgen generate "$core" --check --out "$core"
-    target/release/brdfgen golden "$core" --check "testbench/golden/$name.vec"
-    target/release/brdfgen cosim "$core" --sim all
+    say "reference core $name"
+    $brdfgen generate "$core" --check --out "$core"
+    $brdfgen golden "$core" --check "testbench/golden/$name.vec"
+    $brdfgen cosim "$core" --sim all
     # For every input and every clock, where the simulators compare runs.
-    target/release/brdfgen formal "$core" --solver-limit 5
+    $brdfgen formal "$core" --solver-limit 5
     # The netlist of a small core has mutants too: it is compiled anew.
     mutants=""
     [ "$name" = squaring ] && mutants="--netlist 200"
     # shellcheck disable=SC2086
-    target/release/brdfgen mutate "$core" $mutants
+    $brdfgen mutate "$core" $mutants
     # The netlists of two cores; the same command runs those of the others.
     case $name in
-    table_2d | quadratic) target/release/brdfgen cosim "$core" --netlist ecp5 ;;
+    table_2d | quadratic) $brdfgen cosim "$core" --netlist ecp5 ;;
     esac
     # A shader has too many inputs to run through them all.
-    grep -q '^block = "shader"' "$core/core.toml" || target/release/brdfgen cosim "$core" --sim all --exhaustive
+    grep -q '^block = "shader"' "$core/core.toml" || $brdfgen cosim "$core" --sim all --exhaustive
 done
 
 say "everything passed"
