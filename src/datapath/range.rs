@@ -748,8 +748,9 @@ impl<'a> Analysis<'a> {
     }
 
     /// The graph with registers in which nothing can overflow unseen: sums, differences, products, shifts and casts get a sign and eight
-    /// integer bits more, or as many as make them 62 bits wide, which are evaluated faster than more. Where no needed value leaves its format, its outputs are those of the graph itself; so running both over every
-    /// input checks an analysis that found none. What casts drop on purpose, as `ranges` tells, they drop here too.
+    /// integer bits more, or as many as make them 62 bits wide, which are evaluated faster than more. Where no needed value leaves its
+    /// format, its outputs are those of the graph itself; so running both over every input checks an analysis that found none. What casts
+    /// drop on purpose, as `ranges` tells, they drop here too.
     #[must_use]
     pub fn with_spare_bits(&self, ranges: &Ranges) -> Graph {
         let mut graph = self.graph.clone();

@@ -190,6 +190,10 @@ impl<'a> Local<'a> {
             if id > fault.node && node.args.iter().any(|&arg| differs[arg] > 0) {
                 differs[id] = self.passed_on(node, &differs)?;
             }
+            // A sign that changes changes every bit above it.
+            if node.format.signed && differs[id] >= node.format.width() {
+                return None;
+            }
             if differs[id] > 0 && self.graph.is_output(id) {
                 return None;
             }
@@ -490,6 +494,32 @@ mod tests {
         for rule in ["the value lies between", "these are dropped", "no value of"] {
             assert!(all.iter().any(|proof| proof.contains(rule)), "{rule}");
         }
+    }
+
+    /// A small signed value and one with zeros in its place, of whose sum its bits are dropped: its sign is not.
+    #[test]
+    fn a_sign_is_not_dropped() {
+        use crate::number::Format;
+        let node = |op, args: &[NodeId], format, name: &str| Node {
+            op,
+            args: args.to_vec(),
+            format,
+            name: name.to_owned(),
+            comment: String::new(),
+        };
+        let nodes = vec![
+            node(Op::Input, &[], Format::signed(0, 4), "small"),
+            node(Op::Constant(32), &[], Format::unsigned(2, 4), "two"),
+            node(Op::Add, &[0, 1], Format::signed(3, 4), "sum"),
+            node(Op::Cast, &[2], Format::signed(3, -1), "cut"),
+        ];
+        let graph = Graph { nodes, inputs: vec![0], outputs: vec![("out".to_owned(), 3)] };
+        let spans = graph.nodes.iter().map(|node| Span::of(node.format)).collect();
+        let zeros = zeros(&graph);
+        let local = Local { graph: &graph, tables: &[], most_bits: 8, spans, zeros };
+        let stuck = |bit| Fault { node: 0, change: Change::Stuck { bit, high: true } };
+        assert!(local.by_dropped_bits(&stuck(3)).is_some());
+        assert_eq!(local.proof(&stuck(4)), None);
     }
 
     /// A product of which only the lower half is read, and sums of which the last bits are dropped.

@@ -19,8 +19,7 @@ use crate::datapath::graph::{Graph, NodeId};
 use crate::datapath::range::{Analysis, Ranges, Region, Span, by_rows};
 use crate::datapath::shader::joints;
 use crate::design::Design;
-use crate::design::sample::{Sample, random_codes};
-use crate::hdl::Direction;
+use crate::design::edges::varied;
 use crate::number::Dice;
 use crate::rom::Table;
 use crate::spec::{Shader, Shininess};
@@ -157,17 +156,9 @@ impl ShaderInspection {
         let (set, graph) = (&design.spec.shininess, design.graph());
         let proof = Proof::of(set, shader, graph, design.tables());
         let wide = Analysis::new(graph, design.tables()).with_spare_bits(&proof.ranges);
-        let ports = design.numbers(Direction::In);
         let differs = |place: u64| {
             let mut dice = Dice::new(place);
-            // Half of them scenes that a camera may see, half any codes at all.
-            let codes = if place.is_multiple_of(2) {
-                let row = dice.below(set.rows() as u64) as usize;
-                Sample::random(shader, set.index_of_row(row), set.value(row), &mut dice).codes(shader)
-            } else {
-                random_codes(&ports, &mut dice)
-            };
-            let codes: Vec<i128> = codes.into_iter().map(i128::from).collect();
+            let codes: Vec<i128> = varied(design, shader, &mut dice).into_iter().map(i128::from).collect();
             let outputs = |graph: &Graph| -> Vec<i128> {
                 let values = graph.values(design.tables(), &codes);
                 graph.outputs.iter().map(|&(_, id)| values[id]).collect()
