@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Installs what the tests need (Debian and PyPI packages) and runs them all. Works offline once everything is there.
+# Installs what the tests need (Debian and PyPI packages) and runs them. Works offline once everything is there. Two runs on the same
+# sources run the same tests on the same inputs; what they print differs in times only.
 #
-#   ./test.sh            everything
-#   ./test.sh --no-install   everything, but says what is missing instead of installing it
+#   ./test.sh                what every change has to pass
+#   ./test.sh --all          the larger sets of cores and inputs as well: some hours
+#   ./test.sh --no-install   says what is missing instead of installing it
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -11,7 +13,18 @@ export CARGO_INCREMENTAL=0
 export RUSTFLAGS="${RUSTFLAGS:-} -D warnings"
 export RUSTDOCFLAGS="${RUSTDOCFLAGS:-} -D warnings"
 install=yes
-[ "${1:-}" = --no-install ] && install=no
+all=no
+for argument in "$@"; do
+    case $argument in
+    --no-install) install=no ;;
+    # Tests that run a part of a set of cores run all of it.
+    --all) all=yes && export BRDFGEN_TEST_ALL=1 ;;
+    *)
+        echo "test.sh: unknown argument '$argument'; --all and --no-install are known" >&2
+        exit 2
+        ;;
+    esac
+done
 
 say() { printf '\n== %s (%d s)\n' "$*" "$SECONDS"; }
 
@@ -61,22 +74,28 @@ if [ "$(cat "$venv/installed" 2>/dev/null)" != "$pypi_needs" ]; then
 fi
 export PATH="$venv/bin:$PATH"
 
+# What is compiled first and which test ends first is chance: both are shown on a terminal only.
+quiet=--quiet
+[ -t 1 ] && quiet=""
+
 say "formatting"
 cargo fmt --check
 
 say "lints"
-cargo clippy --locked --all-targets -- -D warnings
-cargo clippy --locked --no-default-features --lib --bins -- -D warnings
+cargo clippy $quiet --locked --all-targets -- -D warnings
+cargo clippy $quiet --locked --no-default-features --lib --bins -- -D warnings
 
 say "documentation"
 cargo doc --locked --no-deps --quiet
 
 say "tests"
-cargo test --locked --no-fail-fast
+cargo test $quiet --locked --no-fail-fast
 
-# The same seconds in every run, not the same inputs: what it finds goes into fuzz/regressions, which the tests run.
-say "fuzzing"
-fuzz/run.sh 10
+if [ "$all" = yes ]; then
+    # The same inputs in every run: so many from one seed, starting from the kept ones. fuzz/run.sh alone goes on from where it was.
+    say "fuzzing"
+    fuzz/run.sh --runs 200000
+fi
 
 # The program as the tests have compiled it: optimised too, and a second compilation of everything would take longer than it saves.
 brdfgen=target/debug/brdfgen
@@ -88,15 +107,17 @@ for core in generated/*/; do
     $brdfgen cosim "$core" --sim all
     # For every input and every clock, where the simulators compare runs.
     $brdfgen formal "$core" --solver-limit 5
-    # The netlist of a small core has mutants too: it is compiled anew.
+    # The netlists of two cores, and what a netlist with mistakes gives away for a small one, as it is compiled anew; of all cores with --all.
+    netlist=$all
     mutants=""
-    [ "$name" = squaring ] && mutants="--netlist 200"
+    case $name in
+    table_2d | quadratic) netlist=yes ;;
+    squaring) mutants="--netlist 200" ;;
+    esac
+    [ "$all" = yes ] && mutants="--netlist 200"
     # shellcheck disable=SC2086
     $brdfgen mutate "$core" $mutants
-    # The netlists of two cores; the same command runs those of the others.
-    case $name in
-    table_2d | quadratic) $brdfgen cosim "$core" --netlist ecp5 ;;
-    esac
+    [ "$netlist" = yes ] && $brdfgen cosim "$core" --netlist ecp5
     # A shader has too many inputs to run through them all.
     grep -q '^block = "shader"' "$core/core.toml" || $brdfgen cosim "$core" --sim all --exhaustive
 done

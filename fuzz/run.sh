@@ -1,15 +1,31 @@
 #!/usr/bin/env bash
-# Fuzzes the readers: fuzz/run.sh [--keep] SECONDS [TARGET...]; see docs/fuzzing.md.
+# Fuzzes what reads files: fuzz/run.sh [--keep] SECONDS [TARGET...], each time from other inputs, or the same in every run:
+# fuzz/run.sh --runs COUNT [TARGET...]; see docs/fuzzing.md.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export CARGO_INCREMENTAL=0
 
+usage() {
+    sed -n '2,3s/^# //p' "$0" >&2
+    exit 2
+}
+
 keep=no
-[ "${1:-}" = --keep ] && { keep=yes; shift; }
-seconds=${1:-10}
+fixed=no
+case ${1:-} in
+--keep) keep=yes && shift ;;
+--runs) fixed=yes && shift ;;
+esac
+amount=${1:-10}
+case $amount in
+*[!0-9]* | "") usage ;;
+esac
 shift || true
+# The names of all targets, as they stand in the list that the fuzzer is compiled from.
+known=$(sed -n '/^pub const TARGETS/,/^];/s/^ *("\([a-z_]*\)",.*/\1/p' fuzz/targets.rs)
 targets=("$@")
-[ ${#targets[@]} -gt 0 ] || targets=(spec golden rom scene mesh netlist sweep results tables)
+# shellcheck disable=SC2206
+[ ${#targets[@]} -gt 0 ] || targets=($known)
 
 RUSTC_WORKSPACE_WRAPPER=$PWD/fuzz/instrument.sh cargo build --locked --profile test --features fuzz --example fuzz
 mkdir -p target/fuzz
@@ -20,9 +36,13 @@ limits="-timeout=10 -rss_limit_mb=1024 -max_len=4096 -print_final_stats=1 -verbo
 
 fuzz() {
     work=target/fuzz/$1
+    [ "$4" = yes ] && rm -rf "$work/corpus"
     mkdir -p "$work/corpus" "fuzz/regressions/$1"
+    length="-max_total_time=$2"
+    # Its own corpus is empty in each such run, so that the inputs are the same.
+    [ "$4" = yes ] && length="-runs=$2 -seed=1"
     # shellcheck disable=SC2086
-    if BRDFGEN_FUZZ=$1 target/fuzz/fuzzer $limits -max_total_time="$2" -artifact_prefix="$work/" \
+    if BRDFGEN_FUZZ=$1 target/fuzz/fuzzer $limits $length -artifact_prefix="$work/" \
         "$work/corpus" "fuzz/corpus/$1" "fuzz/regressions/$1" >"$work/log" 2>&1; then
         echo "$1: $(sed -n 's/^stat::number_of_executed_units: *//p' "$work/log") inputs, none fails"
     else
@@ -37,4 +57,4 @@ fuzz() {
 export -f fuzz
 export limits
 
-printf '%s\n' "${targets[@]}" | xargs -P 2 -I {} bash -c "fuzz {} $seconds $keep"
+printf '%s\n' "${targets[@]}" | xargs -P 2 -I {} bash -c "fuzz {} $amount $keep $fixed"

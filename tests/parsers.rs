@@ -94,6 +94,13 @@ fn changed_files_are_read_or_refused() {
     }
 }
 
+/// A failure can be had again, and a run that passed passes again: no test draws other inputs each time.
+#[test]
+fn property_tests_draw_the_same_inputs_in_every_run() {
+    let seed = proptest::test_runner::Config::default().rng_seed;
+    assert!(matches!(seed, proptest::test_runner::RngSeed::Fixed(_)), ".cargo/config.toml fixes it, not {seed:?}");
+}
+
 /// A property that does not hold is noticed, with the input.
 #[test]
 fn what_fails_is_named() {
