@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes the readers: fuzz/run.sh [--keep] SECONDS [TARGET...]; see docs/fuzzing.md.
+# Fuzzes the readers and `generate`: fuzz/run.sh [--keep] SECONDS [TARGET...]; see docs/fuzzing.md.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 export CARGO_INCREMENTAL=0
@@ -9,7 +9,7 @@ keep=no
 seconds=${1:-10}
 shift || true
 targets=("$@")
-[ ${#targets[@]} -gt 0 ] || targets=(spec golden rom scene mesh netlist sweep results tables)
+[ ${#targets[@]} -gt 0 ] || targets=(spec generate golden rom scene mesh netlist sweep results tables)
 
 RUSTC_WORKSPACE_WRAPPER=$PWD/fuzz/instrument.sh cargo build --locked --profile test --features fuzz --example fuzz
 mkdir -p target/fuzz
