@@ -76,8 +76,8 @@ fn a_reset_shows_in_a_core_of_one_stage() {
 fn no_word_of_a_table_survives() {
     for (spec, words) in [
         ("shininess = [3, 40, 9]\ntable_bits = 5\ninput_fraction = 8\noutput_fraction = 10", 60),
-        ("shininess = '1..=300'\ntable_bits = 7\ninput_fraction = 12\noutput_fraction = 8", 100),
-        ("shininess = '600..=700'\ntable_bits = 4\ninput_fraction = 14\noutput_fraction = 12", 100),
+        ("shininess = '1..=300'\ntable_bits = 7\ninput_fraction = 12\noutput_fraction = 8", 80),
+        ("shininess = '600..=700'\ntable_bits = 4\ninput_fraction = 14\noutput_fraction = 12", 80),
     ] {
         let design = design(&format!("method = 'table'\n{spec}\n"));
         let golden = Golden::of(&design);
