@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes what reads files: fuzz/run.sh [--keep] SECONDS [TARGET...], each time from other inputs, or the same in every run:
+# Fuzzes the readers and `generate`: fuzz/run.sh [--keep] SECONDS [TARGET...], each time from other inputs, or the same in every run:
 # fuzz/run.sh --runs COUNT [TARGET...]; see docs/fuzzing.md.
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,5 +1,5 @@
-//! What is fuzzed: each reader of files with the properties that must hold of it whatever the bytes are. The fuzzer and
-//! `tests/parsers.rs` share this file.
+//! What is fuzzed: each reader of files with the properties that must hold of it whatever the bytes are, and `generate` itself, from a spec
+//! to the files of its core. The fuzzer and `tests/parsers.rs` share this file.
 //!
 //! A property that fails is a panic. Memory and time are watched from outside.
 
@@ -7,23 +7,29 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use brdfgen::claims::Recorded;
-use brdfgen::design::Design;
+use brdfgen::cosim::{self, Job, Sim};
+use brdfgen::design::sample::random_codes;
+use brdfgen::design::{Account, Design, Part, ShaderError};
 use brdfgen::error::Error;
 use brdfgen::explore::{Results, Sweep};
 use brdfgen::golden;
+use brdfgen::hdl::Direction;
+use brdfgen::number::Dice;
+use brdfgen::package;
 use brdfgen::report::Speed;
 use brdfgen::rom::{self, RomFormat};
 use brdfgen::scene::Scene;
 use brdfgen::scene::mesh::{Mesh, Normals};
-use brdfgen::spec::SpecFields;
+use brdfgen::spec::{CoreSpec, SpecFields};
 use brdfgen::synth;
 
-/// A reader: its name, which is that of its corpus, and what is done with some bytes.
+/// A reader, or `generate`: its name, which is that of its corpus, and what is done with some bytes.
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All of them.
-pub const TARGETS: [Target; 9] = [
+pub const TARGETS: [Target; 10] = [
     ("spec", spec),
+    ("generate", generate),
     ("golden", golden_vectors),
     ("rom", rom_file),
     ("scene", scene),
@@ -59,6 +65,60 @@ fn spec(bytes: &[u8]) {
     let Some(spec) = checked(fields.resolve()) else { return };
     let again = SpecFields::parse(&spec.to_toml(), "again").and_then(SpecFields::resolve);
     assert_eq!(again.expect("a whole spec is a spec"), spec);
+}
+
+/// Whether a core is made in no time: few inputs, small tables, and few stages of few operations.
+fn is_small(spec: &CoreSpec) -> bool {
+    let inputs = spec.shininess.index_bits() + spec.input_fraction;
+    let entries = [spec.table_bits, spec.log_bits, spec.exp_bits].into_iter().all(|bits| bits <= 9);
+    let lights = spec.block.shader().map_or(0, |shader| shader.lights);
+    inputs <= 13 && spec.shininess.rows() <= 300 && entries && lights <= 2 && spec.accuracy.is_none_or(|bits| bits <= 9)
+}
+
+/// A small core is made, or refused in words: model and datapath compute the same for every input, and what is measured of it is within
+/// what is proved. Of a shader a few inputs are compared, and nothing is measured.
+fn generate(bytes: &[u8]) {
+    let Ok(text) = str::from_utf8(bytes) else { return };
+    let Some(spec) = checked(SpecFields::parse(text, "spec.toml").and_then(SpecFields::resolve)) else { return };
+    if !is_small(&spec) {
+        return;
+    }
+    let design = match Design::new(spec) {
+        Ok(design) => design,
+        Err(Error::Input { .. }) => return,
+        Err(error) => panic!("a core is made or refused: {error:?}"),
+    };
+    let (graph, tables) = (design.graph(), design.tables());
+    let agree = |inputs: &[i64]| {
+        let values = graph.values(tables, &inputs.iter().copied().map(i128::from).collect::<Vec<_>>());
+        let outputs: Vec<i64> = graph.outputs.iter().map(|&(_, id)| values[id] as i64).collect();
+        assert_eq!(design.evaluate(inputs), outputs, "model and datapath at {inputs:?}");
+    };
+    let (account, golden) = if design.spec.block.shader().is_some() {
+        let ports = design.numbers(Direction::In);
+        let mut dice = Dice::new(0);
+        (0..64).for_each(|_| agree(&random_codes(&ports, &mut dice)));
+        let none = |name| Part { name, meaning: "", codes: [0.0; 2], rms: 0.0 };
+        let account = Account::Shader(ShaderError { samples: 1, parts: vec![none("part")], whole: none("whole") });
+        let (core, spec_digest) = (design.spec.name.clone(), design.spec.digest());
+        (account, golden::Golden { core, spec_digest, groups: Vec::new(), digests: Vec::new() })
+    } else {
+        let (first, count) = golden::all_codes(design.operand_format());
+        for index in 0..1i64 << design.index_format().width() {
+            (first..first + count as i64).for_each(|operand| agree(&[index, operand]));
+        }
+        let account = Account::of(&design);
+        if let Account::Lobe(measured) = &account {
+            let ([low, high], [least, most]) = (design.budget.proved_ulps, measured.ulps);
+            assert!(low - 1e-6 <= least && most <= high + 1e-6, "measured {least}..{most}, proved {low}..{high}");
+        }
+        (account, golden::Golden::of(&design))
+    };
+    let files = package::files(&design, &account, &golden).expect("the files of a core");
+    assert!(files.iter().all(|file| !file.path.is_empty()) && files.len() > 4);
+    let job = Job { design: &design, golden: &golden, directory: Path::new("") };
+    let outcome = cosim::golden(Sim::Builtin, &job).expect("a simulation in this process");
+    assert!(outcome.mismatches == 0 && outcome.vectors == outcome.expected_vectors, "{outcome:?}");
 }
 
 /// Two cores: one with a signed operand, one with several outputs.

@@ -558,3 +558,105 @@ fn assert_flips_are_noticed(spec: &str) {
     let first: Vec<_> = missed.iter().take(10).collect();
     assert!(missed.is_empty(), "{spec}: {} of {words} flipped bits go unnoticed: {first:?}", missed.len());
 }
+
+/// Every method and every choice that changes its datapath, for the smallest cores.
+const SMALLEST: [&str; 36] = [
+    kinds::QUADRATIC,
+    kinds::QUADRATIC_PAPER,
+    kinds::QUADRATIC_MINIMAX,
+    kinds::CUBIC,
+    kinds::CUBIC_PAPER,
+    kinds::CUBIC_HOLD,
+    kinds::CUBIC_MINIMAX,
+    kinds::CUBIC_HOLD_MINIMAX,
+    kinds::THREE_POINT,
+    kinds::THREE_POINT_HOLD,
+    kinds::MIN_ZERO,
+    kinds::MIN_ZERO_MINIMAX,
+    kinds::LYON_2,
+    kinds::LYON_4,
+    kinds::LYON_8,
+    kinds::POWER_2,
+    kinds::POWER_4,
+    kinds::POWER_8,
+    kinds::POWER_2_LINEAR,
+    kinds::POWER_4_LINEAR,
+    kinds::POWER_8_LINEAR,
+    kinds::SEGMENTED_2,
+    kinds::SEGMENTED_4,
+    kinds::SEGMENTED_8,
+    "method = 'schlick'",
+    "method = 'schlick'\ndivider = 'reciprocal'",
+    "method = 'cubic-rational'",
+    "method = 'cubic-rational'\ndivider = 'reciprocal'",
+    "method = 'log-exp'",
+    "method = 'log-exp'\naccuracy = 3",
+    "method = 'log-exp'\naccuracy = 3\nmemory = 'block'",
+    "method = 'squaring'",
+    "method = 'harris'",
+    "method = 'harris'\nlog_bits = 2\nexp_bits = 2",
+    "method = 'table'",
+    "method = 'table'\ntable_bits = 2",
+];
+
+/// Where the output has few bits, distances, slopes and steps may have none at all: those mean the same in the model, in the datapath and
+/// in the evaluator, for every code at both ports.
+#[test]
+fn the_smallest_cores_are_the_same_everywhere() {
+    let sets = ["'1..=5'", "[1]", "[2, 1048576]", "'255..=256'", "[1.5, 3.25, 700]"];
+    let mut specs = Vec::new();
+    for kind in SMALLEST {
+        let sets: &[&str] = if kind.contains("squaring") { &["[1, 2, 4, 1024]", "[1]"] } else { &sets };
+        for (place, set) in sets.iter().enumerate() {
+            for f in if kind.contains("accuracy") { 8..=10 } else { 4..=10 } {
+                for g in 4..=6 {
+                    // Two or three sets for each pair of widths.
+                    if (place + f + g) % 2 == 1 {
+                        continue;
+                    }
+                    let operand = ["cos", "versine"][(place + f) % 2];
+                    let range = ["any", "unit"][(place + g) % 2];
+                    specs.push(format!(
+                        "{kind}\nshininess = {set}\ninput_fraction = {f}\noutput_fraction = {g}\noperand = '{operand}'\n\
+                         input_range = '{range}'"
+                    ));
+                }
+            }
+        }
+    }
+    let made = AtomicU64::new(0);
+    specs.par_iter().for_each(|spec| {
+        let design = match Design::new(SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec)) {
+            Ok(design) => design,
+            // The printed forms need more bits than there are; all others are made.
+            Err(_) if spec.contains("'paper'") => return,
+            Err(error) => panic!("{spec}: {error}"),
+        };
+        made.fetch_add(1, Ordering::Relaxed);
+        let (first, count) = all_codes(design.operand_format());
+        let (evaluator, model) = (design.evaluator(), design.model());
+        // Of a port of many bits the codes about both ends of the set.
+        let last = design.index_format().max_code() as u32;
+        let set = &design.spec.shininess;
+        let mut indices: Vec<u32> = (0..4).chain(last..=last).collect();
+        let ends = [set.index_of_row(0), set.index_of_row(set.rows() - 1)];
+        indices.extend(ends.iter().flat_map(|&end| end.saturating_sub(1)..=end.saturating_add(1)));
+        indices.retain(|&index| index <= last);
+        indices.sort_unstable();
+        indices.dedup();
+        for index in indices {
+            let mut outputs = vec![0u32; count as usize];
+            evaluator.evaluate(index, first, 1, &mut outputs);
+            for (operand, &output) in (first..).zip(&outputs) {
+                let model = model.evaluate(index, operand);
+                assert_eq!(output, model, "{spec}: in_n {index}, operand {operand}: evaluator and model");
+                if operand % 7 == 0 {
+                    let values = design.graph().values(design.tables(), &[index.into(), operand.into()]);
+                    let graph = values[design.graph().output()];
+                    assert_eq!(graph, i128::from(model), "{spec}: in_n {index}, operand {operand}: datapath and model");
+                }
+            }
+        }
+    });
+    assert!(made.into_inner() > 1500, "few are made");
+}

@@ -47,6 +47,50 @@ fn all_vectors_kill_what_few_do_not() {
     }
 }
 
+/// A core of one stage has no register in which a reset could show but the one of its `out_valid`.
+#[test]
+fn a_reset_shows_in_a_core_of_one_stage() {
+    for method in ["quadratic", "cubic", "segmented-4", "schlick", "log-exp", "harris", "table"] {
+        let spec = format!(
+            "method = '{method}'\nshininess = '1..=4'\ninput_fraction = 6\noutput_fraction = 4\npipeline = 1\n"
+        );
+        let design = design(&spec);
+        let golden = Golden::of(&design);
+        let mutants: Vec<_> = source::mutants(&design, 0)
+            .into_iter()
+            .filter(|mutant| matches!(mutant.defect, Defect::Timing(_)))
+            .collect();
+        let resets = mutants.iter().filter(|mutant| mutant.what.starts_with("rst ")).count();
+        assert_eq!(resets, 2, "{method}");
+        let fates = source::fates(&design, &golden, &mutants, &|| ());
+        for (mutant, fate) in mutants.iter().zip(&fates) {
+            let is_killed = matches!(fate, Fate::Killed { .. });
+            assert!(is_killed || matches!(fate, Fate::Equivalent { .. }), "{method}: {}: {fate:?}", mutant.what);
+            assert!(is_killed || !mutant.what.starts_with("rst "), "{method}: {}: {fate:?}", mutant.what);
+        }
+    }
+}
+
+/// Every word of a table is told by a vector, those that only codes outside the set read too, or is read by no input.
+#[test]
+fn no_word_of_a_table_survives() {
+    for (spec, words) in [
+        ("shininess = [3, 40, 9]\ntable_bits = 5\ninput_fraction = 8\noutput_fraction = 10", 60),
+        ("shininess = '1..=300'\ntable_bits = 7\ninput_fraction = 12\noutput_fraction = 8", 80),
+        ("shininess = '600..=700'\ntable_bits = 4\ninput_fraction = 14\noutput_fraction = 12", 80),
+    ] {
+        let design = design(&format!("method = 'table'\n{spec}\n"));
+        let golden = Golden::of(&design);
+        let of_words =
+            |seed| source::mutants(&design, seed).into_iter().filter(|mutant| mutant.what.contains(" of the word at "));
+        let mutants: Vec<_> = (0..8).flat_map(of_words).collect();
+        let fates = source::fates(&design, &golden, &mutants, &|| ());
+        let tally = Tally::of(&fates);
+        assert_eq!((tally.survivors, tally.undecided), (0, 0), "{spec}: {tally:?}");
+        assert!(tally.killed > words, "{spec}: {tally:?}");
+    }
+}
+
 #[test]
 fn the_command_ends_with_1_when_a_mutant_survives() {
     let scratch = Scratch::new();

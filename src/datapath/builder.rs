@@ -387,7 +387,7 @@ impl<'a> Builder<'a> {
     /// A constant.
     pub fn constant(&mut self, code: i128, format: Format, name: &str) -> NodeId {
         let value = format.value(code);
-        let grid = format.frac_bits - code.trailing_zeros() as i32;
+        let grid = if code == 0 { -(1 << 20) } else { format.frac_bits - code.trailing_zeros() as i32 };
         let bound = Bound { range: Interval::point(value), error: Interval::ZERO, grid };
         self.push(Op::Constant(code), &[], format, name, String::new(), vec![bound; self.cases.len()])
     }
@@ -581,8 +581,13 @@ impl<'a> Builder<'a> {
     /// `a` with `format`'s bits only: low bits are dropped, and high bits where the caller guards them with a
     /// flag (`guarded`) or the analysis shows that they are never used.
     pub fn cast(&mut self, a: NodeId, format: Format, guarded: bool, name: &str, comment: &str) -> NodeId {
+        let empty = format.int_bits + format.frac_bits <= 0;
         // A number far below the last bit that is kept still takes one bit.
         let format = Format { int_bits: format.int_bits.max(1 - format.frac_bits), ..format };
+        if guarded && empty && !format.signed {
+            // None of the bits that are wanted is left: the bit that the format has now is not one of them.
+            return self.constant(0, format, name);
+        }
         if self.format(a) == format {
             return a;
         }

@@ -70,9 +70,15 @@ impl Chords<'_> {
         self.domain + self.address_bits
     }
 
+    /// How finely the slopes are kept. Where no bit of the argument is left behind those that select the entry, the distance from the
+    /// entry's start is always 0, and there are none.
+    fn slopes(&self) -> Slopes {
+        if self.cut_bits() > self.step_bits() { self.slopes } else { Slopes::None }
+    }
+
     /// An error of the slope counts `2^-step_bits` times at most.
     fn slope_bits(&self) -> i32 {
-        match self.slopes {
+        match self.slopes() {
             Slopes::Matched => self.value_bits - self.step_bits() + 1,
             Slopes::Bits { frac, .. } => frac,
             Slopes::None => 0,
@@ -81,7 +87,7 @@ impl Chords<'_> {
 
     /// The steepest slope's code.
     fn steepest(&self) -> i128 {
-        match self.slopes {
+        match self.slopes() {
             Slopes::Matched => i128::MAX,
             Slopes::Bits { int, frac } => (1 << (int + frac)) - 1,
             Slopes::None => 0,
@@ -221,7 +227,7 @@ impl Chords<'_> {
             bases.1.push(base);
         }
         let mut fields = vec![field(self.fields[0], self.meanings[0], self.value_bits, bases.0, bases.1)];
-        if self.slopes != Slopes::None {
+        if self.slopes() != Slopes::None {
             fields.push(field(self.fields[1], self.meanings[1], self.slope_bits(), slopes.0, slopes.1));
         }
         Table::listed(self.name, "entry", (0..entries).map(|entry| entry as f64).collect(), fields)
@@ -248,7 +254,7 @@ impl Chords<'_> {
         let shift = self.step_bits();
         let address = b.scale(entry, None, shift, &vec![shift; count], &name("entry"), "the address in the table");
         let base = b.field(memory, address, self.fields[0]);
-        if self.slopes == Slopes::None {
+        if self.slopes() == Slopes::None {
             return base;
         }
         let slope = b.field(memory, address, self.fields[1]);
@@ -271,7 +277,7 @@ impl Chords<'_> {
 
     /// Whether the slope meets the distance in a multiplier.
     pub fn multiplies(&self) -> bool {
-        match self.slopes {
+        match self.slopes() {
             Slopes::Matched => true,
             Slopes::Bits { int, frac } => int + frac > FEW_SLOPE_BITS,
             Slopes::None => false,
@@ -280,7 +286,7 @@ impl Chords<'_> {
 
     /// Bits of a slope.
     fn slope_width(&self) -> i32 {
-        match self.slopes {
+        match self.slopes() {
             Slopes::Matched => self.value_bits - self.address_bits,
             Slopes::Bits { int, frac } => int + frac,
             Slopes::None => 0,

@@ -155,8 +155,15 @@ pub trait Architecture: Sync {
 /// The architecture that a spec asks for.
 ///
 /// # Errors
-/// A shininess or level that the method refuses.
+/// A shininess or level that the method refuses, or a form that does not serve the set.
 pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error> {
+    // A program that uses this crate may have made the spec itself.
+    if spec.form == Form::Paper && spec.shininess.frac_bits() > 0 {
+        return Err(Error::input(
+            "the paper form takes no shininess between the integers of a range",
+            "use the stable form, which interpolates its coefficients",
+        ));
+    }
     Ok(match (spec.method, spec.form) {
         (Method::Quadratic, Form::Stable) => Box::new(quadratic::Stable::new(spec)?),
         (Method::Quadratic, Form::Paper) => Box::new(quadratic::Paper::new(spec)?),

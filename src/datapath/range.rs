@@ -172,18 +172,33 @@ struct Restoring {
 pub type Region = Vec<Span>;
 
 /// The whole of a graph's inputs, row by row: the codes of the first port, of format `index`, that read the same row, and what the other
-/// ports take. What lies between two rows of a memory reads the one below: all of it goes together.
+/// ports take. What lies between two rows of a memory reads the one below: all of it goes together. A greater code reads no row before
+/// that of a lesser one.
 #[must_use]
 pub fn by_rows(index: Format, others: &[Span], row_of_index: impl Fn(u32) -> usize) -> Vec<Region> {
-    let mut regions: Vec<(usize, Region)> = Vec::new();
-    for code in 0..=index.max_code() {
-        let row = row_of_index(code as u32);
-        match regions.last_mut() {
-            Some((last, region)) if *last == row => region[0].high = code,
-            _ => regions.push((row, std::iter::once(Span::point(code)).chain(others.iter().copied()).collect())),
+    let most = index.max_code();
+    let mut regions = Vec::new();
+    let mut first = 0;
+    // Not code by code: a port of 31 bits may read a single row.
+    while first <= most {
+        let row = row_of_index(first as u32);
+        let (mut last, mut past, mut step) = (first, most + 1, 1);
+        while last + step < past {
+            if row_of_index((last + step) as u32) == row {
+                last += step
+            } else {
+                past = last + step
+            }
+            step *= 2;
         }
+        while past - last > 1 {
+            let middle = (last + past) / 2;
+            if row_of_index(middle as u32) == row { last = middle } else { past = middle }
+        }
+        regions.push(std::iter::once(Span { low: first, high: last }).chain(others.iter().copied()).collect());
+        first = last + 1;
     }
-    regions.into_iter().map(|(_, region)| region).collect()
+    regions
 }
 
 /// [`by_rows`] of a core, with every code of the other ports.

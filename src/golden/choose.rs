@@ -10,6 +10,7 @@ use crate::design::Design;
 use crate::lobe::Lobe;
 use crate::number::{Dice, exp2};
 use crate::rom::Table;
+use crate::spec::Method;
 
 /// Rows beyond which not every row has vectors of its own.
 const MOST_ROWS: usize = 1024;
@@ -294,7 +295,7 @@ impl<'a> Chooser<'a> {
     }
 
     /// For each entry of each function table inputs that tell it from every entry with one bit flipped, as far as any candidate does: all
-    /// inputs of a small core, else combs over the lobes of the marked rows.
+    /// inputs of a small core, else combs over the lobes of the marked rows, or of all where each row has entries of its own.
     fn entry_bits(&mut self) -> Vec<Vector> {
         let design = self.design;
         let (graph, tables) = (design.graph(), design.tables());
@@ -312,26 +313,38 @@ impl<'a> Chooser<'a> {
             return Vec::new();
         }
 
-        let all = design.spec.shininess.rows().saturating_mul(self.one as usize + 1) <= MOST_CANDIDATES;
-        let rows = if all { (0..design.spec.shininess.rows()).collect() } else { self.marked_rows() };
-        let codes = if all { self.one + 1 } else { (MOST_CANDIDATES / rows.len()) as i64 };
+        let set = &design.spec.shininess;
+        // A table of the power itself has entries for each row: every row is gone through, those that only codes outside the set read too,
+        // and in it every cell, as also a word that is 0 shows when it is not.
+        let of_rows = design.spec.method == Method::Table;
+        let all = set.rows().saturating_mul(self.one as usize + 1) <= MOST_CANDIDATES;
+        let indices: Vec<u32> = if of_rows && tables[memories[0]].first_index == 0 {
+            (0..1 << design.index_format().width()).collect()
+        } else {
+            let rows = if all || of_rows { (0..set.rows()).collect() } else { self.marked_rows() };
+            rows.into_iter().map(|row| set.index_of_row(row)).collect()
+        };
+        let codes = if all { self.one + 1 } else { (MOST_CANDIDATES / indices.len()).max(1) as i64 };
         let least = exp2(-(design.spec.output_fraction as i32) - 2);
-        let of_row = |&row: &usize| -> Vec<Candidate> {
-            let index = design.spec.shininess.index_of_row(row);
-            let end = if all { self.one } else { self.falls_to(row, least) };
-            // An odd stride, so that the low bits vary.
-            let stride = (end / codes) | 1;
+        // Made once, as an evaluator lays out what is looked up at computed addresses.
+        let addresses: Vec<Evaluator> = addresses.iter().map(|graph| Evaluator::new(graph, tables)).collect();
+        let flipped: Vec<Evaluator> = flips.iter().map(|flip| Evaluator::new(graph, &flip.tables)).collect();
+        let evaluator = Evaluator::new(graph, tables);
+        let of_index = |&index: &u32| -> Vec<Candidate> {
+            let end = if all || of_rows { self.one } else { self.falls_to(set.row_of_index(index), least) };
+            // An odd stride, so that the low bits vary; of a table one code a cell, the first.
+            let stride = if of_rows && !all { (self.one >> design.spec.table_bits).max(1) } else { (end / codes) | 1 };
             let count = end / stride + 1;
-            let outputs = |graph: &Graph, tables: &[Table]| -> Vec<u32> {
+            let outputs = |evaluator: &Evaluator| -> Vec<u32> {
                 let mut outputs = vec![0; count as usize];
                 let (a, b) = (design.operand_of_versine(0), design.operand_of_versine(stride * (count - 1)));
-                Evaluator::new(graph, tables).evaluate(index, a.min(b), stride, &mut outputs);
+                evaluator.evaluate(index, a.min(b), stride, &mut outputs);
                 if b < a {
                     outputs.reverse();
                 }
                 outputs
             };
-            let read: Vec<Vec<u32>> = addresses.iter().map(|graph| outputs(graph, tables)).collect();
+            let read: Vec<Vec<u32>> = addresses.iter().map(outputs).collect();
             let mut candidates: Vec<Candidate> = (0..count as usize)
                 .map(|step| Candidate {
                     index,
@@ -339,9 +352,9 @@ impl<'a> Chooser<'a> {
                     reads: read.iter().map(|entries| (entries[step] as usize, 0)).collect(),
                 })
                 .collect();
-            let right = outputs(graph, tables);
-            for flip in &flips {
-                for ((candidate, right), wrong) in candidates.iter_mut().zip(&right).zip(outputs(graph, &flip.tables)) {
+            let right = outputs(&evaluator);
+            for (flip, flipped) in flips.iter().zip(&flipped) {
+                for ((candidate, right), wrong) in candidates.iter_mut().zip(&right).zip(outputs(flipped)) {
                     if *right != wrong {
                         candidate.reads[flip.table].1 |= flip.mask;
                     }
@@ -351,7 +364,7 @@ impl<'a> Chooser<'a> {
             candidates
         };
         let candidates: Vec<Candidate> =
-            rows.par_iter().map(of_row).collect::<Vec<_>>().into_iter().flatten().collect();
+            indices.par_iter().map(of_index).collect::<Vec<_>>().into_iter().flatten().collect();
 
         let mut told: Vec<Vec<u128>> = memories.iter().map(|&memory| vec![0; tables[memory].depth()]).collect();
         let mut chosen = Vec::new();

@@ -36,22 +36,23 @@ impl Format {
         Self { signed: true, int_bits, frac_bits }
     }
 
-    /// The number of bits, the sign included.
+    /// The number of bits, the sign included; 0 where the counts leave none.
     #[must_use]
     pub const fn width(self) -> u32 {
-        (self.int_bits + self.frac_bits + self.signed as i32) as u32
+        let bits = self.int_bits + self.frac_bits + self.signed as i32;
+        if bits < 0 { 0 } else { bits as u32 }
     }
 
-    /// The smallest code.
+    /// The smallest code; of a format that is too wide for this crate the smallest number there is.
     #[must_use]
     pub const fn min_code(self) -> i128 {
-        if self.signed { -(1 << (self.int_bits + self.frac_bits)) } else { 0 }
+        if self.signed { -ones(self.int_bits + self.frac_bits) - 1 } else { 0 }
     }
 
-    /// The largest code.
+    /// The largest code; of a format that is too wide for this crate the largest number there is.
     #[must_use]
     pub const fn max_code(self) -> i128 {
-        (1 << (self.int_bits + self.frac_bits)) - 1
+        ones(self.int_bits + self.frac_bits)
     }
 
     /// The weight of the last bit.
@@ -69,14 +70,18 @@ impl Format {
     /// Takes any integer to the code that hardware of this width keeps of it (modulo `2^width`).
     #[must_use]
     pub const fn wrap(self, code: i128) -> i128 {
-        let low = code & ((1 << self.width()) - 1);
-        if self.signed && low > self.max_code() { low - (1 << self.width()) } else { low }
+        if self.width() > 127 {
+            return code;
+        }
+        let low = code & ones(self.width() as i32);
+        // Of 127 bits the weight of the next one is no number of this type, but the difference is.
+        if self.signed && low > self.max_code() { low.wrapping_sub(1 << self.width()) } else { low }
     }
 
     /// The bit pattern of a code, as an unsigned integer of [`Format::width`] bits.
     #[must_use]
     pub const fn bits(self, code: i128) -> u128 {
-        (code & ((1 << self.width()) - 1)) as u128
+        if self.width() > 127 { code as u128 } else { (code & ones(self.width() as i32)) as u128 }
     }
 
     /// The smallest format with the given fraction bits that holds every code from `low` to `high`.
@@ -86,6 +91,16 @@ impl Format {
         let magnitude = |code: i128| (128 - if code < 0 { !code } else { code }.leading_zeros()) as i32;
         let bits = magnitude(low).max(magnitude(high)).max(1);
         Self { signed: low < 0, int_bits: bits - frac_bits, frac_bits }
+    }
+}
+
+/// A number of so many bits that are all 1: 0 of none, and the largest number there is of 127 or more. Values that turn out too wide are
+/// refused once the whole datapath is known.
+const fn ones(bits: i32) -> i128 {
+    match bits {
+        ..=0 => 0,
+        1..=126 => (1 << bits) - 1,
+        _ => i128::MAX,
     }
 }
 
@@ -108,6 +123,17 @@ mod tests {
         assert_eq!(Format::unsigned(-1, 19).width(), 18);
         assert_eq!(Format::unsigned(3, -1).value(3), 6.0);
         assert_eq!(Format::FLAG.max_code(), 1);
+        // What has no bits is 0; what is too wide has the ends of the type.
+        let none = Format::unsigned(-3, 3);
+        assert_eq!((none.width(), none.min_code(), none.max_code(), none.wrap(5), none.bits(5)), (0, 0, 0, 0, 0));
+        let widest = Format::signed(100, 26);
+        assert_eq!((widest.min_code(), widest.max_code()), (-(1 << 126), (1 << 126) - 1));
+        for code in [widest.min_code(), -1, 0, widest.max_code()] {
+            assert_eq!(widest.wrap(code), code);
+        }
+        assert_eq!(widest.wrap(widest.max_code() + 1), widest.min_code());
+        let too_wide = Format::signed(200, 26);
+        assert_eq!((too_wide.min_code(), too_wide.max_code(), too_wide.wrap(-7)), (i128::MIN, i128::MAX, -7));
     }
 
     proptest! {

@@ -417,7 +417,7 @@ pub(super) fn datasheet(
         ports: design.ports(),
         latency: design.schedule.latency,
         description: design.description().clone(),
-        both_forms: spec.method.has_paper_form(),
+        both_forms: forms.len() > 1 || other_failed.is_some(),
         rom_file: spec.rom == RomStyle::File,
         loads: design.write_ports().into_iter().map(|port| Load::of(design, port)).collect(),
         asynchronous: design.write_ports().iter().any(|port| {

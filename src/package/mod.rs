@@ -29,9 +29,11 @@ pub struct File {
     pub bytes: Vec<u8>,
 }
 
-/// The design of the same core in the other form, for comparison, where the method has two; `Err` says why it cannot be built.
+/// The design of the same core in the other form, for comparison, where the method has two for this core: the paper form has the
+/// papers' coefficients and does not interpolate. `Err` says why it cannot be built.
 fn other_form(design: &Design) -> Option<Result<Design, String>> {
-    if !design.spec.method.has_paper_form() || design.spec.coefficients == Coefficients::Minimax {
+    let spec = &design.spec;
+    if !spec.method.has_paper_form() || spec.coefficients == Coefficients::Minimax || spec.shininess.frac_bits() > 0 {
         return None;
     }
     let form = match design.spec.form {

@@ -414,6 +414,12 @@ impl SpecFields {
                 "leave shininess_fraction out, or give a list",
             ));
         }
+        if shininess_fraction > 0 && form == Form::Paper {
+            return Err(Error::input(
+                "the paper form takes no shininess between the integers of a range",
+                "leave shininess_fraction out, or use --form stable, which interpolates its coefficients",
+            ));
+        }
         if let Some(Pipeline::Depth(depth)) = self.pipeline {
             within("pipeline", depth, PIPELINE_DEPTH)?;
         }
@@ -873,6 +879,8 @@ mod tests {
             ("method = \"cubic-three-point\"\nshininess = [3]\ng = 0.6".to_owned(), "level g = 0.6"),
             ("method = \"quadratic\"\nshininess = [3]\ntail = \"hold\"".to_owned(), "has no choice of tail"),
             ("method = \"quadratic\"\nshininess = [3]\nshininess_fraction = 2".to_owned(), "needs a range"),
+            (set("\"3..=4\"\nform = \"paper\"\nshininess_fraction = 1"), "the paper form takes no shininess between"),
+            (format!("{base}form = \"paper\"\nshininess_fraction = 10"), "the paper form takes no shininess between"),
             (format!("{}\nq = 0.7", set("[3]")), "the method quadratic has no level q"),
             (format!("{base}tuser_bits = 4"), "tuser_bits is given for a core without AXI4-Stream interfaces"),
             (format!("{base}axi_stream = false\ntuser_bits = 4"), "give axi_stream as well"),
