@@ -52,7 +52,7 @@ fn scene(shapes: Vec<Shape>) -> Scene {
         diffuse: Some(0.5),
         specular: Some(0.4),
         colour: Some([1.0, 0.5, 0.25]),
-        specular_colour: None,
+        ..Material::default()
     };
     Scene {
         name: "test".to_owned(),
