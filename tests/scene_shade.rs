@@ -212,7 +212,10 @@ fn names_of_the_user_are_text_in_every_file() {
     assert!(sheet.contains("| 0 | &lt;b&gt;&amp;\"m\\|x | 5 |"), "{sheet}");
     // Without the shape of files for its memories, of which a shader has several.
     let common = common.replace(", 'coe', 'mif', 'c', 'csv', 'vhdl'", "");
-    scratch.write("shader.toml", format!("name = 'whole'\nblock = 'shader'\n{common}{materials}"));
+    scratch.write(
+        "shader.toml",
+        format!("name = 'whole'\nblock = 'shader'\n{common}{materials}[shader]\nvector_fraction = 8\n"),
+    );
     scratch.run("generate shader.toml --out shader").succeeds();
     are_well_formed(&scratch, "shader");
 
