@@ -175,8 +175,39 @@ fn scene(bytes: &[u8]) {
     }
 }
 
+/// The same mesh as other programs write it: with a byte order mark, with other line ends, and with lines that are continued.
+fn variants(bytes: &[u8]) -> Vec<Vec<u8>> {
+    let mut all = vec![[b"\xef\xbb\xbf", bytes].concat()];
+    let has = |part: &[u8]| bytes.windows(part.len()).any(|window| window == part);
+    // The bytes of a binary file are no text.
+    if !has(b"binary") {
+        let mut ends = Vec::new();
+        for (place, &byte) in bytes.iter().enumerate() {
+            if byte == b'\n' && (place == 0 || bytes[place - 1] != b'\r') {
+                ends.push(b'\r');
+            }
+            ends.push(byte);
+        }
+        all.push(ends);
+    }
+    // A comment and a name have an end of their own; a PLY file has no continued lines.
+    if !has(b"#") && !has(b"\\") && !has(b"ply") && bytes.len() < 1 << 16 {
+        all.push(bytes.iter().flat_map(|&byte| if byte == b' ' { b" \\\n".to_vec() } else { vec![byte] }).collect());
+    }
+    all
+}
+
 /// Every corner of a mesh is there, every number is one, and every normal has the length 1; written as plain OBJ it has the same triangles.
+/// Neither a byte order mark nor line ends nor continued lines change it.
 fn mesh(bytes: &[u8]) {
+    if !bytes.starts_with(b"\xef\xbb\xbf")
+        && let Some(mesh) = checked(Mesh::parse(bytes, "mesh", Normals::File))
+    {
+        for variant in variants(bytes) {
+            let again = Mesh::parse(&variant, "variant", Normals::File).expect("another way to write it");
+            assert_eq!(again, mesh, "{:?}", String::from_utf8_lossy(&variant));
+        }
+    }
     for normals in [Normals::File, Normals::Smooth, Normals::Flat] {
         let Some(mesh) = checked(Mesh::parse(bytes, "mesh", normals)) else { continue };
         let length = |v: &[f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();

@@ -51,6 +51,7 @@ pub mod input;
 #[cfg(feature = "kernel")]
 pub mod kernel;
 pub mod lobe;
+mod markdown;
 pub mod model;
 pub mod mutate;
 pub mod number;

@@ -148,6 +148,14 @@ impl Tool {
     }
 
     fn start_within(self, command: &mut Command, limit: Duration) -> Result<Running, Error> {
+        // Yosys writes the names of its own temporary files into scripts for ABC, without quotes.
+        let temporary = std::env::temp_dir();
+        if !is_plain(&temporary) && command.get_envs().all(|(name, _)| name != "TMPDIR") {
+            let usable = |place: &PathBuf| std::fs::create_dir_all(place).is_ok() && Folder::new_at(place).is_ok();
+            if let Some(place) = plain_places().find(usable) {
+                command.env("TMPDIR", place);
+            }
+        }
         let (group, child) = Group::spawn(command).map_err(|error| self.start_error(error))?;
         let (done, ended) = mpsc::channel::<()>();
         let expired = Arc::new(AtomicBool::new(false));
@@ -372,21 +380,28 @@ pub fn scratch() -> Result<Folder, Error> {
     Folder::new().map_err(|error| Error::io("cannot make a directory in", &std::env::temp_dir(), error))
 }
 
+/// Whether Make and the scripts of tools can work with a path: it has no space and no other letter that they mind.
+fn is_plain(path: &Path) -> bool {
+    let bytes = path.as_os_str().as_encoded_bytes();
+    bytes.iter().all(|byte| byte.is_ascii_alphanumeric() || b"/\\:._-+".contains(byte))
+}
+
+/// Where temporary folders with such a path may be.
+fn plain_places() -> impl Iterator<Item = PathBuf> {
+    let places = [std::env::temp_dir(), cache_directory(), "/tmp".into(), "/var/tmp".into()];
+    places.into_iter().filter(|place| is_plain(place))
+}
+
 /// A directory as [`scratch`] makes it, whose path Make can work with: none with a space or another letter that it minds. Where the temporary
 /// folder has such a path, it is in the user's folder for caches or in `/tmp` or `/var/tmp`.
 ///
 /// # Errors
 /// If there is no such directory, or the system refuses to make it.
 pub(crate) fn scratch_for_make() -> Result<Folder, Error> {
-    let plain = |path: &PathBuf| {
-        let bytes = path.as_os_str().as_encoded_bytes();
-        bytes.iter().all(|byte| byte.is_ascii_alphanumeric() || b"/\\:._-+".contains(byte))
-    };
-    let places = [std::env::temp_dir(), cache_directory(), "/tmp".into(), "/var/tmp".into()];
-    let mut made = places.iter().filter(|place| plain(place)).map(|place| {
+    let mut made = plain_places().map(|place| {
         // The folder for caches may not be there yet.
-        let _ = std::fs::create_dir_all(place);
-        Folder::new_at(place)
+        let _ = std::fs::create_dir_all(&place);
+        Folder::new_at(&place)
     });
     let first = made.find_map(Result::ok);
     first.ok_or_else(|| {

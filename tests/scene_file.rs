@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use brdfgen::error::Error;
 use brdfgen::explore::Objective;
 use brdfgen::scene::mesh::{Mesh, Normals, Transform};
-use brdfgen::scene::{LightKind, Scene, Shape};
+use brdfgen::scene::{Exact, Frame, Highlights, LightKind, Scene, Shape};
 use brdfgen::spec::{Method, SpecFields};
 use brdfgen::synth::Family;
 use proptest::prelude::*;
@@ -363,6 +363,156 @@ fn obj_and_ply_say_the_same() {
         }
         assert_eq!(Mesh::parse(&bytes, "m", Normals::File).unwrap(), ascii);
     }
+}
+
+/// A mesh with a vertex that no face names, so that a lost one would shift the faces in silence.
+const UNUSED: &str = "# made\nv -1 -1 0\nv 1 -1 0 # right\nv 1 1 0\nv -1 1 0\nv 0 0 3\ncurv 1 2\nf 1 2 3\nf 1 3 4\n";
+
+#[test]
+fn a_mesh_is_the_same_however_its_text_is_written() {
+    let picture = |bytes: &[u8], extension: &str| {
+        let directory = tempfile::tempdir().unwrap();
+        std::fs::write(directory.path().join("m").with_extension(extension), bytes).unwrap();
+        let object = format!("kind = \"mesh\"\nmaterial = \"clay\"\nfile = \"m.{extension}\"");
+        let text = scene("width = 24\nheight = 24", CAMERA, MATERIAL, LIGHT, &object, "");
+        let scene = Scene::parse(&text, "s.toml", directory.path());
+        let scene = scene.unwrap_or_else(|error| panic!("{:?}\n{}", String::from_utf8_lossy(bytes), message(error)));
+        let frame = Frame::render(&scene, &|| {});
+        let samples = frame.versine.iter().filter(|versine| !versine.is_nan()).count();
+        (samples, frame.picture(&scene, &Exact.of(&scene, &frame).unwrap()).codes)
+    };
+    let plain = picture(UNUSED.as_bytes(), "obj");
+    assert!(plain.0 > 100, "{}", plain.0);
+    let continued = UNUSED.replace("f 1 2 3", "f 1 2 \\\n3").replace("v 1 1 0", "v 1 \\  \r\n 1\\\n0");
+    let colours = UNUSED
+        .replace("-1 -1 0", "-1 -1 0 0.5 0.5 0.5")
+        .replace("v 1 1 0", "v 1 1 0 1 0 0 1")
+        .replace("v 0 0 3", "v 0 0 3 1");
+    let (vertices, faces) = UNUSED.split_at(UNUSED.find("curv").unwrap());
+    for (what, text) in [
+        ("a byte order mark", format!("\u{feff}{UNUSED}")),
+        ("CR LF", UNUSED.replace('\n', "\r\n")),
+        ("CR", UNUSED.replace('\n', "\r")),
+        ("a byte order mark and CR", format!("\u{feff}{}", UNUSED.replace('\n', "\r"))),
+        ("tabs and blanks", UNUSED.replace(' ', " \t ").replace('\n', " \n\n\t")),
+        ("continued lines", continued),
+        ("a path in a comment", format!("# C:\\models\\\n{UNUSED}")),
+        ("comments behind statements", UNUSED.replace("3\nf", "3#x\nf").replace("4\n", "4 # last \\\n")),
+        ("negative indices", UNUSED.replace("f 1 2 3", "f -5 -4 -3").replace("f 1 3 4", "f -5 -3 -2")),
+        ("faces first", format!("{faces}{vertices}")),
+        ("colours and weights", colours),
+        ("weights", UNUSED.replace("v 1 1 0", "v 2 2 0 2")),
+        (
+            "materials and groups",
+            UNUSED.replace("f 1 3 4", "o b\ng c\ns 1\nusemtl Material #25\nf 1 3 4\nmtllib a b.mtl"),
+        ),
+        ("textures", UNUSED.replace("f 1 2 3", "vt 0 0\nf 1/1 2/1 3/1")),
+        ("no end of the last line", UNUSED.trim_end().to_owned()),
+    ] {
+        assert_eq!(picture(text.as_bytes(), "obj"), plain, "{what}");
+    }
+    let body = "-1 -1 0\n1 -1 0\n1 1 0\n-1 1 0\n0 0 3\n3 0 1 2\n3 0 2 3\n";
+    let ascii = ply("ascii", 5, 2, false) + body;
+    for (what, text) in [
+        ("plain", ascii.clone()),
+        ("a byte order mark", format!("\u{feff}{ascii}")),
+        ("CR LF", ascii.replace('\n', "\r\n")),
+        ("CR", ascii.replace('\n', "\r")),
+        ("blanks", ascii.replace(' ', "  ").replace('\n', " \n")),
+        ("empty lines", ascii.replace("end_header\n", "comment  a\n\nend_header\n\n")),
+    ] {
+        assert_eq!(picture(text.as_bytes(), "ply"), plain, "{what}");
+    }
+    for end in ["\n", "\r\n", "\r"] {
+        let header = ply("binary_little_endian", 5, 2, false).replace('\n', end);
+        let mut bytes = [b"\xef\xbb\xbf", header.as_bytes()].concat();
+        // The first byte of the body is a line feed: -1.0000012.
+        let first = f32::from_le_bytes([10, 0, 0x80, 0xbf]);
+        for value in [first, -1.0, 0.0, 1.0, -1.0, 0.0, 1.0, 1.0, 0.0, -1.0, 1.0, 0.0, 0.0, 0.0, 3.0f32] {
+            bytes.extend(value.to_le_bytes());
+        }
+        for corners in [[0i32, 1, 2], [0, 2, 3]] {
+            bytes.push(3);
+            corners.iter().for_each(|corner| bytes.extend(corner.to_le_bytes()));
+        }
+        assert_eq!(picture(&bytes, "ply"), plain, "{end:?}");
+    }
+    for (text, big) in [("v 0 0 0\nf 1 1 1\n", false), ("ply\nformat ascii 1.0\n", true)] {
+        let bytes: Vec<u8> =
+            text.encode_utf16().flat_map(|unit| if big { unit.to_be_bytes() } else { unit.to_le_bytes() }).collect();
+        let mark: &[u8] = if big { b"\xfe\xff" } else { b"\xff\xfe" };
+        for bytes in [bytes.clone(), [mark, &bytes[..]].concat()] {
+            let message = message(Mesh::parse(&bytes, "m.obj", Normals::File).unwrap_err());
+            assert!(message.starts_with("m.obj is text in UTF-16 | save it as UTF-8"), "{message}");
+        }
+    }
+}
+
+/// Two squares side by side, of two materials.
+const PAINTED: &str = "mtllib two.mtl\nv -2 -1 0\nv 0 -1 0\nv 0 1 0\nv -2 1 0\nv 2 -1 0\nv 2 1 0\nusemtl red\nf 1 2 3 4\nusemtl blue metal # right\nf 2 5 6 3\n";
+const TWO: &str = "newmtl red\nNs 20\nKa 0.1 0 0\nKd 0.8 0.1 0.1\nKs 0.2 0.2 0.2\nillum 2\nmap_Kd red.png\nnewmtl blue metal\nNs 400.5\nKa 1 1 1\nKd 0 0 0.5\nKs 0.5\nd 1\n";
+
+#[test]
+fn a_mesh_has_the_materials_of_its_file_on_wish() {
+    let directory = tempfile::tempdir().unwrap();
+    let read = |obj: &str, mtl: &str, keys: &str| {
+        std::fs::write(directory.path().join("two.obj"), obj).unwrap();
+        std::fs::write(directory.path().join("two.mtl"), mtl).unwrap();
+        let object = format!("kind = \"mesh\"\nfile = \"two.obj\"\n{keys}");
+        Scene::parse(&scene("", CAMERA, MATERIAL, LIGHT, &object, ""), "s.toml", directory.path())
+    };
+    let wished = "materials = \"mtl\"";
+    let painted = read(PAINTED, TWO, wished).unwrap_or_else(|error| panic!("{}", message(error)));
+    let names: Vec<(&str, f64)> = painted.materials.iter().map(|one| (one.name.as_str(), one.shininess)).collect();
+    assert_eq!(names, [("clay", 8.0), ("red", 20.0), ("blue metal", 400.5)]);
+    let surface = painted.materials[2].surface();
+    assert_eq!((surface.ambient, surface.diffuse, surface.specular), ([1.0; 3], [0.0, 0.0, 0.5], [0.5; 3]));
+    assert_eq!(painted.materials[1].surface().ambient, [0.1, 0.0, 0.0]);
+    assert_eq!(painted.left_out, ["two.mtl: left out d (line 13), illum (line 6), map_Kd (line 7)"]);
+    let objects: Vec<usize> = painted.objects.iter().map(|object| object.material).collect();
+    assert_eq!(objects, [1, 2]);
+    let frame = Frame::render(&painted, &|| {});
+    let mut seen: Vec<u16> = frame.material.clone();
+    seen.sort_unstable();
+    seen.dedup();
+    assert_eq!(&seen[..2], [1, 2]);
+    // Where nothing is wished the object's material holds, and the file need not be there.
+    let plain = read(PAINTED, "?", "material = \"clay\"").unwrap_or_else(|error| panic!("{}", message(error)));
+    assert_eq!((plain.materials.len(), plain.objects.len()), (1, 1));
+    // A mark, other line ends and continued lines change nothing.
+    for (obj, mtl) in [
+        (format!("\u{feff}{PAINTED}"), format!("\u{feff}{TWO}")),
+        (PAINTED.replace('\n', "\r\n"), TWO.replace('\n', "\r")),
+        (PAINTED.replace("2 5 6", "2 5 \\\n6"), TWO.replace("0.8 0.1", "0.8 \\\n0.1")),
+    ] {
+        let again = read(&obj, &mtl, wished).unwrap_or_else(|error| panic!("{}", message(error)));
+        assert_eq!(again.materials, painted.materials);
+    }
+    // Faces without a material have the object's.
+    let both = read(&PAINTED.replace("usemtl red\n", ""), TWO, &format!("{wished}\nmaterial = \"clay\""));
+    let both = both.unwrap_or_else(|error| panic!("{}", message(error)));
+    assert_eq!(both.objects.iter().map(|object| object.material).collect::<Vec<_>>(), [1, 0]);
+    let refused = |obj: &str, mtl: &str, keys: &str| message(read(obj, mtl, keys).expect_err(obj));
+    for (obj, mtl, expected) in [
+        (PAINTED.replace("two.mtl", "no.mtl"), TWO.to_owned(), "two.obj, line 1: there is no file "),
+        (PAINTED.replace("mtllib two.mtl\n", ""), TWO.to_owned(), "two.obj has no mtllib"),
+        (
+            PAINTED.replace("usemtl red", "usemtl rod"),
+            TWO.to_owned(),
+            "two.obj, line 8: the material `rod` is not in two.mtl | did you mean `red`?",
+        ),
+        (PAINTED.replace("usemtl red\n", ""), TWO.to_owned(), "two.obj has faces before its first usemtl"),
+        (PAINTED.to_owned(), TWO.replace("Ns 20", "Ns 0"), "two.mtl, line 2: the material `red` has Ns = 0 "),
+        (PAINTED.to_owned(), TWO.replace("Ns 20", "Ns 1000.5"), "two.mtl, line 2: the material `red` has Ns = 1000.5"),
+        (PAINTED.to_owned(), TWO.replace("0.8", "red"), "two.mtl, line 4: Kd: `red` is not a number"),
+        (PAINTED.to_owned(), TWO.replace("0.8", "1.8"), "two.mtl, line 4: Kd = 1.8 is out of range"),
+    ] {
+        let message = refused(&obj, &mtl, wished);
+        assert!(message.contains(expected), "{message}\nexpected: {expected}");
+    }
+    assert!(refused(PAINTED, TWO, "").contains("a mesh has no material"));
+    let message = message(parse(&scene("", CAMERA, MATERIAL, LIGHT, &format!("{SPHERE}\n{wished}"), "")).unwrap_err());
+    assert!(message.contains("a sphere has no materials"), "{message}");
 }
 
 #[test]

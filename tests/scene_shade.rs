@@ -143,3 +143,93 @@ fn a_scene_becomes_a_shader_with_its_documents() {
     scratch.run(coarse).ends_with(1);
     assert!(!scratch.path("x").exists());
 }
+
+/// What a name may hold at worst: markup and HTML, the ends of comments and of strings in every language that is written.
+const HOSTILE: [&str; 2] = [r#"<b>&"m|x"#, r#"a`b` *c* [d](e) */ (* -- // ; % ' $(f) {g} \"#];
+
+/// Every table of a Markdown text has rows of as many cells, and no HTML is in it outside of code.
+fn is_plain_markdown(what: &str, text: &str) {
+    let mut columns = None;
+    for line in text.lines() {
+        let mut plain = String::new();
+        let (mut escaped, mut code, mut cells) = (false, false, 0);
+        for c in line.chars() {
+            match c {
+                _ if escaped => escaped = false,
+                '\\' if !code => escaped = true,
+                '`' => code = !code,
+                '|' => cells += 1,
+                _ if !code => plain.push(c),
+                _ => {}
+            }
+        }
+        assert!(!plain.contains("<b>"), "{what}: {line}");
+        if line.starts_with('|') {
+            assert_eq!(*columns.get_or_insert(cells), cells, "{what}: {line}");
+        } else {
+            columns = None;
+        }
+    }
+}
+
+/// The files of a core in a directory, each by its own grammar.
+fn are_well_formed(scratch: &Scratch, core: &str) {
+    let spec = SpecFields::read(&scratch.path(format!("{core}/core.toml"))).unwrap();
+    let own: Vec<String> = spec.material.iter().flatten().map(|material| material.name.clone()).collect();
+    assert_eq!(own, HOSTILE, "{core}: the names come back from the spec");
+    let mut read = 0;
+    for file in scratch.files(core) {
+        let path = format!("{core}/{file}");
+        match Path::new(&file).extension().and_then(|extension| extension.to_str()) {
+            Some("md") => is_plain_markdown(&path, &scratch.text(&path)),
+            Some("json") => drop(serde_json::from_slice::<serde_json::Value>(&scratch.read(&path)).unwrap()),
+            Some("v" | "vhd" | "mem" | "vec" | "core" | "f" | "h" | "csv" | "coe" | "mif") => {
+                assert!(scratch.read(&path).is_ascii(), "{path} is not ASCII");
+            }
+            _ => continue,
+        }
+        read += 1;
+    }
+    assert!(read > 5, "{core}: {read} files");
+    scratch.run(&format!("generate {core} --out {core} --check")).succeeds();
+    for sim in ["icarus", "ghdl"] {
+        scratch.run(&format!("cosim {core} --sim {sim}")).succeeds();
+    }
+}
+
+#[test]
+fn names_of_the_user_are_text_in_every_file() {
+    let scratch = Scratch::new();
+    let quoted = HOSTILE.map(|name| format!("'''{name}'''"));
+    let material =
+        |(place, name): (usize, &String)| format!("[[material]]\nname = {name}\nshininess = {}\n", 5 + 7 * place);
+    let materials: String = quoted.iter().enumerate().map(material).collect();
+    let common = "method = 'quadratic'\ninput_fraction = 8\noutput_fraction = 8\nrom_formats = ['mem', 'coe', 'mif', 'c', 'csv', 'vhdl']\n";
+    scratch.write("lobe.toml", format!("name = 'lobe'\n{common}{materials}"));
+    scratch.run("generate lobe.toml --out lobe").succeeds();
+    are_well_formed(&scratch, "lobe");
+    let sheet = scratch.text("lobe/README.md");
+    assert!(sheet.contains("| 0 | &lt;b&gt;&amp;\"m\\|x | 5 |"), "{sheet}");
+    // Without the shape of files for its memories, of which a shader has several.
+    let common = common.replace(", 'coe', 'mif', 'c', 'csv', 'vhdl'", "");
+    scratch.write(
+        "shader.toml",
+        format!("name = 'whole'\nblock = 'shader'\n{common}{materials}[shader]\nvector_fraction = 8\n"),
+    );
+    scratch.run("generate shader.toml --out shader").succeeds();
+    are_well_formed(&scratch, "shader");
+
+    let object = |(place, name): (usize, &String)| {
+        format!("[[object]]\nkind = 'sphere'\nmaterial = {name}\nradius = 0.7\ncentre = [{place}, 0, 0]\n")
+    };
+    let objects: String = quoted.iter().enumerate().map(object).collect();
+    let top = "width = 24\nheight = 16\n[camera]\nposition = [0.5, 0, 5]\n[[light]]\ndirection = [1, 1, 2]\n[budget]\nmax_steps = 8\n";
+    scratch.write("scene.toml", format!("{top}{materials}{objects}"));
+    scratch.run("generate scene.toml --margin 0 --method power-4 --out picture").succeeds();
+    are_well_formed(&scratch, "picture");
+    let sheet = scratch.text("picture/scene.md");
+    assert!(sheet.contains("| &lt;b&gt;&amp;\"m\\|x | 5 |"), "{sheet}");
+    scratch.run("report --scene scene.toml --out page.html").succeeds();
+    let page = scratch.text("page.html");
+    assert!(!page.contains("<b>&") && page.matches("m|x").count() > 1, "a name is live in the page");
+}

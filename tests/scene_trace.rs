@@ -52,7 +52,7 @@ fn scene(shapes: Vec<Shape>) -> Scene {
         diffuse: Some(0.5),
         specular: Some(0.4),
         colour: Some([1.0, 0.5, 0.25]),
-        specular_colour: None,
+        ..Material::default()
     };
     Scene {
         name: "test".to_owned(),
@@ -64,6 +64,7 @@ fn scene(shapes: Vec<Shape>) -> Scene {
         background: [0.2, 0.3, 0.4],
         camera: Camera { position: [0.0, 0.0, 5.0], target: [0.0; 3], up: [0.0, 1.0, 0.0], field_of_view: 40.0 },
         materials: (0..shapes.len()).map(|place| material(place).with_surface()).collect(),
+        left_out: Vec::new(),
         lights: vec![Light { kind: LightKind::Directional([0.0, 0.0, 1.0]), colour: [1.0; 3] }],
         objects: shapes.into_iter().enumerate().map(|(material, shape)| Object { shape, material }).collect(),
         shadows: true,

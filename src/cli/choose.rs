@@ -189,7 +189,7 @@ fn wish_text(wish: &Wish) -> String {
 }
 
 pub(super) fn cost_text(cost: &Cost) -> String {
-    let mhz = cost.mhz.map_or_else(|| "not placed".to_owned(), |mhz| format!("{mhz:.1} MHz"));
+    let mhz = cost.mhz_text(1);
     let Cost { lut, ff, dsp, bram, latency, .. } = cost;
     let source = if cost.estimated { ", estimated" } else { "" };
     format!("{lut} LUT, {ff} FF, {dsp} DSP, {bram} block RAM, {latency} clocks, {mhz}{source}")

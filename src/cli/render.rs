@@ -529,8 +529,8 @@ fn core_text(design: &Design) -> String {
 
 /// A core's cost in two lines.
 fn cost_lines(cost: &Cost) -> Vec<String> {
-    let Cost { lut, dsp, bram, latency, mhz, .. } = cost;
-    let mhz = mhz.map_or_else(|| "not placed".to_owned(), |mhz| format!("{mhz:.0} MHz"));
+    let Cost { lut, dsp, bram, latency, .. } = cost;
+    let mhz = cost.mhz_text(0);
     vec![
         format!("{lut} LUTs, {}, {}", counted(*dsp, "DSP"), counted(*bram, "block RAM")),
         format!("{mhz}, {latency} clocks"),

@@ -19,7 +19,7 @@ use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving
 use crate::scene::require::{Counts, PictureError};
 use crate::scene::shade::{self, Shaded};
 use crate::scene::simplify::{Simplification, simplifications};
-use crate::scene::{CoreModel, Exact, Frame, Highlights, Requirements, Scene, sheet};
+use crate::scene::{Budget, CoreModel, Exact, Frame, Highlights, Requirements, Scene, sheet};
 use crate::spec::{BlockKind, ShaderFields, SpecFields};
 use crate::synth;
 
@@ -115,10 +115,21 @@ impl Known {
         let requirements = Requirements::of(scene, flags.margin.unwrap_or(MARGIN), &told)?;
         let costing = costing(flags.synth)?;
         let search = Search::new(scene, &requirements, &costing, keys)?;
-        let choice = search.choose(&|what, done, of| {
+        let mut choice = search.choose(&|what, done, of| {
             bar.set_message(what);
             told(done, of);
         })?;
+        let shader = asked.block == Some(BlockKind::Shader);
+        if !shader && !asked.shader.is_empty() {
+            return Err(Error::input("keys of a shader are given for a lobe", "use --block shader, or leave them out"));
+        }
+        let shaded = if shader {
+            bar.set_message("drawing the scene through its shader");
+            bar.set_length(0);
+            shade::around(&search, &mut choice, (scene, &requirements), &asked.shader, &|| bar.inc(1))?
+        } else {
+            None
+        };
         let core = match &choice.chosen {
             None => None,
             Some(chosen) => {
@@ -128,20 +139,6 @@ impl Known {
                 let list = simplifications(scene, &requirements, &search, chosen)?;
                 Some((chosen.clone(), design, list, verified))
             }
-        };
-        let shaded = match &core {
-            Some((chosen, ..)) if asked.block == Some(BlockKind::Shader) => {
-                bar.set_message("drawing the scene through its shader");
-                bar.set_length(0);
-                Some(shade::make(scene, &requirements, &chosen.spec()?, &asked.shader, &|| bar.inc(1))?)
-            }
-            _ if asked.block != Some(BlockKind::Shader) && !asked.shader.is_empty() => {
-                return Err(Error::input(
-                    "keys of a shader are given for a lobe",
-                    "use --block shader, or leave them out",
-                ));
-            }
-            _ => None,
         };
         bar.finish_and_clear();
         Ok(Self { requirements, choice, core, shaded, min_mhz: scene.core.min_mhz })
@@ -376,6 +373,26 @@ fn shader_text(shaded: &Shaded) -> String {
     )
 }
 
+/// What would help where no shader keeps the budget.
+fn shader_help(shaded: &Shaded, budget: &Budget) -> Option<String> {
+    if shaded.missed.is_empty() {
+        return None;
+    }
+    let (steps, psnr) = budget.limits();
+    let both = [shaded.base, shaded.moved];
+    let most = both.iter().map(|error| error.max_steps).max().unwrap_or_default();
+    let least = both.iter().filter_map(|error| error.psnr).fold(f64::INFINITY, f64::min);
+    let floor = (least * 100.0).floor() / 100.0;
+    let wanted = steps.map(|_| format!("max_steps = {most}"));
+    let wanted = wanted.into_iter().chain(psnr.map(|psnr| format!("min_psnr = {}", psnr.min(floor))));
+    Some(format!(
+        "  no shader around {} keeps the budget; this one does with {} in [budget]; fewer lights, or keys that are given (method, output_fraction, \
+         vector_fraction) left out or finer, may help too",
+        if shaded.tried == 1 { "this lobe".to_owned() } else { format!("any of {} lobes", shaded.tried) },
+        wanted.collect::<Vec<_>>().join(" and "),
+    ))
+}
+
 /// The choice, what it leaves out, and what it was chosen from.
 fn choice_text(known: &Known) -> Vec<String> {
     let Known { requirements, choice, core, shaded, .. } = known;
@@ -404,6 +421,7 @@ fn choice_text(known: &Known) -> Vec<String> {
             ));
             lines.push(format!("  any other view: {} at most", counted(chosen.guaranteed_steps(), "step")));
             lines.extend(shaded.iter().map(shader_text));
+            lines.extend(shaded.iter().filter_map(|shaded| shader_help(shaded, &requirements.budget)));
             for (applies, heading) in [(true, "left out:"), (false, "not left out:")] {
                 lines.push(heading.to_owned());
                 for one in simplifications.iter().filter(|one| one.applies == applies) {

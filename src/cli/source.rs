@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::warn;
 use crate::design::{Account, Design};
 use crate::error::Error;
 use crate::golden::{self, Golden};
@@ -66,7 +67,7 @@ impl Source {
     /// The scene with the keys that are given beside it, if it is a scene file.
     pub(super) fn scene(&self) -> Result<Option<(Scene, SpecFields)>, Error> {
         let Some(path) = self.path.as_deref().filter(|path| is_scene(path)) else { return Ok(None) };
-        Ok(Some((Scene::read(path)?, self.fields.clone())))
+        Ok(Some((read_scene(path)?, self.fields.clone())))
     }
 
     /// The spec.
@@ -101,7 +102,9 @@ pub(super) fn read_scene(path: &Path) -> Result<Scene, Error> {
             format!("give a scene file; `render` takes the spec as --core {shown}"),
         ));
     }
-    Scene::read(path)
+    let scene = Scene::read(path)?;
+    scene.left_out.iter().for_each(warn);
+    Ok(scene)
 }
 
 /// A core on disk: the user's directory, or one generated for the occasion.

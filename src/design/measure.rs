@@ -54,6 +54,15 @@ pub struct Measured {
     pub rms: f64,
 }
 
+/// Below this a difference may be the rounding of exponential and logarithm.
+const ROUNDED: f64 = 1e-14;
+
+/// `x^n` of a versine with so many fraction bits, where a double holds it: of a small whole n.
+fn exact_power(n: f64, versine: f64, frac_bits: u32) -> Option<f64> {
+    let holds = n.fract() == 0.0 && n * f64::from(frac_bits) <= f64::from(f64::MANTISSA_DIGITS);
+    holds.then(|| (0..n as u32).fold(1.0, |power, _| power * (1.0 - versine)))
+}
+
 impl Measured {
     const NONE: [f64; 7] = [0.0; 7];
 
@@ -99,7 +108,13 @@ impl Measured {
                     let log = logs[design.operand_of_versine(operand) as usize / step] * shininess[row];
                     // Below e^-40 the power is nothing beside an ulp.
                     let exact = if log < -40.0 { 0.0 } else { libm::exp(log) };
-                    let off = (hardware - exact).abs();
+                    let mut off = (hardware - exact).abs();
+                    // Exponential and logarithm round; where the power itself does not, the difference has no such rest.
+                    if off < ROUNDED
+                        && let Some(power) = exact_power(shininess[row], u, design.spec.input_fraction)
+                    {
+                        off = (hardware - power).abs();
+                    }
                     total[0] = total[0].min(error);
                     total[1] = total[1].max(error);
                     if off > total[2] {

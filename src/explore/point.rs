@@ -101,10 +101,23 @@ pub struct Cost {
     pub bram: u32,
     /// Clocks from input to output.
     pub latency: u32,
-    /// The median frequency in MHz over the seeds, or an estimate of it; none of a core that was not placed.
+    /// The median frequency in MHz over the seeds, or an estimate of it; none of a core that was not placed, or that has no path between two
+    /// registers.
     pub mhz: Option<f64>,
+    /// Whether the core was placed.
+    #[serde(skip)]
+    pub placed: bool,
     /// Whether the figures come from a model and not from the tools.
     pub estimated: bool,
+}
+
+impl Cost {
+    /// The frequency as text, with so many digits behind the point, or in a few words why there is none.
+    #[must_use]
+    pub fn mhz_text(&self, digits: usize) -> String {
+        let none = if self.placed { "no path between registers" } else { "not placed" };
+        self.mhz.map_or_else(|| none.to_owned(), |mhz| format!("{mhz:.digits$} MHz"))
+    }
 }
 
 /// How the failure of a point begins whose spec no core can be built for.
@@ -215,12 +228,13 @@ impl Point {
                 bram: resources.bram,
                 latency,
                 mhz: synthesis.timing.as_ref().map(|timing| timing.median_mhz),
+                placed: synthesis.tools.nextpnr.is_some(),
                 estimated: false,
             });
         }
         let estimate = self.estimate.as_ref().filter(|_| self.failure.is_none())?;
         let &Estimate { lut, ff, dsp, bram, mhz, .. } = estimate;
-        Some(Cost { lut, ff, dsp, bram, latency, mhz, estimated: true })
+        Some(Cost { lut, ff, dsp, bram, latency, mhz, placed: false, estimated: true })
     }
 
     /// The tools whose figures these are.

@@ -59,6 +59,41 @@ impl Hunt for All<'_> {
     }
 }
 
+/// Tasks that are spent on the mutants of a node that nothing was seen to show.
+const TASKS_OF_MUTE: u64 = 2;
+
+/// For each node whether no output ever shows it: neither the ends of its format nor 0 in its place, nor its inverted sign, change a result, for
+/// any of the vectors `known` and the candidates of the first task. Such are the nodes of a channel that is always full or black, or of a
+/// highlight that is multiplied by 0: mutants of them would be sought among all candidates, in vain.
+fn mute(design: &Design, known: &[&Vector], mut candidates: Candidates) -> Vec<bool> {
+    let graph = design.graph();
+    let of_node = |node: NodeId| {
+        let format = graph.nodes[node].format;
+        let held = |code: i128| Change::Instead { op: Op::Constant(code), args: Vec::new() };
+        let changes =
+            [held(format.min_code()), held(format.max_code()), held(0), Change::Flipped { bit: format.width() - 1 }];
+        changes.into_iter().map(move |change| Fault { node, change })
+    };
+    let faults: Vec<Fault> =
+        (0..graph.nodes.len()).filter(|&node| graph.nodes[node].format.width() > 0).flat_map(of_node).collect();
+    let mut vectors = known.chunks(Block::LANES);
+    let both = Box::new(move |block: &mut Block| {
+        block.count = 0;
+        match vectors.next() {
+            Some(some) => some.iter().for_each(|vector| block.push(&vector.inputs)),
+            None => return candidates(block),
+        }
+        true
+    });
+    let mut hunt = First { candidates: both, shown: vec![None; faults.len()] };
+    Probe::new(graph, design.tables()).run(&faults.iter().collect::<Vec<_>>(), &mut hunt);
+    let mut mute = vec![true; graph.nodes.len()];
+    for (fault, shown) in faults.iter().zip(&hunt.shown) {
+        mute[fault.node] &= shown.is_none();
+    }
+    mute
+}
+
 /// The fewest inputs that a greedy search finds to tell the core from each mutant of its operations that the vectors `known` do not show,
 /// as far as any candidate of so many tasks shows it.
 pub(super) fn telling<'a>(
@@ -88,8 +123,10 @@ pub(super) fn telling<'a>(
     let open: Vec<&Fault> =
         all.into_iter().zip(told).filter(|(_, told)| told.is_none()).map(|(fault, _)| fault).collect();
 
-    let found: Vec<Vec<Option<Vec<i64>>>> =
-        (0..tasks).into_par_iter().map(|task| first(&open, candidates(task))).collect();
+    let mute = if open.is_empty() { Vec::new() } else { mute(design, known, candidates(0)) };
+    let seen: Vec<&Fault> = open.iter().copied().filter(|fault| !mute[fault.node]).collect();
+    let of_task = |task: u64| first(if task < TASKS_OF_MUTE { &open } else { &seen }, candidates(task));
+    let found: Vec<Vec<Option<Vec<i64>>>> = (0..tasks).into_par_iter().map(of_task).collect();
     let mut pool: Vec<Vec<i64>> = found.into_iter().flatten().flatten().collect();
     pool.sort_unstable();
     pool.dedup();
@@ -119,6 +156,8 @@ pub(super) fn pausing<'a>(
     if open.is_empty() {
         return chosen;
     }
+    let mute = mute(design, known, candidates(0));
+    open.retain(|defect| node_of(defect).is_some_and(|node| !mute[node]));
     let mut inputs: Vec<Vec<i64>> = known.iter().map(|vector| vector.inputs.clone()).collect();
     let (mut more, mut block) = (candidates(0), Block::new(design.graph().inputs.len()));
     while more(&mut block) {

@@ -8,6 +8,7 @@ use crate::datapath::widths::Contribution;
 use crate::design::{Account, Design, Measured, Part, ShaderError};
 use crate::error::Error;
 use crate::hdl::{Axis, Port, WritePort, render};
+use crate::markdown;
 use crate::rom::{Field, RomFormat, Table};
 use crate::spec::{
     Block, Coefficients, Colour, CoreSpec, Cosine, Form, LightColours, Material, RomStyle, Shader, Shininess, Tail,
@@ -332,7 +333,7 @@ pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError
         let surface = material.surface();
         MaterialRow {
             index,
-            name: material.name.clone(),
+            name: markdown::text(&material.name),
             shininess: material.shininess,
             ambient: colour_text(surface.ambient),
             diffuse: colour_text(surface.diffuse),
@@ -343,7 +344,7 @@ pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError
     render(&ShaderSheet {
         spec,
         title: title(spec),
-        command: spec.command(),
+        command: markdown::code(&spec.command()),
         digest: spec.digest(),
         ports: design.ports(),
         latency: design.schedule.latency,
@@ -402,14 +403,15 @@ pub(super) fn datasheet(
             list.iter().enumerate().map(|(index, n)| (index, String::new(), n.to_string())).collect()
         }
         Shininess::Materials(materials) => {
-            materials.iter().enumerate().map(|(index, m)| (index, m.name.clone(), m.shininess.to_string())).collect()
+            let row = |(index, m): (usize, &Material)| (index, markdown::text(&m.name), m.shininess.to_string());
+            materials.iter().enumerate().map(row).collect()
         }
     };
     let budget = &design.budget;
     render(&Datasheet {
         spec,
         lobe: lobe_text(spec),
-        command: spec.command(),
+        command: markdown::code(&spec.command()),
         digest: spec.digest(),
         operand: design.operand_name(),
         operand_format: design.operand_format().to_string(),

@@ -34,7 +34,7 @@ impl ScenePart {
     pub fn of(findings: &Findings, sheet: &Sheet) -> Self {
         let Findings { scene, requirements, choice, chosen, verified, .. } = findings;
         let figures = if choice.estimated { "estimated" } else { "measured" };
-        let lines = vec![
+        let mut lines = vec![
             format!(
                 "{} by {} pixels of {} bits a channel, {}; the budget is {}, with the camera and each light moved by up to {} degrees.",
                 requirements.size[0],
@@ -58,6 +58,7 @@ impl ScenePart {
                 chosen.guaranteed_steps(),
             ),
         ];
+        lines.extend(scene.left_out.iter().map(|line| format!("Of the materials' files {line}.")));
         let shiny: Vec<&MaterialNeed> = requirements.materials.iter().filter(|need| need.row.is_some()).collect();
         Self {
             name: scene.name.clone(),

@@ -132,7 +132,7 @@ pub(super) fn error_text(error: f64) -> String {
 
 /// What is said of a point in a chart.
 fn note(point: &Point, cost: &Cost) -> String {
-    let Cost { lut, ff, dsp, bram, latency, mhz, estimated } = cost;
+    let Cost { lut, ff, dsp, bram, latency, mhz, estimated, .. } = cost;
     let mut text = format!("{}\nlargest error {}\n", point.name, error_text(point.max_abs));
     text += &format!("{lut} LUTs, {ff} flip-flops, {dsp} DSPs, {bram} block RAMs\n{latency} clocks");
     if let Some(mhz) = mhz {

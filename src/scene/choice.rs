@@ -88,6 +88,9 @@ pub struct SceneChoice {
     pub chosen: Option<SceneCore>,
     /// The next ones: the cheapest of each other method or way of coefficients first, each group the cheapest first.
     pub runner_ups: Vec<RunnerUp>,
+    /// All others that keep the budget, the cheapest first.
+    #[serde(skip)]
+    pub others: Vec<SceneCore>,
     /// The nearest misses, the nearest first.
     pub misses: Vec<NearMiss>,
     /// How many cores drew the pictures.
@@ -272,11 +275,7 @@ impl<'a> Search<'a> {
         let material = |row: &super::require::Row| Material {
             name: row.name.clone(),
             shininess: row.shininess,
-            ambient: None,
-            diffuse: None,
-            specular: None,
-            colour: None,
-            specular_colour: None,
+            ..Material::default()
         };
         SpecFields {
             name: Some(self.scene.name.clone()),
@@ -602,7 +601,8 @@ impl<'a> Search<'a> {
         let Ranking { meeting: ranked, misses } = self.ranked(all, wished);
         let mut ranked = ranked.into_iter();
         let chosen = ranked.next();
-        let runner_ups = chosen.as_ref().map(|chosen| self.runner_ups(chosen, ranked.collect())).unwrap_or_default();
+        let others: Vec<SceneCore> = ranked.collect();
+        let runner_ups = chosen.as_ref().map(|chosen| self.runner_ups(chosen, &others)).unwrap_or_default();
         let miss = |miss: crate::explore::choose::Missed<SceneCore>| NearMiss {
             core: miss.core,
             octaves: miss.octaves,
@@ -610,11 +610,23 @@ impl<'a> Search<'a> {
         };
         let misses = misses.into_iter().take(MISSES).map(miss).collect();
         let estimated = matches!(self.costing, Costing::Estimate(_));
-        Ok(SceneChoice { chosen, runner_ups, misses, considered, meeting, estimated, tools })
+        Ok(SceneChoice { chosen, runner_ups, others, misses, considered, meeting, estimated, tools })
+    }
+
+    /// Takes another core in place of the chosen one, one of the others; the dearer ones are left as runners-up. `refused` are those that do
+    /// not do after all, with why.
+    pub fn take(&self, choice: &mut SceneChoice, core: &SceneCore, refused: Vec<NearMiss>) {
+        let id = |core: &SceneCore| core.candidate.point.id.clone();
+        let place = choice.others.iter().position(|other| id(other) == id(core)).map_or(0, |place| place + 1);
+        choice.others.drain(..place);
+        choice.runner_ups = self.runner_ups(core, &choice.others);
+        choice.chosen = Some(core.clone());
+        choice.misses.splice(0..0, refused);
+        choice.misses.truncate(MISSES);
     }
 
     /// The cheapest of each other way, then more until there are enough.
-    fn runner_ups(&self, chosen: &SceneCore, ranked: Vec<SceneCore>) -> Vec<RunnerUp> {
+    fn runner_ups(&self, chosen: &SceneCore, ranked: &[SceneCore]) -> Vec<RunnerUp> {
         let way = |core: &SceneCore| {
             let Point { method, coefficients, .. } = &core.candidate.point;
             let coarse = core.candidate.point.variant.split(' ').any(|pair| pair.starts_with("accuracy="));
@@ -623,7 +635,7 @@ impl<'a> Search<'a> {
         let mut seen = vec![way(chosen)];
         let (mut first, mut rest) = (Vec::new(), Vec::new());
         for core in ranked {
-            let own = way(&core);
+            let own = way(core);
             if seen.contains(&own) {
                 rest.push(core);
             } else {
@@ -631,7 +643,7 @@ impl<'a> Search<'a> {
                 first.push(core);
             }
         }
-        let why = |core: SceneCore| RunnerUp { why: self.dearer(chosen, &core), core };
+        let why = |core: &SceneCore| RunnerUp { why: self.dearer(chosen, core), core: core.clone() };
         first.into_iter().chain(rest).take(RUNNER_UPS).map(why).collect()
     }
 

@@ -14,6 +14,7 @@ use crate::design::Design;
 use crate::error::Error;
 use crate::explore::Cost;
 use crate::hdl::{Direction, render};
+use crate::markdown;
 use crate::package::{File, counted, rounded};
 use crate::spec::{InputRange, Operand, SpecFields};
 
@@ -52,6 +53,13 @@ struct Coded {
     note: String,
 }
 
+impl Coded {
+    /// The name in a cell of a table.
+    fn cell(&self) -> String {
+        markdown::text(&self.name)
+    }
+}
+
 struct LeftOut {
     what: &'static str,
     reason: String,
@@ -70,6 +78,8 @@ struct Sheet<'a> {
     budget: String,
     margin: f64,
     materials: Vec<Coded>,
+    /// What of the MTL files is left out.
+    not_read: Vec<String>,
     operand: String,
     operand_format: String,
     output: String,
@@ -273,6 +283,7 @@ impl Findings<'_> {
             budget: budget_text(&requirements.budget),
             margin: requirements.margin_degrees,
             materials: self.materials(),
+            not_read: scene.left_out.iter().map(|line| markdown::text(line)).collect(),
             operand: design.operand_name().to_owned(),
             operand_format: design.operand_format().to_string(),
             output: design.numbers(Direction::Out)[0].0.to_owned(),
@@ -325,6 +336,7 @@ impl Findings<'_> {
             "budget": requirements.budget,
             "margin_degrees": requirements.margin_degrees,
             "materials": self.materials(),
+            "left_out_of_mtl": scene.left_out,
             "ports": {
                 design.operand_name(): design.operand_format().to_string(),
                 design.numbers(Direction::Out)[0].0: design.output_format().to_string(),

@@ -9,6 +9,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::mesh::{Mesh, Normals, Transform};
+use super::mtl;
 use crate::design::sample::{Vector, dot, normalised};
 use crate::error::Error;
 use crate::explore::Objective;
@@ -45,11 +46,14 @@ pub struct Scene {
     pub background: Colour,
     /// The camera.
     pub camera: Camera,
-    /// The materials, in the order of the file, with their surfaces ([`Material::with_surface`]); shininess at least 1.
+    /// The materials, in the order of the file, then those of its meshes' MTL files, with their surfaces ([`Material::with_surface`]);
+    /// shininess at least 1.
     pub materials: Vec<Material>,
+    /// What of the MTL files is left out, a line each.
+    pub left_out: Vec<String>,
     /// The lights, 1 to 8.
     pub lights: Vec<Light>,
-    /// The objects, one at least.
+    /// The objects, one at least. A mesh with the materials of its file is one for each of them.
     pub objects: Vec<Object>,
     /// Whether objects throw shadows.
     pub shadows: bool,
@@ -187,6 +191,7 @@ struct MaterialFields {
     #[serde(alias = "k_s")]
     specular: Option<f64>,
     colour: Option<Colour>,
+    ambient_colour: Option<Colour>,
     specular_colour: Option<Colour>,
 }
 
@@ -203,7 +208,8 @@ struct LightFields {
 #[serde(deny_unknown_fields)]
 struct ObjectFields {
     kind: Kind,
-    material: String,
+    material: Option<String>,
+    materials: Option<Materials>,
     centre: Option<Vector>,
     radius: Option<f64>,
     point: Option<Vector>,
@@ -220,6 +226,14 @@ struct ObjectFields {
 enum ScaleFields {
     All(f64),
     Each(Vector),
+}
+
+/// Where a mesh's materials come from, beside the object's own.
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum Materials {
+    /// Each face's, from the file's MTL files.
+    Mtl,
 }
 
 #[derive(Clone, Copy, PartialEq, Deserialize)]
@@ -385,10 +399,10 @@ impl SceneFields {
             }
             materials.push(material);
         }
-        if materials.is_empty() {
+        let from_files = self.object.iter().any(|object| object.get_ref().materials.is_some());
+        if materials.is_empty() && !from_files {
             return Err(Error::input("the scene has no materials", "give one at least: [[material]]"));
         }
-        Shininess::Materials(materials.clone()).check()?;
 
         if !LIGHTS.contains(&(self.light.len() as u32)) {
             let (least, most) = (LIGHTS.start(), LIGHTS.end());
@@ -401,13 +415,18 @@ impl SceneFields {
         if self.object.is_empty() {
             return Err(Error::input("the scene has no objects", "give one at least: [[object]]"));
         }
+        let mut left_out: Vec<String> = Vec::new();
         let objects = numbered(
             source,
             "object",
             self.object,
             |object| format!(" ({})", object.kind.name()),
-            |object| object.resolve(&materials, directory),
+            |object| object.resolve(&mut materials, &mut left_out, directory),
         )?;
+        let objects = objects.into_iter().flatten().collect();
+        left_out.sort();
+        left_out.dedup();
+        Shininess::Materials(materials.clone()).check()?;
         let budget = match self.budget {
             None => Budget { max_steps: Some(1), min_psnr: None },
             Some(budget) => {
@@ -424,6 +443,7 @@ impl SceneFields {
             background,
             camera,
             materials,
+            left_out,
             lights,
             objects,
             shadows: self.shadows.unwrap_or(false),
@@ -444,7 +464,7 @@ fn numbered<F, T>(
     what: &str,
     list: Vec<Spanned<F>>,
     kind: impl Fn(&F) -> String,
-    resolve: impl Fn(F) -> Result<T, Error>,
+    mut resolve: impl FnMut(F) -> Result<T, Error>,
 ) -> Result<Vec<T>, Error> {
     let one = |(index, item): (usize, Spanned<F>)| {
         let (span, kind) = (item.span(), kind(item.get_ref()));
@@ -548,6 +568,7 @@ impl MaterialFields {
             diffuse: self.diffuse,
             specular: self.specular,
             colour: self.colour,
+            ambient_colour: self.ambient_colour,
             specular_colour: self.specular_colour,
         };
         Shininess::Materials(vec![material.clone()]).check()?;
@@ -617,13 +638,20 @@ impl Kind {
 }
 
 impl ObjectFields {
-    fn resolve(self, materials: &[Material], directory: &Path) -> Result<Object, Error> {
+    /// The object, or the parts of a mesh with materials of its own, which are added to the scene's.
+    fn resolve(
+        self,
+        materials: &mut Vec<Material>,
+        left_out: &mut Vec<String>,
+        directory: &Path,
+    ) -> Result<Vec<Object>, Error> {
         let keys = [
             ("centre", self.centre.is_some(), Kind::Sphere),
             ("radius", self.radius.is_some(), Kind::Sphere),
             ("point", self.point.is_some(), Kind::Plane),
             ("normal", self.normal.is_some(), Kind::Plane),
             ("file", self.file.is_some(), Kind::Mesh),
+            ("materials", self.materials.is_some(), Kind::Mesh),
             ("normals", self.normals.is_some(), Kind::Mesh),
             ("scale", self.scale.is_some(), Kind::Mesh),
             ("rotate", self.rotate.is_some(), Kind::Mesh),
@@ -634,10 +662,17 @@ impl ObjectFields {
             let what = format!("a {} has no {key}", self.kind.name());
             return Err(Error::input(what, format!("its keys are kind, material, {}", own.join(", "))));
         }
-        let material = materials.iter().position(|material| material.name == self.material).ok_or_else(|| {
-            let known = materials.iter().map(|material| material.name.as_str());
-            Error::input(format!("unknown material `{}`", self.material), suggest("materials", &self.material, known))
-        })?;
+        let find = |wanted: &String| {
+            materials.iter().position(|material| material.name == *wanted).ok_or_else(|| {
+                let known = materials.iter().map(|material| material.name.as_str());
+                Error::input(format!("unknown material `{wanted}`"), suggest("materials", wanted, known))
+            })
+        };
+        let own = self.material.as_ref().map(find).transpose()?;
+        if own.is_none() && self.materials.is_none() {
+            let what = format!("a {} has no material", self.kind.name());
+            return Err(Error::input(what, "give material: the name of one of the [[material]]"));
+        }
         let shape = match self.kind {
             Kind::Sphere => {
                 let (centre, radius) = (self.centre.unwrap_or([0.0; 3]), self.radius.unwrap_or(1.0));
@@ -672,11 +707,31 @@ impl ObjectFields {
                     (self.rotate.unwrap_or(default.rotate), self.translate.unwrap_or(default.translate));
                 coordinates("rotate", &rotate)?;
                 coordinates("translate", &translate)?;
-                let mesh = Mesh::read(&directory.join(file), self.normals.unwrap_or_default())?;
-                Shape::Mesh(Arc::new(mesh.transformed(&Transform { scale, rotate, translate })?))
+                let (path, transform) = (directory.join(file), Transform { scale, rotate, translate });
+                let normals = self.normals.unwrap_or_default();
+                let placed = |mesh: Mesh| Ok(Shape::Mesh(Arc::new(mesh.transformed(&transform)?)));
+                if self.materials != Some(Materials::Mtl) {
+                    placed(Mesh::read(&path, normals)?)?
+                } else {
+                    let name = path.display().to_string();
+                    let painted = Mesh::parse_painted(&input::read(&path, input::MAX_MESH)?, &name, normals)?;
+                    let parts = mtl::parts(&painted, &name, path.parent().unwrap_or(Path::new("")))?;
+                    left_out.extend(parts.left_out);
+                    let object = |(mesh, material): (Mesh, Option<Material>)| {
+                        let material =
+                            material.map(|material| mtl::place(material, materials)).or(own).ok_or_else(|| {
+                                Error::input(
+                                    format!("{name} has faces before its first usemtl"),
+                                    "give the object a material for them",
+                                )
+                            })?;
+                        Ok(Object { shape: placed(mesh)?, material })
+                    };
+                    return parts.parts.into_iter().map(object).collect();
+                }
             }
         };
-        Ok(Object { shape, material })
+        Ok(own.map(|material| Object { shape, material }).into_iter().collect())
     }
 }
 

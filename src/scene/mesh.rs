@@ -1,6 +1,8 @@
 //! Triangle meshes, from OBJ and PLY.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
+use std::fmt::Write;
 use std::path::Path;
 
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
@@ -8,6 +10,7 @@ use ply_rs_bw::ply::{Property, PropertyAccess, PropertyAccessResult};
 use serde::Deserialize;
 
 use super::file::{MAX_COORDINATE, beyond};
+use super::text::{Statements, first_line, name_of, without_comment, without_mark};
 use crate::design::sample::{Vector, cross, dot, minus, normalised};
 use crate::error::Error;
 use crate::input;
@@ -65,16 +68,43 @@ pub struct Transform {
     pub translate: Vector,
 }
 
+/// A name in an OBJ file, and where it stands first.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Named {
+    /// The name as written: blanks and `#` may be in it.
+    pub name: String,
+    /// The line, from 1.
+    pub line: usize,
+}
+
+/// A mesh with the materials that its file gives to its faces.
+pub(super) struct Painted {
+    /// The mesh.
+    pub mesh: Mesh,
+    /// What its statements `mtllib` name.
+    pub libraries: Vec<Named>,
+    /// The materials of its statements `usemtl`.
+    pub materials: Vec<Named>,
+    /// For each triangle the place of its material in `materials`; their number for none.
+    pub of_triangle: Vec<u32>,
+}
+
 /// What a file says of a mesh: every coordinate within [`MAX_COORDINATE`], every corner there.
+#[derive(Default)]
 struct Raw {
     positions: Vec<Vector>,
     /// Not yet of length 1; empty where the file has none, or not one for every corner.
     normals: Vec<Vector>,
     triangles: Vec<[Corner; 3]>,
+    /// As in [`Painted`].
+    libraries: Vec<Named>,
+    materials: Vec<Named>,
+    of_triangle: Vec<u32>,
 }
 
 impl Mesh {
-    /// Reads an OBJ or a PLY file; which one it is, its text says.
+    /// Reads an OBJ or a PLY file; which one it is, its text says. A byte order mark, any line ends and, in OBJ, lines continued by `\` are
+    /// read as they are meant.
     ///
     /// # Errors
     /// An unreadable file, or what [`Mesh::parse`] refuses.
@@ -91,12 +121,40 @@ impl Mesh {
     /// Something else than the two formats, a coordinate that is no number or beyond [`MAX_COORDINATE`], a face with a vertex that
     /// is not there, a file that ends early, a mesh without any triangle that has an area, or with more than [`MAX_TRIANGLES`].
     pub fn parse(bytes: &[u8], file: &str, normals: Normals) -> Result<Self, Error> {
-        let raw = if [&b"ply\n"[..], b"ply\r"].iter().any(|magic| bytes.starts_with(magic)) {
-            read_ply(bytes, file)?
+        Self::parse_painted(bytes, file, normals).map(|painted| painted.mesh)
+    }
+
+    /// As [`Mesh::parse`], with the materials of the faces.
+    pub(super) fn parse_painted(bytes: &[u8], file: &str, normals: Normals) -> Result<Painted, Error> {
+        let bytes = without_mark(bytes, file, FORMATS)?;
+        let raw = if first_line(bytes).0.trim_ascii_end() == b"ply" {
+            read_ply(&plain_ply(bytes), file)?
         } else {
             read_obj(&String::from_utf8_lossy(bytes), file)?
         };
         raw.finish(file, normals)
+    }
+
+    /// The part of the mesh whose triangles are `wanted`, with those positions and normals alone that it needs; no triangle was dropped
+    /// from it.
+    pub(super) fn part(&self, wanted: impl Fn(usize) -> bool) -> Self {
+        /// The new place of a vector, which is copied when it is first met.
+        fn moved(places: &mut HashMap<u32, u32>, place: u32, from: &[Vector], to: &mut Vec<Vector>) -> u32 {
+            *places.entry(place).or_insert_with(|| {
+                to.push(from[place as usize]);
+                to.len() as u32 - 1
+            })
+        }
+        let mut part = Self::default();
+        let (mut positions, mut normals) = (HashMap::new(), HashMap::new());
+        for (_, corners) in self.triangles.iter().enumerate().filter(|(index, _)| wanted(*index)) {
+            let corners = corners.map(|corner| Corner {
+                position: moved(&mut positions, corner.position, &self.positions, &mut part.positions),
+                normal: moved(&mut normals, corner.normal, &self.normals, &mut part.normals),
+            });
+            part.triangles.push(corners);
+        }
+        part
     }
 
     /// The mesh in its place in a scene. Normals stay across the surface and outside, whatever the scale.
@@ -165,13 +223,15 @@ fn own_normal(positions: &[Vector], triangle: &[Corner; 3]) -> Option<Vector> {
 
 impl Raw {
     /// Leaves out what has no area, and sees to the normals.
-    fn finish(self, file: &str, wanted: Normals) -> Result<Mesh, Error> {
-        let Self { positions, normals: given, mut triangles } = self;
+    fn finish(self, file: &str, wanted: Normals) -> Result<Painted, Error> {
+        let Self { positions, normals: given, mut triangles, libraries, materials, mut of_triangle } = self;
         if positions.len().max(triangles.len()) > MAX_TRIANGLES {
             let what = format!("{file} has {} vertices and {} triangles", positions.len(), triangles.len());
             return Err(Error::input(what, format!("a mesh has at most {MAX_TRIANGLES} of each")));
         }
         let all = triangles.len();
+        let mut places = triangles.iter();
+        of_triangle.retain(|_| places.next().is_some_and(|triangle| own_normal(&positions, triangle).is_some()));
         triangles.retain(|triangle| own_normal(&positions, triangle).is_some());
         let dropped = all - triangles.len();
         if triangles.is_empty() {
@@ -200,7 +260,7 @@ impl Raw {
                 place_normals(&smooth, &mut triangles, own, &mut normals);
             }
         }
-        Ok(Mesh { positions, normals, triangles, dropped })
+        Ok(Painted { mesh: Mesh { positions, normals, triangles, dropped }, libraries, materials, of_triangle })
     }
 }
 
@@ -263,9 +323,9 @@ fn smooth(positions: &[Vector], triangles: &[[Corner; 3]]) -> (Vec<Vector>, Vec<
     (sums, groups)
 }
 
-/// Reads an OBJ text: its lines `v`, `vn` and `f`, all objects and groups as one mesh.
+/// Reads an OBJ text: its statements `v`, `vn` and `f`, all objects and groups as one mesh.
 fn read_obj(text: &str, file: &str) -> Result<Raw, Error> {
-    let (plain, every_normal) = plain_obj(text, file)?;
+    let PlainObj { text: plain, lines, every_normal, libraries, materials } = plain_obj(text, file)?;
     let mut rest = plain.as_bytes();
     let options =
         tobj::LoadOptions { triangulate: true, ignore_points: true, ignore_lines: true, ..Default::default() };
@@ -274,88 +334,161 @@ fn read_obj(text: &str, file: &str) -> Result<Raw, Error> {
         // The parser stops behind the line that it refuses.
         let read = &plain.as_bytes()[..plain.len() - rest.len()];
         let line = read.iter().filter(|byte| **byte == b'\n').count().max(1);
-        Error::input(format!("{file}, line {line}: {error}"), FORMATS)
+        Error::input(format!("{file}, line {}: {error}", lines.get(line - 1).unwrap_or(&line)), FORMATS)
     })?;
-    let (mut positions, mut normals, mut triangles) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut positions, mut normals, mut triangles, mut of_triangle) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let vectors = |list: &[f64]| list.chunks_exact(3).map(|v| [v[0], v[1], v[2]]).collect::<Vec<Vector>>();
-    for tobj::Model { mesh, .. } in models {
+    for tobj::Model { mesh, name } in models {
         let (position, normal) = (positions.len() as u32, normals.len() as u32);
         positions.extend(vectors(&mesh.positions));
         if every_normal {
             normals.extend(vectors(&mesh.normals));
         }
-        triangles.extend((0..mesh.indices.len() / 3).map(|triangle| {
+        let count = mesh.indices.len() / 3;
+        triangles.extend((0..count).map(|triangle| {
             [0, 1, 2].map(|corner| {
                 let index = 3 * triangle + corner;
                 let of_normal = if every_normal { mesh.normal_indices[index] } else { 0 };
                 Corner { position: position + mesh.indices[index], normal: normal + of_normal }
             })
         }));
+        let material = name.parse().unwrap_or(materials.len() as u32);
+        of_triangle.extend(std::iter::repeat_n(material, count));
     }
-    Ok(Raw { positions, normals, triangles })
+    Ok(Raw { positions, normals, triangles, libraries, materials, of_triangle })
 }
 
-/// The lines `v`, `vn` and `f` of an OBJ text, each in its place, once it is known that every coordinate is a number and every face's
-/// vertices and normals are there; and whether every corner of a face has a normal. The parser itself would wrap a face's index
-/// around, name no line, and lend a corner without a normal another one's.
-fn plain_obj(text: &str, file: &str) -> Result<(String, bool), Error> {
-    let first = |line: &str| {
-        line.split_whitespace()
-            .next()
-            .map_or(0, |word| ["v", "vn"].iter().position(|w| *w == word).map_or(0, |at| at + 1))
-    };
-    let mut all = [0; 3];
-    text.lines().for_each(|line| all[first(line)] += 1);
-    let (mut read, mut faces, mut every_normal) = ([0u64; 3], 0, true);
-    let mut plain = String::with_capacity(text.len());
-    for (number, line) in text.lines().enumerate() {
-        let line = line.split('#').next().unwrap_or_default();
+/// An OBJ text as the parser is given it.
+struct PlainObj {
+    /// Vertices, then normals, then faces with indices from 1; an object for each run of faces of one material, named as its place.
+    text: String,
+    /// For each line of the text that of the file, from 1.
+    lines: Vec<usize>,
+    /// Whether every corner of a face has a normal.
+    every_normal: bool,
+    libraries: Vec<Named>,
+    materials: Vec<Named>,
+}
+
+/// The statements of an OBJ text that matter here, once it is known that every coordinate is a number and every face's vertices and normals
+/// are there. The parser itself would wrap a face's index around, name no line, lend a corner without a normal another one's, pass over a
+/// first line that begins with a byte order mark, and knows no continued lines.
+fn plain_obj(text: &str, file: &str) -> Result<PlainObj, Error> {
+    const KINDS: [&str; 2] = ["v", "vn"];
+    let kind = |word: &str| KINDS.iter().position(|w| *w == word);
+    let mut all = [0u64; 2];
+    for (_, statement) in Statements::new(text) {
+        if let Some(kind) = without_comment(&statement).split_whitespace().next().and_then(kind) {
+            all[kind] += 1;
+        }
+    }
+    let (mut read, mut every_normal) = ([0u64; 2], true);
+    let (mut libraries, mut materials) = (Vec::new(), Vec::<Named>::new());
+    let (mut vectors, mut faces) = (String::with_capacity(text.len()), String::new());
+    let (mut lines, mut face_lines, mut count) = (Vec::new(), Vec::new(), 0);
+    for (number, statement) in Statements::new(text) {
         let wrong =
-            |what: String, allowed: String| Err(Error::input(format!("{file}, line {}: {what}", number + 1), allowed));
-        let mut words = line.split_whitespace();
+            |what: String, allowed: String| Err(Error::input(format!("{file}, line {number}: {what}"), allowed));
+        let mut words = without_comment(&statement).split_whitespace();
         match words.next() {
             Some(word @ ("v" | "vn")) => {
-                let kind = first(word);
+                let kind = kind(word).expect("one of the two");
                 read[kind] += 1;
-                let mut numbers = words.map_while(|word| word.parse::<f64>().ok()).collect::<Vec<_>>();
-                if let (1, &[x, y, z, weight]) = (kind, &numbers[..]) {
+                let words: Vec<&str> = words.collect();
+                let mut numbers = words.iter().map_while(|word| word.parse::<f64>().ok()).collect::<Vec<_>>();
+                if let (0, &[x, y, z, weight]) = (kind, &numbers[..]) {
                     numbers = vec![x / weight, y / weight, z / weight];
                 }
                 if let Some(value) = beyond(&numbers[..numbers.len().min(3)]) {
-                    let (what, index) = (["vertex", "normal"][kind - 1], read[kind]);
+                    let (what, index) = (["vertex", "normal"][kind], read[kind]);
                     return wrong(format!("the {what} {index} has the component {value}"), allowed_coordinate());
                 }
+                // More than a weight are colours, of which programs write three or four.
+                let own = &words[..if words.len() > 4 || kind == 1 { words.len().min(3) } else { words.len() }];
+                writeln!(vectors, "{word} {}", own.join(" ")).expect("a string takes it");
+                lines.push(number);
             }
             Some("f") => {
-                faces += 1;
+                count += 1;
+                faces.push('f');
                 for corner in words {
                     let mut indices = corner.split('/').map(str::parse::<i64>);
                     let (vertex, normal) = (indices.next(), indices.nth(1));
                     every_normal &= matches!(normal, Some(Ok(_)));
-                    for (kind, index) in [(1, vertex), (2, normal)] {
+                    let mut places = [None; 2];
+                    for (kind, index) in [vertex, normal].into_iter().enumerate() {
                         let Some(Ok(index)) = index else { continue };
                         let there = if index < 0 { read[kind] } else { all[kind] };
                         if index == 0 || index.unsigned_abs() > there {
-                            let what = ["vertex", "normal"][kind - 1];
+                            let what = ["vertex", "normal"][kind];
                             let allowed =
                                 format!("the file has {} of them up to this line, {} in all", read[kind], all[kind]);
                             return wrong(format!("a face names the {what} {index}, which is not there"), allowed);
                         }
+                        // From the end of those before it.
+                        places[kind] = Some(if index < 0 { read[kind] as i64 + 1 + index } else { index });
                     }
+                    let plain = |part: &str| part.is_empty() || part.parse::<i64>().is_ok();
+                    match places {
+                        // What is no corner is left to the parser to refuse.
+                        _ if !corner.split('/').all(plain) || corner.split('/').count() > 3 => {
+                            write!(faces, " {corner}")
+                        }
+                        [Some(vertex), Some(normal)] => write!(faces, " {vertex}//{normal}"),
+                        [Some(vertex), None] => write!(faces, " {vertex}"),
+                        [None, _] => write!(faces, " {corner}"),
+                    }
+                    .expect("a string takes it");
                 }
+                faces.push('\n');
+                face_lines.push(number);
             }
-            _ => {
-                plain.push('\n');
-                continue;
+            Some("mtllib") => libraries.push(Named { name: name_of(&statement).to_owned(), line: number }),
+            Some("usemtl") => {
+                let name = name_of(&statement);
+                let place = materials.iter().position(|known| known.name == name).unwrap_or_else(|| {
+                    materials.push(Named { name: name.to_owned(), line: number });
+                    materials.len() - 1
+                });
+                writeln!(faces, "o {place}").expect("a string takes it");
+                face_lines.push(number);
             }
+            _ => {}
         }
-        plain.push_str(line);
-        plain.push('\n');
     }
-    if read[1] == 0 && faces == 0 {
+    if read[0] == 0 && count == 0 {
         return Err(Error::input(format!("{file} is neither OBJ nor PLY"), FORMATS));
     }
-    Ok((plain, every_normal))
+    vectors.push_str(&faces);
+    lines.append(&mut face_lines);
+    Ok(PlainObj { text: vectors, lines, every_normal, libraries, materials })
+}
+
+/// A PLY file with the line ends and the single blanks that its parser knows: of the whole file if it is text, otherwise of its header.
+fn plain_ply(bytes: &[u8]) -> Cow<'_, [u8]> {
+    let (mut plain, mut rest, mut text, mut body) = (Vec::new(), bytes, true, false);
+    // Where a header's lines end with CR alone, a line feed behind it is the first byte of the body.
+    let old =
+        bytes.get(first_line(bytes).0.len()..).is_some_and(|end| end.starts_with(b"\r") && !end.starts_with(b"\r\n"));
+    while !rest.is_empty() && (text || !body) {
+        let (line, after) = first_line(rest);
+        let end = rest.len() - after.len();
+        let words: Vec<&[u8]> = line.split(|byte| byte.is_ascii_whitespace()).filter(|word| !word.is_empty()).collect();
+        text &= body || words.first() != Some(&&b"format"[..]) || words.get(1) == Some(&&b"ascii"[..]);
+        let last = !body && words == [b"end_header"];
+        body |= last;
+        if !words.is_empty() {
+            plain.extend_from_slice(&words.join(&b' '));
+            plain.push(b'\n');
+        }
+        let end = if last && old { (line.len() + 1).min(rest.len()) } else { end };
+        rest = &rest[end..];
+    }
+    if plain.len() + rest.len() == bytes.len() && bytes.starts_with(&plain) {
+        return Cow::Borrowed(bytes);
+    }
+    plain.extend_from_slice(rest);
+    Cow::Owned(plain)
 }
 
 /// A vertex or a face of a PLY file: what is read of it.
@@ -463,7 +596,7 @@ fn read_ply(bytes: &[u8], file: &str) -> Result<Raw, Error> {
         let corner = |index: usize| Corner { position: corners[index], normal: corners[index] };
         triangles.extend((2..corners.len()).map(|last| [corner(0), corner(last - 1), corner(last)]));
     }
-    Ok(Raw { positions, normals, triangles })
+    Ok(Raw { positions, normals, triangles, ..Raw::default() })
 }
 
 fn allowed_coordinate() -> String {

@@ -2,6 +2,7 @@
 //!
 //! - [`file`](mod@file): scene files, read and checked;
 //! - [`mesh`]: triangle meshes from OBJ and PLY;
+//! - [`mtl`]: the materials of OBJ files;
 //! - [`frame`]: a picture as the lobes that it asks for, and with their values as codes of its channels;
 //! - [`highlight`]: those values: exact, by the bit-exact model of a core, or by the compiled core itself;
 //! - [`trace`]: what a ray of sight meets, and which lights shine there;
@@ -21,11 +22,13 @@ pub mod file;
 pub mod frame;
 pub mod highlight;
 pub mod mesh;
+pub mod mtl;
 pub mod picture;
 pub mod require;
 pub mod shade;
 pub mod sheet;
 pub mod simplify;
+mod text;
 pub mod trace;
 
 pub use difference::Difference;

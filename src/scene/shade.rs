@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::choice::{NearMiss, SceneChoice, SceneCore, Search};
 use super::require::PictureError;
 use super::trace::{Hit, Tracer};
 use super::{Difference, Exact, Frame, Highlights, Picture, Requirements, Scene};
@@ -83,10 +84,151 @@ pub struct Shaded {
     pub moved: PictureError,
     /// What of the budget is missed, in words; nothing of a shader that keeps it.
     pub missed: Vec<String>,
+    /// The lobes that were tried for it.
+    pub tried: usize,
 }
 
 /// The fraction bits that the lobe's input may get beyond those that the lobe was chosen with: before it more is rounded than one cosine.
 const FINER: [u32; 3] = [0, 2, 4];
+
+/// The most lobes around which a shader is tried.
+const MOST_LOBES: usize = 6;
+
+/// The shader of a scene around the cheapest of the lobes that keep the budget, with which it keeps it too: a whole shader rounds more than
+/// its lobe, above all where many lights are added up. Lobes that differ from one that failed in nothing but the input's fraction bits are
+/// passed over, as [`make`] tries these. If the shader around another than the chosen lobe does, that is chosen; if none does, the nearest is
+/// returned, drawn through all pictures, and the choice is left.
+///
+/// # Errors
+/// As [`make`].
+pub fn around(
+    search: &Search,
+    choice: &mut SceneChoice,
+    (scene, requirements): (&Scene, &Requirements),
+    asked: &ShaderFields,
+    done: &(dyn Fn() + Sync),
+) -> Result<Option<Shaded>, Error> {
+    let lobes: Vec<SceneCore> = choice.chosen.iter().chain(&choice.others).cloned().collect();
+    let pictures = Pictures::of(scene, requirements)?;
+    let (mut tried, mut refused, mut nearest) = (Vec::new(), Vec::new(), None::<(f64, Design)>);
+    for lobe in &lobes {
+        let spec = lobe.spec()?;
+        let but_input = SpecFields { input_fraction: None, ..spec.clone() };
+        if tried.len() == MOST_LOBES || tried.contains(&but_input) {
+            continue;
+        }
+        tried.push(but_input);
+        let shaded = pictures.make((scene, requirements), &spec, asked, done)?;
+        if shaded.missed.is_empty() {
+            if tried.len() > 1 {
+                search.take(choice, lobe, refused);
+            }
+            return Ok(Some(Shaded { tried: tried.len(), ..shaded }));
+        }
+        let missed = |error: &PictureError| requirements.budget.missed(error, "");
+        let octaves: f64 = [shaded.base, shaded.moved].iter().flat_map(missed).map(|(octaves, _)| octaves).sum();
+        let why = shaded.missed.iter().map(|why| format!("as a shader {why}")).collect();
+        refused.push(NearMiss { core: lobe.clone(), octaves, why });
+        if nearest.as_ref().is_none_or(|(least, _)| octaves < *least) {
+            nearest = Some((octaves, shaded.design));
+        }
+    }
+    let Some((_, design)) = nearest else { return Ok(None) };
+    let shaded = pictures.through(design, (scene, requirements), true, done)?;
+    Ok(Some(Shaded { tried: tried.len(), ..shaded }))
+}
+
+/// The pictures of a scene that its shader is compared with.
+struct Pictures {
+    tracer: Tracer,
+    views: Vec<Scene>,
+    exact: Vec<Picture>,
+}
+
+impl Pictures {
+    fn of(scene: &Scene, requirements: &Requirements) -> Result<Self, Error> {
+        let tracer = Tracer::new(scene);
+        let [width, height] = requirements.moved_size;
+        let moved = scene.moved(requirements.margin_degrees).into_iter().map(|(_, moved)| moved.resized(width, height));
+        let views: Vec<Scene> = std::iter::once(scene.clone()).chain(moved).collect();
+        let exact = |view: &Scene| -> Result<Picture, Error> {
+            let frame = Frame::trace(&tracer, view, &|| {});
+            Ok(frame.picture(view, &Exact.of(view, &frame)?))
+        };
+        let exact = views.iter().map(exact).collect::<Result<_, _>>()?;
+        Ok(Self { tracer, views, exact })
+    }
+
+    /// All pictures through a shader; unless `whole`, no more after one that misses the budget.
+    fn through(
+        &self,
+        design: Design,
+        (scene, requirements): (&Scene, &Requirements),
+        whole: bool,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<Shaded, Error> {
+        let (base, moved) = (PictureError::default(), PictureError::default());
+        let mut shaded = Shaded { design, samples: 0, base, moved, missed: Vec::new(), tried: 1 };
+        let shader = shaded.design.spec.block.shader().expect("a shader was asked for").clone();
+        for (place, (view, exact)) in self.views.iter().zip(&self.exact).enumerate() {
+            let (own, samples) = picture(&shaded.design, &shader, view, &self.tracer, &|| {})?;
+            done();
+            let error = PictureError::of(&Difference::of(exact, &own), scene.channel_bits);
+            shaded.samples += samples;
+            if place == 0 {
+                shaded.base = error;
+            } else {
+                shaded.moved = shaded.moved.worst(error);
+            }
+            let kept = requirements.budget.missed(&error, "").is_empty();
+            if !kept && !whole {
+                break;
+            }
+        }
+        for (error, what) in [(&shaded.base, "the picture"), (&shaded.moved, "a moved picture")] {
+            shaded.missed.extend(requirements.budget.missed(error, what).into_iter().map(|(_, why)| why));
+        }
+        Ok(shaded)
+    }
+
+    /// As [`make`].
+    fn make(
+        &self,
+        (scene, requirements): (&Scene, &Requirements),
+        lobe: &SpecFields,
+        asked: &ShaderFields,
+        done: &(dyn Fn() + Sync),
+    ) -> Result<Shaded, Error> {
+        let widths: Vec<u32> = asked.vector_fraction.map_or_else(|| VECTOR_FRACTION.collect(), |bits| vec![bits]);
+        let input = lobe.clone().resolve()?.input_fraction;
+        let mut last = None;
+        for finer in FINER.into_iter().filter(|finer| input + finer <= *INPUT_FRACTION.end()) {
+            let lobe = SpecFields { input_fraction: Some(input + finer), ..lobe.clone() };
+            let with = |bits: u32| -> Result<Shaded, Error> {
+                let asked = ShaderFields { vector_fraction: Some(bits), ..asked.clone() };
+                let design = Design::new(spec(scene, requirements, &lobe, &asked)?.resolve()?)?;
+                self.through(design, (scene, requirements), false, done)
+            };
+            // With the most bits first: if these do not do, no fewer will.
+            let mut best = with(widths[widths.len() - 1])?;
+            if best.missed.is_empty() {
+                let (mut few, mut enough) = (0, widths.len() - 1);
+                while few < enough {
+                    let middle = (few + enough) / 2;
+                    let shaded = with(widths[middle])?;
+                    if shaded.missed.is_empty() {
+                        (enough, best) = (middle, shaded);
+                    } else {
+                        few = middle + 1;
+                    }
+                }
+                return Ok(best);
+            }
+            last = Some(best);
+        }
+        last.ok_or_else(|| Error::input("the lobe's input has too many bits", "use fewer input_fraction bits"))
+    }
+}
 
 /// The shader of a scene around the lobe that was chosen for it, with the fewest fraction bits of the vectors, and then of the lobe's input,
 /// whose pictures keep the scene's budget; all of them are drawn through the bit-exact model, every pixel and every light. If none
@@ -101,67 +243,7 @@ pub fn make(
     asked: &ShaderFields,
     done: &(dyn Fn() + Sync),
 ) -> Result<Shaded, Error> {
-    let tracer = Tracer::new(scene);
-    let [width, height] = requirements.moved_size;
-    let moved = scene.moved(requirements.margin_degrees).into_iter().map(|(_, moved)| moved.resized(width, height));
-    let views: Vec<Scene> = std::iter::once(scene.clone()).chain(moved).collect();
-    let exact = |view: &Scene| -> Result<Picture, Error> {
-        let frame = Frame::trace(&tracer, view, &|| {});
-        Ok(frame.picture(view, &Exact.of(view, &frame)?))
-    };
-    let pictures: Vec<Picture> = views.iter().map(exact).collect::<Result<_, _>>()?;
-    let widths: Vec<u32> = asked.vector_fraction.map_or_else(|| VECTOR_FRACTION.collect(), |bits| vec![bits]);
-    let input = lobe.clone().resolve()?.input_fraction;
-    let mut last = None;
-    for finer in FINER.into_iter().filter(|finer| input + finer <= *INPUT_FRACTION.end()) {
-        let lobe = SpecFields { input_fraction: Some(input + finer), ..lobe.clone() };
-        let with = |bits: u32| -> Result<Shaded, Error> {
-            let asked = ShaderFields { vector_fraction: Some(bits), ..asked.clone() };
-            let design = Design::new(spec(scene, requirements, &lobe, &asked)?.resolve()?)?;
-            let mut shaded = Shaded {
-                design,
-                samples: 0,
-                base: PictureError::default(),
-                moved: PictureError::default(),
-                missed: Vec::new(),
-            };
-            let shader = shaded.design.spec.block.shader().expect("a shader was asked for").clone();
-            for (place, (view, exact)) in views.iter().zip(&pictures).enumerate() {
-                let (own, samples) = picture(&shaded.design, &shader, view, &tracer, &|| {})?;
-                done();
-                let error = PictureError::of(&Difference::of(exact, &own), scene.channel_bits);
-                shaded.samples += samples;
-                let what = if place == 0 { "the picture" } else { "a moved picture" };
-                shaded.missed.extend(requirements.budget.missed(&error, what).into_iter().map(|(_, why)| why));
-                if place == 0 {
-                    shaded.base = error;
-                } else {
-                    shaded.moved = shaded.moved.worst(error);
-                }
-                if !shaded.missed.is_empty() {
-                    break;
-                }
-            }
-            Ok(shaded)
-        };
-        // With the most bits first: if these do not do, no fewer will.
-        let mut best = with(widths[widths.len() - 1])?;
-        if best.missed.is_empty() {
-            let (mut few, mut enough) = (0, widths.len() - 1);
-            while few < enough {
-                let middle = (few + enough) / 2;
-                let shaded = with(widths[middle])?;
-                if shaded.missed.is_empty() {
-                    (enough, best) = (middle, shaded);
-                } else {
-                    few = middle + 1;
-                }
-            }
-            return Ok(best);
-        }
-        last = Some(best);
-    }
-    last.ok_or_else(|| Error::input("the lobe's input has too many bits", "use fewer input_fraction bits"))
+    Pictures::of(scene, requirements)?.make((scene, requirements), lobe, asked, done)
 }
 
 /// A point of a surface as the shader is given it: the material's row, N, V, and of each light L and H. A light that does not shine on the

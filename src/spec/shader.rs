@@ -150,7 +150,7 @@ pub struct Shader {
 /// What a material reflects.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
-    /// k_a, times the material's colour.
+    /// k_a, times the colour of the ambient light that the material gives back.
     pub ambient: Colour,
     /// k_d, times the material's colour.
     pub diffuse: Colour,
@@ -159,7 +159,8 @@ pub struct Surface {
 }
 
 impl Material {
-    /// This material with the defaults for what is not written of its surface.
+    /// This material with the defaults for what is not written of its surface; the colour of the ambient light stays unwritten where it is
+    /// that of the scattered light.
     #[must_use]
     pub fn with_surface(self) -> Self {
         Self {
@@ -175,20 +176,20 @@ impl Material {
     /// Whether its surface is the default one.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        let bare =
-            Self { ambient: None, diffuse: None, specular: None, colour: None, specular_colour: None, ..self.clone() };
+        let bare = Self { name: self.name.clone(), shininess: self.shininess, ..Self::default() };
         *self == bare.with_surface()
     }
 
     /// What it reflects.
     #[must_use]
     pub fn surface(&self) -> Surface {
-        let Self { ambient, diffuse, specular, colour, specular_colour, .. } = self.clone().with_surface();
+        let Self { ambient, diffuse, specular, colour, ambient_colour, specular_colour, .. } =
+            self.clone().with_surface();
         let times = |factor: Option<f64>, colour: Option<Colour>| {
             colour.unwrap_or_default().map(|channel| channel * factor.unwrap_or_default())
         };
         Surface {
-            ambient: times(ambient, colour),
+            ambient: times(ambient, ambient_colour.or(colour)),
             diffuse: times(diffuse, colour),
             specular: times(specular, specular_colour),
         }
@@ -199,7 +200,12 @@ impl Material {
         for (what, value) in [("ambient", self.ambient), ("diffuse", self.diffuse), ("specular", self.specular)] {
             unit(&format!("material {}: {what}", self.name), &value.into_iter().collect::<Vec<_>>())?;
         }
-        for (what, value) in [("colour", self.colour), ("specular_colour", self.specular_colour)] {
+        let colours = [
+            ("colour", self.colour),
+            ("ambient_colour", self.ambient_colour),
+            ("specular_colour", self.specular_colour),
+        ];
+        for (what, value) in colours {
             unit(&format!("material {}: {what}", self.name), value.as_ref().map_or(&[], <[f64; 3]>::as_slice))?;
         }
         Ok(())
@@ -208,7 +214,8 @@ impl Material {
     /// Whether anything of its surface is written.
     pub(super) fn has_surface(&self) -> bool {
         let factors = [self.ambient, self.diffuse, self.specular];
-        factors.iter().any(Option::is_some) || self.colour.is_some() || self.specular_colour.is_some()
+        let colours = [self.colour, self.ambient_colour, self.specular_colour];
+        factors.iter().any(Option::is_some) || colours.iter().any(Option::is_some)
     }
 }
 

@@ -14,7 +14,7 @@ use crate::number::exp2;
 pub const MAX_ROWS: usize = 65_536;
 
 /// A named material with its shininess and, for a shader, what its surface reflects.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Material {
     /// The name, for people.
@@ -30,9 +30,12 @@ pub struct Material {
     /// k_s: how much it mirrors, 0 to 1.
     #[serde(default, alias = "k_s", skip_serializing_if = "Option::is_none")]
     pub specular: Option<f64>,
-    /// The colour of the ambient and the diffuse light that it gives back.
+    /// The colour of the diffuse light that it gives back, and of the ambient light unless that has its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub colour: Option<Colour>,
+    /// The colour of the ambient light that it gives back.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ambient_colour: Option<Colour>,
     /// The colour of its highlight.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub specular_colour: Option<Colour>,
@@ -45,8 +48,7 @@ impl FromStr for Material {
     fn from_str(text: &str) -> Result<Self, String> {
         let (name, shininess) = text.split_once('=').ok_or("a material is written NAME=SHININESS, as in brass=51.2")?;
         let shininess = shininess.parse().map_err(|_| format!("`{shininess}` is not a number"))?;
-        let (name, none) = (name.to_owned(), None);
-        Ok(Self { name, shininess, ambient: none, diffuse: none, specular: none, colour: None, specular_colour: None })
+        Ok(Self { name: name.to_owned(), shininess, ..Self::default() })
     }
 }
 
