@@ -8,6 +8,7 @@ use super::{Verdict, say, say_json};
 use crate::error::Error;
 use crate::explore::choose::{Candidate, Choice, Wish};
 use crate::explore::{Cost, MaxError, Objective, Results};
+use crate::paths::Paths;
 use crate::spec::{Coefficients, Method, Operand, Shininess, SpecFields};
 use crate::synth::Family;
 
@@ -145,6 +146,11 @@ impl WishFlags {
         })
     }
 
+    /// The paths of a command that chooses.
+    pub(super) fn paths(&self) -> Paths {
+        self.results.iter().fold(Paths::new(), |paths, path| paths.reads("--results", path))
+    }
+
     /// The points that are chosen among.
     pub(super) fn results(&self) -> Result<Results, Error> {
         self.results.as_deref().map_or_else(Results::built_in, Results::read)
@@ -189,7 +195,8 @@ fn wish_text(wish: &Wish) -> String {
 }
 
 pub(super) fn cost_text(cost: &Cost) -> String {
-    let mhz = cost.mhz.map_or_else(|| "not placed".to_owned(), |mhz| format!("{mhz:.1} MHz"));
+    let missing = || format!("frequency not known ({})", cost.no_mhz.unwrap_or("it was not placed"));
+    let mhz = cost.mhz.map_or_else(missing, |mhz| format!("{mhz:.1} MHz"));
     let Cost { lut, ff, dsp, bram, latency, .. } = cost;
     let source = if cost.estimated { ", estimated" } else { "" };
     format!("{lut} LUT, {ff} FF, {dsp} DSP, {bram} block RAM, {latency} clocks, {mhz}{source}")

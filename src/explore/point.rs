@@ -103,6 +103,9 @@ pub struct Cost {
     pub latency: u32,
     /// The median frequency in MHz over the seeds, or an estimate of it; none of a core that was not placed.
     pub mhz: Option<f64>,
+    /// Why there is no frequency, where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_mhz: Option<&'static str>,
     /// Whether the figures come from a model and not from the tools.
     pub estimated: bool,
 }
@@ -215,12 +218,14 @@ impl Point {
                 bram: resources.bram,
                 latency,
                 mhz: synthesis.timing.as_ref().map(|timing| timing.median_mhz),
+                no_mhz: synthesis.no_clock(),
                 estimated: false,
             });
         }
         let estimate = self.estimate.as_ref().filter(|_| self.failure.is_none())?;
         let &Estimate { lut, ff, dsp, bram, mhz, .. } = estimate;
-        Some(Cost { lut, ff, dsp, bram, latency, mhz, estimated: true })
+        let no_mhz = mhz.is_none().then_some("too few of the cores that the cost model is fitted to were placed");
+        Some(Cost { lut, ff, dsp, bram, latency, mhz, no_mhz, estimated: true })
     }
 
     /// The tools whose figures these are.

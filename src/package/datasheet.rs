@@ -8,7 +8,7 @@ use crate::datapath::widths::Contribution;
 use crate::design::{Account, Design, Measured, Part, ShaderError};
 use crate::error::Error;
 use crate::hdl::{Axis, Port, WritePort, render};
-use crate::rom::{Field, RomFormat, Table};
+use crate::rom::{Field, Table};
 use crate::spec::{
     Block, Coefficients, Colour, CoreSpec, Cosine, Form, LightColours, Material, RomStyle, Shader, Shininess, Tail,
 };
@@ -152,7 +152,7 @@ impl Load {
             enable: port.enable.name,
             address: port.address.name,
             data: port.data.name,
-            file: super::rom_path(design, table, RomFormat::Mem),
+            file: super::rom_path(design, table, super::read_format(&design.spec)),
             ranges: table.fields.iter().map(range).collect(),
         }
     }
