@@ -897,10 +897,14 @@ fn with_wrong_word(file: &str, bytes: &[u8], word: u64) -> Vec<u8> {
             bytes
         }
         "hex" => {
+            // Quartus has a word a record, the last byte of it last.
+            let by_words = file.ends_with("_quartus.hex");
             let changed = |line: &str| {
                 let mut record = Record::from_record_string(line).unwrap();
-                if let Record::Data { value, .. } = &mut record {
-                    value[2] ^= 1;
+                match &mut record {
+                    Record::Data { offset: 1, value } if by_words => value[1] ^= 1,
+                    Record::Data { value, .. } if !by_words => value[2] ^= 1,
+                    _ => {}
                 }
                 record.to_record_string().unwrap() + "\n"
             };
