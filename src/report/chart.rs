@@ -143,7 +143,7 @@ impl Axis {
     fn marks(&self) -> Option<usize> {
         let Range { start, end } = self.placed();
         // Where each whole number has a mark.
-        (!matches!(self.scale, Scale::Linear | Scale::Log)).then(|| ((end - start) as usize + 2).min(20))
+        (!matches!(self.scale, Scale::Linear | Scale::Log)).then(|| ((end - start) as usize).min(18) + 2)
     }
 
     /// The text of the mark at a place, without the rounding of the place.
