@@ -30,7 +30,8 @@
 //! | [`stability`] | how cores hold up where forms degenerate: registers (of shaders too), ends, seams, every input |
 //! | [`report`] | charts as SVG and PNG; the trade as an HTML page |
 //! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
-//! | [`input`] | the user's files, read within limits |
+//! | [`input`] | the user's files, read within limits and as other programs write them |
+//! | [`paths`] | which files a command reads and writes: nothing is written over what is read |
 //! | [`cli`] | the commands; the only module that prints |
 //!
 //! `model` and `datapath` never import each other: what the one says, the other is checked against.
@@ -56,6 +57,7 @@ pub mod model;
 pub mod mutate;
 pub mod number;
 pub mod package;
+pub mod paths;
 pub mod report;
 pub mod rom;
 pub mod scene;

@@ -295,6 +295,18 @@ fn bad_input_is_named() {
     std::fs::write(at.join("bad.toml"), "[[sweep]]\nmethod = ['cubic', 'qubic']\n").unwrap();
     std::fs::write(at.join("bad.csv"), "id,name\n1,2\n").unwrap();
     std::fs::write(at.join("empty.csv"), "").unwrap();
+    std::fs::write(at.join("twice.toml"), "[[sweep]]\nmethod = 'cubic'\noutput_fraction = 8\noutput_fraction = 6\n")
+        .unwrap();
+    std::fs::write(at.join("excel.csv"), "\u{feff}id;name\r\n1;2,5\r\n").unwrap();
+    let trade = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/trade.csv")).unwrap();
+    let mut reader = csv::Reader::from_reader(trade.as_bytes());
+    let heads = reader.headers().unwrap().clone();
+    let column = heads.iter().position(|head| head == "min_mhz").unwrap();
+    let row = reader.records().map(Result::unwrap).find(|row| !row[column].is_empty()).unwrap();
+    let mut writer = csv::Writer::from_path(at.join("zero.csv")).unwrap();
+    writer.write_record(&heads).unwrap();
+    writer.write_record(row.iter().enumerate().map(|(place, cell)| if place == column { "0" } else { cell })).unwrap();
+    writer.flush().unwrap();
     std::fs::create_dir(at.join("folder.db")).unwrap();
     let results = ["--results", "a.db"];
     for (arguments, expected) in [
@@ -305,6 +317,15 @@ fn bad_input_is_named() {
         (vec!["explore", "sweep.toml", "--estimate", "--results", "none/a.db"], "cannot open none/a.db"),
         (vec!["explore", "--method", "qubic", results[0], results[1]], "qubic"),
         (vec!["explore", "--axis", "inside", results[0], results[1]], "the axis `inside` has no value"),
+        (
+            vec!["explore", "--output-fraction", "8", "--axis", "output-fraction=6", results[0], results[1]],
+            "the axis output_fraction is given twice",
+        ),
+        (vec!["explore", "--axis", "q=0.5", "--axis", "q=0.6", results[0], results[1]], "the axis q is given twice"),
+        (vec!["explore", "--method", "cubic", "--axis", "q=inf", results[0], results[1]], "no number that can be used"),
+        (vec!["explore", "twice.toml", results[0], results[1]], "duplicate key"),
+        (vec!["choose", "--max-error", "1%", "--results", "excel.csv"], "commas and this has semicolons"),
+        (vec!["choose", "--max-error", "1%", "--results", "zero.csv"], "zero.csv, line 2: the point"),
         (vec!["explore", "--axis", "insides=linear", results[0], results[1]], "did you mean `inside`"),
         (vec!["explore", "sweep.toml", "--shard", "3/2", results[0], results[1]], "I from 1 to N"),
         (vec!["explore", "sweep.toml", "--jobs", "0", results[0], results[1]], "--jobs"),

@@ -83,6 +83,8 @@ const SPECS: &[&str] = &[
     "method = 'quadratic'\nshininess = '900..=1000'",
     "method = 'cubic'\nmaterial = [{ name = 'gold', shininess = 51.2 }, { name = 'plastic', shininess = 32 }]\nrom = 'file'",
     "method = 'quadratic'\nshininess = '1..=1000'\nrom = 'file'",
+    // A ROM file without comments.
+    "method = 'quadratic'\nshininess = '1..=20'\nrom = 'file'\nrom_formats = ['mem-plain']",
     // A wired shift that leaves of the versine less than a bit, or nothing.
     "method = 'cubic'\nshininess = '512..=1000'\ninput_fraction = 8\noutput_fraction = 8",
     "method = 'quadratic'\nshininess = '1000..=1000'\ninput_fraction = 8\noutput_fraction = 8",
@@ -344,6 +346,27 @@ fn a_missing_or_cut_golden_file_fails_in_every_bench() {
 }
 
 /// Every input through Verilator, in both languages; and a fault that only one input of 2^18 shows.
+/// What an editor or a check-out does to the vectors changes none of them.
+#[test]
+fn vectors_with_a_byte_order_mark_and_cr_lf_are_read_by_every_bench() {
+    let core = Core::new("method = 'quadratic'\nshininess = '1..=20'\ninput_fraction = 8\noutput_fraction = 8");
+    let path = core.path().join(package::golden_path(&core.design));
+    let text = std::fs::read_to_string(&path).expect("the vectors");
+    // Without comments the count is what the mark stands before.
+    let bare: String = text.lines().filter(|line| !line.starts_with('#')).map(|line| format!("{line}\n")).collect();
+    for text in [text, bare] {
+        for changed in
+            [format!("\u{feff}{text}"), text.replace('\n', "\r\n"), format!("\u{feff}{text}").replace('\n', "\r\n")]
+        {
+            std::fs::write(&path, changed).expect("written");
+            for sim in [Sim::Icarus, Sim::Ghdl] {
+                let outcome = core.run(sim);
+                assert!(outcome.passed(), "{sim:?}: {outcome:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn exhaustive_runs_compare_every_input() {
     let core = Core::new("method = 'cubic'\nshininess = '1..=100'\ninput_fraction = 10\noutput_fraction = 12");

@@ -17,6 +17,9 @@ const LOWEST: f64 = 1e-3;
 /// The angles of the table for each shininess.
 const ANGLES: usize = 201;
 
+/// The tables among [`files`].
+pub const TABLES: [&str; 3] = ["claims.csv", "error_against_n.csv", "error_against_angle.csv"];
+
 /// All files of a run: `claims.csv`, two tables and the charts.
 ///
 /// # Errors
@@ -24,9 +27,9 @@ const ANGLES: usize = 201;
 pub fn files(rows: &[Row], claims: &[Claim]) -> Result<Vec<File>, Error> {
     let file = |path: &str, text: String| File { path: path.to_owned(), bytes: text.into_bytes() };
     let mut files = vec![
-        file("claims.csv", claims_table(claims)),
-        file("error_against_n.csv", error_against_n(rows)),
-        file("error_against_angle.csv", error_against_angle()?),
+        file(TABLES[0], claims_table(claims)),
+        file(TABLES[1], error_against_n(rows)),
+        file(TABLES[2], error_against_angle()?),
     ];
     for (name, chart) in charts(rows)? {
         let svg = chart.svg();

@@ -15,7 +15,7 @@ mod papers;
 mod record;
 mod survey;
 
-pub use figures::files;
+pub use figures::{TABLES, files};
 pub use method::{Method, Pieces};
 pub use papers::claims;
 pub use record::{Difference, HEADER, Recorded};

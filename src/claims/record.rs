@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::{Claim, Unit, significant};
 use crate::error::Error;
+use crate::input;
 
 /// How a table of measured values begins; further columns may follow.
 pub const HEADER: &str = "claim,figure,measured";
@@ -53,6 +54,7 @@ impl Recorded {
     /// # Errors
     /// A text that is no such table; says which line of `file` is wrong.
     pub fn parse(text: &str, file: &str) -> Result<Self, Error> {
+        input::check_separator(text, file)?;
         let (mut rows, mut offset) = (Vec::new(), 0);
         for (number, whole) in text.split_inclusive('\n').enumerate() {
             let line = whole.trim_end();
@@ -71,7 +73,7 @@ impl Recorded {
                 };
                 let value = value.parse::<f64>().ok().filter(|value| value.is_finite());
                 let Some(value) = value else {
-                    return Err(wrong("the measured value is not a number", "a decimal number such as 0.6889"));
+                    return Err(wrong("the measured value is no finite number", "a decimal number such as 0.6889"));
                 };
                 rows.push((claim.to_owned(), figure.to_owned(), value));
             }

@@ -8,6 +8,7 @@ use super::{Verdict, say, say_json};
 use crate::error::Error;
 use crate::explore::choose::{Candidate, Choice, Wish};
 use crate::explore::{Cost, MaxError, Objective, Results};
+use crate::paths::Paths;
 use crate::spec::{Coefficients, Method, Operand, Shininess, SpecFields};
 use crate::synth::Family;
 
@@ -143,6 +144,11 @@ impl WishFlags {
             keys,
             baselines: self.baselines,
         })
+    }
+
+    /// The paths of a command that chooses.
+    pub(super) fn paths(&self) -> Paths {
+        self.results.iter().fold(Paths::new(), |paths, path| paths.reads("--results", path))
     }
 
     /// The points that are chosen among.

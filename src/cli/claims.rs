@@ -10,6 +10,7 @@ use crate::claims::{self, Claim, HEADER, Recorded};
 use crate::error::Error;
 use crate::input;
 use crate::package::{self, Kind};
+use crate::paths::Paths;
 
 /// The directory of a run's files.
 const REPORT: Kind = Kind { what: "a report of claims", file: "claims.csv", mark: HEADER };
@@ -38,13 +39,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     };
     if let Some(directory) = &arguments.out {
         package::check_target_of(REPORT, directory)?;
+        Paths::new().writes_in("--out", directory, claims::TABLES).check()?;
     }
     let bar = progress::bar("measuring", claims::SHININESSES);
     let rows = claims::survey(&|| bar.inc(1))?;
     bar.finish_and_clear();
     let claims = claims::claims(&rows)?;
     if let Some(directory) = &arguments.out {
-        package::write_directory_of(REPORT, directory, &claims::files(&rows, &claims)?)?;
+        let files = claims::files(&rows, &claims)?;
+        Paths::new().writes_in("--out", directory, files.iter().map(|file| file.path.as_str())).check()?;
+        package::write_directory_of(REPORT, directory, &files)?;
     }
     let differences = recorded.differences(&claims);
     if arguments.json {

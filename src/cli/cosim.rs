@@ -43,6 +43,7 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
+    arguments.source.paths_of_core().may_write("--junit", arguments.junit.as_ref()).check()?;
     if arguments.exhaustive && design.spec.block.shader().is_some() {
         return Err(Error::input(
             "--exhaustive runs every input, and a shader has too many",

@@ -11,6 +11,7 @@ use crate::explore::run::{self, Costing, Flow, Summary};
 use crate::explore::sweep::{Axes, Plan, Shard, word};
 use crate::explore::{Model, Point, Results, Store, Sweep};
 use crate::input;
+use crate::paths::Paths;
 use crate::synth;
 
 #[derive(Args)]
@@ -195,6 +196,8 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
 }
 
 fn merge(arguments: &Merge) -> Result<Verdict, Error> {
+    let paths = arguments.parts.iter().fold(Paths::new(), |paths, part| paths.reads("FILE.db", part));
+    paths.writes("--out", &arguments.out).check()?;
     let count = Store::merge(&arguments.parts, &arguments.out)?;
     if arguments.json {
         say_json(&json!({ "out": arguments.out.display().to_string(), "points": count }));
@@ -213,6 +216,16 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
             Sweep::parse(&text, &path.display().to_string())?.with(&axes)
         }
     };
+    let paths = [("SWEEP.toml", &arguments.path), ("--fit-from", &arguments.fit_from)];
+    let paths = paths
+        .into_iter()
+        .fold(Paths::new(), |paths, (what, path)| path.iter().fold(paths, |paths, path| paths.reads(what, path)));
+    let stores = arguments.results.iter().flat_map(|path| store_files(path));
+    stores
+        .fold(paths, |paths, file| paths.writes("--results", file))
+        .may_write("--csv", arguments.csv.as_ref())
+        .may_write("--json", arguments.json.as_ref())
+        .check()?;
     let plan = sweep.expand()?;
     // Where a result goes to standard output, the account of the run goes nowhere.
     let quiet = [&arguments.csv, &arguments.json].iter().any(|path| path.as_deref() == Some(Path::new("-")));
@@ -286,6 +299,15 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
         tell(format!("{failed_before} of those that were there have failed before: --retry-failed tries them again"));
     }
     Ok(Verdict::of(failed == 0 && failed_before == 0))
+}
+
+/// A results file, and what SQLite has beside it while it writes.
+fn store_files(path: &Path) -> [PathBuf; 4] {
+    ["", "-journal", "-wal", "-shm"].map(|end| {
+        let mut name = path.as_os_str().to_owned();
+        name.push(end);
+        name.into()
+    })
 }
 
 /// What a plan holds, and what it leaves out.

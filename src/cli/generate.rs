@@ -16,6 +16,7 @@ use crate::error::Error;
 use crate::explore::{MaxError, Objective};
 use crate::golden::Golden;
 use crate::hdl::Direction;
+use crate::input;
 use crate::package::{self, File};
 use crate::spec::CoreSpec;
 
@@ -58,6 +59,45 @@ fn of_spec(spec: CoreSpec, files: Vec<File>) -> Result<Made, Error> {
     let design = Design::new(spec)?;
     spinner.finish_and_clear();
     Ok(Made { design, files })
+}
+
+/// Compares the directory with the files that would be written.
+fn check(arguments: &Arguments, files: &[File]) -> Verdict {
+    let of_directory = |file: &File| fs::read(arguments.out.join(&file.path)).ok();
+    let stale: Vec<(&File, Option<Vec<u8>>)> = files
+        .iter()
+        .map(|file| (file, of_directory(file)))
+        .filter(|(file, there)| there.as_deref() != Some(&file.bytes))
+        .collect();
+    let same_lines = |(file, there): &&(&File, Option<Vec<u8>>)| {
+        let lines = |bytes: &[u8]| str::from_utf8(bytes).map(|text| input::plain(text).into_owned()).ok();
+        there.as_deref().and_then(lines).is_some_and(|text| Some(text) == lines(&file.bytes))
+    };
+    let (ends_only, other): (Vec<_>, Vec<_>) = stale.iter().partition(same_lines);
+    let paths =
+        |of: &[&(&File, Option<Vec<u8>>)]| of.iter().map(|(file, _)| file.path.clone()).collect::<Vec<String>>();
+    if arguments.json {
+        let differ = stale.iter().map(|(file, _)| &file.path).collect::<Vec<_>>();
+        say_json(&json!({ "checked": files.len(), "differ": differ, "differ_in_line_ends_only": paths(&ends_only) }));
+    } else {
+        for (file, there) in &other {
+            let what = if there.is_some() { "differs" } else { "is missing" };
+            say(format!("{} {what}", arguments.out.join(&file.path).display()));
+        }
+        if let Some((first, _)) = ends_only.first() {
+            let first = arguments.out.join(&first.path);
+            let whose = match ends_only.len() {
+                1 => format!("{} differs in its line ends only", first.display()),
+                count => format!("{} and {} more differ in their line ends only", first.display(), count - 1),
+            };
+            say(format!(
+                "{whose}: a check-out has put CR LF for LF, or an editor a byte order mark in front; `* -text` in .gitattributes leaves \
+                 files as they are"
+            ));
+        }
+        say(format!("{} of {} files are as they should be", files.len() - stale.len(), files.len()));
+    }
+    Verdict::of(stale.is_empty())
 }
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
@@ -118,21 +158,13 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     spinner.finish_and_clear();
 
     if arguments.check {
-        let stale: Vec<&str> = files
-            .iter()
-            .filter(|file| fs::read(arguments.out.join(&file.path)).ok().as_deref() != Some(&file.bytes))
-            .map(|file| file.path.as_str())
-            .collect();
-        if arguments.json {
-            say_json(&json!({ "checked": files.len(), "differ": stale }));
-        } else {
-            for path in &stale {
-                say(format!("{} differs", arguments.out.join(path).display()));
-            }
-            say(format!("{} of {} files are as they should be", files.len() - stale.len(), files.len()));
-        }
-        return Ok(Verdict::of(stale.is_empty()));
+        return Ok(check(&arguments, &files));
     }
+
+    // A core's own directory is made anew from its own core.toml.
+    let results = arguments.wish.paths();
+    let paths = results.joined(arguments.source.paths()).renewing(&arguments.out.join("core.toml"));
+    paths.writes_in("--out", &arguments.out, files.iter().map(|file| file.path.as_str())).check()?;
 
     // The figures that a core is chosen by may be of another version of this program.
     if let (Some(MaxError(wished)), Account::Lobe(measured)) = (arguments.max_error, &account)

@@ -48,6 +48,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         return Ok(Verdict::of(found.is_empty()));
     }
     let path = arguments.out.unwrap_or_else(|| PathBuf::from(crate::package::golden_path(&design)));
+    arguments.source.paths().writes("--out", &path).check()?;
     let golden = Golden::of(&design);
     write_to(&path, golden.to_text(&design).as_bytes())?;
     if arguments.json && path.as_os_str() != "-" {

@@ -9,7 +9,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::scene::{MARGIN, costing};
-use super::source::read_scene;
+use super::source::{read_scene, reads_core};
 use super::{Verdict, progress, say, say_json, write_to};
 use crate::design::Design;
 use crate::error::Error;
@@ -17,6 +17,7 @@ use crate::explore::sweep::Core;
 use crate::explore::{Cost, Point};
 use crate::input;
 use crate::package::{self, counted};
+use crate::paths::Paths;
 use crate::scene::choice::Search;
 use crate::scene::require::PictureError;
 use crate::scene::sheet::{self, Cell, Sheet};
@@ -155,6 +156,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         Some(Size(width, height)) => scene.resized(width, height),
         None => scene,
     };
+    check_paths(arguments)?;
     // Wrong specs are named before the work begins.
     if let Some(compared) = &arguments.compare {
         let cores: Vec<Chosen> =
@@ -317,6 +319,15 @@ fn compare(arguments: &Arguments, scene: &Scene, cores: &[Chosen], piped: bool) 
         say(arguments.out.display().to_string());
     }
     Ok(Verdict::Done)
+}
+
+/// Refuses an output over what is read: the scene and its meshes have been by now.
+fn check_paths(arguments: &Arguments) -> Result<(), Error> {
+    let cores = arguments.compare.iter().flatten().map(Path::new).filter(|core| core.exists());
+    let paths = cores.chain(arguments.core.as_deref()).fold(Paths::new(), |paths, core| {
+        if core.is_dir() { reads_core(paths, "the core", core) } else { paths.reads("the core", core) }
+    });
+    paths.writes("--out", &arguments.out).may_write("--exr", arguments.exr.as_ref()).check()
 }
 
 /// Refuses a file that cannot be written, before the work begins.

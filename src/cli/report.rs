@@ -11,6 +11,7 @@ use crate::error::Error;
 use crate::explore::{MaxError, Objective, Point, Results};
 use crate::input;
 use crate::package;
+use crate::paths::Paths;
 use crate::report::{Report, Speed};
 use crate::spec::SpecFields;
 
@@ -52,6 +53,13 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
+    let page = page(&arguments.out);
+    let paths = [&arguments.speed]
+        .into_iter()
+        .flatten()
+        .fold(arguments.wish.paths(), |paths, path| paths.reads("--speed", path));
+    let paths = arguments.scene.iter().fold(paths, |paths, path| paths.reads("--scene", path)).writes("--out", &page);
+    paths.check()?;
     let results = arguments.wish.results()?;
     let speed = match &arguments.speed {
         Some(path) => {
@@ -82,12 +90,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let bar = progress::bar("measuring", Report::work(points, chosen));
     let report = Report::new(points, chosen, &speed, &|| bar.inc(1))?.with_scenes(scenes);
     bar.finish_and_clear();
-    let page = page(&arguments.out);
+    let plots = arguments.plots.as_ref().map(|directory| (directory, report.plots()));
+    // With what was read since, such as a scene's meshes, and the charts' names.
+    let paths = paths.joined(Paths::new());
+    let paths = plots.iter().fold(paths, |paths, (directory, files)| {
+        paths.writes_in("--plots", directory, files.iter().map(|file| file.path.as_str()))
+    });
+    paths.check()?;
     package::write_file(&page, report.html().as_bytes())?;
     say(format!("{} points in {}", points.len(), page.display()));
-    if let Some(directory) = &arguments.plots {
-        let files = report.plots();
-        for file in &files {
+    if let Some((directory, files)) = &plots {
+        for file in files {
             package::write_file(&directory.join(&file.path), &file.bytes)?;
         }
         say(format!("{} charts, as SVG and PNG, in {}", files.len() / 2, directory.display()));

@@ -10,6 +10,7 @@ use crate::error::Error;
 use crate::golden::{self, Golden};
 use crate::input;
 use crate::package::{self, File};
+use crate::paths::Paths;
 use crate::scene::{Scene, document};
 use crate::spec::{CoreSpec, SpecFields};
 use crate::tool;
@@ -40,6 +41,21 @@ impl Source {
         };
         let all = |directory| document::FILES.into_iter().filter_map(|path| read(directory, path)).collect();
         self.directory().map(all).unwrap_or_default()
+    }
+
+    /// The paths of a command that reads the spec and no more of a core's directory.
+    pub(super) fn paths(&self) -> Paths {
+        match &self.path {
+            Some(path) if path.is_dir() => Paths::new().reads("SPEC", path.join("core.toml")),
+            Some(path) => Paths::new().reads("SPEC", path),
+            None => Paths::new(),
+        }
+    }
+
+    /// The paths of a command that reads all of a core's directory.
+    pub(super) fn paths_of_core(&self) -> Paths {
+        let directories = self.path.iter().filter(|path| path.is_dir());
+        directories.fold(self.paths(), |paths, path| reads_core(paths, "SPEC", path))
     }
 
     /// Whether a core is named at all.
@@ -79,6 +95,11 @@ impl Source {
     pub(super) fn design(&self) -> Result<Design, Error> {
         Design::new(self.spec()?)
     }
+}
+
+/// The paths with all files of a core's directory, which are read.
+pub(super) fn reads_core(paths: Paths, what: &str, directory: &Path) -> Paths {
+    package::core_files(directory).into_iter().fold(paths, |paths, file| paths.reads(what, directory.join(file)))
 }
 
 /// Whether a path is a scene file; of one that cannot be read, whoever reads it says so.

@@ -10,6 +10,7 @@ use super::{Verdict, progress, say, say_json};
 use crate::design::Design;
 use crate::error::Error;
 use crate::package;
+use crate::paths::Paths;
 use crate::spec::{Block, Method, Shader};
 use crate::stability::document::{self, Study};
 use crate::stability::inspect::{Inspection, Signal};
@@ -59,6 +60,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     }
     if let Some(directory) = &arguments.out {
         package::check_target_of(document::STUDY, directory)?;
+        Paths::new().writes_in("--out", directory, document::FILES).check()?;
     }
     let axes = match arguments.axis.as_slice() {
         [] => vec![Axis::Shininess, Axis::Level, Axis::Input, Axis::Output],

@@ -83,6 +83,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         ));
     }
     let design = arguments.source.design()?;
+    arguments.source.paths().may_write("--out", arguments.out.as_ref()).check()?;
     let bar = progress::bar("synthesis", u64::from(options.seeds) + 1);
     let tell = |step: Step| match step {
         Step::Synthesis => bar.tick(),
@@ -96,7 +97,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let text = if arguments.json {
         serde_json::to_string_pretty(&run).expect("JSON of plain values")
     } else {
-        table(&design.spec.name, &run, &options)
+        table(&design.spec.name, &run)
     };
     match &arguments.out {
         Some(path) => write_to(path, (text + "\n").as_bytes())?,
@@ -107,7 +108,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
 }
 
 /// The result for people: a line a thing.
-fn table(name: &str, run: &Run, options: &Options) -> String {
+fn table(name: &str, run: &Run) -> String {
     let Run { synthesis, cached } = run;
     let resources = &synthesis.resources;
     let mut rows: Vec<(&str, String)> = vec![
@@ -142,12 +143,7 @@ fn table(name: &str, run: &Run, options: &Options) -> String {
             rows.push(("throughput", format!("{rate:.1} M results/s")));
         }
         None => {
-            let why = match (options.family.nextpnr(), options.place) {
-                (None, _) => "not known: there is no placement for this family here, only cells are counted",
-                (_, false) => "not known: nothing was placed",
-                _ => "not known: no path lies between two registers",
-            };
-            rows.push(("Fmax", why.to_owned()));
+            rows.push(("Fmax", format!("not known: {}", synthesis.no_clock().unwrap_or_default())));
             rows.push(("latency", latency));
         }
     }

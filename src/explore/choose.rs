@@ -193,10 +193,7 @@ pub fn too_slow(cost: &Cost, min_mhz: Option<f64>) -> Option<(f64, String)> {
     match cost.mhz {
         Some(mhz) if mhz >= wished => None,
         Some(mhz) => Some((libm::log2(wished / mhz), format!("it is {:.1} MHz too slow", wished - mhz))),
-        None => {
-            let why = if cost.placed { "no path lies between two of its registers" } else { "it was not placed" };
-            Some((1.0, format!("its frequency is not known: {why}")))
-        }
+        None => Some((1.0, format!("its frequency is not known: {}", cost.no_mhz.unwrap_or("it was not placed")))),
     }
 }
 

@@ -104,19 +104,19 @@ pub struct Cost {
     /// The median frequency in MHz over the seeds, or an estimate of it; none of a core that was not placed, or that has no path between two
     /// registers.
     pub mhz: Option<f64>,
-    /// Whether the core was placed.
-    #[serde(skip)]
-    pub placed: bool,
+    /// Why there is no frequency, where there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_mhz: Option<&'static str>,
     /// Whether the figures come from a model and not from the tools.
     pub estimated: bool,
 }
 
 impl Cost {
-    /// The frequency as text, with so many digits behind the point, or in a few words why there is none.
+    /// The frequency as text, with so many digits behind the point, or why there is none.
     #[must_use]
     pub fn mhz_text(&self, digits: usize) -> String {
-        let none = if self.placed { "no path between registers" } else { "not placed" };
-        self.mhz.map_or_else(|| none.to_owned(), |mhz| format!("{mhz:.digits$} MHz"))
+        let why = || format!("frequency not known ({})", self.no_mhz.unwrap_or("it was not placed"));
+        self.mhz.map_or_else(why, |mhz| format!("{mhz:.digits$} MHz"))
     }
 }
 
@@ -228,13 +228,14 @@ impl Point {
                 bram: resources.bram,
                 latency,
                 mhz: synthesis.timing.as_ref().map(|timing| timing.median_mhz),
-                placed: synthesis.tools.nextpnr.is_some(),
+                no_mhz: synthesis.no_clock(),
                 estimated: false,
             });
         }
         let estimate = self.estimate.as_ref().filter(|_| self.failure.is_none())?;
         let &Estimate { lut, ff, dsp, bram, mhz, .. } = estimate;
-        Some(Cost { lut, ff, dsp, bram, latency, mhz, placed: false, estimated: true })
+        let no_mhz = mhz.is_none().then_some("too few of the cores that the cost model is fitted to were placed");
+        Some(Cost { lut, ff, dsp, bram, latency, mhz, no_mhz, estimated: true })
     }
 
     /// The tools whose figures these are.

@@ -73,14 +73,15 @@ impl Results {
     /// Reads what [`Results::to_json`] writes; `file` names it in messages.
     ///
     /// # Errors
-    /// Text that is no such array, with the place; a point that is there twice, or a figure that is no number of 0 or more.
+    /// Text that is no such array, with the place; a point that is there twice, or a figure that cannot be one.
     pub fn from_json(text: &str, file: &str) -> Result<Self, Error> {
         let points: Vec<Point> = serde_json::from_str(text).map_err(|error| {
             let before: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
             let at = (before + error.column().saturating_sub(1)).min(text.len());
+            let at = (0..=at).rev().find(|&at| text.is_char_boundary(at)).unwrap_or(0);
             Error::text(error.to_string(), "results of `brdfgen explore` as JSON", file, text, (at, 0))
         })?;
-        Self::checked(points, file)
+        Self::checked(points, |_| file.to_owned())
     }
 
     /// The points as CSV, a line each: the columns of [`Point`], then those of its cost. Lists are written with spaces, the spec as a
@@ -100,22 +101,24 @@ impl Results {
     /// Reads what [`Results::to_csv`] writes; `file` names it in messages. Columns may be in any order, and there may be more.
     ///
     /// # Errors
-    /// Text that is no such table, with the line and the column; a point that is there twice, or a figure that is no number of 0 or
-    /// more.
+    /// Text that is no such table, with the line (that of the headings is the first) and the column; a point that is there twice, or a
+    /// figure that cannot be one.
     pub fn from_csv(text: &str, file: &str) -> Result<Self, Error> {
+        input::check_separator(text, file)?;
         let mut reader = csv::Reader::from_reader(text.as_bytes());
         // A line is longer than a screen: its number says more than its text.
-        let wrong = |what: String, line: u64| {
+        let wrong = |what: String, line: usize| {
             Error::input(format!("{file}, line {line}: {what}"), "results of `brdfgen explore` as CSV")
         };
         let heads = reader.headers().map_err(|error| wrong(error.to_string(), 1))?.clone();
         if heads.is_empty() {
             return Err(wrong("there is no line of headings".to_owned(), 1));
         }
-        let mut points = Vec::new();
+        let (mut points, mut lines) = (Vec::new(), Vec::new());
+        let line_of = |position: Option<&csv::Position>| line_at(text, position.map_or(0, |at| at.byte() as usize));
         for record in reader.records() {
             let record = record.map_err(|error| {
-                let line = error.position().map_or(1, csv::Position::line);
+                let line = line_of(error.position());
                 let what = match error.kind() {
                     csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
                         format!("it has {len} fields, where the headings are {expected_len}")
@@ -124,54 +127,105 @@ impl Results {
                 };
                 wrong(what, line)
             })?;
-            let line = record.position().map_or(1, csv::Position::line);
+            let line = line_of(record.position());
             let row: Row = record.deserialize(Some(&heads)).map_err(|error| {
                 let what = match error.kind() {
                     csv::ErrorKind::Deserialize { err, .. } => {
-                        let column = err.field().and_then(|field| heads.get(field as usize));
-                        column.map_or_else(|| err.kind().to_string(), |column| format!("{column}: {}", err.kind()))
+                        let at = err.field().map(|field| field as usize);
+                        let value = at.and_then(|at| record.get(at)).unwrap_or_default();
+                        let what = match err.kind() {
+                            csv::DeserializeErrorKind::ParseInt(_) if value.is_empty() => {
+                                "a count is missing".to_owned()
+                            }
+                            csv::DeserializeErrorKind::ParseFloat(_) if value.is_empty() => {
+                                "a number is missing".to_owned()
+                            }
+                            csv::DeserializeErrorKind::ParseInt(_) => {
+                                format!("{value:?} is no count, a whole number from 0 of at most 32 bits")
+                            }
+                            csv::DeserializeErrorKind::ParseFloat(_) => format!("{value:?} is no number"),
+                            kind => kind.to_string(),
+                        };
+                        at.and_then(|at| heads.get(at))
+                            .map_or_else(|| what.clone(), |column| format!("{column}: {what}"))
                     }
                     _ => error.to_string(),
                 };
                 wrong(what, line)
             })?;
             points.push(row.point().map_err(|what| wrong(what, line))?);
+            lines.push(line);
         }
-        Self::checked(points, file)
+        Self::checked(points, |index| format!("{file}, line {}", lines[index]))
     }
 
-    /// Results whose errors are numbers that can be compared, each core once.
-    fn checked(points: Vec<Point>, file: &str) -> Result<Self, Error> {
+    /// Results whose figures are ones that can be compared and drawn, each core once; `place` names where the point of an index stands.
+    pub(super) fn checked(points: Vec<Point>, place: impl Fn(usize) -> String) -> Result<Self, Error> {
         let mut seen = BTreeSet::new();
-        for point in &points {
-            let wrong = |what: String| {
-                Error::input(
-                    format!("{file}: the point {} {what}", point.id),
+        for (index, point) in points.iter().enumerate() {
+            let twice = (!seen.insert(&point.id)).then(|| "is there twice".to_owned());
+            if let Some(what) = twice.or_else(|| wrong_figure(point)) {
+                return Err(Error::input(
+                    format!("{}: the point {} {what}", place(index), point.id),
                     "results of `brdfgen explore`, as it wrote them",
-                )
-            };
-            if !seen.insert(&point.id) {
-                return Err(wrong("is there twice".to_owned()));
-            }
-            let timing = point.synthesis.as_ref().and_then(|synthesis| synthesis.timing.as_ref());
-            let estimate = point.estimate.as_ref().and_then(|estimate| estimate.mhz);
-            let clocks = timing.into_iter().flat_map(|timing| {
-                let Timing { target_mhz, mhz, min_mhz, median_mhz, max_mhz, limits: _ } = timing;
-                [*target_mhz, *min_mhz, *median_mhz, *max_mhz].into_iter().chain(mhz.iter().copied())
-            });
-            let rates = point.synthesis.iter().flat_map(|all| [all.latency_ns, all.results_per_second]).flatten();
-            let clocks = clocks.chain(rates).chain(estimate);
-            let errors =
-                [("max_abs", point.max_abs), ("max_rel", point.max_rel), ("rms", point.rms), ("bound", point.bound)];
-            let figures = errors.into_iter().chain(clocks.map(|mhz| ("a frequency or a rate", mhz)));
-            for (what, value) in figures {
-                if !(value.is_finite() && value >= 0.0) {
-                    return Err(wrong(format!("says {what} is {value}, where a number of 0 or more is needed")));
-                }
+                ));
             }
         }
         Ok(Self::new(points))
     }
+}
+
+/// The number of the line that a record begins on whose position is a byte, before the line breaks that the reader passes over.
+fn line_at(text: &str, byte: usize) -> usize {
+    let bytes = text.as_bytes();
+    let begin =
+        bytes.iter().skip(byte).position(|byte| !b"\r\n".contains(byte)).map_or(bytes.len(), |more| byte + more);
+    text.get(..begin).map_or(1, |before| input::plain(before).matches('\n').count() + 1)
+}
+
+/// What is wrong with a point's figures, as each of them is used: errors are compared and drawn by their logarithms, a frequency divides,
+/// and everything is written as JSON again, which has finite numbers only.
+fn wrong_figure(point: &Point) -> Option<String> {
+    let synthesis = point.synthesis.as_ref();
+    let timing = synthesis.and_then(|synthesis| synthesis.timing.as_ref());
+    let errors = [("max_abs", point.max_abs), ("max_rel", point.max_rel), ("rms", point.rms), ("bound", point.bound)];
+    let amounts = errors.into_iter().chain([("worst_n", point.worst_n)]);
+    let amounts = amounts.chain(synthesis.and_then(|synthesis| synthesis.latency_ns).map(|ns| ("latency_ns", ns)));
+    let clocks = timing.into_iter().flat_map(|timing| {
+        let Timing { target_mhz, mhz, min_mhz, median_mhz, max_mhz, limits: _ } = timing;
+        let own = [("min_mhz", min_mhz), ("median_mhz", median_mhz), ("max_mhz", max_mhz), ("target_mhz", target_mhz)];
+        own.into_iter().chain(mhz.iter().map(|mhz| ("mhz_by_seed", mhz))).map(|(what, &value)| (what, value))
+    });
+    let rate = synthesis.and_then(|synthesis| synthesis.results_per_second).map(|rate| ("results_per_second", rate));
+    let estimate = point.estimate.as_ref().and_then(|estimate| estimate.mhz).map(|mhz| ("estimated_mhz", mhz));
+    let needed = |what: &str, value: f64, needed: &str| format!("says {what} is {value}, where {needed} is needed");
+    if !point.worst_x.is_finite() {
+        return Some(needed("worst_x", point.worst_x, "a finite number"));
+    }
+    let amount = amounts.into_iter().find(|(_, value)| !(value.is_finite() && *value >= 0.0));
+    let clock = clocks.chain(rate).chain(estimate).find(|(_, value)| !(value.is_finite() && *value > 0.0));
+    let limits = timing.into_iter().flat_map(|timing| &timing.limits).map(|limit| [limit.logic_ns, limit.routing_ns]);
+    let limit = limits.flatten().find(|ns| !ns.is_finite()).map(|ns| ("a slowest path's delay", ns));
+    amount
+        .map(|(what, value)| needed(what, value, "a finite number of 0 or more"))
+        .or_else(|| clock.map(|(what, value)| needed(what, value, "a finite number above 0")))
+        .or_else(|| limit.map(|(what, value)| needed(what, value, "a finite number")))
+        .or_else(|| {
+            let Timing { min_mhz, median_mhz, max_mhz, .. } = timing?;
+            let ordered = min_mhz <= median_mhz && median_mhz <= max_mhz;
+            (!ordered).then(|| {
+                format!("says min_mhz, median_mhz and max_mhz are {min_mhz}, {median_mhz} and {max_mhz}, out of order")
+            })
+        })
+}
+
+/// Figures that are all there, or all missing; says which are missing where others are there.
+fn all_or_none<T, const N: usize>(what: &str, figures: [(&str, Option<T>); N]) -> Result<Option<[T; N]>, String> {
+    let missing: Vec<&str> = figures.iter().filter(|(_, value)| value.is_none()).map(|(name, _)| *name).collect();
+    if missing.is_empty() {
+        return Ok(Some(figures.map(|(_, value)| value.expect("none is missing"))));
+    }
+    if missing.len() == N { Ok(None) } else { Err(format!("{what} has no {}, and has the rest", missing.join(", "))) }
 }
 
 /// A point as a line of the table.
@@ -319,16 +373,36 @@ impl Row {
     fn point(self) -> Result<Point, String> {
         let filled = |text: &str| (!text.is_empty()).then(|| text.to_owned());
         let tools = |yosys: &str, nextpnr: &str| Tools { yosys: yosys.to_owned(), nextpnr: filled(nextpnr) };
-        let timing = match (self.target_mhz, self.min_mhz, self.median_mhz, self.max_mhz) {
-            (Some(target_mhz), Some(min_mhz), Some(median_mhz), Some(max_mhz)) => {
+        let timing = all_or_none(
+            "the placement",
+            [
+                ("target_mhz", self.target_mhz),
+                ("min_mhz", self.min_mhz),
+                ("median_mhz", self.median_mhz),
+                ("max_mhz", self.max_mhz),
+            ],
+        )?;
+        let timing = match timing {
+            Some([target_mhz, min_mhz, median_mhz, max_mhz]) => {
                 let mhz: Result<Vec<f64>, _> = self.mhz_by_seed.split_ascii_whitespace().map(str::parse).collect();
                 let mhz = mhz.map_err(|_| format!("mhz_by_seed is {:?}, not numbers", self.mhz_by_seed))?;
                 Some(Timing { target_mhz, mhz, min_mhz, median_mhz, max_mhz, limits: Vec::new() })
             }
-            _ => None,
+            None => None,
         };
-        let synthesis = match (self.lut_total, self.lut, self.carry, self.ff, self.dsp, self.bram) {
-            (Some(lut_total), Some(lut), Some(carry), Some(ff), Some(dsp), Some(bram)) => {
+        let resources = all_or_none(
+            "the synthesis",
+            [
+                ("lut_total", self.lut_total),
+                ("lut", self.lut),
+                ("carry", self.carry),
+                ("ff", self.ff),
+                ("dsp", self.dsp),
+                ("bram", self.bram),
+            ],
+        )?;
+        let synthesis = match resources {
+            Some([lut_total, lut, carry, ff, dsp, bram]) => {
                 let cell = |word: &str| {
                     let (name, count) = word.split_once('=')?;
                     Some((name.to_owned(), count.parse().ok()?))
@@ -346,21 +420,28 @@ impl Row {
                     results_per_second: self.results_per_second,
                 })
             }
-            _ => None,
+            None if timing.is_some() => return Err("the placement has a clock, and the synthesis no cells".to_owned()),
+            None => None,
         };
-        let estimated = (self.estimated_lut, self.estimated_ff, self.estimated_dsp, self.estimated_bram);
-        let estimate = match estimated {
-            (Some(lut), Some(ff), Some(dsp), Some(bram)) => Some(Estimate {
-                tools: tools(&self.estimated_yosys, &self.estimated_nextpnr),
-                points: self.estimated_from.unwrap_or_default(),
-                lut,
-                ff,
-                dsp,
-                bram,
-                mhz: self.estimated_mhz,
-            }),
-            _ => None,
-        };
+        let estimate = all_or_none(
+            "the estimate",
+            [
+                ("estimated_from", self.estimated_from),
+                ("estimated_lut", self.estimated_lut),
+                ("estimated_ff", self.estimated_ff),
+                ("estimated_dsp", self.estimated_dsp),
+                ("estimated_bram", self.estimated_bram),
+            ],
+        )?;
+        let estimate = estimate.map(|[points, lut, ff, dsp, bram]| Estimate {
+            tools: tools(&self.estimated_yosys, &self.estimated_nextpnr),
+            points,
+            lut,
+            ff,
+            dsp,
+            bram,
+            mhz: self.estimated_mhz,
+        });
         Ok(Point {
             id: self.id,
             name: self.name,
@@ -508,15 +589,58 @@ pub(super) mod tests {
                 csv.replacen(",16,16,auto,", ",16,auto,", 1),
                 "a.csv, line 2: it has 53 fields, where the headings are 54",
             ),
-            (csv.replacen("exhaustive,0.000014", "exhaustive,x", 1), "a.csv, line 2: bound: "),
-            (csv.replacen(",16,16,auto,0.1,", ",16,16,auto,NaN,", 1), "the point a says max_abs is NaN"),
+            (csv.replacen("exhaustive,0.000014", "exhaustive,x", 1), "a.csv, line 2: bound: \"x\" is no number"),
+            (csv.replacen(",16,16,auto,0.1,", ",16,16,auto,NaN,", 1), "a.csv, line 2: the point a says max_abs is NaN"),
             (csv.replacen(",16,16,auto,0.1,", ",16,16,auto,-1,", 1), "the point a says max_abs is -1"),
-            (csv.clone() + csv.lines().nth(1).unwrap_or_default(), "the point a is there twice"),
+            (
+                csv.replacen(",16,16,auto,0.1,", ",16,16,auto,1e999,", 1),
+                "the point a says max_abs is inf, where a finite",
+            ),
+            (csv.replacen("5.5,0.987654321", "-1,0.987654321", 1), "says worst_n is -1, where a finite number of 0"),
+            (csv.replacen("5.5,0.987654321", "5.5,9e875", 1), "says worst_x is inf, where a finite number is needed"),
+            (
+                csv.replacen(",100,100,0,90,", ",100,-1,0,90,", 1),
+                "line 2: lut: \"-1\" is no count, a whole number from 0",
+            ),
+            (csv.replacen(",100,100,0,90,", ",100,1.5,0,90,", 1), "line 2: lut: \"1.5\" is no count"),
+            (csv.replacen(",100,100,0,90,", ",100,,0,90,", 1), "line 2: the synthesis has no lut, and has the rest"),
+            (
+                csv.replacen(",150.3,151.3,152.4", ",150.3,,152.4", 1),
+                "line 2: the placement has no median_mhz, and has",
+            ),
+            (
+                csv.replacen(",150.3,151.3,152.4", ",0,0,0", 1),
+                "says min_mhz is 0, where a finite number above 0 is needed",
+            ),
+            (csv.replacen(",150.3,151.3,152.4", ",150.3,-0.0,152.4", 1), "says median_mhz is -0, where"),
+            (csv.replacen(",150.3,151.3,152.4", ",150.3,149,152.4", 1), "150.3, 149 and 152.4, out of order"),
+            (csv.replacen("150.3 151.3 152.4", "150.3 inf 152.4", 1), "says mhz_by_seed is inf"),
+            (csv.replace(',', ";"), "columns are separated by commas and this has semicolons"),
+            (
+                csv.clone() + "\n\n" + csv.lines().nth(1).unwrap_or_default(),
+                "a.csv, line 5: the point a is there twice",
+            ),
+            (
+                csv.replace('\n', "\r\n") + csv.lines().nth(1).unwrap_or_default(),
+                "a.csv, line 3: the point a is there twice",
+            ),
         ] {
             let error = Results::from_csv(&text, "a.csv").expect_err(expected);
             assert!(error.to_string().contains(expected), "{error}, expected: {expected}");
         }
         assert!(Results::from_json("[{}]", "a.json").is_err());
+        let json = Results::new(vec![point("a", 0.1, [100, 2, 0, 7], 151.3)]).to_json();
+        for (from, to, expected) in [
+            ("\"median_mhz\": 151.3", "\"median_mhz\": 0", "a.json: the point a says median_mhz is 0, where"),
+            ("\"median_mhz\": 151.3", "\"median_mhz\": 1e999", "number out of range"),
+            ("\"lut\": 100", "\"lut\": -1", "invalid value: integer `-1`"),
+            ("\"max_abs\": 0.1", "\"max_abs\": null", "invalid type: null"),
+        ] {
+            let changed = json.replacen(from, to, 1);
+            assert_ne!(changed, json, "{from}");
+            let error = Results::from_json(&changed, "a.json").expect_err(expected);
+            assert!(error.to_string().contains(expected), "{error}, expected: {expected}");
+        }
         assert!(Results::read(Path::new("results.xml")).unwrap_err().to_string().contains("unknown kind"));
     }
 

@@ -234,7 +234,7 @@ impl Store {
     /// All points.
     ///
     /// # Errors
-    /// A file that cannot be read.
+    /// A file that cannot be read, or a figure that cannot be one.
     pub fn results(&self) -> Result<Results, Error> {
         let rows = || -> rusqlite::Result<Vec<String>> {
             let mut query = self.connection.prepare("SELECT document FROM point")?;
@@ -242,7 +242,8 @@ impl Store {
         };
         let texts = rows().map_err(self.refused())?;
         let points: Result<Vec<Point>, _> = texts.iter().map(|text| serde_json::from_str(text)).collect();
-        points.map(Results::new).map_err(|error| damaged(&self.path, &error))
+        let points = points.map_err(|error| damaged(&self.path, &error))?;
+        Results::checked(points, |_| self.path.display().to_string())
     }
 
     /// Writes the points of several results files into a new one. Where files have the same point, one that did not fail wins.

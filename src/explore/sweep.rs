@@ -26,6 +26,7 @@ use sha2::{Digest, Sha256};
 use toml::{Table, Value};
 
 use crate::error::Error;
+use crate::input;
 use crate::spec::{BlockKind, CoreSpec, Method, SpecFields, hex};
 use crate::synth::Family;
 
@@ -85,13 +86,19 @@ pub(crate) fn word<T: ValueEnum>(value: &T) -> String {
 }
 
 impl Axes {
-    /// Sets the values of an axis.
+    /// Sets the values of an axis, which has none yet.
     ///
     /// # Errors
-    /// A key that a core spec does not have, a value that the key does not take, or no value.
+    /// A key that a core spec does not have or that is set already, a value that the key does not take, or no value.
     pub fn set(&mut self, key: &str, values: Vec<Value>) -> Result<(), Error> {
         if values.is_empty() {
             return Err(Error::input(format!("the axis {key} has no value"), "give one or more, or leave it out"));
+        }
+        if self.0.contains_key(key) {
+            return Err(Error::input(
+                format!("the axis {key} is given twice"),
+                "give all of its values at once, as in output_fraction=6,8",
+            ));
         }
         for value in &values {
             check(key, value)?;
@@ -190,6 +197,9 @@ fn check(key: &str, value: &Value) -> Result<(), Error> {
         return family(value).map(|_| ());
     }
     let text = Table::from_iter([(key.to_owned(), value.clone())]).to_string();
+    if let Err(Error::Text { what, allowed, .. }) = input::check_toml_numbers(&text, "sweep") {
+        return Err(Error::input(format!("{key}: {what}"), allowed));
+    }
     let fields = SpecFields::parse(&text, "sweep").map_err(|error| match error {
         Error::Text { what, allowed, .. } => Error::input(format!("{key}: {what}"), allowed),
         other => other,
@@ -391,5 +401,30 @@ mod tests {
         axes.set("q", many.clone()).unwrap();
         axes.set("g", many).unwrap();
         assert!(Sweep::of(axes).expand().unwrap_err().to_string().contains("too many"));
+    }
+
+    #[test]
+    fn a_key_is_given_once_and_its_numbers_are_finite() {
+        for key in ["method", "output_fraction", "family", "shininess", "pipeline", "q"] {
+            let values = vec![match key {
+                "method" => "quadratic".into(),
+                "family" => "ecp5".into(),
+                "q" => Value::Float(0.5),
+                _ => Value::Integer(8),
+            }];
+            let mut axes = Axes::default();
+            axes.set(key, values.clone()).unwrap();
+            let error = axes.set(key, values).unwrap_err().to_string();
+            assert_eq!(error, format!("the axis {key} is given twice"));
+        }
+        assert!(Axes::default().set_written("q", &["1e999".to_owned()]).is_err());
+        assert!(Sweep::parse("[[sweep]]\nmethod = 'cubic'\nq = 1e999\n", "sweep.toml").is_err());
+        for value in ["nan", "-inf"] {
+            let error = Axes::default().set_written("q", &[value.to_owned()]).unwrap_err().to_string();
+            assert!(error.starts_with("q: ") && error.ends_with("is no number that can be used"), "{value}: {error}");
+            let text = format!("[[sweep]]\nmethod = 'cubic'\nq = [0.5, {value}]\n");
+            let error = Sweep::parse(&text, "sweep.toml").unwrap_err().to_string();
+            assert!(error.ends_with("is no number that can be used"), "{value}: {error}");
+        }
     }
 }

@@ -21,7 +21,6 @@ use crate::design::Design;
 use crate::error::Error;
 use crate::hdl::{Axis, render};
 use crate::package;
-use crate::rom::RomFormat;
 use crate::spec::{Language, RomStyle};
 use crate::tool::{self, YICES, YOSYS, YOSYS_SMTBMC};
 
@@ -75,7 +74,7 @@ fn prove(design: &Design, axis: &Axis, directory: &Path, language: Language) -> 
         texts = cosim::as_verilog(&axis.name, directory, &scratch.path().join("wrapper.vhd"))?;
     } else if design.spec.rom == RomStyle::File {
         for table in design.tables() {
-            let path = package::rom_path(design, table, RomFormat::Mem);
+            let path = package::rom_path(design, table, package::read_format(&design.spec));
             put(&path, &read(path.clone())?)?;
         }
     }

@@ -153,7 +153,7 @@ impl Load {
             enable: port.enable.name,
             address: port.address.name,
             data: port.data.name,
-            file: super::rom_path(design, table, RomFormat::Mem),
+            file: super::rom_path(design, table, super::read_format(&design.spec)),
             ranges: table.fields.iter().map(range).collect(),
         }
     }

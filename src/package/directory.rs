@@ -218,6 +218,14 @@ fn replace(kind: Kind, directory: &Path, files: &[File]) -> Result<(), Error> {
     remove(&list)
 }
 
+/// The files of a generated core on disk, as its manifest lists them, and the manifest itself.
+#[must_use]
+pub fn core_files(directory: &Path) -> Vec<String> {
+    let mut files = listed(&directory.join(MANIFEST));
+    files.extend([CORE.file.to_owned(), MANIFEST.to_owned()]);
+    files
+}
+
 /// The paths of all files that an unfinished writing was about, old and new.
 fn unfinished(directory: &Path) -> Vec<String> {
     let bytes = fs::read(directory.join(UNFINISHED)).unwrap_or_default();

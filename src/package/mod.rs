@@ -5,7 +5,7 @@ mod directory;
 
 pub use datasheet::{interval_text, percent_text};
 pub use directory::{
-    GENERATED_MARK, Kind, check_target, check_target_of, write_directory, write_directory_of, write_file,
+    GENERATED_MARK, Kind, check_target, check_target_of, core_files, write_directory, write_directory_of, write_file,
 };
 
 use serde_json::json;
@@ -18,7 +18,7 @@ use crate::golden::{self, Golden};
 use crate::hdl::{self, Axis, Port, RomFile, Texts, WritePort};
 use crate::number::Format;
 use crate::rom::{self, RomFormat, Table};
-use crate::spec::{Block, Coefficients, Form, Language, RomStyle, hex};
+use crate::spec::{Block, Coefficients, CoreSpec, Form, Language, RomStyle, hex};
 
 /// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,6 +62,13 @@ pub fn rtl_path(design: &Design, language: Language) -> String {
     format!("rtl/{}.{}", design.spec.name, extension(language))
 }
 
+/// The format of the files that a core's HDL reads: the one without comments, as Vivado's synthesis wants them (UG901), where the spec asks
+/// for it.
+#[must_use]
+pub fn read_format(spec: &CoreSpec) -> RomFormat {
+    if spec.rom_formats.contains(&RomFormat::MemPlain) { RomFormat::MemPlain } else { RomFormat::Mem }
+}
+
 /// The path of the test bench in the core's directory.
 #[must_use]
 pub fn bench_path(design: &Design, language: Language) -> String {
@@ -98,8 +105,9 @@ pub fn sources(design: &Design, language: Language) -> Result<Vec<File>, Error> 
     if spec.rom != RomStyle::Inline {
         for table in design.tables() {
             let name = rom::memory_name(&spec.name, table);
-            let bytes = rom::write(table, RomFormat::Mem, &name, &spec.digest(), &spec.command());
-            files.push(File { path: rom_path(design, table, RomFormat::Mem), bytes });
+            let format = read_format(spec);
+            let bytes = rom::write(table, format, &name, &spec.digest(), &spec.command());
+            files.push(File { path: rom_path(design, table, format), bytes });
         }
     }
     let source = hdl::backend(language).emit(&design.layout(), &texts_without_header(design))?;
@@ -138,7 +146,7 @@ fn texts_without_header(design: &Design) -> Texts {
     let rom_file = |table: &Table| RomFile {
         memory: table.name,
         parameter: format!("{}_FILE", table.name.to_ascii_uppercase()),
-        path: rom_path(design, table, RomFormat::Mem),
+        path: rom_path(design, table, read_format(spec)),
     };
     let rom_files = match spec.rom {
         RomStyle::File => design.tables().iter().map(rom_file).collect(),
@@ -331,7 +339,7 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
             "enable": port.enable.name,
             "address": port.address.name,
             "data": port.data.name,
-            "file": rom_path(design, table, RomFormat::Mem),
+            "file": rom_path(design, table, read_format(&design.spec)),
         })
     };
     let loads: Vec<_> = design.write_ports().into_iter().map(load).collect();

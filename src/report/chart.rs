@@ -98,6 +98,33 @@ impl Axis {
         Self { label: label.into(), range: 0.0..1.06 * f64::from(largest.max(1)), scale: Scale::Whole, unit: "" }
     }
 
+    /// The same axis with a range that can be drawn, however wide, narrow or empty its own is: the drawing library counts marks for ever
+    /// where a step between them is lost in rounding.
+    #[must_use]
+    fn drawable(&self) -> Self {
+        // Of the larger end, or of 1.
+        const NARROWEST: f64 = 1e-9;
+        let positive = matches!(self.scale, Scale::Log | Scale::Powers | Scale::Doubling);
+        // The quotient of the ends of a logarithmic axis, and the difference of the others', must be finite.
+        let farthest: f64 = if positive { 1e150 } else { 1e300 };
+        let least: f64 = if positive { 1.0 / farthest } else { -farthest };
+        let kept = |end: f64| if end.is_nan() { least.max(0.0) } else { end.clamp(least, farthest) };
+        let Range { start, end } = self.range;
+        let (low, high) = (kept(start.min(end)), kept(start.max(end)));
+        let narrow =
+            if positive { high < 1.001 * low } else { high - low < NARROWEST * low.abs().max(high.abs()).max(1.0) };
+        let range = match (narrow, positive) {
+            (false, _) => low..high,
+            (true, true) => kept(0.5 * low)..kept(2.0 * high),
+            (true, false) => {
+                let margin = NARROWEST * low.abs().max(high.abs()).max(1.0);
+                // At the far end there is room on one side only.
+                kept(low - margin)..kept(high + margin)
+            }
+        };
+        Self { range, ..self.clone() }
+    }
+
     /// Where a value stands on an axis that is drawn as an even one.
     fn place(&self, value: f64) -> f64 {
         match self.scale {
@@ -116,7 +143,7 @@ impl Axis {
     fn marks(&self) -> Option<usize> {
         let Range { start, end } = self.placed();
         // Where each whole number has a mark.
-        (!matches!(self.scale, Scale::Linear | Scale::Log)).then(|| ((end - start) as usize + 2).min(20))
+        (!matches!(self.scale, Scale::Linear | Scale::Log)).then(|| ((end - start) as usize).min(18) + 2)
     }
 
     /// The text of the mark at a place, without the rounding of the place.
@@ -277,9 +304,13 @@ const LEGEND: (u32, u32) = (50, 22);
 const SMALL: u32 = 14;
 
 impl Chart {
-    /// The chart as SVG text.
+    /// The chart as SVG text, for any ranges and points.
     #[must_use]
     pub fn svg(&self) -> String {
+        Self { x: self.x.drawable(), y: self.y.drawable(), ..self.clone() }.drawn()
+    }
+
+    fn drawn(&self) -> String {
         let (x, y) = (self.x.placed(), self.y.placed());
         match (self.x.scale == Scale::Log, self.y.scale == Scale::Log) {
             (false, false) => self.draw(x, y),
@@ -378,7 +409,10 @@ impl Chart {
             let key = (border as i32 + 14, row(self.curves.len() + place));
             spots.draw(&mut marks, key, None);
             for spot in &spots.spots {
-                let within = |axis: &Axis, v: f64| axis.place(v.clamp(axis.range.start, axis.range.end));
+                let within = |axis: &Axis, v: f64| {
+                    let v = if v.is_nan() { axis.range.start } else { v };
+                    axis.place(v.clamp(axis.range.start, axis.range.end))
+                };
                 let at = chart.backend_coord(&(within(&self.x, spot.at.0), within(&self.y, spot.at.1)));
                 spots.draw(&mut marks, at, Some(&spot.note));
             }
@@ -495,6 +529,41 @@ mod tests {
         // One mark a spot and one in the legend.
         assert_eq!(text.matches("<path ").count(), 5 * 4);
         assert!(!text.contains("NaN") && !text.contains(",inf") && !text.contains("Minf"));
+    }
+
+    #[test]
+    fn every_range_is_drawn_in_bounded_time() {
+        use std::time::{Duration, Instant};
+
+        let ends = [f64::MIN, 0.0, 5e-324, 1.0, 1.0 + 2e-16, f64::MAX, f64::NAN];
+        let scales = [Scale::Linear, Scale::Log, Scale::Powers, Scale::Doubling, Scale::Whole, Scale::Root];
+        for scale in scales {
+            for low in ends {
+                for high in ends {
+                    let start = Instant::now();
+                    let axis = Axis { label: "a".to_owned(), range: low..high, scale, unit: "" };
+                    let mut chart = chart(vec![(low, 0.5), (high, 0.7), (0.5, 0.5)]);
+                    chart.spots = vec![Spots {
+                        label: "s".to_owned(),
+                        colour: COLOURS[1],
+                        shape: Shape::Circle,
+                        filled: true,
+                        spots: ends.map(|at| Spot { at: (at, 0.5), note: String::new() }).to_vec(),
+                    }];
+                    chart.x = axis;
+                    let text = chart.svg();
+                    assert!(text.len() < 60_000, "{scale:?} {low:e} {high:e}: {} bytes", text.len());
+                    assert!(!text.contains("NaN"), "{scale:?} {low:e} {high:e}");
+                    // Endless counting would show as memory, or here.
+                    assert!(start.elapsed() < Duration::from_secs(30), "{scale:?} {low:e} {high:e}");
+                }
+            }
+        }
+        for (least, largest) in [(0, 0), (0, 1), (5, 5), (u32::MAX, u32::MAX), (0, u32::MAX), (9, 3)] {
+            for x in [Axis::doubling("a", least, largest), Axis::counts("a", largest), Axis::whole("a", largest)] {
+                assert!(Chart { x, ..chart(vec![(1.0, 0.5)]) }.svg().contains("</svg>"));
+            }
+        }
     }
 
     #[test]

@@ -132,11 +132,13 @@ pub(super) fn error_text(error: f64) -> String {
 
 /// What is said of a point in a chart.
 fn note(point: &Point, cost: &Cost) -> String {
-    let Cost { lut, ff, dsp, bram, latency, mhz, estimated, .. } = cost;
+    let Cost { lut, ff, dsp, bram, latency, mhz, no_mhz, estimated } = cost;
     let mut text = format!("{}\nlargest error {}\n", point.name, error_text(point.max_abs));
     text += &format!("{lut} LUTs, {ff} flip-flops, {dsp} DSPs, {bram} block RAMs\n{latency} clocks");
     if let Some(mhz) = mhz {
         text += &format!(" at {mhz:.1} MHz");
+    } else if let Some(why) = no_mhz {
+        text += &format!(", frequency not known: {why}");
     }
     text += if *estimated { ", estimated" } else { "" };
     text + if point.baseline { "\na baseline" } else { "" }

@@ -320,7 +320,10 @@ impl Scene {
         let fields = SceneFields::deserialize(Deserializer::from(table))
             .map_err(|error| source.toml(&error, "camera", &["core"]))?;
         let core = core.map(|table| wishes(&source, table)).transpose()?;
-        fields.resolve(&source, core, directory)
+        let scene = fields.resolve(&source, core, directory)?;
+        // Whatever was not refused for its own range.
+        input::check_toml_numbers(text, file)?;
+        Ok(scene)
     }
 }
 

@@ -15,6 +15,8 @@ const HEADER: &str = "axis,value,method,refused,rows,inputs,blocks,overflows,und
                       proved_low_ulps,proved_high_ulps,max_abs,below_one,at_zero,above_one,outside_differences,falls,\
                       fall_ulps,fall_shininess,fall_cosine,seam_ulps,seam_shininess,seam_cosine";
 
+/// The names of a study's files.
+pub const FILES: [&str; 2] = ["stability.md", "cores.csv"];
 /// The directory of a study's files.
 pub const STUDY: Kind = Kind { what: "a study of stability", file: "cores.csv", mark: HEADER };
 
@@ -333,7 +335,7 @@ pub fn files(study: &Study) -> Result<Vec<File>, Error> {
     let text = chapter(study).render().map_err(|error| failed(error.to_string()))?;
     let table = cores_table(&study.entries).map_err(|error| failed(error.to_string()))?;
     Ok(vec![
-        File { path: "stability.md".to_owned(), bytes: (text.trim_end().to_owned() + "\n").into_bytes() },
-        File { path: "cores.csv".to_owned(), bytes: table },
+        File { path: FILES[0].to_owned(), bytes: (text.trim_end().to_owned() + "\n").into_bytes() },
+        File { path: FILES[1].to_owned(), bytes: table },
     ])
 }

@@ -118,6 +118,19 @@ pub struct Synthesis {
     pub results_per_second: Option<f64>,
 }
 
+impl Synthesis {
+    /// Why there is no clock, where there is none.
+    #[must_use]
+    pub fn no_clock(&self) -> Option<&'static str> {
+        match (&self.timing, self.family.nextpnr(), &self.tools.nextpnr) {
+            (Some(_), ..) => None,
+            (None, None, _) => Some("there is no placement for this family here, only cells are counted"),
+            (None, Some(_), None) => Some("it was not placed"),
+            (None, Some(_), Some(_)) => Some("no path lies between two registers"),
+        }
+    }
+}
+
 /// How a core is synthesised.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Options {

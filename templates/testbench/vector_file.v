@@ -20,7 +20,10 @@
                     text   = text >> 8;
                     length = length - 1;
                 end
+                // A byte order mark in front of the file is passed over.
                 place = 0;
+                if (line == 1 && length >= 3 && text[8*(length-1) +: 8] == 8'hef)
+                    place = 3;
             end
         end
     endtask

@@ -80,10 +80,14 @@
                 readline(vector_file, text_line);
                 line_number  := line_number + 1;
                 character_at := 1;
+                -- A byte order mark in front of the file is passed over.
+                if line_number = 1 and next_character = character'val(16#EF#) then
+                    character_at := 4;
+                end if;
                 case next_character is
                     when '#' | 'd' => null; -- comments and digests
                     when 'c' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
                         read_decimal(count);
                         expect_line_end;
                         if have_count then
@@ -91,7 +95,7 @@
                         end if;
                         have_count := true;
                     when 'v' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
 {%- for port in bench.numbers() %}
                         read_hex({{ port.digits }}, file_{{ port.name }});
 {%- endfor %}

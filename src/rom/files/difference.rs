@@ -33,6 +33,13 @@ pub fn first_difference(table: &Table, image: &RomImage) -> Option<Difference> {
     (0..table.depth().max(image.words.len())).find_map(|address| difference_at(table, image, address))
 }
 
+/// How many addresses have the same word in the file and in the table.
+#[must_use]
+pub fn equal_words(table: &Table, image: &RomImage) -> usize {
+    let depth = table.depth().min(image.words.len());
+    (0..depth).filter(|&address| table.word(address) == image.words[address]).count()
+}
+
 fn difference_at(table: &Table, image: &RomImage, address: usize) -> Option<Difference> {
     let row = (address < table.depth()).then(|| table.row_of_address(address));
     let mut difference = Difference {

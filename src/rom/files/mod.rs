@@ -1,13 +1,15 @@
 //! The files that hold a ROM: written from a [`Table`], read back into a [`RomImage`], compared.
 
 mod difference;
+mod formats;
 mod read;
 mod source;
 #[cfg(test)]
 mod tests;
 mod write;
 
-pub use difference::{Difference, first_difference};
+pub use difference::{Difference, equal_words, first_difference};
+pub use formats::RomFormat;
 pub use read::read;
 pub use write::write;
 
@@ -23,6 +25,8 @@ pub const MAX_DEPTH: usize = MAX_ROWS.next_power_of_two();
 pub struct RomImage {
     /// Every word, by address.
     pub words: Vec<BigUint>,
+    /// Whose kind of the format it is, where there are several, such as "with Lattice's header".
+    pub kind: Option<&'static str>,
     /// The width of a word, if the format states it.
     pub width: Option<u32>,
     /// The codes of each field by address, if the format has them beside the words: only a CSV file does.

@@ -5,10 +5,11 @@ use std::collections::BTreeMap;
 use ihex::{ReaderError, Record};
 use num_bigint::BigUint;
 
-use super::source::{Comments, Cursor, Kind, Source, Span, Token, Words, shown};
-use super::{MAX_DEPTH, RomImage, word_bytes};
+pub(super) use super::source::Source;
+use super::source::{Comments, Cursor, Kind, Span, Token, Words, shown};
+use super::{MAX_DEPTH, RomFormat, RomImage, word_bytes};
 use crate::error::Error;
-use crate::rom::RomFormat;
+use crate::input;
 
 /// Reads a ROM file. `expected_bits` is the width of the words that it should hold, `file` its name for messages.
 ///
@@ -16,48 +17,32 @@ use crate::rom::RomFormat;
 /// Says what is wrong, where, and what is allowed: the text is not of the format or is cut off, a word is wider
 /// than `expected_bits` or the format states another width, an address is out of range, twice there or missing.
 pub fn read(bytes: &[u8], format: RomFormat, file: &str, expected_bits: u32) -> Result<RomImage, Error> {
-    let source = |allowed| Source::new(bytes, file, allowed, expected_bits);
-    match format {
-        RomFormat::Mem => read_mem(&source(
-            "a .mem file has hexadecimal words separated by white space, @ADDRESS in hexadecimal, and // or /* */ comments",
-        )),
-        RomFormat::Hex => read_intel_hex(&source(
-            "an Intel HEX file has one record a line, as in :0300300002337A1E, and ends with :00000001FF",
-        )),
-        RomFormat::Coe => read_coe(&source(
-            "a .coe file has memory_initialization_radix=2, 10 or 16; then memory_initialization_vector=WORD,WORD,...; \
-             and comment lines that begin with ;",
-        )),
-        RomFormat::Mif => read_mif(&source(
-            "a .mif file has DEPTH, WIDTH, ADDRESS_RADIX and DATA_RADIX, each as in DEPTH = 256; then CONTENT BEGIN, \
-             lines such as 0 : 1f; or [0..3] : 1f; and END;",
-        )),
-        RomFormat::Vhdl => read_vhdl(&source(
-            "the words stand in a constant array of bit strings, as in := (0 => \"0101\", 1 => x\"a\"); and the package \
-             ends with `end`",
-        )),
-        RomFormat::C => read_c(&source(
-            "the words stand in an array of integers or of limbs of 32 bits, as in = {0x1f, 0x2e}; or = {{1, 2}, {3, 4}};",
-        )),
-        RomFormat::Csv => read_csv(&source(
-            "a ROM's .csv has the columns address and word (hexadecimal), FIELD_code with integers and FIELD_real with \
-             numbers, named in the first row",
-        )),
-        RomFormat::Bin => read_raw(bytes, file, expected_bits),
+    let sheet = format.sheet();
+    if sheet.is_text {
+        input::refuse_wide_text(bytes, file)?;
     }
+    (sheet.read)(&Source::new(bytes, file, sheet.allowed, expected_bits))
 }
 
 fn image(words: Vec<BigUint>) -> RomImage {
-    RomImage { words, width: None, codes: Vec::new() }
+    RomImage { words, kind: None, width: None, codes: Vec::new() }
 }
 
-fn read_mem(source: &Source<'_>) -> Result<RomImage, Error> {
-    let mut cursor = source.tokens(&Comments { line: "//", block: Some(("/*", "*/")), whole_lines: false })?;
+/// What `$readmemh` takes (IEEE 1364-2005, 17.2.9), or Lattice's kind where the file begins with its header.
+pub(super) fn mem(source: &Source<'_>) -> Result<RomImage, Error> {
+    if source.text.trim_start().starts_with('#') {
+        return lattice_mem(source);
+    }
+    let mut cursor = source.tokens(&Comments { line: Some("//"), behind: None, block: Some(("/*", "*/")) })?;
     let mut words = Words::new(source);
     let mut address = 0;
     let mut digit_counts = Vec::new();
     let mut last = (0, 0);
-    while cursor.peek(0).is_some() {
+    while let Some(next) = cursor.peek(0) {
+        if next.is_symbol(":") && digit_counts.is_empty() {
+            let allowed = "give it with --format hex or quartus-hex, or a name that ends in .hex";
+            return Err(source.error("this is an Intel HEX record, and no text for $readmemh", allowed, next.span));
+        }
         if cursor.take_symbol("@") {
             let token = cursor.expect_word("a hexadecimal address")?;
             address = source.address(token.text, 16, token.span)?;
@@ -67,6 +52,15 @@ fn read_mem(source: &Source<'_>) -> Result<RomImage, Error> {
             continue;
         }
         let token = cursor.expect_word("a hexadecimal word")?;
+        let unknown = |digit: u8| b"xXzZ".contains(&digit);
+        let prefixed = token.text.starts_with("0x") || token.text.starts_with("0X");
+        if !prefixed
+            && token.text.bytes().all(|digit| digit.is_ascii_hexdigit() || digit == b'_' || unknown(digit))
+            && token.text.bytes().any(unknown)
+        {
+            let what = format!("{} has digits without a value", shown(token.text));
+            return Err(source.error(what, "every bit of a ROM is 0 or 1, and none is x or z", token.span));
+        }
         words.place(address, source.word(token.text, 16, token.span)?, token.span, MAX_DEPTH)?;
         address += 1;
         last = token.span;
@@ -76,18 +70,120 @@ fn read_mem(source: &Source<'_>) -> Result<RomImage, Error> {
     words.finish(None).map(image)
 }
 
-fn read_coe(source: &Source<'_>) -> Result<RomImage, Error> {
-    let mut cursor = source.tokens(&Comments { line: ";", block: None, whole_lines: true })?;
+/// The non-empty lines of a text without what follows one of the comments' beginnings, with their places.
+fn lines<'s>(text: &'s str, comments: &'static [&'static str]) -> impl Iterator<Item = (&'s str, Span)> {
+    let offset = |part: &str| part.as_ptr() as usize - text.as_ptr() as usize;
+    let bare = move |line: &'s str| {
+        let end = comments.iter().filter_map(|comment| line.find(*comment)).min().unwrap_or(line.len());
+        line[..end].trim()
+    };
+    text.lines().map(bare).filter(|line| !line.is_empty()).map(move |line| (line, (offset(line), line.len())))
+}
+
+/// Lattice's memory file: a header from `#Format=` to `#Data`, then a word a line, in hexadecimal or binary; or `ADDRESS: WORD WORD`, all
+/// in hexadecimal. Comments begin with `#` or `//`; a word that is not given is 0.
+fn lattice_mem(source: &Source<'_>) -> Result<RomImage, Error> {
+    let (mut form, mut depth, mut stated_width) = (None, None, None);
+    let mut data = None;
+    for (line, span) in lines(&source.text, &[]) {
+        let wrong = |what: String| source.error(what, source.allowed, span);
+        let Some(setting) = line.strip_prefix('#') else {
+            return Err(wrong(format!(
+                "{} stands where a line of Lattice's header is expected, up to #Data",
+                shown(line)
+            )));
+        };
+        let (key, value) = setting.split_once('=').unwrap_or((setting, ""));
+        let (key, value) = (key.trim().to_ascii_lowercase(), value.trim());
+        let number = || value.parse::<u32>().map_err(|_| wrong(format!("{} is not a number", shown(value))));
+        match key.as_str() {
+            "format" => {
+                form = Some(match value.to_ascii_lowercase().as_str() {
+                    "hex" => (16, false),
+                    "bin" => (2, false),
+                    "addrhex" => (16, true),
+                    _ => return Err(wrong(format!("the format {} is not Bin, Hex or AddrHex", shown(value)))),
+                });
+            }
+            "depth" => {
+                let stated = number()? as usize;
+                if !(1..=MAX_DEPTH).contains(&stated) {
+                    return Err(wrong(format!("the file states {stated} words, where 1 to {MAX_DEPTH} are allowed")));
+                }
+                depth = Some(stated);
+            }
+            "width" => {
+                let width = number()?;
+                if width != source.word_bits {
+                    let allowed = format!("the words of this ROM have {} bits", source.word_bits);
+                    return Err(source.error(format!("the file states words of {width} bits"), allowed, span));
+                }
+                stated_width = Some(width);
+            }
+            // How Lattice's tools show them; the data are as the format says.
+            "addrradix" | "dataradix" => drop(number()?),
+            "data" => {
+                data = Some(span.0 + span.1);
+                break;
+            }
+            _ => return Err(wrong(format!("{} is no line of Lattice's header", shown(line)))),
+        }
+    }
+    let missing = |what: &str| source.cut_off(format!("{what} is not given in Lattice's header"));
+    let data = data.ok_or_else(|| missing("#Data"))?;
+    let (radix, addressed) = form.ok_or_else(|| missing("#Format"))?;
+    let depth = depth.ok_or_else(|| missing("#Depth"))?;
+    let width = stated_width.ok_or_else(|| missing("#Width"))?;
+    let mut words = Words::new(source);
+    let mut address = 0;
+    let mut digit_counts = Vec::new();
+    let mut last = (0, 0);
+    for (line, (at, _)) in lines(&source.text[data..], &["#", "//"]) {
+        let offset = |part: &str| data + at + (part.as_ptr() as usize - line.as_ptr() as usize);
+        let mut rest = line;
+        if addressed {
+            let Some((before, after)) = line.split_once(':') else {
+                return Err(source.error("there is no address and colon", source.allowed, (data + at, line.len())));
+            };
+            let before = before.trim_end();
+            address = source.address(before, 16, (offset(before), before.len()))?;
+            rest = after;
+        }
+        for (number, word) in rest.split_ascii_whitespace().enumerate() {
+            let span = (offset(word), word.len());
+            if number > 0 && !addressed {
+                return Err(source.error(
+                    "a second word in a line",
+                    "Lattice's formats Hex and Bin have a word a line",
+                    span,
+                ));
+            }
+            words.place(address, source.word(word, radix, span)?, span, depth)?;
+            address += 1;
+            digit_counts.push(word.len());
+            last = span;
+        }
+    }
+    source.refuse_cut_word(last, &digit_counts)?;
+    // What is not addressed is 0; where words are not addressed, a missing one has been cut off.
+    let words = if addressed { words.filled(depth) } else { words.finish(Some(depth))? };
+    Ok(RomImage { kind: Some("with Lattice's header"), width: Some(width), ..image(words) })
+}
+
+/// Settings and words as AMD UG896 has them: `KEYWORD = VALUE ;`, with the text behind each semicolon a comment up to the end of its line.
+/// Keywords are in any case; `memory_initialization_vector` is the last one, and what follows is not read.
+pub(super) fn coe(source: &Source<'_>) -> Result<RomImage, Error> {
+    let mut cursor = source.tokens(&Comments { line: None, behind: Some(';'), block: None })?;
     let mut radix = None;
     loop {
-        // A lone `;` between the settings is an empty comment.
         while cursor.take_symbol(";") {}
         let key = cursor.expect_word("memory_initialization_radix or memory_initialization_vector")?;
         cursor.expect_symbol("=")?;
-        if key.is_word("memory_initialization_radix") {
+        if key.is_word("memory_initialization_radix") || key.is_word("radix") {
             let value = cursor.expect_word("a radix")?;
             radix = Some(match value.text {
                 "2" => 2,
+                "8" => 8,
                 "10" => 10,
                 "16" => 16,
                 other => {
@@ -104,8 +200,10 @@ fn read_coe(source: &Source<'_>) -> Result<RomImage, Error> {
                 let what = "memory_initialization_radix must stand before the words";
                 return Err(source.error(what, source.allowed, key.span));
             };
-            let words = read_coe_vector(source, &mut cursor, radix)?;
-            return Ok(image(words));
+            return coe_vector(source, &mut cursor, radix).map(image);
+        } else if key.is_word("coefdata") || key.is_word("pattern") || key.is_word("branch_length_vector") {
+            let what = format!("{} is for filters and other cores, and this is a memory", shown(key.text));
+            return Err(source.error(what, source.allowed, key.span));
         } else {
             let what = format!("{} is not a setting of a .coe file", shown(key.text));
             return Err(source.error(what, source.allowed, key.span));
@@ -114,21 +212,45 @@ fn read_coe(source: &Source<'_>) -> Result<RomImage, Error> {
 }
 
 /// Words with commas or white space between them, ended by a semicolon.
-fn read_coe_vector(source: &Source<'_>, cursor: &mut Cursor<'_>, radix: u32) -> Result<Vec<BigUint>, Error> {
+fn coe_vector(source: &Source<'_>, cursor: &mut Cursor<'_>, radix: u32) -> Result<Vec<BigUint>, Error> {
+    let is_keyword = |cursor: &Cursor<'_>| cursor.peek(1).is_some_and(|next| next.is_symbol("="));
     let mut words = Words::new(source);
     for address in 0.. {
+        // A line that is a comment as a whole may stand among the words; one behind a word ends them.
+        while is_comment_line(source, cursor) && cursor.take_symbol(";") {}
         let token = cursor.expect_word("a word")?;
         words.place(address, source.word(token.text, radix, token.span)?, token.span, MAX_DEPTH)?;
-        if cursor.take_symbol(";") {
-            break;
+        let goes_on = |cursor: &mut Cursor<'_>| {
+            let is_word = cursor.peek(0).is_some_and(|next| next.kind == Kind::Word);
+            cursor.take_symbol(",") || is_word && !is_keyword(cursor)
+        };
+        if goes_on(cursor) {
+            continue;
         }
-        let word_follows = cursor.peek(0).is_some_and(|next| next.kind == Kind::Word);
-        if !cursor.take_symbol(",") && !word_follows {
+        let comment_line = is_comment_line(source, cursor);
+        if !cursor.take_symbol(";") {
             return Err(cursor.unexpected("`,` or `;`"));
         }
+        while cursor.take_symbol(";") {}
+        if comment_line && goes_on(cursor) {
+            continue;
+        }
+        // What follows may be further settings, and nothing else.
+        if cursor.peek(0).is_some() && !is_keyword(cursor) {
+            return Err(cursor.unexpected("a keyword with `=` or the end of the file"));
+        }
+        break;
     }
-    cursor.expect_end()?;
     words.finish(None)
+}
+
+/// Whether the next token begins its line, and more stands behind it.
+fn is_comment_line(source: &Source<'_>, cursor: &Cursor<'_>) -> bool {
+    cursor.peek(0).is_some_and(|next| {
+        let (before, after) = (&source.text[..next.span.0], &source.text[next.end()..]);
+        let blank = |line: Option<&str>| line.is_none_or(|line| line.trim().is_empty());
+        blank(before.rsplit('\n').next()) && !blank(after.split('\n').next())
+    })
 }
 
 /// The settings in front of a .mif file's words.
@@ -160,8 +282,11 @@ impl MifRadix {
     }
 }
 
-fn read_mif(source: &Source<'_>) -> Result<RomImage, Error> {
-    let mut cursor = source.tokens(&Comments { line: "--", block: Some(("%", "%")), whole_lines: false })?;
+pub(super) fn mif(source: &Source<'_>) -> Result<RomImage, Error> {
+    if lines(&source.text, &[]).next().is_some_and(|(line, _)| line.bytes().all(|digit| matches!(digit, b'0' | b'1'))) {
+        return xilinx_mif(source);
+    }
+    let mut cursor = source.tokens(&Comments { line: Some("--"), behind: None, block: Some(("%", "%")) })?;
     let settings = read_mif_settings(source, &mut cursor)?;
     let begin = cursor.expect_word("BEGIN")?;
     if !begin.is_word("BEGIN") {
@@ -183,7 +308,7 @@ fn read_mif(source: &Source<'_>) -> Result<RomImage, Error> {
             cursor.next += 1;
             cursor.expect_symbol(";")?;
             cursor.expect_end()?;
-            return Ok(RomImage { words: words.finish(Some(depth))?, width: Some(width), codes: Vec::new() });
+            return Ok(RomImage { width: Some(width), ..image(words.finish(Some(depth))?) });
         }
         let (first, last) = read_mif_addresses(source, &mut cursor, address_radix)?;
         cursor.expect_symbol(":")?;
@@ -197,6 +322,20 @@ fn read_mif(source: &Source<'_>) -> Result<RomImage, Error> {
             words.place(address, word.clone(), *span, depth)?;
         }
     }
+}
+
+/// Xilinx' kind, which its core generators write for simulation: a line of binary digits for each word, as many as it has bits.
+fn xilinx_mif(source: &Source<'_>) -> Result<RomImage, Error> {
+    let mut words = Words::new(source);
+    for (address, (line, span)) in lines(&source.text, &[]).enumerate() {
+        let word = source.word(line, 2, span)?;
+        if line.len() != source.word_bits as usize {
+            let what = format!("this word has {} binary digits", line.len());
+            return Err(source.error(what, format!("the words of this ROM have {} bits", source.word_bits), span));
+        }
+        words.place(address, word, span, MAX_DEPTH)?;
+    }
+    Ok(RomImage { kind: Some("Xilinx' kind"), width: Some(source.word_bits), ..image(words.finish(None)?) })
 }
 
 fn read_mif_settings(source: &Source<'_>, cursor: &mut Cursor<'_>) -> Result<MifSettings, Error> {
@@ -286,8 +425,8 @@ fn read_mif_word(source: &Source<'_>, cursor: &mut Cursor<'_>, radix: MifRadix) 
     Ok(((&modulus - magnitude) % &modulus, token.span))
 }
 
-fn read_vhdl(source: &Source<'_>) -> Result<RomImage, Error> {
-    let mut cursor = source.tokens(&Comments { line: "--", block: Some(("/*", "*/")), whole_lines: false })?;
+pub(super) fn vhdl(source: &Source<'_>) -> Result<RomImage, Error> {
+    let mut cursor = source.tokens(&Comments { line: Some("--"), behind: None, block: Some(("/*", "*/")) })?;
     let begins = |three: &[Token<'_>]| three.iter().zip([":", "=", "("]).all(|(token, symbol)| token.is_symbol(symbol));
     let Some(array) = cursor.tokens.windows(3).position(begins) else {
         return Err(source.cut_off("the file has no constant array, which begins with `:= (`"));
@@ -386,8 +525,8 @@ fn bit_string_prefix(source: &Source<'_>, prefix: Token<'_>) -> Result<(Option<u
     Ok((size, base))
 }
 
-fn read_c(source: &Source<'_>) -> Result<RomImage, Error> {
-    let mut cursor = source.tokens(&Comments { line: "//", block: Some(("/*", "*/")), whole_lines: false })?;
+pub(super) fn c(source: &Source<'_>) -> Result<RomImage, Error> {
+    let mut cursor = source.tokens(&Comments { line: Some("//"), behind: None, block: Some(("/*", "*/")) })?;
     let begins = |two: &[Token<'_>]| two[0].is_symbol("=") && two[1].is_symbol("{");
     let Some(array) = cursor.tokens.windows(2).position(begins) else {
         return Err(source.cut_off("the file has no array, which begins with `= {`"));
@@ -490,7 +629,8 @@ enum Column<'s> {
     Other,
 }
 
-fn read_csv(source: &Source<'_>) -> Result<RomImage, Error> {
+pub(super) fn csv(source: &Source<'_>) -> Result<RomImage, Error> {
+    input::check_separator(&source.text, source.file)?;
     let mut rows = csv_rows(&source.text);
     let Some(header) = rows.next() else {
         return Err(source.cut_off("the file has no header row"));
@@ -539,7 +679,7 @@ fn read_csv(source: &Source<'_>) -> Result<RomImage, Error> {
                 }
                 Column::Code(_) => codes.push(cell.parse().map_err(|_| not_a("an integer"))?),
                 Column::Real => {
-                    cell.parse::<f64>().map_err(|_| not_a("a number"))?;
+                    cell.parse::<f64>().ok().filter(|real| real.is_finite()).ok_or_else(|| not_a("a finite number"))?;
                 }
                 Column::Other => {}
             }
@@ -562,7 +702,7 @@ type CsvRow<'s> = Vec<(&'s str, Span)>;
 /// The rows that are not blank. A cell may stand in double quotes, but not hold a comma.
 fn csv_rows(text: &str) -> impl Iterator<Item = CsvRow<'_>> {
     let offset = |part: &str| part.as_ptr() as usize - text.as_ptr() as usize;
-    text.trim_start_matches('\u{feff}').lines().filter(|line| !line.trim().is_empty()).map(move |line| {
+    text.lines().filter(|line| !line.trim().is_empty()).map(move |line| {
         let cells = line.split(',').map(|cell| {
             let cell = cell.trim();
             let inner = cell.strip_prefix('"').and_then(|cell| cell.strip_suffix('"')).unwrap_or(cell);
@@ -579,7 +719,8 @@ fn row_span(row: &CsvRow<'_>) -> Span {
     }
 }
 
-fn read_raw(bytes: &[u8], file: &str, word_bits: u32) -> Result<RomImage, Error> {
+pub(super) fn bin(source: &Source<'_>) -> Result<RomImage, Error> {
+    let Source { bytes, file, word_bits, .. } = *source;
     let word_bytes = word_bytes(word_bits);
     let allowed = format!("a .bin file of this ROM has {word_bytes} bytes for each word of {word_bits} bits");
     if bytes.is_empty() || !bytes.len().is_multiple_of(word_bytes) {
@@ -602,64 +743,121 @@ fn read_raw(bytes: &[u8], file: &str, word_bits: u32) -> Result<RomImage, Error>
     Ok(image(words))
 }
 
-fn read_intel_hex(source: &Source<'_>) -> Result<RomImage, Error> {
-    let word_bytes = word_bytes(source.word_bits);
-    let mut bytes: Vec<Option<(u8, Span)>> = Vec::new();
-    let mut base = 0;
-    let mut ended = false;
-    let mut at = 0;
-    for line in source.text.split_inclusive('\n') {
-        let record = line.trim();
-        let span = (at + line.len() - line.trim_start().len(), record.len());
-        at += line.len();
-        if record.is_empty() {
-            continue;
-        }
-        if ended {
-            return Err(source.error("a line stands after the end-of-file record", source.allowed, span));
-        }
-        let record: Record = record.parse().map_err(|wrong| {
-            let what = match wrong {
-                // The crate's own text has the two the other way round.
-                ReaderError::ChecksumMismatch(right, given) => {
-                    format!("the checksum of this record is {given:02X} and should be {right:02X}")
-                }
-                other => format!("this is not an Intel HEX record: {other}"),
-            };
-            source.error(what, source.allowed, span)
-        })?;
-        match record {
-            Record::Data { offset, value } => {
-                for (byte, address) in value.into_iter().zip(base + usize::from(offset)..) {
-                    if address >= MAX_DEPTH * word_bytes {
-                        let what = format!("the byte address 0x{address:x} is out of range");
-                        let allowed = format!("a ROM has at most {MAX_DEPTH} words, here of {word_bytes} bytes");
-                        return Err(source.error(what, allowed, span));
-                    }
-                    if address >= bytes.len() {
-                        bytes.resize(address + 1, None);
-                    }
-                    if bytes[address].replace((byte, span)).is_some() {
-                        let what = format!("a second byte for the byte address 0x{address:x}");
-                        return Err(source.error(what, "each byte is given once", span));
-                    }
-                }
+/// The records' data with their addresses, which have their extensions added, and their places. An extension by segment counts as 16, one
+/// that is linear as 65,536.
+struct Records(Vec<(usize, Vec<u8>, Span)>);
+
+impl Records {
+    fn of(source: &Source<'_>) -> Result<Self, Error> {
+        let mut records = Vec::new();
+        let mut base = 0;
+        let mut ended = false;
+        for (record, span) in lines(&source.text, &[]) {
+            if ended {
+                return Err(source.error("a line stands after the end-of-file record", source.allowed, span));
             }
-            Record::ExtendedSegmentAddress(segment) => base = usize::from(segment) << 4,
-            Record::ExtendedLinearAddress(high) => base = usize::from(high) << 16,
-            Record::EndOfFile => ended = true,
-            // Where a processor would start.
-            Record::StartSegmentAddress { .. } | Record::StartLinearAddress(_) => {}
+            let record: Record = record.parse().map_err(|wrong| {
+                let what = match wrong {
+                    // The crate's own text has the two the other way round.
+                    ReaderError::ChecksumMismatch(right, given) => {
+                        format!("the checksum of this record is {given:02X} and should be {right:02X}")
+                    }
+                    other => format!("this is not an Intel HEX record: {other}"),
+                };
+                source.error(what, source.allowed, span)
+            })?;
+            match record {
+                Record::Data { offset, value } => records.push((base + usize::from(offset), value, span)),
+                Record::ExtendedSegmentAddress(segment) => base = usize::from(segment) << 4,
+                Record::ExtendedLinearAddress(high) => base = usize::from(high) << 16,
+                Record::EndOfFile => ended = true,
+                // Where a processor would start.
+                Record::StartSegmentAddress { .. } | Record::StartLinearAddress(_) => {}
+            }
         }
+        if !ended {
+            return Err(source.cut_off("the file ends without an end-of-file record"));
+        }
+        Ok(Self(records))
     }
-    if !ended {
-        return Err(source.cut_off("the file ends without an end-of-file record"));
+
+    /// Whether the addresses can only be those of words: each record begins as many words behind the one before as that has.
+    fn count_words(&self, word_bytes: usize) -> bool {
+        let whole = self.0.iter().all(|(_, value, _)| value.len() % word_bytes == 0);
+        let next = |two: &[(usize, Vec<u8>, Span)]| two[0].0 + two[0].1.len() / word_bytes == two[1].0;
+        word_bytes > 1 && whole && self.0.len() > 1 && self.0.windows(2).all(next)
+    }
+}
+
+/// Intel HEX: the addresses are those of bytes. Quartus' kind is told by its records, and text for `$readmemh`, which goes under the same
+/// name, by the colon that it does not begin with.
+pub(super) fn hex(source: &Source<'_>) -> Result<RomImage, Error> {
+    if !source.text.trim_start().is_empty() && !source.text.trim_start().starts_with(':') {
+        let allowed = RomFormat::Mem.sheet().allowed;
+        let text = mem(&Source { text: source.text.clone(), allowed, ..*source });
+        return text.map(|image| RomImage { kind: Some("text for $readmemh"), ..image }).map_err(|error| match error {
+            Error::Text { what, text, at, .. } => Error::Text {
+                what: format!("this is not an Intel HEX record, and no text for $readmemh: {what}"),
+                allowed: source.allowed.to_owned(),
+                text,
+                at,
+            },
+            other => other,
+        });
+    }
+    let word_bytes = word_bytes(source.word_bits);
+    let records = Records::of(source)?;
+    if records.count_words(word_bytes) {
+        return words_by_address(source, &records);
+    }
+    let mut bytes: Vec<Option<(u8, Span)>> = Vec::new();
+    for (first, value, span) in records.0 {
+        for (byte, address) in value.into_iter().zip(first..) {
+            if address >= MAX_DEPTH * word_bytes {
+                let what = format!("the byte address 0x{address:x} is out of range");
+                let allowed = format!("a ROM has at most {MAX_DEPTH} words, here of {word_bytes} bytes");
+                return Err(source.error(what, allowed, span));
+            }
+            if address >= bytes.len() {
+                bytes.resize(address + 1, None);
+            }
+            if bytes[address].replace((byte, span)).is_some() {
+                let what = format!("a second byte for the byte address 0x{address:x}");
+                return Err(source.error(what, "each byte is given once; in Quartus' .hex, each word", span));
+            }
+        }
     }
     if bytes.is_empty() {
         return Err(source.cut_off("the file has no words"));
     }
     let words = bytes.chunks(word_bytes).enumerate().map(|(address, bytes)| hex_word(source, address, bytes));
     words.collect::<Result<_, _>>().map(image)
+}
+
+/// Quartus' kind: the addresses are those of words, whose bytes are the most significant first.
+pub(super) fn quartus_hex(source: &Source<'_>) -> Result<RomImage, Error> {
+    words_by_address(source, &Records::of(source)?)
+}
+
+fn words_by_address(source: &Source<'_>, records: &Records) -> Result<RomImage, Error> {
+    let word_bytes = word_bytes(source.word_bits);
+    let mut words = Words::new(source);
+    for (first, value, span) in &records.0 {
+        if value.len() % word_bytes != 0 {
+            let what = format!("the {} bytes of this record are not whole words", value.len());
+            return Err(source.error(
+                what,
+                format!("a word of {} bits has {word_bytes} bytes", source.word_bits),
+                *span,
+            ));
+        }
+        for (address, bytes) in (*first..).zip(value.chunks(word_bytes)) {
+            let word = BigUint::from_bytes_be(bytes);
+            refuse_wide(source, &word, *span)?;
+            words.place(address, word, *span, MAX_DEPTH)?;
+        }
+    }
+    Ok(RomImage { kind: Some("Quartus' kind, whose addresses count words"), ..image(words.finish(None)?) })
 }
 
 /// The word of the given bytes, all of which must be there.

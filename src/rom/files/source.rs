@@ -6,6 +6,7 @@ use num_bigint::BigUint;
 
 use super::MAX_DEPTH;
 use crate::error::Error;
+use crate::input;
 
 /// A place in the text: its byte offset and its length.
 pub(super) type Span = (usize, usize);
@@ -14,7 +15,9 @@ pub(super) type Span = (usize, usize);
 pub(super) struct Source<'a> {
     /// The file's name, for messages.
     pub file: &'a str,
-    /// The text; bytes that are not UTF-8 are replaced, as they do no harm in a comment.
+    /// The file's bytes.
+    pub bytes: &'a [u8],
+    /// The text as [`input::plain`] has it; bytes that are not UTF-8 are replaced, as they do no harm in a comment.
     pub text: String,
     /// What the format allows, for messages.
     pub allowed: &'static str,
@@ -25,11 +28,11 @@ pub(super) struct Source<'a> {
 /// The comments of a format.
 pub(super) struct Comments {
     /// Begins a comment that ends with the line.
-    pub line: &'static str,
+    pub line: Option<&'static str>,
+    /// A character of meaning behind which the rest of the line is a comment.
+    pub behind: Option<char>,
     /// The two ends of a comment that may span lines.
     pub block: Option<(&'static str, &'static str)>,
-    /// The line comment is one only at the beginning of a line that has more text in it.
-    pub whole_lines: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -74,8 +77,9 @@ pub(super) fn shown(text: &str) -> String {
 }
 
 impl<'a> Source<'a> {
-    pub fn new(bytes: &[u8], file: &'a str, allowed: &'static str, word_bits: u32) -> Self {
-        Self { file, text: String::from_utf8_lossy(bytes).into_owned(), allowed, word_bits }
+    pub fn new(bytes: &'a [u8], file: &'a str, allowed: &'static str, word_bits: u32) -> Self {
+        let text = input::plain(&String::from_utf8_lossy(bytes)).into_owned();
+        Self { file, bytes, text, allowed, word_bits }
     }
 
     /// An error at a place, with what is allowed there.
@@ -140,23 +144,15 @@ impl<'a> Source<'a> {
         let text = self.text.as_str();
         let mut tokens: Vec<Token<'_>> = Vec::new();
         let mut at = 0;
-        let mut line_begins = true;
         while let Some(c) = text[at..].chars().next() {
             let rest = &text[at..];
-            // Some editors put a byte order mark in front.
-            if c.is_whitespace() || (c == '\u{feff}' && at == 0) {
-                line_begins |= c == '\n';
+            if c.is_whitespace() {
                 at += c.len_utf8();
                 continue;
             }
-            if let Some(after) = rest.strip_prefix(comments.line)
-                && (!comments.whole_lines || line_begins)
-            {
-                let comment = after.split('\n').next().unwrap_or(after);
-                if !comments.whole_lines || !comment.trim().is_empty() {
-                    at += comments.line.len() + comment.len();
-                    continue;
-                }
+            if comments.line.is_some_and(|line| rest.starts_with(line)) {
+                at += rest.find('\n').unwrap_or(rest.len());
+                continue;
             }
             if let Some((open, close)) = comments.block
                 && rest.starts_with(open)
@@ -168,8 +164,8 @@ impl<'a> Source<'a> {
                 at += open.len() + length + close.len();
                 continue;
             }
-            line_begins = false;
-            let token = if c == '"' {
+            // A grammar with comments behind a character has no quoted text.
+            let token = if c == '"' && comments.behind.is_none() {
                 let Some(length) = rest[1..].find('"') else {
                     let what = "the file ends within the literal that begins here";
                     return Err(self.error(what, "a literal ends with a double quote", (at, 1)));
@@ -182,6 +178,9 @@ impl<'a> Source<'a> {
                 Token { kind, text: &rest[..length], span: (at, length) }
             };
             at = token.end();
+            if comments.behind == Some(c) {
+                at += text[at..].find('\n').unwrap_or(text.len() - at);
+            }
             tokens.push(token);
         }
         Ok(Cursor { source: self, tokens, next: 0 })
@@ -267,6 +266,15 @@ impl<'s> Words<'s> {
             return Err(self.source.error(what, "each address has one word", span));
         }
         Ok(())
+    }
+
+    /// The words by address up to `depth`, which they all are below; those that are not there are 0.
+    pub fn filled(self, depth: usize) -> Vec<BigUint> {
+        let mut filled = vec![BigUint::ZERO; depth];
+        for (address, (word, _)) in self.words {
+            filled[address] = word;
+        }
+        filled
     }
 
     /// All words by address; every address up to the last one, or up to `depth`, must have one.

@@ -7,8 +7,6 @@ use crate::rom::{Field, RomFormat, Table};
 use crate::spec::Shininess;
 
 const NAMES: [&str; 4] = ["first", "second", "third", "fourth"];
-const TEXT_FORMATS: [RomFormat; 7] =
-    [RomFormat::Mem, RomFormat::Hex, RomFormat::Coe, RomFormat::Mif, RomFormat::Vhdl, RomFormat::C, RomFormat::Csv];
 
 fn set() -> impl Strategy<Value = Shininess> {
     prop_oneof![
@@ -241,7 +239,8 @@ fn differences_are_one_sentence() {
     let table = small_table();
     let sentence = |words: &[u32]| {
         let words = words.iter().map(|&word| BigUint::from(word)).collect();
-        first_difference(&table, &RomImage { words, width: None, codes: Vec::new() }).map(|found| found.to_string())
+        first_difference(&table, &RomImage { words, kind: None, width: None, codes: Vec::new() })
+            .map(|found| found.to_string())
     };
     let right = [0x1ff, 0x27f, 0x300, 0x300];
     assert_eq!(sentence(&right), None);
@@ -273,7 +272,7 @@ fn mem_of_other_tools() {
     let text = "/* a\ncomment */ @2 A_b\t0C // end\r\n@0 1 2";
     assert_eq!(words(text, RomFormat::Mem, 8), Ok(vec![1, 2, 0xab, 0xc]));
     assert_eq!(refused("1 100 2\n", RomFormat::Mem, 8), "`100` is too wide");
-    assert_eq!(refused("1 xx 2\n", RomFormat::Mem, 8), "`xx` is not a number of radix 16");
+    assert_eq!(refused("1 xx 2\n", RomFormat::Mem, 8), "`xx` has digits without a value");
     assert_eq!(refused("1 @0 2\n", RomFormat::Mem, 8), "a second word for the address 0");
     assert_eq!(refused("1 @4 2\n", RomFormat::Mem, 8), "there is no word for the address 1; the next one is for 4");
     assert_eq!(refused("@10000 2\n", RomFormat::Mem, 8), "the address `10000` is out of range");
@@ -293,7 +292,152 @@ fn coe_of_other_tools() {
     assert_eq!(words(&format!("{vector}55;"), RomFormat::Coe, 8), Ok(vec![1, 255]));
     assert_eq!(refused(&format!("{vector}56;"), RomFormat::Coe, 8), "`256` is too wide");
     assert_eq!(refused(vector, RomFormat::Coe, 8), "the file ends where `,` or `;` is expected");
-    assert_eq!(refused(&vector.replace("10", "8"), RomFormat::Coe, 8), "the radix `8` is not allowed");
+    assert_eq!(refused(&vector.replace("10", "7"), RomFormat::Coe, 8), "the radix `7` is not allowed");
+}
+
+/// By AMD UG896: text behind a semicolon is a comment, keywords are in any case, and those behind the vector are not read.
+#[test]
+fn coe_as_its_manual_has_it() {
+    let words = |text: &str| words(text, RomFormat::Coe, 8);
+    for text in [
+        "MEMORY_INITIALIZATION_RADIX = 8 ; octal; = \"words, (\nMEMORY_INITIALIZATION_VECTOR = 1, 17, 377; the end, 5",
+        "memory_initialization_radix=16; hex\nmemory_initialization_vector=\n1,\nf,\nff;\nPATTERN = 5, 6;\nany=thing \"",
+        "; = \nRadix = 10 ; all of it\n\n; more\nMemory_initialization_vector = 1 15\n; a line\n255; memory_initialization_vector=7;",
+        "memory_initialization_radix=2;\r\nmemory_initialization_vector=\r\n1\r\n1111\r\n11111111\r\n;\r\n",
+    ] {
+        assert_eq!(words(text), Ok(vec![1, 15, 255]), "{text}");
+    }
+    let vector = "memory_initialization_radix=16;\nmemory_initialization_vector=";
+    assert_eq!(
+        words(&format!("{vector}1;\n2;\n")),
+        Err("`2` stands where a keyword with `=` or the end of the file is expected".to_owned())
+    );
+    assert_eq!(
+        words("memory_initialization_vector=1;\nmemory_initialization_radix=16;"),
+        Err("memory_initialization_radix must stand before the words".to_owned())
+    );
+    assert_eq!(
+        words("radix=10;\ncoefdata=1,2;"),
+        Err("`coefdata` is for filters and other cores, and this is a memory".to_owned())
+    );
+    assert_eq!(
+        words("; only\n"),
+        Err("the file ends where memory_initialization_radix or memory_initialization_vector is expected".to_owned())
+    );
+}
+
+#[test]
+fn lattice_mem_as_its_manual_has_it() {
+    let header = |form: &str| format!("#Format={form}\n#Depth=4\n#Width=8\n#AddrRadix=3\n#DataRadix=3\n#Data\n");
+    let words = |text: &str| words(text, RomFormat::Mem, 8);
+    assert_eq!(words(&(header("Hex") + "3B\n# a comment\n0a // another\r\n1\n\nff\n")), Ok(vec![0x3b, 10, 1, 255]));
+    assert_eq!(words(&(header("bin") + "11011\n11111010 # one\n0\n1\n")), Ok(vec![27, 250, 0, 1]));
+    assert_eq!(words(&(header("AddrHex") + "1:03 F3\n3: 4F # the last\n")), Ok(vec![0, 3, 0xf3, 0x4f]));
+    let image = read(header("AddrHex").as_bytes(), RomFormat::Mem, "file", 8).expect("none is given");
+    assert_eq!((image.words.len(), image.width, image.kind), (4, Some(8), Some("with Lattice's header")));
+    for (text, expected) in [
+        (header("Hex") + "1\n2\n3\n", "there is no word for the address 3: the file says that it has 4 words"),
+        (header("Hex") + "1\n2\n3\n4\n5\n", "this word's address, 4, is out of range"),
+        (header("Hex") + "1 2\n", "a second word in a line"),
+        (header("Hex") + "100\n", "`100` is too wide"),
+        (header("Bin") + "2\n", "`2` is not a number of radix 2"),
+        (header("AddrHex") + "1 2\n", "there is no address and colon"),
+        (header("AddrHex") + "1:2\n0:5 6\n", "a second word for the address 1"),
+        (header("Oct"), "the format `Oct` is not Bin, Hex or AddrHex"),
+        (header("Hex").replace("Width=8", "Width=9"), "the file states words of 9 bits"),
+        (header("Hex").replace("#Depth=4\n", ""), "#Depth is not given in Lattice's header"),
+        (
+            header("Hex").replace("#Data\n", "") + "1\n",
+            "`1` stands where a line of Lattice's header is expected, up to #Data",
+        ),
+        ("# a comment\n1\n".to_owned(), "`# a comment` is no line of Lattice's header"),
+    ] {
+        assert_eq!(words(&text), Err(expected.to_owned()), "{text}");
+    }
+}
+
+#[test]
+fn xilinx_mif_is_told_by_its_digits() {
+    let words = |text: &str| words(text, RomFormat::Mif, 4);
+    assert_eq!(words("0001\n1010\r\n\n1111"), Ok(vec![1, 10, 15]));
+    assert_eq!(words("0001\n101\n"), Err("this word has 3 binary digits".to_owned()));
+    assert_eq!(words("0001\n10100\n"), Err("`10100` is too wide".to_owned()));
+    assert_eq!(words("0001\n0201\n"), Err("`0201` is not a number of radix 2".to_owned()));
+}
+
+#[test]
+fn hex_files_of_three_kinds_are_told_apart() {
+    let quartus = ":020000000102FB\n:020001000304F6\n:00000001FF\n";
+    let kind = |text: &str, format, bits| {
+        let image = read(text.as_bytes(), format, "file", bits).expect("a file of this kind");
+        (image.words.iter().map(|word| u32::try_from(word).expect("short words")).collect::<Vec<u32>>(), image.kind)
+    };
+    for format in [RomFormat::Hex, RomFormat::QuartusHex] {
+        let (words, kind) = kind(quartus, format, 16);
+        assert_eq!((words, kind), (vec![0x102, 0x304], Some("Quartus' kind, whose addresses count words")));
+    }
+    // Bytes are the same in both.
+    let bytes = ":020000000102FB\n:00000001FF\n";
+    assert_eq!(kind(bytes, RomFormat::Hex, 8), (vec![1, 2], None));
+    assert_eq!(kind(bytes, RomFormat::QuartusHex, 8).0, [1, 2]);
+    assert_eq!(kind("// words\n0001 @1 0002\n", RomFormat::Hex, 16), (vec![1, 2], Some("text for $readmemh")));
+    assert_eq!(
+        refused("no hex\n", RomFormat::Hex, 16),
+        "this is not an Intel HEX record, and no text for $readmemh: `no` is not a number of radix 16"
+    );
+    assert_eq!(refused(quartus, RomFormat::Mem, 16), "this is an Intel HEX record, and no text for $readmemh");
+    assert_eq!(refused(quartus, RomFormat::QuartusHex, 24), "the 2 bytes of this record are not whole words");
+    assert_eq!(refused(quartus, RomFormat::QuartusHex, 9), "the word 0x304 is too wide");
+    assert_eq!(refused(":00000001FF\n", RomFormat::QuartusHex, 9), "the file has no words");
+}
+
+/// What editors and check-outs do to a text changes no word of any format.
+#[test]
+fn byte_order_marks_and_line_ends_are_read_over() {
+    let table = small_table();
+    for format in RomFormat::ALL.into_iter().filter(|&format| format != RomFormat::Bin) {
+        let text = String::from_utf8(written(&table, format)).expect("ASCII");
+        for changed in [
+            format!("\u{feff}{text}"),
+            text.replace('\n', "\r\n"),
+            text.replace('\n', "\r"),
+            format!("\u{feff}{}", text.replace('\n', "\r\n")),
+        ] {
+            let image = read_for(&table, changed.as_bytes(), format).expect("the same text");
+            assert_eq!(first_difference(&table, &image), None, "{format:?}");
+        }
+        let wide: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let refused = read_for(&table, &wide, format).expect_err("UTF-16").to_string();
+        assert_eq!(refused, "file is UTF-16 text", "{format:?}");
+    }
+}
+
+#[test]
+fn files_are_known_by_their_names() {
+    let named = |name: &str| RomFormat::of_file(name.as_ref());
+    for (name, format) in [
+        ("a.MEM", RomFormat::Mem),
+        ("a.vmem", RomFormat::Mem),
+        ("a_plain.mem", RomFormat::MemPlain),
+        ("a.hex", RomFormat::Hex),
+        ("a_quartus.hex", RomFormat::QuartusHex),
+        ("a.vhdl", RomFormat::Vhdl),
+        ("a.h", RomFormat::C),
+    ] {
+        assert_eq!(named(name).expect(name), format, "{name}");
+    }
+    let Err(crate::error::Error::Input { what, allowed }) = named("a.dat") else { panic!("it says nothing") };
+    assert_eq!(what, "a.dat: the name does not say which ROM format this is");
+    assert!(allowed.contains("--format") && allowed.contains(".mem, .vmem"), "{allowed}");
+}
+
+#[test]
+fn plain_words_are_all_that_a_plain_file_has() {
+    assert_eq!(written(&small_table(), RomFormat::MemPlain), b"1ff\n27f\n300\n300\n");
+    assert_eq!(
+        written(&small_table(), RomFormat::QuartusHex),
+        b":0200000001FFFE\n:02000100027F7C\n:020002000300F9\n:020003000300F8\n:00000001FF\n"
+    );
 }
 
 #[test]
@@ -346,6 +490,11 @@ fn csv_of_other_tools() {
     let text = "\"address\",note,word\r\n1,b,0X1f\r\n0,\"a\",2\r\n";
     assert_eq!(words(text, RomFormat::Csv, 8), Ok(vec![2, 31]));
     assert_eq!(refused("address,word\n0\n", RomFormat::Csv, 8), "the number of cells in this row is 1");
+    assert_eq!(
+        refused("address;word\n0;1\n", RomFormat::Csv, 8),
+        "columns are separated by commas and this has semicolons"
+    );
+    assert_eq!(refused("address,a_real,word\n0,1e999,1\n", RomFormat::Csv, 8), "`1e999` is not a finite number");
     assert_eq!(refused("address\n0\n", RomFormat::Csv, 8), "the header row has not one column `word`");
     assert_eq!(refused("address,a_code,word\n0,1.5,1\n", RomFormat::Csv, 8), "`1.5` is not an integer");
 }
@@ -381,7 +530,7 @@ fn every_truncation_of_a_small_text_is_noticed() {
     let mut table = small_table();
     // The value of this last word does not tell how many of its digits are left.
     table.fields[0].codes[2] = 0;
-    for format in TEXT_FORMATS {
+    for format in RomFormat::ALL.into_iter().filter(|&format| format != RomFormat::Bin) {
         let bytes = written(&table, format);
         for kept in 0..bytes.trim_ascii_end().len() {
             let image = read_for(&table, &bytes[..kept], format);

@@ -5,13 +5,21 @@ use std::fmt::Write as _;
 use ihex::Record;
 use num_bigint::BigUint;
 
-use super::{word_bytes, word_digits};
-use crate::rom::{RomFormat, Table};
+use super::{RomFormat, word_bytes, word_digits};
+use crate::rom::Table;
 
 /// The data bytes of a record: what most tools write and every tool reads.
 const HEX_RECORD_BYTES: usize = 16;
 /// The bits of a VHDL string literal: with the name of its address it stays within 100 columns.
 const VHDL_LITERAL_BITS: usize = 80;
+
+/// What is written.
+pub(super) struct Writing<'a> {
+    table: &'a Table,
+    core: &'a str,
+    digest: &'a str,
+    command: &'a str,
+}
 
 /// The content of a ROM file: ASCII lines that each end in LF, except for the raw words of [`RomFormat::Bin`].
 ///
@@ -19,18 +27,38 @@ const VHDL_LITERAL_BITS: usize = 80;
 /// specification and the layout of the word.
 #[must_use]
 pub fn write(table: &Table, format: RomFormat, core: &str, digest: &str, command: &str) -> Vec<u8> {
-    let heading = |comment: &str, what: &str| heading(table, comment, what, core, digest, command);
-    match format {
-        RomFormat::Mem => heading("//", "words for $readmemh") + &mem_words(table),
-        RomFormat::Hex => intel_hex(table),
-        RomFormat::Coe => heading(";", "Xilinx coefficient file") + &coe_words(table),
-        RomFormat::Mif => heading("--", "Intel memory initialization file") + &mif_words(table),
-        RomFormat::Vhdl => heading("--", "VHDL-2008 package") + &vhdl_package(table, core),
-        RomFormat::C => heading("//", "C header") + &c_header(table, core),
-        RomFormat::Csv => csv(table),
-        RomFormat::Bin => return raw_bytes(table),
+    (format.sheet().write)(&Writing { table, core, digest, command })
+}
+
+impl Writing<'_> {
+    /// The heading and the text below it.
+    fn headed(&self, comment: &str, what: &str, text: &str) -> Vec<u8> {
+        (heading(self.table, comment, what, self.core, self.digest, self.command) + text).into_bytes()
     }
-    .into_bytes()
+}
+
+pub(super) fn mem(of: &Writing<'_>) -> Vec<u8> {
+    of.headed("//", "words for $readmemh", &mem_words(of.table))
+}
+
+pub(super) fn mem_plain(of: &Writing<'_>) -> Vec<u8> {
+    mem_words(of.table).into_bytes()
+}
+
+pub(super) fn coe(of: &Writing<'_>) -> Vec<u8> {
+    of.headed(";", "Xilinx coefficient file", &coe_words(of.table))
+}
+
+pub(super) fn mif(of: &Writing<'_>) -> Vec<u8> {
+    of.headed("--", "Intel memory initialization file", &mif_words(of.table))
+}
+
+pub(super) fn vhdl(of: &Writing<'_>) -> Vec<u8> {
+    of.headed("--", "VHDL-2008 package", &vhdl_package(of.table, of.core))
+}
+
+pub(super) fn c(of: &Writing<'_>) -> Vec<u8> {
+    of.headed("//", "C header", &c_header(of.table, of.core))
 }
 
 /// Writes one formatted line to a string.
@@ -173,7 +201,8 @@ fn c_header(table: &Table, core: &str) -> String {
 /// The columns address, shininess, the real value and the code of each field, and the word.
 ///
 /// The word is written with `0x`, so that a spreadsheet does not take 00e5 for a decimal number.
-fn csv(table: &Table) -> String {
+pub(super) fn csv(of: &Writing<'_>) -> Vec<u8> {
+    let table = of.table;
     let mut text = format!("address,{}", table.key);
     for field in &table.fields {
         write!(text, ",{0}_real,{0}_code", field.name).expect("a string takes all text");
@@ -188,7 +217,11 @@ fn csv(table: &Table) -> String {
         }
         line!(text, ",0x{word}");
     }
-    text
+    text.into_bytes()
+}
+
+pub(super) fn bin(of: &Writing<'_>) -> Vec<u8> {
+    raw_bytes(of.table)
 }
 
 fn raw_bytes(table: &Table) -> Vec<u8> {
@@ -201,9 +234,9 @@ fn raw_bytes(table: &Table) -> Vec<u8> {
     table.words().into_iter().flat_map(little_endian).collect()
 }
 
-fn intel_hex(table: &Table) -> String {
+pub(super) fn hex(of: &Writing<'_>) -> Vec<u8> {
     let mut records = Vec::new();
-    for (position, data) in raw_bytes(table).chunks(HEX_RECORD_BYTES).enumerate() {
+    for (position, data) in raw_bytes(of.table).chunks(HEX_RECORD_BYTES).enumerate() {
         let address = position * HEX_RECORD_BYTES;
         let (high, low) = ((address >> 16) as u16, address as u16);
         if low == 0 && high > 0 {
@@ -211,8 +244,24 @@ fn intel_hex(table: &Table) -> String {
         }
         records.push(Record::Data { offset: low, value: data.to_vec() });
     }
+    record_lines(records)
+}
+
+/// One record a word, as Quartus' memory editor writes them. The deepest ROM has an address of 16 bits for each of its words.
+pub(super) fn quartus_hex(of: &Writing<'_>) -> Vec<u8> {
+    let bytes = word_bytes(of.table.word_bits());
+    let record = |(address, word): (usize, BigUint)| {
+        let mut value = word.to_bytes_le();
+        value.resize(bytes, 0);
+        value.reverse();
+        Record::Data { offset: address as u16, value }
+    };
+    record_lines(of.table.words().into_iter().enumerate().map(record).collect())
+}
+
+/// The records and the one that ends a file, a line each.
+fn record_lines(mut records: Vec<Record>) -> Vec<u8> {
     records.push(Record::EndOfFile);
-    records.iter().fold(String::new(), |text, record| {
-        text + &record.to_record_string().expect("a record of at most 16 bytes can be written") + "\n"
-    })
+    let line = |record: Record| record.to_record_string().expect("a record of at most 255 bytes can be written") + "\n";
+    records.into_iter().map(line).collect::<String>().into_bytes()
 }
