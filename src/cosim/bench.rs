@@ -28,7 +28,7 @@ impl Part {
     }
 
     /// The name of what it runs.
-    fn name(self, job: &Job) -> String {
+    pub(super) fn name(self, job: &Job) -> String {
         match self {
             Self::Core => job.design.spec.name.clone(),
             Self::Axis => format!("{}_axis", job.design.spec.name),

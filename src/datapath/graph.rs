@@ -64,7 +64,7 @@ pub struct Node {
     pub args: Vec<NodeId>,
     /// The result's format.
     pub format: Format,
-    /// The result's name, unique in the graph and an identifier in both languages.
+    /// The result's name, an identifier in both languages; [`crate::hdl::Layout`] tells two of one name apart.
     pub name: String,
     /// The formula or the reason, for the reader of the HDL; may be empty.
     pub comment: String,

@@ -181,7 +181,7 @@ impl Design {
     /// Stages and names, for the HDL.
     #[must_use]
     pub fn layout(&self) -> Layout<'_> {
-        Layout { datapath: &self.datapath, schedule: &self.schedule }
+        Layout::new(&self.spec.name, &self.datapath, &self.schedule)
     }
 
     /// The ports, in the order of their declaration.

@@ -27,7 +27,8 @@
 
 use askama::Template;
 
-use super::{Direction, Port, Texts, render};
+use super::testbench::RandomPart;
+use super::{Direction, Port, Texts, names, render};
 use crate::error::Error;
 use crate::number::Format;
 use crate::spec::Language;
@@ -67,9 +68,15 @@ impl Lane {
         if self.port.format.is_some_and(|format| format.signed) { "signed" } else { "unsigned" }
     }
 
-    /// That type with the bits.
-    fn kind(&self) -> String {
-        format!("{}({} downto 0)", self.sign(), self.bits - 1)
+    /// The type of its port with the bits, in VHDL.
+    fn kind(&self, texts: &Texts) -> String {
+        let vector = texts.vhdl_ports.vector(self.sign());
+        format!("{vector}({} downto 0)", self.bits - 1)
+    }
+
+    /// Its bits of s_axis_tdata, of the type of its port, in VHDL.
+    fn of_tdata(&self, texts: &Texts) -> String {
+        texts.vhdl_ports.from_bits(self.sign(), &format!("s_axis_tdata({})", self.downto()))
     }
 }
 
@@ -237,14 +244,14 @@ impl Axis {
         self.outputs.tdata_bits() + 1 + self.tuser_bits
     }
 
-    /// Random numbers of 32 bits that fill s_axis_tdata.
-    pub(super) fn input_draws(&self) -> u32 {
-        self.inputs.tdata_bits().div_ceil(32)
+    /// The parts of s_axis_tdata that a random number fills each.
+    pub(super) fn input_parts(&self) -> Vec<RandomPart> {
+        RandomPart::of(self.inputs.tdata_bits())
     }
 
-    /// As many random numbers side by side, in VHDL.
-    pub(super) fn input_noise(&self) -> String {
-        super::testbench::repeated(self.input_draws())
+    /// The same of s_axis_tuser.
+    pub(super) fn user_parts(&self) -> Vec<RandomPart> {
+        RandomPart::of(self.tuser_bits)
     }
 
     /// A name of the core's ports, followed by spaces up to the length of the longest.
@@ -260,7 +267,7 @@ impl Axis {
     /// If the template cannot be filled in.
     pub fn emit(&self, language: Language, texts: &Texts) -> Result<String, Error> {
         let ports = self.ports();
-        match language {
+        let text = match language {
             Language::Verilog => {
                 let range = |port: &AxisPort| port.bits.map_or(String::new(), |bits| format!("[{}:0]", bits - 1));
                 let width = ports.iter().map(|port| range(port).len()).max().unwrap_or(0);
@@ -277,14 +284,15 @@ impl Axis {
                 let width = ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
                 let declaration = |port: &AxisPort| {
                     let is_write = self.writes.iter().any(|write| write.name == port.name);
-                    let vector = if is_write { "unsigned" } else { "std_logic_vector" };
+                    let vector = if is_write { texts.vhdl_ports.vector("unsigned") } else { "std_logic_vector" };
                     let kind =
                         port.bits.map_or("std_logic".to_owned(), |bits| format!("{vector}({} downto 0)", bits - 1));
                     (port.meaning.clone(), format!("{:<width$} : {:<3} {kind}", port.name, port.direction.word()))
                 };
                 render(&VhdlAxis { axis: self, texts, ports: ports.iter().map(declaration).collect() })
             }
-        }
+        };
+        names::checked(language, &texts.name, text?)
     }
 }
 

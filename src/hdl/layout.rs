@@ -1,5 +1,8 @@
 //! What stands in which pipeline stage, and under which name.
 
+use std::collections::HashSet;
+
+use super::WritePort;
 use crate::datapath::Datapath;
 use crate::datapath::graph::{Node, NodeId, Op};
 use crate::datapath::schedule::Schedule;
@@ -28,15 +31,72 @@ pub struct Read {
 }
 
 /// A datapath with its schedule, as the backends need it.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Layout<'a> {
     /// Operations and ROM.
     pub datapath: &'a Datapath,
     /// Stages.
     pub schedule: &'a Schedule,
+    /// What each node's values are called, up to the stage.
+    names: Vec<String>,
+    /// Whether an input has a name of its own in stage 0, and not that of its port.
+    apart: bool,
 }
 
+/// Names that the text of every core has, whatever it computes.
+const FIXED: [&str; 7] = ["clk", "rst", "ce", "in_valid", "out_valid", "valid", "unused"];
+
 impl<'a> Layout<'a> {
+    /// The layout of a core of this name. Values that would bear one name in the text, in either language, are told apart here; so
+    /// are those that would bear the core's.
+    #[must_use]
+    pub fn new(core: &str, datapath: &'a Datapath, schedule: &'a Schedule) -> Self {
+        let mut layout = Self { datapath, schedule, names: Vec::new(), apart: false };
+        let mut taken = layout.fixed_names(core);
+        for (id, node) in layout.nodes().iter().enumerate() {
+            // In VHDL the case of letters makes no difference. No name of a value differs from another by its case alone.
+            let free = |name: &String| layout.stage_names(id, name).iter().all(|name| !taken.contains(name));
+            let others = (2..).map(|version| format!("{}_v{version}", node.name));
+            let name = std::iter::once(node.name.clone()).chain(others).find(free).unwrap_or_default();
+            taken.extend(layout.stage_names(id, &name));
+            layout.names.push(name);
+        }
+        layout
+    }
+
+    /// This layout with names for the inputs in stage 0 that are not their ports'.
+    pub(super) fn with_inputs_apart(&self) -> Self {
+        Self { apart: true, ..self.clone() }
+    }
+
+    /// What the text declares besides the values of nodes, in lower case.
+    fn fixed_names(&self, core: &str) -> HashSet<String> {
+        let graph = &self.datapath.graph;
+        let inputs = graph.inputs.iter().map(|&id| self.nodes()[id].name.as_str());
+        let outputs = graph.outputs.iter().map(|(name, _)| name.as_str());
+        let ports = FIXED.into_iter().chain(inputs).chain(outputs).chain([core]);
+        let mut names: HashSet<String> = ports.map(str::to_ascii_lowercase).collect();
+        for (memory, table) in self.datapath.tables.iter().enumerate() {
+            let name = table.name;
+            names.extend(self.read(memory).map(|read| read.word));
+            names.extend(WritePort::of(memory, table).ports().map(|port| port.name.clone()));
+            names.extend([name.to_owned(), format!("{name}_t"), format!("{name}_file")]);
+            names.extend(["read", "initial"].map(|verb| format!("{verb}_{name}")));
+            let words = (0..table.word_bits().div_ceil(32)).map(|chunk| format!("{name}_words_{chunk}"));
+            names.extend(words.flat_map(|words| [format!("{words}_t"), words]));
+        }
+        names
+    }
+
+    /// The names that a node's values have in the stages that they reach, if they are called so; none of a literal.
+    fn stage_names(&self, id: NodeId, name: &str) -> Vec<String> {
+        if self.is_literal(id) {
+            return Vec::new();
+        }
+        let first = self.first_stage(id);
+        (first..=self.schedule.last_use[id].max(first)).map(|stage| format!("{name}_{stage}")).collect()
+    }
+
     /// The nodes.
     #[must_use]
     pub fn nodes(&self) -> &'a [Node] {
@@ -65,10 +125,10 @@ impl<'a> Layout<'a> {
     #[must_use]
     pub fn name(&self, id: NodeId, stage: u32) -> String {
         let node = &self.nodes()[id];
-        if stage == 0 && node.op == Op::Input {
+        if stage == 0 && node.op == Op::Input && !self.apart {
             return node.name.clone();
         }
-        format!("{}_{stage}", node.name)
+        format!("{}_{stage}", self.names[id])
     }
 
     /// The outputs that carry numbers, each with the name of what it shows; the ports' names followed by spaces to one length.
@@ -132,6 +192,29 @@ impl<'a> Layout<'a> {
         (0..self.nodes().len()).filter(|&id| crosses(id)).map(|node| Register { node, stage }).collect()
     }
 
+    /// What the comparison `a > b` gives whatever the values are, where their widths alone decide it: a constant at or past the end of
+    /// what the other side holds.
+    #[must_use]
+    pub fn decided(&self, a: NodeId, b: NodeId) -> Option<bool> {
+        let codes = |id: NodeId| match self.nodes()[id].op {
+            Op::Constant(code) => (code, code),
+            _ => (self.nodes()[id].format.min_code(), self.nodes()[id].format.max_code()),
+        };
+        let ((least, most), (other_least, other_most)) = (codes(a), codes(b));
+        if least > other_most {
+            Some(true)
+        } else if most <= other_least {
+            Some(false)
+        } else {
+            None
+        }
+    }
+
+    /// Whether a node's value depends on none of its arguments, as the widths say.
+    fn is_decided(&self, node: &Node) -> bool {
+        node.op == Op::Greater && self.decided(node.args[0], node.args[1]).is_some()
+    }
+
     /// The bits of a node's value that nothing uses in the last stage it reaches, as `(high, low)`, most significant first.
     /// In every earlier stage the whole value goes into a register.
     #[must_use]
@@ -140,7 +223,8 @@ impl<'a> Layout<'a> {
         let width = format.width();
         let mut used = vec![self.datapath.graph.is_output(id); width as usize];
         for (user, node) in self.nodes().iter().enumerate() {
-            if !node.args.contains(&id) || self.schedule.stage[user] != self.schedule.last_use[id] {
+            let reads = node.args.contains(&id) && self.schedule.stage[user] == self.schedule.last_use[id];
+            if !reads || self.is_decided(node) {
                 continue;
             }
             let padding = (node.format.frac_bits - format.frac_bits).max(0) as u32;

@@ -6,6 +6,7 @@
 
 mod axis;
 mod layout;
+mod names;
 mod testbench;
 mod verilog;
 mod vhdl;
@@ -17,7 +18,7 @@ pub use testbench::test_bench;
 use crate::error::Error;
 use crate::number::Format;
 use crate::rom::Table;
-use crate::spec::Language;
+use crate::spec::{Language, VhdlPorts};
 
 /// What the text of a core needs besides its layout.
 #[derive(Clone, Debug)]
@@ -28,6 +29,8 @@ pub struct Texts {
     pub header: Vec<String>,
     /// The ports, in the order of their declaration.
     pub ports: Vec<Port>,
+    /// The types of the ports in VHDL.
+    pub vhdl_ports: VhdlPorts,
     /// The files that memories are read from, if they are read from files.
     pub rom_files: Vec<RomFile>,
     /// The ports through which memories are written, if they are, each with the file of the memory's words; all of them are among `ports`.

@@ -2,10 +2,10 @@
 
 use askama::Template;
 
-use super::{Axis, Direction, Layout, Port, RomFile, Texts, WritePort, render};
+use super::{Axis, Direction, Layout, Port, RomFile, Texts, WritePort, names, render};
 use crate::error::Error;
 use crate::golden::Vector;
-use crate::spec::Language;
+use crate::spec::{Language, VhdlPorts};
 
 /// A port that carries numbers, as the benches see it.
 struct BenchPort<'a> {
@@ -28,6 +28,11 @@ impl<'a> BenchPort<'a> {
         let range = format!("[{}:0]", bits - 1);
         Some(Self { name: &port.name, bits, digits: bits.div_ceil(4), signed: format.signed, range })
     }
+
+    /// The numeric type of its codes in VHDL.
+    fn sign(&self) -> &'static str {
+        if self.signed { "signed" } else { "unsigned" }
+    }
 }
 
 /// The write port of a memory, as the benches see it.
@@ -41,8 +46,6 @@ struct BenchWrite<'a> {
     data_bits: u32,
     /// Bits of the hexadecimal digits that hold a word.
     digit_bits: u32,
-    /// Random numbers of 32 bits that fill a word.
-    draws: u32,
     file: &'a RomFile,
 }
 
@@ -58,20 +61,32 @@ impl<'a> BenchWrite<'a> {
             data: &port.data.name,
             data_bits: table.word_bits(),
             digit_bits: table.word_bits().next_multiple_of(4),
-            draws: table.word_bits().div_ceil(32),
             file,
         }
     }
 
-    /// As many random numbers side by side as fill a word, in VHDL.
-    fn noise(&self) -> String {
-        repeated(self.draws)
+    /// The parts of a word that a random number fills each.
+    fn parts(&self) -> Vec<RandomPart> {
+        RandomPart::of(self.data_bits)
     }
 }
 
-/// A random number of 32 bits, several times side by side, in VHDL.
-pub(super) fn repeated(draws: u32) -> String {
-    vec!["lfsr"; draws as usize].join(" & ")
+/// Bits of a vector that a random number of 32 bits fills, or its low bits do.
+pub(super) struct RandomPart {
+    pub(super) high: u32,
+    pub(super) low: u32,
+}
+
+impl RandomPart {
+    /// The parts of a vector, from the lowest on.
+    pub(super) fn of(bits: u32) -> Vec<Self> {
+        (0..bits).step_by(32).map(|low| Self { high: (low + 31).min(bits - 1), low }).collect()
+    }
+
+    /// The highest bit of the random number that is taken.
+    pub(super) fn top(&self) -> u32 {
+        self.high - self.low
+    }
 }
 
 /// What the templates of both languages need.
@@ -85,8 +100,11 @@ struct Bench<'a> {
     /// The codes of the ports of vectors for memories that hold the words' complements, as hexadecimal literals.
     complemented: Vec<String>,
     golden: &'a str,
+    vhdl_ports: VhdlPorts,
     inputs: Vec<BenchPort<'a>>,
     outputs: Vec<BenchPort<'a>>,
+    /// Whether it waits before a vector as long as the file says.
+    waits: bool,
     /// Characters that a line with a vector has at most, its end included.
     line_bytes: u32,
     latency: u32,
@@ -96,6 +114,16 @@ impl Bench<'_> {
     /// The inputs and then the outputs.
     fn numbers(&self) -> impl Iterator<Item = &BenchPort<'_>> {
         self.inputs.iter().chain(&self.outputs)
+    }
+
+    /// The type of a port of the core in VHDL.
+    fn vector(&self, sign: &'static str) -> &'static str {
+        self.vhdl_ports.vector(sign)
+    }
+
+    /// Bits as a port of the core takes them in VHDL.
+    fn from_bits(&self, sign: &str, bits: &str) -> String {
+        self.vhdl_ports.from_bits(sign, bits)
     }
 
     /// A name, followed by spaces up to the length of the longest port's.
@@ -183,16 +211,19 @@ pub fn test_bench(
         writes: texts.writes.iter().map(write).collect(),
         complemented,
         golden,
+        vhdl_ports: texts.vhdl_ports,
         inputs,
         outputs,
         // The letter, the codes, two numbers of nine digits, the end of the line, and one to notice that it is longer.
         line_bytes: (1 + digits + 20 + 2 + 1).next_multiple_of(8),
+        waits: axis.is_none(),
         latency: layout.schedule.latency,
     };
-    match (language, axis) {
+    let text = match (language, axis) {
         (Language::Verilog, None) => render(&VerilogBench { bench }),
         (Language::Vhdl, None) => render(&VhdlBench { bench }),
         (Language::Verilog, Some(axis)) => render(&VerilogAxisBench { bench, axis }),
         (Language::Vhdl, Some(axis)) => render(&VhdlAxisBench { bench, axis }),
-    }
+    };
+    names::checked(language, &texts.name, text?)
 }

@@ -3,10 +3,11 @@
 use askama::Template;
 use num_bigint::BigUint;
 
-use super::{Backend, Declaration, Direction, Layout, Port, Texts, WritePort, continued, render};
+use super::{Backend, Declaration, Direction, Layout, Port, Texts, WritePort, continued, names, render};
 use crate::datapath::graph::{NodeId, Op};
 use crate::error::Error;
 use crate::number::Format;
+use crate::spec::Language;
 
 /// The Verilog backend.
 #[derive(Clone, Copy, Debug)]
@@ -200,6 +201,9 @@ impl Writer<'_> {
             Op::Scale => self.name(arg(0)),
             Op::NonZero => format!("|{}", self.name(arg(0))),
             Op::Greater => {
+                if let Some(decided) = self.layout.decided(arg(0), arg(1)) {
+                    return literal(decided.into(), 1);
+                }
                 let wider = self.format(arg(0)).width().max(self.format(arg(1)).width());
                 let frac = self.format(arg(0)).frac_bits;
                 format!("{} > {}", self.fitted(arg(0), frac, wider), self.fitted(arg(1), frac, wider))
@@ -221,7 +225,9 @@ impl Writer<'_> {
                 let (tested, result) = (literal(bound, from.width()), literal(bound, width));
                 format!("($signed({name}) {test} $signed({tested})) ? {result} :\n        ")
             };
-            return of("<", low) + &of(">", high) + &self.fitted(arg, from.frac_bits, width);
+            let below = if low > from.min_code() { of("<", low) } else { String::new() };
+            let above = if high < from.max_code() { of(">", high) } else { String::new() };
+            return below + &above + &self.fitted(arg, from.frac_bits, width);
         }
         let magnitude = from.width() - u32::from(from.signed);
         let own = slice(&name, from.width(), width.min(magnitude) - 1, 0);
@@ -321,7 +327,7 @@ impl Backend for Verilog {
                 unused.push(slice(&layout.name(id, last), node.format.width(), high, low));
             }
         }
-        render(&Core {
+        let text = render(&Core {
             texts,
             ports: texts.ports.iter().map(declaration).collect(),
             latency: layout.schedule.latency,
@@ -329,6 +335,7 @@ impl Backend for Verilog {
             out_valid: layout.padded_output("out_valid"),
             outputs: layout.shown(),
             unused,
-        })
+        })?;
+        names::checked(Language::Verilog, &texts.name, text)
     }
 }

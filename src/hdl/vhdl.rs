@@ -4,10 +4,11 @@ use askama::Template;
 use num_bigint::BigUint;
 
 use super::layout::Register;
-use super::{Backend, Declaration, Layout, Port, Texts, WritePort, continued, render};
+use super::{Backend, Declaration, Layout, Port, Texts, WritePort, continued, names, render};
 use crate::datapath::graph::{NodeId, Op};
 use crate::error::Error;
 use crate::number::Format;
+use crate::spec::{Language, VhdlPorts};
 
 /// The VHDL backend.
 #[derive(Clone, Copy, Debug)]
@@ -79,6 +80,8 @@ struct Chunk {
 struct Core<'a> {
     texts: &'a Texts,
     ports: Vec<Declaration>,
+    /// The signals of the inputs and what they are of the ports, where the ports are no numbers.
+    inputs: Vec<(String, String)>,
     latency: u32,
     signals: Vec<Signal>,
     stages: Vec<Stage<'a>>,
@@ -88,6 +91,12 @@ struct Core<'a> {
 }
 
 impl Core<'_> {
+    /// The address that is written, as a number.
+    fn write_address(&self, write: &WritePort) -> String {
+        let name = &write.address.name;
+        if self.texts.vhdl_ports == VhdlPorts::StdLogic { format!("unsigned({name})") } else { name.clone() }
+    }
+
     /// Whether the memory is the first that is written, in the order of the text.
     fn is_first_written(&self, name: &str) -> bool {
         let mut memories = self.stages.iter().flat_map(|stage| &stage.memories);
@@ -118,6 +127,11 @@ impl Writer<'_> {
         if self.layout.is_flag(id) { "std_logic".to_owned() } else { kind(self.format(id)) }
     }
 
+    /// The type of a node's signal and its initial value.
+    fn initialised(&self, id: NodeId) -> String {
+        format!("{} := {}", self.kind(id), initial(self.layout.is_flag(id)))
+    }
+
     /// A node's value as a vector of the signedness, the fraction bits and exactly the width of `to`.
     fn fitted(&self, id: NodeId, to: Format) -> String {
         let (from, width) = (self.format(id), to.width());
@@ -125,9 +139,10 @@ impl Writer<'_> {
         let shifted = |text: String| if shift > 0 { format!("shift_left({text}, {shift})") } else { text };
         if let Op::Constant(code) = self.layout.nodes()[id].op {
             let function = if to.signed { "to_signed" } else { "to_unsigned" };
-            // The functions take 31-bit integers only.
-            return if code << shift < 1 << 31 {
-                format!("{function}({}, {width})", code << shift)
+            // The functions take 31-bit integers only, and warn of bits that the vector does not hold.
+            let whole = to.wrap(code << shift);
+            return if whole < 1 << 31 {
+                format!("{function}({whole}, {width})")
             } else {
                 shifted(format!("{function}({code}, {width})"))
             };
@@ -175,6 +190,9 @@ impl Writer<'_> {
             Op::Scale => self.vector(arg(0)),
             Op::NonZero => format!("'1' when {} /= 0 else '0'", self.name(arg(0))),
             Op::Greater => {
+                if let Some(decided) = self.layout.decided(arg(0), arg(1)) {
+                    return if decided { "'1'".to_owned() } else { "'0'".to_owned() };
+                }
                 let [a, b] = [arg(0), arg(1)].map(|id| self.fitted(id, self.format(id)));
                 format!("'1' when {a} > {b} else '0'")
             }
@@ -220,10 +238,12 @@ impl Writer<'_> {
         let (from, name) = (self.format(arg), self.name(arg));
         if low < 0 {
             let own = self.fitted(arg, Format { int_bits: width as i32 - 1 - from.frac_bits, ..from });
-            return format!(
-                "to_signed({low}, {width}) when {name} < {low} else\n        \
-                 to_signed({high}, {width}) when {name} > {high} else\n        {own}"
-            );
+            let when = |bound: i128, test: &str| {
+                format!("to_signed({bound}, {width}) when {name} {test} {bound} else\n        ")
+            };
+            let below = if low > from.min_code() { when(low, "<") } else { String::new() };
+            let above = if high < from.max_code() { when(high, ">") } else { String::new() };
+            return below + &above + &own;
         }
         let magnitude = from.width() - u32::from(from.signed);
         let mut text = String::new();
@@ -253,12 +273,22 @@ impl Writer<'_> {
     }
 }
 
-fn kind(format: Format) -> String {
-    format!("{}({} downto 0)", if format.signed { "signed" } else { "unsigned" }, format.width() - 1)
+fn sign(format: Format) -> &'static str {
+    if format.signed { "signed" } else { "unsigned" }
 }
 
-fn declaration(port: &Port, name_width: usize) -> Declaration {
-    let kind = port.format.map_or("std_logic".to_owned(), kind);
+fn kind(format: Format) -> String {
+    format!("{}({} downto 0)", sign(format), format.width() - 1)
+}
+
+/// The value that a signal has before anything is known of it, so that no operation warns of what it is given at the beginning.
+fn initial(is_flag: bool) -> &'static str {
+    if is_flag { "'0'" } else { "(others => '0')" }
+}
+
+fn declaration(port: &Port, name_width: usize, ports: VhdlPorts) -> Declaration {
+    let vector = |format: Format| format!("{}({} downto 0)", ports.vector(sign(format)), format.width() - 1);
+    let kind = port.format.map_or("std_logic".to_owned(), vector);
     let declaration = format!("{:<name_width$} : {:<3} {kind}", port.name, port.direction.word());
     Declaration { comment: port.comment(), declaration }
 }
@@ -304,17 +334,39 @@ fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory
         .collect()
 }
 
+/// An output with what it shows, as bits.
+fn as_bits((port, source): (String, String)) -> (String, String) {
+    (port, format!("std_logic_vector({source})"))
+}
+
 impl Backend for Vhdl {
     fn emit(&self, layout: &Layout, texts: &Texts) -> Result<String, Error> {
+        let std_logic = texts.vhdl_ports == VhdlPorts::StdLogic;
+        let own = if std_logic { layout.with_inputs_apart() } else { layout.clone() };
+        let layout = &own;
         let latency = layout.schedule.latency;
         let mut signals = Vec::new();
         let mut stages = Vec::new();
+        let mut inputs = Vec::new();
+        if std_logic {
+            let writer = Writer { layout, stage: 0 };
+            for &id in &layout.datapath.graph.inputs {
+                signals.push(Signal { name: writer.name(id), kind: writer.initialised(id) });
+                let port = &layout.nodes()[id].name;
+                let bits = if layout.is_flag(id) {
+                    format!("{port}(0)")
+                } else {
+                    format!("{}({port})", sign(writer.format(id)))
+                };
+                inputs.push((writer.name(id), bits));
+            }
+        }
         for index in 0..latency {
             let writer = Writer { layout, stage: index };
             let mut assignments = Vec::new();
             for id in layout.computed(index) {
                 let node = &layout.nodes()[id];
-                signals.push(Signal { name: writer.name(id), kind: writer.kind(id) });
+                signals.push(Signal { name: writer.name(id), kind: writer.initialised(id) });
                 assignments.push(Assignment {
                     comment: format!("{}: {}", node.format, node.comment),
                     target: writer.name(id),
@@ -324,22 +376,23 @@ impl Backend for Vhdl {
             let mut registers = Vec::new();
             for Register { node, stage } in layout.registers(index) {
                 let target = layout.name(node, stage + 1);
-                let initial = if layout.is_flag(node) { "'0'" } else { "(others => '0')" };
-                signals.push(Signal { name: target.clone(), kind: format!("{} := {initial}", writer.kind(node)) });
+                signals.push(Signal { name: target.clone(), kind: writer.initialised(node) });
                 registers.push((target, layout.name(node, stage)));
             }
             let memories = memories(layout, texts, index);
             stages.push(Stage { index, heading: layout.heading(index), memories, assignments, registers });
         }
         let name_width = texts.ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
-        render(&Core {
+        let text = render(&Core {
             texts,
-            ports: texts.ports.iter().map(|port| declaration(port, name_width)).collect(),
+            ports: texts.ports.iter().map(|port| declaration(port, name_width, texts.vhdl_ports)).collect(),
+            inputs,
             latency,
             signals,
             stages,
             out_valid: layout.padded_output("out_valid"),
-            outputs: layout.shown(),
-        })
+            outputs: if std_logic { layout.shown().into_iter().map(as_bits).collect() } else { layout.shown() },
+        })?;
+        names::checked(Language::Vhdl, &texts.name, text)
     }
 }

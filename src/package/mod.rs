@@ -115,6 +115,16 @@ pub fn sources(design: &Design, language: Language) -> Result<Vec<File>, Error> 
     Ok(files)
 }
 
+/// Whether the core can be written under its name: what would be found when it is written, before anything is measured.
+///
+/// # Errors
+/// A name that the core's text uses for something else.
+pub fn check_names(design: &Design) -> Result<(), Error> {
+    let emit =
+        |&language: &Language| hdl::backend(language).emit(&design.layout(), &texts_without_header(design)).map(|_| ());
+    design.spec.languages.iter().try_for_each(emit)
+}
+
 /// What the texts of a core's HDL say about it.
 #[must_use]
 pub fn texts(design: &Design, account: &Account) -> Texts {
@@ -157,7 +167,14 @@ fn texts_without_header(design: &Design) -> Texts {
         (port, file)
     };
     let writes = design.write_ports().into_iter().map(with_file).collect();
-    Texts { name: spec.name.clone(), header: Vec::new(), ports: design.ports(), rom_files, writes }
+    Texts {
+        name: spec.name.clone(),
+        header: Vec::new(),
+        ports: design.ports(),
+        vhdl_ports: spec.vhdl_ports,
+        rom_files,
+        writes,
+    }
 }
 
 /// The core's wrapper with AXI4-Stream interfaces, if the spec asks for one.

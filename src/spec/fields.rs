@@ -10,7 +10,7 @@ use super::{
     ACCURACY, ACCURACY_INPUT_FRACTION, Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, EXP_BITS, Form,
     GoldenInputs, INPUT_FRACTION, InputRange, Inside, LOG_BITS, Language, Material, Memory, Method, OUTPUT_FRACTION,
     Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, TUSER_BITS,
-    Tail,
+    Tail, VhdlPorts,
 };
 use crate::error::Error;
 use crate::fit::Objective;
@@ -155,6 +155,12 @@ pub struct SpecFields {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub languages: Option<Vec<Language>>,
 
+    /// Types of the VHDL's ports: numeric (unsigned and signed), or std-logic (std_logic_vector, as Vivado's block designs need them)
+    /// [default: numeric]
+    #[arg(long, value_enum, value_name = "TYPES")]
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub vhdl_ports: Option<VhdlPorts>,
+
     /// Write a wrapper with AXI4-Stream interfaces around the core as well
     #[arg(long, value_name = "true|false", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -182,34 +188,65 @@ pub struct SpecFields {
 }
 
 /// Words that cannot name a module, entity or file scope: the reserved words of Verilog-2005, SystemVerilog-2017 (as which most
-/// tools read Verilog) and VHDL-2008 with PSL, and names that the generated text itself uses.
+/// tools read Verilog), Verilog-AMS, VHDL-2008 with PSL and VHDL-AMS, and names that the generated text itself uses.
 const RESERVED: &str = "\
-    abs accept_on access after alias all always always_comb always_ff always_latch and architecture array assert \
-    assign assume assume_guarantee attribute automatic before begin bind bins binsof bit block body boolean break \
-    buf buffer bufif0 bufif1 bus byte case casex casez cell chandle character checker class clocking cmos \
-    component config configuration const constant constraint context continue cover covergroup coverpoint cross \
-    deassign default defparam design disable disconnect dist do downto edge else elsif end endcase endchecker \
-    endclass endclocking endconfig endfunction endgenerate endgroup endinterface endmodule endpackage endprimitive \
-    endprogram endproperty endsequence endspecify endtable endtask entity enum event eventually exit expect export \
-    extends extern fairness file final first_match for force foreach forever fork forkjoin function generate \
-    generic genvar global group guarded highz0 highz1 ieee if iff ifnone ignore_bins illegal_bins implements \
-    implies import impure in incdir include inertial initial inout input inside instance int integer interconnect \
-    interface intersect is join join_any join_none label large let liblist library line linkage literal local \
-    localparam logic longint loop macromodule map matches medium mod modport module nand natural negedge nettype \
-    new next nexttime nmos nor noshowcancelled not notif0 notif1 null numeric_std of on open or others out output \
-    package packed parameter pmos port posedge positive postponed primitive priority procedure process program \
-    property protected pull0 pull1 pulldown pullup pulsestyle_ondetect pulsestyle_onevent pure rand randc randcase \
-    randsequence range rcmos real realtime record ref reg register reject reject_on release rem repeat report \
-    resize restrict restrict_guarantee return rising_edge rnmos rol ror rpmos rtran rtranif0 rtranif1 s_always \
-    s_eventually s_nexttime s_until s_until_with scalared select sequence severity shared shift_left shortint \
-    shortreal showcancelled signal signed sla sll small soft solve specify specparam sra srl static std std_logic \
-    std_logic_1164 std_logic_vector std_ulogic string strong strong0 strong1 struct subtype super supply0 supply1 \
-    sync_accept_on sync_reject_on table tagged task textio then this throughout time timeprecision timeunit to \
-    to_integer to_signed to_unsigned top tran tranif0 tranif1 transport tri tri0 tri1 triand trior trireg type \
-    typedef unaffected union unique unique0 units unsigned until until_with untyped use uwire var variable \
-    vectored virtual vmode void vprop vunit wait wait_order wand weak weak0 weak1 when while wildcard wire with \
-    within wor work xnor xor \
+    above abs absdelay abstol ac_stim accept_on access acos acosh across after alias aliasparam all always \
+    always_comb always_ff always_latch analog analysis and architecture array asin asinh assert assign assume \
+    assume_guarantee atan atan2 atanh attribute automatic before begin bind bins binsof bit block body boolean \
+    branch break buf buffer bufif0 bufif1 bus byte case casex casez ceil cell chandle character checker class \
+    clocking cmos component config configuration connect connectmodule connectrules const constant constraint \
+    context continue continuous cos cosh cover covergroup coverpoint cross ddt ddt_nature ddx deassign default \
+    defparam design disable discipline disconnect discrete dist do domain downto driver_update edge else elsif end \
+    endcase endchecker endclass endclocking endconfig endconnectmodule endconnectrules enddiscipline endfunction \
+    endgenerate endgroup endinterface endmodule endnature endpackage endparamset endprimitive endprogram endproperty \
+    endsequence endspecify endtable endtask entity enum event eventually exclude exit exp expect export extends \
+    extern fairness file final final_step first_match flicker_noise floor flow for force foreach forever fork \
+    forkjoin from function generate generic genvar global ground group guarded highz0 highz1 hypot idt idt_nature \
+    idtmod ieee if iff ifnone ignore_bins illegal_bins implements implies import impure in incdir include inertial \
+    inf initial initial_step inout input inside instance int integer interconnect interface intersect is join \
+    join_any join_none label laplace_nd laplace_np laplace_zd laplace_zp large last_crossing let liblist library \
+    limexp limit line linkage literal ln local localparam log logic longint loop macromodule map matches max medium \
+    merged min mod modport module nand natural nature negedge net_resolution nettype new next nexttime nmos noise \
+    noise_table noise_table_log nor noshowcancelled not notif0 notif1 null numeric_std of on open or others out \
+    output package packed parameter paramset pmos port posedge positive postponed potential pow primitive priority \
+    procedural procedure process program property protected pull0 pull1 pulldown pullup pulsestyle_ondetect \
+    pulsestyle_onevent pure quantity rand randc randcase randsequence range rcmos real realtime record ref reference \
+    reg register reject reject_on release rem repeat report resize resolveto restrict restrict_guarantee return \
+    rising_edge rnmos rol ror rpmos rtran rtranif0 rtranif1 s_always s_eventually s_nexttime s_until s_until_with \
+    scalared select sequence severity shared shift_left shortint shortreal showcancelled signal signed sin sinh sla \
+    slew sll small soft solve specify specparam spectrum split sqrt sra srl static std std_logic std_logic_1164 \
+    std_logic_vector std_ulogic string strong strong0 strong1 struct subnature subtype super supply0 supply1 \
+    sync_accept_on sync_reject_on table tagged tan tanh task terminal textio then this through throughout time \
+    timeprecision timer timeunit to to_integer to_signed to_unsigned tolerance top tran tranif0 tranif1 transition \
+    transport tri tri0 tri1 triand trior trireg type typedef unaffected union unique unique0 units unsigned until \
+    until_with untyped use uwire var variable vectored virtual vmode void vprop vunit wait wait_order wand weak \
+    weak0 weak1 when while white_noise wildcard wire with within wor work wreal xnor xor zi_nd zi_np zi_zd zi_zp \
 ";
+
+/// Names that the text of cores, wrappers and benches uses for something else; whatever else it does is told apart where it is written.
+const USED: &str = "\
+    accept accept_beat accepted aclk aresetn at at_end beat beat_word bench bits ce character_at check check_outputs \
+    choose_rates clk clock clock_of_garbage clocks code colours compared complement complements complements_compared \
+    complements_fed complements_sent conclude core count digit digits drain draw due due_number dut early_tready \
+    early_tvalid empty_pipeline enable entry expect_line_end expected failed fault feed_complement feed_complements \
+    feed_vector field file_idle file_stall first first_in golden good granted have_count have_vector held held_beat \
+    hex idle idle_clock in_cos in_material in_n in_valid in_ver index input_word known last last_out latency length \
+    lfsr longest line_ended line_number load looked m_axis_tdata m_axis_tlast m_axis_tready m_axis_tuser \
+    m_axis_tvalid malformed message mismatches name next_character number of_number oldest one_in_eight out_b out_g \
+    out_r out_spec out_valid output_word path place places present_garbage quiet ramstyle random_stalls rate \
+    read_count read_decimal read_fields read_hex read_line read_space read_vector read_words ready reciprocal \
+    ref_number reported reset_phase result ring rom row rst rtl run run_vectors s_axis_tdata s_axis_tlast \
+    s_axis_tready s_axis_tuser s_axis_tvalid say scale send send_complement send_vector show_mismatch shown \
+    shown_outputs sink_rate sink_ready skid skid_valid skip_space slot source source_rate stall stalled_clock stalls \
+    status sum take taken text text_line under_way unused user user_word valid value vector_file vectors waits want \
+    was_ready what width word wr_addr wr_data wr_en wrong \
+";
+
+/// Names that Windows keeps for devices, whatever follows them behind a dot; `com` and `lpt` with a digit are others.
+const DEVICES: [&str; 4] = ["aux", "con", "nul", "prn"];
+
+/// The most letters of a name: the longest names of files, such as those of a memory's, stay far below the 255 bytes of file systems.
+const NAME_LETTERS: usize = 64;
 
 impl SpecFields {
     /// Reads a TOML file.
@@ -264,6 +301,7 @@ impl SpecFields {
             rom_formats: self.rom_formats.or(other.rom_formats),
             pipeline: self.pipeline.or(other.pipeline),
             languages: self.languages.or(other.languages),
+            vhdl_ports: self.vhdl_ports.or(other.vhdl_ports),
             axi_stream: self.axi_stream.or(other.axi_stream),
             tuser_bits: self.tuser_bits.or(other.tuser_bits),
             golden_inputs: self.golden_inputs.or(other.golden_inputs),
@@ -451,6 +489,13 @@ impl SpecFields {
         if languages.is_empty() {
             return Err(Error::input("no language is given", "give verilog, vhdl or both"));
         }
+        let vhdl_ports = self.vhdl_ports.unwrap_or_default();
+        if self.vhdl_ports.is_some() && !languages.contains(&Language::Vhdl) {
+            return Err(Error::input(
+                "vhdl_ports is given for a core without VHDL",
+                "add vhdl to languages, or leave vhdl_ports out",
+            ));
+        }
         let axi_stream = match (self.axi_stream.unwrap_or(false), self.tuser_bits) {
             (true, bits) => Some(within("tuser_bits", bits.unwrap_or(1), TUSER_BITS)?),
             (false, None) => None,
@@ -487,6 +532,7 @@ impl SpecFields {
             rom_formats,
             pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
             languages,
+            vhdl_ports,
             axi_stream,
             golden_inputs: self.golden_inputs.unwrap_or_default(),
         })
@@ -534,6 +580,7 @@ impl SpecFields {
             pipeline: Some(spec.pipeline),
             languages: Some(spec.languages.clone()),
             // The keys are younger than specs that are compared by their digests.
+            vhdl_ports: Some(spec.vhdl_ports).filter(|&ports| ports != VhdlPorts::default()),
             axi_stream: spec.axi_stream.map(|_| true),
             tuser_bits: spec.axi_stream,
             golden_inputs: Some(spec.golden_inputs.clone()).filter(|inputs| !inputs.0.is_empty()),
@@ -653,6 +700,9 @@ impl SpecFields {
         if let Some(languages) = self.languages.as_ref().filter(|_| self.languages != defaults.languages) {
             flag("languages", languages.iter().map(word).collect::<Vec<_>>().join(","));
         }
+        if let Some(ports) = self.vhdl_ports.filter(|&ports| ports != VhdlPorts::default()) {
+            flag("vhdl-ports", word(&ports));
+        }
         if self.axi_stream == Some(true) {
             flags.push("--axi-stream".to_owned());
         }
@@ -718,20 +768,44 @@ pub(crate) fn suggest<'a>(what: &str, name: &str, known: impl Iterator<Item = &'
     }
 }
 
-/// Refuses a name that is not an identifier of both languages.
-pub(crate) fn check_name(name: &str) -> Result<(), Error> {
-    let plain = name.len() <= 64
+/// Whether a name is an identifier of both languages that files can be named by.
+fn is_name(name: &str) -> bool {
+    let numbered = name.strip_prefix("com").or(name.strip_prefix("lpt"));
+    let is_device =
+        DEVICES.contains(&name) || numbered.is_some_and(|rest| rest.len() == 1 && rest.as_bytes()[0].is_ascii_digit());
+    name.len() <= NAME_LETTERS
         && name.starts_with(|c: char| c.is_ascii_lowercase())
         && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
         && !name.ends_with('_')
-        && !name.contains("__");
-    if plain && RESERVED.split_ascii_whitespace().all(|word| word != name) {
+        && !name.contains("__")
+        && !is_device
+        && [RESERVED, USED].iter().all(|words| words.split_ascii_whitespace().all(|word| word != name))
+}
+
+/// A name that is allowed, as near to this one as may be.
+fn allowed_name(name: &str) -> String {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' };
+    let mapped: String = name.chars().map(plain).collect();
+    let parts: Vec<&str> = mapped.split('_').filter(|part| !part.is_empty()).collect();
+    let joined = parts.join("_");
+    let joined = if joined.starts_with(|c: char| c.is_ascii_lowercase()) { joined } else { format!("lobe_{joined}") };
+    let cut = |name: &str, letters: usize| name[..letters.min(name.len())].trim_end_matches('_').to_owned();
+    let whole = cut(&joined, NAME_LETTERS);
+    if is_name(&whole) { whole } else { cut(&joined, NAME_LETTERS - 5) + "_core" }
+}
+
+/// Refuses a name that is not an identifier of both languages, or that no file can have everywhere.
+pub(crate) fn check_name(name: &str) -> Result<(), Error> {
+    if is_name(name) {
         return Ok(());
     }
     Err(Error::input(
         format!("the name `{name}` is not allowed"),
-        "a name is an identifier of both languages: up to 64 lower-case letters, digits and single underscores, a \
-         letter first, no underscore last, no reserved word",
+        format!(
+            "`{}` would be: a name is an identifier of both languages and of files, up to {NAME_LETTERS} lower-case letters, digits \
+             and single underscores, a letter first, no underscore last, no reserved word, no port, no device of Windows",
+            allowed_name(name)
+        ),
     ))
 }
 

@@ -102,6 +102,37 @@ impl std::fmt::Display for Language {
     }
 }
 
+/// The types of the vectors among the ports of the VHDL.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum VhdlPorts {
+    /// `unsigned` and `signed` of `ieee.numeric_std`.
+    #[default]
+    Numeric,
+    /// `std_logic_vector`, the only vectors that block designs take.
+    StdLogic,
+}
+
+impl VhdlPorts {
+    /// The type of a port whose codes are of the numeric type `sign`.
+    #[must_use]
+    pub fn vector(self, sign: &'static str) -> &'static str {
+        match self {
+            Self::Numeric => sign,
+            Self::StdLogic => "std_logic_vector",
+        }
+    }
+
+    /// An expression of the type `std_logic_vector` as a port whose codes are of the numeric type `sign` takes it.
+    #[must_use]
+    pub fn from_bits(self, sign: &str, bits: &str) -> String {
+        match self {
+            Self::Numeric => format!("{sign}({bits})"),
+            Self::StdLogic => bits.to_owned(),
+        }
+    }
+}
+
 /// How many registers lie between input and output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Pipeline {
@@ -164,6 +195,8 @@ pub struct CoreSpec {
     pub pipeline: Pipeline,
     /// The languages that are written.
     pub languages: Vec<Language>,
+    /// The types of the VHDL's ports.
+    pub vhdl_ports: VhdlPorts,
     /// The bits of `tuser`, 1 to 64, if a wrapper with AXI4-Stream interfaces is written around the core.
     pub axi_stream: Option<u32>,
     /// Inputs that the golden vectors hold besides those that are chosen for them.

@@ -95,7 +95,6 @@ module {{ axis.name }}_tb;
     reg            early_tvalid = 1'b0;
     reg            accepted     = 1'b0;
     reg            taken        = 1'b0;
-    reg [63:0]     noise        = 64'd0;
     integer        compared     = 0;
     integer        mismatches   = 0;
     integer        clocks       = 0;
@@ -242,18 +241,24 @@ module {{ axis.name }}_tb;
         input valid;
         begin
             draw;
-            s_axis_tdata = { {{- axis.input_draws() }}{lfsr}};
+{%- for part in axis.input_parts() %}
+            s_axis_tdata[{{ part.high }}:{{ part.low }}] = lfsr[{{ part.top() }}:0];
+{%- endfor %}
             draw;
             s_axis_tlast = lfsr[31];
-            noise[31:0]  = lfsr;
+{%- for part in axis.user_parts() %}
+{%- if !loop.first %}
             draw;
-            noise[63:32] = lfsr;
-            s_axis_tuser = noise[{{ axis.tuser_bits - 1 }}:0];
+{%- endif %}
+            s_axis_tuser[{{ part.high }}:{{ part.low }}] = lfsr[{{ part.top() }}:0];
+{%- endfor %}
 {%- for write in bench.writes %}
             {{ write.enable }} = 1'b0;
             draw;
             {{ write.address }} = lfsr[{{ write.address_bits - 1 }}:0];
-            {{ write.data }} = { {{- write.draws }}{lfsr}};
+{%- for part in write.parts() %}
+            {{ write.data }}[{{ part.high }}:{{ part.low }}] = lfsr[{{ part.top() }}:0];
+{%- endfor %}
 {%- endfor %}
             s_axis_tvalid = valid;
             number = 0;

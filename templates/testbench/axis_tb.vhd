@@ -75,8 +75,8 @@ begin
             s_axis_tuser  => s_axis_tuser,
 {%- for write in bench.writes %}
             {{ write.enable }} => {{ write.enable }},
-            {{ write.address }} => unsigned({{ write.address }}),
-            {{ write.data }} => unsigned({{ write.data }}),
+            {{ write.address }} => {{ bench.from_bits("unsigned", write.address) }},
+            {{ write.data }} => {{ bench.from_bits("unsigned", write.data) }},
 {%- endfor %}
             m_axis_tdata  => m_axis_tdata,
             m_axis_tvalid => m_axis_tvalid,
@@ -135,12 +135,9 @@ begin
         subtype {{ write.memory }}_word is std_logic_vector({{ write.data_bits - 1 }} downto 0);
         type {{ write.memory }}_words is array (0 to {{ write.depth - 1 }}) of {{ write.memory }}_word;
         variable words_{{ write.memory }} : {{ write.memory }}_words;
-        variable noise_{{ write.memory }} : std_logic_vector({{ 32 * write.draws - 1 }} downto 0);
         file file_of_{{ write.memory }} : text;
 {%- endfor %}
 {%- endif %}
-        variable noise : std_logic_vector({{ 32 * axis.input_draws() - 1 }} downto 0);
-        variable user_noise : std_logic_vector(63 downto 0);
 
 {% include "testbench/vector_state.vhd" %}
 
@@ -306,20 +303,24 @@ begin
         procedure present_garbage(valid : std_logic) is
         begin
             draw;
-            noise := {{ axis.input_noise() }};
-            s_axis_tdata <= noise(s_axis_tdata'range);
+{%- for part in axis.input_parts() %}
+            s_axis_tdata({{ part.high }} downto {{ part.low }}) <= lfsr({{ part.top() }} downto 0);
+{%- endfor %}
             draw;
             s_axis_tlast <= lfsr(31);
-            user_noise(31 downto 0) := lfsr;
+{%- for part in axis.user_parts() %}
+{%- if !loop.first %}
             draw;
-            user_noise(63 downto 32) := lfsr;
-            s_axis_tuser <= user_noise(s_axis_tuser'range);
+{%- endif %}
+            s_axis_tuser({{ part.high }} downto {{ part.low }}) <= lfsr({{ part.top() }} downto 0);
+{%- endfor %}
 {%- for write in bench.writes %}
             {{ write.enable }} <= '0';
             draw;
             {{ write.address }} <= lfsr({{ write.address_bits - 1 }} downto 0);
-            noise_{{ write.memory }} := {{ write.noise() }};
-            {{ write.data }} <= noise_{{ write.memory }}({{ write.data_bits - 1 }} downto 0);
+{%- for part in write.parts() %}
+            {{ write.data }}({{ part.high }} downto {{ part.low }}) <= lfsr({{ part.top() }} downto 0);
+{%- endfor %}
 {%- endfor %}
             s_axis_tvalid <= valid;
             number := 0;

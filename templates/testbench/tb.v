@@ -100,7 +100,6 @@ module {{ bench.name }}_tb;
     integer at;
 {%- for write in bench.writes %}
     reg [{{ write.data_bits - 1 }}:0] words_{{ write.memory }} [0:{{ write.depth - 1 }}];
-    reg [{{ 32 * write.draws - 1 }}:0] noise_{{ write.memory }};
 {%- endfor %}
 {%- endif %}
 
@@ -234,8 +233,9 @@ module {{ bench.name }}_tb;
             draw;
             {{ write.address }} = lfsr[{{ write.address_bits - 1 }}:0];
             draw;
-            noise_{{ write.memory }} = { {{- write.draws }}{lfsr}};
-            {{ write.data }} = noise_{{ write.memory }}[{{ write.data_bits - 1 }}:0];
+{%- for part in write.parts() %}
+            {{ write.data }}[{{ part.high }}:{{ part.low }}] = lfsr[{{ part.top() }}:0];
+{%- endfor %}
 {%- endfor %}
             in_valid = valid;
             number = 0;

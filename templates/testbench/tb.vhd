@@ -44,7 +44,7 @@ architecture bench of {{ bench.name }}_tb is
 {%- endfor %}
     signal {{ bench.padded("out_valid") }} : std_logic;
 {%- for port in bench.outputs %}
-    signal {{ bench.padded(port.name) }} : {% if port.signed %}signed{% else %}unsigned{% endif %}({{ port.bits - 1 }} downto 0);
+    signal {{ bench.padded(port.name) }} : {{ bench.vector(port.sign()) }}({{ port.bits - 1 }} downto 0);
 {%- endfor %}
 
 begin
@@ -63,12 +63,12 @@ begin
             {{ bench.padded("ce") }} => ce,
             {{ bench.padded("in_valid") }} => in_valid,
 {%- for port in bench.inputs %}
-            {{ bench.padded(port.name) }} => {% if port.signed %}signed{% else %}unsigned{% endif %}({{ port.name }}),
+            {{ bench.padded(port.name) }} => {{ bench.from_bits(port.sign(), port.name) }},
 {%- endfor %}
 {%- for write in bench.writes %}
             {{ write.enable }} => {{ write.enable }},
-            {{ write.address }} => unsigned({{ write.address }}),
-            {{ write.data }} => unsigned({{ write.data }}),
+            {{ write.address }} => {{ bench.from_bits("unsigned", write.address) }},
+            {{ write.data }} => {{ bench.from_bits("unsigned", write.data) }},
 {%- endfor %}
             {{ bench.padded("out_valid") }} => out_valid,
 {%- for port in bench.outputs %}
@@ -91,7 +91,7 @@ begin
         end record;
         type ring is array (0 to LATENCY - 1) of entry;
 
-        variable reference : ring := (others => (
+        variable due  : ring := (others => (
             {{ bench.padded("known") }} => false,
             {{ bench.padded("valid") }} => '0',
             {{ bench.padded("number") }} => 0,
@@ -123,7 +123,6 @@ begin
         subtype {{ write.memory }}_word is std_logic_vector({{ write.data_bits - 1 }} downto 0);
         type {{ write.memory }}_words is array (0 to {{ write.depth - 1 }}) of {{ write.memory }}_word;
         variable words_{{ write.memory }} : {{ write.memory }}_words;
-        variable noise_{{ write.memory }} : std_logic_vector({{ 32 * write.draws - 1 }} downto 0);
         file file_of_{{ write.memory }} : text;
 {%- endfor %}
 {%- endif %}
@@ -175,7 +174,7 @@ begin
         end function;
 
         procedure show_mismatch is
-            variable want : entry := reference(slot);
+            variable want : entry := due(slot);
         begin
             if want.number = 0 then
                 say("clock " & to_string(clocks) & ": expected out_valid "
@@ -205,28 +204,28 @@ begin
         procedure check_outputs is
             variable wrong : boolean;
         begin
-            wrong := out_valid /= reference(slot).valid;
-            if reference(slot).number /= 0 then
+            wrong := out_valid /= due(slot).valid;
+            if due(slot).number /= 0 then
 {%- if bench.writes.is_empty() %}
                 if not looked then
                     compared := compared + 1;
                 end if;
 {%- else %}
-                if not looked and reference(slot).number > 0 then
+                if not looked and due(slot).number > 0 then
                     compared := compared + 1;
                 end if;
-                if not looked and reference(slot).number < 0 then
+                if not looked and due(slot).number < 0 then
                     complements_compared := complements_compared + 1;
                 end if;
 {%- endif %}
 {%- for port in bench.outputs %}
-                if std_logic_vector({{ port.name }}) /= reference(slot).{{ port.name }} then
+                if std_logic_vector({{ port.name }}) /= due(slot).{{ port.name }} then
                     wrong := true;
                 end if;
 {%- endfor %}
             end if;
             looked := true;
-            if reference(slot).known and wrong and not reported then
+            if due(slot).known and wrong and not reported then
                 reported   := true;
                 mismatches := mismatches + 1;
                 if mismatches <= SHOWN then
@@ -246,22 +245,22 @@ begin
             clk    <= '1';
             clocks := clocks + 1;
             if ce = '1' then
-                reference(slot).known := true;
-                reference(slot).valid := in_valid;
-                reference(slot).number := number;
+                due(slot).known := true;
+                due(slot).valid := in_valid;
+                due(slot).number := number;
 {%- for port in bench.inputs %}
-                reference(slot).{{ port.name }} := {{ port.name }};
+                due(slot).{{ port.name }} := {{ port.name }};
 {%- endfor %}
 {%- for port in bench.outputs %}
-                reference(slot).{{ port.name }} := expected_{{ port.name }};
+                due(slot).{{ port.name }} := expected_{{ port.name }};
 {%- endfor %}
                 slot := (slot + 1) mod LATENCY;
             end if;
             if rst = '1' then
-                for i in reference'range loop
-                    reference(i).known  := true;
-                    reference(i).valid  := '0';
-                    reference(i).number := 0;
+                for i in due'range loop
+                    due(i).known  := true;
+                    due(i).valid  := '0';
+                    due(i).number := 0;
                 end loop;
             end if;
             if ce = '1' or rst = '1' then
@@ -291,8 +290,9 @@ begin
             draw;
             {{ write.address }} <= lfsr({{ write.address_bits - 1 }} downto 0);
             draw;
-            noise_{{ write.memory }} := {{ write.noise() }};
-            {{ write.data }} <= noise_{{ write.memory }}({{ write.data_bits - 1 }} downto 0);
+{%- for part in write.parts() %}
+            {{ write.data }}({{ part.high }} downto {{ part.low }}) <= lfsr({{ part.top() }} downto 0);
+{%- endfor %}
 {%- endfor %}
             in_valid <= valid;
             number := 0;

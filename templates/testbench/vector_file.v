@@ -95,7 +95,7 @@
     task read_count;
         begin
             read_decimal;
-            count = field[30:0];
+            count = {1'b0, field[30:0]};
             expect_line_end;
             if (have_count)
                 malformed = 1'b1;
@@ -109,10 +109,16 @@
             read_hex({{ port.bits }});
             file_{{ port.name }} = field{{ port.range }};
 {%- endfor %}
+{%- if bench.waits %}
             read_decimal;
-            file_idle = field[30:0];
+            file_idle = {1'b0, field[30:0]};
             read_decimal;
-            file_stall = field[30:0];
+            file_stall = {1'b0, field[30:0]};
+{%- else %}
+            // How long the core's own bench waits before the vector.
+            read_decimal;
+            read_decimal;
+{%- endif %}
             expect_line_end;
             if (!have_count)
                 malformed = 1'b1;

@@ -1,9 +1,9 @@
     // --------------------------------------------------------- state of the vector file
-    localparam LINE_BYTES = {{ bench.line_bytes }}; // longer than any line with a vector
+    localparam LONGEST = {{ bench.line_bytes }}; // bytes: longer than any line with a vector
 
     reg [8*1024-1:0]       path;
     integer                file;
-    reg [8*LINE_BYTES-1:0] text;
+    reg [8*LONGEST-1:0] text;
     integer                length;
     integer                place;     // of the first character of the line not yet used, from 0
     reg [7:0]              character; // the last one used
@@ -24,8 +24,10 @@
 {%- for port in bench.numbers() %}
     reg {{ bench.ranged(port.range) }} file_{{ port.name }};
 {%- endfor %}
+{%- if bench.waits %}
     integer file_idle;
     integer file_stall;
+{%- endif %}
 
     // -------------------------------------------------------------- random numbers
     // Marsaglia's xorshift32: a linear feedback register of the full period 2^32-1 that turns

@@ -26,6 +26,7 @@ module {{ axis.name }}
     // ===== The core
     // The enable of the whole pipeline and the source's tready: a register.
     reg ready;
+    initial ready = 1'b0;
     wire out_valid;
 {%- for lane in axis.outputs.lanes %}
     wire [{{ lane.bits - 1 }}:0] {{ lane.port.name }};
@@ -82,6 +83,7 @@ module {{ axis.name }}
     end
 
     reg skid_valid;
+    initial skid_valid = 1'b0;
     wire waits = m_axis_tvalid & ~m_axis_tready;
     always @(posedge aclk) begin
         if (~aresetn) begin
@@ -93,7 +95,9 @@ module {{ axis.name }}
         end
     end
 
-    wire [{{ axis.beat_bits() - 1 }}:0] shown = skid_valid ? skid : beat;
+    // 0 while there is no beat: until one has passed them, the core's registers are unknown.
+    wire [{{ axis.beat_bits() - 1 }}:0] shown =
+        skid_valid ? skid : out_valid ? beat : {{ axis.beat_bits() }}'d0;
     assign s_axis_tready = ready;
     assign m_axis_tvalid = skid_valid | out_valid;
     assign m_axis_tdata = {% if axis.outputs.padding() > 0 %}{ {{- axis.outputs.padding() }}'d0, shown[{{ axis.outputs.bits - 1 }}:0]}{% else %}shown[{{ axis.outputs.bits - 1 }}:0]{% endif %};

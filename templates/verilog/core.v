@@ -25,6 +25,7 @@ module {{ texts.name }}
 
     // ===== Valid chain
     reg [{{ latency }}:1] valid;
+    initial valid = {{ latency }}'d0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= {{ latency }}'d0;

@@ -31,21 +31,21 @@ architecture rtl of {{ axis.name }} is
 
     -- The enable of the whole pipeline and the source's tready: a register.
     signal ready      : std_logic := '0';
-    signal rst        : std_logic;
-    signal out_valid  : std_logic;
+    signal rst        : std_logic := '0';
+    signal out_valid  : std_logic := '0';
 {%- for lane in axis.outputs.lanes %}
-    signal {{ "{:<10}"|format(lane.port.name) }} : {{ lane.kind() }};
+    signal {{ "{:<10}"|format(lane.port.name) }} : {{ lane.kind(texts) }} := (others => '0');
 {%- endfor %}
 
-    signal last       : std_logic_vector({{ axis.latency }} downto 1);
-    signal user       : std_logic_vector({{ axis.user_bits() - 1 }} downto 0);
+    signal last       : std_logic_vector({{ axis.latency }} downto 1) := (others => '0');
+    signal user       : std_logic_vector({{ axis.user_bits() - 1 }} downto 0) := (others => '0');
 
-    signal beat       : std_logic_vector({{ axis.beat_bits() - 1 }} downto 0);
-    signal skid       : std_logic_vector({{ axis.beat_bits() - 1 }} downto 0);
+    signal beat       : std_logic_vector({{ axis.beat_bits() - 1 }} downto 0) := (others => '0');
+    signal skid       : std_logic_vector({{ axis.beat_bits() - 1 }} downto 0) := (others => '0');
     signal skid_valid : std_logic := '0';
-    signal waits      : std_logic;
-    signal shown      : std_logic_vector({{ axis.beat_bits() - 1 }} downto 0);
-    signal valid      : std_logic;
+    signal waits      : std_logic := '0';
+    signal shown      : std_logic_vector({{ axis.beat_bits() - 1 }} downto 0) := (others => '0');
+    signal valid      : std_logic := '0';
 
 begin
 
@@ -66,7 +66,7 @@ begin
             {{ axis.padded("ce") }} => ready,
             {{ axis.padded("in_valid") }} => s_axis_tvalid,
 {%- for lane in axis.inputs.lanes %}
-            {{ axis.padded(lane.port.name) }} => {{ lane.sign() }}(s_axis_tdata({{ lane.downto() }})),
+            {{ axis.padded(lane.port.name) }} => {{ lane.of_tdata(texts) }},
 {%- endfor %}
 {%- for port in axis.writes %}
             {{ axis.padded(port.name) }} => {{ port.name }},
@@ -125,7 +125,10 @@ begin
         end if;
     end process;
 
-    shown         <= skid when skid_valid = '1' else beat;
+    -- 0 while there is no beat, as in Verilog.
+    shown <= skid when skid_valid = '1' else
+             beat when out_valid = '1' else
+             (others => '0');
     s_axis_tready <= ready;
     m_axis_tvalid <= valid;
     m_axis_tdata  <= {% if axis.outputs.padding() > 0 %}({{ axis.outputs.padding() - 1 }} downto 0 => '0') & {% endif %}shown({{ axis.outputs.bits - 1 }} downto 0);

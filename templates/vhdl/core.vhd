@@ -97,7 +97,7 @@ architecture rtl of {{ texts.name }} is
 {%- endif %}
     attribute ramstyle of {{ memory.name }} : signal is "no_rw_check";
 {%- endif %}
-    signal {{ memory.word }} : std_logic_vector({{ memory.bits - 1 }} downto 0){% if memory.registered %} := (others => '0'){% endif %};
+    signal {{ memory.word }} : std_logic_vector({{ memory.bits - 1 }} downto 0) := (others => '0');
 {% endfor %}
 {%- endfor %}
     signal valid : std_logic_vector({{ latency }} downto 1) := (others => '0');
@@ -118,6 +118,13 @@ begin
             end if;
         end if;
     end process;
+{%- if !inputs.is_empty() %}
+
+    -- ===== The inputs as numbers
+{%- for (signal, port) in inputs %}
+    {{ signal }} <= {{ port }};
+{%- endfor %}
+{%- endif %}
 {%- for stage in stages %}
 
     -- ===== Stage {{ stage.index }}: {{ stage.heading }}
@@ -131,7 +138,7 @@ begin
     begin
         if rising_edge(clk) then
             if {{ write.enable.name }} = '1' then
-                {{ memory.name }}(to_integer({{ write.address.name }})) <= std_logic_vector({{ write.data.name }});
+                {{ memory.name }}(to_integer({{ self.write_address(write) }})) <= std_logic_vector({{ write.data.name }});
             end if;
         end if;
     end process;
