@@ -9,7 +9,7 @@ keep=no
 seconds=${1:-10}
 shift || true
 targets=("$@")
-[ ${#targets[@]} -gt 0 ] || targets=(spec golden rom scene mesh netlist sweep results tables)
+[ ${#targets[@]} -gt 0 ] || targets=(spec golden rom scene mesh netlist sweep results tables reflectance)
 
 RUSTC_WORKSPACE_WRAPPER=$PWD/fuzz/instrument.sh cargo build --locked --profile test --features fuzz --example fuzz
 mkdir -p target/fuzz

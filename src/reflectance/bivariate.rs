@@ -132,7 +132,7 @@ const LANES: usize = 64;
 
 /// arccos(x) = √(1-x) P(x) for x from 0 to 1, to 2e-8 (M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 4.4.46).
 const ARCCOS: [f32; 8] = [
-    1.570_796_3,
+    std::f32::consts::FRAC_PI_2,
     -0.214_598_8,
     0.088_978_99,
     -0.050_174_304,

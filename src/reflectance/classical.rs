@@ -70,7 +70,7 @@ pub const MOST_LOBES: usize = 3;
 /// Shininesses that are tried.
 const SHININESS: [f64; 2] = [1.0, 65536.0];
 /// Pixels along a side of the spheres that are fitted, and those that the result is measured on.
-const FITTED: usize = 40;
+const FITTED: usize = 36;
 const MEASURED: usize = 128;
 /// Bytes of a highlight and of the diffuse colour in a core's memory: three colours and a shininess of two bytes each.
 const LOBE_BYTES: f64 = 8.0;
@@ -205,7 +205,7 @@ pub fn fit(
             format!("a classical material has 1 to {MOST_LOBES} of them"),
         ));
     }
-    let judge = Judge::new(reflectance, exposure, &super::measure::angles(7.5), FITTED);
+    let judge = Judge::new(reflectance, exposure, &super::measure::angles(15.0), FITTED);
     let mut data = Data { diffuse: Vec::new(), x: Vec::new(), target: Vec::new() };
     for (phi, picture) in judge.exact() {
         let light = Light::new(*phi, 0.0);

@@ -75,7 +75,7 @@ pub struct Angles {
     pub theta_h: f64,
     /// Between the half vector and either direction, 0 to π/2.
     pub theta_d: f64,
-    /// The azimuth of the light about the half vector, 0 up to but without 2π; 0 is opposite to the normal. 0 where it is undefined.
+    /// The azimuth of the light about the half vector, 0 to 2π; 0 is opposite to the normal. 0 where it is undefined.
     pub phi_d: f64,
 }
 
@@ -97,11 +97,7 @@ impl Angles {
         // The axes of the frame of the half vector that the tables' authors use, both times sin θh.
         let (y, x) = (l.dot(&across), along * l.dot(&h) - l.dot(&n));
         let phi_d = if x == 0.0 && y == 0.0 { 0.0 } else { atan2(y, x) };
-        Some(Self {
-            theta_h,
-            theta_d,
-            phi_d: if phi_d < 0.0 { (phi_d + 2.0 * PI).min(6.283_185_307_179_586) } else { phi_d },
-        })
+        Some(Self { theta_h, theta_d, phi_d: if phi_d < 0.0 { phi_d + 2.0 * PI } else { phi_d } })
     }
 
     /// Light and viewer of these angles in the frame with the half vector along Z, and the normal in it.
