@@ -19,10 +19,13 @@ const CHUNK: usize = 4096;
 /// The light.
 const LIGHT: (f64, f64) = (52.0, 33.0);
 
-/// One of those compared: a call shades all samples, on one thread or on all.
+/// Shades all samples, on one thread or on all.
+type Shade<'a> = Box<dyn Fn(bool, &mut [[f32; 3]]) + 'a>;
+
+/// One of those compared.
 struct Contender<'a> {
     name: String,
-    run: Box<dyn Fn(bool, &mut [[f32; 3]]) + 'a>,
+    run: Shade<'a>,
 }
 
 /// Cuts the samples for the threads, or not.

@@ -41,6 +41,18 @@ impl Light {
     }
 }
 
+/// A light and a normal as a viewer in the direction `v` sees them: turned so that `v` is +Z, as the forms have it. For a perspective camera, or a
+/// viewer that is not at +Z; all three are unit vectors in one frame.
+#[must_use]
+pub fn seen_from(l: Vector, v: Vector, n: Vector) -> (Light, Vector) {
+    // An axis across v that is well away from it; γ does not depend on which.
+    let other = if v.x.abs() < 0.7 { Vector::x() } else { Vector::y() };
+    let y = v.cross(&other).normalize();
+    let x = y.cross(&v);
+    let turned = |a: Vector| Vector::new(a.dot(&x), a.dot(&y), a.dot(&v));
+    (Light::towards(turned(l)), turned(n))
+}
+
 /// Sine and cosine of an angle in degrees, exact at multiples of 90.
 #[must_use]
 pub fn sine_cosine(degrees: f64) -> [f64; 2] {
@@ -152,6 +164,20 @@ pub(crate) mod tests {
         let mirror = Angles::of(l, Vector::new(-l.x, -l.y, l.z), Vector::z()).unwrap();
         assert!(mirror.theta_h < 1e-12 && (mirror.theta_d - 40f64.to_radians()).abs() < 1e-12);
         assert_eq!(Angles::of(l, -l, Vector::z()), None);
+    }
+
+    #[test]
+    fn another_viewer_sees_the_same_geometry() {
+        let mut dice = dice(7);
+        for _ in 0..500 {
+            let (l, v, n) = (upper(&mut dice), upper(&mut dice), upper(&mut dice));
+            let (light, m) = seen_from(l, v, n);
+            let k = light.direction();
+            for (a, b) in [(l.dot(&n), k.dot(&m)), (v.dot(&n), m.z), (l.dot(&v), k.z)] {
+                assert!((a - b).abs() < 1e-12, "{a} {b}");
+            }
+            assert!((l.cross(&v).dot(&n) - k.cross(&Vector::z()).dot(&m)).abs() < 1e-12);
+        }
     }
 
     #[test]
