@@ -48,7 +48,7 @@ pub enum Family {
     /// Cook and Torrance 1982 with Beckmann's distribution: kd/π + ks F D G/(π n·l n·v), D = exp(-tan²θh/m²)/(m² cos⁴θh); conserving:
     /// with the factor 1/4 that the print lacks.
     CookTorrance,
-    /// Walter and others 2007: kd/π + D G1(l) G1(v) F/(4 n·l n·v).
+    /// Walter and others 2007: kd/π + D G1(l) G1(v) F/(4 n·l n·v), with F = f0 + (f90 - f0)(1 - l·h)^power.
     Ggx,
     /// Ashikhmin and Shirley 2000, isotropic.
     AshikhminShirley,
@@ -124,11 +124,12 @@ impl Family {
             colour("f0", F0, [0.5; 3]),
             number("m", "roughness, the root mean square slope", 0.2, ROUGHNESS),
         ];
-        const GGX: [Parameter; 4] = [
+        const GGX: [Parameter; 5] = [
             colour("kd", KD, [0.03, 0.02, 0.01]),
             colour("f0", F0, [0.95, 0.64, 0.30]),
             colour("f90", "Fresnel reflectance at grazing incidence", [1.0; 3]),
             number("alpha", "roughness", 0.18, ROUGHNESS),
+            number("power", "exponent of the change from f0 to f90; 5 is Schlick's", 5.0, [1.0, 10.0]),
         ];
         const ASHIKHMIN_SHIRLEY: [Parameter; 3] = [
             colour("kd", KD, [0.3; 3]),
@@ -187,7 +188,14 @@ const PRESETS: [Preset; 7] = [
     (
         "colour-shifting-paint",
         Family::Ggx,
-        &[("kd", "0.03,0.03,0.05"), ("f0", "0.10,0.45,0.20"), ("f90", "0.75,0.15,0.80"), ("alpha", "0.2")],
+        &[
+            ("kd", "0.02,0.02,0.04"),
+            ("f0", "0.04,0.40,0.16"),
+            ("f90", "0.85,0.06,0.70"),
+            ("alpha", "0.25"),
+            // Schlick's would show the second colour at the very horizon only.
+            ("power", "1.5"),
+        ],
     ),
 ];
 
@@ -378,14 +386,14 @@ impl Model {
                 [0, 1, 2].map(|i| kd[i] / PI + ks[i] * fresnel(f0[i], c.lh) * lobe)
             }
             Family::Ggx => {
-                let (kd, f0, f90, alpha) = (value(0), value(1), value(2), value(3)[0]);
+                let (kd, f0, f90, alpha, power) = (value(0), value(1), value(2), value(3)[0], value(4)[0]);
                 let a2 = alpha * alpha;
                 let spread = c.sine_squared + a2 * c.nh * c.nh;
                 let d = a2 / (PI * spread * spread);
                 // G1(x)/x, which stays finite at the horizon.
                 let shadow = |x: f64| 2.0 / (x + sqrt(x * x + a2 * (1.0 - x * x)));
                 let lobe = 0.25 * d * shadow(c.nl) * shadow(c.nv);
-                let grazing = pow5(1.0 - c.lh);
+                let grazing = pow(1.0 - c.lh, power);
                 [0, 1, 2].map(|i| kd[i] / PI + (f0[i] + (f90[i] - f0[i]) * grazing) * lobe)
             }
             Family::AshikhminShirley => {
@@ -510,6 +518,7 @@ mod tests {
                         match *name {
                             "kd" => "0",
                             "ks" | "f0" | "f90" => "1",
+                            "power" => "5",
                             "n" => rough_n,
                             _ => rough,
                         },
@@ -630,7 +639,7 @@ mod tests {
         assert!(said("phong", "n", "5").contains("gold-paint"));
         assert!(
             said("ggx", "roughness", "0.1")
-                .contains("ggx: there is no parameter `roughness` / it has kd, f0, f90, alpha")
+                .contains("ggx: there is no parameter `roughness` / it has kd, f0, f90, alpha, power")
         );
         assert!(said("ggx", "norm", "published").contains("no parameter `norm`"));
         assert!(
