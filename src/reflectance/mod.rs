@@ -1,8 +1,8 @@
 //! Measured and analytic reflectance, and the image-based method that draws it from a few pictures of a sphere; knows no cores.
 //!
 //! The source is A. Mihálik and R. Ďurikovič, "Image-based BRDF Representation": pictures of the unit sphere of a material, lit from a few
-//! angles, are looked up and blended in place of the reflectance itself. [`paper::Paper`] is their method; [`half::Half`] and
-//! [`bivariate::Bivariate`] are two forms that store slices of the reflectance about the half vector instead. docs/reflectance.md tells them
+//! angles, are looked up and blended in place of the reflectance itself. [`paper`] is their method; [`half`] and [`bivariate`]
+//! are two forms that store slices of the reflectance about the half vector instead. docs/reflectance.md tells them
 //! apart for users.
 //!
 //! | module | what it holds |
@@ -13,7 +13,8 @@
 //! | [`texels`] | codes of texels and how they are looked up |
 //! | [`paper`], [`half`], [`bivariate`] | the three forms; [`form`] is any of them, and what a matcap is |
 //! | [`measure`] | the exposure, pictures of the sphere, the signal-to-noise ratio |
-//! | [`images`], [`directory`] | sphere images as PNG and OpenEXR, and their directory |
+//! | [`info`] | albedo and reciprocity |
+//! | [`images`], [`directory`], [`source`] | sphere images as PNG and OpenEXR, their directory; whatever a user's file is |
 //! | [`classical`] | the nearest diffuse and cos^n material |
 //! | [`trade`] | memory against error |
 //!
