@@ -16,6 +16,7 @@ use brdfgen::golden;
 use brdfgen::hdl::Direction;
 use brdfgen::number::Dice;
 use brdfgen::package;
+use brdfgen::reflectance::{directory, images, merl, source};
 use brdfgen::report::Speed;
 use brdfgen::rom::{self, RomFormat};
 use brdfgen::scene::Scene;
@@ -27,7 +28,7 @@ use brdfgen::synth;
 pub type Target = (&'static str, fn(&[u8]));
 
 /// All of them.
-pub const TARGETS: [Target; 10] = [
+pub const TARGETS: [Target; 11] = [
     ("spec", spec),
     ("generate", generate),
     ("golden", golden_vectors),
@@ -38,6 +39,7 @@ pub const TARGETS: [Target; 10] = [
     ("sweep", sweep),
     ("results", results),
     ("tables", tables),
+    ("reflectance", reflectance),
 ];
 
 /// An error points inside the text that it shows, at whole characters.
@@ -274,4 +276,40 @@ fn tables(bytes: &[u8]) {
     let Ok(text) = str::from_utf8(bytes) else { return };
     checked(Speed::from_csv(text, "speed.csv"));
     checked(Recorded::parse(text, "claims.csv"));
+}
+
+/// A small reflectance table, which is the same after it was written and read, an index of sphere images, or a picture; the first byte
+/// chooses. A real table is larger than what is worth to be fuzzed, so that a small shape is allowed beside those of files.
+fn reflectance(bytes: &[u8]) {
+    let Some((&first, rest)) = bytes.split_first() else { return };
+    match first % 4 {
+        0 => {
+            let Some(table) = checked(merl::read_from(rest, "table.binary", &[[2, 3, 4], merl::SHAPES[0]])) else {
+                return;
+            };
+            assert!(table.valid_count() > 0);
+            assert!(table.cells().iter().flatten().all(|value| value.is_finite() && *value >= 0.0));
+            let written = merl::bytes(&table);
+            let again = merl::read_from(&written[..], "again", &[table.shape()]).expect("what was written can be read");
+            assert_eq!((again.cells(), again.valid_count()), (table.cells(), table.valid_count()));
+        }
+        1 => {
+            let Ok(text) = str::from_utf8(rest) else { return };
+            checked(directory::parse(text, "images.toml"));
+        }
+        2 => {
+            if let Some(form) = checked(source::matcap(rest, "matcap")) {
+                assert!(form.texels.codes().iter().flatten().all(|value| value.is_finite() && *value >= 0.0));
+            }
+        }
+        _ => {
+            // No fuzzer guesses a check sum of a PNG file's parts: sizes and kinds of an OpenEXR header are within its reach.
+            if let Some((width, height, pixels)) = checked(images::read_exr(rest, "image.exr")) {
+                assert_eq!(pixels.len(), width * height);
+            }
+            if let Some(pixels) = checked(images::read_png(rest, "image.png")) {
+                assert_eq!(pixels.codes.len(), pixels.width * pixels.height);
+            }
+        }
+    }
 }

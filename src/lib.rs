@@ -11,6 +11,7 @@
 //! | [`lobe`] | real-valued mathematics, one file a method; knows no bits |
 //! | [`fit`] | minimax coefficients for the lobes' shapes, as real numbers |
 //! | [`number`] | fixed-point formats, intervals, the model's wide type |
+//! | [`reflectance`] | measured and analytic reflectance, sphere images of it; knows no cores |
 //! | [`rom`] | quantised coefficient tables; writers and readers of every ROM format |
 //! | [`datapath`] | the core as a graph of typed operations: error analysis, widths, schedule, simulation, evaluator |
 //! | [`model`] | the bit-exact reference, straight from the formula; knows nothing of `datapath` |
@@ -58,6 +59,7 @@ pub mod mutate;
 pub mod number;
 pub mod package;
 pub mod paths;
+pub mod reflectance;
 pub mod report;
 pub mod rom;
 pub mod scene;

@@ -13,6 +13,7 @@ mod generate;
 mod golden;
 mod mutate;
 mod progress;
+mod reflectance;
 mod render;
 mod report;
 mod rom;
@@ -70,6 +71,8 @@ enum Command {
     Claims(claims::Arguments),
     /// Inspect a core, or a study of many, where forms degenerate: every input, every register
     Stability(Box<stability::Arguments>),
+    /// Read, convert, draw, fit and compare measured reflectance, and sphere images of it
+    Reflectance(Box<reflectance::Arguments>),
     /// Draw a scene exactly and through a core, and how the two differ
     Render(Box<render::Arguments>),
     /// Show the trade of error against cost as one HTML page, and its charts as SVG and PNG
@@ -115,6 +118,7 @@ pub fn main() -> ExitCode {
         Command::Choose(arguments) => choose::run(&arguments),
         Command::Claims(arguments) => claims::run(&arguments),
         Command::Stability(arguments) => stability::run(&arguments),
+        Command::Reflectance(arguments) => reflectance::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),

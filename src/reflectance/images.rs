@@ -1,0 +1,242 @@
+//! Sphere images as picture files: PNG with 8 or 16 bits a channel, OpenEXR with 32-bit floating-point channels. +y is at the top of a file.
+
+use std::io::Cursor;
+
+use exr::prelude::{
+    AnyChannel, AnyChannels, Encoding, FlatSamples, Image, ImageAttributes, IntegerBounds, Layer, LayerAttributes,
+    ReadChannels as _, ReadLayers as _, Vec2, WritableImage as _,
+};
+
+use super::form::LARGEST;
+use crate::error::Error;
+
+/// The largest picture file, in bytes.
+pub const MAX_PICTURE: u64 = 512 << 20;
+
+const PNG: &[u8] = b"\x89PNG\r\n\x1a\n";
+const EXR: &[u8] = b"\x76\x2f\x31\x01";
+
+/// Whether a file begins like a picture of one of the two kinds.
+#[must_use]
+pub fn is_picture(start: &[u8]) -> bool {
+    start.starts_with(PNG) || start.starts_with(EXR)
+}
+
+/// A PNG file's pixels, row by row from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pixels {
+    /// Pixels a row.
+    pub width: usize,
+    /// Rows.
+    pub height: usize,
+    /// Bits of a channel: 8 or 16.
+    pub depth: u32,
+    /// The exponent of the file's codes over linear light, where it tells: 1 for linear ones, 0.45 for a display's.
+    pub gamma: Option<f64>,
+    /// Red, green and blue codes of each pixel; full scale is `2^depth - 1`.
+    pub codes: Vec<[u16; 3]>,
+}
+
+fn wrong(name: &str, what: impl std::fmt::Display) -> Error {
+    Error::input(
+        format!("{name}: {what}"),
+        format!("a PNG or OpenEXR picture in colours, of at most {LARGEST} × {LARGEST} pixels"),
+    )
+}
+
+fn check_size(width: usize, height: usize, name: &str) -> Result<(), Error> {
+    if (1..=LARGEST).contains(&width) && (1..=LARGEST).contains(&height) {
+        return Ok(());
+    }
+    Err(wrong(name, format_args!("the picture has {width} × {height} pixels")))
+}
+
+/// The PNG file of pixels: RGB without alpha. Same pixels, same bytes.
+///
+/// # Panics
+/// If there are not as many codes as pixels.
+#[must_use]
+pub fn png(pixels: &Pixels) -> Vec<u8> {
+    assert_eq!(pixels.codes.len(), pixels.width * pixels.height, "a code for each pixel");
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, pixels.width as u32, pixels.height as u32);
+    encoder.set_color(png::ColorType::Rgb);
+    if let Some(gamma) = pixels.gamma {
+        encoder.set_source_gamma(png::ScaledFloat::new(gamma as f32));
+    }
+    let channels = pixels.codes.as_flattened();
+    let data: Vec<u8> = if pixels.depth == 8 {
+        encoder.set_depth(png::BitDepth::Eight);
+        channels.iter().map(|&code| code as u8).collect()
+    } else {
+        encoder.set_depth(png::BitDepth::Sixteen);
+        channels.iter().flat_map(|code| code.to_be_bytes()).collect()
+    };
+    let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&data));
+    written.expect("a picture that has pixels, in memory");
+    bytes
+}
+
+/// Reads a PNG file; greys become colours, transparency is left out.
+///
+/// # Errors
+/// What is no such file, or larger than an image may be.
+pub fn read_png(bytes: &[u8], name: &str) -> Result<Pixels, Error> {
+    let mut decoder = png::Decoder::new_with_limits(Cursor::new(bytes), png::Limits { bytes: MAX_PICTURE as usize });
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let failed = |error| wrong(name, format_args!("the picture cannot be read: {error}"));
+    let mut reader = decoder.read_info().map_err(failed)?;
+    let (width, height) = (reader.info().width as usize, reader.info().height as usize);
+    check_size(width, height, name)?;
+    let gamma = reader.info().gamma().map(|gamma| f64::from(gamma.into_value()));
+    let size = reader.output_buffer_size().ok_or_else(|| wrong(name, "the picture is too large"))?;
+    let mut data = vec![0; size];
+    let info = reader.next_frame(&mut data).map_err(failed)?;
+    let (depth, channels): (u32, Vec<u16>) = match info.bit_depth {
+        png::BitDepth::Sixteen => (16, data.as_chunks::<2>().0.iter().map(|&pair| u16::from_be_bytes(pair)).collect()),
+        _ => (8, data.iter().map(|&byte| byte.into()).collect()),
+    };
+    let samples = info.color_type.samples();
+    let colour = |pixel: &[u16]| if samples < 3 { [pixel[0]; 3] } else { [pixel[0], pixel[1], pixel[2]] };
+    let codes: Vec<[u16; 3]> = channels.chunks_exact(samples).take(width * height).map(colour).collect();
+    if codes.len() < width * height {
+        return Err(wrong(name, "the picture is cut short"));
+    }
+    Ok(Pixels { width, height, depth, gamma, codes })
+}
+
+/// The OpenEXR file of a square picture: channels R, G and B of 32-bit floating-point numbers, rows from the top.
+///
+/// # Errors
+/// A picture that is too large for the format.
+pub fn exr(width: usize, pixels: &[[f32; 3]]) -> Result<Vec<u8>, Error> {
+    let size = Vec2(width, pixels.len() / width);
+    let channels = [("B", 2), ("G", 1), ("R", 0)]
+        .map(|(name, c)| AnyChannel::new(name, FlatSamples::F32(pixels.iter().map(|pixel| pixel[c]).collect())));
+    let channels = AnyChannels::sort(channels.into_iter().collect());
+    let layer = Layer::new(size, LayerAttributes::default(), Encoding::SMALL_LOSSLESS, channels);
+    let image = Image::from_layers(ImageAttributes::new(IntegerBounds::from_dimensions(size)), vec![layer]);
+    let mut bytes = Cursor::new(Vec::new());
+    let written = image.write().non_parallel().to_buffered(&mut bytes);
+    written
+        .map_err(|error| Error::input(format!("the picture cannot be written as OpenEXR: {error}"), "a smaller one"))?;
+    Ok(bytes.into_inner())
+}
+
+/// Reads an OpenEXR file: width, height, and the pixels row by row from the top.
+///
+/// # Errors
+/// What is no such file with channels R, G and B, or larger than an image may be; a pixel that is no finite number.
+pub fn read_exr(bytes: &[u8], name: &str) -> Result<(usize, usize, Vec<[f32; 3]>), Error> {
+    let failed = |error| wrong(name, format_args!("the picture cannot be read: {error}"));
+    // The size that a header asks for is looked at before memory is taken for it.
+    let meta = exr::meta::MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(failed)?;
+    for header in &meta.headers {
+        check_size(header.layer_size.width(), header.layer_size.height(), name)?;
+    }
+    let image = exr::prelude::read()
+        .no_deep_data()
+        .largest_resolution_level()
+        .rgb_channels(
+            |size: Vec2<usize>, _: &_| (size.width(), vec![[0.0f32; 3]; size.area()]),
+            |(width, pixels): &mut (usize, Vec<[f32; 3]>), at: Vec2<usize>, (r, g, b): (f32, f32, f32)| {
+                pixels[at.y() * *width + at.x()] = [r, g, b];
+            },
+        )
+        .first_valid_layer()
+        .all_attributes()
+        .non_parallel()
+        .from_buffered(Cursor::new(bytes))
+        .map_err(failed)?;
+    let (width, pixels) = image.layer_data.channel_data.pixels;
+    if let Some(place) = pixels.iter().position(|pixel| !pixel.iter().all(|value| value.is_finite())) {
+        let [r, g, b] = pixels[place];
+        return Err(wrong(name, format_args!("the pixel {}, {} holds {r}, {g}, {b}", place % width, place / width)));
+    }
+    Ok((width, pixels.len() / width, pixels))
+}
+
+/// Reads a picture of either kind as linear light, rows from the bottom: a PNG file's codes by the exponent that it tells, or as sRGB.
+///
+/// # Errors
+/// As [`read_png`] and [`read_exr`].
+pub fn read_linear(bytes: &[u8], name: &str) -> Result<(usize, usize, Vec<[f32; 3]>), Error> {
+    let (width, height, mut data) = if bytes.starts_with(EXR) {
+        let (width, height, pixels) = read_exr(bytes, name)?;
+        (width, height, pixels.into_iter().map(|pixel| pixel.map(|value| value.max(0.0))).collect())
+    } else {
+        let Pixels { width, height, depth, gamma, codes } = read_png(bytes, name)?;
+        let full = f64::from((1u32 << depth) - 1);
+        let linear = |code: u16| {
+            let part = f64::from(code) / full;
+            (match gamma.filter(|gamma| (0.05..=20.0).contains(gamma)) {
+                Some(gamma) => libm::pow(part, 1.0 / gamma),
+                None if part <= 0.040_45 => part / 12.92,
+                None => libm::pow((part + 0.055) / 1.055, 2.4),
+            }) as f32
+        };
+        (width, height, codes.into_iter().map(|pixel| pixel.map(linear)).collect::<Vec<_>>())
+    };
+    flip(width, &mut data);
+    Ok((width, height, data))
+}
+
+/// Turns the order of rows round.
+pub fn flip<T>(width: usize, data: &mut [T]) {
+    let height = data.len() / width;
+    for row in 0..height / 2 {
+        let (low, high) = data.split_at_mut((height - 1 - row) * width);
+        low[row * width..][..width].swap_with_slice(&mut high[..width]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pixels(depth: u32, gamma: Option<f64>) -> Pixels {
+        let full = (1u32 << depth) - 1;
+        let codes = (0..5 * 3u32).map(|i| [0, 1, 2].map(|c| ((i * 7919 + c * 104_729) % (full + 1)) as u16)).collect();
+        Pixels { width: 5, height: 3, depth, gamma, codes }
+    }
+
+    #[test]
+    fn pictures_are_read_again() {
+        for (depth, gamma) in [(8, None), (8, Some(1.0)), (16, Some(0.5)), (16, None)] {
+            let pixels = pixels(depth, gamma);
+            assert_eq!(read_png(&png(&pixels), "p").unwrap(), pixels);
+        }
+        let data: Vec<[f32; 3]> = (0..12).map(|i| [i as f32, 1e-9 * i as f32, 1e6]).collect();
+        assert_eq!(read_exr(&exr(4, &data).unwrap(), "e").unwrap(), (4, 3, data));
+    }
+
+    #[test]
+    fn matcaps_are_linear_light_from_the_bottom() {
+        let mut picture = Pixels { width: 2, height: 2, depth: 8, gamma: None, codes: vec![[255, 188, 0]; 4] };
+        picture.codes[0] = [0; 3];
+        let read = |picture: &Pixels| read_linear(&png(picture), "p").unwrap().2;
+        let srgb = read(&picture);
+        // The code 188 of sRGB is half of the light; the first row of the file is the last here.
+        assert_eq!(srgb[2], [0.0; 3]);
+        assert!((srgb[0][1] - 0.5).abs() < 0.005 && srgb[0][0] == 1.0);
+        picture.gamma = Some(1.0);
+        assert!((read(&picture)[0][1] - 188.0 / 255.0).abs() < 1e-6);
+        picture.gamma = Some(0.5);
+        assert!((read(&picture)[0][1] - (188.0f32 / 255.0).powi(2)).abs() < 1e-5);
+    }
+
+    #[test]
+    fn what_is_no_picture_is_refused() {
+        let file = png(&pixels(8, None));
+        for bytes in [&b""[..], &file[..20], &file[..file.len() - 30], b"\x89PNG\r\n\x1a\nrubbish", EXR] {
+            let said = if bytes == EXR { read_exr(bytes, "p").unwrap_err() } else { read_png(bytes, "p").unwrap_err() };
+            assert!(said.to_string().starts_with("p: the picture"), "{said}");
+        }
+        // A header that asks for 2^31 pixels a row, with its check sum made anew by the writer.
+        let mut bytes = Vec::new();
+        png::Encoder::new(&mut bytes, 1 << 30, 1 << 20).write_header().map(drop).unwrap();
+        assert!(read_png(&bytes, "p").is_err());
+        let nan = exr(2, &[[f32::NAN; 3]; 4]).unwrap();
+        assert!(read_exr(&nan, "p").unwrap_err().to_string().contains("the pixel 0, 0 holds NaN"));
+    }
+}

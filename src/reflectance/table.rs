@@ -1,0 +1,445 @@
+//! The tabulated form of a reflectance: a cell for each step of θh, θd and φd.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use libm::sqrt;
+use rayon::prelude::*;
+
+use super::vector::{Angles, Vector};
+use super::{Reflectance, Rgb};
+use crate::error::Error;
+
+/// Cells along θh: evenly spaced in √θh, from 0 to 90 degrees.
+pub const THETA_H: usize = 90;
+/// Cells along θd: one a degree.
+pub const THETA_D: usize = 90;
+/// Cells along φd of a reciprocal table: one a degree, up to 180.
+pub const PHI_D: usize = 180;
+/// Cells along φd of a table that need not be reciprocal.
+pub const PHI_D_WHOLE: usize = 360;
+
+/// How a value between the cells' centres is found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Lookup {
+    /// Interpolated between the centres of the eight nearest cells.
+    #[default]
+    Trilinear,
+    /// That of the cell, as the tables' authors look it up.
+    Nearest,
+}
+
+/// A table. Cells below the horizon, or without a measurement, are invalid; they have the values of the nearest valid ones.
+#[derive(Clone, Debug)]
+pub struct Table {
+    /// How it is looked up.
+    pub lookup: Lookup,
+    /// Cells along θh, θd and φd.
+    shape: [usize; 3],
+    /// Values in 1/sr; φd runs fastest, then θd.
+    cells: Vec<[f32; 3]>,
+    /// A bit a cell: whether it was measured.
+    valid: Bits,
+}
+
+/// A set of cells.
+#[derive(Clone, Debug, PartialEq)]
+struct Bits(Vec<u64>);
+
+impl Bits {
+    fn of(count: usize, has: impl Fn(usize) -> bool) -> Self {
+        let mut words = vec![0u64; count.div_ceil(64)];
+        (0..count).filter(|&cell| has(cell)).for_each(|cell| words[cell / 64] |= 1 << (cell % 64));
+        Self(words)
+    }
+
+    fn has(&self, cell: usize) -> bool {
+        self.0[cell / 64] >> (cell % 64) & 1 == 1
+    }
+
+    fn count(&self) -> usize {
+        self.0.iter().map(|word| word.count_ones() as usize).sum()
+    }
+}
+
+impl Table {
+    /// A table of cells in 1/sr, φd running fastest, then θd; where a channel is negative the cell is invalid.
+    ///
+    /// # Errors
+    /// A value that is no number or not finite; a table without a valid cell. `name` is the file's, for the message.
+    ///
+    /// # Panics
+    /// If there are not as many cells as the shape says, or none.
+    pub fn new(shape: [usize; 3], mut cells: Vec<[f32; 3]>, name: &str) -> Result<Self, Error> {
+        assert!(!cells.is_empty() && cells.len() == shape.iter().product::<usize>(), "a cell for each step");
+        if let Some(cell) = cells.iter().position(|cell| !cell.iter().all(|value| value.is_finite())) {
+            let [h, d, p] = place(shape, cell);
+            return Err(Error::input(
+                format!(
+                    "{name}: the cell θh {h}, θd {d}, φd {p} holds {}, {}, {}",
+                    cells[cell][0], cells[cell][1], cells[cell][2]
+                ),
+                "every value is a finite number of 32 bits; a negative one marks a cell as invalid",
+            ));
+        }
+        let valid = Bits::of(cells.len(), |cell| cells[cell].iter().all(|&value| value >= 0.0));
+        match valid.count() {
+            0 => Err(Error::input(
+                format!("{name}: all {} cells are invalid", cells.len()),
+                "a table needs a cell whose three values are at least 0",
+            )),
+            count => {
+                if count < cells.len() {
+                    fill(shape, &mut cells, &valid);
+                }
+                Ok(Self { lookup: Lookup::Trilinear, shape, cells, valid })
+            }
+        }
+    }
+
+    /// The table of a reflectance with 180 or 360 cells along φd: each cell's value is that at its centre. Cells whose light or viewer is
+    /// below the horizon are invalid.
+    ///
+    /// # Errors
+    /// If no cell is above the horizon or a value does not fit 32 bits, as [`Table::new`].
+    pub fn sampled(reflectance: &dyn Reflectance, phi_d: usize) -> Result<Self, Error> {
+        Self::sampled_as(reflectance, [THETA_H, THETA_D, phi_d])
+    }
+
+    /// The same with another number of cells; for tests.
+    ///
+    /// # Errors
+    /// As [`Table::sampled`].
+    pub fn sampled_as(reflectance: &dyn Reflectance, shape: [usize; 3]) -> Result<Self, Error> {
+        let row = |row: usize| {
+            (0..shape[2]).map(move |p| {
+                let [l, v, n] = centre(shape, [row / shape[1], row % shape[1], p]).vectors();
+                if n.dot(&l) <= 0.0 || n.dot(&v) <= 0.0 {
+                    return [-1.0; 3];
+                }
+                reflectance.at(l, v, n).map(|value| value as f32)
+            })
+        };
+        let rows: Vec<Vec<[f32; 3]>> =
+            (0..shape[0] * shape[1]).into_par_iter().map(|place| row(place).collect()).collect();
+        Self::new(shape, rows.concat(), "the model's table")
+    }
+
+    /// Cells along θh, θd and φd.
+    #[must_use]
+    pub fn shape(&self) -> [usize; 3] {
+        self.shape
+    }
+
+    /// The values of all cells in 1/sr, the invalid ones filled.
+    #[must_use]
+    pub fn cells(&self) -> &[[f32; 3]] {
+        &self.cells
+    }
+
+    /// Whether a cell was measured and not filled.
+    #[must_use]
+    pub fn is_valid(&self, cell: usize) -> bool {
+        self.valid.has(cell)
+    }
+
+    /// How many cells were measured.
+    #[must_use]
+    pub fn valid_count(&self) -> usize {
+        self.valid.count()
+    }
+
+    /// The largest value of a measured cell in 1/sr.
+    #[must_use]
+    pub fn largest(&self) -> f64 {
+        let valid = self.cells.iter().enumerate().filter(|(cell, _)| self.valid.has(*cell));
+        f64::from(valid.flat_map(|(_, cell)| *cell).fold(0.0, f32::max))
+    }
+
+    /// The cell of these angles, as the tables' authors count them.
+    #[must_use]
+    pub fn index(&self, angles: &Angles) -> usize {
+        let [h, d, p] = self.coordinates(angles);
+        let floor = |coordinate: f64, count: usize| (coordinate as usize).min(count - 1);
+        let [nh, nd, np] = self.shape;
+        floor(p, np) + np * (floor(d, nd) + nd * floor(h, nh))
+    }
+
+    /// Where angles lie among the cells: cell i reaches from i to i + 1.
+    #[inline]
+    fn coordinates(&self, angles: &Angles) -> [f64; 3] {
+        let [h, d, p] = self.shape.map(|count| count as f64);
+        // A reciprocal table has half of the circle.
+        let turn = if self.is_whole() { 2.0 * PI } else { PI };
+        let phi_d = if angles.phi_d < turn { angles.phi_d } else { angles.phi_d - turn };
+        [h * sqrt(angles.theta_h / FRAC_PI_2), d * angles.theta_d / FRAC_PI_2, p * phi_d / turn]
+    }
+
+    /// Whether φd goes all around, so that the table need not be reciprocal.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        self.shape[2] == PHI_D_WHOLE
+    }
+
+    /// The value at these angles in 1/sr, interpolated between the centres of cells; above the last centre and below the first it stays.
+    #[must_use]
+    pub fn trilinear(&self, angles: &Angles) -> Rgb {
+        let [nh, nd, np] = self.shape;
+        let [h, d, p] = self.coordinates(angles).map(|coordinate| coordinate - 0.5);
+        let held = |coordinate: f64, count: usize| {
+            let low = (coordinate.max(0.0) as usize).min(count - 1);
+            (low, (low + 1).min(count - 1), (coordinate - low as f64).clamp(0.0, 1.0))
+        };
+        let (h0, h1, ht) = held(h, nh);
+        let (d0, d1, dt) = held(d, nd);
+        // φd comes round.
+        let (p0, p1, pt) = if p < 0.0 {
+            (np - 1, 0, p + 1.0)
+        } else {
+            let low = (p as usize).min(np - 1);
+            (low, if low + 1 == np { 0 } else { low + 1 }, (p - low as f64).min(1.0))
+        };
+        let along = |h: usize, d: usize| {
+            let row = &self.cells[np * (d + nd * h)..][..np];
+            let (a, b) = (row[p0], row[p1]);
+            [0, 1, 2].map(|c| f64::from(a[c]) * (1.0 - pt) + f64::from(b[c]) * pt)
+        };
+        let mix = |a: Rgb, b: Rgb, t: f64| [0, 1, 2].map(|c| a[c] * (1.0 - t) + b[c] * t);
+        mix(mix(along(h0, d0), along(h0, d1), dt), mix(along(h1, d0), along(h1, d1), dt), ht)
+    }
+
+    /// The value of the cell of these angles in 1/sr.
+    #[must_use]
+    pub fn nearest(&self, angles: &Angles) -> Rgb {
+        self.cells[self.index(angles)].map(f64::from)
+    }
+
+    /// The table with 180 cells along φd, as the mean of both directions, or with 360.
+    #[must_use]
+    pub fn with_phi_d(&self, phi_d: usize) -> Self {
+        let [nh, nd, np] = self.shape;
+        if np == phi_d {
+            return self.clone();
+        }
+        let cells = (0..nh * nd).flat_map(|row| {
+            (0..phi_d).map(move |p| {
+                let at = |p: usize| row * np + p % np;
+                if phi_d > np {
+                    return (self.cells[at(p)], self.is_valid(at(p)));
+                }
+                let (one, other) = (at(p), at(p + phi_d));
+                match (self.is_valid(one), self.is_valid(other)) {
+                    (true, false) => (self.cells[one], true),
+                    (false, true) => (self.cells[other], true),
+                    (valid, _) => ([0, 1, 2].map(|c| 0.5 * (self.cells[one][c] + self.cells[other][c])), valid),
+                }
+            })
+        });
+        let (cells, valid): (Vec<_>, Vec<bool>) = cells.unzip();
+        let valid = Bits::of(cells.len(), |cell| valid[cell]);
+        Self { lookup: self.lookup, shape: [nh, nd, phi_d], cells, valid }
+    }
+}
+
+impl Reflectance for Table {
+    fn at(&self, l: Vector, v: Vector, n: Vector) -> Rgb {
+        if n.dot(&l) <= 0.0 || n.dot(&v) <= 0.0 {
+            return [0.0; 3];
+        }
+        match (Angles::of(l, v, n), self.lookup) {
+            (None, _) => [0.0; 3],
+            (Some(angles), Lookup::Trilinear) => self.trilinear(&angles),
+            (Some(angles), Lookup::Nearest) => self.nearest(&angles),
+        }
+    }
+}
+
+/// The steps along θh, θd and φd of a cell.
+fn place([_, nd, np]: [usize; 3], cell: usize) -> [usize; 3] {
+    [cell / np / nd, cell / np % nd, cell % np]
+}
+
+/// The angles of the centre of a cell.
+#[must_use]
+pub fn centre([nh, nd, np]: [usize; 3], [h, d, p]: [usize; 3]) -> Angles {
+    let part = |step: usize, count: usize| (step as f64 + 0.5) / count as f64;
+    let turn = if np == PHI_D_WHOLE { 2.0 * PI } else { PI };
+    let root = part(h, nh);
+    Angles { theta_h: FRAC_PI_2 * root * root, theta_d: FRAC_PI_2 * part(d, nd), phi_d: turn * part(p, np) }
+}
+
+/// Gives the invalid cells the values of the nearest valid ones, in steps along the axes, and their mean where several are equally near: φd
+/// comes round. So no interpolation sees what was never measured.
+fn fill([nh, nd, np]: [usize; 3], cells: &mut [[f32; 3]], valid: &Bits) {
+    let neighbours = |cell: usize| {
+        let [h, d, p] = place([nh, nd, np], cell);
+        let row = cell - p;
+        [
+            Some(row + if p == 0 { np - 1 } else { p - 1 }),
+            Some(row + if p + 1 == np { 0 } else { p + 1 }),
+            (d > 0).then(|| cell - np),
+            (d + 1 < nd).then(|| cell + np),
+            (h > 0).then(|| cell - np * nd),
+            (h + 1 < nh).then(|| cell + np * nd),
+        ]
+    };
+    const EMPTY: u8 = 0;
+    const NEXT: u8 = 1;
+    const FULL: u8 = 2;
+    let mut state: Vec<u8> = (0..cells.len()).map(|cell| if valid.has(cell) { FULL } else { EMPTY }).collect();
+    let mut front: Vec<u32> = Vec::new();
+    for cell in 0..cells.len() {
+        if state[cell] == EMPTY && neighbours(cell).into_iter().flatten().any(|other| state[other] == FULL) {
+            state[cell] = NEXT;
+            front.push(cell as u32);
+        }
+    }
+    while !front.is_empty() {
+        for &cell in &front {
+            let (mut sum, mut count) = ([0.0f64; 3], 0);
+            for other in neighbours(cell as usize).into_iter().flatten().filter(|&other| state[other] == FULL) {
+                (0..3).for_each(|c| sum[c] += f64::from(cells[other][c]));
+                count += 1;
+            }
+            cells[cell as usize] = sum.map(|sum| (sum / f64::from(count)) as f32);
+        }
+        front.iter().for_each(|&cell| state[cell as usize] = FULL);
+        let mut next = Vec::new();
+        for &cell in &front {
+            for other in neighbours(cell as usize).into_iter().flatten() {
+                if state[other] == EMPTY {
+                    state[other] = NEXT;
+                    next.push(other as u32);
+                }
+            }
+        }
+        front = next;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::flat::Flat;
+    use super::super::vector::tests::{dice, upper};
+    use super::*;
+
+    const SHAPE: [usize; 3] = [THETA_H, THETA_D, PHI_D];
+
+    /// The index of the tables' authors on 200 pairs of directions.
+    #[test]
+    fn cells_are_counted_as_the_authors_do() {
+        let table = Table::sampled(&Flat([1.0; 3]), PHI_D).unwrap();
+        let mut reader = csv::Reader::from_reader(&include_bytes!("../../tests/data/merl_mapping.csv")[..]);
+        let mut count = 0;
+        for record in reader.records() {
+            let record = record.unwrap();
+            let number = |column: usize| record[column].parse::<f64>().unwrap();
+            let vector = |at: usize| Vector::new(number(at), number(at + 1), number(at + 2));
+            let angles = Angles::of(vector(0), vector(3), Vector::z()).unwrap();
+            let phi_d = angles.phi_d % PI;
+            for (own, column) in [(angles.theta_h, 6), (angles.theta_d, 7), (phi_d, 8)] {
+                assert!((own - number(column)).abs() < 1e-6, "{own} is not {}", number(column));
+            }
+            assert_eq!(table.index(&angles), number(9) as usize, "{angles:?}");
+            count += 1;
+        }
+        assert_eq!(count, 200);
+    }
+
+    /// A shift by half a cell would show: a value that is linear in the coordinates is met everywhere between the centres.
+    #[test]
+    fn interpolation_is_exact_for_what_is_linear_in_the_cells() {
+        let shape = [7, 6, 12];
+        let linear = |[h, d, p]: [f64; 3]| [3.0 + h, 20.0 + 2.0 * d, 40.0 - p];
+        let cells: Vec<[f32; 3]> = (0..7 * 6 * 12)
+            .map(|cell| linear(place(shape, cell).map(|step| step as f64 + 0.5)).map(|value| value as f32))
+            .collect();
+        let table = Table::new(shape, cells, "test").unwrap();
+        let mut dice = dice(3);
+        for _ in 0..500 {
+            let at = [0.5 + 6.0 * dice(), 0.5 + 5.0 * dice(), 0.5 + 11.0 * dice()];
+            let root = at[0] / 7.0;
+            let angles =
+                Angles { theta_h: FRAC_PI_2 * root * root, theta_d: FRAC_PI_2 * at[1] / 6.0, phi_d: PI * at[2] / 12.0 };
+            let (read, wanted) = (table.trilinear(&angles), linear(at));
+            assert!((0..3).all(|c| (read[c] - wanted[c]).abs() < 1e-5), "{read:?} {wanted:?}");
+            let cell = [0, 1, 2].map(|axis| at[axis].floor() + 0.5);
+            assert!((0..3).all(|c| (table.nearest(&angles)[c] - linear(cell)[c]).abs() < 1e-5));
+        }
+        // φd comes round: between the last centre and the first lies their mean.
+        let seam = Angles { theta_h: 0.5, theta_d: 0.5, phi_d: 0.0 };
+        assert!((table.trilinear(&seam)[2] - (40.0 - 6.0)).abs() < 1e-5);
+        // Past the outermost centres the value stays.
+        let corner = Angles { theta_h: 0.0, theta_d: FRAC_PI_2, phi_d: 0.1 };
+        assert!((table.trilinear(&corner)[0] - 3.5).abs() < 1e-6 && (table.trilinear(&corner)[1] - 31.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_cell_is_met_at_its_centre() {
+        let shape = [10, 9, 12];
+        let cells: Vec<[f32; 3]> = (0..10 * 9 * 12).map(|cell| [cell as f32, 1.0, 2.0]).collect();
+        let table = Table::new(shape, cells, "test").unwrap();
+        for cell in 0..10 * 9 * 12 {
+            let angles = centre(shape, place(shape, cell));
+            assert_eq!(table.index(&angles), cell);
+            assert!((table.trilinear(&angles)[0] - cell as f64).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn invalid_cells_take_the_nearest_valid_ones() {
+        let shape = [3, 3, 4];
+        let mut cells = vec![[-1.0f32; 3]; 36];
+        // Two measured ones at opposite ends of a row, which φd joins.
+        cells[13] = [2.0, 4.0, 6.0];
+        cells[15] = [4.0, 8.0, 10.0];
+        let table = Table::new(shape, cells, "test").unwrap();
+        assert_eq!(table.valid_count(), 2);
+        assert!(table.is_valid(13) && !table.is_valid(14));
+        assert_eq!((table.cells()[12], table.cells()[14]), ([3.0, 6.0, 8.0], [3.0, 6.0, 8.0]));
+        assert_eq!(
+            (table.cells()[1], table.cells()[25], table.cells()[27]),
+            ([2.0, 4.0, 6.0], [2.0, 4.0, 6.0], [4.0, 8.0, 10.0])
+        );
+        assert_eq!(table.largest(), 10.0);
+        assert!(table.cells().iter().flatten().all(|&value| value >= 2.0));
+    }
+
+    #[test]
+    fn what_is_no_reflectance_is_refused() {
+        let said = |cells: Vec<[f32; 3]>| Table::new([1, 2, 2], cells, "t").unwrap_err().to_string();
+        assert!(said(vec![[-1.0, 1.0, 1.0]; 4]).contains("all 4 cells are invalid"));
+        let mut cells = vec![[1.0f32; 3]; 4];
+        cells[3][1] = f32::NAN;
+        assert!(said(cells.clone()).contains("θh 0, θd 1, φd 1 holds 1, NaN, 1"));
+        cells[3][1] = f32::INFINITY;
+        assert!(said(cells).contains("holds 1, inf, 1"));
+    }
+
+    #[test]
+    fn a_table_of_half_the_circle_is_reciprocal_and_black_stays_black() {
+        let table = Table::new(SHAPE, (0..90 * 90 * 180).map(|i| [(i % 977) as f32, 1.0, 0.0]).collect(), "t").unwrap();
+        let mut dice = dice(5);
+        for _ in 0..500 {
+            let (l, v) = (upper(&mut dice), upper(&mut dice));
+            let (one, other) = (table.at(l, v, Vector::z()), table.at(v, l, Vector::z()));
+            assert!((0..3).all(|c| (one[c] - other[c]).abs() < 1e-6 * (1.0 + one[c])), "{one:?} {other:?}");
+        }
+        let black = Table::new(SHAPE, vec![[0.0; 3]; 90 * 90 * 180], "t").unwrap();
+        assert_eq!(black.at(upper(&mut dice), upper(&mut dice), Vector::z()), [0.0; 3]);
+    }
+
+    #[test]
+    fn the_circle_is_halved_and_doubled() {
+        let shape = [2, 2, PHI_D_WHOLE];
+        let mut cells: Vec<[f32; 3]> = (0..4 * 360).map(|cell| [(cell % 360) as f32, 0.0, 1.0]).collect();
+        cells[7] = [-1.0; 3];
+        let whole = Table::new(shape, cells, "t").unwrap();
+        let half = whole.with_phi_d(PHI_D);
+        assert_eq!(half.shape(), [2, 2, 180]);
+        // The mean of φd and φd + 180°; only the measured one where the other is not.
+        assert_eq!((half.cells()[3][0], half.cells()[7][0]), (93.0, 187.0));
+        assert!(half.is_valid(7));
+        let again = half.with_phi_d(PHI_D_WHOLE);
+        assert_eq!((again.cells()[183][0], again.with_phi_d(PHI_D).cells()), (93.0, half.cells()));
+    }
+}
