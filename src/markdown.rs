@@ -17,7 +17,13 @@ pub fn text(text: &str) -> String {
             '\\' | '`' | '*' | '_' | '{' | '}' | '[' | ']' | '|' | '~' | '$' => escaped.extend(['\\', c]),
             // At the start of a line they begin headings, lists and rules.
             '#' | '+' | '-' | '=' | '!' if place == 0 => escaped.extend(['\\', c]),
-            '.' | ')' if characters[..place].iter().all(char::is_ascii_digit) && place > 0 => escaped.extend(['\\', c]),
+            '.' | ')'
+                if place > 0
+                    && characters[..place].iter().all(char::is_ascii_digit)
+                    && characters.get(place + 1).is_none_or(|next| next.is_whitespace()) =>
+            {
+                escaped.extend(['\\', c]);
+            }
             c if c.is_control() => escaped.push(' '),
             c => escaped.push(c),
         }
@@ -51,6 +57,7 @@ mod tests {
         assert_eq!(text("a\nb\r| c |"), "a b \\| c \\|");
         assert_eq!(text("# a"), "\\# a");
         assert_eq!(text("1. a"), "1\\. a");
+        assert_eq!(text("12)"), "12\\)");
         assert_eq!(code("a b"), "`a b`");
         assert_eq!(code("a `b` c"), "``a `b` c``");
         assert_eq!(code("``a"), "``` ``a ```");

@@ -159,6 +159,6 @@ fn what_is_refused() {
     scratch.refused("claims --recorded short.csv", &["too few columns", "short.csv:2"]);
     for number in ["much", "", "nan", "inf"] {
         scratch.write("word.csv", format!("claim,figure,measured\ntail-0.42,f,{number}\n"));
-        scratch.refused("claims --recorded word.csv", &["the measured value is not a number", "word.csv:2"]);
+        scratch.refused("claims --recorded word.csv", &["the measured value is no finite number", "word.csv:2"]);
     }
 }

@@ -108,8 +108,9 @@ fn all() -> bool {
     std::env::var_os("BRDFGEN_TEST_ALL").is_some_and(|value| value == "1")
 }
 
-/// Verilator to a program takes some ten seconds a bench: these of [`SPECS`] do in the default run, by the number of their bench.
-const TO_PROGRAMS: [(usize, usize); 2] = [(0, 0), (1, 1)];
+/// The C++ compiler needs a minute for a bench with Verilator's default flags, and many for one of a wrapper: these of [`SPECS`] become
+/// programs in the default run, by the number of their bench.
+const TO_PROGRAMS: [(usize, usize); 1] = [(0, 0)];
 
 #[test]
 fn every_bench_builds_and_runs_with_the_default_flags_of_each_tool() {

@@ -122,7 +122,7 @@ impl Bench<'_> {
     }
 
     /// Bits as a port of the core takes them in VHDL.
-    fn from_bits(&self, sign: &str, bits: &str) -> String {
+    fn driven(&self, sign: &str, bits: &str) -> String {
         self.vhdl_ports.from_bits(sign, bits)
     }
 

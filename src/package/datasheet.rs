@@ -9,7 +9,7 @@ use crate::design::{Account, Design, Measured, Part, ShaderError};
 use crate::error::Error;
 use crate::hdl::{Axis, Port, WritePort, render};
 use crate::markdown;
-use crate::rom::{Field, RomFormat, Table};
+use crate::rom::{Field, Table};
 use crate::spec::{
     Block, Coefficients, Colour, CoreSpec, Cosine, Form, LightColours, Material, RomStyle, Shader, Shininess, Tail,
 };

@@ -75,8 +75,8 @@ begin
             s_axis_tuser  => s_axis_tuser,
 {%- for write in bench.writes %}
             {{ write.enable }} => {{ write.enable }},
-            {{ write.address }} => {{ bench.from_bits("unsigned", write.address) }},
-            {{ write.data }} => {{ bench.from_bits("unsigned", write.data) }},
+            {{ write.address }} => {{ bench.driven("unsigned", write.address) }},
+            {{ write.data }} => {{ bench.driven("unsigned", write.data) }},
 {%- endfor %}
             m_axis_tdata  => m_axis_tdata,
             m_axis_tvalid => m_axis_tvalid,

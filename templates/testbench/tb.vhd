@@ -63,12 +63,12 @@ begin
             {{ bench.padded("ce") }} => ce,
             {{ bench.padded("in_valid") }} => in_valid,
 {%- for port in bench.inputs %}
-            {{ bench.padded(port.name) }} => {{ bench.from_bits(port.sign(), port.name) }},
+            {{ bench.padded(port.name) }} => {{ bench.driven(port.sign(), port.name) }},
 {%- endfor %}
 {%- for write in bench.writes %}
             {{ write.enable }} => {{ write.enable }},
-            {{ write.address }} => {{ bench.from_bits("unsigned", write.address) }},
-            {{ write.data }} => {{ bench.from_bits("unsigned", write.data) }},
+            {{ write.address }} => {{ bench.driven("unsigned", write.address) }},
+            {{ write.data }} => {{ bench.driven("unsigned", write.data) }},
 {%- endfor %}
             {{ bench.padded("out_valid") }} => out_valid,
 {%- for port in bench.outputs %}
@@ -91,7 +91,7 @@ begin
         end record;
         type ring is array (0 to LATENCY - 1) of entry;
 
-        variable due  : ring := (others => (
+        variable due : ring := (others => (
             {{ bench.padded("known") }} => false,
             {{ bench.padded("valid") }} => '0',
             {{ bench.padded("number") }} => 0,

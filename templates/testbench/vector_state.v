@@ -3,7 +3,7 @@
 
     reg [8*1024-1:0]       path;
     integer                file;
-    reg [8*LONGEST-1:0] text;
+    reg [8*LONGEST-1:0]    text;
     integer                length;
     integer                place;     // of the first character of the line not yet used, from 0
     reg [7:0]              character; // the last one used
