@@ -37,6 +37,7 @@ module cubic (
 
     // ===== Valid chain
     reg [9:1] valid;
+    initial valid = 9'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 9'd0;

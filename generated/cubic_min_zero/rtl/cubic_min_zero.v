@@ -45,6 +45,7 @@ module cubic_min_zero (
 
     // ===== Valid chain
     reg [9:1] valid;
+    initial valid = 9'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 9'd0;

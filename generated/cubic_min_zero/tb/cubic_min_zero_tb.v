@@ -57,11 +57,11 @@ module cubic_min_zero_tb;
     );
 
     // --------------------------------------------------------- state of the vector file
-    localparam LINE_BYTES = 40; // longer than any line with a vector
+    localparam LONGEST = 40; // bytes: longer than any line with a vector
 
     reg [8*1024-1:0]       path;
     integer                file;
-    reg [8*LINE_BYTES-1:0] text;
+    reg [8*LONGEST-1:0]    text;
     integer                length;
     integer                place;     // of the first character of the line not yet used, from 0
     reg [7:0]              character; // the last one used
@@ -129,7 +129,6 @@ module cubic_min_zero_tb;
     integer granted = 0; // clocks that the watchdog does not count
     integer at;
     reg [15:0] words_rom [0:127];
-    reg [31:0] noise_rom;
 
     initial begin
         for (entry = 0; entry < LATENCY; entry = entry + 1) begin
@@ -243,8 +242,7 @@ module cubic_min_zero_tb;
             draw;
             wr_addr = lfsr[6:0];
             draw;
-            noise_rom = {1{lfsr}};
-            wr_data = noise_rom[15:0];
+            wr_data[15:0] = lfsr[15:0];
             in_valid = valid;
             number = 0;
         end
@@ -347,7 +345,10 @@ module cubic_min_zero_tb;
                     text   = text >> 8;
                     length = length - 1;
                 end
+                // A byte order mark in front of the file is passed over.
                 place = 0;
+                if (line == 1 && length >= 3 && text[8*(length-1) +: 8] == 8'hef)
+                    place = 3;
             end
         end
     endtask
@@ -419,7 +420,7 @@ module cubic_min_zero_tb;
     task read_count;
         begin
             read_decimal;
-            count = field[30:0];
+            count = {1'b0, field[30:0]};
             expect_line_end;
             if (have_count)
                 malformed = 1'b1;
@@ -436,9 +437,9 @@ module cubic_min_zero_tb;
             read_hex(13);
             file_out_spec = field[12:0];
             read_decimal;
-            file_idle = field[30:0];
+            file_idle = {1'b0, field[30:0]};
             read_decimal;
-            file_stall = field[30:0];
+            file_stall = {1'b0, field[30:0]};
             expect_line_end;
             if (!have_count)
                 malformed = 1'b1;

@@ -83,7 +83,7 @@ begin
         end record;
         type ring is array (0 to LATENCY - 1) of entry;
 
-        variable reference : ring := (others => (
+        variable due : ring := (others => (
             known     => false,
             valid     => '0',
             number    => 0,
@@ -111,7 +111,6 @@ begin
         subtype rom_word is std_logic_vector(15 downto 0);
         type rom_words is array (0 to 127) of rom_word;
         variable words_rom : rom_words;
-        variable noise_rom : std_logic_vector(31 downto 0);
         file file_of_rom : text;
 
         -- The vector file. `character_at` is the first character of the line not yet used.
@@ -220,7 +219,7 @@ begin
         end function;
 
         procedure show_mismatch is
-            variable want : entry := reference(slot);
+            variable want : entry := due(slot);
         begin
             if want.number = 0 then
                 say("clock " & to_string(clocks) & ": expected out_valid "
@@ -243,20 +242,20 @@ begin
         procedure check_outputs is
             variable wrong : boolean;
         begin
-            wrong := out_valid /= reference(slot).valid;
-            if reference(slot).number /= 0 then
-                if not looked and reference(slot).number > 0 then
+            wrong := out_valid /= due(slot).valid;
+            if due(slot).number /= 0 then
+                if not looked and due(slot).number > 0 then
                     compared := compared + 1;
                 end if;
-                if not looked and reference(slot).number < 0 then
+                if not looked and due(slot).number < 0 then
                     complements_compared := complements_compared + 1;
                 end if;
-                if std_logic_vector(out_spec) /= reference(slot).out_spec then
+                if std_logic_vector(out_spec) /= due(slot).out_spec then
                     wrong := true;
                 end if;
             end if;
             looked := true;
-            if reference(slot).known and wrong and not reported then
+            if due(slot).known and wrong and not reported then
                 reported   := true;
                 mismatches := mismatches + 1;
                 if mismatches <= SHOWN then
@@ -276,19 +275,19 @@ begin
             clk    <= '1';
             clocks := clocks + 1;
             if ce = '1' then
-                reference(slot).known := true;
-                reference(slot).valid := in_valid;
-                reference(slot).number := number;
-                reference(slot).in_n := in_n;
-                reference(slot).in_cos := in_cos;
-                reference(slot).out_spec := expected_out_spec;
+                due(slot).known := true;
+                due(slot).valid := in_valid;
+                due(slot).number := number;
+                due(slot).in_n := in_n;
+                due(slot).in_cos := in_cos;
+                due(slot).out_spec := expected_out_spec;
                 slot := (slot + 1) mod LATENCY;
             end if;
             if rst = '1' then
-                for i in reference'range loop
-                    reference(i).known  := true;
-                    reference(i).valid  := '0';
-                    reference(i).number := 0;
+                for i in due'range loop
+                    due(i).known  := true;
+                    due(i).valid  := '0';
+                    due(i).number := 0;
                 end loop;
             end if;
             if ce = '1' or rst = '1' then
@@ -317,8 +316,7 @@ begin
             draw;
             wr_addr <= lfsr(6 downto 0);
             draw;
-            noise_rom := lfsr;
-            wr_data <= noise_rom(15 downto 0);
+            wr_data(15 downto 0) <= lfsr(15 downto 0);
             in_valid <= valid;
             number := 0;
         end procedure;
@@ -477,10 +475,14 @@ begin
                 readline(vector_file, text_line);
                 line_number  := line_number + 1;
                 character_at := 1;
+                -- A byte order mark in front of the file is passed over.
+                if line_number = 1 and next_character = character'val(16#EF#) then
+                    character_at := 4;
+                end if;
                 case next_character is
                     when '#' | 'd' => null; -- comments and digests
                     when 'c' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
                         read_decimal(count);
                         expect_line_end;
                         if have_count then
@@ -488,7 +490,7 @@ begin
                         end if;
                         have_count := true;
                     when 'v' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
                         read_hex(2, file_in_n);
                         read_hex(4, file_in_cos);
                         read_hex(4, file_out_spec);

@@ -37,6 +37,7 @@ module cubic_paper (
 
     // ===== Valid chain
     reg [6:1] valid;
+    initial valid = 6'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 6'd0;

@@ -37,6 +37,7 @@ module harris (
 
     // ===== Valid chain
     reg [13:1] valid;
+    initial valid = 13'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 13'd0;

@@ -73,7 +73,7 @@ begin
         end record;
         type ring is array (0 to LATENCY - 1) of entry;
 
-        variable reference : ring := (others => (
+        variable due : ring := (others => (
             known     => false,
             valid     => '0',
             number    => 0,
@@ -194,7 +194,7 @@ begin
         end function;
 
         procedure show_mismatch is
-            variable want : entry := reference(slot);
+            variable want : entry := due(slot);
         begin
             if want.number = 0 then
                 say("clock " & to_string(clocks) & ": expected out_valid "
@@ -214,17 +214,17 @@ begin
         procedure check_outputs is
             variable wrong : boolean;
         begin
-            wrong := out_valid /= reference(slot).valid;
-            if reference(slot).number /= 0 then
+            wrong := out_valid /= due(slot).valid;
+            if due(slot).number /= 0 then
                 if not looked then
                     compared := compared + 1;
                 end if;
-                if std_logic_vector(out_spec) /= reference(slot).out_spec then
+                if std_logic_vector(out_spec) /= due(slot).out_spec then
                     wrong := true;
                 end if;
             end if;
             looked := true;
-            if reference(slot).known and wrong and not reported then
+            if due(slot).known and wrong and not reported then
                 reported   := true;
                 mismatches := mismatches + 1;
                 if mismatches <= SHOWN then
@@ -244,19 +244,19 @@ begin
             clk    <= '1';
             clocks := clocks + 1;
             if ce = '1' then
-                reference(slot).known := true;
-                reference(slot).valid := in_valid;
-                reference(slot).number := number;
-                reference(slot).in_n := in_n;
-                reference(slot).in_cos := in_cos;
-                reference(slot).out_spec := expected_out_spec;
+                due(slot).known := true;
+                due(slot).valid := in_valid;
+                due(slot).number := number;
+                due(slot).in_n := in_n;
+                due(slot).in_cos := in_cos;
+                due(slot).out_spec := expected_out_spec;
                 slot := (slot + 1) mod LATENCY;
             end if;
             if rst = '1' then
-                for i in reference'range loop
-                    reference(i).known  := true;
-                    reference(i).valid  := '0';
-                    reference(i).number := 0;
+                for i in due'range loop
+                    due(i).known  := true;
+                    due(i).valid  := '0';
+                    due(i).number := 0;
                 end loop;
             end if;
             if ce = '1' or rst = '1' then
@@ -439,10 +439,14 @@ begin
                 readline(vector_file, text_line);
                 line_number  := line_number + 1;
                 character_at := 1;
+                -- A byte order mark in front of the file is passed over.
+                if line_number = 1 and next_character = character'val(16#EF#) then
+                    character_at := 4;
+                end if;
                 case next_character is
                     when '#' | 'd' => null; -- comments and digests
                     when 'c' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
                         read_decimal(count);
                         expect_line_end;
                         if have_count then
@@ -450,7 +454,7 @@ begin
                         end if;
                         have_count := true;
                     when 'v' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
                         read_hex(2, file_in_n);
                         read_hex(4, file_in_cos);
                         read_hex(3, file_out_spec);

@@ -37,6 +37,7 @@ module log_exp (
 
     // ===== Valid chain
     reg [14:1] valid;
+    initial valid = 14'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 14'd0;

@@ -37,6 +37,7 @@ module log_exp_9 (
 
     // ===== Valid chain
     reg [12:1] valid;
+    initial valid = 12'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 12'd0;

@@ -48,6 +48,7 @@ module log_exp_9_axis (
     // ===== The core
     // The enable of the whole pipeline and the source's tready: a register.
     reg ready;
+    initial ready = 1'b0;
     wire out_valid;
     wire [14:0] out_spec;
     log_exp_9 core (
@@ -85,6 +86,7 @@ module log_exp_9_axis (
     end
 
     reg skid_valid;
+    initial skid_valid = 1'b0;
     wire waits = m_axis_tvalid & ~m_axis_tready;
     always @(posedge aclk) begin
         if (~aresetn) begin
@@ -96,7 +98,9 @@ module log_exp_9_axis (
         end
     end
 
-    wire [16:0] shown = skid_valid ? skid : beat;
+    // 0 while there is no beat: until one has passed them, the core's registers are unknown.
+    wire [16:0] shown =
+        skid_valid ? skid : out_valid ? beat : 17'd0;
     assign s_axis_tready = ready;
     assign m_axis_tvalid = skid_valid | out_valid;
     assign m_axis_tdata = {1'd0, shown[14:0]};

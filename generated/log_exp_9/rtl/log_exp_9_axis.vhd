@@ -52,19 +52,19 @@ architecture rtl of log_exp_9_axis is
 
     -- The enable of the whole pipeline and the source's tready: a register.
     signal ready      : std_logic := '0';
-    signal rst        : std_logic;
-    signal out_valid  : std_logic;
-    signal out_spec   : unsigned(14 downto 0);
+    signal rst        : std_logic := '0';
+    signal out_valid  : std_logic := '0';
+    signal out_spec   : unsigned(14 downto 0) := (others => '0');
 
-    signal last       : std_logic_vector(12 downto 1);
-    signal user       : std_logic_vector(11 downto 0);
+    signal last       : std_logic_vector(12 downto 1) := (others => '0');
+    signal user       : std_logic_vector(11 downto 0) := (others => '0');
 
-    signal beat       : std_logic_vector(16 downto 0);
-    signal skid       : std_logic_vector(16 downto 0);
+    signal beat       : std_logic_vector(16 downto 0) := (others => '0');
+    signal skid       : std_logic_vector(16 downto 0) := (others => '0');
     signal skid_valid : std_logic := '0';
-    signal waits      : std_logic;
-    signal shown      : std_logic_vector(16 downto 0);
-    signal valid      : std_logic;
+    signal waits      : std_logic := '0';
+    signal shown      : std_logic_vector(16 downto 0) := (others => '0');
+    signal valid      : std_logic := '0';
 
 begin
 
@@ -124,7 +124,10 @@ begin
         end if;
     end process;
 
-    shown         <= skid when skid_valid = '1' else beat;
+    -- 0 while there is no beat, as in Verilog.
+    shown <= skid when skid_valid = '1' else
+             beat when out_valid = '1' else
+             (others => '0');
     s_axis_tready <= ready;
     m_axis_tvalid <= valid;
     m_axis_tdata  <= (0 downto 0 => '0') & shown(14 downto 0);

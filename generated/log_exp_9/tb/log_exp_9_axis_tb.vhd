@@ -115,8 +115,6 @@ begin
         variable quiet        : natural := 0; -- clocks since a beat was accepted or taken
         variable first_in     : natural := 0; -- the clock at which the first vector was accepted,
         variable last_out     : natural := 0; -- and that at which the last was taken
-        variable noise : std_logic_vector(31 downto 0);
-        variable user_noise : std_logic_vector(63 downto 0);
 
         -- The vector file. `character_at` is the first character of the line not yet used.
         file vector_file         : text;
@@ -332,14 +330,10 @@ begin
         procedure present_garbage(valid : std_logic) is
         begin
             draw;
-            noise := lfsr;
-            s_axis_tdata <= noise(s_axis_tdata'range);
+            s_axis_tdata(23 downto 0) <= lfsr(23 downto 0);
             draw;
             s_axis_tlast <= lfsr(31);
-            user_noise(31 downto 0) := lfsr;
-            draw;
-            user_noise(63 downto 32) := lfsr;
-            s_axis_tuser <= user_noise(s_axis_tuser'range);
+            s_axis_tuser(0 downto 0) <= lfsr(0 downto 0);
             s_axis_tvalid <= valid;
             number := 0;
         end procedure;
@@ -491,10 +485,14 @@ begin
                 readline(vector_file, text_line);
                 line_number  := line_number + 1;
                 character_at := 1;
+                -- A byte order mark in front of the file is passed over.
+                if line_number = 1 and next_character = character'val(16#EF#) then
+                    character_at := 4;
+                end if;
                 case next_character is
                     when '#' | 'd' => null; -- comments and digests
                     when 'c' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
                         read_decimal(count);
                         expect_line_end;
                         if have_count then
@@ -502,7 +500,7 @@ begin
                         end if;
                         have_count := true;
                     when 'v' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
                         read_hex(2, file_in_n);
                         read_hex(4, file_in_cos);
                         read_hex(4, file_out_spec);

@@ -37,6 +37,7 @@ module power_4 (
 
     // ===== Valid chain
     reg [11:1] valid;
+    initial valid = 11'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 11'd0;

@@ -37,6 +37,7 @@ module quadratic (
 
     // ===== Valid chain
     reg [7:1] valid;
+    initial valid = 7'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 7'd0;

@@ -37,6 +37,7 @@ module quadratic_paper (
 
     // ===== Valid chain
     reg [5:1] valid;
+    initial valid = 5'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 5'd0;

@@ -1072,29 +1072,29 @@ architecture rtl of quadratic_paper is
     signal rom_1 : std_logic_vector(23 downto 0) := (others => '0');
 
     signal valid : std_logic_vector(5 downto 1) := (others => '0');
-    signal x_0 : unsigned(16 downto 0);
-    signal x_half_0 : unsigned(17 downto 0);
+    signal x_0 : unsigned(16 downto 0) := (others => '0');
+    signal x_half_0 : unsigned(17 downto 0) := (others => '0');
     signal x_1 : unsigned(16 downto 0) := (others => '0');
     signal x_half_1 : unsigned(17 downto 0) := (others => '0');
-    signal a_1 : unsigned(23 downto 0);
-    signal xx_1 : unsigned(33 downto 0);
-    signal s_1 : unsigned(27 downto 0);
+    signal a_1 : unsigned(23 downto 0) := (others => '0');
+    signal xx_1 : unsigned(33 downto 0) := (others => '0');
+    signal s_1 : unsigned(27 downto 0) := (others => '0');
     signal x_2 : unsigned(16 downto 0) := (others => '0');
     signal a_2 : unsigned(23 downto 0) := (others => '0');
     signal s_2 : unsigned(27 downto 0) := (others => '0');
     signal x_half_2 : unsigned(17 downto 0) := (others => '0');
-    signal d_2 : signed(28 downto 0);
+    signal d_2 : signed(28 downto 0) := (others => '0');
     signal a_3 : unsigned(23 downto 0) := (others => '0');
     signal d_3 : signed(28 downto 0) := (others => '0');
     signal x_half_3 : unsigned(17 downto 0) := (others => '0');
-    signal a_signed_3 : signed(24 downto 0);
-    signal ad_3 : signed(53 downto 0);
-    signal m_3 : signed(27 downto 0);
+    signal a_signed_3 : signed(24 downto 0) := (others => '0');
+    signal ad_3 : signed(53 downto 0) := (others => '0');
+    signal m_3 : signed(27 downto 0) := (others => '0');
     signal m_4 : signed(27 downto 0) := (others => '0');
     signal x_half_4 : unsigned(17 downto 0) := (others => '0');
-    signal y_exact_4 : signed(27 downto 0);
-    signal y_cut_4 : signed(26 downto 0);
-    signal y_4 : unsigned(16 downto 0);
+    signal y_exact_4 : signed(27 downto 0) := (others => '0');
+    signal y_cut_4 : signed(26 downto 0) := (others => '0');
+    signal y_4 : unsigned(16 downto 0) := (others => '0');
     signal y_5 : unsigned(16 downto 0) := (others => '0');
 
 begin

@@ -37,6 +37,7 @@ module schlick (
 
     // ===== Valid chain
     reg [16:1] valid;
+    initial valid = 16'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 16'd0;

@@ -46,11 +46,11 @@ module segmented_4_tb;
     );
 
     // --------------------------------------------------------- state of the vector file
-    localparam LINE_BYTES = 40; // longer than any line with a vector
+    localparam LONGEST = 40; // bytes: longer than any line with a vector
 
     reg [8*1024-1:0]       path;
     integer                file;
-    reg [8*LINE_BYTES-1:0] text;
+    reg [8*LONGEST-1:0]    text;
     integer                length;
     integer                place;     // of the first character of the line not yet used, from 0
     reg [7:0]              character; // the last one used
@@ -315,7 +315,10 @@ module segmented_4_tb;
                     text   = text >> 8;
                     length = length - 1;
                 end
+                // A byte order mark in front of the file is passed over.
                 place = 0;
+                if (line == 1 && length >= 3 && text[8*(length-1) +: 8] == 8'hef)
+                    place = 3;
             end
         end
     endtask
@@ -387,7 +390,7 @@ module segmented_4_tb;
     task read_count;
         begin
             read_decimal;
-            count = field[30:0];
+            count = {1'b0, field[30:0]};
             expect_line_end;
             if (have_count)
                 malformed = 1'b1;
@@ -404,9 +407,9 @@ module segmented_4_tb;
             read_hex(13);
             file_out_spec = field[12:0];
             read_decimal;
-            file_idle = field[30:0];
+            file_idle = {1'b0, field[30:0]};
             read_decimal;
-            file_stall = field[30:0];
+            file_stall = {1'b0, field[30:0]};
             expect_line_end;
             if (!have_count)
                 malformed = 1'b1;

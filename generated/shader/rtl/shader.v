@@ -74,6 +74,7 @@ module shader (
 
     // ===== Valid chain
     reg [14:1] valid;
+    initial valid = 14'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 14'd0;

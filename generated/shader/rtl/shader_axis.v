@@ -61,6 +61,7 @@ module shader_axis (
     // ===== The core
     // The enable of the whole pipeline and the source's tready: a register.
     reg ready;
+    initial ready = 1'b0;
     wire out_valid;
     wire [7:0] out_r;
     wire [7:0] out_g;
@@ -115,6 +116,7 @@ module shader_axis (
     end
 
     reg skid_valid;
+    initial skid_valid = 1'b0;
     wire waits = m_axis_tvalid & ~m_axis_tready;
     always @(posedge aclk) begin
         if (~aresetn) begin
@@ -126,7 +128,9 @@ module shader_axis (
         end
     end
 
-    wire [32:0] shown = skid_valid ? skid : beat;
+    // 0 while there is no beat: until one has passed them, the core's registers are unknown.
+    wire [32:0] shown =
+        skid_valid ? skid : out_valid ? beat : 33'd0;
     assign s_axis_tready = ready;
     assign m_axis_tvalid = skid_valid | out_valid;
     assign m_axis_tdata = shown[23:0];

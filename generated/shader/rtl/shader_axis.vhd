@@ -65,21 +65,21 @@ architecture rtl of shader_axis is
 
     -- The enable of the whole pipeline and the source's tready: a register.
     signal ready      : std_logic := '0';
-    signal rst        : std_logic;
-    signal out_valid  : std_logic;
-    signal out_r      : unsigned(7 downto 0);
-    signal out_g      : unsigned(7 downto 0);
-    signal out_b      : unsigned(7 downto 0);
+    signal rst        : std_logic := '0';
+    signal out_valid  : std_logic := '0';
+    signal out_r      : unsigned(7 downto 0) := (others => '0');
+    signal out_g      : unsigned(7 downto 0) := (others => '0');
+    signal out_b      : unsigned(7 downto 0) := (others => '0');
 
-    signal last       : std_logic_vector(14 downto 1);
-    signal user       : std_logic_vector(111 downto 0);
+    signal last       : std_logic_vector(14 downto 1) := (others => '0');
+    signal user       : std_logic_vector(111 downto 0) := (others => '0');
 
-    signal beat       : std_logic_vector(32 downto 0);
-    signal skid       : std_logic_vector(32 downto 0);
+    signal beat       : std_logic_vector(32 downto 0) := (others => '0');
+    signal skid       : std_logic_vector(32 downto 0) := (others => '0');
     signal skid_valid : std_logic := '0';
-    signal waits      : std_logic;
-    signal shown      : std_logic_vector(32 downto 0);
-    signal valid      : std_logic;
+    signal waits      : std_logic := '0';
+    signal shown      : std_logic_vector(32 downto 0) := (others => '0');
+    signal valid      : std_logic := '0';
 
 begin
 
@@ -154,7 +154,10 @@ begin
         end if;
     end process;
 
-    shown         <= skid when skid_valid = '1' else beat;
+    -- 0 while there is no beat, as in Verilog.
+    shown <= skid when skid_valid = '1' else
+             beat when out_valid = '1' else
+             (others => '0');
     s_axis_tready <= ready;
     m_axis_tvalid <= valid;
     m_axis_tdata  <= shown(23 downto 0);

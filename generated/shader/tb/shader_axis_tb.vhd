@@ -141,8 +141,6 @@ begin
         variable quiet        : natural := 0; -- clocks since a beat was accepted or taken
         variable first_in     : natural := 0; -- the clock at which the first vector was accepted,
         variable last_out     : natural := 0; -- and that at which the last was taken
-        variable noise : std_logic_vector(223 downto 0);
-        variable user_noise : std_logic_vector(63 downto 0);
 
         -- The vector file. `character_at` is the first character of the line not yet used.
         file vector_file         : text;
@@ -371,14 +369,16 @@ begin
         procedure present_garbage(valid : std_logic) is
         begin
             draw;
-            noise := lfsr & lfsr & lfsr & lfsr & lfsr & lfsr & lfsr;
-            s_axis_tdata <= noise(s_axis_tdata'range);
+            s_axis_tdata(31 downto 0) <= lfsr(31 downto 0);
+            s_axis_tdata(63 downto 32) <= lfsr(31 downto 0);
+            s_axis_tdata(95 downto 64) <= lfsr(31 downto 0);
+            s_axis_tdata(127 downto 96) <= lfsr(31 downto 0);
+            s_axis_tdata(159 downto 128) <= lfsr(31 downto 0);
+            s_axis_tdata(191 downto 160) <= lfsr(31 downto 0);
+            s_axis_tdata(223 downto 192) <= lfsr(31 downto 0);
             draw;
             s_axis_tlast <= lfsr(31);
-            user_noise(31 downto 0) := lfsr;
-            draw;
-            user_noise(63 downto 32) := lfsr;
-            s_axis_tuser <= user_noise(s_axis_tuser'range);
+            s_axis_tuser(7 downto 0) <= lfsr(7 downto 0);
             s_axis_tvalid <= valid;
             number := 0;
         end procedure;
@@ -556,10 +556,14 @@ begin
                 readline(vector_file, text_line);
                 line_number  := line_number + 1;
                 character_at := 1;
+                -- A byte order mark in front of the file is passed over.
+                if line_number = 1 and next_character = character'val(16#EF#) then
+                    character_at := 4;
+                end if;
                 case next_character is
                     when '#' | 'd' => null; -- comments and digests
                     when 'c' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
                         read_decimal(count);
                         expect_line_end;
                         if have_count then
@@ -567,7 +571,7 @@ begin
                         end if;
                         have_count := true;
                     when 'v' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
                         read_hex(1, file_in_material);
                         read_hex(5, file_in_nx);
                         read_hex(5, file_in_ny);

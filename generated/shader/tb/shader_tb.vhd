@@ -136,7 +136,7 @@ begin
         end record;
         type ring is array (0 to LATENCY - 1) of entry;
 
-        variable reference : ring := (others => (
+        variable due : ring := (others => (
             known       => false,
             valid       => '0',
             number      => 0,
@@ -287,7 +287,7 @@ begin
         end function;
 
         procedure show_mismatch is
-            variable want : entry := reference(slot);
+            variable want : entry := due(slot);
         begin
             if want.number = 0 then
                 say("clock " & to_string(clocks) & ": expected out_valid "
@@ -320,23 +320,23 @@ begin
         procedure check_outputs is
             variable wrong : boolean;
         begin
-            wrong := out_valid /= reference(slot).valid;
-            if reference(slot).number /= 0 then
+            wrong := out_valid /= due(slot).valid;
+            if due(slot).number /= 0 then
                 if not looked then
                     compared := compared + 1;
                 end if;
-                if std_logic_vector(out_r) /= reference(slot).out_r then
+                if std_logic_vector(out_r) /= due(slot).out_r then
                     wrong := true;
                 end if;
-                if std_logic_vector(out_g) /= reference(slot).out_g then
+                if std_logic_vector(out_g) /= due(slot).out_g then
                     wrong := true;
                 end if;
-                if std_logic_vector(out_b) /= reference(slot).out_b then
+                if std_logic_vector(out_b) /= due(slot).out_b then
                     wrong := true;
                 end if;
             end if;
             looked := true;
-            if reference(slot).known and wrong and not reported then
+            if due(slot).known and wrong and not reported then
                 reported   := true;
                 mismatches := mismatches + 1;
                 if mismatches <= SHOWN then
@@ -356,32 +356,32 @@ begin
             clk    <= '1';
             clocks := clocks + 1;
             if ce = '1' then
-                reference(slot).known := true;
-                reference(slot).valid := in_valid;
-                reference(slot).number := number;
-                reference(slot).in_material := in_material;
-                reference(slot).in_nx := in_nx;
-                reference(slot).in_ny := in_ny;
-                reference(slot).in_nz := in_nz;
-                reference(slot).in_vx := in_vx;
-                reference(slot).in_vy := in_vy;
-                reference(slot).in_vz := in_vz;
-                reference(slot).in_l1x := in_l1x;
-                reference(slot).in_l1y := in_l1y;
-                reference(slot).in_l1z := in_l1z;
-                reference(slot).in_l2x := in_l2x;
-                reference(slot).in_l2y := in_l2y;
-                reference(slot).in_l2z := in_l2z;
-                reference(slot).out_r := expected_out_r;
-                reference(slot).out_g := expected_out_g;
-                reference(slot).out_b := expected_out_b;
+                due(slot).known := true;
+                due(slot).valid := in_valid;
+                due(slot).number := number;
+                due(slot).in_material := in_material;
+                due(slot).in_nx := in_nx;
+                due(slot).in_ny := in_ny;
+                due(slot).in_nz := in_nz;
+                due(slot).in_vx := in_vx;
+                due(slot).in_vy := in_vy;
+                due(slot).in_vz := in_vz;
+                due(slot).in_l1x := in_l1x;
+                due(slot).in_l1y := in_l1y;
+                due(slot).in_l1z := in_l1z;
+                due(slot).in_l2x := in_l2x;
+                due(slot).in_l2y := in_l2y;
+                due(slot).in_l2z := in_l2z;
+                due(slot).out_r := expected_out_r;
+                due(slot).out_g := expected_out_g;
+                due(slot).out_b := expected_out_b;
                 slot := (slot + 1) mod LATENCY;
             end if;
             if rst = '1' then
-                for i in reference'range loop
-                    reference(i).known  := true;
-                    reference(i).valid  := '0';
-                    reference(i).number := 0;
+                for i in due'range loop
+                    due(i).known  := true;
+                    due(i).valid  := '0';
+                    due(i).number := 0;
                 end loop;
             end if;
             if ce = '1' or rst = '1' then
@@ -599,10 +599,14 @@ begin
                 readline(vector_file, text_line);
                 line_number  := line_number + 1;
                 character_at := 1;
+                -- A byte order mark in front of the file is passed over.
+                if line_number = 1 and next_character = character'val(16#EF#) then
+                    character_at := 4;
+                end if;
                 case next_character is
                     when '#' | 'd' => null; -- comments and digests
                     when 'c' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
                         read_decimal(count);
                         expect_line_end;
                         if have_count then
@@ -610,7 +614,7 @@ begin
                         end if;
                         have_count := true;
                     when 'v' =>
-                        character_at := 2;
+                        character_at := character_at + 1;
                         read_hex(1, file_in_material);
                         read_hex(5, file_in_nx);
                         read_hex(5, file_in_ny);

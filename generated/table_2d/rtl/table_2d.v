@@ -37,6 +37,7 @@ module table_2d (
 
     // ===== Valid chain
     reg [6:1] valid;
+    initial valid = 6'd0;
     always @(posedge clk) begin
         if (rst) begin
             valid <= 6'd0;

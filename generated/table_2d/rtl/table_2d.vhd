@@ -304,26 +304,26 @@ architecture rtl of table_2d is
     signal power_table_3 : std_logic_vector(9 downto 0) := (others => '0');
 
     signal valid : std_logic_vector(6 downto 1) := (others => '0');
-    signal x_0 : unsigned(12 downto 0);
-    signal u_0 : unsigned(12 downto 0);
-    signal cell_0 : unsigned(5 downto 0);
-    signal cell_number_0 : unsigned(5 downto 0);
-    signal address_of_parts_0 : unsigned(1 downto 0);
-    signal dark_bits_0 : std_logic;
+    signal x_0 : unsigned(12 downto 0) := (others => '0');
+    signal u_0 : unsigned(12 downto 0) := (others => '0');
+    signal cell_0 : unsigned(5 downto 0) := (others => '0');
+    signal cell_number_0 : unsigned(5 downto 0) := (others => '0');
+    signal address_of_parts_0 : unsigned(1 downto 0) := (others => '0');
+    signal dark_bits_0 : std_logic := '0';
     signal cell_number_1 : unsigned(5 downto 0) := (others => '0');
     signal address_of_parts_1 : unsigned(1 downto 0) := (others => '0');
     signal dark_bits_1 : std_logic := '0';
-    signal part_address_1 : unsigned(7 downto 0);
+    signal part_address_1 : unsigned(7 downto 0) := (others => '0');
     signal part_address_2 : unsigned(7 downto 0) := (others => '0');
     signal dark_bits_2 : std_logic := '0';
     signal dark_bits_3 : std_logic := '0';
-    signal y_3 : unsigned(9 downto 0);
+    signal y_3 : unsigned(9 downto 0) := (others => '0');
     signal y_4 : unsigned(9 downto 0) := (others => '0');
     signal dark_bits_4 : std_logic := '0';
     signal y_5 : unsigned(9 downto 0) := (others => '0');
     signal dark_bits_5 : std_logic := '0';
-    signal y_lit_5 : unsigned(9 downto 0);
-    signal y_wide_5 : unsigned(10 downto 0);
+    signal y_lit_5 : unsigned(9 downto 0) := (others => '0');
+    signal y_wide_5 : unsigned(10 downto 0) := (others => '0');
     signal y_wide_6 : unsigned(10 downto 0) := (others => '0');
 
 begin
