@@ -31,15 +31,23 @@ pub fn were_read() -> Vec<PathBuf> {
     READ.lock().unwrap_or_else(PoisonError::into_inner).clone()
 }
 
+/// Opens a file for reading.
+///
+/// # Errors
+/// If the system refuses.
+pub fn open(path: &Path) -> Result<File, Error> {
+    READ.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
+    File::open(path).map_err(|error| Error::io("cannot read", path, error))
+}
+
 /// The bytes of a file of at most `most` bytes. A device or a pipe that gives more is not read to its end.
 ///
 /// # Errors
 /// If the system refuses, or the file is larger.
 pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
     let failed = |error| Error::io("cannot read", path, error);
-    READ.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_owned());
     let mut bytes = Vec::new();
-    File::open(path).map_err(failed)?.take(most + 1).read_to_end(&mut bytes).map_err(failed)?;
+    open(path)?.take(most + 1).read_to_end(&mut bytes).map_err(failed)?;
     if bytes.len() as u64 > most {
         return Err(Error::input(
             format!("{} is larger than {} MiB", path.display(), most >> 20),

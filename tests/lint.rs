@@ -103,18 +103,13 @@ const MORE: &[&str] = &[
      [shader]\nmodel = 'blinn'\nchannel_bits = 10\nlight_colours = 'ports'",
 ];
 
-/// Whether all that can be tried is to be.
-fn all() -> bool {
-    std::env::var_os("BRDFGEN_TEST_ALL").is_some_and(|value| value == "1")
-}
-
 /// The C++ compiler needs a minute for a bench with Verilator's default flags, and many for one of a wrapper: these of [`SPECS`] become
 /// programs in the default run, by the number of their bench.
 const TO_PROGRAMS: [(usize, usize); 1] = [(0, 0)];
 
 #[test]
 fn every_bench_builds_and_runs_with_the_default_flags_of_each_tool() {
-    let specs: Vec<&str> = if all() { [SPECS, MORE].concat() } else { SPECS.to_vec() };
+    let specs: Vec<&str> = if common::all() { [SPECS, MORE].concat() } else { SPECS.to_vec() };
     specs.par_iter().enumerate().for_each(|(place, spec)| {
         let core = Core::new(spec);
         let path = core.path();
@@ -129,7 +124,7 @@ fn every_bench_builds_and_runs_with_the_default_flags_of_each_tool() {
                 files,
                 spec,
             );
-            if all() || TO_PROGRAMS.contains(&(place, number)) {
+            if common::all() || TO_PROGRAMS.contains(&(place, number)) {
                 let built = said(&path, "verilator", &["--binary", "--timing", "--top-module", top], files, spec);
                 assert!(!built.contains("%Warning") && !built.contains("warning:"), "{spec}:\n{built}");
                 passes(&said(&path, &format!("./obj_dir/V{top}"), &[], &[], spec), spec);
@@ -186,7 +181,8 @@ fn no_name_is_a_word_of_vhdl_ams() {
 /// Each method at several depths is text that compilers take in both languages.
 #[test]
 fn every_method_compiles_at_every_kind_of_depth() {
-    let depths: &[&str] = if all() { &["1", "2", "3", "4", "6", "9", "14", "33", "64"] } else { &["1", "2", "7"] };
+    let depths: &[&str] =
+        if common::all() { &["1", "2", "3", "4", "6", "9", "14", "33", "64"] } else { &["1", "2", "7"] };
     let mut specs = Vec::new();
     for method in Method::value_variants().iter().filter_map(|method| method.to_possible_value()) {
         let method = method.get_name().to_owned();
@@ -198,7 +194,7 @@ fn every_method_compiles_at_every_kind_of_depth() {
             specs.push(base.clone());
             specs.push(format!("{base}\nrom = 'file'\noperand = 'versine'"));
             // Text of every operation of theirs, and of a lobe's memories beside their own.
-            if *depth == "1" && (all() || ["segmented-8", "quadratic", "log-exp"].contains(&method.as_str())) {
+            if *depth == "1" && (common::all() || ["segmented-8", "quadratic", "log-exp"].contains(&method.as_str())) {
                 let materials = "material = [{ name = 'a', shininess = 2 }, { name = 'b', shininess = 16 }]";
                 specs.push(format!("block = 'shader'\nmethod = '{method}'\npipeline = 1\n{materials}"));
             }

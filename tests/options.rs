@@ -6,6 +6,7 @@
 //!
 //! By default the quickest cores of the set are made, and of shaders nothing is measured; with `BRDFGEN_TEST_ALL=1` all of it.
 
+mod common;
 #[path = "common/pairs.rs"]
 mod pairs;
 
@@ -336,7 +337,7 @@ fn all_is_made(what: &str, options: &Options, quick: impl Fn(&CoreSpec) -> bool)
     let begun = Instant::now();
     let covering = options.covering();
     let searched = begun.elapsed();
-    let all = std::env::var_os("BRDFGEN_TEST_ALL").is_some();
+    let all = common::all();
     println!("{what}: {} specs ({searched:.1?})", covering.rows.len());
     let specs: Vec<(&Vec<usize>, CoreSpec)> = covering
         .rows

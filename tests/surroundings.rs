@@ -670,7 +670,7 @@ fn a_signal_ends_what_was_started_and_removes_what_is_temporary() {
     kill_process(Pid::from_child(&living), Signal::TERM).unwrap();
     living.wait().unwrap();
     assert_eq!(count(), 1);
-    assert!(!is_alive(&started));
+    wait_until("the simulator's end", || !is_alive(&started));
     // What the killed run started is nobody's any more.
     let orphan = Pid::from_raw(orphan.trim().parse().unwrap()).unwrap();
     let _ = kill_process(orphan, Signal::KILL);

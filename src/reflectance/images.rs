@@ -57,15 +57,25 @@ fn check_size(width: usize, height: usize, name: &str) -> Result<(), Error> {
 /// If there are not as many codes as pixels.
 #[must_use]
 pub fn png(pixels: &Pixels) -> Vec<u8> {
-    assert_eq!(pixels.codes.len(), pixels.width * pixels.height, "a code for each pixel");
+    let Pixels { width, height, depth, gamma, codes } = pixels;
+    encoded([*width as u32, *height as u32], *depth, *gamma, codes)
+}
+
+/// The PNG file of codes of 8 or 16 bits, row by row from the top: RGB without alpha. Same codes, same bytes.
+///
+/// # Panics
+/// If there is not a code for each pixel, or no pixel.
+#[must_use]
+pub fn encoded([width, height]: [u32; 2], depth: u32, gamma: Option<f64>, codes: &[[u16; 3]]) -> Vec<u8> {
+    assert_eq!(codes.len(), width as usize * height as usize, "a code for each pixel");
     let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, pixels.width as u32, pixels.height as u32);
+    let mut encoder = png::Encoder::new(&mut bytes, width, height);
     encoder.set_color(png::ColorType::Rgb);
-    if let Some(gamma) = pixels.gamma {
+    if let Some(gamma) = gamma {
         encoder.set_source_gamma(png::ScaledFloat::new(gamma as f32));
     }
-    let channels = pixels.codes.as_flattened();
-    let data: Vec<u8> = if pixels.depth == 8 {
+    let channels = codes.as_flattened();
+    let data: Vec<u8> = if depth == 8 {
         encoder.set_depth(png::BitDepth::Eight);
         channels.iter().map(|&code| code as u8).collect()
     } else {

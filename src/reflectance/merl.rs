@@ -3,12 +3,12 @@
 //!
 //! W. Matusik, H. Pfister, M. Brand, L. McMillan, "A Data-Driven Reflectance Model", 2003.
 
-use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use super::table::{PHI_D, PHI_D_WHOLE, THETA_D, THETA_H, Table};
 use crate::error::Error;
+use crate::input;
 
 /// What a stored number is multiplied by to be a reflectance in 1/sr, for red, green and blue.
 pub const SCALES: [f64; 3] = [1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0];
@@ -38,9 +38,7 @@ fn counts(header: &[u8; HEADER], read: fn([u8; 4]) -> u32) -> Option<[usize; 3]>
 /// If the system refuses, or the file is anything but a table of 90 × 90 × 180 or 90 × 90 × 360: what it is instead is said. Values that are
 /// not finite, and tables without a valid cell.
 pub fn read(path: &Path) -> Result<Table, Error> {
-    let failed = |error| Error::io("cannot read", path, error);
-    let file = File::open(path).map_err(failed)?;
-    read_from(file, &path.display().to_string(), &SHAPES)
+    read_from(input::open(path)?, &path.display().to_string(), &SHAPES)
 }
 
 /// Reads a table of one of some shapes from a stream; memory is only taken for one of them.

@@ -1,6 +1,5 @@
 //! A user's file, whatever of the kinds here it is.
 
-use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
@@ -27,7 +26,7 @@ pub fn open(path: &Path) -> Result<Source, Error> {
     }
     let failed = |error| Error::io("cannot read", path, error);
     let mut start = Vec::new();
-    File::open(path).map_err(failed)?.take(16).read_to_end(&mut start).map_err(failed)?;
+    input::open(path)?.take(16).read_to_end(&mut start).map_err(failed)?;
     if !images::is_picture(&start) {
         return merl::read(path).map(Source::Table);
     }

@@ -9,6 +9,7 @@ use exr::prelude::{
 
 use super::Picture;
 use crate::error::Error;
+use crate::reflectance::images;
 
 /// Pixels of 8 or 16 bits a channel, as a PNG file has them.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,20 +49,7 @@ impl Pixels {
     /// The PNG file: RGB without alpha. Same pixels, same bytes.
     #[must_use]
     pub fn png(&self) -> Vec<u8> {
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, self.width, self.height);
-        encoder.set_color(png::ColorType::Rgb);
-        let channels = self.codes.as_flattened();
-        let data: Vec<u8> = if self.depth == 8 {
-            encoder.set_depth(png::BitDepth::Eight);
-            channels.iter().map(|&code| code as u8).collect()
-        } else {
-            encoder.set_depth(png::BitDepth::Sixteen);
-            channels.iter().flat_map(|code| code.to_be_bytes()).collect()
-        };
-        let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(&data));
-        written.expect("a picture that has pixels, in memory");
-        bytes
+        images::encoded([self.width, self.height], self.depth, None, &self.codes)
     }
 }
 
