@@ -1,5 +1,5 @@
 //! Samples per second of the exact reflectance, looked up in a table, and of the three forms: a sphere under one directional light, on one
-//! thread and on all, all in one run. Then the frame of 1920×1080 samples under 1, 2, 4 and 8 lights.
+//! thread and on all, all in one run. Then the frame of 1920×1080 samples under 1, 2, 4 and 8 lights, and a mesh drawn in it.
 //!
 //! `cargo bench --bench reflectance` prints the table. Run as a test (without `--bench`), it goes through everything once and measures nothing.
 
@@ -10,6 +10,8 @@ use std::time::{Duration, Instant};
 use brdfgen::reflectance::measure::{Sphere, exposure};
 use brdfgen::reflectance::table::PHI_D;
 use brdfgen::reflectance::{Form, FormKind, FormSpec, Light, Model, Record, Reflectance, Table};
+use brdfgen::scene::reflectance::Seen;
+use brdfgen::scene::{Scene, Tracer};
 use rayon::prelude::*;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
@@ -156,6 +158,46 @@ fn main() -> Result<()> {
             row[3],
             row[3] / row[0]
         );
+    }
+    drawn(&forms, rounds)
+}
+
+/// The bunny, drawn: rays and normals, lights made ready and codes on the one hand, look-ups on the other.
+fn drawn(forms: &[Form], rounds: usize) -> Result<()> {
+    println!(
+        "\n| the bunny, 1920×1080, all threads | all but look-ups, 1 light: ms | 8 | 8 to 1 | look-ups, 1 light: ms | 8 | 8 to 1 |\n\
+         | --- | ---: | ---: | ---: | ---: | ---: | ---: |"
+    );
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/bunny.toml");
+    let (width, height) = if rounds > 1 { (1920, 1080) } else { (32, 18) };
+    let scene = Scene::read(path.as_ref())?.resized(width, height);
+    let tracer = Tracer::new(&scene);
+    for form in forms {
+        let mut columns = Vec::new();
+        for lights in [1, 8] {
+            let once = || {
+                let start = Instant::now();
+                let light = |place: usize| Light::new(20.0 + 15.0 * place as f64, 40.0 * place as f64);
+                let seen = Seen::of(&tracer, &scene);
+                let records: Vec<Record> = (0..lights).map(|place| form.record(light(place))).collect();
+                let before = start.elapsed().as_secs_f64();
+                let sums = seen.through(form, &records);
+                let between = start.elapsed().as_secs_f64();
+                let codes: Vec<[u8; 3]> = sums
+                    .par_iter()
+                    .map(|pixel| pixel.map(|value| (255.0 * value.clamp(0.0, 1.0) + 0.5) as u8))
+                    .collect();
+                black_box(&codes);
+                let all = start.elapsed().as_secs_f64();
+                [all - between + before, between - before].map(|seconds| 1e3 * seconds)
+            };
+            let runs: Vec<[f64; 2]> = (0..rounds.min(7)).map(|_| once()).collect();
+            columns.push([0, 1].map(|part| median(runs.iter().map(|run| run[part]).collect())));
+        }
+        let [one, eight] = [columns[0], columns[1]];
+        let cells = [0, 1]
+            .map(|part| format!("{:.1} | {:.1} | {:.2}", one[part], eight[part], eight[part] / one[part].max(1e-9)));
+        println!("| {} | {} |", form.spec, cells.join(" | "));
     }
     Ok(())
 }

@@ -92,7 +92,7 @@ fn of_scene(name: &str, results: &Results, pictures: &Path) -> Result<[String; 2
         writeln!(left_out, "- {}: {}.{saves}", one.what, one.reason)?;
     }
     let lines = [format!("core {}", point.name)];
-    let page = sheet::triptych(&frame, [&exact, &own], &difference, name, &lines, "");
+    let page = sheet::triptych(&frame, [&exact, &own], "core", &difference, name, &lines, "");
     std::fs::write(pictures.join(format!("{name}.png")), page.pixels.png())?;
     Ok([table, left_out])
 }

@@ -64,11 +64,13 @@ fn scene(shapes: Vec<Shape>) -> Scene {
         background: [0.2, 0.3, 0.4],
         camera: Camera { position: [0.0, 0.0, 5.0], target: [0.0; 3], up: [0.0, 1.0, 0.0], field_of_view: 40.0 },
         materials: (0..shapes.len()).map(|place| material(place).with_surface()).collect(),
+        reflectances: vec![None; shapes.len()],
         left_out: Vec::new(),
         lights: vec![Light { kind: LightKind::Directional([0.0, 0.0, 1.0]), colour: [1.0; 3] }],
         objects: shapes.into_iter().enumerate().map(|(material, shape)| Object { shape, material }).collect(),
         shadows: true,
         budget: Budget { max_steps: Some(1), min_psnr: None },
+        has_budget: false,
         core: Wishes { family: Family::Ecp5, min_mhz: None, objective: Objective::Lut, keys: SpecFields::default() },
     }
 }

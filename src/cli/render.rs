@@ -18,17 +18,28 @@ use crate::explore::{Cost, Point};
 use crate::input;
 use crate::package::{self, counted};
 use crate::paths::Paths;
+use crate::reflectance::Form;
 use crate::scene::choice::Search;
+use crate::scene::reflectance::{self, Compared, Looks, Measured, Shading, Viewer};
 use crate::scene::require::PictureError;
 use crate::scene::sheet::{self, Cell, Sheet};
-use crate::scene::{Compiled, CoreModel, Difference, Exact, Frame, Highlights, Requirements, Scene, picture};
-use crate::spec::{BlockKind, CoreSpec, Language, Shininess, SpecFields};
+use crate::scene::{
+    Compiled, CoreModel, Difference, Exact, Frame, Highlights, Picture, Requirements, Scene, Tracer, picture,
+};
+use crate::spec::{BlockKind, Colour, CoreSpec, Language, Shininess, SpecFields};
 use crate::synth::Family;
 use crate::tool;
 
 /// The cores that `--compare` shows where it is not told which.
-const COMPARED: &str =
-    "quadratic,cubic,cubic-min-zero:coefficients=minimax,schlick,power-4,log-exp:accuracy=5,log-exp:accuracy=9";
+const COMPARED: [&str; 7] = [
+    "quadratic",
+    "cubic",
+    "cubic-min-zero:coefficients=minimax",
+    "schlick",
+    "power-4",
+    "log-exp:accuracy=5",
+    "log-exp:accuracy=9",
+];
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -58,8 +69,10 @@ pub(super) struct Arguments {
     size: Option<Size>,
 
     /// Make a contact sheet of several cores: methods, each with keys if need be, as in `cubic,log-exp:accuracy=9`, spec files or core
-    /// directories [default: quadratic, cubic, cubic-min-zero minimax, schlick, power-4, log-exp of accuracy 5 and 9]
-    #[arg(long, value_name = "CORES", num_args = 0..=1, require_equals = true, value_delimiter = ',', default_missing_value = COMPARED, conflicts_with = "method")]
+    /// directories [default: quadratic, cubic, cubic-min-zero minimax, schlick, power-4, log-exp of accuracy 5 and 9]. Of a scene with
+    /// measured materials, of several forms: `paper`, `half`, `bivariate`, each with keys as in `half:images=8:size=64`, and `fit`
+    /// [default: paper of 4 and of 6 images, half, bivariate, fit]
+    #[arg(long, value_name = "CORES", num_args = 0..=1, require_equals = true, value_delimiter = ',', default_missing_value = "", conflicts_with = "method")]
     compare: Option<Vec<String>>,
 
     /// Where a core is to be chosen: move the camera and each light by so many degrees too, 0 to 45 [default: 5]
@@ -159,50 +172,86 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     check_paths(arguments)?;
     // Wrong specs are named before the work begins.
     if let Some(compared) = &arguments.compare {
+        if scene.is_measured() {
+            return compare_forms(arguments, &scene, compared, piped);
+        }
+        let compared =
+            if compared.iter().all(String::is_empty) { COMPARED.map(str::to_owned).to_vec() } else { compared.clone() };
         let cores: Vec<Chosen> =
             compared.iter().map(|entry| compared_core(entry, arguments, &scene)).collect::<Result<_, _>>()?;
         return compare(arguments, &scene, &cores, piped);
     }
+    let measured = scene.is_measured();
+    let names_core = arguments.core.is_some() || arguments.fields != SpecFields::default();
+    if names_core && !scene.has_highlights() {
+        return Err(Error::input(
+            "a core is given, and all objects of the scene are drawn by a reflectance",
+            "leave the core out, or give the materials shading = \"classical\"",
+        ));
+    }
     let core = match (arguments.only, &arguments.exr) {
         (Only::Exact, None) => None,
+        _ if measured && !names_core => None,
         _ => Some(the_core(arguments, &scene)?),
     };
 
     let mut clock = Instant::now();
     let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64();
-    let frame = trace(&scene);
+    let tracer = Tracer::new(&scene);
+    let frame = trace(&tracer, &scene);
     let traced = lap();
-    let exact = frame.picture(&scene, &Exact.of(&scene, &frame)?);
+    let drawn = draw(&tracer, &scene, &frame)?;
+    let [exact_frame, own_frame] = [0, 1].map(|looks| drawn.get(looks).unwrap_or(&frame));
+    let lobes = Exact.of(&scene, &frame)?;
+    let exact_channels = exact_frame.channels(&scene, &lobes);
+    let exact = frame.codes(scene.channel_bits, &exact_channels);
     let mut seconds = Seconds { trace: traced, exact: lap(), core: None, files: 0.0 };
-    let of_core = match &core {
-        Some(core) => {
-            let own = frame.picture(&scene, &highlights(core, arguments.through, &scene, &frame)?);
-            let difference = Difference::of(&exact, &own);
-            seconds.core = Some(lap());
-            Some((&core.design, own, difference))
-        }
-        None => None,
+    let own = if core.is_some() || measured && (arguments.only != Only::Exact || arguments.exr.is_some()) {
+        let lobes = match &core {
+            Some(core) => highlights(core, arguments.through, &scene, &frame)?,
+            None => lobes,
+        };
+        let channels = own_frame.channels(&scene, &lobes);
+        let picture = frame.codes(scene.channel_bits, &channels);
+        let difference = Difference::of(&exact, &picture);
+        let psnr = reflectance::psnr(&frame, &exact_channels, &channels);
+        seconds.core = core.is_some().then(&mut lap);
+        Some(Own { design: core.as_ref().map(|core| &core.design), picture, difference, psnr })
+    } else {
+        None
     };
 
-    let missed = of_core.as_ref().map(|(.., difference)| missed(&scene, difference)).unwrap_or_default();
-    let verdict =
-        if missed.is_empty() { format!("within the budget: {}", budget_text(&scene)) } else { missed.join("; ") };
+    // Without a budget of its own, a picture through images is only measured.
+    let judged = !measured || scene.has_budget;
+    let missed = own.as_ref().filter(|_| judged).map(|own| missed(&scene, &own.difference)).unwrap_or_default();
+    let mut verdict = match (judged, missed.is_empty()) {
+        (false, _) => "no budget is given".to_owned(),
+        (true, true) => format!("within the budget: {}", budget_text(&scene)),
+        (true, false) => missed.join("; "),
+    };
+    let materials = if measured { materials_of(&scene)? } else { Vec::new() };
+    if let (true, Some(own)) = (measured, &own) {
+        verdict = format!("{}; {verdict}", linear_text(own.psnr));
+    }
     let mut panels = Value::Null;
-    let bytes = match (arguments.only, &of_core) {
-        (Only::All, Some((design, own, difference))) => {
-            let lines = [scene_text(&scene, &frame), format!("core {}", core_text(design))];
+    let bytes = match (arguments.only, &own) {
+        (Only::All, Some(Own { design, picture, difference, .. })) => {
+            let core = design.iter().map(|design| format!("core {}", core_text(design)));
+            let drawn = materials.iter().map(MaterialText::to_string);
+            let lines: Vec<String> = [scene_text(&scene, &frame)].into_iter().chain(core).chain(drawn).collect();
+            let what = if measured { "through images" } else { "core" };
             let Sheet { pixels, panels: places } =
-                sheet::triptych(&frame, [&exact, own], difference, &scene.name, &lines, &verdict);
+                sheet::triptych(&frame, [&exact, picture], what, difference, &scene.name, &lines, &verdict);
             panels = json!(places);
             pixels.png()
         }
-        (Only::Core, Some((_, own, _))) => own.pixels().png(),
-        (Only::Difference, Some((.., difference))) => sheet::heat_map(&frame, difference, 8).png(),
+        (Only::Core, Some(own)) => own.picture.pixels().png(),
+        (Only::Difference, Some(own)) => sheet::heat_map(&frame, &own.difference, 8).png(),
         _ => exact.pixels().png(),
     };
     // Both files are made before one is written.
-    let exr = match (&arguments.exr, &of_core) {
-        (Some(path), Some((_, own, _))) => Some((path, picture::exr(&exact, own)?)),
+    let exr = match (&arguments.exr, &own) {
+        (Some(path), Some(own)) => Some((path, picture::exr(&exact, &own.picture)?)),
         _ => None,
     };
     write_to(&arguments.out, &bytes)?;
@@ -212,7 +261,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     seconds.files = lap();
 
     if arguments.json {
-        let core = of_core.as_ref().map(|(design, _, difference)| {
+        let core = own.as_ref().and_then(|own| Some((own.design?, &own.difference))).map(|(design, difference)| {
             json!({
                 "name": design.spec.name,
                 "digest": design.spec.digest(),
@@ -222,6 +271,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
                 "difference": difference,
             })
         });
+        let images = own
+            .as_ref()
+            .filter(|_| measured)
+            .map(|own| json!({ "materials": materials, "psnr": own.psnr, "difference": own.difference }));
         say_json(&json!({
             "scene": scene.name,
             "width": frame.width,
@@ -229,16 +282,18 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
             "channel_bits": scene.channel_bits,
             "samples": samples(&frame),
             "core": core,
+            "images": images,
             "budget": budget_json(&scene),
-            "kept": core.as_ref().map(|_| missed.is_empty()),
+            "kept": own.as_ref().filter(|_| judged).map(|_| missed.is_empty()),
             "missed": missed,
             "panels": panels,
             "seconds": seconds,
         }));
     } else if !piped {
         say(format!("{}: {}", scene.name, scene_text(&scene, &frame)));
-        if let Some((design, _, difference)) = &of_core {
-            say(format!("core {}", core_text(design)));
+        materials.iter().for_each(|material| say(material.to_string()));
+        if let Some(Own { design, difference, .. }) = &own {
+            design.iter().for_each(|design| say(format!("core {}", core_text(design))));
             say(format!("  {}", sheet::figures(difference).join(", ")));
             say(format!("  pixels by the steps that they are off: {}", histogram(difference)));
             say(format!("  {verdict}"));
@@ -265,7 +320,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 fn compare(arguments: &Arguments, scene: &Scene, cores: &[Chosen], piped: bool) -> Result<Verdict, Error> {
     let family = arguments.family.unwrap_or(scene.core.family);
     let costing = costing(arguments.synth)?;
-    let frame = trace(scene);
+    let frame = trace(&Tracer::new(scene), scene);
     let exact = frame.picture(scene, &Exact.of(scene, &frame)?);
     let bar = progress::bar("cores", cores.len() as u64);
     let mut cells = Vec::new();
@@ -373,7 +428,8 @@ fn core_for(scene: &Scene, fields: SpecFields) -> Result<Design, Error> {
 
 /// The distinct shininesses of the materials that objects have, ascending.
 fn shininesses(scene: &Scene) -> Vec<f64> {
-    let mut all: Vec<f64> = scene.objects.iter().map(|object| scene.materials[object.material].shininess).collect();
+    let classical = scene.objects.iter().filter(|object| scene.reflectance(object.material).is_none());
+    let mut all: Vec<f64> = classical.map(|object| scene.materials[object.material].shininess).collect();
     all.sort_by(f64::total_cmp);
     all.dedup();
     all
@@ -450,11 +506,149 @@ fn compared_core(entry: &str, arguments: &Arguments, scene: &Scene) -> Result<Ch
 }
 
 /// The picture before its highlights.
-fn trace(scene: &Scene) -> Frame {
+fn trace(tracer: &Tracer, scene: &Scene) -> Frame {
     let bar = progress::bar("rows traced", scene.height.into());
-    let frame = Frame::render(scene, &|| bar.inc(1));
+    let frame = Frame::trace(tracer, scene, &|| bar.inc(1));
     bar.finish_and_clear();
     frame
+}
+
+/// The picture before its highlights, with its measured materials exactly and as the scene says; nothing where it has none.
+fn draw(tracer: &Tracer, scene: &Scene, frame: &Frame) -> Result<Vec<Frame>, Error> {
+    if !scene.is_measured() {
+        return Ok(Vec::new());
+    }
+    Ok(drawn(tracer, scene, frame, &[&scene.exact_looks()?, &scene.own_looks()?]))
+}
+
+fn drawn(tracer: &Tracer, scene: &Scene, frame: &Frame, looks: &[&Looks]) -> Vec<Frame> {
+    let bar = progress::bar("rows shaded", scene.height.into());
+    let frames = reflectance::drawn(tracer, scene, frame, looks, &|| bar.inc(1));
+    bar.finish_and_clear();
+    frames
+}
+
+/// How a measured material is drawn, for people and programs.
+#[derive(Serialize)]
+struct MaterialText {
+    name: String,
+    reflectance: String,
+    shading: Shading,
+    form: Option<String>,
+    kib: Option<f64>,
+    viewer: Viewer,
+    exposure: f64,
+}
+
+impl std::fmt::Display for MaterialText {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self { name, reflectance, form, kib, viewer, exposure, .. } = self;
+        write!(f, "material {name}: {reflectance}, exposure {exposure:.4}, ")?;
+        match form.as_ref().zip(*kib) {
+            None => write!(f, "evaluated exactly"),
+            Some((form, kib)) => {
+                let viewer = if *viewer == Viewer::Axis { ", the viewer along the axis" } else { "" };
+                write!(f, "drawn through {form}, {} KiB{viewer}", kib_text(kib))
+            }
+        }
+    }
+}
+
+fn kib_text(kib: f64) -> String {
+    if kib < 10.0 { format!("{kib:.2}") } else { format!("{kib:.0}") }
+}
+
+fn materials_of(scene: &Scene) -> Result<Vec<MaterialText>, Error> {
+    let text = |(name, measured): (&str, &std::sync::Arc<Measured>)| {
+        let form = (measured.shading == Shading::ImageBased).then(|| measured.form()).transpose()?;
+        Ok(MaterialText {
+            name: name.to_owned(),
+            reflectance: measured.name.clone(),
+            shading: measured.shading,
+            form: form.map(|form| form.spec.to_string()),
+            kib: form.map(Form::kib),
+            viewer: measured.viewer,
+            exposure: measured.exposure,
+        })
+    };
+    scene.measured().map(text).collect()
+}
+
+/// The ratio on linear values, over the pixels that show objects, as reflectances are judged.
+fn linear_text(psnr: Option<f64>) -> String {
+    psnr.map_or_else(
+        || "the same picture".to_owned(),
+        |psnr| format!("PSNR {psnr:.1} dB on linear values of the objects"),
+    )
+}
+
+/// A picture beside the exact one.
+struct Own<'a> {
+    design: Option<&'a Design>,
+    picture: Picture,
+    difference: Difference,
+    /// On linear values, over objects.
+    psnr: Option<f64>,
+}
+
+/// The contact sheet of forms.
+fn compare_forms(arguments: &Arguments, scene: &Scene, compared: &[String], piped: bool) -> Result<Verdict, Error> {
+    if arguments.synth || arguments.family.is_some() || arguments.fields != SpecFields::default() {
+        return Err(Error::input(
+            "keys of a core are given, and the scene's measured materials are compared by forms",
+            "leave --synth, --family and the keys of a core out",
+        ));
+    }
+    let given: Vec<&str> = if compared.iter().all(String::is_empty) {
+        Compared::DEFAULT.to_vec()
+    } else {
+        compared.iter().map(String::as_str).collect()
+    };
+    let all: Vec<Compared> = given.into_iter().map(Compared::parse).collect::<Result<_, _>>()?;
+    let bar = progress::bar("forms made", all.len() as u64);
+    let made = |compared: &Compared| {
+        let looks = scene.compared_looks(compared);
+        bar.inc(1);
+        looks
+    };
+    let mut looks = vec![scene.exact_looks()?];
+    for compared in &all {
+        looks.push(made(compared)?);
+    }
+    bar.finish_and_clear();
+    let tracer = Tracer::new(scene);
+    let frame = trace(&tracer, scene);
+    let lobes = Exact.of(scene, &frame)?;
+    let frames = drawn(&tracer, scene, &frame, &looks.iter().collect::<Vec<_>>());
+    let channels: Vec<Vec<Colour>> = frames.iter().map(|frame| frame.channels(scene, &lobes)).collect();
+    let exact = frame.codes(scene.channel_bits, &channels[0]);
+    let mut cells = Vec::new();
+    let mut list = Vec::new();
+    for (looks, own) in looks.iter().zip(&channels).skip(1) {
+        let picture = frame.codes(scene.channel_bits, own);
+        let difference = Difference::of(&exact, &picture);
+        let psnr = reflectance::psnr(&frame, &channels[0], own);
+        let kib = looks.kib.unwrap_or_default();
+        list.push(json!({ "name": looks.name, "kib": kib, "psnr": psnr, "difference": difference }));
+        let (lines, verdict) = (vec![format!("{} KiB", kib_text(kib))], linear_text(psnr));
+        cells.push(Cell { name: looks.name.clone(), picture, difference, lines, verdict });
+    }
+    let materials = materials_of(scene)?;
+    let of_materials = materials.iter().map(|material| format!("{}: {}", material.name, material.reflectance));
+    let lines: Vec<String> = [scene_text(scene, &frame)].into_iter().chain(of_materials).collect();
+    let Sheet { pixels, panels } = sheet::contact(&frame, &exact, &cells, &scene.name, &lines);
+    write_to(&arguments.out, &pixels.png())?;
+    if arguments.json {
+        say_json(&json!({ "scene": scene.name, "materials": materials, "forms": list, "panels": panels }));
+    } else if !piped {
+        say(format!("{}: {}", scene.name, lines.join("; ")));
+        for Cell { name, difference, lines, verdict, .. } in &cells {
+            let [most, mean, _, off] = sheet::figures(difference);
+            say(format!("{name}: {}; {verdict}; {most}, {mean}, {off}", lines.join(", ")));
+        }
+        say(arguments.out.display().to_string());
+    }
+    Ok(Verdict::Done)
 }
 
 /// The core's highlights.
@@ -509,15 +703,13 @@ fn shininess_text(scene: &Scene) -> String {
 }
 
 fn scene_text(scene: &Scene, frame: &Frame) -> String {
-    format!(
-        "{} × {} pixels, {} bits a channel, {}, {}, {} samples",
-        frame.width,
-        frame.height,
-        scene.channel_bits,
-        crate::explore::sweep::word(&scene.model),
-        counted(scene.lights.len() as u64, "light"),
-        samples(frame)
-    )
+    let lights = counted(scene.lights.len() as u64, "light");
+    let lobes = if scene.has_highlights() {
+        format!("{}, {lights}, {} samples", crate::explore::sweep::word(&scene.model), samples(frame))
+    } else {
+        lights
+    };
+    format!("{} × {} pixels, {} bits a channel, {lobes}", frame.width, frame.height, scene.channel_bits)
 }
 
 /// A core's short name for people, without its shininesses.

@@ -19,7 +19,7 @@ use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving
 use crate::scene::require::{Counts, PictureError};
 use crate::scene::shade::{self, Shaded};
 use crate::scene::simplify::{Simplification, simplifications};
-use crate::scene::{Budget, CoreModel, Exact, Frame, Highlights, Requirements, Scene, sheet};
+use crate::scene::{Budget, CoreModel, Exact, Frame, Highlights, Requirements, Scene, Tracer, reflectance, sheet};
 use crate::spec::{BlockKind, ShaderFields, SpecFields};
 use crate::synth;
 
@@ -196,7 +196,10 @@ pub(super) fn make(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: 
 pub(super) fn part(scene: &Scene) -> Result<Option<ScenePart>, Error> {
     let known = Known::of(scene, &SceneFlags::default(), &SpecFields::default())?;
     let Some(findings) = known.findings(scene) else { return Ok(None) };
-    let frame = Frame::render(scene, &|| {});
+    let tracer = Tracer::new(scene);
+    let frame = Frame::trace(&tracer, scene, &|| {});
+    let drawn = reflectance::drawn(&tracer, scene, &frame, &[&scene.exact_looks()?], &|| {});
+    let frame = drawn.into_iter().next().unwrap_or(frame);
     let exact = frame.picture(scene, &Exact.of(scene, &frame)?);
     let own = frame.picture(scene, &CoreModel::new(findings.design)?.of(scene, &frame)?);
     let lines = [format!("core {}", findings.chosen.candidate.point.name)];
@@ -204,6 +207,7 @@ pub(super) fn part(scene: &Scene) -> Result<Option<ScenePart>, Error> {
     let sheet = sheet::triptych(
         &frame,
         [&exact, &own],
+        "core",
         &findings.verified.base,
         &scene.name,
         &lines,
@@ -281,7 +285,7 @@ fn requirements_text(scene: &Scene, requirements: &Requirements) -> Vec<String> 
         vec![
             need.name.clone(),
             need.row.map_or_else(|| "none".to_owned(), |row| row.to_string()),
-            need.shininess.to_string(),
+            if need.measured { "-".to_owned() } else { need.shininess.to_string() },
             format!("{:.1}", need.peak_steps),
             need.base.lit().to_string(),
             need.moved.lit().to_string(),

@@ -158,6 +158,28 @@ impl FormSpec {
         Ok(())
     }
 
+    /// Sets `images`, `size`, `texel`, `border` or `behind` as it is written in a flag or a file.
+    ///
+    /// # Errors
+    /// Another key, or what is no such value.
+    pub fn set(&mut self, key: &str, text: &str) -> Result<(), Error> {
+        let wrong = |allowed: String| Error::input(format!("{key} = `{text}`"), allowed);
+        match key {
+            "images" => return self.set_images(text),
+            "size" => {
+                self.size = text.parse().map_err(|_| wrong(format!("2 to {LARGEST} texels along a side")))?;
+            }
+            "texel" => self.texel = text.parse().map_err(wrong)?,
+            "border" => self.options.border = text.parse().map_err(wrong)?,
+            "behind" => self.options.behind = text.parse().map_err(wrong)?,
+            _ => {
+                let allowed = "a form has images, size, texel, border and behind";
+                return Err(Error::input(format!("a form has no key `{key}`"), allowed));
+            }
+        }
+        Ok(())
+    }
+
     /// Whether all of it can be made.
     ///
     /// # Errors

@@ -155,7 +155,7 @@ fn materials(materials: &[MaterialNeed]) -> Table {
         };
         let cells = vec![
             word(&need.name),
-            number(Some(need.shininess), |n| format!("{n}")),
+            number((!need.measured).then_some(need.shininess), |n| format!("{n}")),
             number(need.row.map(|row| row as f64), |row| format!("{row}")),
             number(Some(need.peak_steps), |steps| format!("{steps:.1}")),
             number(Some(all.samples as f64), |count| format!("{count}")),

@@ -46,7 +46,8 @@ pub struct Findings<'a> {
 #[derive(Clone, Debug, Serialize)]
 struct Coded {
     name: String,
-    shininess: f64,
+    /// None where it is drawn by its reflectance.
+    shininess: Option<f64>,
     code: Option<u32>,
     modelled: bool,
     #[serde(skip)]
@@ -152,12 +153,16 @@ impl Findings<'_> {
             let coded = |(need, code): (&MaterialNeed, &Option<u32>)| {
                 let note = if code.is_some() { "" } else { "not modelled: no picture shows it" };
                 let (name, note) = (need.name.clone(), note.to_owned());
-                Coded { name, shininess: need.shininess, code: *code, modelled: code.is_some(), note }
+                Coded { name, shininess: Some(need.shininess), code: *code, modelled: code.is_some(), note }
             };
             return requirements.materials.iter().zip(&codes).map(coded).collect();
         }
         let indices = Codes::of(design, scene, &requirements.frame).indices;
         let coded = |(need, &code): (&MaterialNeed, &u32)| {
+            if need.measured {
+                let note = "drawn by its reflectance: it asks for no lobe".to_owned();
+                return Coded { name: need.name.clone(), shininess: None, code: None, modelled: false, note };
+            }
             let row = design.spec.shininess.row_of_index(code);
             let modelled = need.row.is_some();
             let note = match (modelled, need.used) {
@@ -168,7 +173,7 @@ impl Findings<'_> {
                     format!("not modelled: {why}; the nearest row, n = {}", design.spec.shininess.value(row))
                 }
             };
-            Coded { name: need.name.clone(), shininess: need.shininess, code: Some(code), modelled, note }
+            Coded { name: need.name.clone(), shininess: Some(need.shininess), code: Some(code), modelled, note }
         };
         requirements.materials.iter().zip(&indices).map(coded).collect()
     }

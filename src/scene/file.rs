@@ -10,18 +10,21 @@ use toml::de::{DeTable, DeValue, Deserializer};
 
 use super::mesh::{Mesh, Normals, Transform};
 use super::mtl;
+use super::reflectance::{Measured, ReflectanceFields, Shading};
 use crate::design::sample::{Vector, dot, normalised};
 use crate::error::Error;
 use crate::explore::Objective;
 use crate::input;
 use crate::lobe::MAX_SHININESS;
 use crate::spec::{
-    CHANNEL_BITS, Colour, LIGHTS, Material, Model, Shininess, SpecFields, check_name, suggest, toml_error, unit,
+    CHANNEL_BITS, Colour, Material, Model, Shininess, SpecFields, check_name, suggest, toml_error, unit,
 };
 use crate::synth::Family;
 
 /// The most pixels a side of a picture.
 pub const MAX_SIDE: u32 = 16_384;
+/// The most lights. A shader has 8 at most; lobes and reflectances do not care.
+pub const MAX_LIGHTS: usize = 4096;
 /// The greatest magnitude of a coordinate, a radius or a scale.
 pub const MAX_COORDINATE: f64 = 1e9;
 /// The help to errors of the TOML parser.
@@ -49,9 +52,11 @@ pub struct Scene {
     /// The materials, in the order of the file, then those of its meshes' MTL files, with their surfaces ([`Material::with_surface`]);
     /// shininess at least 1.
     pub materials: Vec<Material>,
+    /// The reflectance of each material that is drawn by it. Such a material has no highlight of its own, and no light is diffused by its keys.
+    pub reflectances: Vec<Option<Arc<Measured>>>,
     /// What of the MTL files is left out, a line each.
     pub left_out: Vec<String>,
-    /// The lights, 1 to 8.
+    /// The lights, 1 to [`MAX_LIGHTS`].
     pub lights: Vec<Light>,
     /// The objects, one at least. A mesh with the materials of its file is one for each of them.
     pub objects: Vec<Object>,
@@ -59,6 +64,8 @@ pub struct Scene {
     pub shadows: bool,
     /// The error that the picture may have.
     pub budget: Budget,
+    /// Whether the file says so, or it is the default.
+    pub has_budget: bool,
     /// What is wished of the core.
     pub core: Wishes,
 }
@@ -159,6 +166,7 @@ struct SceneFields {
     ambient: Option<Colour>,
     background: Option<Colour>,
     shadows: Option<bool>,
+    shading: Option<Shading>,
     camera: Option<Spanned<CameraFields>>,
     #[serde(default)]
     material: Vec<Spanned<MaterialFields>>,
@@ -193,6 +201,8 @@ struct MaterialFields {
     colour: Option<Colour>,
     ambient_colour: Option<Colour>,
     specular_colour: Option<Colour>,
+    shading: Option<Shading>,
+    reflectance: Option<Spanned<ReflectanceFields>>,
 }
 
 #[derive(Deserialize)]
@@ -392,10 +402,44 @@ impl SceneFields {
         let camera = camera.into_inner().resolve().map_err(|error| source.at("camera: ", &span, error))?;
 
         let mut materials: Vec<Material> = Vec::with_capacity(self.material.len());
+        let mut reflectances: Vec<Option<Arc<Measured>>> = Vec::with_capacity(self.material.len());
         for (index, material) in self.material.into_iter().enumerate() {
             let span = material.span();
             let place = |error| source.at("", &span, error);
-            let material = material.into_inner().resolve(index).map_err(place)?;
+            let mut fields = material.into_inner();
+            let reflectance = fields.reflectance.take();
+            let own = reflectance.as_ref().and_then(|table| table.get_ref().shading).or(fields.shading);
+            if reflectance.is_none() && own.is_some_and(|own| own != Shading::Classical) {
+                return Err(place(Error::input(
+                    format!("material {} has a shading and no reflectance", fields.name),
+                    "give [material.reflectance] with a file or a model",
+                )));
+            }
+            let shading = own.or(self.shading).unwrap_or(Shading::ImageBased);
+            let measured = match reflectance {
+                None => None,
+                Some(table) => {
+                    let (span, what) = (table.span(), format!("material {}: reflectance: ", fields.name));
+                    let measured = table.into_inner().resolve(shading, directory);
+                    Some(measured.map_err(|error| source.at(&what, &span, error))?)
+                }
+            };
+            let material = match measured {
+                Some(measured) if shading == Shading::Classical => {
+                    fields.fit(&measured, self.model.unwrap_or(Model::Phong)).map_err(place)?;
+                    reflectances.push(None);
+                    fields
+                }
+                Some(measured) => {
+                    reflectances.push(Some(Arc::new(measured)));
+                    fields.without_highlight()
+                }
+                None => {
+                    reflectances.push(None);
+                    fields
+                }
+            };
+            let material = material.resolve(index).map_err(place)?;
             if materials.iter().any(|other| other.name == material.name) {
                 let what = format!("there are two materials {}", material.name);
                 return Err(place(Error::input(what, "each has a name of its own")));
@@ -407,11 +451,10 @@ impl SceneFields {
             return Err(Error::input("the scene has no materials", "give one at least: [[material]]"));
         }
 
-        if !LIGHTS.contains(&(self.light.len() as u32)) {
-            let (least, most) = (LIGHTS.start(), LIGHTS.end());
+        if !(1..=MAX_LIGHTS).contains(&self.light.len()) {
             return Err(Error::input(
                 format!("the scene has {} lights", self.light.len()),
-                format!("a scene has {least} to {most} lights: [[light]]"),
+                format!("a scene has 1 to {MAX_LIGHTS} lights: [[light]]"),
             ));
         }
         let lights = numbered(source, "light", self.light, |_| String::new(), LightFields::resolve)?;
@@ -430,6 +473,8 @@ impl SceneFields {
         left_out.sort();
         left_out.dedup();
         Shininess::Materials(materials.clone()).check()?;
+        reflectances.resize(materials.len(), None);
+        let has_budget = self.budget.is_some();
         let budget = match self.budget {
             None => Budget { max_steps: Some(1), min_psnr: None },
             Some(budget) => {
@@ -446,11 +491,13 @@ impl SceneFields {
             background,
             camera,
             materials,
+            reflectances,
             left_out,
             lights,
             objects,
             shadows: self.shadows.unwrap_or(false),
             budget,
+            has_budget,
             core: core.unwrap_or_else(|| Wishes {
                 family: Family::Ecp5,
                 min_mhz: None,
@@ -545,6 +592,41 @@ impl CameraFields {
 }
 
 impl MaterialFields {
+    /// Fills in the diffuse part and the highlight that are nearest to a reflectance, where the file has none of its own.
+    fn fit(&mut self, measured: &Measured, model: Model) -> Result<(), Error> {
+        if self.shininess.is_some() || self.roughness.is_some() {
+            return Ok(());
+        }
+        let fitted = measured.fitted(model, 1)?;
+        let lobe = fitted.lobes.first().map_or(([0.0; 3], 1.0), |lobe| (lobe.ks, lobe.n));
+        // A factor and a colour are at most 1, and so is what is seen.
+        let parts = |rgb: Colour| {
+            let most = rgb.into_iter().fold(0.0, f64::max);
+            let colour = if most > 0.0 { rgb.map(|channel| channel / most) } else { [1.0; 3] };
+            (most.min(1.0), colour)
+        };
+        let ((diffuse, colour), (specular, specular_colour)) = (parts(fitted.kd), parts(lobe.0));
+        self.shininess = Some(lobe.1);
+        self.ambient = self.ambient.or(Some(0.0));
+        self.diffuse = self.diffuse.or(Some(diffuse));
+        self.colour = self.colour.or(Some(colour));
+        self.specular = self.specular.or(Some(specular));
+        self.specular_colour = self.specular_colour.or(Some(specular_colour));
+        Ok(())
+    }
+
+    /// The material as one that asks for no lobe: a reflectance draws it. What it gives back of the ambient light stays.
+    fn without_highlight(self) -> Self {
+        Self {
+            shininess: Some(1.0),
+            roughness: None,
+            ambient: self.ambient.or(Some(0.0)),
+            diffuse: Some(0.0),
+            specular: Some(0.0),
+            ..self
+        }
+    }
+
     /// The material with its surface; `index` is its place in the file, from 0.
     fn resolve(self, index: usize) -> Result<Material, Error> {
         let name = if self.name.is_empty() { format!("{}", index + 1) } else { self.name.clone() };

@@ -20,11 +20,12 @@ pub struct Frame {
     pub width: u32,
     /// Rows.
     pub height: u32,
-    /// The number of lights.
+    /// The number of lights; 0 where every material is drawn by its reflectance and none has a highlight.
     pub lights: usize,
     /// The material of each pixel, row by row from the top, as its place in [`Scene::materials`]; [`BACKGROUND`] where there is none.
     pub material: Vec<u16>,
-    /// Ambient and diffuse light of each pixel in units of full scale, 0 or more; of the background its colour.
+    /// Ambient and diffuse light of each pixel in units of full scale, 0 or more; of the background its colour; of a material that is drawn
+    /// by its reflectance the ambient light alone: [`reflectance`](super::reflectance) adds the rest.
     pub base: Vec<Colour>,
     /// The versine `u = 1 - x` of the highlight for each pixel and, within it, each light: 0 to 2, above 1 where the cosine x is
     /// negative; NaN where the light gives no highlight: it is behind the surface or in shadow, or there is no object.
@@ -77,47 +78,56 @@ impl Frame {
     /// moved.
     #[must_use]
     pub fn trace(tracer: &Tracer, scene: &Scene, done: &(dyn Fn() + Sync)) -> Self {
-        let (width, lights) = (scene.width as usize, scene.lights.len());
-        let pixels = width * scene.height as usize;
-        let mut frame = Self {
-            width: scene.width,
-            height: scene.height,
-            lights,
-            material: vec![BACKGROUND; pixels],
-            base: vec![scene.background; pixels],
-            versine: vec![f64::NAN; pixels * lights],
-        };
+        // Where no material has a highlight there is nothing to be said of any light.
+        let lights = if scene.has_highlights() { scene.lights.len() } else { 0 };
+        let width = scene.width as usize;
         let surfaces: Vec<Surface> = scene.materials.iter().map(|material| material.surface()).collect();
-        let rows = frame
-            .material
-            .par_chunks_mut(width)
-            .zip(frame.base.par_chunks_mut(width))
-            .zip(frame.versine.par_chunks_mut(width * lights));
-        rows.enumerate().for_each(|(row, ((material, base), versines))| {
-            for (x, hit) in tracer.row(scene, row as u32).into_iter().enumerate() {
+        let of_row = |row: u32| {
+            let mut material = vec![BACKGROUND; width];
+            let mut base = vec![scene.background; width];
+            let mut versines = vec![f64::NAN; width * lights];
+            for (x, hit) in tracer.row(scene, row).into_iter().enumerate() {
                 let Some(hit) = hit else { continue };
                 material[x] = u16::try_from(hit.material).expect("materials are few");
                 let surface = &surfaces[hit.material];
                 let mut sum = [0, 1, 2].map(|c| scene.ambient[c] * surface.ambient[c]);
-                for (light, versine) in versines[x * lights..][..lights].iter_mut().enumerate() {
-                    let lit = tracer.light(scene, &hit, light);
-                    if lit.visible {
-                        let colour = scene.lights[light].colour;
-                        sum = [0, 1, 2].map(|c| sum[c] + colour[c] * surface.diffuse[c] * lit.cosine);
-                        *versine = of_light(scene.model, &hit, &lit);
+                if scene.reflectance(hit.material).is_none() {
+                    for (light, versine) in versines[x * lights..][..lights].iter_mut().enumerate() {
+                        let lit = tracer.light(scene, &hit, light);
+                        if lit.visible {
+                            let colour = scene.lights[light].colour;
+                            sum = [0, 1, 2].map(|c| sum[c] + colour[c] * surface.diffuse[c] * lit.cosine);
+                            *versine = of_light(scene.model, &hit, &lit);
+                        }
                     }
                 }
                 base[x] = sum;
             }
             done();
-        });
+            (material, base, versines)
+        };
+        let rows: Vec<_> = (0..scene.height).into_par_iter().map(of_row).collect();
+        let pixels = width * scene.height as usize;
+        let mut frame = Self {
+            width: scene.width,
+            height: scene.height,
+            lights,
+            material: Vec::with_capacity(pixels),
+            base: Vec::with_capacity(pixels),
+            versine: Vec::with_capacity(pixels * lights),
+        };
+        for (material, base, versines) in rows {
+            frame.material.extend(material);
+            frame.base.extend(base);
+            frame.versine.extend(versines);
+        }
         frame
     }
 
-    /// The picture with these values of the lobes, one a pixel and light, each 0 to 1; those of NaN versines are not looked at.
+    /// The channels in units of full scale with these values of the lobes, one a pixel and light, each 0 to 1; those of NaN versines are not
+    /// looked at. What exceeds full scale is not cut off yet.
     #[must_use]
-    pub fn picture(&self, scene: &Scene, highlights: &[f64]) -> Picture {
-        let full = f64::from((1u32 << scene.channel_bits) - 1);
+    pub fn channels(&self, scene: &Scene, highlights: &[f64]) -> Vec<Colour> {
         let weights: Vec<Vec<Colour>> =
             (0..scene.materials.len()).map(|m| (0..self.lights).map(|l| scene.specular(m, l)).collect()).collect();
         let pixel = |index: usize| {
@@ -131,10 +141,24 @@ impl Frame {
                     }
                 }
             }
-            sum.map(|channel| libm::round(channel.clamp(0.0, 1.0) * full) as u16)
+            sum
         };
-        let codes = (0..self.material.len()).into_par_iter().map(pixel).collect();
-        Picture { width: self.width, height: self.height, channel_bits: scene.channel_bits, codes }
+        (0..self.material.len()).into_par_iter().map(pixel).collect()
+    }
+
+    /// The picture with these values of the lobes, as [`Frame::channels`] takes them.
+    #[must_use]
+    pub fn picture(&self, scene: &Scene, highlights: &[f64]) -> Picture {
+        self.codes(scene.channel_bits, &self.channels(scene, highlights))
+    }
+
+    /// The picture of these channels in units of full scale, taken into [0, 1] and rounded to the nearest code.
+    #[must_use]
+    pub fn codes(&self, channel_bits: u32, channels: &[Colour]) -> Picture {
+        let full = f64::from((1u32 << channel_bits) - 1);
+        let code = |channel: f64| libm::round(channel.clamp(0.0, 1.0) * full) as u16;
+        let codes = channels.par_iter().map(|pixel| pixel.map(code)).collect();
+        Picture { width: self.width, height: self.height, channel_bits, codes }
     }
 }
 

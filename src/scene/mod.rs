@@ -7,6 +7,7 @@
 //! - [`highlight`]: those values: exact, by the bit-exact model of a core, or by the compiled core itself;
 //! - [`trace`]: what a ray of sight meets, and which lights shine there;
 //! - [`difference`]: two pictures compared, in output steps;
+//! - [`reflectance`]: materials drawn by their reflectance, exactly or through sphere images;
 //! - [`require`]: what a scene requires of a core;
 //! - [`choice`]: the cheapest core that keeps the scene's budget;
 //! - [`shade`]: the whole shader around it;
@@ -24,6 +25,7 @@ pub mod highlight;
 pub mod mesh;
 pub mod mtl;
 pub mod picture;
+pub mod reflectance;
 pub mod require;
 pub mod shade;
 pub mod sheet;

@@ -65,8 +65,10 @@ pub struct Spread {
 pub struct MaterialNeed {
     /// Its name.
     pub name: String,
-    /// Its shininess.
+    /// Its shininess; without a meaning where it is drawn by its reflectance.
     pub shininess: f64,
+    /// Whether it is drawn by its reflectance, and asks for no lobe.
+    pub measured: bool,
     /// The highlight's peak in output steps: the largest channel of k_s times the sum of all lights, times full scale.
     pub peak_steps: f64,
     /// Whether an object has it.
@@ -429,12 +431,18 @@ impl Requirements {
     /// how many of how many pictures have been rendered.
     ///
     /// # Errors
-    /// A margin that is not allowed.
+    /// A margin that is not allowed, a scene without a highlight.
     pub fn of(scene: &Scene, margin_degrees: f64, done: &(dyn Fn(usize, usize) + Sync)) -> Result<Self, Error> {
         if !(0.0..=MAX_MARGIN).contains(&margin_degrees) {
             return Err(Error::input(
                 format!("a margin of {margin_degrees} degrees is out of range"),
                 format!("a margin is a real number from 0 to {MAX_MARGIN}"),
+            ));
+        }
+        if !scene.has_highlights() {
+            return Err(Error::input(
+                "all objects of the scene are drawn by a reflectance, and none asks for a lobe",
+                "shading = \"classical\" makes the nearest diffuse and cos^n materials of them",
             ));
         }
         let moved = scene.moved(margin_degrees);
@@ -529,6 +537,7 @@ fn needs(scene: &Scene, [base, moved, both]: [&Survey; 3], rows: &[Row], full: f
     let need = |(place, material): (usize, &Material)| MaterialNeed {
         name: material.name.clone(),
         shininess: material.shininess,
+        measured: scene.reflectance(place).is_some(),
         peak_steps: weight(scene, place) * full,
         used: scene.objects.iter().any(|object| object.material == place),
         row: rows.iter().position(|row| row.shininess == material.shininess).filter(|_| both.counts[place].lit() > 0),

@@ -35,6 +35,12 @@ pub fn spec(
             "of the shader's keys give only front and vector_fraction",
         ));
     }
+    if scene.is_measured() {
+        return Err(Error::input(
+            "the scene has materials that are drawn by a reflectance, and a shader computes none",
+            "shading = \"classical\" makes the nearest diffuse and cos^n materials of them",
+        ));
+    }
     let first = requirements.rows.first().map_or(1.0, |row| row.shininess);
     let needed =
         scene.materials.iter().zip(&requirements.materials).filter(|(_, need)| need.base.and(&need.moved).samples > 0);

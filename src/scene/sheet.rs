@@ -293,12 +293,13 @@ fn unit(width: u32) -> f64 {
     libm::round(f64::from(width) / 90.0).max(13.0)
 }
 
-/// Exact, core and difference side by side, or one above the other where they are wide; `title` and `lines` stand above them, `verdict`
+/// Exact, the core's (or `what` else it is) and difference side by side, or one above the other where they are wide; `title` and `lines` stand above them, `verdict`
 /// below.
 #[must_use]
 pub fn triptych(
     frame: &Frame,
     [exact, core]: [&Picture; 2],
+    what: &str,
     difference: &Difference,
     title: &str,
     lines: &[String],
@@ -321,7 +322,7 @@ pub fn triptych(
         y = page.paragraph((margin, y), inner, 1.0, GREY, line);
     }
     y += page.units(0.8);
-    let heads = ["exact", "core", "difference in output steps"];
+    let heads = ["exact", what, "difference in output steps"];
     let kinds = [Shows::Exact, Shows::Core, Shows::Difference];
     let mut below = y;
     for (place, (head, shows)) in heads.into_iter().zip(kinds).enumerate() {
@@ -411,7 +412,7 @@ pub fn contact(frame: &Frame, exact: &Picture, cells: &[Cell], title: &str, line
                     room,
                     1.0,
                     GREY,
-                    "Below each core's picture: how far it is off, in output steps",
+                    "Below each picture: how far it is off, in output steps",
                 );
                 down = page.legend(
                     (left, down + page.units(0.5)),

@@ -1,0 +1,598 @@
+//! Materials that are drawn by their reflectance, exactly or through sphere images, next to classical ones.
+//!
+//! Every light and the viewer are turned into the frame of each pixel, in which the viewer is at +Z, as
+//! [`vector::seen_from`] has it: so point lights and perspective cameras cost a turn, and nothing else. The images' authors take the viewer to be
+//! in the same direction everywhere (A. Mihálik, R. Ďurikovič, "Image-based BRDF Representation", section 3): [`Viewer::Axis`].
+
+use std::path::Path;
+use std::sync::{Arc, OnceLock};
+
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use super::frame::{BACKGROUND, Frame};
+use super::trace::Hit;
+use super::{Scene, Tracer};
+use crate::error::Error;
+use crate::reflectance::classical::{self, Classical, Cosine};
+use crate::reflectance::vector::{self, Light};
+use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Model, Record, Reflectance, Source, Vector, measure, open};
+use crate::spec::{Colour, Model as Highlight, suggest};
+
+/// How a material with a reflectance is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shading {
+    /// As a diffuse part and a cos^n highlight: the material's own, or the nearest to its reflectance.
+    Classical,
+    /// By the reflectance itself.
+    Measured,
+    /// Through sphere images or slices of it.
+    ImageBased,
+}
+
+/// Where a form takes the viewer to be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Viewer {
+    /// Where each pixel sees it.
+    #[default]
+    Pixel,
+    /// Along the camera's axis for all pixels: the orthographic reading of the paper.
+    Axis,
+}
+
+/// What reflects.
+enum What {
+    Exact(Box<dyn Reflectance + Send>),
+    Images(Form),
+}
+
+/// A material's reflectance and how it is drawn.
+pub struct Measured {
+    /// The file as the scene names it, or the model with its parameters.
+    pub name: String,
+    /// How it is drawn where an exact picture is not asked for; never classical.
+    pub shading: Shading,
+    /// What is made of it for [`Shading::ImageBased`].
+    pub spec: FormSpec,
+    /// Where that takes the viewer to be.
+    pub viewer: Viewer,
+    /// The exposure E that radiance is multiplied by.
+    pub exposure: f64,
+    what: What,
+    form: OnceLock<Form>,
+}
+
+impl std::fmt::Debug for Measured {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Measured({}, {:?}, {})", self.name, self.shading, self.spec)
+    }
+}
+
+/// A value of a key that is read as it is written elsewhere, as in `images = 6` or `images = [0, 45, 90]`.
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "a number, a text, or a list of numbers")]
+enum Written {
+    Whole(i64),
+    Number(f64),
+    Text(String),
+    List(Vec<f64>),
+}
+
+impl Written {
+    fn text(&self) -> String {
+        match self {
+            Self::Whole(number) => number.to_string(),
+            Self::Number(number) => number.to_string(),
+            Self::Text(text) => text.clone(),
+            // One angle alone is no count.
+            Self::List(list) if list.len() == 1 => format!("{},", list[0]),
+            Self::List(list) => list.iter().map(f64::to_string).collect::<Vec<_>>().join(","),
+        }
+    }
+}
+
+/// The table `[material.reflectance]` as written.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ReflectanceFields {
+    file: Option<String>,
+    model: Option<String>,
+    parameters: Option<std::collections::BTreeMap<String, Written>>,
+    lookup: Option<LookupName>,
+    exposure: Option<f64>,
+    pub(super) shading: Option<Shading>,
+    form: Option<String>,
+    images: Option<Written>,
+    size: Option<Written>,
+    texel: Option<Written>,
+    border: Option<Written>,
+    behind: Option<Written>,
+    viewer: Option<Viewer>,
+}
+
+#[derive(Clone, Copy, PartialEq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum LookupName {
+    Trilinear,
+    Nearest,
+}
+
+impl ReflectanceFields {
+    /// The reflectance; its file lies where its path leads from `directory`.
+    pub(super) fn resolve(self, shading: Shading, directory: &Path) -> Result<Measured, Error> {
+        let (name, what) = match (&self.file, &self.model) {
+            (Some(_), Some(_)) => return Err(Error::input("both file and model are given", "give one of the two")),
+            (None, None) => {
+                let allowed =
+                    "give file: a MERL table, a directory of sphere images or a matcap; or model: the name of one";
+                return Err(Error::input("neither file nor model is given", allowed));
+            }
+            (Some(file), None) => {
+                if self.parameters.is_some() {
+                    return Err(Error::input("a file has no parameters", "they are a model's"));
+                }
+                let what = match open(&directory.join(file))? {
+                    Source::Table(mut table) => {
+                        if self.lookup == Some(LookupName::Nearest) {
+                            table.lookup = Lookup::Nearest;
+                        }
+                        What::Exact(Box::new(table))
+                    }
+                    Source::Images(form) => What::Images(form),
+                };
+                (file.clone(), what)
+            }
+            (None, Some(model)) => {
+                let mut model = Model::named(model)?;
+                for (key, value) in self.parameters.iter().flatten() {
+                    model.set(key, &value.text())?;
+                }
+                (model.to_string(), What::Exact(Box::new(model)))
+            }
+        };
+        if let Some(exposure) = self.exposure.filter(|exposure| !(*exposure > 0.0 && exposure.is_finite())) {
+            return Err(Error::input(format!("exposure = {exposure} is out of range"), "a number above 0"));
+        }
+        let keys = [
+            ("images", &self.images),
+            ("size", &self.size),
+            ("texel", &self.texel),
+            ("border", &self.border),
+            ("behind", &self.behind),
+        ];
+        let (spec, exposure) = match &what {
+            What::Images(form) => {
+                let given = keys.iter().find(|(_, value)| value.is_some()).map(|(key, _)| *key);
+                if let Some(key) = given.or(self.form.as_ref().map(|_| "form")) {
+                    return Err(Error::input(
+                        format!("{key} is given, and {name} holds images already"),
+                        "leave it out, or give a table or a model",
+                    ));
+                }
+                if shading != Shading::ImageBased {
+                    return Err(Error::input(
+                        format!("{name} holds sphere images, and no reflectance"),
+                        "shading = \"image-based\", or give a MERL table or a model",
+                    ));
+                }
+                if self.exposure.is_some() {
+                    return Err(Error::input(
+                        format!("exposure is given, and the images of {name} have theirs"),
+                        "leave it out, or make the images anew with --exposure",
+                    ));
+                }
+                (form.spec.clone(), form.exposure)
+            }
+            What::Exact(reflectance) => {
+                let mut spec = FormSpec::of(made(self.form.as_deref().unwrap_or(FormKind::Half.name()))?);
+                for (key, value) in keys.iter().filter_map(|(key, value)| value.as_ref().map(|value| (key, value))) {
+                    spec.set(key, &value.text())?;
+                }
+                spec.check()?;
+                (spec, self.exposure.unwrap_or_else(|| measure::exposure(&**reflectance)))
+            }
+        };
+        let viewer = self.viewer.unwrap_or_default();
+        Ok(Measured { name, shading, spec, viewer, exposure, what, form: OnceLock::new() })
+    }
+}
+
+/// A form that is made of a reflectance, by its name.
+fn made(name: &str) -> Result<FormKind, Error> {
+    FormKind::MADE.into_iter().find(|kind| kind.name() == name).ok_or_else(|| {
+        Error::input(
+            format!("there is no form `{name}`"),
+            suggest("forms", name, FormKind::MADE.into_iter().map(FormKind::name)),
+        )
+    })
+}
+
+impl Measured {
+    /// The reflectance itself; none of sphere images.
+    #[must_use]
+    pub fn reflectance(&self) -> Option<&dyn Reflectance> {
+        match &self.what {
+            What::Exact(reflectance) => Some(&**reflectance),
+            What::Images(_) => None,
+        }
+    }
+
+    /// What stands in place of it as its keys have it; made when it is first asked for.
+    ///
+    /// # Errors
+    /// A sample that does not fit 32 bits.
+    pub fn form(&self) -> Result<&Form, Error> {
+        match &self.what {
+            What::Images(form) => Ok(form),
+            What::Exact(reflectance) => {
+                if let Some(form) = self.form.get() {
+                    return Ok(form);
+                }
+                let form = self.spec.build(&**reflectance, self.exposure)?;
+                Ok(self.form.get_or_init(|| form))
+            }
+        }
+    }
+
+    /// The diffuse and cos^n material that is nearest to it.
+    ///
+    /// # Errors
+    /// Sphere images, which have no reflectance.
+    pub fn fitted(&self, model: Highlight, lobes: usize) -> Result<Classical, Error> {
+        let reflectance = self.reflectance().ok_or_else(|| {
+            Error::input(
+                format!("{} holds sphere images, and no reflectance that a material can be fitted to", self.name),
+                "give a MERL table or a model",
+            )
+        })?;
+        let cosine = match model {
+            Highlight::Blinn => Cosine::Blinn,
+            Highlight::Phong => Cosine::Phong,
+        };
+        classical::fit(reflectance, cosine, lobes, self.exposure, &|| ()).map(|fit| fit.material)
+    }
+}
+
+/// How one material is drawn in a picture.
+#[derive(Clone)]
+pub enum Look {
+    /// By its reflectance; of sphere images by these.
+    Exact(Arc<Measured>),
+    /// Through its form.
+    Form(Arc<Form>, Viewer),
+    /// As a diffuse part and cos^n highlights.
+    Classical(Classical),
+}
+
+/// How all of a scene's materials are drawn in a picture: none for the classical ones.
+#[derive(Clone)]
+pub struct Looks {
+    /// What it is, in a few words.
+    pub name: String,
+    /// In the order of [`Scene::materials`].
+    pub of: Vec<Option<Look>>,
+    /// The memory of all of them in KiB; none where reflectances are evaluated.
+    pub kib: Option<f64>,
+}
+
+/// What a form is to be in a comparison.
+#[derive(Clone, Debug)]
+pub enum Compared {
+    /// This form.
+    Form(FormSpec),
+    /// The classical material with so many highlights.
+    Fit(usize),
+}
+
+impl Compared {
+    /// Those of a comparison that does not say which.
+    pub const DEFAULT: [&str; 5] = ["paper:images=4", "paper:images=6", "half", "bivariate", "fit"];
+
+    /// Reads `FORM` or `FORM:KEY=VALUE:…`, as in `half:images=8:texel=sqrt:6`, or `fit` or `fit:lobes=2`.
+    ///
+    /// # Errors
+    /// An unknown form or key, a value out of range.
+    pub fn parse(text: &str) -> Result<Self, Error> {
+        let mut parts = text.split(':');
+        let name = parts.next().unwrap_or_default();
+        // A texel's name has colons of its own.
+        let mut keys: Vec<(String, String)> = Vec::new();
+        for part in parts {
+            match (part.split_once('='), keys.last_mut()) {
+                (Some((key, value)), _) => keys.push((key.to_owned(), value.to_owned())),
+                (None, Some((_, value))) => *value += &format!(":{part}"),
+                (None, None) => {
+                    return Err(Error::input(
+                        format!("`{part}` in `{text}` is no key with its value"),
+                        "write FORM:KEY=VALUE, as in half:images=8:size=64",
+                    ));
+                }
+            }
+        }
+        if name == "fit" {
+            let mut lobes = 1;
+            for (key, value) in &keys {
+                let count = value.parse().ok().filter(|count| (1..=classical::MOST_LOBES).contains(count));
+                lobes = count.filter(|_| key == "lobes").ok_or_else(|| {
+                    Error::input(
+                        format!("`{key}={value}` in `{text}`"),
+                        format!("fit has the key lobes: 1 to {}", classical::MOST_LOBES),
+                    )
+                })?;
+            }
+            return Ok(Self::Fit(lobes));
+        }
+        let kind = FormKind::MADE.into_iter().find(|kind| kind.name() == name).ok_or_else(|| {
+            let known = FormKind::MADE.into_iter().map(FormKind::name).chain(["fit"]);
+            Error::input(format!("there is no form `{name}`"), suggest("forms", name, known))
+        })?;
+        let mut spec = FormSpec::of(kind);
+        keys.iter().try_for_each(|(key, value)| spec.set(key, value))?;
+        spec.check()?;
+        Ok(Self::Form(spec))
+    }
+}
+
+impl Scene {
+    /// The reflectance by which a material is drawn; none of a classical one.
+    #[must_use]
+    pub fn reflectance(&self, material: usize) -> Option<&Arc<Measured>> {
+        self.reflectances[material].as_ref()
+    }
+
+    /// Whether an object is drawn by its reflectance.
+    #[must_use]
+    pub fn is_measured(&self) -> bool {
+        self.objects.iter().any(|object| self.reflectance(object.material).is_some())
+    }
+
+    /// Whether an object is drawn with highlights of cos^n.
+    #[must_use]
+    pub fn has_highlights(&self) -> bool {
+        self.objects.iter().any(|object| self.reflectance(object.material).is_none())
+    }
+
+    /// The reflectances that objects have, each once, with their materials' names.
+    pub fn measured(&self) -> impl Iterator<Item = (&str, &Arc<Measured>)> {
+        let used = |place: &usize| self.objects.iter().any(|object| object.material == *place);
+        (0..self.materials.len())
+            .filter(used)
+            .filter_map(|place| Some((self.materials[place].name.as_str(), self.reflectance(place)?)))
+    }
+
+    fn looks(
+        &self,
+        name: String,
+        look: impl Fn(&Arc<Measured>) -> Result<(Look, Option<f64>), Error>,
+    ) -> Result<Looks, Error> {
+        let mut kib = Some(0.0);
+        let mut one = |measured: &Arc<Measured>| {
+            let (look, own) = look(measured)?;
+            kib = kib.zip(own).map(|(sum, own)| sum + own);
+            Ok(look)
+        };
+        let used = |place: usize| self.objects.iter().any(|object| object.material == place);
+        let of = self.reflectances.iter().enumerate();
+        let of = of
+            .map(|(place, measured)| measured.as_ref().filter(|_| used(place)).map(&mut one).transpose())
+            .collect::<Result<_, Error>>()?;
+        Ok(Looks { name, of, kib })
+    }
+
+    /// All materials by their reflectances.
+    ///
+    /// # Errors
+    /// None.
+    pub fn exact_looks(&self) -> Result<Looks, Error> {
+        self.looks("exact".to_owned(), |measured| Ok((Look::Exact(Arc::clone(measured)), None)))
+    }
+
+    /// All materials as the scene says.
+    ///
+    /// # Errors
+    /// As [`Measured::form`].
+    pub fn own_looks(&self) -> Result<Looks, Error> {
+        self.looks("image-based".to_owned(), |measured| match measured.shading {
+            Shading::ImageBased => {
+                let form = measured.form()?.clone();
+                let kib = form.kib();
+                Ok((Look::Form(Arc::new(form), measured.viewer), Some(kib)))
+            }
+            _ => Ok((Look::Exact(Arc::clone(measured)), None)),
+        })
+    }
+
+    /// All materials in the same way.
+    ///
+    /// # Errors
+    /// A material without a reflectance of its own; as [`FormSpec::build`].
+    pub fn compared_looks(&self, compared: &Compared) -> Result<Looks, Error> {
+        match compared {
+            Compared::Fit(lobes) => {
+                let count = if *lobes == 1 { "1 lobe".to_owned() } else { format!("{lobes} lobes") };
+                self.looks(format!("fitted cos^n, {count}"), |measured| {
+                    let fitted = measured.fitted(self.model, *lobes)?;
+                    let kib = fitted.kib();
+                    Ok((Look::Classical(fitted), Some(kib)))
+                })
+            }
+            Compared::Form(spec) => self.looks(spec.to_string(), |measured| {
+                let reflectance = measured.reflectance().ok_or_else(|| {
+                    Error::input(
+                        format!("{} holds sphere images, and no reflectance to make others of", measured.name),
+                        "give the material a MERL table or a model",
+                    )
+                })?;
+                let form = spec.build(reflectance, measured.exposure)?;
+                let kib = form.kib();
+                Ok((Look::Form(Arc::new(form), measured.viewer), Some(kib)))
+            }),
+        }
+    }
+}
+
+/// The least cosine of a normal and the direction to the viewer: interpolated normals that turn away near an outline are turned back so far, or
+/// the outline would be black.
+const LEAST_COSINE: f64 = 0.01;
+
+/// The normal, turned towards the viewer as far as is needed to be seen.
+fn facing(n: Vector, v: Vector) -> Vector {
+    let cosine = n.dot(&v);
+    if cosine >= LEAST_COSINE {
+        return n;
+    }
+    let across = (n - v * cosine).try_normalize(1e-12).unwrap_or_else(|| v.cross(&super::trace::across(v)));
+    across * libm::sqrt(1.0 - LEAST_COSINE * LEAST_COSINE) + v * LEAST_COSINE
+}
+
+/// The camera's frame: turns directions so that the viewer is at +Z.
+struct Axes([Vector; 3]);
+
+impl Axes {
+    fn turned(&self, a: Vector) -> Vector {
+        Vector::new(a.dot(&self.0[0]), a.dot(&self.0[1]), -a.dot(&self.0[2]))
+    }
+}
+
+impl Look {
+    /// The radiance of a normal under lights, each a direction and a colour.
+    fn radiance(&self, axes: &Axes, n: Vector, v: Vector, lights: &[(Vector, Colour)]) -> Colour {
+        let (form, viewer) = match self {
+            Self::Exact(measured) => match &measured.what {
+                What::Exact(reflectance) => {
+                    return sum(lights, |l| {
+                        let cosine = n.dot(&l);
+                        if cosine <= 0.0 {
+                            return [0.0; 3];
+                        }
+                        reflectance.at(l, v, n).map(|f| measured.exposure * f * cosine)
+                    });
+                }
+                What::Images(form) => (form, measured.viewer),
+            },
+            Self::Form(form, viewer) => (&**form, *viewer),
+            Self::Classical(classical) => {
+                return sum(lights, |l| {
+                    let (light, n) = vector::seen_from(l, v, n);
+                    classical.at(light, n)
+                });
+            }
+        };
+        if form.spec.kind == FormKind::Matcap {
+            // The picture of a sphere has its light in it.
+            return form.at(Light::new(0.0, 0.0), axes.turned(n));
+        }
+        sum(lights, |l| match viewer {
+            Viewer::Pixel => {
+                let (light, n) = vector::seen_from(l, v, n);
+                form.at(light, n)
+            }
+            Viewer::Axis => form.at(Light::towards(axes.turned(l)), axes.turned(n)),
+        })
+    }
+}
+
+/// The sum over lights of their colours times a radiance.
+fn sum(lights: &[(Vector, Colour)], of: impl Fn(Vector) -> Colour) -> Colour {
+    lights.iter().fold([0.0; 3], |sum, (l, colour)| {
+        let own = of(*l);
+        [0, 1, 2].map(|c| sum[c] + colour[c] * own[c])
+    })
+}
+
+/// The lights that shine on a point, with their directions and colours.
+fn shining(tracer: &Tracer, scene: &Scene, hit: &Hit, lights: &mut Vec<(Vector, Colour)>) {
+    lights.clear();
+    for (place, light) in scene.lights.iter().enumerate() {
+        let lit = tracer.light(scene, hit, place);
+        if lit.visible {
+            lights.push((lit.direction.into(), light.colour));
+        }
+    }
+}
+
+/// A frame with what its materials give by their reflectances: one frame for each of the looks, that light added to [`Frame::base`]. `done` is
+/// called once a row. The result does not depend on the number of threads.
+#[must_use]
+pub fn drawn(tracer: &Tracer, scene: &Scene, frame: &Frame, looks: &[&Looks], done: &(dyn Fn() + Sync)) -> Vec<Frame> {
+    let [right, up, ahead] = scene.camera.axes().map(Vector::from);
+    let axes = Axes([right, up, ahead]);
+    let width = scene.width as usize;
+    let of_row = |row: usize| {
+        let base = &frame.base[row * width..][..width];
+        let mut rows = vec![base.to_vec(); looks.len()];
+        let mut lights = Vec::new();
+        for (x, hit) in tracer.row(scene, row as u32).into_iter().enumerate() {
+            let Some(hit) = hit.filter(|hit| scene.reflectance(hit.material).is_some()) else { continue };
+            let v = Vector::from(hit.viewer);
+            let n = facing(Vector::from(hit.normal), v);
+            shining(tracer, scene, &hit, &mut lights);
+            for (row, looks) in rows.iter_mut().zip(looks) {
+                if let Some(look) = &looks.of[hit.material] {
+                    let own = look.radiance(&axes, n, v, &lights);
+                    (0..3).for_each(|c| row[x][c] += own[c]);
+                }
+            }
+        }
+        done();
+        rows
+    };
+    let rows: Vec<Vec<Vec<Colour>>> = (0..scene.height as usize).into_par_iter().map(of_row).collect();
+    let base = |look: usize| rows.iter().flat_map(|row| &row[look]).copied().collect();
+    (0..looks.len()).map(|look| Frame { base: base(look), ..frame.clone() }).collect()
+}
+
+/// The normals of the pixels that show objects as the camera has them, one axis after the other: what distant lights need where the viewer is
+/// taken to be along the camera's axis. It is made once for any number of lights.
+#[derive(Clone, Debug)]
+pub struct Seen([Vec<f32>; 3]);
+
+impl Seen {
+    /// The normals that a scene's picture shows.
+    #[must_use]
+    pub fn of(tracer: &Tracer, scene: &Scene) -> Self {
+        let [right, up, ahead] = scene.camera.axes().map(Vector::from);
+        let axes = Axes([right, up, ahead]);
+        let of_row = |row: u32| -> Vec<Vector> {
+            let hits = tracer.row(scene, row).into_iter().flatten();
+            hits.map(|hit| axes.turned(facing(Vector::from(hit.normal), Vector::from(hit.viewer)))).collect()
+        };
+        let rows: Vec<Vec<Vector>> = (0..scene.height).into_par_iter().map(of_row).collect();
+        Self([0, 1, 2].map(|axis| rows.iter().flatten().map(|n| n[axis] as f32).collect()))
+    }
+
+    /// The radiance of each through a form, under lights of the colour 1 that are made ready.
+    ///
+    /// # Panics
+    /// If a record is another form's.
+    #[must_use]
+    pub fn through(&self, form: &Form, records: &[Record]) -> Vec<[f32; 3]> {
+        const PART: usize = 4096;
+        let mut out = vec![[0.0; 3]; self.0[0].len()];
+        out.par_chunks_mut(PART).enumerate().for_each(|(part, out)| {
+            let normals = [0, 1, 2].map(|axis| &self.0[axis][part * PART..][..out.len()]);
+            records.iter().for_each(|record| form.add(record, 1.0, normals, out));
+        });
+        out
+    }
+}
+
+/// The peak signal-to-noise ratio in dB of channels in units of full scale, taken into 0 to 1, over the pixels that show objects; none where
+/// they are the same or there is no object.
+#[must_use]
+pub fn psnr(frame: &Frame, exact: &[Colour], own: &[Colour]) -> Option<f64> {
+    let mut sum = 0.0;
+    let mut count = 0u64;
+    for ((material, exact), own) in frame.material.iter().zip(exact).zip(own) {
+        if *material != BACKGROUND {
+            count += 3;
+            for c in 0..3 {
+                let off = exact[c].clamp(0.0, 1.0) - own[c].clamp(0.0, 1.0);
+                sum += off * off;
+            }
+        }
+    }
+    (sum > 0.0).then(|| 10.0 * libm::log10(count as f64 / sum))
+}
