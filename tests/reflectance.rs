@@ -302,3 +302,18 @@ fn reading_a_table_is_quick() {
     println!("{least:?}");
     assert!(least < Duration::from_millis(200), "{least:?}");
 }
+
+#[test]
+fn the_chapter_of_the_extremes_is_as_measured() {
+    let scratch = Scratch::new();
+    scratch.run("reflectance stability --out own.md").succeeds().says(&["0 broken promises", "own.md"]);
+    let kept = include_str!("../docs/stability/reflectance.md");
+    assert_eq!(
+        scratch.text("own.md"),
+        kept,
+        "make it anew: brdfgen reflectance stability --out docs/stability/reflectance.md"
+    );
+    let answer = scratch.run("reflectance stability --json").succeeds().json();
+    assert_eq!(answer["broken"].as_array().unwrap().len(), 0);
+    assert!(answer["extremes"].as_array().unwrap().len() > 100);
+}

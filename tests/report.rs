@@ -150,6 +150,19 @@ fn a_scene_comes_with_its_pictures_its_needs_and_its_cores() {
 }
 
 #[test]
+fn a_material_comes_with_its_trade() {
+    let scratch = scratch();
+    scratch.run("report --results r.json --material lambert --out page.html --plots plots").succeeds();
+    let page = scratch.text("page.html");
+    assert!(page.contains("<h2>The material lambert</h2>") && page.contains("bivariate 8² sqrt:6"), "{page}");
+    assert!(scratch.text("plots/material_1.svg").contains("paper: sphere images"));
+    scratch.refused("report --results r.json --material lamber --out x.html", &["no reflectance model `lamber`"]);
+    scratch.write("table.binary", "no table");
+    scratch.refused("report --results r.json --material table.binary --out x.html", &["table.binary"]);
+    scratch.refused("report --results r.json --material table.binary --out table.binary", &["table.binary"]);
+}
+
+#[test]
 fn a_wish_that_none_meets_is_said() {
     let scratch = scratch();
     let wish = "--max-error 2^-20 --shininess 7 --family ice40 --input-fraction 10 --baselines";

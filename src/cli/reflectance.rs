@@ -17,9 +17,9 @@ use crate::reflectance::paper::{Behind, Border};
 use crate::reflectance::trade::{self, Point};
 use crate::reflectance::vector::{Light, Vector};
 use crate::reflectance::{
-    Form, FormKind, FormSpec, Lookup, Model, Reflectance, Rgb, Source, Texel, directory, info, merl, open,
+    Form, FormKind, FormSpec, Lookup, Model, Reflectance, Rgb, Source, Texel, directory, extremes, info, merl, open,
 };
-use crate::report::{Axis, BLACK, COLOURS, Chart, Shape, Spot, Spots};
+use crate::report::trade_of_material;
 
 /// A directory of sphere images.
 const IMAGES: Kind = Kind { what: "sphere images", file: directory::INDEX, mark: directory::MARK };
@@ -48,6 +48,8 @@ enum Command {
     Eval(EvalArguments),
     /// Measure memory against error for every form, number of images, size and kind of texel
     Trade(TradeArguments),
+    /// Look every form up where it degenerates: values must be finite, within their bounds, at their limits, the same on all threads
+    Stability(StabilityArguments),
 }
 
 /// What reflects.
@@ -285,6 +287,17 @@ struct TradeArguments {
     json: bool,
 }
 
+#[derive(Args)]
+struct StabilityArguments {
+    /// Write what was found as a chapter in Markdown
+    #[arg(long, short, value_name = "FILE.md")]
+    out: Option<PathBuf>,
+
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+}
+
 /// A material that is opened.
 struct Material {
     /// The file's path, or the model with its parameters.
@@ -366,6 +379,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         Command::Fit(arguments) => run_fit(arguments),
         Command::Eval(arguments) => run_eval(arguments),
         Command::Trade(arguments) => run_trade(arguments),
+        Command::Stability(arguments) => run_stability(arguments),
     }
 }
 
@@ -714,7 +728,7 @@ fn run_trade(arguments: &TradeArguments) -> Result<Verdict, Error> {
         write_to(path, &csv)?;
     }
     if let Some(path) = &arguments.svg {
-        write_to(path, chart(&material.name, &points).svg().as_bytes())?;
+        write_to(path, trade_of_material(&material.name, &points).svg().as_bytes())?;
     }
     if arguments.json {
         say_json(&json!({ "material": material.name, "exposure": exposure, "points": points, "chosen": chosen }));
@@ -737,42 +751,44 @@ fn run_trade(arguments: &TradeArguments) -> Result<Verdict, Error> {
     Ok(Verdict::of(chosen.is_some()))
 }
 
-fn line(point: &Point) -> String {
-    format!("{:>10.3}  {:>7.2}  {:>7.2}  {:>5}°  {}", point.kib, point.mean, point.worst, point.worst_phi, point.name())
+/// The chapter's beginning.
+const CHAPTER: &str = "# Measured reflectance at the extremes
+
+`brdfgen reflectance stability --out FILE.md` measures this chapter. Every value has to be finite and not negative, and no larger than a bound that
+holds whatever is stored: of `paper` the largest sample, of `half` and `bivariate` the largest full scale times n·l. Where a case has a limit
+(0 at φ = 180°, the value from beside it at φ = 0, the sum of single lights), values have to be within what the last column allows.
+";
+
+fn run_stability(arguments: &StabilityArguments) -> Result<Verdict, Error> {
+    let bar = progress::bar("measuring", extremes::steps()?);
+    let found = extremes::measure(&|| bar.inc(1))?;
+    bar.finish_and_clear();
+    let broken: Vec<String> = found
+        .iter()
+        .flat_map(|one| one.broken.iter().map(|what| format!("FAIL {}, {}: {what}", one.case, one.form)))
+        .collect();
+    if let Some(path) = &arguments.out {
+        let mut text = format!(
+            "{CHAPTER}\n{}\n\n| case | form | largest value | part of its bound | off its limit, allowed |\n| --- | --- | ---: | ---: | ---: |\n",
+            if broken.is_empty() { "It holds for all of them." } else { "**It does not hold for all of them.**" }
+        );
+        for extremes::Extreme { case, form, largest, of_bound, off_limit, .. } in &found {
+            let limit = off_limit.map_or_else(|| "-".to_owned(), |[off, within]| format!("{off:.1e}, {within:.1e}"));
+            text += &format!("| {case} | {form} | {largest:.4e} | {of_bound:.3} | {limit} |\n");
+        }
+        write_to(path, text.as_bytes())?;
+    }
+    if arguments.json {
+        say_json(&json!({ "extremes": found, "broken": broken }));
+        return Ok(Verdict::of(broken.is_empty()));
+    }
+    broken.iter().for_each(say);
+    let values: usize = found.iter().map(|one| one.values).sum();
+    say(format!("{} cases and forms, {values} values, {} broken promises", found.len(), broken.len()));
+    arguments.out.iter().for_each(|path| say(path.display().to_string()));
+    Ok(Verdict::of(broken.is_empty()))
 }
 
-fn chart(name: &str, points: &[Point]) -> Chart {
-    let of = |form: &'static str, label: &str, colour, shape, filled| Spots {
-        label: label.to_owned(),
-        colour,
-        shape,
-        filled,
-        spots: points
-            .iter()
-            .filter(|point| point.form == form)
-            .map(|point| Spot {
-                at: (point.kib, point.mean),
-                note: format!(
-                    "{}: {:.3} KiB, {:.2} dB, worst {:.2} dB",
-                    point.name(),
-                    point.kib,
-                    point.mean,
-                    point.worst
-                ),
-            })
-            .collect(),
-    };
-    Chart {
-        title: format!("Memory and error of {name}"),
-        x: Axis::log("memory in KiB", 0.01..100_000.0),
-        y: Axis::linear("PSNR, the mean over the light's angles", 10.0..70.0).with_unit(" dB"),
-        curves: Vec::new(),
-        spots: vec![
-            of("paper", "paper: sphere images", COLOURS[2], Shape::Circle, false),
-            of("half", "half: slices", COLOURS[0], Shape::Square, false),
-            of("bivariate", "bivariate", COLOURS[4], Shape::Diamond, false),
-            of("blinn", "cos^n, Blinn", BLACK, Shape::Triangle, true),
-            of("phong", "cos^n, Phong", COLOURS[5], Shape::Wedge, true),
-        ],
-    }
+fn line(point: &Point) -> String {
+    format!("{:>10.3}  {:>7.2}  {:>7.2}  {:>5}°  {}", point.kib, point.mean, point.worst, point.worst_phi, point.name())
 }

@@ -12,7 +12,8 @@ use crate::explore::{MaxError, Objective, Point, Results};
 use crate::input;
 use crate::package;
 use crate::paths::Paths;
-use crate::report::{Report, Speed};
+use crate::reflectance::{Model, Reflectance, Source, measure, open, trade};
+use crate::report::{MaterialPart, Report, Speed};
 use crate::spec::SpecFields;
 
 /// The page's name in a directory.
@@ -36,6 +37,10 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "SCENE")]
     scene: Vec<PathBuf>,
 
+    /// A MERL table, or the name of a reflectance model or preset: its memory against its error in every form; repeat for more
+    #[arg(long, value_name = "FILE|MODEL")]
+    material: Vec<PathBuf>,
+
     /// Mark the core that `brdfgen choose` chooses for this error and the other wishes, such as 0.01, 1% or 2^-7; exit 1 if there is
     /// none
     #[arg(long, value_name = "ERROR")]
@@ -58,7 +63,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         .into_iter()
         .flatten()
         .fold(arguments.wish.paths(), |paths, path| paths.reads("--speed", path));
-    let paths = arguments.scene.iter().fold(paths, |paths, path| paths.reads("--scene", path)).writes("--out", &page);
+    let paths = arguments.scene.iter().fold(paths, |paths, path| paths.reads("--scene", path));
+    let files = arguments.material.iter().filter(|path| path.exists());
+    let paths = files.fold(paths, |paths, path| paths.reads("--material", path)).writes("--out", &page);
     paths.check()?;
     let results = arguments.wish.results()?;
     let speed = match &arguments.speed {
@@ -87,8 +94,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
             }
         }
     }
+    let mut materials = Vec::new();
+    for (place, path) in arguments.material.iter().enumerate() {
+        materials.push(material(place, path)?);
+    }
     let bar = progress::bar("measuring", Report::work(points, chosen));
     let report = Report::new(points, chosen, &speed, &|| bar.inc(1))?.with_scenes(scenes);
+    let report = report.with_materials(materials);
     bar.finish_and_clear();
     let plots = arguments.plots.as_ref().map(|directory| (directory, report.plots()));
     // With what was read since, such as a scene's meshes, and the charts' names.
@@ -112,6 +124,29 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         return Ok(Verdict::Differs);
     }
     Ok(Verdict::Done)
+}
+
+/// A material's part of the page. What is no file is a model.
+fn material(place: usize, path: &Path) -> Result<MaterialPart, Error> {
+    let name = path.display().to_string();
+    let reflectance: Box<dyn Reflectance> = if path.exists() {
+        match open(path)? {
+            Source::Table(table) => Box::new(table),
+            Source::Images(_) => {
+                return Err(Error::input(
+                    format!("{name} holds sphere images, and no reflectance"),
+                    "give a MERL table, or the name of a model or a preset",
+                ));
+            }
+        }
+    } else {
+        Box::new(Model::named(&name)?)
+    };
+    let exposure = measure::exposure(&*reflectance);
+    let bar = progress::bar("measuring forms", trade::steps());
+    let points = trade::trade(&*reflectance, exposure, &|| bar.inc(1))?;
+    bar.finish_and_clear();
+    Ok(MaterialPart::of(place, &name, exposure, &points))
 }
 
 /// The point that is to be marked.

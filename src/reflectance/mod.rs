@@ -17,6 +17,7 @@
 //! | [`images`], [`directory`], [`source`] | sphere images as PNG and OpenEXR, their directory; whatever a user's file is |
 //! | [`classical`] | the nearest diffuse and cos^n material |
 //! | [`trade`] | memory against error |
+//! | [`extremes`] | the forms where they degenerate |
 //!
 //! # Conventions
 //!
@@ -28,6 +29,7 @@ pub mod analytic;
 pub mod bivariate;
 pub mod classical;
 pub mod directory;
+pub mod extremes;
 pub mod form;
 pub mod half;
 pub mod images;

@@ -2,6 +2,7 @@
 
 mod chart;
 mod lobes;
+mod material;
 mod page;
 mod png;
 mod scene;
@@ -10,6 +11,7 @@ mod trade;
 
 pub(crate) use chart::escaped;
 pub use chart::{Axis, BLACK, COLOURS, Chart, Curve, Scale, Shape, Spot, Spots, Style};
+pub use material::{MaterialPart, chart as trade_of_material};
 pub use page::Report;
 pub use png::png;
 pub(crate) use png::{draw, text_width};

@@ -4,6 +4,7 @@ use askama::Template;
 
 use super::chart::Chart;
 use super::lobes::{self, Measured};
+use super::material::MaterialPart;
 use super::png::png;
 use super::scene::ScenePart;
 use super::speed::{Speed, time};
@@ -25,6 +26,7 @@ pub struct Report<'a> {
     /// The cores that the charts of the lobes show.
     shown: Vec<&'a Point>,
     scenes: Vec<ScenePart>,
+    materials: Vec<MaterialPart>,
 }
 
 impl<'a> Report<'a> {
@@ -70,6 +72,7 @@ impl<'a> Report<'a> {
             groups,
             shown,
             scenes: Vec::new(),
+            materials: Vec::new(),
         })
     }
 
@@ -79,12 +82,19 @@ impl<'a> Report<'a> {
         Self { scenes, ..self }
     }
 
+    /// The report with these materials, which stand behind the scenes.
+    #[must_use]
+    pub fn with_materials(self, materials: Vec<MaterialPart>) -> Self {
+        Self { materials, ..self }
+    }
+
     /// All charts as files, each as SVG and as PNG.
     #[must_use]
     pub fn plots(&self) -> Vec<File> {
         let mut files = Vec::new();
         let of_scenes = self.scenes.iter().flat_map(|scene| &scene.charts);
-        for (name, chart) in self.trade.iter().flatten().chain(&self.lobes).chain(of_scenes) {
+        let of_materials = self.materials.iter().map(|material| &material.chart);
+        for (name, chart) in self.trade.iter().flatten().chain(&self.lobes).chain(of_scenes).chain(of_materials) {
             let svg = chart.svg();
             files.push(File { path: format!("{name}.png"), bytes: png(&svg) });
             files.push(File { path: format!("{name}.svg"), bytes: svg.into_bytes() });
@@ -111,6 +121,7 @@ impl<'a> Report<'a> {
             version: env!("CARGO_PKG_VERSION"),
             points: self.points.len(),
             scenes: &self.scenes,
+            materials: &self.materials,
             sections: sections.collect(),
             chosen: self.chosen.map(Chosen::of),
             lobes: figures(&self.lobes),
@@ -130,6 +141,7 @@ struct Page<'a> {
     version: &'static str,
     points: usize,
     scenes: &'a [ScenePart],
+    materials: &'a [MaterialPart],
     sections: Vec<Section>,
     chosen: Option<Chosen>,
     lobes: Vec<Figure>,
