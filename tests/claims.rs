@@ -24,6 +24,9 @@ fn figure(answer: &Value, claim: &str, name: &str) -> f64 {
 fn the_recorded_values_hold() {
     let scratch = Scratch::new();
     let answer = scratch.run("claims --json").succeeds().json();
+    let speeds = answer["speeds"].as_array().unwrap();
+    assert_eq!(speeds.len(), 8);
+    assert!(speeds.iter().all(|speed| speed["fps"].as_f64().unwrap() > 0.0 && speed["ratio"].as_f64().unwrap() > 0.0));
     assert_eq!(answer["differences"].as_array().unwrap().len(), 0);
     for (claim, name, expected, unit_of_last_digit) in [
         ("quadratic-error", "relative; n <= 512", 3.15, 0.01),
@@ -104,6 +107,14 @@ fn the_files_of_a_run() {
         let picture = scratch.read(format!("report/{}", chart.replace(".svg", ".png")));
         assert!(picture.starts_with(b"\x89PNG\r\n"), "{chart} has no PNG beside it");
     }
+
+    // Figure 4 of the images, a to d and the exact one: five different pictures.
+    let pictures = ["a", "b", "c", "d", "e"].map(|name| scratch.read(format!("report/images_figure_4{name}.png")));
+    for (place, picture) in pictures.iter().enumerate() {
+        assert!(picture.starts_with(b"\x89PNG\r\n") && pictures[..place].iter().all(|other| other != picture));
+    }
+    // Speeds are timed anew each time: they are told, and in no table.
+    assert!(!scratch.text("report/claims.csv").contains("images-speed"));
 
     let table = scratch.text("report/error_against_n.csv");
     assert_eq!(

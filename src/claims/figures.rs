@@ -4,7 +4,7 @@ use super::measure::versine_at;
 use super::method::{LEVEL, Method, three_point};
 use super::record::HEADER;
 use super::survey::{MOST, QUADRATIC_LEVEL, Row, TAIL_BANDS};
-use super::{Claim, Pieces, Unit};
+use super::{Claim, Pieces, Unit, images};
 use crate::error::Error;
 use crate::lobe::{Cubic, TaylorSeries, degrees, exact, versine};
 use crate::package::File;
@@ -36,6 +36,7 @@ pub fn files(rows: &[Row], claims: &[Claim]) -> Result<Vec<File>, Error> {
         files.push(File { path: format!("{name}.png"), bytes: png(&svg) });
         files.push(file(&format!("{name}.svg"), svg));
     }
+    files.extend(images::pictures()?);
     Ok(files)
 }
 
@@ -53,6 +54,7 @@ fn claims_table(claims: &[Claim]) -> String {
                 Unit::Times => "times",
                 Unit::Count => "count",
                 Unit::Value => "value",
+                Unit::Decibel => "decibel",
             };
             let rest = [claim.claimed, &claim.verdict.to_string(), claim.source, claim.text].map(quoted).join(",");
             text += &format!("{},{},{},{unit},{rest}\n", claim.id, figure.name, figure.digits());

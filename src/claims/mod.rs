@@ -2,13 +2,13 @@
 //!
 //! Q is "Quadratic approximation of BRDF"; C7 is "Approximation of Bidirectional Reflectance Distribution Function with
 //! 3-Degree Polynomial" (IEEE, 2007); C21 is "Approximation of classical distributive functions using a cubic polynomial"
-//! (2021). "Image-based BRDF Representation" claims nothing of the power's approximations: its figures are the frame rates
-//! of one graphics card.
+//! (2021); IB is "Image-based BRDF Representation", of another method: [`images`].
 //!
 //! Everything is measured on the real-valued lobes of [`crate::lobe`], at every integer shininess of a claim's range and up
 //! to 1000. Errors are the largest over the cosines in question, to at least four digits: see [`Row`].
 
 mod figures;
+pub mod images;
 mod measure;
 mod method;
 mod papers;
@@ -66,6 +66,8 @@ pub enum Unit {
     Count,
     /// A value of the lobe, whose peak is 1.
     Value,
+    /// A signal-to-noise ratio.
+    Decibel,
 }
 
 /// What the measurement says of a claim.
@@ -115,6 +117,7 @@ impl std::fmt::Display for Figure {
             Unit::Percent => " %",
             Unit::Times => "x",
             Unit::Count | Unit::Value => "",
+            Unit::Decibel => " dB",
         };
         write!(f, "{}{unit}", self.digits())
     }

@@ -3,7 +3,7 @@
 use super::measure::{grid, largest, rises, versine_at};
 use super::method::{LEVEL, Method, Pieces, three_point};
 use super::survey::{Errors, MOST, QUADRATIC_LEVEL, Row, TAIL_BANDS};
-use super::{Claim, Figure, Unit, Verdict};
+use super::{Claim, Figure, Unit, Verdict, images};
 use crate::design::Design;
 use crate::error::Error;
 use crate::lobe::{Cubic, CubicRational, Lobe, MinZero, Quadratic, Taylor, TaylorSeries, exact};
@@ -114,6 +114,7 @@ pub fn claims(rows: &[Row]) -> Result<Vec<Claim>, Error> {
         extrema()?,
         min_zero()?,
     ]);
+    claims.extend(images::claims()?);
     Ok(claims)
 }
 
