@@ -39,9 +39,16 @@ const SPHERE: &str = "kind = \"sphere\"\nmaterial = \"clay\"";
 
 #[test]
 fn the_scenes_read() {
-    for (file, materials, lights, objects) in
-        [("sphere", 1, 1, 1), ("shininess", 12, 1, 12), ("teapot", 2, 2, 2), ("bunny", 2, 2, 2), ("extremes", 4, 4, 6)]
-    {
+    for (file, materials, lights, objects) in [
+        ("sphere", 1, 1, 1),
+        ("shininess", 12, 1, 12),
+        ("teapot", 2, 2, 2),
+        ("bunny", 2, 2, 2),
+        ("extremes", 4, 4, 6),
+        ("materials", 5, 1, 5),
+        ("gold", 2, 4, 2),
+        ("skydome", 2, 64, 2),
+    ] {
         let path = scenes().join(file).with_extension("toml");
         assert!(Scene::is_scene(&std::fs::read_to_string(&path).unwrap()), "{file}");
         let scene = Scene::read(&path).unwrap_or_else(|error| panic!("{file}: {}", message(error)));
@@ -212,7 +219,7 @@ fn every_wrong_value_is_named() {
             light(&format!("{LIGHT}\nintensity = 3\ncolour = [0.5, 0, 0]")),
             "the channel saturates | an intensity of at most 2 for this colour",
         ),
-        (end(&"[[light]]\nposition = [0, 1, 0]\n".repeat(8)), "the scene has 9 lights | a scene has 1 to 8"),
+        (end(&"[[light]]\nposition = [0, 1, 0]\n".repeat(4096)), "the scene has 4097 lights | a scene has 1 to 4096"),
         (format!("[camera]\n{CAMERA}"), "the scene has no materials"),
         (format!("[camera]\n{CAMERA}\n[[material]]\n{MATERIAL}"), "the scene has 0 lights"),
         (format!("[camera]\n{CAMERA}\n[[material]]\n{MATERIAL}\n[[light]]\n{LIGHT}"), "the scene has no objects"),
