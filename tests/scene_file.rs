@@ -56,12 +56,14 @@ fn the_scenes_read() {
         assert_eq!((scene.name.as_str(), counts), (file, (materials, lights, objects)));
         for object in &scene.objects {
             let Shape::Mesh(mesh) = &object.shape else { continue };
-            let (triangles, dropped) = match file {
-                "teapot" => (992, 0),
-                "bunny" => (3674, 0),
-                _ => (4, 2),
+            let known: &[(usize, usize)] = match file {
+                "teapot" | "gold" => &[(992, 0)],
+                "bunny" => &[(3674, 0)],
+                "extremes" => &[(4, 2)],
+                // The teapot and the bunny.
+                _ => &[(992, 0), (3674, 0)],
             };
-            assert_eq!((mesh.triangles.len(), mesh.dropped), (triangles, dropped), "{file}");
+            assert!(known.contains(&(mesh.triangles.len(), mesh.dropped)), "{file}");
             outside(mesh, 0.02, file);
         }
     }
