@@ -6,7 +6,7 @@ use std::path::Path;
 
 use brdfgen::reflectance::vector::seen_from;
 use brdfgen::reflectance::{FormKind, FormSpec, Model, Reflectance, Vector, measure};
-use brdfgen::scene::reflectance::{Compared, Looks, drawn, psnr};
+use brdfgen::scene::reflectance::{Compared, Looks, bases, psnr};
 use brdfgen::scene::{Exact, Frame, Highlights, LightKind, Scene, Tracer};
 use common::Scratch;
 use serde_json::Value;
@@ -31,7 +31,7 @@ fn channels(scene: &Scene, looks: &Looks) -> (Frame, Vec<[f64; 3]>) {
     let tracer = Tracer::new(scene);
     let frame = Frame::trace(&tracer, scene, &|| ());
     let lobes = Exact.of(scene, &frame).unwrap();
-    let own = drawn(&tracer, scene, &frame, &[looks], &|| ()).remove(0).channels(scene, &lobes);
+    let own = frame.channels(scene, &bases(&tracer, scene, &frame, &[looks], &|| ())[0], &lobes);
     (frame, own)
 }
 

@@ -60,9 +60,8 @@ impl Judged {
     }
 
     /// The mean over the angles between images of the paper's set of 4.
-    fn between(&self, options: Options) -> Result<f64, Error> {
-        let quality = self.judge.quality(&self.form(&paper(4, SIZE, options))?);
-        Ok(quality.mean_within(0.0..=135.0))
+    fn between(&self, form: &Form) -> f64 {
+        self.judge.quality(form).mean_within(0.0..=135.0)
     }
 }
 
@@ -71,16 +70,18 @@ fn plastic() -> Result<Model, Error> {
     Model::named("blinnphong")
 }
 
-/// The four looks of figure 4.
-fn looks() -> [(&'static str, Options); 4] {
+/// The four parts of figure 4, a to d, of a material: the same images, looked up in four ways.
+fn parts(model: &Model, exposure: f64) -> Result<[Form; 4], Error> {
     let of = |turn, border| Options { turn, border, ..Options::default() };
     let border = Options::default().border;
-    [
-        ("a", of(Turn::Fixed(1.0), border)),
-        ("b", of(Turn::Fixed(0.5), border)),
-        ("c", of(Turn::Equation3, border)),
-        ("d", of(Turn::Equation3, Border::Shrink(1.0))),
-    ]
+    let all = [
+        of(Turn::Fixed(1.0), border),
+        of(Turn::Fixed(0.5), border),
+        of(Turn::Equation3, border),
+        of(Turn::Equation3, Border::Shrink(1.0)),
+    ];
+    let samples = paper(4, SIZE, all[0]).samples(model, exposure)?;
+    Ok(all.map(|options| paper(4, SIZE, options).encode(&samples, exposure)))
 }
 
 /// The peaks of the blue channel along the plane of light and viewer, which is that of the highlight of a yellow plastic: each higher by a fiftieth
@@ -106,13 +107,13 @@ fn peaks(form: &Form) -> usize {
 fn figure_4() -> Result<Vec<Claim>, Error> {
     let judged = Judged::new(plastic()?);
     let matt = Judged::named("lambert")?;
-    let [a, b, c, d] = looks().map(|(_, options)| options);
-    let form = |options| judged.form(&paper(4, SIZE, options));
-    let counted =
-        |name, options| Ok::<_, Error>(Figure { name, value: peaks(&form(options)?) as f64, unit: Unit::Count });
-    let (doubled, single) = (counted("highlights; k = 1", a)?, counted("highlights; equation 4", c)?);
-    let shiny = [judged.between(a)?, judged.between(b)?, judged.between(c)?, judged.between(d)?];
-    let diffuse = [matt.between(a)?, matt.between(b)?, matt.between(c)?];
+    let forms = parts(&judged.model, judged.exposure)?;
+    let counted = |name, form| Figure { name, value: peaks(form) as f64, unit: Unit::Count };
+    let (doubled, single) = (counted("highlights; k = 1", &forms[0]), counted("highlights; equation 4", &forms[2]));
+    let shiny = forms.map(|form| judged.between(&form));
+    let diffuse = parts(&matt.model, matt.exposure)?.map(|form| matt.between(&form));
+    let extended = Options { border: Border::Extend, ..Options::default() };
+    let extended = judged.between(&judged.form(&paper(4, SIZE, extended))?);
     let holds = doubled.value == 2.0 && single.value == 1.0;
     Ok(vec![
         Claim {
@@ -158,9 +159,7 @@ fn figure_4() -> Result<Vec<Claim>, Error> {
             measured: vec![
                 decibel("plastic; without the factor; between 4 images", shiny[3]),
                 decibel("plastic; factor 0.995; between 4 images", shiny[2]),
-                decibel("plastic; rim extended; between 4 images", {
-                    judged.between(Options { border: Border::Extend, ..c })?
-                }),
+                decibel("plastic; rim extended; between 4 images", extended),
             ],
             verdict: Verdict::of(shiny[2] > shiny[3]),
         },
@@ -268,13 +267,12 @@ pub fn claims() -> Result<Vec<Claim>, Error> {
 /// # Errors
 /// None for the presets.
 pub fn pictures() -> Result<Vec<File>, Error> {
-    let judged = Judged::new(plastic()?);
+    let model = plastic()?;
+    let exposure = measure::exposure(&model);
     let (sphere, light) = (Sphere::new(SIZE), Light::new(PHI, 0.0));
-    let exact = sphere.exact(&judged.model, light, judged.exposure);
-    let mut drawn = vec![("e", exact)];
-    for (name, options) in looks() {
-        drawn.push((name, sphere.through(&judged.form(&paper(4, SIZE, options))?, light)));
-    }
+    let forms = parts(&model, exposure)?;
+    let through = ["a", "b", "c", "d"].into_iter().zip(forms.map(|form| sphere.through(&form, light)));
+    let drawn = through.chain([("e", sphere.exact(&model, light, exposure))]);
     let at = |place: usize| (2 * place + 1) as f64 / SIZE as f64 - 1.0;
     let file = |(name, seen): (&str, Vec<[f32; 3]>)| {
         let mut seen = seen.into_iter();
@@ -290,7 +288,7 @@ pub fn pictures() -> Result<Vec<File>, Error> {
         let picture = images::Pixels { width: SIZE, height: SIZE, depth: 8, gamma: Some(1.0 / 2.2), codes };
         File { path: format!("images_figure_4{name}.png"), bytes: images::png(&picture) }
     };
-    Ok(drawn.into_iter().map(file).collect())
+    Ok(drawn.map(file).collect())
 }
 
 /// What table I is measured with.
@@ -372,7 +370,7 @@ mod tests {
     fn the_ratios_are_those_measured_elsewhere() {
         // By another program on larger pictures, whose rims count for more, and in other steps of the angle.
         let judged = Judged::new(plastic().unwrap());
-        let [a, b, c, d] = looks().map(|(_, options)| judged.between(options).unwrap());
+        let [a, b, c, d] = parts(&judged.model, judged.exposure).unwrap().map(|form| judged.between(&form));
         for (own, wanted) in [(a, 27.1), (b, 42.5), (c, 42.8), (d, 39.6)] {
             assert!((own - wanted).abs() < 2.2, "{own} for {wanted}");
         }

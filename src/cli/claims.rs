@@ -10,7 +10,7 @@ use crate::claims::images::Speed;
 use crate::claims::{self, Claim, HEADER, Recorded};
 use crate::error::Error;
 use crate::input;
-use crate::package::{self, Kind};
+use crate::package::{self, Kind, counted};
 use crate::paths::Paths;
 
 /// The directory of a run's files.
@@ -76,10 +76,7 @@ fn speed_lines(speeds: &[Speed]) -> Vec<String> {
     let heading = "images-speed (IB, table I): Another light does not make rendering notably slower. Claimed: 323 of 325 and 380 of 388 frames a \
                    second with 8 lights and with 1. By rays on this processor, images of 512 x 512, timed now and compared with no record:";
     let line = |Speed { mesh, lights, fps, ratio }: &Speed| {
-        format!(
-            "  {mesh}, {lights} light{}: {fps:.0} frames a second, {ratio:.2} of those with 1",
-            if *lights == 1 { "" } else { "s" }
-        )
+        format!("  {mesh}, {}: {fps:.0} frames a second, {ratio:.2} of those with 1", counted(*lights as u64, "light"))
     };
     std::iter::once(heading.to_owned()).chain(speeds.iter().map(line)).chain([String::new()]).collect()
 }

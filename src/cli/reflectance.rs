@@ -760,8 +760,8 @@ holds whatever is stored: of `paper` the largest sample, of `half` and `bivariat
 ";
 
 fn run_stability(arguments: &StabilityArguments) -> Result<Verdict, Error> {
-    let bar = progress::bar("measuring", extremes::steps()?);
-    let found = extremes::measure(&|| bar.inc(1))?;
+    let bar = progress::bar("measuring", 1);
+    let found = extremes::measure(&|done, of| progress::show(&bar, done, of))?;
     bar.finish_and_clear();
     let broken: Vec<String> = found
         .iter()

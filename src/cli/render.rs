@@ -18,7 +18,7 @@ use crate::explore::{Cost, Point};
 use crate::input;
 use crate::package::{self, counted};
 use crate::paths::Paths;
-use crate::reflectance::Form;
+
 use crate::scene::choice::Search;
 use crate::scene::reflectance::{self, Compared, Looks, Measured, Shading, Viewer};
 use crate::scene::require::PictureError;
@@ -170,9 +170,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         None => scene,
     };
     check_paths(arguments)?;
+    let measured = scene.is_measured();
     // Wrong specs are named before the work begins.
     if let Some(compared) = &arguments.compare {
-        if scene.is_measured() {
+        if measured {
             return compare_forms(arguments, &scene, compared, piped);
         }
         let compared =
@@ -181,7 +182,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
             compared.iter().map(|entry| compared_core(entry, arguments, &scene)).collect::<Result<_, _>>()?;
         return compare(arguments, &scene, &cores, piped);
     }
-    let measured = scene.is_measured();
     let names_core = arguments.core.is_some() || arguments.fields != SpecFields::default();
     if names_core && !scene.has_highlights() {
         return Err(Error::input(
@@ -200,10 +200,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let tracer = Tracer::new(&scene);
     let frame = trace(&tracer, &scene);
     let traced = lap();
-    let drawn = draw(&tracer, &scene, &frame)?;
-    let [exact_frame, own_frame] = [0, 1].map(|looks| drawn.get(looks).unwrap_or(&frame));
+    // A scene without measured materials looks the same in both.
+    let bases = if measured {
+        shaded(&tracer, &scene, &frame, &[&scene.exact_looks()?, &scene.own_looks()?])
+    } else {
+        Vec::new()
+    };
+    let [exact_base, own_base] = [0, 1].map(|looks| bases.get(looks).unwrap_or(&frame.base));
     let lobes = Exact.of(&scene, &frame)?;
-    let exact_channels = exact_frame.channels(&scene, &lobes);
+    let exact_channels = frame.channels(&scene, exact_base, &lobes);
     let exact = frame.codes(scene.channel_bits, &exact_channels);
     let mut seconds = Seconds { trace: traced, exact: lap(), core: None, files: 0.0 };
     let own = if core.is_some() || measured && (arguments.only != Only::Exact || arguments.exr.is_some()) {
@@ -211,7 +216,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
             Some(core) => highlights(core, arguments.through, &scene, &frame)?,
             None => lobes,
         };
-        let channels = own_frame.channels(&scene, &lobes);
+        let channels = frame.channels(&scene, own_base, &lobes);
         let picture = frame.codes(scene.channel_bits, &channels);
         let difference = Difference::of(&exact, &picture);
         let psnr = reflectance::psnr(&frame, &exact_channels, &channels);
@@ -513,19 +518,12 @@ fn trace(tracer: &Tracer, scene: &Scene) -> Frame {
     frame
 }
 
-/// The picture before its highlights, with its measured materials exactly and as the scene says; nothing where it has none.
-fn draw(tracer: &Tracer, scene: &Scene, frame: &Frame) -> Result<Vec<Frame>, Error> {
-    if !scene.is_measured() {
-        return Ok(Vec::new());
-    }
-    Ok(drawn(tracer, scene, frame, &[&scene.exact_looks()?, &scene.own_looks()?]))
-}
-
-fn drawn(tracer: &Tracer, scene: &Scene, frame: &Frame, looks: &[&Looks]) -> Vec<Frame> {
+/// The picture before its highlights, with its measured materials in each of these looks.
+fn shaded(tracer: &Tracer, scene: &Scene, frame: &Frame, looks: &[&Looks]) -> Vec<Vec<Colour>> {
     let bar = progress::bar("rows shaded", scene.height.into());
-    let frames = reflectance::drawn(tracer, scene, frame, looks, &|| bar.inc(1));
+    let bases = reflectance::bases(tracer, scene, frame, looks, &|| bar.inc(1));
     bar.finish_and_clear();
-    frames
+    bases
 }
 
 /// How a measured material is drawn, for people and programs.
@@ -566,7 +564,7 @@ fn materials_of(scene: &Scene) -> Result<Vec<MaterialText>, Error> {
             reflectance: measured.name.clone(),
             shading: measured.shading,
             form: form.map(|form| form.spec.to_string()),
-            kib: form.map(Form::kib),
+            kib: form.map(|form| form.kib()),
             viewer: measured.viewer,
             exposure: measured.exposure,
         })
@@ -606,21 +604,17 @@ fn compare_forms(arguments: &Arguments, scene: &Scene, compared: &[String], pipe
     };
     let all: Vec<Compared> = given.into_iter().map(Compared::parse).collect::<Result<_, _>>()?;
     let bar = progress::bar("forms made", all.len() as u64);
-    let made = |compared: &Compared| {
-        let looks = scene.compared_looks(compared);
-        bar.inc(1);
-        looks
-    };
     let mut looks = vec![scene.exact_looks()?];
     for compared in &all {
-        looks.push(made(compared)?);
+        looks.push(scene.compared_looks(compared)?);
+        bar.inc(1);
     }
     bar.finish_and_clear();
     let tracer = Tracer::new(scene);
     let frame = trace(&tracer, scene);
     let lobes = Exact.of(scene, &frame)?;
-    let frames = drawn(&tracer, scene, &frame, &looks.iter().collect::<Vec<_>>());
-    let channels: Vec<Vec<Colour>> = frames.iter().map(|frame| frame.channels(scene, &lobes)).collect();
+    let bases = shaded(&tracer, scene, &frame, &looks.iter().collect::<Vec<_>>());
+    let channels: Vec<Vec<Colour>> = bases.iter().map(|base| frame.channels(scene, base, &lobes)).collect();
     let exact = frame.codes(scene.channel_bits, &channels[0]);
     let mut cells = Vec::new();
     let mut list = Vec::new();

@@ -198,8 +198,8 @@ pub(super) fn part(scene: &Scene) -> Result<Option<ScenePart>, Error> {
     let Some(findings) = known.findings(scene) else { return Ok(None) };
     let tracer = Tracer::new(scene);
     let frame = Frame::trace(&tracer, scene, &|| {});
-    let drawn = reflectance::drawn(&tracer, scene, &frame, &[&scene.exact_looks()?], &|| {});
-    let frame = drawn.into_iter().next().unwrap_or(frame);
+    let base = reflectance::bases(&tracer, scene, &frame, &[&scene.exact_looks()?], &|| {}).concat();
+    let frame = Frame { base, ..frame };
     let exact = frame.picture(scene, &Exact.of(scene, &frame)?);
     let own = frame.picture(scene, &CoreModel::new(findings.design)?.of(scene, &frame)?);
     let lines = [format!("core {}", findings.chosen.candidate.point.name)];

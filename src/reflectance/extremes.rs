@@ -47,7 +47,7 @@ struct Case {
 }
 
 struct Limit {
-    of: fn(&dyn Reflectance, &Form, Light, Vector) -> Rgb,
+    of: fn(&Form, Light, Vector) -> Rgb,
     within: f64,
     /// Whether the form has this limit.
     applies: fn(&FormSpec) -> bool,
@@ -82,7 +82,7 @@ const GAMMA: f64 = 123.0;
 fn cases() -> Result<Vec<Case>, Error> {
     let light = |phi: f64| Light::new(phi, GAMMA);
     let all = || [0.0, 1e-9, 20.0, 45.0, 90.0, 135.0, 160.0, 176.0, 179.999_999].map(light).to_vec();
-    let zero: fn(&dyn Reflectance, &Form, Light, Vector) -> Rgb = |_, _, _, _| [0.0; 3];
+    let zero: fn(&Form, Light, Vector) -> Rgb = |_, _, _| [0.0; 3];
     let any: fn(&FormSpec) -> bool = |_| true;
     let sliced: fn(&FormSpec) -> bool = |spec| spec.kind != FormKind::Paper;
     let turned = |n: Vector| vector::about_z(n, vector::sine_cosine(GAMMA));
@@ -116,11 +116,7 @@ fn cases() -> Result<Vec<Case>, Error> {
             vec![Light::new(0.0, 0.0), Light::new(0.0, 77.0), Light::new(0.0, 291.0)],
             around(0.0),
             // From beside it.
-            Some(Limit {
-                of: |_, form, light, n| form.at(Light::new(1e-7, light.gamma), n),
-                within: 1e-3,
-                applies: any,
-            }),
+            Some(Limit { of: |form, light, n| form.at(Light::new(1e-7, light.gamma), n), within: 1e-3, applies: any }),
         ),
         case(
             "the light behind the object, φ = 180°",
@@ -206,7 +202,7 @@ fn measured(case: &Case, spec: &FormSpec) -> Result<Extreme, Error> {
                 found.of_bound = found.of_bound.max(if bound > 0.0 { value / bound } else { 0.0 });
             }
             if let Some(limit) = case.limit.as_ref().filter(|limit| (limit.applies)(spec)) {
-                let wanted = (limit.of)(&*case.reflectance, &form, light, n);
+                let wanted = (limit.of)(&form, light, n);
                 let off = (0..3).map(|c| (value[c] - wanted[c]).abs()).fold(0.0, f64::max);
                 let [worst, _] = found.off_limit.get_or_insert([0.0, limit.within]);
                 *worst = worst.max(off);
@@ -278,30 +274,25 @@ fn many_lights(spec: &FormSpec) -> Result<Extreme, Error> {
     })
 }
 
-/// How often [`measure`] says that a part is done.
-///
-/// # Errors
-/// None.
-pub fn steps() -> Result<u64, Error> {
-    Ok((cases()?.len() + 1) as u64 * forms().len() as u64)
-}
-
-/// Measures all cases in all forms. `done` is called after each of them.
+/// Measures all cases in all forms. `done` is told how many parts of how many are done.
 ///
 /// # Errors
 /// None for these cases.
-pub fn measure(done: &(dyn Fn() + Sync)) -> Result<Vec<Extreme>, Error> {
-    let forms = forms();
-    let mut found = Vec::new();
-    for case in cases()? {
+pub fn measure(done: &dyn Fn(usize, usize)) -> Result<Vec<Extreme>, Error> {
+    let (forms, cases) = (forms(), cases()?);
+    let of = (cases.len() + 1) * forms.len();
+    let mut found = Vec::with_capacity(of);
+    let mut put = |one: Extreme| {
+        found.push(one);
+        done(found.len(), of);
+    };
+    for case in &cases {
         for spec in &forms {
-            found.push(measured(&case, spec)?);
-            done();
+            put(measured(case, spec)?);
         }
     }
     for spec in &forms {
-        found.push(many_lights(spec)?);
-        done();
+        put(many_lights(spec)?);
     }
     Ok(found)
 }
@@ -312,8 +303,9 @@ mod tests {
 
     #[test]
     fn nothing_is_broken() {
-        let found = measure(&|| ()).unwrap();
-        assert_eq!(found.len() as u64, steps().unwrap());
+        let told = std::cell::Cell::new((0, 0));
+        let found = measure(&|done, of| told.set((done, of))).unwrap();
+        assert_eq!(told.get(), (found.len(), found.len()));
         let broken: Vec<String> = found
             .iter()
             .flat_map(|one| one.broken.iter().map(|what| format!("{}, {}: {what}", one.case, one.form)))

@@ -75,13 +75,21 @@ const SAME: f64 = 150.0;
 /// 150.
 #[must_use]
 pub fn psnr(exact: &[[f32; 3]], other: &[[f32; 3]]) -> f64 {
-    let square = |(a, b): (&f32, &f32)| {
-        let off = f64::from(a.clamp(0.0, 1.0)) - f64::from(b.clamp(0.0, 1.0));
-        off * off
-    };
-    let sum: f64 = exact.as_flattened().iter().zip(other.as_flattened()).map(square).sum();
-    let mean = sum / (3 * exact.len().max(1)) as f64;
-    if mean > 0.0 { (-10.0 * log10(mean)).min(SAME) } else { SAME }
+    let double = |(a, b): (&f32, &f32)| (f64::from(*a), f64::from(*b));
+    ratio(exact.as_flattened().iter().zip(other.as_flattened()).map(double)).map_or(SAME, |ratio| ratio.min(SAME))
+}
+
+/// The peak signal-to-noise ratio of pairs of linear values in dB, each taken to the nearest end of 0 to 1; none where they are the same or there
+/// is none.
+#[must_use]
+pub fn ratio(pairs: impl Iterator<Item = (f64, f64)>) -> Option<f64> {
+    let (mut sum, mut count) = (0.0, 0u64);
+    for (a, b) in pairs {
+        let off = a.clamp(0.0, 1.0) - b.clamp(0.0, 1.0);
+        sum += off * off;
+        count += 1;
+    }
+    (sum > 0.0).then(|| -10.0 * log10(sum / count as f64))
 }
 
 /// The angles of the light that a form is judged at: 2.5 degrees, and from there in steps to 167.5 degrees.

@@ -124,14 +124,14 @@ impl Frame {
         frame
     }
 
-    /// The channels in units of full scale with these values of the lobes, one a pixel and light, each 0 to 1; those of NaN versines are not
-    /// looked at. What exceeds full scale is not cut off yet.
+    /// The channels in units of full scale: `base`, which is [`Frame::base`] or what [`bases`](super::reflectance::bases) makes of it, with these values
+    /// of the lobes, one a pixel and light, each 0 to 1; those of NaN versines are not looked at. What exceeds full scale is not cut off yet.
     #[must_use]
-    pub fn channels(&self, scene: &Scene, highlights: &[f64]) -> Vec<Colour> {
+    pub fn channels(&self, scene: &Scene, base: &[Colour], highlights: &[f64]) -> Vec<Colour> {
         let weights: Vec<Vec<Colour>> =
             (0..scene.materials.len()).map(|m| (0..self.lights).map(|l| scene.specular(m, l)).collect()).collect();
         let pixel = |index: usize| {
-            let mut sum = self.base[index];
+            let mut sum = base[index];
             if self.material[index] != BACKGROUND {
                 let of_material = &weights[usize::from(self.material[index])];
                 for (light, weight) in of_material.iter().enumerate() {
@@ -149,7 +149,7 @@ impl Frame {
     /// The picture with these values of the lobes, as [`Frame::channels`] takes them.
     #[must_use]
     pub fn picture(&self, scene: &Scene, highlights: &[f64]) -> Picture {
-        self.codes(scene.channel_bits, &self.channels(scene, highlights))
+        self.codes(scene.channel_bits, &self.channels(scene, &self.base, highlights))
     }
 
     /// The picture of these channels in units of full scale, taken into [0, 1] and rounded to the nearest code.

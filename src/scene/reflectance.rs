@@ -14,6 +14,7 @@ use super::frame::{BACKGROUND, Frame};
 use super::trace::Hit;
 use super::{Scene, Tracer};
 use crate::error::Error;
+use crate::package::counted;
 use crate::reflectance::classical::{self, Classical, Cosine};
 use crate::reflectance::vector::{self, Light};
 use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Model, Record, Reflectance, Source, Vector, measure, open};
@@ -45,7 +46,7 @@ pub enum Viewer {
 /// What reflects.
 enum What {
     Exact(Box<dyn Reflectance + Send>),
-    Images(Form),
+    Images(Arc<Form>),
 }
 
 /// A material's reflectance and how it is drawn.
@@ -61,7 +62,7 @@ pub struct Measured {
     /// The exposure E that radiance is multiplied by.
     pub exposure: f64,
     what: What,
-    form: OnceLock<Form>,
+    form: OnceLock<Arc<Form>>,
 }
 
 impl std::fmt::Debug for Measured {
@@ -140,7 +141,7 @@ impl ReflectanceFields {
                         }
                         What::Exact(Box::new(table))
                     }
-                    Source::Images(form) => What::Images(form),
+                    Source::Images(form) => What::Images(Arc::new(form)),
                 };
                 (file.clone(), what)
             }
@@ -186,7 +187,7 @@ impl ReflectanceFields {
                 (form.spec.clone(), form.exposure)
             }
             What::Exact(reflectance) => {
-                let mut spec = FormSpec::of(made(self.form.as_deref().unwrap_or(FormKind::Half.name()))?);
+                let mut spec = FormSpec::of(made(self.form.as_deref().unwrap_or(FormKind::Half.name()), None)?);
                 for (key, value) in keys.iter().filter_map(|(key, value)| value.as_ref().map(|value| (key, value))) {
                     spec.set(key, &value.text())?;
                 }
@@ -199,13 +200,11 @@ impl ReflectanceFields {
     }
 }
 
-/// A form that is made of a reflectance, by its name.
-fn made(name: &str) -> Result<FormKind, Error> {
+/// A form that is made of a reflectance, by its name; `beside` is what else is known where it stands.
+fn made(name: &str, beside: Option<&'static str>) -> Result<FormKind, Error> {
     FormKind::MADE.into_iter().find(|kind| kind.name() == name).ok_or_else(|| {
-        Error::input(
-            format!("there is no form `{name}`"),
-            suggest("forms", name, FormKind::MADE.into_iter().map(FormKind::name)),
-        )
+        let known = FormKind::MADE.into_iter().map(FormKind::name).chain(beside);
+        Error::input(format!("there is no form `{name}`"), suggest("forms", name, known))
     })
 }
 
@@ -223,7 +222,7 @@ impl Measured {
     ///
     /// # Errors
     /// A sample that does not fit 32 bits.
-    pub fn form(&self) -> Result<&Form, Error> {
+    pub fn form(&self) -> Result<&Arc<Form>, Error> {
         match &self.what {
             What::Images(form) => Ok(form),
             What::Exact(reflectance) => {
@@ -231,7 +230,7 @@ impl Measured {
                     return Ok(form);
                 }
                 let form = self.spec.build(&**reflectance, self.exposure)?;
-                Ok(self.form.get_or_init(|| form))
+                Ok(self.form.get_or_init(|| Arc::new(form)))
             }
         }
     }
@@ -324,11 +323,7 @@ impl Compared {
             }
             return Ok(Self::Fit(lobes));
         }
-        let kind = FormKind::MADE.into_iter().find(|kind| kind.name() == name).ok_or_else(|| {
-            let known = FormKind::MADE.into_iter().map(FormKind::name).chain(["fit"]);
-            Error::input(format!("there is no form `{name}`"), suggest("forms", name, known))
-        })?;
-        let mut spec = FormSpec::of(kind);
+        let mut spec = FormSpec::of(made(name, Some("fit"))?);
         keys.iter().try_for_each(|(key, value)| spec.set(key, value))?;
         spec.check()?;
         Ok(Self::Form(spec))
@@ -396,9 +391,8 @@ impl Scene {
     pub fn own_looks(&self) -> Result<Looks, Error> {
         self.looks("image-based".to_owned(), |measured| match measured.shading {
             Shading::ImageBased => {
-                let form = measured.form()?.clone();
-                let kib = form.kib();
-                Ok((Look::Form(Arc::new(form), measured.viewer), Some(kib)))
+                let form = measured.form()?;
+                Ok((Look::Form(Arc::clone(form), measured.viewer), Some(form.kib())))
             }
             _ => Ok((Look::Exact(Arc::clone(measured)), None)),
         })
@@ -411,8 +405,7 @@ impl Scene {
     pub fn compared_looks(&self, compared: &Compared) -> Result<Looks, Error> {
         match compared {
             Compared::Fit(lobes) => {
-                let count = if *lobes == 1 { "1 lobe".to_owned() } else { format!("{lobes} lobes") };
-                self.looks(format!("fitted cos^n, {count}"), |measured| {
+                self.looks(format!("fitted cos^n, {}", counted(*lobes as u64, "lobe")), |measured| {
                     let fitted = measured.fitted(self.model, *lobes)?;
                     let kib = fitted.kib();
                     Ok((Look::Classical(fitted), Some(kib)))
@@ -472,7 +465,7 @@ impl Look {
                 }
                 What::Images(form) => (form, measured.viewer),
             },
-            Self::Form(form, viewer) => (&**form, *viewer),
+            Self::Form(form, viewer) => (form, *viewer),
             Self::Classical(classical) => {
                 return sum(lights, |l| {
                     let (light, n) = vector::seen_from(l, v, n);
@@ -513,10 +506,16 @@ fn shining(tracer: &Tracer, scene: &Scene, hit: &Hit, lights: &mut Vec<(Vector, 
     }
 }
 
-/// A frame with what its materials give by their reflectances: one frame for each of the looks, that light added to [`Frame::base`]. `done` is
-/// called once a row. The result does not depend on the number of threads.
+/// What a frame's materials give by their reflectances, for each of the looks: [`Frame::base`] with that light added. `done` is called once a row. The
+/// result does not depend on the number of threads.
 #[must_use]
-pub fn drawn(tracer: &Tracer, scene: &Scene, frame: &Frame, looks: &[&Looks], done: &(dyn Fn() + Sync)) -> Vec<Frame> {
+pub fn bases(
+    tracer: &Tracer,
+    scene: &Scene,
+    frame: &Frame,
+    looks: &[&Looks],
+    done: &(dyn Fn() + Sync),
+) -> Vec<Vec<Colour>> {
     let [right, up, ahead] = scene.camera.axes().map(Vector::from);
     let axes = Axes([right, up, ahead]);
     let width = scene.width as usize;
@@ -540,8 +539,7 @@ pub fn drawn(tracer: &Tracer, scene: &Scene, frame: &Frame, looks: &[&Looks], do
         rows
     };
     let rows: Vec<Vec<Vec<Colour>>> = (0..scene.height as usize).into_par_iter().map(of_row).collect();
-    let base = |look: usize| rows.iter().flat_map(|row| &row[look]).copied().collect();
-    (0..looks.len()).map(|look| Frame { base: base(look), ..frame.clone() }).collect()
+    (0..looks.len()).map(|look| rows.iter().flat_map(|row| &row[look]).copied().collect()).collect()
 }
 
 /// The normals of the pixels that show objects as the camera has them, one axis after the other: what distant lights need where the viewer is
@@ -583,16 +581,6 @@ impl Seen {
 /// they are the same or there is no object.
 #[must_use]
 pub fn psnr(frame: &Frame, exact: &[Colour], own: &[Colour]) -> Option<f64> {
-    let mut sum = 0.0;
-    let mut count = 0u64;
-    for ((material, exact), own) in frame.material.iter().zip(exact).zip(own) {
-        if *material != BACKGROUND {
-            count += 3;
-            for c in 0..3 {
-                let off = exact[c].clamp(0.0, 1.0) - own[c].clamp(0.0, 1.0);
-                sum += off * off;
-            }
-        }
-    }
-    (sum > 0.0).then(|| 10.0 * libm::log10(count as f64 / sum))
+    let pixels = frame.material.iter().zip(exact.iter().zip(own)).filter(|(material, _)| **material != BACKGROUND);
+    measure::ratio(pixels.flat_map(|(_, (exact, own))| exact.iter().copied().zip(own.iter().copied())))
 }
