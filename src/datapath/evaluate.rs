@@ -5,7 +5,7 @@
 //! instructions. Columns hold 64-bit integers, or 128-bit ones where a value of the graph needs them.
 
 use multiversion::multiversion;
-use num_traits::{PrimInt, WrappingMul};
+use num_traits::{PrimInt, WrappingAdd, WrappingMul, WrappingShl, WrappingShr, WrappingSub};
 
 use super::graph::{Graph, Node, NodeId, Op};
 use crate::number::Format;
@@ -99,7 +99,9 @@ fn run_narrow(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64, 
     run::<i64>(evaluator, uniform, first, stride, out);
 }
 
-pub(super) trait Lane: PrimInt + WrappingMul {
+/// An integer that holds codes. Its operations wrap: the formats of a graph are proved to hold every value, so that nothing wraps unless a
+/// fault is in it, and a check of each lane for overflow, as builds for tests have it, would keep the compiler from vector instructions.
+pub(super) trait Lane: PrimInt + WrappingAdd + WrappingMul + WrappingShl + WrappingShr + WrappingSub {
     fn from_code(code: i128) -> Self;
     fn to_output(self) -> u32;
     /// The code that it holds.
@@ -126,7 +128,7 @@ impl Lane for i64 {
     }
     #[inline(always)]
     fn mul_narrow(self, other: Self) -> Self {
-        Self::from(self as i32) * Self::from(other as i32)
+        Self::from(self as i32).wrapping_mul(Self::from(other as i32))
     }
 }
 
@@ -146,7 +148,7 @@ impl Lane for i128 {
     }
     #[inline(always)]
     fn mul_narrow(self, other: Self) -> Self {
-        Self::from(self as i64) * Self::from(other as i64)
+        Self::from(self as i64).wrapping_mul(Self::from(other as i64))
     }
 }
 
@@ -169,7 +171,7 @@ fn run<L: Lane>(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64
             match node.op {
                 Op::Input => {
                     for (lane, value) in result.iter_mut().enumerate() {
-                        *value = L::from_code(i128::from(start + stride * lane as i64));
+                        *value = L::from_code(start.wrapping_add(stride.wrapping_mul(lane as i64)).into());
                     }
                 }
                 _ => step(graph, node, &evaluator.looked_up[id], arg, before, result),
@@ -199,7 +201,11 @@ pub(super) fn step<L: Lane>(
     result: &mut [L; LANES],
 ) {
     let frac = |index: usize| graph.nodes[node.args[index]].format.frac_bits;
-    let align = |index: usize| (node.format.frac_bits - frac(index)) as usize;
+    let align = |index: usize| {
+        let shift = node.format.frac_bits - frac(index);
+        debug_assert!((0..2 * L::HALF as i32).contains(&shift), "an argument that cannot be aligned");
+        shift as u32
+    };
     match node.op {
         Op::Clamp { low, high } => {
             let (low, high) = (L::from_code(low), L::from_code(high));
@@ -207,12 +213,12 @@ pub(super) fn step<L: Lane>(
         }
         Op::Add => {
             let (sa, sb) = (align(0), align(1));
-            zip(result, before, arg(0), arg(1), |a, b| (a << sa) + (b << sb));
+            zip(result, before, arg(0), arg(1), |a: L, b: L| a.wrapping_shl(sa).wrapping_add(&b.wrapping_shl(sb)));
             wrap(result, node.format);
         }
         Op::Sub => {
             let (sa, sb) = (align(0), align(1));
-            zip(result, before, arg(0), arg(1), |a, b| (a << sa) - (b << sb));
+            zip(result, before, arg(0), arg(1), |a: L, b: L| a.wrapping_shl(sa).wrapping_sub(&b.wrapping_shl(sb)));
             wrap(result, node.format);
         }
         Op::Mul => {
@@ -229,33 +235,32 @@ pub(super) fn step<L: Lane>(
         }
         Op::ShiftLeft => {
             if fits_shift::<L>(graph, node) {
-                zip(result, before, arg(0), arg(1), |a, b| a << b.to_output() as usize);
+                zip(result, before, arg(0), arg(1), |a: L, b: L| a.wrapping_shl(b.to_output()));
             } else {
-                let most = 2 * L::HALF as usize - 1;
-                let shift =
-                    |a: L, b: L| if b.to_output() as usize > most { L::zero() } else { a << b.to_output() as usize };
+                let most = 2 * L::HALF - 1;
+                let shift = |a: L, b: L| if b.to_output() > most { L::zero() } else { a.wrapping_shl(b.to_output()) };
                 zip(result, before, arg(0), arg(1), shift);
             }
             wrap(result, node.format);
         }
         Op::ShiftRight if fits_shift::<L>(graph, node) => {
-            zip(result, before, arg(0), arg(1), |a, b| a >> b.to_output() as usize);
+            zip(result, before, arg(0), arg(1), |a: L, b: L| a.wrapping_shr(b.to_output()));
         }
         Op::ShiftRight => {
-            let most = 2 * L::HALF as usize - 1;
-            zip(result, before, arg(0), arg(1), |a, b| a >> (b.to_output() as usize).min(most));
+            let most = 2 * L::HALF - 1;
+            zip(result, before, arg(0), arg(1), |a: L, b: L| a.wrapping_shr(b.to_output().min(most)));
         }
         Op::Field { .. } => {
             map(result, before, arg(0), |address| L::from_code(codes[address.to_output() as usize]));
         }
         Op::Cast if node.format.frac_bits >= frac(0) => {
             let shift = align(0);
-            map(result, before, arg(0), |a| a << shift);
+            map(result, before, arg(0), |a: L| a.wrapping_shl(shift));
             wrap(result, node.format);
         }
         Op::Cast => {
-            let shift = (frac(0) - node.format.frac_bits) as usize;
-            map(result, before, arg(0), |a| a >> shift);
+            let shift = (frac(0) - node.format.frac_bits) as u32;
+            map(result, before, arg(0), |a: L| a.wrapping_shr(shift));
             wrap(result, node.format);
         }
         Op::Scale => map(result, before, arg(0), |a| a),
@@ -264,14 +269,14 @@ pub(super) fn step<L: Lane>(
             zip(result, before, arg(0), arg(1), |a, b| if a > b { L::one() } else { L::zero() });
         }
         Op::Or => zip(result, before, arg(0), arg(1), |a, b| a | b),
-        Op::Not => map(result, before, arg(0), |a| L::one() - a),
-        Op::ZeroIf => zip(result, before, arg(0), arg(1), |flag, a| (flag - L::one()) & a),
+        Op::Not => map(result, before, arg(0), |a: L| L::one().wrapping_sub(&a)),
+        Op::ZeroIf => zip(result, before, arg(0), arg(1), |flag: L, a| flag.wrapping_sub(&L::one()) & a),
         Op::Select => {
             let mut second = [L::zero(); LANES];
             map(&mut second, before, arg(2), |b| b);
-            zip(result, before, arg(0), arg(1), |flag, a| (L::zero() - flag) & a);
+            zip(result, before, arg(0), arg(1), |flag: L, a| L::zero().wrapping_sub(&flag) & a);
             let mut rest = [L::zero(); LANES];
-            map(&mut rest, before, arg(0), |flag| flag - L::one());
+            map(&mut rest, before, arg(0), |flag: L| flag.wrapping_sub(&L::one()));
             for ((result, second), keep) in result.iter_mut().zip(second).zip(rest) {
                 *result = *result | (second & keep);
             }
@@ -320,9 +325,9 @@ fn zip<L: Lane>(result: &mut [L; LANES], columns: &[[L; LANES]], a: Arg, b: Arg,
 #[inline(always)]
 pub(super) fn wrap<L: Lane>(result: &mut [L; LANES], format: Format) {
     if format.signed {
-        let spare = std::mem::size_of::<L>() * 8 - format.width() as usize;
+        let spare = 2 * L::HALF - format.width();
         for value in result {
-            *value = (*value << spare) >> spare;
+            *value = value.wrapping_shl(spare).wrapping_shr(spare);
         }
     } else {
         let mask = L::from_code(format.max_code());

@@ -121,19 +121,19 @@ fn alter<'a, L: Lane + 'a>(
         Change::Offset(by) => {
             let by = L::from_code(*by);
             for value in result {
-                *value = *value + by;
+                *value = value.wrapping_add(&by);
             }
         }
         Change::Nearest | Change::Up => {
             let shifts = matches!(node.op, Op::ShiftRight).then(|| arg(1));
             for (lane, (value, &from)) in result.iter_mut().zip(arg(0)).enumerate() {
                 let bits = dropped(graph, node, shifts.map(|shifts| shifts[lane]));
-                let rest = from & ((L::one() << bits) - L::one());
+                let rest = from & ((L::one() << bits).wrapping_sub(&L::one()));
                 let up = match change {
                     Change::Up => rest != L::zero(),
                     _ => bits > 0 && rest >> (bits - 1) != L::zero(),
                 };
-                *value = if up { *value + L::one() } else { *value };
+                *value = if up { value.wrapping_add(&L::one()) } else { *value };
             }
         }
         Change::OrEqual => {
