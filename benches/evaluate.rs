@@ -4,7 +4,7 @@
 use std::hint::black_box;
 
 use brdfgen::datapath::simulate::{Inputs, Simulation};
-use brdfgen::design::Design;
+use brdfgen::core::Design;
 use brdfgen::spec::SpecFields;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
@@ -83,7 +83,7 @@ fn simulate(criterion: &mut Criterion) {
         });
         #[cfg(feature = "kernel")]
         {
-            let mut kernel = brdfgen::kernel::of_design(&design).expect("a kernel");
+            let mut kernel = brdfgen::verify::kernel::of_design(&design).expect("a kernel");
             group.bench_function(format!("{method}: rust-hdl kernel"), |bench| {
                 bench.iter(|| {
                     for n in 0..1000 {

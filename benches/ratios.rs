@@ -11,18 +11,18 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use brdfgen::cosim::{self, Job, Sim};
+use brdfgen::verify::cosim::{self, Job, Sim};
 use brdfgen::datapath::simulate::{Inputs, Simulation};
-use brdfgen::design::{Account, Design};
+use brdfgen::core::{Account, Design};
 use brdfgen::fit::{self, Objective, Peak};
-use brdfgen::golden::Golden;
+use brdfgen::verify::golden::Golden;
 use brdfgen::lobe::{
     CosK, Cubic, CubicRational, Lobe, LogExp, Lyon, MinZero, Polynomial, Quadratic, Schlick, Segmented, Taylor,
     TaylorSeries,
 };
-use brdfgen::package;
+use brdfgen::emit::package;
 use brdfgen::spec::{Inside, Language, SpecFields};
-use brdfgen::tool;
+use brdfgen::platform::tool;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
@@ -141,7 +141,7 @@ fn powers<'a>(name: &str, xs: &'a [f64], f: impl Fn(f64, f64) -> f64 + 'a) -> Co
 fn lobes<'a, L: Lobe + 'a>(
     name: &str,
     xs: &'a [f64],
-    lobe: impl Fn(f64) -> std::result::Result<L, brdfgen::error::Error>,
+    lobe: impl Fn(f64) -> std::result::Result<L, brdfgen::platform::error::Error>,
 ) -> Result<Contender<'a>> {
     let lobes = shininesses().map(|n| lobe(n.into())).collect::<std::result::Result<Vec<L>, _>>()?;
     let mut out = vec![0.0; xs.len()];
@@ -158,14 +158,14 @@ fn lobes<'a, L: Lobe + 'a>(
 }
 
 /// The real-valued lobe of a `power` method.
-fn fitted_power(n: f64, k: u32) -> std::result::Result<Polynomial, brdfgen::error::Error> {
+fn fitted_power(n: f64, k: u32) -> std::result::Result<Polynomial, brdfgen::platform::error::Error> {
     let fit::Power { big_a, a } = fit::power(n, k, Inside::Quadratic, &Objective::MaxAbs)?.coefficients;
     let end = if a > 0.0 { (big_a / (2.0 * a)).min(1.0) } else { 1.0 };
     Ok(Polynomial { cosine: false, power: k, c: 1.0, big_a, a, end, past: 0.0 })
 }
 
 /// The real-valued lobe of a `segmented` method.
-fn fitted_segments(n: f64, segments: u32) -> std::result::Result<Segmented, brdfgen::error::Error> {
+fn fitted_segments(n: f64, segments: u32) -> std::result::Result<Segmented, brdfgen::platform::error::Error> {
     let ends = fit::segment_bounds(n, segments, Peak::Exact, &Objective::MaxAbs)?.coefficients;
     let mut pieces = Vec::new();
     let mut low = 0.0;
@@ -266,7 +266,7 @@ fn bit_exact(effort: Effort) -> Result<Vec<Row>> {
             16 * (COSINES as u64).div_ceil(64)
         }));
         #[cfg(feature = "kernel")]
-        if let Some(mut kernel) = brdfgen::kernel::of_design(design) {
+        if let Some(mut kernel) = brdfgen::verify::kernel::of_design(design) {
             contenders.push(contender(format!("{name}: rust-hdl kernel, clock by clock"), move || {
                 for n in shininesses() {
                     let index = u64::from(set.index_of_row(n as usize - 1));

@@ -6,8 +6,8 @@ use std::error::Error;
 use std::fmt::Write;
 use std::path::Path;
 
-use brdfgen::design::Design;
-use brdfgen::package;
+use brdfgen::core::Design;
+use brdfgen::emit::package;
 use brdfgen::spec::SpecFields;
 
 /// What is compared: a name for the table, and the spec's lines.
@@ -56,7 +56,7 @@ const METHODS: [(&str, &str); 40] = [
 
 /// The shininesses at which errors are measured.
 const MEASURED: [u32; 3] = [10, 100, 1000];
-fn design(method: &str) -> Result<Design, brdfgen::error::Error> {
+fn design(method: &str) -> Result<Design, brdfgen::platform::error::Error> {
     let text = format!("{method}\nshininess = '1..=1000'\ninput_fraction = 16\noutput_fraction = 16");
     Design::new(SpecFields::parse(&text, "method")?.resolve()?)
 }
@@ -117,7 +117,7 @@ impl Entry {
     fn of(design: &Design) -> Self {
         let multipliers: Vec<String> = design.graph().multipliers().iter().map(|(a, b)| format!("{a}x{b}")).collect();
         Self {
-            rom_bits: design.tables().iter().map(brdfgen::rom::Table::bits).sum(),
+            rom_bits: design.tables().iter().map(brdfgen::emit::rom::Table::bits).sum(),
             multipliers: if multipliers.is_empty() { "none".to_owned() } else { multipliers.join(" ") },
             latency: design.schedule.latency,
             errors: MEASURED.iter().map(|&n| Errors::of(design, n)).collect(),

@@ -3,14 +3,14 @@
 use std::error::Error;
 use std::path::Path;
 
-use brdfgen::design::Design;
+use brdfgen::core::Design;
 use brdfgen::explore::Results;
-use brdfgen::package;
+use brdfgen::emit::package;
 use brdfgen::report::{self, COLOURS, Palette};
 use brdfgen::spec::SpecFields;
 use plotters::prelude::*;
 
-fn design(text: &str) -> Result<Design, brdfgen::error::Error> {
+fn design(text: &str) -> Result<Design, brdfgen::platform::error::Error> {
     Design::new(SpecFields::parse(text, "picture")?.resolve()?)
 }
 

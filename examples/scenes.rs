@@ -5,7 +5,7 @@ use std::error::Error;
 use std::fmt::Write;
 use std::path::Path;
 
-use brdfgen::design::Design;
+use brdfgen::core::Design;
 use brdfgen::explore::choose::Wish;
 use brdfgen::explore::run::Costing;
 use brdfgen::explore::{Cost, MaxError, Model, Results};

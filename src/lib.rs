@@ -38,33 +38,20 @@
 //! `model` and `datapath` never import each other: what the one says, the other is checked against.
 #![warn(missing_docs)]
 
-pub mod claims;
 pub mod cli;
-pub mod cosim;
+pub mod core;
 pub mod datapath;
-pub mod design;
-pub mod error;
+pub mod emit;
 pub mod explore;
 pub mod fit;
-pub mod formal;
-pub mod golden;
-pub mod hdl;
-pub mod input;
-#[cfg(feature = "kernel")]
-pub mod kernel;
+pub mod fixed;
 pub mod lobe;
-mod markdown;
 pub mod model;
-pub mod mutate;
-pub mod number;
-pub mod package;
-pub mod paths;
+pub mod papers;
+pub mod platform;
 pub mod reflectance;
 pub mod report;
-pub mod rom;
 pub mod scene;
 pub mod spec;
-pub mod stability;
 pub mod synth;
-pub mod tool;
-pub mod transient;
+pub mod verify;

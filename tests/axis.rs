@@ -5,11 +5,11 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use brdfgen::cosim::{self, Job, Sim};
-use brdfgen::design::{Account, Design};
-use brdfgen::formal::{self, Verdict};
-use brdfgen::golden::Golden;
-use brdfgen::package;
+use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::core::{Account, Design};
+use brdfgen::verify::formal::{self, Verdict};
+use brdfgen::verify::golden::Golden;
+use brdfgen::emit::package;
 use brdfgen::spec::{Language, SpecFields};
 use rayon::prelude::*;
 use tempfile::TempDir;
@@ -199,7 +199,7 @@ fn the_wrappers_outputs_are_known_from_reset_on() {
         let name = &core.design.spec.name;
         let watch = |text: &str, writes: [&str; 3]| {
             let ports = axis.writes.chunks(3).map(|ports| {
-                let port = |(port, to): (&brdfgen::hdl::Port, &str)| to.replace("PORT", &port.name);
+                let port = |(port, to): (&brdfgen::core::Port, &str)| to.replace("PORT", &port.name);
                 ports.iter().zip(writes).map(port).collect::<String>()
             });
             text.replace("NAME", name)

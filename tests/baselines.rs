@@ -2,11 +2,11 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use brdfgen::design::{Design, Measured};
-use brdfgen::error::Error;
-use brdfgen::golden::all_codes;
+use brdfgen::core::{Design, Measured};
+use brdfgen::platform::error::Error;
+use brdfgen::verify::golden::all_codes;
 use brdfgen::lobe;
-use brdfgen::number::exp2;
+use brdfgen::fixed::exp2;
 use brdfgen::spec::SpecFields;
 use proptest::prelude::*;
 use rayon::prelude::*;

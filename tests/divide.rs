@@ -3,9 +3,9 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use brdfgen::datapath::simulate::{Inputs, Simulation};
-use brdfgen::design::Design;
-use brdfgen::golden::all_codes;
-use brdfgen::number::exp2;
+use brdfgen::core::Design;
+use brdfgen::verify::golden::all_codes;
+use brdfgen::fixed::exp2;
 use brdfgen::spec::SpecFields;
 use proptest::prelude::*;
 use rayon::prelude::*;

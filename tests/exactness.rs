@@ -8,9 +8,9 @@ use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::graph::{Node, Op};
 use brdfgen::datapath::schedule::schedule;
 use brdfgen::datapath::simulate::{Inputs, Simulation};
-use brdfgen::design::{Design, Measured};
-use brdfgen::golden::all_codes;
-use brdfgen::number::exp2;
+use brdfgen::core::{Design, Measured};
+use brdfgen::verify::golden::all_codes;
+use brdfgen::fixed::exp2;
 use brdfgen::spec::{Pipeline, SpecFields};
 use proptest::prelude::*;
 use rayon::prelude::*;
@@ -513,7 +513,7 @@ fn assert_flips_are_noticed(spec: &str) {
     let design = design(spec);
     let set = &design.spec.shininess;
     let codes = (1usize << design.spec.input_fraction) + 1;
-    let golden = brdfgen::golden::Golden::of(&design);
+    let golden = brdfgen::verify::golden::Golden::of(&design);
     let vectors: Vec<(u32, i64)> = golden.vectors().iter().map(|v| (v.inputs[0] as u32, v.inputs[1])).collect();
     // The vectors and the places of the set that read each row of the ROM.
     let rows = set.of_knots().rows();

@@ -144,7 +144,7 @@ fn figures_of_two_versions_are_never_mixed() {
     let mut provenance = Store::open_to_read(&at.join("a.db")).unwrap().provenance().unwrap().unwrap();
     let tools = provenance.tools.get_mut("ecp5").unwrap();
     tools.yosys = "Yosys 0.99".to_owned();
-    let refused = |error: brdfgen::error::Error| error.to_string();
+    let refused = |error: brdfgen::platform::error::Error| error.to_string();
     let error = refused(Store::open(&at.join("a.db"), &provenance, false).unwrap_err());
     assert!(error.contains("of Yosys 0") && error.contains("and of Yosys 0.99"), "{error}");
     // A family's own nextpnr counts as well, but not that of another family.
@@ -272,7 +272,7 @@ fn the_cheapest_core_is_chosen_and_built() {
     // Figures of a version whose core took fewer clocks: that is told, and no core that is too slow is built.
     let mut point: Point = serde_json::from_value(chosen["point"].clone()).unwrap();
     let latency =
-        brdfgen::design::Design::new(brdfgen::spec::SpecFields::parse(&point.spec, "spec").unwrap().resolve().unwrap());
+        brdfgen::core::Design::new(brdfgen::spec::SpecFields::parse(&point.spec, "spec").unwrap().resolve().unwrap());
     point.latency = latency.unwrap().schedule.latency - 1;
     let promised = point.latency.to_string();
     std::fs::write(at.join("old.json"), Results::new(vec![point]).to_json()).unwrap();

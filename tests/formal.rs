@@ -4,10 +4,10 @@
 
 mod common;
 
-use brdfgen::design::{Account, Design};
-use brdfgen::formal::{self, Proof, Step, Verdict};
-use brdfgen::golden::Golden;
-use brdfgen::package;
+use brdfgen::core::{Account, Design};
+use brdfgen::verify::formal::{self, Proof, Step, Verdict};
+use brdfgen::verify::golden::Golden;
+use brdfgen::emit::package;
 use brdfgen::spec::{Language, SpecFields};
 use common::Scratch;
 use rayon::prelude::*;

@@ -8,9 +8,9 @@ mod common;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use brdfgen::design::{Account, Design};
-use brdfgen::golden::Golden;
-use brdfgen::package;
+use brdfgen::core::{Account, Design};
+use brdfgen::verify::golden::Golden;
+use brdfgen::emit::package;
 use brdfgen::spec::{Language, Method, SpecFields};
 use clap::ValueEnum;
 use common::Scratch;

@@ -3,11 +3,11 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use brdfgen::datapath::evaluate::Evaluator;
-use brdfgen::design::Design;
-use brdfgen::golden::{Golden, all_codes};
+use brdfgen::core::Design;
+use brdfgen::verify::golden::{Golden, all_codes};
 use brdfgen::lobe;
-use brdfgen::number::exp2;
-use brdfgen::rom::Table;
+use brdfgen::fixed::exp2;
+use brdfgen::emit::rom::Table;
 use brdfgen::spec::SpecFields;
 use proptest::prelude::*;
 use rayon::prelude::*;
@@ -249,7 +249,7 @@ fn the_exact_places_are_exact() {
 #[test]
 fn the_target_is_met() {
     let design = design("shininess = '4..=1000'");
-    let measured = brdfgen::design::Measured::of(&design);
+    let measured = brdfgen::core::Measured::of(&design);
     assert!(measured.sweep.exhaustive && measured.max_abs < 0.000_02, "{}", measured.max_abs);
 }
 

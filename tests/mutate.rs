@@ -4,15 +4,15 @@
 
 mod common;
 
-use brdfgen::cosim::{self, Job, Sim};
+use brdfgen::verify::cosim::{self, Job, Sim};
 use brdfgen::datapath::fault::{Block, Change, Defect, Fault, Hunt, Probe};
 use brdfgen::datapath::graph::Op;
 use brdfgen::datapath::simulate::{Inputs, Simulation};
-use brdfgen::design::{Account, Design};
-use brdfgen::golden::Golden;
-use brdfgen::mutate::equivalent::{Decision, decide};
-use brdfgen::mutate::{Fate, Tally, netlist, source};
-use brdfgen::package;
+use brdfgen::core::{Account, Design};
+use brdfgen::verify::golden::Golden;
+use brdfgen::verify::faults::equivalent::{Decision, decide};
+use brdfgen::verify::faults::{Fate, Tally, netlist, source};
+use brdfgen::emit::package;
 use brdfgen::spec::{Language, SpecFields};
 use common::Scratch;
 

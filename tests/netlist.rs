@@ -5,11 +5,11 @@
 
 mod common;
 
-use brdfgen::cosim::{self, Job};
-use brdfgen::design::{Account, Design};
-use brdfgen::golden::{Golden, Vector, all_codes};
-use brdfgen::hdl::Direction;
-use brdfgen::package;
+use brdfgen::verify::cosim::{self, Job};
+use brdfgen::core::{Account, Design};
+use brdfgen::verify::golden::{Golden, Vector, all_codes};
+use brdfgen::core::Direction;
+use brdfgen::emit::package;
 use brdfgen::spec::SpecFields;
 use brdfgen::synth::{self, Family, Options};
 use common::Scratch;

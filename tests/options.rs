@@ -19,14 +19,14 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
-use brdfgen::cosim::{self, Job, Sim};
-use brdfgen::design::sample::random_codes;
-use brdfgen::design::{Account, Design, Part, ShaderError};
-use brdfgen::error::Error;
-use brdfgen::golden::{Golden, Vector};
-use brdfgen::hdl::Direction;
-use brdfgen::number::Dice;
-use brdfgen::package;
+use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::core::sample::random_codes;
+use brdfgen::core::{Account, Design, Part, ShaderError};
+use brdfgen::platform::error::Error;
+use brdfgen::verify::golden::{Golden, Vector};
+use brdfgen::core::Direction;
+use brdfgen::fixed::Dice;
+use brdfgen::emit::package;
 use brdfgen::spec::{CoreSpec, Language, Method, RomStyle, SpecFields};
 use pairs::{Choice, Covering, covering, pairs_of};
 

@@ -13,8 +13,8 @@ use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use brdfgen::golden;
-use brdfgen::rom::{self, RomFormat};
+use brdfgen::verify::golden;
+use brdfgen::emit::rom::{self, RomFormat};
 use brdfgen::scene::mesh::{Mesh, Normals};
 use brdfgen::spec::SpecFields;
 use targets::TARGETS;
@@ -114,7 +114,7 @@ fn what_fails_is_named() {
 
 /// The error of something that must be refused.
 #[track_caller]
-fn refused<T>(result: Result<T, brdfgen::error::Error>) -> String {
+fn refused<T>(result: Result<T, brdfgen::platform::error::Error>) -> String {
     result.err().expect("it must be refused").to_string()
 }
 
@@ -175,7 +175,7 @@ fn absurd_sizes_are_refused() {
     refused(Mesh::parse(b"v 0 0 0\nf 4294967297 1 1\nf 99999999999999999999999 1 1\n", "mesh.obj", Normals::File));
     let design = SpecFields::parse("method = \"quadratic\"\nshininess = [5]\n", "spec")
         .and_then(SpecFields::resolve)
-        .and_then(brdfgen::design::Design::new)
+        .and_then(brdfgen::core::Design::new)
         .unwrap();
     let head = format!("# core {}\n# spec {}\n", design.spec.name, design.spec.digest());
     for line in [

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
-use brdfgen::design::Design;
+use brdfgen::core::Design;
 use brdfgen::explore::sweep::Core;
 use brdfgen::explore::{Point, Results};
 use brdfgen::spec::SpecFields;

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use brdfgen::error::Error;
+use brdfgen::platform::error::Error;
 use brdfgen::explore::Objective;
 use brdfgen::scene::mesh::{Mesh, Normals, Transform};
 use brdfgen::scene::{Exact, Frame, Highlights, LightKind, Scene, Shape};

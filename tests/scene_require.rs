@@ -4,7 +4,7 @@ mod common;
 
 use std::path::Path;
 
-use brdfgen::design::Design;
+use brdfgen::core::Design;
 use brdfgen::explore::choose::Ranking;
 use brdfgen::explore::run::Costing;
 use brdfgen::explore::{Model, Results};

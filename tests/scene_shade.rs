@@ -4,7 +4,7 @@ mod common;
 
 use std::path::Path;
 
-use brdfgen::design::Design;
+use brdfgen::core::Design;
 use brdfgen::scene::highlight::Exact;
 use brdfgen::scene::trace::Tracer;
 use brdfgen::scene::{Difference, Frame, Highlights, Requirements, Scene, shade};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use astro_float::{BigFloat, RoundingMode};
-use brdfgen::design::sample::Vector;
+use brdfgen::core::sample::Vector;
 use brdfgen::explore::Objective;
 use brdfgen::scene::frame::{BACKGROUND, versine};
 use brdfgen::scene::mesh::{Corner, Mesh};

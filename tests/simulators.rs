@@ -7,10 +7,10 @@ mod common;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use brdfgen::cosim::{self, Job, Outcome, Sim};
-use brdfgen::design::{Account, Design};
-use brdfgen::golden::Golden;
-use brdfgen::package;
+use brdfgen::verify::cosim::{self, Job, Outcome, Sim};
+use brdfgen::core::{Account, Design};
+use brdfgen::verify::golden::Golden;
+use brdfgen::emit::package;
 use brdfgen::spec::{Language, SpecFields};
 use rayon::prelude::*;
 use tempfile::TempDir;
@@ -287,7 +287,7 @@ fn assert_faults_are_noticed(spec: &str, verilog: &[Fault], vhdl: &[Fault]) {
 #[cfg(feature = "kernel")]
 #[test]
 fn the_kernels_verilog_passes_the_same_bench() {
-    use brdfgen::kernel;
+    use brdfgen::verify::kernel;
     for method in ["quadratic", "cubic"] {
         for (bits, set) in [(16, "1..=1000"), (12, "1..=256"), (8, "1..=64")] {
             let core = Core::new(&format!(

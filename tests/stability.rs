@@ -4,15 +4,15 @@ use assert_cmd::Command;
 use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::graph::{Graph, Op};
 use brdfgen::datapath::range::Analysis;
-use brdfgen::design::Design;
-use brdfgen::design::sample::{Sample, random_codes};
-use brdfgen::hdl::Direction;
-use brdfgen::number::Dice;
+use brdfgen::core::Design;
+use brdfgen::core::sample::{Sample, random_codes};
+use brdfgen::core::Direction;
+use brdfgen::fixed::Dice;
 use brdfgen::spec::{Block, Method, SpecFields};
-use brdfgen::stability::document::{self, Study};
-use brdfgen::stability::inspect::Inspection;
-use brdfgen::stability::shader::{Proof, ShaderInspection};
-use brdfgen::stability::study::{self, Axis};
+use brdfgen::verify::stability::document::{self, Study};
+use brdfgen::verify::stability::inspect::Inspection;
+use brdfgen::verify::stability::shader::{Proof, ShaderInspection};
+use brdfgen::verify::stability::study::{self, Axis};
 use rayon::prelude::*;
 
 fn design(spec: &str) -> Design {
@@ -38,7 +38,7 @@ const SPECS: [&str; 12] = [
 /// The outputs of a graph for every code of its operand's port, for each row.
 fn outputs(design: &Design, graph: &Graph) -> Vec<Vec<u32>> {
     let evaluator = Evaluator::new(graph, design.tables());
-    let (first, count) = brdfgen::golden::all_codes(design.operand_format());
+    let (first, count) = brdfgen::verify::golden::all_codes(design.operand_format());
     let run = |row: usize| {
         let mut outputs = vec![0; count as usize];
         evaluator.evaluate(design.spec.shininess.index_of_row(row), first, 1, &mut outputs);
@@ -125,7 +125,7 @@ fn values_lie_in_their_ranges() {
         let graph = design.graph();
         let analysis = Analysis::new(graph, design.tables());
         let ranges = analysis.over(&design.regions(), 1 << 16);
-        let (first, count) = brdfgen::golden::all_codes(design.operand_format());
+        let (first, count) = brdfgen::verify::golden::all_codes(design.operand_format());
         for row in 0..design.spec.shininess.rows() {
             let index = design.spec.shininess.index_of_row(row);
             for place in (0..count as i64).step_by(37) {

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::{Verdict, say, say_json};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::explore::choose::{Candidate, Choice, Wish};
 use crate::explore::{Cost, MaxError, Objective, Results};
-use crate::paths::Paths;
+use crate::platform::paths::Paths;
 use crate::spec::{Coefficients, Method, Operand, Shininess, SpecFields};
 use crate::synth::Family;
 

@@ -6,12 +6,12 @@ use clap::Args;
 use serde_json::json;
 
 use super::{Verdict, progress, say, say_json};
-use crate::claims::images::Speed;
-use crate::claims::{self, Claim, HEADER, Recorded};
-use crate::error::Error;
-use crate::input;
-use crate::package::{self, Kind, counted};
-use crate::paths::Paths;
+use crate::papers::images::Speed;
+use crate::papers::{self, Claim, HEADER, Recorded};
+use crate::platform::error::Error;
+use crate::platform::input;
+use crate::emit::package::{self, Kind, counted};
+use crate::platform::paths::Paths;
 
 /// The directory of a run's files.
 const REPORT: Kind = Kind { what: "a report of claims", file: "claims.csv", mark: HEADER };
@@ -40,18 +40,18 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     };
     if let Some(directory) = &arguments.out {
         package::check_target_of(REPORT, directory)?;
-        Paths::new().writes_in("--out", directory, claims::TABLES).check()?;
+        Paths::new().writes_in("--out", directory, papers::TABLES).check()?;
     }
-    let bar = progress::bar("measuring", claims::SHININESSES);
-    let rows = claims::survey(&|| bar.inc(1))?;
+    let bar = progress::bar("measuring", papers::SHININESSES);
+    let rows = papers::survey(&|| bar.inc(1))?;
     bar.finish_and_clear();
-    let claims = claims::claims(&rows)?;
+    let claims = papers::claims(&rows)?;
     if let Some(directory) = &arguments.out {
-        let files = claims::files(&rows, &claims)?;
+        let files = papers::files(&rows, &claims)?;
         Paths::new().writes_in("--out", directory, files.iter().map(|file| file.path.as_str())).check()?;
         package::write_directory_of(REPORT, directory, &files)?;
     }
-    let speeds = claims::images::speeds()?;
+    let speeds = papers::images::speeds()?;
     let differences = recorded.differences(&claims);
     if arguments.json {
         say_json(&json!({ "claims": claims, "speeds": speeds, "differences": differences }));

@@ -4,8 +4,8 @@ use clap::Args;
 use serde_json::json;
 
 use super::{Verdict, say, say_json};
-use crate::error::Error;
-use crate::tool::TOOLS;
+use crate::platform::error::Error;
+use crate::platform::tool::TOOLS;
 
 #[derive(Args)]
 pub(super) struct Arguments {

@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::source::Source;
 use super::{Verdict, say, say_json};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::spec::Operand;
 
 #[derive(Args)]
@@ -45,7 +45,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         )
     })?;
     let index = spec.shininess.index_of_row(row);
-    let design = crate::design::Design::new(spec)?;
+    let design = crate::core::Design::new(spec)?;
     let format = design.operand_format();
     let wanted = match design.spec.operand {
         Operand::Cos => arguments.x,

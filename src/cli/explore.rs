@@ -6,12 +6,12 @@ use clap::{Args, Subcommand};
 use serde_json::json;
 
 use super::{Verdict, progress, say, say_json, warn, write_to};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::explore::run::{self, Costing, Flow, Summary};
 use crate::explore::sweep::{Axes, Plan, Shard, word};
 use crate::explore::{Model, Point, Results, Store, Sweep};
-use crate::input;
-use crate::paths::Paths;
+use crate::platform::input;
+use crate::platform::paths::Paths;
 use crate::synth;
 
 #[derive(Args)]

@@ -5,8 +5,8 @@ use serde_json::json;
 
 use super::source::{OnDisk, Source};
 use super::{Verdict, progress, say, say_json};
-use crate::error::Error;
-use crate::formal::{self, Proof, Step};
+use crate::platform::error::Error;
+use crate::verify::formal::{self, Proof, Step};
 
 #[derive(Args)]
 pub(super) struct Arguments {

@@ -10,14 +10,14 @@ use super::choose::{self, WishFlags};
 use super::scene::{self, Made, SceneFlags};
 use super::source::Source;
 use super::{Verdict, progress, say, say_json, warn};
-use crate::cosim::{self, Job, Sim};
-use crate::design::{Account, Design};
-use crate::error::Error;
+use crate::verify::cosim::{self, Job, Sim};
+use crate::core::{Account, Design};
+use crate::platform::error::Error;
 use crate::explore::{MaxError, Objective};
-use crate::golden::Golden;
-use crate::hdl::Direction;
-use crate::input;
-use crate::package::{self, File};
+use crate::verify::golden::Golden;
+use crate::core::Direction;
+use crate::platform::input;
+use crate::emit::package::{self, File};
 use crate::spec::CoreSpec;
 
 #[derive(Args)]

@@ -7,9 +7,9 @@ use serde_json::json;
 
 use super::source::{Source, read_golden};
 use super::{Verdict, say, say_json, write_to};
-use crate::cosim::LISTED;
-use crate::error::Error;
-use crate::golden::{Golden, differences};
+use crate::verify::cosim::LISTED;
+use crate::platform::error::Error;
+use crate::verify::golden::{Golden, differences};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -47,7 +47,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         }
         return Ok(Verdict::of(found.is_empty()));
     }
-    let path = arguments.out.unwrap_or_else(|| PathBuf::from(crate::package::golden_path(&design)));
+    let path = arguments.out.unwrap_or_else(|| PathBuf::from(crate::emit::package::golden_path(&design)));
     arguments.source.paths().writes("--out", &path).check()?;
     let golden = Golden::of(&design);
     write_to(&path, golden.to_text(&design).as_bytes())?;

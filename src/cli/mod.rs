@@ -30,8 +30,9 @@ use std::sync::{Mutex, PoisonError};
 use clap::{Parser, Subcommand};
 use serde::Serialize;
 
-use crate::error::Error;
-use crate::{package, tool, transient};
+use crate::platform::error::Error;
+use crate::emit::package;
+use crate::platform::{tool, transient};
 
 /// Generates FPGA cores for the specular term cos^n of a shader
 #[derive(Parser)]

@@ -10,11 +10,11 @@ use serde_json::json;
 use super::source::{OnDisk, Source, read_golden};
 use super::{Verdict, progress, say, say_json};
 use crate::datapath::mutants::Mutant;
-use crate::design::Design;
-use crate::error::Error;
-use crate::mutate::netlist::{self, NetlistMutant};
-use crate::mutate::{Fate, Tally, source};
-use crate::package::rtl_path;
+use crate::core::Design;
+use crate::platform::error::Error;
+use crate::verify::faults::netlist::{self, NetlistMutant};
+use crate::verify::faults::{Fate, Tally, source};
+use crate::emit::package::rtl_path;
 use crate::spec::{Language, RomStyle};
 
 #[derive(Args)]

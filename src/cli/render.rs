@@ -11,13 +11,13 @@ use serde_json::{Value, json};
 use super::scene::{MARGIN, costing};
 use super::source::{read_scene, reads_core};
 use super::{Verdict, progress, say, say_json, write_to};
-use crate::design::Design;
-use crate::error::Error;
+use crate::core::Design;
+use crate::platform::error::Error;
 use crate::explore::sweep::Core;
 use crate::explore::{Cost, Point};
-use crate::input;
-use crate::package::{self, counted};
-use crate::paths::Paths;
+use crate::platform::input;
+use crate::emit::package::{self, counted};
+use crate::platform::paths::Paths;
 
 use crate::scene::choice::Search;
 use crate::scene::reflectance::{self, Compared, Looks, Measured, Shading, Viewer};
@@ -28,7 +28,7 @@ use crate::scene::{
 };
 use crate::spec::{BlockKind, Colour, CoreSpec, Language, Shininess, SpecFields};
 use crate::synth::Family;
-use crate::tool;
+use crate::platform::tool;
 
 /// The cores that `--compare` shows where it is not told which.
 const COMPARED: [&str; 7] = [

@@ -7,10 +7,10 @@ use serde_json::json;
 
 use super::source::Source;
 use super::{Verdict, say, say_json, write_to};
-use crate::design::Design;
-use crate::error::Error;
-use crate::input;
-use crate::rom::{self, RomFormat, RomImage, Table};
+use crate::core::Design;
+use crate::platform::error::Error;
+use crate::platform::input;
+use crate::emit::rom::{self, RomFormat, RomImage, Table};
 use crate::spec::CoreSpec;
 
 #[derive(Args)]

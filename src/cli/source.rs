@@ -5,16 +5,16 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::warn;
-use crate::design::{Account, Design};
-use crate::error::Error;
-use crate::golden::{self, Golden};
-use crate::input;
-use crate::package::{self, File};
-use crate::paths::Paths;
+use crate::core::{Account, Design};
+use crate::platform::error::Error;
+use crate::verify::golden::{self, Golden};
+use crate::platform::input;
+use crate::emit::package::{self, File};
+use crate::platform::paths::Paths;
 use crate::scene::{Scene, document};
 use crate::spec::{CoreSpec, SpecFields};
-use crate::tool;
-use crate::transient::Folder;
+use crate::platform::tool;
+use crate::platform::transient::Folder;
 
 /// The core that a command works on.
 #[derive(Args)]

@@ -7,16 +7,16 @@ use serde_json::json;
 
 use super::source::Source;
 use super::{Verdict, progress, say, say_json};
-use crate::design::Design;
-use crate::error::Error;
-use crate::package;
-use crate::paths::Paths;
+use crate::core::Design;
+use crate::platform::error::Error;
+use crate::emit::package;
+use crate::platform::paths::Paths;
 use crate::spec::{Block, Method, Shader};
-use crate::stability::document::{self, Study};
-use crate::stability::inspect::{Inspection, Signal};
-use crate::stability::shader::ShaderInspection;
-use crate::stability::study::{self, Axis, Entry};
-use crate::stability::{EXTREMES, conditioning, quantisation};
+use crate::verify::stability::document::{self, Study};
+use crate::verify::stability::inspect::{Inspection, Signal};
+use crate::verify::stability::shader::ShaderInspection;
+use crate::verify::stability::study::{self, Axis, Entry};
+use crate::verify::stability::{EXTREMES, conditioning, quantisation};
 
 #[derive(Args)]
 pub(super) struct Arguments {

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::source::Source;
 use super::{Verdict, progress, say, write_to};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::spec::Language;
 use crate::synth::{self, Family, Options, Run, Step};
 

@@ -9,8 +9,8 @@
 //! and values there may wrap.
 
 use super::graph::{Graph, Node, NodeId, Op};
-use crate::number::{Format, Interval};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, InputRange, Operand, Shininess};
 
 /// What is known of a value in one case.
@@ -32,7 +32,7 @@ fn floor_loss(grid: i32, frac_bits: i32) -> Interval {
     if grid <= frac_bits {
         return Interval::ZERO;
     }
-    Interval::new(crate::number::exp2(-grid) - crate::number::exp2(-frac_bits), 0.0)
+    Interval::new(crate::fixed::exp2(-grid) - crate::fixed::exp2(-frac_bits), 0.0)
 }
 
 /// A case of the analysis.
@@ -164,8 +164,8 @@ impl<'a> Builder<'a> {
     fn holding(&mut self, bounds: &[Bound], frac_bits: i32) -> Format {
         let low = bounds.iter().map(|b| b.range.low).fold(f64::INFINITY, f64::min);
         let high = bounds.iter().map(|b| b.range.high).fold(f64::NEG_INFINITY, f64::max);
-        let scale = crate::number::exp2(frac_bits);
-        if low.abs().max(high.abs()) * scale > crate::number::exp2(MAX_BITS) {
+        let scale = crate::fixed::exp2(frac_bits);
+        if low.abs().max(high.abs()) * scale > crate::fixed::exp2(MAX_BITS) {
             self.fits = false;
             return Format::unsigned(1, frac_bits);
         }
@@ -309,7 +309,7 @@ impl<'a> Builder<'a> {
             self.cast(n, Format::unsigned(0, frac_bits), true, "n_fraction", "what n has beyond that integer");
         let rows = self.tables[memory].rows();
         let last = self.cases.iter().map(|case| case.rows[memory] == Some(rows - 1)).collect::<Vec<_>>();
-        let most = 1.0 - crate::number::exp2(-frac_bits);
+        let most = 1.0 - crate::fixed::exp2(-frac_bits);
         self.assume(
             fraction,
             last.into_iter()
@@ -572,7 +572,7 @@ impl<'a> Builder<'a> {
         let high = 1i128 << (weight + format.frac_bits);
         let bounds = self.per_case(|case| {
             let bound = self.bounds[a][case];
-            Bound { range: bound.range.clip(0.0, crate::number::exp2(weight)), ..bound }
+            Bound { range: bound.range.clip(0.0, crate::fixed::exp2(weight)), ..bound }
         });
         let format = Format::unsigned(weight + 1, format.frac_bits);
         self.push(Op::Clamp { low: 0, high }, &[a], format, name, comment.to_owned(), bounds)
@@ -600,7 +600,7 @@ impl<'a> Builder<'a> {
             // Rounding down is monotone, so it may be done to the ends.
             let range = if bound.grid > format.frac_bits {
                 // Values are multiples of 2^-grid: the ends round inwards to one first.
-                let grid = crate::number::exp2(-bound.grid);
+                let grid = crate::fixed::exp2(-bound.grid);
                 let (low, high) = ((bound.range.low / grid).ceil() * grid, (bound.range.high / grid).floor() * grid);
                 let down = |end: f64| (end / lsb).floor() * lsb;
                 Interval::new(down(low), down(high.max(low)))

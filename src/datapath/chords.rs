@@ -3,8 +3,8 @@
 use super::builder::{Bound, Builder};
 use super::graph::NodeId;
 use super::polynomial::{field, nearest_code};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::Table;
 
 /// Entries with no more arguments than this are analysed at each of them.
 const FEW: i64 = 16;

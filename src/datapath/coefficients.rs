@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::fit::{self, Fit, Power};
 use crate::lobe::{Cubic, CubicRational, MinZero, Quadratic};
 use crate::spec::{Coefficients, CoreSpec, Method};

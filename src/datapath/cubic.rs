@@ -4,10 +4,10 @@ use super::builder::{Builder, Case};
 use super::graph::NodeId;
 use super::polynomial::{self, BIG_A, Ends, Line, SMALL_A, Scaling, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, coefficients, multiplier_cost};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::{Cubic, Lobe, Polynomial};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::{Field, Table};
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::{Field, Table};
 use crate::spec::{CoreSpec, Tail, Widths};
 
 /// `q = A 2^-k - (a 4^-k) v`, `p = q v`, `y = x - x p` with `v = u 2^k`: three multiplications.

@@ -5,10 +5,10 @@ use rayon::prelude::*;
 use super::builder::{Bound, Builder, Case};
 use super::polynomial::{self, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, coefficients, cubic, divide, multiplier_cost, widths};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::{self, Lobe};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Divider, Operand, Widths};
 
 /// Both branches side by side: the cubic in three multiplications, and `x / (d + b u)` in one and a division. A comparison of the versine with

@@ -16,8 +16,8 @@ use super::builder::{Bound, Builder};
 use super::graph::{NodeId, Op};
 use super::polynomial::{field, nearest_code};
 use super::{Parameter, multiplier_cost};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::Table;
 use crate::spec::{Divider, Widths};
 
 /// The name of the memory with the reciprocals.

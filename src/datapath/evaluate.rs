@@ -8,8 +8,8 @@ use multiversion::multiversion;
 use num_traits::{PrimInt, WrappingAdd, WrappingMul, WrappingShl, WrappingShr, WrappingSub};
 
 use super::graph::{Graph, Node, NodeId, Op};
-use crate::number::Format;
-use crate::rom::Table;
+use crate::fixed::Format;
+use crate::emit::rom::Table;
 
 /// Inputs of a column: small enough for all columns of a core to stay in the first-level cache.
 pub(super) const LANES: usize = 64;

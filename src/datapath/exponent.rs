@@ -5,10 +5,10 @@ use super::Parameter;
 use super::builder::Builder;
 use super::graph::NodeId;
 use super::polynomial::{field, nearest_code};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe;
-use crate::number::{Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Interval, exp2};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Shininess, Widths};
 
 const LN_2: f64 = std::f64::consts::LN_2;

@@ -1,7 +1,7 @@
 //! Operations, formats and their integer semantics.
 
-use crate::number::Format;
-use crate::rom::Table;
+use crate::fixed::Format;
+use crate::emit::rom::Table;
 
 /// The place of a node in its graph.
 pub type NodeId = usize;
@@ -64,7 +64,7 @@ pub struct Node {
     pub args: Vec<NodeId>,
     /// The result's format.
     pub format: Format,
-    /// The result's name, an identifier in both languages; [`crate::hdl::Layout`] tells two of one name apart.
+    /// The result's name, an identifier in both languages; [`crate::core::Layout`] tells two of one name apart.
     pub name: String,
     /// The formula or the reason, for the reader of the HDL; may be empty.
     pub comment: String,

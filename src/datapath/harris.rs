@@ -19,10 +19,10 @@ use super::graph::NodeId;
 use super::log_exp::{EXP_TABLE, LOG_TABLE};
 use super::polynomial::{self, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::{self, Lobe};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Widths};
 
 /// No word of L needs more fraction bits than this.

@@ -27,11 +27,11 @@ use super::exponent::{Exponent, error_of_exponent, power_less_one};
 use super::graph::NodeId;
 use super::polynomial;
 use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::log_exp::{EXP_CURVATURE, LOG_RATIO_CURVATURE, log_ratio};
 use crate::lobe::{self, Lobe};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Widths};
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;

@@ -41,10 +41,10 @@ pub mod tabulated;
 pub mod versine_log;
 pub mod widths;
 
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::Lobe;
-use crate::number::Interval;
-use crate::rom::Table;
+use crate::fixed::Interval;
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Form, Method, Widths};
 
 /// A core's graph with its ROM and the proof of its error.

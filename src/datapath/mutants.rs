@@ -5,7 +5,7 @@ use serde::Serialize;
 use super::fault::{Change, Defect, Fault, Registered, Timing};
 use super::graph::{Graph, NodeId, Op};
 use super::schedule::Schedule;
-use crate::number::Format;
+use crate::fixed::Format;
 
 /// A core with one thing wrong in it.
 #[derive(Clone, Debug)]

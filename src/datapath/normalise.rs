@@ -2,7 +2,7 @@
 
 use super::builder::{Bound, Builder};
 use super::graph::NodeId;
-use crate::number::{Interval, exp2};
+use crate::fixed::{Interval, exp2};
 
 /// A normalised value.
 #[derive(Clone, Debug)]

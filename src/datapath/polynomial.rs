@@ -3,8 +3,8 @@
 use super::builder::{Builder, Case};
 use super::graph::NodeId;
 use super::{CaseError, Datapath, Description};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::{Field, Table};
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::{Field, Table};
 use crate::spec::{CoreSpec, Shininess, Widths};
 
 /// The nearest integer code of `value` at `frac_bits` fraction bits, halves away from zero.

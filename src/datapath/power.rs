@@ -4,11 +4,11 @@ use super::builder::{Bound, Builder, Case};
 use super::graph::NodeId;
 use super::polynomial::{self, BIG_A, Ends, Line, SMALL_A, Scaling};
 use super::{Architecture, Datapath, Description, Parameter, coefficients, multiplier_cost};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::fit::Power;
 use crate::lobe::{Lobe, Polynomial};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Inside, Method, Shininess, Widths};
 
 /// Parts of a row's versines that the analysis takes apart: near the highlight an error of p counts k times, farther out the

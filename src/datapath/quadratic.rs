@@ -3,10 +3,10 @@
 use super::builder::{Builder, Case};
 use super::polynomial::{self, Line, SMALL_A, Scaling, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, coefficients, multiplier_cost};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::{Lobe, Quadratic};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Widths};
 
 /// `p = (a 2^-k) (u 2^k)`, `y = x - x p`: two multiplications whose operands are all below 2.

@@ -12,8 +12,8 @@
 use rayon::prelude::*;
 
 use super::graph::{Graph, Node, NodeId, Op};
-use crate::number::Format;
-use crate::rom::Table;
+use crate::fixed::Format;
+use crate::emit::rom::Table;
 
 /// The codes from one to another, both included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -8,7 +8,7 @@
 //! below.
 
 use super::graph::{Graph, Node, NodeId, Op};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::spec::Pipeline;
 
 /// The stage of every node, and the pipeline's depth.

@@ -4,10 +4,10 @@ use super::builder::{Bound, Builder, Case};
 use super::graph::{NodeId, Op};
 use super::polynomial::{self, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, divide, multiplier_cost};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::{self, Lobe};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Shininess, Widths};
 
 /// No core needs `n - 1` with more fraction bits than this.

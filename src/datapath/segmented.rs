@@ -10,11 +10,11 @@ use super::builder::{Bound, Builder, Case};
 use super::graph::NodeId;
 use super::polynomial::{self, Scaling, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::fit::{self, Peak, Segment};
 use crate::lobe::{Lobe, Polynomial, Segmented};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Widths};
 
 /// Fraction bits of n's leading bits, of the versine's, and of the rough s.

@@ -7,8 +7,8 @@ use super::Datapath;
 use super::builder::{Bound, Builder, Case};
 use super::graph::{Graph, NodeId, Op};
 use super::polynomial::{field, nearest_code};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::{Field, Table, interned};
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::{Field, Table, interned};
 use crate::spec::{CoreSpec, Cosine, LightColours, Shader, Shininess, Widths};
 
 /// The name of the memory with the materials' colours.

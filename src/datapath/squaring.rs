@@ -9,10 +9,10 @@ use super::builder::{Builder, Case};
 use super::graph::NodeId;
 use super::polynomial::{self, field};
 use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::{self, Lobe};
-use crate::number::{Format, Interval};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Widths};
 
 /// The ROM's fields: the bits of the number of the power that a shininess takes, the least significant first. There are 21 powers of two
@@ -38,7 +38,7 @@ impl<'a> Squaring<'a> {
         let log = |n: f64| {
             lobe::check_shininess(n)?;
             let log = libm::ilogb(n);
-            if crate::number::exp2(log) == n {
+            if crate::fixed::exp2(log) == n {
                 return Ok(log);
             }
             Err(Error::input(
@@ -129,7 +129,7 @@ impl Architecture for Squaring<'_> {
     }
 
     fn description(&self, _tables: &[Table]) -> Description {
-        let powers: Vec<String> = self.taps.iter().map(|&log| crate::number::exp2(log).to_string()).collect();
+        let powers: Vec<String> = self.taps.iter().map(|&log| crate::fixed::exp2(log).to_string()).collect();
         Description {
             formula: "y = x^n, n a power of two".to_owned(),
             evaluation: format!(
@@ -150,7 +150,7 @@ impl Architecture for Squaring<'_> {
         let g = self.spec.output_fraction as i32;
         let case = |(row, &log): (usize, &i32)| Case {
             active: Interval::UNIT,
-            shininess: crate::number::exp2(log),
+            shininess: crate::fixed::exp2(log),
             rows: vec![Some(row); tables.len()],
         };
         let mut b = Builder::new(&tables, self.logs.iter().enumerate().map(case).collect());

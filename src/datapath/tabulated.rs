@@ -5,10 +5,10 @@
 use super::builder::{Builder, Case};
 use super::polynomial::{self, field, nearest_code};
 use super::{Architecture, Datapath, Description, Parameter};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::{self, Lobe};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Widths};
 
 /// The most entries of a table: at 16 bits 2 Mbit, half of the block RAM of a large device of the ECP5 family.

@@ -25,11 +25,11 @@ use super::log_exp::{EXP_TABLE, LOG_TABLE, exp_chords, power_of_two};
 use super::polynomial;
 use super::schedule::MOST_LOGIC_BITS;
 use super::{Architecture, Datapath, Description, Parameter, multiplier_cost};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::log_exp::log_ratio;
 use crate::lobe::{self, Lobe};
-use crate::number::{Format, Interval, exp2};
-use crate::rom::Table;
+use crate::fixed::{Format, Interval, exp2};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Memory, Widths};
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;

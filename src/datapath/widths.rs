@@ -9,8 +9,8 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{Architecture, Datapath, Parameter};
-use crate::error::Error;
-use crate::number::Interval;
+use crate::platform::error::Error;
+use crate::fixed::Interval;
 use crate::spec::Widths;
 
 /// What one quantisation contributes to the error.

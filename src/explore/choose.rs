@@ -8,8 +8,8 @@ use serde::Serialize;
 use super::pareto::dominates;
 use super::sweep::word;
 use super::{Cost, Objective, Point, Results};
-use crate::error::Error;
-use crate::package::counted;
+use crate::platform::error::Error;
+use crate::emit::package::counted;
 use crate::spec::{Shininess, SpecFields};
 use crate::synth::{Family, Tools};
 

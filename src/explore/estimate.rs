@@ -13,7 +13,7 @@ use sha2::{Digest, Sha256};
 use super::shape::{Memory, Multiplier};
 use super::sweep::word;
 use super::{Estimate, Point, Results, Shape};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::spec::hex;
 use crate::synth::{Family, Synthesis, Tools};
 

@@ -4,9 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::Shape;
 use super::sweep::{Core, word};
-use crate::design::{Design, Measured};
-use crate::package::counted;
-use crate::rom::Table;
+use crate::core::{Design, Measured};
+use crate::emit::package::counted;
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Pipeline, Shininess};
 use crate::synth::{Family, Synthesis, Tools};
 

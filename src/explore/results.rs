@@ -6,8 +6,8 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::{Estimate, Point, Shape, Store};
-use crate::error::Error;
-use crate::input;
+use crate::platform::error::Error;
+use crate::platform::input;
 use crate::spec::SpecFields;
 use crate::synth::{Family, Resources, Synthesis, Timing, Tools};
 

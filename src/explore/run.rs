@@ -12,8 +12,8 @@ use super::point::NO_CORE;
 use super::store::Provenance;
 use super::sweep::{Core, word};
 use super::{Cost, Model, Point, Shape, Store};
-use crate::design::Design;
-use crate::error::Error;
+use crate::core::Design;
+use crate::platform::error::Error;
 use crate::synth::{self, Family, Options};
 
 /// How costs are found.

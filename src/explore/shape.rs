@@ -6,7 +6,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 
 use crate::datapath::graph::{Graph, NodeId, Op};
-use crate::design::Design;
+use crate::core::Design;
 
 /// The sizes of a core's operations.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

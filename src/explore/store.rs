@@ -11,9 +11,9 @@ use rusqlite::{Connection, OpenFlags, OptionalExtension, params};
 use serde::{Deserialize, Serialize};
 
 use super::{Point, Results};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::synth::Tools;
-use crate::transient::Folder;
+use crate::platform::transient::Folder;
 
 /// What made the figures of a results file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -25,8 +25,8 @@ use serde::Deserialize;
 use sha2::{Digest, Sha256};
 use toml::{Table, Value};
 
-use crate::error::Error;
-use crate::input;
+use crate::platform::error::Error;
+use crate::platform::input;
 use crate::spec::{BlockKind, CoreSpec, Method, SpecFields, hex};
 use crate::synth::Family;
 

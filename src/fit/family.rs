@@ -3,7 +3,7 @@
 use super::Fit;
 use super::minimax::{self, Best, Piece, Pieces, Shape};
 use super::target::{DEEP, Objective, Target, versine};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::{Cubic, Quadratic, check_shininess};
 use crate::spec::{Inside, Tail};
 

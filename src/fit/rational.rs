@@ -1,7 +1,7 @@
 //! The cubic with a rational tail.
 
 use super::{Fit, Objective, Tail, cubic};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::{self, CubicRational};
 
 /// The level of the point at which the tail takes over: x^n there.

@@ -3,7 +3,7 @@
 use super::Fit;
 use super::minimax::{self, Best, Piece, Pieces, Shape};
 use super::target::{DEEP, Objective, Target, versine};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::{check_shininess, exact};
 
 /// The coefficients of `x (c - u (A - a u))` on one segment, the value clamped to [0, 1].

@@ -1,6 +1,6 @@
 //! What is approximated, where, and what counts as its error.
 
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe;
 
 /// What a fit makes as small as possible. `f = x^n` is the exact lobe, `g` the approximation.

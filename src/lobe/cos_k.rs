@@ -2,7 +2,7 @@
 
 use super::lyon::{check_outer_power, squarings};
 use super::{Lobe, check_shininess};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// `cos^k(sqrt(n/k) arccos x)` for k = 2, 4 or 8, and 0 past its first zero. A comparator in software only: hardware
 /// would need the arc cosine, which is why the papers reject it.

@@ -2,7 +2,7 @@
 //! Function with 3-Degree Polynomial" (IEEE, 2007) and of its 2021 successor, which frees the level Q.
 
 use super::{Lobe, check_shininess};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// `x (1 - u (A - a u))` up to its cut, 0 past it, kept inside [0, 1]; `u = 1 - x`.
 ///

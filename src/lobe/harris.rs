@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Lobe;
-use crate::number::exp2;
+use crate::fixed::exp2;
 
 /// `2^-z`, `z = n L(u)`, where L is constant in each cell of the versine and `2^-f` in each cell of the fraction f of z.
 ///

@@ -1,7 +1,7 @@
 //! The power itself, and the functions by which a logarithm and an exponential compute it.
 
 use super::{Lobe, check_shininess, exact};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// `x^n`, which is `2^(-n L)` with `L = -log2 x` (Harris, "An Exponentiation Unit for an OpenGL Lighting Engine", IEEE Trans. Computers
 /// 53(3), 2004).

@@ -2,7 +2,7 @@
 //! 1993.
 
 use super::{Lobe, check_shininess};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// `max(0, 1 - n u / k)^k` for k = 2, 4 or 8: squarings of a line in `u = D^2/2`, D being the chord between the unit
 /// vectors.

@@ -3,7 +3,7 @@
 
 use super::cubic::check_level;
 use super::{Lobe, check_shininess};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// `x max(0, 1 - K u)^2`, `u = 1 - x`.
 ///

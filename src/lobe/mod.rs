@@ -34,7 +34,7 @@ pub use segmented::Segmented;
 pub use tabulated::Tabulated;
 pub use taylor::{Taylor, TaylorSeries};
 
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// The largest shininess that brdfgen takes.
 pub const MAX_SHININESS: f64 = 1_048_576.0;

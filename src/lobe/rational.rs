@@ -2,7 +2,7 @@
 
 use super::cubic::check_level;
 use super::{Cubic, Lobe, check_shininess};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// [`Cubic`] down to its point of contact t, and `x / (d + b u)` past it; `u = 1 - x`.
 ///

@@ -1,7 +1,7 @@
 //! The lobe x/(n - n x + x) of C. Schlick, "A Fast Alternative to Phong's Specular Model", Graphics Gems IV, 1994.
 
 use super::{Lobe, check_shininess};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// `x / (1 + (n-1) u)`, `u = 1 - x`: Schlick's `x / (n - n x + x)`, with the denominator as a sum of positive terms.
 ///

@@ -1,7 +1,7 @@
 //! The power from a table.
 
 use super::{Lobe, check_shininess, exact};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// `x^n` as a constant in each of equal cells of the versine: midway between the values at the cell's ends, which is the constant with
 /// the least largest error. 0 at x = 0, where a surface faces away.

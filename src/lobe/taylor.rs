@@ -1,7 +1,7 @@
 //! Truncated Taylor series of the power, as the papers describe R. F. Lyon's method.
 
 use super::{Lobe, check_shininess};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// Which series of cos^n is truncated, and where.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,7 +3,7 @@
 
 use super::check_shininess;
 use super::cubic::{Cubic, integral};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 impl Cubic {
     /// The level Q of the three-point cubic's first point in the 2021 paper.

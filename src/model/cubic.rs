@@ -1,7 +1,7 @@
 //! The cubic lobe `x (1 - u (A - a u))` up to its cut.
 
 use super::Inputs;
-use crate::number::wide::Wide;
+use crate::fixed::wide::Wide;
 
 /// `v = u 2^k`, `q = A 2^-k - (a 4^-k) v`, `p = v q`, `y = x - x p`; 0 past the cut or from `p = 1` on.
 pub(super) fn stable(inputs: &Inputs) -> Wide {

@@ -1,7 +1,7 @@
 //! The cubic lobe with the rational tail `x / (d + b u)`.
 
 use super::{Inputs, cubic, divide};
-use crate::number::wide::Wide;
+use crate::fixed::wide::Wide;
 
 /// The cubic up to the last versine that is its own; past it `y = x / (d + b u)`.
 pub(super) fn cubic_rational(inputs: &Inputs) -> Wide {

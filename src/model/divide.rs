@@ -1,7 +1,7 @@
 //! The quotient of two numbers.
 
 use super::Inputs;
-use crate::number::wide::{self, Wide};
+use crate::fixed::wide::{self, Wide};
 use crate::spec::Divider;
 
 /// `num / den` for `den >= 1`, plus half an output ulp: rounding that down is rounding the quotient to nearest.

@@ -1,7 +1,7 @@
 //! The power as `2^(-n L)` from two tables.
 
 use super::Inputs;
-use crate::number::wide::{self, Wide};
+use crate::fixed::wide::{self, Wide};
 use crate::spec::{CoreSpec, Shininess};
 
 /// `z = n L`, L from its cell; `y = 2^-z`, the fraction's part from its cell and the rest a shift, which rounds down; rounded to nearest.

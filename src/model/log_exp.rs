@@ -1,7 +1,7 @@
 //! The power `x^n` as `2^(-n L)`, `L = -log2 x`.
 
 use super::Inputs;
-use crate::number::wide::{self, Wide};
+use crate::fixed::wide::{self, Wide};
 use crate::spec::{CoreSpec, Shininess};
 
 /// With an accuracy of A bits: `z = (n u) κ(x)` and `y = 2^-z`, both functions from their tables.

@@ -19,8 +19,8 @@ mod tabulated;
 
 pub use shader::{Cosines, ShaderModel};
 
-use crate::number::wide::{self, Wide};
-use crate::rom::Table;
+use crate::fixed::wide::{self, Wide};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Form, InputRange, Method, Operand, Widths};
 
 /// The core's function for one spec.

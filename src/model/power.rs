@@ -1,7 +1,7 @@
 //! The lobes that end in a power by squarings.
 
 use super::Inputs;
-use crate::number::wide::{self, Wide};
+use crate::fixed::wide::{self, Wide};
 use crate::spec::{CoreSpec, Method, Shininess};
 
 /// `p = u (A - a u)` in the scaled versine, or `None` where the lobe has ended.

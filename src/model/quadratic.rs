@@ -1,7 +1,7 @@
 //! The quadratic lobe `max(0, x (1 - a u))`.
 
 use super::Inputs;
-use crate::number::wide::Wide;
+use crate::fixed::wide::Wide;
 
 /// `v = u 2^k`, `p = (a 2^-k) v`, `y = x - x p`; 0 from `v = 2` or `p = 1` on.
 pub(super) fn stable(inputs: &Inputs) -> Wide {

@@ -1,8 +1,8 @@
 //! The lobe `x / (1 + (n-1) u)`.
 
 use super::{Inputs, divide};
-use crate::number::wide::{self, Wide};
-use crate::rom::Table;
+use crate::fixed::wide::{self, Wide};
+use crate::emit::rom::Table;
 use crate::spec::Shininess;
 
 /// `den = 1 + (n-1) u`, `y = x / den`.

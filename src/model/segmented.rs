@@ -1,7 +1,7 @@
 //! The lobe in segments.
 
 use super::Inputs;
-use crate::number::wide::{self, Wide};
+use crate::fixed::wide::{self, Wide};
 
 /// Fraction bits of what finds the segment.
 const ROUGH_BITS: u32 = 9;

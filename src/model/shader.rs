@@ -1,8 +1,8 @@
 //! The shader: scalar products, the cosine of the highlight, the lobe, the sum of the lights' colours.
 
 use super::Model;
-use crate::number::wide::{self, Wide};
-use crate::rom::Table;
+use crate::fixed::wide::{self, Wide};
+use crate::emit::rom::Table;
 use crate::spec::{CoreSpec, Cosine, LightColours, Shader, Widths};
 
 /// The function of a shader core for one spec.

@@ -1,7 +1,7 @@
 //! The power `x^n`, n a power of two, by repeated squaring.
 
 use super::Inputs;
-use crate::number::wide::{self, Wide};
+use crate::fixed::wide::{self, Wide};
 use crate::spec::CoreSpec;
 
 /// `log2 n` squarings, each rounded down, the earlier the finer; rounded to nearest.

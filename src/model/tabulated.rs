@@ -1,7 +1,7 @@
 //! The power from a table.
 
 use super::Inputs;
-use crate::number::wide::{self, Wide};
+use crate::fixed::wide::{self, Wide};
 use crate::spec::CoreSpec;
 
 /// The entry of the shininess and of the cell that the versine lies in; 0 at x = 0.

@@ -10,7 +10,7 @@ use libm::{exp, exp2, pow, sqrt};
 
 use super::vector::Vector;
 use super::{Reflectance, Rgb};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// A number or a colour that a model has.
 #[derive(Clone, Copy, Debug)]

@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::measure::{Judge, Quality, Sphere};
 use super::vector::{Light, Vector};
 use super::{Reflectance, Rgb};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// What the highlight is a power of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

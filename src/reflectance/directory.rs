@@ -8,8 +8,8 @@ use super::form::{Form, FormKind, FormSpec};
 use super::images::{self, Pixels};
 use super::paper::{Border, Options};
 use super::texels::{Scale, Texel, Texels};
-use crate::error::Error;
-use crate::input;
+use crate::platform::error::Error;
+use crate::platform::input;
 
 /// The index's file name.
 pub const INDEX: &str = "images.toml";

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::form::{Form, FormKind, FormSpec};
 use super::vector::{self, Light, Vector};
 use super::{Model, Reflectance, Rgb, Table, Texel};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// Lights in the sum over many.
 const LIGHTS: usize = 64;

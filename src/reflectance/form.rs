@@ -6,7 +6,7 @@ use std::str::FromStr;
 use super::texels::{Samples, Scale, Texel, Texels};
 use super::vector::{Light, Vector};
 use super::{Reflectance, Rgb, bivariate, half, paper};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// The greatest size of an image, a slice or an axis of nodes.
 pub const LARGEST: usize = 4096;

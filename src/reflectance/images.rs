@@ -8,7 +8,7 @@ use exr::prelude::{
 };
 
 use super::form::LARGEST;
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// The largest picture file, in bytes.
 pub const MAX_PICTURE: u64 = 512 << 20;

@@ -7,8 +7,8 @@ use std::io::{ErrorKind, Read};
 use std::path::Path;
 
 use super::table::{PHI_D, PHI_D_WHOLE, THETA_D, THETA_H, Table};
-use crate::error::Error;
-use crate::input;
+use crate::platform::error::Error;
+use crate::platform::input;
 
 /// What a stored number is multiplied by to be a reflectance in 1/sr, for red, green and blue.
 pub const SCALES: [f64; 3] = [1.0 / 1500.0, 1.15 / 1500.0, 1.66 / 1500.0];

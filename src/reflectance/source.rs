@@ -4,8 +4,8 @@ use std::io::Read;
 use std::path::Path;
 
 use super::{Form, FormKind, FormSpec, Table, directory, images, merl};
-use crate::error::Error;
-use crate::input;
+use crate::platform::error::Error;
+use crate::platform::input;
 
 /// What a file holds.
 #[derive(Clone, Debug)]

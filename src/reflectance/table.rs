@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::vector::{Angles, Vector};
 use super::{Reflectance, Rgb};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// Cells along θh: evenly spaced in √θh, from 0 to 90 degrees.
 pub const THETA_H: usize = 90;

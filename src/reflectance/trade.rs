@@ -8,7 +8,7 @@ use super::form::{FormKind, FormSpec};
 use super::measure::{self, Judge, Quality};
 use super::texels::Texel;
 use super::{Reflectance, paper};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// What is compared.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -7,11 +7,11 @@ use rayon::prelude::*;
 use super::chart::{Axis, BLACK, Chart, Curve, Style};
 use super::trade::{Group, Palette, powers_about};
 use crate::datapath::evaluate::Evaluator;
-use crate::design::Design;
-use crate::error::Error;
+use crate::core::Design;
+use crate::platform::error::Error;
 use crate::explore::Point;
 use crate::lobe::{degrees, exact, versine};
-use crate::number::exp2;
+use crate::fixed::exp2;
 use crate::spec::{Shininess, SpecFields};
 
 /// The shininesses that charts against the angle look for in the set.

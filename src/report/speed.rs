@@ -2,8 +2,8 @@
 
 use serde::Deserialize;
 
-use crate::error::Error;
-use crate::input;
+use crate::platform::error::Error;
+use crate::platform::input;
 
 /// Measured times of software, in groups of which all members were measured in turns.
 #[derive(Clone, Debug, Default)]

@@ -107,7 +107,7 @@ impl Palette {
 
 /// The least and the greatest power of two about some errors; those that are 0 count as 2^-24.
 pub(super) fn powers_about(errors: impl Iterator<Item = f64>) -> std::ops::Range<f64> {
-    let exponents = errors.map(|error| libm::log2(error.max(crate::number::exp2(-24))));
+    let exponents = errors.map(|error| libm::log2(error.max(crate::fixed::exp2(-24))));
     let (low, high) = exponents.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), e| (low.min(e), high.max(e)));
     let (low, high) = if low <= high { (low, high) } else { (-1.0, 0.0) };
     let low = libm::floor(low - 0.1);

@@ -14,15 +14,15 @@ use serde::Serialize;
 use super::highlight::{Codes, CoreModel};
 use super::require::PictureError;
 use super::{Difference, Frame, Highlights, Requirements, Scene};
-use crate::design::{Design, Measured};
-use crate::error::Error;
+use crate::core::{Design, Measured};
+use crate::platform::error::Error;
 use crate::explore::choose::{Candidate, MISSES, Ranking, Standing, too_slow};
 use crate::explore::run::Costing;
 use crate::explore::sweep::Core;
 use crate::explore::{Cost, Model, Objective, Point, Results};
 use crate::fit;
-use crate::number::exp2;
-use crate::package::counted;
+use crate::fixed::exp2;
+use crate::emit::package::counted;
 use crate::spec::{
     ACCURACY, ACCURACY_INPUT_FRACTION, Coefficients, Divider, INPUT_FRACTION, InputRange, Inside, Material, Method,
     OUTPUT_FRACTION, SpecFields, TABLE_BITS, Tail,

@@ -10,12 +10,13 @@ use super::require::{MaterialNeed, PictureError};
 use super::shade::{self, Shaded};
 use super::simplify::{Saving, Simplification};
 use super::{Budget, Requirements, Scene};
-use crate::design::Design;
-use crate::error::Error;
+use crate::core::Design;
+use crate::platform::error::Error;
 use crate::explore::Cost;
-use crate::hdl::{Direction, render};
-use crate::markdown;
-use crate::package::{File, counted, rounded};
+use crate::core::Direction;
+use crate::emit::render;
+use crate::emit::markdown;
+use crate::emit::package::{File, counted, rounded};
 use crate::spec::{InputRange, Operand, SpecFields};
 
 /// The names of the files.

@@ -11,10 +11,10 @@ use toml::de::{DeTable, DeValue, Deserializer};
 use super::mesh::{Mesh, Normals, Transform};
 use super::mtl;
 use super::reflectance::{Measured, ReflectanceFields, Shading};
-use crate::design::sample::{Vector, dot, normalised};
-use crate::error::Error;
+use crate::core::sample::{Vector, dot, normalised};
+use crate::platform::error::Error;
 use crate::explore::Objective;
-use crate::input;
+use crate::platform::input;
 use crate::lobe::MAX_SHININESS;
 use crate::spec::{
     CHANNEL_BITS, Colour, Material, Model, Shininess, SpecFields, check_name, suggest, toml_error, unit,

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use super::trace::{Hit, Lit, Tracer, across, unit};
 use super::{Camera, Light, LightKind, Scene};
-use crate::design::sample::Vector;
+use crate::core::sample::Vector;
 use crate::spec::{Colour, Model, Surface};
 
 /// The material of a pixel that shows no object.

@@ -6,11 +6,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use rayon::prelude::*;
 
 use super::{Frame, Scene};
-use crate::cosim;
-use crate::design::Design;
-use crate::error::Error;
+use crate::verify::cosim;
+use crate::core::Design;
+use crate::platform::error::Error;
 use crate::lobe;
-use crate::number::exp2;
+use crate::fixed::exp2;
 use crate::spec::Operand;
 
 /// Something that computes `x^n`.
@@ -221,7 +221,7 @@ impl Highlights for Compiled<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::number::Dice;
+    use crate::fixed::Dice;
     use crate::scene::frame::BACKGROUND;
     use crate::spec::SpecFields;
 

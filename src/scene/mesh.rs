@@ -11,9 +11,9 @@ use serde::Deserialize;
 
 use super::file::{MAX_COORDINATE, beyond};
 use super::text::{Statements, first_line, name_of, without_comment, without_mark};
-use crate::design::sample::{Vector, cross, dot, minus, normalised};
-use crate::error::Error;
-use crate::input;
+use crate::core::sample::{Vector, cross, dot, minus, normalised};
+use crate::platform::error::Error;
+use crate::platform::input;
 
 /// The most vertices, and the most triangles, of a mesh.
 pub const MAX_TRIANGLES: usize = 1 << 26;

@@ -8,8 +8,8 @@ use std::path::Path;
 
 use super::mesh::{Mesh, Named, Painted};
 use super::text::{Statements, name_of, without_comment, without_mark};
-use crate::error::Error;
-use crate::input;
+use crate::platform::error::Error;
+use crate::platform::input;
 use crate::spec::{Colour, Material, suggest};
 
 /// The greatest shininess that MTL has.

@@ -8,7 +8,7 @@ use exr::prelude::{
 };
 
 use super::Picture;
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::reflectance::images;
 
 /// Pixels of 8 or 16 bits a channel, as a PNG file has them.

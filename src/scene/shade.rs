@@ -6,9 +6,9 @@ use super::choice::{NearMiss, SceneChoice, SceneCore, Search};
 use super::require::PictureError;
 use super::trace::{Hit, Tracer};
 use super::{Difference, Exact, Frame, Highlights, Picture, Requirements, Scene};
-use crate::design::Design;
-use crate::design::sample::{self, Sample, Vector};
-use crate::error::Error;
+use crate::core::Design;
+use crate::core::sample::{self, Sample, Vector};
+use crate::platform::error::Error;
 use crate::spec::{
     BlockKind, Front, INPUT_FRACTION, LightColours, Material, Model, Shader, ShaderFields, Shininess, SpecFields,
     VECTOR_FRACTION,

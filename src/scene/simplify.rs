@@ -7,10 +7,10 @@ use serde::Serialize;
 
 use super::choice::{SceneCore, Search};
 use super::{Requirements, Scene};
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::explore::Cost;
 use crate::fit::Objective;
-use crate::package::counted;
+use crate::emit::package::counted;
 use crate::spec::{CoreSpec, InputRange, MAX_ROWS, Method, Shininess, SpecFields};
 
 /// The fraction bits of input and output of a core that nothing is known of.

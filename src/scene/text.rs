@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// The bytes without the byte order mark of UTF-8; `allowed` says what the file should be.
 ///

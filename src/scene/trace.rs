@@ -13,8 +13,8 @@ use nalgebra::{Point3, Vector3};
 
 use super::mesh::Mesh;
 use super::{Camera, LightKind, Object, Scene, Shape};
-use crate::design::sample::Vector;
-use crate::number::exp2;
+use crate::core::sample::Vector;
+use crate::fixed::exp2;
 
 /// Rounding errors of places, relative to the coordinates that they come from: 64 times that of one operation, `2^-52`.
 const ROUNDING: f64 = 1.0 / (1u64 << 46) as f64;

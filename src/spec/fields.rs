@@ -12,11 +12,11 @@ use super::{
     Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, TUSER_BITS,
     Tail, VhdlPorts,
 };
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::fit::Objective;
-use crate::input;
+use crate::platform::input;
 use crate::lobe;
-use crate::rom::RomFormat;
+use crate::emit::rom::RomFormat;
 
 /// A spec as written: a key of the TOML file and a flag each. A flag wins over the file.
 #[derive(Args, Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -26,7 +26,7 @@ pub use shininess::{MAX_ROWS, Material, Shininess};
 pub use widths::Widths;
 
 use crate::fit::Objective;
-use crate::rom::RomFormat;
+use crate::emit::rom::RomFormat;
 
 /// Input fraction bits that are allowed.
 pub const INPUT_FRACTION: std::ops::RangeInclusive<u32> = 4..=24;

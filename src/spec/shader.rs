@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::{CoreSpec, Material, Shininess, Widths};
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// Bits of an output channel that are allowed.
 pub const CHANNEL_BITS: [u32; 3] = [8, 10, 12];

@@ -6,9 +6,9 @@ use std::str::FromStr;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::Colour;
-use crate::error::Error;
+use crate::platform::error::Error;
 use crate::lobe::check_shininess;
-use crate::number::exp2;
+use crate::fixed::exp2;
 
 /// The most rows that a ROM may have.
 pub const MAX_ROWS: usize = 65_536;

@@ -6,10 +6,10 @@ use askama::Template;
 use serde::{Deserialize, Serialize};
 
 use super::{CORE, Netlist, Resources};
-use crate::design::Design;
-use crate::hdl::Direction;
-use crate::package::File;
-use crate::tool::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool};
+use crate::core::Design;
+use crate::core::Direction;
+use crate::emit::package::File;
+use crate::platform::tool::{NEXTPNR_ECP5, NEXTPNR_GOWIN, NEXTPNR_ICE40, Tool};
 
 /// A family of FPGAs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, clap::ValueEnum)]

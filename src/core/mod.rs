@@ -1,0 +1,418 @@
+//! A resolved core: its spec, widths, ROM, datapath, schedule, and what is proved and measured of its error.
+
+mod budget;
+pub mod edges;
+pub mod layout;
+mod measure;
+mod port;
+pub mod sample;
+mod tune;
+
+pub use budget::{Part, ShaderError};
+pub use measure::{Measured, Sweep};
+
+use std::sync::Arc;
+
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+pub use layout::Layout;
+pub use port::{Direction, Port, WritePort};
+
+use crate::datapath::evaluate::Evaluator;
+use crate::datapath::graph::Graph;
+use crate::datapath::range::{Analysis, Narrowed, Region, regions};
+use crate::datapath::schedule::{Schedule, schedule};
+use crate::datapath::widths::{Budget, Solution, solve};
+use crate::datapath::{Datapath, Description, architecture, shader};
+use crate::platform::error::Error;
+use crate::lobe::Lobe;
+use crate::model::{Model, ShaderModel};
+use crate::fixed::Format;
+use crate::emit::rom::Table;
+use crate::spec::{Block, CoreSpec, InputRange, Operand, RomStyle, Shader, Shininess, Widths, hex};
+
+/// The measured error of a core.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Account {
+    /// Of a lobe.
+    Lobe(Measured),
+    /// Of a shader.
+    Shader(ShaderError),
+}
+
+impl Account {
+    /// Measures a design.
+    #[must_use]
+    pub fn of(design: &Design) -> Self {
+        match &design.spec.block {
+            Block::Lobe => Self::Lobe(Measured::of(design)),
+            Block::Shader(shader) => Self::Shader(ShaderError::of(design, shader)),
+        }
+    }
+}
+
+/// A resolved core.
+#[derive(Clone, Debug)]
+pub struct Design {
+    /// What was asked for.
+    pub spec: CoreSpec,
+    /// The inner widths of the lobe.
+    pub widths: Widths,
+    /// The operations and the ROM.
+    pub datapath: Datapath,
+    /// The pipeline.
+    pub schedule: Schedule,
+    /// The proved error of the lobe.
+    pub budget: Budget,
+    /// The values of the lobe that the range analysis took bits off.
+    pub narrowed: Vec<Narrowed>,
+    /// The real-valued method of each shininess; kept, so that coefficients are fitted once.
+    lobes: Arc<[Box<dyn Lobe>]>,
+    /// What the lobe computes and how.
+    description: Description,
+}
+
+impl Design {
+    /// Chooses widths, quantises the coefficients, builds and schedules the datapath.
+    ///
+    /// # Errors
+    /// A spec that no core can be built for, such as one whose printed form needs values wider than 126 bits, or a writable ROM of a
+    /// method that has none.
+    pub fn new(spec: CoreSpec) -> Result<Self, Error> {
+        let architecture = architecture(&spec)?;
+        let mut solution = solve(&*architecture)?;
+        if spec.is_fitted() {
+            solution = tune::tuned(&spec, &*architecture, solution);
+        }
+        let lobes = architecture.lobes(&solution.datapath.tables).into();
+        let description = architecture.description(&solution.datapath.tables);
+        drop(architecture);
+        let Solution { widths, datapath: mut lobe, budget } = solution;
+        let narrowed = narrow(&spec, &mut lobe);
+        let datapath = match &spec.block {
+            Block::Lobe => lobe,
+            Block::Shader(shader) => shader::build(&spec, shader, &lobe).ok_or_else(|| {
+                Error::input("the shader would need values of more than 126 bits", "use fewer fraction bits")
+            })?,
+        };
+        let schedule = schedule(&datapath.graph, spec.pipeline)?;
+        let design = Self { widths, datapath, schedule, budget, narrowed, lobes, description, spec };
+        design.spec.golden_inputs.check(&design.numbers(Direction::In))?;
+        if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {
+            return Err(Error::input(
+                format!("the core {} has no coefficient memory that could be written", design.spec.name),
+                "leave `rom = \"writable\"` out, or choose a method with coefficients",
+            ));
+        }
+        Ok(design)
+    }
+
+    /// The ports through which the memories that are keyed by the shininess are written, in the memories' order; none unless the spec
+    /// asks for them.
+    #[must_use]
+    pub fn write_ports(&self) -> Vec<WritePort> {
+        if self.spec.rom != RomStyle::Writable {
+            return Vec::new();
+        }
+        let layout = self.layout();
+        let written =
+            |(memory, table): &(usize, &Table)| table.is_keyed_by_shininess() && layout.read(*memory).is_some();
+        let tables = self.tables().iter().enumerate().filter(written);
+        tables.map(|(memory, table)| WritePort::of(memory, table)).collect()
+    }
+
+    /// 16 hexadecimal digits that stand for the operations, their formats and the layout of the memories' words, without what the words
+    /// are: where two cores have the same, the words of the one compute in the other what they compute in their own.
+    #[must_use]
+    pub fn datapath_digest(&self) -> String {
+        let layout = |table: &Table| -> Vec<(&str, Format)> {
+            table.fields.iter().map(|field| (field.name, field.format)).collect()
+        };
+        let memories: Vec<_> =
+            self.tables().iter().map(|table| (table.name, table.address_bits, layout(table))).collect();
+        let operations: Vec<_> = self.graph().nodes.iter().map(|node| (&node.op, &node.args, node.format)).collect();
+        let outputs = &self.graph().outputs;
+        let functions: Vec<_> =
+            self.tables().iter().filter(|table| !table.is_keyed_by_shininess()).map(Table::words).collect();
+        let text = format!("{operations:?} {outputs:?} {memories:?} {functions:?}");
+        hex(&Sha256::digest(text))[..16].to_owned()
+    }
+
+    /// The memories.
+    #[must_use]
+    pub fn tables(&self) -> &[Table] {
+        &self.datapath.tables
+    }
+
+    /// The real-valued method of each shininess, in the order of the set.
+    #[must_use]
+    pub fn lobes(&self) -> &[Box<dyn Lobe>] {
+        &self.lobes
+    }
+
+    /// The operations.
+    #[must_use]
+    pub fn graph(&self) -> &Graph {
+        &self.datapath.graph
+    }
+
+    /// What the core computes and how.
+    #[must_use]
+    pub fn description(&self) -> &Description {
+        &self.description
+    }
+
+    /// The bit-exact reference.
+    #[must_use]
+    pub fn model(&self) -> Model<'_> {
+        Model::new(&self.spec, &self.widths, self.tables(), &self.datapath.constants)
+    }
+
+    /// The vectorised evaluator.
+    #[must_use]
+    pub fn evaluator(&self) -> Evaluator<'_> {
+        Evaluator::new(self.graph(), self.tables())
+    }
+
+    /// All inputs, row by row, for the range analysis.
+    #[must_use]
+    pub fn regions(&self) -> Vec<Region> {
+        regions_of(&self.spec, self.graph())
+    }
+
+    /// Stages and names, for the HDL.
+    #[must_use]
+    pub fn layout(&self) -> Layout<'_> {
+        Layout::new(&self.spec.name, &self.datapath, &self.schedule)
+    }
+
+    /// The ports, in the order of their declaration.
+    #[must_use]
+    pub fn ports(&self) -> Vec<Port> {
+        let control =
+            |name: &str, direction, meaning: String| Port { name: name.to_owned(), direction, format: None, meaning };
+        let numbers = |direction: Direction| {
+            let meanings = match direction {
+                Direction::In => self.input_meanings(),
+                Direction::Out => self.output_meanings(),
+            };
+            let port = move |((name, format), meaning): ((&str, Format), String)| Port {
+                name: name.to_owned(),
+                direction,
+                format: Some(format),
+                meaning,
+            };
+            self.numbers(direction).into_iter().zip(meanings).map(port).collect::<Vec<_>>()
+        };
+        let (inputs, outputs) = (numbers(Direction::In), numbers(Direction::Out));
+        let latency = self.schedule.latency;
+        let taken = format!("{} to be taken", subject(&inputs, "the other inputs are"));
+        let result = format!(
+            "{} a result: in_valid, {latency} enabled clocks later",
+            subject(&outputs, "the other outputs are")
+        );
+        let mut ports = vec![
+            control("clk", Direction::In, "clock; everything happens on its rising edge".to_owned()),
+            control(
+                "rst",
+                Direction::In,
+                "synchronous reset, active high: clears the valid chain, whatever ce is".to_owned(),
+            ),
+            control("ce", Direction::In, "clock enable: 0 freezes the whole pipeline".to_owned()),
+            control("in_valid", Direction::In, taken),
+        ];
+        ports.extend(inputs);
+        ports.extend(self.write_ports().iter().flat_map(WritePort::ports).cloned());
+        ports.push(control("out_valid", Direction::Out, result));
+        ports.extend(outputs);
+        ports
+    }
+
+    /// What each input port that carries numbers is for, in order.
+    fn input_meanings(&self) -> Vec<String> {
+        if let Block::Shader(shader) = &self.spec.block {
+            return self.shader_input_meanings(shader);
+        }
+        let operand = match (self.spec.operand, self.spec.input_range) {
+            (Operand::Cos, InputRange::Any) => "cosine x; below 0 gives 0, above 1 counts as 1",
+            (Operand::Versine, InputRange::Any) => "versine u = 1 - x; above 1 counts as 1, which gives 0",
+            (Operand::Cos, InputRange::Unit) => "cosine x, 0 to 1; a code above 1 counts as what it is above 1",
+            (Operand::Versine, InputRange::Unit) => {
+                "versine u = 1 - x, 0 to 1; a code above 1 counts as what it is above 1"
+            }
+        };
+        vec![self.spec.shininess.index_meaning(), operand.to_owned()]
+    }
+
+    /// What each output port that carries numbers is for, in order.
+    fn output_meanings(&self) -> Vec<String> {
+        match &self.spec.block {
+            Block::Lobe => vec!["the lobe, 0 to 1; 1.0 is exact".to_owned()],
+            Block::Shader(shader) => {
+                let full = shader.full_scale();
+                ["red", "green", "blue"].map(|channel| format!("{channel}; {full} is full scale")).to_vec()
+            }
+        }
+    }
+
+    /// As [`Design::input_meanings`], by the ports' names.
+    fn shader_input_meanings(&self, shader: &Shader) -> Vec<String> {
+        let last = self.spec.shininess.rows() - 1;
+        let meaning = |(name, _): (&str, Format)| {
+            let (vector, axis) = name.split_at(name.len() - 1);
+            let light = vector.chars().last().unwrap_or('1');
+            let of = match vector.as_bytes() {
+                b"in_n" => "the normal N, of unit length".to_owned(),
+                b"in_v" => "the unit vector V to the viewer".to_owned(),
+                [.., b'h', _] => format!("the unit half vector H of light {light}"),
+                _ => format!("the unit vector L to light {light}"),
+            };
+            match (name, axis) {
+                ("in_material", _) => format!("index of the material, 0 to {last}; above: the last"),
+                (_, "x" | "y" | "z") => format!("{axis} of {of}"),
+                (_, channel) => {
+                    let colour = ["red", "green", "blue"].into_iter().find(|colour| colour.starts_with(channel));
+                    format!("{} of light {light}; {} is full scale", colour.unwrap_or_default(), shader.full_scale())
+                }
+            }
+        };
+        self.numbers(Direction::In).into_iter().map(meaning).collect()
+    }
+
+    /// The ports that carry numbers in one direction, in order: names and formats.
+    #[must_use]
+    pub fn numbers(&self, direction: Direction) -> Vec<(&str, Format)> {
+        let graph = self.graph();
+        let format = |id: usize| graph.nodes[id].format;
+        match direction {
+            Direction::In => graph.inputs.iter().map(|&id| (graph.nodes[id].name.as_str(), format(id))).collect(),
+            Direction::Out => graph.outputs.iter().map(|(name, id)| (name.as_str(), format(*id))).collect(),
+        }
+    }
+
+    /// The output ports' codes for the input ports' codes, by the bit-exact reference.
+    #[must_use]
+    pub fn evaluate(&self, inputs: &[i64]) -> Vec<i64> {
+        match &self.spec.block {
+            Block::Lobe => vec![self.model().evaluate(inputs[0] as u32, inputs[1]).into()],
+            Block::Shader(shader) => self.shader_model(shader).evaluate(inputs),
+        }
+    }
+
+    /// The bit-exact reference of the shader that this core is.
+    #[must_use]
+    pub fn shader_model<'a>(&'a self, shader: &'a Shader) -> ShaderModel<'a> {
+        ShaderModel::new(&self.spec, shader, self.model(), self.tables())
+    }
+
+    /// What the code of the first input port selects, for people.
+    #[must_use]
+    pub fn selected(&self, index: u32) -> String {
+        let row = self.spec.shininess.row_of_index(index);
+        match (&self.spec.block, &self.spec.shininess) {
+            (Block::Shader(_), Shininess::Materials(materials)) => materials[row].name.clone(),
+            (_, set) => format!("n = {}", set.value(row)),
+        }
+    }
+
+    /// The name of the operand's port.
+    #[must_use]
+    pub fn operand_name(&self) -> &str {
+        &self.graph().nodes[self.graph().operand()].name
+    }
+
+    /// The format of `in_n`.
+    #[must_use]
+    pub fn index_format(&self) -> Format {
+        self.graph().nodes[self.graph().index()].format
+    }
+
+    /// The format of the operand's port.
+    #[must_use]
+    pub fn operand_format(&self) -> Format {
+        self.graph().nodes[self.graph().operand()].format
+    }
+
+    /// The format of `out_spec`.
+    #[must_use]
+    pub fn output_format(&self) -> Format {
+        self.graph().nodes[self.graph().output()].format
+    }
+
+    /// Whether the lobe is given the versine.
+    #[must_use]
+    pub fn takes_versine(&self) -> bool {
+        self.spec.operand == Operand::Versine
+    }
+
+    /// The versine in [0, 1] that an operand code stands for.
+    #[must_use]
+    pub fn versine(&self, operand: i64) -> f64 {
+        let one = 1i64 << self.spec.input_fraction;
+        let within = match self.spec.input_range {
+            InputRange::Any => operand.clamp(0, one),
+            InputRange::Unit if operand > one => operand - one,
+            InputRange::Unit => operand,
+        };
+        let u = match self.spec.operand {
+            Operand::Cos => one - within,
+            Operand::Versine => within,
+        };
+        u as f64 / one as f64
+    }
+
+    /// The operand code of a versine code in 0..=2^F.
+    #[must_use]
+    pub fn operand_of_versine(&self, versine: i64) -> i64 {
+        match self.spec.operand {
+            Operand::Cos => (1i64 << self.spec.input_fraction) - versine,
+            Operand::Versine => versine,
+        }
+    }
+
+    /// The number of flip-flops of the pipeline, the ROM's registers and the valid chain included, before synthesis.
+    #[must_use]
+    pub fn register_bits(&self) -> u32 {
+        let layout = self.layout();
+        let crossing =
+            |stage: u32| -> u32 { layout.registers(stage).iter().map(|r| layout.nodes()[r.node].format.width()).sum() };
+        let word = |(memory, table): (usize, &Table)| match layout.read(memory) {
+            Some(read) if read.registered => table.word_bits(),
+            _ => 0,
+        };
+        let words: u32 = self.tables().iter().enumerate().map(word).sum();
+        (0..self.schedule.latency).map(crossing).sum::<u32>() + words + self.schedule.latency
+    }
+}
+
+/// Blocks of inputs that narrowing may look at in all: less than a second's work.
+const NARROWING_BLOCKS: usize = 1 << 19;
+
+fn regions_of(spec: &CoreSpec, graph: &Graph) -> Vec<Region> {
+    let (knots, frac_bits) = (spec.shininess.of_knots(), spec.shininess.frac_bits());
+    regions(graph, |index| knots.row_of_index(index >> frac_bits))
+}
+
+/// Takes off a lobe's formats the bits that no input uses. A core whose words may be written keeps them: other words may use them.
+fn narrow(spec: &CoreSpec, lobe: &mut Datapath) -> Vec<Narrowed> {
+    if spec.rom == RomStyle::Writable {
+        return Vec::new();
+    }
+    let analysis = Analysis::new(&lobe.graph, &lobe.tables);
+    let regions = regions_of(spec, &lobe.graph);
+    let ranges = analysis.over(&regions, (NARROWING_BLOCKS / regions.len()) as u64);
+    let (graph, narrowed) = analysis.narrowed(&ranges);
+    lobe.graph = graph;
+    narrowed
+}
+
+/// The ports' names with their verb, or `many` where they are more than two.
+fn subject(ports: &[Port], many: &str) -> String {
+    match ports {
+        [one] => format!("{} is", one.name),
+        [one, other] => format!("{} and {} are", one.name, other.name),
+        _ => many.to_owned(),
+    }
+}

@@ -1,0 +1,93 @@
+//! The ports of a core.
+
+use crate::emit::rom::Table;
+use crate::fixed::Format;
+
+/// The ports through which a memory is written at run time.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct WritePort {
+    /// The memory's place among the tables of the datapath.
+    pub memory: usize,
+    /// 1 bit: the word is written at the rising edge of clk.
+    pub enable: Port,
+    /// The address.
+    pub address: Port,
+    /// The word.
+    pub data: Port,
+}
+
+impl WritePort {
+    /// The write port of a memory: `wr_en`, `wr_addr` and `wr_data` for the coefficients, with the memory's name behind `wr` for another.
+    #[must_use]
+    pub fn of(memory: usize, table: &Table) -> Self {
+        let (prefix, what) = match table.name {
+            Table::COEFFICIENTS => ("wr".to_owned(), "the coefficient memory".to_owned()),
+            name => (format!("wr_{name}"), format!("the memory {name}")),
+        };
+        let port = |suffix: &str, format, meaning: String| Port {
+            name: format!("{prefix}_{suffix}"),
+            direction: Direction::In,
+            format,
+            meaning,
+        };
+        let unsigned = |bits: u32| Some(Format::unsigned(bits as i32, 0));
+        Self {
+            memory,
+            enable: port("en", None, format!("write enable: takes {prefix}_data into {what}, whatever ce and rst are")),
+            address: port("addr", unsigned(table.address_bits), "address of the word that is written".to_owned()),
+            data: port("data", unsigned(table.word_bits()), format!("word for {what}; layout as in its files")),
+        }
+    }
+
+    /// The three ports, in the order of their declaration.
+    #[must_use]
+    pub fn ports(&self) -> [&Port; 3] {
+        [&self.enable, &self.address, &self.data]
+    }
+}
+
+/// Which way a port leads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Into the core.
+    In,
+    /// Out of the core.
+    Out,
+}
+
+impl Direction {
+    /// The word for it in both languages.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::In => "in",
+            Self::Out => "out",
+        }
+    }
+}
+
+/// A port of a core.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Port {
+    /// Its name.
+    pub name: String,
+    /// Which way it leads.
+    pub direction: Direction,
+    /// The format of its codes; `None` for clock, reset, enable and the valid flags, which are a bit that is no number.
+    pub format: Option<Format>,
+    /// What it is for, as the end of a sentence.
+    pub meaning: String,
+}
+
+impl Port {
+    /// Its format, as a port table says it.
+    #[must_use]
+    pub fn format_text(&self) -> String {
+        self.format.map_or("1 bit".to_owned(), |format| format.to_string())
+    }
+
+    /// What a comment in front of its declaration says.
+    pub(crate) fn comment(&self) -> String {
+        self.format.map_or_else(|| self.meaning.clone(), |format| format!("{format}: {}", self.meaning))
+    }
+}

@@ -1,0 +1,315 @@
+//! The wrapper that gives a core AXI4-Stream interfaces.
+//!
+//! A beat of the stream is one set of the core's inputs, and later one of its outputs: `tdata` packs the ports that carry numbers
+//! side by side from its lowest bit on, in the order of their declaration, and is filled up to whole bytes as AXI4-Stream requires
+//! (Arm IHI 0051, section 2.1). `tlast` and `tuser` are carried beside the pipeline.
+//!
+//! # Skid buffer or credit
+//!
+//! A pipeline can take back-pressure in two ways.
+//!
+//! - *Credit*: the pipeline runs freely into a FIFO that holds as many beats as are in flight, and the source is let in only while
+//!   there is room for what is under way. No clock enable is needed. But the FIFO holds a result for every stage (14 words for a
+//!   shader), with its counters and its own clock of latency or more.
+//! - *Enable and skid buffer*: the pipeline is frozen when the sink does not take what is at its end. The cores have a clock enable for
+//!   that, so that nothing but the freezing itself costs anything.
+//!
+//! So it is the enable. Driven by `m_axis_tready` itself, it would be a path from another block's logic to every register of the core,
+//! and on to the source. It is a register instead, and with it `s_axis_tready`, which therefore falls a clock late: the pipeline makes
+//! one more step, and the beat that would be lost by it waits in one more register, the skid register.
+//!
+//! That register stands behind the core and not in front of it, where it would do as well: results are narrower than operands (24 bits
+//! against 218 for a shader of two lights), and no multiplexer stands before the core's first stage. What the sink sees is one
+//! multiplexer behind registers.
+//!
+//! The enable is 1 at every clock that follows one at which the sink was ready or nothing was at the pipeline's end. So one beat a clock
+//! passes, no stall leaves a bubble behind, and bubbles at the pipeline's end give way while the sink is not ready.
+
+use askama::Template;
+
+use super::testbench::RandomPart;
+use super::{Direction, Port, Texts, names, render};
+use crate::platform::error::Error;
+use crate::fixed::Format;
+use crate::spec::Language;
+
+/// `high:low`, or the bit if it is one.
+fn range(low: u32, bits: u32) -> String {
+    if bits == 1 { low.to_string() } else { format!("{}:{low}", low + bits - 1) }
+}
+
+/// The place of a core's port in `tdata`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Lane {
+    /// The port.
+    pub port: Port,
+    /// Its lowest bit in `tdata`.
+    pub low: u32,
+    /// Its bits.
+    pub bits: u32,
+}
+
+impl Lane {
+    /// The bits of `tdata` that it takes, `high:low`, or the one.
+    #[must_use]
+    pub fn range(&self) -> String {
+        range(self.low, self.bits)
+    }
+
+    /// The same in VHDL.
+    #[must_use]
+    pub fn downto(&self) -> String {
+        format!("{} downto {}", self.low + self.bits - 1, self.low)
+    }
+
+    /// The type of its codes in VHDL.
+    #[must_use]
+    pub fn sign(&self) -> &'static str {
+        if self.port.format.is_some_and(|format| format.signed) { "signed" } else { "unsigned" }
+    }
+
+    /// The type of its port with the bits, in VHDL.
+    fn kind(&self, texts: &Texts) -> String {
+        let vector = texts.vhdl_ports.vector(self.sign());
+        format!("{vector}({} downto 0)", self.bits - 1)
+    }
+
+    /// Its bits of s_axis_tdata, of the type of its port, in VHDL.
+    fn of_tdata(&self, texts: &Texts) -> String {
+        texts.vhdl_ports.from_bits(self.sign(), &format!("s_axis_tdata({})", self.downto()))
+    }
+}
+
+/// What `tdata` of one side holds.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Packing {
+    /// The ports, the one in the lowest bits first; there is nothing between them.
+    pub lanes: Vec<Lane>,
+    /// The bits that they take together.
+    pub bits: u32,
+}
+
+impl Packing {
+    fn of<'a>(ports: impl Iterator<Item = &'a Port>) -> Self {
+        let mut bits = 0;
+        let lane = |(port, format): (&Port, Format)| {
+            let low = bits;
+            bits += format.width();
+            Lane { port: port.clone(), low, bits: format.width() }
+        };
+        let lanes = ports.filter_map(|port| Some((port, port.format?))).map(lane).collect();
+        Self { lanes, bits }
+    }
+
+    /// The bits of `tdata`: whole bytes.
+    #[must_use]
+    pub fn tdata_bits(&self) -> u32 {
+        self.bits.next_multiple_of(8)
+    }
+
+    /// The bits at the top of `tdata` that hold nothing, `high:low`, or the one.
+    #[must_use]
+    pub fn padding_range(&self) -> String {
+        range(self.bits, self.padding())
+    }
+
+    /// The number of bits at the top of `tdata` that hold nothing.
+    #[must_use]
+    pub fn padding(&self) -> u32 {
+        self.tdata_bits() - self.bits
+    }
+}
+
+/// A port of the wrapper.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct AxisPort {
+    /// Its name.
+    pub name: String,
+    /// Which way it leads.
+    pub direction: Direction,
+    /// Its bits if it is a vector, else `None`.
+    pub bits: Option<u32>,
+    /// What it is for, as the end of a sentence.
+    pub meaning: String,
+}
+
+/// A core's wrapper.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Axis {
+    /// Its name: that of the core and `_axis`.
+    pub name: String,
+    /// The lines of the header comment, without a comment marker.
+    pub header: Vec<String>,
+    /// What `s_axis_tdata` holds.
+    pub inputs: Packing,
+    /// What `m_axis_tdata` holds; its padding is 0.
+    pub outputs: Packing,
+    /// The write ports of the core, which are the wrapper's, too.
+    pub writes: Vec<Port>,
+    /// The bits of `tuser`.
+    pub tuser_bits: u32,
+    /// The core's latency, and the wrapper's, in clocks at which nothing waits.
+    pub latency: u32,
+}
+
+impl Axis {
+    /// The wrapper of a core, without a header.
+    #[must_use]
+    pub fn of(texts: &Texts, latency: u32, tuser_bits: u32) -> Self {
+        let writes: Vec<Port> = texts.writes.iter().flat_map(|(write, _)| write.ports()).cloned().collect();
+        let numbers = |direction: Direction| {
+            Packing::of(texts.ports.iter().filter(|port| port.direction == direction && !writes.contains(port)))
+        };
+        Self {
+            name: format!("{}_axis", texts.name),
+            header: Vec::new(),
+            inputs: numbers(Direction::In),
+            outputs: numbers(Direction::Out),
+            writes,
+            tuser_bits,
+            latency,
+        }
+    }
+
+    /// The ports, in the order of their declaration.
+    #[must_use]
+    pub fn ports(&self) -> Vec<AxisPort> {
+        let port = |name: &str, direction, bits, meaning: &str| AxisPort {
+            name: name.to_owned(),
+            direction,
+            bits,
+            meaning: meaning.to_owned(),
+        };
+        let (input, output) = (Direction::In, Direction::Out);
+        let mut ports = vec![
+            port("aclk", input, None, "clock; everything happens on its rising edge"),
+            port("aresetn", input, None, "synchronous reset, active low: every beat under way is dropped"),
+            port("s_axis_tdata", input, Some(self.inputs.tdata_bits()), "the core's inputs, packed"),
+            port("s_axis_tvalid", input, None, "a beat is offered"),
+            port("s_axis_tready", output, None, "the beat is taken; from a register"),
+            port("s_axis_tlast", input, None, "goes with the beat"),
+            port("s_axis_tuser", input, Some(self.tuser_bits), "goes with the beat"),
+        ];
+        let write = |write: &Port| AxisPort {
+            name: write.name.clone(),
+            direction: write.direction,
+            bits: write.format.map(Format::width),
+            meaning: write.meaning.replace("ce and rst are", "the stream does"),
+        };
+        ports.extend(self.writes.iter().map(write));
+        ports.extend([
+            port("m_axis_tdata", output, Some(self.outputs.tdata_bits()), "the core's outputs, packed"),
+            port("m_axis_tvalid", output, None, "a beat is there; it stays until it is taken"),
+            port("m_axis_tready", input, None, "the beat is taken"),
+            port("m_axis_tlast", output, None, "as it came with the beat"),
+            port("m_axis_tuser", output, Some(self.tuser_bits), "as it came with the beat"),
+        ]);
+        ports
+    }
+
+    /// The write ports with their bits.
+    #[must_use]
+    pub fn write_ports(&self) -> Vec<(&str, u32)> {
+        self.writes.iter().map(|port| (port.name.as_str(), port.format.map_or(1, Format::width))).collect()
+    }
+
+    /// The bits of tuser for every stage.
+    fn user_bits(&self) -> u32 {
+        self.tuser_bits * self.latency
+    }
+
+    /// The lowest bit of the last stage among them.
+    fn user_low(&self) -> u32 {
+        self.tuser_bits * (self.latency - 1)
+    }
+
+    /// The bits of the last stage among them, in Verilog.
+    fn oldest_user(&self) -> String {
+        range(self.user_low(), self.tuser_bits)
+    }
+
+    /// The bits of tuser in a beat, in Verilog.
+    fn shown_user(&self) -> String {
+        range(self.outputs.bits + 1, self.tuser_bits)
+    }
+
+    /// The bits of a beat of results, from the lowest on: the outputs, tlast, tuser.
+    #[must_use]
+    pub fn beat_bits(&self) -> u32 {
+        self.outputs.bits + 1 + self.tuser_bits
+    }
+
+    /// The bits of a beat with the padding of tdata.
+    pub(super) fn wide_beat_bits(&self) -> u32 {
+        self.outputs.tdata_bits() + 1 + self.tuser_bits
+    }
+
+    /// The parts of s_axis_tdata that a random number fills each.
+    pub(super) fn input_parts(&self) -> Vec<RandomPart> {
+        RandomPart::of(self.inputs.tdata_bits())
+    }
+
+    /// The same of s_axis_tuser.
+    pub(super) fn user_parts(&self) -> Vec<RandomPart> {
+        RandomPart::of(self.tuser_bits)
+    }
+
+    /// A name of the core's ports, followed by spaces up to the length of the longest.
+    fn padded(&self, name: &str) -> String {
+        let lanes = self.inputs.lanes.iter().chain(&self.outputs.lanes).map(|lane| &lane.port);
+        let width = lanes.chain(&self.writes).map(|port| port.name.len()).fold("out_valid".len(), usize::max);
+        format!("{name:<width$}")
+    }
+
+    /// The text of the wrapper in a language; `texts` are the core's.
+    ///
+    /// # Errors
+    /// If the template cannot be filled in.
+    pub fn emit(&self, language: Language, texts: &Texts) -> Result<String, Error> {
+        let ports = self.ports();
+        let text = match language {
+            Language::Verilog => {
+                let range = |port: &AxisPort| port.bits.map_or(String::new(), |bits| format!("[{}:0]", bits - 1));
+                let width = ports.iter().map(|port| range(port).len()).max().unwrap_or(0);
+                let declaration = |port: &AxisPort| {
+                    let direction = match port.direction {
+                        Direction::In => "input  wire",
+                        Direction::Out => "output wire",
+                    };
+                    (port.meaning.clone(), format!("{direction} {:<width$} {}", range(port), port.name))
+                };
+                render(&VerilogAxis { axis: self, texts, ports: ports.iter().map(declaration).collect() })
+            }
+            Language::Vhdl => {
+                let width = ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
+                let declaration = |port: &AxisPort| {
+                    let is_write = self.writes.iter().any(|write| write.name == port.name);
+                    let vector = if is_write { texts.vhdl_ports.vector("unsigned") } else { "std_logic_vector" };
+                    let kind =
+                        port.bits.map_or("std_logic".to_owned(), |bits| format!("{vector}({} downto 0)", bits - 1));
+                    (port.meaning.clone(), format!("{:<width$} : {:<3} {kind}", port.name, port.direction.word()))
+                };
+                render(&VhdlAxis { axis: self, texts, ports: ports.iter().map(declaration).collect() })
+            }
+        };
+        names::checked(language, &texts.name, text?)
+    }
+}
+
+#[derive(Template)]
+#[template(path = "verilog/axis.v", escape = "none")]
+struct VerilogAxis<'a> {
+    axis: &'a Axis,
+    texts: &'a Texts,
+    /// A comment and a declaration each.
+    ports: Vec<(String, String)>,
+}
+
+#[derive(Template)]
+#[template(path = "vhdl/axis.vhd", escape = "none")]
+struct VhdlAxis<'a> {
+    axis: &'a Axis,
+    texts: &'a Texts,
+    /// A comment and a declaration each.
+    ports: Vec<(String, String)>,
+}

@@ -1,0 +1,451 @@
+//! The datasheet of a core.
+
+use askama::Template;
+
+use crate::datapath::Description;
+use crate::datapath::shader::COLOURS;
+use crate::datapath::widths::Contribution;
+use crate::core::{Account, Design, Measured, Part, ShaderError};
+use crate::platform::error::Error;
+use crate::core::{Port, WritePort};
+use crate::emit::{Axis, render};
+use crate::emit::markdown;
+use crate::emit::rom::{Field, Table};
+use crate::spec::{
+    Block, Coefficients, Colour, CoreSpec, Cosine, Form, LightColours, Material, RomStyle, Shader, Shininess, Tail,
+};
+
+/// What the core is, in a line.
+pub(super) fn title(spec: &CoreSpec) -> String {
+    let Block::Shader(shader) = &spec.block else { return lobe_text(spec) };
+    let plural = |count: usize| if count == 1 { "" } else { "s" };
+    let (lights, materials) = (shader.lights as usize, spec.shininess.rows());
+    format!(
+        "{} shader, {lights} light{}, {materials} material{}, {} bits a channel",
+        match shader.cosine {
+            Cosine::Mirror => "Phong",
+            Cosine::Half | Cosine::Sqrt => "Blinn",
+        },
+        plural(lights),
+        plural(materials),
+        shader.channel_bits
+    )
+}
+
+/// What the bound of the error is below, in words.
+fn allowed(spec: &CoreSpec) -> String {
+    match spec.accuracy {
+        None => "1 ulp: the core is faithful".to_owned(),
+        Some(bits) => format!("{} ulps, the 2^-{bits} that was asked for", 1u32 << (spec.output_fraction - bits)),
+    }
+}
+
+/// What the lobe is, in a line.
+fn lobe_text(spec: &CoreSpec) -> String {
+    let mut text = format!("specular lobe x^n as {}", spec.method.formula());
+    if spec.method.has_tail() {
+        text += match spec.tail {
+            Tail::Cut => ", cut",
+            Tail::Hold => ", held",
+        };
+    }
+    text += &match spec.shininess {
+        Shininess::Range(first, last) | Shininess::Fixed { first, last, .. } => format!(", n = {first} to {last}"),
+        _ => format!(", {} shininesses", spec.shininess.rows()),
+    };
+    if spec.method.has_paper_form() {
+        text += &format!(", {} form", form_text(spec.form));
+    }
+    if spec.coefficients == Coefficients::Minimax {
+        text += ", minimax";
+    }
+    text
+}
+
+fn form_text(form: Form) -> &'static str {
+    match form {
+        Form::Stable => "stable",
+        Form::Paper => "paper",
+    }
+}
+
+/// `low..high` with signs, for errors in ulps.
+#[must_use]
+pub fn interval_text([low, high]: [f64; 2]) -> String {
+    // Adding 0 takes the sign off a zero.
+    format!("{:+.3}..{:+.3}", low + 0.0, high + 0.0)
+}
+
+/// The error, a line each.
+pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
+    let proved = interval_text(design.budget.proved_ulps);
+    match account {
+        Account::Lobe(measured) => {
+            let proved = format!("Error against the real-valued method, in ulps of out_spec: proved within {proved}.");
+            [proved].into_iter().chain(measured_lines(measured)).collect()
+        }
+        Account::Shader(error) => vec![
+            format!("Error against the exact shader, in codes of a channel, over {} samples:", error.samples),
+            format!("  {}, root mean square {:.3}.", interval_text(error.whole.codes), error.whole.rms),
+        ],
+    }
+}
+
+fn measured_lines(measured: &Measured) -> Vec<String> {
+    let sweep = &measured.sweep;
+    let inputs = if sweep.exhaustive {
+        format!("all {} inputs in [0, 1]", sweep.inputs)
+    } else {
+        format!("{} evenly spaced inputs", sweep.inputs)
+    };
+    vec![
+        format!("  measured {} over {inputs}.", interval_text(measured.ulps)),
+        "Error against x^n itself, measured over the same inputs:".to_owned(),
+        format!(
+            "  {} absolute, {} where x^n >= 1/2, {} relative there.",
+            percent_text(measured.max_abs),
+            percent_text(measured.max_abs_epicentre),
+            percent_text(measured.max_rel_epicentre)
+        ),
+    ]
+}
+
+/// A share as a percentage, with more digits where it is small.
+#[must_use]
+pub fn percent_text(value: f64) -> String {
+    let digits = if value < 0.001 { 5 } else { 3 };
+    format!("{:.digits$} %", 100.0 * value)
+}
+
+struct FieldRow {
+    name: &'static str,
+    bits: String,
+    format: String,
+    meaning: &'static str,
+}
+
+struct Memory {
+    name: &'static str,
+    depth: usize,
+    word_bits: u32,
+    fields: Vec<FieldRow>,
+}
+
+/// How a memory is written.
+struct Load {
+    memory: &'static str,
+    enable: String,
+    address: String,
+    data: String,
+    file: String,
+    /// The fields with the least and the greatest code of the generated words.
+    ranges: Vec<(&'static str, i128, i128)>,
+}
+
+impl Load {
+    fn of(design: &Design, port: WritePort) -> Self {
+        let table = &design.tables()[port.memory];
+        let range = |field: &Field| {
+            let codes = || field.codes.iter().copied();
+            (field.name, codes().min().unwrap_or(0), codes().max().unwrap_or(0))
+        };
+        Self {
+            memory: table.name,
+            enable: port.enable.name,
+            address: port.address.name,
+            data: port.data.name,
+            file: super::rom_path(design, table, super::read_format(&design.spec)),
+            ranges: table.fields.iter().map(range).collect(),
+        }
+    }
+}
+
+struct FormRow {
+    form: &'static str,
+    multipliers: String,
+    multiplier_bits: u32,
+    rom: String,
+    registers: u32,
+    latency: u32,
+    proved: String,
+}
+
+impl FormRow {
+    fn of(design: &Design) -> Self {
+        let multipliers = design.graph().multipliers();
+        Self {
+            form: form_text(design.spec.form),
+            multipliers: multipliers.iter().map(|(a, b)| format!("{a}x{b}")).collect::<Vec<_>>().join(", "),
+            multiplier_bits: multipliers.iter().map(|(a, b)| a * b).sum(),
+            rom: if design.tables().is_empty() {
+                "none".to_owned()
+            } else {
+                let size = |table: &Table| format!("{} x {} = {}", table.depth(), table.word_bits(), table.bits());
+                design.tables().iter().map(size).collect::<Vec<_>>().join(", ")
+            },
+            registers: design.register_bits(),
+            latency: design.schedule.latency,
+            proved: interval_text(design.budget.proved_ulps),
+        }
+    }
+}
+
+#[derive(Template)]
+#[template(path = "package/datasheet.md", escape = "none")]
+struct Datasheet<'a> {
+    spec: &'a CoreSpec,
+    lobe: String,
+    command: String,
+    digest: String,
+    operand: &'a str,
+    operand_format: String,
+    output_format: String,
+    ports: Vec<Port>,
+    latency: u32,
+    description: Description,
+    both_forms: bool,
+    rom_file: bool,
+    memories: Vec<Memory>,
+    loads: Vec<Load>,
+    /// Whether a memory that can be written is read without a register.
+    asynchronous: bool,
+    /// Whether a row serves the shininesses up to the next row, too.
+    interpolated: bool,
+    datapath: String,
+    rows: Vec<(usize, String, String)>,
+    /// What the bound is below.
+    allowed: String,
+    contributions: &'a [Contribution],
+    coefficient_error: String,
+    arithmetic_error: String,
+    proved_error: String,
+    worst: f64,
+    measured: &'a Measured,
+    measured_ulps: String,
+    max_abs: String,
+    max_abs_epicentre: String,
+    max_rel_epicentre: String,
+    rms: String,
+    forms: Vec<FormRow>,
+    other_failed: Option<String>,
+    axis: Option<Axis>,
+    files: Vec<(String, &'static str)>,
+}
+
+fn memories(design: &Design) -> Vec<Memory> {
+    let memory = |table: &Table| {
+        let field = |(index, field): (usize, &Field)| {
+            let low = table.field_low_bit(index);
+            FieldRow {
+                name: field.name,
+                bits: format!("{}:{low}", low + field.format.width() - 1),
+                format: field.format.to_string(),
+                meaning: field.meaning,
+            }
+        };
+        Memory {
+            name: table.name,
+            depth: table.depth(),
+            word_bits: table.word_bits(),
+            fields: table.fields.iter().enumerate().map(field).collect(),
+        }
+    };
+    design.tables().iter().map(memory).collect()
+}
+
+fn files(design: &Design) -> Vec<(String, &'static str)> {
+    let spec = &design.spec;
+    let mut files: Vec<(String, &'static str)> = vec![
+        ("core.toml".to_owned(), "the spec, every default resolved"),
+        ("manifest.json".to_owned(), "this datasheet for programs, with a digest of every file"),
+    ];
+    for &language in &spec.languages {
+        files.push((super::rtl_path(design, language), "the core"));
+        files.push((super::bench_path(design, language), "its self-checking test bench; run it in this directory"));
+        if spec.axi_stream.is_some() {
+            files.push((super::axis_path(design, language), "its wrapper with AXI4-Stream interfaces"));
+            files.push((super::axis_bench_path(design, language), "the wrapper's test bench, likewise"));
+        }
+    }
+    for table in design.tables() {
+        let what = match table.name {
+            Table::COEFFICIENTS => "the coefficient ROM",
+            COLOURS => "the materials' colours",
+            _ => "a function table",
+        };
+        for &format in &spec.rom_formats {
+            files.push((super::rom_path(design, table, format), what));
+        }
+    }
+    files.push((super::golden_path(design), "golden vectors and digests"));
+    files.push(("files.f".to_owned(), "the source, for a simulator's -f option"));
+    files
+}
+
+struct MaterialRow {
+    index: usize,
+    name: String,
+    shininess: f64,
+    ambient: String,
+    diffuse: String,
+    specular: String,
+}
+
+#[derive(Template)]
+#[template(path = "package/shader.md", escape = "none")]
+struct ShaderSheet<'a> {
+    spec: &'a CoreSpec,
+    title: String,
+    command: String,
+    digest: String,
+    ports: Vec<Port>,
+    latency: u32,
+    materials: Vec<MaterialRow>,
+    ambient_light: String,
+    light_colours: String,
+    cosine: &'static str,
+    lobe: String,
+    description: Description,
+    full_scale: i64,
+    dot_bits: i32,
+    operand_bits: u32,
+    error: &'a ShaderError,
+    parts: &'a [Part],
+    proved_error: String,
+    coefficient_error: String,
+    arithmetic_error: String,
+    output_fraction: u32,
+    rom_file: bool,
+    memories: Vec<Memory>,
+    cost: FormRow,
+    axis: Option<Axis>,
+    files: Vec<(String, &'static str)>,
+}
+
+fn colour_text(colour: Colour) -> String {
+    colour.map(|channel| format!("{channel:.3}")).join(" ")
+}
+
+/// The text of a shader's datasheet.
+pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError) -> Result<String, Error> {
+    let spec = &design.spec;
+    let Shininess::Materials(list) = &spec.shininess else { unreachable!("a shader serves materials") };
+    let material = |(index, material): (usize, &Material)| {
+        let surface = material.surface();
+        MaterialRow {
+            index,
+            name: markdown::text(&material.name),
+            shininess: material.shininess,
+            ambient: colour_text(surface.ambient),
+            diffuse: colour_text(surface.diffuse),
+            specular: colour_text(surface.specular),
+        }
+    };
+    let budget = &design.budget;
+    render(&ShaderSheet {
+        spec,
+        title: title(spec),
+        command: markdown::code(&spec.command()),
+        digest: spec.digest(),
+        ports: design.ports(),
+        latency: design.schedule.latency,
+        materials: list.iter().enumerate().map(material).collect(),
+        ambient_light: colour_text(shader.ambient_light),
+        light_colours: match &shader.light_colours {
+            LightColours::Ports => format!("{}, their colours from ports", shader.lights),
+            LightColours::Fixed(colours) => {
+                let texts: Vec<String> = colours.iter().map(|&colour| colour_text(colour)).collect();
+                format!("{}, multiplied into the ROM", texts.join("; "))
+            }
+        },
+        cosine: match shader.cosine {
+            Cosine::Mirror => "x = 2 (N.L)(N.V) - L.V, taken into [0, 1].",
+            Cosine::Half => "x = 1 - u with the versine u = |N - H|^2 / 2, taken into [0, 1].",
+            Cosine::Sqrt => "x = (N.L + N.V) / sqrt(2 + 2 L.V), taken into [0, 1].",
+        },
+        lobe: lobe_text(spec),
+        description: design.description().clone(),
+        full_scale: shader.full_scale(),
+        dot_bits: shader.widths(spec).get("dot"),
+        operand_bits: spec.input_fraction,
+        error,
+        parts: &error.parts,
+        proved_error: interval_text(budget.proved_ulps),
+        coefficient_error: interval_text(budget.coefficient_ulps),
+        arithmetic_error: interval_text(budget.arithmetic_ulps),
+        output_fraction: spec.output_fraction,
+        rom_file: spec.rom == RomStyle::File,
+        memories: memories(design),
+        cost: FormRow::of(design),
+        axis: super::axis(design),
+        files: files(design),
+    })
+}
+
+/// The text of a lobe's datasheet; `other` is the core in the other form, or why it cannot be built, where the method has two forms.
+pub(super) fn datasheet(
+    design: &Design,
+    measured: &Measured,
+    other: Option<Result<Design, String>>,
+) -> Result<String, Error> {
+    let spec = &design.spec;
+    let mut forms = vec![FormRow::of(design)];
+    let other_failed = match other {
+        Some(Ok(other)) => {
+            forms.push(FormRow::of(&other));
+            None
+        }
+        Some(Err(why)) => Some(why),
+        None => None,
+    };
+    let rows = match &spec.shininess {
+        Shininess::Range(..) | Shininess::Fixed { .. } => Vec::new(),
+        Shininess::List(list) => {
+            list.iter().enumerate().map(|(index, n)| (index, String::new(), n.to_string())).collect()
+        }
+        Shininess::Materials(materials) => {
+            let row = |(index, m): (usize, &Material)| (index, markdown::text(&m.name), m.shininess.to_string());
+            materials.iter().enumerate().map(row).collect()
+        }
+    };
+    let budget = &design.budget;
+    render(&Datasheet {
+        spec,
+        lobe: lobe_text(spec),
+        command: markdown::code(&spec.command()),
+        digest: spec.digest(),
+        operand: design.operand_name(),
+        operand_format: design.operand_format().to_string(),
+        output_format: design.output_format().to_string(),
+        ports: design.ports(),
+        latency: design.schedule.latency,
+        description: design.description().clone(),
+        both_forms: forms.len() > 1 || other_failed.is_some(),
+        rom_file: spec.rom == RomStyle::File,
+        loads: design.write_ports().into_iter().map(|port| Load::of(design, port)).collect(),
+        asynchronous: design.write_ports().iter().any(|port| {
+            let read = design.layout().read(port.memory);
+            read.is_some_and(|read| !read.registered)
+        }),
+        interpolated: matches!(spec.shininess, Shininess::Fixed { .. }),
+        datapath: design.datapath_digest(),
+        memories: memories(design),
+        rows,
+        allowed: allowed(&design.spec),
+        contributions: &budget.contributions,
+        coefficient_error: interval_text(budget.coefficient_ulps),
+        arithmetic_error: interval_text(budget.arithmetic_ulps),
+        proved_error: interval_text(budget.proved_ulps),
+        worst: budget.worst_shininess,
+        measured,
+        measured_ulps: interval_text(measured.ulps),
+        max_abs: percent_text(measured.max_abs),
+        max_abs_epicentre: percent_text(measured.max_abs_epicentre),
+        max_rel_epicentre: percent_text(measured.max_rel_epicentre),
+        rms: percent_text(measured.rms),
+        forms,
+        other_failed,
+        axis: super::axis(design),
+        files: files(design),
+    })
+}

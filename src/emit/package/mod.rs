@@ -1,0 +1,414 @@
+//! The core directory: its files, and how they are put on disk.
+
+mod datasheet;
+mod directory;
+
+pub use datasheet::{interval_text, percent_text};
+pub use directory::{
+    GENERATED_MARK, Kind, check_target, check_target_of, core_files, write_directory, write_directory_of, write_file,
+};
+
+use serde_json::json;
+use sha2::{Digest, Sha256};
+
+use crate::datapath::widths::Budget;
+use crate::core::{Account, Design};
+use crate::platform::error::Error;
+use crate::verify::golden::{self, Golden};
+use crate::core::{Port, WritePort};
+use crate::emit::{self, Axis, RomFile, Texts};
+use crate::fixed::Format;
+use crate::emit::rom::{self, RomFormat, Table};
+use crate::spec::{Block, Coefficients, CoreSpec, Form, Language, RomStyle, hex};
+
+/// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct File {
+    /// The path.
+    pub path: String,
+    /// The content.
+    pub bytes: Vec<u8>,
+}
+
+/// The design of the same core in the other form, for comparison, where the method has two for this core: the paper form has the
+/// papers' coefficients and does not interpolate. `Err` says why it cannot be built.
+fn other_form(design: &Design) -> Option<Result<Design, String>> {
+    let spec = &design.spec;
+    if !spec.method.has_paper_form() || spec.coefficients == Coefficients::Minimax || spec.shininess.frac_bits() > 0 {
+        return None;
+    }
+    let form = match design.spec.form {
+        Form::Stable => Form::Paper,
+        Form::Paper => Form::Stable,
+    };
+    let spec = crate::spec::CoreSpec { form, ..design.spec.clone() };
+    Some(Design::new(spec).map_err(|error| error.to_string()))
+}
+
+/// The path of the golden vectors in the core's directory.
+#[must_use]
+pub fn golden_path(design: &Design) -> String {
+    format!("golden/{}.vec", design.spec.name)
+}
+
+/// The path of a memory's file in the core's directory.
+#[must_use]
+pub fn rom_path(design: &Design, table: &Table, format: RomFormat) -> String {
+    format!("rom/{}", format.file_name(&design.spec.name, table))
+}
+
+/// The path of the HDL in the core's directory.
+#[must_use]
+pub fn rtl_path(design: &Design, language: Language) -> String {
+    format!("rtl/{}.{}", design.spec.name, extension(language))
+}
+
+/// The format of the files that a core's HDL reads: the one without comments, as Vivado's synthesis wants them (UG901), where the spec asks
+/// for it.
+#[must_use]
+pub fn read_format(spec: &CoreSpec) -> RomFormat {
+    if spec.rom_formats.contains(&RomFormat::MemPlain) { RomFormat::MemPlain } else { RomFormat::Mem }
+}
+
+/// The path of the test bench in the core's directory.
+#[must_use]
+pub fn bench_path(design: &Design, language: Language) -> String {
+    format!("tb/{}_tb.{}", design.spec.name, extension(language))
+}
+
+/// The path of the wrapper with AXI4-Stream interfaces in the core's directory, if it has one.
+#[must_use]
+pub fn axis_path(design: &Design, language: Language) -> String {
+    format!("rtl/{}_axis.{}", design.spec.name, extension(language))
+}
+
+/// The path of the wrapper's test bench in the core's directory, if it has one.
+#[must_use]
+pub fn axis_bench_path(design: &Design, language: Language) -> String {
+    format!("tb/{}_axis_tb.{}", design.spec.name, extension(language))
+}
+
+fn extension(language: Language) -> &'static str {
+    match language {
+        Language::Verilog => "v",
+        Language::Vhdl => "vhd",
+    }
+}
+
+/// What tools that read a core in one language need: the files of its memories, where it reads them from such, and last the HDL itself,
+/// without the comment at its head; nothing is measured for it.
+///
+/// # Errors
+/// A core that cannot be written in the language.
+pub fn sources(design: &Design, language: Language) -> Result<Vec<File>, Error> {
+    let spec = &design.spec;
+    let mut files = Vec::new();
+    if spec.rom != RomStyle::Inline {
+        for table in design.tables() {
+            let name = rom::memory_name(&spec.name, table);
+            let format = read_format(spec);
+            let bytes = rom::write(table, format, &name, &spec.digest(), &spec.command());
+            files.push(File { path: rom_path(design, table, format), bytes });
+        }
+    }
+    let source = emit::backend(language).emit(&design.layout(), &texts_without_header(design))?;
+    files.push(File { path: rtl_path(design, language), bytes: source.into_bytes() });
+    Ok(files)
+}
+
+/// Whether the core can be written under its name: what would be found when it is written, before anything is measured.
+///
+/// # Errors
+/// A name that the core's text uses for something else.
+pub fn check_names(design: &Design) -> Result<(), Error> {
+    let emit =
+        |&language: &Language| emit::backend(language).emit(&design.layout(), &texts_without_header(design)).map(|_| ());
+    design.spec.languages.iter().try_for_each(emit)
+}
+
+/// What the texts of a core's HDL say about it.
+#[must_use]
+pub fn texts(design: &Design, account: &Account) -> Texts {
+    let spec = &design.spec;
+    let ports = design.ports();
+    let name_width = ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
+    let mut header = vec![
+        format!("{}: {}", spec.name, datasheet::title(spec)),
+        String::new(),
+        format!("Made by: {}", spec.command()),
+        format!("Spec {}. Generated; the core is yours to use under any terms.", spec.digest()),
+        String::new(),
+    ];
+    header.extend(
+        ports
+            .iter()
+            .filter(|port| port.format.is_some())
+            .map(|port| format!("  {:<name_width$} {:<7} {}", port.name, port.format_text(), port.meaning)),
+    );
+    header.extend([String::new(), format!("Latency {} clocks, one result a clock.", design.schedule.latency)]);
+    header.extend(datasheet::error_lines(design, account));
+    Texts { header, ..texts_without_header(design) }
+}
+
+/// As [`texts`], without the comment at the head of the HDL; so nothing is measured.
+#[must_use]
+fn texts_without_header(design: &Design) -> Texts {
+    let spec = &design.spec;
+    let rom_file = |table: &Table| RomFile {
+        memory: table.name,
+        parameter: format!("{}_FILE", table.name.to_ascii_uppercase()),
+        path: rom_path(design, table, read_format(spec)),
+    };
+    let rom_files = match spec.rom {
+        RomStyle::File => design.tables().iter().map(rom_file).collect(),
+        RomStyle::Inline | RomStyle::Writable => Vec::new(),
+    };
+    let with_file = |port: WritePort| {
+        let file = rom_file(&design.tables()[port.memory]);
+        (port, file)
+    };
+    let writes = design.write_ports().into_iter().map(with_file).collect();
+    Texts {
+        name: spec.name.clone(),
+        header: Vec::new(),
+        ports: design.ports(),
+        vhdl_ports: spec.vhdl_ports,
+        rom_files,
+        writes,
+    }
+}
+
+/// The core's wrapper with AXI4-Stream interfaces, if the spec asks for one.
+#[must_use]
+pub fn axis(design: &Design) -> Option<Axis> {
+    let spec = &design.spec;
+    let axis = Axis::of(&texts_without_header(design), design.schedule.latency, spec.axi_stream?);
+    let mut header = vec![
+        format!("{}: AXI4-Stream interfaces for the core {}", axis.name, spec.name),
+        String::new(),
+        format!("Made by: {}", spec.command()),
+        format!("Spec {}. Generated; the wrapper is yours to use under any terms.", spec.digest()),
+    ];
+    for (name, packing, padding) in
+        [("s_axis_tdata", &axis.inputs, "of no meaning"), ("m_axis_tdata", &axis.outputs, "0")]
+    {
+        header.extend([String::new(), format!("{name}, {} bytes:", packing.tdata_bits() / 8)]);
+        let mut rows: Vec<[String; 4]> = Vec::new();
+        for lane in &packing.lanes {
+            let Port { name, meaning, .. } = &lane.port;
+            rows.push([format!("[{}]", lane.range()), name.clone(), lane.port.format_text(), meaning.clone()]);
+        }
+        if packing.padding() > 0 {
+            rows.push([format!("[{}]", packing.padding_range()), padding.to_owned(), String::new(), String::new()]);
+        }
+        let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
+        let (range, name, format) = (width(0), width(1), width(2));
+        let line = |row: &[String; 4]| {
+            format!("  {:<range$} {:<name$} {:<format$} {}", row[0], row[1], row[2], row[3]).trim_end().to_owned()
+        };
+        header.extend(rows.iter().map(line));
+    }
+    header.extend([
+        String::new(),
+        "tlast and tuser stay with their beat. tkeep and tstrb are not needed: a beat is always whole.".to_owned(),
+        format!(
+            "Latency {} clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and",
+            axis.latency
+        ),
+        "m_axis_tready leads to registers only.".to_owned(),
+    ]);
+    Some(Axis { header, ..axis })
+}
+
+/// The text of `core.toml`.
+#[must_use]
+pub fn spec_text(design: &Design) -> String {
+    format!("{GENERATED_MARK}; `brdfgen generate core.toml --out DIR` makes it again\n{}", design.spec.to_toml())
+}
+
+/// All files of a core, `manifest.json` last.
+///
+/// # Errors
+/// If a template cannot be filled in.
+pub fn files(design: &Design, account: &Account, golden: &Golden) -> Result<Vec<File>, Error> {
+    files_with(design, account, golden, Vec::new())
+}
+
+/// As [`files`], with more files of the core's.
+///
+/// # Errors
+/// As [`files`].
+pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: Vec<File>) -> Result<Vec<File>, Error> {
+    let spec = &design.spec;
+    let layout = design.layout();
+    let texts = texts(design, account);
+    let golden_path = golden_path(design);
+    let complemented = golden::complemented(design, golden);
+    let axis = axis(design);
+    let mut files = Vec::new();
+    let mut add = |path: String, bytes: Vec<u8>| files.push(File { path, bytes });
+
+    add("core.toml".to_owned(), spec_text(design).into_bytes());
+    let sheet = match (&spec.block, account) {
+        (Block::Shader(shader), Account::Shader(error)) => datasheet::shader_sheet(design, shader, error)?,
+        (_, Account::Lobe(measured)) => datasheet::datasheet(design, measured, other_form(design))?,
+        (Block::Lobe, Account::Shader(_)) => unreachable!("the account is the core's"),
+    };
+    add("README.md".to_owned(), sheet.into_bytes());
+    for &language in &spec.languages {
+        add(rtl_path(design, language), emit::backend(language).emit(&layout, &texts)?.into_bytes());
+        let bench = |axis| emit::test_bench(language, &layout, &texts, &golden_path, &complemented, axis);
+        add(bench_path(design, language), bench(None)?.into_bytes());
+        if let Some(axis) = &axis {
+            add(axis_path(design, language), axis.emit(language, &texts)?.into_bytes());
+            add(axis_bench_path(design, language), bench(Some(axis))?.into_bytes());
+        }
+    }
+    for table in design.tables() {
+        for &format in &spec.rom_formats {
+            let name = rom::memory_name(&spec.name, table);
+            let bytes = rom::write(table, format, &name, &spec.digest(), &spec.command());
+            add(rom_path(design, table, format), bytes);
+        }
+    }
+    add(golden_path, golden.to_text(design).into_bytes());
+    // The option is a Verilog one: a simulator that takes the list takes one language.
+    let listed = spec.languages.iter().find(|&&language| language == Language::Verilog).or(spec.languages.first());
+    let sources = |&language: &Language| {
+        let axis = spec.axi_stream.map(|_| axis_path(design, language));
+        std::iter::once(rtl_path(design, language)).chain(axis)
+    };
+    let list: String = listed.into_iter().flat_map(sources).map(|path| path + "\n").collect();
+    add("files.f".to_owned(), list.into_bytes());
+
+    files.extend(others);
+    let manifest = manifest(design, account, &files);
+    files.push(File { path: "manifest.json".to_owned(), bytes: (manifest + "\n").into_bytes() });
+    Ok(files)
+}
+
+fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
+    let spec = &design.spec;
+    let port = |port: &crate::core::Port| {
+        let format = port.format.unwrap_or(Format::FLAG);
+        json!({
+            "name": port.name,
+            "direction": port.direction.word(),
+            "format": format.to_string(),
+            "bits": format.width(),
+            "meaning": port.meaning,
+        })
+    };
+    let ports: Vec<_> = design.ports().iter().map(port).collect();
+    let memory = |table: &Table| {
+        let field = |(index, field): (usize, &rom::Field)| {
+            json!({
+                "name": field.name,
+                "meaning": field.meaning,
+                "format": field.format.to_string(),
+                "low_bit": table.field_low_bit(index),
+                "bits": field.format.width(),
+            })
+        };
+        let fields: Vec<_> = table.fields.iter().enumerate().map(field).collect();
+        json!({ "name": table.name, "depth": table.depth(), "word_bits": table.word_bits(), "fields": fields })
+    };
+    let memories: Vec<_> = design.tables().iter().map(memory).collect();
+    let multipliers: Vec<_> = design.graph().multipliers().iter().map(|(a, b)| json!([a, b])).collect();
+    let digests: serde_json::Map<String, serde_json::Value> =
+        files.iter().map(|file| (file.path.clone(), json!(hex(&Sha256::digest(&file.bytes))))).collect();
+    let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } = &design.budget;
+    let mut error = json!({
+        "proved_ulps": proved_ulps,
+        "proved_coefficient_ulps": coefficient_ulps,
+        "proved_arithmetic_ulps": arithmetic_ulps,
+        "worst_shininess": worst_shininess,
+        "contributions": contributions,
+    });
+    let error = match account {
+        Account::Lobe(measured) => {
+            error["measured"] = json!(measured);
+            error
+        }
+        Account::Shader(measured) => json!({ "lobe": error, "measured_codes": measured }),
+    };
+    let mut widths = json!(design.widths);
+    if let Block::Shader(shader) = &spec.block {
+        widths = json!({ "lobe": widths, "shader": shader.widths(spec) });
+    }
+    let mut manifest = json!({
+        "generator": "brdfgen",
+        "name": spec.name,
+        "command": spec.command(),
+        "spec": spec.digest(),
+        "latency": design.schedule.latency,
+        "ports": ports,
+        "memories": memories,
+        "multipliers": multipliers,
+        "register_bits": design.register_bits(),
+        "widths": widths,
+        "error": error,
+        "files_sha256": digests,
+    });
+    let load = |port: WritePort| {
+        let table = &design.tables()[port.memory];
+        json!({
+            "memory": table.name,
+            "enable": port.enable.name,
+            "address": port.address.name,
+            "data": port.data.name,
+            "file": rom_path(design, table, read_format(&design.spec)),
+        })
+    };
+    let loads: Vec<_> = design.write_ports().into_iter().map(load).collect();
+    if !loads.is_empty() {
+        manifest["loading"] = json!({ "datapath": design.datapath_digest(), "memories": loads });
+    }
+    if let Some(axis) = axis(design) {
+        manifest["axi_stream"] = axis_manifest(&axis);
+    }
+    serde_json::to_string_pretty(&rounded(manifest)).expect("JSON of plain values")
+}
+
+/// What the manifest says of the wrapper.
+fn axis_manifest(axis: &Axis) -> serde_json::Value {
+    let port = |port: &emit::AxisPort| {
+        json!({
+            "name": port.name,
+            "direction": port.direction.word(),
+            "bits": port.bits.unwrap_or(1),
+            "meaning": port.meaning,
+        })
+    };
+    let packing = |packing: &emit::Packing| {
+        let field = |lane: &emit::Lane| json!({ "port": lane.port.name, "low_bit": lane.low, "bits": lane.bits });
+        let fields: Vec<_> = packing.lanes.iter().map(field).collect();
+        json!({ "bits": packing.tdata_bits(), "fields": fields })
+    };
+    json!({
+        "name": axis.name,
+        "tuser_bits": axis.tuser_bits,
+        "ports": axis.ports().iter().map(port).collect::<Vec<_>>(),
+        "s_axis_tdata": packing(&axis.inputs),
+        "m_axis_tdata": packing(&axis.outputs),
+    })
+}
+
+/// A count of things in words; `one` is the word for one of them.
+pub(crate) fn counted(count: impl Into<u64>, one: &str) -> String {
+    let count = count.into();
+    format!("{count} {one}{}", if count == 1 { "" } else { "s" })
+}
+
+/// Numbers to 9 significant digits, which is more than they mean and hides the last bits of sums.
+pub(crate) fn rounded(value: serde_json::Value) -> serde_json::Value {
+    match value {
+        serde_json::Value::Number(number) => match number.as_f64().filter(|_| number.is_f64()) {
+            Some(float) => json!(format!("{float:.8e}").parse::<f64>().unwrap_or(float)),
+            None => serde_json::Value::Number(number),
+        },
+        serde_json::Value::Array(items) => items.into_iter().map(rounded).collect(),
+        serde_json::Value::Object(map) => map.into_iter().map(|(key, value)| (key, rounded(value))).collect(),
+        other => other,
+    }
+}

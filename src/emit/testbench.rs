@@ -1,0 +1,229 @@
+//! The self-checking test benches.
+
+use askama::Template;
+
+use super::{Axis, Direction, Layout, Port, RomFile, Texts, WritePort, names, render};
+use crate::platform::error::Error;
+use crate::verify::golden::Vector;
+use crate::spec::{Language, VhdlPorts};
+
+/// A port that carries numbers, as the benches see it.
+struct BenchPort<'a> {
+    name: &'a str,
+    bits: u32,
+    /// Hexadecimal digits in the vector file.
+    digits: u32,
+    signed: bool,
+    /// The bits in Verilog, `[high:0]`.
+    range: String,
+}
+
+impl<'a> BenchPort<'a> {
+    /// A port, if it carries numbers.
+    fn of(port: &'a Port) -> Option<Self> {
+        let format = port.format?;
+        // The benches' random numbers and the fields that they read are of 32 bits.
+        debug_assert!(format.width() <= 32, "{}", port.name);
+        let bits = format.width();
+        let range = format!("[{}:0]", bits - 1);
+        Some(Self { name: &port.name, bits, digits: bits.div_ceil(4), signed: format.signed, range })
+    }
+
+    /// The numeric type of its codes in VHDL.
+    fn sign(&self) -> &'static str {
+        if self.signed { "signed" } else { "unsigned" }
+    }
+}
+
+/// The write port of a memory, as the benches see it.
+struct BenchWrite<'a> {
+    memory: &'a str,
+    depth: usize,
+    enable: &'a str,
+    address: &'a str,
+    address_bits: u32,
+    data: &'a str,
+    data_bits: u32,
+    /// Bits of the hexadecimal digits that hold a word.
+    digit_bits: u32,
+    file: &'a RomFile,
+}
+
+impl<'a> BenchWrite<'a> {
+    fn of((port, file): &'a (WritePort, RomFile), layout: &Layout<'a>) -> Self {
+        let table = &layout.datapath.tables[port.memory];
+        Self {
+            memory: table.name,
+            depth: table.depth(),
+            enable: &port.enable.name,
+            address: &port.address.name,
+            address_bits: table.address_bits,
+            data: &port.data.name,
+            data_bits: table.word_bits(),
+            digit_bits: table.word_bits().next_multiple_of(4),
+            file,
+        }
+    }
+
+    /// The parts of a word that a random number fills each.
+    fn parts(&self) -> Vec<RandomPart> {
+        RandomPart::of(self.data_bits)
+    }
+}
+
+/// Bits of a vector that a random number of 32 bits fills, or its low bits do.
+pub(super) struct RandomPart {
+    pub(super) high: u32,
+    pub(super) low: u32,
+}
+
+impl RandomPart {
+    /// The parts of a vector, from the lowest on.
+    pub(super) fn of(bits: u32) -> Vec<Self> {
+        (0..bits).step_by(32).map(|low| Self { high: (low + 31).min(bits - 1), low }).collect()
+    }
+
+    /// The highest bit of the random number that is taken.
+    pub(super) fn top(&self) -> u32 {
+        self.high - self.low
+    }
+}
+
+/// What the templates of both languages need.
+struct Bench<'a> {
+    name: &'a str,
+    header: &'a [String],
+    /// The files that the core reads.
+    rom_files: &'a [RomFile],
+    /// The memories that the bench writes.
+    writes: Vec<BenchWrite<'a>>,
+    /// The codes of the ports of vectors for memories that hold the words' complements, as hexadecimal literals.
+    complemented: Vec<String>,
+    golden: &'a str,
+    vhdl_ports: VhdlPorts,
+    inputs: Vec<BenchPort<'a>>,
+    outputs: Vec<BenchPort<'a>>,
+    /// Whether it waits before a vector as long as the file says.
+    waits: bool,
+    /// Characters that a line with a vector has at most, its end included.
+    line_bytes: u32,
+    latency: u32,
+}
+
+impl Bench<'_> {
+    /// The inputs and then the outputs.
+    fn numbers(&self) -> impl Iterator<Item = &BenchPort<'_>> {
+        self.inputs.iter().chain(&self.outputs)
+    }
+
+    /// The type of a port of the core in VHDL.
+    fn vector(&self, sign: &'static str) -> &'static str {
+        self.vhdl_ports.vector(sign)
+    }
+
+    /// Bits as a port of the core takes them in VHDL.
+    fn driven(&self, sign: &str, bits: &str) -> String {
+        self.vhdl_ports.from_bits(sign, bits)
+    }
+
+    /// A name, followed by spaces up to the length of the longest port's.
+    fn padded(&self, name: &str) -> String {
+        let width = self.numbers().map(|port| port.name.len()).fold("out_valid".len(), usize::max);
+        format!("{name:<width$}")
+    }
+
+    /// A range of bits in Verilog, or nothing, followed by spaces up to the length of the longest.
+    fn ranged(&self, range: &str) -> String {
+        let width = self.numbers().map(|port| port.range.len()).max().unwrap_or(0);
+        format!("{range:<width$}")
+    }
+}
+
+#[derive(Template)]
+#[template(path = "testbench/tb.v", escape = "none")]
+struct VerilogBench<'a> {
+    bench: &'a Bench<'a>,
+}
+
+#[derive(Template)]
+#[template(path = "testbench/tb.vhd", escape = "none")]
+struct VhdlBench<'a> {
+    bench: &'a Bench<'a>,
+}
+
+#[derive(Template)]
+#[template(path = "testbench/axis_tb.v", escape = "none")]
+struct VerilogAxisBench<'a> {
+    bench: &'a Bench<'a>,
+    axis: &'a Axis,
+}
+
+#[derive(Template)]
+#[template(path = "testbench/axis_tb.vhd", escape = "none")]
+struct VhdlAxisBench<'a> {
+    bench: &'a Bench<'a>,
+    axis: &'a Axis,
+}
+
+/// The codes of a vector's inputs and outputs as literals of the ports' widths.
+fn literals(language: Language, ports: &[&BenchPort], vector: &Vector) -> String {
+    let literal = |(port, &code): (&&BenchPort, &i64)| {
+        let (bits, digits) = (port.bits, port.digits as usize);
+        // A port is at most 32 bits wide.
+        let code = code as u64 & ((1 << bits) - 1);
+        match language {
+            Language::Verilog => format!("{bits}'h{code:0digits$x}"),
+            Language::Vhdl => format!("{bits}x\"{code:0digits$x}\""),
+        }
+    };
+    let codes = vector.inputs.iter().chain(&vector.outputs);
+    ports.iter().zip(codes).map(literal).collect::<Vec<_>>().join(", ")
+}
+
+/// The test bench of a core in a language; `golden` is the path of its vectors, relative to the core's directory. For a core whose
+/// memories can be written, `complemented` are some vectors with the outputs for the words' complements. With `axis`, it is the bench
+/// of the core's wrapper.
+///
+/// # Errors
+/// If the template cannot be filled in.
+pub fn test_bench(
+    language: Language,
+    layout: &Layout,
+    texts: &Texts,
+    golden: &str,
+    complemented: &[Vector],
+    axis: Option<&Axis>,
+) -> Result<String, Error> {
+    let is_write = |port: &&Port| texts.writes.iter().flat_map(|(write, _)| write.ports()).any(|write| write == *port);
+    let numbers = |direction: Direction| -> Vec<BenchPort> {
+        let of = |port: &&Port| port.direction == direction;
+        texts.ports.iter().filter(of).filter(|port| !is_write(port)).filter_map(BenchPort::of).collect()
+    };
+    let (inputs, outputs) = (numbers(Direction::In), numbers(Direction::Out));
+    let numbers: Vec<&BenchPort> = inputs.iter().chain(&outputs).collect();
+    let complemented = complemented.iter().map(|vector| literals(language, &numbers, vector)).collect();
+    let write = |write| BenchWrite::of(write, layout);
+    let digits: u32 = inputs.iter().chain(&outputs).map(|port| 1 + port.digits).sum();
+    let bench = &Bench {
+        name: &texts.name,
+        header: &texts.header,
+        rom_files: &texts.rom_files,
+        writes: texts.writes.iter().map(write).collect(),
+        complemented,
+        golden,
+        vhdl_ports: texts.vhdl_ports,
+        inputs,
+        outputs,
+        // The letter, the codes, two numbers of nine digits, the end of the line, and one to notice that it is longer.
+        line_bytes: (1 + digits + 20 + 2 + 1).next_multiple_of(8),
+        waits: axis.is_none(),
+        latency: layout.schedule.latency,
+    };
+    let text = match (language, axis) {
+        (Language::Verilog, None) => render(&VerilogBench { bench }),
+        (Language::Vhdl, None) => render(&VhdlBench { bench }),
+        (Language::Verilog, Some(axis)) => render(&VerilogAxisBench { bench, axis }),
+        (Language::Vhdl, Some(axis)) => render(&VhdlAxisBench { bench, axis }),
+    };
+    names::checked(language, &texts.name, text?)
+}

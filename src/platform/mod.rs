@@ -1,0 +1,13 @@
+//! The machine that brdfgen runs on: the user's files, other programs, what is temporary, and the error that is told.
+//!
+//! - [`error`]: what went wrong, where, and what is allowed;
+//! - [`input`]: the user's files, read within limits and as other programs write them;
+//! - [`paths`]: which files a command reads and writes: nothing is written over what is read;
+//! - [`tool`]: external programs: where they are, how they are run; only this room starts any;
+//! - [`transient`]: temporary files and started programs: none outlives a run.
+
+pub mod error;
+pub mod input;
+pub mod paths;
+pub mod tool;
+pub mod transient;

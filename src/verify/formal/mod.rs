@@ -1,0 +1,181 @@
+//! Proofs about the HDL of a core, for every input and every clock, where [`crate::verify::cosim`] compares runs.
+
+mod abc;
+mod aig;
+mod circuit;
+mod equivalence;
+mod mutants;
+mod planted;
+mod stream;
+
+use std::path::Path;
+use std::time::Instant;
+
+use serde::Serialize;
+
+use crate::verify::cosim;
+use crate::core::Design;
+use crate::platform::error::Error;
+use crate::verify::golden::Golden;
+#[cfg(feature = "kernel")]
+use crate::verify::kernel;
+use crate::emit::package;
+use crate::spec::Language;
+use crate::synth::yosys::Yosys;
+use circuit::Circuit;
+use equivalence::{Compared, Comparison, Method, Pipeline};
+pub(crate) use mutants::{Told, told};
+use planted::Planted;
+pub use stream::stream;
+
+/// What came of a proof.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// The claim holds.
+    Proved,
+    /// The claim is false.
+    Refuted,
+    /// Neither was found: the time limit, or a circuit of a form that the method does not know.
+    Open,
+}
+
+/// A claim, and what came of its proof.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Proof {
+    /// The claim, such as "Verilog = VHDL".
+    pub claim: String,
+    /// What came of it.
+    pub verdict: Verdict,
+    /// How it was proved, or why not.
+    pub how: String,
+    /// The time it took, in seconds.
+    pub seconds: f64,
+}
+
+/// What is told while the proofs run.
+#[derive(Clone, Copy, Debug)]
+pub enum Step<'a> {
+    /// A claim that is looked at now.
+    Begun(&'a str),
+    /// What came of it.
+    Ended(&'a Proof),
+}
+
+/// Looks at a claim, and tells of it.
+///
+/// # Errors
+/// Those of `prove`.
+fn tried(
+    claim: String,
+    progress: &dyn Fn(Step),
+    prove: impl FnOnce() -> Result<(Verdict, String), Error>,
+) -> Result<Proof, Error> {
+    progress(Step::Begun(&claim));
+    let start = Instant::now();
+    let (verdict, how) = prove()?;
+    let proof = Proof { claim, verdict, how, seconds: start.elapsed().as_secs_f64() };
+    progress(Step::Ended(&proof));
+    Ok(proof)
+}
+
+/// A text of a core as Verilog: its name for people, its top module, its bytes.
+struct Text {
+    name: String,
+    top: String,
+    bytes: Vec<u8>,
+}
+
+/// The texts of a core: its files in a directory, and the Verilog of its rust-hdl kernel where there is one of its widths.
+fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
+    let mut texts = Vec::new();
+    for &language in &design.spec.languages {
+        let source = directory.join(package::rtl_path(design, language));
+        let bytes = match language {
+            Language::Verilog => std::fs::read(&source).map_err(|error| Error::io("cannot read", &source, error))?,
+            Language::Vhdl => cosim::as_verilog(&design.spec.name, directory, &source)?,
+        };
+        texts.push(Text { name: language.to_string(), top: design.spec.name.clone(), bytes });
+    }
+    #[cfg(feature = "kernel")]
+    if let Some(kernel) = kernel::of_design(design) {
+        texts.push(Text { name: "rust-hdl".to_owned(), top: "top".to_owned(), bytes: kernel.verilog().into_bytes() });
+    }
+    Ok(texts)
+}
+
+/// Proves that the texts of the core in a directory are pipelines of the core's latency and all the same circuit: see
+/// [`equivalence`](self) for what that says. Each text is first run on the golden
+/// vectors.
+///
+/// `seconds` is the most that the solver may take at once; `progress` is told of each claim before and after it is looked at. A claim that was
+/// proved is proved again with faults planted in one of the circuits; if one of them is not found, the claim counts as open. Faults that a circuit
+/// cannot have, as its results are constants, are named.
+///
+/// # Errors
+/// A tool that is not installed or does not do its work, GHDL and Yosys with a text that they do not read among them.
+pub fn equivalence(
+    design: &Design,
+    directory: &Path,
+    golden: &Golden,
+    seconds: u32,
+    progress: &dyn Fn(Step),
+) -> Result<Vec<Proof>, Error> {
+    let yosys = Yosys::find(None)?;
+    let latency = design.schedule.latency;
+    let mut proofs = Vec::new();
+    let mut known: Vec<(String, Pipeline)> = Vec::new();
+    for text in texts(design, directory)? {
+        let claim = format!("{} is a pipeline of {latency} clocks", text.name);
+        proofs.push(tried(claim, progress, || {
+            let circuit = match Circuit::read(&yosys, directory, &text.top, &text.bytes)? {
+                Ok(circuit) => circuit,
+                Err(why) => return Ok((Verdict::Open, why)),
+            };
+            let pipeline = match Pipeline::of(circuit, latency) {
+                Ok(pipeline) => pipeline,
+                Err(why) => return Ok((Verdict::Refuted, why)),
+            };
+            let ran = pipeline.against(design, golden);
+            known.push((text.name, pipeline));
+            Ok(match ran {
+                Ok(runs) => (Verdict::Proved, format!("and gives the results of {runs} golden vectors")),
+                Err(differs) => (Verdict::Refuted, format!("it is another core: {differs}")),
+            })
+        })?);
+    }
+    let Some(((name, first), others)) = known.split_first() else { return Ok(proofs) };
+    for (other_name, other) in others {
+        proofs.push(tried(format!("{name} = {other_name}"), progress, || {
+            compare([first, other], (design, golden), seconds)
+        })?);
+    }
+    Ok(proofs)
+}
+
+fn compare([one, other]: [&Pipeline; 2], core: (&Design, &Golden), seconds: u32) -> Result<(Verdict, String), Error> {
+    let comparison = match Comparison::new(one, other) {
+        Ok(comparison) => comparison,
+        Err(differ) => return Ok((Verdict::Refuted, differ)),
+    };
+    let (method, compared, open) = match comparison.run(seconds)? {
+        Compared::Same { method, compared, open } => (method, compared, open),
+        Compared::Different(why) => return Ok((Verdict::Refuted, why)),
+        Compared::Unknown(why) => return Ok((Verdict::Open, why)),
+    };
+    let Planted { planted, missed, impossible } = planted::check(&comparison, &method, core, seconds)?;
+    if !missed.is_empty() {
+        let how = format!("the proof goes through with a planted fault as well: {}", missed.join(", "));
+        return Ok((Verdict::Open, how));
+    }
+    let method = match method {
+        Method::Stages(_) => format!("stage by stage, {compared} bits, {open} of them by the solver"),
+        Method::Every => format!("from the inputs to the outputs, {compared} bits, for every value of the inputs"),
+        Method::Whole => format!("from the inputs to the outputs, {compared} bits, {open} of them by the solver"),
+    };
+    let mut how = format!("{method}; {planted} of {planted} planted faults found");
+    if !impossible.is_empty() {
+        how += &format!("; not planted: {}", impossible.join(", "));
+    }
+    Ok((Verdict::Proved, how))
+}

@@ -1,0 +1,16 @@
+//! Whether a core does what it should: each check holds the core's text, netlist or operations against the model.
+//!
+//! - [`golden`]: golden vectors: make, read, compare;
+//! - [`kernel`]: the same blocks in rust-hdl: in-process simulation, a second road to Verilog;
+//! - [`cosim`]: runs the HDL in simulators and compares it with the model;
+//! - [`formal`]: proves that the HDL texts of a core are the same circuit;
+//! - [`faults`]: mutants of a core, and whether the golden vectors kill them;
+//! - [`stability`]: how cores hold up where forms degenerate: registers (of shaders too), ends, seams, every input.
+
+pub mod cosim;
+pub mod faults;
+pub mod formal;
+pub mod golden;
+#[cfg(feature = "kernel")]
+pub mod kernel;
+pub mod stability;

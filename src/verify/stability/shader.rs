@@ -1,0 +1,194 @@
+//! One shader: whether a value leaves its register.
+//!
+//! A shader has too many inputs to run or to halve: six ports of a vector's components at least. But it falls into parts whose joints are
+//! taken into known ranges, and the range analysis goes over each part with its joints free, so that it covers every combination that the
+//! part before it could give, and more:
+//!
+//! - the *front end* of a light, from the vectors' ports, every code of them, to N.L and the highlight's cosine;
+//! - where that takes a root, the *root*, from the two values that go into it;
+//! - the *lobe*, from its operand, row by row of the materials, as a lobe's core is analysed;
+//! - the *colours*, from N.L, the lobes' results and the lights' colours, row by row of the materials.
+//!
+//! What is found of a part's results is what the next part's ports take. Nodes that no part covers count as undecided.
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::inspect::{MOST_BLOCKS, Signal, signal};
+use crate::datapath::graph::{Graph, NodeId};
+use crate::datapath::range::{Analysis, Ranges, Region, Span, by_rows};
+use crate::datapath::shader::joints;
+use crate::core::Design;
+use crate::core::edges::varied;
+use crate::fixed::Dice;
+use crate::emit::rom::Table;
+use crate::spec::{Shader, Shininess};
+
+/// Inputs that are run with wide registers.
+const SAMPLES: u64 = 1 << 14;
+
+/// A part of a shader, as it was analysed.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Part {
+    /// What it is.
+    pub name: String,
+    /// Blocks of inputs that the range analysis looked at.
+    pub blocks: u64,
+}
+
+/// What the range analysis found of a shader.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Proof {
+    /// The parts, in the order of the data.
+    pub parts: Vec<Part>,
+    /// Values that overflow where a part's results depend on them: their nodes, with the part and its inputs in words.
+    pub overflows: Vec<(NodeId, String)>,
+    /// What the nodes take, of all parts together.
+    pub ranges: Ranges,
+}
+
+/// Under construction.
+struct Prover<'a> {
+    graph: &'a Graph,
+    tables: &'a [Table],
+    is_covered: Vec<bool>,
+    proof: Proof,
+}
+
+impl Prover<'_> {
+    fn part(&mut self, name: String, ports: &[NodeId], results: &[NodeId], regions: &[Region]) {
+        let analysis = Analysis::of_part(self.graph, self.tables, ports, results);
+        analysis.computed().for_each(|id| self.is_covered[id] = true);
+        let found = analysis.over(regions, MOST_BLOCKS);
+        for overflow in &found.overflows {
+            let what = format!(
+                "{} at the inputs {:?} of the part \"{name}\"",
+                self.graph.nodes[overflow.node].name, overflow.inputs
+            );
+            self.proof.overflows.push((overflow.node, what));
+        }
+        self.proof.parts.push(Part { name, blocks: found.blocks });
+        let before = std::mem::replace(&mut self.proof.ranges, Ranges::none(0));
+        self.proof.ranges = before.and(found);
+    }
+
+    /// What a joint takes, as the part before it found.
+    fn span(&self, id: NodeId) -> Span {
+        let whole = Span::of(self.graph.nodes[id].format);
+        self.proof.ranges.needed[id].filter(|&span| whole.holds(span)).unwrap_or(whole)
+    }
+}
+
+impl Proof {
+    /// Analyses the graph of a shader with these materials.
+    #[must_use]
+    pub fn of(materials: &Shininess, shader: &Shader, graph: &Graph, tables: &[Table]) -> Self {
+        let nodes = graph.nodes.len();
+        let proof = Self { parts: Vec::new(), overflows: Vec::new(), ranges: Ranges::none(nodes) };
+        let mut prover = Prover { graph, tables, is_covered: vec![false; nodes], proof };
+        let material = graph.index();
+        let whole = |id: NodeId| Span::of(graph.nodes[id].format);
+        let rows =
+            |others: &[Span]| by_rows(graph.nodes[material].format, others, |index| materials.row_of_index(index));
+        let all: Region = graph.inputs.iter().map(|&id| whole(id)).collect();
+        // The ports of vectors among the rest stay unused by the colours, and cost nothing there.
+        let mut colour_ports = graph.inputs.clone();
+        let mut colour_spans: Vec<Span> = all[1..].to_vec();
+        for (light, joints) in joints(shader, graph).into_iter().enumerate() {
+            let of_light = |part: &str| format!("{part} of light {}", light + 1);
+            let mut results = vec![joints.dark, joints.psi];
+            results.extend(joints.root.map_or(vec![joints.operand], |root| root.to_vec()));
+            prover.part(of_light("front end"), &graph.inputs, &results, std::slice::from_ref(&all));
+            if let Some(root) = joints.root {
+                let region = root.map(|id| prover.span(id)).to_vec();
+                prover.part(of_light("root"), &root, &[joints.operand], &[region]);
+            }
+            let operand = prover.span(joints.operand);
+            prover.part(of_light("lobe"), &[material, joints.operand], &[joints.lobe], &rows(&[operand]));
+            for joint in [joints.dark, joints.psi, joints.lobe] {
+                colour_ports.push(joint);
+                colour_spans.push(prover.span(joint));
+            }
+        }
+        let outputs: Vec<NodeId> = graph.outputs.iter().map(|&(_, id)| id).collect();
+        prover.part("colours".to_owned(), &colour_ports, &outputs, &rows(&colour_spans));
+        let Prover { is_covered, mut proof, .. } = prover;
+        for id in (0..nodes).filter(|id| !is_covered[*id] && !graph.inputs.contains(id)) {
+            proof.ranges.undecided[id] = true;
+        }
+        proof
+    }
+
+    /// Whether it is proved that no value overflows.
+    #[must_use]
+    pub fn is_safe(&self) -> bool {
+        self.ranges.is_safe()
+    }
+}
+
+/// What was found of a shader.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ShaderInspection {
+    /// The core's name.
+    pub core: String,
+    /// The materials.
+    pub rows: usize,
+    /// The parts that were analysed.
+    pub parts: Vec<Part>,
+    /// Values that overflow where they are needed, with the inputs of the first.
+    pub overflows: Vec<String>,
+    /// Values of which the analysis cannot tell.
+    pub undecided: Vec<String>,
+    /// Inputs that were run: every one cannot be.
+    pub samples: u64,
+    /// Those of them whose result is another one with wider registers.
+    pub wide_differences: u64,
+    /// The value with the largest magnitude inside; the magnitude is a bound.
+    pub largest: Signal,
+    /// The widest value inside.
+    pub widest: Signal,
+}
+
+impl ShaderInspection {
+    /// Inspects a shader's core.
+    #[must_use]
+    pub fn of(design: &Design, shader: &Shader) -> Self {
+        let (set, graph) = (&design.spec.shininess, design.graph());
+        let proof = Proof::of(set, shader, graph, design.tables());
+        let wide = Analysis::new(graph, design.tables()).with_spare_bits(&proof.ranges);
+        let differs = |place: u64| {
+            let mut dice = Dice::new(place);
+            let codes: Vec<i128> = varied(design, shader, &mut dice).into_iter().map(i128::from).collect();
+            let outputs = |graph: &Graph| -> Vec<i128> {
+                let values = graph.values(design.tables(), &codes);
+                graph.outputs.iter().map(|&(_, id)| values[id]).collect()
+            };
+            outputs(graph) != outputs(&wide)
+        };
+        let names = (0..graph.nodes.len()).filter(|&id| proof.ranges.undecided[id]);
+        Self {
+            core: design.spec.name.clone(),
+            rows: set.rows(),
+            undecided: names.map(|id| graph.nodes[id].name.clone()).collect(),
+            samples: SAMPLES,
+            wide_differences: (0..SAMPLES).into_par_iter().filter(|&place| differs(place)).count() as u64,
+            largest: signal(graph, &proof.ranges, |signal| signal.largest),
+            widest: signal(graph, &proof.ranges, |signal| f64::from(signal.width)),
+            overflows: proof.overflows.into_iter().map(|(_, what)| what).collect(),
+            parts: proof.parts,
+        }
+    }
+
+    /// What a core must keep and this one does not, a line each.
+    #[must_use]
+    pub fn broken(&self) -> Vec<String> {
+        let mut broken: Vec<String> = self.overflows.iter().map(|at| format!("{at} leaves its format")).collect();
+        if !self.undecided.is_empty() {
+            broken.push(format!("not proved to stay in their formats: {}", self.undecided.join(", ")));
+        }
+        if self.wide_differences > 0 {
+            broken.push(format!("{} results differ with wider registers", self.wide_differences));
+        }
+        broken
+    }
+}
