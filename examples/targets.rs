@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use brdfgen::explore::{Cost, Point, Results};
-use brdfgen::synth::Family;
+use brdfgen::target::Family;
 
 /// What an LFE5U-85F has: LUTs, DSP blocks, block RAMs (Lattice FPGA-DS-02012, ECP5 family data sheet).
 const DEVICE: [f64; 3] = [83_640.0, 156.0, 208.0];

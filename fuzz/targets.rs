@@ -21,6 +21,7 @@ use brdfgen::scene::Scene;
 use brdfgen::scene::mesh::{Mesh, Normals};
 use brdfgen::spec::{CoreSpec, SpecFields};
 use brdfgen::synth;
+use brdfgen::target::pack;
 use brdfgen::verify::cosim::{self, Job, Sim};
 use brdfgen::verify::golden;
 
@@ -241,7 +242,7 @@ fn netlist(bytes: &[u8]) {
     let mut parts = bytes.splitn(2, |byte| *byte == 0);
     let (netlist, report) = (parts.next().unwrap_or_default(), parts.next().unwrap_or_default());
     let mut value = checked(synth::parse_netlist(netlist)).unwrap_or_default();
-    if checked(synth::count(&value, "top")).is_some() && checked(synth::pack(&mut value, "top")).is_some() {
+    if checked(synth::count(&value, "top")).is_some() && checked(pack(&mut value, "top")).is_some() {
         checked(synth::count(&value, "top")).expect("a packed netlist has its cells");
     }
     if let Some(synth::Placed { clock: Some((mhz, _)) }) = checked(synth::parse_report(report, &value)) {

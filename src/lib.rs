@@ -22,6 +22,7 @@
 //! | [`package`] | the core directory: all files of a core, put on disk whole |
 //! | [`mutate`] | mutants of a core, and whether the golden vectors kill them |
 //! | [`cosim`] | runs the HDL in simulators and compares it with the model |
+//! | [`target`] | the families of FPGAs: cells, blocks, costs, tools |
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
 //! | [`formal`] | proves that the HDL texts of a core are the same circuit |
 //! | [`tool`] | external programs: where they are, how they are run |
@@ -55,4 +56,5 @@ pub mod report;
 pub mod scene;
 pub mod spec;
 pub mod synth;
+pub mod target;
 pub mod verify;

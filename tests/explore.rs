@@ -239,7 +239,7 @@ fn the_cheapest_core_is_chosen_and_built() {
     // Against the data itself: nothing that meets the wish has fewer LUTs.
     let cheapest = Results::built_in().unwrap();
     let meets = |point: &&Point| {
-        point.family == brdfgen::synth::Family::Ecp5
+        point.family == brdfgen::target::Family::Ecp5
             && !point.baseline
             && point.max_abs <= 0.2
             && point.shininess == "1..=1000"

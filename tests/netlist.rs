@@ -9,7 +9,8 @@ use brdfgen::core::Direction;
 use brdfgen::core::{Account, Design};
 use brdfgen::emit::package;
 use brdfgen::spec::SpecFields;
-use brdfgen::synth::{self, Family, Options};
+use brdfgen::synth::{self, Options};
+use brdfgen::target::Family;
 use brdfgen::verify::cosim::{self, Job};
 use brdfgen::verify::golden::{Golden, Vector, all_codes};
 use common::Scratch;
@@ -47,7 +48,8 @@ impl Core {
     fn passes_with(&self, directory: &str, golden: &Golden, netlist: &str) -> (bool, String) {
         let directory = self.scratch.path(directory);
         let job = Job { design: &self.design, golden, directory: &directory };
-        let outcome = cosim::netlist(&job, netlist.as_bytes()).expect("Icarus runs");
+        let models = Family::Ecp5.description().models.as_ref().expect("models");
+        let outcome = cosim::netlist(&job, models, netlist.as_bytes()).expect("Icarus runs");
         assert_eq!(outcome.expected_vectors, golden.vectors().len() as u64);
         (outcome.passed(), outcome.first.join("\n"))
     }

@@ -9,7 +9,7 @@ use brdfgen::platform::error::Error;
 use brdfgen::scene::mesh::{Mesh, Normals, Transform};
 use brdfgen::scene::{Exact, Frame, Highlights, LightKind, Scene, Shape};
 use brdfgen::spec::{MethodName, SpecFields};
-use brdfgen::synth::Family;
+use brdfgen::target::Family;
 use proptest::prelude::*;
 
 fn scenes() -> &'static Path {

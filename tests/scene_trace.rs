@@ -13,7 +13,7 @@ use brdfgen::scene::{
     Budget, Camera, Difference, Frame, Light, LightKind, Object, Picture, Scene, Shape, Tracer, Wishes,
 };
 use brdfgen::spec::{Material, Model, SpecFields};
-use brdfgen::synth::Family;
+use brdfgen::target::Family;
 
 fn dot(a: Vector, b: Vector) -> f64 {
     (0..3).map(|axis| a[axis] * b[axis]).sum()

@@ -10,7 +10,7 @@ use crate::explore::{Cost, MaxError, Objective, Results};
 use crate::platform::error::Error;
 use crate::platform::paths::Paths;
 use crate::spec::{Coefficients, MethodName, Operand, Shininess, SpecFields};
-use crate::synth::Family;
+use crate::target::Family;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -136,7 +136,7 @@ impl WishFlags {
         let limits = Objective::ALL.into_iter().zip([self.max_lut, self.max_dsp, self.max_bram, self.max_latency]);
         Ok(Wish {
             max_error,
-            family: self.family.unwrap_or(Family::Ecp5),
+            family: self.family.unwrap_or_default(),
             min_mhz: self.min_mhz,
             objective,
             limits: limits.filter_map(|(objective, most)| Some((objective, most?))).collect(),

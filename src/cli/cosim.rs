@@ -10,7 +10,8 @@ use super::source::{OnDisk, Source};
 use super::{Verdict, progress, say, say_json, write_to};
 use crate::platform::error::Error;
 use crate::spec::Language;
-use crate::synth::{self, Family, Options};
+use crate::synth::{self, Options};
+use crate::target::Family;
 use crate::verify::cosim::{self, Job, Lint, Outcome, Sim};
 use crate::verify::golden::{self, Golden};
 
@@ -54,10 +55,14 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             "leave it out: the golden vectors and the digests are checked",
         ));
     }
-    if let Some(family) = arguments.netlist.filter(|family| *family != Family::Ecp5) {
-        let name = format!("{family:?}").to_lowercase();
-        return Err(Error::input(format!("--netlist {name} has no models of its cells"), "ecp5 has"));
-    }
+    let modelled = |family: Family| match &family.description().models {
+        Some(models) => Ok((family, models)),
+        None => Err(Error::input(
+            format!("--netlist {} has no models of its cells", family.name),
+            format!("{} has", Family::names(|family| family.models.is_some()).join(", ")),
+        )),
+    };
+    let netlist = arguments.netlist.map(modelled).transpose()?;
     let core = OnDisk::of(&arguments.source, &design)?;
     let job = Job { design: &design, golden: &core.golden, directory: core.path() };
     let sims = arguments.sim.expand(&design.spec.languages);
@@ -72,11 +77,11 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             outcomes.push(cosim::exhaustive(&job, language, &tell)?);
             bar.finish_and_clear();
         }
-    } else if let Some(family) = arguments.netlist {
+    } else if let Some((family, models)) = netlist {
         outcomes.push(model(&job));
         let spinner = progress::spinner("netlist".to_owned());
         let netlist = synth::netlist(&design, &Options::new(family))?;
-        outcomes.push(cosim::netlist(&job, &netlist)?);
+        outcomes.push(cosim::netlist(&job, models, &netlist)?);
         spinner.finish_and_clear();
     } else {
         outcomes.push(model(&job));

@@ -6,6 +6,7 @@ use serde_json::json;
 use super::{Verdict, say, say_json};
 use crate::platform::error::Error;
 use crate::platform::tool::TOOLS;
+use crate::target::Family;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -15,7 +16,9 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
-    let found: Vec<_> = TOOLS.iter().map(|tool| (tool, tool.version())).collect();
+    let placers = Family::ALL.iter().filter_map(|family| family.description().placement.as_ref());
+    let tools = TOOLS.iter().chain(placers.flat_map(|placement| placement.tools));
+    let found: Vec<_> = tools.map(|tool| (tool, tool.version())).collect();
     if arguments.json {
         let list: Vec<_> = found
             .iter()

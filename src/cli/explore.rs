@@ -13,6 +13,7 @@ use crate::platform::error::Error;
 use crate::platform::input;
 use crate::platform::paths::Paths;
 use crate::synth;
+use crate::target::Family;
 
 #[derive(Args)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
@@ -147,13 +148,16 @@ struct AxisFlags {
     #[arg(long, value_delimiter = ';', value_name = "SETS")]
     shininess: Vec<String>,
 
-    /// Families: ecp5, ice40, gowin, xc7 [default: ecp5]
-    #[arg(long, value_delimiter = ',', value_name = "FAMILIES")]
+    #[arg(long, value_delimiter = ',', value_name = "FAMILIES", help = families())]
     family: Vec<String>,
 
     /// Any other key of a spec with its values, as in inside=linear,quadratic; repeat for more
     #[arg(long, value_name = "KEY=VALUES")]
     axis: Vec<String>,
+}
+
+fn families() -> String {
+    format!("Families: {} [default: {}]", Family::names(|_| true).join(", "), Family::default().name)
 }
 
 impl AxisFlags {

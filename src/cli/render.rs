@@ -28,7 +28,7 @@ use crate::scene::{
     Compiled, CoreModel, Difference, Exact, Frame, Highlights, Picture, Requirements, Scene, Tracer, picture,
 };
 use crate::spec::{BlockKind, Colour, Language, Shininess, SpecFields};
-use crate::synth::Family;
+use crate::target::Family;
 
 /// The cores that `--compare` shows where it is not told which.
 const COMPARED: [&str; 7] = [
@@ -353,7 +353,7 @@ fn compare(arguments: &Arguments, scene: &Scene, cores: &[Chosen], piped: bool) 
     let lines = [
         scene_text(scene, &frame),
         format!("shininess {}; budget: {}", shininess_text(scene), budget_text(scene)),
-        format!("cost for {}, {source}", crate::explore::sweep::word(&family)),
+        format!("cost for {}, {source}", family.name),
     ];
     let Sheet { pixels, panels } = sheet::contact(&frame, &exact, &cells, &scene.name, &lines);
     write_to(&arguments.out, &pixels.png())?;
@@ -711,7 +711,7 @@ fn name(design: &Design) -> String {
     // Those that need not be named.
     let mut spec = design.spec.clone();
     spec.interface.shininess = Shininess::Range(1, 1000);
-    Point::unmeasured(&Core::new(spec, Family::Ecp5)).name
+    Point::unmeasured(&Core::new(spec, Family::default())).name
 }
 
 /// A core in a line.

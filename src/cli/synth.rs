@@ -8,23 +8,22 @@ use super::source::Source;
 use super::{Verdict, progress, say, write_to};
 use crate::platform::error::Error;
 use crate::spec::Language;
-use crate::synth::{self, Family, Options, Run, Step};
+use crate::synth::{self, Options, Run, Step};
+use crate::target::Family;
 
 #[derive(Args)]
 pub(super) struct Arguments {
     #[command(flatten)]
     source: Source,
 
-    /// The family of FPGAs: ecp5 LFE5U-85F speed 6, ice40 UP5K, gowin GW2A-18, xc7 7 series (cells only)
-    #[arg(long, value_enum, default_value = "ecp5")]
+    #[arg(long, value_enum, default_value_t, help = families())]
     family: Family,
 
     /// How many seeds the core is placed with; the median of their clocks counts
     #[arg(long, default_value_t = 3, value_name = "K")]
     seeds: u32,
 
-    /// The clock that the placement is asked for [default: 150 for ecp5, 25 for ice40, 100 for gowin]
-    #[arg(long, value_name = "MHZ")]
+    #[arg(long, value_name = "MHZ", help = targets())]
     target_mhz: Option<f64>,
 
     /// End with exit code 1 if the median misses the target
@@ -64,6 +63,17 @@ pub(super) struct Arguments {
     out: Option<PathBuf>,
 }
 
+fn families() -> String {
+    let families: Vec<_> = Family::ALL.iter().map(|family| format!("{} {}", family.name, family.brief)).collect();
+    format!("The family of FPGAs: {}", families.join(", "))
+}
+
+fn targets() -> String {
+    let of_family = |family: &Family| Some(format!("{} for {}", family.placement.as_ref()?.target_mhz, family.name));
+    let targets: Vec<_> = Family::ALL.iter().filter_map(of_family).collect();
+    format!("The clock that the placement is asked for [default: {}]", targets.join(", "))
+}
+
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let family = arguments.family;
     let options = Options {
@@ -76,10 +86,11 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         cache: (!arguments.no_cache).then(|| arguments.cache.unwrap_or_else(synth::default_cache)),
         ..Options::new(family)
     };
-    if arguments.require_timing && (arguments.no_place || family.nextpnr().is_none()) {
+    if arguments.require_timing && (arguments.no_place || family.placement.is_none()) {
+        let unplaced = Family::names(|family| family.placement.is_none());
         return Err(Error::input(
             "--require-timing needs a placement, and there is none",
-            "leave --no-place out, and take another family than xc7",
+            format!("leave --no-place out, and take another family than {}", unplaced.join(" or ")),
         ));
     }
     let design = arguments.source.design()?;

@@ -13,6 +13,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::graph::{Graph, Node, NodeId, Op};
 use crate::platform::error::Error;
+use crate::target::{self, BLOCK_REGISTERS};
 
 /// Pipeline depths that are allowed.
 pub const PIPELINE_DEPTH: std::ops::RangeInclusive<u32> = 1..=64;
@@ -94,7 +95,7 @@ struct Rules {
 
 /// From the fastest to the shallowest pipeline.
 const RULES: [Rules; 8] = [
-    Rules { rom_registers: 2, block_registers: 3, period: 1.0 },
+    Rules { rom_registers: 2, block_registers: BLOCK_REGISTERS + 1, period: 1.0 },
     Rules { rom_registers: 1, block_registers: 1, period: 1.0 },
     Rules { rom_registers: 1, block_registers: 1, period: 1.5 },
     Rules { rom_registers: 1, block_registers: 1, period: 2.0 },
@@ -104,11 +105,6 @@ const RULES: [Rules; 8] = [
     Rules { rom_registers: 0, block_registers: 0, period: f64::INFINITY },
 ];
 
-/// A ROM of more bits than these becomes a block RAM: Yosys does so for ECP5, whose block costs it as much as 2048 bits in LUTs.
-pub(crate) const MOST_LOGIC_BITS: u64 = 2048;
-/// So may one of as many rows, by other tools.
-const BLOCK_ADDRESS_BITS: u32 = 7;
-
 impl Rules {
     /// Registers directly behind each memory: the fastest pipeline leaves a block RAM two of its own, the second because it is slow to
     /// give its output, and one between it and what may lie far from it, such as a DSP block.
@@ -116,8 +112,7 @@ impl Rules {
         let of_memory = |node: &&Node| matches!(node.op, Op::Field { memory: of, .. } if of == memory);
         let words: u32 = graph.nodes.iter().filter(of_memory).map(|node| node.format.width()).sum();
         let address = graph.nodes.iter().find(of_memory).map_or(0, |node| graph.nodes[node.args[0]].format.width());
-        let is_block = address >= BLOCK_ADDRESS_BITS || u64::from(words) << address > MOST_LOGIC_BITS;
-        if is_block { self.block_registers } else { self.rom_registers }
+        if target::is_block(address, words) { self.block_registers } else { self.rom_registers }
     }
 }
 

@@ -11,7 +11,8 @@ use super::{Cost, Objective, Point, Results};
 use crate::emit::package::counted;
 use crate::platform::error::Error;
 use crate::spec::{Shininess, SpecFields};
-use crate::synth::{Family, Tools};
+use crate::synth::Tools;
+use crate::target::Family;
 
 /// The near misses that a choice names.
 pub const MISSES: usize = 3;

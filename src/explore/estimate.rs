@@ -1,21 +1,22 @@
 //! A cost model: what synthesis will make of a core, from what the core is made of.
 //!
-//! DSP blocks and block RAMs follow from rules that Yosys has too: how it splits a multiplication over blocks (`mul2dsp`), and when a
-//! memory is worth a block (`memory_libmap`). LUTs, flip-flops and the least period are sums of the sizes of a core's parts
-//! ([`Shape`]), each with a factor that is fitted to measured points by least squares of the relative error, for each family of one
-//! version of the tools. The model says itself how far it is off: each point is estimated by a fit to all others.
+//! DSP blocks and block RAMs follow from rules that Yosys has too ([`crate::target`]): how it splits a multiplication over blocks, and
+//! when a memory is worth a block. LUTs, flip-flops and the least period are sums of the sizes of a core's parts ([`Shape`]), each with a
+//! factor that is fitted to measured points by least squares of the relative error, for each family of one version of the tools. The
+//! model says itself how far it is off: each point is estimated by a fit to all others.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
-use super::shape::{Memory, Multiplier};
+use super::shape::Multiplier;
 use super::sweep::word;
 use super::{Estimate, Point, Results, Shape};
 use crate::platform::error::Error;
 use crate::spec::hex;
-use crate::synth::{Family, Synthesis, Tools};
+use crate::synth::{Synthesis, Tools};
+use crate::target::Family;
 
 /// The fewest measured points that a family's model is fitted to.
 pub const FEWEST: usize = 12;
@@ -56,78 +57,6 @@ pub struct Accuracy {
     pub points: usize,
 }
 
-/// What blocks of a family hold.
-struct Blocks {
-    /// The widest operands of a DSP block, wider first; the bits that a sign takes of an unsigned operand; none where Yosys infers no blocks.
-    dsp: Option<([u32; 2], u32)>,
-    /// The fewest bits of a product that goes into a DSP block.
-    least_product: u32,
-    /// The words and the bits of a word that a block RAM can have.
-    bram: &'static [(u32, u32)],
-    /// The bits of a memory in LUTs that cost as much as a block RAM: more of them go into a block.
-    worth: u32,
-}
-
-/// As `synth_ecp5`, `synth_ice40 -dsp`, `synth_gowin` and `synth_xilinx` of Yosys 0.70 call `mul2dsp` and `memory_libmap`: a bit in LUTs costs
-/// 1/16 there, a block what its library says.
-fn blocks(family: Family) -> Blocks {
-    match family {
-        Family::Ecp5 => Blocks {
-            dsp: Some(([18, 18], 0)),
-            least_product: 0,
-            bram: &[(16_384, 1), (8192, 2), (4096, 4), (2048, 9), (1024, 18), (512, 36)],
-            worth: 128 * 16,
-        },
-        Family::Ice40 => Blocks {
-            dsp: Some(([16, 16], 0)),
-            least_product: 11,
-            bram: &[(2048, 2), (1024, 4), (512, 8), (256, 16)],
-            worth: 64 * 16,
-        },
-        Family::Gowin => Blocks {
-            dsp: Some(([18, 18], 0)),
-            least_product: 0,
-            bram: &[(16_384, 1), (8192, 2), (4096, 4), (2048, 9), (1024, 18), (512, 36)],
-            worth: 128 * 16,
-        },
-        Family::Xc7 => Blocks {
-            dsp: Some(([25, 18], 1)),
-            least_product: 9,
-            bram: &[(16_384, 1), (8192, 2), (4096, 4), (2048, 9), (1024, 18), (512, 36)],
-            worth: 129 * 16,
-        },
-    }
-}
-
-/// The DSP blocks of a multiplication.
-#[must_use]
-pub fn dsps(family: Family, multiplier: &Multiplier) -> u32 {
-    let Blocks { dsp: Some(([wide, narrow], headroom)), least_product, .. } = blocks(family) else { return 0 };
-    let own = if multiplier.signed { 0 } else { headroom };
-    let (a, b) = (multiplier.wide + own, multiplier.narrow + own);
-    if multiplier.narrow < 2 || multiplier.wide + multiplier.narrow < least_product {
-        return 0;
-    }
-    // What is left over by whole parts is a part of its own, unless it is too narrow for a block.
-    let parts = |bits: u32, most: u32| {
-        if bits <= most {
-            return 1;
-        }
-        let whole = (bits - 1 - headroom) / (most - headroom);
-        whole + u32::from(bits - whole * (most - headroom) >= 2)
-    };
-    parts(a, wide) * parts(b, narrow)
-}
-
-/// The block RAMs of a memory.
-#[must_use]
-pub fn brams(family: Family, memory: &Memory) -> u32 {
-    let Blocks { bram, worth, .. } = blocks(family);
-    let needed = bram.iter().map(|&(depth, word)| memory.depth.div_ceil(depth) * memory.word.div_ceil(word)).min();
-    let bits = memory.depth * memory.word;
-    needed.filter(|&needed| memory.registered && needed * worth < bits).unwrap_or(0)
-}
-
 /// What a core's cost is a sum of.
 struct Terms {
     lut: Vec<f64>,
@@ -143,22 +72,22 @@ impl Terms {
         // Products without a block; what hangs over where an operand is wider than a block; operands of products in one block and in
         // several; the most blocks of a product; bits of memories in LUTs, words of block RAMs.
         let [mut soft, mut over, mut whole, mut split, mut most, mut looked_up, mut words] = [0u32; 7];
-        let widest = blocks(family).dsp.map_or([u32::MAX; 2], |(widest, _)| widest);
+        let widest = family.dsp.widest();
         for multiplier in &shape.multipliers {
-            let &Multiplier { wide, narrow, .. } = multiplier;
-            let parts = dsps(family, multiplier);
+            let &Multiplier { wide, narrow, signed } = multiplier;
+            let [multipliers, parts] = family.dsp.multipliers([wide, narrow], signed);
             dsp += parts;
-            most = most.max(parts);
-            if parts == 0 {
+            most = most.max(multipliers);
+            if multipliers == 0 {
                 soft += wide * narrow;
                 continue;
             }
             let beyond = [(wide, narrow, widest[0]), (narrow, wide, widest[1])];
             over += beyond.iter().map(|&(own, other, widest)| if own > widest { other } else { 0 }).sum::<u32>();
-            *(if parts == 1 { &mut whole } else { &mut split }) += wide + narrow;
+            *(if multipliers == 1 { &mut whole } else { &mut split }) += wide + narrow;
         }
         for memory in &shape.memories {
-            match brams(family, memory) {
+            match family.bram.blocks(memory.depth, memory.word) * u32::from(memory.registered) {
                 0 => looked_up += memory.depth * memory.word,
                 blocks => {
                     bram += blocks;
@@ -179,7 +108,7 @@ impl Terms {
                 f64::from(most.saturating_sub(1)),
                 f64::from(u32::from(soft > 0)),
             ],
-            dsp,
+            dsp: dsp.div_ceil(family.dsp.parts),
             bram,
         }
     }
@@ -433,36 +362,6 @@ mod tests {
 
     fn multiplier(text: &str) -> Multiplier {
         text.parse().unwrap()
-    }
-
-    #[test]
-    fn multiplications_are_split_over_blocks_as_yosys_does() {
-        for (family, text, expected) in [
-            (Family::Ecp5, "18x18", 1),
-            (Family::Ecp5, "18x18s", 1),
-            (Family::Ecp5, "20x18", 2),
-            // The single bit that is left over takes no block.
-            (Family::Ecp5, "19x18", 1),
-            (Family::Ecp5, "20x20", 4),
-            (Family::Ecp5, "37x9", 2),
-            (Family::Ecp5, "17x1", 0),
-            (Family::Ice40, "16x16", 1),
-            (Family::Ice40, "6x4", 0),
-            (Family::Xc7, "25x18s", 1),
-            (Family::Xc7, "24x17", 1),
-            (Family::Xc7, "25x17", 2),
-        ] {
-            assert_eq!(dsps(family, &multiplier(text)), expected, "{family:?} {text}");
-        }
-    }
-
-    #[test]
-    fn memories_go_into_blocks_where_they_are_worth_it() {
-        let count = |text: &str| brams(Family::Ecp5, &text.parse().unwrap());
-        assert_eq!(
-            ["1024x18r", "1024x24r", "512x36r", "1024x18", "64x12r", "128x16r", "512x5r", "128x41r"].map(count),
-            [1, 2, 1, 0, 0, 0, 1, 2]
-        );
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{Cost, Point};
+use crate::target::LUTS_OF_A_BLOCK;
 
 /// A cost that is to be small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, clap::ValueEnum)]
@@ -19,10 +20,6 @@ pub enum Objective {
     /// LUTs, DSP blocks and block RAMs together, as LUTs: a DSP block is 536 of them and a block RAM 402.
     Area,
 }
-
-/// As many LUTs as there are for each DSP block and for each block RAM of an LFE5U-85F, which has 83640, 156 and 208 (Lattice FPGA-DS-02012,
-/// ECP5 family data sheet).
-const LUTS_OF_A_BLOCK: [u32; 2] = [536, 402];
 
 impl Objective {
     /// Those that are counted; [`Self::Area`] follows from them.

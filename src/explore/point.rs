@@ -8,7 +8,8 @@ use crate::core::{Design, Measured};
 use crate::emit::package::counted;
 use crate::fixed::Table;
 use crate::spec::{CoreSpec, Pipeline, Shininess};
-use crate::synth::{Family, Synthesis, Tools};
+use crate::synth::{Synthesis, Tools};
+use crate::target::Family;
 
 /// One core for one family: a row of the results.
 ///

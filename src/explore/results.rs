@@ -9,7 +9,8 @@ use super::{Estimate, Point, Shape, Store};
 use crate::platform::error::Error;
 use crate::platform::input;
 use crate::spec::SpecFields;
-use crate::synth::{Family, Resources, Synthesis, Timing, Tools};
+use crate::synth::{Resources, Synthesis, Timing, Tools};
+use crate::target::Family;
 
 /// The points that come with the program, as measured once; each row names the tools' versions.
 const BUILT_IN: &str = include_str!("../../docs/trade.csv");

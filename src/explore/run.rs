@@ -14,7 +14,8 @@ use super::sweep::{Core, word};
 use super::{Cost, Model, Point, Shape, Store};
 use crate::core::Design;
 use crate::platform::error::Error;
-use crate::synth::{self, Family, Options};
+use crate::synth::{self, Options};
+use crate::target::Family;
 
 /// How costs are found.
 #[derive(Clone, Debug)]

@@ -28,7 +28,7 @@ use toml::{Table, Value};
 use crate::platform::error::Error;
 use crate::platform::input;
 use crate::spec::{BlockKind, CoreSpec, MethodName, SpecFields, hex};
-use crate::synth::Family;
+use crate::target::Family;
 
 /// The most combinations of a run; a synthesis takes seconds, so that a larger number is a slip.
 pub const MOST: usize = 100_000;
@@ -139,7 +139,7 @@ impl Axes {
         if !self.0.contains_key("material") {
             self.or("shininess", ["1..=1000".to_owned()]);
         }
-        self.or(FAMILY, [word(&Family::Ecp5)]);
+        self.or(FAMILY, [Family::default().name.to_owned()]);
         let axes: Vec<(&String, &Vec<Value>)> = self.0.iter().collect();
         let count = axes.iter().try_fold(1usize, |count, (_, values)| count.checked_mul(values.len()));
         let count = count.filter(|&count| plan.combinations.saturating_add(count) <= MOST).ok_or_else(|| {
@@ -158,7 +158,7 @@ impl Axes {
             }
             let family = match table.remove(FAMILY) {
                 Some(value) => family(&value)?,
-                None => Family::Ecp5,
+                None => Family::default(),
             };
             let resolved = table.try_into::<SpecFields>().map_err(|error| Error::input(error.message(), ""));
             match resolved.and_then(SpecFields::resolve) {
@@ -180,8 +180,8 @@ impl Axes {
 fn family(value: &Value) -> Result<Family, Error> {
     let named = value.as_str().and_then(|text| Family::from_str(text, false).ok());
     named.ok_or_else(|| {
-        let all: Vec<String> = Family::value_variants().iter().map(word).collect();
-        Error::input(format!("there is no family {value}"), format!("the families are {}", all.join(", ")))
+        let all = Family::names(|_| true).join(", ");
+        Error::input(format!("there is no family {value}"), format!("the families are {all}"))
     })
 }
 

@@ -8,12 +8,10 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use crate::fixed::{Field, Table, exp2};
 use crate::lobe::check_shininess;
 use crate::platform::error::Error;
+use crate::target::BLOCK_RAM_ADDRESS_BITS;
 
 /// Red, green and blue, each from 0 to 1.
 pub type Colour = [f64; 3];
-
-/// Block RAMs of the common families are at least 512 words deep.
-const BLOCK_RAM_ADDRESS_BITS: u32 = 9;
 
 /// The most rows that a ROM may have.
 pub const MAX_ROWS: usize = 65_536;

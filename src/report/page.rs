@@ -8,7 +8,7 @@ use super::material::MaterialPart;
 use super::png::png;
 use super::scene::ScenePart;
 use super::speed::{Speed, time};
-use super::trade::{Group, Palette, error_text, family_name, groups};
+use super::trade::{Group, Palette, error_text, groups};
 use crate::emit::package::File;
 use crate::explore::{Objective, Point, pareto};
 use crate::platform::error::Error;
@@ -196,7 +196,7 @@ impl Chosen {
         };
         Self {
             name: point.name.clone(),
-            family: family_name(point.family),
+            family: point.family.description().title,
             error: error_text(point.max_abs),
             cost: point.cost().map(cost).unwrap_or_default(),
             spec: point.spec.clone(),

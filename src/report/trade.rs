@@ -5,7 +5,8 @@ use std::cmp::Reverse;
 use super::chart::{Axis, BLACK, COLOURS, Chart, Curve, Shape, Spot, Spots, Style};
 use crate::explore::{Cost, Point};
 use crate::spec::{Material, Shininess, SpecFields};
-use crate::synth::{Family, Tools};
+use crate::synth::Tools;
+use crate::target::Family;
 
 /// Points that may be compared with one another: for the same family by the same versions of the tools, for the same shininesses and
 /// the same cosine. All of them have a cost.
@@ -114,17 +115,6 @@ pub(super) fn powers_about(errors: impl Iterator<Item = f64>) -> std::ops::Range
     libm::exp2(low)..libm::exp2(libm::ceil(high + 0.1).max(low + 1.0))
 }
 
-/// A family's name.
-#[must_use]
-pub fn family_name(family: Family) -> &'static str {
-    match family {
-        Family::Ecp5 => "ECP5",
-        Family::Ice40 => "iCE40",
-        Family::Gowin => "Gowin",
-        Family::Xc7 => "Xilinx 7",
-    }
-}
-
 /// An error as a power of two and in hundredths.
 pub(super) fn error_text(error: f64) -> String {
     if error == 0.0 { "0".to_owned() } else { format!("2^{:.2} ({:.3} %)", libm::log2(error), 100.0 * error) }
@@ -154,7 +144,7 @@ impl<'a> Group<'a> {
     /// What the group is of, for headings.
     #[must_use]
     pub fn title(&self) -> String {
-        format!("{}, n: {}, cosine of {} fraction bits", family_name(self.family), self.shininess, self.input_fraction)
+        format!("{}, n: {}, cosine of {} fraction bits", self.family.title, self.shininess, self.input_fraction)
     }
 
     /// The versions and the device, in one line.
@@ -169,11 +159,10 @@ impl<'a> Group<'a> {
     /// A name for files.
     #[must_use]
     pub fn slug(&self) -> String {
-        let family = format!("{:?}", self.family).to_lowercase();
         let keep = |c: char| if c.is_ascii_alphanumeric() { c } else { '_' };
         let set: String = self.shininess.chars().map(keep).collect();
         let set: Vec<&str> = set.split('_').filter(|part| !part.is_empty()).collect();
-        format!("{family}_n{}_f{}", set.join("_"), self.input_fraction)
+        format!("{}_n{}_f{}", self.family.name, set.join("_"), self.input_fraction)
     }
 
     /// The charts by what they are of: error against LUTs, DSPs, block RAMs and latency in clocks, and in ns where the points were placed.

@@ -28,7 +28,8 @@ use crate::platform::error::Error;
 use crate::spec::{
     Coefficients, Divider, INPUT_FRACTION, InputRange, Inside, Material, MethodName, OUTPUT_FRACTION, SpecFields, Tail,
 };
-use crate::synth::{self, Family, Tools};
+use crate::synth::{self, Tools};
+use crate::target::Family;
 
 /// The runner-ups that a choice names.
 pub const RUNNER_UPS: usize = 6;
@@ -264,8 +265,8 @@ impl<'a> Search<'a> {
             }
             Costing::Synthesis(_) => {
                 let model = Model::fit(&Results::built_in()?)?;
-                let screened = [family, Family::Ecp5].into_iter().find(|&family| model.of(family).is_ok());
-                (model, screened.unwrap_or(Family::Ecp5))
+                let screened = if model.of(family).is_ok() { family } else { Family::default() };
+                (model, screened)
             }
         };
         Ok(Self { scene, requirements, costing, screen, keys, slots: Mutex::default() })

@@ -19,7 +19,7 @@ use crate::platform::input;
 use crate::spec::{
     CHANNEL_BITS, Colour, Material, Model, Shininess, SpecFields, check_name, suggest, toml_error, unit,
 };
-use crate::synth::Family;
+use crate::target::Family;
 
 /// The most pixels a side of a picture.
 pub const MAX_SIDE: u32 = 16_384;
@@ -365,7 +365,7 @@ fn wishes(source: &Source, table: Spanned<DeValue>) -> Result<Wishes, Error> {
         return Err(source.at("core: ", &span, wrong));
     }
     Ok(Wishes {
-        family: own.family.unwrap_or(Family::Ecp5),
+        family: own.family.unwrap_or_default(),
         min_mhz: own.min_mhz,
         objective: own.objective.unwrap_or(Objective::Area),
         keys,

@@ -4,16 +4,13 @@
 //! result holds the versions of both, since they change it more than many a change of the core.
 
 mod cache;
-mod family;
+mod flow;
 mod mutate;
-mod pack;
 mod place;
 pub(crate) mod yosys;
 
 pub(crate) use mutate::{Listed, Mutated, mutated, mutated_by};
 
-pub use family::Family;
-pub use pack::{Packed, pack};
 pub use place::{Limit, Placed, parse_report};
 pub use yosys::{count, parse_netlist};
 
@@ -26,8 +23,10 @@ use crate::platform::error::Error;
 use crate::platform::tool::{self, YOSYS};
 use crate::platform::transient::Folder;
 use crate::spec::Language;
+use crate::target::{self, Family};
 use crate::verify::cosim;
 use cache::{Cache, key};
+use flow::Flow;
 use place::Nextpnr;
 use serde::{Deserialize, Serialize};
 use yosys::Yosys;
@@ -46,19 +45,27 @@ pub struct Tools {
 pub struct Resources {
     /// Cells that are a look-up table of any size, shift registers made of one included.
     pub lut: u32,
-    /// Cells of a carry chain: CCU2C (two bits), SB_CARRY (one), ALU (one), CARRY4 (four).
+    /// Cells of a carry chain, each of as many bits as the family's has.
     pub carry: u32,
-    /// Look-up tables that are used up: a CCU2C takes two of four inputs, an ALU one; the tables beside SB_CARRY and CARRY4 are among
-    /// `lut` already.
+    /// Look-up tables that are used up: `lut`, and what carry chains and memories take of tables that are not among them.
     pub lut_total: u32,
     /// Flip-flops outside of DSP blocks and block RAMs.
     pub ff: u32,
-    /// DSP blocks: MULT18X18D, SB_MAC16, MULT18X18 and their like, DSP48E1.
+    /// DSP blocks; multipliers that share one count as parts of it.
     pub dsp: u32,
-    /// Block RAMs: DP16KD, SB_RAM40_4K, Gowin's BSRAM, RAMB18E1 (a RAMB36E1 counts as two).
+    /// Block RAMs.
     pub bram: u32,
     /// All cells by their type.
     pub cells: BTreeMap<String, u32>,
+}
+
+impl Resources {
+    fn of(family: Family, cells: BTreeMap<String, u32>) -> Self {
+        let target::Cells { lut, carry, used_up, ff, dsp, bram } = family.cells;
+        let [lut, carry, used_up, ff, dsp, bram] =
+            [lut, carry, used_up, ff, dsp, bram].map(|kinds| target::count(kinds, &cells));
+        Self { lut, carry, lut_total: lut + used_up, ff, dsp: dsp.div_ceil(family.dsp.parts), bram, cells }
+    }
 }
 
 /// The clock that a core reaches.
@@ -122,7 +129,7 @@ impl Synthesis {
     /// Why there is no clock, where there is none.
     #[must_use]
     pub fn no_clock(&self) -> Option<&'static str> {
-        match (&self.timing, self.family.nextpnr(), &self.tools.nextpnr) {
+        match (&self.timing, &self.family.placement, &self.tools.nextpnr) {
             (Some(_), ..) => None,
             (None, None, _) => Some("there is no placement for this family here, only cells are counted"),
             (None, Some(_), None) => Some("it was not placed"),
@@ -142,7 +149,7 @@ pub struct Options {
     pub target_mhz: f64,
     /// Whether the core is placed, where the family has a placement.
     pub place: bool,
-    /// Whether registers are moved into DSP blocks and block RAMs, where Yosys leaves that out ([`pack()`]).
+    /// Whether registers are moved into DSP blocks and block RAMs, where Yosys leaves that out ([`target::Pack`]).
     pub pack: bool,
     /// The language that is synthesised; VHDL goes through GHDL's synthesis.
     pub language: Language,
@@ -225,8 +232,8 @@ pub fn tools(options: &Options) -> Result<Tools, Error> {
 
 fn find(options: &Options) -> Result<(Yosys, Option<Nextpnr>), Error> {
     let yosys = Yosys::find(options.yosys.as_deref())?;
-    let nextpnr = match options.family.nextpnr() {
-        Some(tools) if options.place => Some(Nextpnr::find(tools)?),
+    let nextpnr = match &options.family.description().placement {
+        Some(placement) if options.place => Some(Nextpnr::find(placement.tools)?),
         _ => None,
     };
     Ok((yosys, nextpnr))
@@ -271,9 +278,9 @@ pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Resul
     let latency_clocks = design.schedule.latency;
     let synthesis = Synthesis {
         family,
-        device: family.device().to_owned(),
+        device: family.device.to_owned(),
         tools: Tools { yosys: yosys.version.clone(), nextpnr: nextpnr.map(|nextpnr| nextpnr.version) },
-        resources: family.resources(cells),
+        resources: Resources::of(family, cells),
         latency_clocks,
         latency_ns: timing.as_ref().map(|timing| 1e3 * f64::from(latency_clocks) / timing.median_mhz),
         results_per_second: timing.as_ref().map(|timing| 1e6 * timing.median_mhz),
@@ -282,7 +289,7 @@ pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Resul
     Ok(Run { synthesis, cached: work.ran == 0 })
 }
 
-/// The netlist of the core alone as Verilog: the one whose cells [`synthesise`] counts, on ECP5 with the registers in the blocks. Its module
+/// The netlist of the core alone as Verilog: the one whose cells [`synthesise`] counts, with the registers in the blocks where they are moved. Its module
 /// has the core's name and ports.
 ///
 /// # Errors
@@ -356,8 +363,8 @@ enum Netlist {
 }
 
 impl Work<'_> {
-    fn flow(&self) -> family::Flow {
-        self.options.family.flow(self.design, self.options.pack)
+    fn flow(&self) -> Flow {
+        Flow::new(self.design, self.options)
     }
 
     /// What is kept in the cache is kept by the digest of everything that it depends on: this is a netlist's.
@@ -365,7 +372,7 @@ impl Work<'_> {
         let name = &self.design.spec.name;
         let flow = self.flow();
         let script = flow.script(name, netlist);
-        let pack = format!("{} {}", flow.pack, pack::REVISION);
+        let pack = format!("{} {}", flow.pack.is_some(), target::PACK_REVISION);
         let mut parts: Vec<&[u8]> = vec![self.yosys.version.as_bytes(), script.as_bytes(), pack.as_bytes()];
         for file in self.files.iter().chain(&flow.files) {
             parts.extend([file.path.as_bytes(), &file.bytes]);
@@ -394,9 +401,9 @@ impl Work<'_> {
         if !path.exists() {
             self.yosys.run(&directory, &flow.script(&self.design.spec.name, netlist))?;
             self.ran += 1;
-            if flow.pack {
+            if let Some(pack) = flow.pack {
                 let mut value = read_netlist(&path)?;
-                pack(&mut value, &self.design.spec.name)?;
+                (pack.run)(&mut value, &self.design.spec.name)?;
                 let text = serde_json::to_string(&value).expect("JSON of plain values");
                 package::write_file(&path, text.as_bytes())?;
             }

@@ -7,7 +7,7 @@ use std::sync::Mutex;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use super::family::{NETLIST, REPORT};
+use super::flow::{NETLIST, REPORT};
 use crate::platform::error::Error;
 use crate::platform::tool::Tool;
 

@@ -1,4 +1,4 @@
-//! A netlist of ECP5's cells in the core's place.
+//! A netlist of a family's cells in the core's place.
 
 use std::time::Instant;
 
@@ -7,28 +7,26 @@ use crate::emit::package;
 use crate::platform::error::Error;
 use crate::platform::tool;
 use crate::spec::Language;
+use crate::target::Models;
 
-/// What the cells do.
-const CELLS: &str = include_str!("../../../testbench/ecp5/cells.v");
-
-/// Runs the golden vectors through a netlist of ECP5's cells as Verilog, whose module has the core's name and ports, such as
+/// Runs the golden vectors through a netlist of a family's cells as Verilog, whose module has the core's name and ports, such as
 /// [`crate::synth::netlist`] makes, by the core's own bench in Icarus Verilog. A cell, or a setting of one, without a model fails.
 ///
 /// # Errors
 /// Icarus is not installed, or the core has no Verilog bench; a netlist that fails is an [`Outcome`].
-pub fn netlist(job: &Job, verilog: &[u8]) -> Result<Outcome, Error> {
+pub fn netlist(job: &Job, models: &Models, verilog: &[u8]) -> Result<Outcome, Error> {
     super::has_language(job, Language::Verilog)?;
     let start = Instant::now();
     let scratch = bench::copied(job, tool::scratch()?)?;
     let mut sources = Vec::new();
-    for (name, bytes) in [("cells.v", CELLS.as_bytes()), ("netlist.v", verilog)] {
+    for (name, bytes) in [("cells.v", models.verilog.as_bytes()), ("netlist.v", verilog)] {
         package::write_file(&scratch.path().join(name), bytes)?;
         sources.push(name.to_owned());
     }
     sources.push(package::bench_path(job.design, Language::Verilog));
     // Icarus only warns of a parameter that a module does not have.
     let mut outcome = icarus::simulate(&scratch, &sources, &["warning: parameter "], job, Part::Core)?;
-    outcome.mode = "golden vectors in the ECP5 netlist";
+    outcome.mode = models.mode;
     outcome.seconds = start.elapsed().as_secs_f64();
     Ok(outcome)
 }

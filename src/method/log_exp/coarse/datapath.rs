@@ -22,7 +22,6 @@ use super::super::chords::{Chords, Slopes};
 use super::super::datapath::{EXP_TABLE, LOG_TABLE, exp_chords, power_of_two};
 use super::Memory;
 use crate::datapath::builder::{Bound, Builder, Case};
-use crate::datapath::schedule::MOST_LOGIC_BITS;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::Table;
 use crate::fixed::Widths;
@@ -33,6 +32,7 @@ use crate::method::exponent::{Exponent, error_of_exponent};
 use crate::method::log_exp::log_ratio;
 use crate::method::polynomial::datapath as polynomial;
 use crate::platform::error::Error;
+use crate::target::MOST_LOGIC_BITS;
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
 const LN_2: f64 = std::f64::consts::LN_2;

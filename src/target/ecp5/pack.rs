@@ -17,7 +17,7 @@ use serde_json::{Map, Value, json};
 use crate::platform::error::Error;
 
 /// Counts the changes to what this makes, as results of it are kept.
-pub(super) const REVISION: u32 = 1;
+pub const REVISION: u32 = 1;
 
 /// What was moved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
