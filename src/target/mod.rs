@@ -4,6 +4,7 @@
 mod ecp5;
 mod gowin;
 mod ice40;
+mod nexus;
 mod xc7;
 
 use std::collections::BTreeMap;
@@ -52,6 +53,7 @@ families! {
     Ice40: ice40,
     Gowin: gowin,
     Xc7: xc7,
+    Nexus: nexus,
 }
 
 /// What a family is, has and is served by.
