@@ -1,6 +1,7 @@
 //! The families of FPGAs, one file each: what a family is called, what it has, which tools serve it and how its cells count. All else asks
 //! the list here; only this module tells families apart.
 
+mod cyclonev;
 mod ecp5;
 mod gowin;
 mod ice40;
@@ -54,6 +55,7 @@ families! {
     Gowin: gowin,
     Xc7: xc7,
     Nexus: nexus,
+    CycloneV: cyclonev,
 }
 
 /// What a family is, has and is served by.
