@@ -6,7 +6,8 @@ use std::path::Path;
 use brdfgen::core::Design;
 use brdfgen::explore::Results;
 use brdfgen::emit::package;
-use brdfgen::report::{self, COLOURS, Palette};
+use brdfgen::plot::COLOURS;
+use brdfgen::report::{self, Palette};
 use brdfgen::spec::SpecFields;
 use plotters::prelude::*;
 

@@ -8,7 +8,7 @@ use super::{Claim, Pieces, Unit, images};
 use crate::platform::error::Error;
 use crate::lobe::{Cubic, TaylorSeries, degrees, exact, versine};
 use crate::emit::package::File;
-use crate::report::{Axis, BLACK, COLOURS, Chart, Curve, Style, png};
+use crate::plot::{Axis, BLACK, COLOURS, Chart, Curve, Style, png};
 
 /// The shininesses of the table of errors against the angle; 25 is that of the papers' figures.
 const SHININESSES: [f64; 5] = [5.0, 25.0, 100.0, 256.0, 1000.0];

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use rayon::prelude::*;
 
-use super::chart::{Axis, BLACK, Chart, Curve, Style};
+use crate::plot::{Axis, BLACK, Chart, Curve, Style};
 use super::trade::{Group, Palette, powers_about};
 use crate::datapath::evaluate::Evaluator;
 use crate::core::Design;

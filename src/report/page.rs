@@ -2,10 +2,10 @@
 
 use askama::Template;
 
-use super::chart::Chart;
+use crate::plot::Chart;
 use super::lobes::{self, Measured};
 use super::material::MaterialPart;
-use super::png::png;
+use crate::plot::png;
 use super::scene::ScenePart;
 use super::speed::{Speed, time};
 use super::trade::{Group, Palette, error_text, family_name, groups};

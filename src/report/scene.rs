@@ -2,7 +2,7 @@
 
 use base64::Engine as _;
 
-use super::chart::{Axis, COLOURS, Chart, Curve, Style};
+use crate::plot::{Axis, COLOURS, Chart, Curve, Style};
 use super::page::{Cell, Figure, Head, Line, Table, count, number, word};
 use crate::explore::Cost;
 use crate::emit::package::counted;

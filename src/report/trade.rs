@@ -2,7 +2,7 @@
 
 use std::cmp::Reverse;
 
-use super::chart::{Axis, BLACK, COLOURS, Chart, Curve, Shape, Spot, Spots, Style};
+use crate::plot::{Axis, BLACK, COLOURS, Chart, Curve, Shape, Spot, Spots, Style};
 use crate::explore::{Cost, Point};
 use crate::spec::{Material, Shininess, SpecFields};
 use crate::synth::{Family, Tools};
