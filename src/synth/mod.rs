@@ -5,11 +5,13 @@
 
 mod cache;
 mod family;
+mod ghdl;
 mod mutate;
 mod pack;
 mod place;
 pub(crate) mod yosys;
 
+pub(crate) use ghdl::as_verilog;
 pub(crate) use mutate::{Listed, Mutated, mutated, mutated_by};
 
 pub use family::Family;
@@ -20,7 +22,6 @@ pub use yosys::{count, parse_netlist};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use crate::verify::cosim;
 use crate::core::Design;
 use crate::platform::error::Error;
 use crate::emit::package;
@@ -319,7 +320,7 @@ fn files(design: &Design, language: Language) -> Result<Vec<package::File>, Erro
             let scratch = tool::scratch()?;
             write_all(scratch.path(), &files)?;
             let source = scratch.path().join(files.pop().expect("the HDL").path);
-            cosim::as_verilog(&design.spec.name, scratch.path(), &source)?
+            as_verilog(&design.spec.name, scratch.path(), &source)?
         }
     };
     files.push(package::File { path: CORE.to_owned(), bytes });

@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use sha2::{Digest, Sha256};
 
-use super::ghdl;
+use crate::synth;
 use crate::core::Design;
 use crate::platform::error::Error;
 use crate::emit::package;
@@ -63,7 +63,7 @@ impl<'a> Compiled<'a> {
         let source = directory.join(package::rtl_path(design, language));
         let verilog = match language {
             Language::Verilog => fs::read(&source).map_err(|error| Error::io("cannot read", &source, error))?,
-            Language::Vhdl => ghdl::as_verilog(&design.spec.name, directory, &source)?,
+            Language::Vhdl => synth::as_verilog(&design.spec.name, directory, &source)?,
         };
         Ok(Self { program: build(design, &verilog)?, directory })
     }

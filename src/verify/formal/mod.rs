@@ -13,7 +13,7 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use crate::verify::cosim;
+use crate::synth;
 use crate::core::Design;
 use crate::platform::error::Error;
 use crate::verify::golden::Golden;
@@ -93,7 +93,7 @@ fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
         let source = directory.join(package::rtl_path(design, language));
         let bytes = match language {
             Language::Verilog => std::fs::read(&source).map_err(|error| Error::io("cannot read", &source, error))?,
-            Language::Vhdl => cosim::as_verilog(&design.spec.name, directory, &source)?,
+            Language::Vhdl => synth::as_verilog(&design.spec.name, directory, &source)?,
         };
         texts.push(Text { name: language.to_string(), top: design.spec.name.clone(), bytes });
     }

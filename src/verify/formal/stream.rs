@@ -16,7 +16,7 @@ use std::process::Command;
 use askama::Template;
 
 use super::{Proof, Step, Verdict, tried};
-use crate::verify::cosim;
+use crate::synth;
 use crate::core::Design;
 use crate::platform::error::Error;
 use crate::emit::{Axis, render};
@@ -71,7 +71,7 @@ fn prove(design: &Design, axis: &Axis, directory: &Path, language: Language) -> 
     if language == Language::Vhdl {
         // A file of both: GHDL's synthesis is given one.
         put("wrapper.vhd", &texts)?;
-        texts = cosim::as_verilog(&axis.name, directory, &scratch.path().join("wrapper.vhd"))?;
+        texts = synth::as_verilog(&axis.name, directory, &scratch.path().join("wrapper.vhd"))?;
     } else if design.spec.rom == RomStyle::File {
         for table in design.tables() {
             let path = package::rom_path(design, table, package::read_format(&design.spec));
