@@ -2,6 +2,7 @@
 
 mod budget;
 pub mod edges;
+pub mod golden;
 pub mod layout;
 mod measure;
 mod port;

@@ -14,7 +14,7 @@ use sha2::{Digest, Sha256};
 use crate::datapath::widths::Budget;
 use crate::core::{Account, Design};
 use crate::platform::error::Error;
-use crate::verify::golden::{self, Golden};
+use crate::core::golden::{self, Golden};
 use crate::core::{Port, WritePort};
 use crate::emit::{self, Axis, RomFile, Texts};
 use crate::fixed::Format;
