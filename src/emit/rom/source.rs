@@ -1,10 +1,10 @@
-//! What the readers share: the text with its places, tokens, and the words collected by address.
+//! What the readers share: the text with its places, its lines and tokens, and the words collected by address.
 
 use std::collections::BTreeMap;
 
 use num_bigint::BigUint;
 
-use super::MAX_DEPTH;
+use super::{MAX_DEPTH, RomImage};
 use crate::platform::error::Error;
 use crate::platform::input;
 
@@ -33,6 +33,13 @@ pub(super) struct Comments {
     pub behind: Option<char>,
     /// The two ends of a comment that may span lines.
     pub block: Option<(&'static str, &'static str)>,
+}
+
+impl Comments {
+    /// A line's comment and one that may span lines.
+    pub const fn of(line: &'static str, block: (&'static str, &'static str)) -> Self {
+        Self { line: Some(line), behind: None, block: Some(block) }
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -76,6 +83,16 @@ pub(super) fn shown(text: &str) -> String {
     format!("`{shown}`")
 }
 
+/// The non-empty lines of a text without what follows one of the comments' beginnings, with their places.
+pub(super) fn lines<'s>(text: &'s str, comments: &'static [&'static str]) -> impl Iterator<Item = (&'s str, Span)> {
+    let offset = |part: &str| part.as_ptr() as usize - text.as_ptr() as usize;
+    let bare = move |line: &'s str| {
+        let end = comments.iter().filter_map(|comment| line.find(*comment)).min().unwrap_or(line.len());
+        line[..end].trim()
+    };
+    text.lines().map(bare).filter(|line| !line.is_empty()).map(move |line| (line, (offset(line), line.len())))
+}
+
 impl<'a> Source<'a> {
     pub fn new(bytes: &'a [u8], file: &'a str, allowed: &'static str, word_bits: u32) -> Self {
         let text = input::plain(&String::from_utf8_lossy(bytes)).into_owned();
@@ -114,6 +131,27 @@ impl<'a> Source<'a> {
             let what = format!("{} is too wide", shown(&self.text[span.0..span.0 + span.1]));
             self.error(what, format!("a number of at most {bits} bits belongs here"), span)
         })
+    }
+
+    /// The error that something has not the width of this ROM's words.
+    pub fn wrong_width(&self, what: impl Into<String>, span: Span) -> Error {
+        self.error(what, format!("the words of this ROM have {} bits", self.word_bits), span)
+    }
+
+    /// Refuses a width that the file states and that is not this ROM's.
+    pub fn check_width(&self, stated: usize, span: Span) -> Result<(), Error> {
+        if stated == self.word_bits as usize {
+            return Ok(());
+        }
+        Err(self.wrong_width(format!("the file states words of {stated} bits"), span))
+    }
+
+    /// Refuses a word that is wider than this ROM's.
+    pub fn refuse_wide(&self, word: &BigUint, span: Span) -> Result<(), Error> {
+        if word.bits() <= u64::from(self.word_bits) {
+            return Ok(());
+        }
+        Err(self.wrong_width(format!("the word 0x{word:x} is too wide"), span))
     }
 
     /// Reads an address.
@@ -223,6 +261,12 @@ impl<'s> Cursor<'s> {
         }
     }
 
+    /// The place of the tokens from the given position up to the last one taken.
+    pub fn span_from(&self, begin: usize) -> Span {
+        let start = self.tokens[begin].span.0;
+        (start, self.tokens[self.next - 1].end() - start)
+    }
+
     /// Nothing may follow.
     pub fn expect_end(&self) -> Result<(), Error> {
         if self.peek(0).is_none() { Ok(()) } else { Err(self.unexpected("the end of the file")) }
@@ -238,6 +282,11 @@ impl<'s> Cursor<'s> {
             None => self.source.cut_off(format!("the file ends where {what} is expected")),
         }
     }
+}
+
+/// An image of words alone.
+pub(super) fn image(words: Vec<BigUint>) -> RomImage {
+    RomImage { words, kind: None, width: None, codes: Vec::new() }
 }
 
 /// The words of a file, collected in any order.
