@@ -7,17 +7,19 @@
 //! Everything is measured on the real-valued lobes of [`crate::lobe`], at every integer shininess of a claim's range and up
 //! to 1000. Errors are the largest over the cosines in question, to at least four digits: see [`Row`].
 
+mod claims;
+mod cubic;
 mod figures;
 pub mod images;
 mod measure;
 mod method;
-mod papers;
+mod quadratic;
 mod record;
 mod survey;
 
+pub use claims::claims;
 pub use figures::{TABLES, files};
 pub use method::{Method, Pieces};
-pub use papers::claims;
 pub use record::{Difference, HEADER, Recorded};
 pub use survey::{Errors, Row, survey};
 
