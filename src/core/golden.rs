@@ -36,7 +36,7 @@ pub struct RowDigest {
 }
 
 /// The golden vectors of a core.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Golden {
     /// The core's name.
     pub core: String,
@@ -125,6 +125,17 @@ impl Golden {
     }
 }
 
+/// The codes that hexadecimal words are at these ports, as numbers.
+fn codes_of(words: &[&str], ports: &[(&str, Format)], wrong: impl Fn(String) -> Error) -> Result<Vec<i64>, Error> {
+    let code = |(word, &(_, format)): (&&str, &(&str, Format))| {
+        let code = u64::from_str_radix(word, 16).ok().filter(|&code| code >> format.width() == 0);
+        let width = format.width();
+        code.map(|code| format.wrap(code.into()) as i64)
+            .ok_or_else(|| wrong(format!("`{word}` is not a {width}-bit code")))
+    };
+    words.iter().zip(ports).map(code).collect()
+}
+
 /// Reads a golden file of a design; `file` names it in messages.
 ///
 /// # Errors
@@ -132,8 +143,7 @@ impl Golden {
 pub fn parse(design: &Design, text: &str, file: &str) -> Result<Golden, Error> {
     let (inputs, outputs) = (design.numbers(Direction::In), design.numbers(Direction::Out));
     let ports = inputs.len() + outputs.len();
-    let mut golden =
-        Golden { core: String::new(), spec_digest: String::new(), groups: Vec::new(), digests: Vec::new() };
+    let mut golden = Golden::default();
     let whole = |what: String, allowed: &str| Error::input(format!("{file}: {what}"), allowed);
     let (core, spec) = (&design.spec.name, design.spec.digest());
     let of_another = |its_core: &str, its_spec: &str| {
@@ -156,39 +166,26 @@ pub fn parse(design: &Design, text: &str, file: &str) -> Result<Golden, Error> {
         offset += line.len();
         let line = line.trim_end();
         let wrong = |what: String| Error::text(what, ALLOWED, file, text, (start, line.len()));
-        let mut words = line.split_ascii_whitespace();
-        let kind = words.next();
-        let words: Vec<&str> = words.collect();
-        match (kind, words.as_slice()) {
-            (None, _) => {}
-            (Some("#"), ["core", name]) => golden.core = (*name).to_owned(),
-            (Some("#"), ["spec", digest]) => golden.spec_digest = (*digest).to_owned(),
-            (Some("#"), rest) => golden.groups.push((rest.join(" "), Vec::new())),
-            (Some("c"), [count]) => {
+        match line.split_ascii_whitespace().collect::<Vec<_>>().as_slice() {
+            [] => {}
+            ["#", "core", name] => golden.core = (*name).to_owned(),
+            ["#", "spec", digest] => golden.spec_digest = (*digest).to_owned(),
+            ["#", rest @ ..] => golden.groups.push((rest.join(" "), Vec::new())),
+            ["c", count] => {
                 declared = Some(count.parse::<usize>().map_err(|_| wrong(format!("`{count}` is not a count")))?);
             }
-            (Some("v"), [codes @ .., idle, stall]) if codes.len() == ports => {
-                let code = |(word, &(_, format)): (&&str, &(&str, Format))| {
-                    let code = u64::from_str_radix(word, 16).ok().filter(|&code| code >> format.width() == 0);
-                    let width = format.width();
-                    code.map(|code| format.wrap(code.into()) as i64)
-                        .ok_or_else(|| wrong(format!("`{word}` is not a {width}-bit code")))
-                };
+            ["v", codes @ .., idle, stall] if codes.len() == ports => {
                 let (given, expected) = codes.split_at(inputs.len());
+                let (inputs, outputs) = (codes_of(given, &inputs, wrong)?, codes_of(expected, &outputs, wrong)?);
                 let clocks =
                     |word: &str| word.parse().map_err(|_| wrong(format!("`{word}` is not a number of clocks")));
-                let vector = Vector {
-                    inputs: given.iter().zip(&inputs).map(code).collect::<Result<_, _>>()?,
-                    outputs: expected.iter().zip(&outputs).map(code).collect::<Result<_, _>>()?,
-                    idle: clocks(idle)?,
-                    stall: clocks(stall)?,
-                };
+                let vector = Vector { inputs, outputs, idle: clocks(idle)?, stall: clocks(stall)? };
                 match golden.groups.last_mut() {
                     Some((_, vectors)) => vectors.push(vector),
                     None => golden.groups.push((String::new(), vec![vector])),
                 }
             }
-            (Some("d"), [n, digest]) => {
+            ["d", n, digest] => {
                 let whole = digest.len() == 16;
                 let parsed =
                     u32::from_str_radix(n, 16).ok().zip(u64::from_str_radix(digest, 16).ok()).filter(|_| whole);

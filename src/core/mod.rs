@@ -31,14 +31,24 @@ use crate::lobe::Lobe;
 use crate::model::{Model, ShaderModel};
 use crate::fixed::Format;
 use crate::emit::rom::Table;
-use crate::spec::{Block, CoreSpec, InputRange, Operand, RomStyle, Shader, Shininess, Widths, hex};
+use crate::spec::{Block, Coefficients, CoreSpec, Form, InputRange, Operand, RomStyle, Shader, Shininess, Widths, hex};
+
+/// The same core in the method's other form, or why it cannot be built.
+pub type OtherForm = Result<Box<Design>, String>;
 
 /// The measured error of a core.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum Account {
     /// Of a lobe.
-    Lobe(Measured),
+    Lobe {
+        /// What was measured.
+        #[serde(flatten)]
+        measured: Measured,
+        /// The core that the datasheet compares this one with, where the method has two forms for it.
+        #[serde(skip)]
+        other_form: Option<OtherForm>,
+    },
     /// Of a shader.
     Shader(ShaderError),
 }
@@ -48,7 +58,7 @@ impl Account {
     #[must_use]
     pub fn of(design: &Design) -> Self {
         match &design.spec.block {
-            Block::Lobe => Self::Lobe(Measured::of(design)),
+            Block::Lobe => Self::Lobe { measured: Measured::of(design), other_form: design.other_form() },
             Block::Shader(shader) => Self::Shader(ShaderError::of(design, shader)),
         }
     }
@@ -108,6 +118,23 @@ impl Design {
             ));
         }
         Ok(design)
+    }
+
+    /// The design of the same core in the other form, for comparison, where the method has two for this core: the paper form has the
+    /// papers' coefficients and does not interpolate.
+    fn other_form(&self) -> Option<OtherForm> {
+        let spec = &self.spec;
+        if !spec.method.has_paper_form()
+            || spec.coefficients == Coefficients::Minimax
+            || spec.shininess.frac_bits() > 0
+        {
+            return None;
+        }
+        let form = match spec.form {
+            Form::Stable => Form::Paper,
+            Form::Paper => Form::Stable,
+        };
+        Some(Self::new(CoreSpec { form, ..spec.clone() }).map(Box::new).map_err(|error| error.to_string()))
     }
 
     /// The ports through which the memories that are keyed by the shininess are written, in the memories' order; none unless the spec

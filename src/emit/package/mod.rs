@@ -19,7 +19,7 @@ use crate::core::{Port, WritePort};
 use crate::emit::{self, Axis, RomFile, Texts};
 use crate::fixed::Format;
 use crate::emit::rom::{self, RomFormat, Table};
-use crate::spec::{Block, Coefficients, CoreSpec, Form, Language, RomStyle, hex};
+use crate::spec::{Block, CoreSpec, Language, RomStyle, hex};
 
 /// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -28,21 +28,6 @@ pub struct File {
     pub path: String,
     /// The content.
     pub bytes: Vec<u8>,
-}
-
-/// The design of the same core in the other form, for comparison, where the method has two for this core: the paper form has the
-/// papers' coefficients and does not interpolate. `Err` says why it cannot be built.
-fn other_form(design: &Design) -> Option<Result<Design, String>> {
-    let spec = &design.spec;
-    if !spec.method.has_paper_form() || spec.coefficients == Coefficients::Minimax || spec.shininess.frac_bits() > 0 {
-        return None;
-    }
-    let form = match design.spec.form {
-        Form::Stable => Form::Paper,
-        Form::Paper => Form::Stable,
-    };
-    let spec = crate::spec::CoreSpec { form, ..design.spec.clone() };
-    Some(Design::new(spec).map_err(|error| error.to_string()))
 }
 
 /// The path of the golden vectors in the core's directory.
@@ -251,7 +236,7 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     add("core.toml".to_owned(), spec_text(design).into_bytes());
     let sheet = match (&spec.block, account) {
         (Block::Shader(shader), Account::Shader(error)) => datasheet::shader_sheet(design, shader, error)?,
-        (_, Account::Lobe(measured)) => datasheet::datasheet(design, measured, other_form(design))?,
+        (_, Account::Lobe { measured, other_form }) => datasheet::datasheet(design, measured, other_form.as_ref())?,
         (Block::Lobe, Account::Shader(_)) => unreachable!("the account is the core's"),
     };
     add("README.md".to_owned(), sheet.into_bytes());
@@ -317,21 +302,6 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     let multipliers: Vec<_> = design.graph().multipliers().iter().map(|(a, b)| json!([a, b])).collect();
     let digests: serde_json::Map<String, serde_json::Value> =
         files.iter().map(|file| (file.path.clone(), json!(hex(&Sha256::digest(&file.bytes))))).collect();
-    let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } = &design.budget;
-    let mut error = json!({
-        "proved_ulps": proved_ulps,
-        "proved_coefficient_ulps": coefficient_ulps,
-        "proved_arithmetic_ulps": arithmetic_ulps,
-        "worst_shininess": worst_shininess,
-        "contributions": contributions,
-    });
-    let error = match account {
-        Account::Lobe(measured) => {
-            error["measured"] = json!(measured);
-            error
-        }
-        Account::Shader(measured) => json!({ "lobe": error, "measured_codes": measured }),
-    };
     let mut widths = json!(design.widths);
     if let Block::Shader(shader) = &spec.block {
         widths = json!({ "lobe": widths, "shader": shader.widths(spec) });
@@ -347,7 +317,7 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
         "multipliers": multipliers,
         "register_bits": design.register_bits(),
         "widths": widths,
-        "error": error,
+        "error": error_manifest(design, account),
         "files_sha256": digests,
     });
     let load = |port: WritePort| {
@@ -368,6 +338,25 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
         manifest["axi_stream"] = axis_manifest(&axis);
     }
     serde_json::to_string_pretty(&rounded(manifest)).expect("JSON of plain values")
+}
+
+/// What the manifest says of the error, proved and measured.
+fn error_manifest(design: &Design, account: &Account) -> serde_json::Value {
+    let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } = &design.budget;
+    let mut error = json!({
+        "proved_ulps": proved_ulps,
+        "proved_coefficient_ulps": coefficient_ulps,
+        "proved_arithmetic_ulps": arithmetic_ulps,
+        "worst_shininess": worst_shininess,
+        "contributions": contributions,
+    });
+    match account {
+        Account::Lobe { measured, .. } => {
+            error["measured"] = json!(measured);
+            error
+        }
+        Account::Shader(measured) => json!({ "lobe": error, "measured_codes": measured }),
+    }
 }
 
 /// What the manifest says of the wrapper.
