@@ -6,15 +6,12 @@ use proptest::prelude::*;
 use super::*;
 use crate::fixed::Format;
 use crate::platform::error::Error;
-use crate::spec::Shininess;
 
 const NAMES: [&str; 4] = ["first", "second", "third", "fourth"];
 
-fn set() -> impl Strategy<Value = Shininess> {
-    prop_oneof![
-        (1u32..200, 0u32..40).prop_map(|(first, more)| Shininess::Range(first, first + more)),
-        prop::collection::vec(1.0..1000.0f64, 1..20).prop_map(Shininess::List),
-    ]
+/// A coefficient ROM with a row for each shininess.
+fn rom(keys: Vec<f64>, fields: Vec<Field>) -> Table {
+    Table::listed(Table::COEFFICIENTS, "shininess", keys, fields)
 }
 
 fn field_format() -> impl Strategy<Value = Format> {
@@ -29,13 +26,14 @@ fn field_format() -> impl Strategy<Value = Format> {
 
 /// Tables of words of 1 to 140 bits.
 fn table() -> impl Strategy<Value = Table> {
-    (set(), prop::collection::vec(field_format(), 1..=NAMES.len())).prop_flat_map(|(set, mut formats)| {
+    let keys = prop::collection::vec(1.0..1000.0f64, 1..40);
+    (keys, prop::collection::vec(field_format(), 1..=NAMES.len())).prop_flat_map(|(keys, mut formats)| {
         while formats.iter().map(|format| format.width()).sum::<u32>() > 140 {
             formats.pop();
         }
-        let values = prop::collection::vec((any::<i128>(), -1e3..1e3f64), set.rows() * formats.len());
+        let values = prop::collection::vec((any::<i128>(), -1e3..1e3f64), keys.len() * formats.len());
         values.prop_map(move |values| {
-            let columns = formats.iter().zip(NAMES).zip(values.chunks(set.rows()));
+            let columns = formats.iter().zip(NAMES).zip(values.chunks(keys.len()));
             let fields = columns.map(|((&format, name), column)| Field {
                 name,
                 meaning: "coefficient",
@@ -43,7 +41,7 @@ fn table() -> impl Strategy<Value = Table> {
                 codes: column.iter().map(|(code, _)| format.wrap(*code)).collect(),
                 reals: column.iter().map(|(_, real)| *real).collect(),
             });
-            Table::new(&set, fields.collect(), 0)
+            rom(keys.clone(), fields.collect())
         })
     })
 }
@@ -89,7 +87,7 @@ pub(super) fn small_table() -> Table {
     };
     let fields =
         vec![field("high", Format::unsigned(0, 4), [1, 2, 3]), field("low", Format::signed(3, 4), [-1, 0x7f, 0])];
-    Table::new(&Shininess::Range(10, 12), fields, 0)
+    rom(vec![10.0, 11.0, 12.0], fields)
 }
 
 proptest! {
@@ -211,7 +209,7 @@ fn a_deep_rom_passes_64_kib() {
     let codes: Vec<i128> = (0..40_000).map(|row| row * 7 % 65_536).collect();
     let reals = codes.iter().map(|&code| code as f64).collect();
     let field = Field { name: "only", meaning: "", format: Format::unsigned(17, 0), codes, reals };
-    let table = Table::new(&Shininess::Range(1, 40_000), vec![field], 0);
+    let table = rom((1..=40_000).map(f64::from).collect(), vec![field]);
     for format in RomFormat::ALL {
         let image = read_for(&table, &written(&table, format), format).expect("a file of ours");
         assert_eq!(first_difference(&table, &image), None, "{format:?}");
