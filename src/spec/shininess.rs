@@ -12,7 +12,6 @@ use crate::fixed::exp2;
 
 /// The most rows that a ROM may have.
 pub const MAX_ROWS: usize = 65_536;
-const _: () = assert!(MAX_ROWS <= crate::emit::rom::MAX_DEPTH);
 
 /// A named material with its shininess and, for a shader, what its surface reflects.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -35,32 +35,22 @@ fn read(source: &Source<'_>) -> Result<RomImage, Error> {
         cursor.expect_symbol("=")?;
         if key.is_word("memory_initialization_radix") || key.is_word("radix") {
             let value = cursor.expect_word("a radix")?;
-            radix = Some(match value.text {
-                "2" => 2,
-                "8" => 8,
-                "10" => 10,
-                "16" => 16,
-                other => {
-                    return Err(source.error(
-                        format!("the radix {} is not allowed", shown(other)),
-                        source.allowed,
-                        value.span,
-                    ));
-                }
-            });
+            let known = [2, 8, 10, 16].into_iter().find(|radix| radix.to_string() == value.text);
+            let unknown = || source.wrong(format!("the radix {} is not allowed", shown(value.text)), value.span);
+            radix = Some(known.ok_or_else(unknown)?);
             cursor.expect_symbol(";")?;
         } else if key.is_word("memory_initialization_vector") {
             let Some(radix) = radix else {
                 let what = "memory_initialization_radix must stand before the words";
-                return Err(source.error(what, source.allowed, key.span));
+                return Err(source.wrong(what, key.span));
             };
             return read_vector(source, &mut cursor, radix).map(image);
         } else if key.is_word("coefdata") || key.is_word("pattern") || key.is_word("branch_length_vector") {
             let what = format!("{} is for filters and other cores, and this is a memory", shown(key.text));
-            return Err(source.error(what, source.allowed, key.span));
+            return Err(source.wrong(what, key.span));
         } else {
             let what = format!("{} is not a setting of a .coe file", shown(key.text));
-            return Err(source.error(what, source.allowed, key.span));
+            return Err(source.wrong(what, key.span));
         }
     }
 }

@@ -63,8 +63,6 @@ fn read(source: &Source<'_>) -> Result<RomImage, Error> {
     let columns = columns(source, &header)?;
     let mut words = Words::new(source);
     let mut codes_by_address = BTreeMap::new();
-    let mut digit_counts = Vec::new();
-    let mut last = (0, 0);
     for row in rows {
         if row.len() != columns.len() {
             let what = format!("the number of cells in this row is {}", row.len());
@@ -75,14 +73,12 @@ fn read(source: &Source<'_>) -> Result<RomImage, Error> {
         let mut word = (BigUint::ZERO, (0, 0));
         let mut codes: Vec<i128> = Vec::new();
         for (column, &(cell, span)) in columns.iter().zip(&row) {
-            let not_a = |kind: &str| source.error(format!("{} is not {kind}", shown(cell)), source.allowed, span);
+            let not_a = |kind: &str| source.wrong(format!("{} is not {kind}", shown(cell)), span);
             match column {
                 Column::Address => address = source.address(cell, 10, span)?,
                 Column::Word => {
                     let digits = cell.strip_prefix("0x").or_else(|| cell.strip_prefix("0X")).unwrap_or(cell);
-                    word = (source.word(digits, 16, span)?, span);
-                    last = span;
-                    digit_counts.push(digits.len());
+                    word = (words.read(digits, 16, span)?, span);
                 }
                 Column::Code(_) => codes.push(cell.parse().map_err(|_| not_a("an integer"))?),
                 Column::Real => {
@@ -94,7 +90,6 @@ fn read(source: &Source<'_>) -> Result<RomImage, Error> {
         words.place(address, word.0, word.1, MAX_DEPTH)?;
         codes_by_address.insert(address, codes);
     }
-    source.refuse_cut_word(last, &digit_counts)?;
     let fields = columns.iter().filter_map(|column| if let Column::Code(field) = column { Some(*field) } else { None });
     let codes = fields.enumerate().map(|(position, field)| {
         let codes = codes_by_address.values().map(|codes: &Vec<i128>| codes[position]).collect();
@@ -108,7 +103,7 @@ fn columns<'s>(source: &Source<'_>, header: &Row<'s>) -> Result<Vec<Column<'s>>,
     let only_one = |name: &str| header.iter().filter(|(cell, _)| *cell == name).count() == 1;
     if let Some(name) = ["address", "word"].into_iter().find(|name| !only_one(name)) {
         let what = format!("the header row has not one column `{name}`");
-        return Err(source.error(what, source.allowed, row_span(header)));
+        return Err(source.wrong(what, row_span(header)));
     }
     let column = |&(name, _): &(&'s str, Span)| match name {
         "address" => Column::Address,

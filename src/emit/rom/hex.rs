@@ -73,7 +73,7 @@ impl Records {
         let mut ended = false;
         for (record, span) in lines(&source.text, &[]) {
             if ended {
-                return Err(source.error("a line stands after the end-of-file record", source.allowed, span));
+                return Err(source.wrong("a line stands after the end-of-file record", span));
             }
             let record: Record = record.parse().map_err(|wrong| {
                 let what = match wrong {
@@ -83,7 +83,7 @@ impl Records {
                     }
                     other => format!("this is not an Intel HEX record: {other}"),
                 };
-                source.error(what, source.allowed, span)
+                source.wrong(what, span)
             })?;
             match record {
                 Record::Data { offset, value } => records.push((base + usize::from(offset), value, span)),

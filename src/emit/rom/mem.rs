@@ -38,10 +38,8 @@ fn read(source: &Source<'_>) -> Result<RomImage, Error> {
     let mut cursor = source.tokens(&Comments::of("//", ("/*", "*/")))?;
     let mut words = Words::new(source);
     let mut address = 0;
-    let mut digit_counts = Vec::new();
-    let mut last = (0, 0);
     while let Some(next) = cursor.peek(0) {
-        if next.is_symbol(":") && digit_counts.is_empty() {
+        if next.is_symbol(":") && words.is_empty() {
             let allowed = "give it with --format hex or quartus-hex, or a name that ends in .hex";
             return Err(source.error("this is an Intel HEX record, and no text for $readmemh", allowed, next.span));
         }
@@ -63,12 +61,10 @@ fn read(source: &Source<'_>) -> Result<RomImage, Error> {
             let what = format!("{} has digits without a value", shown(token.text));
             return Err(source.error(what, "every bit of a ROM is 0 or 1, and none is x or z", token.span));
         }
-        words.place(address, source.word(token.text, 16, token.span)?, token.span, MAX_DEPTH)?;
+        let word = words.read(token.text, 16, token.span)?;
+        words.place(address, word, token.span, MAX_DEPTH)?;
         address += 1;
-        last = token.span;
-        digit_counts.push(token.text.len());
     }
-    source.refuse_cut_word(last, &digit_counts)?;
     words.finish(None).map(image)
 }
 
@@ -88,7 +84,7 @@ impl Lattice {
         let (mut form, mut depth, mut stated_width) = (None, None, None);
         let missing = |what: &str| source.cut_off(format!("{what} is not given in Lattice's header"));
         for (line, span) in lines(&source.text, &[]) {
-            let wrong = |what: String| source.error(what, source.allowed, span);
+            let wrong = |what: String| source.wrong(what, span);
             let Some(setting) = line.strip_prefix('#') else {
                 return Err(wrong(format!(
                     "{} stands where a line of Lattice's header is expected, up to #Data",
@@ -142,14 +138,12 @@ fn lattice(source: &Source<'_>) -> Result<RomImage, Error> {
     let Lattice { radix, addressed, depth, width, end } = Lattice::of(source)?;
     let mut words = Words::new(source);
     let mut address = 0;
-    let mut digit_counts = Vec::new();
-    let mut last = (0, 0);
     for (line, (at, _)) in lines(&source.text[end..], &["#", "//"]) {
         let offset = |part: &str| end + at + (part.as_ptr() as usize - line.as_ptr() as usize);
         let mut rest = line;
         if addressed {
             let Some((before, after)) = line.split_once(':') else {
-                return Err(source.error("there is no address and colon", source.allowed, (end + at, line.len())));
+                return Err(source.wrong("there is no address and colon", (end + at, line.len())));
             };
             let before = before.trim_end();
             address = source.address(before, 16, (offset(before), before.len()))?;
@@ -164,15 +158,13 @@ fn lattice(source: &Source<'_>) -> Result<RomImage, Error> {
                     span,
                 ));
             }
-            words.place(address, source.word(word, radix, span)?, span, depth)?;
+            let word = words.read(word, radix, span)?;
+            words.place(address, word, span, depth)?;
             address += 1;
-            digit_counts.push(word.len());
-            last = span;
         }
     }
-    source.refuse_cut_word(last, &digit_counts)?;
     // What is not addressed is 0; where words are not addressed, a missing one has been cut off.
-    let words = if addressed { words.filled(depth) } else { words.finish(Some(depth))? };
+    let words = if addressed { words.filled(depth)? } else { words.finish(Some(depth))? };
     Ok(RomImage { kind: Some("with Lattice's header"), width: Some(width), ..image(words) })
 }
 
@@ -185,17 +177,16 @@ mod tests {
     fn the_heading_says_what_the_file_is() {
         let text = String::from_utf8(written(&small_table(), RomFormat::Mem)).expect("ASCII");
         let expected = "\
-    // ROM of the core lobe: words for $readmemh.
-    // Made by `brdfgen rom --name lobe`.
-    // spec 0123abcd
-    // 4 words of 12 bits, one for each address. Layout of a word:
-    //   [11:8]  high  UQ0.4  coefficient
-    //   [7:0]   low   Q3.4   coefficient
-    1ff
-    27f
-    300
-    300
-    ";
+            // ROM of the core lobe: words for $readmemh.\n\
+            // Made by `brdfgen rom --name lobe`.\n\
+            // spec 0123abcd\n\
+            // 4 words of 12 bits, one for each address. Layout of a word:\n\
+            //   [11:8]  high  UQ0.4  coefficient\n\
+            //   [7:0]   low   Q3.4   coefficient\n\
+            1ff\n\
+            27f\n\
+            300\n\
+            300\n";
         assert_eq!(text, expected);
     }
 

@@ -73,7 +73,7 @@ fn read(source: &Source<'_>) -> Result<RomImage, Error> {
         cursor.next -= 1;
         return Err(cursor.unexpected("BEGIN"));
     }
-    let missing = |name: &str| source.error(format!("{name} is not given before CONTENT"), source.allowed, begin.span);
+    let missing = |name: &str| source.wrong(format!("{name} is not given before CONTENT"), begin.span);
     let depth = settings.depth.ok_or_else(|| missing("DEPTH"))?;
     let width = settings.width.ok_or_else(|| missing("WIDTH"))?;
     // Quartus takes hexadecimal for a radix that is not given.
@@ -150,7 +150,7 @@ fn read_settings(source: &Source<'_>, cursor: &mut Cursor<'_>) -> Result<Setting
             "DATA_RADIX" => settings.data_radix = Some(radix()?),
             _ => {
                 let what = format!("{} is not a setting of a .mif file", shown(key.text));
-                return Err(source.error(what, source.allowed, key.span));
+                return Err(source.wrong(what, key.span));
             }
         }
         cursor.expect_symbol(";")?;

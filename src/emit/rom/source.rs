@@ -104,9 +104,14 @@ impl<'a> Source<'a> {
         Error::text(what, allowed, self.file, &self.text, span)
     }
 
+    /// An error at a place, with what the format allows.
+    pub fn wrong(&self, what: impl Into<String>, span: Span) -> Error {
+        self.error(what, self.allowed, span)
+    }
+
     /// An error at the end of the text.
     pub fn cut_off(&self, what: impl Into<String>) -> Error {
-        self.error(what, self.allowed, (self.text.len(), 0))
+        self.wrong(what, (self.text.len(), 0))
     }
 
     /// Reads digits (underscores between them are skipped) as a word of this ROM.
@@ -119,7 +124,7 @@ impl<'a> Source<'a> {
         let digits: Vec<u8> = digits.bytes().filter(|&c| c != b'_').collect();
         if digits.is_empty() || !digits.iter().all(|&c| char::from(c).is_digit(radix)) {
             let what = format!("{} is not a number of radix {radix}", shown(&self.text[span.0..span.0 + span.1]));
-            return Err(self.error(what, self.allowed, span));
+            return Err(self.wrong(what, span));
         }
         let leading_zeros = digits.iter().take_while(|&&c| c == b'0').count();
         let significant = &digits[leading_zeros..];
@@ -161,20 +166,6 @@ impl<'a> Source<'a> {
             let what = format!("the address {} is out of range", shown(digits));
             self.error(what, format!("a ROM has at most {MAX_DEPTH} words"), span)
         })
-    }
-
-    /// Refuses a last word that the end of the file seems to cut: with nothing behind it, not even a line feed,
-    /// it has fewer digits than all the others have.
-    pub fn refuse_cut_word(&self, last: Span, digit_counts: &[usize]) -> Result<(), Error> {
-        let [first, .., cut] = *digit_counts else {
-            return Ok(());
-        };
-        let is_last_text = last.0 + last.1 == self.text.len();
-        if is_last_text && cut < first && digit_counts[..digit_counts.len() - 1].iter().all(|&count| count == first) {
-            let what = format!("the file ends within a word: it has fewer than the {first} digits of the others");
-            return Err(self.error(what, "a line feed after the last word, or words of equal length", last));
-        }
-        Ok(())
     }
 
     /// Splits the text into tokens.
@@ -277,7 +268,7 @@ impl<'s> Cursor<'s> {
         match self.peek(0) {
             Some(token) => {
                 let found = format!("{} stands where {what} is expected", shown(token.text));
-                self.source.error(found, self.source.allowed, token.span)
+                self.source.wrong(found, token.span)
             }
             None => self.source.cut_off(format!("the file ends where {what} is expected")),
         }
@@ -293,11 +284,26 @@ pub(super) fn image(words: Vec<BigUint>) -> RomImage {
 pub(super) struct Words<'s> {
     source: &'s Source<'s>,
     words: BTreeMap<usize, (BigUint, Span)>,
+    /// Of each word that was read from digits, and where the last one stands.
+    digit_counts: Vec<usize>,
+    last: Span,
 }
 
 impl<'s> Words<'s> {
     pub fn new(source: &'s Source<'s>) -> Self {
-        Self { source, words: BTreeMap::new() }
+        Self { source, words: BTreeMap::new(), digit_counts: Vec::new(), last: (0, 0) }
+    }
+
+    /// Whether there is none yet.
+    pub fn is_empty(&self) -> bool {
+        self.words.is_empty()
+    }
+
+    /// Reads digits as the next word of the file.
+    pub fn read(&mut self, digits: &str, radix: u32, span: Span) -> Result<BigUint, Error> {
+        self.digit_counts.push(digits.len());
+        self.last = span;
+        self.source.word(digits, radix, span)
     }
 
     /// Puts a word at an address, which must be free and less than `depth`.
@@ -317,18 +323,38 @@ impl<'s> Words<'s> {
         Ok(())
     }
 
+    /// Refuses a last word that the end of the file seems to cut: with nothing behind it, not even a line feed,
+    /// it has fewer digits than all the others have.
+    fn refuse_cut_word(&self) -> Result<(), Error> {
+        let [first, between @ .., cut] = &*self.digit_counts else {
+            return Ok(());
+        };
+        let is_last_text = self.last.0 + self.last.1 == self.source.text.len();
+        if is_last_text && cut < first && between.iter().all(|count| count == first) {
+            let what = format!("the file ends within a word: it has fewer than the {first} digits of the others");
+            return Err(self.source.error(
+                what,
+                "a line feed after the last word, or words of equal length",
+                self.last,
+            ));
+        }
+        Ok(())
+    }
+
     /// The words by address up to `depth`, which they all are below; those that are not there are 0.
-    pub fn filled(self, depth: usize) -> Vec<BigUint> {
+    pub fn filled(self, depth: usize) -> Result<Vec<BigUint>, Error> {
+        self.refuse_cut_word()?;
         let mut filled = vec![BigUint::ZERO; depth];
         for (address, (word, _)) in self.words {
             filled[address] = word;
         }
-        filled
+        Ok(filled)
     }
 
     /// All words by address; every address up to the last one, or up to `depth`, must have one.
     pub fn finish(self, depth: Option<usize>) -> Result<Vec<BigUint>, Error> {
         const ALLOWED: &str = "every address has a word, from 0 to the last";
+        self.refuse_cut_word()?;
         for (expected, (&address, &(_, span))) in self.words.iter().enumerate() {
             if address != expected {
                 let what = format!("there is no word for the address {expected}; the next one is for {address}");

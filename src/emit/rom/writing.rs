@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use num_bigint::BigUint;
 
-use super::Table;
+use super::{Field, Table};
 
 /// Writes one formatted line to a string.
 macro_rules! line {
@@ -41,14 +41,12 @@ impl Writing<'_> {
             "{comment} {} words of {word_bits} bits, one for each address. Layout of a word:",
             table.depth()
         );
-        let rows: Vec<[String; 3]> = (0..table.fields.len())
-            .map(|position| {
-                let field = &table.fields[position];
-                let low = table.field_low_bit(position);
-                let bits = format!("[{}:{low}]", low + field.format.width() - 1);
-                [bits, field.name.to_owned(), field.format.to_string()]
-            })
-            .collect();
+        let row = |(position, field): (usize, &Field)| {
+            let low = table.field_low_bit(position);
+            let bits = format!("[{}:{low}]", low + field.format.width() - 1);
+            [bits, field.name.to_owned(), field.format.to_string()]
+        };
+        let rows: Vec<[String; 3]> = table.fields.iter().enumerate().map(row).collect();
         let column = |i: usize| rows.iter().map(|row| row[i].len()).max().unwrap_or(0);
         let [bits_width, name_width, format_width] = [column(0), column(1), column(2)];
         for ([bits, name, format], field) in rows.iter().zip(&table.fields) {

@@ -1,4 +1,4 @@
-//! Golden vectors: make, write, read, compare.
+//! Golden vectors: make and compare; what they hold and their file stand in [`crate::core::golden`].
 //!
 //! A golden file holds two things. Its *vectors* are a few thousand inputs with the expected outputs and with pauses between
 //! them, for test benches. Its *digests* stand for all inputs: for each shininess one number over the outputs for
