@@ -3,8 +3,8 @@
 use askama::Template;
 
 use super::{Axis, Direction, Layout, Port, RomFile, Texts, WritePort, names, render};
-use crate::platform::error::Error;
 use crate::core::golden::Vector;
+use crate::platform::error::Error;
 use crate::spec::{Language, VhdlPorts};
 
 /// A port that carries numbers, as the benches see it.

@@ -1,6 +1,8 @@
 //! The claims of C7 and C21, on the cubic, its tail and its three-point form.
 
-use super::claims::{ROUNDING, count, datapath, how_many, most, most_real, percent, real_shininesses, shininesses, those, times, value};
+use super::claims::{
+    ROUNDING, count, datapath, how_many, most, most_real, percent, real_shininesses, shininesses, those, times, value,
+};
 use super::measure::{grid, largest, rises};
 use super::method::{LEVEL, Method, three_point};
 use super::survey::{Errors, MOST, Row, TAIL_BANDS};

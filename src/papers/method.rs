@@ -1,7 +1,7 @@
 //! The methods that the papers compare, by name.
 
-use crate::platform::error::Error;
 use crate::lobe::{CosK, Cubic, CubicRational, Lobe, Lyon, MinZero, Quadratic, Schlick, Taylor, TaylorSeries};
+use crate::platform::error::Error;
 
 /// A method that one of the papers proposes or compares itself with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,8 +4,8 @@ use rayon::prelude::*;
 
 use super::measure::largest;
 use super::method::{LEVEL, Method};
-use crate::platform::error::Error;
 use crate::lobe::{CubicRational, Lobe, exact};
+use crate::platform::error::Error;
 
 /// The largest shininess of the papers' tables.
 pub const MOST: usize = 1000;

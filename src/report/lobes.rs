@@ -4,14 +4,14 @@ use std::collections::BTreeSet;
 
 use rayon::prelude::*;
 
-use crate::plot::{Axis, BLACK, Chart, Curve, Style};
 use super::trade::{Group, Palette, powers_about};
-use crate::datapath::evaluate::Evaluator;
 use crate::core::Design;
-use crate::platform::error::Error;
+use crate::datapath::evaluate::Evaluator;
 use crate::explore::Point;
-use crate::lobe::{degrees, exact, versine};
 use crate::fixed::exp2;
+use crate::lobe::{degrees, exact, versine};
+use crate::platform::error::Error;
+use crate::plot::{Axis, BLACK, Chart, Curve, Style};
 use crate::spec::{Shininess, SpecFields};
 
 /// The shininesses that charts against the angle look for in the set.

@@ -2,16 +2,16 @@
 
 use askama::Template;
 
-use crate::plot::Chart;
 use super::lobes::{self, Measured};
 use super::material::MaterialPart;
-use crate::plot::png;
 use super::scene::ScenePart;
 use super::speed::{Speed, time};
 use super::trade::{Group, Palette, error_text, family_name, groups};
-use crate::platform::error::Error;
-use crate::explore::{Objective, Point, pareto};
 use crate::emit::package::File;
+use crate::explore::{Objective, Point, pareto};
+use crate::platform::error::Error;
+use crate::plot::Chart;
+use crate::plot::png;
 
 /// Everything that a report shows, measured and drawn.
 #[derive(Debug)]

@@ -2,8 +2,8 @@
 
 use std::cmp::Reverse;
 
-use crate::plot::{Axis, BLACK, COLOURS, Chart, Curve, Shape, Spot, Spots, Style};
 use crate::explore::{Cost, Point};
+use crate::plot::{Axis, BLACK, COLOURS, Chart, Curve, Shape, Spot, Spots, Style};
 use crate::spec::{Material, Shininess, SpecFields};
 use crate::synth::{Family, Tools};
 

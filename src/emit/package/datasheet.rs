@@ -2,15 +2,15 @@
 
 use askama::Template;
 
+use crate::core::{Account, Design, Measured, OtherForm, Part, ShaderError};
+use crate::core::{Port, WritePort};
 use crate::datapath::Description;
 use crate::datapath::shader::COLOURS;
 use crate::datapath::widths::Contribution;
-use crate::core::{Account, Design, Measured, OtherForm, Part, ShaderError};
-use crate::platform::error::Error;
-use crate::core::{Port, WritePort};
-use crate::emit::{Axis, render};
 use crate::emit::markdown;
 use crate::emit::rom::{Field, Table};
+use crate::emit::{Axis, render};
+use crate::platform::error::Error;
 use crate::spec::{
     Block, Coefficients, Colour, CoreSpec, Cosine, Form, LightColours, Material, RomStyle, Shader, Shininess, Tail,
 };
@@ -383,11 +383,7 @@ pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError
 }
 
 /// The text of a lobe's datasheet; `other` is the core in the other form, or why it cannot be built, where the method has two forms.
-pub(super) fn datasheet(
-    design: &Design,
-    measured: &Measured,
-    other: Option<&OtherForm>,
-) -> Result<String, Error> {
+pub(super) fn datasheet(design: &Design, measured: &Measured, other: Option<&OtherForm>) -> Result<String, Error> {
     let spec = &design.spec;
     let forms: Vec<FormRow> =
         std::iter::once(design).chain(other.and_then(|other| other.as_deref().ok())).map(FormRow::of).collect();

@@ -11,14 +11,14 @@ pub use directory::{
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
-use crate::datapath::widths::Budget;
-use crate::core::{Account, Design};
-use crate::platform::error::Error;
 use crate::core::golden::{self, Golden};
+use crate::core::{Account, Design};
 use crate::core::{Port, WritePort};
+use crate::datapath::widths::Budget;
+use crate::emit::rom::{self, RomFormat, Table};
 use crate::emit::{self, Axis, RomFile, Texts};
 use crate::fixed::Format;
-use crate::emit::rom::{self, RomFormat, Table};
+use crate::platform::error::Error;
 use crate::spec::{Block, CoreSpec, Language, RomStyle, hex};
 
 /// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
@@ -106,8 +106,9 @@ pub fn sources(design: &Design, language: Language) -> Result<Vec<File>, Error> 
 /// # Errors
 /// A name that the core's text uses for something else.
 pub fn check_names(design: &Design) -> Result<(), Error> {
-    let emit =
-        |&language: &Language| emit::backend(language).emit(&design.layout(), &texts_without_header(design)).map(|_| ());
+    let emit = |&language: &Language| {
+        emit::backend(language).emit(&design.layout(), &texts_without_header(design)).map(|_| ())
+    };
     design.spec.languages.iter().try_for_each(emit)
 }
 
