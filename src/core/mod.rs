@@ -124,7 +124,8 @@ impl Design {
     /// papers' coefficients and does not interpolate.
     fn other_form(&self) -> Option<OtherForm> {
         let spec = &self.spec;
-        if !spec.method.has_paper_form() || spec.coefficients == Coefficients::Minimax || spec.shininess.frac_bits() > 0 {
+        if !spec.method.has_paper_form() || spec.coefficients == Coefficients::Minimax || spec.shininess.frac_bits() > 0
+        {
             return None;
         }
         let form = match spec.form {
