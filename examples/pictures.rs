@@ -4,10 +4,10 @@ use std::error::Error;
 use std::path::Path;
 
 use brdfgen::core::Design;
-use brdfgen::explore::Results;
 use brdfgen::emit::package;
 use brdfgen::plot::COLOURS;
 use brdfgen::report::{self, Palette};
+use brdfgen::explore::Results;
 use brdfgen::spec::SpecFields;
 use plotters::prelude::*;
 

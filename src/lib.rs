@@ -39,6 +39,7 @@
 //! `model` and `datapath` never import each other: what the one says, the other is checked against.
 #![warn(missing_docs)]
 
+pub mod block;
 pub mod cli;
 pub mod core;
 pub mod datapath;
@@ -47,7 +48,7 @@ pub mod explore;
 pub mod fit;
 pub mod fixed;
 pub mod lobe;
-pub mod model;
+pub mod method;
 pub mod papers;
 pub mod platform;
 pub mod plot;

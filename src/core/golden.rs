@@ -7,8 +7,7 @@ use std::fmt::Write;
 use serde::Serialize;
 
 use super::{Design, Direction};
-use crate::emit::rom::Table;
-use crate::fixed::Format;
+use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
 use crate::spec::Block;
 
@@ -59,12 +58,12 @@ pub(crate) const STREAM: u64 = 1 << 13;
 
 /// The rows that have a digest: all, or evenly spaced ones where all would take too long.
 pub(crate) fn digest_rows(design: &Design) -> Vec<usize> {
-    let rows = design.spec.shininess.rows() as u64;
+    let rows = design.spec.interface.shininess.rows() as u64;
     let step = match design.spec.block {
         Block::Lobe => (rows << design.operand_format().width()).div_ceil(MOST_OUTPUTS).max(1) as usize,
         Block::Shader(_) => (rows * STREAM).div_ceil(MOST_SAMPLES) as usize,
     };
-    (0..design.spec.shininess.rows()).step_by(step).collect()
+    (0..design.spec.interface.shininess.rows()).step_by(step).collect()
 }
 
 const ALLOWED: &str = "a golden file holds `v` lines (the codes of the inputs and of the outputs in hexadecimal; idle, stall in \

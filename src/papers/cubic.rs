@@ -7,7 +7,9 @@ use super::measure::{grid, largest, rises};
 use super::method::{LEVEL, Method, three_point};
 use super::survey::{Errors, MOST, Row, TAIL_BANDS};
 use super::{Claim, Verdict};
-use crate::lobe::{Cubic, CubicRational, MinZero};
+use crate::method::cubic::Cubic;
+use crate::method::cubic_min_zero::MinZero;
+use crate::method::cubic_rational::CubicRational;
 use crate::platform::error::Error;
 
 /// The cubic as printed, neither cut nor clamped.

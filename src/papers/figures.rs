@@ -6,7 +6,9 @@ use super::record::HEADER;
 use super::survey::{MOST, QUADRATIC_LEVEL, Row, TAIL_BANDS};
 use super::{Claim, Pieces, Unit, images};
 use crate::emit::package::File;
-use crate::lobe::{Cubic, TaylorSeries, degrees, exact, versine};
+use crate::lobe::{degrees, exact, versine};
+use crate::method::cubic::Cubic;
+use crate::papers::TaylorSeries;
 use crate::platform::error::Error;
 use crate::plot::{Axis, BLACK, COLOURS, Chart, Curve, Style, png};
 

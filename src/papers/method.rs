@@ -1,6 +1,15 @@
 //! The methods that the papers compare, by name.
 
-use crate::lobe::{CosK, Cubic, CubicRational, Lobe, Lyon, MinZero, Quadratic, Schlick, Taylor, TaylorSeries};
+use crate::lobe::Lobe;
+use crate::method::cubic::Cubic;
+use crate::method::cubic_min_zero::MinZero;
+use crate::method::cubic_rational::CubicRational;
+use crate::method::lyon::Lyon;
+use crate::method::quadratic::Quadratic;
+use crate::method::schlick::Schlick;
+use crate::papers::CosK;
+use crate::papers::Taylor;
+use crate::papers::TaylorSeries;
 use crate::platform::error::Error;
 
 /// A method that one of the papers proposes or compares itself with.

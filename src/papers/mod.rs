@@ -8,6 +8,7 @@
 //! to 1000. Errors are the largest over the cosines in question, to at least four digits: see [`Row`].
 
 mod claims;
+mod cos_k;
 mod cubic;
 mod figures;
 pub mod images;
@@ -16,12 +17,15 @@ mod method;
 mod quadratic;
 mod record;
 mod survey;
+mod taylor;
 
 pub use claims::claims;
+pub use cos_k::CosK;
 pub use figures::{TABLES, files};
 pub use method::{Method, Pieces};
 pub use record::{Difference, HEADER, Recorded};
 pub use survey::{Errors, Row, survey};
+pub use taylor::{Taylor, TaylorSeries};
 
 use serde::Serialize;
 

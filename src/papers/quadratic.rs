@@ -4,8 +4,9 @@ use super::claims::{count, datapath, how_many, most, most_real, percent, shinine
 use super::measure::{largest, rises, versine_at};
 use super::method::Method;
 use super::survey::{MOST, QUADRATIC_LEVEL, Row};
-use super::{Claim, Verdict};
-use crate::lobe::{Lobe, Quadratic, Taylor, TaylorSeries, exact};
+use super::{Claim, Taylor, TaylorSeries, Verdict};
+use crate::lobe::{Lobe, exact};
+use crate::method::quadratic::Quadratic;
 use crate::platform::error::Error;
 
 pub(super) fn quadratic_error(rows: &[Row]) -> Result<Claim, Error> {

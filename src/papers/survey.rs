@@ -4,7 +4,8 @@ use rayon::prelude::*;
 
 use super::measure::largest;
 use super::method::{LEVEL, Method};
-use crate::lobe::{CubicRational, Lobe, exact};
+use crate::lobe::{Lobe, exact};
+use crate::method::cubic_rational::CubicRational;
 use crate::platform::error::Error;
 
 /// The largest shininess of the papers' tables.

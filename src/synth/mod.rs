@@ -23,11 +23,11 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::core::Design;
-use crate::platform::error::Error;
 use crate::emit::package;
-use crate::spec::Language;
+use crate::platform::error::Error;
 use crate::platform::tool::{self, YOSYS};
 use crate::platform::transient::Folder;
+use crate::spec::Language;
 use cache::{Cache, key};
 use place::Nextpnr;
 use serde::{Deserialize, Serialize};

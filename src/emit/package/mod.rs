@@ -12,12 +12,11 @@ use serde_json::json;
 use sha2::{Digest, Sha256};
 
 use crate::core::golden::{self, Golden};
-use crate::core::{Account, Design};
-use crate::core::{Port, WritePort};
+use crate::core::{Account, Design, Port, WritePort};
 use crate::datapath::widths::Budget;
-use crate::emit::rom::{self, RomFormat, Table};
+use crate::emit::rom::{self, RomFormat};
 use crate::emit::{self, Axis, RomFile, Texts};
-use crate::fixed::Format;
+use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
 use crate::spec::{Block, CoreSpec, Language, RomStyle, hex};
 
@@ -287,7 +286,7 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     };
     let ports: Vec<_> = design.ports().iter().map(port).collect();
     let memory = |table: &Table| {
-        let field = |(index, field): (usize, &rom::Field)| {
+        let field = |(index, field): (usize, &crate::fixed::Field)| {
             json!({
                 "name": field.name,
                 "meaning": field.meaning,

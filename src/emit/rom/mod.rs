@@ -12,20 +12,19 @@ mod hex;
 mod mem;
 mod mif;
 mod source;
-mod table;
 #[cfg(test)]
 mod tests;
 mod vhdl;
 mod writing;
 
 pub use difference::{Difference, equal_words, first_difference};
-pub use table::{Field, Table, interned};
 
 use std::path::Path;
 
 use num_bigint::BigUint;
 use serde::{Deserialize, Serialize};
 
+use crate::fixed::{Field, Table};
 use crate::platform::error::Error;
 use crate::platform::input;
 use source::Source;

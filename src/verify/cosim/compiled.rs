@@ -11,13 +11,13 @@ use std::time::Instant;
 
 use sha2::{Digest, Sha256};
 
-use crate::synth;
 use crate::core::Design;
-use crate::platform::error::Error;
 use crate::emit::package;
-use crate::spec::{Language, hex};
+use crate::platform::error::Error;
 use crate::platform::tool::{self, Tool, VERILATOR};
 use crate::platform::transient::Folder;
+use crate::spec::{Language, hex};
+use crate::synth;
 
 const HARNESS: &str = include_str!("../../../testbench/exhaustive.cpp");
 

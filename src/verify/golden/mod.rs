@@ -62,7 +62,7 @@ impl Golden {
         let digests = rows
             .into_par_iter()
             .map(|row| {
-                let index = design.spec.shininess.index_of_row(row);
+                let index = design.spec.interface.shininess.index_of_row(row);
                 let digest = match &design.spec.block {
                     Block::Lobe => digest(design, index),
                     Block::Shader(shader) => shader::digest(design, shader, index),
