@@ -5,8 +5,9 @@ use std::path::Path;
 
 use brdfgen::core::Design;
 use brdfgen::emit::package;
+use brdfgen::plot::COLOURS;
+use brdfgen::report::{self, Palette};
 use brdfgen::explore::Results;
-use brdfgen::report::{self, COLOURS, Palette};
 use brdfgen::spec::SpecFields;
 use plotters::prelude::*;
 

@@ -116,7 +116,7 @@ fn generate(bytes: &[u8]) {
             (first..first + count as i64).for_each(|operand| agree(&[index, operand]));
         }
         let account = Account::of(&design);
-        if let Account::Lobe(measured) = &account {
+        if let Account::Lobe { measured, .. } = &account {
             let ([low, high], [least, most]) = (design.budget.proved_ulps, measured.ulps);
             assert!(low - 1e-6 <= least && most <= high + 1e-6, "measured {least}..{most}, proved {low}..{high}");
         }

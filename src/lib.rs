@@ -30,7 +30,8 @@
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
 //! | [`scene`] | scene files, what a scene requires of a core, pictures |
 //! | [`stability`] | how cores hold up where forms degenerate: registers (of shaders too), ends, seams, every input |
-//! | [`report`] | charts as SVG and PNG; the trade as an HTML page |
+//! | [`plot`] | charts as SVG and PNG |
+//! | [`report`] | the trade, materials and scenes as HTML pages |
 //! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
 //! | [`input`] | the user's files, read within limits and as other programs write them |
 //! | [`paths`] | which files a command reads and writes: nothing is written over what is read |
@@ -51,6 +52,7 @@ pub mod lobe;
 pub mod method;
 pub mod papers;
 pub mod platform;
+pub mod plot;
 pub mod reflectance;
 pub mod report;
 pub mod scene;

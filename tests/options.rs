@@ -273,7 +273,7 @@ fn make(spec: &CoreSpec, whole: bool) -> Result<Made, Error> {
     } else {
         sketched(&design)
     };
-    if let Account::Lobe(measured) = &account {
+    if let Account::Lobe { measured, .. } = &account {
         let ([low, high], [least, most]) = (design.budget.proved_ulps, measured.ulps);
         if least < low - 1e-6 || most > high + 1e-6 {
             return Ok(Made::Wrong(format!("measured {least}..{most} ulp, proved {low}..{high}")));

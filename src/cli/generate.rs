@@ -173,7 +173,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     paths.writes_in("--out", &arguments.out, files.iter().map(|file| file.path.as_str())).check()?;
 
     // The figures that a core is chosen by may be of another version of this program.
-    if let (Some(MaxError(wished)), Account::Lobe(measured)) = (arguments.max_error, &account)
+    if let (Some(MaxError(wished)), Account::Lobe { measured, .. }) = (arguments.max_error, &account)
         && measured.max_abs > wished
     {
         warn(format!(
@@ -241,7 +241,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     ));
     let proved = package::interval_text(design.budget.proved_ulps);
     match &account {
-        Account::Lobe(measured) => {
+        Account::Lobe { measured, .. } => {
             say(format!(
                 "error against the method: proved {proved} ulp, measured {} over {} inputs{}",
                 package::interval_text(measured.ulps),

@@ -2,6 +2,7 @@
 
 mod budget;
 pub mod edges;
+pub mod golden;
 pub mod layout;
 mod measure;
 mod port;
@@ -30,16 +31,26 @@ use crate::fixed::Format;
 use crate::fixed::Table;
 use crate::fixed::Widths;
 use crate::lobe::Lobe;
-use crate::method::Model;
+use crate::method::{Configured, Model, Options};
 use crate::platform::error::Error;
-use crate::spec::{Block, CoreSpec, InputRange, Operand, RomStyle, Shader, Shininess, hex};
+use crate::spec::{Block, CoreSpec, Form, InputRange, Operand, RomStyle, Shader, Shininess, hex};
+
+/// The same core in the method's other form, or why it cannot be built.
+pub type OtherForm = Result<Box<Design>, String>;
 
 /// The measured error of a core.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 #[serde(untagged)]
 pub enum Account {
     /// Of a lobe.
-    Lobe(Measured),
+    Lobe {
+        /// What was measured.
+        #[serde(flatten)]
+        measured: Measured,
+        /// The core that the datasheet compares this one with, where the method has two forms for it.
+        #[serde(skip)]
+        other_form: Option<OtherForm>,
+    },
     /// Of a shader.
     Shader(ShaderError),
 }
@@ -49,7 +60,7 @@ impl Account {
     #[must_use]
     pub fn of(design: &Design) -> Self {
         match &design.spec.block {
-            Block::Lobe => Self::Lobe(Measured::of(design)),
+            Block::Lobe => Self::Lobe { measured: Measured::of(design), other_form: design.other_form() },
             Block::Shader(shader) => Self::Shader(ShaderError::of(design, shader)),
         }
     }
@@ -110,6 +121,22 @@ impl Design {
             ));
         }
         Ok(design)
+    }
+
+    /// The design of the same core in the other form, for comparison, where the method has two for this core: the paper form has the
+    /// papers' coefficients and does not interpolate.
+    fn other_form(&self) -> Option<OtherForm> {
+        let spec = &self.spec;
+        if !spec.method.about().has("form") || spec.is_fitted() || spec.interface.shininess.frac_bits() > 0 {
+            return None;
+        }
+        let form = match spec.method.form() {
+            Form::Stable => Form::Paper,
+            Form::Paper => Form::Stable,
+        };
+        let method = Configured::new(spec.method.name(), &Options { form: Some(form), ..spec.method.options() });
+        let other = method.and_then(|method| Self::new(CoreSpec { method, ..spec.clone() }));
+        Some(other.map(Box::new).map_err(|error| error.to_string()))
     }
 
     /// The ports through which the memories that are keyed by the shininess are written, in the memories' order; none unless the spec

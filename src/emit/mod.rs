@@ -18,7 +18,10 @@ pub use testbench::test_bench;
 
 use crate::core::{Direction, Layout, Port, WritePort};
 use crate::platform::error::Error;
-use crate::spec::{Language, VhdlPorts};
+use crate::spec::{Language, MAX_ROWS, VhdlPorts};
+
+// A file holds the largest table that a spec can ask for.
+const _: () = assert!(MAX_ROWS <= rom::MAX_DEPTH);
 
 /// What the text of a core needs besides its layout.
 #[derive(Clone, Debug)]

@@ -3,9 +3,9 @@
 use askama::Template;
 
 use super::{Axis, Direction, Layout, Port, RomFile, Texts, WritePort, names, render};
+use crate::core::golden::Vector;
 use crate::platform::error::Error;
 use crate::spec::{Language, VhdlPorts};
-use crate::verify::golden::Vector;
 
 /// A port that carries numbers, as the benches see it.
 struct BenchPort<'a> {

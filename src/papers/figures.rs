@@ -10,7 +10,7 @@ use crate::lobe::{degrees, exact, versine};
 use crate::method::cubic::Cubic;
 use crate::papers::TaylorSeries;
 use crate::platform::error::Error;
-use crate::report::{Axis, BLACK, COLOURS, Chart, Curve, Style, png};
+use crate::plot::{Axis, BLACK, COLOURS, Chart, Curve, Style, png};
 
 /// The shininesses of the table of errors against the angle; 25 is that of the papers' figures.
 const SHININESSES: [f64; 5] = [5.0, 25.0, 100.0, 256.0, 1000.0];

@@ -4,7 +4,6 @@ use std::collections::BTreeSet;
 
 use rayon::prelude::*;
 
-use super::chart::{Axis, BLACK, Chart, Curve, Style};
 use super::trade::{Group, Palette, powers_about};
 use crate::core::Design;
 use crate::datapath::evaluate::Evaluator;
@@ -12,6 +11,7 @@ use crate::explore::Point;
 use crate::fixed::exp2;
 use crate::lobe::{degrees, exact, versine};
 use crate::platform::error::Error;
+use crate::plot::{Axis, BLACK, Chart, Curve, Style};
 use crate::spec::{Shininess, SpecFields};
 
 /// The shininesses that charts against the angle look for in the set.

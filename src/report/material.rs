@@ -1,7 +1,7 @@
 //! A material's part of the page: memory against error of all that can stand in place of its reflectance.
 
-use super::chart::{Axis, BLACK, COLOURS, Chart, Shape, Spot, Spots};
 use super::page::{Figure, Head, Line, Table, number, word};
+use crate::plot::{Axis, BLACK, COLOURS, Chart, Shape, Spot, Spots};
 use crate::reflectance::trade::Point;
 
 /// A material in the report.

@@ -2,16 +2,16 @@
 
 use askama::Template;
 
-use super::chart::Chart;
 use super::lobes::{self, Measured};
 use super::material::MaterialPart;
-use super::png::png;
 use super::scene::ScenePart;
 use super::speed::{Speed, time};
 use super::trade::{Group, Palette, error_text, groups};
 use crate::emit::package::File;
 use crate::explore::{Objective, Point, pareto};
 use crate::platform::error::Error;
+use crate::plot::Chart;
+use crate::plot::png;
 
 /// Everything that a report shows, measured and drawn.
 #[derive(Debug)]
@@ -250,38 +250,40 @@ pub(super) fn count(value: Option<u32>) -> Cell {
     number(value.map(f64::from), |value| format!("{value}"))
 }
 
+/// The columns of the table of points, and what they mean.
+const POINT_HEADS: [(&str, &str); 28] = [
+    ("core", "the core's name"),
+    ("front", "whether no other of these cores beats it in error, LUTs, DSPs, block RAMs and clocks together"),
+    ("method", "the method; a baseline is one to compare with"),
+    ("coefficients", "where the coefficients come from"),
+    ("variant", "other settings that differ from the method's defaults"),
+    ("G", "fraction bits of the output"),
+    ("pipeline", "pipeline, as it is written in a spec"),
+    ("error", "largest error against x^n, in hundredths of the peak"),
+    ("log2 error", "the same as an exponent of two"),
+    ("LUTs", "LUTs that are used up, carry chains counted"),
+    ("FFs", "flip-flops"),
+    ("DSPs", "DSP blocks"),
+    ("BRAMs", "block RAMs"),
+    ("clocks", "latency in clocks"),
+    ("ns", "latency in ns at the median frequency"),
+    ("MHz min", "least frequency over the seeds"),
+    ("MHz", "median frequency over the seeds"),
+    ("MHz max", "greatest frequency over the seeds"),
+    ("M/s", "millions of results per second at the median frequency"),
+    ("relative", "largest error relative to x^n, where x^n is at least 1/2"),
+    ("RMS", "root of the mean square of the error"),
+    ("worst n", "shininess of the largest error"),
+    ("worst x", "cosine of the largest error"),
+    ("bound", "proved distance from the real-valued method"),
+    ("ROM bits", "bits of all memories"),
+    ("figures", "whether the cost is measured or estimated"),
+    ("checked", "over which inputs the error was measured"),
+    ("failure", "why figures are missing"),
+];
+
 /// All figures of some points.
 fn table(points: &[&Point], chosen: Option<&Point>) -> Table {
-    const HEADS: [(&str, &str); 28] = [
-        ("core", "the core's name"),
-        ("front", "whether no other of these cores beats it in error, LUTs, DSPs, block RAMs and clocks together"),
-        ("method", "the method; a baseline is one to compare with"),
-        ("coefficients", "where the coefficients come from"),
-        ("variant", "other settings that differ from the method's defaults"),
-        ("G", "fraction bits of the output"),
-        ("pipeline", "pipeline, as it is written in a spec"),
-        ("error", "largest error against x^n, in hundredths of the peak"),
-        ("log2 error", "the same as an exponent of two"),
-        ("LUTs", "LUTs that are used up, carry chains counted"),
-        ("FFs", "flip-flops"),
-        ("DSPs", "DSP blocks"),
-        ("BRAMs", "block RAMs"),
-        ("clocks", "latency in clocks"),
-        ("ns", "latency in ns at the median frequency"),
-        ("MHz min", "least frequency over the seeds"),
-        ("MHz", "median frequency over the seeds"),
-        ("MHz max", "greatest frequency over the seeds"),
-        ("M/s", "millions of results per second at the median frequency"),
-        ("relative", "largest error relative to x^n, where x^n is at least 1/2"),
-        ("RMS", "root of the mean square of the error"),
-        ("worst n", "shininess of the largest error"),
-        ("worst x", "cosine of the largest error"),
-        ("bound", "proved distance from the real-valued method"),
-        ("ROM bits", "bits of all memories"),
-        ("figures", "whether the cost is measured or estimated"),
-        ("checked", "over which inputs the error was measured"),
-        ("failure", "why figures are missing"),
-    ];
     let front = pareto(points, &Objective::ALL);
     let line = |(place, point): (usize, &&Point)| {
         let cost = point.cost();
@@ -331,7 +333,7 @@ fn table(points: &[&Point], chosen: Option<&Point>) -> Table {
     };
     Table {
         title: format!("{} points", points.len()),
-        heads: HEADS.map(|(name, meaning)| Head { name, meaning }).into(),
+        heads: POINT_HEADS.map(|(name, meaning)| Head { name, meaning }).into(),
         rows: points.iter().enumerate().map(line).collect(),
     }
 }

@@ -2,8 +2,8 @@
 
 use std::cmp::Reverse;
 
-use super::chart::{Axis, BLACK, COLOURS, Chart, Curve, Shape, Spot, Spots, Style};
 use crate::explore::{Cost, Point};
+use crate::plot::{Axis, BLACK, COLOURS, Chart, Curve, Shape, Spot, Spots, Style};
 use crate::spec::{Material, Shininess, SpecFields};
 use crate::synth::Tools;
 use crate::target::Family;

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::frame::BACKGROUND;
 use super::{Difference, Frame, Picture, Pixels};
-use crate::report;
+use crate::plot;
 
 type Rgb = [u8; 3];
 
@@ -186,7 +186,7 @@ impl<'a> Page<'a> {
             self.svg,
             "<text x=\"{left}\" y=\"{}\" font-family=\"sans-serif\" font-size=\"{size}\" fill=\"{colour}\">{}</text>",
             f64::from(top) + 0.95 * size,
-            report::escaped(text),
+            plot::escaped(text),
         );
     }
 
@@ -205,7 +205,7 @@ impl<'a> Page<'a> {
         let mut lines: Vec<String> = Vec::new();
         for word in text.split(' ') {
             let longer = lines.last().map(|line| format!("{line} {word}"));
-            match longer.filter(|longer| report::text_width(longer, size * self.unit) <= f64::from(width)) {
+            match longer.filter(|longer| plot::text_width(longer, size * self.unit) <= f64::from(width)) {
                 Some(longer) => *lines.last_mut().expect("the line that is longer") = longer,
                 None => lines.push(word.to_owned()),
             }
@@ -225,7 +225,7 @@ impl<'a> Page<'a> {
         let swatch = self.units(1.5);
         let (mut x, mut y) = (left, top);
         for Entry { colour, label, note } in entries {
-            let text = |text: &str, size: f64| report::text_width(text, size * self.unit);
+            let text = |text: &str, size: f64| plot::text_width(text, size * self.unit);
             let wide = swatch + self.units(1.2) + libm::ceil(text(label, 1.0).max(text(note, 0.8))) as u32;
             if x > left && x + wide > left + width {
                 (x, y) = (left, y + row);
@@ -252,7 +252,7 @@ impl<'a> Page<'a> {
             self.svg
         );
         let mut pixels = Pixels::filled(width, height, depth, deep(PAPER, depth));
-        for (to, from) in pixels.codes.iter_mut().zip(report::draw(&svg, 1.0).pixels()) {
+        for (to, from) in pixels.codes.iter_mut().zip(plot::draw(&svg, 1.0).pixels()) {
             *to = deep([from.red(), from.green(), from.blue()], depth);
         }
         for (panel, picture) in &self.pictures {
@@ -330,7 +330,7 @@ pub fn triptych(
         let top = if stacked { below } else { y };
         let room = if stacked { inner } else { wide };
         // One line each, so that the pictures stand side by side: what does not fit is the same in fewer words.
-        let fits = report::text_width(head, 1.1 * unit) <= f64::from(room);
+        let fits = plot::text_width(head, 1.1 * unit) <= f64::from(room);
         page.text((left, top), 1.1, INK, if fits { head } else { head.split(' ').next().unwrap_or(head) });
         let top = top + page.units(1.6);
         let pixels = pictures.get(place).unwrap_or(&heat);

@@ -5,10 +5,12 @@
 
 mod cache;
 mod flow;
+mod ghdl;
 mod mutate;
 mod place;
 pub(crate) mod yosys;
 
+pub(crate) use ghdl::as_verilog;
 pub(crate) use mutate::{Listed, Mutated, mutated, mutated_by};
 
 pub use place::{Limit, Placed, parse_report};
@@ -24,7 +26,6 @@ use crate::platform::tool::{self, YOSYS};
 use crate::platform::transient::Folder;
 use crate::spec::Language;
 use crate::target::{self, Family};
-use crate::verify::cosim;
 use cache::{Cache, key};
 use flow::Flow;
 use place::Nextpnr;
@@ -326,7 +327,7 @@ fn files(design: &Design, language: Language) -> Result<Vec<package::File>, Erro
             let scratch = tool::scratch()?;
             write_all(scratch.path(), &files)?;
             let source = scratch.path().join(files.pop().expect("the HDL").path);
-            cosim::as_verilog(&design.spec.name, scratch.path(), &source)?
+            as_verilog(&design.spec.name, scratch.path(), &source)?
         }
     };
     files.push(package::File { path: CORE.to_owned(), bytes });

@@ -3,7 +3,7 @@
 use askama::Template;
 
 use crate::block::shader::datapath::COLOURS;
-use crate::core::{Account, Design, Measured, Part, ShaderError};
+use crate::core::{Account, Design, Measured, OtherForm, Part, ShaderError};
 use crate::core::{Port, WritePort};
 use crate::datapath::Description;
 use crate::datapath::widths::Contribution;
@@ -80,7 +80,7 @@ pub fn interval_text([low, high]: [f64; 2]) -> String {
 pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
     let proved = interval_text(design.budget.proved_ulps);
     match account {
-        Account::Lobe(measured) => {
+        Account::Lobe { measured, .. } => {
             let proved = format!("Error against the real-valued method, in ulps of out_spec: proved within {proved}.");
             [proved].into_iter().chain(measured_lines(measured)).collect()
         }
@@ -227,7 +227,7 @@ struct Datasheet<'a> {
     max_rel_epicentre: String,
     rms: String,
     forms: Vec<FormRow>,
-    other_failed: Option<String>,
+    other_failed: Option<&'a String>,
     axis: Option<Axis>,
     files: Vec<(String, &'static str)>,
 }
@@ -383,21 +383,11 @@ pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError
 }
 
 /// The text of a lobe's datasheet; `other` is the core in the other form, or why it cannot be built, where the method has two forms.
-pub(super) fn datasheet(
-    design: &Design,
-    measured: &Measured,
-    other: Option<Result<Design, String>>,
-) -> Result<String, Error> {
+pub(super) fn datasheet(design: &Design, measured: &Measured, other: Option<&OtherForm>) -> Result<String, Error> {
     let spec = &design.spec;
-    let mut forms = vec![FormRow::of(design)];
-    let other_failed = match other {
-        Some(Ok(other)) => {
-            forms.push(FormRow::of(&other));
-            None
-        }
-        Some(Err(why)) => Some(why),
-        None => None,
-    };
+    let forms: Vec<FormRow> =
+        std::iter::once(design).chain(other.and_then(|other| other.as_deref().ok())).map(FormRow::of).collect();
+    let other_failed = other.and_then(|other| other.as_ref().err());
     let rows = match &spec.interface.shininess {
         Shininess::Range(..) | Shininess::Fixed { .. } => Vec::new(),
         Shininess::List(list) => {

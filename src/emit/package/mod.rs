@@ -11,17 +11,14 @@ pub use directory::{
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
-use crate::core::{Account, Design};
-use crate::core::{Port, WritePort};
+use crate::core::golden::{self, Golden};
+use crate::core::{Account, Design, Port, WritePort};
 use crate::datapath::widths::Budget;
 use crate::emit::rom::{self, RomFormat};
 use crate::emit::{self, Axis, RomFile, Texts};
-use crate::fixed::Format;
-use crate::fixed::Table;
-use crate::method::{Configured, Options};
+use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
-use crate::spec::{Block, CoreSpec, Form, Language, RomStyle, hex};
-use crate::verify::golden::{self, Golden};
+use crate::spec::{Block, CoreSpec, Language, RomStyle, hex};
 
 /// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,22 +27,6 @@ pub struct File {
     pub path: String,
     /// The content.
     pub bytes: Vec<u8>,
-}
-
-/// The design of the same core in the other form, for comparison, where the method has two for this core: the paper form has the
-/// papers' coefficients and does not interpolate. `Err` says why it cannot be built.
-fn other_form(design: &Design) -> Option<Result<Design, String>> {
-    let spec = &design.spec;
-    if !spec.method.about().has("form") || spec.is_fitted() || spec.interface.shininess.frac_bits() > 0 {
-        return None;
-    }
-    let form = match spec.method.form() {
-        Form::Stable => Form::Paper,
-        Form::Paper => Form::Stable,
-    };
-    let method = Configured::new(spec.method.name(), &Options { form: Some(form), ..spec.method.options() });
-    let other = method.and_then(|method| Design::new(CoreSpec { method, ..spec.clone() }));
-    Some(other.map_err(|error| error.to_string()))
 }
 
 /// The path of the golden vectors in the core's directory.
@@ -255,7 +236,7 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     add("core.toml".to_owned(), spec_text(design).into_bytes());
     let sheet = match (&spec.block, account) {
         (Block::Shader(shader), Account::Shader(error)) => datasheet::shader_sheet(design, shader, error)?,
-        (_, Account::Lobe(measured)) => datasheet::datasheet(design, measured, other_form(design))?,
+        (_, Account::Lobe { measured, other_form }) => datasheet::datasheet(design, measured, other_form.as_ref())?,
         (Block::Lobe, Account::Shader(_)) => unreachable!("the account is the core's"),
     };
     add("README.md".to_owned(), sheet.into_bytes());
@@ -321,21 +302,6 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     let multipliers: Vec<_> = design.graph().multipliers().iter().map(|(a, b)| json!([a, b])).collect();
     let digests: serde_json::Map<String, serde_json::Value> =
         files.iter().map(|file| (file.path.clone(), json!(hex(&Sha256::digest(&file.bytes))))).collect();
-    let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } = &design.budget;
-    let mut error = json!({
-        "proved_ulps": proved_ulps,
-        "proved_coefficient_ulps": coefficient_ulps,
-        "proved_arithmetic_ulps": arithmetic_ulps,
-        "worst_shininess": worst_shininess,
-        "contributions": contributions,
-    });
-    let error = match account {
-        Account::Lobe(measured) => {
-            error["measured"] = json!(measured);
-            error
-        }
-        Account::Shader(measured) => json!({ "lobe": error, "measured_codes": measured }),
-    };
     let mut widths = json!(design.widths);
     if let Block::Shader(shader) = &spec.block {
         widths = json!({ "lobe": widths, "shader": shader.widths(spec) });
@@ -351,7 +317,7 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
         "multipliers": multipliers,
         "register_bits": design.register_bits(),
         "widths": widths,
-        "error": error,
+        "error": error_manifest(design, account),
         "files_sha256": digests,
     });
     let load = |port: WritePort| {
@@ -372,6 +338,25 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
         manifest["axi_stream"] = axis_manifest(&axis);
     }
     serde_json::to_string_pretty(&rounded(manifest)).expect("JSON of plain values")
+}
+
+/// What the manifest says of the error, proved and measured.
+fn error_manifest(design: &Design, account: &Account) -> serde_json::Value {
+    let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } = &design.budget;
+    let mut error = json!({
+        "proved_ulps": proved_ulps,
+        "proved_coefficient_ulps": coefficient_ulps,
+        "proved_arithmetic_ulps": arithmetic_ulps,
+        "worst_shininess": worst_shininess,
+        "contributions": contributions,
+    });
+    match account {
+        Account::Lobe { measured, .. } => {
+            error["measured"] = json!(measured);
+            error
+        }
+        Account::Shader(measured) => json!({ "lobe": error, "measured_codes": measured }),
+    }
 }
 
 /// What the manifest says of the wrapper.

@@ -11,13 +11,13 @@ use std::time::Instant;
 
 use sha2::{Digest, Sha256};
 
-use super::ghdl;
 use crate::core::Design;
 use crate::emit::package;
 use crate::platform::error::Error;
 use crate::platform::tool::{self, Tool, VERILATOR};
 use crate::platform::transient::Folder;
 use crate::spec::{Language, hex};
+use crate::synth;
 
 const HARNESS: &str = include_str!("../../../testbench/exhaustive.cpp");
 
@@ -63,7 +63,7 @@ impl<'a> Compiled<'a> {
         let source = directory.join(package::rtl_path(design, language));
         let verilog = match language {
             Language::Verilog => fs::read(&source).map_err(|error| Error::io("cannot read", &source, error))?,
-            Language::Vhdl => ghdl::as_verilog(&design.spec.name, directory, &source)?,
+            Language::Vhdl => synth::as_verilog(&design.spec.name, directory, &source)?,
         };
         Ok(Self { program: build(design, &verilog)?, directory })
     }

@@ -19,7 +19,6 @@ pub use bench::Part;
 pub(crate) use builtin::Vectors;
 pub use builtin::{Engine, builtin_engine};
 pub use exhaustive::exhaustive;
-pub(crate) use ghdl::as_verilog;
 pub use lint::{Lint, Linter, Unit, Verdict, lint, linters};
 pub(crate) use mutants::{AtRandom, Found, Mutants};
 pub use netlist::netlist;

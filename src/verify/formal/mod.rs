@@ -17,8 +17,8 @@ use crate::core::Design;
 use crate::emit::package;
 use crate::platform::error::Error;
 use crate::spec::Language;
+use crate::synth;
 use crate::synth::yosys::Yosys;
-use crate::verify::cosim;
 use crate::verify::golden::Golden;
 #[cfg(feature = "kernel")]
 use crate::verify::kernel;
@@ -93,7 +93,7 @@ fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
         let source = directory.join(package::rtl_path(design, language));
         let bytes = match language {
             Language::Verilog => std::fs::read(&source).map_err(|error| Error::io("cannot read", &source, error))?,
-            Language::Vhdl => cosim::as_verilog(&design.spec.name, directory, &source)?,
+            Language::Vhdl => synth::as_verilog(&design.spec.name, directory, &source)?,
         };
         texts.push(Text { name: language.to_string(), top: design.spec.name.clone(), bytes });
     }

@@ -22,7 +22,7 @@ use crate::emit::{Axis, render};
 use crate::platform::error::Error;
 use crate::platform::tool::{self, YICES, YOSYS, YOSYS_SMTBMC};
 use crate::spec::{Language, RomStyle};
-use crate::verify::cosim;
+use crate::synth;
 
 #[derive(Template)]
 #[template(path = "formal/stream.v", escape = "none")]
@@ -71,7 +71,7 @@ fn prove(design: &Design, axis: &Axis, directory: &Path, language: Language) -> 
     if language == Language::Vhdl {
         // A file of both: GHDL's synthesis is given one.
         put("wrapper.vhd", &texts)?;
-        texts = cosim::as_verilog(&axis.name, directory, &scratch.path().join("wrapper.vhd"))?;
+        texts = synth::as_verilog(&axis.name, directory, &scratch.path().join("wrapper.vhd"))?;
     } else if design.spec.rom == RomStyle::File {
         for table in design.tables() {
             let path = package::rom_path(design, table, package::read_format(&design.spec));

@@ -1,12 +1,10 @@
-//! Golden vectors: make, write, read, compare.
+//! Golden vectors: make and compare; what they hold and their file stand in [`crate::core::golden`].
 //!
 //! A golden file holds two things. Its *vectors* are a few thousand inputs with the expected outputs and with pauses between
 //! them, for test benches. Its *digests* stand for all inputs: for each shininess one number over the outputs for
 //! every code of the operand port. A shader has too many inputs for that: its digests are over a stream of samples a material.
 
 mod choose;
-mod complement;
-mod file;
 mod shader;
 mod told;
 
@@ -14,55 +12,13 @@ use rayon::prelude::*;
 use serde::Serialize;
 use xxhash_rust::xxh3::Xxh3;
 
-pub use complement::{complemented, complemented_tables};
-pub use file::parse;
+pub use crate::core::golden::{Golden, RowDigest, Vector, complemented, complemented_tables, parse};
 
 use crate::core::Design;
 use crate::core::Direction;
+use crate::core::golden::digest_rows;
 use crate::fixed::{Dice, Format};
 use crate::spec::Block;
-
-/// The codes at the inputs, those expected at the outputs, and the pauses before.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Vector {
-    /// The codes of the input ports, in their order, as numbers (negative for negative cosines).
-    pub inputs: Vec<i64>,
-    /// The codes of the output ports, in their order.
-    pub outputs: Vec<i64>,
-    /// Enabled clocks without a valid input before this one.
-    pub idle: u32,
-    /// Clocks with `ce` low while this one waits.
-    pub stall: u32,
-}
-
-/// The digest of one shininess.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct RowDigest {
-    /// The code of the first input port, `in_n`.
-    pub index: u32,
-    /// XXH3-64 of the outputs, each as four little-endian bytes: for all operand codes, the least first, or for a shader for its
-    /// material's stream of samples.
-    pub digest: u64,
-}
-
-/// The golden vectors of a core.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Golden {
-    /// The core's name.
-    pub core: String,
-    /// The digest of its spec.
-    pub spec_digest: String,
-    /// The vectors, in groups with a heading.
-    pub groups: Vec<(String, Vec<Vector>)>,
-    /// The digests.
-    pub digests: Vec<RowDigest>,
-}
-
-/// The most outputs that the digests of a file cover; with more, only evenly spaced rows have one.
-const MOST_OUTPUTS: u64 = 1 << 30;
-
-/// The same for the samples of a shader's streams.
-const MOST_SAMPLES: u64 = 1 << 20;
 
 /// The heading of the vectors that a spec asks for.
 const FROM_SPEC: &str = "inputs of the spec, one a clock and then with a clock without ce before each";
@@ -123,22 +79,6 @@ impl Golden {
         }
         Self { core: design.spec.name.clone(), spec_digest: design.spec.digest(), groups, digests }
     }
-
-    /// All vectors, in order.
-    #[must_use]
-    pub fn vectors(&self) -> Vec<&Vector> {
-        self.groups.iter().flat_map(|(_, vectors)| vectors).collect()
-    }
-}
-
-/// The rows that have a digest: all, or evenly spaced ones where all would take too long.
-fn digest_rows(design: &Design) -> Vec<usize> {
-    let rows = design.spec.interface.shininess.rows() as u64;
-    let step = match design.spec.block {
-        Block::Lobe => (rows << design.operand_format().width()).div_ceil(MOST_OUTPUTS).max(1) as usize,
-        Block::Shader(_) => (rows * shader::STREAM).div_ceil(MOST_SAMPLES) as usize,
-    };
-    (0..design.spec.interface.shininess.rows()).step_by(step).collect()
 }
 
 /// All codes of a port, as numbers: the least and how many.

@@ -6,6 +6,7 @@ use super::{OutputHash, Vector, told};
 use crate::core::Design;
 use crate::core::Direction;
 use crate::core::edges::varied;
+use crate::core::golden::STREAM;
 use crate::core::sample::{Sample, normalised, random_codes};
 use crate::datapath::fault::Block;
 use crate::fixed::Dice;
@@ -21,8 +22,6 @@ const CANDIDATES: usize = 96;
 /// Tasks that seek inputs which tell mutants, and the candidates of each.
 const TASKS: u64 = 64;
 const OF_TASK: u64 = 1 << 14;
-/// Samples of a material's stream.
-pub(super) const STREAM: u64 = 1 << 13;
 
 /// The vectors of a shader, in groups with a heading.
 pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vector>)> {

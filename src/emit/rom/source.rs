@@ -1,10 +1,10 @@
-//! What the readers share: the text with its places, tokens, and the words collected by address.
+//! What the readers share: the text with its places, its lines and tokens, and the words collected by address.
 
 use std::collections::BTreeMap;
 
 use num_bigint::BigUint;
 
-use super::MAX_DEPTH;
+use super::{MAX_DEPTH, RomImage};
 use crate::platform::error::Error;
 use crate::platform::input;
 
@@ -33,6 +33,13 @@ pub(super) struct Comments {
     pub behind: Option<char>,
     /// The two ends of a comment that may span lines.
     pub block: Option<(&'static str, &'static str)>,
+}
+
+impl Comments {
+    /// A line's comment and one that may span lines.
+    pub const fn of(line: &'static str, block: (&'static str, &'static str)) -> Self {
+        Self { line: Some(line), behind: None, block: Some(block) }
+    }
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -76,6 +83,16 @@ pub(super) fn shown(text: &str) -> String {
     format!("`{shown}`")
 }
 
+/// The non-empty lines of a text without what follows one of the comments' beginnings, with their places.
+pub(super) fn lines<'s>(text: &'s str, comments: &'static [&'static str]) -> impl Iterator<Item = (&'s str, Span)> {
+    let offset = |part: &str| part.as_ptr() as usize - text.as_ptr() as usize;
+    let bare = move |line: &'s str| {
+        let end = comments.iter().filter_map(|comment| line.find(*comment)).min().unwrap_or(line.len());
+        line[..end].trim()
+    };
+    text.lines().map(bare).filter(|line| !line.is_empty()).map(move |line| (line, (offset(line), line.len())))
+}
+
 impl<'a> Source<'a> {
     pub fn new(bytes: &'a [u8], file: &'a str, allowed: &'static str, word_bits: u32) -> Self {
         let text = input::plain(&String::from_utf8_lossy(bytes)).into_owned();
@@ -87,9 +104,14 @@ impl<'a> Source<'a> {
         Error::text(what, allowed, self.file, &self.text, span)
     }
 
+    /// An error at a place, with what the format allows.
+    pub fn wrong(&self, what: impl Into<String>, span: Span) -> Error {
+        self.error(what, self.allowed, span)
+    }
+
     /// An error at the end of the text.
     pub fn cut_off(&self, what: impl Into<String>) -> Error {
-        self.error(what, self.allowed, (self.text.len(), 0))
+        self.wrong(what, (self.text.len(), 0))
     }
 
     /// Reads digits (underscores between them are skipped) as a word of this ROM.
@@ -102,7 +124,7 @@ impl<'a> Source<'a> {
         let digits: Vec<u8> = digits.bytes().filter(|&c| c != b'_').collect();
         if digits.is_empty() || !digits.iter().all(|&c| char::from(c).is_digit(radix)) {
             let what = format!("{} is not a number of radix {radix}", shown(&self.text[span.0..span.0 + span.1]));
-            return Err(self.error(what, self.allowed, span));
+            return Err(self.wrong(what, span));
         }
         let leading_zeros = digits.iter().take_while(|&&c| c == b'0').count();
         let significant = &digits[leading_zeros..];
@@ -116,6 +138,27 @@ impl<'a> Source<'a> {
         })
     }
 
+    /// The error that something has not the width of this ROM's words.
+    pub fn wrong_width(&self, what: impl Into<String>, span: Span) -> Error {
+        self.error(what, format!("the words of this ROM have {} bits", self.word_bits), span)
+    }
+
+    /// Refuses a width that the file states and that is not this ROM's.
+    pub fn check_width(&self, stated: usize, span: Span) -> Result<(), Error> {
+        if stated == self.word_bits as usize {
+            return Ok(());
+        }
+        Err(self.wrong_width(format!("the file states words of {stated} bits"), span))
+    }
+
+    /// Refuses a word that is wider than this ROM's.
+    pub fn refuse_wide(&self, word: &BigUint, span: Span) -> Result<(), Error> {
+        if word.bits() <= u64::from(self.word_bits) {
+            return Ok(());
+        }
+        Err(self.wrong_width(format!("the word 0x{word:x} is too wide"), span))
+    }
+
     /// Reads an address.
     pub fn address(&self, digits: &str, radix: u32, span: Span) -> Result<usize, Error> {
         let address = self.number(digits, radix, 64, span)?;
@@ -123,20 +166,6 @@ impl<'a> Source<'a> {
             let what = format!("the address {} is out of range", shown(digits));
             self.error(what, format!("a ROM has at most {MAX_DEPTH} words"), span)
         })
-    }
-
-    /// Refuses a last word that the end of the file seems to cut: with nothing behind it, not even a line feed,
-    /// it has fewer digits than all the others have.
-    pub fn refuse_cut_word(&self, last: Span, digit_counts: &[usize]) -> Result<(), Error> {
-        let [first, .., cut] = *digit_counts else {
-            return Ok(());
-        };
-        let is_last_text = last.0 + last.1 == self.text.len();
-        if is_last_text && cut < first && digit_counts[..digit_counts.len() - 1].iter().all(|&count| count == first) {
-            let what = format!("the file ends within a word: it has fewer than the {first} digits of the others");
-            return Err(self.error(what, "a line feed after the last word, or words of equal length", last));
-        }
-        Ok(())
     }
 
     /// Splits the text into tokens.
@@ -223,6 +252,12 @@ impl<'s> Cursor<'s> {
         }
     }
 
+    /// The place of the tokens from the given position up to the last one taken.
+    pub fn span_from(&self, begin: usize) -> Span {
+        let start = self.tokens[begin].span.0;
+        (start, self.tokens[self.next - 1].end() - start)
+    }
+
     /// Nothing may follow.
     pub fn expect_end(&self) -> Result<(), Error> {
         if self.peek(0).is_none() { Ok(()) } else { Err(self.unexpected("the end of the file")) }
@@ -233,22 +268,42 @@ impl<'s> Cursor<'s> {
         match self.peek(0) {
             Some(token) => {
                 let found = format!("{} stands where {what} is expected", shown(token.text));
-                self.source.error(found, self.source.allowed, token.span)
+                self.source.wrong(found, token.span)
             }
             None => self.source.cut_off(format!("the file ends where {what} is expected")),
         }
     }
 }
 
+/// An image of words alone.
+pub(super) fn image(words: Vec<BigUint>) -> RomImage {
+    RomImage { words, kind: None, width: None, codes: Vec::new() }
+}
+
 /// The words of a file, collected in any order.
 pub(super) struct Words<'s> {
     source: &'s Source<'s>,
     words: BTreeMap<usize, (BigUint, Span)>,
+    /// Of each word that was read from digits, and where the last one stands.
+    digit_counts: Vec<usize>,
+    last: Span,
 }
 
 impl<'s> Words<'s> {
     pub fn new(source: &'s Source<'s>) -> Self {
-        Self { source, words: BTreeMap::new() }
+        Self { source, words: BTreeMap::new(), digit_counts: Vec::new(), last: (0, 0) }
+    }
+
+    /// Whether there is none yet.
+    pub fn is_empty(&self) -> bool {
+        self.words.is_empty()
+    }
+
+    /// Reads digits as the next word of the file.
+    pub fn read(&mut self, digits: &str, radix: u32, span: Span) -> Result<BigUint, Error> {
+        self.digit_counts.push(digits.len());
+        self.last = span;
+        self.source.word(digits, radix, span)
     }
 
     /// Puts a word at an address, which must be free and less than `depth`.
@@ -268,18 +323,38 @@ impl<'s> Words<'s> {
         Ok(())
     }
 
+    /// Refuses a last word that the end of the file seems to cut: with nothing behind it, not even a line feed,
+    /// it has fewer digits than all the others have.
+    fn refuse_cut_word(&self) -> Result<(), Error> {
+        let [first, between @ .., cut] = &*self.digit_counts else {
+            return Ok(());
+        };
+        let is_last_text = self.last.0 + self.last.1 == self.source.text.len();
+        if is_last_text && cut < first && between.iter().all(|count| count == first) {
+            let what = format!("the file ends within a word: it has fewer than the {first} digits of the others");
+            return Err(self.source.error(
+                what,
+                "a line feed after the last word, or words of equal length",
+                self.last,
+            ));
+        }
+        Ok(())
+    }
+
     /// The words by address up to `depth`, which they all are below; those that are not there are 0.
-    pub fn filled(self, depth: usize) -> Vec<BigUint> {
+    pub fn filled(self, depth: usize) -> Result<Vec<BigUint>, Error> {
+        self.refuse_cut_word()?;
         let mut filled = vec![BigUint::ZERO; depth];
         for (address, (word, _)) in self.words {
             filled[address] = word;
         }
-        filled
+        Ok(filled)
     }
 
     /// All words by address; every address up to the last one, or up to `depth`, must have one.
     pub fn finish(self, depth: Option<usize>) -> Result<Vec<BigUint>, Error> {
         const ALLOWED: &str = "every address has a word, from 0 to the last";
+        self.refuse_cut_word()?;
         for (expected, (&address, &(_, span))) in self.words.iter().enumerate() {
             if address != expected {
                 let what = format!("there is no word for the address {expected}; the next one is for {address}");

@@ -1,78 +1,16 @@
-//! The list of claims, each with how it is measured.
+//! The claims of C7 and C21, on the cubic, its tail and its three-point form.
 
-use super::measure::{grid, largest, rises, versine_at};
-use super::method::{LEVEL, Method, Pieces, three_point};
-use super::survey::{Errors, MOST, QUADRATIC_LEVEL, Row, TAIL_BANDS};
-use super::{Claim, Figure, Unit, Verdict, images};
-use crate::core::Design;
-use crate::lobe::{Lobe, exact};
+use super::claims::{
+    ROUNDING, count, datapath, how_many, most, most_real, percent, real_shininesses, shininesses, those, times, value,
+};
+use super::measure::{grid, largest, rises};
+use super::method::{LEVEL, Method, three_point};
+use super::survey::{Errors, MOST, Row, TAIL_BANDS};
+use super::{Claim, Verdict};
 use crate::method::cubic::Cubic;
 use crate::method::cubic_min_zero::MinZero;
 use crate::method::cubic_rational::CubicRational;
-use crate::method::quadratic::Quadratic;
-use crate::papers::Taylor;
-use crate::papers::TaylorSeries;
 use crate::platform::error::Error;
-use crate::spec::SpecFields;
-
-/// An error below which two results of the same thing are rounding apart: no ratio is taken of it.
-const ROUNDING: f64 = 1e-9;
-
-fn percent(name: &'static str, fraction: f64) -> Figure {
-    Figure { name, value: 100.0 * fraction, unit: Unit::Percent }
-}
-
-fn times(name: &'static str, value: f64) -> Figure {
-    Figure { name, value, unit: Unit::Times }
-}
-
-fn count(name: &'static str, number: usize) -> Figure {
-    Figure { name, value: number as f64, unit: Unit::Count }
-}
-
-fn value(name: &'static str, value: f64) -> Figure {
-    Figure { name, value, unit: Unit::Value }
-}
-
-/// The largest of `f` for n up to `most`.
-fn most(rows: &[Row], most: usize, f: impl Fn(&Row) -> f64) -> f64 {
-    rows[..most].iter().map(f).fold(0.0, f64::max)
-}
-
-/// The first n where `f` holds, or one past the last.
-fn first(rows: &[Row], f: impl Fn(&Row) -> bool) -> usize {
-    rows.iter().find(|row| f(row)).map_or(MOST + 1, |row| row.n)
-}
-
-fn shininesses() -> impl Iterator<Item = f64> {
-    (1..=MOST).map(|n| n as f64)
-}
-
-/// The shininesses of 1..=1000 where `f` holds.
-fn those(f: impl Fn(f64) -> Result<bool, Error>) -> Result<Vec<f64>, Error> {
-    let mut found = Vec::new();
-    for n in shininesses() {
-        if f(n)? {
-            found.push(n);
-        }
-    }
-    Ok(found)
-}
-
-/// The number of shininesses of 1..=1000 where `f` holds.
-fn how_many(f: impl Fn(f64) -> Result<bool, Error>) -> Result<usize, Error> {
-    Ok(those(f)?.len())
-}
-
-/// Real shininesses between the small integers, where a method's behaviour changes most: 1 to 16 by 64ths.
-fn real_shininesses() -> impl Iterator<Item = f64> {
-    (64..=16 * 64).map(|step| f64::from(step) / 64.0)
-}
-
-/// The largest of an error of a method's lobes for the real shininesses.
-fn most_real(method: Method, error: impl Fn(&Pieces) -> f64) -> Result<f64, Error> {
-    real_shininesses().try_fold(0.0, |worst: f64, n| Ok(worst.max(error(&method.lobe(n)?))))
-}
 
 /// The cubic as printed, neither cut nor clamped.
 fn uncut(cubic: &Cubic) -> impl Fn(f64) -> f64 + use<> {
@@ -86,213 +24,15 @@ fn least(n: f64, cubic: &Cubic) -> f64 {
     -largest(n, (0.0, 1.0), None, |u| -f(u))
 }
 
-/// All claims, from the rows of [`survey`](super::survey()).
-///
-/// # Errors
-/// None for the papers' parameters.
-pub fn claims(rows: &[Row]) -> Result<Vec<Claim>, Error> {
-    let mut claims = vec![
-        quadratic_error(rows)?,
-        quadratic_printed_angle()?,
-        quadratic_periphery()?,
-        quadratic_block()?,
-        schlick(rows),
-        chord(),
-        taylor(rows)?,
-        cos_k(rows),
-        cubic_relative(rows)?,
-        cubic_absolute(rows)?,
-        schlick_relative(rows),
-        schlick_absolute(rows),
-        closed_form()?,
-        cubic_rises()?,
-        cubic_negative()?,
-    ];
-    claims.extend(tail(rows));
-    claims.extend([
-        tail_closed_form()?,
-        tail_against_schlick(rows),
-        tail_falls()?,
-        three_point_negative()?,
-        three_point_levels()?,
-        three_point_closed_form(),
-        operations()?,
-        extrema()?,
-        min_zero()?,
-    ]);
-    claims.extend(images::claims()?);
-    Ok(claims)
-}
-
-fn quadratic_error(rows: &[Row]) -> Result<Claim, Error> {
-    let (claimed, all) = (most(rows, 512, |row| row.quadratic), most(rows, MOST, |row| row.quadratic));
-    let real = most_real(Method::Quadratic, |pieces| pieces.relative(1.0, QUADRATIC_LEVEL))?;
-    Ok(Claim {
-        id: "quadratic-error",
-        source: "Q, text before the conclusions; fig. 3",
-        text: "The relative error is at most 4 % where x^n >= 0.56, for n in [1; 512].",
-        claimed: "4 %",
-        measured: vec![
-            percent("relative; n <= 512", claimed),
-            percent("relative; n <= 1000", all),
-            percent("relative; real n <= 16 by 64ths", real),
-        ],
-        verdict: Verdict::of(claimed.max(real) <= 0.04),
-    })
-}
-
-/// `max(0, x (1 - a u))` through the power's point at γ = arctan(1/(n-1)), as the text layer prints eq. 7.
-fn quadratic_printed_angle() -> Result<Claim, Error> {
-    let mut worst = 0.0f64;
-    for n in shininesses().skip(1).take(511) {
-        let t = (n - 1.0) / libm::sqrt(1.0 + (n - 1.0) * (n - 1.0));
-        let lobe = Quadratic { a: (1.0 - libm::pow(t, n - 1.0)) / (1.0 - t) };
-        let range = (0.0, versine_at(n, QUADRATIC_LEVEL));
-        worst = worst.max(largest(n, range, Some(lobe.zero()), |u| (lobe.at(u) / exact(n, u) - 1.0).abs()));
-    }
-    Ok(Claim {
-        id: "quadratic-angle",
-        source: "Q, the inflection and eq. 7, as its text layer has them",
-        text: "The inflection lies at arctan(1/(n-1)); the coefficient taken there has the claimed error.",
-        claimed: "4 %",
-        measured: vec![percent("relative; n = 2 to 512", worst)],
-        verdict: if worst <= 0.04 { Verdict::Holds } else { Verdict::Only("with arctan(1/sqrt(n-1))".to_owned()) },
-    })
-}
-
-fn quadratic_periphery() -> Result<Claim, Error> {
-    let printed = |a: f64| move |u: f64| (1.0 - u) * (1.0 - a * u);
-    let rising = how_many(|n| {
-        let f = printed(Quadratic::new(n)?.a);
-        Ok(rises(n, (0.0, 1.0), f))
-    })?;
-    let cut = how_many(|n| {
-        let lobe = Quadratic::new(n)?;
-        Ok(rises(n, (0.0, 1.0), |u| lobe.at(u)))
-    })?;
-    let f = printed(Quadratic::new(1000.0)?.a);
-    Ok(Claim {
-        id: "quadratic-periphery",
-        source: "Q, the new model, first paragraph",
-        text: "Outside the epicentre the model's intensity falls monotonically, as it must.",
-        claimed: "0 rises",
-        measured: vec![
-            count("n of 1000 that rise; as printed", rising),
-            value("least value; as printed; n = 1000", -largest(1000.0, (0.0, 1.0), None, |u| -f(u))),
-            count("n of 1000 that rise; cut at 0", cut),
-        ],
-        verdict: match (rising, cut) {
-            (0, _) => Verdict::Holds,
-            (_, 0) => Verdict::Only("for the lobe cut at 0".to_owned()),
-            _ => Verdict::DoesNotHold,
-        },
-    })
-}
-
-/// A core that is small to build, for counting its operations.
-fn datapath(method: &str, form: &str) -> Result<Design, Error> {
-    let text = format!("method = '{method}'\nform = '{form}'\nshininess = [25]");
-    Design::new(SpecFields::parse(&text, "claims")?.resolve()?)
-}
-
-fn quadratic_block() -> Result<Claim, Error> {
-    let (printed, ours) = (datapath("quadratic", "paper")?, datapath("quadratic", "stable")?);
-    let multipliers = printed.graph().multipliers().len();
-    Ok(Claim {
-        id: "quadratic-block",
-        source: "Q, fig. 1 and its description",
-        text: "The block has two multipliers.",
-        claimed: "2",
-        measured: vec![
-            count("multipliers of the printed form", multipliers),
-            count("multipliers of x(1 - a u)", ours.graph().multipliers().len()),
-        ],
-        verdict: Verdict::of(multipliers == 2),
-    })
-}
-
-fn schlick(rows: &[Row]) -> Claim {
-    let inside = most(rows, MOST, |row| row.of(Method::Schlick).absolute_epicentre);
-    let outside = most(rows, MOST, |row| row.of(Method::Schlick).absolute_tail);
-    Claim {
-        id: "schlick-epicentre",
-        source: "Q, C7, existing approaches",
-        text: "Schlick's lobe is satisfactory only on the epicentre; beyond it there is a considerable discrepancy.",
-        claimed: "larger beyond",
-        measured: vec![
-            percent("absolute; on the epicentre; n <= 1000", inside),
-            percent("absolute; beyond; n <= 1000", outside),
-        ],
-        verdict: Verdict::of(outside > inside),
-    }
-}
-
-fn chord() -> Claim {
-    // cos^n of the chord D = 2 sin(γ/2) against cos^n of the angle γ.
-    let change = |n: f64| {
-        largest(n, (0.0, 1.0), None, |u| (libm::pow(libm::cos(libm::sqrt(2.0 * u)).max(0.0), n) - exact(n, u)).abs())
-    };
-    let (wide, narrow) = (change(1.0), change(1000.0));
-    Claim {
-        id: "chord",
-        source: "Q, C7, existing approaches (of Lyon)",
-        text: "The chord in place of the angle has little influence only for small angles.",
-        claimed: "little if small",
-        measured: vec![
-            percent("change of x^n; n = 1; all angles", wide),
-            percent("change of x^n; n = 1000; all angles", narrow),
-        ],
-        verdict: Verdict::of(narrow < 0.1 * wide),
-    }
-}
-
-fn taylor(rows: &[Row]) -> Result<Claim, Error> {
-    let chord = Method::Taylor(TaylorSeries::Chord);
-    let inside = most(rows, MOST, |row| row.of(chord).absolute_epicentre);
-    let cubic = most(rows, MOST, |row| row.of(Method::Cubic).absolute_epicentre);
-    Ok(Claim {
-        id: "taylor",
-        source: "Q, C7, existing approaches (of Lyon)",
-        text: "Three terms of the Taylor series in the chord do not approximate x^n with the necessary accuracy.",
-        claimed: "worse",
-        measured: vec![
-            percent("three terms; absolute; on the epicentre; n <= 1000", inside),
-            percent("the cubic; absolute; on the epicentre; n <= 1000", cubic),
-            value("sum of three terms at 90 degrees; n = 1000", Taylor::new(1000.0, TaylorSeries::Chord)?.sum(1.0)),
-        ],
-        verdict: Verdict::of(inside > cubic),
-    })
-}
-
-fn cos_k(rows: &[Row]) -> Claim {
-    // Below n = k the angle is stretched, which nobody proposes.
-    let of =
-        |method: Method, k: u32| most(&rows[k as usize - 1..], MOST + 1 - k as usize, |row| row.of(method).absolute);
-    let [two, four, eight] = [2, 4, 8].map(|k| of(Method::CosK(k), k));
-    let lyon = [2, 4, 8].map(|k| of(Method::Lyon(k), k));
-    let schlick = of(Method::Schlick, 1);
-    Claim {
-        id: "cos-k",
-        source: "Q, C7, existing approaches",
-        text: "cos^k(sqrt(n/k) γ), n >= k, is sufficiently accurate: better than Schlick's and Lyon's lobes.",
-        claimed: "better",
-        measured: vec![
-            percent("k = 2; absolute; all angles; n <= 1000", two),
-            percent("k = 4; absolute; all angles; n <= 1000", four),
-            percent("k = 8; absolute; all angles; n <= 1000", eight),
-            percent("Lyon with k = 2; absolute; all angles; n <= 1000", lyon[0]),
-            percent("Lyon with k = 4; absolute; all angles; n <= 1000", lyon[1]),
-            percent("Lyon with k = 8; absolute; all angles; n <= 1000", lyon[2]),
-            percent("Schlick; absolute; all angles; n <= 1000", schlick),
-        ],
-        verdict: Verdict::of(two.max(four).max(eight) < schlick && two < lyon[0] && four < lyon[1] && eight < lyon[2]),
-    }
+/// The first n where `f` holds, or one past the last.
+fn first(rows: &[Row], f: impl Fn(&Row) -> bool) -> usize {
+    rows.iter().find(|row| f(row)).map_or(MOST + 1, |row| row.n)
 }
 
 /// The claimed bound of the cubic's error.
 const CUBIC_BOUND: f64 = 0.0067;
 
-fn cubic_relative(rows: &[Row]) -> Result<Claim, Error> {
+pub(super) fn cubic_relative(rows: &[Row]) -> Result<Claim, Error> {
     let relative = |row: &Row| row.of(Method::Cubic).relative_epicentre;
     let (claimed, over) = (most(rows, 256, relative), first(rows, |row| relative(row) > CUBIC_BOUND));
     let real = most_real(Method::Cubic, |pieces| pieces.relative(1.0, LEVEL))?;
@@ -315,7 +55,7 @@ fn cubic_relative(rows: &[Row]) -> Result<Claim, Error> {
     })
 }
 
-fn cubic_absolute(rows: &[Row]) -> Result<Claim, Error> {
+pub(super) fn cubic_absolute(rows: &[Row]) -> Result<Claim, Error> {
     let absolute = |row: &Row| row.of(Method::Cubic).absolute_epicentre;
     let all = most(rows, MOST, absolute);
     let real = most_real(Method::Cubic, |pieces| pieces.absolute(1.0, LEVEL))?;
@@ -342,7 +82,7 @@ fn ratios(rows: &[Row], error: impl Fn(Errors) -> f64) -> (f64, f64) {
     (worst, least)
 }
 
-fn schlick_relative(rows: &[Row]) -> Claim {
+pub(super) fn schlick_relative(rows: &[Row]) -> Claim {
     let (worst, least) = ratios(rows, |errors| errors.relative_epicentre);
     Claim {
         id: "schlick-relative",
@@ -354,7 +94,7 @@ fn schlick_relative(rows: &[Row]) -> Claim {
     }
 }
 
-fn schlick_absolute(rows: &[Row]) -> Claim {
+pub(super) fn schlick_absolute(rows: &[Row]) -> Claim {
     let (worst, least) = ratios(rows, |errors| errors.absolute_epicentre);
     Claim {
         id: "schlick-absolute",
@@ -373,7 +113,7 @@ fn printed_cubic(n: f64) -> (f64, f64) {
     (((q - 1.0) * (2.0 * q + n) + 1.0) / below, -(q * q * (4.0 * q - 3.0) + n * (q * q - 1.0) + 1.0) / below)
 }
 
-fn closed_form() -> Result<Claim, Error> {
+pub(super) fn closed_form() -> Result<Claim, Error> {
     let agreeing = how_many(|n| {
         let ((a, b), cubic) = (printed_cubic(n), Cubic::new(n, LEVEL)?);
         let [a_true, b_true, _] = cubic.printed();
@@ -391,7 +131,7 @@ fn closed_form() -> Result<Claim, Error> {
     })
 }
 
-fn cubic_rises() -> Result<Claim, Error> {
+pub(super) fn cubic_rises() -> Result<Claim, Error> {
     let rising = those(|n| {
         let f = uncut(&Cubic::new(n, LEVEL)?);
         Ok(rises(n, (0.0, 1.0), f))
@@ -442,7 +182,7 @@ fn between(negative: &[f64]) -> String {
     format!("{} < n < {}", libm::floor(low), libm::ceil(high))
 }
 
-fn cubic_negative() -> Result<Claim, Error> {
+pub(super) fn cubic_negative() -> Result<Claim, Error> {
     let of = |n| Cubic::new(n, LEVEL);
     let (integer, offenders) = dips(shininesses(), of)?;
     let (real, negative) = dips(real_shininesses(), of)?;
@@ -464,7 +204,7 @@ fn cubic_negative() -> Result<Claim, Error> {
     })
 }
 
-fn tail(rows: &[Row]) -> Vec<Claim> {
+pub(super) fn tail(rows: &[Row]) -> Vec<Claim> {
     const IDS: [&str; 3] = ["tail-0.42", "tail-0.37", "tail-0.27"];
     const TEXTS: [&str; 3] = [
         "The rational tail's relative error is at most 1 % where 0.42 < f < 0.5.",
@@ -496,7 +236,7 @@ fn tail(rows: &[Row]) -> Vec<Claim> {
         .collect()
 }
 
-fn tail_closed_form() -> Result<Claim, Error> {
+pub(super) fn tail_closed_form() -> Result<Claim, Error> {
     let agreeing = how_many(|n| {
         // The papers' x / (a - b x) is x / (d + b u) with d = a - b.
         let (tail, t) = (CubicRational::new(n, LEVEL)?, libm::exp2(-1.0 / n));
@@ -515,7 +255,7 @@ fn tail_closed_form() -> Result<Claim, Error> {
 
 /// The ratio is 2 at every n, because the tail is `Q S(x/t)` with S Schlick's lobe (see [`CubicRational`]) and x^n is
 /// `Q (x/t)^n`: its error is half of Schlick's over all angles.
-fn tail_against_schlick(rows: &[Row]) -> Claim {
+pub(super) fn tail_against_schlick(rows: &[Row]) -> Claim {
     let tail = |row: &Row, method: Method| row.of(method).absolute_tail;
     let (ours, schlick) =
         (most(rows, MOST, |row| tail(row, Method::CubicRational)), most(rows, MOST, |row| tail(row, Method::Schlick)));
@@ -533,7 +273,7 @@ fn tail_against_schlick(rows: &[Row]) -> Claim {
     }
 }
 
-fn tail_falls() -> Result<Claim, Error> {
+pub(super) fn tail_falls() -> Result<Claim, Error> {
     let rising = how_many(|n| {
         let pieces = Method::CubicRational.lobe(n)?;
         Ok(rises(n, (0.0, 1.0), |u| pieces.lobe.at(u)))
@@ -548,7 +288,7 @@ fn tail_falls() -> Result<Claim, Error> {
     })
 }
 
-fn three_point_negative() -> Result<Claim, Error> {
+pub(super) fn three_point_negative() -> Result<Claim, Error> {
     let (integer, offenders) = dips(shininesses(), three_point)?;
     let (real, negative) = dips(real_shininesses(), three_point)?;
     Ok(Claim {
@@ -569,7 +309,7 @@ fn three_point_negative() -> Result<Claim, Error> {
     })
 }
 
-fn three_point_levels() -> Result<Claim, Error> {
+pub(super) fn three_point_levels() -> Result<Claim, Error> {
     let crosses = |divisor: usize| -> Result<bool, Error> {
         let of = |n| Cubic::three_point(n, LEVEL, 1.0 / divisor as f64);
         Ok(!dips(shininesses(), of)?.1.is_empty())
@@ -589,7 +329,7 @@ fn three_point_levels() -> Result<Claim, Error> {
     })
 }
 
-fn three_point_closed_form() -> Claim {
+pub(super) fn three_point_closed_form() -> Claim {
     let n = 25.0;
     let (q, g) = (Cubic::THREE_POINT_Q, Cubic::THREE_POINT_G);
     let (r, l) = (libm::pow(q, 1.0 / n), libm::pow(g, 1.0 / n));
@@ -607,7 +347,7 @@ fn three_point_closed_form() -> Claim {
     }
 }
 
-fn operations() -> Result<Claim, Error> {
+pub(super) fn operations() -> Result<Claim, Error> {
     let (printed, ours) = (datapath("cubic", "paper")?, datapath("cubic", "stable")?);
     let (five, three) = (printed.graph().multipliers().len(), ours.graph().multipliers().len());
     Ok(Claim {
@@ -631,7 +371,7 @@ fn extrema_of(cubic: &Cubic) -> usize {
     1 + slopes.windows(2).filter(|pair| sign(pair[0]) != sign(pair[1])).count()
 }
 
-fn extrema() -> Result<Claim, Error> {
+pub(super) fn extrema() -> Result<Claim, Error> {
     let through_one = |number: usize| how_many(|n| Ok(extrema_of(&Cubic::new(n, LEVEL)?) == number));
     let through_two = |number: usize| how_many(|n| Ok(extrema_of(&three_point(n)?) == number));
     let (cubic, two) = (through_one(2)?, through_two(2)?);
@@ -654,7 +394,7 @@ fn extrema() -> Result<Claim, Error> {
     })
 }
 
-fn min_zero() -> Result<Claim, Error> {
+pub(super) fn min_zero() -> Result<Claim, Error> {
     let raw = |n: f64| -> Result<(MinZero, Cubic), Error> {
         let lobe = MinZero::new(n, LEVEL)?;
         Ok((lobe, Cubic { a: lobe.k * lobe.k, big_a: 2.0 * lobe.k }))

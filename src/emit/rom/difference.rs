@@ -4,8 +4,8 @@ use std::fmt;
 
 use num_bigint::BigUint;
 
-use super::{RomImage, word_digits};
-use crate::fixed::Table;
+use super::writing::word_digits;
+use super::{RomImage, Table};
 
 /// The first place where a file is not what the table says.
 #[derive(Clone, Debug, PartialEq)]
