@@ -10,8 +10,7 @@
 //! - [`schedule`]: places the pipeline registers;
 //! - [`simulate`]: the pipeline, clock by clock;
 //! - [`evaluate`]: the function, many inputs at a time;
-//! - [`fault`]: faults planted in it, to see whether a check finds them;
-//! - [`mutants`]: the faults that a core's vectors are to find.
+//! - [`fault`]: what can be wrong with it.
 
 pub mod builder;
 mod chords;
@@ -25,7 +24,6 @@ pub mod fault;
 pub mod graph;
 pub mod harris;
 pub mod log_exp;
-pub mod mutants;
 pub mod normalise;
 mod polynomial;
 pub mod power;
@@ -41,10 +39,10 @@ pub mod tabulated;
 pub mod versine_log;
 pub mod widths;
 
-use crate::platform::error::Error;
-use crate::lobe::Lobe;
-use crate::fixed::Interval;
 use crate::emit::rom::Table;
+use crate::fixed::Interval;
+use crate::lobe::Lobe;
+use crate::platform::error::Error;
 use crate::spec::{CoreSpec, Form, Method, Widths};
 
 /// A core's graph with its ROM and the proof of its error.

@@ -3,17 +3,17 @@
 use std::collections::VecDeque;
 
 use super::{Job, LISTED, Outcome, Part, Simulator};
+use crate::core::Design;
+use crate::core::Direction;
 use crate::datapath::fault::Defect;
 use crate::datapath::simulate::{Inputs, Outputs, Simulation, Write};
-use crate::core::Design;
+use crate::emit::rom::Table;
 use crate::platform::error::Error;
+use crate::spec::Language;
+use crate::verify::faults::inputs_text;
 use crate::verify::golden::{self, Golden, Vector, codes_text};
-use crate::core::Direction;
 #[cfg(feature = "kernel")]
 use crate::verify::kernel;
-use crate::fixed::Format;
-use crate::emit::rom::Table;
-use crate::spec::Language;
 
 /// What simulates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -99,7 +99,7 @@ impl Simulator for Builtin {
 
 /// Golden vectors in the form in which a simulation in this process runs them.
 #[derive(Clone, Debug)]
-pub(crate) struct Vectors<'a> {
+pub struct Vectors<'a> {
     design: &'a Design,
     vectors: Vec<&'a Vector>,
     complemented: Vec<Vector>,
@@ -107,12 +107,14 @@ pub(crate) struct Vectors<'a> {
 
 impl<'a> Vectors<'a> {
     /// Those of a golden file.
-    pub(crate) fn of(design: &'a Design, golden: &'a Golden) -> Self {
+    #[must_use]
+    pub fn of(design: &'a Design, golden: &'a Golden) -> Self {
         Self { design, vectors: golden.vectors(), complemented: golden::complemented(design, golden) }
     }
 
     /// What a core with something wrong in it does that the vectors do not expect: the first such thing, if there is one.
-    pub(crate) fn kill(&self, defect: &Defect) -> Option<String> {
+    #[must_use]
+    pub fn detect(&self, defect: &Defect) -> Option<String> {
         let design = self.design;
         let mut device = Simulation::new(design.graph(), &design.schedule, design.tables()).with(defect);
         self.run(&mut device, 1).first.into_iter().next()
@@ -203,21 +205,10 @@ impl<'a> Bench<'a> {
             if self.mismatches >= self.most {
                 return;
             }
-            let inverted = |(&code, &(_, format)): (&i64, &(&str, Format))| format.wrap(!i128::from(code));
-            let garbage = Inputs {
-                rst: false,
-                ce: true,
-                in_valid: false,
-                codes: vector.inputs.iter().zip(&ports).map(inverted).collect(),
-            };
-            for _ in 0..vector.idle {
-                self.clock(&garbage, None);
+            for inputs in vector.clocks(&ports) {
+                let taken = inputs.ce && inputs.in_valid;
+                self.clock(&inputs, taken.then_some((number, vector)));
             }
-            for _ in 0..vector.stall {
-                self.clock(&Inputs { ce: false, in_valid: true, ..garbage.clone() }, None);
-            }
-            let inputs = Inputs { in_valid: true, codes: codes(vector), ..garbage };
-            self.clock(&inputs, Some((number, vector)));
         }
         let idle = Inputs { ce: true, ..Inputs::default() };
         for _ in 0..self.expected.len() {
@@ -282,14 +273,9 @@ impl<'a> Bench<'a> {
                 };
                 self.first.push(match due {
                     Some((number, vector)) => {
-                        let ports = self.design.numbers(Direction::In);
-                        let inputs: Vec<String> = ports
-                            .iter()
-                            .zip(&vector.inputs)
-                            .map(|((port, _), code)| format!("{port} {code}"))
-                            .collect();
+                        let inputs = inputs_text(self.design, &vector.inputs);
                         let expected = codes_text(&vector.outputs);
-                        format!("vector {}: {}: expected {expected}, got {got}", number + 1, inputs.join(", "))
+                        format!("vector {}: {inputs}: expected {expected}, got {got}", number + 1)
                     }
                     None => format!("out_valid is {got} where it should not be"),
                 });

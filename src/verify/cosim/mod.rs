@@ -16,12 +16,11 @@ mod stream;
 mod verilator;
 
 pub use bench::Part;
-pub(crate) use builtin::Vectors;
-pub use builtin::{Engine, builtin_engine};
+pub use builtin::{Engine, Vectors, builtin_engine};
 pub use exhaustive::exhaustive;
 pub(crate) use ghdl::as_verilog;
 pub use lint::{Lint, Linter, Unit, Verdict, lint, linters};
-pub(crate) use mutants::{AtRandom, Found, Mutants};
+pub(crate) use mutants::{AtRandom, Mutants};
 pub use netlist::netlist;
 pub use stream::stream;
 
@@ -31,8 +30,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::core::Design;
 use crate::platform::error::Error;
-use crate::verify::golden::Golden;
 use crate::spec::Language;
+use crate::verify::golden::Golden;
 
 /// A simulator that brdfgen can use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]

@@ -4,8 +4,8 @@ mod abc;
 mod aig;
 mod circuit;
 mod equivalence;
-mod mutants;
-mod planted;
+mod injected;
+pub mod netlist;
 mod stream;
 
 use std::path::Path;
@@ -13,19 +13,18 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use crate::verify::cosim;
 use crate::core::Design;
+use crate::emit::package;
 use crate::platform::error::Error;
+use crate::spec::Language;
+use crate::synth::yosys::Yosys;
+use crate::verify::cosim;
+use crate::verify::faults::{Outcome, Tally};
 use crate::verify::golden::Golden;
 #[cfg(feature = "kernel")]
 use crate::verify::kernel;
-use crate::emit::package;
-use crate::spec::Language;
-use crate::synth::yosys::Yosys;
 use circuit::Circuit;
 use equivalence::{Compared, Comparison, Method, Pipeline};
-pub(crate) use mutants::{Told, told};
-use planted::Planted;
 pub use stream::stream;
 
 /// What came of a proof.
@@ -109,7 +108,7 @@ fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
 /// vectors.
 ///
 /// `seconds` is the most that the solver may take at once; `progress` is told of each claim before and after it is looked at. A claim that was
-/// proved is proved again with faults planted in one of the circuits; if one of them is not found, the claim counts as open. Faults that a circuit
+/// proved is proved again with faults injected in one of the circuits; if one of them is not found, the claim counts as open. Faults that a circuit
 /// cannot have, as its results are constants, are named.
 ///
 /// # Errors
@@ -163,7 +162,11 @@ fn compare([one, other]: [&Pipeline; 2], core: (&Design, &Golden), seconds: u32)
         Compared::Different(why) => return Ok((Verdict::Refuted, why)),
         Compared::Unknown(why) => return Ok((Verdict::Open, why)),
     };
-    let Planted { planted, missed, impossible } = planted::check(&comparison, &method, core, seconds)?;
+    let injected = injected::check(&comparison, &method, core, seconds)?;
+    let these = |text: &dyn Fn(&str, &Outcome) -> Option<String>| -> Vec<String> {
+        injected.iter().filter_map(|(what, outcome)| text(what, outcome)).collect()
+    };
+    let missed = these(&|what, outcome| matches!(outcome, Outcome::Survived { .. }).then(|| what.to_owned()));
     if !missed.is_empty() {
         let how = format!("the proof goes through with a planted fault as well: {}", missed.join(", "));
         return Ok((Verdict::Open, how));
@@ -173,7 +176,12 @@ fn compare([one, other]: [&Pipeline; 2], core: (&Design, &Golden), seconds: u32)
         Method::Every => format!("from the inputs to the outputs, {compared} bits, for every value of the inputs"),
         Method::Whole => format!("from the inputs to the outputs, {compared} bits, {open} of them by the solver"),
     };
-    let mut how = format!("{method}; {planted} of {planted} planted faults found");
+    let detected = Tally::of(injected.iter().map(|(_, outcome)| outcome)).detected;
+    let mut how = format!("{method}; {detected} of {detected} planted faults found");
+    let impossible = these(&|what, outcome| match outcome {
+        Outcome::Undecided { tried } => Some(format!("{what} ({tried})")),
+        _ => None,
+    });
     if !impossible.is_empty() {
         how += &format!("; not planted: {}", impossible.join(", "));
     }

@@ -6,9 +6,9 @@
 
 mod choose;
 mod complement;
+mod detection;
 mod file;
 mod shader;
-mod told;
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -17,8 +17,8 @@ use xxhash_rust::xxh3::Xxh3;
 pub use complement::{complemented, complemented_tables};
 pub use file::parse;
 
-use crate::core::Design;
-use crate::core::Direction;
+use crate::core::{Design, Direction};
+use crate::datapath::simulate::Inputs;
 use crate::fixed::{Dice, Format};
 use crate::spec::Block;
 
@@ -33,6 +33,19 @@ pub struct Vector {
     pub idle: u32,
     /// Clocks with `ce` low while this one waits.
     pub stall: u32,
+}
+
+impl Vector {
+    /// The levels at the input ports clock by clock: during the pauses, with the codes inverted, and then when it goes in.
+    pub(crate) fn clocks(&self, ports: &[(&str, Format)]) -> impl Iterator<Item = Inputs> {
+        let codes: Vec<i128> = self.inputs.iter().copied().map(i128::from).collect();
+        let inverted = codes.iter().zip(ports).map(|(&code, (_, format))| format.wrap(!code)).collect();
+        let idle = Inputs { rst: false, ce: true, in_valid: false, codes: inverted };
+        let stalled = Inputs { ce: false, in_valid: true, ..idle.clone() };
+        let taken = Inputs { in_valid: true, codes, ..idle.clone() };
+        let pauses = std::iter::repeat_n(idle, self.idle as usize);
+        pauses.chain(std::iter::repeat_n(stalled, self.stall as usize)).chain(std::iter::once(taken))
+    }
 }
 
 /// The digest of one shininess.
@@ -83,18 +96,18 @@ fn pause(dice: &mut Dice) -> u32 {
     if dice.below(12) == 0 { 1 + dice.below(3) as u32 } else { 0 }
 }
 
-/// Places of candidates that together tell everything that any of the `candidates` tells: always the one that tells most of what is
-/// left. `tells` has a row for each thing that is to be told.
-fn greedy(candidates: usize, tells: &[Vec<bool>]) -> Vec<usize> {
-    let mut open: Vec<&Vec<bool>> = tells.iter().collect();
+/// Places of candidates that together detect everything that any of the `candidates` detects: always the one that detects most of what is
+/// left. `detects` has a row for each thing that is to be detected.
+fn greedy(candidates: usize, detects: &[Vec<bool>]) -> Vec<usize> {
+    let mut open: Vec<&Vec<bool>> = detects.iter().collect();
     let mut chosen = Vec::new();
     loop {
-        let told = |place: usize| open.iter().filter(|tells| tells[place]).count();
+        let detected = |place: usize| open.iter().filter(|detects| detects[place]).count();
         // The first of the best: `max_by_key` would take the last.
-        let best = (0..candidates).rev().max_by_key(|&place| told(place));
-        let Some(best) = best.filter(|&place| told(place) > 0) else { return chosen };
+        let best = (0..candidates).rev().max_by_key(|&place| detected(place));
+        let Some(best) = best.filter(|&place| detected(place) > 0) else { return chosen };
         chosen.push(best);
-        open.retain(|tells| !tells[best]);
+        open.retain(|detects| !detects[best]);
     }
 }
 

@@ -1,6 +1,6 @@
-//! Vectors that tell a core from its mutants.
+//! Vectors that detect mutants.
 //!
-//! What a mutant of an operation computes is told by an input; a mistake in a pipeline register by two inputs, one behind the other, of which
+//! What a mutant of an operation computes is shown by an input; a mistake in a pipeline register by two inputs, one behind the other, of which
 //! one has in this register what changes the other's result, and with clocks without `ce` between them.
 
 use std::collections::BTreeMap;
@@ -8,56 +8,15 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::{Vector, greedy};
-use crate::datapath::fault::{Block, Change, Defect, Fault, Hunt, Probe, Timing, with_copy};
-use crate::datapath::graph::{NodeId, Op};
-use crate::datapath::mutants::mutants;
+use crate::core::{Design, Direction};
+use crate::datapath::fault::{Change, Defect, Fault, Timing};
+use crate::datapath::graph::NodeId;
 use crate::datapath::simulate::{Inputs, Outputs, Simulation};
-use crate::core::Design;
-use crate::core::Direction;
+use crate::verify::faults::simulation::{Block, FaultSimulation, Next, blocks, held_in_register};
+use crate::verify::faults::{MOST_VALUES, defects};
 
-/// What fills a block with the next candidates of a task; false at the end.
-pub(super) type Candidates<'a> = Box<dyn FnMut(&mut Block) -> bool + 'a>;
-
-/// Notes an input that shows each fault, the first there is.
-struct First<'a> {
-    candidates: Candidates<'a>,
-    shown: Vec<Option<Vec<i64>>>,
-}
-
-impl Hunt for First<'_> {
-    fn next(&mut self, block: &mut Block) -> bool {
-        (self.candidates)(block)
-    }
-
-    fn shown(&mut self, place: usize, lanes: u64, block: &Block) -> bool {
-        self.shown[place] = Some(block.inputs(lanes.trailing_zeros() as usize));
-        false
-    }
-}
-
-/// Notes which inputs show which faults.
-struct All<'a> {
-    inputs: std::slice::Chunks<'a, Vec<i64>>,
-    done: usize,
-    tells: Vec<Vec<bool>>,
-}
-
-impl Hunt for All<'_> {
-    fn next(&mut self, block: &mut Block) -> bool {
-        self.done += block.count;
-        block.count = 0;
-        let Some(inputs) = self.inputs.next() else { return false };
-        inputs.iter().for_each(|inputs| block.push(inputs));
-        true
-    }
-
-    fn shown(&mut self, place: usize, lanes: u64, block: &Block) -> bool {
-        for lane in (0..block.count).filter(|lane| lanes >> lane & 1 == 1) {
-            self.tells[place][self.done + lane] = true;
-        }
-        true
-    }
-}
+/// A task's candidates, block by block.
+pub(super) type Candidates<'a> = Box<Next<'a>>;
 
 /// Tasks that are spent on the mutants of a node that nothing was seen to show.
 const TASKS_OF_MUTE: u64 = 2;
@@ -69,89 +28,64 @@ fn mute(design: &Design, known: &[&Vector], mut candidates: Candidates) -> Vec<b
     let graph = design.graph();
     let of_node = |node: NodeId| {
         let format = graph.nodes[node].format;
-        let held = |code: i128| Change::Instead { op: Op::Constant(code), args: Vec::new() };
-        let changes =
-            [held(format.min_code()), held(format.max_code()), held(0), Change::Flipped { bit: format.width() - 1 }];
-        changes.into_iter().map(move |change| Fault { node, change })
+        let held = [format.min_code(), format.max_code(), 0].map(Change::constant);
+        held.into_iter().chain([Change::Flipped { bit: format.width() - 1 }]).map(move |change| Fault { node, change })
     };
     let faults: Vec<Fault> =
         (0..graph.nodes.len()).filter(|&node| graph.nodes[node].format.width() > 0).flat_map(of_node).collect();
-    let mut vectors = known.chunks(Block::LANES);
-    let both = Box::new(move |block: &mut Block| {
-        block.count = 0;
-        match vectors.next() {
-            Some(some) => some.iter().for_each(|vector| block.push(&vector.inputs)),
-            None => return candidates(block),
-        }
-        true
-    });
-    let mut hunt = First { candidates: both, shown: vec![None; faults.len()] };
-    Probe::new(graph, design.tables()).run(&faults.iter().collect::<Vec<_>>(), &mut hunt);
+    let mut vectors = blocks(known.iter().map(|vector| &vector.inputs));
+    let shown = FaultSimulation::new(graph, design.tables())
+        .first(&faults.iter().collect::<Vec<_>>(), &mut |block| vectors(block) || candidates(block));
     let mut mute = vec![true; graph.nodes.len()];
-    for (fault, shown) in faults.iter().zip(&hunt.shown) {
+    for (fault, shown) in faults.iter().zip(&shown) {
         mute[fault.node] &= shown.is_none();
     }
     mute
 }
 
-/// The fewest inputs that a greedy search finds to tell the core from each mutant of its operations that the vectors `known` do not show,
-/// as far as any candidate of so many tasks shows it.
-pub(super) fn telling<'a>(
+/// The fewest inputs that a greedy search finds to detect each mutant of the core's operations that the vectors `known` do not detect, as far
+/// as any candidate of so many tasks does.
+pub(super) fn detecting<'a>(
     design: &'a Design,
     known: &[&Vector],
     tasks: u64,
     candidates: &(dyn Fn(u64) -> Candidates<'a> + Sync),
 ) -> Vec<Vec<i64>> {
-    let probe = Probe::new(design.graph(), design.tables());
-    let value = |defect: Defect| if let Defect::Value(fault) = defect { Some(fault) } else { None };
-    let list = mutants(design.graph(), &design.schedule);
-    let faults: Vec<Fault> = list.into_iter().filter_map(|mutant| value(mutant.defect)).collect();
-    let first = |faults: &[&Fault], candidates: Candidates| {
-        let mut hunt = First { candidates, shown: vec![None; faults.len()] };
-        probe.run(faults, &mut hunt);
-        hunt.shown
-    };
-
-    let mut blocks = known.chunks(Block::LANES);
-    let vectors = Box::new(move |block: &mut Block| {
-        block.count = 0;
-        blocks.next().into_iter().flatten().for_each(|vector| block.push(&vector.inputs));
-        block.count > 0
-    });
+    let simulation = FaultSimulation::new(design.graph(), design.tables());
+    let faults: Vec<Fault> = defects(design).filter_map(|defect| defect.fault().cloned()).collect();
     let all: Vec<&Fault> = faults.iter().collect();
-    let told = first(&all, vectors);
+    let detected = simulation.first(&all, &mut *blocks(known.iter().map(|vector| &vector.inputs)));
     let open: Vec<&Fault> =
-        all.into_iter().zip(told).filter(|(_, told)| told.is_none()).map(|(fault, _)| fault).collect();
+        all.into_iter().zip(detected).filter(|(_, by)| by.is_none()).map(|(fault, _)| fault).collect();
 
     let mute = if open.is_empty() { Vec::new() } else { mute(design, known, candidates(0)) };
     let seen: Vec<&Fault> = open.iter().copied().filter(|fault| !mute[fault.node]).collect();
-    let of_task = |task: u64| first(if task < TASKS_OF_MUTE { &open } else { &seen }, candidates(task));
+    let of_task =
+        |task: u64| simulation.first(if task < TASKS_OF_MUTE { &open } else { &seen }, &mut *candidates(task));
     let found: Vec<Vec<Option<Vec<i64>>>> = (0..tasks).into_par_iter().map(of_task).collect();
     let mut pool: Vec<Vec<i64>> = found.into_iter().flatten().flatten().collect();
     pool.sort_unstable();
     pool.dedup();
-    let mut hunt = All { inputs: pool.chunks(Block::LANES), done: 0, tells: vec![vec![false; pool.len()]; open.len()] };
-    probe.run(&open, &mut hunt);
-    let tells = hunt.tells;
-    greedy(pool.len(), &tells).into_iter().map(|place| pool[place].clone()).collect()
+    let mut detects = vec![vec![false; pool.len()]; open.len()];
+    simulation.run(&open, &mut *blocks(pool.iter()), &mut |place, lanes, block| {
+        for lane in (0..block.count).filter(|lane| lanes >> lane & 1 == 1) {
+            detects[place][block.before as usize + lane] = true;
+        }
+        true
+    });
+    greedy(pool.len(), &detects).into_iter().map(|place| pool[place].clone()).collect()
 }
 
-/// Values of a register that are tried in the place of any other.
-const MOST_VALUES: usize = 16;
-
-/// Vectors, with pauses, that tell the core from each mutant of its registers that the vectors `known` do not show, as far as one is found.
+/// Vectors, with pauses, that detect each mutant of the core's registers that the vectors `known` do not detect, as far as one is found.
 pub(super) fn pausing<'a>(
     design: &'a Design,
     known: &[&Vector],
     candidates: &(dyn Fn(u64) -> Candidates<'a> + Sync),
 ) -> Vec<Vector> {
-    let registers: Vec<Defect> = mutants(design.graph(), &design.schedule)
-        .into_iter()
-        .map(|mutant| mutant.defect)
-        .filter(|defect| matches!(defect, Defect::Timing(Timing::Register { .. })))
-        .collect();
+    let registers: Vec<Defect> =
+        defects(design).filter(|defect| matches!(defect, Defect::Timing(Timing::Register { .. }))).collect();
     let clocks = Clocks::of(design, known);
-    let mut open: Vec<&Defect> = registers.par_iter().filter(|defect| !clocks.tell(design, defect)).collect();
+    let mut open: Vec<&Defect> = registers.par_iter().filter(|defect| !clocks.detect(design, defect)).collect();
     let mut chosen = Vec::new();
     if open.is_empty() {
         return chosen;
@@ -174,7 +108,7 @@ pub(super) fn pausing<'a>(
         };
         let clocks = Clocks::of(design, &pattern.iter().collect::<Vec<_>>());
         let before = open.len();
-        open.retain(|defect| !clocks.tell(design, defect));
+        open.retain(|defect| !clocks.detect(design, defect));
         if open.len() < before {
             chosen.extend(pattern);
         } else {
@@ -226,19 +160,10 @@ fn pair(
     node: NodeId,
     register: usize,
 ) -> Option<[Vec<i64>; 2]> {
-    let (graph, copy) = with_copy(design.graph(), &design.schedule, node, register);
-    let held =
-        |&code: &i128| Fault { node: copy, change: Change::Instead { op: Op::Constant(code), args: Vec::new() } };
-    let faults: Vec<Fault> = values.keys().map(held).collect();
-    let mut blocks = inputs.chunks(Block::LANES);
-    let candidates = Box::new(move |block: &mut Block| {
-        block.count = 0;
-        blocks.next().into_iter().flatten().for_each(|inputs| block.push(inputs));
-        block.count > 0
-    });
-    let mut hunt = First { candidates, shown: vec![None; faults.len()] };
-    Probe::new(&graph, design.tables()).run(&faults.iter().collect::<Vec<_>>(), &mut hunt);
-    hunt.shown.into_iter().zip(values.values()).find_map(|(shown, &other)| Some([shown?, inputs[other].clone()]))
+    let (graph, faults) = held_in_register(design, node, register, values.keys().copied());
+    let shown = FaultSimulation::new(&graph, design.tables())
+        .first(&faults.iter().collect::<Vec<_>>(), &mut *blocks(inputs.iter()));
+    shown.into_iter().zip(values.values()).find_map(|(shown, &other)| Some([shown?, inputs[other].clone()]))
 }
 
 /// One input between two of the other, then with the clock disabled once while it is in each stage, and at last, since the inputs are
@@ -264,15 +189,7 @@ struct Clocks {
 impl Clocks {
     fn of(design: &Design, vectors: &[&Vector]) -> Self {
         let ports = design.numbers(Direction::In);
-        let mut inputs = Vec::new();
-        for vector in vectors {
-            let codes: Vec<i128> = vector.inputs.iter().copied().map(i128::from).collect();
-            let garbage = codes.iter().zip(&ports).map(|(&code, (_, format))| format.wrap(!code)).collect();
-            let garbage = Inputs { rst: false, ce: true, in_valid: false, codes: garbage };
-            inputs.extend((0..vector.idle).map(|_| garbage.clone()));
-            inputs.extend((0..vector.stall).map(|_| Inputs { ce: false, in_valid: true, ..garbage.clone() }));
-            inputs.push(Inputs { in_valid: true, codes, ..garbage });
-        }
+        let mut inputs: Vec<Inputs> = vectors.iter().flat_map(|vector| vector.clocks(&ports)).collect();
         inputs.extend((0..design.schedule.latency).map(|_| Inputs { ce: true, ..Inputs::default() }));
         let mut core = Simulation::new(design.graph(), &design.schedule, design.tables());
         let right = inputs.iter().map(|inputs| core.clock(inputs)).collect();
@@ -280,7 +197,7 @@ impl Clocks {
     }
 
     /// Whether a core with a defect does something else.
-    fn tell(&self, design: &Design, defect: &Defect) -> bool {
+    fn detect(&self, design: &Design, defect: &Defect) -> bool {
         let mut core = Simulation::new(design.graph(), &design.schedule, design.tables()).with(defect);
         let same = |(inputs, right): (&Inputs, &Outputs)| {
             let got = core.clock(inputs);
