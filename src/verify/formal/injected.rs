@@ -2,7 +2,8 @@
 
 use super::abc::Answer;
 use super::circuit::{Bit, Part};
-use super::equivalence::{Comparison, Method, Pipeline};
+use super::equivalence::{Comparison, Method};
+use super::pipeline::Pipeline;
 use crate::core::Design;
 use crate::platform::error::Error;
 use crate::verify::faults::Outcome;

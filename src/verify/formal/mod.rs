@@ -6,6 +6,7 @@ mod circuit;
 mod equivalence;
 mod injected;
 pub mod netlist;
+mod pipeline;
 mod stream;
 
 use std::path::Path;
@@ -24,7 +25,8 @@ use crate::verify::golden::Golden;
 #[cfg(feature = "kernel")]
 use crate::verify::kernel;
 use circuit::Circuit;
-use equivalence::{Compared, Comparison, Method, Pipeline};
+use equivalence::{Compared, Comparison, Method};
+use pipeline::Pipeline;
 pub use stream::stream;
 
 /// What came of a proof.

@@ -15,7 +15,8 @@ use rayon::prelude::*;
 
 use super::abc::Answer;
 use super::circuit::{Circuit, Unfit};
-use super::equivalence::{Comparison, Method, Pipeline, first_shown};
+use super::equivalence::{Comparison, Method};
+use super::pipeline::{Pipeline, first_shown};
 use crate::core::edges::varied;
 use crate::core::{Design, Direction};
 use crate::fixed::{Dice, Format};

@@ -359,27 +359,8 @@ impl<'a> Chooser<'a> {
         let candidates: Vec<Candidate> =
             indices.par_iter().map(of_index).collect::<Vec<_>>().into_iter().flatten().collect();
 
-        let mut detected: Vec<Vec<u128>> = memories.iter().map(|&memory| vec![0; tables[memory].depth()]).collect();
-        let mut chosen = Vec::new();
-        for (table, &memory) in memories.iter().enumerate() {
-            let mut of_entry: Vec<Vec<&Candidate>> = vec![Vec::new(); tables[memory].depth()];
-            for candidate in &candidates {
-                of_entry[candidate.reads[table].0].push(candidate);
-            }
-            for (entry, candidates) in of_entry.iter().enumerate() {
-                loop {
-                    let more =
-                        |candidate: &&&Candidate| (candidate.reads[table].1 & !detected[table][entry]).count_ones();
-                    // The first of the best: `max_by_key` would take the last.
-                    let best = candidates.iter().rev().max_by_key(more).filter(|candidate| more(candidate) > 0);
-                    let Some(best) = best else { break };
-                    chosen.push((best.index, best.versine));
-                    for (detected, &(entry, bits)) in detected.iter_mut().zip(&best.reads) {
-                        detected[entry] |= bits;
-                    }
-                }
-            }
-        }
+        let chosen =
+            greedy_entries(&memories.iter().map(|&memory| tables[memory].depth()).collect::<Vec<_>>(), &candidates);
         chosen.into_iter().map(|(index, versine)| self.vector(index, design.operand_of_versine(versine))).collect()
     }
 
@@ -445,6 +426,32 @@ impl<'a> Chooser<'a> {
             })
             .collect()
     }
+}
+
+/// Candidates, their indices and versines, that together detect each flipped bit of each entry of function tables of these depths that any of
+/// the candidates detects: always the one that detects most of what is left of an entry.
+fn greedy_entries(depths: &[usize], candidates: &[Candidate]) -> Vec<(u32, i64)> {
+    let mut detected: Vec<Vec<u128>> = depths.iter().map(|&depth| vec![0; depth]).collect();
+    let mut chosen = Vec::new();
+    for (table, &depth) in depths.iter().enumerate() {
+        let mut of_entry: Vec<Vec<&Candidate>> = vec![Vec::new(); depth];
+        for candidate in candidates {
+            of_entry[candidate.reads[table].0].push(candidate);
+        }
+        for (entry, candidates) in of_entry.iter().enumerate() {
+            loop {
+                let more = |candidate: &&&Candidate| (candidate.reads[table].1 & !detected[table][entry]).count_ones();
+                // The first of the best: `max_by_key` would take the last.
+                let best = candidates.iter().rev().max_by_key(more).filter(|candidate| more(candidate) > 0);
+                let Some(best) = best else { break };
+                chosen.push((best.index, best.versine));
+                for (detected, &(entry, bits)) in detected.iter_mut().zip(&best.reads) {
+                    detected[entry] |= bits;
+                }
+            }
+        }
+    }
+    chosen
 }
 
 /// A memory, the function table number `table`, with each bit of its words flipped in turn: one bit of all words at once, since an

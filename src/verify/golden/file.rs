@@ -4,9 +4,9 @@ use std::fmt::Write;
 
 use super::{Golden, RowDigest, Vector};
 use crate::core::Design;
-use crate::platform::error::Error;
 use crate::core::Direction;
 use crate::fixed::Format;
+use crate::platform::error::Error;
 use crate::spec::Block;
 
 const ALLOWED: &str = "a golden file holds `v` lines (the codes of the inputs and of the outputs in hexadecimal; idle, stall in \
@@ -67,7 +67,8 @@ impl Golden {
 /// Text that is no golden file, one of another core or spec, a malformed line, a count that does not match.
 pub fn parse(design: &Design, text: &str, file: &str) -> Result<Golden, Error> {
     let (inputs, outputs) = (design.numbers(Direction::In), design.numbers(Direction::Out));
-    let ports = inputs.len() + outputs.len();
+    let ports = [inputs.as_slice(), &outputs].concat();
+    let inputs = inputs.len();
     let mut golden =
         Golden { core: String::new(), spec_digest: String::new(), groups: Vec::new(), digests: Vec::new() };
     let whole = |what: String, allowed: &str| Error::input(format!("{file}: {what}"), allowed);
@@ -103,22 +104,8 @@ pub fn parse(design: &Design, text: &str, file: &str) -> Result<Golden, Error> {
             (Some("c"), [count]) => {
                 declared = Some(count.parse::<usize>().map_err(|_| wrong(format!("`{count}` is not a count")))?);
             }
-            (Some("v"), [codes @ .., idle, stall]) if codes.len() == ports => {
-                let code = |(word, &(_, format)): (&&str, &(&str, Format))| {
-                    let code = u64::from_str_radix(word, 16).ok().filter(|&code| code >> format.width() == 0);
-                    let width = format.width();
-                    code.map(|code| format.wrap(code.into()) as i64)
-                        .ok_or_else(|| wrong(format!("`{word}` is not a {width}-bit code")))
-                };
-                let (given, expected) = codes.split_at(inputs.len());
-                let clocks =
-                    |word: &str| word.parse().map_err(|_| wrong(format!("`{word}` is not a number of clocks")));
-                let vector = Vector {
-                    inputs: given.iter().zip(&inputs).map(code).collect::<Result<_, _>>()?,
-                    outputs: expected.iter().zip(&outputs).map(code).collect::<Result<_, _>>()?,
-                    idle: clocks(idle)?,
-                    stall: clocks(stall)?,
-                };
+            (Some("v"), words) if words.len() == ports.len() + 2 => {
+                let vector = vector(words, &ports, inputs).map_err(wrong)?;
                 match golden.groups.last_mut() {
                     Some((_, vectors)) => vectors.push(vector),
                     None => golden.groups.push((String::new(), vec![vector])),
@@ -156,4 +143,18 @@ pub fn parse(design: &Design, text: &str, file: &str) -> Result<Golden, Error> {
         ));
     }
     Ok(golden)
+}
+
+/// A vector of a line's words: the codes of the ports, so many of them inputs, idle and stall.
+fn vector(words: &[&str], ports: &[(&str, Format)], inputs: usize) -> Result<Vector, String> {
+    let code = |(word, &(_, format)): (&&str, &(&str, Format))| {
+        let code = u64::from_str_radix(word, 16).ok().filter(|&code| code >> format.width() == 0);
+        code.map(|code| format.wrap(code.into()) as i64)
+            .ok_or_else(|| format!("`{word}` is not a {}-bit code", format.width()))
+    };
+    let (codes, clocks) = words.split_at(ports.len());
+    let mut codes: Vec<i64> = codes.iter().zip(ports).map(code).collect::<Result<_, _>>()?;
+    let outputs = codes.split_off(inputs);
+    let number = |word: &str| word.parse().map_err(|_| format!("`{word}` is not a number of clocks"));
+    Ok(Vector { inputs: codes, outputs, idle: number(clocks[0])?, stall: number(clocks[1])? })
 }
