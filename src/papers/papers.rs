@@ -3,10 +3,10 @@
 use super::measure::{grid, largest, rises, versine_at};
 use super::method::{LEVEL, Method, Pieces, three_point};
 use super::survey::{Errors, MOST, QUADRATIC_LEVEL, Row, TAIL_BANDS};
-use super::{Claim, Figure, Unit, Verdict, images};
+use super::{Claim, Figure, Finding, Unit, images};
 use crate::core::Design;
-use crate::platform::error::Error;
 use crate::lobe::{Cubic, CubicRational, Lobe, MinZero, Quadratic, Taylor, TaylorSeries, exact};
+use crate::platform::error::Error;
 use crate::spec::SpecFields;
 
 /// An error below which two results of the same thing are rounding apart: no ratio is taken of it.
@@ -131,7 +131,7 @@ fn quadratic_error(rows: &[Row]) -> Result<Claim, Error> {
             percent("relative; n <= 1000", all),
             percent("relative; real n <= 16 by 64ths", real),
         ],
-        verdict: Verdict::of(claimed.max(real) <= 0.04),
+        verdict: Finding::of(claimed.max(real) <= 0.04),
     })
 }
 
@@ -150,7 +150,7 @@ fn quadratic_printed_angle() -> Result<Claim, Error> {
         text: "The inflection lies at arctan(1/(n-1)); the coefficient taken there has the claimed error.",
         claimed: "4 %",
         measured: vec![percent("relative; n = 2 to 512", worst)],
-        verdict: if worst <= 0.04 { Verdict::Holds } else { Verdict::Only("with arctan(1/sqrt(n-1))".to_owned()) },
+        verdict: if worst <= 0.04 { Finding::Holds } else { Finding::Only("with arctan(1/sqrt(n-1))".to_owned()) },
     })
 }
 
@@ -176,9 +176,9 @@ fn quadratic_periphery() -> Result<Claim, Error> {
             count("n of 1000 that rise; cut at 0", cut),
         ],
         verdict: match (rising, cut) {
-            (0, _) => Verdict::Holds,
-            (_, 0) => Verdict::Only("for the lobe cut at 0".to_owned()),
-            _ => Verdict::DoesNotHold,
+            (0, _) => Finding::Holds,
+            (_, 0) => Finding::Only("for the lobe cut at 0".to_owned()),
+            _ => Finding::DoesNotHold,
         },
     })
 }
@@ -201,7 +201,7 @@ fn quadratic_block() -> Result<Claim, Error> {
             count("multipliers of the printed form", multipliers),
             count("multipliers of x(1 - a u)", ours.graph().multipliers().len()),
         ],
-        verdict: Verdict::of(multipliers == 2),
+        verdict: Finding::of(multipliers == 2),
     })
 }
 
@@ -217,7 +217,7 @@ fn schlick(rows: &[Row]) -> Claim {
             percent("absolute; on the epicentre; n <= 1000", inside),
             percent("absolute; beyond; n <= 1000", outside),
         ],
-        verdict: Verdict::of(outside > inside),
+        verdict: Finding::of(outside > inside),
     }
 }
 
@@ -236,7 +236,7 @@ fn chord() -> Claim {
             percent("change of x^n; n = 1; all angles", wide),
             percent("change of x^n; n = 1000; all angles", narrow),
         ],
-        verdict: Verdict::of(narrow < 0.1 * wide),
+        verdict: Finding::of(narrow < 0.1 * wide),
     }
 }
 
@@ -254,7 +254,7 @@ fn taylor(rows: &[Row]) -> Result<Claim, Error> {
             percent("the cubic; absolute; on the epicentre; n <= 1000", cubic),
             value("sum of three terms at 90 degrees; n = 1000", Taylor::new(1000.0, TaylorSeries::Chord)?.sum(1.0)),
         ],
-        verdict: Verdict::of(inside > cubic),
+        verdict: Finding::of(inside > cubic),
     })
 }
 
@@ -279,7 +279,7 @@ fn cos_k(rows: &[Row]) -> Claim {
             percent("Lyon with k = 8; absolute; all angles; n <= 1000", lyon[2]),
             percent("Schlick; absolute; all angles; n <= 1000", schlick),
         ],
-        verdict: Verdict::of(two.max(four).max(eight) < schlick && two < lyon[0] && four < lyon[1] && eight < lyon[2]),
+        verdict: Finding::of(two.max(four).max(eight) < schlick && two < lyon[0] && four < lyon[1] && eight < lyon[2]),
     }
 }
 
@@ -302,9 +302,9 @@ fn cubic_relative(rows: &[Row]) -> Result<Claim, Error> {
             count("first n over 0.67 %", over),
         ],
         verdict: match (over > 256, real <= CUBIC_BOUND) {
-            (true, true) => Verdict::Holds,
-            (false, true) => Verdict::Only(format!("for n < {over}")),
-            (_, false) => Verdict::DoesNotHold,
+            (true, true) => Finding::Holds,
+            (false, true) => Finding::Only(format!("for n < {over}")),
+            (_, false) => Finding::DoesNotHold,
         },
     })
 }
@@ -323,7 +323,7 @@ fn cubic_absolute(rows: &[Row]) -> Result<Claim, Error> {
             percent("absolute; n <= 1000", all),
             percent("absolute; real n <= 16 by 64ths", real),
         ],
-        verdict: Verdict::of(all.max(real) <= CUBIC_BOUND),
+        verdict: Finding::of(all.max(real) <= CUBIC_BOUND),
     })
 }
 
@@ -344,7 +344,7 @@ fn schlick_relative(rows: &[Row]) -> Claim {
         text: "Against Schlick's lobe the relative error is smaller by more than 17 times, for n in [1; 256].",
         claimed: "17x",
         measured: vec![times("largest by largest error", worst), times("least of any n", least)],
-        verdict: Verdict::of(worst.min(least) > 17.0),
+        verdict: Finding::of(worst.min(least) > 17.0),
     }
 }
 
@@ -356,7 +356,7 @@ fn schlick_absolute(rows: &[Row]) -> Claim {
         text: "Against Schlick's lobe the (absolute) error is smaller by more than 17 times.",
         claimed: "17x",
         measured: vec![times("largest by largest error; n <= 256", worst), times("least of any n <= 256", least)],
-        verdict: Verdict::of(worst.min(least) > 17.0),
+        verdict: Finding::of(worst.min(least) > 17.0),
     }
 }
 
@@ -381,7 +381,7 @@ fn closed_form() -> Result<Claim, Error> {
         text: "The closed forms of a and b solve the cubic's system.",
         claimed: "all n",
         measured: vec![count("n of 1000 that agree", agreeing)],
-        verdict: Verdict::of(agreeing == MOST),
+        verdict: Finding::of(agreeing == MOST),
     })
 }
 
@@ -407,8 +407,8 @@ fn cubic_rises() -> Result<Claim, Error> {
         ],
         // x^1 to x^3 are of the cubic's own degree.
         verdict: match rising.first() {
-            Some(&n) if n > 1.0 => Verdict::Only(format!("for n >= {n}")),
-            first => Verdict::of(first.is_some()),
+            Some(&n) if n > 1.0 => Finding::Only(format!("for n >= {n}")),
+            first => Finding::of(first.is_some()),
         },
     })
 }
@@ -451,9 +451,9 @@ fn cubic_negative() -> Result<Claim, Error> {
             value("least value; real n <= 16 by 64ths", real),
         ],
         verdict: match (offenders.is_empty(), negative.is_empty()) {
-            (false, _) => Verdict::Holds,
-            (true, false) => Verdict::Only(format!("for real {}", between(&negative))),
-            (true, true) => Verdict::DoesNotHold,
+            (false, _) => Finding::Holds,
+            (true, false) => Finding::Only(format!("for real {}", between(&negative))),
+            (true, true) => Finding::DoesNotHold,
         },
     })
 }
@@ -484,7 +484,7 @@ fn tail(rows: &[Row]) -> Vec<Claim> {
                     ),
                     count("first n over the claim; f the power", over),
                 ],
-                verdict: if over > MOST { Verdict::Holds } else { Verdict::Only(format!("for n < {over}")) },
+                verdict: if over > MOST { Finding::Holds } else { Finding::Only(format!("for n < {over}")) },
             }
         })
         .collect()
@@ -503,7 +503,7 @@ fn tail_closed_form() -> Result<Claim, Error> {
         text: "a = 4 n cos^(n+1) t and b = 4 n cos^n t - 2 give the power's value and slope at its cusp.",
         claimed: "all n",
         measured: vec![count("n of 1000 that agree", agreeing)],
-        verdict: Verdict::of(agreeing == MOST),
+        verdict: Finding::of(agreeing == MOST),
     })
 }
 
@@ -523,7 +523,7 @@ fn tail_against_schlick(rows: &[Row]) -> Claim {
             percent("Schlick; absolute; beyond the epicentre; n <= 1000", schlick),
             times("ratio", schlick / ours),
         ],
-        verdict: Verdict::of(ours < schlick),
+        verdict: Finding::of(ours < schlick),
     }
 }
 
@@ -538,7 +538,7 @@ fn tail_falls() -> Result<Claim, Error> {
         text: "The second function assures that the whole falls monotonically.",
         claimed: "0 rises",
         measured: vec![count("n of 1000 that rise", rising)],
-        verdict: Verdict::of(rising == 0),
+        verdict: Finding::of(rising == 0),
     })
 }
 
@@ -556,9 +556,9 @@ fn three_point_negative() -> Result<Claim, Error> {
             value("least value; real n <= 16 by 64ths", real),
         ],
         verdict: match (offenders.is_empty(), negative.is_empty()) {
-            (true, true) => Verdict::Holds,
-            (true, false) => Verdict::Only(format!("for integer n; not for real {}", between(&negative))),
-            (false, _) => Verdict::DoesNotHold,
+            (true, true) => Finding::Holds,
+            (true, false) => Finding::Only(format!("for integer n; not for real {}", between(&negative))),
+            (false, _) => Finding::DoesNotHold,
         },
     })
 }
@@ -579,7 +579,7 @@ fn three_point_levels() -> Result<Claim, Error> {
         text: "G = 1/18 is the optimal level for Q = 0.5: the lowest G = 1/m without a crossing of the axis.",
         claimed: "18",
         measured: vec![count("largest m without a crossing; n <= 1000", last)],
-        verdict: Verdict::of(last == 18),
+        verdict: Finding::of(last == 18),
     })
 }
 
@@ -597,7 +597,7 @@ fn three_point_closed_form() -> Claim {
         text: "The closed forms of a, b and c solve the three-point system, so that a + b + c = 1.",
         claimed: "1",
         measured: vec![value("a + b + c as printed; n = 25", a + b + c)],
-        verdict: Verdict::of((a + b + c - 1.0).abs() < ROUNDING),
+        verdict: Finding::of((a + b + c - 1.0).abs() < ROUNDING),
     }
 }
 
@@ -610,7 +610,7 @@ fn operations() -> Result<Claim, Error> {
         text: "Hardware has to make five multiplications.",
         claimed: "5",
         measured: vec![count("multiplications as printed", five), count("multiplications of x(1 - u(A - a u))", three)],
-        verdict: if five == 5 { Verdict::Only("as printed; fewer suffice".to_owned()) } else { Verdict::DoesNotHold },
+        verdict: if five == 5 { Finding::Only("as printed; fewer suffice".to_owned()) } else { Finding::DoesNotHold },
     })
 }
 
@@ -644,7 +644,7 @@ fn extrema() -> Result<Claim, Error> {
                 largest(1000.0, (thousand.cut().unwrap_or(1.0), 1.0), None, uncut(&thousand))
             }),
         ],
-        verdict: Verdict::of(cubic == MOST && two == MOST),
+        verdict: Finding::of(cubic == MOST && two == MOST),
     })
 }
 
@@ -674,9 +674,9 @@ fn min_zero() -> Result<Claim, Error> {
             }),
         ],
         verdict: if lowest == 0.0 {
-            Verdict::Only("cut past its minimum, where it rises".to_owned())
+            Finding::Only("cut past its minimum, where it rises".to_owned())
         } else {
-            Verdict::DoesNotHold
+            Finding::DoesNotHold
         },
     })
 }

@@ -19,7 +19,7 @@ pub use bench::Part;
 pub use builtin::{Engine, Vectors, builtin_engine};
 pub use exhaustive::exhaustive;
 pub(crate) use ghdl::as_verilog;
-pub use lint::{Lint, Linter, Unit, Verdict, lint, linters};
+pub use lint::{Lint, LintStatus, Linter, Unit, lint, linters};
 pub(crate) use mutants::{AtRandom, Mutants};
 pub use netlist::netlist;
 pub use stream::stream;

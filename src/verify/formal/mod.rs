@@ -32,7 +32,7 @@ pub use stream::stream;
 /// What came of a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Verdict {
+pub enum ProofStatus {
     /// The claim holds.
     Proved,
     /// The claim is false.
@@ -47,7 +47,7 @@ pub struct Proof {
     /// The claim, such as "Verilog = VHDL".
     pub claim: String,
     /// What came of it.
-    pub verdict: Verdict,
+    pub verdict: ProofStatus,
     /// How it was proved, or why not.
     pub how: String,
     /// The time it took, in seconds.
@@ -70,7 +70,7 @@ pub enum Step<'a> {
 fn tried(
     claim: String,
     progress: &dyn Fn(Step),
-    prove: impl FnOnce() -> Result<(Verdict, String), Error>,
+    prove: impl FnOnce() -> Result<(ProofStatus, String), Error>,
 ) -> Result<Proof, Error> {
     progress(Step::Begun(&claim));
     let start = Instant::now();
@@ -131,17 +131,17 @@ pub fn equivalence(
         proofs.push(tried(claim, progress, || {
             let circuit = match Circuit::read(&yosys, directory, &text.top, &text.bytes)? {
                 Ok(circuit) => circuit,
-                Err(why) => return Ok((Verdict::Open, why)),
+                Err(why) => return Ok((ProofStatus::Open, why)),
             };
             let pipeline = match Pipeline::of(circuit, latency) {
                 Ok(pipeline) => pipeline,
-                Err(why) => return Ok((Verdict::Refuted, why)),
+                Err(why) => return Ok((ProofStatus::Refuted, why)),
             };
             let ran = pipeline.against(design, golden);
             known.push((text.name, pipeline));
             Ok(match ran {
-                Ok(runs) => (Verdict::Proved, format!("and gives the results of {runs} golden vectors")),
-                Err(differs) => (Verdict::Refuted, format!("it is another core: {differs}")),
+                Ok(runs) => (ProofStatus::Proved, format!("and gives the results of {runs} golden vectors")),
+                Err(differs) => (ProofStatus::Refuted, format!("it is another core: {differs}")),
             })
         })?);
     }
@@ -154,15 +154,19 @@ pub fn equivalence(
     Ok(proofs)
 }
 
-fn compare([one, other]: [&Pipeline; 2], core: (&Design, &Golden), seconds: u32) -> Result<(Verdict, String), Error> {
+fn compare(
+    [one, other]: [&Pipeline; 2],
+    core: (&Design, &Golden),
+    seconds: u32,
+) -> Result<(ProofStatus, String), Error> {
     let comparison = match Comparison::new(one, other) {
         Ok(comparison) => comparison,
-        Err(differ) => return Ok((Verdict::Refuted, differ)),
+        Err(differ) => return Ok((ProofStatus::Refuted, differ)),
     };
     let (method, compared, open) = match comparison.run(seconds)? {
         Compared::Same { method, compared, open } => (method, compared, open),
-        Compared::Different(why) => return Ok((Verdict::Refuted, why)),
-        Compared::Unknown(why) => return Ok((Verdict::Open, why)),
+        Compared::Different(why) => return Ok((ProofStatus::Refuted, why)),
+        Compared::Unknown(why) => return Ok((ProofStatus::Open, why)),
     };
     let injected = injected::check(&comparison, &method, core, seconds)?;
     let these = |text: &dyn Fn(&str, &Outcome) -> Option<String>| -> Vec<String> {
@@ -171,7 +175,7 @@ fn compare([one, other]: [&Pipeline; 2], core: (&Design, &Golden), seconds: u32)
     let missed = these(&|what, outcome| matches!(outcome, Outcome::Survived { .. }).then(|| what.to_owned()));
     if !missed.is_empty() {
         let how = format!("the proof goes through with a planted fault as well: {}", missed.join(", "));
-        return Ok((Verdict::Open, how));
+        return Ok((ProofStatus::Open, how));
     }
     let method = match method {
         Method::Stages(_) => format!("stage by stage, {compared} bits, {open} of them by the solver"),
@@ -187,5 +191,5 @@ fn compare([one, other]: [&Pipeline; 2], core: (&Design, &Golden), seconds: u32)
     if !impossible.is_empty() {
         how += &format!("; not planted: {}", impossible.join(", "));
     }
-    Ok((Verdict::Proved, how))
+    Ok((ProofStatus::Proved, how))
 }
