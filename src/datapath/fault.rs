@@ -1,8 +1,9 @@
-//! What can be wrong with a core, in terms of its graph and its pipeline: what both simulations of these can have injected.
+//! What can be wrong with a core, in terms of its graph and its pipeline: what both simulations of these can have
+//! injected.
 //!
-//! A [`Fault`] changes the function of one operation: any simulation shows it. A [`Timing`] changes a pipeline register or the valid chain:
-//! only the [simulation](super::simulate) clock by clock shows it. Both are a [`Defect`]. Which there are, and what becomes of them, is the
-//! business of what checks a core.
+//! A [`Fault`] changes the function of one operation: any simulation shows it. A [`Timing`] changes a pipeline register
+//! or the valid chain: only the [simulation](super::simulate) clock by clock shows it. Both are a [`Defect`]. Which
+//! there are, and what becomes of them, is the business of what checks a core.
 
 use super::evaluate::Lane;
 use super::graph::{Graph, Node, NodeId, Op};
@@ -98,7 +99,8 @@ fn dropped<L: Lane>(graph: &Graph, node: &Node, amount: Option<L>) -> usize {
     bits.clamp(0, i64::from(2 * L::HALF) - 2) as usize
 }
 
-/// Changes values in place; [`Change::Instead`] and [`Change::Address`] are not done here but in place of the operation.
+/// Changes values in place; [`Change::Instead`] and [`Change::Address`] are not done here but in place of the
+/// operation.
 #[inline(always)]
 pub(crate) fn alter<'a, L: Lane + 'a>(
     change: &Change,
@@ -153,7 +155,8 @@ pub(crate) fn alter<'a, L: Lane + 'a>(
     }
 }
 
-/// A change of a node's pipeline register; the registers count from 0 at the end of the stage in which the node is computed.
+/// A change of a node's pipeline register; the registers count from 0 at the end of the stage in which the node is
+/// computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Registered {
     /// It is left out: whoever reads its output or a later register's has the value a clock early.

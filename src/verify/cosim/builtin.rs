@@ -112,7 +112,8 @@ impl<'a> Vectors<'a> {
         Self { design, vectors: golden.vectors(), complemented: golden::complemented(design, golden) }
     }
 
-    /// What a core with something wrong in it does that the vectors do not expect: the first such thing, if there is one.
+    /// What a core with something wrong in it does that the vectors do not expect: the first such thing, if there is
+    /// one.
     #[must_use]
     pub fn detect(&self, defect: &Defect) -> Option<String> {
         let design = self.design;
@@ -120,9 +121,9 @@ impl<'a> Vectors<'a> {
         self.run(&mut device, 1).first.into_iter().next()
     }
 
-    /// Runs the vectors, with their pauses, and compares `out_valid` and the outputs at every clock, until there are so many mismatches.
-    /// A core whose memories can be written runs them as it comes up, then some vectors with other words in its memories, and all again
-    /// with the right words.
+    /// Runs the vectors, with their pauses, and compares `out_valid` and the outputs at every clock, until there are so
+    /// many mismatches. A core whose memories can be written runs them as it comes up, then some vectors with other
+    /// words in its memories, and all again with the right words.
     fn run(&self, device: &mut dyn Device, most: u64) -> Found {
         let Self { design, vectors, complemented } = self;
         let complemented: Vec<&Vector> = complemented.iter().collect();
@@ -216,7 +217,8 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Writes the words of tables to every memory that can be written, while the clock is enabled and not, and with the reset and without.
+    /// Writes the words of tables to every memory that can be written, while the clock is enabled and not, and with the
+    /// reset and without.
     fn load(&mut self, tables: &[Table]) {
         for port in self.design.write_ports() {
             for (address, word) in tables[port.memory].words().into_iter().enumerate() {
@@ -233,8 +235,8 @@ impl<'a> Bench<'a> {
                 let inputs = Inputs { rst: false, ce: true, in_valid: true, codes: codes(vector) };
                 self.device.clock(&inputs, &[]);
             }
-            // With an input that is presented at the same time: at this edge already nothing comes out, nor later. A core of one stage
-            // shows nowhere else that it was reset.
+            // With an input that is presented at the same time: at this edge already nothing comes out, nor later. A
+            // core of one stage shows nowhere else that it was reset.
             self.clock(&Inputs { rst: true, ce, in_valid: true, ..Inputs::default() }, None);
             for _ in 0..self.expected.len() {
                 self.clock(&Inputs { ce: true, ..Inputs::default() }, None);

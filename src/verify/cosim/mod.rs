@@ -142,8 +142,8 @@ pub fn golden(sim: Sim, job: &Job) -> Result<Outcome, Error> {
     run(sim, job, Part::Core)
 }
 
-/// Runs the golden vectors through the core's wrapper with AXI4-Stream interfaces, with stalls of both sides. `None` if the core has no
-/// wrapper, and of the built-in simulator, which steps the datapath and not the wrapper's HDL.
+/// Runs the golden vectors through the core's wrapper with AXI4-Stream interfaces, with stalls of both sides. `None` if
+/// the core has no wrapper, and of the built-in simulator, which steps the datapath and not the wrapper's HDL.
 ///
 /// # Errors
 /// As [`golden`].

@@ -1,7 +1,7 @@
 //! Many mutants of a netlist as one program.
 //!
-//! Verilator compiles a netlist with an input `mutant`, which chooses what is wrong in it, with a harness of ours, `testbench/mutants.cpp`,
-//! into a program that runs golden vectors, any of all inputs, or random ones through each.
+//! Verilator compiles a netlist with an input `mutant`, which chooses what is wrong in it, with a harness of ours,
+//! `testbench/mutants.cpp`, into a program that runs golden vectors, any of all inputs, or random ones through each.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -14,7 +14,8 @@ use crate::fixed::Format;
 use crate::platform::error::Error;
 use crate::verify::golden::{self, Golden, Vector};
 
-/// How many of the last inputs are given of what random ones detect, beyond those that are on their way through the core.
+/// How many of the last inputs are given of what random ones detect, beyond those that are on their way through the
+/// core.
 const BEFORE: usize = 8;
 
 const HARNESS: &str = include_str!("../../../testbench/mutants.cpp");
@@ -62,8 +63,8 @@ impl<'a> Mutants<'a> {
         Ok(Self { design, program: program(&design.spec.name, &sources, "-O2")? })
     }
 
-    /// What of golden vectors detects each of the mutants from 0 to before `count`, if anything does; where memories can be written, by some with other
-    /// words as well, and by all with the right words written.
+    /// What of golden vectors detects each of the mutants from 0 to before `count`, if anything does; where memories
+    /// can be written, by some with other words as well, and by all with the right words written.
     ///
     /// # Errors
     /// A program that does not run to its end.
@@ -101,7 +102,8 @@ impl<'a> Mutants<'a> {
         Ok(matches!(found[..], [Some(Detected::ByVector(_))]))
     }
 
-    /// What of vectors detects each of so many mutants from the first on. Before those at some places words are written into the memories.
+    /// What of vectors detects each of so many mutants from the first on. Before those at some places words are written
+    /// into the memories.
     fn by_vectors(
         &self,
         vectors: &[&Vector],
@@ -136,8 +138,8 @@ impl<'a> Mutants<'a> {
         Ok(place(&self.ask(&words, 2)?))
     }
 
-    /// The first of so many clocks with random inputs, `ce`, `in_valid` and `rst` that detects a mutant, and the last inputs that
-    /// were taken until then.
+    /// The first of so many clocks with random inputs, `ce`, `in_valid` and `rst` that detects a mutant, and the last
+    /// inputs that were taken until then.
     ///
     /// # Errors
     /// A program that does not run to its end.
@@ -198,7 +200,8 @@ fn data_words(design: &Design) -> usize {
     design.write_ports().iter().map(words).max().unwrap_or(0)
 }
 
-/// What is written to put these tables into the memories that can be written: the write port's number, the address, the word.
+/// What is written to put these tables into the memories that can be written: the write port's number, the address, the
+/// word.
 fn writes(design: &Design, tables: &[Table]) -> Vec<Vec<u32>> {
     let mut writes = Vec::new();
     for (port, of) in design.write_ports().iter().enumerate() {

@@ -1,10 +1,10 @@
 //! What becomes of mutants: what vectors do not detect is decided.
 //!
-//! A change of what is computed is decided by running inputs through the graph with the change in it: all of them, where the ports are
-//! narrow enough. Before that, and for a shader instead, a proof is sought in a part of the graph.
+//! A change of what is computed is decided by running inputs through the graph with the change in it: all of them,
+//! where the ports are narrow enough. Before that, and for a shader instead, a proof is sought in a part of the graph.
 //!
-//! A change of a pipeline register puts the value of one input in the place of another's. It is decided the same way, for the few values
-//! that a register that survives can hold.
+//! A change of a pipeline register puts the value of one input in the place of another's. It is decided the same way,
+//! for the few values that a register that survives can hold.
 
 use std::collections::BTreeMap;
 
@@ -29,7 +29,8 @@ const MOST_INPUTS: u64 = 1 << 34;
 const SAMPLES: u64 = 1 << 20;
 const OF_TASK: u64 = 1 << 16;
 
-/// What becomes of mutants of a design, in their order. `detect` says what is seen of a defect by golden vectors, if anything is.
+/// What becomes of mutants of a design, in their order. `detect` says what is seen of a defect by golden vectors, if
+/// anything is.
 pub fn outcomes(
     design: &Design,
     mutants: &[Mutant],

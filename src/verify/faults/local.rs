@@ -1,10 +1,10 @@
 //! Proofs that a change of an operation does not show, from a part of the graph.
 //!
 //! - A bit that is the same for all inputs may be stuck at what it is.
-//! - A value that changes in its lowest bits only, which are dropped behind before anything but them depends on them, may; likewise in its
-//!   highest.
-//! - *Cuts*: the values of a few nodes, few together, are taken as free, and if none of them lets the change show in anything that is
-//!   computed from them alone and read by the rest, no input does.
+//! - A value that changes in its lowest bits only, which are dropped behind before anything but them depends on them,
+//!   may; likewise in its highest.
+//! - *Cuts*: the values of a few nodes, few together, are taken as free, and if none of them lets the change show in
+//!   anything that is computed from them alone and read by the rest, no input does.
 //!
 //! The values that a node may take come from the interval analysis of the graph, row by row.
 
@@ -17,7 +17,8 @@ use crate::datapath::graph::{Graph, Node, NodeId, Op};
 use crate::datapath::range::{Analysis, Span};
 use crate::emit::rom::Table;
 
-/// The most values of a cut of a shader, as a power of two, and of a lobe, all of whose inputs can be run for all mutants at once.
+/// The most values of a cut of a shader, as a power of two, and of a lobe, all of whose inputs can be run for all
+/// mutants at once.
 const MOST_CUT_BITS: u32 = 22;
 const MOST_LOBE_CUT_BITS: u32 = 14;
 
@@ -242,8 +243,8 @@ impl<'a> Local<'a> {
         cuts.sort_by_key(count);
     }
 
-    /// Whether a fault shows for no values, within these spans, of the nodes of a cut, or of these and the flags that choose what is read
-    /// of what they decide.
+    /// Whether a fault shows for no values, within these spans, of the nodes of a cut, or of these and the flags that
+    /// choose what is read of what they decide.
     fn is_same(&self, graph: &Graph, cut: &[NodeId], spans: &[Span], fault: &Fault) -> bool {
         let is_narrow = |span: &Span| i64::try_from(span.low).is_ok() && i64::try_from(span.high).is_ok();
         let shows = |cut: &[NodeId], spans: &[Span]| {
@@ -316,8 +317,8 @@ fn inside(graph: &Graph, cut: &[NodeId]) -> Vec<bool> {
     inside
 }
 
-/// The part of a graph that some nodes alone decide, these as ports in their order, what the rest reads of it as outputs, with a fault in it;
-/// `None` if the fault is not in it.
+/// The part of a graph that some nodes alone decide, these as ports in their order, what the rest reads of it as
+/// outputs, with a fault in it; `None` if the fault is not in it.
 fn part_behind(graph: &Graph, cut: &[NodeId], fault: &Fault) -> Option<(Graph, Fault)> {
     let inside = inside(graph, cut);
     let args: &[NodeId] = if let Change::Instead { args, .. } = &fault.change { args } else { &[] };

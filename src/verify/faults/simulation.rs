@@ -52,7 +52,8 @@ impl Block {
 /// What fills a block with the next inputs; false if there are no more.
 pub type Next<'a> = dyn FnMut(&mut Block) -> bool + 'a;
 
-/// What is given a fault's place and, a bit each, the inputs of a block that detect it; false if nothing more is to be found out of it.
+/// What is given a fault's place and, a bit each, the inputs of a block that detect it; false if nothing more is to be
+/// found out of it.
 pub type Detected<'a> = dyn FnMut(usize, u64, &Block) -> bool + 'a;
 
 /// Fills blocks with inputs, in order.
@@ -64,8 +65,9 @@ pub fn blocks<'a>(mut inputs: impl Iterator<Item: AsRef<[i64]>> + 'a) -> Box<Nex
     })
 }
 
-/// The graph of a design with a copy of a node, which is read from behind one of its registers on, and the copy holding each of some values:
-/// what a mistake in that register, which puts the value of one input in the place of another's, can change.
+/// The graph of a design with a copy of a node, which is read from behind one of its registers on, and the copy holding
+/// each of some values: what a mistake in that register, which puts the value of one input in the place of another's,
+/// can change.
 pub(crate) fn held_in_register(
     design: &Design,
     node: NodeId,
@@ -77,7 +79,8 @@ pub(crate) fn held_in_register(
     (graph, values.map(|code| Fault { node: copy, change: Change::constant(code) }).collect())
 }
 
-/// Finds out which inputs detect which faults: what differs from the graph is computed again for each, and nothing else.
+/// Finds out which inputs detect which faults: what differs from the graph is computed again for each, and nothing
+/// else.
 #[derive(Clone, Debug)]
 pub struct FaultSimulation<'a> {
     graph: &'a Graph,
@@ -220,7 +223,8 @@ struct Columns<'a, L> {
     /// What a fault has changed, with the values without it.
     kept: Vec<(NodeId, [L; LANES])>,
     differs: Vec<bool>,
-    /// For each node the bits that are 1 in any and in every lane, and in which block: most stuck bits are seen to be as they should at once.
+    /// For each node the bits that are 1 in any and in every lane, and in which block: most stuck bits are seen to be
+    /// as they should at once.
     ends: Vec<(u64, L, L)>,
 }
 
@@ -257,7 +261,8 @@ impl<'a, L: Lane> Columns<'a, L> {
         self.changed = self.number == 1;
     }
 
-    /// Whether a fault may change anything that it did not in the block before; at its own node, where that is seen at once.
+    /// Whether a fault may change anything that it did not in the block before; at its own node, where that is seen at
+    /// once.
     #[inline(always)]
     fn may_change(&mut self, place: usize) -> bool {
         if !self.changed && !self.sees_port[place] {

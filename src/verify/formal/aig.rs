@@ -1,4 +1,5 @@
-//! And-inverter graphs: the circuits that are compared, built side by side in one graph, so that what is written alike is one node.
+//! And-inverter graphs: the circuits that are compared, built side by side in one graph, so that what is written alike
+//! is one node.
 
 use std::collections::HashMap;
 
@@ -112,10 +113,11 @@ impl Aig {
         (sum, self.or(one, other))
     }
 
-    /// The low `width` bits of a product, lowest first: of numbers in two's complement if `signed`, else of whole numbers.
+    /// The low `width` bits of a product, lowest first: of numbers in two's complement if `signed`, else of whole
+    /// numbers.
     ///
-    /// Products of the same operands are the same nodes, in whichever order and with however many bits that only repeat the sign the
-    /// operands were written.
+    /// Products of the same operands are the same nodes, in whichever order and with however many bits that only repeat
+    /// the sign the operands were written.
     pub(super) fn product(&mut self, a: &[Literal], b: &[Literal], signed: bool, width: usize) -> Vec<Literal> {
         let bare = |bits: &[Literal]| -> Vec<Literal> {
             let mut bits = bits.to_vec();
@@ -148,7 +150,8 @@ impl Aig {
         sum
     }
 
-    /// A word of a memory without a write port, lowest bit first; `address` lowest bit first, of as many bits as there are words.
+    /// A word of a memory without a write port, lowest bit first; `address` lowest bit first, of as many bits as there
+    /// are words.
     pub(super) fn word(&mut self, words: &[Vec<bool>], address: &[Literal]) -> Vec<Literal> {
         let width = words.first().map_or(0, Vec::len);
         (0..width)
@@ -205,8 +208,8 @@ impl Aig {
         used
     }
 
-    /// Runs through all values of the inputs on which the pairs depend, and returns values of all inputs for which the literals of a pair
-    /// differ, if there are such; the inputs on which they do not depend are 0.
+    /// Runs through all values of the inputs on which the pairs depend, and returns values of all inputs for which the
+    /// literals of a pair differ, if there are such; the inputs on which they do not depend are 0.
     ///
     /// # Errors
     /// If they depend on more than `most` inputs, at most 63: how many.
@@ -214,8 +217,8 @@ impl Aig {
         Ok(self.differences(&[pairs.to_vec()], most)?.pop().flatten())
     }
 
-    /// As [`Self::difference`], for several groups of pairs at once: for each the first values for which the literals of one of its pairs
-    /// differ.
+    /// As [`Self::difference`], for several groups of pairs at once: for each the first values for which the literals
+    /// of one of its pairs differ.
     ///
     /// # Errors
     /// As there, of all groups together.
@@ -224,7 +227,8 @@ impl Aig {
         groups: &[Vec<(Literal, Literal)>],
         most: usize,
     ) -> Result<Vec<Option<Vec<bool>>>, usize> {
-        // The nodes that count, one after the other, so that their values stay near each other: a graph holds many that do not.
+        // The nodes that count, one after the other, so that their values stay near each other: a graph holds many that
+        // do not.
         let used = self.cone(groups.iter().flatten().flat_map(|&(one, other)| [one, other]));
         let mut places = vec![0u32; self.nodes.len()];
         let mut kept: Vec<Node> = Vec::new();
@@ -257,8 +261,8 @@ impl Aig {
         Ok(first_runs(&kept, inputs.len(), &groups).into_iter().map(|run| run.map(values)).collect())
     }
 
-    /// The graph of these outputs in the binary AIGER format (Biere, "The AIGER And-Inverter Graph format", 2007); all inputs are kept, in
-    /// their order.
+    /// The graph of these outputs in the binary AIGER format (Biere, "The AIGER And-Inverter Graph format", 2007); all
+    /// inputs are kept, in their order.
     pub(super) fn aiger(&self, outputs: &[Literal]) -> Vec<u8> {
         let used = self.cone(outputs.iter().copied());
         let mut number = vec![0u32; self.nodes.len()];
@@ -305,7 +309,8 @@ impl Values {
     }
 }
 
-/// For each group of pairs the first of all values of so many inputs, a bit each, for which the literals of one of its pairs differ.
+/// For each group of pairs the first of all values of so many inputs, a bit each, for which the literals of one of its
+/// pairs differ.
 fn first_runs(nodes: &[Node], inputs: usize, groups: &[Vec<[Literal; 2]>]) -> Vec<Option<u64>> {
     /// The values of the six lowest inputs in the runs of a word.
     const LOWEST: [u64; 6] = [

@@ -94,7 +94,8 @@ pub(super) struct Circuit {
     pub(super) outputs: BTreeMap<String, Vec<Bit>>,
     pub(super) parts: Vec<Part>,
     pub(super) memories: Vec<Memory>,
-    /// Nets that stand for the bits that the text leaves undefined, such as a case that never happens: each may be anything.
+    /// Nets that stand for the bits that the text leaves undefined, such as a case that never happens: each may be
+    /// anything.
     undefined: Vec<usize>,
     pub(super) nets: usize,
 }
@@ -105,8 +106,9 @@ pub(super) type Word<'a> = dyn Fn(&mut Aig, usize, &[Literal]) -> Vec<Literal> +
 /// Why a circuit is not one that the proof is for.
 pub(super) type Unfit = String;
 
-/// From a Verilog text to gates: no pass here removes, adds or merges a register that is not the same as another, and none uses what a
-/// register or memory holds when it comes up. A register that Yosys would zero by a data signal gets a gate instead; products stay whole.
+/// From a Verilog text to gates: no pass here removes, adds or merges a register that is not the same as another, and
+/// none uses what a register or memory holds when it comes up. A register that Yosys would zero by a data signal gets a
+/// gate instead; products stay whole.
 fn script(reader: &str, top: &str) -> String {
     format!(
         "{reader} {TEXT}\n\
@@ -382,8 +384,8 @@ impl Circuit {
         circuit
     }
 
-    /// Builds the circuit with registers as wires. `input` says what a port's bit is, `cut` what stands for a register, by
-    /// its place, instead of its input.
+    /// Builds the circuit with registers as wires. `input` says what a port's bit is, `cut` what stands for a register,
+    /// by its place, instead of its input.
     pub(super) fn build(
         &self,
         aig: &mut Aig,

@@ -1,28 +1,34 @@
 //! Two texts of a core are the same circuit.
 //!
-//! Both are read by Yosys to gates and registers ([`super::circuit`]) and checked to be [pipelines](super::pipeline): every register
-//! waits for `ce`, `rst` clears the valid bits, every path has the same number of registers, the latency. For such circuits it is enough
-//! that they are the same function with their registers as wires, which is proved for *all* inputs:
+//! Both are read by Yosys to gates and registers ([`super::circuit`]) and checked to be [pipelines](super::pipeline):
+//! every register waits for `ce`, `rst` clears the valid bits, every path has the same number of registers, the
+//! latency. For such circuits it is enough that they are the same function with their registers as wires, which is
+//! proved for *all* inputs:
 //!
-//! 1. Both are built in one and-inverter graph ([`super::aig`]), memories without a write port as logic, with every bit of every word, so
-//!    that their contents are compared with the rest, and products as gates. What is written alike is there already the same node.
-//! 2. Random inputs are run through both. Outputs that differ refute the claim, with the inputs that show it. Registers of the two that
-//!    are the same in all runs, under the same name or under different ones, become pairs, one bit of the one and one of the other.
-//!    Of these only such are kept that also take the same in random runs of the circuits cut at them.
-//! 3. The two are built again, cut at the pairs: one new input stands for both registers of a pair. For each pair the two inputs of the
-//!    registers are compared, and so are the outputs, as functions of the circuits' inputs and these new ones; most are the same node, the
-//!    others go to ABC's `cec`. If all are the same, then so are the circuits: by induction over the stages, as what stands before a
-//!    register depends on earlier stages alone. A pair that was no pair makes this fail; it cannot make it succeed.
-//! 4. If it fails, the outputs are compared as functions of the inputs, without cuts: by ABC within the time limit, then by running every
-//!    value of the inputs through both where they have at most 28 bits. The rust-hdl kernels need this: they keep bits that the
-//!    others leave out because they matter for no value of the inputs, though for values of the registers that never come up together.
+//! 1. Both are built in one and-inverter graph ([`super::aig`]), memories without a write port as logic, with every bit
+//!    of every word, so that their contents are compared with the rest, and products as gates. What is written alike is
+//!    there already the same node.
+//! 2. Random inputs are run through both. Outputs that differ refute the claim, with the inputs that show it. Registers
+//!    of the two that are the same in all runs, under the same name or under different ones, become pairs, one bit of
+//!    the one and one of the other. Of these only such are kept that also take the same in random runs of the circuits
+//!    cut at them.
+//! 3. The two are built again, cut at the pairs: one new input stands for both registers of a pair. For each pair the
+//!    two inputs of the registers are compared, and so are the outputs, as functions of the circuits' inputs and these
+//!    new ones; most are the same node, the others go to ABC's `cec`. If all are the same, then so are the circuits: by
+//!    induction over the stages, as what stands before a register depends on earlier stages alone. A pair that was no
+//!    pair makes this fail; it cannot make it succeed.
+//! 4. If it fails, the outputs are compared as functions of the inputs, without cuts: by ABC within the time limit,
+//!    then by running every value of the inputs through both where they have at most 28 bits. The rust-hdl kernels need
+//!    this: they keep bits that the others leave out because they matter for no value of the inputs, though for values
+//!    of the registers that never come up together.
 //!
-//! A memory with a write port is outside of both circuits: what it shows is a new input, and its address and its write port (the
-//! word and the address of that only while it writes) are compared as outputs are, its first words as they are. Two memories with the same words, written alike and read at the same address
-//! in the same stage, show the same.
+//! A memory with a write port is outside of both circuits: what it shows is a new input, and its address and its write
+//! port (the word and the address of that only while it writes) are compared as outputs are, its first words as they
+//! are. Two memories with the same words, written alike and read at the same address in the same stage, show the same.
 //!
-//! A bit that a text leaves undefined, as in a case that never happens, is a new input as well, another in each circuit, so that the
-//! proof goes through only where it does not matter; before that Yosys may have taken one that it sees to be harmless for what it likes.
+//! A bit that a text leaves undefined, as in a case that never happens, is a new input as well, another in each
+//! circuit, so that the proof goes through only where it does not matter; before that Yosys may have taken one that it
+//! sees to be harmless for what it likes.
 //!
 //! What is not said: what the outputs are while `out_valid` is 0, and what the registers hold when the power comes.
 
@@ -83,7 +89,8 @@ struct Both {
 }
 
 impl Both {
-    /// What a write port of a side does: its enables; its word and address where they are taken, and 0 where they are not.
+    /// What a write port of a side does: its enables; its word and address where they are taken, and 0 where they are
+    /// not.
     fn written(&mut self, side: usize, write: &Write) -> Vec<Literal> {
         let [mut taken, data, address] =
             [&write.enable, &write.data, &write.address].map(|bits| self.wires[side].bits(bits));
@@ -247,8 +254,8 @@ impl<'a> Comparison<'a> {
         Ok(pairs)
     }
 
-    /// The pairs whose registers also take the same in random runs of the cut circuits: those that only looked alike are dropped, one
-    /// round after the other, as what stands behind a pair that is dropped is then seen through it.
+    /// The pairs whose registers also take the same in random runs of the cut circuits: those that only looked alike
+    /// are dropped, one round after the other, as what stands behind a pair that is dropped is then seen through it.
     pub(super) fn confirmed(&self, mut pairs: Vec<[usize; 2]>) -> Vec<[usize; 2]> {
         let mut dice = Dice::new(6);
         loop {
@@ -286,8 +293,9 @@ impl<'a> Comparison<'a> {
         (both, duties)
     }
 
-    /// Asks a method. `inject`: with one wrong result. Returns the answer, with the inputs that show a difference where the method says
-    /// them, how many bits were compared, and how many were not the same node. `seconds` is the most that the solver may take.
+    /// Asks a method. `inject`: with one wrong result. Returns the answer, with the inputs that show a difference where
+    /// the method says them, how many bits were compared, and how many were not the same node. `seconds` is the most
+    /// that the solver may take.
     ///
     /// # Errors
     /// If the solver does not work.
@@ -306,8 +314,9 @@ impl<'a> Comparison<'a> {
         Ok(Asked { answer, shown: None, compared: duties.len(), open: open.len() })
     }
 
-    /// Runs all values of the inputs through both: those of the widest port, once for each value of the others, which makes the graph small.
-    /// Bits that a text leaves undefined are run through as well; where there are too many, it is not found out.
+    /// Runs all values of the inputs through both: those of the widest port, once for each value of the others, which
+    /// makes the graph small. Bits that a text leaves undefined are run through as well; where there are too many, it
+    /// is not found out.
     fn every(&self, inject: bool) -> Asked {
         let ports = self.sides[0].data_inputs();
         let bits: usize = ports.values().sum();

@@ -37,9 +37,10 @@ const OF_REGISTERS: [(&str, Fault); 3] = [
 /// The most words of a memory whose bits are tried where a wrong bit in the middle one shows in no result.
 const MOST_WORDS: usize = 8;
 
-/// Injects one fault after the other in the second circuit of a comparison that went through by this method, asks it again, and returns each
-/// with what became of it: one that the circuit cannot have is not decided. A core whose results are constants has no registers, and reads no
-/// memory. `golden` are vectors of the design: a bit of a memory that the proof passes over must change no result of theirs either.
+/// Injects one fault after the other in the second circuit of a comparison that went through by this method, asks it
+/// again, and returns each with what became of it: one that the circuit cannot have is not decided. A core whose
+/// results are constants has no registers, and reads no memory. `golden` are vectors of the design: a bit of a memory
+/// that the proof passes over must change no result of theirs either.
 ///
 /// # Errors
 /// If the solver does not work.
@@ -83,7 +84,8 @@ pub(super) fn check(
         found(&Comparison { sides: [comparison.sides[0], faulty], reads: comparison.reads.clone() }, false)
     };
     const WHAT: &str = "a wrong bit in a memory";
-    // A result may not show the lowest bit; the highest is padding where GHDL widens the words, which a kernel's are not.
+    // A result may not show the lowest bit; the highest is padding where GHDL widens the words, which a kernel's are
+    // not.
     let middle = words.len() / 2;
     let bit = if matches!(method, Method::Stages(_)) { 0 } else { words[middle].len() - 1 };
     if let by @ Some(_) = seen(&with(middle, bit))? {

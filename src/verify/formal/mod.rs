@@ -87,7 +87,8 @@ struct Text {
     bytes: Vec<u8>,
 }
 
-/// The texts of a core: its files in a directory, and the Verilog of its rust-hdl kernel where there is one of its widths.
+/// The texts of a core: its files in a directory, and the Verilog of its rust-hdl kernel where there is one of its
+/// widths.
 fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
     let mut texts = Vec::new();
     for &language in &design.spec.languages {
@@ -109,9 +110,9 @@ fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
 /// [`equivalence`](self) for what that says. Each text is first run on the golden
 /// vectors.
 ///
-/// `seconds` is the most that the solver may take at once; `progress` is told of each claim before and after it is looked at. A claim that was
-/// proved is proved again with faults injected in one of the circuits; if one of them is not found, the claim counts as open. Faults that a circuit
-/// cannot have, as its results are constants, are named.
+/// `seconds` is the most that the solver may take at once; `progress` is told of each claim before and after it is
+/// looked at. A claim that was proved is proved again with faults injected in one of the circuits; if one of them is
+/// not found, the claim counts as open. Faults that a circuit cannot have, as its results are constants, are named.
 ///
 /// # Errors
 /// A tool that is not installed or does not do its work, GHDL and Yosys with a text that they do not read among them.

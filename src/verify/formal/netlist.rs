@@ -1,13 +1,15 @@
-//! Mutants of the netlist of a core's Verilog: a bit of a cell's port inverted, constant, or inverted by another bit of the cell.
+//! Mutants of the netlist of a core's Verilog: a bit of a cell's port inverted, constant, or inverted by another bit of
+//! the cell.
 //!
-//! What the vectors do not detect is decided. A mistake in what a cell computes or a register takes is a function of an input's values: it is
-//! the core's or not, which is proved, or all inputs are run through it. A mistake in a register's clock, enable or reset
-//! depends on what came before, so random clocks are run through it, and the last inputs are reduced to those that are needed to show it.
+//! What the vectors do not detect is decided. A mistake in what a cell computes or a register takes is a function of an
+//! input's values: it is the core's or not, which is proved, or all inputs are run through it. A mistake in a
+//! register's clock, enable or reset depends on what came before, so random clocks are run through it, and the last
+//! inputs are reduced to those that are needed to show it.
 //!
-//! The netlist has an input `mutant` and is the core where that is 0. For the proof that a mutant is the core, it must be a pipeline as well, as
-//! in [`super::equivalence`], with the same registers; then the two are compared stage by stage, cut at all registers that are the same in
-//! random runs, then by running every value of the inputs through all circuits that are left at once, and where there are too many of these as
-//! functions from the inputs to the outputs.
+//! The netlist has an input `mutant` and is the core where that is 0. For the proof that a mutant is the core, it must
+//! be a pipeline as well, as in [`super::equivalence`], with the same registers; then the two are compared stage by
+//! stage, cut at all registers that are the same in random runs, then by running every value of the inputs through all
+//! circuits that are left at once, and where there are too many of these as functions from the inputs to the outputs.
 
 use std::sync::LazyLock;
 
@@ -152,7 +154,8 @@ fn samples(design: &Design) -> Vec<Vector> {
     inputs.into_par_iter().map(vector).collect()
 }
 
-/// An input that shows a mutant as a vector, if one of these does; else as few of them, in their order, as show it; `None` if not even all do.
+/// An input that shows a mutant as a vector, if one of these does; else as few of them, in their order, as show it;
+/// `None` if not even all do.
 fn reduced(mutants: &Mutants, mutant: u32, recent: Vec<Vec<i64>>) -> Result<Option<Vec<Vec<i64>>>, Error> {
     for inputs in recent.iter().rev() {
         if mutants.show(mutant, std::slice::from_ref(inputs))? {
@@ -201,7 +204,8 @@ impl From<Unfit> for Proof {
     }
 }
 
-/// What is proved of mutants of a core's netlist, by their numbers. The netlist, with the input `mutant`, holds no other mutants.
+/// What is proved of mutants of a core's netlist, by their numbers. The netlist, with the input `mutant`, holds no
+/// other mutants.
 ///
 /// # Errors
 /// A tool that is not installed or does not do its work.

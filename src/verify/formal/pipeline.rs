@@ -1,14 +1,15 @@
 //! Circuits that are pipelines: what shows that one is, and what it computes.
 //!
 //! A circuit is one if
-//! - every register and every write port has the clock `clk`, and every register takes its input at an edge with `ce` = 1 only,
-//! - every path from the inputs to a net has the same number of registers, so that a net's value is a function of the inputs of one
-//!   clock, and every path to an output has the pipeline's,
-//! - `out_valid` is `in_valid` through registers alone, all of which `rst` zeroes whatever `ce` is; no other register is zeroed, and
-//!   neither `clk`, `rst`, `ce` nor the valid bits are read by anything else.
+//! - every register and every write port has the clock `clk`, and every register takes its input at an edge with `ce` =
+//!   1 only,
+//! - every path from the inputs to a net has the same number of registers, so that a net's value is a function of the
+//!   inputs of one clock, and every path to an output has the pipeline's,
+//! - `out_valid` is `in_valid` through registers alone, all of which `rst` zeroes whatever `ce` is; no other register
+//!   is zeroed, and neither `clk`, `rst`, `ce` nor the valid bits are read by anything else.
 //!
-//! Two pipelines of the same depth that are the same function with their registers as wires then show the same at every clock: the
-//! outputs are that function of the inputs that were taken as many enabled edges ago.
+//! Two pipelines of the same depth that are the same function with their registers as wires then show the same at every
+//! clock: the outputs are that function of the inputs that were taken as many enabled edges ago.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -112,8 +113,8 @@ impl Nets {
     }
 }
 
-/// Checks that a circuit is a pipeline, and returns how many registers each path from an input to an output has, and how many stand
-/// before each register and each memory's read, by the part's place.
+/// Checks that a circuit is a pipeline, and returns how many registers each path from an input to an output has, and
+/// how many stand before each register and each memory's read, by the part's place.
 fn depths(circuit: &Circuit) -> Result<(u32, HashMap<usize, u32>), Unfit> {
     let port = |name: &str| match circuit.inputs.get(name).map(Vec::as_slice) {
         Some([net]) => Ok(Bit::Net(*net)),
@@ -191,7 +192,8 @@ impl Pipeline {
         reads
     }
 
-    /// Runs the circuit on the inputs of golden vectors and compares what it shows: whether what Yosys reads is the core at all.
+    /// Runs the circuit on the inputs of golden vectors and compares what it shows: whether what Yosys reads is the
+    /// core at all.
     ///
     /// Returns the number of vectors, or the first that differs.
     pub(super) fn against(&self, design: &Design, golden: &Golden) -> Result<usize, String> {
@@ -252,7 +254,8 @@ impl Inputs {
         self.0.values().flatten().copied().collect()
     }
 
-    /// The bits of the widest port as the first inputs of a graph, and those of the others as the constants of a number, lowest first.
+    /// The bits of the widest port as the first inputs of a graph, and those of the others as the constants of a
+    /// number, lowest first.
     pub(super) fn of_widest(aig: &mut Aig, of: &Pipeline, mut number: u64) -> Self {
         let ports = of.data_inputs();
         let widest = widest(&ports);
@@ -311,8 +314,9 @@ impl Inputs {
     }
 }
 
-/// For each of the circuits the codes of the ports, as whole numbers, for which its outputs differ from the first circuit's: of all inputs
-/// the first, those of the widest port for each value of the others. `None` if there are too many inputs, or a memory has a write port.
+/// For each of the circuits the codes of the ports, as whole numbers, for which its outputs differ from the first
+/// circuit's: of all inputs the first, those of the widest port for each value of the others. `None` if there are too
+/// many inputs, or a memory has a write port.
 pub(super) fn first_shown(core: &Pipeline, others: &[&Pipeline]) -> Option<Vec<Option<BTreeMap<String, u64>>>> {
     let ports = core.data_inputs();
     let bits: usize = ports.values().sum();

@@ -23,7 +23,8 @@ const RANDOM: usize = 512;
 const MOST_CANDIDATE_BITS: u32 = 21;
 const TASK_BITS: u32 = 15;
 
-/// An input, and for each function table the entry that it reads and a bit for each flipped bit of it that changes the output.
+/// An input, and for each function table the entry that it reads and a bit for each flipped bit of it that changes the
+/// output.
 struct Candidate {
     index: u32,
     versine: i64,
@@ -123,8 +124,8 @@ impl<'a> Chooser<'a> {
         (centre - 1..=centre + 2).filter(move |code| (0..=one).contains(code))
     }
 
-    /// The first versine code from which the real lobe of a row stays 0 or the value that it is held at, by bisection: it never
-    /// rises again from there.
+    /// The first versine code from which the real lobe of a row stays 0 or the value that it is held at, by bisection:
+    /// it never rises again from there.
     fn end(&self, row: usize) -> i64 {
         let at = |code: i64| self.lobes[row].at(code as f64 / self.one as f64);
         let held = at(self.one - 1) == at(self.one - 2);
@@ -180,8 +181,8 @@ impl<'a> Chooser<'a> {
             .collect()
     }
 
-    /// For each code of in_n the fewest inputs that a greedy search finds to detect every bit of its ROM word that is flipped, as
-    /// far as any candidate does.
+    /// For each code of in_n the fewest inputs that a greedy search finds to detect every bit of its ROM word that is
+    /// flipped, as far as any candidate does.
     fn rom_bits(&mut self) -> Vec<Vector> {
         let design = self.design;
         let set = &design.spec.shininess;
@@ -204,8 +205,8 @@ impl<'a> Chooser<'a> {
         }
         // Made once, as an evaluator lays out what is looked up at computed addresses.
         let flipped: Vec<Evaluator> = flipped.iter().map(|tables| Evaluator::new(design.graph(), tables)).collect();
-        // Every code of in_n, as words stand behind those outside the set too. Where coefficients are interpolated at too many places: at each
-        // row of the ROM, and the last before the next.
+        // Every code of in_n, as words stand behind those outside the set too. Where coefficients are interpolated at
+        // too many places: at each row of the ROM, and the last before the next.
         let most = set.rows() - 1;
         let port_codes = 1usize << design.index_format().width();
         let indices: Vec<u32> = if port_codes <= MOST_ROWS {
@@ -234,8 +235,9 @@ impl<'a> Chooser<'a> {
         let end = self.end(row);
         let cuts = design.datapath.coefficients().and_then(|table| table.find("cut"));
         let cut = cuts.map_or(end, |field| field.codes[design.spec.shininess.knot(row).0] as i64);
-        // First blocks about the end of the lobe, where a coefficient weighs most, and about the cut, which lies past it where a
-        // tail is held, and combs over the lobe and over all; then, for what these do not detect, a fine comb over the lobe.
+        // First blocks about the end of the lobe, where a coefficient weighs most, and about the cut, which lies past
+        // it where a tail is held, and combs over the lobe and over all; then, for what these do not detect, a fine
+        // comb over the lobe.
         let block = |about: i64| ((about - 183).clamp(0, self.one), 1, 192);
         let comb = |last: i64, count: i64| (0, (last / count).max(1), count);
         let steps = [vec![block(end), comb(end, 192), comb(self.one, 192), block(cut)], vec![comb(end, 2048)]];
@@ -247,7 +249,8 @@ impl<'a> Chooser<'a> {
         chosen
     }
 
-    /// Moves from `open` what any code of the combs (first code, stride, and how many at most) detects; the codes go to `chosen`.
+    /// Moves from `open` what any code of the combs (first code, stride, and how many at most) detects; the codes go to
+    /// `chosen`.
     fn detect(
         &self,
         index: u32,
@@ -287,8 +290,9 @@ impl<'a> Chooser<'a> {
         open.retain(|_| detects.next().is_some_and(|detects| !detects.contains(&true)));
     }
 
-    /// For each entry of each function table inputs that detect each of its bits that is flipped, as far as any candidate does: all
-    /// inputs of a small core, else combs over the lobes of the marked rows, or of all where each row has entries of its own.
+    /// For each entry of each function table inputs that detect each of its bits that is flipped, as far as any
+    /// candidate does: all inputs of a small core, else combs over the lobes of the marked rows, or of all where each
+    /// row has entries of its own.
     fn entry_bits(&mut self) -> Vec<Vector> {
         let design = self.design;
         let (graph, tables) = (design.graph(), design.tables());
@@ -307,8 +311,8 @@ impl<'a> Chooser<'a> {
         }
 
         let set = &design.spec.shininess;
-        // A table of the power itself has entries for each row: every row is gone through, those that only codes outside the set read too,
-        // and in it every cell, as also a word that is 0 shows when it is not.
+        // A table of the power itself has entries for each row: every row is gone through, those that only codes
+        // outside the set read too, and in it every cell, as also a word that is 0 shows when it is not.
         let of_rows = design.spec.method == Method::Table;
         let all = set.rows().saturating_mul(self.one as usize + 1) <= MOST_CANDIDATES;
         let indices: Vec<u32> = if of_rows && tables[memories[0]].first_index == 0 {
@@ -369,8 +373,8 @@ impl<'a> Chooser<'a> {
         (self.design.index_format().width() + self.design.operand_format().width()).min(MOST_CANDIDATE_BITS)
     }
 
-    /// A task's candidates among which inputs are sought that detect mutants: all inputs of a small core, else random ones, most of them on
-    /// the highlight and many at the least shininesses.
+    /// A task's candidates among which inputs are sought that detect mutants: all inputs of a small core, else random
+    /// ones, most of them on the highlight and many at the least shininesses.
     fn candidates(&self, task: u64) -> Candidates<'a> {
         let (design, one, bits) = (self.design, self.one, self.candidate_bits());
         let (index_bits, operand) = (design.index_format().width(), design.operand_format());
@@ -428,8 +432,8 @@ impl<'a> Chooser<'a> {
     }
 }
 
-/// Candidates, their indices and versines, that together detect each flipped bit of each entry of function tables of these depths that any of
-/// the candidates detects: always the one that detects most of what is left of an entry.
+/// Candidates, their indices and versines, that together detect each flipped bit of each entry of function tables of
+/// these depths that any of the candidates detects: always the one that detects most of what is left of an entry.
 fn greedy_entries(depths: &[usize], candidates: &[Candidate]) -> Vec<(u32, i64)> {
     let mut detected: Vec<Vec<u128>> = depths.iter().map(|&depth| vec![0; depth]).collect();
     let mut chosen = Vec::new();
@@ -454,8 +458,8 @@ fn greedy_entries(depths: &[usize], candidates: &[Candidate]) -> Vec<(u32, i64)>
     chosen
 }
 
-/// A memory, the function table number `table`, with each bit of its words flipped in turn: one bit of all words at once, since an
-/// input reads one of them.
+/// A memory, the function table number `table`, with each bit of its words flipped in turn: one bit of all words at
+/// once, since an input reads one of them.
 fn flips(tables: &[Table], memory: usize, table: usize) -> Vec<Flip> {
     let mut result = Vec::new();
     for (field, of) in tables[memory].fields.iter().enumerate() {

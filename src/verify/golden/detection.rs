@@ -1,7 +1,8 @@
 //! Vectors that detect mutants.
 //!
-//! What a mutant of an operation computes is shown by an input; a mistake in a pipeline register by two inputs, one behind the other, of which
-//! one has in this register what changes the other's result, and with clocks without `ce` between them.
+//! What a mutant of an operation computes is shown by an input; a mistake in a pipeline register by two inputs, one
+//! behind the other, of which one has in this register what changes the other's result, and with clocks without `ce`
+//! between them.
 
 use std::collections::BTreeMap;
 
@@ -21,9 +22,10 @@ pub(super) type Candidates<'a> = Box<Next<'a>>;
 /// Tasks that are spent on the mutants of a node that nothing was seen to show.
 const TASKS_OF_MUTE: u64 = 2;
 
-/// For each node whether no output ever shows it: neither the ends of its format nor 0 in its place, nor its inverted sign, change a result, for
-/// any of the vectors `known` and the candidates of the first task. Such are the nodes of a channel that is always full or black, or of a
-/// highlight that is multiplied by 0: mutants of them would be sought among all candidates, in vain.
+/// For each node whether no output ever shows it: neither the ends of its format nor 0 in its place, nor its inverted
+/// sign, change a result, for any of the vectors `known` and the candidates of the first task. Such are the nodes of a
+/// channel that is always full or black, or of a highlight that is multiplied by 0: mutants of them would be sought
+/// among all candidates, in vain.
 fn mute(design: &Design, known: &[&Vector], mut candidates: Candidates) -> Vec<bool> {
     let graph = design.graph();
     let of_node = |node: NodeId| {
@@ -43,8 +45,8 @@ fn mute(design: &Design, known: &[&Vector], mut candidates: Candidates) -> Vec<b
     mute
 }
 
-/// The fewest inputs that a greedy search finds to detect each mutant of the core's operations that the vectors `known` do not detect, as far
-/// as any candidate of so many tasks does.
+/// The fewest inputs that a greedy search finds to detect each mutant of the core's operations that the vectors `known`
+/// do not detect, as far as any candidate of so many tasks does.
 pub(super) fn detecting<'a>(
     design: &'a Design,
     known: &[&Vector],
@@ -76,7 +78,8 @@ pub(super) fn detecting<'a>(
     greedy(pool.len(), &detects).into_iter().map(|place| pool[place].clone()).collect()
 }
 
-/// Vectors, with pauses, that detect each mutant of the core's registers that the vectors `known` do not detect, as far as one is found.
+/// Vectors, with pauses, that detect each mutant of the core's registers that the vectors `known` do not detect, as far
+/// as one is found.
 pub(super) fn pausing<'a>(
     design: &'a Design,
     known: &[&Vector],
@@ -166,8 +169,8 @@ fn pair(
     shown.into_iter().zip(values.values()).find_map(|(shown, &other)| Some([shown?, inputs[other].clone()]))
 }
 
-/// One input between two of the other, then with the clock disabled once while it is in each stage, and at last, since the inputs are
-/// inverted while the clock is disabled, in front of the inverted other.
+/// One input between two of the other, then with the clock disabled once while it is in each stage, and at last, since
+/// the inputs are inverted while the clock is disabled, in front of the inverted other.
 fn pattern(design: &Design, [one, other]: &[Vec<i64>; 2]) -> Vec<Vector> {
     let ports = design.numbers(Direction::In);
     let inverted: Vec<i64> =

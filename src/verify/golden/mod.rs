@@ -1,8 +1,9 @@
 //! Golden vectors: make, write, read, compare.
 //!
-//! A golden file holds two things. Its *vectors* are a few thousand inputs with the expected outputs and with pauses between
-//! them, for test benches. Its *digests* stand for all inputs: for each shininess one number over the outputs for
-//! every code of the operand port. A shader has too many inputs for that: its digests are over a stream of samples a material.
+//! A golden file holds two things. Its *vectors* are a few thousand inputs with the expected outputs and with pauses
+//! between them, for test benches. Its *digests* stand for all inputs: for each shininess one number over the outputs
+//! for every code of the operand port. A shader has too many inputs for that: its digests are over a stream of samples
+//! a material.
 
 mod choose;
 mod complement;
@@ -36,7 +37,8 @@ pub struct Vector {
 }
 
 impl Vector {
-    /// The levels at the input ports clock by clock: during the pauses, with the codes inverted, and then when it goes in.
+    /// The levels at the input ports clock by clock: during the pauses, with the codes inverted, and then when it goes
+    /// in.
     pub(crate) fn clocks(&self, ports: &[(&str, Format)]) -> impl Iterator<Item = Inputs> {
         let codes: Vec<i128> = self.inputs.iter().copied().map(i128::from).collect();
         let inverted = codes.iter().zip(ports).map(|(&code, (_, format))| format.wrap(!code)).collect();
@@ -53,8 +55,8 @@ impl Vector {
 pub struct RowDigest {
     /// The code of the first input port, `in_n`.
     pub index: u32,
-    /// XXH3-64 of the outputs, each as four little-endian bytes: for all operand codes, the least first, or for a shader for its
-    /// material's stream of samples.
+    /// XXH3-64 of the outputs, each as four little-endian bytes: for all operand codes, the least first, or for a
+    /// shader for its material's stream of samples.
     pub digest: u64,
 }
 
@@ -80,10 +82,11 @@ const MOST_SAMPLES: u64 = 1 << 20;
 /// The heading of the vectors that a spec asks for.
 const FROM_SPEC: &str = "inputs of the spec, one a clock and then with a clock without ce before each";
 
-/// The vectors for inputs that a spec asks for. They come last and take no part in the choice of the others, so that one more changes none
-/// of these.
+/// The vectors for inputs that a spec asks for. They come last and take no part in the choice of the others, so that
+/// one more changes none of these.
 ///
-/// Some mistakes need inputs right behind one another, others a clock without `ce` while an input is in a certain register.
+/// Some mistakes need inputs right behind one another, others a clock without `ce` while an input is in a certain
+/// register.
 pub(crate) fn asked_for(design: &Design, inputs: &[Vec<i64>]) -> Vec<Vector> {
     let vector = |stall| {
         move |inputs: &Vec<i64>| Vector { outputs: design.evaluate(inputs), inputs: inputs.clone(), idle: 0, stall }
@@ -96,8 +99,8 @@ fn pause(dice: &mut Dice) -> u32 {
     if dice.below(12) == 0 { 1 + dice.below(3) as u32 } else { 0 }
 }
 
-/// Places of candidates that together detect everything that any of the `candidates` detects: always the one that detects most of what is
-/// left. `detects` has a row for each thing that is to be detected.
+/// Places of candidates that together detect everything that any of the `candidates` detects: always the one that
+/// detects most of what is left. `detects` has a row for each thing that is to be detected.
 fn greedy(candidates: usize, detects: &[Vec<bool>]) -> Vec<usize> {
     let mut open: Vec<&Vec<bool>> = detects.iter().collect();
     let mut chosen = Vec::new();

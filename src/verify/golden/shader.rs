@@ -141,8 +141,8 @@ fn along_axes(shader: &Shader, materials: &[u32]) -> Vec<Vec<i64>> {
     result
 }
 
-/// The fewest samples that a greedy search finds to detect each flipped bit of a material's words, as far as any candidate
-/// does.
+/// The fewest samples that a greedy search finds to detect each flipped bit of a material's words, as far as any
+/// candidate does.
 fn detecting(design: &Design, shader: &Shader, row: u32) -> Vec<Vec<i64>> {
     let mut dice = Dice::new((1 << 40) + u64::from(row));
     let n = design.spec.shininess.value(row as usize);
