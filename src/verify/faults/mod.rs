@@ -1,9 +1,9 @@
 //! Faults in a core: which there are, which inputs detect them, and what becomes of those that nothing detects.
 //!
-//! - [`mutants`]: the mutants of a core: of its operations, its memories' words, its pipeline registers and its valid
+//! - [`mutants()`]: the mutants of a core: of its operations, its memories' words, its pipeline registers and its valid
 //!   chain;
 //! - [`simulation`]: many faults of a graph on many inputs at a time;
-//! - [`decide`]: what is found out of a mutant that vectors do not detect: an input that would, or a proof that there
+//! - [`decide()`]: what is found out of a mutant that vectors do not detect: an input that would, or a proof that there
 //!   is none;
 //! - `local`: such proofs from a part of the graph; `domain`: all inputs of a graph or of a part of it;
 //! - [`Outcome`]: what became of a fault, here and wherever else one is injected.

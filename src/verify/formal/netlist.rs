@@ -7,7 +7,7 @@
 //! inputs are reduced to those that are needed to show it.
 //!
 //! The netlist has an input `mutant` and is the core where that is 0. For the proof that a mutant is the core, it must
-//! be a pipeline as well, as in [`super::equivalence`], with the same registers; then the two are compared stage by
+//! be a pipeline as well, as in `equivalence`, with the same registers; then the two are compared stage by
 //! stage, cut at all registers that are the same in random runs, then by running every value of the inputs through all
 //! circuits that are left at once, and where there are too many of these as functions from the inputs to the outputs.
 
