@@ -5,9 +5,9 @@ use std::path::Path;
 
 use brdfgen::core::Design;
 use brdfgen::emit::package;
+use brdfgen::explore::Results;
 use brdfgen::plot::COLOURS;
 use brdfgen::report::{self, Palette};
-use brdfgen::explore::Results;
 use brdfgen::spec::SpecFields;
 use plotters::prelude::*;
 

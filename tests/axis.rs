@@ -9,7 +9,7 @@ use brdfgen::core::{Account, Design};
 use brdfgen::emit::package;
 use brdfgen::spec::{Language, SpecFields};
 use brdfgen::verify::cosim::{self, Job, Sim};
-use brdfgen::verify::formal::{self, Verdict};
+use brdfgen::verify::formal::{self, ProofStatus};
 use brdfgen::verify::golden::Golden;
 use rayon::prelude::*;
 use tempfile::TempDir;
@@ -107,7 +107,7 @@ fn every_wrapper_passes_its_benches_lints_clean_and_is_proved() {
 
         let proofs = formal::stream(&core.design, &path, &|_| {}).expect("it runs");
         assert_eq!(proofs.len(), 2);
-        assert!(proofs.iter().all(|proof| proof.verdict == Verdict::Proved), "{spec}\n{proofs:?}");
+        assert!(proofs.iter().all(|proof| proof.verdict == ProofStatus::Proved), "{spec}\n{proofs:?}");
     });
 }
 
@@ -312,8 +312,11 @@ fn proofs_find_broken_wrappers() {
                 return;
             };
             for proof in &proofs {
-                let expected =
-                    if proof.claim.contains(&language.to_string()) { Verdict::Refuted } else { Verdict::Proved };
+                let expected = if proof.claim.contains(&language.to_string()) {
+                    ProofStatus::Refuted
+                } else {
+                    ProofStatus::Proved
+                };
                 assert_eq!(proof.verdict, expected, "{}: {proof:?}", fault.0);
             }
         });

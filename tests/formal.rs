@@ -7,7 +7,7 @@ mod common;
 use brdfgen::core::{Account, Design};
 use brdfgen::emit::package;
 use brdfgen::spec::{Language, SpecFields};
-use brdfgen::verify::formal::{self, Proof, Step, Verdict};
+use brdfgen::verify::formal::{self, Proof, ProofStatus, Step};
 use brdfgen::verify::golden::Golden;
 use common::Scratch;
 use rayon::prelude::*;
@@ -56,7 +56,7 @@ impl Core {
 }
 
 /// The verdict on the claim that begins so.
-fn of(proofs: &[Proof], claim: &str) -> Verdict {
+fn of(proofs: &[Proof], claim: &str) -> ProofStatus {
     proofs.iter().find(|proof| proof.claim.starts_with(claim)).unwrap_or_else(|| panic!("{claim}: {proofs:?}")).verdict
 }
 
@@ -82,7 +82,7 @@ fn what_the_generator_writes_is_proved() {
     specs.par_iter().for_each(|(spec, claims)| {
         let proofs = Core::new(spec).proofs(&[]);
         assert!(proofs.len() >= *claims, "{spec}: {proofs:?}");
-        assert!(proofs.iter().all(|proof| proof.verdict == Verdict::Proved), "{spec}: {proofs:?}");
+        assert!(proofs.iter().all(|proof| proof.verdict == ProofStatus::Proved), "{spec}: {proofs:?}");
     });
 }
 
@@ -104,7 +104,7 @@ fn another_function_in_one_text_is_refuted() {
     ];
     faults.par_iter().for_each(|fault| {
         let proofs = core.proofs(&[*fault]);
-        assert_eq!(of(&proofs, "Verilog = VHDL"), Verdict::Refuted, "{fault:?}: {proofs:?}");
+        assert_eq!(of(&proofs, "Verilog = VHDL"), ProofStatus::Refuted, "{fault:?}: {proofs:?}");
     });
 }
 
@@ -128,7 +128,7 @@ fn a_text_that_is_no_pipeline_is_refuted() {
     faults.par_iter().for_each(|fault| {
         let proofs = core.proofs(&[*fault]);
         let claim = format!("{} is a pipeline", fault.0);
-        assert_eq!(of(&proofs, &claim), Verdict::Refuted, "{fault:?}: {proofs:?}");
+        assert_eq!(of(&proofs, &claim), ProofStatus::Refuted, "{fault:?}: {proofs:?}");
         assert!(!proofs.iter().any(|proof| proof.claim == "Verilog = VHDL"), "{fault:?}: {proofs:?}");
     });
 }
@@ -138,9 +138,9 @@ fn the_same_fault_in_both_texts_is_another_core() {
     let both =
         [(Language::Verilog, "30'h3df5332f;", "30'h3df5332e;"), (Language::Vhdl, "x\"3df5332f\"", "x\"3df5332e\"")];
     let proofs = Core::new(CUBIC).proofs(&both);
-    assert_eq!(of(&proofs, "Verilog = VHDL"), Verdict::Proved, "{proofs:?}");
+    assert_eq!(of(&proofs, "Verilog = VHDL"), ProofStatus::Proved, "{proofs:?}");
     for language in [Language::Verilog, Language::Vhdl] {
-        assert_eq!(of(&proofs, &format!("{language} is a pipeline")), Verdict::Refuted, "{proofs:?}");
+        assert_eq!(of(&proofs, &format!("{language} is a pipeline")), ProofStatus::Refuted, "{proofs:?}");
     }
 }
 
@@ -156,7 +156,7 @@ fn a_memory_that_is_written_otherwise_is_refuted() {
     ];
     faults.par_iter().for_each(|fault| {
         let proofs = core.proofs(&[*fault]);
-        assert_eq!(of(&proofs, "Verilog = VHDL"), Verdict::Refuted, "{fault:?}: {proofs:?}");
+        assert_eq!(of(&proofs, "Verilog = VHDL"), ProofStatus::Refuted, "{fault:?}: {proofs:?}");
     });
 }
 
@@ -166,8 +166,8 @@ fn a_fault_is_found_in_comparison_with_the_kernel() {
     // Wrong for one result.
     let fault = (Language::Verilog, "out_spec  = y_7;", "out_spec  = y_7 ^ (y_7 == 17'd7777);");
     let proofs = Core::new(KERNEL).proofs(&[fault]);
-    assert_eq!(of(&proofs, "Verilog = rust-hdl"), Verdict::Refuted, "{proofs:?}");
-    assert_eq!(of(&proofs, "Verilog = VHDL"), Verdict::Refuted, "{proofs:?}");
+    assert_eq!(of(&proofs, "Verilog = rust-hdl"), ProofStatus::Refuted, "{proofs:?}");
+    assert_eq!(of(&proofs, "Verilog = VHDL"), ProofStatus::Refuted, "{proofs:?}");
 }
 
 #[test]

@@ -5,14 +5,15 @@
 mod common;
 
 use brdfgen::core::{Account, Design};
-use brdfgen::datapath::fault::{Block, Change, Defect, Fault, Hunt, Probe};
+use brdfgen::datapath::fault::{Change, Defect, Fault};
 use brdfgen::datapath::graph::Op;
 use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::emit::package;
 use brdfgen::spec::{Language, SpecFields};
-use brdfgen::verify::cosim::{self, Job, Sim};
-use brdfgen::verify::faults::equivalent::{Decision, decide};
-use brdfgen::verify::faults::{Fate, Tally, netlist, source};
+use brdfgen::verify::cosim::{self, Job, Sim, Vectors};
+use brdfgen::verify::faults::simulation::{Block, FaultSimulation};
+use brdfgen::verify::faults::{Mutant, Outcome, Tally, decide, mutants, outcomes};
+use brdfgen::verify::formal::netlist;
 use brdfgen::verify::golden::Golden;
 use common::Scratch;
 
@@ -20,6 +21,11 @@ const SMALL: &str = "method = \"quadratic\"\nshininess = \"1..=15\"\ninput_fract
 
 fn design(spec: &str) -> Design {
     Design::new(SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec)).expect("a design")
+}
+
+fn outcomes_of(design: &Design, golden: &Golden, mutants: &[Mutant]) -> Vec<Outcome> {
+    let vectors = Vectors::of(design, golden);
+    outcomes(design, mutants, &|defect| vectors.detect(defect))
 }
 
 /// Without most vectors: the corners of the ports' codes only.
@@ -31,19 +37,22 @@ fn thinned(golden: &Golden) -> Golden {
 fn all_vectors_kill_what_few_do_not() {
     let design = design(SMALL);
     let golden = Golden::of(&design);
-    let mutants = source::mutants(&design, 0);
+    let mutants = mutants(&design, 0);
     assert!(mutants.len() >= 200, "{}", mutants.len());
-    let fates = source::fates(&design, &golden, &mutants, &|| ());
-    let tally = Tally::of(&fates);
-    assert_eq!((tally.mutants, tally.survivors, tally.undecided), (mutants.len(), 0, 0), "{fates:?}");
-    assert!(tally.killed > 9 * tally.equivalent / 2, "{tally:?}");
+    let outcomes = outcomes_of(&design, &golden, &mutants);
+    let tally = Tally::of(&outcomes);
+    assert_eq!((tally.mutants, tally.survivors, tally.undecided), (mutants.len(), 0, 0), "{outcomes:?}");
+    assert!(tally.detected > 9 * tally.equivalent / 2, "{tally:?}");
 
-    let few = source::fates(&design, &thinned(&golden), &mutants, &|| ());
+    let few = outcomes_of(&design, &thinned(&golden), &mutants);
     let survivors = Tally::of(&few).survivors;
     assert!(survivors > 20, "{survivors}");
-    for (all, few) in fates.iter().zip(&few) {
+    for (all, few) in outcomes.iter().zip(&few) {
         // What the one run proves equivalent the other does not let survive.
-        assert!(!matches!((all, few), (Fate::Equivalent { .. }, Fate::Survives { .. } | Fate::Killed { .. })));
+        assert!(!matches!(
+            (all, few),
+            (Outcome::Equivalent { .. }, Outcome::Survived { .. } | Outcome::Detected { .. })
+        ));
     }
 }
 
@@ -56,17 +65,19 @@ fn a_reset_shows_in_a_core_of_one_stage() {
         );
         let design = design(&spec);
         let golden = Golden::of(&design);
-        let mutants: Vec<_> = source::mutants(&design, 0)
-            .into_iter()
-            .filter(|mutant| matches!(mutant.defect, Defect::Timing(_)))
-            .collect();
+        let mutants: Vec<_> =
+            mutants(&design, 0).into_iter().filter(|mutant| matches!(mutant.defect, Defect::Timing(_))).collect();
         let resets = mutants.iter().filter(|mutant| mutant.what.starts_with("rst ")).count();
         assert_eq!(resets, 2, "{method}");
-        let fates = source::fates(&design, &golden, &mutants, &|| ());
-        for (mutant, fate) in mutants.iter().zip(&fates) {
-            let is_killed = matches!(fate, Fate::Killed { .. });
-            assert!(is_killed || matches!(fate, Fate::Equivalent { .. }), "{method}: {}: {fate:?}", mutant.what);
-            assert!(is_killed || !mutant.what.starts_with("rst "), "{method}: {}: {fate:?}", mutant.what);
+        let outcomes = outcomes_of(&design, &golden, &mutants);
+        for (mutant, outcome) in mutants.iter().zip(&outcomes) {
+            let is_killed = matches!(outcome, Outcome::Detected { .. });
+            assert!(
+                is_killed || matches!(outcome, Outcome::Equivalent { .. }),
+                "{method}: {}: {outcome:?}",
+                mutant.what
+            );
+            assert!(is_killed || !mutant.what.starts_with("rst "), "{method}: {}: {outcome:?}", mutant.what);
         }
     }
 }
@@ -82,12 +93,12 @@ fn no_word_of_a_table_survives() {
         let design = design(&format!("method = 'table'\n{spec}\n"));
         let golden = Golden::of(&design);
         let of_words =
-            |seed| source::mutants(&design, seed).into_iter().filter(|mutant| mutant.what.contains(" of the word at "));
+            |seed| mutants(&design, seed).into_iter().filter(|mutant| mutant.what.contains(" of the word at "));
         let mutants: Vec<_> = (0..8).flat_map(of_words).collect();
-        let fates = source::fates(&design, &golden, &mutants, &|| ());
-        let tally = Tally::of(&fates);
+        let outcomes = outcomes_of(&design, &golden, &mutants);
+        let tally = Tally::of(&outcomes);
         assert_eq!((tally.survivors, tally.undecided), (0, 0), "{spec}: {tally:?}");
-        assert!(tally.killed > words, "{spec}: {tally:?}");
+        assert!(tally.detected > words, "{spec}: {tally:?}");
     }
 }
 
@@ -157,7 +168,7 @@ fn golden_inputs_that_the_ports_do_not_take_are_refused() {
 #[test]
 fn a_seed_says_which_words_are_wrong() {
     let design = design(SMALL);
-    let what = |seed: u32| -> Vec<String> { source::mutants(&design, seed).into_iter().map(|m| m.what).collect() };
+    let what = |seed: u32| -> Vec<String> { mutants(&design, seed).into_iter().map(|m| m.what).collect() };
     assert_eq!(what(3), what(3));
     assert_ne!(what(3), what(4));
 }
@@ -172,34 +183,15 @@ fn equivalent_mutants_are_told_from_others() {
     let same = instead(graph.nodes[sum].op, args.clone());
     let swapped = instead(Op::Sub, vec![args[1], args[0]]);
     let off = Defect::Value(Fault { node: graph.output(), change: Change::Offset(1) });
-    let decisions = decide(&design, &[&same, &swapped, &off]);
-    assert!(matches!(decisions[0], Decision::Same { .. }), "{decisions:?}");
-    assert!(matches!(decisions[1], Decision::Differs { .. }), "{decisions:?}");
-    assert!(matches!(decisions[2], Decision::Differs { .. }), "{decisions:?}");
+    let decided = decide(&design, &[&same, &swapped, &off]);
+    assert!(matches!(decided[0], Outcome::Equivalent { .. }), "{decided:?}");
+    assert!(matches!(decided[1], Outcome::Survived { .. }), "{decided:?}");
+    assert!(matches!(decided[2], Outcome::Survived { .. }), "{decided:?}");
 }
 
-/// Runs one block of inputs.
-struct Once<'a> {
-    block: Option<&'a Block>,
-    shown: Vec<u64>,
-}
-
-impl Hunt for Once<'_> {
-    fn next(&mut self, block: &mut Block) -> bool {
-        let Some(next) = self.block.take() else { return false };
-        *block = next.clone();
-        true
-    }
-
-    fn shown(&mut self, place: usize, lanes: u64, _: &Block) -> bool {
-        self.shown[place] = lanes;
-        true
-    }
-}
-
-/// The probe and the pipeline have every kind of fault of their own.
+/// The fault simulation and the pipeline have every kind of fault of their own.
 #[test]
-fn the_probe_shows_what_the_pipeline_does() {
+fn the_fault_simulation_shows_what_the_pipeline_does() {
     for spec in [
         SMALL,
         "method = \"schlick\"\nshininess = \"1..=15\"\ninput_fraction = 8\noutput_fraction = 8\n",
@@ -213,10 +205,17 @@ fn the_probe_shows_what_the_pipeline_does() {
         for vector in vectors.iter().step_by(vectors.len() / 60).take(Block::LANES) {
             block.push(&vector.inputs);
         }
-        let value = |defect| if let Defect::Value(fault) = defect { Some(fault) } else { None };
-        let faults: Vec<Fault> = source::mutants(&design, 1).into_iter().filter_map(|m| value(m.defect)).collect();
-        let mut once = Once { block: Some(&block), shown: vec![0; faults.len()] };
-        Probe::new(design.graph(), design.tables()).run(&faults.iter().collect::<Vec<_>>(), &mut once);
+        let faults: Vec<Fault> = mutants(&design, 1).iter().filter_map(|m| m.defect.fault().cloned()).collect();
+        let mut shown = vec![0; faults.len()];
+        let mut next = Some(&block);
+        FaultSimulation::new(design.graph(), design.tables()).run(
+            &faults.iter().collect::<Vec<_>>(),
+            &mut |to| next.take().map(|block| *to = block.clone()).is_some(),
+            &mut |place, lanes, _| {
+                shown[place] = lanes;
+                true
+            },
+        );
 
         let outputs = |defect: Option<&Defect>| -> Vec<Vec<i128>> {
             let core = Simulation::new(design.graph(), &design.schedule, design.tables());
@@ -230,7 +229,7 @@ fn the_probe_shows_what_the_pipeline_does() {
         };
         let right = outputs(None);
         let mut differing = 0;
-        for (fault, lanes) in faults.into_iter().zip(once.shown) {
+        for (fault, lanes) in faults.into_iter().zip(shown) {
             let defect = Defect::Value(fault);
             let wrong = outputs(Some(&defect));
             for (lane, (wrong, right)) in wrong.iter().zip(&right).enumerate() {
@@ -248,10 +247,10 @@ fn mutants_in_the_hdl_fail_in_the_simulators() {
     let design = design(SMALL);
     let golden = Golden::of(&design);
     let account = Account::of(&design);
-    let mutants = source::mutants(&design, 0);
-    let fates = source::fates(&design, &golden, &mutants, &|| ());
+    let mutants = mutants(&design, 0);
+    let outcomes = outcomes_of(&design, &golden, &mutants);
     let mut written = 0;
-    for (mutant, fate) in mutants.iter().zip(&fates) {
+    for (mutant, outcome) in mutants.iter().zip(&outcomes) {
         let Defect::Value(Fault { node, change: Change::Instead { op, args } }) = &mutant.defect else { continue };
         // A bench's verdict is over all vectors, as that of the simulation in process is.
         let mut wrong = design.clone();
@@ -274,9 +273,9 @@ fn mutants_in_the_hdl_fail_in_the_simulators() {
         package::write_directory(&path, &package::files(&wrong, &account, &golden).expect("files")).expect("written");
         let job = Job { design: &wrong, golden: &golden, directory: &path };
         for sim in [Sim::Icarus, Sim::Ghdl] {
-            let outcome = cosim::golden(sim, &job).expect("it runs");
-            assert!(outcome.vectors > 0, "{}: {outcome:?}", mutant.what);
-            assert_eq!(outcome.passed(), !matches!(fate, Fate::Killed { .. }), "{}: {outcome:?}", mutant.what);
+            let ran = cosim::golden(sim, &job).expect("it runs");
+            assert!(ran.vectors > 0, "{}: {ran:?}", mutant.what);
+            assert_eq!(ran.passed(), !matches!(outcome, Outcome::Detected { .. }), "{}: {ran:?}", mutant.what);
         }
     }
     assert!(written > 6, "{written}");
@@ -290,20 +289,22 @@ fn mutants_of_the_netlist_are_killed_by_all_vectors_and_not_by_few() {
     let path = package::rtl_path(&design, Language::Verilog);
     let verilog = &files.iter().find(|file| file.path == path).expect("its Verilog").bytes;
     let tally = |design: &Design, golden: &Golden| {
-        let mutants = netlist::fates(design, verilog, golden, 100, 0).expect("it runs");
-        (Tally::of(mutants.iter().map(|mutant| &mutant.fate)), mutants)
+        let mutants = netlist::outcomes(design, verilog, golden, 100, 0).expect("it runs");
+        (Tally::of(mutants.iter().map(|mutant| &mutant.outcome)), mutants)
     };
     let (all, mutants) = tally(&design, &golden);
     assert_eq!((all.mutants, all.survivors, all.undecided), (100, 0, 0), "{mutants:?}");
-    assert!(all.killed > 80 && all.equivalent > 0, "{all:?}");
+    assert!(all.detected > 80 && all.equivalent > 0, "{all:?}");
 
     // With few vectors, most is left for the proofs, which must not go through.
     let (few, left) = tally(&design, &thinned(&golden));
     assert!(few.survivors > 10, "{few:?}");
     assert_eq!((few.equivalent, few.undecided), (all.equivalent, 0), "{left:?}");
     // What shows the survivors finds all of them once it is in the spec.
-    let shown = |mutant: &netlist::NetlistMutant| match &mutant.fate {
-        Fate::Survives { input } => Some(input.replace("in_n ", "[").replace(", in_cos", ",").replace(", then", "],")),
+    let shown = |mutant: &netlist::NetlistMutant| match &mutant.outcome {
+        Outcome::Survived { input } => {
+            Some(input.replace("in_n ", "[").replace(", in_cos", ",").replace(", then", "],"))
+        }
         _ => None,
     };
     let inputs: Vec<String> = left.iter().filter_map(shown).collect();
@@ -313,7 +314,7 @@ fn mutants_of_the_netlist_are_killed_by_all_vectors_and_not_by_few() {
     asked.groups.truncate(1);
     asked.groups.push(from_spec);
     let (killed, mutants) = tally(&with, &asked);
-    assert_eq!((killed.killed, killed.survivors), (all.killed, 0), "{mutants:?}");
+    assert_eq!((killed.detected, killed.survivors), (all.detected, 0), "{mutants:?}");
 }
 
 /// What is wrong with the write port of a memory shows only once something is written.
@@ -324,12 +325,12 @@ fn mutants_of_a_write_port_are_killed() {
     let files = package::files(&design, &Account::of(&design), &golden).expect("files");
     let path = package::rtl_path(&design, Language::Verilog);
     let verilog = &files.iter().find(|file| file.path == path).expect("its Verilog").bytes;
-    let mutants = netlist::fates(&design, verilog, &golden, 100, 0).expect("it runs");
-    let tally = Tally::of(mutants.iter().map(|mutant| &mutant.fate));
+    let mutants = netlist::outcomes(&design, verilog, &golden, 100, 0).expect("it runs");
+    let tally = Tally::of(mutants.iter().map(|mutant| &mutant.outcome));
     assert_eq!((tally.mutants, tally.survivors, tally.undecided), (100, 0, 0), "{mutants:?}");
     let of_port =
         |mutant: &&netlist::NetlistMutant| mutant.what.contains("wire wr_") || mutant.what.contains("port WR_");
-    let killed = |mutant: &netlist::NetlistMutant| matches!(mutant.fate, Fate::Killed { .. });
+    let killed = |mutant: &netlist::NetlistMutant| matches!(mutant.outcome, Outcome::Detected { .. });
     assert!(mutants.iter().filter(of_port).count() > 3, "{mutants:?}");
     assert!(mutants.iter().filter(of_port).all(killed), "{mutants:?}");
 }

@@ -180,18 +180,18 @@ pub(super) fn lint(job: &Job) -> Result<Vec<Lint>, Error> {
 
 /// Whether none of them complains.
 pub(super) fn are_clean(lints: &[Lint]) -> bool {
-    lints.iter().all(|lint| lint.verdict != cosim::Verdict::Fail)
+    lints.iter().all(|lint| lint.verdict != cosim::LintStatus::Fail)
 }
 
 /// Prints what a tool says.
 pub(super) fn say_lint(lint: &Lint) {
     let Lint { tool, language, what, verdict, lines, seconds } = lint;
     match verdict {
-        cosim::Verdict::Pass => say(format!("PASS {tool}: {language}, {what}, {seconds:.1} s")),
-        cosim::Verdict::Fail => say(format!("FAIL {tool}: {language}, {what}, {seconds:.1} s")),
-        cosim::Verdict::NotRun => say(format!("not run {tool}: {language}; {}", lines.join("; "))),
+        cosim::LintStatus::Pass => say(format!("PASS {tool}: {language}, {what}, {seconds:.1} s")),
+        cosim::LintStatus::Fail => say(format!("FAIL {tool}: {language}, {what}, {seconds:.1} s")),
+        cosim::LintStatus::NotRun => say(format!("not run {tool}: {language}; {}", lines.join("; "))),
     }
-    if *verdict == cosim::Verdict::Fail {
+    if *verdict == cosim::LintStatus::Fail {
         lines.iter().for_each(|line| say(format!("  {line}")));
     }
 }
@@ -212,9 +212,9 @@ fn junit(core: &str, outcomes: &[Outcome], lints: &[Lint]) -> Result<String, Err
     }
     for lint in lints {
         let status = match lint.verdict {
-            cosim::Verdict::Pass => TestCaseStatus::success(),
-            cosim::Verdict::NotRun => TestCaseStatus::skipped(),
-            cosim::Verdict::Fail => {
+            cosim::LintStatus::Pass => TestCaseStatus::success(),
+            cosim::LintStatus::NotRun => TestCaseStatus::skipped(),
+            cosim::LintStatus::Fail => {
                 let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
                 status.set_message("the tool complains").set_description(lint.lines.join("\n"));
                 status

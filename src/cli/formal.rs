@@ -38,24 +38,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let mut proofs = formal::equivalence(&design, core.path(), &core.golden, arguments.solver_limit, &tell)?;
     proofs.extend(formal::stream(&design, core.path(), &tell)?);
     spinner.finish_and_clear();
-    let all = |passes: &dyn Fn(formal::Verdict) -> bool| proofs.iter().all(|proof| passes(proof.verdict));
+    let all = |passes: &dyn Fn(formal::ProofStatus) -> bool| proofs.iter().all(|proof| passes(proof.verdict));
     if arguments.json {
-        let passed = all(&|verdict| verdict == formal::Verdict::Proved);
+        let passed = all(&|verdict| verdict == formal::ProofStatus::Proved);
         say_json(&json!({ "core": design.spec.name, "passed": passed, "proofs": proofs }));
     }
     Ok(Verdict::of(all(&|verdict| match verdict {
-        formal::Verdict::Proved => true,
-        formal::Verdict::Open => arguments.allow_open,
-        formal::Verdict::Refuted => false,
+        formal::ProofStatus::Proved => true,
+        formal::ProofStatus::Open => arguments.allow_open,
+        formal::ProofStatus::Refuted => false,
     })))
 }
 
 /// Prints what came of a proof.
 fn say_proof(proof: &Proof) {
     let verdict = match proof.verdict {
-        formal::Verdict::Proved => "PROVED",
-        formal::Verdict::Refuted => "REFUTED",
-        formal::Verdict::Open => "OPEN",
+        formal::ProofStatus::Proved => "PROVED",
+        formal::ProofStatus::Refuted => "REFUTED",
+        formal::ProofStatus::Open => "OPEN",
     };
     say(format!("{verdict} {}: {}, {:.1} s", proof.claim, proof.how, proof.seconds));
 }

@@ -10,12 +10,12 @@ use serde_json::json;
 use super::source::{OnDisk, Source, read_golden};
 use super::{Verdict, progress, say, say_json};
 use crate::core::Design;
-use crate::datapath::mutants::Mutant;
 use crate::emit::package::rtl_path;
 use crate::platform::error::Error;
 use crate::spec::{Language, RomStyle};
-use crate::verify::faults::netlist::{self, NetlistMutant};
-use crate::verify::faults::{Fate, Tally, source};
+use crate::verify::cosim::Vectors;
+use crate::verify::faults::{self, Mutant, Outcome, Tally};
+use crate::verify::formal::netlist::{self, NetlistMutant};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -53,44 +53,49 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let core = OnDisk::of(&arguments.source, &design)?;
     let named = arguments.golden.as_ref().map(|path| read_golden(&design, path)).transpose()?;
     let golden = named.as_ref().unwrap_or(&core.golden);
-    let all = source::mutants(&design, arguments.seed);
+    let all = faults::mutants(&design, arguments.seed);
     let step = all.len().div_ceil(arguments.most.max(1)).max(1);
     let mutants: Vec<Mutant> = all.into_iter().step_by(step).collect();
     let bar = progress::bar("mutants", mutants.len() as u64);
-    let fates = source::fates(&design, golden, &mutants, &|| bar.inc(1));
+    let vectors = Vectors::of(&design, golden);
+    let outcomes = faults::outcomes(&design, &mutants, &|defect| {
+        let detected = vectors.detect(defect);
+        bar.inc(1);
+        detected
+    });
     bar.finish_and_clear();
-    let row = |(mutant, fate): (Mutant, Fate)| Row { kind: mutant.kind.name(), what: mutant.what, fate };
-    let mut sorts = vec![("source", mutants.into_iter().zip(fates).map(row).collect::<Vec<Row>>())];
+    let row = |(mutant, outcome): (Mutant, Outcome)| Row { kind: mutant.kind.name(), what: mutant.what, outcome };
+    let mut sorts = vec![("source", mutants.into_iter().zip(outcomes).map(row).collect::<Vec<Row>>())];
     if arguments.netlist > 0 {
         let spinner = progress::spinner("mutants of the netlist".to_owned());
-        let row = |mutant: NetlistMutant| Row { kind: "netlist", what: mutant.what, fate: mutant.fate };
-        let found = netlist::fates(&design, &verilog(&design, &core)?, golden, arguments.netlist, arguments.seed)?;
+        let row = |mutant: NetlistMutant| Row { kind: "netlist", what: mutant.what, outcome: mutant.outcome };
+        let found = netlist::outcomes(&design, &verilog(&design, &core)?, golden, arguments.netlist, arguments.seed)?;
         sorts.push(("netlist", found.into_iter().map(row).collect()));
         spinner.finish_and_clear();
     }
     let tallies: Vec<(&str, Tally)> =
-        sorts.iter().map(|(sort, rows)| (*sort, Tally::of(rows.iter().map(|row| &row.fate)))).collect();
+        sorts.iter().map(|(sort, rows)| (*sort, Tally::of(rows.iter().map(|row| &row.outcome)))).collect();
     let name = &design.spec.name;
-    let shown = sorts.iter().flat_map(|(_, rows)| rows).filter(|row| arguments.list || !is_settled(&row.fate));
+    let shown = sorts.iter().flat_map(|(_, rows)| rows).filter(|row| arguments.list || !is_settled(&row.outcome));
     if arguments.json {
         let of: serde_json::Map<_, _> =
             tallies.iter().map(|(sort, tally)| ((*sort).to_owned(), json!(tally))).collect();
         let list: Vec<_> = shown.collect();
         say_json(&json!({ "core": name, "tallies": of, "mutants": list }));
     } else {
-        for Row { kind, what, fate } in shown {
-            let end = match fate {
-                Fate::Killed { by } => format!("killed: {by}"),
-                Fate::Equivalent { proof } => format!("equivalent: {proof}"),
-                Fate::Survives { input } => format!("SURVIVES; shown by {input}"),
-                Fate::Undecided { tried } => format!("not decided by {tried}"),
+        for Row { kind, what, outcome } in shown {
+            let end = match outcome {
+                Outcome::Detected { by } => format!("killed: {by}"),
+                Outcome::Equivalent { proof } => format!("equivalent: {proof}"),
+                Outcome::Survived { input } => format!("SURVIVES; shown by {input}"),
+                Outcome::Undecided { tried } => format!("not decided by {tried}"),
             };
             say(format!("{kind}: {what}: {end}"));
         }
         for (sort, tally) in &tallies {
             say(format!(
                 "{name}, {sort}: {} mutants, {} killed, {} equivalent, {} survivors, {} not decided",
-                tally.mutants, tally.killed, tally.equivalent, tally.survivors, tally.undecided
+                tally.mutants, tally.detected, tally.equivalent, tally.survivors, tally.undecided
             ));
         }
         say(format!("{:.1} s", start.elapsed().as_secs_f64()));
@@ -104,7 +109,7 @@ struct Row {
     kind: &'static str,
     what: String,
     #[serde(flatten)]
-    fate: Fate,
+    outcome: Outcome,
 }
 
 /// The Verilog of a core on disk.
@@ -120,6 +125,6 @@ fn verilog(design: &Design, core: &OnDisk) -> Result<Vec<u8>, Error> {
 }
 
 /// Whether there is nothing to be done about a mutant.
-fn is_settled(fate: &Fate) -> bool {
-    matches!(fate, Fate::Killed { .. } | Fate::Equivalent { .. })
+fn is_settled(outcome: &Outcome) -> bool {
+    matches!(outcome, Outcome::Detected { .. } | Outcome::Equivalent { .. })
 }

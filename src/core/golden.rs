@@ -7,6 +7,7 @@ use std::fmt::Write;
 use serde::Serialize;
 
 use super::{Design, Direction};
+use crate::datapath::simulate::Inputs;
 use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
 use crate::spec::Block;
@@ -22,6 +23,20 @@ pub struct Vector {
     pub idle: u32,
     /// Clocks with `ce` low while this one waits.
     pub stall: u32,
+}
+
+impl Vector {
+    /// The levels at the input ports clock by clock: during the pauses, with the codes inverted, and then when it goes
+    /// in.
+    pub(crate) fn clocks(&self, ports: &[(&str, Format)]) -> impl Iterator<Item = Inputs> {
+        let codes: Vec<i128> = self.inputs.iter().copied().map(i128::from).collect();
+        let inverted = codes.iter().zip(ports).map(|(&code, (_, format))| format.wrap(!code)).collect();
+        let idle = Inputs { rst: false, ce: true, in_valid: false, codes: inverted };
+        let stalled = Inputs { ce: false, in_valid: true, ..idle.clone() };
+        let taken = Inputs { in_valid: true, codes, ..idle.clone() };
+        let pauses = std::iter::repeat_n(idle, self.idle as usize);
+        pauses.chain(std::iter::repeat_n(stalled, self.stall as usize)).chain(std::iter::once(taken))
+    }
 }
 
 /// The digest of one shininess.

@@ -12,11 +12,11 @@ use crate::fixed::Format;
 use crate::fixed::Table;
 
 /// Inputs of a column: small enough for all columns of a core to stay in the first-level cache.
-pub(super) const LANES: usize = 64;
+pub(crate) const LANES: usize = 64;
 
 /// An argument of a step: the same for all lanes, or a column.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Arg {
+pub(crate) enum Arg {
     Uniform(i128),
     Column(NodeId),
 }
@@ -78,7 +78,7 @@ impl<'a> Evaluator<'a> {
 }
 
 /// The codes of the field that a node reads, by address; none for any other node.
-pub(super) fn codes_by_address(node: &Node, tables: &[Table]) -> Vec<i128> {
+pub(crate) fn codes_by_address(node: &Node, tables: &[Table]) -> Vec<i128> {
     match node.op {
         Op::Field { memory, field } => {
             let table = &tables[memory];
@@ -89,7 +89,7 @@ pub(super) fn codes_by_address(node: &Node, tables: &[Table]) -> Vec<i128> {
 }
 
 /// Whether 64 bits are enough for every operation of a graph.
-pub(super) fn is_narrow(graph: &Graph) -> bool {
+pub(crate) fn is_narrow(graph: &Graph) -> bool {
     // Aligning and shifting happen before a result is taken into its format: leave a bit for the carry.
     graph.nodes.iter().all(|node| node.format.width() <= 62)
 }
@@ -101,7 +101,7 @@ fn run_narrow(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64, 
 
 /// An integer that holds codes. Its operations wrap: the formats of a graph are proved to hold every value, so that nothing wraps unless a
 /// fault is in it, and a check of each lane for overflow, as builds for tests have it, would keep the compiler from vector instructions.
-pub(super) trait Lane: PrimInt + WrappingAdd + WrappingMul + WrappingShl + WrappingShr + WrappingSub {
+pub(crate) trait Lane: PrimInt + WrappingAdd + WrappingMul + WrappingShl + WrappingShr + WrappingSub {
     fn from_code(code: i128) -> Self;
     fn to_output(self) -> u32;
     /// The code that it holds.
@@ -192,7 +192,7 @@ fn run<L: Lane>(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64
 /// The values of a node for a column of inputs, given its arguments'; `codes` are those of the field that it reads, by address. A port or a
 /// constant is not computed.
 #[inline(always)]
-pub(super) fn step<L: Lane>(
+pub(crate) fn step<L: Lane>(
     graph: &Graph,
     node: &Node,
     codes: &[i128],
@@ -323,7 +323,7 @@ fn zip<L: Lane>(result: &mut [L; LANES], columns: &[[L; LANES]], a: Arg, b: Arg,
 
 /// Takes codes into a format.
 #[inline(always)]
-pub(super) fn wrap<L: Lane>(result: &mut [L; LANES], format: Format) {
+pub(crate) fn wrap<L: Lane>(result: &mut [L; LANES], format: Format) {
     if format.signed {
         let spare = 2 * L::HALF - format.width();
         for value in result {

@@ -8,14 +8,12 @@
 //! - [`schedule`]: places the pipeline registers;
 //! - [`simulate`]: the pipeline, clock by clock;
 //! - [`evaluate`]: the function, many inputs at a time;
-//! - [`fault`]: faults planted in it, to see whether a check finds them;
-//! - [`mutants`]: the faults that a core's vectors are to find.
+//! - [`fault`]: what can be wrong with it.
 
 pub mod builder;
 pub mod evaluate;
 pub mod fault;
 pub mod graph;
-pub mod mutants;
 pub mod normalise;
 pub mod range;
 pub mod schedule;

@@ -106,10 +106,7 @@ impl<'a> Simulation<'a> {
     }
 
     fn fault(&self, id: NodeId) -> Option<&'a Fault> {
-        match self.defect {
-            Some(Defect::Value(fault)) if fault.node == id => Some(fault),
-            _ => None,
-        }
+        self.defect.and_then(Defect::fault).filter(|fault| fault.node == id)
     }
 
     /// The register from which a stage reads a node, by how many stages later it is than the node's; none where it reads the node itself.
@@ -208,8 +205,8 @@ impl<'a> Simulation<'a> {
                 }
                 _ => self.graph.apply_node(node, &args),
             };
-            let planted = fault.filter(|fault| !matches!(fault.change, Change::Word { .. }));
-            values.push(planted.map_or(right, |fault| fault.code(self.graph, &args, right)));
+            let injected = fault.filter(|fault| !matches!(fault.change, Change::Word { .. }));
+            values.push(injected.map_or(right, |fault| fault.code(self.graph, &args, right)));
         }
         values
     }

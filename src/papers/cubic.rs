@@ -6,7 +6,7 @@ use super::claims::{
 use super::measure::{grid, largest, rises};
 use super::method::{LEVEL, Method, three_point};
 use super::survey::{Errors, MOST, Row, TAIL_BANDS};
-use super::{Claim, Verdict};
+use super::{Claim, Finding};
 use crate::method::cubic::Cubic;
 use crate::method::cubic_min_zero::MinZero;
 use crate::method::cubic_rational::CubicRational;
@@ -48,9 +48,9 @@ pub(super) fn cubic_relative(rows: &[Row]) -> Result<Claim, Error> {
             count("first n over 0.67 %", over),
         ],
         verdict: match (over > 256, real <= CUBIC_BOUND) {
-            (true, true) => Verdict::Holds,
-            (false, true) => Verdict::Only(format!("for n < {over}")),
-            (_, false) => Verdict::DoesNotHold,
+            (true, true) => Finding::Holds,
+            (false, true) => Finding::Only(format!("for n < {over}")),
+            (_, false) => Finding::DoesNotHold,
         },
     })
 }
@@ -69,7 +69,7 @@ pub(super) fn cubic_absolute(rows: &[Row]) -> Result<Claim, Error> {
             percent("absolute; n <= 1000", all),
             percent("absolute; real n <= 16 by 64ths", real),
         ],
-        verdict: Verdict::of(all.max(real) <= CUBIC_BOUND),
+        verdict: Finding::of(all.max(real) <= CUBIC_BOUND),
     })
 }
 
@@ -90,7 +90,7 @@ pub(super) fn schlick_relative(rows: &[Row]) -> Claim {
         text: "Against Schlick's lobe the relative error is smaller by more than 17 times, for n in [1; 256].",
         claimed: "17x",
         measured: vec![times("largest by largest error", worst), times("least of any n", least)],
-        verdict: Verdict::of(worst.min(least) > 17.0),
+        verdict: Finding::of(worst.min(least) > 17.0),
     }
 }
 
@@ -102,7 +102,7 @@ pub(super) fn schlick_absolute(rows: &[Row]) -> Claim {
         text: "Against Schlick's lobe the (absolute) error is smaller by more than 17 times.",
         claimed: "17x",
         measured: vec![times("largest by largest error; n <= 256", worst), times("least of any n <= 256", least)],
-        verdict: Verdict::of(worst.min(least) > 17.0),
+        verdict: Finding::of(worst.min(least) > 17.0),
     }
 }
 
@@ -127,7 +127,7 @@ pub(super) fn closed_form() -> Result<Claim, Error> {
         text: "The closed forms of a and b solve the cubic's system.",
         claimed: "all n",
         measured: vec![count("n of 1000 that agree", agreeing)],
-        verdict: Verdict::of(agreeing == MOST),
+        verdict: Finding::of(agreeing == MOST),
     })
 }
 
@@ -153,8 +153,8 @@ pub(super) fn cubic_rises() -> Result<Claim, Error> {
         ],
         // x^1 to x^3 are of the cubic's own degree.
         verdict: match rising.first() {
-            Some(&n) if n > 1.0 => Verdict::Only(format!("for n >= {n}")),
-            first => Verdict::of(first.is_some()),
+            Some(&n) if n > 1.0 => Finding::Only(format!("for n >= {n}")),
+            first => Finding::of(first.is_some()),
         },
     })
 }
@@ -197,9 +197,9 @@ pub(super) fn cubic_negative() -> Result<Claim, Error> {
             value("least value; real n <= 16 by 64ths", real),
         ],
         verdict: match (offenders.is_empty(), negative.is_empty()) {
-            (false, _) => Verdict::Holds,
-            (true, false) => Verdict::Only(format!("for real {}", between(&negative))),
-            (true, true) => Verdict::DoesNotHold,
+            (false, _) => Finding::Holds,
+            (true, false) => Finding::Only(format!("for real {}", between(&negative))),
+            (true, true) => Finding::DoesNotHold,
         },
     })
 }
@@ -230,7 +230,7 @@ pub(super) fn tail(rows: &[Row]) -> Vec<Claim> {
                     ),
                     count("first n over the claim; f the power", over),
                 ],
-                verdict: if over > MOST { Verdict::Holds } else { Verdict::Only(format!("for n < {over}")) },
+                verdict: if over > MOST { Finding::Holds } else { Finding::Only(format!("for n < {over}")) },
             }
         })
         .collect()
@@ -249,7 +249,7 @@ pub(super) fn tail_closed_form() -> Result<Claim, Error> {
         text: "a = 4 n cos^(n+1) t and b = 4 n cos^n t - 2 give the power's value and slope at its cusp.",
         claimed: "all n",
         measured: vec![count("n of 1000 that agree", agreeing)],
-        verdict: Verdict::of(agreeing == MOST),
+        verdict: Finding::of(agreeing == MOST),
     })
 }
 
@@ -269,7 +269,7 @@ pub(super) fn tail_against_schlick(rows: &[Row]) -> Claim {
             percent("Schlick; absolute; beyond the epicentre; n <= 1000", schlick),
             times("ratio", schlick / ours),
         ],
-        verdict: Verdict::of(ours < schlick),
+        verdict: Finding::of(ours < schlick),
     }
 }
 
@@ -284,7 +284,7 @@ pub(super) fn tail_falls() -> Result<Claim, Error> {
         text: "The second function assures that the whole falls monotonically.",
         claimed: "0 rises",
         measured: vec![count("n of 1000 that rise", rising)],
-        verdict: Verdict::of(rising == 0),
+        verdict: Finding::of(rising == 0),
     })
 }
 
@@ -302,9 +302,9 @@ pub(super) fn three_point_negative() -> Result<Claim, Error> {
             value("least value; real n <= 16 by 64ths", real),
         ],
         verdict: match (offenders.is_empty(), negative.is_empty()) {
-            (true, true) => Verdict::Holds,
-            (true, false) => Verdict::Only(format!("for integer n; not for real {}", between(&negative))),
-            (false, _) => Verdict::DoesNotHold,
+            (true, true) => Finding::Holds,
+            (true, false) => Finding::Only(format!("for integer n; not for real {}", between(&negative))),
+            (false, _) => Finding::DoesNotHold,
         },
     })
 }
@@ -325,7 +325,7 @@ pub(super) fn three_point_levels() -> Result<Claim, Error> {
         text: "G = 1/18 is the optimal level for Q = 0.5: the lowest G = 1/m without a crossing of the axis.",
         claimed: "18",
         measured: vec![count("largest m without a crossing; n <= 1000", last)],
-        verdict: Verdict::of(last == 18),
+        verdict: Finding::of(last == 18),
     })
 }
 
@@ -343,7 +343,7 @@ pub(super) fn three_point_closed_form() -> Claim {
         text: "The closed forms of a, b and c solve the three-point system, so that a + b + c = 1.",
         claimed: "1",
         measured: vec![value("a + b + c as printed; n = 25", a + b + c)],
-        verdict: Verdict::of((a + b + c - 1.0).abs() < ROUNDING),
+        verdict: Finding::of((a + b + c - 1.0).abs() < ROUNDING),
     }
 }
 
@@ -356,7 +356,7 @@ pub(super) fn operations() -> Result<Claim, Error> {
         text: "Hardware has to make five multiplications.",
         claimed: "5",
         measured: vec![count("multiplications as printed", five), count("multiplications of x(1 - u(A - a u))", three)],
-        verdict: if five == 5 { Verdict::Only("as printed; fewer suffice".to_owned()) } else { Verdict::DoesNotHold },
+        verdict: if five == 5 { Finding::Only("as printed; fewer suffice".to_owned()) } else { Finding::DoesNotHold },
     })
 }
 
@@ -390,7 +390,7 @@ pub(super) fn extrema() -> Result<Claim, Error> {
                 largest(1000.0, (thousand.cut().unwrap_or(1.0), 1.0), None, uncut(&thousand))
             }),
         ],
-        verdict: Verdict::of(cubic == MOST && two == MOST),
+        verdict: Finding::of(cubic == MOST && two == MOST),
     })
 }
 
@@ -420,9 +420,9 @@ pub(super) fn min_zero() -> Result<Claim, Error> {
             }),
         ],
         verdict: if lowest == 0.0 {
-            Verdict::Only("cut past its minimum, where it rises".to_owned())
+            Finding::Only("cut past its minimum, where it rises".to_owned())
         } else {
-            Verdict::DoesNotHold
+            Finding::DoesNotHold
         },
     })
 }

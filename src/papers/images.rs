@@ -5,7 +5,7 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use super::{Claim, Figure, Unit, Verdict};
+use super::{Claim, Figure, Finding, Unit};
 use crate::emit::package::File;
 use crate::platform::error::Error;
 use crate::reflectance::measure::{self, Judge, Sphere};
@@ -122,7 +122,7 @@ fn figure_4() -> Result<Vec<Claim>, Error> {
             text: "With the whole angles as turns (k = 1) the highlight is doubled.",
             claimed: "2 highlights",
             measured: vec![doubled, single, decibel("plastic; k = 1; between 4 images", shiny[0])],
-            verdict: Verdict::of(holds),
+            verdict: Finding::of(holds),
         },
         Claim {
             id: "images-halves",
@@ -134,7 +134,7 @@ fn figure_4() -> Result<Vec<Claim>, Error> {
                 decibel("matt; equation 4; between 4 images", diffuse[2]),
                 decibel("matt; k = 1; between 4 images", diffuse[0]),
             ],
-            verdict: Verdict::of(diffuse[1] < diffuse[2]),
+            verdict: Finding::of(diffuse[1] < diffuse[2]),
         },
         Claim {
             id: "images-equation-4",
@@ -146,9 +146,9 @@ fn figure_4() -> Result<Vec<Claim>, Error> {
                 decibel("plastic; equation 4; between 4 images", shiny[2]),
             ],
             verdict: match (shiny[2] > shiny[0], shiny[2] > shiny[1]) {
-                (true, true) => Verdict::Holds,
-                (true, false) => Verdict::Only("against k = 1".to_owned()),
-                _ => Verdict::DoesNotHold,
+                (true, true) => Finding::Holds,
+                (true, false) => Finding::Only("against k = 1".to_owned()),
+                _ => Finding::DoesNotHold,
             },
         },
         Claim {
@@ -161,7 +161,7 @@ fn figure_4() -> Result<Vec<Claim>, Error> {
                 decibel("plastic; factor 0.995; between 4 images", shiny[2]),
                 decibel("plastic; rim extended; between 4 images", extended),
             ],
-            verdict: Verdict::of(shiny[2] > shiny[3]),
+            verdict: Finding::of(shiny[2] > shiny[3]),
         },
     ])
 }
@@ -183,9 +183,9 @@ fn suffice(
         measured.push(decibel(name, mean));
     }
     let verdict = match short.len() {
-        0 => Verdict::Holds,
-        all if all == materials.len() => Verdict::DoesNotHold,
-        _ => Verdict::Only(format!("without {}", short.join(" and "))),
+        0 => Finding::Holds,
+        all if all == materials.len() => Finding::DoesNotHold,
+        _ => Finding::Only(format!("without {}", short.join(" and "))),
     };
     Ok(Claim { id, source: "IB, section 2", text, claimed: "35 dB in the mean is taken to suffice", measured, verdict })
 }
@@ -205,7 +205,7 @@ fn size() -> Result<Claim, Error> {
             decibel("yellow plastic; 4 images of 1024", more),
         ],
         // More than that would be seen.
-        verdict: Verdict::of(more - own < 0.5 && own >= SUFFICES),
+        verdict: Finding::of(more - own < 0.5 && own >= SUFFICES),
     })
 }
 
@@ -228,7 +228,7 @@ fn memory() -> Result<Claim, Error> {
             ratio("table over 6 images of 512 at 8 bits", six),
             ratio("table over 16 slices of 32 at 8 bits", half),
         ],
-        verdict: Verdict::of(six < table),
+        verdict: Finding::of(six < table),
     })
 }
 

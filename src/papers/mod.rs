@@ -46,7 +46,7 @@ pub struct Claim {
     /// What was measured.
     pub measured: Vec<Figure>,
     /// What follows.
-    pub verdict: Verdict,
+    pub verdict: Finding,
 }
 
 /// A measured figure.
@@ -78,7 +78,7 @@ pub enum Unit {
 
 /// What the measurement says of a claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum Finding {
     /// It is so.
     Holds,
     /// It is not.
@@ -87,13 +87,13 @@ pub enum Verdict {
     Only(String),
 }
 
-impl Verdict {
+impl Finding {
     fn of(holds: bool) -> Self {
         if holds { Self::Holds } else { Self::DoesNotHold }
     }
 }
 
-impl std::fmt::Display for Verdict {
+impl std::fmt::Display for Finding {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Holds => f.write_str("holds"),
@@ -103,7 +103,7 @@ impl std::fmt::Display for Verdict {
     }
 }
 
-impl Serialize for Verdict {
+impl Serialize for Finding {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_str(self)
     }

@@ -4,7 +4,7 @@ use super::claims::{count, datapath, how_many, most, most_real, percent, shinine
 use super::measure::{largest, rises, versine_at};
 use super::method::Method;
 use super::survey::{MOST, QUADRATIC_LEVEL, Row};
-use super::{Claim, Taylor, TaylorSeries, Verdict};
+use super::{Claim, Finding, Taylor, TaylorSeries};
 use crate::lobe::{Lobe, exact};
 use crate::method::quadratic::Quadratic;
 use crate::platform::error::Error;
@@ -22,7 +22,7 @@ pub(super) fn quadratic_error(rows: &[Row]) -> Result<Claim, Error> {
             percent("relative; n <= 1000", all),
             percent("relative; real n <= 16 by 64ths", real),
         ],
-        verdict: Verdict::of(claimed.max(real) <= 0.04),
+        verdict: Finding::of(claimed.max(real) <= 0.04),
     })
 }
 
@@ -41,7 +41,7 @@ pub(super) fn quadratic_printed_angle() -> Result<Claim, Error> {
         text: "The inflection lies at arctan(1/(n-1)); the coefficient taken there has the claimed error.",
         claimed: "4 %",
         measured: vec![percent("relative; n = 2 to 512", worst)],
-        verdict: if worst <= 0.04 { Verdict::Holds } else { Verdict::Only("with arctan(1/sqrt(n-1))".to_owned()) },
+        verdict: if worst <= 0.04 { Finding::Holds } else { Finding::Only("with arctan(1/sqrt(n-1))".to_owned()) },
     })
 }
 
@@ -67,9 +67,9 @@ pub(super) fn quadratic_periphery() -> Result<Claim, Error> {
             count("n of 1000 that rise; cut at 0", cut),
         ],
         verdict: match (rising, cut) {
-            (0, _) => Verdict::Holds,
-            (_, 0) => Verdict::Only("for the lobe cut at 0".to_owned()),
-            _ => Verdict::DoesNotHold,
+            (0, _) => Finding::Holds,
+            (_, 0) => Finding::Only("for the lobe cut at 0".to_owned()),
+            _ => Finding::DoesNotHold,
         },
     })
 }
@@ -86,7 +86,7 @@ pub(super) fn quadratic_block() -> Result<Claim, Error> {
             count("multipliers of the printed form", multipliers),
             count("multipliers of x(1 - a u)", ours.graph().multipliers().len()),
         ],
-        verdict: Verdict::of(multipliers == 2),
+        verdict: Finding::of(multipliers == 2),
     })
 }
 
@@ -102,7 +102,7 @@ pub(super) fn schlick(rows: &[Row]) -> Claim {
             percent("absolute; on the epicentre; n <= 1000", inside),
             percent("absolute; beyond; n <= 1000", outside),
         ],
-        verdict: Verdict::of(outside > inside),
+        verdict: Finding::of(outside > inside),
     }
 }
 
@@ -121,7 +121,7 @@ pub(super) fn chord() -> Claim {
             percent("change of x^n; n = 1; all angles", wide),
             percent("change of x^n; n = 1000; all angles", narrow),
         ],
-        verdict: Verdict::of(narrow < 0.1 * wide),
+        verdict: Finding::of(narrow < 0.1 * wide),
     }
 }
 
@@ -139,7 +139,7 @@ pub(super) fn taylor(rows: &[Row]) -> Result<Claim, Error> {
             percent("the cubic; absolute; on the epicentre; n <= 1000", cubic),
             value("sum of three terms at 90 degrees; n = 1000", Taylor::new(1000.0, TaylorSeries::Chord)?.sum(1.0)),
         ],
-        verdict: Verdict::of(inside > cubic),
+        verdict: Finding::of(inside > cubic),
     })
 }
 
@@ -164,6 +164,6 @@ pub(super) fn cos_k(rows: &[Row]) -> Claim {
             percent("Lyon with k = 8; absolute; all angles; n <= 1000", lyon[2]),
             percent("Schlick; absolute; all angles; n <= 1000", schlick),
         ],
-        verdict: Verdict::of(two.max(four).max(eight) < schlick && two < lyon[0] && four < lyon[1] && eight < lyon[2]),
+        verdict: Finding::of(two.max(four).max(eight) < schlick && two < lyon[0] && four < lyon[1] && eight < lyon[2]),
     }
 }

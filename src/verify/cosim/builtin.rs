@@ -7,10 +7,10 @@ use crate::core::Design;
 use crate::core::Direction;
 use crate::datapath::fault::Defect;
 use crate::datapath::simulate::{Inputs, Outputs, Simulation, Write};
-use crate::fixed::Format;
 use crate::fixed::Table;
 use crate::platform::error::Error;
 use crate::spec::Language;
+use crate::verify::faults::inputs_text;
 use crate::verify::golden::{self, Golden, Vector, codes_text};
 #[cfg(feature = "kernel")]
 use crate::verify::kernel;
@@ -99,7 +99,7 @@ impl Simulator for Builtin {
 
 /// Golden vectors in the form in which a simulation in this process runs them.
 #[derive(Clone, Debug)]
-pub(crate) struct Vectors<'a> {
+pub struct Vectors<'a> {
     design: &'a Design,
     vectors: Vec<&'a Vector>,
     complemented: Vec<Vector>,
@@ -107,20 +107,23 @@ pub(crate) struct Vectors<'a> {
 
 impl<'a> Vectors<'a> {
     /// Those of a golden file.
-    pub(crate) fn of(design: &'a Design, golden: &'a Golden) -> Self {
+    #[must_use]
+    pub fn of(design: &'a Design, golden: &'a Golden) -> Self {
         Self { design, vectors: golden.vectors(), complemented: golden::complemented(design, golden) }
     }
 
-    /// What a core with something wrong in it does that the vectors do not expect: the first such thing, if there is one.
-    pub(crate) fn kill(&self, defect: &Defect) -> Option<String> {
+    /// What a core with something wrong in it does that the vectors do not expect: the first such thing, if there is
+    /// one.
+    #[must_use]
+    pub fn detect(&self, defect: &Defect) -> Option<String> {
         let design = self.design;
         let mut device = Simulation::new(design.graph(), &design.schedule, design.tables()).with(defect);
         self.run(&mut device, 1).first.into_iter().next()
     }
 
-    /// Runs the vectors, with their pauses, and compares `out_valid` and the outputs at every clock, until there are so many mismatches.
-    /// A core whose memories can be written runs them as it comes up, then some vectors with other words in its memories, and all again
-    /// with the right words.
+    /// Runs the vectors, with their pauses, and compares `out_valid` and the outputs at every clock, until there are so
+    /// many mismatches. A core whose memories can be written runs them as it comes up, then some vectors with other
+    /// words in its memories, and all again with the right words.
     fn run(&self, device: &mut dyn Device, most: u64) -> Found {
         let Self { design, vectors, complemented } = self;
         let complemented: Vec<&Vector> = complemented.iter().collect();
@@ -203,21 +206,10 @@ impl<'a> Bench<'a> {
             if self.mismatches >= self.most {
                 return;
             }
-            let inverted = |(&code, &(_, format)): (&i64, &(&str, Format))| format.wrap(!i128::from(code));
-            let garbage = Inputs {
-                rst: false,
-                ce: true,
-                in_valid: false,
-                codes: vector.inputs.iter().zip(&ports).map(inverted).collect(),
-            };
-            for _ in 0..vector.idle {
-                self.clock(&garbage, None);
+            for inputs in vector.clocks(&ports) {
+                let taken = inputs.ce && inputs.in_valid;
+                self.clock(&inputs, taken.then_some((number, vector)));
             }
-            for _ in 0..vector.stall {
-                self.clock(&Inputs { ce: false, in_valid: true, ..garbage.clone() }, None);
-            }
-            let inputs = Inputs { in_valid: true, codes: codes(vector), ..garbage };
-            self.clock(&inputs, Some((number, vector)));
         }
         let idle = Inputs { ce: true, ..Inputs::default() };
         for _ in 0..self.expected.len() {
@@ -225,7 +217,8 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Writes the words of tables to every memory that can be written, while the clock is enabled and not, and with the reset and without.
+    /// Writes the words of tables to every memory that can be written, while the clock is enabled and not, and with the
+    /// reset and without.
     fn load(&mut self, tables: &[Table]) {
         for port in self.design.write_ports() {
             for (address, word) in tables[port.memory].words().into_iter().enumerate() {
@@ -242,8 +235,8 @@ impl<'a> Bench<'a> {
                 let inputs = Inputs { rst: false, ce: true, in_valid: true, codes: codes(vector) };
                 self.device.clock(&inputs, &[]);
             }
-            // With an input that is presented at the same time: at this edge already nothing comes out, nor later. A core of one stage
-            // shows nowhere else that it was reset.
+            // With an input that is presented at the same time: at this edge already nothing comes out, nor later. A
+            // core of one stage shows nowhere else that it was reset.
             self.clock(&Inputs { rst: true, ce, in_valid: true, ..Inputs::default() }, None);
             for _ in 0..self.expected.len() {
                 self.clock(&Inputs { ce: true, ..Inputs::default() }, None);
@@ -282,14 +275,9 @@ impl<'a> Bench<'a> {
                 };
                 self.first.push(match due {
                     Some((number, vector)) => {
-                        let ports = self.design.numbers(Direction::In);
-                        let inputs: Vec<String> = ports
-                            .iter()
-                            .zip(&vector.inputs)
-                            .map(|((port, _), code)| format!("{port} {code}"))
-                            .collect();
+                        let inputs = inputs_text(self.design, &vector.inputs);
                         let expected = codes_text(&vector.outputs);
-                        format!("vector {}: {}: expected {expected}, got {got}", number + 1, inputs.join(", "))
+                        format!("vector {}: {inputs}: expected {expected}, got {got}", number + 1)
                     }
                     None => format!("out_valid is {got} where it should not be"),
                 });

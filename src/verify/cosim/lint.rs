@@ -149,7 +149,7 @@ pub fn linters() -> Vec<Box<dyn Linter>> {
 /// How a tool took a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Verdict {
+pub enum LintStatus {
     /// It has nothing to say.
     Pass,
     /// It complains.
@@ -168,7 +168,7 @@ pub struct Lint {
     /// What it read, such as "the core"; everything where it is not installed.
     pub what: &'static str,
     /// How it took it.
-    pub verdict: Verdict,
+    pub verdict: LintStatus,
     /// What it says, a line each, or which package has it.
     pub lines: Vec<String>,
     /// The time it took, in seconds.
@@ -209,7 +209,7 @@ pub fn lint(job: &Job, progress: &dyn Fn(&str)) -> Result<Vec<Lint>, Error> {
                 tool: tools[0].program,
                 language,
                 what: "all",
-                verdict: Verdict::NotRun,
+                verdict: LintStatus::NotRun,
                 lines: vec![format!("not installed: {}", packages.join(", or "))],
                 seconds: 0.0,
             });
@@ -230,7 +230,7 @@ pub fn lint(job: &Job, progress: &dyn Fn(&str)) -> Result<Vec<Lint>, Error> {
                 tool: tool.program,
                 language,
                 what: unit.what,
-                verdict: if said.is_empty() { Verdict::Pass } else { Verdict::Fail },
+                verdict: if said.is_empty() { LintStatus::Pass } else { LintStatus::Fail },
                 lines: said,
                 seconds: start.elapsed().as_secs_f64(),
             });

@@ -16,11 +16,10 @@ mod stream;
 mod verilator;
 
 pub use bench::Part;
-pub(crate) use builtin::Vectors;
-pub use builtin::{Engine, builtin_engine};
+pub use builtin::{Engine, Vectors, builtin_engine};
 pub use exhaustive::exhaustive;
-pub use lint::{Lint, Linter, Unit, Verdict, lint, linters};
-pub(crate) use mutants::{AtRandom, Found, Mutants};
+pub use lint::{Lint, LintStatus, Linter, Unit, lint, linters};
+pub(crate) use mutants::{AtRandom, Mutants};
 pub use netlist::netlist;
 pub use stream::stream;
 
@@ -142,8 +141,8 @@ pub fn golden(sim: Sim, job: &Job) -> Result<Outcome, Error> {
     run(sim, job, Part::Core)
 }
 
-/// Runs the golden vectors through the core's wrapper with AXI4-Stream interfaces, with stalls of both sides. `None` if the core has no
-/// wrapper, and of the built-in simulator, which steps the datapath and not the wrapper's HDL.
+/// Runs the golden vectors through the core's wrapper with AXI4-Stream interfaces, with stalls of both sides. `None` if
+/// the core has no wrapper, and of the built-in simulator, which steps the datapath and not the wrapper's HDL.
 ///
 /// # Errors
 /// As [`golden`].

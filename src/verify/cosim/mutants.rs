@@ -1,7 +1,7 @@
 //! Many mutants of a netlist as one program.
 //!
-//! Verilator compiles a netlist with an input `mutant`, which chooses what is wrong in it, with a harness of ours, `testbench/mutants.cpp`,
-//! into a program that runs golden vectors, any of all inputs, or random ones through each.
+//! Verilator compiles a netlist with an input `mutant`, which chooses what is wrong in it, with a harness of ours,
+//! `testbench/mutants.cpp`, into a program that runs golden vectors, any of all inputs, or random ones through each.
 
 use std::path::PathBuf;
 use std::process::Command;
@@ -14,23 +14,31 @@ use crate::fixed::Table;
 use crate::platform::error::Error;
 use crate::verify::golden::{self, Golden, Vector};
 
-/// How many of the last inputs are told of what random ones find, beyond those that are on their way through the core.
+/// How many of the last inputs are given of what random ones detect, beyond those that are on their way through the
+/// core.
 const BEFORE: usize = 8;
 
 const HARNESS: &str = include_str!("../../../testbench/mutants.cpp");
 
-/// How a mutant was found out.
+/// What of a run of vectors detects a mutant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Found {
-    /// By no vector.
-    Not,
-    /// By the reset in front of the vectors.
+pub(crate) enum Detected {
+    /// The reset in front of the vectors.
     ByReset,
-    /// By the vector of this number, from 1.
+    /// The vector of this number, from 1.
     ByVector(u32),
 }
 
-/// How random clocks found a mutant out.
+impl std::fmt::Display for Detected {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::ByReset => f.write_str("the reset"),
+            Self::ByVector(number) => write!(f, "vector {number}"),
+        }
+    }
+}
+
+/// How random clocks detect a mutant.
 pub(crate) struct AtRandom {
     /// At which clock, from 0.
     pub(crate) clock: u64,
@@ -55,12 +63,12 @@ impl<'a> Mutants<'a> {
         Ok(Self { design, program: program(&design.spec.name, &sources, "-O2")? })
     }
 
-    /// How each of the mutants from 0 to before `count` is found out by golden vectors; where memories can be written, by some with other
-    /// words as well, and by all with the right words written.
+    /// What of golden vectors detects each of the mutants from 0 to before `count`, if anything does; where memories
+    /// can be written, by some with other words as well, and by all with the right words written.
     ///
     /// # Errors
     /// A program that does not run to its end.
-    pub(crate) fn golden(&self, golden: &Golden, count: u32) -> Result<Vec<Found>, Error> {
+    pub(crate) fn golden(&self, golden: &Golden, count: u32) -> Result<Vec<Option<Detected>>, Error> {
         let own = golden.vectors();
         if self.design.write_ports().is_empty() {
             return self.by_vectors(&own, &[], 0, count);
@@ -80,7 +88,7 @@ impl<'a> Mutants<'a> {
     /// A program that does not run to its end.
     pub(crate) fn first_of(&self, mutant: u32, vectors: &[Vector]) -> Result<Option<usize>, Error> {
         let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), &[], mutant, 1)?;
-        Ok(if let [Found::ByVector(number)] = found[..] { Some(number as usize - 1) } else { None })
+        Ok(if let [Some(Detected::ByVector(number))] = found[..] { Some(number as usize - 1) } else { None })
     }
 
     /// Whether inputs show a mutant as vectors that a spec asks for.
@@ -91,17 +99,18 @@ impl<'a> Mutants<'a> {
         let vectors = golden::asked_for(self.design, inputs);
         let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), &[], mutant, 1)?;
         // In front of others the reset would find what it finds here.
-        Ok(matches!(found[..], [Found::ByVector(_)]))
+        Ok(matches!(found[..], [Some(Detected::ByVector(_))]))
     }
 
-    /// How each of so many mutants from the first on is found out by vectors. Before those at some places words are written into the memories.
+    /// What of vectors detects each of so many mutants from the first on. Before those at some places words are written
+    /// into the memories.
     fn by_vectors(
         &self,
         vectors: &[&Vector],
         loads: &[(usize, Vec<Table>)],
         first: u32,
         count: u32,
-    ) -> Result<Vec<Found>, Error> {
+    ) -> Result<Vec<Option<Detected>>, Error> {
         let mut words = vec![0, first, count, vectors.len() as u32];
         for (place, vector) in vectors.iter().enumerate() {
             words.extend(vector.inputs.iter().chain(&vector.outputs).map(|&code| code as u32));
@@ -112,14 +121,14 @@ impl<'a> Mutants<'a> {
             words.extend(writes.into_iter().flatten());
         }
         let found = |word: u32| match word {
-            0 => Found::Not,
-            u32::MAX => Found::ByReset,
-            number => Found::ByVector(number),
+            0 => None,
+            u32::MAX => Some(Detected::ByReset),
+            number => Some(Detected::ByVector(number)),
         };
         Ok(self.ask(&words, count as usize)?.into_iter().map(found).collect())
     }
 
-    /// The place of the first of all inputs, the ports' bits side by side, that tells a mutant from the core, from `first` on.
+    /// The place of the first of all inputs, the ports' bits side by side, that detects a mutant, from `first` on.
     ///
     /// # Errors
     /// A program that does not run to its end.
@@ -129,8 +138,8 @@ impl<'a> Mutants<'a> {
         Ok(place(&self.ask(&words, 2)?))
     }
 
-    /// The first of so many clocks with random inputs, `ce`, `in_valid` and `rst` that tells a mutant from the core, and the last inputs that
-    /// were taken until then.
+    /// The first of so many clocks with random inputs, `ce`, `in_valid` and `rst` that detects a mutant, and the last
+    /// inputs that were taken until then.
     ///
     /// # Errors
     /// A program that does not run to its end.
@@ -174,7 +183,7 @@ impl<'a> Mutants<'a> {
     }
 }
 
-/// How many of the last inputs are told.
+/// How many of the last inputs are given.
 fn recent(design: &Design) -> usize {
     design.schedule.latency as usize + BEFORE
 }
@@ -191,7 +200,8 @@ fn data_words(design: &Design) -> usize {
     design.write_ports().iter().map(words).max().unwrap_or(0)
 }
 
-/// What is written to put these tables into the memories that can be written: the write port's number, the address, the word.
+/// What is written to put these tables into the memories that can be written: the write port's number, the address, the
+/// word.
 fn writes(design: &Design, tables: &[Table]) -> Vec<Vec<u32>> {
     let mut writes = Vec::new();
     for (port, of) in design.write_ports().iter().enumerate() {

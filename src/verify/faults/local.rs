@@ -1,123 +1,26 @@
 //! Proofs that a change of an operation does not show, from a part of the graph.
 //!
 //! - A bit that is the same for all inputs may be stuck at what it is.
-//! - A value that changes in its lowest bits only, which are dropped behind before anything but them depends on them, may; likewise in its
-//!   highest.
-//! - *Cuts*: the values of a few nodes, few together, are taken as free, and if none of them lets the change show in anything that is
-//!   computed from them alone and read by the rest, no input does.
+//! - A value that changes in its lowest bits only, which are dropped behind before anything but them depends on them,
+//!   may; likewise in its highest.
+//! - *Cuts*: the values of a few nodes, few together, are taken as free, and if none of them lets the change show in
+//!   anything that is computed from them alone and read by the rest, no input does.
 //!
 //! The values that a node may take come from the interval analysis of the graph, row by row.
 
-use std::sync::atomic::{AtomicU64, Ordering};
-
 use rayon::prelude::*;
 
+use super::domain::{Domain, first_detected};
 use crate::core::Design;
-use crate::datapath::fault::{Block, Change, Fault, Hunt, Probe};
+use crate::datapath::fault::{Change, Fault};
 use crate::datapath::graph::{Graph, Node, NodeId, Op};
 use crate::datapath::range::{Analysis, Span};
 use crate::fixed::Table;
 
-/// The most values of a cut of a shader, as a power of two, and of a lobe, all of whose inputs can be run for all mutants at once.
+/// The most values of a cut of a shader, as a power of two, and of a lobe, all of whose inputs can be run for all
+/// mutants at once.
 const MOST_CUT_BITS: u32 = 22;
 const MOST_LOBE_CUT_BITS: u32 = 14;
-/// Inputs that one task runs.
-const CHUNK: u64 = 1 << 16;
-
-/// Values of ports, side by side.
-pub(super) struct Domain {
-    ports: Vec<Span>,
-}
-
-impl Domain {
-    pub(super) fn of(ports: Vec<Span>) -> Self {
-        Self { ports }
-    }
-
-    /// Every code of every port.
-    pub(super) fn whole(graph: &Graph) -> Self {
-        Self::of(graph.inputs.iter().map(|&id| Span::of(graph.nodes[id].format)).collect())
-    }
-
-    /// How many there are, if a number of 64 bits can say it.
-    pub(super) fn count(&self) -> Option<u64> {
-        self.ports.iter().try_fold(1u64, |count, port| count.checked_mul(port.count().try_into().ok()?))
-    }
-
-    /// The codes at a place: the last port's change first.
-    pub(super) fn at(&self, place: u64) -> Vec<i64> {
-        let mut rest = place;
-        let mut codes = vec![0; self.ports.len()];
-        for (code, port) in codes.iter_mut().zip(&self.ports).rev() {
-            let count = port.count() as u64;
-            *code = port.low as i64 + (rest % count) as i64;
-            rest /= count;
-        }
-        codes
-    }
-}
-
-/// Some values of a domain, in order; what shows a fault is noted, the first of all tasks' wins.
-struct Every<'a> {
-    domain: &'a Domain,
-    /// The next codes, and their place.
-    codes: Vec<i64>,
-    next: u64,
-    end: u64,
-    first: &'a [AtomicU64],
-    /// The places of the faults that this task hunts.
-    places: &'a [usize],
-}
-
-impl Hunt for Every<'_> {
-    fn next(&mut self, block: &mut Block) -> bool {
-        block.count = (self.end - self.next).min(Block::LANES as u64) as usize;
-        for lane in 0..block.count {
-            for (port, &code) in block.ports.iter_mut().zip(&self.codes) {
-                port[lane] = code;
-            }
-            for (code, port) in self.codes.iter_mut().zip(&self.domain.ports).rev() {
-                if i128::from(*code) < port.high {
-                    *code += 1;
-                    break;
-                }
-                *code = port.low as i64;
-            }
-        }
-        self.next += block.count as u64;
-        block.count > 0
-    }
-
-    fn shown(&mut self, place: usize, lanes: u64, block: &Block) -> bool {
-        let index = self.next - block.count as u64 + u64::from(lanes.trailing_zeros());
-        self.first[self.places[place]].fetch_min(index, Ordering::Relaxed);
-        false
-    }
-}
-
-/// For each fault the place of the first value of a domain of `total` that shows it.
-pub(super) fn first_shown(
-    graph: &Graph,
-    tables: &[Table],
-    domain: &Domain,
-    total: u64,
-    faults: &[&Fault],
-) -> Vec<Option<u64>> {
-    let probe = Probe::new(graph, tables);
-    let first: Vec<AtomicU64> = faults.iter().map(|_| AtomicU64::new(u64::MAX)).collect();
-    (0..total.div_ceil(CHUNK)).into_par_iter().for_each(|chunk| {
-        let start = chunk * CHUNK;
-        let open = |&place: &usize| first[place].load(Ordering::Relaxed) > start;
-        let places: Vec<usize> = (0..faults.len()).filter(open).collect();
-        let hunted: Vec<&Fault> = places.iter().map(|&place| faults[place]).collect();
-        let end = (start + CHUNK).min(total);
-        probe.run(
-            &hunted,
-            &mut Every { domain, codes: domain.at(start), next: start, end, first: &first, places: &places },
-        );
-    });
-    first.into_iter().map(AtomicU64::into_inner).map(|index| (index != u64::MAX).then_some(index)).collect()
-}
 
 /// What is known of a graph's values.
 pub(super) struct Local<'a> {
@@ -340,15 +243,15 @@ impl<'a> Local<'a> {
         cuts.sort_by_key(count);
     }
 
-    /// Whether a fault shows for no values, within these spans, of the nodes of a cut, or of these and the flags that choose what is read
-    /// of what they decide.
+    /// Whether a fault shows for no values, within these spans, of the nodes of a cut, or of these and the flags that
+    /// choose what is read of what they decide.
     fn is_same(&self, graph: &Graph, cut: &[NodeId], spans: &[Span], fault: &Fault) -> bool {
         let is_narrow = |span: &Span| i64::try_from(span.low).is_ok() && i64::try_from(span.high).is_ok();
         let shows = |cut: &[NodeId], spans: &[Span]| {
             let (part, moved) = part_behind(graph, cut, fault)?;
             let domain = Domain::of(spans.to_vec());
             let total = domain.count().filter(|&total| total <= 1 << self.most_bits && spans.iter().all(is_narrow))?;
-            Some(first_shown(&part, self.tables, &domain, total, &[&moved])[0].is_some())
+            Some(first_detected(&part, self.tables, &domain, total, &[&moved])[0].is_some())
         };
         match shows(cut, spans) {
             None => false,
@@ -414,8 +317,8 @@ fn inside(graph: &Graph, cut: &[NodeId]) -> Vec<bool> {
     inside
 }
 
-/// The part of a graph that some nodes alone decide, these as ports in their order, what the rest reads of it as outputs, with a fault in it;
-/// `None` if the fault is not in it.
+/// The part of a graph that some nodes alone decide, these as ports in their order, what the rest reads of it as
+/// outputs, with a fault in it; `None` if the fault is not in it.
 fn part_behind(graph: &Graph, cut: &[NodeId], fault: &Fault) -> Option<(Graph, Fault)> {
     let inside = inside(graph, cut);
     let args: &[NodeId] = if let Change::Instead { args, .. } = &fault.change { args } else { &[] };
@@ -449,9 +352,8 @@ fn part_behind(graph: &Graph, cut: &[NodeId], fault: &Fault) -> Option<(Graph, F
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::datapath::fault::Defect;
     use crate::spec::SpecFields;
-    use crate::verify::faults::source;
+    use crate::verify::faults::mutants;
 
     const SPECS: [&str; 3] = [
         "method = \"quadratic\"\nshininess = \"1..=15\"\ninput_fraction = 8\noutput_fraction = 8\n",
@@ -460,8 +362,7 @@ mod tests {
     ];
 
     fn faults(design: &Design) -> Vec<Fault> {
-        let value = |defect| if let Defect::Value(fault) = defect { Some(fault) } else { None };
-        source::mutants(design, 0).into_iter().filter_map(|mutant| value(mutant.defect)).collect()
+        mutants(design, 0).iter().filter_map(|mutant| mutant.defect.fault().cloned()).collect()
     }
 
     /// The faults that are proved not to show, with the proof, and which of these show for some input.
@@ -471,7 +372,7 @@ mod tests {
         let list: Vec<&Fault> = proofs.iter().map(|(fault, _)| *fault).collect();
         let inputs = Domain::whole(design.graph());
         let total = inputs.count().expect("few inputs");
-        let shown = first_shown(design.graph(), design.tables(), &inputs, total, &list);
+        let shown = first_detected(design.graph(), design.tables(), &inputs, total, &list);
         (proofs.into_iter().map(|(_, proof)| proof).collect(), shown.iter().flatten().count())
     }
 

@@ -1,72 +1,36 @@
-//! Mutants of a core: is every one that computes something else killed by the core's golden vectors?
+//! Faults in a core: which there are, which inputs detect them, and what becomes of those that nothing detects.
 //!
-//! - [`source`]: mutants of the operations, the memories' words, the pipeline registers and the valid chain, simulated in this process;
-//! - [`netlist`]: mutants of the Verilog's netlist by Yosys, simulated by Verilator;
-//! - [`equivalent`]: what is found out of a mutant that the vectors do not kill: an input that would, or a proof that there is none;
-//! - `local`: such proofs from a part of the graph.
+//! - [`mutants()`]: the mutants of a core: of its operations, its memories' words, its pipeline registers and its valid
+//!   chain;
+//! - [`simulation`]: many faults of a graph on many inputs at a time;
+//! - [`decide()`]: what is found out of a mutant that vectors do not detect: an input that would, or a proof that there
+//!   is none;
+//! - `local`: such proofs from a part of the graph; `domain`: all inputs of a graph or of a part of it;
+//! - [`Outcome`]: what became of a fault, here and wherever else one is injected.
+//!
+//! What checks a core stands above and uses this: [`golden`](super::golden) vectors are chosen so that they detect the
+//! mutants, [`cosim`](super::cosim) runs them on mutants and on a netlist that has some, [`formal`](super::formal)
+//! decides these and tries its own proofs on circuits with injected faults.
 
-pub mod equivalent;
+mod decide;
+mod domain;
 mod local;
-pub mod netlist;
-pub mod source;
+mod mutants;
+mod outcome;
+pub mod simulation;
 
-use serde::Serialize;
+pub use decide::{decide, outcomes};
+pub(crate) use mutants::defects;
+pub use mutants::{Kind, Mutant, mutants};
+pub use outcome::{Outcome, Tally};
 
-/// What became of a mutant.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(tag = "fate", rename_all = "kebab-case")]
-pub enum Fate {
-    /// The golden vectors tell it from the core; the first thing that they do not expect.
-    Killed {
-        /// What the mutant did.
-        by: String,
-    },
-    /// It computes what the core computes.
-    Equivalent {
-        /// How that is proved.
-        proof: String,
-    },
-    /// It computes something else, and no golden vector shows it.
-    Survives {
-        /// What would show it.
-        input: String,
-    },
-    /// No golden vector shows it, and it is neither proved nor refuted that it computes what the core computes.
-    Undecided {
-        /// What was tried.
-        tried: String,
-    },
-}
+use crate::core::{Design, Direction};
 
-/// How many mutants came to which end.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Tally {
-    /// All.
-    pub mutants: usize,
-    /// Killed by the golden vectors.
-    pub killed: usize,
-    /// Proved equivalent.
-    pub equivalent: usize,
-    /// Not killed, though not equivalent.
-    pub survivors: usize,
-    /// Not killed, and not known to be one or the other.
-    pub undecided: usize,
-}
+/// Values of a register that are tried in the place of any other.
+pub(crate) const MOST_VALUES: usize = 16;
 
-impl Tally {
-    /// Counts.
-    #[must_use]
-    pub fn of<'a>(fates: impl IntoIterator<Item = &'a Fate>) -> Self {
-        let mut tally = Self::default();
-        for fate in fates {
-            tally.mutants += 1;
-            *match fate {
-                Fate::Killed { .. } => &mut tally.killed,
-                Fate::Equivalent { .. } => &mut tally.equivalent,
-                Fate::Survives { .. } => &mut tally.survivors,
-                Fate::Undecided { .. } => &mut tally.undecided,
-            } += 1;
-        }
-        tally
-    }
+/// Inputs with the names of the ports, for people.
+pub(crate) fn inputs_text(design: &Design, codes: &[i64]) -> String {
+    let ports = design.numbers(Direction::In);
+    ports.iter().zip(codes).map(|((port, _), code)| format!("{port} {code}")).collect::<Vec<_>>().join(", ")
 }

@@ -1,4 +1,5 @@
-//! And-inverter graphs: the circuits that are compared, built side by side in one graph, so that what is written alike is one node.
+//! And-inverter graphs: the circuits that are compared, built side by side in one graph, so that what is written alike
+//! is one node.
 
 use std::collections::HashMap;
 
@@ -112,10 +113,11 @@ impl Aig {
         (sum, self.or(one, other))
     }
 
-    /// The low `width` bits of a product, lowest first: of numbers in two's complement if `signed`, else of whole numbers.
+    /// The low `width` bits of a product, lowest first: of numbers in two's complement if `signed`, else of whole
+    /// numbers.
     ///
-    /// Products of the same operands are the same nodes, in whichever order and with however many bits that only repeat the sign the
-    /// operands were written.
+    /// Products of the same operands are the same nodes, in whichever order and with however many bits that only repeat
+    /// the sign the operands were written.
     pub(super) fn product(&mut self, a: &[Literal], b: &[Literal], signed: bool, width: usize) -> Vec<Literal> {
         let bare = |bits: &[Literal]| -> Vec<Literal> {
             let mut bits = bits.to_vec();
@@ -148,7 +150,8 @@ impl Aig {
         sum
     }
 
-    /// A word of a memory without a write port, lowest bit first; `address` lowest bit first, of as many bits as there are words.
+    /// A word of a memory without a write port, lowest bit first; `address` lowest bit first, of as many bits as there
+    /// are words.
     pub(super) fn word(&mut self, words: &[Vec<bool>], address: &[Literal]) -> Vec<Literal> {
         let width = words.first().map_or(0, Vec::len);
         (0..width)
@@ -205,8 +208,8 @@ impl Aig {
         used
     }
 
-    /// Runs through all values of the inputs on which the pairs depend, and returns values of all inputs for which the literals of a pair
-    /// differ, if there are such; the inputs on which they do not depend are 0.
+    /// Runs through all values of the inputs on which the pairs depend, and returns values of all inputs for which the
+    /// literals of a pair differ, if there are such; the inputs on which they do not depend are 0.
     ///
     /// # Errors
     /// If they depend on more than `most` inputs, at most 63: how many.
@@ -214,8 +217,8 @@ impl Aig {
         Ok(self.differences(&[pairs.to_vec()], most)?.pop().flatten())
     }
 
-    /// As [`Self::difference`], for several groups of pairs at once: for each the first values for which the literals of one of its pairs
-    /// differ.
+    /// As [`Self::difference`], for several groups of pairs at once: for each the first values for which the literals
+    /// of one of its pairs differ.
     ///
     /// # Errors
     /// As there, of all groups together.
@@ -224,20 +227,9 @@ impl Aig {
         groups: &[Vec<(Literal, Literal)>],
         most: usize,
     ) -> Result<Vec<Option<Vec<bool>>>, usize> {
-        /// The values of the six lowest inputs in the runs of a word.
-        const LOWEST: [u64; 6] = [
-            0xaaaa_aaaa_aaaa_aaaa,
-            0xcccc_cccc_cccc_cccc,
-            0xf0f0_f0f0_f0f0_f0f0,
-            0xff00_ff00_ff00_ff00,
-            0xffff_0000_ffff_0000,
-            0xffff_ffff_0000_0000,
-        ];
-        /// Words that are computed together, whose number in a block is the next three inputs.
-        const LANES: usize = 8;
-        type Block = [u64; LANES];
+        // The nodes that count, one after the other, so that their values stay near each other: a graph holds many that
+        // do not.
         let used = self.cone(groups.iter().flatten().flat_map(|&(one, other)| [one, other]));
-        // The nodes that count, one after the other, so that their values stay near each other: a graph holds many that do not.
         let mut places = vec![0u32; self.nodes.len()];
         let mut kept: Vec<Node> = Vec::new();
         let mut inputs: Vec<u32> = Vec::new();
@@ -259,41 +251,6 @@ impl Aig {
         let moved = |literal: Literal| Literal(2 * places[literal.node()] + (literal.0 & 1));
         let pair = |&(one, other): &(Literal, Literal)| [moved(one), moved(other)];
         let groups: Vec<Vec<[Literal; 2]>> = groups.iter().map(|pairs| pairs.iter().map(pair).collect()).collect();
-        let of = |values: &[Block], literal: Literal| -> Block {
-            let flip = 0u64.wrapping_sub(u64::from(literal.0 & 1));
-            values[literal.node()].map(|word| word ^ flip)
-        };
-        let mut values: Vec<Block> = vec![[0; LANES]; kept.len()];
-        let runs_of_block = 64 * LANES as u64;
-        let mut found: Vec<Option<u64>> = vec![None; groups.len()];
-        for first in (0..1u64 << inputs.len()).step_by(64 * LANES) {
-            for (place, node) in kept.iter().enumerate() {
-                values[place] = match *node {
-                    Node::Zero => [0; LANES],
-                    Node::Input(index) => std::array::from_fn(|lane| match LOWEST.get(index as usize) {
-                        Some(word) => *word,
-                        None => 0u64.wrapping_sub((first + 64 * lane as u64) >> index & 1),
-                    }),
-                    Node::And(a, b) => {
-                        let (a, b) = (of(&values, a), of(&values, b));
-                        std::array::from_fn(|lane| a[lane] & b[lane])
-                    }
-                };
-            }
-            for (pairs, found) in groups.iter().zip(&mut found).filter(|(_, found)| found.is_none()) {
-                let mut differs: Block = [0; LANES];
-                for [one, other] in pairs {
-                    let (one, other) = (of(&values, *one), of(&values, *other));
-                    differs = std::array::from_fn(|lane| differs[lane] | (one[lane] ^ other[lane]));
-                }
-                let run = (0..runs_of_block).find(|run| differs[(run / 64) as usize] >> (run % 64) & 1 == 1);
-                // Of fewer inputs than make a block the runs repeat themselves, the least come first.
-                *found = run.map(|run| first + run);
-            }
-            if found.iter().all(Option::is_some) {
-                break;
-            }
-        }
         let values = |run: u64| {
             let mut shown = vec![false; self.inputs()];
             for (place, &input) in inputs.iter().enumerate() {
@@ -301,11 +258,11 @@ impl Aig {
             }
             shown
         };
-        Ok(found.into_iter().map(|run| run.map(values)).collect())
+        Ok(first_runs(&kept, inputs.len(), &groups).into_iter().map(|run| run.map(values)).collect())
     }
 
-    /// The graph of these outputs in the binary AIGER format (Biere, "The AIGER And-Inverter Graph format", 2007); all inputs are kept, in
-    /// their order.
+    /// The graph of these outputs in the binary AIGER format (Biere, "The AIGER And-Inverter Graph format", 2007); all
+    /// inputs are kept, in their order.
     pub(super) fn aiger(&self, outputs: &[Literal]) -> Vec<u8> {
         let used = self.cone(outputs.iter().copied());
         let mut number = vec![0u32; self.nodes.len()];
@@ -350,6 +307,59 @@ impl Values {
     pub(super) fn of(&self, literal: Literal) -> u64 {
         self.0[literal.node()] ^ 0u64.wrapping_sub(u64::from(literal.0 & 1))
     }
+}
+
+/// For each group of pairs the first of all values of so many inputs, a bit each, for which the literals of one of its
+/// pairs differ.
+fn first_runs(nodes: &[Node], inputs: usize, groups: &[Vec<[Literal; 2]>]) -> Vec<Option<u64>> {
+    /// The values of the six lowest inputs in the runs of a word.
+    const LOWEST: [u64; 6] = [
+        0xaaaa_aaaa_aaaa_aaaa,
+        0xcccc_cccc_cccc_cccc,
+        0xf0f0_f0f0_f0f0_f0f0,
+        0xff00_ff00_ff00_ff00,
+        0xffff_0000_ffff_0000,
+        0xffff_ffff_0000_0000,
+    ];
+    /// Words that are computed together, whose number in a block is the next three inputs.
+    const LANES: usize = 8;
+    type Block = [u64; LANES];
+    let of = |values: &[Block], literal: Literal| -> Block {
+        let flip = 0u64.wrapping_sub(u64::from(literal.0 & 1));
+        values[literal.node()].map(|word| word ^ flip)
+    };
+    let mut values: Vec<Block> = vec![[0; LANES]; nodes.len()];
+    let runs_of_block = 64 * LANES as u64;
+    let mut found: Vec<Option<u64>> = vec![None; groups.len()];
+    for first in (0..1u64 << inputs).step_by(64 * LANES) {
+        for (place, node) in nodes.iter().enumerate() {
+            values[place] = match *node {
+                Node::Zero => [0; LANES],
+                Node::Input(index) => std::array::from_fn(|lane| match LOWEST.get(index as usize) {
+                    Some(word) => *word,
+                    None => 0u64.wrapping_sub((first + 64 * lane as u64) >> index & 1),
+                }),
+                Node::And(a, b) => {
+                    let (a, b) = (of(&values, a), of(&values, b));
+                    std::array::from_fn(|lane| a[lane] & b[lane])
+                }
+            };
+        }
+        for (pairs, found) in groups.iter().zip(&mut found).filter(|(_, found)| found.is_none()) {
+            let mut differs: Block = [0; LANES];
+            for [one, other] in pairs {
+                let (one, other) = (of(&values, *one), of(&values, *other));
+                differs = std::array::from_fn(|lane| differs[lane] | (one[lane] ^ other[lane]));
+            }
+            let run = (0..runs_of_block).find(|run| differs[(run / 64) as usize] >> (run % 64) & 1 == 1);
+            // Of fewer inputs than make a block the runs repeat themselves, the least come first.
+            *found = run.map(|run| first + run);
+        }
+        if found.iter().all(Option::is_some) {
+            break;
+        }
+    }
+    found
 }
 
 #[cfg(test)]

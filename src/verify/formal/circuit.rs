@@ -1,4 +1,4 @@
-//! The circuit of a core, as Yosys reads it from its text: gates, products, memories and registers; and the check that it is a pipeline.
+//! The circuit of a core, as Yosys reads it from its text: gates, products, memories and registers.
 
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
@@ -43,7 +43,7 @@ pub(super) enum Part {
 }
 
 impl Part {
-    fn reads(&self) -> Vec<Bit> {
+    pub(super) fn reads(&self) -> Vec<Bit> {
         match self {
             Self::And { a, b, .. } => vec![*a, *b],
             Self::Not { a, .. } => vec![*a],
@@ -53,7 +53,7 @@ impl Part {
         }
     }
 
-    fn drives(&self) -> Vec<usize> {
+    pub(super) fn drives(&self) -> Vec<usize> {
         match self {
             Self::And { y, .. } | Self::Not { y, .. } => vec![*y],
             Self::Product { y, .. } => y.clone(),
@@ -66,14 +66,14 @@ impl Part {
 /// A memory's write port, with an enable for each bit of the word.
 #[derive(Clone, Debug)]
 pub(super) struct Write {
-    clock: Bit,
+    pub(super) clock: Bit,
     pub(super) address: Vec<Bit>,
     pub(super) data: Vec<Bit>,
     pub(super) enable: Vec<Bit>,
 }
 
 impl Write {
-    fn bits(&self) -> Vec<Bit> {
+    pub(super) fn bits(&self) -> Vec<Bit> {
         [self.address.as_slice(), &self.data, &self.enable].concat()
     }
 }
@@ -94,9 +94,10 @@ pub(super) struct Circuit {
     pub(super) outputs: BTreeMap<String, Vec<Bit>>,
     pub(super) parts: Vec<Part>,
     pub(super) memories: Vec<Memory>,
-    /// Nets that stand for the bits that the text leaves undefined, such as a case that never happens: each may be anything.
+    /// Nets that stand for the bits that the text leaves undefined, such as a case that never happens: each may be
+    /// anything.
     undefined: Vec<usize>,
-    nets: usize,
+    pub(super) nets: usize,
 }
 
 /// What a memory with a write port shows: for the read's place among the parts and its address.
@@ -105,8 +106,9 @@ pub(super) type Word<'a> = dyn Fn(&mut Aig, usize, &[Literal]) -> Vec<Literal> +
 /// Why a circuit is not one that the proof is for.
 pub(super) type Unfit = String;
 
-/// From a Verilog text to gates: no pass here removes, adds or merges a register that is not the same as another, and none uses what a
-/// register or memory holds when it comes up. A register that Yosys would zero by a data signal gets a gate instead; products stay whole.
+/// From a Verilog text to gates: no pass here removes, adds or merges a register that is not the same as another, and
+/// none uses what a register or memory holds when it comes up. A register that Yosys would zero by a data signal gets a
+/// gate instead; products stay whole.
 fn script(reader: &str, top: &str) -> String {
     format!(
         "{reader} {TEXT}\n\
@@ -382,8 +384,8 @@ impl Circuit {
         circuit
     }
 
-    /// Builds the circuit with registers as wires. `input` says what a port's bit is, `cut` what stands for a register, by
-    /// its place, instead of its input.
+    /// Builds the circuit with registers as wires. `input` says what a port's bit is, `cut` what stands for a register,
+    /// by its place, instead of its input.
     pub(super) fn build(
         &self,
         aig: &mut Aig,
@@ -420,116 +422,6 @@ impl Circuit {
             }
         }
         wires
-    }
-
-    /// Checks that the circuit is a pipeline, and returns how many registers each path from an input to an output has, and how many stand
-    /// before each register and each memory's read, by the part's place.
-    ///
-    /// It is one if
-    /// - every register and every write port has the clock `clk`, and every register takes its input at an edge with `ce` = 1 only,
-    /// - every path from the inputs to a net has the same number of registers, so that a net's value is a function of the inputs of one
-    ///   clock, and every path to an output has the pipeline's,
-    /// - `out_valid` is `in_valid` through registers alone, all of which `rst` zeroes whatever `ce` is; no other register is zeroed, and
-    ///   neither `clk`, `rst`, `ce` nor the valid bits are read by anything else.
-    ///
-    /// Two pipelines of the same depth that are the same function with their registers as wires then show the same at every clock: the
-    /// outputs are that function of the inputs that were taken as many enabled edges ago.
-    pub(super) fn pipeline(&self) -> Result<(u32, HashMap<usize, u32>), Unfit> {
-        #[derive(Clone, Copy, PartialEq)]
-        enum Is {
-            Constant,
-            Control,
-            Valid(u32),
-            Data(u32),
-        }
-        let port = |name: &str| match self.inputs.get(name).map(Vec::as_slice) {
-            Some([net]) => Ok(Bit::Net(*net)),
-            _ => Err(format!("there is no input {name} of one bit")),
-        };
-        let (clk, rst, ce) = (port("clk")?, port("rst")?, port("ce")?);
-        port("in_valid")?;
-        let mut is = vec![Is::Constant; self.nets];
-        for (name, nets) in &self.inputs {
-            for &net in nets {
-                is[net] = match name.as_str() {
-                    "clk" | "rst" | "ce" => Is::Control,
-                    "in_valid" => Is::Valid(0),
-                    _ => Is::Data(0),
-                };
-            }
-        }
-        let of = |is: &[Is], bit: Bit| match bit {
-            Bit::Constant(_) => Is::Constant,
-            Bit::Net(net) => is[net],
-        };
-        let data = |is: &[Is], bits: &[Bit]| -> Result<Is, Unfit> {
-            let mut found = Is::Constant;
-            for &bit in bits {
-                match (of(is, bit), found) {
-                    (Is::Constant, _) => {}
-                    (Is::Control, _) => return Err("logic reads clk, rst or ce".to_owned()),
-                    (Is::Valid(_), _) => return Err("logic reads a valid bit".to_owned()),
-                    (one, Is::Constant) => found = one,
-                    (one, other) if one == other => {}
-                    (Is::Data(one), Is::Data(other)) => {
-                        return Err(format!("values of {one} and of {other} clocks ago meet"));
-                    }
-                    _ => unreachable!("only data is found"),
-                }
-            }
-            Ok(found)
-        };
-        let mut depths = HashMap::new();
-        for (index, part) in self.parts.iter().enumerate() {
-            let Part::Register(register) = part else {
-                let found = data(&is, &part.reads())?;
-                part.drives().into_iter().for_each(|net| is[net] = found);
-                if let Is::Data(depth) = found {
-                    depths.insert(index, depth);
-                }
-                continue;
-            };
-            let who = || register.names.first().cloned().unwrap_or_else(|| "without a name".to_owned());
-            if register.clock != clk {
-                return Err(format!("the register {} has another clock than clk", who()));
-            }
-            if register.enable != Some(ce) {
-                return Err(format!("the register {} does not wait for ce", who()));
-            }
-            is[register.q] = match (of(&is, register.d), register.reset) {
-                (Is::Valid(depth), Some(reset)) if reset == rst => Is::Valid(depth + 1),
-                (Is::Valid(_), _) => return Err(format!("rst does not clear the valid bit {}", who())),
-                (_, Some(_)) => return Err(format!("the register {} is zeroed", who())),
-                (Is::Control, None) => return Err(format!("the register {} takes clk, rst or ce", who())),
-                (Is::Data(depth), None) => {
-                    depths.insert(index, depth);
-                    Is::Data(depth + 1)
-                }
-                (Is::Constant, None) => Is::Constant,
-            };
-        }
-        for write in self.memories.iter().flat_map(|memory| &memory.writes) {
-            if write.clock != clk {
-                return Err("a write port has another clock than clk".to_owned());
-            }
-            if !matches!(data(&is, &write.bits())?, Is::Data(0) | Is::Constant) {
-                return Err("a write port takes what went through registers".to_owned());
-            }
-        }
-        let valid = match self.outputs.get("out_valid").map(Vec::as_slice) {
-            Some([bit]) => of(&is, *bit),
-            _ => return Err("there is no output out_valid of one bit".to_owned()),
-        };
-        let Is::Valid(depth) = valid else { return Err("out_valid is not in_valid some clocks later".to_owned()) };
-        for (name, bits) in self.outputs.iter().filter(|(name, _)| *name != "out_valid") {
-            match data(&is, bits).map_err(|why| format!("the output {name}: {why}"))? {
-                Is::Data(found) if found != depth => {
-                    return Err(format!("{name} comes {found} clocks after its input, and out_valid {depth}"));
-                }
-                _ => {}
-            }
-        }
-        Ok((depth, depths))
     }
 }
 

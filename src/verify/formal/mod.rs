@@ -4,8 +4,9 @@ mod abc;
 mod aig;
 mod circuit;
 mod equivalence;
-mod mutants;
-mod planted;
+mod injected;
+pub mod netlist;
+mod pipeline;
 mod stream;
 
 use std::path::Path;
@@ -19,19 +20,19 @@ use crate::platform::error::Error;
 use crate::spec::Language;
 use crate::synth;
 use crate::synth::yosys::Yosys;
+use crate::verify::faults::{Outcome, Tally};
 use crate::verify::golden::Golden;
 #[cfg(feature = "kernel")]
 use crate::verify::kernel;
 use circuit::Circuit;
-use equivalence::{Compared, Comparison, Method, Pipeline};
-pub(crate) use mutants::{Told, told};
-use planted::Planted;
+use equivalence::{Compared, Comparison, Method};
+use pipeline::Pipeline;
 pub use stream::stream;
 
 /// What came of a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Verdict {
+pub enum ProofStatus {
     /// The claim holds.
     Proved,
     /// The claim is false.
@@ -46,7 +47,7 @@ pub struct Proof {
     /// The claim, such as "Verilog = VHDL".
     pub claim: String,
     /// What came of it.
-    pub verdict: Verdict,
+    pub verdict: ProofStatus,
     /// How it was proved, or why not.
     pub how: String,
     /// The time it took, in seconds.
@@ -69,7 +70,7 @@ pub enum Step<'a> {
 fn tried(
     claim: String,
     progress: &dyn Fn(Step),
-    prove: impl FnOnce() -> Result<(Verdict, String), Error>,
+    prove: impl FnOnce() -> Result<(ProofStatus, String), Error>,
 ) -> Result<Proof, Error> {
     progress(Step::Begun(&claim));
     let start = Instant::now();
@@ -86,7 +87,8 @@ struct Text {
     bytes: Vec<u8>,
 }
 
-/// The texts of a core: its files in a directory, and the Verilog of its rust-hdl kernel where there is one of its widths.
+/// The texts of a core: its files in a directory, and the Verilog of its rust-hdl kernel where there is one of its
+/// widths.
 fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
     let mut texts = Vec::new();
     for &language in &design.spec.languages {
@@ -108,9 +110,9 @@ fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
 /// [`equivalence`](self) for what that says. Each text is first run on the golden
 /// vectors.
 ///
-/// `seconds` is the most that the solver may take at once; `progress` is told of each claim before and after it is looked at. A claim that was
-/// proved is proved again with faults planted in one of the circuits; if one of them is not found, the claim counts as open. Faults that a circuit
-/// cannot have, as its results are constants, are named.
+/// `seconds` is the most that the solver may take at once; `progress` is told of each claim before and after it is
+/// looked at. A claim that was proved is proved again with faults injected in one of the circuits; if one of them is
+/// not found, the claim counts as open. Faults that a circuit cannot have, as its results are constants, are named.
 ///
 /// # Errors
 /// A tool that is not installed or does not do its work, GHDL and Yosys with a text that they do not read among them.
@@ -130,17 +132,17 @@ pub fn equivalence(
         proofs.push(tried(claim, progress, || {
             let circuit = match Circuit::read(&yosys, directory, &text.top, &text.bytes)? {
                 Ok(circuit) => circuit,
-                Err(why) => return Ok((Verdict::Open, why)),
+                Err(why) => return Ok((ProofStatus::Open, why)),
             };
             let pipeline = match Pipeline::of(circuit, latency) {
                 Ok(pipeline) => pipeline,
-                Err(why) => return Ok((Verdict::Refuted, why)),
+                Err(why) => return Ok((ProofStatus::Refuted, why)),
             };
             let ran = pipeline.against(design, golden);
             known.push((text.name, pipeline));
             Ok(match ran {
-                Ok(runs) => (Verdict::Proved, format!("and gives the results of {runs} golden vectors")),
-                Err(differs) => (Verdict::Refuted, format!("it is another core: {differs}")),
+                Ok(runs) => (ProofStatus::Proved, format!("and gives the results of {runs} golden vectors")),
+                Err(differs) => (ProofStatus::Refuted, format!("it is another core: {differs}")),
             })
         })?);
     }
@@ -153,29 +155,42 @@ pub fn equivalence(
     Ok(proofs)
 }
 
-fn compare([one, other]: [&Pipeline; 2], core: (&Design, &Golden), seconds: u32) -> Result<(Verdict, String), Error> {
+fn compare(
+    [one, other]: [&Pipeline; 2],
+    core: (&Design, &Golden),
+    seconds: u32,
+) -> Result<(ProofStatus, String), Error> {
     let comparison = match Comparison::new(one, other) {
         Ok(comparison) => comparison,
-        Err(differ) => return Ok((Verdict::Refuted, differ)),
+        Err(differ) => return Ok((ProofStatus::Refuted, differ)),
     };
     let (method, compared, open) = match comparison.run(seconds)? {
         Compared::Same { method, compared, open } => (method, compared, open),
-        Compared::Different(why) => return Ok((Verdict::Refuted, why)),
-        Compared::Unknown(why) => return Ok((Verdict::Open, why)),
+        Compared::Different(why) => return Ok((ProofStatus::Refuted, why)),
+        Compared::Unknown(why) => return Ok((ProofStatus::Open, why)),
     };
-    let Planted { planted, missed, impossible } = planted::check(&comparison, &method, core, seconds)?;
+    let injected = injected::check(&comparison, &method, core, seconds)?;
+    let these = |text: &dyn Fn(&str, &Outcome) -> Option<String>| -> Vec<String> {
+        injected.iter().filter_map(|(what, outcome)| text(what, outcome)).collect()
+    };
+    let missed = these(&|what, outcome| matches!(outcome, Outcome::Survived { .. }).then(|| what.to_owned()));
     if !missed.is_empty() {
         let how = format!("the proof goes through with a planted fault as well: {}", missed.join(", "));
-        return Ok((Verdict::Open, how));
+        return Ok((ProofStatus::Open, how));
     }
     let method = match method {
         Method::Stages(_) => format!("stage by stage, {compared} bits, {open} of them by the solver"),
         Method::Every => format!("from the inputs to the outputs, {compared} bits, for every value of the inputs"),
         Method::Whole => format!("from the inputs to the outputs, {compared} bits, {open} of them by the solver"),
     };
-    let mut how = format!("{method}; {planted} of {planted} planted faults found");
+    let detected = Tally::of(injected.iter().map(|(_, outcome)| outcome)).detected;
+    let mut how = format!("{method}; {detected} of {detected} planted faults found");
+    let impossible = these(&|what, outcome| match outcome {
+        Outcome::Undecided { tried } => Some(format!("{what} ({tried})")),
+        _ => None,
+    });
     if !impossible.is_empty() {
         how += &format!("; not planted: {}", impossible.join(", "));
     }
-    Ok((Verdict::Proved, how))
+    Ok((ProofStatus::Proved, how))
 }

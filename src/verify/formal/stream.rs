@@ -15,7 +15,7 @@ use std::process::Command;
 
 use askama::Template;
 
-use super::{Proof, Step, Verdict, tried};
+use super::{Proof, ProofStatus, Step, tried};
 use crate::core::Design;
 use crate::emit::package;
 use crate::emit::{Axis, render};
@@ -52,7 +52,7 @@ pub fn stream(design: &Design, directory: &Path, progress: &dyn Fn(Step)) -> Res
     design.spec.languages.iter().map(of_language).collect()
 }
 
-fn prove(design: &Design, axis: &Axis, directory: &Path, language: Language) -> Result<(Verdict, String), Error> {
+fn prove(design: &Design, axis: &Axis, directory: &Path, language: Language) -> Result<(ProofStatus, String), Error> {
     if YICES.version().is_none() {
         return Err(YICES.missing());
     }
@@ -98,20 +98,20 @@ fn prove(design: &Design, axis: &Axis, directory: &Path, language: Language) -> 
         })
     };
     if let Answer::Fails(what) = solve(&["-t", "3"])? {
-        return Ok((Verdict::Refuted, format!("false soon after a reset: {what}")));
+        return Ok((ProofStatus::Refuted, format!("false soon after a reset: {what}")));
     }
     if let Answer::Fails(what) = solve(&["-i", "-t", "2"])? {
         // Either a claim is false some clocks after a reset, or it is true and does not follow.
         return Ok(match solve(&["-t", &walk])? {
-            Answer::Fails(what) => (Verdict::Refuted, format!("false within {walk} clocks of a reset: {what}")),
+            Answer::Fails(what) => (ProofStatus::Refuted, format!("false within {walk} clocks of a reset: {what}")),
             Answer::Holds => {
-                (Verdict::Open, format!("true for {walk} clocks, but one does not follow from the others: {what}"))
+                (ProofStatus::Open, format!("true for {walk} clocks, but one does not follow from the others: {what}"))
             }
         });
     }
     Ok(match solve(&["-c", "-t", &walk])? {
-        Answer::Holds => (Verdict::Proved, "by induction over two clocks".to_owned()),
-        Answer::Fails(what) => (Verdict::Open, format!("a situation that it speaks of does not happen: {what}")),
+        Answer::Holds => (ProofStatus::Proved, "by induction over two clocks".to_owned()),
+        Answer::Fails(what) => (ProofStatus::Open, format!("a situation that it speaks of does not happen: {what}")),
     })
 }
 

@@ -2,26 +2,28 @@
 
 use rayon::prelude::*;
 
-use super::{Vector, told};
+use super::Vector;
+use super::detection::{self, Candidates};
 use crate::core::Design;
 use crate::datapath::evaluate::Evaluator;
-use crate::datapath::fault::Block;
 use crate::datapath::graph::{Graph, Node, Op};
 use crate::fixed::Table;
 use crate::fixed::{Dice, exp2};
 use crate::lobe::Lobe;
+use crate::verify::faults::simulation::blocks;
 
 /// Rows beyond which not every row has vectors of its own.
 const MOST_ROWS: usize = 1024;
-/// Inputs among which those are sought that tell entries of function tables.
+/// Inputs among which those are sought that detect wrong entries of function tables.
 const MOST_CANDIDATES: usize = 1 << 17;
 /// Random vectors of each of the two kinds.
 const RANDOM: usize = 512;
-/// Inputs among which those are sought that tell mutants, as a power of two, and those of one task.
+/// Inputs among which those are sought that detect mutants, as a power of two, and those of one task.
 const MOST_CANDIDATE_BITS: u32 = 21;
 const TASK_BITS: u32 = 15;
 
-/// An input, and for each function table the entry that it reads and a bit for each flipped bit of it that changes the output.
+/// An input, and for each function table the entry that it reads and a bit for each flipped bit of it that changes the
+/// output.
 struct Candidate {
     index: u32,
     versine: i64,
@@ -66,7 +68,7 @@ pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
         groups.push(("mutants that no vector above tells from the core".to_owned(), mutants));
     }
     let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
-    let pausing = told::pausing(design, &known, &|task| chooser.candidates(task));
+    let pausing = detection::pausing(design, &known, &|task| chooser.candidates(task));
     if !pausing.is_empty() {
         groups.push(("mutants of registers that no vector above tells from the core".to_owned(), pausing));
     }
@@ -121,8 +123,8 @@ impl<'a> Chooser<'a> {
         (centre - 1..=centre + 2).filter(move |code| (0..=one).contains(code))
     }
 
-    /// The first versine code from which the real lobe of a row stays 0 or the value that it is held at, by bisection: it never
-    /// rises again from there.
+    /// The first versine code from which the real lobe of a row stays 0 or the value that it is held at, by bisection:
+    /// it never rises again from there.
     fn end(&self, row: usize) -> i64 {
         let at = |code: i64| self.lobes[row].at(code as f64 / self.one as f64);
         let held = at(self.one - 1) == at(self.one - 2);
@@ -178,8 +180,8 @@ impl<'a> Chooser<'a> {
             .collect()
     }
 
-    /// For each code of in_n the fewest inputs that a greedy search finds to tell its ROM word from every word with one bit flipped, as
-    /// far as any candidate tells them.
+    /// For each code of in_n the fewest inputs that a greedy search finds to detect every bit of its ROM word that is
+    /// flipped, as far as any candidate does.
     fn rom_bits(&mut self) -> Vec<Vector> {
         let design = self.design;
         let set = &design.spec.interface.shininess;
@@ -202,8 +204,8 @@ impl<'a> Chooser<'a> {
         }
         // Made once, as an evaluator lays out what is looked up at computed addresses.
         let flipped: Vec<Evaluator> = flipped.iter().map(|tables| Evaluator::new(design.graph(), tables)).collect();
-        // Every code of in_n, as words stand behind those outside the set too. Where coefficients are interpolated at too many places: at each
-        // row of the ROM, and the last before the next.
+        // Every code of in_n, as words stand behind those outside the set too. Where coefficients are interpolated at
+        // too many places: at each row of the ROM, and the last before the next.
         let most = set.rows() - 1;
         let port_codes = 1usize << design.index_format().width();
         let indices: Vec<u32> = if port_codes <= MOST_ROWS {
@@ -217,7 +219,7 @@ impl<'a> Chooser<'a> {
             places.dedup();
             places.into_iter().map(|row| set.index_of_row(row)).collect()
         };
-        let chosen: Vec<Vec<i64>> = indices.par_iter().map(|&index| self.telling(index, &flipped)).collect();
+        let chosen: Vec<Vec<i64>> = indices.par_iter().map(|&index| self.detecting(index, &flipped)).collect();
         let mut result = Vec::new();
         for (index, codes) in indices.into_iter().zip(chosen) {
             result.extend(codes.into_iter().map(|code| self.vector(index, design.operand_of_versine(code))));
@@ -225,28 +227,30 @@ impl<'a> Chooser<'a> {
         result
     }
 
-    /// Versine codes that tell the word of a code of in_n from as many of the `flipped` ones as possible.
-    fn telling(&self, index: u32, flipped: &[Evaluator]) -> Vec<i64> {
+    /// Versine codes that detect as many of the `flipped` words of a code of in_n as possible.
+    fn detecting(&self, index: u32, flipped: &[Evaluator]) -> Vec<i64> {
         let design = self.design;
         let row = design.spec.interface.shininess.row_of_index(index);
         let end = self.end(row);
         let cuts = design.datapath.coefficients().and_then(|table| table.find("cut"));
         let cut = cuts.map_or(end, |field| field.codes[design.spec.interface.shininess.knot(row).0] as i64);
-        // First blocks about the end of the lobe, where a coefficient weighs most, and about the cut, which lies past it where a
-        // tail is held, and combs over the lobe and over all; then, for what these do not tell, a fine comb over the lobe.
+        // First blocks about the end of the lobe, where a coefficient weighs most, and about the cut, which lies past
+        // it where a tail is held, and combs over the lobe and over all; then, for what these do not detect, a fine
+        // comb over the lobe.
         let block = |about: i64| ((about - 183).clamp(0, self.one), 1, 192);
         let comb = |last: i64, count: i64| (0, (last / count).max(1), count);
         let steps = [vec![block(end), comb(end, 192), comb(self.one, 192), block(cut)], vec![comb(end, 2048)]];
         let mut open: Vec<usize> = (0..flipped.len()).collect();
         let mut chosen = Vec::new();
         for combs in steps {
-            self.tell(index, &combs, flipped, &mut open, &mut chosen);
+            self.detect(index, &combs, flipped, &mut open, &mut chosen);
         }
         chosen
     }
 
-    /// Moves from `open` what any code of the combs (first code, stride, and how many at most) tells; the codes go to `chosen`.
-    fn tell(
+    /// Moves from `open` what any code of the combs (first code, stride, and how many at most) detects; the codes go to
+    /// `chosen`.
+    fn detect(
         &self,
         index: u32,
         combs: &[(i64, i64, i64)],
@@ -278,23 +282,16 @@ impl<'a> Chooser<'a> {
             all
         };
         let right = outputs(&design.evaluator());
-        let tells = |&flip: &usize| -> (usize, Vec<bool>) {
-            (flip, outputs(&flipped[flip]).iter().zip(&right).map(|(a, b)| a != b).collect())
-        };
-        let mut untold: Vec<(usize, Vec<bool>)> = open.iter().map(tells).collect();
-        loop {
-            let told = |code: usize| untold.iter().filter(|(_, tells)| tells[code]).count();
-            // The first of the best: `max_by_key` would take the last.
-            let best = (0..codes.len()).rev().max_by_key(|&code| told(code));
-            let Some(best) = best.filter(|&code| told(code) > 0) else { break };
-            chosen.push(codes[best]);
-            untold.retain(|(_, tells)| !tells[best]);
-        }
-        *open = untold.into_iter().map(|(flip, _)| flip).collect();
+        let detects = |&flip: &usize| outputs(&flipped[flip]).iter().zip(&right).map(|(a, b)| a != b).collect();
+        let detects: Vec<Vec<bool>> = open.iter().map(detects).collect();
+        chosen.extend(super::greedy(codes.len(), &detects).into_iter().map(|place| codes[place]));
+        let mut detects = detects.iter();
+        open.retain(|_| detects.next().is_some_and(|detects| !detects.contains(&true)));
     }
 
-    /// For each entry of each function table inputs that tell it from every entry with one bit flipped, as far as any candidate does: all
-    /// inputs of a small core, else combs over the lobes of the marked rows, or of all where each row has entries of its own.
+    /// For each entry of each function table inputs that detect each of its bits that is flipped, as far as any
+    /// candidate does: all inputs of a small core, else combs over the lobes of the marked rows, or of all where each
+    /// row has entries of its own.
     fn entry_bits(&mut self) -> Vec<Vector> {
         let design = self.design;
         let (graph, tables) = (design.graph(), design.tables());
@@ -313,8 +310,8 @@ impl<'a> Chooser<'a> {
         }
 
         let set = &design.spec.interface.shininess;
-        // A table of the power itself has entries for each row: every row is gone through, those that only codes outside the set read too,
-        // and in it every cell, as also a word that is 0 shows when it is not.
+        // A table of the power itself has entries for each row: every row is gone through, those that only codes
+        // outside the set read too, and in it every cell, as also a word that is 0 shows when it is not.
         let table_bits = design.spec.method.options().table_bits;
         let of_rows = table_bits.is_some();
         let all = set.rows().saturating_mul(self.one as usize + 1) <= MOST_CANDIDATES;
@@ -361,32 +358,14 @@ impl<'a> Chooser<'a> {
                     }
                 }
             }
-            candidates.retain(|candidate| candidate.reads.iter().any(|&(_, told)| told != 0));
+            candidates.retain(|candidate| candidate.reads.iter().any(|&(_, detected)| detected != 0));
             candidates
         };
         let candidates: Vec<Candidate> =
             indices.par_iter().map(of_index).collect::<Vec<_>>().into_iter().flatten().collect();
 
-        let mut told: Vec<Vec<u128>> = memories.iter().map(|&memory| vec![0; tables[memory].depth()]).collect();
-        let mut chosen = Vec::new();
-        for (table, &memory) in memories.iter().enumerate() {
-            let mut of_entry: Vec<Vec<&Candidate>> = vec![Vec::new(); tables[memory].depth()];
-            for candidate in &candidates {
-                of_entry[candidate.reads[table].0].push(candidate);
-            }
-            for (entry, candidates) in of_entry.iter().enumerate() {
-                loop {
-                    let more = |candidate: &&&Candidate| (candidate.reads[table].1 & !told[table][entry]).count_ones();
-                    // The first of the best: `max_by_key` would take the last.
-                    let best = candidates.iter().rev().max_by_key(more).filter(|candidate| more(candidate) > 0);
-                    let Some(best) = best else { break };
-                    chosen.push((best.index, best.versine));
-                    for (told, &(entry, tells)) in told.iter_mut().zip(&best.reads) {
-                        told[entry] |= tells;
-                    }
-                }
-            }
-        }
+        let chosen =
+            greedy_entries(&memories.iter().map(|&memory| tables[memory].depth()).collect::<Vec<_>>(), &candidates);
         chosen.into_iter().map(|(index, versine)| self.vector(index, design.operand_of_versine(versine))).collect()
     }
 
@@ -395,41 +374,37 @@ impl<'a> Chooser<'a> {
         (self.design.index_format().width() + self.design.operand_format().width()).min(MOST_CANDIDATE_BITS)
     }
 
-    /// A task's candidates among which inputs are sought that tell mutants: all inputs of a small core, else random ones, most of them on
-    /// the highlight and many at the least shininesses.
-    fn candidates(&self, task: u64) -> told::Candidates<'a> {
+    /// A task's candidates among which inputs are sought that detect mutants: all inputs of a small core, else random
+    /// ones, most of them on the highlight and many at the least shininesses.
+    fn candidates(&self, task: u64) -> Candidates<'a> {
         let (design, one, bits) = (self.design, self.one, self.candidate_bits());
         let (index_bits, operand) = (design.index_format().width(), design.operand_format());
         let all = index_bits + operand.width() == bits;
         let (first, operands) = super::all_codes(operand);
         let rows = design.spec.interface.shininess.rows() as u64;
         let mut dice = Dice::new((5 << 40) + task);
-        let mut places = task << TASK_BITS..((task + 1) << TASK_BITS).min(1 << bits);
-        Box::new(move |block| {
-            block.count = 0;
-            for place in places.by_ref().take(Block::LANES) {
-                let (index, operand) = if all {
-                    (place >> operand.width(), first + (place & (operands - 1)) as i64)
-                } else if place % 4 == 0 {
-                    (dice.below(1 << index_bits), first + dice.below(operands) as i64)
-                } else {
-                    // Every other row from the lower ones, where more of a lobe's inputs give anything.
-                    let most = if place % 4 == 1 { rows.min(2 << dice.below(index_bits.into())) } else { rows };
-                    let row = dice.below(most) as usize;
-                    let widest = (3.0 / design.spec.interface.shininess.value(row)).min(1.0) * one as f64;
-                    let versine = dice.below(widest as u64 + 1) as i64;
-                    (design.spec.interface.shininess.index_of_row(row).into(), design.operand_of_versine(versine))
-                };
-                block.push(&[index as i64, operand]);
-            }
-            block.count > 0
-        })
+        let places = task << TASK_BITS..((task + 1) << TASK_BITS).min(1 << bits);
+        blocks(places.map(move |place| {
+            let (index, operand) = if all {
+                (place >> operand.width(), first + (place & (operands - 1)) as i64)
+            } else if place % 4 == 0 {
+                (dice.below(1 << index_bits), first + dice.below(operands) as i64)
+            } else {
+                // Every other row from the lower ones, where more of a lobe's inputs give anything.
+                let most = if place % 4 == 1 { rows.min(2 << dice.below(index_bits.into())) } else { rows };
+                let row = dice.below(most) as usize;
+                let widest = (3.0 / design.spec.interface.shininess.value(row)).min(1.0) * one as f64;
+                let versine = dice.below(widest as u64 + 1) as i64;
+                (design.spec.interface.shininess.index_of_row(row).into(), design.operand_of_versine(versine))
+            };
+            [index as i64, operand]
+        }))
     }
 
-    /// Inputs that tell mutants which no known vector does.
+    /// Inputs that detect mutants which no known vector does.
     fn mutants(&mut self, known: &[&Vector]) -> Vec<Vector> {
         let tasks = (1u64 << self.candidate_bits()).div_ceil(1 << TASK_BITS);
-        let chosen = told::telling(self.design, known, tasks, &|task| self.candidates(task));
+        let chosen = detection::detecting(self.design, known, tasks, &|task| self.candidates(task));
         chosen.into_iter().map(|inputs| self.vector(inputs[0] as u32, inputs[1])).collect()
     }
 
@@ -458,8 +433,34 @@ impl<'a> Chooser<'a> {
     }
 }
 
-/// A memory, the function table number `table`, with each bit of its words flipped in turn: one bit of all words at once, since an
-/// input reads one of them.
+/// Candidates, their indices and versines, that together detect each flipped bit of each entry of function tables of
+/// these depths that any of the candidates detects: always the one that detects most of what is left of an entry.
+fn greedy_entries(depths: &[usize], candidates: &[Candidate]) -> Vec<(u32, i64)> {
+    let mut detected: Vec<Vec<u128>> = depths.iter().map(|&depth| vec![0; depth]).collect();
+    let mut chosen = Vec::new();
+    for (table, &depth) in depths.iter().enumerate() {
+        let mut of_entry: Vec<Vec<&Candidate>> = vec![Vec::new(); depth];
+        for candidate in candidates {
+            of_entry[candidate.reads[table].0].push(candidate);
+        }
+        for (entry, candidates) in of_entry.iter().enumerate() {
+            loop {
+                let more = |candidate: &&&Candidate| (candidate.reads[table].1 & !detected[table][entry]).count_ones();
+                // The first of the best: `max_by_key` would take the last.
+                let best = candidates.iter().rev().max_by_key(more).filter(|candidate| more(candidate) > 0);
+                let Some(best) = best else { break };
+                chosen.push((best.index, best.versine));
+                for (detected, &(entry, bits)) in detected.iter_mut().zip(&best.reads) {
+                    detected[entry] |= bits;
+                }
+            }
+        }
+    }
+    chosen
+}
+
+/// A memory, the function table number `table`, with each bit of its words flipped in turn: one bit of all words at
+/// once, since an input reads one of them.
 fn flips(tables: &[Table], memory: usize, table: usize) -> Vec<Flip> {
     let mut result = Vec::new();
     for (field, of) in tables[memory].fields.iter().enumerate() {

@@ -1,12 +1,13 @@
 //! Golden vectors: make and compare; what they hold and their file stand in [`crate::core::golden`].
 //!
-//! A golden file holds two things. Its *vectors* are a few thousand inputs with the expected outputs and with pauses between
-//! them, for test benches. Its *digests* stand for all inputs: for each shininess one number over the outputs for
-//! every code of the operand port. A shader has too many inputs for that: its digests are over a stream of samples a material.
+//! A golden file holds two things. Its *vectors* are a few thousand inputs with the expected outputs and with pauses
+//! between them, for test benches. Its *digests* stand for all inputs: for each shininess one number over the outputs
+//! for every code of the operand port. A shader has too many inputs for that: its digests are over a stream of samples
+//! a material.
 
 mod choose;
+mod detection;
 mod shader;
-mod told;
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -23,10 +24,11 @@ use crate::spec::Block;
 /// The heading of the vectors that a spec asks for.
 const FROM_SPEC: &str = "inputs of the spec, one a clock and then with a clock without ce before each";
 
-/// The vectors for inputs that a spec asks for. They come last and take no part in the choice of the others, so that one more changes none
-/// of these.
+/// The vectors for inputs that a spec asks for. They come last and take no part in the choice of the others, so that
+/// one more changes none of these.
 ///
-/// Some mistakes need inputs right behind one another, others a clock without `ce` while an input is in a certain register.
+/// Some mistakes need inputs right behind one another, others a clock without `ce` while an input is in a certain
+/// register.
 pub(crate) fn asked_for(design: &Design, inputs: &[Vec<i64>]) -> Vec<Vector> {
     let vector = |stall| {
         move |inputs: &Vec<i64>| Vector { outputs: design.evaluate(inputs), inputs: inputs.clone(), idle: 0, stall }
@@ -39,18 +41,18 @@ fn pause(dice: &mut Dice) -> u32 {
     if dice.below(12) == 0 { 1 + dice.below(3) as u32 } else { 0 }
 }
 
-/// Places of candidates that together tell everything that any of the `candidates` tells: always the one that tells most of what is
-/// left. `tells` has a row for each thing that is to be told.
-fn greedy(candidates: usize, tells: &[Vec<bool>]) -> Vec<usize> {
-    let mut open: Vec<&Vec<bool>> = tells.iter().collect();
+/// Places of candidates that together detect everything that any of the `candidates` detects: always the one that
+/// detects most of what is left. `detects` has a row for each thing that is to be detected.
+fn greedy(candidates: usize, detects: &[Vec<bool>]) -> Vec<usize> {
+    let mut open: Vec<&Vec<bool>> = detects.iter().collect();
     let mut chosen = Vec::new();
     loop {
-        let told = |place: usize| open.iter().filter(|tells| tells[place]).count();
+        let detected = |place: usize| open.iter().filter(|detects| detects[place]).count();
         // The first of the best: `max_by_key` would take the last.
-        let best = (0..candidates).rev().max_by_key(|&place| told(place));
-        let Some(best) = best.filter(|&place| told(place) > 0) else { return chosen };
+        let best = (0..candidates).rev().max_by_key(|&place| detected(place));
+        let Some(best) = best.filter(|&place| detected(place) > 0) else { return chosen };
         chosen.push(best);
-        open.retain(|tells| !tells[best]);
+        open.retain(|detects| !detects[best]);
     }
 }
 

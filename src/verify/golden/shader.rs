@@ -2,24 +2,25 @@
 
 use rayon::prelude::*;
 
-use super::{OutputHash, Vector, told};
+use super::detection::{self, Candidates};
+use super::{OutputHash, Vector};
 use crate::core::Design;
 use crate::core::Direction;
 use crate::core::edges::varied;
 use crate::core::golden::STREAM;
 use crate::core::sample::{Sample, normalised, random_codes};
-use crate::datapath::fault::Block;
 use crate::fixed::Dice;
 use crate::fixed::Table;
 use crate::spec::Shader;
+use crate::verify::faults::simulation::blocks;
 
 /// Rows beyond which not every row has vectors of its own.
 const MOST_ROWS: usize = 256;
 /// Random vectors of each of the two kinds.
 const RANDOM: usize = 512;
-/// Scenes among which those are sought that tell a ROM word from one with a flipped bit.
+/// Scenes among which those are sought that detect a flipped bit of a ROM word.
 const CANDIDATES: usize = 96;
-/// Tasks that seek inputs which tell mutants, and the candidates of each.
+/// Tasks that seek inputs which detect mutants, and the candidates of each.
 const TASKS: u64 = 64;
 const OF_TASK: u64 = 1 << 14;
 
@@ -70,8 +71,8 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
         let pairs = (0..shader.lights as usize).flat_map(|l| materials.iter().map(move |&m| (l, m)));
         pairs.map(|(light, material)| alone(light, material)).collect()
     }));
-    let telling: Vec<Vec<Vec<i64>>> = materials.par_iter().map(|&row| telling(design, shader, row)).collect();
-    groups.push(("rows told from rows with any bit of a word flipped", telling.concat()));
+    let detecting: Vec<Vec<Vec<i64>>> = materials.par_iter().map(|&row| detecting(design, shader, row)).collect();
+    groups.push(("rows told from rows with any bit of a word flipped", detecting.concat()));
     groups.push(("random codes", (0..RANDOM).map(|_| random_codes(&ports, &mut dice)).collect()));
     groups.push(("random samples", {
         let sample = |_| {
@@ -90,7 +91,7 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
     };
     let mut groups: Vec<(String, Vec<Vector>)> = groups.into_iter().map(&mut group).collect();
     let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
-    let mutants = told::telling(design, &known, TASKS, &|task| candidates(design, shader, task));
+    let mutants = detection::detecting(design, &known, TASKS, &|task| candidates(design, shader, task));
     if !mutants.is_empty() {
         groups.push((
             "mutants that no vector above tells from the core".to_owned(),
@@ -98,25 +99,17 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
         ));
     }
     let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
-    let pausing = told::pausing(design, &known, &|task| candidates(design, shader, task));
+    let pausing = detection::pausing(design, &known, &|task| candidates(design, shader, task));
     if !pausing.is_empty() {
         groups.push(("mutants of registers that no vector above tells from the core".to_owned(), pausing));
     }
     groups
 }
 
-/// A task's candidates among which those are sought that tell mutants.
-fn candidates<'a>(design: &'a Design, shader: &'a Shader, task: u64) -> told::Candidates<'a> {
+/// A task's candidates among which those are sought that detect mutants.
+fn candidates<'a>(design: &'a Design, shader: &'a Shader, task: u64) -> Candidates<'a> {
     let mut dice = Dice::new((5 << 40) + task);
-    let mut left = OF_TASK;
-    Box::new(move |block| {
-        block.count = 0;
-        while left > 0 && block.count < Block::LANES {
-            block.push(&varied(design, shader, &mut dice));
-            left -= 1;
-        }
-        block.count > 0
-    })
+    blocks((0..OF_TASK).map(move |_| varied(design, shader, &mut dice)))
 }
 
 /// Normal, viewer and lights along the axes and halfway between them: scalar products of 0, 1 and -1.
@@ -147,9 +140,9 @@ fn along_axes(shader: &Shader, materials: &[u32]) -> Vec<Vec<i64>> {
     result
 }
 
-/// The fewest samples that a greedy search finds to tell a material's words from those with one bit flipped, as far as any candidate
-/// tells them.
-fn telling(design: &Design, shader: &Shader, row: u32) -> Vec<Vec<i64>> {
+/// The fewest samples that a greedy search finds to detect each flipped bit of a material's words, as far as any
+/// candidate does.
+fn detecting(design: &Design, shader: &Shader, row: u32) -> Vec<Vec<i64>> {
     let mut dice = Dice::new((1 << 40) + u64::from(row));
     let n = design.spec.interface.shininess.value(row as usize);
     let candidates: Vec<Vec<i64>> =
@@ -158,7 +151,7 @@ fn telling(design: &Design, shader: &Shader, row: u32) -> Vec<Vec<i64>> {
         candidates.iter().map(|codes| through_graph(design, tables, codes)).collect()
     };
     let right = outputs(design.tables());
-    let mut tells: Vec<Vec<bool>> = Vec::new();
+    let mut detects: Vec<Vec<bool>> = Vec::new();
     for (memory, table) in design.tables().iter().enumerate().filter(|(_, table)| table.key != "entry") {
         for field in 0..table.fields.len() {
             let format = table.fields[field].format;
@@ -167,11 +160,11 @@ fn telling(design: &Design, shader: &Shader, row: u32) -> Vec<Vec<i64>> {
                 for code in &mut tables[memory].fields[field].codes {
                     *code = format.wrap(*code ^ (1 << bit));
                 }
-                tells.push(outputs(&tables).iter().zip(&right).map(|(a, b)| a != b).collect());
+                detects.push(outputs(&tables).iter().zip(&right).map(|(a, b)| a != b).collect());
             }
         }
     }
-    super::greedy(candidates.len(), &tells).into_iter().map(|place| candidates[place].clone()).collect()
+    super::greedy(candidates.len(), &detects).into_iter().map(|place| candidates[place].clone()).collect()
 }
 
 /// The outputs by the datapath's graph.

@@ -5,7 +5,7 @@ use askama::Template;
 use super::conditioning::Conditioning;
 use super::inspect::Inspection;
 use super::quantisation::{FrontEnd, of_cosine};
-use super::study::{Axis, Entry};
+use super::study::{Axis, Case, Entry};
 use crate::emit::package::{File, Kind};
 use crate::platform::error::Error;
 
@@ -212,17 +212,19 @@ fn is_printed(entry: &Entry) -> bool {
     entry.case.method.ends_with("printed form")
 }
 
-/// What matters most, a sentence or two each.
-fn findings(study: &Study) -> Vec<String> {
-    let mut findings = Vec::new();
-    let found = |printed: bool| {
-        let of = study.entries.iter().filter(move |entry| is_printed(entry) == printed);
-        of.filter_map(|entry| Some((&entry.case, entry.found.as_ref()?)))
-    };
-    let overflows: usize = found(false).chain(found(true)).map(|(_, of)| of.overflows.len() + of.undecided.len()).sum();
-    let differences: u64 = found(false).chain(found(true)).map(|(_, of)| of.wide_differences).sum();
-    let outside: u64 = found(false).chain(found(true)).map(|(_, of)| of.outside_differences).sum();
-    findings.push(match (overflows, differences, outside) {
+/// The cores of the printed forms, or the others, with what was found of each.
+fn found(study: &Study, printed: bool) -> impl Iterator<Item = (&Case, &Inspection)> {
+    let of = study.entries.iter().filter(move |entry| is_printed(entry) == printed);
+    of.filter_map(|entry| Some((&entry.case, entry.found.as_ref()?)))
+}
+
+/// What matters most of the registers.
+fn registers(study: &Study) -> String {
+    let all: Vec<&Inspection> = study.entries.iter().filter_map(|entry| entry.found.as_ref()).collect();
+    let overflows: usize = all.iter().map(|of| of.overflows.len() + of.undecided.len()).sum();
+    let differences: u64 = all.iter().map(|of| of.wide_differences).sum();
+    let outside: u64 = all.iter().map(|of| of.outside_differences).sum();
+    match (overflows, differences, outside) {
         (0, 0, 0) => "**Registers.** It is proved of every core that no value overflows where the result depends on it; no result is another \
                       one with wide registers; every input beyond the ends of [0, 1] gives the end's result."
             .to_owned(),
@@ -230,7 +232,13 @@ fn findings(study: &Study) -> Vec<String> {
             "**Registers.** {overflows} values overflow or are not proved to stay in their registers; {differences} results differ with wide \
              registers; {outside} inputs beyond the ends of [0, 1] give another result than the end."
         ),
-    });
+    }
+}
+
+/// What matters most, a sentence or two each.
+fn findings(study: &Study) -> Vec<String> {
+    let mut findings = vec![registers(study)];
+    let found = |printed| found(study, printed);
     for of in study.conditioning.iter().filter(|of| of.degree == 3 && [1000.0, 65536.0].contains(&of.shininess)) {
         findings.push(format!(
             "**Cancellation, n = {}.** The terms of the printed cubic add up to {:.3e} times its value: for 2^-12 it needs {} fraction bits in \

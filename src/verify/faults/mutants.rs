@@ -1,11 +1,13 @@
-//! The mutants of a core that do not depend on what its memories hold: one mistake each, such as a designer or a tool makes.
+//! The mutants of a core: one mistake each, such as a designer or a tool makes.
 
-use serde::Serialize;
+use crate::core::Design;
+use crate::datapath::fault::{Change, Defect, Fault, Registered, Timing};
+use crate::datapath::graph::{Graph, NodeId, Op};
+use crate::datapath::schedule::Schedule;
+use crate::fixed::{Dice, Format};
 
-use super::fault::{Change, Defect, Fault, Registered, Timing};
-use super::graph::{Graph, NodeId, Op};
-use super::schedule::Schedule;
-use crate::fixed::Format;
+/// Words of each field of a memory that have a bit inverted.
+const WORDS: usize = 16;
 
 /// A core with one thing wrong in it.
 #[derive(Clone, Debug)]
@@ -19,8 +21,7 @@ pub struct Mutant {
 }
 
 /// Sorts of mistakes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A bit of a signal that never changes.
     StuckBit,
@@ -63,17 +64,26 @@ impl Kind {
     }
 }
 
-/// Every mutant of a scheduled graph.
+/// Every mutant of a design; `seed` says which words of a memory have an inverted bit.
 #[must_use]
-pub fn mutants(graph: &Graph, schedule: &Schedule) -> Vec<Mutant> {
-    let mut list = List { graph, schedule, mutants: Vec::new() };
-    for id in 0..graph.nodes.len() {
-        list.bits(id);
-        list.operation(id);
-        list.registers(id);
+pub fn mutants(design: &Design, seed: u32) -> Vec<Mutant> {
+    let mut list = List::of(design);
+    let mut dice = Dice::new((3 << 40) + u64::from(seed));
+    for (id, node) in design.graph().nodes.iter().enumerate() {
+        let Op::Field { memory, .. } = node.op else { continue };
+        for _ in 0..WORDS {
+            let address = dice.below(design.tables()[memory].depth() as u64) as usize;
+            let bit = dice.below(node.format.width().into()) as u32;
+            let what = format!("bit {bit} of the word at {address} inverted");
+            list.value(Kind::Word, id, what, Change::Word { address, bit });
+        }
     }
-    list.valid_chain();
     list.mutants
+}
+
+/// What is wrong with the mutants of a design that do not depend on what its memories hold.
+pub(crate) fn defects(design: &Design) -> impl Iterator<Item = Defect> {
+    List::of(design).mutants.into_iter().map(|mutant| mutant.defect)
 }
 
 struct List<'a> {
@@ -83,6 +93,18 @@ struct List<'a> {
 }
 
 impl<'a> List<'a> {
+    /// Those of the operations, the registers and the valid chain.
+    fn of(design: &'a Design) -> Self {
+        let mut list = Self { graph: design.graph(), schedule: &design.schedule, mutants: Vec::new() };
+        for id in 0..list.graph.nodes.len() {
+            list.bits(id);
+            list.operation(id);
+            list.registers(id);
+        }
+        list.valid_chain();
+        list
+    }
+
     fn value(&mut self, kind: Kind, node: NodeId, what: String, change: Change) {
         let what = format!("{}: {what}", self.graph.nodes[node].name);
         self.mutants.push(Mutant { kind, what, defect: Defect::Value(Fault { node, change }) });
