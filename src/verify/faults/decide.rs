@@ -31,6 +31,7 @@ const OF_TASK: u64 = 1 << 16;
 
 /// What becomes of mutants of a design, in their order. `detect` says what is seen of a defect by golden vectors, if
 /// anything is.
+#[must_use]
 pub fn outcomes(
     design: &Design,
     mutants: &[Mutant],

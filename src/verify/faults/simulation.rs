@@ -57,6 +57,7 @@ pub type Next<'a> = dyn FnMut(&mut Block) -> bool + 'a;
 pub type Detected<'a> = dyn FnMut(usize, u64, &Block) -> bool + 'a;
 
 /// Fills blocks with inputs, in order.
+#[must_use]
 pub fn blocks<'a>(mut inputs: impl Iterator<Item: AsRef<[i64]>> + 'a) -> Box<Next<'a>> {
     Box::new(move |block| {
         block.count = 0;
@@ -325,8 +326,8 @@ impl<'a, L: Lane> Columns<'a, L> {
         let mut detecting = 0;
         for (id, right) in self.kept.drain(..) {
             if self.simulation.graph.is_output(id) {
-                for lane in 0..LANES {
-                    detecting |= u64::from(self.values[id][lane] != right[lane]) << lane;
+                for (lane, (right, wrong)) in right.iter().zip(&self.values[id]).enumerate() {
+                    detecting |= u64::from(wrong != right) << lane;
                 }
             }
             self.values[id] = right;
