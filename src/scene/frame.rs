@@ -3,7 +3,8 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::trace::{Hit, Lit, Tracer, across, unit};
+use super::ray::{across, unit};
+use super::trace::{Hit, Lit, Tracer};
 use super::{Camera, Light, LightKind, Scene};
 use crate::core::sample::Vector;
 use crate::spec::{Colour, Model, Surface};

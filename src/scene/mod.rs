@@ -25,6 +25,7 @@ pub mod highlight;
 pub mod mesh;
 pub mod mtl;
 pub mod picture;
+mod ray;
 pub mod reflectance;
 pub mod require;
 pub mod shade;

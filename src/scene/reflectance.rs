@@ -436,7 +436,7 @@ fn facing(n: Vector, v: Vector) -> Vector {
     if cosine >= LEAST_COSINE {
         return n;
     }
-    let across = (n - v * cosine).try_normalize(1e-12).unwrap_or_else(|| v.cross(&super::trace::across(v)));
+    let across = (n - v * cosine).try_normalize(1e-12).unwrap_or_else(|| v.cross(&super::ray::across(v)));
     across * libm::sqrt(1.0 - LEAST_COSINE * LEAST_COSINE) + v * LEAST_COSINE
 }
 
