@@ -9,7 +9,7 @@ use brdfgen::explore::choose::Ranking;
 use brdfgen::explore::run::Costing;
 use brdfgen::explore::{Model, Results};
 use brdfgen::scene::choice::{SceneCore, Search};
-use brdfgen::scene::require::DEGREE_BINS;
+use brdfgen::scene::survey::DEGREE_BINS;
 use brdfgen::scene::simplify::simplifications;
 use brdfgen::scene::{Requirements, Scene};
 use brdfgen::spec::SpecFields;

@@ -30,6 +30,7 @@ pub mod bivariate;
 pub mod classical;
 pub mod directory;
 pub mod extremes;
+mod family;
 pub mod form;
 pub mod half;
 pub mod images;
