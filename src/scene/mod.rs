@@ -41,7 +41,7 @@ mod text;
 pub mod trace;
 
 pub use difference::Difference;
-pub use file::{Budget, Camera, Light, LightKind, Object, Scene, Shape, Wishes};
+pub use file::{Budget, Camera, CoreConstraints, Light, LightKind, Object, Scene, Shape};
 pub use frame::{Frame, Picture};
 pub use highlight::{Codes, Compiled, CoreModel, Exact, Highlights};
 pub use picture::Pixels;
