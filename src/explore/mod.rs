@@ -11,6 +11,7 @@
 //! - [`choose`]: the cheapest core that meets a wish, and what just misses it.
 
 pub mod choose;
+mod columns;
 pub mod estimate;
 pub mod pareto;
 pub mod point;

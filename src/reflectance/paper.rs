@@ -283,8 +283,7 @@ pub(super) fn add(
     let alone = setup.alone.map(|value| value as f32);
     // Half of the turn in radians; sine and cosine of the whole follow from those of the half.
     let delta = setup.delta.map(|degrees| (0.5 * degrees.to_radians()) as f32);
-    let weights = [(1.0 - setup.t) * texels.weight(setup.layers[0]), setup.t * texels.weight(setup.layers[1])];
-    let weights = weights.map(|weight| weight as f32);
+    let weights = texels.weights(setup.layers, setup.t).map(|weight| weight as f32);
     let scale = 0.5 * (options.factor() * size as f64) as f32;
     let (middle, last) = (0.5 * size as f32 - 0.5, (size - 1) as f32);
     let fixed = match options.turn {

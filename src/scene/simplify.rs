@@ -7,10 +7,10 @@ use serde::Serialize;
 
 use super::choice::{SceneCore, Search};
 use super::{Requirements, Scene};
-use crate::platform::error::Error;
+use crate::emit::package::counted;
 use crate::explore::Cost;
 use crate::fit::Objective;
-use crate::emit::package::counted;
+use crate::platform::error::Error;
 use crate::spec::{CoreSpec, InputRange, MAX_ROWS, Method, Shininess, SpecFields};
 
 /// The fraction bits of input and output of a core that nothing is known of.
@@ -193,31 +193,19 @@ fn output(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> 
 
 /// The core that computes `x^n` to its last bit, with the ports of the chosen one.
 fn faithful(fields: &SpecFields) -> SpecFields {
-    let SpecFields {
-        name,
-        material,
-        input_fraction,
-        output_fraction,
-        input_range,
-        operand,
-        rom,
-        rom_formats,
-        pipeline,
-        languages,
-        ..
-    } = fields.clone();
+    let fields = fields.clone();
     SpecFields {
         method: Some(Method::LogExp),
-        name,
-        material,
-        input_fraction,
-        output_fraction,
-        input_range,
-        operand,
-        rom,
-        rom_formats,
-        pipeline,
-        languages,
+        name: fields.name,
+        material: fields.material,
+        input_fraction: fields.input_fraction,
+        output_fraction: fields.output_fraction,
+        input_range: fields.input_range,
+        operand: fields.operand,
+        rom: fields.rom,
+        rom_formats: fields.rom_formats,
+        pipeline: fields.pipeline,
+        languages: fields.languages,
         ..SpecFields::default()
     }
 }

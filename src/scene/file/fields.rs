@@ -122,16 +122,8 @@ impl CoreFields {
 
 impl SceneFields {
     /// Fills in the defaults and checks every value.
-    pub(super) fn resolve(
-        self,
-        source: &Source,
-        core: Option<CoreConstraints>,
-        directory: &Path,
-    ) -> Result<Scene, Error> {
-        let name = match self.name {
-            Some(name) => name,
-            None => identifier(source.file),
-        };
+    pub fn resolve(self, source: &Source, core: Option<CoreConstraints>, directory: &Path) -> Result<Scene, Error> {
+        let name = self.name.unwrap_or_else(|| identifier(source.file));
         check_name(&name)?;
         let (width, height) = (self.width.unwrap_or(640), self.height.unwrap_or(480));
         check_size(width, height)?;
