@@ -10,11 +10,12 @@ use super::source::read_scene;
 use super::{Verdict, progress, say, say_json, warn};
 use crate::core::Design;
 use crate::platform::error::Error;
+use crate::explore::choose::NearMiss;
 use crate::explore::run::{Costing, Flow};
 use crate::explore::{Cost, Model, Results};
 use crate::emit::package::{File, counted};
 use crate::report::ScenePart;
-use crate::scene::choice::{NearMiss, RunnerUp, SceneChoice, SceneCore, Search, Verified};
+use crate::scene::choice::{RunnerUp, SceneChoice, SceneCore, Search, Verified};
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
 use crate::scene::require::PictureError;
 use crate::scene::survey::Counts;
@@ -445,7 +446,7 @@ fn choice_text(known: &Known) -> Vec<String> {
         lines.extend(cores_table("runners-up", &runner_ups.iter().map(row).collect::<Vec<_>>()));
     }
     if !misses.is_empty() {
-        let row = |NearMiss { core, why, .. }: &NearMiss| core_row(core, why.join(", "));
+        let row = |NearMiss { core, why, .. }: &NearMiss<SceneCore>| core_row(core, why.join(", "));
         lines.extend(cores_table("nearest misses", &misses.iter().map(row).collect::<Vec<_>>()));
     }
     if let Some(tools) = tools {

@@ -14,7 +14,7 @@ use super::slots::{Slots, Vectorised};
 use super::{Difference, Highlights, Requirements, Scene};
 use crate::core::{Design, Measured};
 use crate::emit::package::counted;
-use crate::explore::choose::{Candidate, MISSES, Missed, Ranking, Standing, too_slow};
+use crate::explore::choose::{Candidate, MISSES, NearMiss, Ranking, Standing, too_slow};
 use crate::explore::run::Costing;
 use crate::explore::sweep::Core;
 use crate::explore::{Cost, Model, Objective, Point, Results};
@@ -55,18 +55,6 @@ pub struct RunnerUp {
     pub why: String,
 }
 
-/// A core that does not keep the budget or is too slow.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct NearMiss {
-    /// The core.
-    #[serde(flatten)]
-    pub core: SceneCore,
-    /// How far it misses: the sum of log2 of value / allowed over what it misses.
-    pub octaves: f64,
-    /// What it misses, and by how much.
-    pub why: Vec<String>,
-}
-
 /// The outcome.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SceneChoice {
@@ -78,7 +66,7 @@ pub struct SceneChoice {
     #[serde(skip)]
     pub others: Vec<SceneCore>,
     /// The nearest misses, the nearest first.
-    pub misses: Vec<NearMiss>,
+    pub misses: Vec<NearMiss<SceneCore>>,
     /// How many cores drew the pictures.
     pub considered: usize,
     /// How many of them keep the budget and the frequency by the cost model.
@@ -269,8 +257,8 @@ impl<'a> Search<'a> {
                 "leave some of the keys of [core], or of the flags, out",
             ));
         }
-        let (considered, wished) = (all.len(), self.scene.core.min_mhz);
-        let mut meeting = self.ranked(all.clone(), wished).meeting.len();
+        let (considered, min_mhz) = (all.len(), self.scene.core.min_mhz);
+        let mut meeting = self.ranked(all.clone(), min_mhz).meeting.len();
         if let Costing::Synthesis(_) = self.costing {
             // The frequency is left to the synthesis.
             let Ranking { meeting: met, misses } = self.ranked(all, None);
@@ -285,20 +273,19 @@ impl<'a> Search<'a> {
             }
         }
         let tools = all.iter().find_map(|core| core.candidate.point.tools()).cloned();
-        let Ranking { meeting: ranked, misses } = self.ranked(all, wished);
+        let Ranking { meeting: ranked, misses } = self.ranked(all, min_mhz);
         let mut ranked = ranked.into_iter();
         let chosen = ranked.next();
         let others: Vec<SceneCore> = ranked.collect();
         let runner_ups = chosen.as_ref().map(|chosen| self.runner_ups(chosen, &others)).unwrap_or_default();
-        let miss = |miss: Missed<SceneCore>| NearMiss { core: miss.core, octaves: miss.octaves, why: miss.why };
-        let misses = misses.into_iter().take(MISSES).map(miss).collect();
+        let misses = misses.into_iter().take(MISSES).collect();
         let estimated = matches!(self.costing, Costing::Estimate(_));
         Ok(SceneChoice { chosen, runner_ups, others, misses, considered, meeting, estimated, tools })
     }
 
     /// Takes another core in place of the chosen one, one of the others; the dearer ones are left as runners-up. `refused` are those that do
     /// not do after all, with why.
-    pub fn take(&self, choice: &mut SceneChoice, core: &SceneCore, refused: Vec<NearMiss>) {
+    pub fn take(&self, choice: &mut SceneChoice, core: &SceneCore, refused: Vec<NearMiss<SceneCore>>) {
         let id = |core: &SceneCore| core.candidate.point.id.clone();
         let place = choice.others.iter().position(|other| id(other) == id(core)).map_or(0, |place| place + 1);
         choice.others.drain(..place);

@@ -11,12 +11,13 @@ use super::shade::{self, Shaded};
 use super::simplify::{Saving, Simplification};
 use super::{Budget, Requirements, Scene};
 use crate::core::Design;
-use crate::platform::error::Error;
-use crate::explore::Cost;
 use crate::core::Direction;
-use crate::emit::render;
 use crate::emit::markdown;
 use crate::emit::package::{File, counted, rounded};
+use crate::emit::render;
+use crate::explore::Cost;
+use crate::explore::choose::NearMiss;
+use crate::platform::error::Error;
 use crate::spec::{InputRange, Operand, SpecFields};
 
 /// The names of the files.
@@ -329,7 +330,7 @@ impl Findings<'_> {
             value["why_not"] = json!(one.why);
             value
         };
-        let miss = |one: &super::choice::NearMiss| {
+        let miss = |one: &NearMiss<SceneCore>| {
             let mut value = core(&one.core);
             value["why_not"] = json!(one.why);
             value

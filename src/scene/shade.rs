@@ -2,12 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::choice::{NearMiss, SceneChoice, SceneCore, Search};
+use super::choice::{SceneChoice, SceneCore, Search};
 use super::require::PictureError;
 use super::trace::{Hit, Tracer};
 use super::{Difference, Exact, Frame, Highlights, Picture, Requirements, Scene};
 use crate::core::Design;
 use crate::core::sample::{self, Sample, Vector};
+use crate::explore::choose::NearMiss;
 use crate::platform::error::Error;
 use crate::spec::{
     BlockKind, Front, INPUT_FRACTION, LightColours, Material, Model, Shader, ShaderFields, Shininess, SpecFields,
@@ -140,7 +141,7 @@ pub fn around(
         }
     }
     let Some((_, design)) = nearest else { return Ok(None) };
-    let shaded = pictures.through(design, (scene, requirements), true, done)?;
+    let shaded = pictures.through(design, (scene, requirements), Extent::All, done)?;
     Ok(Some(Shaded { tried: tried.len(), ..shaded }))
 }
 
@@ -149,6 +150,14 @@ struct Pictures {
     tracer: Tracer,
     views: Vec<Scene>,
     exact: Vec<Picture>,
+}
+
+/// Which of the pictures are drawn.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Extent {
+    All,
+    /// None after one that misses the budget.
+    ToMiss,
 }
 
 impl Pictures {
@@ -165,12 +174,12 @@ impl Pictures {
         Ok(Self { tracer, views, exact })
     }
 
-    /// All pictures through a shader; unless `whole`, no more after one that misses the budget.
+    /// The pictures through a shader.
     fn through(
         &self,
         design: Design,
         (scene, requirements): (&Scene, &Requirements),
-        whole: bool,
+        extent: Extent,
         done: &(dyn Fn() + Sync),
     ) -> Result<Shaded, Error> {
         let (base, moved) = (PictureError::default(), PictureError::default());
@@ -187,7 +196,7 @@ impl Pictures {
                 shaded.moved = shaded.moved.worst(error);
             }
             let kept = requirements.budget.missed(&error, "").is_empty();
-            if !kept && !whole {
+            if !kept && extent == Extent::ToMiss {
                 break;
             }
         }
@@ -213,7 +222,7 @@ impl Pictures {
             let with = |bits: u32| -> Result<Shaded, Error> {
                 let asked = ShaderFields { vector_fraction: Some(bits), ..asked.clone() };
                 let design = Design::new(spec(scene, requirements, &lobe, &asked)?.resolve()?)?;
-                self.through(design, (scene, requirements), false, done)
+                self.through(design, (scene, requirements), Extent::ToMiss, done)
             };
             // With the most bits first: if these do not do, no fewer will.
             let mut best = with(widths[widths.len() - 1])?;
