@@ -21,7 +21,7 @@ use crate::scene::require::PictureError;
 use crate::scene::survey::Counts;
 use crate::scene::shade::{self, Shaded};
 use crate::scene::simplify::{Simplification, simplifications};
-use crate::scene::{Budget, CoreModel, Exact, Frame, Highlights, Requirements, Scene, Tracer, reflectance, sheet};
+use crate::scene::{Budget, CoreModel, Exact, Frame, Highlights, Requirements, Scene, Tracer, sheet};
 use crate::spec::{BlockKind, ShaderFields, SpecFields};
 use crate::synth;
 
@@ -198,10 +198,8 @@ pub(super) fn make(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: 
 pub(super) fn part(scene: &Scene) -> Result<Option<ScenePart>, Error> {
     let known = Known::of(scene, &SceneFlags::default(), &SpecFields::default())?;
     let Some(findings) = known.findings(scene) else { return Ok(None) };
-    let tracer = Tracer::new(scene);
-    let frame = Frame::trace(&tracer, scene, &|| {});
-    let base = reflectance::bases(&tracer, scene, &frame, &[&scene.exact_looks()?], &|| {}).concat();
-    let frame = Frame { base, ..frame };
+    let (frame, bases) = Frame::with_looks(&Tracer::new(scene), scene, &[scene.exact_looks()?], &|| {});
+    let frame = Frame { base: bases.concat(), ..frame };
     let exact = frame.picture(scene, &Exact.of(scene, &frame)?);
     let own = frame.picture(scene, &CoreModel::new(findings.design)?.of(scene, &frame)?);
     let lines = [format!("core {}", findings.chosen.candidate.point.name)];

@@ -2,8 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use clap::ValueEnum;
 use libm::sqrt;
 use rayon::prelude::*;
+use serde::Deserialize;
 
 use super::vector::{Angles, Vector};
 use super::{Reflectance, Rgb};
@@ -19,12 +21,13 @@ pub const PHI_D: usize = 180;
 pub const PHI_D_WHOLE: usize = 360;
 
 /// How a value between the cells' centres is found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Lookup {
-    /// Interpolated between the centres of the eight nearest cells.
+    /// Interpolated
     #[default]
     Trilinear,
-    /// That of the cell, as the tables' authors look it up.
+    /// The cell's value, as MERL's own code
     Nearest,
 }
 

@@ -4,6 +4,7 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::ray::{across, unit};
+use super::reflectance::{Axes, Looks, Sight};
 use super::trace::{Hit, Lit, Tracer};
 use super::{Camera, Light, LightKind, Scene};
 use crate::core::sample::Vector;
@@ -79,14 +80,27 @@ impl Frame {
     /// moved.
     #[must_use]
     pub fn trace(tracer: &Tracer, scene: &Scene, done: &(dyn Fn() + Sync)) -> Self {
+        Self::with_looks(tracer, scene, &[], done).0
+    }
+
+    /// The same, and for each of some looks [`Frame::base`] with the light added that materials give by their reflectances.
+    #[must_use]
+    pub fn with_looks(
+        tracer: &Tracer,
+        scene: &Scene,
+        looks: &[Looks],
+        done: &(dyn Fn() + Sync),
+    ) -> (Self, Vec<Vec<Colour>>) {
         // Where no material has a highlight there is nothing to be said of any light.
         let lights = if scene.has_highlights() { scene.lights.len() } else { 0 };
         let width = scene.width as usize;
         let surfaces: Vec<Surface> = scene.materials.iter().map(|material| material.surface()).collect();
+        let axes = Axes::of(scene);
         let of_row = |row: u32| {
             let mut material = vec![BACKGROUND; width];
             let mut base = vec![scene.background; width];
             let mut versines = vec![f64::NAN; width * lights];
+            let mut looked = vec![base.clone(); looks.len()];
             for (x, hit) in tracer.row(scene, row).into_iter().enumerate() {
                 let Some(hit) = hit else { continue };
                 material[x] = u16::try_from(hit.material).expect("materials are few");
@@ -103,9 +117,17 @@ impl Frame {
                     }
                 }
                 base[x] = sum;
+                looked.iter_mut().for_each(|row| row[x] = sum);
+                if !looks.is_empty() && scene.reflectance(hit.material).is_some() {
+                    let sight = Sight::of(tracer, scene, &hit);
+                    for (row, looks) in looked.iter_mut().zip(looks) {
+                        let own = looks.of[hit.material].as_ref().map(|look| look.radiance(&axes, &sight));
+                        row[x] = own.map_or(sum, |own| [0, 1, 2].map(|c| sum[c] + own[c]));
+                    }
+                }
             }
             done();
-            (material, base, versines)
+            (material, base, versines, looked)
         };
         let rows: Vec<_> = (0..scene.height).into_par_iter().map(of_row).collect();
         let pixels = width * scene.height as usize;
@@ -117,15 +139,17 @@ impl Frame {
             base: Vec::with_capacity(pixels),
             versine: Vec::with_capacity(pixels * lights),
         };
-        for (material, base, versines) in rows {
+        let mut bases = vec![Vec::with_capacity(pixels); looks.len()];
+        for (material, base, versines, looked) in rows {
             frame.material.extend(material);
             frame.base.extend(base);
             frame.versine.extend(versines);
+            bases.iter_mut().zip(looked).for_each(|(base, row)| base.extend(row));
         }
-        frame
+        (frame, bases)
     }
 
-    /// The channels in units of full scale: `base`, which is [`Frame::base`] or what [`bases`](super::reflectance::bases) makes of it, with these values
+    /// The channels in units of full scale: `base`, which is [`Frame::base`] or that of a look, with these values
     /// of the lobes, one a pixel and light, each 0 to 1; those of NaN versines are not looked at. What exceeds full scale is not cut off yet.
     #[must_use]
     pub fn channels(&self, scene: &Scene, base: &[Colour], highlights: &[f64]) -> Vec<Colour> {
