@@ -72,7 +72,7 @@ struct Blocks {
 /// 1/16 there, a block what its library says.
 fn blocks(family: Family) -> Blocks {
     match family {
-        Family::Ecp5 => Blocks {
+        Family::Ecp5 | Family::Gowin => Blocks {
             dsp: Some(([18, 18], 0)),
             least_product: 0,
             bram: &[(16_384, 1), (8192, 2), (4096, 4), (2048, 9), (1024, 18), (512, 36)],
@@ -83,12 +83,6 @@ fn blocks(family: Family) -> Blocks {
             least_product: 11,
             bram: &[(2048, 2), (1024, 4), (512, 8), (256, 16)],
             worth: 64 * 16,
-        },
-        Family::Gowin => Blocks {
-            dsp: Some(([18, 18], 0)),
-            least_product: 0,
-            bram: &[(16_384, 1), (8192, 2), (4096, 4), (2048, 9), (1024, 18), (512, 36)],
-            worth: 128 * 16,
         },
         Family::Xc7 => Blocks {
             dsp: Some(([25, 18], 1)),

@@ -65,48 +65,46 @@ impl Search<'_> {
                 .into_iter()
                 .flatten()
                 .collect();
-        let mut axes = Vec::new();
+        let (mut axes, none) = (Vec::new(), SpecFields::default);
         for &method in Method::value_variants() {
             if method.is_baseline() && self.keys.method != Some(method) {
                 continue;
             }
-            let plain = SpecFields { method: Some(method), ..SpecFields::default() };
+            let plain = SpecFields { method: Some(method), ..none() };
             let mut own = vec![plain.clone()];
-            if !method.coefficients().is_empty() {
-                own = Vec::new();
-                for &coefficients in method.coefficients() {
-                    let with = SpecFields { coefficients: Some(coefficients), ..plain.clone() };
-                    match coefficients {
-                        Coefficients::Paper => own.push(with),
-                        Coefficients::Minimax => own.extend(
-                            objectives
-                                .iter()
-                                .map(|&objective| SpecFields { objective: Some(objective), ..with.clone() }),
-                        ),
-                    }
-                }
-            }
-            let spread = |own: Vec<SpecFields>, set: &dyn Fn(SpecFields, usize) -> SpecFields, count: usize| {
-                own.into_iter()
-                    .flat_map(|one| (0..count).map(move |place| (one.clone(), place)))
-                    .map(|(one, place)| set(one, place))
-                    .collect::<Vec<_>>()
+            let mut spread = |ways: Vec<SpecFields>| {
+                let with_all = |one: &SpecFields| -> Vec<SpecFields> {
+                    ways.iter().map(|way| one.clone().or(way.clone())).collect()
+                };
+                own = own.iter().flat_map(with_all).collect();
             };
+            if !method.coefficients().is_empty() {
+                let ways = |&coefficients: &Coefficients| {
+                    let with = SpecFields { coefficients: Some(coefficients), ..none() };
+                    match coefficients {
+                        Coefficients::Paper => vec![with],
+                        Coefficients::Minimax => objectives
+                            .iter()
+                            .map(|&objective| SpecFields { objective: Some(objective), ..with.clone() })
+                            .collect(),
+                    }
+                };
+                spread(method.coefficients().iter().flat_map(ways).collect());
+            }
             if method.has_tail() {
-                let tails = [Tail::Cut, Tail::Hold];
-                own = spread(own, &|one, place| SpecFields { tail: Some(tails[place]), ..one }, 2);
+                spread([Tail::Cut, Tail::Hold].map(|tail| SpecFields { tail: Some(tail), ..none() }).into());
             }
             if method.has_inside() {
                 let insides = [Inside::Linear, Inside::Quadratic];
-                own = spread(own, &|one, place| SpecFields { inside: Some(insides[place]), ..one }, 2);
+                spread(insides.map(|inside| SpecFields { inside: Some(inside), ..none() }).into());
             }
             if method.divides() {
                 let dividers = [Divider::Digit, Divider::Reciprocal];
-                own = spread(own, &|one, place| SpecFields { divider: Some(dividers[place]), ..one }, 2);
+                spread(dividers.map(|divider| SpecFields { divider: Some(divider), ..none() }).into());
             }
             if method == Method::Table {
-                let (from, count) = (*TABLE_BITS.start() + 2, 9);
-                own = spread(own, &|one, place| SpecFields { table_bits: Some(from + place as u32), ..one }, count);
+                let bits = (*TABLE_BITS.start() + 2..).take(9);
+                spread(bits.map(|bits| SpecFields { table_bits: Some(bits), ..none() }).collect());
             }
             axes.extend(own.into_iter().map(|fields| Axis { fields, coarse: false }));
             if method.has_accuracy() {
@@ -180,7 +178,7 @@ impl Search<'_> {
                 drawn.last().is_some_and(|core| self.keeps(core))
             }),
             None => {
-                let full = f64::from((1u32 << self.scene.channel_bits) - 1);
+                let full = self.scene.full_scale();
                 let strongest = self.requirements.rows.iter().map(|row| row.weight * full).fold(0.0, f64::max);
                 let steps = self.requirements.budget.steps(self.scene.channel_bits).max(0.01);
                 let guess = libm::ceil(libm::log2((strongest / steps).max(1.0))) as u32;

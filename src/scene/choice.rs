@@ -190,7 +190,7 @@ impl<'a> Search<'a> {
             off * off
         });
         let (count, sum) = squares.fold((0u64, 0.0), |(count, sum), square| (count + 1, sum + square));
-        let full = f64::from((1u32 << self.scene.channel_bits) - 1);
+        let full = self.scene.full_scale();
         let half_step = exp2(-(design.spec.input_fraction as i32) - 1);
         let bound = |(row, own): (&ShininessRow, &f64)| row.weight * full * (own + row.shininess * half_step).min(1.0);
         let guarantee = self.requirements.rows.iter().zip(&by_row).map(bound).fold(0.0, f64::max);

@@ -15,7 +15,7 @@ pub const BACKGROUND: u16 = u16::MAX;
 
 /// A picture before its highlights: what each pixel shows, and which lobes it asks for.
 ///
-/// A channel is `base + sum over the lights of k_s I x^n`, in units of full scale, taken into [0, 1] and rounded to the nearest code.
+/// A channel is `base + sum over the lights of k_s I x^n`, in units of full scale, clamped to [0, 1] and rounded to the nearest code.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// Pixels a row.
@@ -45,6 +45,11 @@ pub struct Picture {
     pub channel_bits: u32,
     /// Red, green and blue of each pixel, row by row from the top.
     pub codes: Vec<[u16; 3]>,
+}
+
+/// The greatest code of a channel.
+pub(super) fn full_scale(channel_bits: u32) -> f64 {
+    f64::from((1u32 << channel_bits) - 1)
 }
 
 /// The versine of a highlight's cosine, from 0 to 2 and without cancellation, for directions of length 1: half the square of the distance
@@ -149,12 +154,16 @@ impl Frame {
         (frame, bases)
     }
 
+    /// `k_s I` of each material and, within it, light.
+    pub(super) fn weights(&self, scene: &Scene) -> Vec<Vec<Colour>> {
+        (0..scene.materials.len()).map(|m| (0..self.lights).map(|l| scene.specular(m, l)).collect()).collect()
+    }
+
     /// The channels in units of full scale: `base`, which is [`Frame::base`] or that of a look, with these values
     /// of the lobes, one a pixel and light, each 0 to 1; those of NaN versines are not looked at. What exceeds full scale is not cut off yet.
     #[must_use]
     pub fn channels(&self, scene: &Scene, base: &[Colour], highlights: &[f64]) -> Vec<Colour> {
-        let weights: Vec<Vec<Colour>> =
-            (0..scene.materials.len()).map(|m| (0..self.lights).map(|l| scene.specular(m, l)).collect()).collect();
+        let weights = self.weights(scene);
         let pixel = |index: usize| {
             let mut sum = base[index];
             if self.material[index] != BACKGROUND {
@@ -177,10 +186,10 @@ impl Frame {
         self.codes(scene.channel_bits, &self.channels(scene, &self.base, highlights))
     }
 
-    /// The picture of these channels in units of full scale, taken into [0, 1] and rounded to the nearest code.
+    /// The picture of these channels in units of full scale, clamped to [0, 1] and rounded to the nearest code.
     #[must_use]
     pub fn codes(&self, channel_bits: u32, channels: &[Colour]) -> Picture {
-        let full = f64::from((1u32 << channel_bits) - 1);
+        let full = full_scale(channel_bits);
         let code = |channel: f64| libm::round(channel.clamp(0.0, 1.0) * full) as u16;
         let codes = channels.par_iter().map(|pixel| pixel.map(code)).collect();
         Picture { width: self.width, height: self.height, channel_bits, codes }
@@ -253,6 +262,12 @@ impl Scene {
             }
         }
         scenes
+    }
+
+    /// The greatest code of a channel.
+    #[must_use]
+    pub fn full_scale(&self) -> f64 {
+        full_scale(self.channel_bits)
     }
 
     /// The scene as a picture of another size.

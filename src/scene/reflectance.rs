@@ -527,7 +527,7 @@ impl Seen {
     }
 }
 
-/// The peak signal-to-noise ratio in dB of channels in units of full scale, taken into 0 to 1, over the pixels that show objects; none where
+/// The peak signal-to-noise ratio in dB of channels in units of full scale, clamped to 0 to 1, over the pixels that show objects; none where
 /// they are the same or there is no object.
 #[must_use]
 pub fn psnr(frame: &Frame, exact: &[Colour], own: &[Colour]) -> Option<f64> {

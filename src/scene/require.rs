@@ -7,7 +7,7 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::frame::BACKGROUND;
+use super::frame::{BACKGROUND, full_scale};
 use super::highlight::Exact;
 use super::survey::{Counts, Spread, Survey};
 use super::trace::Tracer;
@@ -98,7 +98,7 @@ impl PictureError {
     #[must_use]
     pub fn of(difference: &Difference, channel_bits: u32) -> Self {
         let &Difference { max_steps, mean_steps, psnr, .. } = difference;
-        let full = f64::from((1u32 << channel_bits) - 1);
+        let full = full_scale(channel_bits);
         let mean_square = psnr.map_or(0.0, |psnr| full * full / libm::pow(10.0, psnr / 10.0));
         Self { max_steps, mean_steps, mean_square, psnr, pixels_off: difference.pixels.iter().skip(1).sum() }
     }
@@ -196,7 +196,7 @@ impl Budget {
     /// allowed; of a PSNR, the error e whose share of moved codes, e of them by one step, has the mean square that is allowed.
     #[must_use]
     pub fn steps(&self, channel_bits: u32) -> f64 {
-        let full = f64::from((1u32 << channel_bits) - 1);
+        let full = full_scale(channel_bits);
         let (steps, psnr) = self.limits();
         let of_psnr = |psnr: f64| {
             let rms = full * libm::pow(10.0, -psnr / 20.0);
@@ -209,13 +209,12 @@ impl Budget {
 impl View {
     fn new(name: String, scene: &Scene, frame: &Frame) -> Self {
         let lights = frame.lights;
-        let shiny: Vec<Vec<bool>> = (0..scene.materials.len())
-            .map(|m| (0..lights).map(|l| scene.specular(m, l).iter().any(|&weight| weight > 0.0)).collect())
-            .collect();
+        let weights = frame.weights(scene);
+        let shines = |material: u16, light: usize| weights[usize::from(material)][light].iter().any(|&k| k > 0.0);
         let is_lit = |&pixel: &usize| {
             let material = frame.material[pixel];
             material != BACKGROUND
-                && (0..lights).any(|l| shiny[usize::from(material)][l] && !frame.versine[pixel * lights + l].is_nan())
+                && (0..lights).any(|l| shines(material, l) && !frame.versine[pixel * lights + l].is_nan())
         };
         let kept: Vec<usize> = (0..frame.material.len()).filter(is_lit).collect();
         let versines = |&pixel: &usize| &frame.versine[pixel * lights..][..lights];
@@ -242,7 +241,7 @@ impl View {
             return PictureError::default();
         }
         let part = lit / self.pixels as f64;
-        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let full = scene.full_scale();
         let squares = own.psnr.map_or(0.0, |psnr| full * full * libm::pow(10.0, -psnr / 10.0) * part);
         PictureError {
             max_steps: own.max_steps,
@@ -330,7 +329,7 @@ impl Requirements {
             pictures.push(view.name.clone());
             views.push(view);
         }
-        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let full = scene.full_scale();
         let rows = rows(scene, &base, &elsewhere);
         let all = |counts: &[Counts]| counts.iter().fold(Counts::default(), |sum, counts| sum.and(counts));
         let (base_counts, moved_counts) = (all(&base.counts), all(&elsewhere.counts));
@@ -434,7 +433,7 @@ impl Requirements {
     }
 
     fn input_bits(&self, scene: &Scene) -> Bits {
-        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let full = scene.full_scale();
         let steepest = self.rows.iter().map(|row| row.shininess * row.weight * full).fold(0.0, f64::max);
         let derived = self.derived(scene, &|bits| steepest * exp2(-bits - 1), *INPUT_FRACTION.end());
         let rounded = |bits: u32| {
@@ -456,7 +455,7 @@ impl Requirements {
     }
 
     fn output_bits(&self, scene: &Scene) -> Bits {
-        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let full = scene.full_scale();
         let strongest = self.rows.iter().map(|row| row.weight * full).fold(0.0, f64::max);
         let derived = self.derived(scene, &|bits| strongest * exp2(-bits - 1), *OUTPUT_FRACTION.end());
         let rounded = |bits: u32| {

@@ -1,9 +1,10 @@
-//! The lobes of a scene's pictures by the vectorised arithmetic of a core: each code that they ask for is computed once.
+//! The lobes of a scene's pictures by the arithmetic of a core: each code that they ask for is computed once.
 
-use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
+use super::frame::BACKGROUND;
 use super::highlight::Codes;
 use super::{Frame, Highlights, Scene};
 use crate::core::Design;
@@ -11,10 +12,11 @@ use crate::platform::error::Error;
 
 /// The widest gap, in codes, that is evaluated too and passed over.
 const GAP: i64 = 512;
+
 /// The codes that the scene's pictures ask for of cores with one kind of port: each row's distinct operands once.
 pub(super) struct Slots {
-    /// The code of `in_n` of each row that is asked for, its operands' codes, ascending, and how many come before them.
-    rows: Vec<(u32, Vec<i64>, usize)>,
+    /// The code of `in_n` of each row, and its operands' codes, ascending.
+    pub rows: Vec<(u32, Vec<i64>)>,
     /// For each picture the place of each sample's code among all of them; `NONE` where the light gives no highlight.
     places: Vec<Vec<u32>>,
 }
@@ -24,25 +26,53 @@ impl Slots {
 
     pub(super) fn of<'a>(design: &Design, scene: &Scene, frames: impl Iterator<Item = &'a Frame> + Clone) -> Self {
         let codes: Vec<Codes> = frames.clone().map(|frame| Codes::of(design, scene, frame)).collect();
-        let mut by_row: BTreeMap<u32, Vec<i64>> = BTreeMap::new();
+        let mut seen = vec![false; scene.materials.len()];
+        for &material in frames.clone().flat_map(|frame| &frame.material).filter(|material| **material != BACKGROUND) {
+            seen[usize::from(material)] = true;
+        }
+        // The frames' materials have the same codes.
+        let all = codes.iter().take(1).flat_map(|codes| &codes.indices);
+        let mut indices: Vec<u32> = all.zip(seen).filter(|(_, seen)| *seen).map(|(&index, _)| index).collect();
+        indices.sort_unstable();
+        indices.dedup();
+        let format = design.operand_format();
+        let (first, last) = (format.min_code() as i64, format.max_code() as i64);
+        // A bit for each code of each row, in words: whether it is asked for.
+        let words = (last - first) as usize / 64 + 1;
+        let asked: Vec<AtomicU64> = (0..indices.len() * words).map(|_| AtomicU64::new(0)).collect();
+        let bit = |(index, operand): (u32, i32)| {
+            let row = indices.partition_point(|other| *other < index);
+            let place = (i64::from(operand) - first) as usize;
+            (row * words + place / 64, place % 64)
+        };
         for (codes, frame) in codes.iter().zip(frames.clone()) {
-            for (index, operand) in (0..frame.versine.len()).filter_map(|sample| codes.sample(frame, sample)) {
-                by_row.entry(index).or_default().push(operand.into());
-            }
+            let samples = (0..frame.versine.len()).into_par_iter();
+            samples.filter_map(|sample| codes.sample(frame, sample)).map(bit).for_each(|(word, bit)| {
+                if asked[word].load(Ordering::Relaxed) >> bit & 1 == 0 {
+                    asked[word].fetch_or(1 << bit, Ordering::Relaxed);
+                }
+            });
         }
-        let mut before = 0;
-        let mut rows = Vec::with_capacity(by_row.len());
-        for (index, mut operands) in by_row {
-            operands.par_sort_unstable();
-            operands.dedup();
-            let count = operands.len();
-            rows.push((index, operands, before));
-            before += count;
-        }
-        let place = |(index, operand): (u32, i32)| {
-            let row = rows.partition_point(|(other, ..)| *other < index);
-            let (_, operands, before) = &rows[row];
-            (before + operands.partition_point(|&other| other < i64::from(operand))) as u32
+        // Each word with how many codes are asked for before it.
+        let mut count = 0;
+        let counted = |word: AtomicU64| {
+            let word = word.into_inner();
+            count += word.count_ones();
+            (word, count - word.count_ones())
+        };
+        let asked: Vec<(u64, u32)> = asked.into_iter().map(counted).collect();
+        let operands = |row: &[(u64, u32)]| -> Vec<i64> {
+            let of_word = |(place, &(word, _)): (usize, &(u64, u32))| {
+                let bits = (0..64).filter(move |bit| word >> bit & 1 == 1);
+                bits.map(move |bit| first + (64 * place + bit) as i64)
+            };
+            row.iter().enumerate().flat_map(of_word).collect()
+        };
+        let rows = indices.iter().copied().zip(asked.chunks(words).map(operands)).collect();
+        let place = |code: (u32, i32)| {
+            let (word, bit) = bit(code);
+            let (word, before) = asked[word];
+            before + (word & ((1 << bit) - 1)).count_ones()
         };
         let of_frame = |(codes, frame): (&Codes, &Frame)| -> Vec<u32> {
             let sample = |sample: usize| codes.sample(frame, sample).map_or(Self::NONE, place);
@@ -56,7 +86,7 @@ impl Slots {
     pub(super) fn results(&self, design: &Design) -> Vec<f64> {
         let evaluator = design.evaluator();
         let lsb = design.output_format().lsb();
-        let of_row = |(index, operands, _): &(u32, Vec<i64>, usize)| {
+        let of_row = |(index, operands): &(u32, Vec<i64>)| {
             let mut results = Vec::with_capacity(operands.len());
             let mut outputs = vec![0u32; 4096];
             let mut rest = &operands[..];

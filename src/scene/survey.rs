@@ -88,10 +88,9 @@ impl Survey {
     }
 
     pub(super) fn of(scene: &Scene, frame: &Frame) -> Self {
-        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let full = scene.full_scale();
         let lights = frame.lights;
-        let weights: Vec<Vec<[f64; 3]>> =
-            (0..scene.materials.len()).map(|m| (0..lights).map(|l| scene.specular(m, l)).collect()).collect();
+        let weights = frame.weights(scene);
         let strength = |material: usize, light: usize| weights[material][light].into_iter().fold(0.0, f64::max);
         let mut survey = Self::new(scene.materials.len());
         for (pixel, &material) in frame.material.iter().enumerate() {
