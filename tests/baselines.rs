@@ -3,11 +3,11 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use brdfgen::core::{Design, Measured};
-use brdfgen::platform::error::Error;
-use brdfgen::verify::golden::all_codes;
-use brdfgen::lobe;
 use brdfgen::fixed::exp2;
+use brdfgen::lobe;
+use brdfgen::platform::error::Error;
 use brdfgen::spec::SpecFields;
+use brdfgen::verify::golden::all_codes;
 use proptest::prelude::*;
 use rayon::prelude::*;
 
@@ -25,13 +25,13 @@ fn assert_every_input(spec: &str, row_step: usize, stride: i64) {
     let design = design(spec);
     let [low, high] = design.budget.proved_ulps;
     assert!(-1.0 < low && high < 1.0, "{spec}: proved {low}..{high}");
-    let scale = exp2(design.spec.output_fraction as i32);
+    let scale = exp2(design.spec.interface.output_fraction as i32);
     let (first, count) = all_codes(design.operand_format());
     let (evaluator, model, lobes) = (design.evaluator(), design.model(), design.lobes());
     let compared = AtomicU64::new(0);
-    let rows: Vec<usize> = (0..design.spec.shininess.rows()).step_by(row_step).collect();
+    let rows: Vec<usize> = (0..design.spec.interface.shininess.rows()).step_by(row_step).collect();
     rows.par_iter().for_each(|&row| {
-        let index = design.spec.shininess.index_of_row(row);
+        let index = design.spec.interface.shininess.index_of_row(row);
         let mut outputs = vec![0u32; count as usize];
         evaluator.evaluate(index, first, 1, &mut outputs);
         let mut own = 0;

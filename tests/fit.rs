@@ -5,7 +5,10 @@ use brdfgen::fit::{
     Fit, Inside, Objective, Peak, Segment, Tail, cubic, cubic_rational, fit_segment, min_zero, power, quadratic,
     segment_bounds, segment_end,
 };
-use brdfgen::lobe::{Cubic, CubicRational, Lobe, Quadratic, exact};
+use brdfgen::lobe::{Lobe, exact};
+use brdfgen::method::cubic::Cubic;
+use brdfgen::method::cubic_rational::CubicRational;
+use brdfgen::method::quadratic::Quadratic;
 use rand_core::Rng;
 use rand_pcg::Pcg64;
 

@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use brdfgen::core::{Account, Design};
-use brdfgen::verify::golden::Golden;
 use brdfgen::emit::package;
-use brdfgen::spec::{Language, Method, SpecFields};
+use brdfgen::spec::{Language, MethodName, SpecFields};
+use brdfgen::verify::golden::Golden;
 use clap::ValueEnum;
 use common::Scratch;
 use rayon::prelude::*;

@@ -19,15 +19,15 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
-use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::core::Direction;
 use brdfgen::core::sample::random_codes;
 use brdfgen::core::{Account, Design, Part, ShaderError};
-use brdfgen::platform::error::Error;
-use brdfgen::verify::golden::{Golden, Vector};
-use brdfgen::core::Direction;
-use brdfgen::fixed::Dice;
 use brdfgen::emit::package;
-use brdfgen::spec::{CoreSpec, Language, Method, RomStyle, SpecFields};
+use brdfgen::fixed::Dice;
+use brdfgen::platform::error::Error;
+use brdfgen::spec::{CoreSpec, Language, MethodName, RomStyle, SpecFields};
+use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::verify::golden::{Golden, Vector};
 use pairs::{Choice, Covering, covering, pairs_of};
 
 const NOTHING: &str = "";
@@ -195,9 +195,12 @@ impl Options {
         if spec.rom != RomStyle::Writable {
             return true;
         }
-        let key = format!("{:?} {:?} {:?}", spec.method, spec.accuracy, spec.shininess);
+        let key = format!("{:?} {:?} {:?}", spec.method, spec.accuracy, spec.interface.shininess);
         let small = || {
-            let (f, g) = (spec.input_fraction.min(8), spec.output_fraction.min(spec.accuracy.map_or(8, |a| a + 1)));
+            let (f, g) = (
+                spec.interface.input_fraction.min(8),
+                spec.interface.output_fraction.min(spec.accuracy.map_or(8, |a| a + 1)),
+            );
             let small = CoreSpec { input_fraction: f, output_fraction: g, golden_inputs: Default::default(), ..spec };
             Design::new(small).is_ok()
         };
@@ -330,7 +333,7 @@ fn size(spec: &CoreSpec) -> u32 {
         Method::Harris => spec.log_bits.max(spec.exp_bits),
         _ => 0,
     };
-    spec.shininess.index_bits() + spec.input_fraction.max(entries)
+    spec.interface.shininess.index_bits() + spec.interface.input_fraction.max(entries)
 }
 
 fn all_is_made(what: &str, options: &Options, quick: impl Fn(&CoreSpec) -> bool) {
@@ -419,7 +422,9 @@ fn lobes_with_any_two_options() {
 
 #[test]
 fn shaders_with_any_two_options() {
-    let quick = |spec: &CoreSpec| spec.input_fraction < 24 && spec.accuracy.is_none() && spec.output_fraction < 20;
+    let quick = |spec: &CoreSpec| {
+        spec.interface.input_fraction < 24 && spec.accuracy.is_none() && spec.interface.output_fraction < 20
+    };
     all_is_made("shaders", &Options::of("block = 'shader'", shader_choices()), quick);
 }
 

@@ -4,11 +4,11 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use brdfgen::platform::error::Error;
 use brdfgen::explore::Objective;
+use brdfgen::platform::error::Error;
 use brdfgen::scene::mesh::{Mesh, Normals, Transform};
 use brdfgen::scene::{Exact, Frame, Highlights, LightKind, Scene, Shape};
-use brdfgen::spec::{Method, SpecFields};
+use brdfgen::spec::{MethodName, SpecFields};
 use brdfgen::synth::Family;
 use proptest::prelude::*;
 

@@ -1,14 +1,14 @@
 //! Cores where forms degenerate, and the range analysis against planted faults and against every input.
 
 use assert_cmd::Command;
+use brdfgen::core::Design;
+use brdfgen::core::Direction;
+use brdfgen::core::sample::{Sample, random_codes};
 use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::graph::{Graph, Op};
 use brdfgen::datapath::range::Analysis;
-use brdfgen::core::Design;
-use brdfgen::core::sample::{Sample, random_codes};
-use brdfgen::core::Direction;
 use brdfgen::fixed::Dice;
-use brdfgen::spec::{Block, Method, SpecFields};
+use brdfgen::spec::{Block, MethodName, SpecFields};
 use brdfgen::verify::stability::document::{self, Study};
 use brdfgen::verify::stability::inspect::Inspection;
 use brdfgen::verify::stability::shader::{Proof, ShaderInspection};
@@ -41,10 +41,10 @@ fn outputs(design: &Design, graph: &Graph) -> Vec<Vec<u32>> {
     let (first, count) = brdfgen::verify::golden::all_codes(design.operand_format());
     let run = |row: usize| {
         let mut outputs = vec![0; count as usize];
-        evaluator.evaluate(design.spec.shininess.index_of_row(row), first, 1, &mut outputs);
+        evaluator.evaluate(design.spec.interface.shininess.index_of_row(row), first, 1, &mut outputs);
         outputs
     };
-    (0..design.spec.shininess.rows()).into_par_iter().map(run).collect()
+    (0..design.spec.interface.shininess.rows()).into_par_iter().map(run).collect()
 }
 
 #[test]
@@ -126,8 +126,8 @@ fn values_lie_in_their_ranges() {
         let analysis = Analysis::new(graph, design.tables());
         let ranges = analysis.over(&design.regions(), 1 << 16);
         let (first, count) = brdfgen::verify::golden::all_codes(design.operand_format());
-        for row in 0..design.spec.shininess.rows() {
-            let index = design.spec.shininess.index_of_row(row);
+        for row in 0..design.spec.interface.shininess.rows() {
+            let index = design.spec.interface.shininess.index_of_row(row);
             for place in (0..count as i64).step_by(37) {
                 let values = graph.values(design.tables(), &[index.into(), (first + place).into()]);
                 // The output is always needed.
@@ -238,7 +238,7 @@ fn shader_design((core, shader): (&str, &str)) -> Design {
 
 fn prove(design: &Design, graph: &Graph) -> Proof {
     let Block::Shader(shader) = &design.spec.block else { panic!("a shader") };
-    Proof::of(&design.spec.shininess, shader, graph, design.tables())
+    Proof::of(&design.spec.interface.shininess, shader, graph, design.tables())
 }
 
 #[test]

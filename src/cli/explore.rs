@@ -6,11 +6,11 @@ use clap::{Args, Subcommand};
 use serde_json::json;
 
 use super::{Verdict, progress, say, say_json, warn, write_to};
-use crate::platform::error::Error;
 use crate::explore::store::Earlier;
 use crate::explore::run::{self, Costing, Flow, Summary};
 use crate::explore::sweep::{Axes, Plan, Shard, word};
 use crate::explore::{Model, Point, Results, Store, Sweep};
+use crate::platform::error::Error;
 use crate::platform::input;
 use crate::platform::paths::Paths;
 use crate::synth;

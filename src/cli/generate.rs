@@ -10,15 +10,15 @@ use super::choose::{self, WishFlags};
 use super::scene::{self, Made, SceneFlags};
 use super::source::Source;
 use super::{Verdict, progress, say, say_json, warn};
-use crate::verify::cosim::{self, Job, Sim};
-use crate::core::{Account, Design};
-use crate::platform::error::Error;
-use crate::explore::{MaxError, Objective};
-use crate::verify::golden::Golden;
 use crate::core::Direction;
-use crate::platform::input;
+use crate::core::{Account, Design};
 use crate::emit::package::{self, File};
+use crate::explore::{MaxError, Objective};
+use crate::platform::error::Error;
+use crate::platform::input;
 use crate::spec::CoreSpec;
+use crate::verify::cosim::{self, Job, Sim};
+use crate::verify::golden::Golden;
 
 #[derive(Args)]
 pub(super) struct Arguments {

@@ -30,8 +30,8 @@ use std::sync::{Mutex, PoisonError};
 use clap::{Parser, Subcommand};
 use serde::Serialize;
 
-use crate::platform::error::Error;
 use crate::emit::package;
+use crate::platform::error::Error;
 use crate::platform::{tool, transient};
 
 /// Generates FPGA cores for the specular term cos^n of a shader

@@ -8,9 +8,9 @@ use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 use super::{Verdict, progress, say, say_json, write_to};
+use crate::emit::package::{self, Kind};
 use crate::platform::error::Error;
 use crate::platform::input;
-use crate::emit::package::{self, Kind};
 use crate::reflectance::classical::{self, Cosine, Fit};
 use crate::reflectance::measure::{self, Judge};
 use crate::reflectance::paper::{Behind, Border};

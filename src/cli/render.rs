@@ -12,13 +12,14 @@ use super::scene::{MARGIN, costing};
 use super::source::{read_scene, reads_core};
 use super::{Verdict, progress, say, say_json, write_to};
 use crate::core::Design;
-use crate::platform::error::Error;
+use crate::emit::package::{self, counted};
 use crate::explore::sweep::Core;
 use crate::explore::{Cost, Point};
+use crate::platform::error::Error;
 use crate::platform::input;
-use crate::emit::package::{self, counted};
 use crate::platform::paths::Paths;
 
+use crate::platform::tool;
 use crate::scene::choice::Search;
 use crate::scene::reflectance::{self, Compared, Looks, Measured, Shading, Viewer};
 use crate::scene::require::PictureError;
@@ -26,9 +27,8 @@ use crate::scene::sheet::{self, Cell, Sheet};
 use crate::scene::{
     Compiled, CoreModel, Difference, Exact, Frame, Highlights, Picture, Requirements, Scene, Tracer, picture,
 };
-use crate::spec::{BlockKind, Colour, CoreSpec, Language, Shininess, SpecFields};
+use crate::spec::{BlockKind, Colour, Language, Shininess, SpecFields};
 use crate::synth::Family;
-use crate::platform::tool;
 
 /// The cores that `--compare` shows where it is not told which.
 const COMPARED: [&str; 7] = [
@@ -694,7 +694,8 @@ fn scene_text(scene: &Scene, frame: &Frame) -> String {
 /// A core's short name for people, without its shininesses.
 fn name(design: &Design) -> String {
     // Those that need not be named.
-    let spec = CoreSpec { shininess: Shininess::Range(1, 1000), ..design.spec.clone() };
+    let mut spec = design.spec.clone();
+    spec.interface.shininess = Shininess::Range(1, 1000);
     Point::unmeasured(&Core::new(spec, Family::Ecp5)).name
 }
 
@@ -704,7 +705,7 @@ fn core_text(design: &Design) -> String {
         "{}: {}, n = {}, {} clocks",
         design.spec.name,
         name(design),
-        design.spec.shininess.to_string().replace(',', ", "),
+        design.spec.interface.shininess.to_string().replace(',', ", "),
         design.schedule.latency
     )
 }

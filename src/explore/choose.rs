@@ -217,7 +217,7 @@ impl Constraints {
             ..self.keys.clone()
         };
         let same = wanted.or(own.clone()) == own;
-        same && own.resolve().is_ok_and(|spec| serves(&spec.shininess, &self.shininess))
+        same && own.resolve().is_ok_and(|spec| serves(&spec.interface.shininess, &self.shininess))
     }
 
     /// What a candidate misses, each as log2 of value / allowed and in words.
@@ -424,7 +424,7 @@ mod tests {
             Constraints { keys: keys("method = 'quadratic'\nname = 'mine'"), ..constraints(0.5, Objective::Lut) };
         let choice = named.choose(&results()).unwrap();
         let spec = named.spec_of(choice.chosen.as_ref().unwrap()).unwrap().resolve().unwrap();
-        assert_eq!((spec.name.as_str(), spec.shininess.to_string().as_str()), ("mine", "5..=9"));
+        assert_eq!((spec.name.as_str(), spec.interface.shininess.to_string().as_str()), ("mine", "5..=9"));
     }
 
     #[test]

@@ -9,9 +9,10 @@ use super::Requirements;
 use super::choice::{SceneCore, Search};
 use super::require::ShininessRow;
 use crate::fit;
+use crate::method::log_exp::{ACCURACY, ACCURACY_INPUT_FRACTION};
+use crate::method::table::TABLE_BITS;
 use crate::spec::{
-    ACCURACY, ACCURACY_INPUT_FRACTION, Coefficients, Divider, INPUT_FRACTION, InputRange, Inside, Material, Method,
-    OUTPUT_FRACTION, SpecFields, TABLE_BITS, Tail,
+    Coefficients, Divider, INPUT_FRACTION, InputRange, Inside, Material, MethodName, OUTPUT_FRACTION, SpecFields, Tail,
 };
 
 /// Fraction bits of a port that are tried, from the fewest that any core can do with.
@@ -66,8 +67,9 @@ impl Search<'_> {
                 .flatten()
                 .collect();
         let (mut axes, none) = (Vec::new(), SpecFields::default);
-        for &method in Method::value_variants() {
-            if method.is_baseline() && self.keys.method != Some(method) {
+        for &method in MethodName::value_variants() {
+            let about = method.about();
+            if about.is_baseline && self.keys.method != Some(method) {
                 continue;
             }
             let plain = SpecFields { method: Some(method), ..none() };
@@ -78,7 +80,7 @@ impl Search<'_> {
                 };
                 own = own.iter().flat_map(with_all).collect();
             };
-            if !method.coefficients().is_empty() {
+            if !about.coefficients.is_empty() {
                 let ways = |&coefficients: &Coefficients| {
                     let with = SpecFields { coefficients: Some(coefficients), ..none() };
                     match coefficients {
@@ -89,25 +91,25 @@ impl Search<'_> {
                             .collect(),
                     }
                 };
-                spread(method.coefficients().iter().flat_map(ways).collect());
+                spread(about.coefficients.iter().flat_map(ways).collect());
             }
-            if method.has_tail() {
+            if about.has("tail") {
                 spread([Tail::Cut, Tail::Hold].map(|tail| SpecFields { tail: Some(tail), ..none() }).into());
             }
-            if method.has_inside() {
+            if about.has("inside") {
                 let insides = [Inside::Linear, Inside::Quadratic];
                 spread(insides.map(|inside| SpecFields { inside: Some(inside), ..none() }).into());
             }
-            if method.divides() {
+            if about.has("divider") {
                 let dividers = [Divider::Digit, Divider::Reciprocal];
                 spread(dividers.map(|divider| SpecFields { divider: Some(divider), ..none() }).into());
             }
-            if method == Method::Table {
+            if about.has("table_bits") {
                 let bits = (*TABLE_BITS.start() + 2..).take(9);
                 spread(bits.map(|bits| SpecFields { table_bits: Some(bits), ..none() }).collect());
             }
             axes.extend(own.into_iter().map(|fields| Axis { fields, coarse: false }));
-            if method.has_accuracy() {
+            if about.has("accuracy") {
                 axes.push(Axis { fields: plain, coarse: true });
             }
         }

@@ -157,7 +157,7 @@ impl<'a> Search<'a> {
 
     fn slots(&self, design: &Design) -> Arc<Slots> {
         let format = design.operand_format();
-        let key = (design.spec.input_fraction, design.takes_versine(), format.min_code(), format.max_code());
+        let key = (design.spec.interface.input_fraction, design.takes_versine(), format.min_code(), format.max_code());
         let kept = |slots: &Mutex<BTreeMap<PortKey, Arc<Slots>>>| {
             slots.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned()
         };
@@ -191,7 +191,7 @@ impl<'a> Search<'a> {
         });
         let (count, sum) = squares.fold((0u64, 0.0), |(count, sum), square| (count + 1, sum + square));
         let full = self.scene.full_scale();
-        let half_step = exp2(-(design.spec.input_fraction as i32) - 1);
+        let half_step = exp2(-(design.spec.interface.input_fraction as i32) - 1);
         let bound = |(row, own): (&ShininessRow, &f64)| row.weight * full * (own + row.shininess * half_step).min(1.0);
         let guarantee = self.requirements.rows.iter().zip(&by_row).map(bound).fold(0.0, f64::max);
         let lobe_rms = if count == 0 { 0.0 } else { (sum / count as f64).sqrt() };

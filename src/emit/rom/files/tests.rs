@@ -2,8 +2,9 @@ use miette::SourceCode;
 use proptest::prelude::*;
 
 use super::*;
+use crate::emit::rom::RomFormat;
 use crate::fixed::Format;
-use crate::emit::rom::{Field, RomFormat, Table};
+use crate::fixed::{Field, Table};
 use crate::spec::Shininess;
 
 const NAMES: [&str; 4] = ["first", "second", "third", "fourth"];
@@ -41,7 +42,7 @@ fn table() -> impl Strategy<Value = Table> {
                 codes: column.iter().map(|(code, _)| format.wrap(*code)).collect(),
                 reals: column.iter().map(|(_, real)| *real).collect(),
             });
-            Table::new(&set, fields.collect(), 0)
+            set.rom(fields.collect(), 0)
         })
     })
 }
