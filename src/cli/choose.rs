@@ -124,7 +124,12 @@ impl WishFlags {
     }
 
     /// The wish, for a core with these keys.
-    pub(super) fn wish(&self, max_error: MaxError, objective: Objective, keys: SpecFields) -> Result<Constraints, Error> {
+    pub(super) fn wish(
+        &self,
+        max_error: MaxError,
+        objective: Objective,
+        keys: SpecFields,
+    ) -> Result<Constraints, Error> {
         if let Some(mhz) = self.min_mhz.filter(|mhz| !(mhz.is_finite() && *mhz > 0.0)) {
             return Err(Error::input(format!("a frequency of {mhz} MHz is not allowed"), "more than 0 is"));
         }
@@ -217,8 +222,7 @@ pub(super) fn describe(wish: &Constraints, choice: &Choice) -> Vec<String> {
     lines.push(format!("  {meeting} of the {considered} cores considered meet the wish"));
     if !misses.is_empty() {
         lines.push("nearest misses:".to_owned());
-        let miss =
-            |miss: &NearMiss<Candidate>| format!("  {}: {}", core_text(&miss.core), miss.why.join(", "));
+        let miss = |miss: &NearMiss<Candidate>| format!("  {}: {}", core_text(&miss.core), miss.why.join(", "));
         lines.extend(misses.iter().map(miss));
     }
     let nextpnr = tools.nextpnr.as_ref().map(|version| format!(" and {version}")).unwrap_or_default();

@@ -6,8 +6,8 @@ use clap::{Args, Subcommand};
 use serde_json::json;
 
 use super::{Verdict, progress, say, say_json, warn, write_to};
-use crate::explore::store::Earlier;
 use crate::explore::run::{self, Costing, Flow, Summary};
+use crate::explore::store::Earlier;
 use crate::explore::sweep::{Axes, Plan, Shard, word};
 use crate::explore::{Model, Point, Results, Store, Sweep};
 use crate::platform::error::Error;

@@ -129,11 +129,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 /// A material's part of the page. What is no file is a model.
 fn material(place: usize, path: &Path) -> Result<MaterialPart, Error> {
     let name = path.display().to_string();
-    let source = if path.exists() {
-        Source::open(path, Lookup::default())?
-    } else {
-        Source::Model(Model::named(&name)?)
-    };
+    let source =
+        if path.exists() { Source::open(path, Lookup::default())? } else { Source::Model(Model::named(&name)?) };
     let reflectance = source.needed(&name, "give a MERL table, or the name of a model or a preset")?;
     let exposure = measure::exposure(reflectance);
     let bar = progress::bar("measuring forms", trade::steps());

@@ -499,7 +499,6 @@ mod tests {
                 }
             }
         }
-
     }
 
     /// Triangles whose sizes and distances shrink by half, far below what the crate can sort.
