@@ -6,7 +6,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use brdfgen::core::Design;
-use brdfgen::explore::choose::Wish;
+use brdfgen::explore::choose::Constraints;
 use brdfgen::explore::run::Costing;
 use brdfgen::explore::{Cost, MaxError, Model, Results};
 use brdfgen::scene::choice::Search;
@@ -67,7 +67,7 @@ fn of_scene(name: &str, results: &Results, pictures: &Path) -> Result<[String; 2
     let exact = frame.picture(&scene, &Exact.of(&scene, &frame)?);
     let (own, difference) = drawn(&scene, &frame, &exact, &design)?;
     let mut table = row(name, &point.name, point.rom_bits, &cost, &difference);
-    let wish = Wish {
+    let wish = Constraints {
         max_error: MaxError(point.max_abs),
         family: scene.core.family,
         min_mhz: None,

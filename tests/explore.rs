@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
+use brdfgen::explore::store::Earlier;
 use brdfgen::explore::{Point, Results, Store};
 use serde_json::Value;
 
@@ -129,7 +130,7 @@ fn shards_joined_are_the_whole() {
     let provenance = Store::open_to_read(&at.join("1.db")).unwrap().provenance().unwrap().unwrap();
     let mut changed = points(&at.join("1.db"))[0].clone();
     changed.max_abs *= 2.0;
-    Store::open(&at.join("other.db"), &provenance, false).unwrap().put(&changed).unwrap();
+    Store::open(&at.join("other.db"), &provenance, Earlier::Kept).unwrap().put(&changed).unwrap();
     let said = prints(at, &["explore", "merge", "1.db", "other.db", "--out", "two.db"], 2);
     assert!(said.contains(&format!("tell the point {} differently", changed.id)), "{said}");
     assert!(!at.join("two.db").exists());
@@ -145,19 +146,19 @@ fn figures_of_two_versions_are_never_mixed() {
     let tools = provenance.tools.get_mut("ecp5").unwrap();
     tools.yosys = "Yosys 0.99".to_owned();
     let refused = |error: brdfgen::platform::error::Error| error.to_string();
-    let error = refused(Store::open(&at.join("a.db"), &provenance, false).unwrap_err());
+    let error = refused(Store::open(&at.join("a.db"), &provenance, Earlier::Kept).unwrap_err());
     assert!(error.contains("of Yosys 0") && error.contains("and of Yosys 0.99"), "{error}");
     // A family's own nextpnr counts as well, but not that of another family.
     let mut other = Store::open_to_read(&at.join("a.db")).unwrap().provenance().unwrap().unwrap();
     let ecp5 = other.tools.remove("ecp5").unwrap();
     let nextpnr = Some("nextpnr-ice40 9".to_owned());
     other.tools.insert("ice40".to_owned(), brdfgen::synth::Tools { nextpnr: nextpnr.clone(), ..ecp5.clone() });
-    Store::open(&at.join("a.db"), &other, false).unwrap();
+    Store::open(&at.join("a.db"), &other, Earlier::Kept).unwrap();
     other.tools.insert("ecp5".to_owned(), brdfgen::synth::Tools { nextpnr, ..ecp5 });
-    assert!(Store::open(&at.join("a.db"), &other, false).is_err());
+    assert!(Store::open(&at.join("a.db"), &other, Earlier::Kept).is_err());
 
     let held = points(&at.join("a.db")).len();
-    drop(Store::open(&at.join("b.db"), &provenance, false).unwrap());
+    drop(Store::open(&at.join("b.db"), &provenance, Earlier::Kept).unwrap());
     let said = prints(at, &["explore", "merge", "a.db", "b.db", "--out", "c.db"], 2);
     assert!(said.contains("the merged results would hold figures of Yosys"), "{said}");
     // The program refuses a file of the other version, and takes it anew if told so.

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use brdfgen::reflectance::vector::seen_from;
 use brdfgen::reflectance::{FormKind, FormSpec, Model, Reflectance, Vector, measure};
-use brdfgen::scene::reflectance::{Compared, Looks, bases, psnr};
+use brdfgen::scene::reflectance::{Compared, Looks, psnr};
 use brdfgen::scene::{Exact, Frame, Highlights, LightKind, Scene, Tracer};
 use common::Scratch;
 use serde_json::Value;
@@ -28,10 +28,9 @@ fn parse(text: &str) -> Scene {
 
 /// The channels of a scene's picture for some looks.
 fn channels(scene: &Scene, looks: &Looks) -> (Frame, Vec<[f64; 3]>) {
-    let tracer = Tracer::new(scene);
-    let frame = Frame::trace(&tracer, scene, &|| ());
+    let (frame, bases) = Frame::with_looks(&Tracer::new(scene), scene, std::slice::from_ref(looks), &|| ());
     let lobes = Exact.of(scene, &frame).unwrap();
-    let own = frame.channels(scene, &bases(&tracer, scene, &frame, &[looks], &|| ())[0], &lobes);
+    let own = frame.channels(scene, &bases[0], &lobes);
     (frame, own)
 }
 

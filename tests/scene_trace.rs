@@ -10,7 +10,7 @@ use brdfgen::explore::Objective;
 use brdfgen::scene::frame::{BACKGROUND, versine};
 use brdfgen::scene::mesh::{Corner, Mesh};
 use brdfgen::scene::{
-    Budget, Camera, Difference, Frame, Light, LightKind, Object, Picture, Scene, Shape, Tracer, Wishes,
+    Budget, Camera, CoreConstraints, Difference, Frame, Light, LightKind, Object, Picture, Scene, Shape, Tracer,
 };
 use brdfgen::spec::{Material, Model, SpecFields};
 use brdfgen::target::Family;
@@ -71,7 +71,12 @@ fn scene(shapes: Vec<Shape>) -> Scene {
         shadows: true,
         budget: Budget { max_steps: Some(1), min_psnr: None },
         has_budget: false,
-        core: Wishes { family: Family::Ecp5, min_mhz: None, objective: Objective::Lut, keys: SpecFields::default() },
+        core: CoreConstraints {
+            family: Family::Ecp5,
+            min_mhz: None,
+            objective: Objective::Lut,
+            keys: SpecFields::default(),
+        },
     }
 }
 

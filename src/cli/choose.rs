@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::{Verdict, say, say_json};
-use crate::explore::choose::{Candidate, Choice, Wish};
+use crate::explore::choose::{Candidate, Choice, Constraints, NearMiss};
 use crate::explore::{Cost, MaxError, Objective, Results};
 use crate::platform::error::Error;
 use crate::platform::paths::Paths;
@@ -124,7 +124,12 @@ impl WishFlags {
     }
 
     /// The wish, for a core with these keys.
-    pub(super) fn wish(&self, max_error: MaxError, objective: Objective, keys: SpecFields) -> Result<Wish, Error> {
+    pub(super) fn wish(
+        &self,
+        max_error: MaxError,
+        objective: Objective,
+        keys: SpecFields,
+    ) -> Result<Constraints, Error> {
         if let Some(mhz) = self.min_mhz.filter(|mhz| !(mhz.is_finite() && *mhz > 0.0)) {
             return Err(Error::input(format!("a frequency of {mhz} MHz is not allowed"), "more than 0 is"));
         }
@@ -134,7 +139,7 @@ impl WishFlags {
             (None, None) => Shininess::Range(1, 1000),
         };
         let limits = Objective::ALL.into_iter().zip([self.max_lut, self.max_dsp, self.max_bram, self.max_latency]);
-        Ok(Wish {
+        Ok(Constraints {
             max_error,
             family: self.family.unwrap_or_default(),
             min_mhz: self.min_mhz,
@@ -187,7 +192,7 @@ pub(super) fn error_text(value: f64) -> String {
 }
 
 /// All that a core must meet, in words.
-fn wish_text(wish: &Wish) -> String {
+fn wish_text(wish: &Constraints) -> String {
     let limits = wish.limits.iter().map(|(objective, most)| format!("at most {}", objective.counted(*most)));
     let mhz = wish.min_mhz.map(|mhz| format!("at least {mhz} MHz"));
     let error = format!("an error of at most {}", error_text(wish.max_error.0));
@@ -207,7 +212,7 @@ fn core_text(Candidate { point, cost }: &Candidate) -> String {
 }
 
 /// The choice for people: a line a thing.
-pub(super) fn describe(wish: &Wish, choice: &Choice) -> Vec<String> {
+pub(super) fn describe(wish: &Constraints, choice: &Choice) -> Vec<String> {
     let Choice { chosen, misses, considered, meeting, tools } = choice;
     let mut lines = Vec::new();
     match chosen {
@@ -217,8 +222,7 @@ pub(super) fn describe(wish: &Wish, choice: &Choice) -> Vec<String> {
     lines.push(format!("  {meeting} of the {considered} cores considered meet the wish"));
     if !misses.is_empty() {
         lines.push("nearest misses:".to_owned());
-        let miss =
-            |miss: &crate::explore::choose::Miss| format!("  {}: {}", core_text(&miss.candidate), miss.why.join(", "));
+        let miss = |miss: &NearMiss<Candidate>| format!("  {}: {}", core_text(&miss.core), miss.why.join(", "));
         lines.extend(misses.iter().map(miss));
     }
     let nextpnr = tools.nextpnr.as_ref().map(|version| format!(" and {version}")).unwrap_or_default();

@@ -7,6 +7,7 @@ use serde_json::json;
 
 use super::{Verdict, progress, say, say_json, warn, write_to};
 use crate::explore::run::{self, Costing, Flow, Summary};
+use crate::explore::store::Earlier;
 use crate::explore::sweep::{Axes, Plan, Shard, word};
 use crate::explore::{Model, Point, Results, Store, Sweep};
 use crate::platform::error::Error;
@@ -270,7 +271,8 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
             cache: Some(arguments.cache.unwrap_or_else(synth::default_cache)),
         })
     };
-    let mut store = Store::open(path, &costing.provenance(&cores)?, arguments.fresh)?;
+    let earlier = if arguments.fresh { Earlier::Deleted } else { Earlier::Kept };
+    let mut store = Store::open(path, &costing.provenance(&cores)?, earlier)?;
     let jobs = arguments.jobs.or_else(|| std::thread::available_parallelism().ok()).map_or(1, usize::from);
     let bar = progress::bar("exploring", cores.len() as u64);
     let progress = |_: usize, wanted: usize, point: &Point| {

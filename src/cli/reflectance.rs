@@ -17,7 +17,7 @@ use crate::reflectance::paper::{Behind, Border};
 use crate::reflectance::trade::{self, Point};
 use crate::reflectance::vector::{Light, Vector};
 use crate::reflectance::{
-    Form, FormKind, FormSpec, Lookup, Model, Reflectance, Rgb, Source, Texel, directory, extremes, info, merl, open,
+    Form, FormKind, FormSpec, Lookup, Model, Reflectance, Rgb, Source, Texel, directory, extremes, info, merl,
 };
 use crate::report::trade_of_material;
 
@@ -76,19 +76,11 @@ struct ModelArguments {
 
     /// How a table is looked up between the centres of its cells
     #[arg(long, value_enum, default_value = "trilinear")]
-    lookup: LookupName,
+    lookup: Lookup,
 
     /// The exposure E that radiance is multiplied by [default: 0.6 over the 90th percentile of the sphere lit from 45 degrees]
     #[arg(long, value_name = "E", value_parser = positive)]
     exposure: Option<f64>,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum LookupName {
-    /// Interpolated
-    Trilinear,
-    /// The cell's value, as MERL's own code
-    Nearest,
 }
 
 fn positive(text: &str) -> Result<f64, String> {
@@ -302,26 +294,13 @@ struct StabilityArguments {
 struct Material {
     /// The file's path, or the model with its parameters.
     name: String,
-    what: What,
-}
-
-enum What {
-    Table(Box<crate::reflectance::Table>),
-    Model(Model),
-    Images(Box<Form>),
+    what: Source,
 }
 
 impl Material {
     /// As a reflectance, which images are not.
     fn reflectance(&self) -> Result<&dyn Reflectance, Error> {
-        match &self.what {
-            What::Table(table) => Ok(&**table),
-            What::Model(model) => Ok(model),
-            What::Images(_) => Err(Error::input(
-                format!("{} holds sphere images, and no reflectance", self.name),
-                "give a MERL table, or a model with --model",
-            )),
-        }
+        self.what.needed(&self.name, "give a MERL table, or a model with --model")
     }
 }
 
@@ -343,19 +322,10 @@ impl ModelArguments {
             (Some(_), Some(file)) => {
                 Err(Error::input(format!("both a model and the file {} are given", file.display()), "give one of them"))
             }
-            (Some(model), None) => Ok(Material { name: model.to_string(), what: What::Model(model) }),
+            (Some(model), None) => Ok(Material { name: model.to_string(), what: Source::Model(model) }),
             (None, None) => Err(Error::input("no material is given", "name a file, or a model with --model")),
             (None, Some(file)) => {
-                let what = match open(file)? {
-                    Source::Table(mut table) => {
-                        if self.lookup == LookupName::Nearest {
-                            table.lookup = Lookup::Nearest;
-                        }
-                        What::Table(Box::new(table))
-                    }
-                    Source::Images(form) => What::Images(Box::new(form)),
-                };
-                Ok(Material { name: file.display().to_string(), what })
+                Ok(Material { name: file.display().to_string(), what: Source::open(file, self.lookup)? })
             }
         }
     }
@@ -393,7 +363,7 @@ fn run_info(arguments: &InfoArguments) -> Result<Verdict, Error> {
     let mut put = |key: &str, value: Value| drop(values.insert(key.to_owned(), value));
     put("name", json!(material.name));
     match &material.what {
-        What::Table(table) => {
+        Source::Table(table) => {
             let [h, d, p] = table.shape();
             let (valid, count) = (table.valid_count(), h * d * p);
             let share = valid as f64 / count as f64;
@@ -407,13 +377,13 @@ fn run_info(arguments: &InfoArguments) -> Result<Verdict, Error> {
             put("valid_share", json!(share));
             put("largest", json!(table.largest()));
         }
-        What::Model(model) => {
+        Source::Model(model) => {
             lines.push(format!("{model}: {}", model.family().source()));
             put("kind", json!("model"));
             put("model", json!(model.family().name()));
             put("source", json!(model.family().source()));
         }
-        What::Images(form) => {
+        Source::Images(form) => {
             let largest = form.texels.caps().iter().copied().fold(0.0, f64::max);
             lines.push(format!("{}: {}, {:.1} KiB, exposure {}", material.name, form.spec, form.kib(), form.exposure));
             put("kind", json!(form.spec.kind.name()));
@@ -474,7 +444,7 @@ fn run_convert(arguments: &ConvertArguments) -> Result<Verdict, Error> {
     let material = model.open(from)?;
     let phi_d = arguments.phi_d.as_ref().and_then(|cells| cells.parse().ok());
     let table = match &material.what {
-        What::Table(table) => table.with_phi_d(phi_d.unwrap_or(table.shape()[2])),
+        Source::Table(table) => table.with_phi_d(phi_d.unwrap_or(table.shape()[2])),
         _ => {
             let spinner = progress::spinner("sampling the model".to_owned());
             let table = crate::reflectance::Table::sampled(material.reflectance()?, phi_d.unwrap_or(180));
@@ -647,14 +617,14 @@ fn run_eval(arguments: &EvalArguments) -> Result<Verdict, Error> {
     let spec = flags.spec(asked)?;
     let opened = material.open()?;
     let (form, exposure) = match &opened.what {
-        What::Images(form) => {
+        Source::Images(form) => {
             if flags.form.is_some() || flags.is_given() || material.model.exposure.is_some() {
                 return Err(Error::input(
                     format!("{} is a form already: {}", opened.name, form.spec),
                     "leave --form, --exposure and the other keys of a form out",
                 ));
             }
-            (Some((**form).clone()), form.exposure)
+            (Some(form.clone()), form.exposure)
         }
         _ => {
             let reflectance = opened.reflectance()?;

@@ -197,15 +197,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 
     let mut clock = Instant::now();
     let mut lap = || std::mem::replace(&mut clock, Instant::now()).elapsed().as_secs_f64();
-    let tracer = Tracer::new(&scene);
-    let frame = trace(&tracer, &scene);
-    let traced = lap();
     // A scene without measured materials looks the same in both.
-    let bases = if measured {
-        shaded(&tracer, &scene, &frame, &[&scene.exact_looks()?, &scene.own_looks()?])
-    } else {
-        Vec::new()
-    };
+    let looks = if measured { vec![scene.exact_looks()?, scene.own_looks()?] } else { Vec::new() };
+    let (frame, bases) = trace(&scene, &looks);
+    let traced = lap();
     let [exact_base, own_base] = [0, 1].map(|looks| bases.get(looks).unwrap_or(&frame.base));
     let lobes = Exact.of(&scene, &frame)?;
     let exact_channels = frame.channels(&scene, exact_base, &lobes);
@@ -325,7 +320,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 fn compare(arguments: &Arguments, scene: &Scene, cores: &[Chosen], piped: bool) -> Result<Verdict, Error> {
     let family = arguments.family.unwrap_or(scene.core.family);
     let costing = costing(arguments.synth)?;
-    let frame = trace(&Tracer::new(scene), scene);
+    let (frame, _) = trace(scene, &[]);
     let exact = frame.picture(scene, &Exact.of(scene, &frame)?);
     let bar = progress::bar("cores", cores.len() as u64);
     let mut cells = Vec::new();
@@ -510,20 +505,12 @@ fn compared_core(entry: &str, arguments: &Arguments, scene: &Scene) -> Result<Ch
     Ok(Chosen { design: core_for(scene, fields)?, directory: None })
 }
 
-/// The picture before its highlights.
-fn trace(tracer: &Tracer, scene: &Scene) -> Frame {
+/// The picture before its highlights, and with its measured materials in each of these looks.
+fn trace(scene: &Scene, looks: &[Looks]) -> (Frame, Vec<Vec<Colour>>) {
     let bar = progress::bar("rows traced", scene.height.into());
-    let frame = Frame::trace(tracer, scene, &|| bar.inc(1));
+    let traced = Frame::with_looks(&Tracer::new(scene), scene, looks, &|| bar.inc(1));
     bar.finish_and_clear();
-    frame
-}
-
-/// The picture before its highlights, with its measured materials in each of these looks.
-fn shaded(tracer: &Tracer, scene: &Scene, frame: &Frame, looks: &[&Looks]) -> Vec<Vec<Colour>> {
-    let bar = progress::bar("rows shaded", scene.height.into());
-    let bases = reflectance::bases(tracer, scene, frame, looks, &|| bar.inc(1));
-    bar.finish_and_clear();
-    bases
+    traced
 }
 
 /// How a measured material is drawn, for people and programs.
@@ -610,10 +597,8 @@ fn compare_forms(arguments: &Arguments, scene: &Scene, compared: &[String], pipe
         bar.inc(1);
     }
     bar.finish_and_clear();
-    let tracer = Tracer::new(scene);
-    let frame = trace(&tracer, scene);
+    let (frame, bases) = trace(scene, &looks);
     let lobes = Exact.of(scene, &frame)?;
-    let bases = shaded(&tracer, scene, &frame, &looks.iter().collect::<Vec<_>>());
     let channels: Vec<Vec<Colour>> = bases.iter().map(|base| frame.channels(scene, base, &lobes)).collect();
     let exact = frame.codes(scene.channel_bits, &channels[0]);
     let mut cells = Vec::new();

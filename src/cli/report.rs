@@ -12,7 +12,7 @@ use crate::explore::{MaxError, Objective, Point, Results};
 use crate::platform::error::Error;
 use crate::platform::input;
 use crate::platform::paths::Paths;
-use crate::reflectance::{Model, Reflectance, Source, measure, open, trade};
+use crate::reflectance::{Lookup, Model, Source, measure, trade};
 use crate::report::{MaterialPart, Report, Speed};
 use crate::spec::SpecFields;
 
@@ -129,22 +129,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 /// A material's part of the page. What is no file is a model.
 fn material(place: usize, path: &Path) -> Result<MaterialPart, Error> {
     let name = path.display().to_string();
-    let reflectance: Box<dyn Reflectance> = if path.exists() {
-        match open(path)? {
-            Source::Table(table) => Box::new(table),
-            Source::Images(_) => {
-                return Err(Error::input(
-                    format!("{name} holds sphere images, and no reflectance"),
-                    "give a MERL table, or the name of a model or a preset",
-                ));
-            }
-        }
-    } else {
-        Box::new(Model::named(&name)?)
-    };
-    let exposure = measure::exposure(&*reflectance);
+    let source =
+        if path.exists() { Source::open(path, Lookup::default())? } else { Source::Model(Model::named(&name)?) };
+    let reflectance = source.needed(&name, "give a MERL table, or the name of a model or a preset")?;
+    let exposure = measure::exposure(reflectance);
     let bar = progress::bar("measuring forms", trade::steps());
-    let points = trade::trade(&*reflectance, exposure, &|| bar.inc(1))?;
+    let points = trade::trade(reflectance, exposure, &|| bar.inc(1))?;
     bar.finish_and_clear();
     Ok(MaterialPart::of(place, &name, exposure, &points))
 }

@@ -10,16 +10,18 @@ use super::source::read_scene;
 use super::{Verdict, progress, say, say_json, warn};
 use crate::core::Design;
 use crate::emit::package::{File, counted};
+use crate::explore::choose::NearMiss;
 use crate::explore::run::{Costing, Flow};
 use crate::explore::{Cost, Model, Results};
 use crate::platform::error::Error;
 use crate::report::ScenePart;
-use crate::scene::choice::{NearMiss, RunnerUp, SceneChoice, SceneCore, Search, Verified};
+use crate::scene::choice::{RunnerUp, SceneChoice, SceneCore, Search, Verified};
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
-use crate::scene::require::{Counts, PictureError};
+use crate::scene::require::PictureError;
 use crate::scene::shade::{self, Shaded};
 use crate::scene::simplify::{Simplification, simplifications};
-use crate::scene::{Budget, CoreModel, Exact, Frame, Highlights, Requirements, Scene, Tracer, reflectance, sheet};
+use crate::scene::survey::Counts;
+use crate::scene::{Budget, CoreModel, Exact, Frame, Highlights, Requirements, Scene, Tracer, sheet};
 use crate::spec::{BlockKind, ShaderFields, SpecFields};
 use crate::synth;
 
@@ -196,10 +198,8 @@ pub(super) fn make(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: 
 pub(super) fn part(scene: &Scene) -> Result<Option<ScenePart>, Error> {
     let known = Known::of(scene, &SceneFlags::default(), &SpecFields::default())?;
     let Some(findings) = known.findings(scene) else { return Ok(None) };
-    let tracer = Tracer::new(scene);
-    let frame = Frame::trace(&tracer, scene, &|| {});
-    let base = reflectance::bases(&tracer, scene, &frame, &[&scene.exact_looks()?], &|| {}).concat();
-    let frame = Frame { base, ..frame };
+    let (frame, bases) = Frame::with_looks(&Tracer::new(scene), scene, &[scene.exact_looks()?], &|| {});
+    let frame = Frame { base: bases.concat(), ..frame };
     let exact = frame.picture(scene, &Exact.of(scene, &frame)?);
     let own = frame.picture(scene, &CoreModel::new(findings.design)?.of(scene, &frame)?);
     let lines = [format!("core {}", findings.chosen.candidate.point.name)];
@@ -444,7 +444,7 @@ fn choice_text(known: &Known) -> Vec<String> {
         lines.extend(cores_table("runners-up", &runner_ups.iter().map(row).collect::<Vec<_>>()));
     }
     if !misses.is_empty() {
-        let row = |NearMiss { core, why, .. }: &NearMiss| core_row(core, why.join(", "));
+        let row = |NearMiss { core, why, .. }: &NearMiss<SceneCore>| core_row(core, why.join(", "));
         lines.extend(cores_table("nearest misses", &misses.iter().map(row).collect::<Vec<_>>()));
     }
     if let Some(tools) = tools {

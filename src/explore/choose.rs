@@ -1,4 +1,4 @@
-//! The cheapest core that meets a wish, and what just misses it.
+//! The cheapest core that meets the constraints, and what just misses it.
 
 use std::collections::BTreeSet;
 use std::str::FromStr;
@@ -41,9 +41,9 @@ impl FromStr for MaxError {
     }
 }
 
-/// What is wished of a core.
+/// What is asked of a core.
 #[derive(Clone, Debug)]
-pub struct Wish {
+pub struct Constraints {
     /// The largest |result - x^n|.
     pub max_error: MaxError,
     /// The family.
@@ -71,29 +71,17 @@ pub struct Candidate {
     pub cost: Cost,
 }
 
-/// A core that does not meet the wish.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Miss {
-    /// The core and its cost.
-    #[serde(flatten)]
-    pub candidate: Candidate,
-    /// How far it misses: the sum of log2 of value / allowed over what it misses.
-    pub octaves: f64,
-    /// What it misses, and by how much.
-    pub why: Vec<String>,
-}
-
 /// The outcome.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Choice {
-    /// The cheapest core that meets the wish.
+    /// The cheapest core that meets the constraints.
     pub chosen: Option<Candidate>,
     /// The nearest misses, the nearest first: cores that no other considered core dominates in error, the four costs and, where a
-    /// frequency is wished, the frequency.
-    pub misses: Vec<Miss>,
+    /// frequency is asked for, the frequency.
+    pub misses: Vec<NearMiss<Candidate>>,
     /// The number of cores considered: those of the family, the shininess and the keys that have a cost.
     pub considered: usize,
-    /// How many of them meet the wish.
+    /// How many of them meet the constraints.
     pub meeting: usize,
     /// The versions of the tools that the figures come from.
     pub tools: Tools,
@@ -134,24 +122,25 @@ pub struct Standing {
     pub cost: Cost,
     /// Its errors, less is better; the first decides between cores of the same cost.
     pub errors: Vec<f64>,
-    /// What it misses of the wish, each as log2 of value / allowed and in words; nothing of a core that meets it.
+    /// What it misses of the constraints, each as log2 of value / allowed and in words; nothing of a core that meets it.
     pub missed: Vec<(f64, String)>,
 }
 
-/// Cores by how well they meet a wish.
+/// Cores by how well they meet constraints.
 #[derive(Clone, Debug)]
 pub struct Ranking<T> {
     /// Those that meet it, the cheapest first.
     pub meeting: Vec<T>,
-    /// Those of the others that no core dominates in errors, the four costs and, where a frequency is wished, the frequency; the nearest
+    /// Those of the others that no core dominates in errors, the four costs and, where a frequency is asked for, the frequency; the nearest
     /// first.
-    pub misses: Vec<Missed<T>>,
+    pub misses: Vec<NearMiss<T>>,
 }
 
-/// A core that does not meet a wish.
-#[derive(Clone, Debug)]
-pub struct Missed<T> {
+/// A core that does not meet the constraints.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NearMiss<T> {
     /// The core.
+    #[serde(flatten)]
     pub core: T,
     /// How far it misses: the sum of log2 of value / allowed over what it misses.
     pub octaves: f64,
@@ -179,7 +168,7 @@ impl<T> Ranking<T> {
                 meeting.push(core);
             } else if !places.iter().any(|other| dominates(other, own)) {
                 let octaves = missed.iter().map(|(octaves, _)| octaves).sum();
-                misses.push(Missed { core, octaves, why: missed.into_iter().map(|(_, why)| why).collect() });
+                misses.push(NearMiss { core, octaves, why: missed.into_iter().map(|(_, why)| why).collect() });
             }
         }
         misses.sort_by(|a, b| a.octaves.total_cmp(&b.octaves));
@@ -187,13 +176,13 @@ impl<T> Ranking<T> {
     }
 }
 
-/// How much slower a core is than wished, as log2 of wished / own and in words. A frequency that is not known is missed by 1.
+/// How much slower a core is than asked for, as log2 of asked / own and in words. A frequency that is not known is missed by 1.
 #[must_use]
 pub fn too_slow(cost: &Cost, min_mhz: Option<f64>) -> Option<(f64, String)> {
-    let wished = min_mhz?;
+    let least = min_mhz?;
     match cost.mhz {
-        Some(mhz) if mhz >= wished => None,
-        Some(mhz) => Some((libm::log2(wished / mhz), format!("it is {:.1} MHz too slow", wished - mhz))),
+        Some(mhz) if mhz >= least => None,
+        Some(mhz) => Some((libm::log2(least / mhz), format!("it is {:.1} MHz too slow", least - mhz))),
         None => Some((1.0, format!("its frequency is not known: {}", cost.no_mhz.unwrap_or("it was not placed")))),
     }
 }
@@ -203,15 +192,15 @@ fn fields(point: &Point) -> Option<SpecFields> {
     SpecFields::parse(&point.spec, &point.id).ok()
 }
 
-/// Whether a core for `own` serves `wished` with the same meaning of the codes of `in_n`.
-fn serves(own: &Shininess, wished: &Shininess) -> bool {
-    match (own, wished) {
+/// Whether a core for `own` serves `asked` with the same meaning of the codes of `in_n`.
+fn serves(own: &Shininess, asked: &Shininess) -> bool {
+    match (own, asked) {
         (Shininess::Range(first, last), Shininess::Range(from, to)) => first <= from && to <= last,
-        _ => own == wished,
+        _ => own == asked,
     }
 }
 
-impl Wish {
+impl Constraints {
     /// Whether the point is one of those asked for, whatever its error and cost.
     fn asks_for(&self, point: &Point) -> bool {
         // Who names the method wants it, whatever it is there for.
@@ -289,12 +278,10 @@ impl Wish {
         };
         let Ranking { meeting, mut misses } = Ranking::of(all, self.objective, self.min_mhz, &standing);
         misses.truncate(MISSES);
-        let misses = misses.into_iter().map(|Missed { core, octaves, why }| Miss { candidate: core, octaves, why });
-        let misses = misses.collect();
         Ok(Choice { considered, meeting: meeting.len(), chosen: meeting.into_iter().next(), misses, tools })
     }
 
-    /// The spec of a chosen core, with the wish's own shininess, name, languages and ROM formats.
+    /// The spec of a chosen core, with the shininess, name, languages and ROM formats that are asked for.
     ///
     /// # Errors
     /// A name or a list that is not allowed.
@@ -314,8 +301,8 @@ mod tests {
     use super::super::results::tests::point;
     use super::*;
 
-    fn wish(max_error: f64, objective: Objective) -> Wish {
-        Wish {
+    fn constraints(max_error: f64, objective: Objective) -> Constraints {
+        Constraints {
             max_error: MaxError(max_error),
             family: Family::Ecp5,
             min_mhz: None,
@@ -350,46 +337,49 @@ mod tests {
         ])
     }
 
-    fn chosen(wish: &Wish) -> (Option<String>, Vec<String>) {
-        let choice = wish.choose(&results()).unwrap();
-        let misses = choice.misses.into_iter().map(|miss| miss.candidate.point.id).collect();
+    fn chosen(constraints: &Constraints) -> (Option<String>, Vec<String>) {
+        let choice = constraints.choose(&results()).unwrap();
+        let misses = choice.misses.into_iter().map(|miss| miss.core.point.id).collect();
         (choice.chosen.map(|candidate| candidate.point.id), misses)
     }
 
     #[test]
-    fn the_cheapest_that_meets_the_wish_is_chosen_and_the_nearest_misses_told() {
+    fn the_cheapest_that_meets_the_constraints_is_chosen_and_the_nearest_misses_named() {
         // Of equals in LUTs, DSPs and block RAMs the shorter; what is dominated is no near miss.
-        let (core, misses) = chosen(&wish(0.055, Objective::Lut));
+        let (core, misses) = chosen(&constraints(0.055, Objective::Lut));
         assert_eq!((core.as_deref(), misses), (Some("fair"), vec!["rough".to_owned()]));
-        let (core, misses) = chosen(&wish(0.035, Objective::Lut));
+        let (core, misses) = chosen(&constraints(0.035, Objective::Lut));
         assert_eq!((core.as_deref(), misses), (Some("fine"), ["tie", "fair", "rough"].map(str::to_owned).to_vec()));
-        assert_eq!(chosen(&wish(0.05, Objective::Dsp)).0.as_deref(), Some("fine"));
-        assert_eq!(chosen(&wish(0.05, Objective::Bram)).0.as_deref(), Some("fair"));
-        assert_eq!(chosen(&wish(0.5, Objective::Latency)).0.as_deref(), Some("rough"));
+        assert_eq!(chosen(&constraints(0.05, Objective::Dsp)).0.as_deref(), Some("fine"));
+        assert_eq!(chosen(&constraints(0.05, Objective::Bram)).0.as_deref(), Some("fair"));
+        assert_eq!(chosen(&constraints(0.5, Objective::Latency)).0.as_deref(), Some("rough"));
         // 100 LUTs and two DSP blocks are less than 300, one and a block RAM, and these less than 500 and three.
-        assert_eq!(chosen(&wish(0.055, Objective::Area)).0.as_deref(), Some("fair"));
-        assert_eq!(chosen(&wish(0.035, Objective::Area)).0.as_deref(), Some("fine"));
+        assert_eq!(chosen(&constraints(0.055, Objective::Area)).0.as_deref(), Some("fair"));
+        assert_eq!(chosen(&constraints(0.035, Objective::Area)).0.as_deref(), Some("fine"));
         let of = |costs| Objective::Area.of(&point("p", 0.1, costs, 150.0).cost().unwrap());
         assert_eq!([of([100, 2, 0, 7]), of([300, 1, 1, 9])], [100 + 2 * 536, 300 + 536 + 402]);
-        // The error that is wished exactly is met.
-        assert_eq!(chosen(&wish(0.004, Objective::Lut)).0.as_deref(), Some("finest"));
-        let (core, misses) = chosen(&wish(0.003, Objective::Lut));
+        // The very error that is allowed is met.
+        assert_eq!(chosen(&constraints(0.004, Objective::Lut)).0.as_deref(), Some("finest"));
+        let (core, misses) = chosen(&constraints(0.003, Objective::Lut));
         assert_eq!((core, misses), (None, ["finest", "fine", "tie"].map(str::to_owned).to_vec()));
-        let with_baselines = Wish { baselines: true, ..wish(0.003, Objective::Lut) };
+        let with_baselines = Constraints { baselines: true, ..constraints(0.003, Objective::Lut) };
         assert_eq!(chosen(&with_baselines).0.as_deref(), Some("base"));
     }
 
     #[test]
-    fn frequency_and_limits_are_part_of_the_wish() {
-        let fast = Wish { min_mhz: Some(150.0), ..wish(0.02, Objective::Lut) };
+    fn frequency_and_limits_are_constraints() {
+        let fast = Constraints { min_mhz: Some(150.0), ..constraints(0.02, Objective::Lut) };
         assert_eq!(chosen(&fast).0.as_deref(), Some("finest"));
         let choice = fast.choose(&results()).unwrap();
-        assert_eq!(choice.misses[0].candidate.point.id, "fine");
+        assert_eq!(choice.misses[0].core.point.id, "fine");
         assert_eq!(choice.misses[0].why, ["it is 10.0 MHz too slow"]);
-        let small = Wish { limits: vec![(Objective::Bram, 0), (Objective::Dsp, 1)], ..wish(0.02, Objective::Lut) };
+        let small = Constraints {
+            limits: vec![(Objective::Bram, 0), (Objective::Dsp, 1)],
+            ..constraints(0.02, Objective::Lut)
+        };
         let choice = small.choose(&results()).unwrap();
         assert_eq!((choice.meeting, choice.considered), (0, 6));
-        assert_eq!(choice.misses[0].candidate.point.id, "fine");
+        assert_eq!(choice.misses[0].core.point.id, "fine");
         assert_eq!(choice.misses[0].why, ["it has 1 block RAM too many"]);
         assert!(choice.misses[1].why[0].starts_with("its error is 2.000 times"), "{:?}", choice.misses[1].why);
     }
@@ -398,11 +388,11 @@ mod tests {
     fn a_baseline_that_is_named_is_considered_and_two_versions_of_a_tool_never() {
         let baseline = Point { baseline: true, ..ranged("base", 0.001, [10, 0, 0, 2], 300.0) };
         let mut results = Results::new(vec![baseline]);
-        let unnamed = wish(0.5, Objective::Lut);
+        let unnamed = constraints(0.5, Objective::Lut);
         assert!(unnamed.choose(&results).is_err());
-        let named = Wish { keys: SpecFields::parse("method = 'quadratic'", "keys").unwrap(), ..unnamed.clone() };
+        let named = Constraints { keys: SpecFields::parse("method = 'quadratic'", "keys").unwrap(), ..unnamed.clone() };
         assert_eq!(named.choose(&results).unwrap().chosen.unwrap().point.id, "base");
-        let other = Wish { keys: SpecFields::parse("method = 'squaring'", "keys").unwrap(), ..unnamed.clone() };
+        let other = Constraints { keys: SpecFields::parse("method = 'squaring'", "keys").unwrap(), ..unnamed.clone() };
         let help = format!("{:?}", other.choose(&results).unwrap_err());
         assert!(help.contains("explore --family ecp5 --method squaring --shininess '5..=9'"), "{help}");
         // A core that was not placed is of no nextpnr; two of them are one too many.
@@ -421,12 +411,18 @@ mod tests {
     #[test]
     fn only_what_serves_the_shininess_and_has_the_keys_is_considered() {
         let keys = |text: &str| SpecFields::parse(text, "keys").unwrap();
-        let refused = |wish: Wish| wish.choose(&results()).unwrap_err().to_string();
-        let wide = Wish { shininess: "1..=1000".parse().unwrap(), ..wish(0.5, Objective::Lut) };
+        let refused = |constraints: Constraints| constraints.choose(&results()).unwrap_err().to_string();
+        let wide = Constraints { shininess: "1..=1000".parse().unwrap(), ..constraints(0.5, Objective::Lut) };
         assert!(refused(wide).contains("no such core for ecp5 that serves the shininess 1..=1000"));
-        assert!(refused(Wish { family: Family::Ice40, ..wish(0.5, Objective::Lut) }).contains("for ice40"));
-        assert!(refused(Wish { keys: keys("method = 'cubic'"), ..wish(0.5, Objective::Lut) }).contains("no such core"));
-        let named = Wish { keys: keys("method = 'quadratic'\nname = 'mine'"), ..wish(0.5, Objective::Lut) };
+        assert!(
+            refused(Constraints { family: Family::Ice40, ..constraints(0.5, Objective::Lut) }).contains("for ice40")
+        );
+        assert!(
+            refused(Constraints { keys: keys("method = 'cubic'"), ..constraints(0.5, Objective::Lut) })
+                .contains("no such core")
+        );
+        let named =
+            Constraints { keys: keys("method = 'quadratic'\nname = 'mine'"), ..constraints(0.5, Objective::Lut) };
         let choice = named.choose(&results()).unwrap();
         let spec = named.spec_of(choice.chosen.as_ref().unwrap()).unwrap().resolve().unwrap();
         assert_eq!((spec.name.as_str(), spec.interface.shininess.to_string().as_str()), ("mine", "5..=9"));
@@ -438,7 +434,7 @@ mod tests {
         points.retain(|point| !point.baseline && point.failure.is_none());
         let other = points[0].synthesis.as_mut().unwrap();
         other.tools.yosys = "Yosys 0.23".to_owned();
-        let error = wish(0.5, Objective::Lut).choose(&Results::new(points)).unwrap_err();
+        let error = constraints(0.5, Objective::Lut).choose(&Results::new(points)).unwrap_err();
         assert!(error.to_string().contains("Yosys 0.23 and of Yosys 0.70"), "{error}");
     }
 

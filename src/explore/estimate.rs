@@ -119,8 +119,15 @@ fn sum(factors: &[f64], terms: &[f64]) -> f64 {
     factors.iter().zip(terms).fold(0.0, |sum, (factor, term)| sum + factor * term)
 }
 
-/// The factors with the least squares of the relative error; with `positive` none is below 0.
-fn fit(rows: &[(&[f64], f64)], positive: bool) -> Vec<f64> {
+/// Which factors of a cost are allowed.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Factors {
+    Any,
+    NotNegative,
+}
+
+/// The factors with the least squares of the relative error.
+fn fit(rows: &[(&[f64], f64)], allowed: Factors) -> Vec<f64> {
     let count = rows.first().map_or(0, |(terms, _)| terms.len());
     let mut used: Vec<bool> = (0..count).map(|term| rows.iter().any(|(terms, _)| terms[term] != 0.0)).collect();
     loop {
@@ -129,7 +136,7 @@ fn fit(rows: &[(&[f64], f64)], positive: bool) -> Vec<f64> {
         let least = factors.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
         match least {
             // Nothing is built by taking something away: the part is left out, the most negative first.
-            Some((place, &factor)) if positive && factor < 0.0 => used[chosen[place]] = false,
+            Some((place, &factor)) if allowed == Factors::NotNegative && factor < 0.0 => used[chosen[place]] = false,
             _ => {
                 let mut all = vec![0.0; count];
                 for (&term, factor) in chosen.iter().zip(factors) {
@@ -213,10 +220,10 @@ impl FamilyModel {
         Self {
             tools,
             points: samples.len(),
-            lut: fit(&lut, true),
+            lut: fit(&lut, Factors::NotNegative),
             // A register that goes into a block is taken away.
-            ff: fit(&ff, false),
-            period: (period.len() >= FEWEST).then(|| fit(&period, true)),
+            ff: fit(&ff, Factors::Any),
+            period: (period.len() >= FEWEST).then(|| fit(&period, Factors::NotNegative)),
             accuracy: Vec::new(),
         }
     }
@@ -369,14 +376,14 @@ mod tests {
         let terms: Vec<[f64; 3]> = (0..20).map(|i| [1.0, f64::from(i * 7 % 11), f64::from(i * 5 % 13)]).collect();
         let rows = |factors: [f64; 3]| -> Vec<f64> { terms.iter().map(|terms| sum(&factors, terms)).collect() };
         let close = |a: &[f64], b: [f64; 3]| a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-4);
-        let fitted = |values: &[f64], positive| {
+        let fitted = |values: &[f64], allowed| {
             let rows: Vec<(&[f64], f64)> =
                 terms.iter().zip(values).map(|(terms, &value)| (&terms[..], value)).collect();
-            fit(&rows, positive)
+            fit(&rows, allowed)
         };
-        assert!(close(&fitted(&rows([20.0, 3.0, 2.0]), true), [20.0, 3.0, 2.0]));
-        assert!(close(&fitted(&rows([40.0, 3.0, -2.0]), false), [40.0, 3.0, -2.0]));
-        let positive = fitted(&rows([40.0, 3.0, -2.0]), true);
+        assert!(close(&fitted(&rows([20.0, 3.0, 2.0]), Factors::NotNegative), [20.0, 3.0, 2.0]));
+        assert!(close(&fitted(&rows([40.0, 3.0, -2.0]), Factors::Any), [40.0, 3.0, -2.0]));
+        let positive = fitted(&rows([40.0, 3.0, -2.0]), Factors::NotNegative);
         assert!(positive[2] == 0.0 && positive[1] > 0.0, "{positive:?}");
     }
 

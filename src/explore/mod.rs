@@ -8,9 +8,10 @@
 //! - [`estimate`]: a cost model in terms of that, fitted to measured points;
 //! - [`results`]: the points of a run as CSV, JSON or SQLite;
 //! - [`pareto`](mod@pareto): the points that no other one beats in every way;
-//! - [`choose`]: the cheapest core that meets a wish, and what just misses it.
+//! - [`choose`]: the cheapest core that meets constraints, and what just misses it.
 
 pub mod choose;
+mod columns;
 pub mod estimate;
 pub mod pareto;
 pub mod point;
@@ -20,7 +21,7 @@ pub mod shape;
 pub mod store;
 pub mod sweep;
 
-pub use choose::{Choice, MaxError, Wish};
+pub use choose::{Choice, Constraints, MaxError};
 pub use estimate::Model;
 pub use pareto::{Objective, pareto};
 pub use point::{Cost, Estimate, Point};

@@ -1,16 +1,12 @@
 //! The points of a run, written and read as CSV, JSON or SQLite.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::Path;
 
-use serde::{Deserialize, Serialize};
-
-use super::{Estimate, Point, Shape, Store};
+use super::{Point, Store, columns};
 use crate::platform::error::Error;
 use crate::platform::input;
-use crate::spec::SpecFields;
-use crate::synth::{Resources, Synthesis, Timing, Tools};
-use crate::target::Family;
+use crate::synth::Timing;
 
 /// The points that come with the program, as measured once; each row names the tools' versions.
 const BUILT_IN: &str = include_str!("../../docs/trade.csv");
@@ -92,11 +88,7 @@ impl Results {
     /// Never: every point has a CSV form.
     #[must_use]
     pub fn to_csv(&self) -> String {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        for point in &self.0 {
-            writer.serialize(Row::of(point)).expect("a row of plain values");
-        }
-        String::from_utf8(writer.into_inner().expect("a buffer takes all")).expect("CSV of text is text")
+        columns::write(&self.0)
     }
 
     /// Reads what [`Results::to_csv`] writes; `file` names it in messages. Columns may be in any order, and there may be more.
@@ -105,58 +97,7 @@ impl Results {
     /// Text that is no such table, with the line (that of the headings is the first) and the column; a point that is there twice, or a
     /// figure that cannot be one.
     pub fn from_csv(text: &str, file: &str) -> Result<Self, Error> {
-        input::check_separator(text, file)?;
-        let mut reader = csv::Reader::from_reader(text.as_bytes());
-        // A line is longer than a screen: its number says more than its text.
-        let wrong = |what: String, line: usize| {
-            Error::input(format!("{file}, line {line}: {what}"), "results of `brdfgen explore` as CSV")
-        };
-        let heads = reader.headers().map_err(|error| wrong(error.to_string(), 1))?.clone();
-        if heads.is_empty() {
-            return Err(wrong("there is no line of headings".to_owned(), 1));
-        }
-        let (mut points, mut lines) = (Vec::new(), Vec::new());
-        let line_of = |position: Option<&csv::Position>| line_at(text, position.map_or(0, |at| at.byte() as usize));
-        for record in reader.records() {
-            let record = record.map_err(|error| {
-                let line = line_of(error.position());
-                let what = match error.kind() {
-                    csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-                        format!("it has {len} fields, where the headings are {expected_len}")
-                    }
-                    _ => error.to_string(),
-                };
-                wrong(what, line)
-            })?;
-            let line = line_of(record.position());
-            let row: Row = record.deserialize(Some(&heads)).map_err(|error| {
-                let what = match error.kind() {
-                    csv::ErrorKind::Deserialize { err, .. } => {
-                        let at = err.field().map(|field| field as usize);
-                        let value = at.and_then(|at| record.get(at)).unwrap_or_default();
-                        let what = match err.kind() {
-                            csv::DeserializeErrorKind::ParseInt(_) if value.is_empty() => {
-                                "a count is missing".to_owned()
-                            }
-                            csv::DeserializeErrorKind::ParseFloat(_) if value.is_empty() => {
-                                "a number is missing".to_owned()
-                            }
-                            csv::DeserializeErrorKind::ParseInt(_) => {
-                                format!("{value:?} is no count, a whole number from 0 of at most 32 bits")
-                            }
-                            csv::DeserializeErrorKind::ParseFloat(_) => format!("{value:?} is no number"),
-                            kind => kind.to_string(),
-                        };
-                        at.and_then(|at| heads.get(at))
-                            .map_or_else(|| what.clone(), |column| format!("{column}: {what}"))
-                    }
-                    _ => error.to_string(),
-                };
-                wrong(what, line)
-            })?;
-            points.push(row.point().map_err(|what| wrong(what, line))?);
-            lines.push(line);
-        }
+        let (points, lines) = columns::read(text, file)?;
         Self::checked(points, |index| format!("{file}, line {}", lines[index]))
     }
 
@@ -174,14 +115,6 @@ impl Results {
         }
         Ok(Self::new(points))
     }
-}
-
-/// The number of the line that a record begins on whose position is a byte, before the line breaks that the reader passes over.
-fn line_at(text: &str, byte: usize) -> usize {
-    let bytes = text.as_bytes();
-    let begin =
-        bytes.iter().skip(byte).position(|byte| !b"\r\n".contains(byte)).map_or(bytes.len(), |more| byte + more);
-    text.get(..begin).map_or(1, |before| input::plain(before).matches('\n').count() + 1)
 }
 
 /// What is wrong with a point's figures, as each of them is used: errors are compared and drawn by their logarithms, a frequency divides,
@@ -220,286 +153,15 @@ fn wrong_figure(point: &Point) -> Option<String> {
         })
 }
 
-/// Figures that are all there, or all missing; says which are missing where others are there.
-fn all_or_none<T, const N: usize>(what: &str, figures: [(&str, Option<T>); N]) -> Result<Option<[T; N]>, String> {
-    let missing: Vec<&str> = figures.iter().filter(|(_, value)| value.is_none()).map(|(name, _)| *name).collect();
-    if missing.is_empty() {
-        return Ok(Some(figures.map(|(_, value)| value.expect("none is missing"))));
-    }
-    if missing.len() == N { Ok(None) } else { Err(format!("{what} has no {}, and has the rest", missing.join(", "))) }
-}
-
-/// A point as a line of the table.
-#[derive(Debug, Serialize, Deserialize)]
-struct Row {
-    id: String,
-    name: String,
-    family: Family,
-    method: String,
-    coefficients: String,
-    variant: String,
-    baseline: bool,
-    shininess: String,
-    rows: u32,
-    input_fraction: u32,
-    output_fraction: u32,
-    pipeline: String,
-    max_abs: f64,
-    max_rel: f64,
-    rms: f64,
-    worst_n: f64,
-    worst_x: f64,
-    checked: String,
-    bound: f64,
-    rom_bits: u64,
-    latency: u32,
-    multipliers: String,
-    memories: String,
-    adder_bits: u32,
-    mux_bits: u32,
-    shift_bits: u32,
-    register_bits: u32,
-    lut_total: Option<u32>,
-    lut: Option<u32>,
-    carry: Option<u32>,
-    ff: Option<u32>,
-    dsp: Option<u32>,
-    bram: Option<u32>,
-    min_mhz: Option<f64>,
-    median_mhz: Option<f64>,
-    max_mhz: Option<f64>,
-    mhz_by_seed: String,
-    target_mhz: Option<f64>,
-    latency_ns: Option<f64>,
-    results_per_second: Option<f64>,
-    device: String,
-    yosys: String,
-    nextpnr: String,
-    cells: String,
-    estimated_lut: Option<u32>,
-    estimated_ff: Option<u32>,
-    estimated_dsp: Option<u32>,
-    estimated_bram: Option<u32>,
-    estimated_mhz: Option<f64>,
-    estimated_from: Option<u32>,
-    estimated_yosys: String,
-    estimated_nextpnr: String,
-    failure: String,
-    spec: String,
-}
-
-/// Words with spaces between.
-fn words(items: impl Iterator<Item = String>) -> String {
-    items.collect::<Vec<_>>().join(" ")
-}
-
-/// What words with spaces between say.
-fn parsed<T: std::str::FromStr<Err = String>>(text: &str) -> Result<Vec<T>, String> {
-    text.split_ascii_whitespace().map(str::parse).collect()
-}
-
-impl Row {
-    fn of(point: &Point) -> Self {
-        let synthesis = point.synthesis.as_ref();
-        let resources = synthesis.map(|synthesis| &synthesis.resources);
-        let timing = synthesis.and_then(|synthesis| synthesis.timing.as_ref());
-        let estimate = point.estimate.as_ref();
-        let count = |of: fn(&Resources) -> u32| resources.map(of);
-        let mhz = |of: fn(&Timing) -> f64| timing.map(of);
-        let guess = |of: fn(&Estimate) -> u32| estimate.map(of);
-        let tool = |tools: Option<&Tools>| -> [String; 2] {
-            tools.map(|t| [t.yosys.clone(), t.nextpnr.clone().unwrap_or_default()]).unwrap_or_default()
-        };
-        let [yosys, nextpnr] = tool(synthesis.map(|synthesis| &synthesis.tools));
-        let [estimated_yosys, estimated_nextpnr] = tool(estimate.map(|estimate| &estimate.tools));
-        let point = point.clone();
-        Self {
-            id: point.id,
-            name: point.name,
-            family: point.family,
-            method: point.method,
-            coefficients: point.coefficients,
-            variant: point.variant,
-            baseline: point.baseline,
-            shininess: point.shininess,
-            rows: point.rows,
-            input_fraction: point.input_fraction,
-            output_fraction: point.output_fraction,
-            pipeline: point.pipeline,
-            max_abs: point.max_abs,
-            max_rel: point.max_rel,
-            rms: point.rms,
-            worst_n: point.worst_n,
-            worst_x: point.worst_x,
-            checked: point.checked,
-            bound: point.bound,
-            rom_bits: point.rom_bits,
-            latency: point.latency,
-            multipliers: words(point.shape.multipliers.iter().map(ToString::to_string)),
-            memories: words(point.shape.memories.iter().map(ToString::to_string)),
-            adder_bits: point.shape.adder_bits,
-            mux_bits: point.shape.mux_bits,
-            shift_bits: point.shape.shift_bits,
-            register_bits: point.shape.register_bits,
-            lut_total: count(|resources| resources.lut_total),
-            lut: count(|resources| resources.lut),
-            carry: count(|resources| resources.carry),
-            ff: count(|resources| resources.ff),
-            dsp: count(|resources| resources.dsp),
-            bram: count(|resources| resources.bram),
-            min_mhz: mhz(|timing| timing.min_mhz),
-            median_mhz: mhz(|timing| timing.median_mhz),
-            max_mhz: mhz(|timing| timing.max_mhz),
-            mhz_by_seed: words(timing.iter().flat_map(|timing| &timing.mhz).map(f64::to_string)),
-            target_mhz: mhz(|timing| timing.target_mhz),
-            latency_ns: synthesis.and_then(|synthesis| synthesis.latency_ns),
-            results_per_second: synthesis.and_then(|synthesis| synthesis.results_per_second),
-            device: synthesis.map(|synthesis| synthesis.device.clone()).unwrap_or_default(),
-            yosys,
-            nextpnr,
-            cells: words(resources.iter().flat_map(|r| &r.cells).map(|(cell, count)| format!("{cell}={count}"))),
-            estimated_lut: guess(|estimate| estimate.lut),
-            estimated_ff: guess(|estimate| estimate.ff),
-            estimated_dsp: guess(|estimate| estimate.dsp),
-            estimated_bram: guess(|estimate| estimate.bram),
-            estimated_mhz: estimate.and_then(|estimate| estimate.mhz),
-            estimated_from: guess(|estimate| estimate.points),
-            estimated_yosys,
-            estimated_nextpnr,
-            failure: point.failure.unwrap_or_default(),
-            spec: inline(&point.spec),
-        }
-    }
-
-    fn point(self) -> Result<Point, String> {
-        let filled = |text: &str| (!text.is_empty()).then(|| text.to_owned());
-        let tools = |yosys: &str, nextpnr: &str| Tools { yosys: yosys.to_owned(), nextpnr: filled(nextpnr) };
-        let timing = all_or_none(
-            "the placement",
-            [
-                ("target_mhz", self.target_mhz),
-                ("min_mhz", self.min_mhz),
-                ("median_mhz", self.median_mhz),
-                ("max_mhz", self.max_mhz),
-            ],
-        )?;
-        let timing = match timing {
-            Some([target_mhz, min_mhz, median_mhz, max_mhz]) => {
-                let mhz: Result<Vec<f64>, _> = self.mhz_by_seed.split_ascii_whitespace().map(str::parse).collect();
-                let mhz = mhz.map_err(|_| format!("mhz_by_seed is {:?}, not numbers", self.mhz_by_seed))?;
-                Some(Timing { target_mhz, mhz, min_mhz, median_mhz, max_mhz, limits: Vec::new() })
-            }
-            None => None,
-        };
-        let resources = all_or_none(
-            "the synthesis",
-            [
-                ("lut_total", self.lut_total),
-                ("lut", self.lut),
-                ("carry", self.carry),
-                ("ff", self.ff),
-                ("dsp", self.dsp),
-                ("bram", self.bram),
-            ],
-        )?;
-        let synthesis = match resources {
-            Some([lut_total, lut, carry, ff, dsp, bram]) => {
-                let cell = |word: &str| {
-                    let (name, count) = word.split_once('=')?;
-                    Some((name.to_owned(), count.parse().ok()?))
-                };
-                let cells: Option<BTreeMap<String, u32>> = self.cells.split_ascii_whitespace().map(cell).collect();
-                let cells = cells.ok_or_else(|| format!("cells is {:?}, not CELL=COUNT", self.cells))?;
-                Some(Synthesis {
-                    family: self.family,
-                    device: self.device,
-                    tools: tools(&self.yosys, &self.nextpnr),
-                    resources: Resources { lut, carry, lut_total, ff, dsp, bram, cells },
-                    timing,
-                    latency_clocks: self.latency,
-                    latency_ns: self.latency_ns,
-                    results_per_second: self.results_per_second,
-                })
-            }
-            None if timing.is_some() => return Err("the placement has a clock, and the synthesis no cells".to_owned()),
-            None => None,
-        };
-        let estimate = all_or_none(
-            "the estimate",
-            [
-                ("estimated_from", self.estimated_from),
-                ("estimated_lut", self.estimated_lut),
-                ("estimated_ff", self.estimated_ff),
-                ("estimated_dsp", self.estimated_dsp),
-                ("estimated_bram", self.estimated_bram),
-            ],
-        )?;
-        let estimate = estimate.map(|[points, lut, ff, dsp, bram]| Estimate {
-            tools: tools(&self.estimated_yosys, &self.estimated_nextpnr),
-            points,
-            lut,
-            ff,
-            dsp,
-            bram,
-            mhz: self.estimated_mhz,
-        });
-        Ok(Point {
-            id: self.id,
-            name: self.name,
-            family: self.family,
-            method: self.method,
-            coefficients: self.coefficients,
-            variant: self.variant,
-            baseline: self.baseline,
-            shininess: self.shininess,
-            rows: self.rows,
-            input_fraction: self.input_fraction,
-            output_fraction: self.output_fraction,
-            pipeline: self.pipeline,
-            max_abs: self.max_abs,
-            max_rel: self.max_rel,
-            rms: self.rms,
-            worst_n: self.worst_n,
-            worst_x: self.worst_x,
-            checked: self.checked,
-            bound: self.bound,
-            rom_bits: self.rom_bits,
-            latency: self.latency,
-            shape: Shape {
-                multipliers: parsed(&self.multipliers)?,
-                memories: parsed(&self.memories)?,
-                adder_bits: self.adder_bits,
-                mux_bits: self.mux_bits,
-                shift_bits: self.shift_bits,
-                register_bits: self.register_bits,
-            },
-            synthesis,
-            estimate,
-            failure: filled(&self.failure),
-            spec: outlined(&self.spec)?,
-        })
-    }
-}
-
-/// A spec on one line: as a TOML inline table.
-fn inline(spec: &str) -> String {
-    let table: toml::Table = spec.parse().expect("a point holds the TOML of its spec");
-    toml::Value::Table(table).to_string()
-}
-
-/// The spec of an inline table, as a file has it.
-fn outlined(line: &str) -> Result<String, String> {
-    #[derive(Deserialize)]
-    struct Line {
-        spec: SpecFields,
-    }
-    let line: Line = toml::from_str(&format!("spec = {line}")).map_err(|error| error.message().to_owned())?;
-    Ok(line.spec.to_toml())
-}
-
 #[cfg(test)]
 pub(super) mod tests {
+    use std::collections::BTreeMap;
+
+    use super::super::{Estimate, Shape};
     use super::*;
+    use crate::spec::SpecFields;
+    use crate::synth::{Resources, Synthesis, Tools};
+    use crate::target::Family;
 
     /// A point with the given spec, error and costs.
     pub(in crate::explore) fn point(id: &str, max_abs: f64, [lut, dsp, bram, latency]: [u32; 4], mhz: f64) -> Point {

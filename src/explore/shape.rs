@@ -14,7 +14,7 @@ pub struct Shape {
     /// The multiplications.
     pub multipliers: Vec<Multiplier>,
     /// The memories that are read.
-    pub memories: Vec<Memory>,
+    pub memories: Vec<MemorySize>,
     /// The bits of all sums, differences and comparisons.
     pub adder_bits: u32,
     /// The bits of all results that are chosen: selected (but those that are the same either way), zeroed, clamped (twice: at either end), tested for zero.
@@ -38,7 +38,7 @@ pub struct Multiplier {
 
 /// A memory, written `1024x24`, or `1024x24r` where there is a register behind it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Memory {
+pub struct MemorySize {
     /// The number of words.
     pub depth: u32,
     /// The bits of a word.
@@ -80,7 +80,7 @@ impl Shape {
         for (memory, table) in design.tables().iter().enumerate() {
             if let Some(read) = layout.read(memory) {
                 let (depth, word, registered) = (table.depth() as u32, table.word_bits(), read.registered);
-                shape.memories.push(Memory { depth, word, registered });
+                shape.memories.push(MemorySize { depth, word, registered });
             }
         }
         shape
@@ -112,7 +112,7 @@ impl fmt::Display for Multiplier {
     }
 }
 
-impl fmt::Display for Memory {
+impl fmt::Display for MemorySize {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}x{}{}", self.depth, self.word, if self.registered { "r" } else { "" })
     }
@@ -135,7 +135,7 @@ impl FromStr for Multiplier {
     }
 }
 
-impl FromStr for Memory {
+impl FromStr for MemorySize {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -160,7 +160,7 @@ macro_rules! as_text {
     };
 }
 as_text!(Multiplier);
-as_text!(Memory);
+as_text!(MemorySize);
 
 #[cfg(test)]
 mod tests {
@@ -177,7 +177,7 @@ mod tests {
             design.graph().multipliers().into_iter().map(|(a, b)| (a.max(b), a.min(b))).collect();
         assert_eq!(widths, expected);
         let table = &design.tables()[0];
-        let memory = Memory { depth: 1024, word: table.word_bits(), registered: true };
+        let memory = MemorySize { depth: 1024, word: table.word_bits(), registered: true };
         assert_eq!(shape.memories, [memory]);
         assert_eq!(memory.to_string().parse(), Ok(memory));
         assert_eq!(shape.register_bits, design.register_bits());
@@ -185,6 +185,6 @@ mod tests {
         let unit = format!("{text}\ninput_range = 'unit'");
         let unit = Shape::of(&Design::new(SpecFields::parse(&unit, "spec").unwrap().resolve().unwrap()).unwrap());
         assert_eq!(shape.mux_bits - unit.mux_bits, 2 * 17 - (16 + 1 + 1));
-        assert!(shape.adder_bits > 0 && "12x".parse::<Memory>().is_err() && "12x3r".parse::<Multiplier>().is_err());
+        assert!(shape.adder_bits > 0 && "12x".parse::<MemorySize>().is_err() && "12x3r".parse::<Multiplier>().is_err());
     }
 }

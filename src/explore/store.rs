@@ -82,17 +82,26 @@ impl Provenance {
     }
 }
 
+/// What becomes of the points that a results file holds already.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Earlier {
+    /// They stay.
+    Kept,
+    /// The file is started anew.
+    Deleted,
+}
+
 impl Store {
-    /// Opens a results file, or makes it, for figures that are made like this. With `fresh`, what it held is deleted.
+    /// Opens a results file, or makes it, for figures that are made like this.
     ///
     /// # Errors
     /// A file that is no results file, that holds figures made otherwise, or that cannot be written.
-    pub fn open(path: &Path, provenance: &Provenance, fresh: bool) -> Result<Self, Error> {
+    pub fn open(path: &Path, provenance: &Provenance, earlier: Earlier) -> Result<Self, Error> {
         let mut store = Self::connect(path, OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE)?;
-        store.lock(fresh)?;
+        store.lock(earlier)?;
         let mut refused = None;
         store.write(|transaction| {
-            if fresh {
+            if earlier == Earlier::Deleted {
                 transaction.execute_batch("DELETE FROM point; DELETE FROM provenance;")?;
             }
             let held: Option<String> =
@@ -165,10 +174,14 @@ impl Store {
     }
 
     /// Says to other runs that this one works with the file, as several may, or that it starts the file anew, as one alone may.
-    fn lock(&mut self, alone: bool) -> Result<(), Error> {
+    fn lock(&mut self, earlier: Earlier) -> Result<(), Error> {
         // Beside SQLite's own locks, which are of another kind and last for a transaction.
         let file = File::open(&self.path).map_err(|error| Error::io("cannot read", &self.path, error))?;
-        match if alone { file.try_lock() } else { file.try_lock_shared() } {
+        let locked = match earlier {
+            Earlier::Kept => file.try_lock_shared(),
+            Earlier::Deleted => file.try_lock(),
+        };
+        match locked {
             Err(TryLockError::WouldBlock) => {
                 return Err(Error::input(
                     format!("another run of explore works with {}", self.path.display()),
@@ -295,7 +308,7 @@ impl Store {
         let directory = out.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let scratch = Folder::new_in(directory).map_err(|error| Error::io("cannot write in", directory, error))?;
         let whole = scratch.path().join("merged.db");
-        let mut store = Self::open(&whole, &provenance, false)?;
+        let mut store = Self::open(&whole, &provenance, Earlier::Kept)?;
         let count = points.len();
         store.write(|transaction| {
             let mut insert = transaction.prepare("INSERT INTO point VALUES (?1, ?2, ?3)")?;

@@ -75,12 +75,6 @@ pub(super) fn setup(size: usize, light: Light) -> Setup {
     Setup { l, h, rows: [row, row + 1], t: place - row as f64, lit }
 }
 
-impl Setup {
-    fn weights(&self, texels: &Texels) -> [f64; 2] {
-        [(1.0 - self.t) * texels.weight(self.rows[0]), self.t * texels.weight(self.rows[1])]
-    }
-}
-
 /// What the nodes give for a normal.
 pub(super) fn at(texels: &Texels, setup: &Setup, n: Vector) -> Rgb {
     let cosine = n.dot(&setup.l);
@@ -94,7 +88,7 @@ pub(super) fn at(texels: &Texels, setup: &Setup, n: Vector) -> Rgb {
     let column = (place as usize).min(size - 2);
     let s = place - column as f64;
     let codes = texels.layer(0);
-    let [w1, w2] = setup.weights(texels);
+    let [w1, w2] = texels.weights(setup.rows, setup.t);
     let along = |row: usize, c: usize| {
         let (a, b) = (codes[row * size + column][c], codes[row * size + column + 1][c]);
         f64::from(a) * (1.0 - s) + f64::from(b) * s
@@ -114,7 +108,7 @@ pub(super) struct Curve {
 }
 
 pub(super) fn curve(texels: &Texels, setup: &Setup) -> Curve {
-    let [w1, w2] = setup.weights(texels).map(|weight| weight as f32);
+    let [w1, w2] = texels.weights(setup.rows, setup.t).map(|weight| weight as f32);
     let size = texels.width;
     let row = |row: usize| &texels.layer(0)[row * size..][..size];
     let blend = |(a, b): (&[f32; 4], &[f32; 4])| [0, 1, 2, 3].map(|c| w1 * a[c] + w2 * b[c]);

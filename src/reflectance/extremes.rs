@@ -303,9 +303,9 @@ mod tests {
 
     #[test]
     fn nothing_is_broken() {
-        let told = std::cell::Cell::new((0, 0));
-        let found = measure(&|done, of| told.set((done, of))).unwrap();
-        assert_eq!(told.get(), (found.len(), found.len()));
+        let reported = std::cell::Cell::new((0, 0));
+        let found = measure(&|done, of| reported.set((done, of))).unwrap();
+        assert_eq!(reported.get(), (found.len(), found.len()));
         let broken: Vec<String> = found
             .iter()
             .flat_map(|one| one.broken.iter().map(|what| format!("{}, {}: {what}", one.case, one.form)))

@@ -78,12 +78,6 @@ pub(super) fn setup(angles: &[f64], light: Light) -> Setup {
     }
 }
 
-impl Setup {
-    fn weights(&self, texels: &Texels) -> [f64; 2] {
-        [(1.0 - self.t) * texels.weight(self.layers[0]), self.t * texels.weight(self.layers[1])]
-    }
-}
-
 /// What the slices give for a normal.
 pub(super) fn at(texels: &Texels, setup: &Setup, n: Vector) -> Rgb {
     let cosine = n.dot(&setup.l);
@@ -92,7 +86,7 @@ pub(super) fn at(texels: &Texels, setup: &Setup, n: Vector) -> Rgb {
     }
     let q = about_y(about_z(n, setup.gamma), setup.half);
     let (u, v) = (0.5 * (q.x + 1.0), 0.5 * (q.y + 1.0));
-    let [w1, w2] = setup.weights(texels);
+    let [w1, w2] = texels.weights(setup.layers, setup.t);
     let one = texels.bilinear(setup.layers[0], u, v);
     let blend = if setup.t == 0.0 {
         one.map(|code| w1 * code)
@@ -117,7 +111,7 @@ pub(super) struct Blended {
 }
 
 pub(super) fn blended(texels: &Texels, setup: &Setup) -> Blended {
-    let [w1, w2] = setup.weights(texels).map(|weight| weight as f32);
+    let [w1, w2] = texels.weights(setup.layers, setup.t).map(|weight| weight as f32);
     let (one, other) = (texels.layer(setup.layers[0]), texels.layer(setup.layers[1]));
     let blend = |(a, b): (&[f32; 4], &[f32; 4])| [0, 1, 2, 3].map(|c| w1 * a[c] + w2 * b[c]);
     let scale = 0.5 * texels.width as f64;

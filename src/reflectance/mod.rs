@@ -14,7 +14,7 @@
 //! | [`paper`], [`half`], [`bivariate`] | the three forms; [`form`] is any of them, and what a matcap is |
 //! | [`measure`] | the exposure, pictures of the sphere, the signal-to-noise ratio |
 //! | [`info`] | albedo and reciprocity |
-//! | [`images`], [`directory`], [`source`] | sphere images as PNG and OpenEXR, their directory; whatever a user's file is |
+//! | [`images`], [`directory`], [`source`] | sphere images as PNG and OpenEXR, their directory; whatever a user names |
 //! | [`classical`] | the nearest diffuse and cos^n material |
 //! | [`trade`] | memory against error |
 //! | [`extremes`] | the forms where they degenerate |
@@ -30,6 +30,7 @@ pub mod bivariate;
 pub mod classical;
 pub mod directory;
 pub mod extremes;
+mod family;
 pub mod form;
 pub mod half;
 pub mod images;
@@ -45,7 +46,7 @@ pub mod vector;
 
 pub use analytic::Model;
 pub use form::{Form, FormKind, FormSpec, Record};
-pub use source::{Source, open};
+pub use source::Source;
 pub use table::{Lookup, Table};
 pub use texels::Texel;
 pub use vector::{Light, Vector};

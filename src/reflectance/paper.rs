@@ -278,19 +278,13 @@ pub(super) fn add(
     out: &mut [[f32; 3]],
 ) {
     let (size, root) = (texels.width, texels.is_root());
-    let gamma = setup.gamma.map(|value| value as f32);
-    let half = setup.half.map(|value| value as f32);
-    let alone = setup.alone.map(|value| value as f32);
+    let [gamma, half, alone] = [setup.gamma, setup.half, setup.alone].map(|turn| turn.map(|value| value as f32));
     // Half of the turn in radians; sine and cosine of the whole follow from those of the half.
     let delta = setup.delta.map(|degrees| (0.5 * degrees.to_radians()) as f32);
-    let weights = [(1.0 - setup.t) * texels.weight(setup.layers[0]), setup.t * texels.weight(setup.layers[1])];
-    let weights = weights.map(|weight| weight as f32);
+    let weights = texels.weights(setup.layers, setup.t).map(|weight| weight as f32);
     let scale = 0.5 * (options.factor() * size as f64) as f32;
     let (middle, last) = (0.5 * size as f32 - 0.5, (size - 1) as f32);
-    let fixed = match options.turn {
-        Turn::Equation3 => None,
-        Turn::Fixed(k) => Some(k as f32),
-    };
+    let fixed = if let Turn::Fixed(k) = options.turn { Some(k as f32) } else { None };
     let literal = options.behind == Behind::Literal;
     let images = if setup.both { 2 } else { 1 };
     let mut start = 0;

@@ -1,37 +1,62 @@
-//! A user's file, whatever of the kinds here it is.
+//! What a user names: a file, whatever of the kinds here it is, or a model.
 
 use std::io::Read;
 use std::path::Path;
 
-use super::{Form, FormKind, FormSpec, Table, directory, images, merl};
+use super::{Form, FormKind, FormSpec, Lookup, Model, Reflectance, Table, directory, images, merl};
 use crate::platform::error::Error;
 use crate::platform::input;
 
-/// What a file holds.
+/// What reflects, or pictures of it.
 #[derive(Clone, Debug)]
 pub enum Source {
     /// A reflectance table.
     Table(Table),
+    /// A model with its parameters.
+    Model(Model),
     /// Sphere images, or a matcap.
     Images(Form),
 }
 
-/// Opens a MERL table, a directory of sphere images, or a PNG or OpenEXR picture as a matcap. What it is shows in its first bytes.
-///
-/// # Errors
-/// If the system refuses, or the file is none of these or wrong.
-pub fn open(path: &Path) -> Result<Source, Error> {
-    if path.is_dir() {
-        return directory::read(path).map(Source::Images);
+impl Source {
+    /// Opens a MERL table, a directory of sphere images, or a PNG or OpenEXR picture as a matcap. What it is shows in its first bytes.
+    ///
+    /// # Errors
+    /// If the system refuses, or the file is none of these or wrong.
+    pub fn open(path: &Path, lookup: Lookup) -> Result<Self, Error> {
+        if path.is_dir() {
+            return directory::read(path).map(Self::Images);
+        }
+        let failed = |error| Error::io("cannot read", path, error);
+        let mut start = Vec::new();
+        input::open(path)?.take(16).read_to_end(&mut start).map_err(failed)?;
+        if !images::is_picture(&start) {
+            let mut table = merl::read(path)?;
+            table.lookup = lookup;
+            return Ok(Self::Table(table));
+        }
+        let bytes = input::read(path, images::MAX_PICTURE)?;
+        matcap(&bytes, &path.display().to_string()).map(Self::Images)
     }
-    let failed = |error| Error::io("cannot read", path, error);
-    let mut start = Vec::new();
-    input::open(path)?.take(16).read_to_end(&mut start).map_err(failed)?;
-    if !images::is_picture(&start) {
-        return merl::read(path).map(Source::Table);
+
+    /// The reflectance; none of images.
+    #[must_use]
+    pub fn reflectance(&self) -> Option<&dyn Reflectance> {
+        match self {
+            Self::Table(table) => Some(table),
+            Self::Model(model) => Some(model),
+            Self::Images(_) => None,
+        }
     }
-    let bytes = input::read(path, images::MAX_PICTURE)?;
-    matcap(&bytes, &path.display().to_string()).map(Source::Images)
+
+    /// The reflectance.
+    ///
+    /// # Errors
+    /// Images: what is so named has none, and something that is `allowed` is needed.
+    pub fn needed(&self, name: &str, allowed: &str) -> Result<&dyn Reflectance, Error> {
+        let refused = || Error::input(format!("{name} holds sphere images, and no reflectance"), allowed);
+        self.reflectance().ok_or_else(refused)
+    }
 }
 
 /// The form of a matcap's picture.

@@ -2,8 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use clap::ValueEnum;
 use libm::sqrt;
 use rayon::prelude::*;
+use serde::Deserialize;
 
 use super::vector::{Angles, Vector};
 use super::{Reflectance, Rgb};
@@ -19,12 +21,13 @@ pub const PHI_D: usize = 180;
 pub const PHI_D_WHOLE: usize = 360;
 
 /// How a value between the cells' centres is found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Lookup {
-    /// Interpolated between the centres of the eight nearest cells.
+    /// Interpolated
     #[default]
     Trilinear,
-    /// That of the cell, as the tables' authors look it up.
+    /// The cell's value, as MERL's own code
     Nearest,
 }
 
@@ -366,8 +369,8 @@ mod tests {
             assert!((0..3).all(|c| (table.nearest(&angles)[c] - linear(cell)[c]).abs() < 1e-5));
         }
         // φd comes round: between the last centre and the first lies their mean.
-        let seam = Angles { theta_h: 0.5, theta_d: 0.5, phi_d: 0.0 };
-        assert!((table.trilinear(&seam)[2] - (40.0 - 6.0)).abs() < 1e-5);
+        let end = Angles { theta_h: 0.5, theta_d: 0.5, phi_d: 0.0 };
+        assert!((table.trilinear(&end)[2] - (40.0 - 6.0)).abs() < 1e-5);
         // Past the outermost centres the value stays.
         let corner = Angles { theta_h: 0.0, theta_d: FRAC_PI_2, phi_d: 0.1 };
         assert!((table.trilinear(&corner)[0] - 3.5).abs() < 1e-6 && (table.trilinear(&corner)[1] - 31.0).abs() < 1e-6);

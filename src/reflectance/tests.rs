@@ -184,14 +184,23 @@ fn extremes_are_finite_and_have_their_limits() {
             }
         }
     }
-    // A matt material: even a single slice of 2² floating-point texels is exact, up to the horizon.
+}
+
+/// Even a single slice of 2² floating-point texels is exact, up to the horizon.
+#[test]
+fn a_matt_material_is_exact() {
+    let lambert = Model::named("lambert").unwrap();
     let form = FormSpec::sized(FormKind::Half, 1, 2, Texel::Float).build(&lambert, 2.0).unwrap();
     for phi in [0.0, 60.0, 179.0] {
         let (light, n) = (Light::new(phi, 40.0), Light::new(89.5, 40.0).direction());
         let exact = lambert.radiance(light, n, 2.0);
         assert!((form.at(light, n)[1] - exact[1]).abs() < 1e-6, "{phi}");
     }
-    // l = v: the limit from beside it, for every azimuth.
+}
+
+/// The limit from beside it, for every azimuth.
+#[test]
+fn light_from_the_viewer_is_met() {
     let model = Model::named("ggx").unwrap();
     let n = Vector::new(0.1, 0.2, 0.97).normalize();
     for kind in FormKind::MADE {

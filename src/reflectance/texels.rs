@@ -215,6 +215,11 @@ impl Texels {
         if self.root { self.caps[band].sqrt() } else { self.caps[band] }
     }
 
+    /// What the codes of two layers, or rows, are multiplied by where they are blended, the second with the part `t`.
+    pub(super) fn weights(&self, [first, second]: [usize; 2], t: f64) -> [f64; 2] {
+        [(1.0 - t) * self.weight(first), t * self.weight(second)]
+    }
+
     /// The memory that they take, in KiB.
     #[must_use]
     pub fn kib(&self) -> f64 {

@@ -8,8 +8,9 @@ use crate::explore::Cost;
 use crate::plot::{Axis, COLOURS, Chart, Curve, Style};
 use crate::scene::choice::SceneCore;
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
-use crate::scene::require::{Counts, DEGREE_BINS, MaterialNeed, SCALED_BINS};
+use crate::scene::require::MaterialNeed;
 use crate::scene::sheet::Sheet;
+use crate::scene::survey::{Counts, DEGREE_BINS, SCALED_BINS};
 
 /// A scene in the report.
 #[derive(Debug)]

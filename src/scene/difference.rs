@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::Picture;
+use super::frame::full_scale;
 
 /// How a picture differs from the exact one, in codes of a channel (output steps).
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -43,7 +44,7 @@ impl Difference {
             steps.push(most);
         }
         let count = (3 * steps.len()) as f64;
-        let full = f64::from((1u32 << exact.channel_bits) - 1);
+        let full = full_scale(exact.channel_bits);
         let psnr = (squares > 0).then(|| 10.0 * libm::log10(full * full * count / squares as f64));
         let max_steps = (pixels.len() - 1) as u16;
         Self { max_steps, mean_steps: sum as f64 / count, pixels, psnr, steps }

@@ -10,8 +10,7 @@ use super::require::{MaterialNeed, PictureError};
 use super::shade::{self, Shaded};
 use super::simplify::{Saving, Simplification};
 use super::{Budget, Requirements, Scene};
-use crate::core::Design;
-use crate::core::Direction;
+use crate::core::{Design, Direction};
 use crate::emit::markdown;
 use crate::emit::package::{File, counted, rounded};
 use crate::emit::render;
@@ -274,15 +273,9 @@ impl Findings<'_> {
             saves: one.saves.as_ref().map(saving_text).unwrap_or_default(),
         };
         let tools = choice.tools.as_ref().map(|tools| tools.yosys.clone()).unwrap_or_default();
-        let estimated_by = if choice.estimated {
-            format!(
-                "Savings are estimates by a cost model that follows {tools}: the core against the same core with that one thing put back."
-            )
-        } else {
-            format!(
-                "Savings are as synthesised with {tools}: the core against the same core with that one thing put back."
-            )
-        };
+        let made = if choice.estimated { "estimates by a cost model that follows" } else { "as synthesised with" };
+        let estimated_by =
+            format!("Savings are {made} {tools}: the core against the same core with that one thing put back.");
         render(&Sheet {
             scene,
             name: &shaded.map_or(*design, |shaded| &shaded.design).spec.name,
@@ -326,14 +319,9 @@ impl Findings<'_> {
                 "guaranteed_steps": core.guaranteed_steps(),
             })
         };
-        let runner_up = |one: &super::choice::RunnerUp| {
-            let mut value = core(&one.core);
-            value["why_not"] = json!(one.why);
-            value
-        };
-        let miss = |one: &super::choice::NearMiss| {
-            let mut value = core(&one.core);
-            value["why_not"] = json!(one.why);
+        let refused = |one: &SceneCore, why: serde_json::Value| {
+            let mut value = core(one);
+            value["why_not"] = why;
             value
         };
         json!({
@@ -371,8 +359,8 @@ impl Findings<'_> {
                 "moved": verified.moved,
             },
             "chosen": core(chosen),
-            "runner_ups": choice.runner_ups.iter().map(runner_up).collect::<Vec<_>>(),
-            "near_misses": choice.misses.iter().map(miss).collect::<Vec<_>>(),
+            "runner_ups": choice.runner_ups.iter().map(|one| refused(&one.core, json!(one.why))).collect::<Vec<_>>(),
+            "near_misses": choice.misses.iter().map(|one| refused(&one.core, json!(one.why))).collect::<Vec<_>>(),
             "considered": choice.considered,
             "meeting": choice.meeting,
             "costs_are_estimates": choice.estimated,

@@ -3,7 +3,9 @@
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::trace::{Hit, Lit, Tracer, across, unit};
+use super::ray::{across, unit};
+use super::reflectance::{Axes, Looks, Sight};
+use super::trace::{Hit, Lit, Tracer};
 use super::{Camera, Light, LightKind, Scene};
 use crate::core::sample::Vector;
 use crate::spec::{Colour, Model, Surface};
@@ -13,7 +15,7 @@ pub const BACKGROUND: u16 = u16::MAX;
 
 /// A picture before its highlights: what each pixel shows, and which lobes it asks for.
 ///
-/// A channel is `base + sum over the lights of k_s I x^n`, in units of full scale, taken into [0, 1] and rounded to the nearest code.
+/// A channel is `base + sum over the lights of k_s I x^n`, in units of full scale, clamped to [0, 1] and rounded to the nearest code.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// Pixels a row.
@@ -43,6 +45,11 @@ pub struct Picture {
     pub channel_bits: u32,
     /// Red, green and blue of each pixel, row by row from the top.
     pub codes: Vec<[u16; 3]>,
+}
+
+/// The greatest code of a channel.
+pub(super) fn full_scale(channel_bits: u32) -> f64 {
+    f64::from((1u32 << channel_bits) - 1)
 }
 
 /// The versine of a highlight's cosine, from 0 to 2 and without cancellation, for directions of length 1: half the square of the distance
@@ -78,14 +85,27 @@ impl Frame {
     /// moved.
     #[must_use]
     pub fn trace(tracer: &Tracer, scene: &Scene, done: &(dyn Fn() + Sync)) -> Self {
+        Self::with_looks(tracer, scene, &[], done).0
+    }
+
+    /// The same, and for each of some looks [`Frame::base`] with the light added that materials give by their reflectances.
+    #[must_use]
+    pub fn with_looks(
+        tracer: &Tracer,
+        scene: &Scene,
+        looks: &[Looks],
+        done: &(dyn Fn() + Sync),
+    ) -> (Self, Vec<Vec<Colour>>) {
         // Where no material has a highlight there is nothing to be said of any light.
         let lights = if scene.has_highlights() { scene.lights.len() } else { 0 };
         let width = scene.width as usize;
         let surfaces: Vec<Surface> = scene.materials.iter().map(|material| material.surface()).collect();
+        let axes = Axes::of(scene);
         let of_row = |row: u32| {
             let mut material = vec![BACKGROUND; width];
             let mut base = vec![scene.background; width];
             let mut versines = vec![f64::NAN; width * lights];
+            let mut looked = vec![base.clone(); looks.len()];
             for (x, hit) in tracer.row(scene, row).into_iter().enumerate() {
                 let Some(hit) = hit else { continue };
                 material[x] = u16::try_from(hit.material).expect("materials are few");
@@ -102,9 +122,17 @@ impl Frame {
                     }
                 }
                 base[x] = sum;
+                looked.iter_mut().for_each(|row| row[x] = sum);
+                if !looks.is_empty() && scene.reflectance(hit.material).is_some() {
+                    let sight = Sight::of(tracer, scene, &hit);
+                    for (row, looks) in looked.iter_mut().zip(looks) {
+                        let own = looks.of[hit.material].as_ref().map(|look| look.radiance(&axes, &sight));
+                        row[x] = own.map_or(sum, |own| [0, 1, 2].map(|c| sum[c] + own[c]));
+                    }
+                }
             }
             done();
-            (material, base, versines)
+            (material, base, versines, looked)
         };
         let rows: Vec<_> = (0..scene.height).into_par_iter().map(of_row).collect();
         let pixels = width * scene.height as usize;
@@ -116,20 +144,26 @@ impl Frame {
             base: Vec::with_capacity(pixels),
             versine: Vec::with_capacity(pixels * lights),
         };
-        for (material, base, versines) in rows {
+        let mut bases = vec![Vec::with_capacity(pixels); looks.len()];
+        for (material, base, versines, looked) in rows {
             frame.material.extend(material);
             frame.base.extend(base);
             frame.versine.extend(versines);
+            bases.iter_mut().zip(looked).for_each(|(base, row)| base.extend(row));
         }
-        frame
+        (frame, bases)
     }
 
-    /// The channels in units of full scale: `base`, which is [`Frame::base`] or what [`bases`](super::reflectance::bases) makes of it, with these values
+    /// `k_s I` of each material and, within it, light.
+    pub(super) fn weights(&self, scene: &Scene) -> Vec<Vec<Colour>> {
+        (0..scene.materials.len()).map(|m| (0..self.lights).map(|l| scene.specular(m, l)).collect()).collect()
+    }
+
+    /// The channels in units of full scale: `base`, which is [`Frame::base`] or that of a look, with these values
     /// of the lobes, one a pixel and light, each 0 to 1; those of NaN versines are not looked at. What exceeds full scale is not cut off yet.
     #[must_use]
     pub fn channels(&self, scene: &Scene, base: &[Colour], highlights: &[f64]) -> Vec<Colour> {
-        let weights: Vec<Vec<Colour>> =
-            (0..scene.materials.len()).map(|m| (0..self.lights).map(|l| scene.specular(m, l)).collect()).collect();
+        let weights = self.weights(scene);
         let pixel = |index: usize| {
             let mut sum = base[index];
             if self.material[index] != BACKGROUND {
@@ -152,10 +186,10 @@ impl Frame {
         self.codes(scene.channel_bits, &self.channels(scene, &self.base, highlights))
     }
 
-    /// The picture of these channels in units of full scale, taken into [0, 1] and rounded to the nearest code.
+    /// The picture of these channels in units of full scale, clamped to [0, 1] and rounded to the nearest code.
     #[must_use]
     pub fn codes(&self, channel_bits: u32, channels: &[Colour]) -> Picture {
-        let full = f64::from((1u32 << channel_bits) - 1);
+        let full = full_scale(channel_bits);
         let code = |channel: f64| libm::round(channel.clamp(0.0, 1.0) * full) as u16;
         let codes = channels.par_iter().map(|pixel| pixel.map(code)).collect();
         Picture { width: self.width, height: self.height, channel_bits, codes }
@@ -228,6 +262,12 @@ impl Scene {
             }
         }
         scenes
+    }
+
+    /// The greatest code of a channel.
+    #[must_use]
+    pub fn full_scale(&self) -> f64 {
+        full_scale(self.channel_bits)
     }
 
     /// The scene as a picture of another size.

@@ -1,10 +1,10 @@
 //! The values of a picture's lobes: exact, by the bit-exact model of a core, or by the compiled core itself.
 
 use std::path::Path;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
+use super::slots::Slots;
 use super::{Frame, Scene};
 use crate::core::Design;
 use crate::fixed::exp2;
@@ -74,15 +74,11 @@ impl Codes {
         Self { indices, operands: frame.versine.par_iter().map(operand).collect() }
     }
 
-    /// The material of a sample; none where its versine is NaN.
-    fn material(frame: &Frame, sample: usize) -> Option<usize> {
-        (!frame.versine[sample].is_nan()).then(|| usize::from(frame.material[sample / frame.lights]))
-    }
-
     /// The codes of `in_n` and of the operand of a sample; none where its versine is NaN.
     #[must_use]
     pub fn sample(&self, frame: &Frame, sample: usize) -> Option<(u32, i32)> {
-        Self::material(frame, sample).map(|material| (self.indices[material], self.operands[sample]))
+        let material = || usize::from(frame.material[sample / frame.lights]);
+        (!frame.versine[sample].is_nan()).then(|| (self.indices[material()], self.operands[sample]))
     }
 }
 
@@ -90,17 +86,6 @@ impl Codes {
 #[derive(Clone, Copy, Debug)]
 pub struct CoreModel<'a> {
     design: &'a Design,
-}
-
-/// The core's own results for the codes of one `in_n` that a frame asks for.
-struct Results {
-    index: u32,
-    /// A bit for each code from `first`: whether it is asked for.
-    asked: Vec<AtomicU64>,
-    /// How many are asked for before each word of `asked`.
-    before: Vec<usize>,
-    /// The results for the codes that are asked for, in their order.
-    values: Vec<f64>,
 }
 
 impl<'a> CoreModel<'a> {
@@ -127,61 +112,15 @@ fn check_lobe(design: &Design) -> Result<(), Error> {
 
 impl Highlights for CoreModel<'_> {
     fn of(&self, scene: &Scene, frame: &Frame) -> Result<Vec<f64>, Error> {
-        let codes = Codes::of(self.design, scene, frame);
-        let format = self.design.operand_format();
-        let first = format.min_code() as i32;
-        let place = |operand: i32| (operand - first) as usize;
-        let words = place(format.max_code() as i32) / 64 + 1;
-        let mut distinct = codes.indices.clone();
-        distinct.sort_unstable();
-        distinct.dedup();
-        let mut tables: Vec<Results> = distinct
-            .into_iter()
-            .map(|index| Results {
-                index,
-                asked: (0..words).map(|_| AtomicU64::new(0)).collect(),
-                before: Vec::new(),
-                values: Vec::new(),
-            })
-            .collect();
-        let table_of = |index: &u32| tables.partition_point(|table| table.index < *index);
-        let of_material: Vec<usize> = codes.indices.iter().map(table_of).collect();
-
-        (0..codes.operands.len()).into_par_iter().for_each(|sample| {
-            if let Some(material) = Codes::material(frame, sample) {
-                let place = place(codes.operands[sample]);
-                let (word, bit) = (&tables[of_material[material]].asked[place / 64], 1 << (place % 64));
-                if word.load(Ordering::Relaxed) & bit == 0 {
-                    word.fetch_or(bit, Ordering::Relaxed);
-                }
-            }
-        });
-
-        let lsb = self.design.output_format().lsb();
-        let model = self.design.model();
-        for table in &mut tables {
-            let mut count = 0;
-            let mut asked = Vec::new();
-            for (place, word) in table.asked.iter_mut().enumerate() {
-                table.before.push(count);
-                let word = *word.get_mut();
-                count += word.count_ones() as usize;
-                asked.extend(
-                    (0..64).filter(|bit| word >> bit & 1 == 1).map(|bit| first as i64 + (64 * place + bit) as i64),
-                );
-            }
-            let value = |&operand: &i64| f64::from(model.evaluate(table.index, operand)) * lsb;
-            table.values = asked.par_iter().map(value).collect();
+        // Each code that is asked for goes through the model once.
+        let slots = Slots::of(self.design, scene, std::iter::once(frame));
+        let (model, lsb) = (self.design.model(), self.design.output_format().lsb());
+        let mut results = Vec::new();
+        for (index, operands) in &slots.rows {
+            let value = |&operand: &i64| f64::from(model.evaluate(*index, operand)) * lsb;
+            results.par_extend(operands.par_iter().map(value));
         }
-
-        let look_up = |sample: usize| {
-            let Some(material) = Codes::material(frame, sample) else { return 0.0 };
-            let table = &tables[of_material[material]];
-            let place = place(codes.operands[sample]);
-            let below = table.asked[place / 64].load(Ordering::Relaxed) & ((1 << (place % 64)) - 1);
-            table.values[table.before[place / 64] + below.count_ones() as usize]
-        };
-        Ok((0..codes.operands.len()).into_par_iter().map(look_up).collect())
+        Ok(slots.highlights(0, &results))
     }
 }
 

@@ -9,6 +9,7 @@
 //! - [`difference`]: two pictures compared, in output steps;
 //! - [`reflectance`]: materials drawn by their reflectance, exactly or through sphere images;
 //! - [`require`]: what a scene requires of a core;
+//! - [`survey`]: where on their lobes its pictures' samples lie;
 //! - [`choice`]: the cheapest core that keeps the scene's budget;
 //! - [`shade`]: the whole shader around it;
 //! - [`simplify`]: what that core leaves out, and what this saves;
@@ -16,6 +17,7 @@
 //! - [`picture`]: pictures as files: PNG and OpenEXR;
 //! - [`sheet`]: pages of pictures with what is to be said of them.
 
+mod candidates;
 pub mod choice;
 pub mod difference;
 pub mod document;
@@ -24,17 +26,22 @@ pub mod frame;
 pub mod highlight;
 pub mod mesh;
 pub mod mtl;
+mod obj;
 pub mod picture;
+mod ply;
+mod ray;
 pub mod reflectance;
 pub mod require;
 pub mod shade;
 pub mod sheet;
 pub mod simplify;
+mod slots;
+pub mod survey;
 mod text;
 pub mod trace;
 
 pub use difference::Difference;
-pub use file::{Budget, Camera, Light, LightKind, Object, Scene, Shape, Wishes};
+pub use file::{Budget, Camera, CoreConstraints, Light, LightKind, Object, Scene, Shape};
 pub use frame::{Frame, Picture};
 pub use highlight::{Codes, Compiled, CoreModel, Exact, Highlights};
 pub use picture::Pixels;

@@ -17,7 +17,7 @@ use crate::emit::package::counted;
 use crate::platform::error::Error;
 use crate::reflectance::classical::{self, Classical, Cosine};
 use crate::reflectance::vector::{self, Light};
-use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Model, Record, Reflectance, Source, Vector, measure, open};
+use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Model, Record, Reflectance, Source, Vector, measure};
 use crate::spec::{Colour, Model as Highlight, suggest};
 
 /// How a material with a reflectance is drawn.
@@ -43,12 +43,6 @@ pub enum Viewer {
     Axis,
 }
 
-/// What reflects.
-enum What {
-    Exact(Box<dyn Reflectance + Send>),
-    Images(Arc<Form>),
-}
-
 /// A material's reflectance and how it is drawn.
 pub struct Measured {
     /// The file as the scene names it, or the model with its parameters.
@@ -61,7 +55,8 @@ pub struct Measured {
     pub viewer: Viewer,
     /// The exposure E that radiance is multiplied by.
     pub exposure: f64,
-    what: What,
+    /// None of sphere images, which are the form.
+    source: Option<Source>,
     form: OnceLock<Arc<Form>>,
 }
 
@@ -101,7 +96,7 @@ pub(super) struct ReflectanceFields {
     file: Option<String>,
     model: Option<String>,
     parameters: Option<std::collections::BTreeMap<String, Written>>,
-    lookup: Option<LookupName>,
+    lookup: Option<Lookup>,
     exposure: Option<f64>,
     pub(super) shading: Option<Shading>,
     form: Option<String>,
@@ -113,17 +108,10 @@ pub(super) struct ReflectanceFields {
     viewer: Option<Viewer>,
 }
 
-#[derive(Clone, Copy, PartialEq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum LookupName {
-    Trilinear,
-    Nearest,
-}
-
 impl ReflectanceFields {
     /// The reflectance; its file lies where its path leads from `directory`.
     pub(super) fn resolve(self, shading: Shading, directory: &Path) -> Result<Measured, Error> {
-        let (name, what) = match (&self.file, &self.model) {
+        let (name, source) = match (&self.file, &self.model) {
             (Some(_), Some(_)) => return Err(Error::input("both file and model are given", "give one of the two")),
             (None, None) => {
                 let allowed =
@@ -134,23 +122,14 @@ impl ReflectanceFields {
                 if self.parameters.is_some() {
                     return Err(Error::input("a file has no parameters", "they are a model's"));
                 }
-                let what = match open(&directory.join(file))? {
-                    Source::Table(mut table) => {
-                        if self.lookup == Some(LookupName::Nearest) {
-                            table.lookup = Lookup::Nearest;
-                        }
-                        What::Exact(Box::new(table))
-                    }
-                    Source::Images(form) => What::Images(Arc::new(form)),
-                };
-                (file.clone(), what)
+                (file.clone(), Source::open(&directory.join(file), self.lookup.unwrap_or_default())?)
             }
             (None, Some(model)) => {
                 let mut model = Model::named(model)?;
                 for (key, value) in self.parameters.iter().flatten() {
                     model.set(key, &value.text())?;
                 }
-                (model.to_string(), What::Exact(Box::new(model)))
+                (model.to_string(), Source::Model(model))
             }
         };
         if let Some(exposure) = self.exposure.filter(|exposure| !(*exposure > 0.0 && exposure.is_finite())) {
@@ -163,8 +142,9 @@ impl ReflectanceFields {
             ("border", &self.border),
             ("behind", &self.behind),
         ];
-        let (spec, exposure) = match &what {
-            What::Images(form) => {
+        let viewer = self.viewer.unwrap_or_default();
+        match source {
+            Source::Images(form) => {
                 let given = keys.iter().find(|(_, value)| value.is_some()).map(|(key, _)| *key);
                 if let Some(key) = given.or(self.form.as_ref().map(|_| "form")) {
                     return Err(Error::input(
@@ -184,19 +164,21 @@ impl ReflectanceFields {
                         "leave it out, or make the images anew with --exposure",
                     ));
                 }
-                (form.spec.clone(), form.exposure)
+                let (spec, exposure, form) = (form.spec.clone(), form.exposure, Arc::new(form).into());
+                Ok(Measured { name, shading, spec, viewer, exposure, source: None, form })
             }
-            What::Exact(reflectance) => {
+            Source::Table(_) | Source::Model(_) => {
                 let mut spec = FormSpec::of(made(self.form.as_deref().unwrap_or(FormKind::Half.name()), None)?);
                 for (key, value) in keys.iter().filter_map(|(key, value)| value.as_ref().map(|value| (key, value))) {
                     spec.set(key, &value.text())?;
                 }
                 spec.check()?;
-                (spec, self.exposure.unwrap_or_else(|| measure::exposure(&**reflectance)))
+                let reflectance = source.reflectance().expect("images alone have none");
+                let exposure = self.exposure.unwrap_or_else(|| measure::exposure(reflectance));
+                let (source, form) = (Some(source), OnceLock::new());
+                Ok(Measured { name, shading, spec, viewer, exposure, source, form })
             }
-        };
-        let viewer = self.viewer.unwrap_or_default();
-        Ok(Measured { name, shading, spec, viewer, exposure, what, form: OnceLock::new() })
+        }
     }
 }
 
@@ -212,10 +194,7 @@ impl Measured {
     /// The reflectance itself; none of sphere images.
     #[must_use]
     pub fn reflectance(&self) -> Option<&dyn Reflectance> {
-        match &self.what {
-            What::Exact(reflectance) => Some(&**reflectance),
-            What::Images(_) => None,
-        }
+        self.source.as_ref()?.reflectance()
     }
 
     /// What stands in place of it as its keys have it; made when it is first asked for.
@@ -223,16 +202,11 @@ impl Measured {
     /// # Errors
     /// A sample that does not fit 32 bits.
     pub fn form(&self) -> Result<&Arc<Form>, Error> {
-        match &self.what {
-            What::Images(form) => Ok(form),
-            What::Exact(reflectance) => {
-                if let Some(form) = self.form.get() {
-                    return Ok(form);
-                }
-                let form = self.spec.build(&**reflectance, self.exposure)?;
-                Ok(self.form.get_or_init(|| Arc::new(form)))
-            }
+        if let (None, Some(reflectance)) = (self.form.get(), self.reflectance()) {
+            let form = self.spec.build(reflectance, self.exposure)?;
+            self.form.get_or_init(|| Arc::new(form));
         }
+        Ok(self.form.get().expect("sphere images are a form from the first"))
     }
 
     /// The diffuse and cos^n material that is nearest to it.
@@ -436,26 +410,58 @@ fn facing(n: Vector, v: Vector) -> Vector {
     if cosine >= LEAST_COSINE {
         return n;
     }
-    let across = (n - v * cosine).try_normalize(1e-12).unwrap_or_else(|| v.cross(&super::trace::across(v)));
+    let across = (n - v * cosine).try_normalize(1e-12).unwrap_or_else(|| v.cross(&super::ray::across(v)));
     across * libm::sqrt(1.0 - LEAST_COSINE * LEAST_COSINE) + v * LEAST_COSINE
 }
 
 /// The camera's frame: turns directions so that the viewer is at +Z.
-struct Axes([Vector; 3]);
+pub(super) struct Axes([Vector; 3]);
 
 impl Axes {
+    pub(super) fn of(scene: &Scene) -> Self {
+        Self(scene.camera.axes().map(Vector::from))
+    }
+
     fn turned(&self, a: Vector) -> Vector {
         Vector::new(a.dot(&self.0[0]), a.dot(&self.0[1]), -a.dot(&self.0[2]))
     }
 }
 
+/// A point as its looks are given it.
+pub(super) struct Sight {
+    n: Vector,
+    v: Vector,
+    /// Of each light that shines there its direction and its colour.
+    lights: Vec<(Vector, Colour)>,
+}
+
+impl Sight {
+    pub(super) fn of(tracer: &Tracer, scene: &Scene, hit: &Hit) -> Self {
+        let v = Vector::from(hit.viewer);
+        let light = |(place, light): (usize, &super::Light)| {
+            let lit = tracer.light(scene, hit, place);
+            lit.visible.then(|| (lit.direction.into(), light.colour))
+        };
+        let lights = scene.lights.iter().enumerate().filter_map(light).collect();
+        Self { n: facing(Vector::from(hit.normal), v), v, lights }
+    }
+
+    /// The sum over the lights of their colours times a radiance.
+    fn sum(&self, of: impl Fn(Vector) -> Colour) -> Colour {
+        self.lights.iter().fold([0.0; 3], |sum, (l, colour)| {
+            let own = of(*l);
+            [0, 1, 2].map(|c| sum[c] + colour[c] * own[c])
+        })
+    }
+}
+
 impl Look {
-    /// The radiance of a normal under lights, each a direction and a colour.
-    fn radiance(&self, axes: &Axes, n: Vector, v: Vector, lights: &[(Vector, Colour)]) -> Colour {
+    pub(super) fn radiance(&self, axes: &Axes, sight: &Sight) -> Colour {
+        let &Sight { n, v, .. } = sight;
         let (form, viewer) = match self {
-            Self::Exact(measured) => match &measured.what {
-                What::Exact(reflectance) => {
-                    return sum(lights, |l| {
+            Self::Exact(measured) => match measured.reflectance() {
+                Some(reflectance) => {
+                    return sight.sum(|l| {
                         let cosine = n.dot(&l);
                         if cosine <= 0.0 {
                             return [0.0; 3];
@@ -463,11 +469,11 @@ impl Look {
                         reflectance.at(l, v, n).map(|f| measured.exposure * f * cosine)
                     });
                 }
-                What::Images(form) => (form, measured.viewer),
+                None => (measured.form.get().expect("sphere images are a form from the first"), measured.viewer),
             },
             Self::Form(form, viewer) => (form, *viewer),
             Self::Classical(classical) => {
-                return sum(lights, |l| {
+                return sight.sum(|l| {
                     let (light, n) = vector::seen_from(l, v, n);
                     classical.at(light, n)
                 });
@@ -477,7 +483,7 @@ impl Look {
             // The picture of a sphere has its light in it.
             return form.at(Light::new(0.0, 0.0), axes.turned(n));
         }
-        sum(lights, |l| match viewer {
+        sight.sum(|l| match viewer {
             Viewer::Pixel => {
                 let (light, n) = vector::seen_from(l, v, n);
                 form.at(light, n)
@@ -485,61 +491,6 @@ impl Look {
             Viewer::Axis => form.at(Light::towards(axes.turned(l)), axes.turned(n)),
         })
     }
-}
-
-/// The sum over lights of their colours times a radiance.
-fn sum(lights: &[(Vector, Colour)], of: impl Fn(Vector) -> Colour) -> Colour {
-    lights.iter().fold([0.0; 3], |sum, (l, colour)| {
-        let own = of(*l);
-        [0, 1, 2].map(|c| sum[c] + colour[c] * own[c])
-    })
-}
-
-/// The lights that shine on a point, with their directions and colours.
-fn shining(tracer: &Tracer, scene: &Scene, hit: &Hit, lights: &mut Vec<(Vector, Colour)>) {
-    lights.clear();
-    for (place, light) in scene.lights.iter().enumerate() {
-        let lit = tracer.light(scene, hit, place);
-        if lit.visible {
-            lights.push((lit.direction.into(), light.colour));
-        }
-    }
-}
-
-/// What a frame's materials give by their reflectances, for each of the looks: [`Frame::base`] with that light added. `done` is called once a row. The
-/// result does not depend on the number of threads.
-#[must_use]
-pub fn bases(
-    tracer: &Tracer,
-    scene: &Scene,
-    frame: &Frame,
-    looks: &[&Looks],
-    done: &(dyn Fn() + Sync),
-) -> Vec<Vec<Colour>> {
-    let [right, up, ahead] = scene.camera.axes().map(Vector::from);
-    let axes = Axes([right, up, ahead]);
-    let width = scene.width as usize;
-    let of_row = |row: usize| {
-        let base = &frame.base[row * width..][..width];
-        let mut rows = vec![base.to_vec(); looks.len()];
-        let mut lights = Vec::new();
-        for (x, hit) in tracer.row(scene, row as u32).into_iter().enumerate() {
-            let Some(hit) = hit.filter(|hit| scene.reflectance(hit.material).is_some()) else { continue };
-            let v = Vector::from(hit.viewer);
-            let n = facing(Vector::from(hit.normal), v);
-            shining(tracer, scene, &hit, &mut lights);
-            for (row, looks) in rows.iter_mut().zip(looks) {
-                if let Some(look) = &looks.of[hit.material] {
-                    let own = look.radiance(&axes, n, v, &lights);
-                    (0..3).for_each(|c| row[x][c] += own[c]);
-                }
-            }
-        }
-        done();
-        rows
-    };
-    let rows: Vec<Vec<Vec<Colour>>> = (0..scene.height as usize).into_par_iter().map(of_row).collect();
-    (0..looks.len()).map(|look| rows.iter().flat_map(|row| &row[look]).copied().collect()).collect()
 }
 
 /// The normals of the pixels that show objects as the camera has them, one axis after the other: what distant lights need where the viewer is
@@ -551,8 +502,7 @@ impl Seen {
     /// The normals that a scene's picture shows.
     #[must_use]
     pub fn of(tracer: &Tracer, scene: &Scene) -> Self {
-        let [right, up, ahead] = scene.camera.axes().map(Vector::from);
-        let axes = Axes([right, up, ahead]);
+        let axes = Axes::of(scene);
         let of_row = |row: u32| -> Vec<Vector> {
             let hits = tracer.row(scene, row).into_iter().flatten();
             hits.map(|hit| axes.turned(facing(Vector::from(hit.normal), Vector::from(hit.viewer)))).collect()
@@ -577,7 +527,7 @@ impl Seen {
     }
 }
 
-/// The peak signal-to-noise ratio in dB of channels in units of full scale, taken into 0 to 1, over the pixels that show objects; none where
+/// The peak signal-to-noise ratio in dB of channels in units of full scale, clamped to 0 to 1, over the pixels that show objects; none where
 /// they are the same or there is no object.
 #[must_use]
 pub fn psnr(frame: &Frame, exact: &[Colour], own: &[Colour]) -> Option<f64> {

@@ -7,8 +7,9 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::frame::BACKGROUND;
+use super::frame::{BACKGROUND, full_scale};
 use super::highlight::Exact;
+use super::survey::{Counts, Spread, Survey};
 use super::trace::Tracer;
 use super::{Budget, Difference, Frame, Highlights, Picture, Scene};
 use crate::emit::package::counted;
@@ -23,42 +24,8 @@ pub const MOVED_WIDTH: u32 = 320;
 const MOVED_SAMPLES: u64 = 6_000_000;
 /// The largest margin in degrees.
 pub const MAX_MARGIN: f64 = 45.0;
-/// Bins of [`Spread::scaled`].
-pub const SCALED_BINS: usize = 64;
-/// Bins of `s = n u` to 1.
-const BINS_OF_ONE: f64 = 4.0;
-/// Bins of [`Spread::degrees`], of 2 degrees each.
-pub const DEGREE_BINS: usize = 90;
 /// The part of the budget that each of the roundings of input and output may take by the derivation.
 const SHARE: f64 = 0.25;
-
-/// How many samples there are of each kind. A sample is a pixel of an object under one light.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Counts {
-    /// All of them.
-    pub samples: u64,
-    /// Those of materials that have no highlight: k_s times every light is 0.
-    pub matte: u64,
-    /// Of the rest, those that the light does not reach: it is behind the surface or in shadow.
-    pub dark: u64,
-    /// Those with a negative cosine, whose highlight is 0.
-    pub negative: u64,
-    /// Those on the epicentre: `x^n >= 1/2`.
-    pub epicentre: u64,
-    /// Those below it whose highlight is half an output step or more.
-    pub visible_tail: u64,
-    /// Those below it whose highlight is less.
-    pub invisible_tail: u64,
-}
-
-/// How the cosines of a material's highlights are distributed, over base and moved pictures.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Spread {
-    /// How many lie in each quarter of `s = n (1 - x)`, from 0; the last bin holds all beyond.
-    pub scaled: Vec<u64>,
-    /// How many lie in each 2 degrees of the angle whose cosine is x, from 0 to 180.
-    pub degrees: Vec<u64>,
-}
 
 /// What a scene asks of one of its materials.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -87,7 +54,7 @@ pub struct MaterialNeed {
 
 /// A shininess that the core must serve.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
+pub struct ShininessRow {
     /// The shininess.
     pub shininess: f64,
     /// The materials that have it, joined by `+`.
@@ -131,7 +98,7 @@ impl PictureError {
     #[must_use]
     pub fn of(difference: &Difference, channel_bits: u32) -> Self {
         let &Difference { max_steps, mean_steps, psnr, .. } = difference;
-        let full = f64::from((1u32 << channel_bits) - 1);
+        let full = full_scale(channel_bits);
         let mean_square = psnr.map_or(0.0, |psnr| full * full / libm::pow(10.0, psnr / 10.0));
         Self { max_steps, mean_steps, mean_square, psnr, pixels_off: difference.pixels.iter().skip(1).sum() }
     }
@@ -166,7 +133,7 @@ pub struct Requirements {
     /// The materials, in the scene's order.
     pub materials: Vec<MaterialNeed>,
     /// The shininesses that are needed, ascending.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ShininessRow>,
     /// All samples of the base picture.
     pub base: Counts,
     /// All samples of the moved pictures.
@@ -189,32 +156,6 @@ pub struct Requirements {
     /// The whole base picture.
     #[serde(skip)]
     pub(super) frame: Frame,
-}
-
-impl Counts {
-    fn add(&mut self, other: &Self) {
-        let Self { samples, matte, dark, negative, epicentre, visible_tail, invisible_tail } = other;
-        self.samples += samples;
-        self.matte += matte;
-        self.dark += dark;
-        self.negative += negative;
-        self.epicentre += epicentre;
-        self.visible_tail += visible_tail;
-        self.invisible_tail += invisible_tail;
-    }
-
-    /// Those that ask for a lobe: lit, of a material with a highlight.
-    #[must_use]
-    pub fn lit(&self) -> u64 {
-        self.negative + self.epicentre + self.visible_tail + self.invisible_tail
-    }
-
-    /// The sum of two.
-    #[must_use]
-    pub fn and(mut self, other: &Self) -> Self {
-        self.add(other);
-        self
-    }
 }
 
 impl Budget {
@@ -255,7 +196,7 @@ impl Budget {
     /// allowed; of a PSNR, the error e whose share of moved codes, e of them by one step, has the mean square that is allowed.
     #[must_use]
     pub fn steps(&self, channel_bits: u32) -> f64 {
-        let full = f64::from((1u32 << channel_bits) - 1);
+        let full = full_scale(channel_bits);
         let (steps, psnr) = self.limits();
         let of_psnr = |psnr: f64| {
             let rms = full * libm::pow(10.0, -psnr / 20.0);
@@ -268,13 +209,12 @@ impl Budget {
 impl View {
     fn new(name: String, scene: &Scene, frame: &Frame) -> Self {
         let lights = frame.lights;
-        let shiny: Vec<Vec<bool>> = (0..scene.materials.len())
-            .map(|m| (0..lights).map(|l| scene.specular(m, l).iter().any(|&weight| weight > 0.0)).collect())
-            .collect();
+        let weights = frame.weights(scene);
+        let shines = |material: u16, light: usize| weights[usize::from(material)][light].iter().any(|&k| k > 0.0);
         let is_lit = |&pixel: &usize| {
             let material = frame.material[pixel];
             material != BACKGROUND
-                && (0..lights).any(|l| shiny[usize::from(material)][l] && !frame.versine[pixel * lights + l].is_nan())
+                && (0..lights).any(|l| shines(material, l) && !frame.versine[pixel * lights + l].is_nan())
         };
         let kept: Vec<usize> = (0..frame.material.len()).filter(is_lit).collect();
         let versines = |&pixel: &usize| &frame.versine[pixel * lights..][..lights];
@@ -301,7 +241,7 @@ impl View {
             return PictureError::default();
         }
         let part = lit / self.pixels as f64;
-        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let full = scene.full_scale();
         let squares = own.psnr.map_or(0.0, |psnr| full * full * libm::pow(10.0, -psnr / 10.0) * part);
         PictureError {
             max_steps: own.max_steps,
@@ -333,88 +273,6 @@ impl PictureError {
 
 fn exact(scene: &Scene, frame: &Frame) -> Vec<f64> {
     Exact.of(scene, frame).expect("the exact lobe needs no tools")
-}
-
-/// What a frame's samples are, material by material.
-#[derive(Clone)]
-struct Survey {
-    counts: Vec<Counts>,
-    least: Vec<f64>,
-    spreads: Vec<Spread>,
-    saturated: u64,
-}
-
-impl Survey {
-    fn new(materials: usize) -> Self {
-        let spread = Spread { scaled: vec![0; SCALED_BINS], degrees: vec![0; DEGREE_BINS] };
-        Self {
-            counts: vec![Counts::default(); materials],
-            least: vec![f64::INFINITY; materials],
-            spreads: vec![spread; materials],
-            saturated: 0,
-        }
-    }
-
-    fn of(scene: &Scene, frame: &Frame) -> Self {
-        let full = f64::from((1u32 << scene.channel_bits) - 1);
-        let lights = frame.lights;
-        let weights: Vec<Vec<[f64; 3]>> =
-            (0..scene.materials.len()).map(|m| (0..lights).map(|l| scene.specular(m, l)).collect()).collect();
-        let strength = |material: usize, light: usize| weights[material][light].into_iter().fold(0.0, f64::max);
-        let mut survey = Self::new(scene.materials.len());
-        for (pixel, &material) in frame.material.iter().enumerate() {
-            let mut sum = frame.base[pixel];
-            if material == BACKGROUND {
-                continue;
-            }
-            let material = usize::from(material);
-            let n = scene.materials[material].shininess;
-            let matte = (0..lights).all(|light| strength(material, light) == 0.0);
-            let counts = &mut survey.counts[material];
-            for (light, &versine) in frame.versine[pixel * lights..][..lights].iter().enumerate() {
-                counts.samples += 1;
-                if matte {
-                    counts.matte += 1;
-                    continue;
-                }
-                if versine.is_nan() {
-                    counts.dark += 1;
-                    continue;
-                }
-                let spread = &mut survey.spreads[material];
-                spread.scaled[((n * versine * BINS_OF_ONE) as usize).min(SCALED_BINS - 1)] += 1;
-                let degrees = lobe::degrees(versine.min(2.0));
-                spread.degrees[((degrees * DEGREE_BINS as f64 / 180.0) as usize).min(DEGREE_BINS - 1)] += 1;
-                survey.least[material] = survey.least[material].min(1.0 - versine);
-                if versine > 1.0 {
-                    counts.negative += 1;
-                    continue;
-                }
-                let value = lobe::exact(n, versine);
-                let steps = strength(material, light) * value * full;
-                *(match value {
-                    value if value >= 0.5 => &mut counts.epicentre,
-                    _ if steps >= 0.5 => &mut counts.visible_tail,
-                    _ => &mut counts.invisible_tail,
-                }) += 1;
-                sum = [0, 1, 2].map(|c| sum[c] + weights[material][light][c] * value);
-            }
-            survey.saturated += u64::from(sum.iter().any(|&channel| channel > 1.0));
-        }
-        survey
-    }
-
-    fn and(mut self, other: &Self) -> Self {
-        for (material, counts) in other.counts.iter().enumerate() {
-            self.counts[material].add(counts);
-            self.least[material] = self.least[material].min(other.least[material]);
-            let (own, other) = (&mut self.spreads[material], &other.spreads[material]);
-            own.scaled.iter_mut().zip(&other.scaled).for_each(|(own, other)| *own += other);
-            own.degrees.iter_mut().zip(&other.degrees).for_each(|(own, other)| *own += other);
-        }
-        self.saturated += other.saturated;
-        self
-    }
 }
 
 /// The size of the moved pictures: as the base's, made smaller to at most [`MOVED_WIDTH`] pixels a row and so many samples in all of them.
@@ -471,7 +329,7 @@ impl Requirements {
             pictures.push(view.name.clone());
             views.push(view);
         }
-        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let full = scene.full_scale();
         let rows = rows(scene, &base, &elsewhere);
         let all = |counts: &[Counts]| counts.iter().fold(Counts::default(), |sum, counts| sum.and(counts));
         let (base_counts, moved_counts) = (all(&base.counts), all(&elsewhere.counts));
@@ -514,8 +372,8 @@ fn weight(scene: &Scene, material: usize) -> f64 {
 }
 
 /// The shininesses of the materials with lit samples, ascending.
-fn rows(scene: &Scene, base: &Survey, moved: &Survey) -> Vec<Row> {
-    let mut rows: Vec<Row> = Vec::new();
+fn rows(scene: &Scene, base: &Survey, moved: &Survey) -> Vec<ShininessRow> {
+    let mut rows: Vec<ShininessRow> = Vec::new();
     for (place, material) in scene.materials.iter().enumerate() {
         if base.counts[place].lit() + moved.counts[place].lit() == 0 {
             continue;
@@ -526,14 +384,14 @@ fn rows(scene: &Scene, base: &Survey, moved: &Survey) -> Vec<Row> {
                 row.name = format!("{}+{}", row.name, material.name);
                 row.weight = row.weight.max(weight);
             }
-            None => rows.push(Row { shininess: material.shininess, name: material.name.clone(), weight }),
+            None => rows.push(ShininessRow { shininess: material.shininess, name: material.name.clone(), weight }),
         }
     }
     rows.sort_by(|a, b| a.shininess.total_cmp(&b.shininess));
     rows
 }
 
-fn needs(scene: &Scene, [base, moved, both]: [&Survey; 3], rows: &[Row], full: f64) -> Vec<MaterialNeed> {
+fn needs(scene: &Scene, [base, moved, both]: [&Survey; 3], rows: &[ShininessRow], full: f64) -> Vec<MaterialNeed> {
     let need = |(place, material): (usize, &Material)| MaterialNeed {
         name: material.name.clone(),
         shininess: material.shininess,
@@ -575,7 +433,7 @@ impl Requirements {
     }
 
     fn input_bits(&self, scene: &Scene) -> Bits {
-        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let full = scene.full_scale();
         let steepest = self.rows.iter().map(|row| row.shininess * row.weight * full).fold(0.0, f64::max);
         let derived = self.derived(scene, &|bits| steepest * exp2(-bits - 1), *INPUT_FRACTION.end());
         let rounded = |bits: u32| {
@@ -597,7 +455,7 @@ impl Requirements {
     }
 
     fn output_bits(&self, scene: &Scene) -> Bits {
-        let full = f64::from((1u32 << scene.channel_bits) - 1);
+        let full = scene.full_scale();
         let strongest = self.rows.iter().map(|row| row.weight * full).fold(0.0, f64::max);
         let derived = self.derived(scene, &|bits| strongest * exp2(-bits - 1), *OUTPUT_FRACTION.end());
         let rounded = |bits: u32| {

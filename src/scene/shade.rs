@@ -2,12 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::choice::{NearMiss, SceneChoice, SceneCore, Search};
+use super::choice::{SceneChoice, SceneCore, Search};
 use super::require::PictureError;
 use super::trace::{Hit, Tracer};
 use super::{Difference, Exact, Frame, Highlights, Picture, Requirements, Scene};
 use crate::core::Design;
 use crate::core::sample::{self, Sample, Vector};
+use crate::explore::choose::NearMiss;
 use crate::platform::error::Error;
 use crate::spec::{
     BlockKind, Front, INPUT_FRACTION, LightColours, Material, Model, Shader, ShaderFields, Shininess, SpecFields,
@@ -124,7 +125,7 @@ pub fn around(
             continue;
         }
         tried.push(but_input);
-        let shaded = pictures.make((scene, requirements), &spec, asked, done)?;
+        let shaded = pictures.make(&spec, asked, done)?;
         if shaded.missed.is_empty() {
             if tried.len() > 1 {
                 search.take(choice, lobe, refused);
@@ -140,19 +141,29 @@ pub fn around(
         }
     }
     let Some((_, design)) = nearest else { return Ok(None) };
-    let shaded = pictures.through(design, (scene, requirements), true, done)?;
+    let shaded = pictures.through(design, Extent::All, done)?;
     Ok(Some(Shaded { tried: tried.len(), ..shaded }))
 }
 
 /// The pictures of a scene that its shader is compared with.
-struct Pictures {
+struct Pictures<'a> {
+    scene: &'a Scene,
+    requirements: &'a Requirements,
     tracer: Tracer,
     views: Vec<Scene>,
     exact: Vec<Picture>,
 }
 
-impl Pictures {
-    fn of(scene: &Scene, requirements: &Requirements) -> Result<Self, Error> {
+/// Which of the pictures are drawn.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Extent {
+    All,
+    /// None after one that misses the budget.
+    ToMiss,
+}
+
+impl<'a> Pictures<'a> {
+    fn of(scene: &'a Scene, requirements: &'a Requirements) -> Result<Self, Error> {
         let tracer = Tracer::new(scene);
         let [width, height] = requirements.moved_size;
         let moved = scene.moved(requirements.margin_degrees).into_iter().map(|(_, moved)| moved.resized(width, height));
@@ -162,49 +173,37 @@ impl Pictures {
             Ok(frame.picture(view, &Exact.of(view, &frame)?))
         };
         let exact = views.iter().map(exact).collect::<Result<_, _>>()?;
-        Ok(Self { tracer, views, exact })
+        Ok(Self { scene, requirements, tracer, views, exact })
     }
 
-    /// All pictures through a shader; unless `whole`, no more after one that misses the budget.
-    fn through(
-        &self,
-        design: Design,
-        (scene, requirements): (&Scene, &Requirements),
-        whole: bool,
-        done: &(dyn Fn() + Sync),
-    ) -> Result<Shaded, Error> {
+    /// The pictures through a shader.
+    fn through(&self, design: Design, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Shaded, Error> {
         let (base, moved) = (PictureError::default(), PictureError::default());
         let mut shaded = Shaded { design, samples: 0, base, moved, missed: Vec::new(), tried: 1 };
         let shader = shaded.design.spec.block.shader().expect("a shader was asked for").clone();
         for (place, (view, exact)) in self.views.iter().zip(&self.exact).enumerate() {
             let (own, samples) = picture(&shaded.design, &shader, view, &self.tracer, &|| {})?;
             done();
-            let error = PictureError::of(&Difference::of(exact, &own), scene.channel_bits);
+            let error = PictureError::of(&Difference::of(exact, &own), self.scene.channel_bits);
             shaded.samples += samples;
             if place == 0 {
                 shaded.base = error;
             } else {
                 shaded.moved = shaded.moved.worst(error);
             }
-            let kept = requirements.budget.missed(&error, "").is_empty();
-            if !kept && !whole {
+            let kept = self.requirements.budget.missed(&error, "").is_empty();
+            if !kept && extent == Extent::ToMiss {
                 break;
             }
         }
         for (error, what) in [(&shaded.base, "the picture"), (&shaded.moved, "a moved picture")] {
-            shaded.missed.extend(requirements.budget.missed(error, what).into_iter().map(|(_, why)| why));
+            shaded.missed.extend(self.requirements.budget.missed(error, what).into_iter().map(|(_, why)| why));
         }
         Ok(shaded)
     }
 
     /// As [`make`].
-    fn make(
-        &self,
-        (scene, requirements): (&Scene, &Requirements),
-        lobe: &SpecFields,
-        asked: &ShaderFields,
-        done: &(dyn Fn() + Sync),
-    ) -> Result<Shaded, Error> {
+    fn make(&self, lobe: &SpecFields, asked: &ShaderFields, done: &(dyn Fn() + Sync)) -> Result<Shaded, Error> {
         let widths: Vec<u32> = asked.vector_fraction.map_or_else(|| VECTOR_FRACTION.collect(), |bits| vec![bits]);
         let input = lobe.clone().resolve()?.interface.input_fraction;
         let mut last = None;
@@ -212,8 +211,8 @@ impl Pictures {
             let lobe = SpecFields { input_fraction: Some(input + finer), ..lobe.clone() };
             let with = |bits: u32| -> Result<Shaded, Error> {
                 let asked = ShaderFields { vector_fraction: Some(bits), ..asked.clone() };
-                let design = Design::new(spec(scene, requirements, &lobe, &asked)?.resolve()?)?;
-                self.through(design, (scene, requirements), false, done)
+                let design = Design::new(spec(self.scene, self.requirements, &lobe, &asked)?.resolve()?)?;
+                self.through(design, Extent::ToMiss, done)
             };
             // With the most bits first: if these do not do, no fewer will.
             let mut best = with(widths[widths.len() - 1])?;
@@ -249,7 +248,7 @@ pub fn make(
     asked: &ShaderFields,
     done: &(dyn Fn() + Sync),
 ) -> Result<Shaded, Error> {
-    Pictures::of(scene, requirements)?.make((scene, requirements), lobe, asked, done)
+    Pictures::of(scene, requirements)?.make(lobe, asked, done)
 }
 
 /// A point of a surface as the shader is given it: the material's row, N, V, and of each light L and H. A light that does not shine on the
@@ -290,7 +289,7 @@ pub fn picture(
     done: &(dyn Fn() + Sync),
 ) -> Result<(Picture, u64), Error> {
     let (model, rows) = (design.shader_model(shader), rows(design, scene));
-    let full = f64::from((1u32 << scene.channel_bits) - 1);
+    let full = scene.full_scale();
     let background = scene.background.map(|channel| libm::round(channel * full) as u16);
     let of_row = |y: u32| -> Result<(Vec<[u16; 3]>, u64), Error> {
         let (mut codes, mut samples) = (Vec::with_capacity(scene.width as usize), 0);

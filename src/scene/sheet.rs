@@ -190,6 +190,12 @@ impl<'a> Page<'a> {
         );
     }
 
+    /// The title and the lines below it, from the upper margin on; where they end.
+    fn heading(&mut self, (margin, width): (u32, u32), title: &str, lines: &[String]) -> u32 {
+        let below = self.paragraph((margin, margin), width, 1.6, INK, title) + self.units(0.2);
+        lines.iter().fold(below, |y, line| self.paragraph((margin, y), width, 1.0, GREY, line))
+    }
+
     /// Text in as many lines as the width needs; returns the first pixel below it.
     fn paragraph(&mut self, (left, top): (u32, u32), width: u32, size: f64, colour: &str, text: &str) -> u32 {
         let mut below = top;
@@ -317,11 +323,7 @@ pub fn triptych(
     let (margin, gap) = (page.units(1.5), page.units(0.8));
     let inner = (columns * wide + (columns - 1) * gap).max(LEAST_WIDTH);
 
-    let mut y = page.paragraph((margin, margin), inner, 1.6, INK, title) + page.units(0.2);
-    for line in lines {
-        y = page.paragraph((margin, y), inner, 1.0, GREY, line);
-    }
-    y += page.units(0.8);
+    let mut y = page.heading((margin, inner), title, lines) + page.units(0.8);
     let heads = ["exact", what, "difference in output steps"];
     let kinds = [Shows::Exact, Shows::Core, Shows::Difference];
     let mut below = y;
@@ -377,11 +379,7 @@ pub fn contact(frame: &Frame, exact: &Picture, cells: &[Cell], title: &str, line
     let (margin, gap) = (page.units(1.5), page.units(1.2));
     let inner = (columns * room + (columns - 1) * gap).max(LEAST_WIDTH);
 
-    let mut y = page.paragraph((margin, margin), inner, 1.6, INK, title) + page.units(0.2);
-    for line in lines {
-        y = page.paragraph((margin, y), inner, 1.0, GREY, line);
-    }
-    y += page.units(1.0);
+    let mut y = page.heading((margin, inner), title, lines) + page.units(1.0);
     let max_steps = cells.iter().map(|cell| cell.difference.max_steps).max().unwrap_or(0);
     let mut below = y;
     for cell in 0..count as usize {
@@ -407,18 +405,9 @@ pub fn contact(frame: &Frame, exact: &Picture, cells: &[Cell], title: &str, line
         match cell.checked_sub(1) {
             None => {
                 down += page.units(0.6);
-                down = page.paragraph(
-                    (left, down),
-                    room,
-                    1.0,
-                    GREY,
-                    "Below each picture: how far it is off, in output steps",
-                );
-                down = page.legend(
-                    (left, down + page.units(0.5)),
-                    room,
-                    &entries(max_steps, |_| String::new(), String::new()),
-                );
+                let what = "Below each picture: how far it is off, in output steps";
+                down = page.paragraph((left, down), room, 1.0, GREY, what) + page.units(0.5);
+                down = page.legend((left, down), room, &entries(max_steps, |_| String::new(), String::new()));
             }
             Some(core) => {
                 page.picture(Panel { shows: Shows::Difference, cell, left, top: down, zoom }, &heats[core]);

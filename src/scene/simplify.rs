@@ -53,13 +53,15 @@ pub struct Saving {
 }
 
 impl Simplification {
-    fn new(what: &'static str, applies: bool, reason: String, evidence: &[(&'static str, f64)]) -> Self {
+    /// One that does not apply.
+    fn new(what: &'static str, reason: String, evidence: &[(&'static str, f64)]) -> Self {
         let evidence = evidence.iter().copied().collect();
-        Self { what, applies, reason, evidence, keys: SpecFields::default(), undone: None, saves: None }
+        Self { what, applies: false, reason, evidence, keys: SpecFields::default(), undone: None, saves: None }
     }
 
+    /// The same applied, by these keys.
     fn with(self, keys: SpecFields, undone: SpecFields) -> Self {
-        Self { keys, undone: Some(undone), ..self }
+        Self { applies: true, keys, undone: Some(undone), ..self }
     }
 }
 
@@ -139,8 +141,8 @@ fn materials(scene: &Scene, requirements: &Requirements, fields: &SpecFields) ->
         ("rows_of_the_general_core", f64::from(last)),
         ("greatest_shininess", greatest),
     ];
-    let simplification = Simplification::new("only the scene's materials", true, reason, &evidence);
-    Simplification { keys, undone, ..simplification }
+    let simplification = Simplification::new("only the scene's materials", reason, &evidence);
+    Simplification { applies: true, keys, undone, ..simplification }
 }
 
 /// Fewer bits of a port than a general core has: `what` is simplified, `own` of the bits are the chosen core's, and `width` sets them.
@@ -167,7 +169,7 @@ fn fewer_bits(
     if !applies {
         reason += &format!(", no fewer than the {GENERAL_FRACTION} of a general core");
     }
-    let one = Simplification::new(what, applies, reason, &[("bits", f64::from(own)), measure]);
+    let one = Simplification::new(what, reason, &[("bits", f64::from(own)), measure]);
     if applies { one.with(width(own), width(GENERAL_FRACTION).or(fields.clone())) } else { one }
 }
 
@@ -193,31 +195,19 @@ fn output(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> 
 
 /// The core that computes `x^n` to its last bit, with the ports of the chosen one.
 fn faithful(fields: &SpecFields) -> SpecFields {
-    let SpecFields {
-        name,
-        material,
-        input_fraction,
-        output_fraction,
-        input_range,
-        operand,
-        rom,
-        rom_formats,
-        pipeline,
-        languages,
-        ..
-    } = fields.clone();
+    let fields = fields.clone();
     SpecFields {
         method: MethodName::named("log-exp"),
-        name,
-        material,
-        input_fraction,
-        output_fraction,
-        input_range,
-        operand,
-        rom,
-        rom_formats,
-        pipeline,
-        languages,
+        name: fields.name,
+        material: fields.material,
+        input_fraction: fields.input_fraction,
+        output_fraction: fields.output_fraction,
+        input_range: fields.input_range,
+        operand: fields.operand,
+        rom: fields.rom,
+        rom_formats: fields.rom_formats,
+        pipeline: fields.pipeline,
+        languages: fields.languages,
         ..SpecFields::default()
     }
 }
@@ -248,7 +238,7 @@ fn accuracy(
         ("rms_on_the_picture", chosen.lobe_rms),
         ("max_steps", f64::from(chosen.base.max_steps.max(chosen.moved.max_steps))),
     ];
-    let one = Simplification::new("accuracy from the budget", applies, reason, &evidence);
+    let one = Simplification { applies, ..Simplification::new("accuracy from the budget", reason, &evidence) };
     let undone = faithful(fields);
     if !applies || undone.clone().resolve().is_err() {
         return one;
@@ -278,14 +268,14 @@ fn tail(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Si
         let reason = format!("{seen}; the coefficients are fitted above {objective} only");
         let keys = SpecFields { objective: Some(objective), ..SpecFields::default() };
         let undone = SpecFields { objective: Some(Objective::MaxAbs), ..fields.clone() };
-        return Simplification::new(what, true, reason, &evidence).with(keys, undone);
+        return Simplification::new(what, reason, &evidence).with(keys, undone);
     }
     let why = if spec.is_fitted() {
         "coefficients fitted to the visible part alone make no cheaper core that keeps the budget"
     } else {
         "the chosen method has no fitted coefficients that could leave it out"
     };
-    Simplification::new(what, false, format!("{seen}; {why}"), &evidence)
+    Simplification::new(what, format!("{seen}; {why}"), &evidence)
 }
 
 fn range(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Simplification {
@@ -297,21 +287,21 @@ fn range(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> S
     if !requirements.stays_in_range() {
         let reason =
             format!("negative cosines occur: {negative:.2} % of the lit samples, down to {least:.4}; the clamp stays");
-        return Simplification::new(what, false, reason, &evidence);
+        return Simplification::new(what, reason, &evidence);
     }
     let reason = format!("no lit sample has a negative cosine: the least is {least:.4}");
     if spec.interface.input_range != InputRange::Unit {
-        return Simplification::new(what, false, reason + "; the keys ask for a port that takes any", &evidence);
+        return Simplification::new(what, reason + "; the keys ask for a port that takes any", &evidence);
     }
     let range = |range: InputRange| SpecFields { input_range: Some(range), ..SpecFields::default() };
-    Simplification::new(what, true, reason, &evidence)
+    Simplification::new(what, reason, &evidence)
         .with(range(InputRange::Unit), range(InputRange::Any).or(fields.clone()))
 }
 
 fn lights(requirements: &Requirements) -> Simplification {
     let count = requirements.lights;
     let reason = format!("the scene has {}: a shader around this lobe needs no more", counted(count as u64, "light"));
-    Simplification::new("no more lights than there are", false, reason, &[("lights", count as f64)])
+    Simplification::new("no more lights than there are", reason, &[("lights", count as f64)])
 }
 
 fn saturation(requirements: &Requirements) -> Simplification {
@@ -324,5 +314,5 @@ fn saturation(requirements: &Requirements) -> Simplification {
         "no channel exceeds full scale in any picture; the lobe has no adder that could lose its saturation".to_owned()
     };
     let evidence = [("pixels_base", base as f64), ("pixels_moved", moved as f64)];
-    Simplification::new("no saturation", false, reason, &evidence)
+    Simplification::new("no saturation", reason, &evidence)
 }
