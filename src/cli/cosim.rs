@@ -17,9 +17,6 @@ use crate::verify::golden::{self, Golden};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    #[command(flatten)]
-    source: Source,
-
     /// What simulates; all takes every simulator that reads one of the core's languages
     #[arg(long, value_enum, default_value = "builtin")]
     sim: Sim,
@@ -44,6 +41,9 @@ pub(super) struct Arguments {
     /// Write the result as JUnit XML as well
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
+
+    #[command(flatten)]
+    source: Source,
 }
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {

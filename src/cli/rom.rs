@@ -16,9 +16,6 @@ use crate::spec::CoreSpec;
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    #[command(flatten)]
-    source: Source,
-
     /// Formats to write [default: all]; with --check the format of FILE, whatever its name is
     #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMATS")]
     format: Vec<RomFormat>,
@@ -38,6 +35,9 @@ pub(super) struct Arguments {
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
+
+    #[command(flatten)]
+    source: Source,
 }
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {

@@ -13,9 +13,6 @@ use crate::target::Family;
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    #[command(flatten)]
-    source: Source,
-
     #[arg(long, value_enum, default_value_t, help = families())]
     family: Family,
 
@@ -61,6 +58,9 @@ pub(super) struct Arguments {
     /// Write the result to a file instead of printing it
     #[arg(long, short, value_name = "FILE")]
     out: Option<PathBuf>,
+
+    #[command(flatten)]
+    source: Source,
 }
 
 fn families() -> String {
