@@ -168,7 +168,8 @@ fn lobes<'a, L: Lobe + 'a>(
 
 /// The real-valued lobe of a `power` method.
 fn fitted_power(n: f64, k: u32) -> std::result::Result<Polynomial, brdfgen::platform::error::Error> {
-    let fit::Power { big_a, a } = fit::power(n, k, Inside::Quadratic, &Objective::MaxAbs)?.coefficients;
+    let fit::Power { big_a, a } =
+        brdfgen::method::power::fit(n, k, Inside::Quadratic, &Objective::MaxAbs)?.coefficients;
     let end = if a > 0.0 { (big_a / (2.0 * a)).min(1.0) } else { 1.0 };
     Ok(Polynomial { cosine: false, power: k, c: 1.0, big_a, a, end, past: 0.0 })
 }

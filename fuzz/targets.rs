@@ -72,13 +72,14 @@ fn spec(bytes: &[u8]) {
 /// Whether a core is made in no time: few inputs, small tables, and few stages of few operations.
 fn is_small(spec: &CoreSpec) -> bool {
     let inputs = spec.interface.shininess.index_bits() + spec.interface.input_fraction;
-    let entries = [spec.table_bits, spec.log_bits, spec.exp_bits].into_iter().all(|bits| bits <= 9);
+    let options = spec.method.options();
+    let entries = [options.table_bits, options.log_bits, options.exp_bits];
     let lights = spec.block.shader().map_or(0, |shader| shader.lights);
     inputs <= 13
         && spec.interface.shininess.rows() <= 300
-        && entries
+        && entries.into_iter().flatten().all(|bits| bits <= 9)
         && lights <= 2
-        && spec.accuracy.is_none_or(|bits| bits <= 9)
+        && options.accuracy.is_none_or(|bits| bits <= 9)
 }
 
 /// A small core is made, or refused in words: model and datapath compute the same for every input, and what is measured of it is within

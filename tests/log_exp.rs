@@ -31,8 +31,12 @@ fn error(design: &Design, index: u32, operand: i64, output: u32) -> f64 {
 
 fn assert_within(design: &Design, spec: &str, index: u32, operand: i64, output: u32) {
     let [low, high] = design.budget.proved_ulps;
-    let allowed =
-        design.spec.accuracy.map_or(1.0, |bits| exp2(design.spec.interface.output_fraction as i32 - bits as i32));
+    let allowed = design
+        .spec
+        .method
+        .options()
+        .accuracy
+        .map_or(1.0, |bits| exp2(design.spec.interface.output_fraction as i32 - bits as i32));
     assert!(-allowed < low && high < allowed, "{spec}: proved {low}..{high}");
     let error = error(design, index, operand, output);
     // The power itself is computed in double precision here: its relative error is below (2 + n |ln x|) 2^-52.

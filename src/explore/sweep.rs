@@ -346,7 +346,7 @@ mod tests {
         assert!(plan.cores.is_sorted_by(|a, b| a.id < b.id));
         let ice: Vec<&Core> = plan.cores.iter().filter(|core| core.family == Family::Ice40).collect();
         assert_eq!(ice.len(), 1);
-        assert_eq!(ice[0].spec.method, Method::Quadratic);
+        assert_eq!(ice[0].spec.method.about().name, "quadratic");
     }
 
     #[test]
