@@ -128,7 +128,7 @@ fn in_double(design: &Design, sample: &Sample, power: impl Fn(f64, f64) -> f64) 
     let shader = shader(design);
     let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     let row = (sample.material as usize).min(design.spec.interface.shininess.rows() - 1);
-    let surface = Shader::surfaces(&design.spec)[row];
+    let surface = Shader::surfaces(&design.spec.interface)[row];
     let mut sums = [0, 1, 2].map(|channel| shader.ambient_light[channel] * surface.ambient[channel]);
     for (number, light) in sample.lights.iter().enumerate() {
         let (nl, nv) = (dot(sample.normal, light.direction), dot(sample.normal, sample.viewer));

@@ -108,7 +108,7 @@ fn edge(design: &Design, shader: &Shader, row: u32, shininess: f64, dice: &mut D
     let fraction = shader.vector_fraction;
     let axis = near_axis(fraction, dice);
     let direction: Vector = axis.map(|code| code as f64 * exp2(-(fraction as i32)));
-    let dot_bits = shader.widths(&design.spec).get("dot") as u32;
+    let dot_bits = shader.widths(&design.spec.interface).get("dot") as u32;
     let dropped = 2 * fraction - dot_bits;
     let light = dice.below(shader.lights.into()) as usize;
     let about_normal = |dice: &mut Dice| {
@@ -225,7 +225,7 @@ mod tests {
     fn products_are_often_just_below_a_last_bit() {
         let design = design();
         let shader = design.spec.block.shader().expect("a shader");
-        let dropped = 2 * shader.vector_fraction - shader.widths(&design.spec).get("dot") as u32;
+        let dropped = 2 * shader.vector_fraction - shader.widths(&design.spec.interface).get("dot") as u32;
         assert_eq!(dropped, 14);
         let mut dice = Dice::new(3);
         let names = ["nl1_xyz", "nv_xyz", "lv1_xyz"];

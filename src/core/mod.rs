@@ -107,7 +107,7 @@ impl Design {
         let narrowed = narrow(&spec, &mut lobe);
         let datapath = match &spec.block {
             Block::Lobe => lobe,
-            Block::Shader(shader) => shader::build(&spec, shader, &lobe).ok_or_else(|| {
+            Block::Shader(shader) => shader::build(&spec.interface, shader, &lobe).ok_or_else(|| {
                 Error::input("the shader would need values of more than 126 bits", "use fewer fraction bits")
             })?,
         };
@@ -340,7 +340,7 @@ impl Design {
     /// The bit-exact reference of the shader that this core is.
     #[must_use]
     pub fn shader_model<'a>(&'a self, shader: &'a Shader) -> ShaderModel<'a> {
-        ShaderModel::new(&self.spec, shader, self.model(), self.tables())
+        ShaderModel::new(&self.spec.interface, shader, self.model(), self.tables())
     }
 
     /// What the code of the first input port selects, for people.

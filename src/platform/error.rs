@@ -12,7 +12,7 @@ use thiserror::Error as ThisError;
 pub enum Error {
     /// A value that the user gave is not allowed.
     #[error("{what}")]
-    #[diagnostic(code(brdfgen::platform::input))]
+    #[diagnostic(code(brdfgen::input))]
     Input {
         /// What is wrong.
         what: String,
@@ -49,7 +49,7 @@ pub enum Error {
     },
     /// An external program is not installed.
     #[error("{tool} is needed for this and is not installed")]
-    #[diagnostic(code(brdfgen::platform::tool))]
+    #[diagnostic(code(brdfgen::tool))]
     MissingTool {
         /// The program.
         tool: String,
@@ -59,7 +59,7 @@ pub enum Error {
     },
     /// An external program did not do its work.
     #[error("{tool} failed: {what}")]
-    #[diagnostic(code(brdfgen::platform::tool))]
+    #[diagnostic(code(brdfgen::tool))]
     ToolFailed {
         /// The program.
         tool: String,
@@ -71,7 +71,7 @@ pub enum Error {
     },
     /// An external program ran longer than it may.
     #[error("{tool} was stopped, as it had not ended within {seconds} s")]
-    #[diagnostic(code(brdfgen::platform::tool), help("--time-limit SECONDS gives every program more time"))]
+    #[diagnostic(code(brdfgen::tool), help("--time-limit SECONDS gives every program more time"))]
     TimeLimit {
         /// The program.
         tool: String,

@@ -5,11 +5,15 @@
 
 mod fields;
 mod golden_inputs;
-mod shader;
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+pub(crate) use crate::block::shader::unit;
+pub use crate::block::shader::{
+    Block, BlockKind, CHANNEL_BITS, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, Surface,
+    VECTOR_FRACTION,
+};
 pub use crate::datapath::schedule::{PIPELINE_DEPTH, Pipeline};
 pub use crate::fit::Inside;
 pub use crate::method::cubic::Tail;
@@ -22,11 +26,6 @@ pub use crate::method::{
 pub use fields::SpecFields;
 pub(crate) use fields::{check_name, suggest, toml_error};
 pub use golden_inputs::GoldenInputs;
-pub(crate) use shader::unit;
-pub use shader::{
-    Block, BlockKind, CHANNEL_BITS, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, Surface,
-    VECTOR_FRACTION,
-};
 
 use crate::emit::rom::RomFormat;
 

@@ -3,6 +3,7 @@
 //! The lobe is any method's own graph, taken over operation by operation ([`Builder::graft`]), once a light. What is around it is analysed
 //! here over all codes of the vectors' ports, of unit length or not: every code has a defined result.
 
+use super::{Cosine, LightColours, Shader};
 use crate::datapath::Datapath;
 use crate::datapath::builder::{Bound, Builder, Case};
 use crate::datapath::graph::{Graph, NodeId, Op};
@@ -10,7 +11,7 @@ use crate::fixed::Widths;
 use crate::fixed::{Field, Table, interned};
 use crate::fixed::{Format, Interval, exp2};
 use crate::method::polynomial::datapath::{field, nearest_code};
-use crate::spec::{CoreSpec, Cosine, LightColours, Shader, Shininess};
+use crate::method::{Interface, Shininess};
 
 /// The name of the memory with the materials' colours.
 pub const COLOURS: &str = "colours";
@@ -46,8 +47,8 @@ pub fn colour_names(shader: &Shader, channel: usize, light: usize) -> [&'static 
 ///
 /// Light colours that are constants are multiplied in. One that is a port's code c stands for `c / (2^bits - 1)`, so that its product with
 /// k is `k c 2^-bits` in these units, and k is in the ROM as it is.
-fn colours(spec: &CoreSpec, shader: &Shader, frac_bits: i32) -> Table {
-    let surfaces = Shader::surfaces(spec);
+fn colours(interface: &Interface, shader: &Shader, frac_bits: i32) -> Table {
+    let surfaces = Shader::surfaces(interface);
     let full = shader.full_scale() as f64 * exp2(-(shader.channel_bits as i32));
     let column = |name: &'static str, meaning: &'static str, value: &dyn Fn(usize) -> f64| -> Field {
         let reals: Vec<f64> = (0..surfaces.len()).map(value).collect();
@@ -80,14 +81,14 @@ fn colours(spec: &CoreSpec, shader: &Shader, frac_bits: i32) -> Table {
 /// Index bits below the point of the table of reciprocal roots: straight lines over segments of `h = 2^-j` are off by
 /// `(3/4) h^2 / 16` at most at m = 1, which this keeps below a quarter of the lobe's input step.
 #[must_use]
-pub fn root_index_bits(spec: &CoreSpec) -> i32 {
-    ((spec.interface.input_fraction as i32 - 1) / 2).max(1)
+pub fn root_index_bits(interface: &Interface) -> i32 {
+    ((interface.input_fraction as i32 - 1) / 2).max(1)
 }
 
 /// `1/sqrt(m)` for m from 1 to 4 in straight lines, a row a segment; each lies half its largest error below the chord. Below 1, where
 /// only m = 0 falls, it is 1.
-fn roots(spec: &CoreSpec, light: usize, frac_bits: i32) -> Table {
-    let j = root_index_bits(spec);
+fn roots(interface: &Interface, light: usize, frac_bits: i32) -> Table {
+    let j = root_index_bits(interface);
     let step = exp2(-j);
     let (mut values, mut slopes) = (Vec::new(), Vec::new());
     for row in 0..4usize << j {
@@ -146,7 +147,7 @@ fn lobe_memories(lobe: &Datapath, lights: usize, tables: &mut Vec<Table>) -> Vec
 /// The shader's graph under construction.
 struct Shading<'a, 'b> {
     b: Builder<'b>,
-    spec: &'a CoreSpec,
+    interface: &'a Interface,
     shader: &'a Shader,
     widths: Widths,
     normal: [NodeId; 3],
@@ -256,7 +257,7 @@ impl Shading<'_, '_> {
         let s = self.b.floor(s, bits, &format!("m{l}"), "m = s 4^k, rounded down");
         let a = self.b.floor(a, bits, &format!("a{l}_scaled"), "a 2^k, rounded down");
         let ds = self.b.format(s).frac_bits;
-        let j = root_index_bits(self.spec);
+        let j = root_index_bits(self.interface);
         let row = self.b.cast(s, Format::unsigned(2, j), false, &format!("m{l}_high"), "the segment of m");
         let row = self.b.scale(row, None, j, &[j], &format!("segment{l}"), "its number");
         let [root, slope] = root_fields(light).map(|name| self.b.field(memory, row, name));
@@ -275,21 +276,21 @@ impl Shading<'_, '_> {
 /// The inputs are `in_material`, N, V where it is used, and for each light L, H where it is given, and its colour where that comes from
 /// ports. The outputs are the codes of the three channels.
 #[must_use]
-pub fn build(spec: &CoreSpec, shader: &Shader, lobe: &Datapath) -> Option<Datapath> {
-    let widths = shader.widths(spec);
+pub fn build(interface: &Interface, shader: &Shader, lobe: &Datapath) -> Option<Datapath> {
+    let widths = shader.widths(interface);
     let lights = shader.lights as usize;
     let mut tables = Vec::new();
     let memories = lobe_memories(lobe, lights, &mut tables);
     let colour_memory = tables.len();
-    tables.push(colours(spec, shader, widths.get("k")));
+    tables.push(colours(interface, shader, widths.get("k")));
     if shader.cosine == Cosine::Sqrt {
-        tables.extend((0..lights).map(|light| roots(spec, light, widths.get("root"))));
+        tables.extend((0..lights).map(|light| roots(interface, light, widths.get("root"))));
     }
-    let shininess = spec.interface.shininess.values().into_iter().fold(1.0, f64::max);
+    let shininess = interface.shininess.values().into_iter().fold(1.0, f64::max);
     let case = Case { active: Interval::UNIT, shininess, rows: vec![None; tables.len()] };
     let mut b = Builder::new(&tables, vec![case]);
-    let material = material_port(&mut b, &spec.interface.shininess);
-    let mut shading = Shading { b, spec, shader, widths: widths.clone(), normal: [0; 3] };
+    let material = material_port(&mut b, &interface.shininess);
+    let mut shading = Shading { b, interface, shader, widths: widths.clone(), normal: [0; 3] };
     shading.normal = shading.vector("n");
     let viewer = (shader.cosine != Cosine::Half).then(|| shading.vector("v"));
     let channel = Format::unsigned(0, shader.channel_bits as i32);

@@ -2,5 +2,11 @@
 
 pub mod datapath;
 mod model;
+mod options;
 
 pub use model::{Cosines, ShaderModel};
+pub(crate) use options::unit;
+pub use options::{
+    Block, BlockKind, CHANNEL_BITS, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, Surface,
+    VECTOR_FRACTION,
+};

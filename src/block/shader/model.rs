@@ -1,16 +1,17 @@
 //! The shader: scalar products, the cosine of the highlight, the lobe, the sum of the lights' colours.
 
+use super::{Cosine, LightColours, Shader};
 use crate::fixed::Table;
 use crate::fixed::Widths;
 use crate::fixed::wide::{self, Wide};
+use crate::method::Interface;
 use crate::method::Model;
-use crate::spec::{CoreSpec, Cosine, LightColours, Shader};
 
-/// The function of a shader core for one spec.
+/// The function of a shader core for one interface.
 #[derive(Clone, Debug)]
 pub struct ShaderModel<'a> {
     lobe: Model<'a>,
-    spec: &'a CoreSpec,
+    interface: &'a Interface,
     shader: &'a Shader,
     widths: Widths,
     tables: &'a [Table],
@@ -36,15 +37,15 @@ fn dot(a: Vector, b: Vector) -> Wide {
 impl<'a> ShaderModel<'a> {
     /// The model of a shader around `lobe` with these ROM words.
     #[must_use]
-    pub fn new(spec: &'a CoreSpec, shader: &'a Shader, lobe: Model<'a>, tables: &'a [Table]) -> Self {
-        Self { lobe, spec, shader, widths: shader.widths(spec), tables }
+    pub fn new(interface: &'a Interface, shader: &'a Shader, lobe: Model<'a>, tables: &'a [Table]) -> Self {
+        Self { lobe, interface, shader, widths: shader.widths(interface), tables }
     }
 
     /// The codes of `out_r`, `out_g` and `out_b` for the codes of the input ports in their order.
     #[must_use]
     pub fn evaluate(&self, inputs: &[i64]) -> Vec<i64> {
         let (index, cosines, colours) = self.taken_apart(inputs);
-        let row = self.spec.interface.shininess.row_of_index(index);
+        let row = self.interface.shininess.row_of_index(index);
         let bits = self.shader.channel_bits;
         let highlights: Vec<Wide> = cosines.iter().map(|light| self.highlight(index, light)).collect();
         let channel = |channel: usize| {
@@ -75,8 +76,8 @@ impl<'a> ShaderModel<'a> {
         if !light.lit {
             return Wide::ZERO;
         }
-        let operand = wide::to_code(light.operand, self.spec.interface.input_fraction) as i64;
-        wide::from_code(self.lobe.evaluate(index, operand).into(), self.spec.interface.output_fraction)
+        let operand = wide::to_code(light.operand, self.interface.input_fraction) as i64;
+        wide::from_code(self.lobe.evaluate(index, operand).into(), self.interface.output_fraction)
     }
 
     /// The material's code, the cosines of each light, and the lights' colours where they come from ports.

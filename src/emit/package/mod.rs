@@ -304,7 +304,7 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
         files.iter().map(|file| (file.path.clone(), json!(hex(&Sha256::digest(&file.bytes))))).collect();
     let mut widths = json!(design.widths);
     if let Block::Shader(shader) = &spec.block {
-        widths = json!({ "lobe": widths, "shader": shader.widths(spec) });
+        widths = json!({ "lobe": widths, "shader": shader.widths(&spec.interface) });
     }
     let mut manifest = json!({
         "generator": "brdfgen",

@@ -5,9 +5,8 @@ use std::str::FromStr;
 use clap::{Args, ValueEnum};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::{CoreSpec, Material, Shininess};
 use crate::fixed::Widths;
-use crate::method::Colour;
+use crate::method::{Colour, Interface, Material, Shininess};
 use crate::platform::error::Error;
 
 /// Bits of an output channel that are allowed.
@@ -211,7 +210,7 @@ impl Material {
     }
 
     /// Whether anything of its surface is written.
-    pub(super) fn has_surface(&self) -> bool {
+    pub(crate) fn has_surface(&self) -> bool {
         let factors = [self.ambient, self.diffuse, self.specular];
         let colours = [self.colour, self.ambient_colour, self.specular_colour];
         factors.iter().any(Option::is_some) || colours.iter().any(Option::is_some)
@@ -321,9 +320,9 @@ impl Shader {
     /// `k`: the colours in the ROM; `term`: each light's terms, so fine that all their roundings together stay below an eighth of an
     /// output step; `root`: the reciprocal square root and its factor.
     #[must_use]
-    pub fn widths(&self, spec: &CoreSpec) -> Widths {
+    pub fn widths(&self, interface: &Interface) -> Widths {
         let (f, bits) = (self.vector_fraction as i32, self.channel_bits as i32);
-        let x = spec.interface.input_fraction as i32;
+        let x = interface.input_fraction as i32;
         let finer = if self.cosine == Cosine::Sqrt { 6 } else { 2 };
         let dot = (x + finer).min(2 * f);
         let each = if self.light_colours == LightColours::Ports { 3 } else { 2 };
@@ -340,8 +339,8 @@ impl Shader {
 
     /// The materials' surfaces, in the order of the set.
     #[must_use]
-    pub fn surfaces(spec: &CoreSpec) -> Vec<Surface> {
-        match &spec.interface.shininess {
+    pub fn surfaces(interface: &Interface) -> Vec<Surface> {
+        match &interface.shininess {
             Shininess::Materials(materials) => materials.iter().map(Material::surface).collect(),
             _ => Vec::new(),
         }
