@@ -12,7 +12,7 @@ use brdfgen::core::{Account, Design, Part, ShaderError};
 use brdfgen::emit::package;
 use brdfgen::emit::rom::{self, RomFormat};
 use brdfgen::explore::{Results, Sweep};
-use brdfgen::fixed::Dice;
+use brdfgen::fixed::Rng;
 use brdfgen::papers::Recorded;
 use brdfgen::platform::error::Error;
 use brdfgen::reflectance::{directory, images, merl, source};
@@ -104,8 +104,8 @@ fn generate(bytes: &[u8]) {
     };
     let (account, golden) = if design.spec.block.shader().is_some() {
         let ports = design.numbers(Direction::In);
-        let mut dice = Dice::new(0);
-        (0..64).for_each(|_| agree(&random_codes(&ports, &mut dice)));
+        let mut rng = Rng::new(0);
+        (0..64).for_each(|_| agree(&random_codes(&ports, &mut rng)));
         let none = |name| Part { name, meaning: "", codes: [0.0; 2], rms: 0.0 };
         let account = Account::Shader(ShaderError { samples: 1, parts: vec![none("part")], whole: none("whole") });
         let (core, spec_digest) = (design.spec.name.clone(), design.spec.digest());

@@ -3,41 +3,34 @@
 //!
 //! # The map of the house
 //!
-//! Data flows one way: spec → coefficients → datapath → {HDL, vectors, ROM files} → checks → reports.
+//! Data flows one way: spec → method → datapath → core → {HDL, ROM files, vectors} → checks → reports. A room stands above all that it
+//! uses, as `tests/rooms.rs` reads off the sources; from the bottom up:
 //!
 //! | module | what it does |
 //! | --- | --- |
-//! | [`spec`] | what the user asked for: TOML and flags, validated once, every default resolved |
-//! | [`lobe`] | real-valued mathematics, one file a method; knows no bits |
+//! | [`platform`] | external programs, temporary files, errors, the user's files |
+//! | [`plot`] | charts as SVG and PNG |
+//! | [`fixed`] | fixed-point formats, intervals, the model's wide type, the words of a memory |
+//! | [`emit::rom`] | writers and readers of every ROM format, one file each |
+//! | [`lobe`] | the lobe x^n as a real number, and what its approximations have in common |
+//! | [`target`] | one file an FPGA family: cells, block RAM and DSP shapes, costs, tools |
+//! | [`datapath`] | a core as a graph of typed operations: error analysis, widths, schedule, simulation, evaluator |
 //! | [`fit`] | minimax coefficients for the lobes' shapes, as real numbers |
-//! | [`number`] | fixed-point formats, intervals, the model's wide type |
+//! | [`method`] | one folder a method: its options, its reals, its graph, its bits |
 //! | [`reflectance`] | measured and analytic reflectance, sphere images of it; knows no cores |
-//! | [`rom`] | quantised coefficient tables; writers and readers of every ROM format |
-//! | [`datapath`] | the core as a graph of typed operations: error analysis, widths, schedule, simulation, evaluator |
-//! | [`model`] | the bit-exact reference, straight from the formula; knows nothing of `datapath` |
-//! | [`design`] | a resolved core: all of the above for one spec, and its measured error |
-//! | [`kernel`] | the same blocks in rust-hdl: in-process simulation, a second road to Verilog |
-//! | [`hdl`] | datapath to Verilog and VHDL, through templates |
-//! | [`golden`] | golden vectors: make, read, compare |
-//! | [`package`] | the core directory: all files of a core, put on disk whole |
-//! | [`mutate`] | mutants of a core, and whether the golden vectors kill them |
-//! | [`cosim`] | runs the HDL in simulators and compares it with the model |
-//! | [`target`] | the families of FPGAs: cells, blocks, costs, tools |
+//! | [`block`] | what is built around a lobe: a whole shader |
+//! | [`spec`] | what the user asked for: TOML and flags, validated once, every default resolved |
+//! | [`core`] | a resolved core: all of the above for one spec, its ports and its measured error |
+//! | [`emit`] | a core as Verilog and VHDL, test benches, and the core directory, put on disk whole |
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
-//! | [`formal`] | proves that the HDL texts of a core are the same circuit |
-//! | [`tool`] | external programs: where they are, how they are run |
-//! | [`transient`] | temporary files and started programs: none outlives a run |
+//! | [`verify`] | golden vectors, simulators, proofs, injected faults, stability |
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
 //! | [`scene`] | scene files, what a scene requires of a core, pictures |
-//! | [`stability`] | how cores hold up where forms degenerate: registers (of shaders too), ends, seams, every input |
-//! | [`plot`] | charts as SVG and PNG |
-//! | [`report`] | the trade, materials and scenes as HTML pages |
-//! | [`claims`] | the papers' claims and figures, measured on the real-valued lobes |
-//! | [`input`] | the user's files, read within limits and as other programs write them |
-//! | [`paths`] | which files a command reads and writes: nothing is written over what is read |
+//! | [`papers`] | the papers' claims and figures, measured on the real-valued lobes |
+//! | [`report`] | the trade as an HTML page |
 //! | [`cli`] | the commands; the only module that prints |
 //!
-//! `model` and `datapath` never import each other: what the one says, the other is checked against.
+//! Within a method `model` and `datapath` never import each other: what the one says, the other is checked against.
 #![warn(missing_docs)]
 
 pub mod block;

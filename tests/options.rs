@@ -23,7 +23,7 @@ use brdfgen::core::Direction;
 use brdfgen::core::sample::random_codes;
 use brdfgen::core::{Account, Design, Part, ShaderError};
 use brdfgen::emit::package;
-use brdfgen::fixed::Dice;
+use brdfgen::fixed::Rng;
 use brdfgen::platform::error::Error;
 use brdfgen::spec::{CoreSpec, Interface, Language, RomStyle, SpecFields};
 use brdfgen::verify::cosim::{self, Job, Sim};
@@ -249,9 +249,9 @@ fn sketched(design: &Design) -> (Account, Golden) {
     let part = |name| Part { name, meaning: "", codes: [0.0; 2], rms: 0.0 };
     let account = Account::Shader(ShaderError { samples: 1, parts: vec![part("part")], whole: part("whole") });
     let ports = design.numbers(Direction::In);
-    let mut dice = Dice::new(0);
+    let mut rng = Rng::new(0);
     let vector = |stall| {
-        let inputs = random_codes(&ports, &mut dice);
+        let inputs = random_codes(&ports, &mut rng);
         Vector { outputs: design.evaluate(&inputs), inputs, idle: 0, stall }
     };
     let vectors = (0..64).map(|place| u32::from(place % 8 == 0)).map(vector).collect();

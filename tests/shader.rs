@@ -11,7 +11,7 @@ use brdfgen::core::Direction;
 use brdfgen::core::sample::{Sample, random_codes};
 use brdfgen::core::{Account, Design};
 use brdfgen::emit::package;
-use brdfgen::fixed::Dice;
+use brdfgen::fixed::Rng;
 use brdfgen::method::quadratic::Quadratic;
 use brdfgen::platform::error::Error;
 use brdfgen::spec::{Cosine, Language, LightColours, Shader, SpecFields};
@@ -83,9 +83,9 @@ fn through_graph(design: &Design, codes: &[i64]) -> Vec<i64> {
     design.graph().outputs.iter().map(|&(_, node)| values[node] as i64).collect()
 }
 
-fn random_sample(design: &Design, dice: &mut Dice) -> Sample {
-    let row = dice.below(design.spec.interface.shininess.rows() as u64) as usize;
-    Sample::random(shader(design), row as u32, design.spec.interface.shininess.value(row), dice)
+fn random_sample(design: &Design, rng: &mut Rng) -> Sample {
+    let row = rng.below(design.spec.interface.shininess.rows() as u64) as usize;
+    Sample::random(shader(design), row as u32, design.spec.interface.shininess.value(row), rng)
 }
 
 /// A million inputs: samples, random codes, and codes that are each at an end, about 0 or about 1.
@@ -97,17 +97,17 @@ fn the_model_equals_the_graph_on_a_million_samples() {
         let design = design(spec);
         let ports = design.numbers(Direction::In);
         let one = 1i64 << shader(&design).vector_fraction;
-        let mut dice = Dice::new(100 + number as u64);
+        let mut rng = Rng::new(100 + number as u64);
         let mut bright = 0;
         for sample in 0..each {
             let codes = match sample % 3 {
-                0 => random_sample(&design, &mut dice).codes(shader(&design)),
-                1 => random_codes(&ports, &mut dice),
+                0 => random_sample(&design, &mut rng).codes(shader(&design)),
+                1 => random_codes(&ports, &mut rng),
                 _ => ports
                     .iter()
                     .map(|(_, format)| {
                         let marks = [i64::MIN, -one - 1, -one, -one + 1, -1, 0, 1, one - 1, one, one + 1, i64::MAX];
-                        let mark = marks[dice.below(marks.len() as u64) as usize];
+                        let mark = marks[rng.below(marks.len() as u64) as usize];
                         mark.clamp(format.min_code() as i64, format.max_code() as i64)
                     })
                     .collect(),
@@ -167,9 +167,9 @@ fn the_hardware_is_near_a_shader_in_double_precision() {
         let Account::Shader(account) = Account::of(&design) else { panic!("a shader's account") };
         assert_eq!(account.parts.len(), 5);
         let [low, high] = account.whole.codes;
-        let mut dice = Dice::new(7);
+        let mut rng = Rng::new(7);
         for _ in 0..20_000 {
-            let sample = random_sample(&design, &mut dice);
+            let sample = random_sample(&design, &mut rng);
             let rounded = sample.quantised(shader(&design));
             let hardware = design.evaluate(&sample.codes(shader(&design)));
             let quadratic = |n: f64, x: f64| (x * (1.0 - Quadratic::new(n).unwrap().a * (1.0 - x))).max(0.0);

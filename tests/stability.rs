@@ -7,7 +7,7 @@ use brdfgen::core::sample::{Sample, random_codes};
 use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::graph::{Graph, Op};
 use brdfgen::datapath::range::Analysis;
-use brdfgen::fixed::Dice;
+use brdfgen::fixed::Rng;
 use brdfgen::spec::{Block, MethodName, SpecFields};
 use brdfgen::verify::stability::document::{self, Study};
 use brdfgen::verify::stability::inspect::Inspection;
@@ -260,9 +260,9 @@ fn no_value_of_a_shader_overflows() {
         let graph = design.graph();
         let proof = prove(&design, graph);
         let ports = design.numbers(Direction::In);
-        let mut dice = Dice::new(1);
+        let mut rng = Rng::new(1);
         for _ in 0..500 {
-            let codes: Vec<i128> = random_codes(&ports, &mut dice).into_iter().map(i128::from).collect();
+            let codes: Vec<i128> = random_codes(&ports, &mut rng).into_iter().map(i128::from).collect();
             let values = graph.values(design.tables(), &codes);
             for &(_, id) in &graph.outputs {
                 assert!(proof.ranges.needed[id].unwrap().contains(values[id]), "{text:?}");
@@ -277,10 +277,10 @@ fn a_register_of_a_shader_with_a_bit_too_few_is_found() {
     for text in SHADERS {
         let design = shader_design(text);
         let Block::Shader(shader) = &design.spec.block else { panic!("a shader") };
-        let mut dice = Dice::new(1);
+        let mut rng = Rng::new(1);
         let samples: Vec<Vec<i128>> = (0..200)
             .map(|place| {
-                let sample = Sample::random(shader, place % 2, 3.0, &mut dice).codes(shader);
+                let sample = Sample::random(shader, place % 2, 3.0, &mut rng).codes(shader);
                 sample.into_iter().map(i128::from).collect()
             })
             .collect();

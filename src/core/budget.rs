@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::Design;
 use super::sample::Sample;
-use crate::fixed::Dice;
+use crate::fixed::Rng;
 use crate::fixed::Table;
 use crate::fixed::wide::Wide;
 use crate::lobe;
@@ -61,11 +61,11 @@ impl ShaderError {
         let lobes = design.lobes();
         let model = design.shader_model(shader);
         let of_row = |row: usize| {
-            let mut dice = Dice::new(1 + row as u64);
+            let mut rng = Rng::new(1 + row as u64);
             let n = design.spec.interface.shininess.value(row);
             let mut sums: Sums = [[f64::INFINITY, f64::NEG_INFINITY, 0.0]; PARTS.len() + 1];
             for _ in 0..each {
-                let sample = Sample::random(shader, row as u32, n, &mut dice);
+                let sample = Sample::random(shader, row as u32, n, &mut rng);
                 let rounded = sample.quantised(shader);
                 let codes = sample.codes(shader);
                 let lights = |sample: &Sample, highlight: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {

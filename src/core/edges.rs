@@ -7,7 +7,7 @@
 use super::Design;
 use super::sample::{Sample, Vector, front, normalised, plus, random_codes, random_direction};
 use crate::core::Direction;
-use crate::fixed::{Dice, exp2};
+use crate::fixed::{Rng, exp2};
 use crate::spec::{Cosine, Shader};
 
 /// Factors on either side of a sample's that are tried for one whose other has about the value of the sample's.
@@ -21,16 +21,16 @@ fn product(a: Codes, b: Codes) -> i64 {
 }
 
 /// A vector of about the length 1 with which any other has any product that it is to have, after a small move.
-fn near_axis(fraction: u32, dice: &mut Dice) -> Codes {
+fn near_axis(fraction: u32, rng: &mut Rng) -> Codes {
     let one = 1i64 << fraction;
     let least = (1 << (fraction / 2)) / 2;
-    let middle = (least + dice.below(3 * least + 1)) as i64;
+    let middle = (least + rng.below(3 * least + 1)) as i64;
     let rest = (one * one - middle * middle - 1).max(0);
-    let first = dice.below(3) as usize;
-    let step = 1 + dice.below(2) as usize;
+    let first = rng.below(3) as usize;
+    let step = 1 + rng.below(2) as usize;
     let mut codes = [0; 3];
     for (place, code) in [libm::sqrt(rest as f64) as i64, middle, 1].into_iter().enumerate() {
-        codes[(first + place * step) % 3] = if dice.below(2) == 0 { code } else { -code };
+        codes[(first + place * step) % 3] = if rng.below(2) == 0 { code } else { -code };
     }
     codes
 }
@@ -48,14 +48,14 @@ fn tune(axis: Codes, moved: &mut Codes, target: i64) {
 }
 
 /// A number whose last bits are all 1, all 0, or one of these but for one bit or two.
-fn last_bits(bits: u32, dice: &mut Dice) -> i64 {
+fn last_bits(bits: u32, rng: &mut Rng) -> i64 {
     let ones = (1i64 << bits) - 1;
-    let some = if dice.below(2) == 0 { 0 } else { ones };
-    let flip = |dice: &mut Dice| match dice.below(3) {
+    let some = if rng.below(2) == 0 { 0 } else { ones };
+    let flip = |rng: &mut Rng| match rng.below(3) {
         0 => 0,
-        _ => 1i64 << dice.below(bits.max(1).into()),
+        _ => 1i64 << rng.below(bits.max(1).into()),
     };
-    (some ^ flip(dice) ^ flip(dice)) & ones
+    (some ^ flip(rng) ^ flip(rng)) & ones
 }
 
 /// The inverse of an odd number modulo a power of two, by Newton's iteration: each step doubles the bits that are right.
@@ -92,66 +92,66 @@ fn put(codes: &mut [i64], place: usize, vector: Codes) {
 
 /// An input of a shader: a random sample, random codes, or one of this module's, each of a random material.
 #[must_use]
-pub fn varied(design: &Design, shader: &Shader, dice: &mut Dice) -> Vec<i64> {
+pub fn varied(design: &Design, shader: &Shader, rng: &mut Rng) -> Vec<i64> {
     let ports = design.numbers(Direction::In);
-    let row = dice.below(design.spec.interface.shininess.rows() as u64) as u32;
+    let row = rng.below(design.spec.interface.shininess.rows() as u64) as u32;
     let n = design.spec.interface.shininess.value(row as usize);
-    let codes = match dice.below(4) {
-        0 => Sample::random(shader, row, n, dice).codes(shader),
-        1 => random_codes(&ports, dice),
-        _ => edge(design, shader, row, n, dice),
+    let codes = match rng.below(4) {
+        0 => Sample::random(shader, row, n, rng).codes(shader),
+        1 => random_codes(&ports, rng),
+        _ => edge(design, shader, row, n, rng),
     };
     codes.into_iter().zip(ports).map(|(code, (_, format))| format.wrap(code.into()) as i64).collect()
 }
 
-fn edge(design: &Design, shader: &Shader, row: u32, shininess: f64, dice: &mut Dice) -> Vec<i64> {
+fn edge(design: &Design, shader: &Shader, row: u32, shininess: f64, rng: &mut Rng) -> Vec<i64> {
     let fraction = shader.vector_fraction;
-    let axis = near_axis(fraction, dice);
+    let axis = near_axis(fraction, rng);
     let direction: Vector = axis.map(|code| code as f64 * exp2(-(fraction as i32)));
     let dot_bits = shader.widths(&design.spec.interface).get("dot") as u32;
     let dropped = 2 * fraction - dot_bits;
-    let light = dice.below(shader.lights.into()) as usize;
-    let about_normal = |dice: &mut Dice| {
-        let viewer = front(random_direction(dice), direction);
-        Sample::seen(shader, row, shininess, direction, viewer, dice).codes(shader)
+    let light = rng.below(shader.lights.into()) as usize;
+    let about_normal = |rng: &mut Rng| {
+        let viewer = front(random_direction(rng), direction);
+        Sample::seen(shader, row, shininess, direction, viewer, rng).codes(shader)
     };
-    let tuned = |axis: usize, moved: usize, codes: &mut Vec<i64>, dice: &mut Dice| {
+    let tuned = |axis: usize, moved: usize, codes: &mut Vec<i64>, rng: &mut Rng| {
         let mut vector = at(codes, moved);
         let product = product(at(codes, axis), vector);
-        tune(at(codes, axis), &mut vector, product >> dropped << dropped | last_bits(dropped, dice));
+        tune(at(codes, axis), &mut vector, product >> dropped << dropped | last_bits(dropped, rng));
         put(codes, moved, vector);
     };
     let number = design.numbers(Direction::In).len();
     let ports = Ports::of(shader, light, number);
-    match (ports.viewer, dice.below(6)) {
+    match (ports.viewer, rng.below(6)) {
         // L.V
         (Some(viewer), 0) => {
-            let normal = front(random_direction(dice), direction);
-            let mut codes = Sample::seen(shader, row, shininess, normal, direction, dice).codes(shader);
-            tuned(viewer, ports.light, &mut codes, dice);
+            let normal = front(random_direction(rng), direction);
+            let mut codes = Sample::seen(shader, row, shininess, normal, direction, rng).codes(shader);
+            tuned(viewer, ports.light, &mut codes, rng);
             codes
         }
         // N.V
         (Some(viewer), 1) => {
-            let mut codes = about_normal(dice);
-            tuned(ports.normal, viewer, &mut codes, dice);
+            let mut codes = about_normal(rng);
+            tuned(ports.normal, viewer, &mut codes, rng);
             codes
         }
         // Grazing light, straight into the viewer's eyes: N.L is a few last bits of the exact product.
         (Some(viewer), 2) => {
-            let mut codes = about_normal(dice);
+            let mut codes = about_normal(rng);
             let mut along = at(&codes, ports.light);
-            tune(axis, &mut along, last_bits(dropped, dice) - i64::from(dice.below(2) == 0));
+            tune(axis, &mut along, last_bits(dropped, rng) - i64::from(rng.below(2) == 0));
             put(&mut codes, ports.light, along);
             put(&mut codes, viewer, along.map(|code| -code));
             codes
         }
         // The product (N.L)(N.V) has all its last bits 1.
         (Some(viewer), 3) => {
-            let mut codes = about_normal(dice);
+            let mut codes = about_normal(rng);
             let [nl, nv] = [ports.light, viewer].map(|place| product(axis, at(&codes, place)) >> dropped);
             let bits = dot_bits - 1;
-            let (wanted, half) = (last_bits(bits, dice), 1i64 << (bits - 1));
+            let (wanted, half) = (last_bits(bits, rng), 1i64 << (bits - 1));
             // Any odd factor has an inverse, so it says the other's low bits: of many near the sample's, the one whose other moves least.
             let moves = |odd: i64| {
                 let low = inverse(odd, bits).wrapping_mul(wanted);
@@ -168,18 +168,18 @@ fn edge(design: &Design, shader: &Shader, row: u32, shininess: f64, dice: &mut D
         }
         // The light behind the viewer: L.V is 1 or a little more.
         (Some(viewer), 4) => {
-            let spread = dice.unit() / libm::sqrt(shininess);
-            let near = normalised(plus(direction, random_direction(dice), spread));
-            let mut codes = Sample::seen(shader, row, shininess, direction, near, dice).codes(shader);
-            let along = at(&codes, viewer).map(|code| code + code.signum() * dice.below(2) as i64);
+            let spread = rng.unit() / libm::sqrt(shininess);
+            let near = normalised(plus(direction, random_direction(rng), spread));
+            let mut codes = Sample::seen(shader, row, shininess, direction, near, rng).codes(shader);
+            let along = at(&codes, viewer).map(|code| code + code.signum() * rng.below(2) as i64);
             put(&mut codes, viewer, along);
             put(&mut codes, ports.light, along);
             codes
         }
         // N.L
         _ => {
-            let mut codes = about_normal(dice);
-            tuned(ports.normal, ports.light, &mut codes, dice);
+            let mut codes = about_normal(rng);
+            tuned(ports.normal, ports.light, &mut codes, rng);
             codes
         }
     }
@@ -198,13 +198,13 @@ mod tests {
 
     #[test]
     fn any_product_comes_from_a_small_move() {
-        let mut dice = Dice::new(7);
+        let mut rng = Rng::new(7);
         for _ in 0..1000 {
-            let axis = near_axis(16, &mut dice);
+            let axis = near_axis(16, &mut rng);
             let length = libm::sqrt(product(axis, axis) as f64);
             assert!((length - 65536.0).abs() < 3.0, "{axis:?}");
-            let start = [(); 3].map(|()| dice.below(1 << 17) as i64 - (1 << 16));
-            let target = product(axis, start) ^ dice.below(1 << 14) as i64;
+            let start = [(); 3].map(|()| rng.below(1 << 17) as i64 - (1 << 16));
+            let target = product(axis, start) ^ rng.below(1 << 14) as i64;
             let mut moved = start;
             tune(axis, &mut moved, target);
             assert_eq!(product(axis, moved), target);
@@ -227,12 +227,12 @@ mod tests {
         let shader = design.spec.block.shader().expect("a shader");
         let dropped = 2 * shader.vector_fraction - shader.widths(&design.spec.interface).get("dot") as u32;
         assert_eq!(dropped, 14);
-        let mut dice = Dice::new(3);
+        let mut rng = Rng::new(3);
         let names = ["nl1_xyz", "nv_xyz", "lv1_xyz"];
         let mut found = [0; 3];
         let mut grazing = 0;
         for _ in 0..4000 {
-            let codes: Vec<i128> = varied(&design, shader, &mut dice).into_iter().map(i128::from).collect();
+            let codes: Vec<i128> = varied(&design, shader, &mut rng).into_iter().map(i128::from).collect();
             let values = design.graph().values(design.tables(), &codes);
             let value = |name: &str| {
                 values[design.graph().nodes.iter().position(|node| node.name == name).expect("a scalar product")]

@@ -3,7 +3,7 @@
 use crate::block::shader::datapath::COLOURS;
 use crate::core::Design;
 use crate::fixed::Table;
-use crate::fixed::{Dice, Format, exp2};
+use crate::fixed::{Format, Rng, exp2};
 use crate::spec::{Colour, Cosine, LightColours, Shader};
 
 /// A vector in space.
@@ -70,9 +70,9 @@ pub fn normalised(a: Vector) -> Vector {
 }
 
 /// A direction, each as likely as any other.
-pub(crate) fn random_direction(dice: &mut Dice) -> Vector {
-    let z = 2.0 * dice.unit() - 1.0;
-    let angle = 2.0 * std::f64::consts::PI * dice.unit();
+pub(crate) fn random_direction(rng: &mut Rng) -> Vector {
+    let z = 2.0 * rng.unit() - 1.0;
+    let angle = 2.0 * std::f64::consts::PI * rng.unit();
     let r = libm::sqrt((1.0 - z * z).max(0.0));
     [r * libm::cos(angle), r * libm::sin(angle), z]
 }
@@ -95,31 +95,24 @@ impl Sample {
     /// A random sample that a camera may see: the viewer in front of the surface, half of the lights anywhere in front of it and some
     /// behind, the other half where their mirror images are near the viewer, as near as the highlight of `shininess` is wide.
     #[must_use]
-    pub fn random(shader: &Shader, material: u32, shininess: f64, dice: &mut Dice) -> Self {
-        let normal = random_direction(dice);
-        let viewer = front(random_direction(dice), normal);
-        Self::seen(shader, material, shininess, normal, viewer, dice)
+    pub fn random(shader: &Shader, material: u32, shininess: f64, rng: &mut Rng) -> Self {
+        let normal = random_direction(rng);
+        let viewer = front(random_direction(rng), normal);
+        Self::seen(shader, material, shininess, normal, viewer, rng)
     }
 
     /// The same for a given normal and a given viewer.
     #[must_use]
-    pub fn seen(
-        shader: &Shader,
-        material: u32,
-        shininess: f64,
-        normal: Vector,
-        viewer: Vector,
-        dice: &mut Dice,
-    ) -> Self {
+    pub fn seen(shader: &Shader, material: u32, shininess: f64, normal: Vector, viewer: Vector, rng: &mut Rng) -> Self {
         let mirrored = plus(normal.map(|c| 2.0 * dot(normal, viewer) * c), viewer, -1.0);
         let lights: Vec<Vector> = (0..shader.lights)
             .map(|_| {
-                let anywhere = random_direction(dice);
-                match dice.below(8) {
+                let anywhere = random_direction(rng);
+                match rng.below(8) {
                     0 => anywhere,
                     1..=3 => front(anywhere, normal),
                     _ => {
-                        let spread = 2.0 * dice.unit() / libm::sqrt(shininess);
+                        let spread = 2.0 * rng.unit() / libm::sqrt(shininess);
                         normalised(plus(mirrored, anywhere, spread))
                     }
                 }
@@ -129,7 +122,7 @@ impl Sample {
         if shader.light_colours == LightColours::Ports {
             let full = shader.full_scale();
             for light in &mut sample.lights {
-                light.colour = [(); 3].map(|()| dice.below(full as u64 + 1) as f64 / full as f64);
+                light.colour = [(); 3].map(|()| rng.below(full as u64 + 1) as f64 / full as f64);
             }
         }
         sample
@@ -224,10 +217,10 @@ impl Sample {
 
 /// Random codes at every input port: vectors of any length, any colours, any material.
 #[must_use]
-pub fn random_codes(ports: &[(&str, Format)], dice: &mut Dice) -> Vec<i64> {
+pub fn random_codes(ports: &[(&str, Format)], rng: &mut Rng) -> Vec<i64> {
     let code = |&(_, format): &(&str, Format)| {
         let count = 1u64 << format.width();
-        format.min_code() as i64 + dice.below(count) as i64
+        format.min_code() as i64 + rng.below(count) as i64
     };
     ports.iter().map(code).collect()
 }

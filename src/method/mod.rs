@@ -63,6 +63,9 @@ pub static METHODS: [&[About]; 13] = [
     &table::METHODS,
 ];
 
+/// What makes a method of what is known of it and the options of a spec.
+pub type Configure = fn(&'static About, &Options) -> Result<Arc<dyn Method>, Error>;
+
 /// What is known of a method whatever its options.
 #[derive(Debug)]
 pub struct About {
@@ -87,7 +90,7 @@ pub struct About {
     /// Whether it is there to be compared with: published by others, or what an engineer would build without this crate.
     pub is_baseline: bool,
     /// The method with the options of a spec.
-    pub configure: fn(&'static About, &Options) -> Result<Arc<dyn Method>, Error>,
+    pub configure: Configure,
 }
 
 impl About {

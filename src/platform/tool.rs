@@ -108,6 +108,12 @@ pub const TOOLS: [Tool; 14] = [
     YOSYS_ABC,
 ];
 
+/// A program by its path, one that has been found or built here; what it is started with is the caller's.
+#[must_use]
+pub fn program(path: impl AsRef<std::ffi::OsStr>) -> Command {
+    Command::new(path)
+}
+
 impl Tool {
     /// A command of this program.
     #[must_use]

@@ -94,7 +94,7 @@ impl Family {
         }
     }
 
-    /// Its parameters in the order of [`Model::value`].
+    /// Its parameters in the order of [`Model::value`](super::analytic::Model::value).
     #[must_use]
     pub fn parameters(self) -> &'static [Parameter] {
         const LAMBERT: [Parameter; 1] = [colour("kd", KD, [0.5; 3])];

@@ -160,7 +160,7 @@ impl Highlights for Compiled<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fixed::Dice;
+    use crate::fixed::Rng;
     use crate::scene::frame::BACKGROUND;
     use crate::spec::SpecFields;
 
@@ -180,15 +180,15 @@ mod tests {
             [material("a", 3.4), material("b", 40.0), material("c", 900.0)].concat()
         );
         let scene = Scene::parse(&text, "test.toml", Path::new(".")).unwrap();
-        let mut dice = Dice::new(1);
+        let mut rng = Rng::new(1);
         let pixels = 1000;
-        let material: Vec<u16> = (0..pixels).map(|_| [0, 1, 2, BACKGROUND][dice.below(4) as usize]).collect();
-        let versine = (0..2 * pixels).map(|sample| match dice.below(8) {
+        let material: Vec<u16> = (0..pixels).map(|_| [0, 1, 2, BACKGROUND][rng.below(4) as usize]).collect();
+        let versine = (0..2 * pixels).map(|sample| match rng.below(8) {
             0 => f64::NAN,
             _ if material[sample / 2] == BACKGROUND => f64::NAN,
-            1 => [0.0, 1.0, 2.0][dice.below(3) as usize],
-            2 => 2.0 * dice.unit(),
-            _ => dice.unit() * dice.unit() / 50.0,
+            1 => [0.0, 1.0, 2.0][rng.below(3) as usize],
+            2 => 2.0 * rng.unit(),
+            _ => rng.unit() * rng.unit() / 50.0,
         });
         let versine = versine.collect();
         let frame =

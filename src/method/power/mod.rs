@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{About, Coefficients, Inputs, Interface, Method, Options, Source, powers, rows};
+use super::{About, Coefficients, Configure, Inputs, Interface, Method, Options, Source, powers, rows};
 use crate::datapath::Architecture;
 use crate::fit::{self, Fit, Inside, Objective, Power};
 use crate::fixed::wide::Wide;
@@ -21,12 +21,7 @@ pub static METHODS: [About; 3] = [
     }),
 ];
 
-const fn about(
-    name: &'static str,
-    help: &'static str,
-    formula: &'static str,
-    configure: fn(&'static About, &Options) -> Result<Arc<dyn Method>, Error>,
-) -> About {
+const fn about(name: &'static str, help: &'static str, formula: &'static str, configure: Configure) -> About {
     About {
         name,
         help,

@@ -6,7 +6,7 @@ mod model;
 
 use std::sync::Arc;
 
-use super::{About, Coefficients, Inputs, Interface, Method, Options, Source};
+use super::{About, Coefficients, Configure, Inputs, Interface, Method, Options, Source};
 use crate::datapath::Architecture;
 use crate::fit::Objective;
 use crate::fixed::wide::Wide;
@@ -21,11 +21,7 @@ pub static METHODS: [About; 3] = [
     about("segmented-8", "x(c - u(A - a u)) in 8 segments", |about, options| configured(about, options, 8)),
 ];
 
-const fn about(
-    name: &'static str,
-    formula: &'static str,
-    configure: fn(&'static About, &Options) -> Result<Arc<dyn Method>, Error>,
-) -> About {
+const fn about(name: &'static str, formula: &'static str, configure: Configure) -> About {
     About {
         name,
         help: formula,

@@ -31,6 +31,9 @@ pub(super) struct MaterialFields {
     reflectance: Option<Spanned<ReflectanceFields>>,
 }
 
+/// What is measured of a material, if anything is.
+type Reflectance = Option<Arc<Measured>>;
+
 /// All of them, and the reflectance of each that is drawn by one; `shading` is the scene's own.
 pub(super) fn all(
     source: &Source,
@@ -38,7 +41,7 @@ pub(super) fn all(
     shading: Option<Shading>,
     model: Model,
     directory: &Path,
-) -> Result<(Vec<Material>, Vec<Option<Arc<Measured>>>), Error> {
+) -> Result<(Vec<Material>, Vec<Reflectance>), Error> {
     let (mut materials, mut reflectances) =
         (Vec::<Material>::with_capacity(list.len()), Vec::with_capacity(list.len()));
     for (index, material) in list.into_iter().enumerate() {

@@ -77,7 +77,7 @@ impl<'a> Compiled<'a> {
         send: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send,
         receive: impl FnOnce(&mut dyn Read),
     ) -> Result<Output, Error> {
-        converse(Command::new(&self.program).current_dir(self.directory), send, receive)
+        converse(tool::program(&self.program).current_dir(self.directory), send, receive)
     }
 }
 

@@ -4,7 +4,6 @@
 //! `testbench/mutants.cpp`, into a program that runs golden vectors, any of all inputs, or random ones through each.
 
 use std::path::PathBuf;
-use std::process::Command;
 
 use super::compiled::{CORE, converse, program};
 use crate::core::Design;
@@ -157,7 +156,7 @@ impl<'a> Mutants<'a> {
         let mut bytes = vec![0; 4 * answer];
         let mut whole = false;
         let output = converse(
-            &mut Command::new(&self.program),
+            &mut crate::platform::tool::program(&self.program),
             |pipe| pipe.write_all(&question),
             |answer| whole = answer.read_exact(&mut bytes).is_ok(),
         )?;

@@ -1,7 +1,5 @@
 //! Verilator, with the generated bench.
 
-use std::process::Command;
-
 use super::compiled::CORE;
 use super::{Job, Outcome, Part, Simulator, bench};
 use crate::platform::error::Error;
@@ -32,7 +30,7 @@ impl Simulator for Verilator {
         if let Some(failed) = bench::compiled(self.name(), VERILATOR, &VERILATOR.output(&mut compile)?, job, part) {
             return Ok(failed);
         }
-        let mut run = Command::new(scratch.path().join("obj_dir").join("bench"));
+        let mut run = tool::program(scratch.path().join("obj_dir").join("bench"));
         Ok(bench::judge(self.name(), &CORE.output(run.current_dir(scratch.path()))?, job, part))
     }
 }

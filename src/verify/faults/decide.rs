@@ -20,7 +20,7 @@ use crate::core::edges::varied;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::fault::{Defect, Fault, Registered, Timing};
 use crate::datapath::graph::{Graph, NodeId};
-use crate::fixed::Dice;
+use crate::fixed::Rng;
 use crate::spec::Shader;
 
 /// Ports of more codes than these together are not run through all of them.
@@ -88,8 +88,8 @@ fn sampled(design: &Design, shader: &Shader, faults: &[&Fault]) -> Vec<Option<Ve
     let simulation = FaultSimulation::new(design.graph(), design.tables());
     let tasks = SAMPLES / OF_TASK;
     let task = |task: u64| {
-        let mut dice = Dice::new((4 << 40) + task);
-        simulation.first(faults, &mut *blocks((0..OF_TASK).map(|_| varied(design, shader, &mut dice))))
+        let mut rng = Rng::new((4 << 40) + task);
+        simulation.first(faults, &mut *blocks((0..OF_TASK).map(|_| varied(design, shader, &mut rng))))
     };
     let all: Vec<Vec<Option<Vec<i64>>>> = (0..tasks).into_par_iter().map(task).collect();
     (0..faults.len()).map(|fault| all.iter().find_map(|shown| shown[fault].clone())).collect()

@@ -4,7 +4,7 @@ use crate::core::Design;
 use crate::datapath::fault::{Change, Defect, Fault, Registered, Timing};
 use crate::datapath::graph::{Graph, NodeId, Op};
 use crate::datapath::schedule::Schedule;
-use crate::fixed::{Dice, Format};
+use crate::fixed::{Format, Rng};
 
 /// Words of each field of a memory that have a bit inverted.
 const WORDS: usize = 16;
@@ -68,12 +68,12 @@ impl Kind {
 #[must_use]
 pub fn mutants(design: &Design, seed: u32) -> Vec<Mutant> {
     let mut list = List::of(design);
-    let mut dice = Dice::new((3 << 40) + u64::from(seed));
+    let mut rng = Rng::new((3 << 40) + u64::from(seed));
     for (id, node) in design.graph().nodes.iter().enumerate() {
         let Op::Field { memory, .. } = node.op else { continue };
         for _ in 0..WORDS {
-            let address = dice.below(design.tables()[memory].depth() as u64) as usize;
-            let bit = dice.below(node.format.width().into()) as u32;
+            let address = rng.below(design.tables()[memory].depth() as u64) as usize;
+            let bit = rng.below(node.format.width().into()) as u32;
             let what = format!("bit {bit} of the word at {address} inverted");
             list.value(Kind::Word, id, what, Change::Word { address, bit });
         }

@@ -40,7 +40,7 @@ use super::abc::{self, Answer};
 use super::aig::{Aig, Literal};
 use super::circuit::{Part, Register, Wires, Write};
 use super::pipeline::{Inputs, MOST_BITS, Pipeline};
-use crate::fixed::Dice;
+use crate::fixed::Rng;
 use crate::platform::error::Error;
 
 /// Blocks of 64 random runs.
@@ -102,9 +102,9 @@ impl Both {
 
     /// Makes the lowest bit of a result of the second side wrong for one of all inputs.
     fn inject(&mut self, duties: &mut [Pair]) {
-        let mut dice = Dice::new(5);
+        let mut rng = Rng::new(5);
         let hit = self.inputs.all().into_iter().fold(Literal::TRUE, |hit, bit| {
-            let wanted = if dice.below(2) == 0 { bit } else { !bit };
+            let wanted = if rng.below(2) == 0 { bit } else { !bit };
             self.aig.and(hit, wanted)
         });
         if let Some(Pair { bits: (_, wrong), .. }) = duties.first_mut() {
@@ -203,11 +203,11 @@ impl<'a> Comparison<'a> {
     fn pairs(&self) -> Result<Vec<[usize; 2]>, String> {
         let mut both = self.build(&[]);
         let duties = self.duties(&mut both);
-        let mut dice = Dice::new(4);
+        let mut rng = Rng::new(4);
         let registers = [0, 1].map(|side| self.sides[side].circuit.registers().collect::<Vec<_>>());
         let mut seen: [Vec<Vec<u64>>; 2] = [0, 1].map(|side| vec![Vec::with_capacity(BLOCKS); registers[side].len()]);
         for _ in 0..BLOCKS {
-            let values = both.inputs.random(&both.aig, &mut dice);
+            let values = both.inputs.random(&both.aig, &mut rng);
             let simulated = both.aig.simulate(&values);
             for Pair { what, bits } in &duties {
                 let differ = simulated.of(bits.0) ^ simulated.of(bits.1);
@@ -257,12 +257,12 @@ impl<'a> Comparison<'a> {
     /// The pairs whose registers also take the same in random runs of the cut circuits: those that only looked alike
     /// are dropped, one round after the other, as what stands behind a pair that is dropped is then seen through it.
     pub(super) fn confirmed(&self, mut pairs: Vec<[usize; 2]>) -> Vec<[usize; 2]> {
-        let mut dice = Dice::new(6);
+        let mut rng = Rng::new(6);
         loop {
             let (both, duties) = self.cut(&pairs);
             let mut differs = vec![false; duties.len()];
             for _ in 0..BLOCKS / 8 {
-                let simulated = both.aig.simulate(&both.inputs.random(&both.aig, &mut dice));
+                let simulated = both.aig.simulate(&both.inputs.random(&both.aig, &mut rng));
                 for (differs, Pair { bits, .. }) in differs.iter_mut().zip(&duties) {
                     *differs |= simulated.of(bits.0) != simulated.of(bits.1);
                 }

@@ -21,7 +21,7 @@ use super::equivalence::{Comparison, Method};
 use super::pipeline::{Pipeline, first_shown};
 use crate::core::edges::varied;
 use crate::core::{Design, Direction};
-use crate::fixed::{Dice, Format};
+use crate::fixed::{Format, Rng};
 use crate::platform::error::Error;
 use crate::synth::yosys::Yosys;
 use crate::synth::{Listed, Mutated, mutated, mutated_by};
@@ -148,8 +148,8 @@ fn decided(
 /// Inputs of a shader as vectors: of random codes, hardly any sees a highlight.
 fn samples(design: &Design) -> Vec<Vector> {
     let Some(shader) = design.spec.block.shader() else { return Vec::new() };
-    let mut dice = Dice::new(7 << 40);
-    let inputs: Vec<Vec<i64>> = (0..SAMPLES).map(|_| varied(design, shader, &mut dice)).collect();
+    let mut rng = Rng::new(7 << 40);
+    let inputs: Vec<Vec<i64>> = (0..SAMPLES).map(|_| varied(design, shader, &mut rng)).collect();
     let vector = |inputs: Vec<i64>| Vector { outputs: design.evaluate(&inputs), inputs, idle: 0, stall: 0 };
     inputs.into_par_iter().map(vector).collect()
 }

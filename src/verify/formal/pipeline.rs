@@ -19,7 +19,7 @@ use rayon::prelude::*;
 use super::aig::{Aig, Literal};
 use super::circuit::{Bit, Circuit, Part, Register, Unfit};
 use crate::core::{Design, Direction};
-use crate::fixed::Dice;
+use crate::fixed::Rng;
 use crate::verify::golden::{Golden, Vector};
 
 /// The most bits of inputs whose values are all run through: a quarter of a minute for a cubic core on two cores.
@@ -272,15 +272,15 @@ impl Inputs {
     }
 
     /// Values for all inputs of a graph, 64 runs: a port is even over its range, or near an end or the middle of it.
-    pub(super) fn random(&self, aig: &Aig, dice: &mut Dice) -> Vec<u64> {
+    pub(super) fn random(&self, aig: &Aig, rng: &mut Rng) -> Vec<u64> {
         let mut values = Vec::with_capacity(aig.inputs());
         for port in self.0.values() {
             let first = values.len();
             values.resize(first + port.len(), 0u64);
             for run in 0..64 {
-                let any = dice.below(1 << 32) | dice.below(1 << 32) << 32;
-                let (near, middle) = (dice.below(16), 1u64 << (port.len() - 1).min(63));
-                let pattern = match dice.below(8) {
+                let any = rng.below(1 << 32) | rng.below(1 << 32) << 32;
+                let (near, middle) = (rng.below(16), 1u64 << (port.len() - 1).min(63));
+                let pattern = match rng.below(8) {
                     0 => near,
                     1 => near.wrapping_neg(),
                     2 => middle.wrapping_add(near),
@@ -294,7 +294,7 @@ impl Inputs {
                 }
             }
         }
-        values.resize_with(aig.inputs(), || dice.below(1 << 32) | dice.below(1 << 32) << 32);
+        values.resize_with(aig.inputs(), || rng.below(1 << 32) | rng.below(1 << 32) << 32);
         values
     }
 

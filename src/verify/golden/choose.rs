@@ -8,7 +8,7 @@ use crate::core::Design;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::{Graph, Node, Op};
 use crate::fixed::Table;
-use crate::fixed::{Dice, exp2};
+use crate::fixed::{Rng, exp2};
 use crate::lobe::Lobe;
 use crate::verify::faults::simulation::blocks;
 
@@ -42,14 +42,14 @@ struct Flip {
 struct Chooser<'a> {
     design: &'a Design,
     lobes: &'a [Box<dyn Lobe>],
-    dice: Dice,
+    rng: Rng,
     one: i64,
 }
 
 /// The vectors of a design, in groups with a heading.
 pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
     let mut chooser =
-        Chooser { design, lobes: design.lobes(), dice: Dice::new(0), one: 1 << design.spec.interface.input_fraction };
+        Chooser { design, lobes: design.lobes(), rng: Rng::new(0), one: 1 << design.spec.interface.input_fraction };
     let mut groups = vec![
         ("corners of the port codes".to_owned(), chooser.port_corners()),
         ("corners of the lobe: 0, 1, the cusp, where it ends, each with its neighbours".to_owned(), chooser.corners()),
@@ -77,7 +77,7 @@ pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
 
 impl<'a> Chooser<'a> {
     fn vector(&mut self, index: u32, operand: i64) -> Vector {
-        let (idle, stall) = (super::pause(&mut self.dice), super::pause(&mut self.dice));
+        let (idle, stall) = (super::pause(&mut self.rng), super::pause(&mut self.rng));
         let inputs = vec![index.into(), operand];
         Vector { outputs: self.design.evaluate(&inputs), inputs, idle, stall }
     }
@@ -382,19 +382,19 @@ impl<'a> Chooser<'a> {
         let all = index_bits + operand.width() == bits;
         let (first, operands) = super::all_codes(operand);
         let rows = design.spec.interface.shininess.rows() as u64;
-        let mut dice = Dice::new((5 << 40) + task);
+        let mut rng = Rng::new((5 << 40) + task);
         let places = task << TASK_BITS..((task + 1) << TASK_BITS).min(1 << bits);
         blocks(places.map(move |place| {
             let (index, operand) = if all {
                 (place >> operand.width(), first + (place & (operands - 1)) as i64)
             } else if place % 4 == 0 {
-                (dice.below(1 << index_bits), first + dice.below(operands) as i64)
+                (rng.below(1 << index_bits), first + rng.below(operands) as i64)
             } else {
                 // Every other row from the lower ones, where more of a lobe's inputs give anything.
-                let most = if place % 4 == 1 { rows.min(2 << dice.below(index_bits.into())) } else { rows };
-                let row = dice.below(most) as usize;
+                let most = if place % 4 == 1 { rows.min(2 << rng.below(index_bits.into())) } else { rows };
+                let row = rng.below(most) as usize;
                 let widest = (3.0 / design.spec.interface.shininess.value(row)).min(1.0) * one as f64;
-                let versine = dice.below(widest as u64 + 1) as i64;
+                let versine = rng.below(widest as u64 + 1) as i64;
                 (design.spec.interface.shininess.index_of_row(row).into(), design.operand_of_versine(versine))
             };
             [index as i64, operand]
@@ -413,7 +413,7 @@ impl<'a> Chooser<'a> {
         let indices = 1u64 << self.design.index_format().width();
         (0..RANDOM)
             .map(|_| {
-                let (index, operand) = (self.dice.below(indices) as u32, first + self.dice.below(count) as i64);
+                let (index, operand) = (self.rng.below(indices) as u32, first + self.rng.below(count) as i64);
                 self.vector(index, operand)
             })
             .collect()
@@ -424,9 +424,9 @@ impl<'a> Chooser<'a> {
         let rows = design.spec.interface.shininess.rows() as u64;
         (0..RANDOM)
             .map(|_| {
-                let row = self.dice.below(rows) as usize;
+                let row = self.rng.below(rows) as usize;
                 let widest = (3.0 / design.spec.interface.shininess.value(row)).min(1.0) * self.one as f64;
-                let code = self.dice.below(widest as u64 + 1) as i64;
+                let code = self.rng.below(widest as u64 + 1) as i64;
                 self.vector(design.spec.interface.shininess.index_of_row(row), design.operand_of_versine(code))
             })
             .collect()

@@ -18,7 +18,7 @@ pub use crate::core::golden::{Golden, RowDigest, Vector, complemented, complemen
 use crate::core::Design;
 use crate::core::Direction;
 use crate::core::golden::digest_rows;
-use crate::fixed::{Dice, Format};
+use crate::fixed::{Format, Rng};
 use crate::spec::Block;
 
 /// The heading of the vectors that a spec asks for.
@@ -37,8 +37,8 @@ pub(crate) fn asked_for(design: &Design, inputs: &[Vec<i64>]) -> Vec<Vector> {
 }
 
 /// Clocks of a pause: mostly none, else up to three.
-fn pause(dice: &mut Dice) -> u32 {
-    if dice.below(12) == 0 { 1 + dice.below(3) as u32 } else { 0 }
+fn pause(rng: &mut Rng) -> u32 {
+    if rng.below(12) == 0 { 1 + rng.below(3) as u32 } else { 0 }
 }
 
 /// Places of candidates that together detect everything that any of the `candidates` detects: always the one that

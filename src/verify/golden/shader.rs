@@ -9,7 +9,7 @@ use crate::core::Direction;
 use crate::core::edges::varied;
 use crate::core::golden::STREAM;
 use crate::core::sample::{Sample, normalised, random_codes};
-use crate::fixed::Dice;
+use crate::fixed::Rng;
 use crate::fixed::Table;
 use crate::spec::Shader;
 use crate::verify::faults::simulation::blocks;
@@ -26,12 +26,12 @@ const OF_TASK: u64 = 1 << 14;
 
 /// The vectors of a shader, in groups with a heading.
 pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vector>)> {
-    let mut dice = Dice::new(0);
+    let mut rng = Rng::new(0);
     let ports = design.numbers(Direction::In);
     let rows = design.spec.interface.shininess.rows();
     let materials: Vec<u32> = (0..rows).step_by(rows.div_ceil(MOST_ROWS)).map(|row| row as u32).collect();
-    let any_material = |dice: &mut Dice| {
-        let row = dice.below(rows as u64) as u32;
+    let any_material = |rng: &mut Rng| {
+        let row = rng.below(rows as u64) as u32;
         (row, design.spec.interface.shininess.value(row as usize))
     };
     let mut groups: Vec<(&str, Vec<Vec<i64>>)> = Vec::new();
@@ -73,21 +73,21 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
     }));
     let detecting: Vec<Vec<Vec<i64>>> = materials.par_iter().map(|&row| detecting(design, shader, row)).collect();
     groups.push(("rows told from rows with any bit of a word flipped", detecting.concat()));
-    groups.push(("random codes", (0..RANDOM).map(|_| random_codes(&ports, &mut dice)).collect()));
+    groups.push(("random codes", (0..RANDOM).map(|_| random_codes(&ports, &mut rng)).collect()));
     groups.push(("random samples", {
         let sample = |_| {
-            let (material, n) = any_material(&mut dice);
-            Sample::random(shader, material, n, &mut dice).codes(shader)
+            let (material, n) = any_material(&mut rng);
+            Sample::random(shader, material, n, &mut rng).codes(shader)
         };
         (0..RANDOM).map(sample).collect()
     }));
 
-    let vector = |inputs: Vec<i64>, dice: &mut Dice| {
-        let (idle, stall) = (super::pause(dice), super::pause(dice));
+    let vector = |inputs: Vec<i64>, rng: &mut Rng| {
+        let (idle, stall) = (super::pause(rng), super::pause(rng));
         Vector { outputs: design.evaluate(&inputs), inputs, idle, stall }
     };
     let mut group = |(heading, inputs): (&str, Vec<Vec<i64>>)| {
-        (heading.to_owned(), inputs.into_iter().map(|inputs| vector(inputs, &mut dice)).collect())
+        (heading.to_owned(), inputs.into_iter().map(|inputs| vector(inputs, &mut rng)).collect())
     };
     let mut groups: Vec<(String, Vec<Vector>)> = groups.into_iter().map(&mut group).collect();
     let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
@@ -95,7 +95,7 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
     if !mutants.is_empty() {
         groups.push((
             "mutants that no vector above tells from the core".to_owned(),
-            mutants.into_iter().map(|inputs| vector(inputs, &mut dice)).collect(),
+            mutants.into_iter().map(|inputs| vector(inputs, &mut rng)).collect(),
         ));
     }
     let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
@@ -108,8 +108,8 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
 
 /// A task's candidates among which those are sought that detect mutants.
 fn candidates<'a>(design: &'a Design, shader: &'a Shader, task: u64) -> Candidates<'a> {
-    let mut dice = Dice::new((5 << 40) + task);
-    blocks((0..OF_TASK).map(move |_| varied(design, shader, &mut dice)))
+    let mut rng = Rng::new((5 << 40) + task);
+    blocks((0..OF_TASK).map(move |_| varied(design, shader, &mut rng)))
 }
 
 /// Normal, viewer and lights along the axes and halfway between them: scalar products of 0, 1 and -1.
@@ -143,10 +143,10 @@ fn along_axes(shader: &Shader, materials: &[u32]) -> Vec<Vec<i64>> {
 /// The fewest samples that a greedy search finds to detect each flipped bit of a material's words, as far as any
 /// candidate does.
 fn detecting(design: &Design, shader: &Shader, row: u32) -> Vec<Vec<i64>> {
-    let mut dice = Dice::new((1 << 40) + u64::from(row));
+    let mut rng = Rng::new((1 << 40) + u64::from(row));
     let n = design.spec.interface.shininess.value(row as usize);
     let candidates: Vec<Vec<i64>> =
-        (0..CANDIDATES).map(|_| Sample::random(shader, row, n, &mut dice).codes(shader)).collect();
+        (0..CANDIDATES).map(|_| Sample::random(shader, row, n, &mut rng).codes(shader)).collect();
     let outputs = |tables: &[Table]| -> Vec<Vec<i64>> {
         candidates.iter().map(|codes| through_graph(design, tables, codes)).collect()
     };
@@ -176,15 +176,15 @@ fn through_graph(design: &Design, tables: &[Table], codes: &[i64]) -> Vec<i64> {
 
 /// The digest of a material: its stream's inputs are samples and random codes in turn.
 pub(super) fn digest(design: &Design, shader: &Shader, index: u32) -> u64 {
-    let mut dice = Dice::new((2 << 40) + u64::from(index));
+    let mut rng = Rng::new((2 << 40) + u64::from(index));
     let ports = design.numbers(Direction::In);
     let n = design.spec.interface.shininess.value(design.spec.interface.shininess.row_of_index(index));
     let mut hash = OutputHash::default();
     for sample in 0..STREAM {
         let codes = if sample % 2 == 0 {
-            Sample::random(shader, index, n, &mut dice).codes(shader)
+            Sample::random(shader, index, n, &mut rng).codes(shader)
         } else {
-            let mut codes = random_codes(&ports, &mut dice);
+            let mut codes = random_codes(&ports, &mut rng);
             codes[0] = index.into();
             codes
         };

@@ -4,7 +4,7 @@ use libm::{cos, sin, sqrt};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::fixed::{Dice, exp2};
+use crate::fixed::{Rng, exp2};
 use crate::lobe::exact;
 
 /// The largest move of `x^n` where the cosine is rounded to nearest with `fraction` bits: `1 - (1 - 2^-(F+1))^n`, at the top of the
@@ -36,8 +36,8 @@ const PAIRS: u64 = 20_000;
 pub fn front_end(shininess: f64, bits: u32) -> FrontEnd {
     let widest = libm::acos(libm::exp(libm::log(1e-3) / shininess));
     let pair = |place: u64| {
-        let mut dice = Dice::new(place);
-        let mut unit = || dice.below(1 << 30) as f64 * exp2(-30);
+        let mut rng = Rng::new(place);
+        let mut unit = || rng.below(1 << 30) as f64 * exp2(-30);
         let (z, turn, around, angle) = (2.0 * unit() - 1.0, unit(), unit(), widest * unit());
         let turn = 2.0 * std::f64::consts::PI * turn;
         let flat = sqrt((1.0 - z * z).max(0.0));

@@ -20,7 +20,7 @@ use crate::core::Design;
 use crate::core::edges::varied;
 use crate::datapath::graph::{Graph, NodeId};
 use crate::datapath::range::{Analysis, Ranges, Region, Span, by_rows};
-use crate::fixed::Dice;
+use crate::fixed::Rng;
 use crate::fixed::Table;
 use crate::spec::{Shader, Shininess};
 
@@ -157,8 +157,8 @@ impl ShaderInspection {
         let proof = Proof::of(set, shader, graph, design.tables());
         let wide = Analysis::new(graph, design.tables()).with_spare_bits(&proof.ranges);
         let differs = |place: u64| {
-            let mut dice = Dice::new(place);
-            let codes: Vec<i128> = varied(design, shader, &mut dice).into_iter().map(i128::from).collect();
+            let mut rng = Rng::new(place);
+            let codes: Vec<i128> = varied(design, shader, &mut rng).into_iter().map(i128::from).collect();
             let outputs = |graph: &Graph| -> Vec<i128> {
                 let values = graph.values(design.tables(), &codes);
                 graph.outputs.iter().map(|&(_, id)| values[id]).collect()

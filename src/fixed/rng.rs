@@ -1,13 +1,13 @@
 //! Random numbers that are the same on every machine.
 
-use rand_core::Rng;
+use rand_core::Rng as _;
 use rand_pcg::Pcg64;
 
 /// A generator with a fixed seed, so that what is drawn from it is the same on every machine.
 #[derive(Clone, Debug)]
-pub struct Dice(Pcg64);
+pub struct Rng(Pcg64);
 
-impl Dice {
+impl Rng {
     /// The stream of this number, of the project's one seed.
     #[must_use]
     pub fn new(stream: u64) -> Self {
