@@ -22,15 +22,15 @@ pub(super) struct Arguments {
     #[arg(long, visible_alias = "goal", value_enum, value_name = "COST", default_value = "lut")]
     objective: Objective,
 
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+
     #[command(flatten)]
     wish: WishFlags,
 
     #[command(flatten)]
     keys: Keys,
-
-    /// Print the result as JSON
-    #[arg(long)]
-    json: bool,
 }
 
 /// Keys of the spec that the core must have.

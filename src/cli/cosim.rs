@@ -16,9 +16,6 @@ use crate::synth::{self, Family, Options};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    #[command(flatten)]
-    source: Source,
-
     /// What simulates; all takes every simulator that reads one of the core's languages
     #[arg(long, value_enum, default_value = "builtin")]
     sim: Sim,
@@ -43,6 +40,9 @@ pub(super) struct Arguments {
     /// Write the result as JUnit XML as well
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
+
+    #[command(flatten)]
+    source: Source,
 }
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {

@@ -47,12 +47,11 @@ struct Merge {
 
 #[derive(Args)]
 struct Explore {
-    /// A sweep file: [[sweep]] blocks of spec keys, each with a value or a list of values; axes given as flags win over it
+    /// A sweep file; axes given as flags win over it
+    ///
+    /// It has [[sweep]] blocks of spec keys, each with a value or a list of values
     #[arg(value_name = "SWEEP.toml")]
     path: Option<PathBuf>,
-
-    #[command(flatten)]
-    axes: AxisFlags,
 
     /// Where the points are kept, each as soon as it is finished; a file that is there is gone on with
     #[arg(long, required_unless_present = "list", value_name = "FILE.db")]
@@ -61,34 +60,6 @@ struct Explore {
     /// Cost by a cost model instead of synthesis
     #[arg(long)]
     estimate: bool,
-
-    /// Measured points that the cost model is fitted to: a .db, .csv or .json file [default: those that come with the program]
-    #[arg(long, requires = "estimate", value_name = "FILE")]
-    fit_from: Option<PathBuf>,
-
-    /// How many seeds a core is placed with
-    #[arg(long, default_value_t = 3, value_name = "K", conflicts_with = "estimate")]
-    seeds: u32,
-
-    /// The clock that a placement is asked for [default: the family's, as in synth]
-    #[arg(long, value_name = "MHZ", conflicts_with = "estimate")]
-    target_mhz: Option<f64>,
-
-    /// Count the cells, and place nothing
-    #[arg(long, conflicts_with = "estimate")]
-    no_place: bool,
-
-    /// Leave registers outside of ECP5's multipliers and block RAMs, as Yosys does
-    #[arg(long, conflicts_with = "estimate")]
-    no_pack: bool,
-
-    /// The Yosys to use, as in synth
-    #[arg(long, value_name = "PROGRAM", conflicts_with = "estimate")]
-    yosys: Option<String>,
-
-    /// Where netlists and placements are kept, as in synth
-    #[arg(long, value_name = "DIR", conflicts_with = "estimate")]
-    cache: Option<PathBuf>,
 
     /// Points worked on at a time [default: the number of processors]
     #[arg(long, short, value_name = "J")]
@@ -117,6 +88,45 @@ struct Explore {
     /// Write all points of the results file as JSON; - is standard output
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+
+    #[command(flatten)]
+    axes: AxisFlags,
+
+    #[command(flatten)]
+    costs: CostFlags,
+}
+
+/// How costs are found.
+#[derive(Args)]
+#[command(next_help_heading = super::help::COSTS)]
+struct CostFlags {
+    /// Measured points that the cost model is fitted to: a .db, .csv or .json file [default: those that come with the program]
+    #[arg(long, requires = "estimate", value_name = "FILE")]
+    fit_from: Option<PathBuf>,
+
+    /// How many seeds a core is placed with
+    #[arg(long, default_value_t = 3, value_name = "K", conflicts_with = "estimate")]
+    seeds: u32,
+
+    /// The clock that a placement is asked for [default: the family's, as in synth]
+    #[arg(long, value_name = "MHZ", conflicts_with = "estimate")]
+    target_mhz: Option<f64>,
+
+    /// Count the cells, and place nothing
+    #[arg(long, conflicts_with = "estimate")]
+    no_place: bool,
+
+    /// Leave registers outside of ECP5's multipliers and block RAMs, as Yosys does
+    #[arg(long, conflicts_with = "estimate")]
+    no_pack: bool,
+
+    /// The Yosys to use, as in synth
+    #[arg(long, value_name = "PROGRAM", conflicts_with = "estimate")]
+    yosys: Option<String>,
+
+    /// Where netlists and placements are kept, as in synth
+    #[arg(long, value_name = "DIR", conflicts_with = "estimate")]
+    cache: Option<PathBuf>,
 }
 
 /// The axes that have a flag of their own; a list is an axis, and `default` leaves the key out.
@@ -216,7 +226,7 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
             Sweep::parse(&text, &path.display().to_string())?.with(&axes)
         }
     };
-    let paths = [("SWEEP.toml", &arguments.path), ("--fit-from", &arguments.fit_from)];
+    let paths = [("SWEEP.toml", &arguments.path), ("--fit-from", &arguments.costs.fit_from)];
     let paths = paths
         .into_iter()
         .fold(Paths::new(), |paths, (what, path)| path.iter().fold(paths, |paths, path| paths.reads(what, path)));
@@ -252,18 +262,18 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
     };
 
     let costing = if arguments.estimate {
-        let measured = arguments.fit_from.as_deref().map_or_else(Results::built_in, Results::read)?;
+        let measured = arguments.costs.fit_from.as_deref().map_or_else(Results::built_in, Results::read)?;
         let model = Model::fit(&measured)?;
         accuracy(&model).into_iter().for_each(tell);
         Costing::Estimate(model)
     } else {
         Costing::Synthesis(Flow {
-            seeds: arguments.seeds,
-            target_mhz: arguments.target_mhz,
-            place: !arguments.no_place,
-            pack: !arguments.no_pack,
-            yosys: arguments.yosys,
-            cache: Some(arguments.cache.unwrap_or_else(synth::default_cache)),
+            seeds: arguments.costs.seeds,
+            target_mhz: arguments.costs.target_mhz,
+            place: !arguments.costs.no_place,
+            pack: !arguments.costs.no_pack,
+            yosys: arguments.costs.yosys,
+            cache: Some(arguments.costs.cache.unwrap_or_else(synth::default_cache)),
         })
     };
     let mut store = Store::open(path, &costing.provenance(&cores)?, arguments.fresh)?;

@@ -10,9 +10,6 @@ use crate::verify::formal::{self, Proof, Step};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    #[command(flatten)]
-    source: Source,
-
     /// The most seconds that the solver may take at once
     #[arg(long, value_name = "S", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     solver_limit: u32,
@@ -24,6 +21,9 @@ pub(super) struct Arguments {
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
+
+    #[command(flatten)]
+    source: Source,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {

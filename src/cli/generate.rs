@@ -22,24 +22,6 @@ use crate::spec::CoreSpec;
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    #[command(flatten)]
-    source: Source,
-
-    /// Choose the cheapest core whose |result - x^n| is at most this (0.01, 1% or 2^-7), as `choose` does; other keys of the core that
-    /// are given narrow the choice
-    #[arg(long, value_name = "ERROR", help_heading = "Choice")]
-    max_error: Option<MaxError>,
-
-    /// What of the chosen core is to be least, as `choose --objective` [default: lut]
-    #[arg(long, value_enum, value_name = "COST", help_heading = "Choice", requires = "max_error")]
-    goal: Option<Objective>,
-
-    #[command(flatten)]
-    wish: WishFlags,
-
-    #[command(flatten)]
-    scene: SceneFlags,
-
     /// Directory of the core: new, empty, or one that brdfgen wrote
     #[arg(long, short, value_name = "DIR")]
     out: PathBuf,
@@ -56,6 +38,24 @@ pub(super) struct Arguments {
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
+
+    /// Choose the cheapest core whose |result - x^n| is at most this (0.01, 1% or 2^-7), as `choose` does; other keys of the core that
+    /// are given narrow the choice
+    #[arg(long, value_name = "ERROR", help_heading = "Choice")]
+    max_error: Option<MaxError>,
+
+    /// What of the chosen core is to be least, as `choose --objective` [default: lut]
+    #[arg(long, value_enum, value_name = "COST", help_heading = "Choice", requires = "max_error")]
+    goal: Option<Objective>,
+
+    #[command(flatten)]
+    wish: WishFlags,
+
+    #[command(flatten)]
+    scene: SceneFlags,
+
+    #[command(flatten)]
+    source: Source,
 }
 
 /// The core of a spec, and the files that go with it.

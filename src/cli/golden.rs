@@ -13,9 +13,6 @@ use crate::verify::golden::{Golden, differences};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    #[command(flatten)]
-    source: Source,
-
     /// File to write; - is standard output [default: golden/NAME.vec]
     #[arg(long, short, value_name = "FILE", conflicts_with = "check")]
     out: Option<PathBuf>,
@@ -27,6 +24,9 @@ pub(super) struct Arguments {
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
+
+    #[command(flatten)]
+    source: Source,
 }
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {

@@ -11,6 +11,7 @@ mod explore;
 mod formal;
 mod generate;
 mod golden;
+mod help;
 mod mutate;
 mod progress;
 mod reflectance;
@@ -27,16 +28,23 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::{Mutex, PoisonError};
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use serde::Serialize;
 
 use crate::platform::error::Error;
 use crate::emit::package;
 use crate::platform::{tool, transient};
 
+/// What to begin with.
+const START: &str = "\
+Start with a core, checked in process; look at one point of it; run it in simulators:
+  brdfgen generate --method quadratic --shininess 1..=1000 --out out
+  brdfgen eval out -n 200 -x 0.997
+  brdfgen cosim out --sim all";
+
 /// Generates FPGA cores for the specular term cos^n of a shader
 #[derive(Parser)]
-#[command(version, about, max_term_width = 100)]
+#[command(version, about, max_term_width = 100, after_help = START)]
 struct Cli {
     /// How long each external program may run, in seconds [default: 600]
     #[arg(long, global = true, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..=31_536_000))]
@@ -104,7 +112,9 @@ pub fn main() -> ExitCode {
     // Unwrapped, so that a path stays whole and can be found in a log.
     let _ = miette::set_hook(Box::new(|_| Box::new(miette::MietteHandlerOpts::new().wrap_lines(false).build())));
     transient::clean_on_signals();
-    let Cli { time_limit, command } = Cli::parse();
+    let mut program = help::arranged(Cli::command());
+    let parsed = Cli::from_arg_matches_mut(&mut program.get_matches_mut());
+    let Cli { time_limit, command } = parsed.unwrap_or_else(|error| error.format(&mut program).exit());
     time_limit.into_iter().for_each(tool::set_time_limit);
     let result = match command {
         Command::Generate(arguments) => generate::run(*arguments),

@@ -19,9 +19,6 @@ use crate::spec::{Language, RomStyle};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    #[command(flatten)]
-    source: Source,
-
     /// Golden vectors [default: the core's own]
     #[arg(long, value_name = "FILE")]
     golden: Option<PathBuf>,
@@ -45,6 +42,9 @@ pub(super) struct Arguments {
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
+
+    #[command(flatten)]
+    source: Source,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {

@@ -103,8 +103,10 @@ struct FormArguments {
     #[arg(long, value_enum)]
     form: Option<FormName>,
 
-    /// The light's angles of the images in degrees, as in 0,45,90,135, or how many: for the paper's form 180/N degrees apart, for half the
-    /// slices evenly from 0 to 176 [default: 4 images, 16 slices; without a meaning for bivariate and exact]
+    /// The light's angles of the images in degrees, as in 0,45,90,135, or how many [default: 4 images, 16 slices]
+    ///
+    /// So many images of the paper's form are 180/N degrees apart, so many slices of half even from 0 to 176; without a meaning for
+    /// bivariate and exact
     #[arg(long, value_name = "ANGLES", allow_hyphen_values = true)]
     images: Option<String>,
 

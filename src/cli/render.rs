@@ -89,15 +89,15 @@ pub(super) struct Arguments {
 
     /// The core: a spec file, or the directory of a generated core; flags win over it. Without it and without --method: the cheapest core
     /// that keeps the scene's budget
-    #[arg(long, value_name = "SPEC", help_heading = "Core", conflicts_with = "compare")]
+    #[arg(long, value_name = "SPEC", conflicts_with = "compare")]
     core: Option<PathBuf>,
-
-    #[command(flatten)]
-    fields: SpecFields,
 
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
+
+    #[command(flatten)]
+    fields: SpecFields,
 }
 
 /// What the picture file shows.

@@ -15,9 +15,6 @@ use crate::spec::CoreSpec;
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    #[command(flatten)]
-    source: Source,
-
     /// Formats to write [default: all]; with --check the format of FILE, whatever its name is
     #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMATS")]
     format: Vec<RomFormat>,
@@ -37,6 +34,9 @@ pub(super) struct Arguments {
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
+
+    #[command(flatten)]
+    source: Source,
 }
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {

@@ -41,15 +41,15 @@ struct Inspect {
     #[arg(value_name = "SCENE")]
     scene: PathBuf,
 
+    /// Print the result as JSON
+    #[arg(long)]
+    json: bool,
+
     #[command(flatten)]
     flags: SceneFlags,
 
     #[command(flatten)]
     keys: SpecFields,
-
-    /// Print the result as JSON
-    #[arg(long)]
-    json: bool,
 }
 
 /// The degrees that the camera and the lights are moved by where the user does not say.

@@ -20,9 +20,6 @@ use crate::verify::stability::{EXTREMES, conditioning, quantisation};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    #[command(flatten)]
-    source: Source,
-
     /// Without a core: only the study's cores of this axis; may be given several times [default: all]
     #[arg(long, value_enum)]
     axis: Vec<Axis>,
@@ -43,6 +40,9 @@ pub(super) struct Arguments {
     /// Print the result as JSON
     #[arg(long)]
     json: bool,
+
+    #[command(flatten)]
+    source: Source,
 }
 
 /// Bits of the vectors in the study's front ends.

@@ -12,9 +12,6 @@ use crate::synth::{self, Family, Options, Run, Step};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    #[command(flatten)]
-    source: Source,
-
     /// The family of FPGAs: ecp5 LFE5U-85F speed 6, ice40 UP5K, gowin GW2A-18, xc7 7 series (cells only)
     #[arg(long, value_enum, default_value = "ecp5")]
     family: Family,
@@ -62,6 +59,9 @@ pub(super) struct Arguments {
     /// Write the result to a file instead of printing it
     #[arg(long, short, value_name = "FILE")]
     out: Option<PathBuf>,
+
+    #[command(flatten)]
+    source: Source,
 }
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
