@@ -124,6 +124,12 @@ impl Frame {
         frame
     }
 
+    /// How many values of a lobe the picture asks for.
+    #[must_use]
+    pub fn samples(&self) -> u64 {
+        self.versine.iter().filter(|versine| !versine.is_nan()).count() as u64
+    }
+
     /// The channels in units of full scale: `base`, which is [`Frame::base`] or what [`bases`](super::reflectance::bases) makes of it, with these values
     /// of the lobes, one a pixel and light, each 0 to 1; those of NaN versines are not looked at. What exceeds full scale is not cut off yet.
     #[must_use]
