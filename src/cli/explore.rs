@@ -6,10 +6,10 @@ use clap::{Args, Subcommand};
 use serde_json::json;
 
 use super::{Verdict, progress, say, say_json, warn, write_to};
-use crate::platform::error::Error;
 use crate::explore::run::{self, Costing, Flow, Summary};
 use crate::explore::sweep::{Axes, Plan, Shard, word};
 use crate::explore::{Model, Point, Results, Store, Sweep};
+use crate::platform::error::Error;
 use crate::platform::input;
 use crate::platform::paths::Paths;
 use crate::synth;
@@ -127,6 +127,24 @@ struct CostFlags {
     /// Where netlists and placements are kept, as in synth
     #[arg(long, value_name = "DIR", conflicts_with = "estimate")]
     cache: Option<PathBuf>,
+}
+
+impl CostFlags {
+    fn costing(self, estimate: bool, tell: &dyn Fn(String)) -> Result<Costing, Error> {
+        if !estimate {
+            return Ok(Costing::Synthesis(Flow {
+                seeds: self.seeds,
+                target_mhz: self.target_mhz,
+                place: !self.no_place,
+                pack: !self.no_pack,
+                yosys: self.yosys,
+                cache: Some(self.cache.unwrap_or_else(synth::default_cache)),
+            }));
+        }
+        let model = Model::fit(&self.fit_from.as_deref().map_or_else(Results::built_in, Results::read)?)?;
+        accuracy(&model).into_iter().for_each(tell);
+        Ok(Costing::Estimate(model))
+    }
 }
 
 /// The axes that have a flag of their own; a list is an axis, and `default` leaves the key out.
@@ -261,21 +279,7 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
         return Err(Error::input("no results file is given", "--results FILE.db"));
     };
 
-    let costing = if arguments.estimate {
-        let measured = arguments.costs.fit_from.as_deref().map_or_else(Results::built_in, Results::read)?;
-        let model = Model::fit(&measured)?;
-        accuracy(&model).into_iter().for_each(tell);
-        Costing::Estimate(model)
-    } else {
-        Costing::Synthesis(Flow {
-            seeds: arguments.costs.seeds,
-            target_mhz: arguments.costs.target_mhz,
-            place: !arguments.costs.no_place,
-            pack: !arguments.costs.no_pack,
-            yosys: arguments.costs.yosys,
-            cache: Some(arguments.costs.cache.unwrap_or_else(synth::default_cache)),
-        })
-    };
+    let costing = arguments.costs.costing(arguments.estimate, &tell)?;
     let mut store = Store::open(path, &costing.provenance(&cores)?, arguments.fresh)?;
     let jobs = arguments.jobs.or_else(|| std::thread::available_parallelism().ok()).map_or(1, usize::from);
     let bar = progress::bar("exploring", cores.len() as u64);

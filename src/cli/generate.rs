@@ -9,15 +9,15 @@ use super::choose::{self, WishFlags};
 use super::scene::{self, Made, SceneFlags};
 use super::source::Source;
 use super::{Verdict, progress, say, say_json, warn};
-use crate::verify::cosim::{self, Job, Sim};
+use crate::core::Direction;
 use crate::core::{Account, Design};
-use crate::platform::error::Error;
+use crate::emit::package::{self, File, Stale};
 use crate::explore::choose::Wish;
 use crate::explore::{MaxError, Objective};
-use crate::verify::golden::Golden;
-use crate::core::Direction;
-use crate::emit::package::{self, File, Stale};
+use crate::platform::error::Error;
 use crate::spec::CoreSpec;
+use crate::verify::cosim::{self, Job, Sim};
+use crate::verify::golden::Golden;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -262,8 +262,9 @@ fn describe(design: &Design, account: &Account) -> Vec<String> {
             ));
         }
         Account::Shader(error) => {
+            let samples = error.samples;
             lines.push(format!("error of the lobe against its method: proved {proved} ulp"));
-            lines.push(format!("error against the exact shader in codes of a channel, over {} samples:", error.samples));
+            lines.push(format!("error against the exact shader in codes of a channel, over {samples} samples:"));
             for part in error.parts.iter().chain([&error.whole]) {
                 let codes = package::interval_text(part.codes);
                 lines.push(format!("  {:<12} {codes} rms {:.3}", part.name, part.rms));
