@@ -20,7 +20,7 @@ use crate::synth::Family;
 /// What computes a core's highlights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
 #[serde(rename_all = "lowercase")]
-pub enum Through {
+pub(crate) enum Through {
     /// The bit-exact model
     Model,
     /// The core's own HDL, compiled
@@ -29,9 +29,9 @@ pub enum Through {
 
 /// A core that a picture is drawn through.
 #[derive(Clone, Debug)]
-pub struct PictureCore {
+pub(crate) struct PictureCore {
     /// The core.
-    pub design: Design,
+    pub(crate) design: Design,
     /// Where it is on disk, if it is taken from there as it is.
     directory: Option<PathBuf>,
 }
@@ -51,10 +51,7 @@ impl PictureCore {
     }
 
     /// The core of keys with a method, and where one is missing that of the scene's `[core]` that any core may have.
-    ///
-    /// # Errors
-    /// Keys that make no lobe.
-    pub fn of_keys(scene: &Scene, keys: SpecFields) -> Result<Self, Error> {
+    pub(crate) fn of_keys(scene: &Scene, keys: SpecFields) -> Result<Self, Error> {
         let wishes = scene.core.keys.clone();
         let wishes = SpecFields {
             input_fraction: wishes.input_fraction,
@@ -67,19 +64,13 @@ impl PictureCore {
     }
 
     /// The core of a spec file or of a core's directory; `keys` win over it.
-    ///
-    /// # Errors
-    /// A scene, a file that cannot be read, or keys that make no lobe.
-    pub fn of_file(scene: &Scene, path: &Path, keys: SpecFields) -> Result<Self, Error> {
+    pub(crate) fn of_file(scene: &Scene, path: &Path, keys: SpecFields) -> Result<Self, Error> {
         let directory = (path.is_dir() && keys == SpecFields::default()).then(|| path.to_owned());
         Ok(Self { directory, ..Self::of(scene, keys.or(read(path)?))? })
     }
 
     /// The core that a comparison names: `METHOD`, `METHOD:KEY=VALUE:...`, a spec file or a directory; `keys` win over it.
-    ///
-    /// # Errors
-    /// A name that is none of these, or keys that make no lobe.
-    pub fn named(scene: &Scene, entry: &str, keys: SpecFields) -> Result<Self, Error> {
+    pub(crate) fn named(scene: &Scene, entry: &str, keys: SpecFields) -> Result<Self, Error> {
         let path = Path::new(entry);
         let fields = if path.exists() {
             read(path)?
@@ -104,10 +95,7 @@ impl PictureCore {
 
     /// The cheapest core with these keys that keeps the scene's budget, as `generate` chooses it. `progress` is told what is done, how much
     /// of it and of how much.
-    ///
-    /// # Errors
-    /// If there is none, or a tool is missing or fails.
-    pub fn needed(
+    pub(crate) fn needed(
         scene: &Scene,
         margin_degrees: f64,
         costing: &Costing,
@@ -129,10 +117,7 @@ impl PictureCore {
     }
 
     /// The core's highlights. `done` is told how many samples the compiled core has had.
-    ///
-    /// # Errors
-    /// If Verilator is needed, and is missing or fails.
-    pub fn highlights(
+    pub(crate) fn highlights(
         &self,
         through: Through,
         scene: &Scene,
@@ -175,8 +160,7 @@ fn read(path: &Path) -> Result<SpecFields, Error> {
 
 impl Scene {
     /// The distinct shininesses of the materials that objects have, ascending.
-    #[must_use]
-    pub fn shininesses(&self) -> Vec<f64> {
+    pub(crate) fn shininesses(&self) -> Vec<f64> {
         let classical = self.objects.iter().filter(|object| self.reflectance(object.material).is_none());
         let mut all: Vec<f64> = classical.map(|object| self.materials[object.material].shininess).collect();
         all.sort_by(f64::total_cmp);
@@ -186,16 +170,14 @@ impl Scene {
 }
 
 /// A core's short name for people, without its shininesses.
-#[must_use]
-pub fn name(design: &Design) -> String {
+pub(crate) fn name(design: &Design) -> String {
     // Those that need not be named.
     let spec = CoreSpec { shininess: Shininess::Range(1, 1000), ..design.spec.clone() };
     Point::unmeasured(&Core::new(spec, Family::Ecp5)).name
 }
 
 /// A core in a line.
-#[must_use]
-pub fn text(design: &Design) -> String {
+pub(crate) fn text(design: &Design) -> String {
     format!(
         "core {}: {}, n = {}, {} clocks",
         design.spec.name,
@@ -206,8 +188,7 @@ pub fn text(design: &Design) -> String {
 }
 
 /// A core's cost in two lines.
-#[must_use]
-pub fn cost_lines(cost: &Cost) -> Vec<String> {
+pub(crate) fn cost_lines(cost: &Cost) -> Vec<String> {
     let Cost { lut, dsp, bram, latency, .. } = cost;
     let mhz = cost.mhz_text(0);
     vec![

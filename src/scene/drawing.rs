@@ -16,7 +16,7 @@ use crate::spec::Colour;
 
 /// What a picture's file shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Only {
+pub(crate) enum Only {
     /// Exact, core and difference, with figures
     All,
     /// The picture with `x^n` in double precision
@@ -28,42 +28,39 @@ pub enum Only {
 }
 
 /// A picture, and its channels before they are rounded.
-pub struct Drawn {
+pub(crate) struct Drawn {
     /// The picture.
-    pub picture: Picture,
+    pub(crate) picture: Picture,
     channels: Vec<Colour>,
 }
 
 impl Drawn {
     /// The picture of this base and these values of the lobes, as [`Frame::channels`] takes them.
-    #[must_use]
-    pub fn of(scene: &Scene, frame: &Frame, base: &[Colour], highlights: &[f64]) -> Self {
+    pub(crate) fn of(scene: &Scene, frame: &Frame, base: &[Colour], highlights: &[f64]) -> Self {
         let channels = frame.channels(scene, base, highlights);
         Self { picture: frame.codes(scene.channel_bits, &channels), channels }
     }
 }
 
 /// A picture beside the exact one.
-pub struct Own {
+pub(crate) struct Own {
     /// The picture.
-    pub picture: Picture,
+    pub(crate) picture: Picture,
     /// How it differs from the exact one.
-    pub difference: Difference,
+    pub(crate) difference: Difference,
     /// The ratio on linear values, over objects; none where they are the same.
-    pub psnr: Option<f64>,
+    pub(crate) psnr: Option<f64>,
 }
 
 impl Own {
     /// Compares a picture with the exact one.
-    #[must_use]
-    pub fn of(frame: &Frame, exact: &Drawn, drawn: Drawn) -> Self {
+    pub(crate) fn of(frame: &Frame, exact: &Drawn, drawn: Drawn) -> Self {
         let difference = Difference::of(&exact.picture, &drawn.picture);
         Self { difference, psnr: reflectance::psnr(frame, &exact.channels, &drawn.channels), picture: drawn.picture }
     }
 
     /// As a cell of a contact sheet of forms.
-    #[must_use]
-    pub fn cell_of_form(self, looks: &Looks) -> Cell {
+    pub(crate) fn cell_of_form(self, looks: &Looks) -> Cell {
         Cell {
             name: looks.name.clone(),
             picture: self.picture,
@@ -75,28 +72,25 @@ impl Own {
 }
 
 /// A scene's pictures with what is to be said of them.
-pub struct Drawing<'a> {
+pub(crate) struct Drawing<'a> {
     scene: &'a Scene,
     frame: &'a Frame,
     exact: Picture,
     /// The core that the other picture is drawn through, where one is.
-    pub design: Option<&'a Design>,
+    pub(crate) design: Option<&'a Design>,
     /// The other picture, where one is asked for.
-    pub own: Option<Own>,
+    pub(crate) own: Option<Own>,
     /// How its measured materials are drawn.
-    pub materials: Vec<MaterialText>,
+    pub(crate) materials: Vec<MaterialText>,
     /// What of the scene's budget the other picture misses, in words; none where it is not judged by it.
-    pub missed: Option<Vec<String>>,
+    pub(crate) missed: Option<Vec<String>>,
     /// The judgement in a line.
-    pub verdict: String,
+    pub(crate) verdict: String,
 }
 
 impl<'a> Drawing<'a> {
     /// Judges the pictures. Without a budget of its own, a picture through images is only measured.
-    ///
-    /// # Errors
-    /// A form that cannot be made.
-    pub fn of(
+    pub(crate) fn of(
         scene: &'a Scene,
         frame: &'a Frame,
         exact: Picture,
@@ -119,8 +113,7 @@ impl<'a> Drawing<'a> {
     }
 
     /// The picture file, and where on it the pictures are if there are several.
-    #[must_use]
-    pub fn png(&self, only: Only) -> (Vec<u8>, Option<Vec<Panel>>) {
+    pub(crate) fn png(&self, only: Only) -> (Vec<u8>, Option<Vec<Panel>>) {
         let pixels = match (only, &self.own) {
             (Only::All, Some(own)) => {
                 let core = self.design.map(cores::text);
@@ -148,21 +141,18 @@ impl<'a> Drawing<'a> {
     }
 
     /// Both pictures and their difference as OpenEXR; none if there is only one picture.
-    ///
-    /// # Errors
-    /// If they cannot be encoded.
-    pub fn exr(&self) -> Result<Option<Vec<u8>>, Error> {
+    pub(crate) fn exr(&self) -> Result<Option<Vec<u8>>, Error> {
         self.own.as_ref().map(|own| picture::exr(&self.exact, &own.picture)).transpose()
     }
 }
 
 /// How a measured material is drawn, for people and programs.
 #[derive(Serialize)]
-pub struct MaterialText {
+pub(crate) struct MaterialText {
     /// The material's name.
-    pub name: String,
+    pub(crate) name: String,
     /// What its reflectance is.
-    pub reflectance: String,
+    pub(crate) reflectance: String,
     shading: Shading,
     form: Option<String>,
     kib: Option<f64>,
@@ -185,10 +175,7 @@ impl std::fmt::Display for MaterialText {
 }
 
 /// How the scene's measured materials are drawn.
-///
-/// # Errors
-/// A form that cannot be made.
-pub fn materials_of(scene: &Scene) -> Result<Vec<MaterialText>, Error> {
+pub(crate) fn materials_of(scene: &Scene) -> Result<Vec<MaterialText>, Error> {
     let text = |(name, measured): (&str, &std::sync::Arc<Measured>)| {
         let form = (measured.shading == Shading::ImageBased).then(|| measured.form()).transpose()?;
         Ok(MaterialText {
@@ -205,8 +192,13 @@ pub fn materials_of(scene: &Scene) -> Result<Vec<MaterialText>, Error> {
 }
 
 /// A core's cell of a contact sheet, and whether it keeps the scene's budget.
-#[must_use]
-pub fn cell_of_core(scene: &Scene, exact: &Picture, design: &Design, picture: Picture, cost: &Cost) -> (Cell, bool) {
+pub(crate) fn cell_of_core(
+    scene: &Scene,
+    exact: &Picture,
+    design: &Design,
+    picture: Picture,
+    cost: &Cost,
+) -> (Cell, bool) {
     let difference = Difference::of(exact, &picture);
     let kept = missed(scene, &difference).is_empty();
     let verdict = if kept { "keeps the budget" } else { "misses the budget" }.to_owned();
@@ -232,8 +224,7 @@ fn missed(scene: &Scene, difference: &Difference) -> Vec<String> {
 }
 
 /// The scene's budget for a picture, in words.
-#[must_use]
-pub fn budget_text(scene: &Scene) -> String {
+pub(crate) fn budget_text(scene: &Scene) -> String {
     let (steps, psnr) = scene.budget.limits();
     let steps = steps.map(|steps| format!("at most {steps} {} off", if steps == 1 { "step" } else { "steps" }));
     let psnr = psnr.map(|psnr| format!("a PSNR of at least {psnr} dB"));
@@ -241,8 +232,7 @@ pub fn budget_text(scene: &Scene) -> String {
 }
 
 /// A scene and the size of its picture, in a line.
-#[must_use]
-pub fn scene_text(scene: &Scene, frame: &Frame) -> String {
+pub(crate) fn scene_text(scene: &Scene, frame: &Frame) -> String {
     let lights = counted(scene.lights.len() as u64, "light");
     let lobes = if scene.has_highlights() {
         format!("{}, {lights}, {} samples", word(&scene.model), frame.samples())

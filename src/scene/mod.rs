@@ -11,18 +11,18 @@
 //! - [`require`]: what a scene requires of a core;
 //! - [`choice`]: the cheapest core that keeps the scene's budget;
 //! - [`shade`]: the whole shader around it;
-//! - [`cores`]: the cores that a picture is drawn through;
-//! - [`drawing`]: a picture exact and otherwise, judged;
+//! - `cores`: the cores that a picture is drawn through;
+//! - `drawing`: a picture exact and otherwise, judged;
 //! - [`simplify`]: what that core leaves out, and what this saves;
 //! - [`document`]: all of it in files beside the core;
 //! - [`picture`]: pictures as files: PNG and OpenEXR;
 //! - [`sheet`]: pages of pictures with what is to be said of them.
 
 pub mod choice;
-pub mod cores;
+pub(crate) mod cores;
 pub mod difference;
 pub mod document;
-pub mod drawing;
+pub(crate) mod drawing;
 pub mod file;
 pub mod frame;
 pub mod highlight;
