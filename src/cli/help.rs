@@ -20,33 +20,31 @@ const OF_CORES: [&str; 2] = ["generate", "choose"];
 pub(super) fn arranged(mut program: Command) -> Command {
     program.build();
     let of_core = SpecFields::augment_args(Command::new(""));
-    let long = of_core.get_arguments().filter_map(Arg::get_help_heading).chain([COSTS]).collect();
-    program.mut_subcommands(|command| arrange(command, &["brdfgen"], &long))
+    let of_core = of_core.get_arguments().filter_map(Arg::get_help_heading).collect();
+    program.mut_subcommands(|command| arrange(command, &["brdfgen"], &of_core))
 }
 
-/// Arranges a command and those below it; flags under the headings `long` are for the long help.
-fn arrange(command: Command, above: &[&str], long: &BTreeSet<&str>) -> Command {
+/// Arranges a command and those below it; `of_core` are the headings of a core's flags.
+fn arrange(command: Command, above: &[&str], of_core: &BTreeSet<&str>) -> Command {
     let name = command.get_name().to_owned();
     let path: Vec<&str> = above.iter().copied().chain([name.as_str()]).collect();
-    let is_long =
-        |arg: &Arg| !OF_CORES.contains(&&*name) && arg.get_help_heading().is_some_and(|heading| long.contains(heading));
-    let hidden: BTreeSet<_> =
-        command.get_arguments().filter(|arg| is_long(arg)).filter_map(Arg::get_help_heading).collect();
-    let more = hidden.into_iter().collect::<Vec<_>>().join(", ");
+    let under = |arg: &Arg, is: &dyn Fn(&str) -> bool| arg.get_help_heading().is_some_and(is);
+    let is_of_core = |arg: &Arg| !OF_CORES.contains(&&*name) && under(arg, &|heading| of_core.contains(heading));
+    let hides_core = command.get_arguments().any(is_of_core);
     // Clap keeps names for as long as the program runs.
     let own: &'static str = format!("Options of {name}").leak();
     let general = |arg: &Arg| arg.is_global_set() || ["help", "version"].contains(&arg.get_id().as_str());
     let command = command.mut_args(|arg| match arg {
         arg if arg.is_positional() => arg.help_heading(Resettable::Reset),
-        arg if !more.is_empty() && arg.get_id() == "help" => {
-            arg.help_heading("General").help(format!("Print help; more flags are in --help: {more}"))
+        arg if hides_core && arg.get_id() == "help" => {
+            arg.help_heading("General").help("Print help; a core's flags are in --help")
         }
         arg if general(&arg) => arg.help_heading("General"),
-        arg if is_long(&arg) => arg.hide_short_help(true),
+        arg if is_of_core(&arg) || under(&arg, &|heading| heading == COSTS) => arg.hide_short_help(true),
         arg if arg.get_help_heading().is_none() => arg.help_heading(own),
         arg => arg,
     });
-    let command = command.mut_subcommands(|command| arrange(command, &path, long));
+    let command = command.mut_subcommands(|command| arrange(command, &path, of_core));
     match examples(&path).as_slice() {
         [] => command,
         lines => command.after_help(format!("Examples:\n  {}", lines.join("\n  "))),
