@@ -3,8 +3,8 @@
 
 use std::hint::black_box;
 
-use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::core::Design;
+use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::spec::SpecFields;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 

@@ -11,18 +11,27 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use brdfgen::verify::cosim::{self, Job, Sim};
-use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::core::{Account, Design};
-use brdfgen::fit::{self, Objective, Peak};
-use brdfgen::verify::golden::Golden;
-use brdfgen::lobe::{
-    CosK, Cubic, CubicRational, Lobe, LogExp, Lyon, MinZero, Polynomial, Quadratic, Schlick, Segmented, Taylor,
-    TaylorSeries,
-};
+use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::emit::package;
-use brdfgen::spec::{Inside, Language, SpecFields};
+use brdfgen::fit::{self, Objective, Peak};
+use brdfgen::lobe::Lobe;
+use brdfgen::method::cubic::Cubic;
+use brdfgen::method::cubic_min_zero::MinZero;
+use brdfgen::method::cubic_rational::CubicRational;
+use brdfgen::method::log_exp::LogExp;
+use brdfgen::method::lyon::Lyon;
+use brdfgen::method::polynomial::Polynomial;
+use brdfgen::method::quadratic::Quadratic;
+use brdfgen::method::schlick::Schlick;
+use brdfgen::method::segmented::Segmented;
+use brdfgen::papers::CosK;
+use brdfgen::papers::Taylor;
+use brdfgen::papers::TaylorSeries;
 use brdfgen::platform::tool;
+use brdfgen::spec::{Inside, Language, SpecFields};
+use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::verify::golden::Golden;
 
 type Result<T> = std::result::Result<T, Box<dyn Error>>;
 
@@ -159,7 +168,8 @@ fn lobes<'a, L: Lobe + 'a>(
 
 /// The real-valued lobe of a `power` method.
 fn fitted_power(n: f64, k: u32) -> std::result::Result<Polynomial, brdfgen::platform::error::Error> {
-    let fit::Power { big_a, a } = fit::power(n, k, Inside::Quadratic, &Objective::MaxAbs)?.coefficients;
+    let fit::Power { big_a, a } =
+        brdfgen::method::power::fit(n, k, Inside::Quadratic, &Objective::MaxAbs)?.coefficients;
     let end = if a > 0.0 { (big_a / (2.0 * a)).min(1.0) } else { 1.0 };
     Ok(Polynomial { cosine: false, power: k, c: 1.0, big_a, a, end, past: 0.0 })
 }
@@ -227,7 +237,7 @@ fn bit_exact(effort: Effort) -> Result<Vec<Row>> {
     for design in &designs {
         let name = design.spec.name.replace('_', "-");
         let (model, evaluator) = (design.model(), design.evaluator());
-        let set = &design.spec.shininess;
+        let set = &design.spec.interface.shininess;
         let mut out = vec![0u32; COSINES];
         contenders.push(contender(format!("{name}: evaluator, vectorised"), move || {
             for n in shininesses() {

@@ -74,10 +74,10 @@ struct Errors {
 
 impl Errors {
     fn of(design: &Design, n: u32) -> Self {
-        let (set, format) = (&design.spec.shininess, design.output_format());
+        let (set, format) = (&design.spec.interface.shininess, design.output_format());
         let index = n << set.frac_bits();
         let row = set.row_of_index(index);
-        let codes = 1i64 << design.spec.input_fraction;
+        let codes = 1i64 << design.spec.interface.input_fraction;
         let mut outputs = vec![0u32; codes as usize + 1];
         design.evaluator().evaluate(index, 0, 1, &mut outputs);
         let lobe = &design.lobes()[row];
@@ -117,7 +117,7 @@ impl Entry {
     fn of(design: &Design) -> Self {
         let multipliers: Vec<String> = design.graph().multipliers().iter().map(|(a, b)| format!("{a}x{b}")).collect();
         Self {
-            rom_bits: design.tables().iter().map(brdfgen::emit::rom::Table::bits).sum(),
+            rom_bits: design.tables().iter().map(brdfgen::fixed::Table::bits).sum(),
             multipliers: if multipliers.is_empty() { "none".to_owned() } else { multipliers.join(" ") },
             latency: design.schedule.latency,
             errors: MEASURED.iter().map(|&n| Errors::of(design, n)).collect(),

@@ -4,8 +4,8 @@ use std::error::Error;
 use std::path::Path;
 
 use brdfgen::core::Design;
-use brdfgen::explore::Results;
 use brdfgen::emit::package;
+use brdfgen::explore::Results;
 use brdfgen::report::{self, COLOURS, Palette};
 use brdfgen::spec::SpecFields;
 use plotters::prelude::*;

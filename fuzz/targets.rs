@@ -6,23 +6,23 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
-use brdfgen::papers::Recorded;
-use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::core::Direction;
 use brdfgen::core::sample::random_codes;
 use brdfgen::core::{Account, Design, Part, ShaderError};
-use brdfgen::platform::error::Error;
-use brdfgen::explore::{Results, Sweep};
-use brdfgen::verify::golden;
-use brdfgen::core::Direction;
-use brdfgen::fixed::Dice;
 use brdfgen::emit::package;
+use brdfgen::emit::rom::{self, RomFormat};
+use brdfgen::explore::{Results, Sweep};
+use brdfgen::fixed::Dice;
+use brdfgen::papers::Recorded;
+use brdfgen::platform::error::Error;
 use brdfgen::reflectance::{directory, images, merl, source};
 use brdfgen::report::Speed;
-use brdfgen::emit::rom::{self, RomFormat};
 use brdfgen::scene::Scene;
 use brdfgen::scene::mesh::{Mesh, Normals};
 use brdfgen::spec::{CoreSpec, SpecFields};
 use brdfgen::synth;
+use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::verify::golden;
 
 /// A reader, or `generate`: its name, which is that of its corpus, and what is done with some bytes.
 pub type Target = (&'static str, fn(&[u8]));
@@ -71,10 +71,15 @@ fn spec(bytes: &[u8]) {
 
 /// Whether a core is made in no time: few inputs, small tables, and few stages of few operations.
 fn is_small(spec: &CoreSpec) -> bool {
-    let inputs = spec.shininess.index_bits() + spec.input_fraction;
-    let entries = [spec.table_bits, spec.log_bits, spec.exp_bits].into_iter().all(|bits| bits <= 9);
+    let inputs = spec.interface.shininess.index_bits() + spec.interface.input_fraction;
+    let options = spec.method.options();
+    let entries = [options.table_bits, options.log_bits, options.exp_bits];
     let lights = spec.block.shader().map_or(0, |shader| shader.lights);
-    inputs <= 13 && spec.shininess.rows() <= 300 && entries && lights <= 2 && spec.accuracy.is_none_or(|bits| bits <= 9)
+    inputs <= 13
+        && spec.interface.shininess.rows() <= 300
+        && entries.into_iter().flatten().all(|bits| bits <= 9)
+        && lights <= 2
+        && options.accuracy.is_none_or(|bits| bits <= 9)
 }
 
 /// A small core is made, or refused in words: model and datapath compute the same for every input, and what is measured of it is within

@@ -38,6 +38,7 @@
 //! `model` and `datapath` never import each other: what the one says, the other is checked against.
 #![warn(missing_docs)]
 
+pub mod block;
 pub mod cli;
 pub mod core;
 pub mod datapath;
@@ -46,7 +47,7 @@ pub mod explore;
 pub mod fit;
 pub mod fixed;
 pub mod lobe;
-pub mod model;
+pub mod method;
 pub mod papers;
 pub mod platform;
 pub mod reflectance;

@@ -5,12 +5,12 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use brdfgen::verify::cosim::{self, Job, Sim};
 use brdfgen::core::{Account, Design};
-use brdfgen::verify::formal::{self, Verdict};
-use brdfgen::verify::golden::Golden;
 use brdfgen::emit::package;
 use brdfgen::spec::{Language, SpecFields};
+use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::verify::formal::{self, Verdict};
+use brdfgen::verify::golden::Golden;
 use rayon::prelude::*;
 use tempfile::TempDir;
 

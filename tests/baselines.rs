@@ -3,11 +3,13 @@
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use brdfgen::core::{Design, Measured};
-use brdfgen::platform::error::Error;
-use brdfgen::verify::golden::all_codes;
-use brdfgen::lobe;
 use brdfgen::fixed::exp2;
+use brdfgen::lobe;
+use brdfgen::method::harris::Harris;
+use brdfgen::method::table::Tabulated;
+use brdfgen::platform::error::Error;
 use brdfgen::spec::SpecFields;
+use brdfgen::verify::golden::all_codes;
 use proptest::prelude::*;
 use rayon::prelude::*;
 
@@ -25,13 +27,13 @@ fn assert_every_input(spec: &str, row_step: usize, stride: i64) {
     let design = design(spec);
     let [low, high] = design.budget.proved_ulps;
     assert!(-1.0 < low && high < 1.0, "{spec}: proved {low}..{high}");
-    let scale = exp2(design.spec.output_fraction as i32);
+    let scale = exp2(design.spec.interface.output_fraction as i32);
     let (first, count) = all_codes(design.operand_format());
     let (evaluator, model, lobes) = (design.evaluator(), design.model(), design.lobes());
     let compared = AtomicU64::new(0);
-    let rows: Vec<usize> = (0..design.spec.shininess.rows()).step_by(row_step).collect();
+    let rows: Vec<usize> = (0..design.spec.interface.shininess.rows()).step_by(row_step).collect();
     rows.par_iter().for_each(|&row| {
-        let index = design.spec.shininess.index_of_row(row);
+        let index = design.spec.interface.shininess.index_of_row(row);
         let mut outputs = vec![0u32; count as usize];
         evaluator.evaluate(index, first, 1, &mut outputs);
         let mut own = 0;
@@ -267,26 +269,26 @@ fn the_sizes_are_written_back() {
     }
     for method in ["schlick", "squaring", "harris", "table"] {
         let text = format!("method = '{method}'\nshininess = [4]");
-        assert!(SpecFields::parse(&text, "test").and_then(SpecFields::resolve).unwrap().method.is_baseline());
+        assert!(SpecFields::parse(&text, "test").and_then(SpecFields::resolve).unwrap().method.about().is_baseline);
     }
     let other = SpecFields::parse("method = 'log-exp'\nshininess = [4]", "test").and_then(SpecFields::resolve).unwrap();
-    assert!(!other.method.is_baseline() && !other.to_toml().contains("_bits"));
+    assert!(!other.method.about().is_baseline && !other.to_toml().contains("_bits"));
 }
 
 /// The lobes' numbers where they are known exactly.
 #[test]
 fn the_entries_are_those_of_the_formulas() {
-    let log = |first: f64, last: f64| lobe::Harris::logarithm(first, last);
+    let log = |first: f64, last: f64| Harris::logarithm(first, last);
     for (first, last, exact) in [(0.0, 0.0, 0.0), (0.5, 0.5, 1.0), (0.625, 0.875, 2.0), (0.9375, 0.9375, 4.0)] {
         assert!((log(first, last) - exact).abs() < 1e-15, "{first}..{last}");
     }
     // -log2(1 - 2^-20), from 50 digits.
     assert!((log(exp2(-20), exp2(-20)) - 1.375_861_862_964_634_2e-6).abs() < 1e-20);
-    assert_eq!(lobe::Harris::exponential(0.0, 1.0), 0.75);
+    assert_eq!(Harris::exponential(0.0, 1.0), 0.75);
     // Four cells of squares over sixteenths: 1 and (13/16)^2, 9/16 and (9/16)^2, and so on.
-    let table = lobe::Tabulated::new(2.0, 4, 1.0 / 16.0).unwrap();
+    let table = Tabulated::new(2.0, 4, 1.0 / 16.0).unwrap();
     let mean = |first: i32, last: i32| f64::from(first * first + last * last) / 512.0;
     let exact = [mean(16, 13), mean(12, 9), mean(8, 5), mean(4, 1)];
     assert!(table.entries.iter().zip(exact).all(|(entry, exact)| (entry - exact).abs() < 1e-15), "{table:?}");
-    assert!(lobe::Tabulated::new(0.5, 4, 0.1).is_err());
+    assert!(Tabulated::new(0.5, 4, 0.1).is_err());
 }

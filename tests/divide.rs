@@ -2,11 +2,11 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::core::Design;
-use brdfgen::verify::golden::all_codes;
+use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::fixed::exp2;
 use brdfgen::spec::SpecFields;
+use brdfgen::verify::golden::all_codes;
 use proptest::prelude::*;
 use rayon::prelude::*;
 
@@ -29,16 +29,16 @@ fn assert_every_input(spec: &str, stride: i64) {
     assert!(-1.0 < low && high < 1.0, "{spec}: proved {low}..{high}");
     let (first, count) = all_codes(design.operand_format());
     let (evaluator, model, lobes) = (design.evaluator(), design.model(), design.lobes());
-    let one = 1u32 << design.spec.output_fraction;
+    let one = 1u32 << design.spec.interface.output_fraction;
     let compared = AtomicU64::new(0);
-    (0..design.spec.shininess.rows()).into_par_iter().for_each(|row| {
-        let index = design.spec.shininess.index_of_row(row);
+    (0..design.spec.interface.shininess.rows()).into_par_iter().for_each(|row| {
+        let index = design.spec.interface.shininess.index_of_row(row);
         let mut outputs = vec![0u32; count as usize];
         evaluator.evaluate(index, first, 1, &mut outputs);
         let mut own = 0;
         for (offset, &output) in outputs.iter().enumerate() {
             let operand = first + offset as i64;
-            let method = lobes[row].at(design.versine(operand)) * exp2(design.spec.output_fraction as i32);
+            let method = lobes[row].at(design.versine(operand)) * exp2(design.spec.interface.output_fraction as i32);
             let error = f64::from(output) - method;
             // The method itself is computed in double precision here.
             assert!(
@@ -52,7 +52,7 @@ fn assert_every_input(spec: &str, stride: i64) {
         }
         compared.fetch_add(own, Ordering::Relaxed);
     });
-    let expected = design.spec.shininess.rows() as u64 * count / stride.unsigned_abs();
+    let expected = design.spec.interface.shininess.rows() as u64 * count / stride.unsigned_abs();
     assert!(compared.into_inner() >= expected / 2, "{spec}: too few compared with the model");
 }
 
@@ -220,7 +220,7 @@ fn the_seam_is_below_an_ulp() {
         let cuts = &design.tables()[0].field("cut").codes;
         let mut largest = [0.0f64; 2];
         for row in 0..1000 {
-            let index = design.spec.shininess.index_of_row(row);
+            let index = design.spec.interface.shininess.index_of_row(row);
             let operand = design.operand_of_versine(cuts[row] as i64 + 1);
             let mut around = [0; 2];
             evaluator.evaluate(index, operand, 1, &mut around);

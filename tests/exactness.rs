@@ -4,14 +4,14 @@ mod common;
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
+use brdfgen::core::{Design, Measured};
 use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::graph::{Node, Op};
 use brdfgen::datapath::schedule::schedule;
 use brdfgen::datapath::simulate::{Inputs, Simulation};
-use brdfgen::core::{Design, Measured};
-use brdfgen::verify::golden::all_codes;
 use brdfgen::fixed::exp2;
 use brdfgen::spec::{Pipeline, SpecFields};
+use brdfgen::verify::golden::all_codes;
 use proptest::prelude::*;
 use rayon::prelude::*;
 
@@ -26,7 +26,7 @@ fn assert_proof(design: &Design, spec: &str) {
 
 /// The real-valued method at a port code, in output ulps: saturated inputs included.
 fn method_ulps(design: &Design, lobe: &dyn brdfgen::lobe::Lobe, operand: i64) -> f64 {
-    lobe.at(design.versine(operand)) * exp2(design.spec.output_fraction as i32)
+    lobe.at(design.versine(operand)) * exp2(design.spec.interface.output_fraction as i32)
 }
 
 /// Every code of the operand port for every row: the evaluator is within the proved bound of the method, and, at every
@@ -37,10 +37,10 @@ fn assert_every_input(spec: &str, stride: i64) {
     let [low, high] = design.budget.proved_ulps;
     let (first, count) = all_codes(design.operand_format());
     let (evaluator, model, lobes) = (design.evaluator(), design.model(), design.lobes());
-    let one = 1u32 << design.spec.output_fraction;
+    let one = 1u32 << design.spec.interface.output_fraction;
     let compared = AtomicU64::new(0);
-    (0..design.spec.shininess.rows()).into_par_iter().for_each(|row| {
-        let index = design.spec.shininess.index_of_row(row);
+    (0..design.spec.interface.shininess.rows()).into_par_iter().for_each(|row| {
+        let index = design.spec.interface.shininess.index_of_row(row);
         let mut outputs = vec![0u32; count as usize];
         evaluator.evaluate(index, first, 1, &mut outputs);
         let mut own = 0;
@@ -59,7 +59,7 @@ fn assert_every_input(spec: &str, stride: i64) {
         }
         compared.fetch_add(own, Ordering::Relaxed);
     });
-    let expected = design.spec.shininess.rows() as u64 * count / stride.unsigned_abs();
+    let expected = design.spec.interface.shininess.rows() as u64 * count / stride.unsigned_abs();
     assert!(compared.into_inner() >= expected / 2, "{spec}: too few compared with the model");
 }
 
@@ -511,8 +511,8 @@ fn golden_vectors_notice_every_flipped_rom_bit() {
 
 fn assert_flips_are_noticed(spec: &str) {
     let design = design(spec);
-    let set = &design.spec.shininess;
-    let codes = (1usize << design.spec.input_fraction) + 1;
+    let set = &design.spec.interface.shininess;
+    let codes = (1usize << design.spec.interface.input_fraction) + 1;
     let golden = brdfgen::verify::golden::Golden::of(&design);
     let vectors: Vec<(u32, i64)> = golden.vectors().iter().map(|v| (v.inputs[0] as u32, v.inputs[1])).collect();
     // The vectors and the places of the set that read each row of the ROM.
@@ -646,7 +646,7 @@ fn the_smallest_cores_are_the_same_everywhere() {
         let (evaluator, model) = (design.evaluator(), design.model());
         // Of a port of many bits the codes about both ends of the set.
         let last = design.index_format().max_code() as u32;
-        let set = &design.spec.shininess;
+        let set = &design.spec.interface.shininess;
         let mut indices: Vec<u32> = (0..4).chain(last..=last).collect();
         let ends = [set.index_of_row(0), set.index_of_row(set.rows() - 1)];
         indices.extend(ends.iter().flat_map(|&end| end.saturating_sub(1)..=end.saturating_add(1)));

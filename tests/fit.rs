@@ -1,11 +1,12 @@
 //! The minimax fits against their own words: the errors that they promise, and that no other coefficients do better.
 //! Lobes and errors are evaluated here anew, on far more points.
 
-use brdfgen::fit::{
-    Fit, Inside, Objective, Peak, Segment, Tail, cubic, cubic_rational, fit_segment, min_zero, power, quadratic,
-    segment_bounds, segment_end,
-};
-use brdfgen::lobe::{Cubic, CubicRational, Lobe, Quadratic, exact};
+use brdfgen::fit::{Fit, Inside, Objective, Peak, Segment, fit_segment, segment_bounds, segment_end};
+use brdfgen::lobe::{Lobe, exact};
+use brdfgen::method::cubic::{Cubic, Tail};
+use brdfgen::method::cubic_rational::CubicRational;
+use brdfgen::method::quadratic::Quadratic;
+use brdfgen::method::{cubic, cubic_min_zero, cubic_rational, power, quadratic};
 use rand_core::Rng;
 use rand_pcg::Pcg64;
 
@@ -49,19 +50,19 @@ impl Form {
     fn fit(self, n: f64, objective: &Objective) -> Fit<[f64; 2]> {
         let (coefficients, error) = match self {
             Self::Quadratic => {
-                let fit = quadratic(n, objective).unwrap();
+                let fit = quadratic::fit(n, objective).unwrap();
                 ([fit.coefficients.a, 0.0], fit.error)
             }
             Self::MinZero => {
-                let fit = min_zero(n, objective).unwrap();
+                let fit = cubic_min_zero::fit(n, objective).unwrap();
                 ([fit.coefficients, 0.0], fit.error)
             }
             Self::Cubic(tail) => {
-                let fit = cubic(n, tail, objective).unwrap();
+                let fit = cubic::fit(n, tail, objective).unwrap();
                 ([fit.coefficients.big_a, fit.coefficients.a], fit.error)
             }
             Self::Power(k, inside) => {
-                let fit = power(n, k, inside, objective).unwrap();
+                let fit = power::fit(n, k, inside, objective).unwrap();
                 ([fit.coefficients.big_a, fit.coefficients.a], fit.error)
             }
         };
@@ -421,7 +422,7 @@ fn no_other_bounds_nearby_are_better() {
 fn bad_arguments_are_refused() {
     let fine = Objective::MaxAbs;
     for n in [0.99, 1_048_577.0, f64::NAN] {
-        assert!(quadratic(n, &fine).is_err() && segment_end(n, 2, Peak::Exact, &fine).is_err());
+        assert!(quadratic::fit(n, &fine).is_err() && segment_end(n, 2, Peak::Exact, &fine).is_err());
     }
     for objective in [
         Objective::MaxRel { level: 0.0 },
@@ -430,9 +431,9 @@ fn bad_arguments_are_refused() {
         Objective::Weighted { power: 1.1 },
         Objective::Weighted { power: -1.0 },
     ] {
-        assert!(cubic(10.0, Tail::Cut, &objective).is_err(), "{objective:?}");
+        assert!(cubic::fit(10.0, Tail::Cut, &objective).is_err(), "{objective:?}");
     }
-    assert!(power(10.0, 3, Inside::Linear, &fine).is_err());
+    assert!(power::fit(10.0, 3, Inside::Linear, &fine).is_err());
     for (low, high, first) in
         [(0.5, 0.5, false), (-0.1, 0.5, false), (0.5, 1.1, false), (0.1, 0.5, true), (0.1, f64::NAN, false)]
     {
@@ -448,7 +449,7 @@ fn bad_arguments_are_refused() {
 fn rational_tails_are_as_good_as_reported_and_none_nearby_is_better() {
     for n in SHININESSES.into_iter().filter(|&n| n > 1.0) {
         let objective = Objective::MaxAbs;
-        let fit = cubic_rational(n, &objective).unwrap();
+        let fit = cubic_rational::fit(n, &objective).unwrap();
         let lobe = fit.coefficients;
         let points = points(n, 100_000, &objective);
         let error = |lobe: CubicRational| brute_force(|u| lobe.at(u), n, &points, &objective);
@@ -465,6 +466,6 @@ fn rational_tails_are_as_good_as_reported_and_none_nearby_is_better() {
             assert!(error(other) > own - 1e-4 * own, "n = {n}: b times {factor} is better");
         }
     }
-    assert!(cubic_rational(1000.0, &Objective::MaxAbs).unwrap().error < 0.0510);
-    assert_eq!(cubic_rational(1.0, &Objective::MaxAbs).unwrap().error, 0.0);
+    assert!(cubic_rational::fit(1000.0, &Objective::MaxAbs).unwrap().error < 0.0510);
+    assert_eq!(cubic_rational::fit(1.0, &Objective::MaxAbs).unwrap().error, 0.0);
 }

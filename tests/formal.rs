@@ -5,10 +5,10 @@
 mod common;
 
 use brdfgen::core::{Account, Design};
-use brdfgen::verify::formal::{self, Proof, Step, Verdict};
-use brdfgen::verify::golden::Golden;
 use brdfgen::emit::package;
 use brdfgen::spec::{Language, SpecFields};
+use brdfgen::verify::formal::{self, Proof, Step, Verdict};
+use brdfgen::verify::golden::Golden;
 use common::Scratch;
 use rayon::prelude::*;
 use std::sync::Mutex;

@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use brdfgen::core::{Account, Design};
-use brdfgen::verify::golden::Golden;
 use brdfgen::emit::package;
-use brdfgen::spec::{Language, Method, SpecFields};
+use brdfgen::spec::{Language, MethodName, SpecFields};
+use brdfgen::verify::golden::Golden;
 use clap::ValueEnum;
 use common::Scratch;
 use rayon::prelude::*;
@@ -184,7 +184,7 @@ fn every_method_compiles_at_every_kind_of_depth() {
     let depths: &[&str] =
         if common::all() { &["1", "2", "3", "4", "6", "9", "14", "33", "64"] } else { &["1", "2", "7"] };
     let mut specs = Vec::new();
-    for method in Method::value_variants().iter().filter_map(|method| method.to_possible_value()) {
+    for method in MethodName::value_variants().iter().filter_map(|method| method.to_possible_value()) {
         let method = method.get_name().to_owned();
         for depth in depths {
             let set = if method == "squaring" { "[1, 4, 16]" } else { "'1..=16'" };

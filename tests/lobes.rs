@@ -1,7 +1,16 @@
 //! The coefficients against high precision and against the systems of equations that define them.
 
 use astro_float::{BigFloat, Consts, RoundingMode};
-use brdfgen::lobe::{CosK, Cubic, CubicRational, Lobe, Lyon, MinZero, Quadratic, Schlick, Taylor, TaylorSeries, exact};
+use brdfgen::lobe::{Lobe, exact};
+use brdfgen::method::cubic::Cubic;
+use brdfgen::method::cubic_min_zero::MinZero;
+use brdfgen::method::cubic_rational::CubicRational;
+use brdfgen::method::lyon::Lyon;
+use brdfgen::method::quadratic::Quadratic;
+use brdfgen::method::schlick::Schlick;
+use brdfgen::papers::CosK;
+use brdfgen::papers::Taylor;
+use brdfgen::papers::TaylorSeries;
 use proptest::prelude::*;
 
 /// Bits of the reference arithmetic: enough to lose sixty to cancellation and still have a hundred.

@@ -4,16 +4,16 @@
 
 mod common;
 
-use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::core::{Account, Design};
 use brdfgen::datapath::fault::{Block, Change, Defect, Fault, Hunt, Probe};
 use brdfgen::datapath::graph::Op;
 use brdfgen::datapath::simulate::{Inputs, Simulation};
-use brdfgen::core::{Account, Design};
-use brdfgen::verify::golden::Golden;
-use brdfgen::verify::faults::equivalent::{Decision, decide};
-use brdfgen::verify::faults::{Fate, Tally, netlist, source};
 use brdfgen::emit::package;
 use brdfgen::spec::{Language, SpecFields};
+use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::verify::faults::equivalent::{Decision, decide};
+use brdfgen::verify::faults::{Fate, Tally, netlist, source};
+use brdfgen::verify::golden::Golden;
 use common::Scratch;
 
 const SMALL: &str = "method = \"quadratic\"\nshininess = \"1..=15\"\ninput_fraction = 8\noutput_fraction = 8\n";

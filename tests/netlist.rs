@@ -5,13 +5,13 @@
 
 mod common;
 
-use brdfgen::verify::cosim::{self, Job};
-use brdfgen::core::{Account, Design};
-use brdfgen::verify::golden::{Golden, Vector, all_codes};
 use brdfgen::core::Direction;
+use brdfgen::core::{Account, Design};
 use brdfgen::emit::package;
 use brdfgen::spec::SpecFields;
 use brdfgen::synth::{self, Family, Options};
+use brdfgen::verify::cosim::{self, Job};
+use brdfgen::verify::golden::{Golden, Vector, all_codes};
 use common::Scratch;
 use rayon::prelude::*;
 

@@ -19,15 +19,15 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
-use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::core::Direction;
 use brdfgen::core::sample::random_codes;
 use brdfgen::core::{Account, Design, Part, ShaderError};
-use brdfgen::platform::error::Error;
-use brdfgen::verify::golden::{Golden, Vector};
-use brdfgen::core::Direction;
-use brdfgen::fixed::Dice;
 use brdfgen::emit::package;
-use brdfgen::spec::{CoreSpec, Language, Method, RomStyle, SpecFields};
+use brdfgen::fixed::Dice;
+use brdfgen::platform::error::Error;
+use brdfgen::spec::{CoreSpec, Interface, Language, RomStyle, SpecFields};
+use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::verify::golden::{Golden, Vector};
 use pairs::{Choice, Covering, covering, pairs_of};
 
 const NOTHING: &str = "";
@@ -195,10 +195,15 @@ impl Options {
         if spec.rom != RomStyle::Writable {
             return true;
         }
-        let key = format!("{:?} {:?} {:?}", spec.method, spec.accuracy, spec.shininess);
+        let key =
+            format!("{:?} {:?} {:?}", spec.method.name(), spec.method.options().accuracy, spec.interface.shininess);
         let small = || {
-            let (f, g) = (spec.input_fraction.min(8), spec.output_fraction.min(spec.accuracy.map_or(8, |a| a + 1)));
-            let small = CoreSpec { input_fraction: f, output_fraction: g, golden_inputs: Default::default(), ..spec };
+            let (f, g) = (
+                spec.interface.input_fraction.min(8),
+                spec.interface.output_fraction.min(spec.method.options().accuracy.map_or(8, |a| a + 1)),
+            );
+            let interface = Interface { input_fraction: f, output_fraction: g, ..spec.interface };
+            let small = CoreSpec { interface, golden_inputs: Default::default(), ..spec };
             Design::new(small).is_ok()
         };
         *self.writable.lock().expect("no panic").entry(key).or_insert_with(small)
@@ -325,12 +330,9 @@ fn complaint(design: &Design, language: Language, directory: &Path) -> Option<St
 
 /// A rough measure of how long a core takes to be made, as a power of two: the codes of both ports, and the entries of its tables.
 fn size(spec: &CoreSpec) -> u32 {
-    let entries = match spec.method {
-        Method::Table => spec.table_bits,
-        Method::Harris => spec.log_bits.max(spec.exp_bits),
-        _ => 0,
-    };
-    spec.shininess.index_bits() + spec.input_fraction.max(entries)
+    let options = spec.method.options();
+    let entries = [options.table_bits, options.log_bits, options.exp_bits].into_iter().flatten().max().unwrap_or(0);
+    spec.interface.shininess.index_bits() + spec.interface.input_fraction.max(entries)
 }
 
 fn all_is_made(what: &str, options: &Options, quick: impl Fn(&CoreSpec) -> bool) {
@@ -419,7 +421,11 @@ fn lobes_with_any_two_options() {
 
 #[test]
 fn shaders_with_any_two_options() {
-    let quick = |spec: &CoreSpec| spec.input_fraction < 24 && spec.accuracy.is_none() && spec.output_fraction < 20;
+    let quick = |spec: &CoreSpec| {
+        spec.interface.input_fraction < 24
+            && spec.method.options().accuracy.is_none()
+            && spec.interface.output_fraction < 20
+    };
     all_is_made("shaders", &Options::of("block = 'shader'", shader_choices()), quick);
 }
 

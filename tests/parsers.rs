@@ -13,10 +13,10 @@ use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
 use rayon::prelude::*;
 
-use brdfgen::verify::golden;
 use brdfgen::emit::rom::{self, RomFormat};
 use brdfgen::scene::mesh::{Mesh, Normals};
 use brdfgen::spec::SpecFields;
+use brdfgen::verify::golden;
 use targets::TARGETS;
 
 /// The longest that a reader may take for a file of the corpus, on a busy machine; the fuzzer allows as much.

@@ -4,11 +4,11 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use brdfgen::platform::error::Error;
 use brdfgen::explore::Objective;
+use brdfgen::platform::error::Error;
 use brdfgen::scene::mesh::{Mesh, Normals, Transform};
 use brdfgen::scene::{Exact, Frame, Highlights, LightKind, Scene, Shape};
-use brdfgen::spec::{Method, SpecFields};
+use brdfgen::spec::{MethodName, SpecFields};
 use brdfgen::synth::Family;
 use proptest::prelude::*;
 
@@ -117,7 +117,7 @@ fn what_is_written_is_read() {
     assert_eq!((scene.budget.max_steps, scene.budget.min_psnr), (None, Some(40.0)));
     let core = &scene.core;
     assert_eq!((core.family, core.min_mhz, core.objective), (Family::Ice40, Some(30.0), Objective::Dsp));
-    assert_eq!(core.keys, SpecFields { method: Some(Method::Cubic), ..SpecFields::default() });
+    assert_eq!(core.keys, SpecFields { method: MethodName::named("cubic"), ..SpecFields::default() });
     let broadest = text.replace("roughness = 0.1", &format!("roughness = {}", (2.0f64 / 3.0).sqrt()));
     assert_eq!(parse(&broadest).unwrap().materials[0].shininess, 1.0);
 }

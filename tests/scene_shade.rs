@@ -86,7 +86,7 @@ fn the_shader_draws_the_scene_within_a_step() {
         let scene = scene(model);
         let asked = ShaderFields { front, vector_fraction: Some(18), ..ShaderFields::default() };
         let (design, difference, samples) = through(&scene, &fine, &asked);
-        assert_eq!(design.spec.shininess.rows(), 3, "the material that no object has is left out");
+        assert_eq!(design.spec.interface.shininess.rows(), 3, "the material that no object has is left out");
         assert!(samples > 3000 && difference.max_steps <= 1, "{model} {front:?}: {samples}, {difference:?}");
         assert!(difference.pixels[0] > samples / 2, "{model} {front:?}: {:?}", difference.pixels);
     }

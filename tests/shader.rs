@@ -7,16 +7,16 @@ mod common;
 use std::path::PathBuf;
 use std::process::Command;
 
-use brdfgen::verify::cosim::{self, Job, Outcome, Sim};
+use brdfgen::core::Direction;
 use brdfgen::core::sample::{Sample, random_codes};
 use brdfgen::core::{Account, Design};
-use brdfgen::platform::error::Error;
-use brdfgen::verify::golden::{self, Golden};
-use brdfgen::core::Direction;
-use brdfgen::lobe::Quadratic;
-use brdfgen::fixed::Dice;
 use brdfgen::emit::package;
+use brdfgen::fixed::Dice;
+use brdfgen::method::quadratic::Quadratic;
+use brdfgen::platform::error::Error;
 use brdfgen::spec::{Cosine, Language, LightColours, Shader, SpecFields};
+use brdfgen::verify::cosim::{self, Job, Outcome, Sim};
+use brdfgen::verify::golden::{self, Golden};
 use rayon::prelude::*;
 use tempfile::TempDir;
 
@@ -84,8 +84,8 @@ fn through_graph(design: &Design, codes: &[i64]) -> Vec<i64> {
 }
 
 fn random_sample(design: &Design, dice: &mut Dice) -> Sample {
-    let row = dice.below(design.spec.shininess.rows() as u64) as usize;
-    Sample::random(shader(design), row as u32, design.spec.shininess.value(row), dice)
+    let row = dice.below(design.spec.interface.shininess.rows() as u64) as usize;
+    Sample::random(shader(design), row as u32, design.spec.interface.shininess.value(row), dice)
 }
 
 /// A million inputs: samples, random codes, and codes that are each at an end, about 0 or about 1.
@@ -127,7 +127,7 @@ fn the_model_equals_the_graph_on_a_million_samples() {
 fn in_double(design: &Design, sample: &Sample, power: impl Fn(f64, f64) -> f64) -> [f64; 3] {
     let shader = shader(design);
     let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let row = (sample.material as usize).min(design.spec.shininess.rows() - 1);
+    let row = (sample.material as usize).min(design.spec.interface.shininess.rows() - 1);
     let surface = Shader::surfaces(&design.spec)[row];
     let mut sums = [0, 1, 2].map(|channel| shader.ambient_light[channel] * surface.ambient[channel]);
     for (number, light) in sample.lights.iter().enumerate() {
@@ -144,7 +144,7 @@ fn in_double(design: &Design, sample: &Sample, power: impl Fn(f64, f64) -> f64) 
                 1.0 - dot(d, d) / 2.0
             }
         };
-        let highlight = power(design.spec.shininess.value(row), x.clamp(0.0, 1.0));
+        let highlight = power(design.spec.interface.shininess.value(row), x.clamp(0.0, 1.0));
         let colour = match &shader.light_colours {
             LightColours::Ports => light.colour,
             LightColours::Fixed(colours) => colours[number],
@@ -181,7 +181,7 @@ fn the_hardware_is_near_a_shader_in_double_precision() {
             let allowed = rounded.lights.iter().fold(0.6, |sum, light| {
                 let lv: f64 = light.direction.iter().zip(rounded.viewer).map(|(a, b)| a * b).sum();
                 let root = if shader(&design).cosine == Cosine::Sqrt { 1.0 / (2.0 + 2.0 * lv).max(1e-9) } else { 0.0 };
-                sum + 0.2 + full * 102.0 * (3.0 + root) * 2f64.powi(-(design.spec.input_fraction as i32) - 2)
+                sum + 0.2 + full * 102.0 * (3.0 + root) * 2f64.powi(-(design.spec.interface.input_fraction as i32) - 2)
             });
             for channel in 0..3 {
                 let (got, method) = (hardware[channel] as f64, method[channel]);

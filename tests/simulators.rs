@@ -7,11 +7,11 @@ mod common;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use brdfgen::verify::cosim::{self, Job, Outcome, Sim};
 use brdfgen::core::{Account, Design};
-use brdfgen::verify::golden::Golden;
 use brdfgen::emit::package;
 use brdfgen::spec::{Language, SpecFields};
+use brdfgen::verify::cosim::{self, Job, Outcome, Sim};
+use brdfgen::verify::golden::Golden;
 use rayon::prelude::*;
 use tempfile::TempDir;
 

@@ -6,13 +6,13 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use brdfgen::verify::cosim::{self, Job, Outcome, Sim};
-use brdfgen::datapath::simulate::{Inputs, Simulation, Write};
 use brdfgen::core::{Account, Design};
-use brdfgen::verify::golden::{self, Golden};
+use brdfgen::datapath::simulate::{Inputs, Simulation, Write};
 use brdfgen::emit::package;
 use brdfgen::emit::rom::RomFormat;
 use brdfgen::spec::{CoreSpec, Language, RomStyle, SpecFields};
+use brdfgen::verify::cosim::{self, Job, Outcome, Sim};
+use brdfgen::verify::golden::{self, Golden};
 use rayon::prelude::*;
 use tempfile::TempDir;
 
@@ -303,7 +303,7 @@ fn yosys_infers_block_ram() {
             };
             let (ram, luts, ffs) = (count("DP16KD"), count("LUT4"), count("TRELLIS_FF"));
             println!("{name} {}: LUT4 {luts} FF {ffs} DSP {} BRAM {ram}", source.display(), count("MULT18X18D"));
-            let bits: usize = core.design.tables().iter().map(brdfgen::emit::rom::Table::bits).sum();
+            let bits: usize = core.design.tables().iter().map(brdfgen::fixed::Table::bits).sum();
             assert!(ram > 0 && ram as usize <= 2 + bits.div_ceil(16 << 10) * 2, "{name}: {ram} block RAMs");
             assert_eq!(count("TRELLIS_DPR16X4"), 0, "{name}: no memory of LUTs");
         }

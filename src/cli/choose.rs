@@ -5,11 +5,11 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::{Verdict, say, say_json};
-use crate::platform::error::Error;
 use crate::explore::choose::{Candidate, Choice, Wish};
 use crate::explore::{Cost, MaxError, Objective, Results};
+use crate::platform::error::Error;
 use crate::platform::paths::Paths;
-use crate::spec::{Coefficients, Method, Operand, Shininess, SpecFields};
+use crate::spec::{Coefficients, MethodName, Operand, Shininess, SpecFields};
 use crate::synth::Family;
 
 #[derive(Args)]
@@ -43,7 +43,7 @@ pub(super) struct Keys {
 
     /// Only this method
     #[arg(long, value_enum)]
-    method: Option<Method>,
+    method: Option<MethodName>,
 
     /// Only these coefficients
     #[arg(long, value_enum)]

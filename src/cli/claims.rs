@@ -6,11 +6,11 @@ use clap::Args;
 use serde_json::json;
 
 use super::{Verdict, progress, say, say_json};
+use crate::emit::package::{self, Kind, counted};
 use crate::papers::images::Speed;
 use crate::papers::{self, Claim, HEADER, Recorded};
 use crate::platform::error::Error;
 use crate::platform::input;
-use crate::emit::package::{self, Kind, counted};
 use crate::platform::paths::Paths;
 
 /// The directory of a run's files.

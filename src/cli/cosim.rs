@@ -8,11 +8,11 @@ use serde_json::json;
 
 use super::source::{OnDisk, Source};
 use super::{Verdict, progress, say, say_json, write_to};
-use crate::verify::cosim::{self, Job, Lint, Outcome, Sim};
 use crate::platform::error::Error;
-use crate::verify::golden::{self, Golden};
 use crate::spec::Language;
 use crate::synth::{self, Family, Options};
+use crate::verify::cosim::{self, Job, Lint, Outcome, Sim};
+use crate::verify::golden::{self, Golden};
 
 #[derive(Args)]
 pub(super) struct Arguments {

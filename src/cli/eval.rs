@@ -31,23 +31,23 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     if spec.block.shader().is_some() {
         return Err(Error::input("eval evaluates a lobe, and this core is a shader", "leave --block shader out"));
     }
-    let row = spec.shininess.values().iter().position(|&n| n == arguments.n).ok_or_else(|| {
+    let row = spec.interface.shininess.values().iter().position(|&n| n == arguments.n).ok_or_else(|| {
         Error::input(
             format!("the core has no shininess {}", arguments.n),
             format!(
                 "it has {}",
-                if spec.shininess.rows() > 20 {
-                    format!("{} of them", spec.shininess.rows())
+                if spec.interface.shininess.rows() > 20 {
+                    format!("{} of them", spec.interface.shininess.rows())
                 } else {
-                    spec.shininess.to_string()
+                    spec.interface.shininess.to_string()
                 }
             ),
         )
     })?;
-    let index = spec.shininess.index_of_row(row);
+    let index = spec.interface.shininess.index_of_row(row);
     let design = crate::core::Design::new(spec)?;
     let format = design.operand_format();
-    let wanted = match design.spec.operand {
+    let wanted = match design.spec.interface.operand {
         Operand::Cos => arguments.x,
         Operand::Versine => 1.0 - arguments.x,
     };

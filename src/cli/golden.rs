@@ -7,8 +7,8 @@ use serde_json::json;
 
 use super::source::{Source, read_golden};
 use super::{Verdict, say, say_json, write_to};
-use crate::verify::cosim::LISTED;
 use crate::platform::error::Error;
+use crate::verify::cosim::LISTED;
 use crate::verify::golden::{Golden, differences};
 
 #[derive(Args)]

@@ -31,8 +31,8 @@ use std::sync::{Mutex, PoisonError};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use serde::Serialize;
 
-use crate::platform::error::Error;
 use crate::emit::package;
+use crate::platform::error::Error;
 use crate::platform::{tool, transient};
 
 /// What to begin with.

@@ -9,13 +9,13 @@ use serde_json::json;
 
 use super::source::{OnDisk, Source, read_golden};
 use super::{Verdict, progress, say, say_json};
-use crate::datapath::mutants::Mutant;
 use crate::core::Design;
+use crate::datapath::mutants::Mutant;
+use crate::emit::package::rtl_path;
 use crate::platform::error::Error;
+use crate::spec::{Language, RomStyle};
 use crate::verify::faults::netlist::{self, NetlistMutant};
 use crate::verify::faults::{Fate, Tally, source};
-use crate::emit::package::rtl_path;
-use crate::spec::{Language, RomStyle};
 
 #[derive(Args)]
 pub(super) struct Arguments {

@@ -8,9 +8,10 @@ use serde_json::json;
 use super::source::Source;
 use super::{Verdict, say, say_json, write_to};
 use crate::core::Design;
+use crate::emit::rom::{self, RomFormat, RomImage};
+use crate::fixed::Table;
 use crate::platform::error::Error;
 use crate::platform::input;
-use crate::emit::rom::{self, RomFormat, RomImage, Table};
 use crate::spec::CoreSpec;
 
 #[derive(Args)]

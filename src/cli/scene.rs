@@ -9,10 +9,10 @@ use super::choose::{cost_text, error_text};
 use super::source::read_scene;
 use super::{Verdict, progress, say, say_json, warn};
 use crate::core::Design;
-use crate::platform::error::Error;
+use crate::emit::package::{File, counted};
 use crate::explore::run::{Costing, Flow};
 use crate::explore::{Cost, Model, Results};
-use crate::emit::package::{File, counted};
+use crate::platform::error::Error;
 use crate::report::ScenePart;
 use crate::scene::choice::{NearMiss, RunnerUp, SceneChoice, SceneCore, Search, Verified};
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
@@ -369,7 +369,7 @@ fn shader_text(shaded: &Shaded) -> String {
     let end = if shaded.missed.is_empty() { String::new() } else { format!("; {}", shaded.missed.join(", ")) };
     format!(
         "  the shader around it: vectors of {bits} fraction bits, F{}, {} clocks; {} samples through its bit-exact model: base {}; moved {}{end}",
-        spec.input_fraction,
+        spec.interface.input_fraction,
         shaded.design.schedule.latency,
         shaded.samples,
         picture_text(&shaded.base),

@@ -6,15 +6,15 @@ use clap::Args;
 
 use super::warn;
 use crate::core::{Account, Design};
-use crate::platform::error::Error;
-use crate::verify::golden::{self, Golden};
-use crate::platform::input;
 use crate::emit::package::{self, File};
+use crate::platform::error::Error;
+use crate::platform::input;
 use crate::platform::paths::Paths;
-use crate::scene::{Scene, document};
-use crate::spec::{CoreSpec, SpecFields};
 use crate::platform::tool;
 use crate::platform::transient::Folder;
+use crate::scene::{Scene, document};
+use crate::spec::{CoreSpec, SpecFields};
+use crate::verify::golden::{self, Golden};
 
 /// The core that a command works on.
 #[derive(Args)]

@@ -8,10 +8,10 @@ use serde_json::json;
 use super::source::Source;
 use super::{Verdict, progress, say, say_json};
 use crate::core::Design;
-use crate::platform::error::Error;
 use crate::emit::package;
+use crate::platform::error::Error;
 use crate::platform::paths::Paths;
-use crate::spec::{Block, Method, Shader};
+use crate::spec::{Block, MethodName, Shader};
 use crate::verify::stability::document::{self, Study};
 use crate::verify::stability::inspect::{Inspection, Signal};
 use crate::verify::stability::shader::ShaderInspection;
@@ -26,7 +26,7 @@ pub(super) struct Arguments {
 
     /// Without a core: only these methods of the study; may be given several times [default: all]
     #[arg(long, value_enum, value_name = "METHOD")]
-    only: Vec<Method>,
+    only: Vec<MethodName>,
 
     /// Without a core: formats of 12 bits and every fourth value, for a check in minutes
     #[arg(long)]

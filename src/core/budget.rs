@@ -5,10 +5,10 @@ use serde::Serialize;
 
 use super::Design;
 use super::sample::Sample;
-use crate::lobe;
 use crate::fixed::Dice;
+use crate::fixed::Table;
 use crate::fixed::wide::Wide;
-use crate::emit::rom::Table;
+use crate::lobe;
 use crate::spec::Shader;
 
 /// The error of a part of the shader, in codes of a channel.
@@ -54,7 +54,7 @@ impl ShaderError {
     /// Measures a shader over random samples that a camera may see ([`Sample::random`]).
     #[must_use]
     pub fn of(design: &Design, shader: &Shader) -> Self {
-        let rows = design.spec.shininess.rows();
+        let rows = design.spec.interface.shininess.rows();
         let step = rows.div_ceil(1 << 8);
         let measured: Vec<usize> = (0..rows).step_by(step).collect();
         let each = SAMPLES / measured.len() as u64;
@@ -62,7 +62,7 @@ impl ShaderError {
         let model = design.shader_model(shader);
         let of_row = |row: usize| {
             let mut dice = Dice::new(1 + row as u64);
-            let n = design.spec.shininess.value(row);
+            let n = design.spec.interface.shininess.value(row);
             let mut sums: Sums = [[f64::INFINITY, f64::NEG_INFINITY, 0.0]; PARTS.len() + 1];
             for _ in 0..each {
                 let sample = Sample::random(shader, row as u32, n, &mut dice);
@@ -77,7 +77,7 @@ impl ShaderError {
                 let method = |versine: f64| lobes[row].at(versine);
                 let cosines = model.cosines(&codes);
                 let in_hardware = |highlight: &dyn Fn(usize) -> f64| -> Vec<(f64, f64)> {
-                    let of = |(light, cosines): (usize, &crate::model::Cosines)| {
+                    let of = |(light, cosines): (usize, &crate::block::shader::Cosines)| {
                         (cosines.diffuse.to_num::<f64>(), if cosines.lit { highlight(light) } else { 0.0 })
                     };
                     cosines.iter().enumerate().map(of).collect()

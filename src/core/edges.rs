@@ -94,8 +94,8 @@ fn put(codes: &mut [i64], place: usize, vector: Codes) {
 #[must_use]
 pub fn varied(design: &Design, shader: &Shader, dice: &mut Dice) -> Vec<i64> {
     let ports = design.numbers(Direction::In);
-    let row = dice.below(design.spec.shininess.rows() as u64) as u32;
-    let n = design.spec.shininess.value(row as usize);
+    let row = dice.below(design.spec.interface.shininess.rows() as u64) as u32;
+    let n = design.spec.interface.shininess.value(row as usize);
     let codes = match dice.below(4) {
         0 => Sample::random(shader, row, n, dice).codes(shader),
         1 => random_codes(&ports, dice),

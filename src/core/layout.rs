@@ -6,7 +6,7 @@ use super::WritePort;
 use crate::datapath::Datapath;
 use crate::datapath::graph::{Node, NodeId, Op};
 use crate::datapath::schedule::Schedule;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 
 /// A register between two stages.
 #[derive(Clone, Copy, Debug)]

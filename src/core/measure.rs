@@ -24,8 +24,8 @@ pub struct Sweep {
 
 impl Sweep {
     fn of(design: &Design) -> Self {
-        let codes = (1u64 << design.spec.input_fraction) + 1;
-        let rows = design.spec.shininess.rows() as u64;
+        let codes = (1u64 << design.spec.interface.input_fraction) + 1;
+        let rows = design.spec.interface.shininess.rows() as u64;
         // Rows are thinned only when a thousand versines each would still be too many.
         let step = (codes * rows).div_ceil(MOST_INPUTS).min(codes.div_ceil(1024)).max(1);
         let row_step = (codes.div_ceil(step) * rows).div_ceil(MOST_INPUTS).max(1);
@@ -77,9 +77,9 @@ impl Measured {
     pub fn with_rows(design: &Design) -> (Self, Vec<f64>) {
         let sweep = Sweep::of(design);
         let lobes = design.lobes();
-        let shininess = design.spec.shininess.values();
-        let scale = crate::fixed::exp2(design.spec.output_fraction as i32);
-        let codes = (1i64 << design.spec.input_fraction) + 1;
+        let shininess = design.spec.interface.shininess.values();
+        let scale = crate::fixed::exp2(design.spec.interface.output_fraction as i32);
+        let codes = (1i64 << design.spec.interface.input_fraction) + 1;
         let step = sweep.step as usize;
         let evaluator = design.evaluator();
         let logs: Vec<f64> = (0..codes)
@@ -89,7 +89,7 @@ impl Measured {
 
         let row = |row: usize| -> ([f64; 7], [f64; 2]) {
             let mut worst = [shininess[row], 0.0];
-            let index = design.spec.shininess.index_of_row(row);
+            let index = design.spec.interface.shininess.index_of_row(row);
             let mut total = Self::NONE;
             let mut square = 0.0;
             let mut outputs = vec![0u32; 4096];
@@ -111,7 +111,7 @@ impl Measured {
                     let mut off = (hardware - exact).abs();
                     // Exponential and logarithm round; where the power itself does not, the difference has no such rest.
                     if off < ROUNDED
-                        && let Some(power) = exact_power(shininess[row], u, design.spec.input_fraction)
+                        && let Some(power) = exact_power(shininess[row], u, design.spec.interface.input_fraction)
                     {
                         off = (hardware - power).abs();
                     }
@@ -132,7 +132,7 @@ impl Measured {
             total[6] = 1.0;
             (total, worst)
         };
-        let rows: Vec<usize> = (0..design.spec.shininess.rows()).step_by(sweep.row_step as usize).collect();
+        let rows: Vec<usize> = (0..design.spec.interface.shininess.rows()).step_by(sweep.row_step as usize).collect();
         let parts: Vec<([f64; 7], [f64; 2])> = rows.into_par_iter().map(row).collect();
         let by_row = parts.iter().map(|(part, _)| part[2]).collect();
         // In order, so that the sum is the same on every machine.
@@ -160,6 +160,6 @@ impl Design {
     /// `x^n` for a row at an operand code.
     #[must_use]
     pub fn exact(&self, row: usize, operand: i64) -> f64 {
-        lobe::exact(self.spec.shininess.value(row), self.versine(operand))
+        lobe::exact(self.spec.interface.shininess.value(row), self.versine(operand))
     }
 }

@@ -19,18 +19,20 @@ use sha2::{Digest, Sha256};
 pub use layout::Layout;
 pub use port::{Direction, Port, WritePort};
 
+use crate::block::shader::{ShaderModel, datapath as shader};
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
 use crate::datapath::range::{Analysis, Narrowed, Region, regions};
 use crate::datapath::schedule::{Schedule, schedule};
 use crate::datapath::widths::{Budget, Solution, solve};
-use crate::datapath::{Datapath, Description, architecture, shader};
-use crate::platform::error::Error;
-use crate::lobe::Lobe;
-use crate::model::{Model, ShaderModel};
+use crate::datapath::{Datapath, Description};
 use crate::fixed::Format;
-use crate::emit::rom::Table;
-use crate::spec::{Block, CoreSpec, InputRange, Operand, RomStyle, Shader, Shininess, Widths, hex};
+use crate::fixed::Table;
+use crate::fixed::Widths;
+use crate::lobe::Lobe;
+use crate::method::Model;
+use crate::platform::error::Error;
+use crate::spec::{Block, CoreSpec, InputRange, Operand, RomStyle, Shader, Shininess, hex};
 
 /// The measured error of a core.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -81,7 +83,8 @@ impl Design {
     /// A spec that no core can be built for, such as one whose printed form needs values wider than 126 bits, or a writable ROM of a
     /// method that has none.
     pub fn new(spec: CoreSpec) -> Result<Self, Error> {
-        let architecture = architecture(&spec)?;
+        spec.method.check(&spec.interface)?;
+        let architecture = spec.method.architecture(&spec.interface)?;
         let mut solution = solve(&*architecture)?;
         if spec.is_fitted() {
             solution = tune::tuned(&spec, &*architecture, solution);
@@ -167,7 +170,13 @@ impl Design {
     /// The bit-exact reference.
     #[must_use]
     pub fn model(&self) -> Model<'_> {
-        Model::new(&self.spec, &self.widths, self.tables(), &self.datapath.constants)
+        Model {
+            method: &self.spec.method,
+            interface: &self.spec.interface,
+            widths: &self.widths,
+            tables: self.tables(),
+            constants: &self.datapath.constants,
+        }
     }
 
     /// The vectorised evaluator.
@@ -235,7 +244,7 @@ impl Design {
         if let Block::Shader(shader) = &self.spec.block {
             return self.shader_input_meanings(shader);
         }
-        let operand = match (self.spec.operand, self.spec.input_range) {
+        let operand = match (self.spec.interface.operand, self.spec.interface.input_range) {
             (Operand::Cos, InputRange::Any) => "cosine x; below 0 gives 0, above 1 counts as 1",
             (Operand::Versine, InputRange::Any) => "versine u = 1 - x; above 1 counts as 1, which gives 0",
             (Operand::Cos, InputRange::Unit) => "cosine x, 0 to 1; a code above 1 counts as what it is above 1",
@@ -243,7 +252,7 @@ impl Design {
                 "versine u = 1 - x, 0 to 1; a code above 1 counts as what it is above 1"
             }
         };
-        vec![self.spec.shininess.index_meaning(), operand.to_owned()]
+        vec![self.spec.interface.shininess.index_meaning(), operand.to_owned()]
     }
 
     /// What each output port that carries numbers is for, in order.
@@ -259,7 +268,7 @@ impl Design {
 
     /// As [`Design::input_meanings`], by the ports' names.
     fn shader_input_meanings(&self, shader: &Shader) -> Vec<String> {
-        let last = self.spec.shininess.rows() - 1;
+        let last = self.spec.interface.shininess.rows() - 1;
         let meaning = |(name, _): (&str, Format)| {
             let (vector, axis) = name.split_at(name.len() - 1);
             let light = vector.chars().last().unwrap_or('1');
@@ -310,8 +319,8 @@ impl Design {
     /// What the code of the first input port selects, for people.
     #[must_use]
     pub fn selected(&self, index: u32) -> String {
-        let row = self.spec.shininess.row_of_index(index);
-        match (&self.spec.block, &self.spec.shininess) {
+        let row = self.spec.interface.shininess.row_of_index(index);
+        match (&self.spec.block, &self.spec.interface.shininess) {
             (Block::Shader(_), Shininess::Materials(materials)) => materials[row].name.clone(),
             (_, set) => format!("n = {}", set.value(row)),
         }
@@ -344,19 +353,19 @@ impl Design {
     /// Whether the lobe is given the versine.
     #[must_use]
     pub fn takes_versine(&self) -> bool {
-        self.spec.operand == Operand::Versine
+        self.spec.interface.operand == Operand::Versine
     }
 
     /// The versine in [0, 1] that an operand code stands for.
     #[must_use]
     pub fn versine(&self, operand: i64) -> f64 {
-        let one = 1i64 << self.spec.input_fraction;
-        let within = match self.spec.input_range {
+        let one = 1i64 << self.spec.interface.input_fraction;
+        let within = match self.spec.interface.input_range {
             InputRange::Any => operand.clamp(0, one),
             InputRange::Unit if operand > one => operand - one,
             InputRange::Unit => operand,
         };
-        let u = match self.spec.operand {
+        let u = match self.spec.interface.operand {
             Operand::Cos => one - within,
             Operand::Versine => within,
         };
@@ -366,8 +375,8 @@ impl Design {
     /// The operand code of a versine code in 0..=2^F.
     #[must_use]
     pub fn operand_of_versine(&self, versine: i64) -> i64 {
-        match self.spec.operand {
-            Operand::Cos => (1i64 << self.spec.input_fraction) - versine,
+        match self.spec.interface.operand {
+            Operand::Cos => (1i64 << self.spec.interface.input_fraction) - versine,
             Operand::Versine => versine,
         }
     }
@@ -391,7 +400,7 @@ impl Design {
 const NARROWING_BLOCKS: usize = 1 << 19;
 
 fn regions_of(spec: &CoreSpec, graph: &Graph) -> Vec<Region> {
-    let (knots, frac_bits) = (spec.shininess.of_knots(), spec.shininess.frac_bits());
+    let (knots, frac_bits) = (spec.interface.shininess.of_knots(), spec.interface.shininess.frac_bits());
     regions(graph, |index| knots.row_of_index(index >> frac_bits))
 }
 

@@ -1,7 +1,7 @@
 //! The ports of a core.
 
-use crate::emit::rom::Table;
 use crate::fixed::Format;
+use crate::fixed::Table;
 
 /// The ports through which a memory is written at run time.
 #[derive(Clone, Debug, PartialEq, Eq)]

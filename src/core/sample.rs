@@ -1,9 +1,9 @@
 //! Samples of a shader in real numbers.
 
-use crate::datapath::shader::COLOURS;
+use crate::block::shader::datapath::COLOURS;
 use crate::core::Design;
+use crate::fixed::Table;
 use crate::fixed::{Dice, Format, exp2};
-use crate::emit::rom::Table;
 use crate::spec::{Colour, Cosine, LightColours, Shader};
 
 /// A vector in space.
@@ -202,10 +202,10 @@ impl Sample {
         value: impl Fn(&Table, &str, usize) -> f64,
     ) -> [f64; 3] {
         let table = design.tables().iter().find(|table| table.name == COLOURS).expect("a shader's colours");
-        let row = design.spec.shininess.row_of_index(self.material);
+        let row = design.spec.interface.shininess.row_of_index(self.material);
         let scale = exp2(shader.channel_bits as i32);
         [0, 1, 2].map(|channel| {
-            let names = |light: usize| crate::datapath::shader::colour_names(shader, channel, light);
+            let names = |light: usize| crate::block::shader::datapath::colour_names(shader, channel, light);
             let mut sum = value(table, names(0)[0], row);
             for (light, &(diffuse, highlight)) in lights.iter().enumerate() {
                 let [_, k_d, k_s] = names(light);

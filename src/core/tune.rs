@@ -8,9 +8,9 @@ use rayon::prelude::*;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::widths::Solution;
 use crate::datapath::{Architecture, Datapath};
-use crate::lobe;
+use crate::fixed::Table;
 use crate::fixed::exp2;
-use crate::emit::rom::Table;
+use crate::lobe;
 use crate::spec::{CoreSpec, Operand};
 
 /// The most versines at which a row's error is taken.
@@ -35,8 +35,8 @@ struct Points {
 impl Points {
     /// The points of a row of the coefficient ROM; `None` where nothing of what it serves counts.
     fn of(spec: &CoreSpec, architecture: &dyn Architecture, table: &Table, row: usize) -> Option<Self> {
-        let parts = table.rows() / spec.shininess.rows();
-        let (n, one) = (table.keys[row], 1i128 << spec.input_fraction);
+        let parts = table.rows() / spec.interface.shininess.rows();
+        let (n, one) = (table.keys[row], 1i128 << spec.interface.input_fraction);
         let [first, last] = architecture.versines(row)?;
         let deepest = (DEEPEST / n).min(1.0) * one as f64;
         let last = last.min(one - 1).min(deepest as i128);
@@ -45,23 +45,24 @@ impl Points {
         }
         let stride = (last - first) / MOST_POINTS + 1;
         let versines: Vec<i128> = (first..=last).step_by(stride as usize).collect();
+        let objective = spec.method.options().objective.unwrap_or_default();
         let target = |&code: &i128| {
             let power = lobe::exact(n, code as f64 / one as f64);
-            (power, if spec.objective.counts(power) { spec.objective.weight(power) } else { 0.0 })
+            (power, if objective.counts(power) { objective.weight(power) } else { 0.0 })
         };
         let mut targets: Vec<(f64, f64)> = versines.iter().map(target).collect();
         if targets.iter().all(|&(_, weight)| weight == 0.0) {
             return None;
         }
         // The evaluator goes upwards in the operand.
-        let first = match spec.operand {
+        let first = match spec.interface.operand {
             Operand::Versine => versines[0],
             Operand::Cos => {
                 targets.reverse();
                 one - versines[versines.len() - 1]
             }
         };
-        let index = spec.shininess.index_of_row(row / parts);
+        let index = spec.interface.shininess.index_of_row(row / parts);
         Some(Self { index, first: first as i64, stride: stride as i64, targets })
     }
 
@@ -78,7 +79,7 @@ impl Points {
         tables: &[Table],
     ) -> Option<f64> {
         let evaluator = Evaluator::new(&datapath.graph, tables);
-        let ulp = exp2(-(spec.output_fraction as i32));
+        let ulp = exp2(-(spec.interface.output_fraction as i32));
         // The largest error of the points from a place on, and where it is.
         let largest = |from: usize, count: usize| {
             let targets = &self.targets[from..(from + count).min(self.targets.len())];
@@ -170,7 +171,7 @@ pub(super) fn tuned(spec: &CoreSpec, architecture: &dyn Architecture, solution: 
     let table = &datapath.tables[memory];
     let mut tables = datapath.tables.clone();
     // Between interpolated rows no word has an error of its own.
-    if spec.shininess.frac_bits() == 0 {
+    if spec.interface.shininess.frac_bits() == 0 {
         let rows: Vec<Vec<i128>> =
             (0..table.rows()).into_par_iter().map(|row| searched(spec, architecture, datapath, memory, row)).collect();
         let fields = tables[memory].fields.iter_mut().filter(|field| architecture.searched().contains(&field.name));

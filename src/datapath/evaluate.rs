@@ -9,7 +9,7 @@ use num_traits::{PrimInt, WrappingAdd, WrappingMul, WrappingShl, WrappingShr, Wr
 
 use super::graph::{Graph, Node, NodeId, Op};
 use crate::fixed::Format;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 
 /// Inputs of a column: small enough for all columns of a core to stay in the first-level cache.
 pub(super) const LANES: usize = 64;

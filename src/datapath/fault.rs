@@ -11,7 +11,7 @@ use multiversion::multiversion;
 use super::evaluate::{Arg, LANES, Lane, codes_by_address, is_narrow, step, wrap};
 use super::graph::{Graph, Node, NodeId, Op};
 use super::schedule::Schedule;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 
 /// What a fault does to the value of a node. Every result is taken modulo the width of the node's format.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Operations, formats and their integer semantics.
 
 use crate::fixed::Format;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 
 /// The place of a node in its graph.
 pub type NodeId = usize;

@@ -3,9 +3,7 @@
 //! One description serves both languages, the cycle-accurate simulation and the vectorised evaluator:
 //! - [`graph`]: operations, formats and their integer semantics;
 //! - [`builder`]: builds a graph and bounds, row by row, the range and the error of every value;
-//! - [`quadratic`], [`cubic`] and the others named after methods: one builder a method and form;
 //! - [`normalise`]: leading zeros counted and shifted out;
-//! - [`shader`]: a lobe's graph with the cosine in front of it and the colours behind it;
 //! - [`widths`]: "computing just right": the cheapest inner widths whose proved error is below one output ulp;
 //! - [`schedule`]: places the pipeline registers;
 //! - [`simulate`]: the pipeline, clock by clock;
@@ -14,38 +12,18 @@
 //! - [`mutants`]: the faults that a core's vectors are to find.
 
 pub mod builder;
-mod chords;
-mod coefficients;
-pub mod cubic;
-pub mod cubic_rational;
-mod divide;
 pub mod evaluate;
-mod exponent;
 pub mod fault;
 pub mod graph;
-pub mod harris;
-pub mod log_exp;
 pub mod mutants;
 pub mod normalise;
-mod polynomial;
-pub mod power;
-pub mod quadratic;
 pub mod range;
 pub mod schedule;
-pub mod schlick;
-pub mod segmented;
-pub mod shader;
 pub mod simulate;
-pub mod squaring;
-pub mod tabulated;
-pub mod versine_log;
 pub mod widths;
 
-use crate::platform::error::Error;
+use crate::fixed::{Interval, Table, Widths};
 use crate::lobe::Lobe;
-use crate::fixed::Interval;
-use crate::emit::rom::Table;
-use crate::spec::{CoreSpec, Form, Method, Widths};
 
 /// A core's graph with its ROM and the proof of its error.
 #[derive(Clone, Debug)]
@@ -152,48 +130,8 @@ pub trait Architecture: Sync {
     fn lobes(&self, tables: &[Table]) -> Vec<Box<dyn Lobe>>;
 }
 
-/// The architecture that a spec asks for.
-///
-/// # Errors
-/// A shininess or level that the method refuses, or a form that does not serve the set.
-pub fn architecture(spec: &CoreSpec) -> Result<Box<dyn Architecture + '_>, Error> {
-    // A program that uses this crate may have made the spec itself.
-    if spec.form == Form::Paper && spec.shininess.frac_bits() > 0 {
-        return Err(Error::input(
-            "the paper form takes no shininess between the integers of a range",
-            "use the stable form, which interpolates its coefficients",
-        ));
-    }
-    Ok(match (spec.method, spec.form) {
-        (Method::Quadratic, Form::Stable) => Box::new(quadratic::Stable::new(spec)?),
-        (Method::Quadratic, Form::Paper) => Box::new(quadratic::Paper::new(spec)?),
-        (Method::Cubic, Form::Stable) | (Method::CubicThreePoint, _) => Box::new(cubic::Stable::new(spec)?),
-        (Method::Cubic, Form::Paper) => Box::new(cubic::Paper::new(spec)?),
-        (
-            Method::CubicMinZero
-            | Method::Lyon2
-            | Method::Lyon4
-            | Method::Lyon8
-            | Method::Power2
-            | Method::Power4
-            | Method::Power8,
-            _,
-        ) => power::architecture(spec)?,
-        (Method::Segmented2 | Method::Segmented4 | Method::Segmented8, _) => Box::new(segmented::Architect::new(spec)?),
-        (Method::Schlick, _) => Box::new(schlick::Schlick::new(spec)?),
-        (Method::CubicRational, _) => Box::new(cubic_rational::CubicRational::new(spec)?),
-        (Method::LogExp, _) => match spec.accuracy {
-            None => Box::new(log_exp::LogExp::new(spec)?),
-            Some(bits) => Box::new(versine_log::VersineLog::new(spec, bits)?),
-        },
-        (Method::Squaring, _) => Box::new(squaring::Squaring::new(spec)?),
-        (Method::Harris, _) => Box::new(harris::Harris::new(spec)?),
-        (Method::Table, _) => Box::new(tabulated::Tabulated::new(spec)?),
-    })
-}
-
 /// A rough size of a multiplier in LUTs, for ranking: every 18 by 18 tile counts, and within a tile the bits do.
-fn multiplier_cost(a_bits: i32, b_bits: i32) -> f64 {
+pub(crate) fn multiplier_cost(a_bits: i32, b_bits: i32) -> f64 {
     let tiles = |bits: i32| f64::from((bits.max(1) + 17) / 18);
     400.0 * tiles(a_bits) * tiles(b_bits) + f64::from(a_bits * b_bits) / 8.0
 }

@@ -13,7 +13,7 @@ use rayon::prelude::*;
 
 use super::graph::{Graph, Node, NodeId, Op};
 use crate::fixed::Format;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 
 /// The codes from one to another, both included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

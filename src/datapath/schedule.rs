@@ -7,9 +7,68 @@
 //! no earlier than its word is wanted; and what is chained within a stage takes no longer than a multiplier, by the rough delays
 //! below.
 
+use std::str::FromStr;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
 use super::graph::{Graph, Node, NodeId, Op};
 use crate::platform::error::Error;
-use crate::spec::Pipeline;
+
+/// Pipeline depths that are allowed.
+pub const PIPELINE_DEPTH: std::ops::RangeInclusive<u32> = 1..=64;
+
+/// How many registers lie between input and output.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pipeline {
+    /// Registers before and after each multiplier and two behind the ROM.
+    Auto,
+    /// As many as this.
+    Depth(u32),
+}
+
+impl std::fmt::Display for Pipeline {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Auto => write!(f, "auto"),
+            Self::Depth(depth) => write!(f, "{depth}"),
+        }
+    }
+}
+
+impl FromStr for Pipeline {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "auto" => Ok(Self::Auto),
+            depth => depth.parse().map(Self::Depth).map_err(|_| format!("`{depth}` is neither a number nor auto")),
+        }
+    }
+}
+
+impl Serialize for Pipeline {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Auto => serializer.serialize_str("auto"),
+            Self::Depth(depth) => serializer.serialize_u32(*depth),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Pipeline {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        #[derive(Deserialize)]
+        #[serde(untagged, expecting = "the pipeline is a number of registers or \"auto\"")]
+        enum Written {
+            Depth(u32),
+            Text(String),
+        }
+        match Written::deserialize(deserializer)? {
+            Written::Depth(depth) => Ok(Self::Depth(depth)),
+            Written::Text(text) => text.parse().map_err(serde::de::Error::custom),
+        }
+    }
+}
 
 /// The stage of every node, and the pipeline's depth.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,7 +105,7 @@ const RULES: [Rules; 8] = [
 ];
 
 /// A ROM of more bits than these becomes a block RAM: Yosys does so for ECP5, whose block costs it as much as 2048 bits in LUTs.
-pub(super) const MOST_LOGIC_BITS: u64 = 2048;
+pub(crate) const MOST_LOGIC_BITS: u64 = 2048;
 /// So may one of as many rows, by other tools.
 const BLOCK_ADDRESS_BITS: u32 = 7;
 

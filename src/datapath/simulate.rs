@@ -5,7 +5,7 @@ use num_bigint::BigUint;
 use super::fault::{Change, Defect, Fault, Registered, Timing};
 use super::graph::{Graph, NodeId, Op};
 use super::schedule::Schedule;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 
 /// The levels at the input ports before a rising edge.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -9,9 +9,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{Architecture, Datapath, Parameter};
-use crate::platform::error::Error;
 use crate::fixed::Interval;
-use crate::spec::Widths;
+use crate::fixed::Widths;
+use crate::platform::error::Error;
 
 /// What one quantisation contributes to the error.
 #[derive(Clone, Debug, PartialEq, Serialize)]

@@ -29,8 +29,8 @@ use askama::Template;
 
 use super::testbench::RandomPart;
 use super::{Direction, Port, Texts, names, render};
-use crate::platform::error::Error;
 use crate::fixed::Format;
+use crate::platform::error::Error;
 use crate::spec::Language;
 
 /// `high:low`, or the bit if it is one.

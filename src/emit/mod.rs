@@ -16,8 +16,8 @@ mod vhdl;
 pub use axis::{Axis, AxisPort, Lane, Packing};
 pub use testbench::test_bench;
 
-use crate::platform::error::Error;
 use crate::core::{Direction, Layout, Port, WritePort};
+use crate::platform::error::Error;
 use crate::spec::{Language, VhdlPorts};
 
 /// What the text of a core needs besides its layout.

@@ -4,8 +4,8 @@ use askama::Template;
 
 use super::{Axis, Direction, Layout, Port, RomFile, Texts, WritePort, names, render};
 use crate::platform::error::Error;
-use crate::verify::golden::Vector;
 use crate::spec::{Language, VhdlPorts};
+use crate::verify::golden::Vector;
 
 /// A port that carries numbers, as the benches see it.
 struct BenchPort<'a> {

@@ -5,8 +5,8 @@ use num_bigint::BigUint;
 
 use super::{Backend, Declaration, Direction, Layout, Port, Texts, WritePort, continued, names, render};
 use crate::datapath::graph::{NodeId, Op};
-use crate::platform::error::Error;
 use crate::fixed::Format;
+use crate::platform::error::Error;
 use crate::spec::Language;
 
 /// The Verilog backend.

@@ -3,11 +3,11 @@
 use askama::Template;
 use num_bigint::BigUint;
 
-use crate::core::layout::Register;
 use super::{Backend, Declaration, Layout, Port, Texts, WritePort, continued, names, render};
+use crate::core::layout::Register;
 use crate::datapath::graph::{NodeId, Op};
-use crate::platform::error::Error;
 use crate::fixed::Format;
+use crate::platform::error::Error;
 use crate::spec::{Language, VhdlPorts};
 
 /// The VHDL backend.

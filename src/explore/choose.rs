@@ -8,8 +8,8 @@ use serde::Serialize;
 use super::pareto::dominates;
 use super::sweep::word;
 use super::{Cost, Objective, Point, Results};
-use crate::platform::error::Error;
 use crate::emit::package::counted;
+use crate::platform::error::Error;
 use crate::spec::{Shininess, SpecFields};
 use crate::synth::{Family, Tools};
 
@@ -228,7 +228,7 @@ impl Wish {
             ..self.keys.clone()
         };
         let same = wanted.or(own.clone()) == own;
-        same && own.resolve().is_ok_and(|spec| serves(&spec.shininess, &self.shininess))
+        same && own.resolve().is_ok_and(|spec| serves(&spec.interface.shininess, &self.shininess))
     }
 
     /// What a candidate misses, each as log2 of value / allowed and in words.
@@ -428,7 +428,7 @@ mod tests {
         let named = Wish { keys: keys("method = 'quadratic'\nname = 'mine'"), ..wish(0.5, Objective::Lut) };
         let choice = named.choose(&results()).unwrap();
         let spec = named.spec_of(choice.chosen.as_ref().unwrap()).unwrap().resolve().unwrap();
-        assert_eq!((spec.name.as_str(), spec.shininess.to_string().as_str()), ("mine", "5..=9"));
+        assert_eq!((spec.name.as_str(), spec.interface.shininess.to_string().as_str()), ("mine", "5..=9"));
     }
 
     #[test]

@@ -6,7 +6,7 @@ use super::Shape;
 use super::sweep::{Core, word};
 use crate::core::{Design, Measured};
 use crate::emit::package::counted;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 use crate::spec::{CoreSpec, Pipeline, Shininess};
 use crate::synth::{Family, Synthesis, Tools};
 
@@ -134,20 +134,21 @@ impl Point {
     #[must_use]
     pub fn unmeasured(core: &Core) -> Self {
         let spec = &core.spec;
-        let method = word(&spec.method);
-        let chosen = if spec.method.coefficients().is_empty() { String::new() } else { word(&spec.coefficients) };
+        let about = spec.method.about();
+        let method = about.name.to_owned();
+        let chosen = spec.method.options().coefficients.as_ref().map(word).unwrap_or_default();
         let variant = variant(spec);
         let pipeline = spec.pipeline.to_string();
         let mut name = vec![method.clone()];
-        name.extend((spec.method.coefficients().len() > 1).then(|| chosen.clone()));
+        name.extend((about.coefficients.len() > 1).then(|| chosen.clone()));
         name.extend(variant.iter().map(|(key, value)| match key.as_str() {
             "inside" | "divider" | "form" | "operand" | "tail" | "objective" => value.clone(),
             _ => format!("{key}={value}"),
         }));
-        name.push(format!("G{}", spec.output_fraction));
-        name.extend((spec.input_fraction != 16).then(|| format!("F{}", spec.input_fraction)));
+        name.push(format!("G{}", spec.interface.output_fraction));
+        name.extend((spec.interface.input_fraction != 16).then(|| format!("F{}", spec.interface.input_fraction)));
         name.extend((spec.pipeline != Pipeline::Auto).then(|| format!("P{pipeline}")));
-        let shininess = match &spec.shininess {
+        let shininess = match &spec.interface.shininess {
             set @ (Shininess::Range(..) | Shininess::Fixed { .. }) => set.to_string(),
             Shininess::List(list) => counted(list.len() as u64, "value"),
             Shininess::Materials(materials) => counted(materials.len() as u64, "material"),
@@ -157,14 +158,14 @@ impl Point {
             id: core.id.clone(),
             name: name.join(" "),
             family: core.family,
-            baseline: spec.method.is_baseline(),
+            baseline: about.is_baseline,
             method,
             coefficients: chosen,
             variant: variant.iter().map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join(" "),
             shininess,
-            rows: spec.shininess.rows() as u32,
-            input_fraction: spec.input_fraction,
-            output_fraction: spec.output_fraction,
+            rows: spec.interface.shininess.rows() as u32,
+            input_fraction: spec.interface.input_fraction,
+            output_fraction: spec.interface.output_fraction,
             pipeline,
             max_abs: 0.0,
             max_rel: 0.0,

@@ -5,8 +5,8 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use crate::datapath::graph::{Graph, NodeId, Op};
 use crate::core::Design;
+use crate::datapath::graph::{Graph, NodeId, Op};
 
 /// The sizes of a core's operations.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -12,8 +12,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Point, Results};
 use crate::platform::error::Error;
-use crate::synth::Tools;
 use crate::platform::transient::Folder;
+use crate::synth::Tools;
 
 /// What made the figures of a results file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -27,7 +27,7 @@ use toml::{Table, Value};
 
 use crate::platform::error::Error;
 use crate::platform::input;
-use crate::spec::{BlockKind, CoreSpec, Method, SpecFields, hex};
+use crate::spec::{BlockKind, CoreSpec, MethodName, SpecFields, hex};
 use crate::synth::Family;
 
 /// The most combinations of a run; a synthesis takes seconds, so that a larger number is a slip.
@@ -80,10 +80,7 @@ impl Core {
     }
 }
 
-/// The word that a value is written with.
-pub(crate) fn word<T: ValueEnum>(value: &T) -> String {
-    value.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
-}
+pub(crate) use crate::method::word;
 
 impl Axes {
     /// Sets the values of an axis, which has none yet.
@@ -138,7 +135,7 @@ impl Axes {
 
     /// Takes the combinations of all values into the plan.
     fn expand(mut self, plan: &mut Plan, seen: &mut BTreeSet<String>) -> Result<(), Error> {
-        self.or("method", Method::value_variants().iter().map(word));
+        self.or("method", MethodName::value_variants().iter().map(word));
         if !self.0.contains_key("material") {
             self.or("shininess", ["1..=1000".to_owned()]);
         }
@@ -349,7 +346,7 @@ mod tests {
         assert!(plan.cores.is_sorted_by(|a, b| a.id < b.id));
         let ice: Vec<&Core> = plan.cores.iter().filter(|core| core.family == Family::Ice40).collect();
         assert_eq!(ice.len(), 1);
-        assert_eq!(ice[0].spec.method, Method::Quadratic);
+        assert_eq!(ice[0].spec.method.about().name, "quadratic");
     }
 
     #[test]
@@ -359,7 +356,7 @@ mod tests {
              [[sweep]]\nmethod = 'cubic'\nmaterial = [[{ name = 'a', shininess = 3 }], [{ name = 'a', shininess = 4 }]]\n",
         );
         assert_eq!(plan.cores.len(), 4 * 2 * 2 + 2);
-        let rows: Vec<usize> = plan.cores.iter().map(|core| core.spec.shininess.rows()).collect();
+        let rows: Vec<usize> = plan.cores.iter().map(|core| core.spec.interface.shininess.rows()).collect();
         assert_eq!([64, 2, 1].map(|count| rows.iter().filter(|&&rows| rows == count).count()), [4, 8, 6]);
     }
 

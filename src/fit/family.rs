@@ -1,11 +1,12 @@
 //! The lobes that are one formula: `x^e ((1 - u (A - a u))⁺)^k`, left where it would rise again.
 
+use serde::{Deserialize, Serialize};
+
 use super::Fit;
 use super::minimax::{self, Best, Piece, Pieces, Shape};
 use super::target::{DEEP, Objective, Target, versine};
+use crate::lobe::check_shininess;
 use crate::platform::error::Error;
-use crate::lobe::{Cubic, Quadratic, check_shininess};
-use crate::spec::{Inside, Tail};
 
 /// The inside `1 - u (A - a u)` of a power.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -16,60 +17,30 @@ pub struct Power {
     pub a: f64,
 }
 
-/// The best `(x (1 - a u))⁺` for the shininess `n`.
-///
-/// # Errors
-/// A shininess outside 1..=2^20, or an objective with a level or a power out of its range.
-pub fn quadratic(n: f64, objective: &Objective) -> Result<Fit<Quadratic>, Error> {
-    let fit = best(n, &Form { cosine: true, power: 1, hold: false }, Inside::Linear, objective)?;
-    Ok(Fit { coefficients: Quadratic { a: fit.coefficients.big_a }, error: fit.error })
-}
-
-/// The best cubic `x (1 - u (A - a u))` with the given tail for the shininess `n`.
-///
-/// # Errors
-/// As [`quadratic`].
-pub fn cubic(n: f64, tail: Tail, objective: &Objective) -> Result<Fit<Cubic>, Error> {
-    let fit = best(n, &Form { cosine: true, power: 1, hold: tail == Tail::Hold }, Inside::Quadratic, objective)?;
-    let Power { big_a, a } = fit.coefficients;
-    Ok(Fit { coefficients: Cubic { a, big_a }, error: fit.error })
-}
-
-/// The best K of the cubic `x ((1 - K u)⁺)^2` for the shininess `n`: 0 for n = 1, about 0.45 n.
-///
-/// # Errors
-/// As [`quadratic`].
-pub fn min_zero(n: f64, objective: &Objective) -> Result<Fit<f64>, Error> {
-    let fit = best(n, &Form { cosine: true, power: 2, hold: false }, Inside::Linear, objective)?;
-    Ok(Fit { coefficients: fit.coefficients.big_a, error: fit.error })
-}
-
-/// The best inside of `((1 - u (A - a u))⁺)^k` for the shininess `n`, with k = 2, 4 or 8.
-///
-/// The lobe is 0 from the first zero of the inside, or from its minimum if that comes first.
-///
-/// # Errors
-/// As [`quadratic`], and a `k` that is not 2, 4 or 8.
-pub fn power(n: f64, k: u32, inside: Inside, objective: &Objective) -> Result<Fit<Power>, Error> {
-    if ![2, 4, 8].contains(&k) {
-        return Err(Error::input(format!("power {k} is not supported"), "the power is 2, 4 or 8"));
-    }
-    best(n, &Form { cosine: false, power: k, hold: false }, inside, objective)
+/// The polynomial inside a power.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Inside {
+    /// 1 - A u.
+    Linear,
+    /// 1 - u(A - a u).
+    Quadratic,
 }
 
 /// A member of the family.
-struct Form {
+#[derive(Clone, Copy, Debug)]
+pub struct Family {
     /// Whether there is a factor x.
-    cosine: bool,
+    pub cosine: bool,
     /// k, a power of two.
-    power: u32,
+    pub power: u32,
     /// Whether the lobe is held rather than cut where it would rise.
-    hold: bool,
+    pub hold: bool,
 }
 
 /// A form with scaled coefficients: `A unit` and, if there are two, `a unit^2`.
 struct Scaled<'a> {
-    form: &'a Form,
+    form: &'a Family,
     unit: f64,
 }
 
@@ -124,7 +95,11 @@ impl<const D: usize> Shape<D> for Scaled<'_> {
 /// Depths `-ln f` at which the starts interpolate, where the objective counts all f.
 const DEPTHS: [f64; 13] = [0.05, 0.15, 0.35, 0.7, 1.05, 1.4, 1.9, 2.5, 3.2, 3.9, 4.6, 5.8, 7.0];
 
-fn best(n: f64, form: &Form, inside: Inside, objective: &Objective) -> Result<Fit<Power>, Error> {
+/// The best inside of a member of the family for the shininess `n`.
+///
+/// # Errors
+/// A shininess outside 1..=2^20, or an objective with a level or a power out of its range.
+pub fn best(n: f64, form: &Family, inside: Inside, objective: &Objective) -> Result<Fit<Power>, Error> {
     check_shininess(n)?;
     objective.check()?;
     // What the inside has to approximate: x^m.
@@ -171,7 +146,7 @@ fn best(n: f64, form: &Form, inside: Inside, objective: &Objective) -> Result<Fi
 fn search<const D: usize>(
     n: f64,
     m: f64,
-    form: &Form,
+    form: &Family,
     objective: &Objective,
     starts: impl Fn(&[(f64, f64)], f64) -> Vec<[f64; D]>,
 ) -> Fit<Power> {

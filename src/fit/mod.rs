@@ -11,16 +11,12 @@
 
 mod family;
 mod minimax;
-mod rational;
 mod segments;
 mod target;
 
-pub use family::{Power, cubic, min_zero, power, quadratic};
-pub use rational::cubic_rational;
+pub use family::{Family, Inside, Power, best};
 pub use segments::{Peak, Segment, fit_segment, segment_bounds, segment_end};
 pub use target::Objective;
-
-pub use crate::spec::{Inside, Tail};
 
 /// Coefficients and how good they are.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,4 +25,11 @@ pub struct Fit<T> {
     pub coefficients: T,
     /// The value of the objective that they reach, true to at least 4 digits (where it is above 1e-12): 0.01 is 1 %.
     pub error: f64,
+}
+
+impl<T> Fit<T> {
+    /// The same with other coefficients made of these.
+    pub fn map<U>(self, of: impl FnOnce(T) -> U) -> Fit<U> {
+        Fit { coefficients: of(self.coefficients), error: self.error }
+    }
 }

@@ -3,8 +3,8 @@
 use super::Fit;
 use super::minimax::{self, Best, Piece, Pieces, Shape};
 use super::target::{DEEP, Objective, Target, versine};
-use crate::platform::error::Error;
 use crate::lobe::{check_shininess, exact};
+use crate::platform::error::Error;
 
 /// The coefficients of `x (c - u (A - a u))` on one segment, the value clamped to [0, 1].
 #[derive(Clone, Copy, Debug, PartialEq)]

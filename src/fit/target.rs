@@ -1,7 +1,7 @@
 //! What is approximated, where, and what counts as its error.
 
-use crate::platform::error::Error;
 use crate::lobe;
+use crate::platform::error::Error;
 
 /// What a fit makes as small as possible. `f = x^n` is the exact lobe, `g` the approximation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -2,16 +2,20 @@
 //!
 //! A number is an integer (its *code*) times the weight of its last bit. [`Format`] says how wide the
 //! integer is and where the binary point lies; [`Interval`] bounds real values and errors with outward
-//! rounding; [`Dice`] draws reproducible random numbers; [`wide`] holds the arithmetic of the reference model on the crate `fixed`.
+//! rounding; [`Table`] holds the words of a memory; [`Dice`] draws reproducible random numbers; [`wide`] holds the arithmetic of the reference model on the crate `fixed`.
 
 mod dice;
 mod format;
 mod interval;
+mod table;
 pub mod wide;
+mod widths;
 
 pub use dice::Dice;
 pub use format::Format;
 pub use interval::Interval;
+pub use table::{Field, Table, interned};
+pub use widths::Widths;
 
 /// `2^exponent` as an exact `f64`; `exponent` must lie in -1022..=1023.
 #[must_use]

@@ -5,9 +5,11 @@ use super::method::{LEVEL, Method, three_point};
 use super::record::HEADER;
 use super::survey::{MOST, QUADRATIC_LEVEL, Row, TAIL_BANDS};
 use super::{Claim, Pieces, Unit, images};
-use crate::platform::error::Error;
-use crate::lobe::{Cubic, TaylorSeries, degrees, exact, versine};
 use crate::emit::package::File;
+use crate::lobe::{degrees, exact, versine};
+use crate::method::cubic::Cubic;
+use crate::papers::TaylorSeries;
+use crate::platform::error::Error;
 use crate::report::{Axis, BLACK, COLOURS, Chart, Curve, Style, png};
 
 /// The shininesses of the table of errors against the angle; 25 is that of the papers' figures.

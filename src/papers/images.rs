@@ -6,8 +6,8 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use super::{Claim, Figure, Unit, Verdict};
-use crate::platform::error::Error;
 use crate::emit::package::File;
+use crate::platform::error::Error;
 use crate::reflectance::measure::{self, Judge, Sphere};
 use crate::reflectance::paper::{Border, Options, Turn};
 use crate::reflectance::{Form, FormKind, FormSpec, Light, Model, Texel, Vector, images};

@@ -1,7 +1,16 @@
 //! The methods that the papers compare, by name.
 
+use crate::lobe::Lobe;
+use crate::method::cubic::Cubic;
+use crate::method::cubic_min_zero::MinZero;
+use crate::method::cubic_rational::CubicRational;
+use crate::method::lyon::Lyon;
+use crate::method::quadratic::Quadratic;
+use crate::method::schlick::Schlick;
+use crate::papers::CosK;
+use crate::papers::Taylor;
+use crate::papers::TaylorSeries;
 use crate::platform::error::Error;
-use crate::lobe::{CosK, Cubic, CubicRational, Lobe, Lyon, MinZero, Quadratic, Schlick, Taylor, TaylorSeries};
 
 /// A method that one of the papers proposes or compares itself with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -7,6 +7,7 @@
 //! Everything is measured on the real-valued lobes of [`crate::lobe`], at every integer shininess of a claim's range and up
 //! to 1000. Errors are the largest over the cosines in question, to at least four digits: see [`Row`].
 
+mod cos_k;
 mod figures;
 pub mod images;
 mod measure;
@@ -14,12 +15,15 @@ mod method;
 mod papers;
 mod record;
 mod survey;
+mod taylor;
 
+pub use cos_k::CosK;
 pub use figures::{TABLES, files};
 pub use method::{Method, Pieces};
 pub use papers::claims;
 pub use record::{Difference, HEADER, Recorded};
 pub use survey::{Errors, Row, survey};
+pub use taylor::{Taylor, TaylorSeries};
 
 use serde::Serialize;
 

@@ -5,8 +5,14 @@ use super::method::{LEVEL, Method, Pieces, three_point};
 use super::survey::{Errors, MOST, QUADRATIC_LEVEL, Row, TAIL_BANDS};
 use super::{Claim, Figure, Unit, Verdict, images};
 use crate::core::Design;
+use crate::lobe::{Lobe, exact};
+use crate::method::cubic::Cubic;
+use crate::method::cubic_min_zero::MinZero;
+use crate::method::cubic_rational::CubicRational;
+use crate::method::quadratic::Quadratic;
+use crate::papers::Taylor;
+use crate::papers::TaylorSeries;
 use crate::platform::error::Error;
-use crate::lobe::{Cubic, CubicRational, Lobe, MinZero, Quadratic, Taylor, TaylorSeries, exact};
 use crate::spec::SpecFields;
 
 /// An error below which two results of the same thing are rounding apart: no ratio is taken of it.

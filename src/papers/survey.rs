@@ -4,8 +4,9 @@ use rayon::prelude::*;
 
 use super::measure::largest;
 use super::method::{LEVEL, Method};
+use crate::lobe::{Lobe, exact};
+use crate::method::cubic_rational::CubicRational;
 use crate::platform::error::Error;
-use crate::lobe::{CubicRational, Lobe, exact};
 
 /// The largest shininess of the papers' tables.
 pub const MOST: usize = 1000;

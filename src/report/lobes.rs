@@ -6,12 +6,12 @@ use rayon::prelude::*;
 
 use super::chart::{Axis, BLACK, Chart, Curve, Style};
 use super::trade::{Group, Palette, powers_about};
-use crate::datapath::evaluate::Evaluator;
 use crate::core::Design;
-use crate::platform::error::Error;
+use crate::datapath::evaluate::Evaluator;
 use crate::explore::Point;
-use crate::lobe::{degrees, exact, versine};
 use crate::fixed::exp2;
+use crate::lobe::{degrees, exact, versine};
+use crate::platform::error::Error;
 use crate::spec::{Shininess, SpecFields};
 
 /// The shininesses that charts against the angle look for in the set.
@@ -90,7 +90,7 @@ fn places(set: &Shininess, points: &[&Point]) -> Vec<usize> {
 #[must_use]
 pub fn work(points: &[&Point]) -> u64 {
     let spec = points.first().and_then(|point| SpecFields::parse(&point.spec, &point.name).ok()?.resolve().ok());
-    spec.map_or(0, |spec| (places(&spec.shininess, points).len() * points.len()) as u64)
+    spec.map_or(0, |spec| (places(&spec.interface.shininess, points).len() * points.len()) as u64)
 }
 
 /// Builds the cores of points of one group, which have their shininesses and their cosines in common, and measures them at every
@@ -115,15 +115,15 @@ pub fn measure<'a>(points: &[&'a Point], done: &(dyn Fn() + Sync)) -> Result<Vec
 /// arithmetic, so that they are computed once for all cores.
 fn by_shininess(points: &[&Point], designs: &[Design], done: &(dyn Fn() + Sync)) -> Vec<Vec<(f64, f64)>> {
     let Some(spec) = designs.first().map(|design| &design.spec) else { return Vec::new() };
-    let rows = spec.shininess.rows();
-    let places = places(&spec.shininess, points);
-    let codes = (1u64 << spec.input_fraction) + 1;
+    let rows = spec.interface.shininess.rows();
+    let places = places(&spec.interface.shininess, points);
+    let codes = (1u64 << spec.interface.input_fraction) + 1;
     let step = (codes * rows as u64).div_ceil(MOST_INPUTS) as usize;
-    let one = exp2(spec.input_fraction as i32);
+    let one = exp2(spec.interface.input_fraction as i32);
     let logs: Vec<f64> = (0..codes).step_by(step).map(|versine| libm::log1p(-(versine as f64 / one))).collect();
     let evaluators: Vec<_> = designs.iter().map(Design::evaluator).collect();
     let at = |&row: &usize| -> Vec<(f64, f64)> {
-        let n = spec.shininess.value(row);
+        let n = spec.interface.shininess.value(row);
         // Below e^-40 the power is nothing beside an ulp.
         let power = |log: &f64| if n * log < -40.0 { 0.0 } else { libm::exp(n * log) };
         let powers: Vec<f64> = logs.iter().map(power).collect();
@@ -132,8 +132,8 @@ fn by_shininess(points: &[&Point], designs: &[Design], done: &(dyn Fn() + Sync))
             // Versine codes upwards are operand codes from this one on, up or down.
             let first = design.operand_of_versine(0);
             let stride = (design.operand_of_versine(1) - first) * step as i64;
-            evaluator.evaluate(design.spec.shininess.index_of_row(row), first, stride, &mut outputs);
-            let scale = exp2(-(design.spec.output_fraction as i32));
+            evaluator.evaluate(design.spec.interface.shininess.index_of_row(row), first, stride, &mut outputs);
+            let scale = exp2(-(design.spec.interface.output_fraction as i32));
             let error = |(&output, power): (&u32, &f64)| (f64::from(output) * scale - power).abs();
             let largest = outputs.iter().zip(&powers).map(error).fold(0.0, f64::max);
             done();
@@ -148,7 +148,7 @@ fn by_shininess(points: &[&Point], designs: &[Design], done: &(dyn Fn() + Sync))
 impl Measured<'_> {
     /// The place in the set of the shininess nearest to a wanted one.
     fn nearest(&self, wanted: f64) -> usize {
-        let set = &self.design.spec.shininess;
+        let set = &self.design.spec.interface.shininess;
         let distance = |&row: &usize| libm::fabs(libm::log(set.value(row) / wanted));
         (0..set.rows()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
     }
@@ -156,12 +156,13 @@ impl Measured<'_> {
     /// The results from the angle 0 to the widest, at angles of codes of the operand.
     fn against_angle(&self, row: usize, widest: f64) -> Vec<Seen> {
         let design = &self.design;
-        let (n, index) = (design.spec.shininess.value(row), design.spec.shininess.index_of_row(row));
-        let one = exp2(design.spec.input_fraction as i32);
+        let (n, index) =
+            (design.spec.interface.shininess.value(row), design.spec.interface.shininess.index_of_row(row));
+        let one = exp2(design.spec.interface.input_fraction as i32);
         let wanted = |step| versine(widest * f64::from(step) / f64::from(ANGLES));
         let mut codes: Vec<i64> = (0..=ANGLES).map(|step| libm::round(wanted(step) * one) as i64).collect();
         codes.dedup();
-        let scale = exp2(-(design.spec.output_fraction as i32));
+        let scale = exp2(-(design.spec.interface.output_fraction as i32));
         let model = design.model();
         let at = |code: i64| {
             let operand = design.operand_of_versine(code);
@@ -216,7 +217,7 @@ pub fn charts(cores: &[Measured], palette: &Palette, chosen: Option<&Point>) -> 
     let mut rows: Vec<usize> = WANTED.iter().map(|&wanted| first.nearest(wanted)).collect();
     rows.dedup();
     for row in rows {
-        let n = first.design.spec.shininess.value(row);
+        let n = first.design.spec.interface.shininess.value(row);
         let widest = degrees(-libm::expm1(libm::log(LOWEST) / n));
         let seen: Vec<Vec<Seen>> = cores.par_iter().map(|core| core.against_angle(core.nearest(n), widest)).collect();
         let lowest = exp2(-18);

@@ -9,9 +9,9 @@ use super::png::png;
 use super::scene::ScenePart;
 use super::speed::{Speed, time};
 use super::trade::{Group, Palette, error_text, family_name, groups};
-use crate::platform::error::Error;
-use crate::explore::{Objective, Point, pareto};
 use crate::emit::package::File;
+use crate::explore::{Objective, Point, pareto};
+use crate::platform::error::Error;
 
 /// Everything that a report shows, measured and drawn.
 #[derive(Debug)]

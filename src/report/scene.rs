@@ -4,8 +4,8 @@ use base64::Engine as _;
 
 use super::chart::{Axis, COLOURS, Chart, Curve, Style};
 use super::page::{Cell, Figure, Head, Line, Table, count, number, word};
-use crate::explore::Cost;
 use crate::emit::package::counted;
+use crate::explore::Cost;
 use crate::scene::choice::SceneCore;
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
 use crate::scene::require::{Counts, DEGREE_BINS, MaterialNeed, SCALED_BINS};

@@ -15,17 +15,18 @@ use super::highlight::{Codes, CoreModel};
 use super::require::PictureError;
 use super::{Difference, Frame, Highlights, Requirements, Scene};
 use crate::core::{Design, Measured};
-use crate::platform::error::Error;
+use crate::emit::package::counted;
 use crate::explore::choose::{Candidate, MISSES, Ranking, Standing, too_slow};
 use crate::explore::run::Costing;
 use crate::explore::sweep::Core;
 use crate::explore::{Cost, Model, Objective, Point, Results};
 use crate::fit;
 use crate::fixed::exp2;
-use crate::emit::package::counted;
+use crate::method::log_exp::{ACCURACY, ACCURACY_INPUT_FRACTION};
+use crate::method::table::TABLE_BITS;
+use crate::platform::error::Error;
 use crate::spec::{
-    ACCURACY, ACCURACY_INPUT_FRACTION, Coefficients, Divider, INPUT_FRACTION, InputRange, Inside, Material, Method,
-    OUTPUT_FRACTION, SpecFields, TABLE_BITS, Tail,
+    Coefficients, Divider, INPUT_FRACTION, InputRange, Inside, Material, MethodName, OUTPUT_FRACTION, SpecFields, Tail,
 };
 use crate::synth::{self, Family, Tools};
 
@@ -303,15 +304,16 @@ impl<'a> Search<'a> {
                 .flatten()
                 .collect();
         let mut axes = Vec::new();
-        for &method in Method::value_variants() {
-            if method.is_baseline() && self.keys.method != Some(method) {
+        for &method in MethodName::value_variants() {
+            let about = method.about();
+            if about.is_baseline && self.keys.method != Some(method) {
                 continue;
             }
             let plain = SpecFields { method: Some(method), ..SpecFields::default() };
             let mut own = vec![plain.clone()];
-            if !method.coefficients().is_empty() {
+            if !about.coefficients.is_empty() {
                 own = Vec::new();
-                for &coefficients in method.coefficients() {
+                for &coefficients in about.coefficients {
                     let with = SpecFields { coefficients: Some(coefficients), ..plain.clone() };
                     match coefficients {
                         Coefficients::Paper => own.push(with),
@@ -329,24 +331,24 @@ impl<'a> Search<'a> {
                     .map(|(one, place)| set(one, place))
                     .collect::<Vec<_>>()
             };
-            if method.has_tail() {
+            if about.has("tail") {
                 let tails = [Tail::Cut, Tail::Hold];
                 own = spread(own, &|one, place| SpecFields { tail: Some(tails[place]), ..one }, 2);
             }
-            if method.has_inside() {
+            if about.has("inside") {
                 let insides = [Inside::Linear, Inside::Quadratic];
                 own = spread(own, &|one, place| SpecFields { inside: Some(insides[place]), ..one }, 2);
             }
-            if method.divides() {
+            if about.has("divider") {
                 let dividers = [Divider::Digit, Divider::Reciprocal];
                 own = spread(own, &|one, place| SpecFields { divider: Some(dividers[place]), ..one }, 2);
             }
-            if method == Method::Table {
+            if about.has("table_bits") {
                 let (from, count) = (*TABLE_BITS.start() + 2, 9);
                 own = spread(own, &|one, place| SpecFields { table_bits: Some(from + place as u32), ..one }, count);
             }
             axes.extend(own.into_iter().map(|fields| Axis { fields, coarse: false }));
-            if method.has_accuracy() {
+            if about.has("accuracy") {
                 axes.push(Axis { fields: plain, coarse: true });
             }
         }
@@ -366,7 +368,7 @@ impl<'a> Search<'a> {
 
     fn slots(&self, design: &Design) -> Arc<Slots> {
         let format = design.operand_format();
-        let key = (design.spec.input_fraction, design.takes_versine(), format.min_code(), format.max_code());
+        let key = (design.spec.interface.input_fraction, design.takes_versine(), format.min_code(), format.max_code());
         let kept = |slots: &Mutex<BTreeMap<PortKey, Arc<Slots>>>| {
             slots.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned()
         };
@@ -400,7 +402,7 @@ impl<'a> Search<'a> {
         });
         let (count, sum) = squares.fold((0u64, 0.0), |(count, sum), square| (count + 1, sum + square));
         let full = f64::from((1u32 << self.scene.channel_bits) - 1);
-        let half_step = exp2(-(design.spec.input_fraction as i32) - 1);
+        let half_step = exp2(-(design.spec.interface.input_fraction as i32) - 1);
         let bound =
             |(row, own): (&super::require::Row, &f64)| row.weight * full * (own + row.shininess * half_step).min(1.0);
         let guarantee = self.requirements.rows.iter().zip(&by_row).map(bound).fold(0.0, f64::max);

@@ -14,7 +14,7 @@ use crate::explore::sweep::Core;
 use crate::explore::{Cost, Point};
 use crate::platform::error::Error;
 use crate::platform::{input, tool};
-use crate::spec::{BlockKind, CoreSpec, Language, Shininess, SpecFields};
+use crate::spec::{BlockKind, Language, Shininess, SpecFields};
 use crate::synth::Family;
 
 /// What computes a core's highlights.
@@ -172,7 +172,8 @@ impl Scene {
 /// A core's short name for people, without its shininesses.
 pub(crate) fn name(design: &Design) -> String {
     // Those that need not be named.
-    let spec = CoreSpec { shininess: Shininess::Range(1, 1000), ..design.spec.clone() };
+    let mut spec = design.spec.clone();
+    spec.interface.shininess = Shininess::Range(1, 1000);
     Point::unmeasured(&Core::new(spec, Family::Ecp5)).name
 }
 
@@ -182,7 +183,7 @@ pub(crate) fn text(design: &Design) -> String {
         "core {}: {}, n = {}, {} clocks",
         design.spec.name,
         name(design),
-        design.spec.shininess.to_string().replace(',', ", "),
+        design.spec.interface.shininess.to_string().replace(',', ", "),
         design.schedule.latency
     )
 }

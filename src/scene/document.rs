@@ -11,12 +11,12 @@ use super::shade::{self, Shaded};
 use super::simplify::{Saving, Simplification};
 use super::{Budget, Requirements, Scene};
 use crate::core::Design;
-use crate::platform::error::Error;
-use crate::explore::Cost;
 use crate::core::Direction;
-use crate::emit::render;
 use crate::emit::markdown;
 use crate::emit::package::{File, counted, rounded};
+use crate::emit::render;
+use crate::explore::Cost;
+use crate::platform::error::Error;
 use crate::spec::{InputRange, Operand, SpecFields};
 
 /// The names of the files.
@@ -164,14 +164,14 @@ impl Findings<'_> {
                 let note = "drawn by its reflectance: it asks for no lobe".to_owned();
                 return Coded { name: need.name.clone(), shininess: None, code: None, modelled: false, note };
             }
-            let row = design.spec.shininess.row_of_index(code);
+            let row = design.spec.interface.shininess.row_of_index(code);
             let modelled = need.row.is_some();
             let note = match (modelled, need.used) {
                 (true, _) => String::new(),
                 _ if need.peak_steps == 0.0 => "no highlight: k_s is 0".to_owned(),
                 (_, used) => {
                     let why = if used { "on no lit pixel" } else { "no object has it" };
-                    format!("not modelled: {why}; the nearest row, n = {}", design.spec.shininess.value(row))
+                    format!("not modelled: {why}; the nearest row, n = {}", design.spec.interface.shininess.value(row))
                 }
             };
             Coded { name: need.name.clone(), shininess: Some(need.shininess), code: Some(code), modelled, note }
@@ -183,7 +183,7 @@ impl Findings<'_> {
     fn outside(&self) -> Vec<String> {
         let Self { requirements, chosen, design, scene, .. } = self;
         if let Some(shaded) = self.shaded {
-            let last = shaded.design.spec.shininess.rows() - 1;
+            let last = shaded.design.spec.interface.shininess.rows() - 1;
             return vec![
                 format!("`in_material` above {last} selects row {last}."),
                 "Vectors of any length and direction have a defined result: each cosine is taken into [0, 1], a light from behind gives nothing, and a \
@@ -196,15 +196,17 @@ impl Findings<'_> {
                 ),
             ];
         }
-        let last = design.spec.shininess.rows() - 1;
-        let mut lines =
-            vec![format!("`in_n` above {last} selects row {last}, n = {}.", design.spec.shininess.value(last))];
+        let last = design.spec.interface.shininess.rows() - 1;
+        let mut lines = vec![format!(
+            "`in_n` above {last} selects row {last}, n = {}.",
+            design.spec.interface.shininess.value(last)
+        )];
         let operand = design.ports().into_iter().find(|port| port.name == design.operand_name());
         lines.extend(operand.map(|port| format!("`{}`: {}.", port.name, port.meaning)));
-        if design.spec.operand == Operand::Cos && requirements.least_cosine.is_some_and(|least| least < 0.0) {
+        if design.spec.interface.operand == Operand::Cos && requirements.least_cosine.is_some_and(|least| least < 0.0) {
             lines.push("Negative cosines were met, and give 0.".to_owned());
         }
-        if design.spec.operand == Operand::Cos && design.spec.input_range == InputRange::Unit {
+        if design.spec.interface.operand == Operand::Cos && design.spec.interface.input_range == InputRange::Unit {
             lines.push(
                 "No picture has a negative cosine on a lit point; the port has no sign, so give 0 for one.".to_owned(),
             );
@@ -220,7 +222,7 @@ impl Findings<'_> {
             counted(chosen.guaranteed_steps(), "step"),
             chosen.candidate.point.max_abs,
             chosen.candidate.point.checked,
-            design.spec.input_fraction + 1,
+            design.spec.interface.input_fraction + 1,
         ));
         lines.push(format!(
             "Another shininess than those of the rows is not served; a material that is not modelled is drawn with the row whose shininess is \

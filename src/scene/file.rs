@@ -12,10 +12,10 @@ use super::mesh::{Mesh, Normals, Transform};
 use super::mtl;
 use super::reflectance::{Measured, ReflectanceFields, Shading};
 use crate::core::sample::{Vector, dot, normalised};
-use crate::platform::error::Error;
 use crate::explore::Objective;
-use crate::platform::input;
 use crate::lobe::MAX_SHININESS;
+use crate::platform::error::Error;
+use crate::platform::input;
 use crate::spec::{
     CHANNEL_BITS, Colour, Material, Model, Shininess, SpecFields, check_name, suggest, toml_error, unit,
 };

@@ -6,12 +6,12 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use rayon::prelude::*;
 
 use super::{Frame, Scene};
-use crate::verify::cosim;
 use crate::core::Design;
-use crate::platform::error::Error;
-use crate::lobe;
 use crate::fixed::exp2;
+use crate::lobe;
+use crate::platform::error::Error;
 use crate::spec::Operand;
+use crate::verify::cosim;
 
 /// Something that computes `x^n`.
 pub trait Highlights {
@@ -53,18 +53,18 @@ impl Codes {
     /// The codes of a frame's samples for a lobe's core.
     #[must_use]
     pub fn of(design: &Design, scene: &Scene, frame: &Frame) -> Self {
-        let values = design.spec.shininess.values();
+        let values = design.spec.interface.shininess.values();
         let nearest = |shininess: f64| {
             let away = |row: &usize| (values[*row] - shininess).abs();
             let closer = |a: &usize, b: &usize| away(a).total_cmp(&away(b)).then(values[*a].total_cmp(&values[*b]));
-            design.spec.shininess.index_of_row((0..values.len()).min_by(closer).unwrap_or(0))
+            design.spec.interface.shininess.index_of_row((0..values.len()).min_by(closer).unwrap_or(0))
         };
         let indices = scene.materials.iter().map(|material| nearest(material.shininess)).collect();
-        let one = exp2(design.spec.input_fraction as i32);
+        let one = exp2(design.spec.interface.input_fraction as i32);
         let format = design.operand_format();
         let (low, high) = (format.min_code() as f64, format.max_code() as f64);
         let operand = |&versine: &f64| {
-            let value = match design.spec.operand {
+            let value = match design.spec.interface.operand {
                 Operand::Cos => 1.0 - versine,
                 Operand::Versine => versine,
             };

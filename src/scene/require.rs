@@ -11,10 +11,10 @@ use super::frame::BACKGROUND;
 use super::highlight::Exact;
 use super::trace::Tracer;
 use super::{Budget, Difference, Frame, Highlights, Picture, Scene};
-use crate::platform::error::Error;
-use crate::lobe;
-use crate::fixed::exp2;
 use crate::emit::package::counted;
+use crate::fixed::exp2;
+use crate::lobe;
+use crate::platform::error::Error;
 use crate::spec::{INPUT_FRACTION, Material, OUTPUT_FRACTION};
 
 /// The most pixels a row of a moved picture.

@@ -206,7 +206,7 @@ impl Pictures {
         done: &(dyn Fn() + Sync),
     ) -> Result<Shaded, Error> {
         let widths: Vec<u32> = asked.vector_fraction.map_or_else(|| VECTOR_FRACTION.collect(), |bits| vec![bits]);
-        let input = lobe.clone().resolve()?.input_fraction;
+        let input = lobe.clone().resolve()?.interface.input_fraction;
         let mut last = None;
         for finer in FINER.into_iter().filter(|finer| input + finer <= *INPUT_FRACTION.end()) {
             let lobe = SpecFields { input_fraction: Some(input + finer), ..lobe.clone() };
@@ -272,7 +272,7 @@ fn sample(tracer: &Tracer, scene: &Scene, hit: &Hit, row: u32) -> Sample {
 /// The code of `in_material` of each material of the scene; none of a material that the shader does not have.
 #[must_use]
 pub fn rows(design: &Design, scene: &Scene) -> Vec<Option<u32>> {
-    let Shininess::Materials(own) = &design.spec.shininess else { return vec![None; scene.materials.len()] };
+    let Shininess::Materials(own) = &design.spec.interface.shininess else { return vec![None; scene.materials.len()] };
     let place = |material: &Material| own.iter().position(|known| known.name == material.name).map(|row| row as u32);
     scene.materials.iter().map(place).collect()
 }

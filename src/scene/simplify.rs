@@ -7,11 +7,11 @@ use serde::Serialize;
 
 use super::choice::{SceneCore, Search};
 use super::{Requirements, Scene};
-use crate::platform::error::Error;
+use crate::emit::package::counted;
 use crate::explore::Cost;
 use crate::fit::Objective;
-use crate::emit::package::counted;
-use crate::spec::{CoreSpec, InputRange, MAX_ROWS, Method, Shininess, SpecFields};
+use crate::platform::error::Error;
+use crate::spec::{CoreSpec, InputRange, MAX_ROWS, MethodName, Shininess, SpecFields};
 
 /// The fraction bits of input and output of a core that nothing is known of.
 const GENERAL_FRACTION: u32 = 16;
@@ -175,7 +175,7 @@ fn input(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> S
     let greatest = requirements.rows.iter().map(|row| row.shininess).fold(1.0, f64::max);
     let port = ("input", requirements.input_fraction);
     let measure = ("greatest_shininess", greatest);
-    fewer_bits("fewer bits of the cosine", port, spec.input_fraction, measure, fields, |bits| SpecFields {
+    fewer_bits("fewer bits of the cosine", port, spec.interface.input_fraction, measure, fields, |bits| SpecFields {
         input_fraction: Some(bits),
         ..SpecFields::default()
     })
@@ -185,7 +185,7 @@ fn output(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> 
     let peak = requirements.materials.iter().map(|need| need.peak_steps).fold(0.0, f64::max);
     let port = ("output", requirements.output_fraction);
     let measure = ("brightest_highlight_steps", peak);
-    fewer_bits("fewer bits of the lobe", port, spec.output_fraction, measure, fields, |bits| SpecFields {
+    fewer_bits("fewer bits of the lobe", port, spec.interface.output_fraction, measure, fields, |bits| SpecFields {
         output_fraction: Some(bits),
         ..SpecFields::default()
     })
@@ -207,7 +207,7 @@ fn faithful(fields: &SpecFields) -> SpecFields {
         ..
     } = fields.clone();
     SpecFields {
-        method: Some(Method::LogExp),
+        method: MethodName::named("log-exp"),
         name,
         material,
         input_fraction,
@@ -230,7 +230,7 @@ fn accuracy(
     scene: &Scene,
 ) -> Simplification {
     let point = &chosen.candidate.point;
-    let applies = spec.method != Method::LogExp || spec.accuracy.is_some();
+    let applies = spec.method.about().name != "log-exp" || spec.method.options().accuracy.is_some();
     let allowed = requirements.budget.steps(scene.channel_bits);
     let reason = if applies {
         format!(
@@ -272,11 +272,11 @@ fn tail(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Si
         "highlights below {:.3} % of the lobe are less than half a step: {invisible:.1} % of the lit samples, and {visible:.1} % are of a tail that is seen",
         100.0 * level
     );
-    let applies = spec.is_fitted() && matches!(spec.objective, Objective::MaxAbsLevel { .. });
+    let objective = spec.method.options().objective;
     let what = "the tail that cannot be seen";
-    if applies {
-        let reason = format!("{seen}; the coefficients are fitted above {} only", spec.objective);
-        let keys = SpecFields { objective: Some(spec.objective), ..SpecFields::default() };
+    if let Some(objective @ Objective::MaxAbsLevel { .. }) = objective {
+        let reason = format!("{seen}; the coefficients are fitted above {objective} only");
+        let keys = SpecFields { objective: Some(objective), ..SpecFields::default() };
         let undone = SpecFields { objective: Some(Objective::MaxAbs), ..fields.clone() };
         return Simplification::new(what, true, reason, &evidence).with(keys, undone);
     }
@@ -300,7 +300,7 @@ fn range(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> S
         return Simplification::new(what, false, reason, &evidence);
     }
     let reason = format!("no lit sample has a negative cosine: the least is {least:.4}");
-    if spec.input_range != InputRange::Unit {
+    if spec.interface.input_range != InputRange::Unit {
         return Simplification::new(what, false, reason + "; the keys ask for a port that takes any", &evidence);
     }
     let range = |range: InputRange| SpecFields { input_range: Some(range), ..SpecFields::default() };

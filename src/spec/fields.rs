@@ -1,22 +1,20 @@
 //! The spec as it is written, in TOML or as flags.
 
 use std::path::Path;
-use std::str::FromStr;
 
-use clap::{Args, ValueEnum};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use clap::Args;
+use serde::{Deserialize, Serialize};
 
 use super::{
-    ACCURACY, ACCURACY_INPUT_FRACTION, Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, EXP_BITS, Form,
-    GoldenInputs, INPUT_FRACTION, InputRange, Inside, LOG_BITS, Language, Material, Memory, Method, OUTPUT_FRACTION,
-    Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess, TABLE_BITS, TUSER_BITS,
-    Tail, VhdlPorts,
+    Block, BlockKind, Coefficients, CoreSpec, Cosine, Divider, Form, GoldenInputs, INPUT_FRACTION, InputRange, Inside,
+    Language, Material, Memory, MethodName, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle,
+    SHININESS_FRACTION, ShaderFields, Shininess, TUSER_BITS, Tail, VhdlPorts,
 };
-use crate::platform::error::Error;
-use crate::fit::Objective;
-use crate::platform::input;
-use crate::lobe;
 use crate::emit::rom::RomFormat;
+use crate::fit::Objective;
+use crate::method::{Configured, Interface, Options, within, word};
+use crate::platform::error::Error;
+use crate::platform::input;
 
 /// A spec as written: a key of the TOML file and a flag each. A flag wins over the file.
 #[derive(Args, Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -36,7 +34,7 @@ pub struct SpecFields {
     /// How the lobe is approximated
     #[arg(long, value_enum)]
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub method: Option<Method>,
+    pub method: Option<MethodName>,
 
     /// How the polynomial is evaluated [default: stable]
     #[arg(long, value_enum)]
@@ -366,63 +364,25 @@ impl SpecFields {
                 return Err(Error::input("both shininess and materials are given", "give one of the two"));
             }
         };
-        // A choice that the method does not have is a mistake, not something to pass over.
-        let refuse = |what: &str, given: bool, has: bool| {
-            if !given || has {
-                return Ok(());
-            }
-            Err(Error::input(format!("the method {} has no {what}", word(&method)), format!("leave {what} out")))
-        };
-        refuse("paper form", form == Form::Paper, method.has_paper_form())?;
-        refuse("level q", self.q.is_some(), method.has_level())?;
-        refuse("level g", self.g.is_some(), method == Method::CubicThreePoint)?;
-        refuse("choice of tail", self.tail.is_some(), method.has_tail())?;
-        refuse("choice of inside", self.inside.is_some(), method.has_inside())?;
-        refuse("accuracy", self.accuracy.is_some(), method.has_accuracy())?;
-        refuse("choice of memory without an accuracy", self.memory.is_some(), self.accuracy.is_some())?;
-        refuse("divider", self.divider.is_some(), method.divides())?;
-        refuse("table_bits", self.table_bits.is_some(), method == Method::Table)?;
-        refuse("log_bits", self.log_bits.is_some(), method == Method::Harris)?;
-        refuse("exp_bits", self.exp_bits.is_some(), method == Method::Harris)?;
-        let q = self.q.unwrap_or(0.5);
-        if method.has_level() {
-            lobe::Cubic::new(1.0, q)?;
-        }
-        let g = self.g.unwrap_or(1.0 / 18.0);
-        if method == Method::CubicThreePoint && !(0.001..q).contains(&g) {
-            return Err(Error::input(
-                format!("level g = {g} is out of range"),
-                "g is the lobe's value at the three-point cubic's second point, from 0.001 up to below q",
-            ));
-        }
-        let coefficients = match (self.coefficients, method.coefficients()) {
-            (None, allowed) => allowed.first().copied().unwrap_or(Coefficients::Paper),
-            (Some(wanted), allowed) if allowed.contains(&wanted) => wanted,
-            (Some(wanted), allowed) => {
-                let allowed: Vec<String> = allowed.iter().map(word).collect();
-                return Err(Error::input(
-                    format!("the method {} has no {} coefficients", word(&method), word(&wanted)),
-                    if allowed.is_empty() { "it has no coefficients".to_owned() } else { allowed.join(", ") },
-                ));
-            }
-        };
-        refuse("level q with fitted coefficients", self.q.is_some(), coefficients == Coefficients::Paper)?;
-        let fitted = coefficients == Coefficients::Minimax && !method.coefficients().is_empty();
-        refuse("objective without fitted coefficients", self.objective.is_some(), fitted)?;
-        let objective = self.objective.unwrap_or_default();
-        objective.check()?;
-        if form == Form::Paper && coefficients == Coefficients::Minimax {
-            return Err(Error::input("the paper form has the paper's coefficients", "use --form stable with minimax"));
-        }
-        let within = |what: &str, value: u32, allowed: std::ops::RangeInclusive<u32>| {
-            if allowed.contains(&value) {
-                return Ok(value);
-            }
-            Err(Error::input(
-                format!("{what} = {value} is out of range"),
-                format!("{what} is a whole number from {} to {}", allowed.start(), allowed.end()),
-            ))
-        };
+        let method = Configured::new(
+            method,
+            &Options {
+                form: Some(form),
+                coefficients: self.coefficients,
+                objective: self.objective,
+                q: self.q,
+                g: self.g,
+                tail: self.tail,
+                inside: self.inside,
+                accuracy: self.accuracy,
+                memory: self.memory,
+                divider: self.divider,
+                table_bits: self.table_bits,
+                log_bits: self.log_bits,
+                exp_bits: self.exp_bits,
+            },
+        )?;
+        let about = method.about();
         let shininess_fraction =
             within("shininess_fraction", self.shininess_fraction.unwrap_or(0), SHININESS_FRACTION)?;
         let shininess = match shininess {
@@ -446,25 +406,20 @@ impl SpecFields {
             }
             (set, _) => set,
         };
-        if shininess_fraction > 0 && !method.interpolates() && !method.computes_with_shininess() {
+        if shininess_fraction > 0 && !about.interpolates && !about.computes_with_shininess {
             return Err(Error::input(
-                format!("the method {} takes no shininess between the integers of a range", word(&method)),
+                format!("the method {} takes no shininess between the integers of a range", about.name),
                 "leave shininess_fraction out, or give a list",
-            ));
-        }
-        if shininess_fraction > 0 && form == Form::Paper {
-            return Err(Error::input(
-                "the paper form takes no shininess between the integers of a range",
-                "leave shininess_fraction out, or use --form stable, which interpolates its coefficients",
             ));
         }
         if let Some(Pipeline::Depth(depth)) = self.pipeline {
             within("pipeline", depth, PIPELINE_DEPTH)?;
         }
         let default_name = match &shader {
-            // `table` is a word of Verilog.
-            None if method == Method::Table => "lookup_table".to_owned(),
-            None => word(&method).replace('-', "_") + if form == Form::Paper { "_paper" } else { "" },
+            None => {
+                let name = about.core_name.map_or_else(|| about.name.replace('-', "_"), str::to_owned);
+                name + if form == Form::Paper { "_paper" } else { "" }
+            }
             Some(_) => "shader".to_owned(),
         };
         // A channel's last bit is worth sixteen of the lobe's, and a step of the cosine moves a highlight of n = 256 by one.
@@ -473,10 +428,9 @@ impl SpecFields {
         let input_fraction = within("input_fraction", self.input_fraction.unwrap_or(input_fraction), INPUT_FRACTION)?;
         let output_fraction =
             within("output_fraction", self.output_fraction.unwrap_or(output_fraction), OUTPUT_FRACTION)?;
-        if let Some(accuracy) = self.accuracy {
-            within("accuracy", accuracy, *ACCURACY.start()..=(*ACCURACY.end()).min(output_fraction - 1))?;
-            within("input_fraction of a core with an accuracy", input_fraction, ACCURACY_INPUT_FRACTION)?;
-        }
+        let input_range = self.input_range.unwrap_or(InputRange::Any);
+        let interface = Interface { shininess, input_fraction, output_fraction, operand, input_range };
+        method.check(&interface)?;
         let name = self.name.unwrap_or(default_name);
         check_name(&name)?;
         let mut rom_formats = self.rom_formats.unwrap_or_default();
@@ -510,24 +464,7 @@ impl SpecFields {
             name,
             block: shader.map_or(Block::Lobe, Block::Shader),
             method,
-            form,
-            q,
-            g,
-            tail: self.tail.unwrap_or(Tail::Cut),
-            inside: self.inside.unwrap_or(Inside::Quadratic),
-            accuracy: self.accuracy,
-            memory: self.memory.unwrap_or(Memory::Auto),
-            divider: self.divider.unwrap_or(Divider::Digit),
-            table_bits: within("table_bits", self.table_bits.unwrap_or(7), TABLE_BITS)?,
-            log_bits: within("log_bits", self.log_bits.unwrap_or(8), LOG_BITS)?,
-            exp_bits: within("exp_bits", self.exp_bits.unwrap_or(9), EXP_BITS)?,
-            coefficients,
-            objective,
-            shininess,
-            input_fraction,
-            output_fraction,
-            operand,
-            input_range: self.input_range.unwrap_or(InputRange::Any),
+            interface,
             rom: self.rom.unwrap_or(RomStyle::Inline),
             rom_formats,
             pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
@@ -541,7 +478,7 @@ impl SpecFields {
     /// The fields of a resolved spec, all given.
     #[must_use]
     pub fn from_spec(spec: &CoreSpec) -> Self {
-        let (shininess, material, shininess_fraction) = match &spec.shininess {
+        let (shininess, material, shininess_fraction) = match &spec.interface.shininess {
             Shininess::Materials(materials) => (None, Some(materials.clone()), None),
             &Shininess::Fixed { first, last, frac_bits } => {
                 (Some(Shininess::Range(first, last)), None, Some(frac_bits))
@@ -549,32 +486,31 @@ impl SpecFields {
             set => (Some(set.clone()), None, None),
         };
         let shader = spec.block.shader();
-        let method = spec.method;
-        let fitted = spec.coefficients == Coefficients::Minimax;
+        let options = spec.method.options();
         Self {
             name: Some(spec.name.clone()),
             block: shader.map(|_| BlockKind::Shader),
-            method: Some(spec.method),
-            form: Some(spec.form),
-            coefficients: (!method.coefficients().is_empty()).then_some(spec.coefficients),
-            objective: fitted.then_some(spec.objective),
-            q: (method.has_level() && !fitted).then_some(spec.q),
-            g: (method == Method::CubicThreePoint).then_some(spec.g),
-            tail: method.has_tail().then_some(spec.tail),
-            inside: method.has_inside().then_some(spec.inside),
-            accuracy: spec.accuracy,
-            memory: spec.accuracy.map(|_| spec.memory),
-            divider: method.divides().then_some(spec.divider),
-            table_bits: (method == Method::Table).then_some(spec.table_bits),
-            log_bits: (method == Method::Harris).then_some(spec.log_bits),
-            exp_bits: (method == Method::Harris).then_some(spec.exp_bits),
+            method: MethodName::named(spec.method.about().name),
+            form: Some(spec.method.form()),
+            coefficients: options.coefficients,
+            objective: options.objective,
+            q: options.q,
+            g: options.g,
+            tail: options.tail,
+            inside: options.inside,
+            accuracy: options.accuracy,
+            memory: options.memory,
+            divider: options.divider,
+            table_bits: options.table_bits,
+            log_bits: options.log_bits,
+            exp_bits: options.exp_bits,
             shininess,
             shininess_fraction,
-            input_fraction: Some(spec.input_fraction),
-            output_fraction: Some(spec.output_fraction),
-            operand: shader.is_none().then_some(spec.operand),
+            input_fraction: Some(spec.interface.input_fraction),
+            output_fraction: Some(spec.interface.output_fraction),
+            operand: shader.is_none().then_some(spec.interface.operand),
             // As below, the key is younger than specs that are compared by their digests.
-            input_range: Some(spec.input_range).filter(|&range| range != InputRange::Any),
+            input_range: Some(spec.interface.input_range).filter(|&range| range != InputRange::Any),
             rom: Some(spec.rom),
             rom_formats: Some(spec.rom_formats.clone()),
             pipeline: Some(spec.pipeline),
@@ -739,11 +675,6 @@ impl SpecFields {
     }
 }
 
-/// The word that a value is written with, on the command line as in TOML.
-fn word<T: ValueEnum>(value: &T) -> String {
-    value.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
-}
-
 /// What is wrong with TOML text, with its place: an unknown key with the nearest of those that the parser or `more` knows, or what
 /// the parser says with `help`.
 pub(crate) fn toml_error(error: &toml::de::Error, more: &[&str], help: &str, file: &str, text: &str) -> Error {
@@ -809,50 +740,6 @@ pub(crate) fn check_name(name: &str) -> Result<(), Error> {
     ))
 }
 
-impl std::fmt::Display for Pipeline {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Auto => write!(f, "auto"),
-            Self::Depth(depth) => write!(f, "{depth}"),
-        }
-    }
-}
-
-impl FromStr for Pipeline {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        match text {
-            "auto" => Ok(Self::Auto),
-            depth => depth.parse().map(Self::Depth).map_err(|_| format!("`{depth}` is neither a number nor auto")),
-        }
-    }
-}
-
-impl Serialize for Pipeline {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Auto => serializer.serialize_str("auto"),
-            Self::Depth(depth) => serializer.serialize_u32(*depth),
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for Pipeline {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        #[derive(Deserialize)]
-        #[serde(untagged, expecting = "the pipeline is a number of registers or \"auto\"")]
-        enum Written {
-            Depth(u32),
-            Text(String),
-        }
-        match Written::deserialize(deserializer)? {
-            Written::Depth(depth) => Ok(Self::Depth(depth)),
-            Written::Text(text) => text.parse().map_err(serde::de::Error::custom),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -872,12 +759,15 @@ mod tests {
     #[test]
     fn defaults_are_resolved_and_written_back() {
         let spec = parse("method = \"quadratic\"\nshininess = \"1..=1000\"").unwrap();
-        assert_eq!((spec.input_fraction, spec.output_fraction, spec.form), (16, 16, Form::Stable));
+        assert_eq!(
+            (spec.interface.input_fraction, spec.interface.output_fraction, spec.method.form()),
+            (16, 16, Form::Stable)
+        );
         assert_eq!(spec.languages, [Language::Verilog, Language::Vhdl]);
         assert_eq!(parse(&spec.to_toml()).unwrap(), spec);
         assert_eq!(spec.command(), "brdfgen generate --method quadratic --shininess 1..=1000");
         // The default of a level that the method does not have is no obstacle.
-        assert_eq!(parse("method = \"cubic\"\nshininess = [3]\nq = 0.051").unwrap().q, 0.051);
+        assert_eq!(parse("method = \"cubic\"\nshininess = [3]\nq = 0.051").unwrap().method.options().q, Some(0.051));
     }
 
     /// Specs without the interfaces keep the digests that they had before there were any.

@@ -4,8 +4,8 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use crate::platform::error::Error;
 use crate::fixed::Format;
+use crate::platform::error::Error;
 
 /// The most inputs that a spec may give.
 const MOST: usize = 4096;

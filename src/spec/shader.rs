@@ -5,7 +5,9 @@ use std::str::FromStr;
 use clap::{Args, ValueEnum};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::{CoreSpec, Material, Shininess, Widths};
+use super::{CoreSpec, Material, Shininess};
+use crate::fixed::Widths;
+use crate::method::Colour;
 use crate::platform::error::Error;
 
 /// Bits of an output channel that are allowed.
@@ -76,9 +78,6 @@ pub enum Cosine {
     /// Blinn: x = (N.L + N.V) / sqrt(2 + 2 L.V).
     Sqrt,
 }
-
-/// Red, green and blue, each from 0 to 1.
-pub type Colour = [f64; 3];
 
 /// Where the lights' colours come from.
 #[derive(Clone, Debug, PartialEq)]
@@ -324,7 +323,7 @@ impl Shader {
     #[must_use]
     pub fn widths(&self, spec: &CoreSpec) -> Widths {
         let (f, bits) = (self.vector_fraction as i32, self.channel_bits as i32);
-        let x = spec.input_fraction as i32;
+        let x = spec.interface.input_fraction as i32;
         let finer = if self.cosine == Cosine::Sqrt { 6 } else { 2 };
         let dot = (x + finer).min(2 * f);
         let each = if self.light_colours == LightColours::Ports { 3 } else { 2 };
@@ -342,7 +341,7 @@ impl Shader {
     /// The materials' surfaces, in the order of the set.
     #[must_use]
     pub fn surfaces(spec: &CoreSpec) -> Vec<Surface> {
-        match &spec.shininess {
+        match &spec.interface.shininess {
             Shininess::Materials(materials) => materials.iter().map(Material::surface).collect(),
             _ => Vec::new(),
         }

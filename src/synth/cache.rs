@@ -6,8 +6,8 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 
-use crate::platform::error::Error;
 use crate::emit::package;
+use crate::platform::error::Error;
 use crate::spec::hex;
 
 /// A folder of results. A file is the digest of its second line, and that line: a JSON text.

@@ -20,13 +20,13 @@ pub use yosys::{count, parse_netlist};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use crate::verify::cosim;
 use crate::core::Design;
-use crate::platform::error::Error;
 use crate::emit::package;
-use crate::spec::Language;
+use crate::platform::error::Error;
 use crate::platform::tool::{self, YOSYS};
 use crate::platform::transient::Folder;
+use crate::spec::Language;
+use crate::verify::cosim;
 use cache::{Cache, key};
 use place::Nextpnr;
 use serde::{Deserialize, Serialize};

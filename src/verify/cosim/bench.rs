@@ -3,11 +3,11 @@
 use std::process::Output;
 
 use super::{Job, LISTED, Outcome};
-use crate::platform::error::Error;
 use crate::emit::package;
-use crate::spec::Language;
+use crate::platform::error::Error;
 use crate::platform::tool::{Tool, tail};
 use crate::platform::transient::Folder;
+use crate::spec::Language;
 
 /// What of a core's directory is run, each by its own bench.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,17 +3,17 @@
 use std::collections::VecDeque;
 
 use super::{Job, LISTED, Outcome, Part, Simulator};
+use crate::core::Design;
+use crate::core::Direction;
 use crate::datapath::fault::Defect;
 use crate::datapath::simulate::{Inputs, Outputs, Simulation, Write};
-use crate::core::Design;
+use crate::fixed::Format;
+use crate::fixed::Table;
 use crate::platform::error::Error;
+use crate::spec::Language;
 use crate::verify::golden::{self, Golden, Vector, codes_text};
-use crate::core::Direction;
 #[cfg(feature = "kernel")]
 use crate::verify::kernel;
-use crate::fixed::Format;
-use crate::emit::rom::Table;
-use crate::spec::Language;
 
 /// What simulates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

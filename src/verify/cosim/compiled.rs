@@ -13,11 +13,11 @@ use sha2::{Digest, Sha256};
 
 use super::ghdl;
 use crate::core::Design;
-use crate::platform::error::Error;
 use crate::emit::package;
-use crate::spec::{Language, hex};
+use crate::platform::error::Error;
 use crate::platform::tool::{self, Tool, VERILATOR};
 use crate::platform::transient::Folder;
+use crate::spec::{Language, hex};
 
 const HARNESS: &str = include_str!("../../../testbench/exhaustive.cpp");
 

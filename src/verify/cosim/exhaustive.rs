@@ -8,9 +8,9 @@ use std::io::{Read, Write};
 use super::compiled::{Compiled, Record};
 use super::{Job, LISTED, Outcome};
 use crate::platform::error::Error;
-use crate::verify::golden::all_codes;
-use crate::spec::Language;
 use crate::platform::tool::tail;
+use crate::spec::Language;
+use crate::verify::golden::all_codes;
 
 /// Runs every code of the operand port for every row through the core in one language; `progress` is told how many
 /// inputs are done, of how many.
@@ -39,7 +39,7 @@ pub fn exhaustive(job: &Job, language: Language, progress: &dyn Fn(u64, u64)) ->
 
 /// The inputs that a run has to compare.
 fn inputs(job: &Job) -> u64 {
-    job.design.spec.shininess.rows() as u64 * all_codes(job.design.operand_format()).1
+    job.design.spec.interface.shininess.rows() as u64 * all_codes(job.design.operand_format()).1
 }
 
 fn nothing_compared(job: &Job) -> Outcome {
@@ -57,8 +57,8 @@ fn nothing_compared(job: &Job) -> Outcome {
 fn run(job: &Job, core: &Compiled, progress: &dyn Fn(u64, u64)) -> Result<Outcome, Error> {
     let design = job.design;
     let (first, count) = all_codes(design.operand_format());
-    let rows = design.spec.shininess.rows();
-    let indices: Vec<u32> = (0..rows).map(|row| design.spec.shininess.index_of_row(row)).collect();
+    let rows = design.spec.interface.shininess.rows();
+    let indices: Vec<u32> = (0..rows).map(|row| design.spec.interface.shininess.index_of_row(row)).collect();
     let total = inputs(job);
     let mut outcome = nothing_compared(job);
     let send = |pipe: &mut dyn Write| {

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::{Job, Outcome, Part, Simulator, bench};
 use crate::platform::error::Error;
-use crate::spec::Language;
 use crate::platform::tool::{self, GHDL};
+use crate::spec::Language;
 
 /// GHDL.
 #[derive(Clone, Copy, Debug)]

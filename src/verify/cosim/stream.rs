@@ -6,8 +6,8 @@ use std::path::Path;
 use super::compiled::{CORE, Compiled, Record};
 use crate::core::Design;
 use crate::platform::error::Error;
-use crate::spec::Language;
 use crate::platform::tool::tail;
+use crate::spec::Language;
 
 /// The results of the core in a directory for inputs, one a clock and in this order: each a code of `in_n` and one of the operand, both
 /// within their ports. The core is its Verilog, or its VHDL where it has no Verilog. `progress` is told how many results have come.

@@ -5,8 +5,8 @@ use std::process::Command;
 use super::compiled::CORE;
 use super::{Job, Outcome, Part, Simulator, bench};
 use crate::platform::error::Error;
-use crate::spec::Language;
 use crate::platform::tool::{self, VERILATOR};
+use crate::spec::Language;
 
 /// Verilator, with the generated bench.
 #[derive(Clone, Copy, Debug)]

@@ -11,15 +11,15 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::local::{Domain, Local, first_shown};
+use crate::core::Design;
+use crate::core::Direction;
+use crate::core::edges::varied;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::fault::{Block, Change, Defect, Fault, Hunt, Probe, Registered, Timing, with_copy};
 use crate::datapath::graph::{Graph, NodeId, Op};
-use crate::core::Design;
-use crate::core::edges::varied;
-use crate::verify::golden::all_codes;
-use crate::core::Direction;
 use crate::fixed::Dice;
 use crate::spec::Shader;
+use crate::verify::golden::all_codes;
 
 /// Ports of more codes than these together are not run through all of them.
 const MOST_INPUTS: u64 = 1 << 34;

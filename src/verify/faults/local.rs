@@ -12,11 +12,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
+use crate::core::Design;
 use crate::datapath::fault::{Block, Change, Fault, Hunt, Probe};
 use crate::datapath::graph::{Graph, Node, NodeId, Op};
 use crate::datapath::range::{Analysis, Span};
-use crate::core::Design;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 
 /// The most values of a cut of a shader, as a power of two, and of a lobe, all of whose inputs can be run for all mutants at once.
 const MOST_CUT_BITS: u32 = 22;
@@ -450,8 +450,8 @@ fn part_behind(graph: &Graph, cut: &[NodeId], fault: &Fault) -> Option<(Graph, F
 mod tests {
     use super::*;
     use crate::datapath::fault::Defect;
-    use crate::verify::faults::source;
     use crate::spec::SpecFields;
+    use crate::verify::faults::source;
 
     const SPECS: [&str; 3] = [
         "method = \"quadratic\"\nshininess = \"1..=15\"\ninput_fraction = 8\noutput_fraction = 8\n",

@@ -9,15 +9,15 @@ use std::sync::LazyLock;
 use rayon::prelude::*;
 
 use super::Fate;
-use crate::verify::cosim::{AtRandom, Found, Mutants};
 use crate::core::Design;
+use crate::core::Direction;
 use crate::core::edges::varied;
+use crate::fixed::Dice;
 use crate::platform::error::Error;
+use crate::synth::{Listed, Mutated, mutated, mutated_by};
+use crate::verify::cosim::{AtRandom, Found, Mutants};
 use crate::verify::formal::{self, Told};
 use crate::verify::golden::{Golden, Vector};
-use crate::core::Direction;
-use crate::fixed::Dice;
-use crate::synth::{Listed, Mutated, mutated, mutated_by};
 
 /// Random clocks of the control inputs.
 const CLOCKS: u32 = 1 << 20;

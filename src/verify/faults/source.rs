@@ -4,13 +4,13 @@ use rayon::prelude::*;
 
 use super::Fate;
 use super::equivalent::{self, Decision};
-use crate::verify::cosim::Vectors;
+use crate::core::Design;
 use crate::datapath::fault::{Change, Defect, Fault};
 use crate::datapath::graph::Op;
 use crate::datapath::mutants::{self, Kind, Mutant};
-use crate::core::Design;
-use crate::verify::golden::Golden;
 use crate::fixed::Dice;
+use crate::verify::cosim::Vectors;
+use crate::verify::golden::Golden;
 
 /// Words of each field of a memory that have a bit inverted.
 const WORDS: usize = 16;

@@ -3,8 +3,8 @@
 use std::time::Duration;
 
 use super::aig::{Aig, Literal};
-use crate::platform::error::Error;
 use crate::emit::package;
+use crate::platform::error::Error;
 use crate::platform::tool::{self, YOSYS_ABC, tail};
 
 /// What ABC says.

@@ -6,10 +6,10 @@ use std::path::Path;
 use serde_json::{Map, Value};
 
 use super::aig::{Aig, Literal};
-use crate::platform::error::Error;
 use crate::emit::package;
-use crate::synth::yosys::{Yosys, parse_netlist};
+use crate::platform::error::Error;
 use crate::platform::tool;
+use crate::synth::yosys::{Yosys, parse_netlist};
 
 /// A bit: a constant or a net.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -35,10 +35,10 @@ use super::circuit::{Bit, Circuit, Part, Register, Unfit, Wires, Write};
 use rayon::prelude::*;
 
 use crate::core::Design;
-use crate::platform::error::Error;
-use crate::verify::golden::{Golden, Vector};
 use crate::core::Direction;
 use crate::fixed::Dice;
+use crate::platform::error::Error;
+use crate::verify::golden::{Golden, Vector};
 
 /// Blocks of 64 random runs.
 const BLOCKS: usize = 64;

@@ -13,15 +13,15 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use crate::verify::cosim;
 use crate::core::Design;
+use crate::emit::package;
 use crate::platform::error::Error;
+use crate::spec::Language;
+use crate::synth::yosys::Yosys;
+use crate::verify::cosim;
 use crate::verify::golden::Golden;
 #[cfg(feature = "kernel")]
 use crate::verify::kernel;
-use crate::emit::package;
-use crate::spec::Language;
-use crate::synth::yosys::Yosys;
 use circuit::Circuit;
 use equivalence::{Compared, Comparison, Method, Pipeline};
 pub(crate) use mutants::{Told, told};

@@ -11,8 +11,8 @@ use super::abc::Answer;
 use super::circuit::{Circuit, Unfit};
 use super::equivalence::{Comparison, Method, Pipeline, first_shown};
 use crate::core::Design;
-use crate::platform::error::Error;
 use crate::core::Direction;
+use crate::platform::error::Error;
 use crate::synth::yosys::Yosys;
 
 /// The most that the solver may take at once, in seconds.

@@ -16,13 +16,13 @@ use std::process::Command;
 use askama::Template;
 
 use super::{Proof, Step, Verdict, tried};
-use crate::verify::cosim;
 use crate::core::Design;
-use crate::platform::error::Error;
-use crate::emit::{Axis, render};
 use crate::emit::package;
-use crate::spec::{Language, RomStyle};
+use crate::emit::{Axis, render};
+use crate::platform::error::Error;
 use crate::platform::tool::{self, YICES, YOSYS, YOSYS_SMTBMC};
+use crate::spec::{Language, RomStyle};
+use crate::verify::cosim;
 
 #[derive(Template)]
 #[template(path = "formal/stream.v", escape = "none")]

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Golden, Vector};
 use crate::core::Design;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 
 /// Vectors that are tried with other words; as many shininesses.
 const MOST: usize = 64;

@@ -4,9 +4,9 @@ use std::fmt::Write;
 
 use super::{Golden, RowDigest, Vector};
 use crate::core::Design;
-use crate::platform::error::Error;
 use crate::core::Direction;
 use crate::fixed::Format;
+use crate::platform::error::Error;
 use crate::spec::Block;
 
 const ALLOWED: &str = "a golden file holds `v` lines (the codes of the inputs and of the outputs in hexadecimal; idle, stall in \

@@ -106,7 +106,7 @@ impl Golden {
         let digests = rows
             .into_par_iter()
             .map(|row| {
-                let index = design.spec.shininess.index_of_row(row);
+                let index = design.spec.interface.shininess.index_of_row(row);
                 let digest = match &design.spec.block {
                     Block::Lobe => digest(design, index),
                     Block::Shader(shader) => shader::digest(design, shader, index),
@@ -133,12 +133,12 @@ impl Golden {
 
 /// The rows that have a digest: all, or evenly spaced ones where all would take too long.
 fn digest_rows(design: &Design) -> Vec<usize> {
-    let rows = design.spec.shininess.rows() as u64;
+    let rows = design.spec.interface.shininess.rows() as u64;
     let step = match design.spec.block {
         Block::Lobe => (rows << design.operand_format().width()).div_ceil(MOST_OUTPUTS).max(1) as usize,
         Block::Shader(_) => (rows * shader::STREAM).div_ceil(MOST_SAMPLES) as usize,
     };
-    (0..design.spec.shininess.rows()).step_by(step).collect()
+    (0..design.spec.interface.shininess.rows()).step_by(step).collect()
 }
 
 /// All codes of a port, as numbers: the least and how many.

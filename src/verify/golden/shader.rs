@@ -3,13 +3,13 @@
 use rayon::prelude::*;
 
 use super::{OutputHash, Vector, told};
-use crate::datapath::fault::Block;
 use crate::core::Design;
+use crate::core::Direction;
 use crate::core::edges::varied;
 use crate::core::sample::{Sample, normalised, random_codes};
-use crate::core::Direction;
+use crate::datapath::fault::Block;
 use crate::fixed::Dice;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 use crate::spec::Shader;
 
 /// Rows beyond which not every row has vectors of its own.
@@ -28,11 +28,11 @@ pub(super) const STREAM: u64 = 1 << 13;
 pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vector>)> {
     let mut dice = Dice::new(0);
     let ports = design.numbers(Direction::In);
-    let rows = design.spec.shininess.rows();
+    let rows = design.spec.interface.shininess.rows();
     let materials: Vec<u32> = (0..rows).step_by(rows.div_ceil(MOST_ROWS)).map(|row| row as u32).collect();
     let any_material = |dice: &mut Dice| {
         let row = dice.below(rows as u64) as u32;
-        (row, design.spec.shininess.value(row as usize))
+        (row, design.spec.interface.shininess.value(row as usize))
     };
     let mut groups: Vec<(&str, Vec<Vec<i64>>)> = Vec::new();
 
@@ -152,7 +152,7 @@ fn along_axes(shader: &Shader, materials: &[u32]) -> Vec<Vec<i64>> {
 /// tells them.
 fn telling(design: &Design, shader: &Shader, row: u32) -> Vec<Vec<i64>> {
     let mut dice = Dice::new((1 << 40) + u64::from(row));
-    let n = design.spec.shininess.value(row as usize);
+    let n = design.spec.interface.shininess.value(row as usize);
     let candidates: Vec<Vec<i64>> =
         (0..CANDIDATES).map(|_| Sample::random(shader, row, n, &mut dice).codes(shader)).collect();
     let outputs = |tables: &[Table]| -> Vec<Vec<i64>> {
@@ -186,7 +186,7 @@ fn through_graph(design: &Design, tables: &[Table], codes: &[i64]) -> Vec<i64> {
 pub(super) fn digest(design: &Design, shader: &Shader, index: u32) -> u64 {
     let mut dice = Dice::new((2 << 40) + u64::from(index));
     let ports = design.numbers(Direction::In);
-    let n = design.spec.shininess.value(design.spec.shininess.row_of_index(index));
+    let n = design.spec.interface.shininess.value(design.spec.interface.shininess.row_of_index(index));
     let mut hash = OutputHash::default();
     for sample in 0..STREAM {
         let codes = if sample % 2 == 0 {

@@ -8,12 +8,12 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 
 use super::{Vector, greedy};
+use crate::core::Design;
+use crate::core::Direction;
 use crate::datapath::fault::{Block, Change, Defect, Fault, Hunt, Probe, Timing, with_copy};
 use crate::datapath::graph::{NodeId, Op};
 use crate::datapath::mutants::mutants;
 use crate::datapath::simulate::{Inputs, Outputs, Simulation};
-use crate::core::Design;
-use crate::core::Direction;
 
 /// What fills a block with the next candidates of a task; false at the end.
 pub(super) type Candidates<'a> = Box<dyn FnMut(&mut Block) -> bool + 'a>;

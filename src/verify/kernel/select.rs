@@ -2,7 +2,7 @@
 
 use super::{CubicRom, CubicWidths, Kernel, QuadraticRom, QuadraticWidths, cubic, quadratic};
 use crate::core::Design;
-use crate::spec::{Block, Form, InputRange, Method, Operand, Pipeline, RomStyle, Tail};
+use crate::spec::{Block, Form, InputRange, Operand, Pipeline, RomStyle, Tail};
 
 /// The kernel of a design's method, if there is an instance at just its widths.
 ///
@@ -13,13 +13,13 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
     let spec = &design.spec;
     let table = design.datapath.coefficients()?;
     let suits = spec.block == Block::Lobe
-        && spec.form == Form::Stable
-        && spec.tail == Tail::Cut
-        && spec.operand == Operand::Cos
-        && spec.input_range == InputRange::Any
+        && spec.method.form() == Form::Stable
+        && spec.method.options().tail != Some(Tail::Hold)
+        && spec.interface.operand == Operand::Cos
+        && spec.interface.input_range == InputRange::Any
         && spec.pipeline == Pipeline::Auto
         && spec.rom != RomStyle::Writable
-        && spec.input_fraction <= spec.output_fraction
+        && spec.interface.input_fraction <= spec.interface.output_fraction
         && table.first_index == 0
         && table.shared_shift == 0
         && table.fields.iter().all(|field| !field.format.signed);
@@ -32,10 +32,11 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
     };
     let width = |name: &str| table.field(name).format.width() as usize;
     let bits = |name: &str| design.widths.get(name) as usize;
-    let (f, g, n) = (spec.input_fraction as usize, spec.output_fraction as usize, table.address_bits as usize);
+    let (f, g, n) =
+        (spec.interface.input_fraction as usize, spec.interface.output_fraction as usize, table.address_bits as usize);
     let k = words("k");
-    match spec.method {
-        Method::Quadratic => {
+    match spec.method.about().name {
+        "quadratic" => {
             let widths = QuadraticWidths {
                 f,
                 g,
@@ -50,7 +51,7 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
             };
             quadratic(&widths, QuadraticRom { k: &k, a: &words("a") })
         }
-        Method::Cubic => {
+        "cubic" => {
             // Where no row is cut, the ROM has no threshold.
             table.find("cut")?;
             let node = |name: &str| design.graph().nodes.iter().find(|node| node.name == name);

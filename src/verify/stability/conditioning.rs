@@ -6,9 +6,11 @@
 
 use serde::Serialize;
 
-use crate::platform::error::Error;
-use crate::lobe::{Cubic, Lobe, Quadratic};
 use crate::fixed::exp2;
+use crate::lobe::Lobe;
+use crate::method::cubic::Cubic;
+use crate::method::quadratic::Quadratic;
+use crate::platform::error::Error;
 
 /// Fraction bits of the cosine.
 const INPUT_BITS: i32 = 30;

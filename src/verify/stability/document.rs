@@ -6,8 +6,8 @@ use super::conditioning::Conditioning;
 use super::inspect::Inspection;
 use super::quantisation::{FrontEnd, of_cosine};
 use super::study::{Axis, Entry};
-use crate::platform::error::Error;
 use crate::emit::package::{File, Kind};
+use crate::platform::error::Error;
 
 /// The first line of `cores.csv`.
 const HEADER: &str = "axis,value,method,refused,rows,inputs,blocks,overflows,undecided,wide_differences,largest_signal,\

@@ -4,8 +4,8 @@ use libm::{cos, sin, sqrt};
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::lobe::exact;
 use crate::fixed::{Dice, exp2};
+use crate::lobe::exact;
 
 /// The largest move of `x^n` where the cosine is rounded to nearest with `fraction` bits: `1 - (1 - 2^-(F+1))^n`, at the top of the
 /// lobe, where it is steepest for every n of at least 1.

@@ -15,13 +15,13 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::inspect::{MOST_BLOCKS, Signal, signal};
-use crate::datapath::graph::{Graph, NodeId};
-use crate::datapath::range::{Analysis, Ranges, Region, Span, by_rows};
-use crate::datapath::shader::joints;
+use crate::block::shader::datapath::joints;
 use crate::core::Design;
 use crate::core::edges::varied;
+use crate::datapath::graph::{Graph, NodeId};
+use crate::datapath::range::{Analysis, Ranges, Region, Span, by_rows};
 use crate::fixed::Dice;
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 use crate::spec::{Shader, Shininess};
 
 /// Inputs that are run with wide registers.
@@ -153,7 +153,7 @@ impl ShaderInspection {
     /// Inspects a shader's core.
     #[must_use]
     pub fn of(design: &Design, shader: &Shader) -> Self {
-        let (set, graph) = (&design.spec.shininess, design.graph());
+        let (set, graph) = (&design.spec.interface.shininess, design.graph());
         let proof = Proof::of(set, shader, graph, design.tables());
         let wide = Analysis::new(graph, design.tables()).with_spare_bits(&proof.ranges);
         let differs = |place: u64| {

@@ -6,7 +6,8 @@ use serde::Serialize;
 use super::EXTREMES;
 use super::inspect::Inspection;
 use crate::core::Design;
-use crate::spec::{Method, SpecFields};
+use crate::method::About;
+use crate::spec::{MethodName, SpecFields};
 
 /// What is varied, everything else at its usual value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, ValueEnum)]
@@ -78,21 +79,17 @@ fn list(shininesses: &[f64]) -> String {
 }
 
 /// The set for a method: powers of two where it takes no others.
-fn set(method: Method, shininesses: &[f64]) -> String {
-    match method {
-        Method::Squaring if shininesses == LARGE => list(&[1024.0, 65536.0]),
-        Method::Squaring => list(&[1.0, 2.0, 4.0, 1024.0, 4096.0, 65536.0]),
-        _ => list(shininesses),
+fn set(about: &About, shininesses: &[f64]) -> String {
+    match about.powers_of_two {
+        true if shininesses == LARGE => list(&[1024.0, 65536.0]),
+        true => list(&[1.0, 2.0, 4.0, 1024.0, 4096.0, 65536.0]),
+        false => list(shininesses),
     }
-}
-
-fn name(method: Method) -> String {
-    method.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
 }
 
 /// The cores of an axis, for these methods; `quick` leaves out all but formats of 12 bits, and every other value.
 #[must_use]
-pub fn cases(axis: Axis, methods: &[Method], quick: bool) -> Vec<Case> {
+pub fn cases(axis: Axis, methods: &[MethodName], quick: bool) -> Vec<Case> {
     let mut cases = Vec::new();
     let (input, output) = if quick { (12, 12) } else { (16, 16) };
     let step = if quick { 4 } else { 1 };
@@ -100,32 +97,32 @@ pub fn cases(axis: Axis, methods: &[Method], quick: bool) -> Vec<Case> {
         cases.push(Case { axis, value, method: method.to_owned(), spec });
     };
     for &method in methods {
-        let name = name(method);
-        let head = |shininesses: &[f64]| format!("method = \"{name}\"\nshininess = {}\n", set(method, shininesses));
+        let about = method.about();
+        let name = about.name;
+        let head = |shininesses: &[f64]| format!("method = \"{name}\"\nshininess = {}\n", set(about, shininesses));
         let formats = |input: u32, output: u32| format!("input_fraction = {input}\noutput_fraction = {output}\n");
         match axis {
             Axis::Shininess => {
                 let base = head(&EXTREMES) + &formats(input, output);
-                add(&name, "cosine".to_owned(), base.clone());
-                add(&name, "versine".to_owned(), base.clone() + "operand = \"versine\"\n");
-                if method.has_paper_form() {
+                add(name, "cosine".to_owned(), base.clone());
+                add(name, "versine".to_owned(), base.clone() + "operand = \"versine\"\n");
+                if about.has("form") {
                     add(&format!("{name}, printed form"), "cosine".to_owned(), base.clone() + "form = \"paper\"\n");
                 }
-                if method.has_tail() {
+                if about.has("tail") {
                     add(&format!("{name}, held"), "cosine".to_owned(), base.clone() + "tail = \"hold\"\n");
                 }
-                if method.has_accuracy() {
+                if about.has("accuracy") {
                     add(&format!("{name}, accuracy 9"), "cosine".to_owned(), base + "accuracy = 9\n");
                 }
             }
-            Axis::Level if method.has_level() => {
+            Axis::Level if about.has("q") => {
                 for level in LEVELS.step_by(step) {
                     let q = f64::from(level) / 20.0;
                     // The second point of the three-point cubic lies below the first.
-                    let second =
-                        if method == Method::CubicThreePoint { format!("g = {}\n", q / 9.0) } else { String::new() };
+                    let second = if about.has("g") { format!("g = {}\n", q / 9.0) } else { String::new() };
                     add(
-                        &name,
+                        name,
                         format!("Q = {q}"),
                         head(&EXTREMES) + &formats(input, output) + &format!("q = {q}\n") + &second,
                     );
@@ -135,12 +132,12 @@ pub fn cases(axis: Axis, methods: &[Method], quick: bool) -> Vec<Case> {
             Axis::Input => {
                 for fraction in (8..=if quick { 16 } else { 24 }).step_by(step) {
                     let set: &[f64] = if fraction > ALL_OF_FEW { &LARGE } else { &FEW };
-                    add(&name, format!("F = {fraction}"), head(set) + &formats(fraction, output));
+                    add(name, format!("F = {fraction}"), head(set) + &formats(fraction, output));
                 }
             }
             Axis::Output => {
                 for fraction in (4..=20).step_by(step) {
-                    add(&name, format!("G = {fraction}"), head(&FEW) + &formats(input, fraction));
+                    add(name, format!("G = {fraction}"), head(&FEW) + &formats(input, fraction));
                 }
             }
         }
@@ -163,6 +160,6 @@ impl Case {
 
 /// All methods that are built as hardware.
 #[must_use]
-pub fn methods() -> Vec<Method> {
-    Method::value_variants().to_vec()
+pub fn methods() -> Vec<MethodName> {
+    MethodName::value_variants().to_vec()
 }

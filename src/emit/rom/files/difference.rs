@@ -5,7 +5,7 @@ use std::fmt;
 use num_bigint::BigUint;
 
 use super::{RomImage, word_digits};
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 
 /// The first place where a file is not what the table says.
 #[derive(Clone, Debug, PartialEq)]

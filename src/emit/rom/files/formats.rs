@@ -8,8 +8,9 @@ use serde::{Deserialize, Serialize};
 use super::read::Source;
 use super::write::Writing;
 use super::{RomImage, read, write};
+use crate::emit::rom::memory_name;
+use crate::fixed::Table;
 use crate::platform::error::Error;
-use crate::emit::rom::{Table, memory_name};
 
 /// All that is known of a format.
 pub(super) struct Sheet {

@@ -2,8 +2,9 @@ use miette::SourceCode;
 use proptest::prelude::*;
 
 use super::*;
+use crate::emit::rom::RomFormat;
 use crate::fixed::Format;
-use crate::emit::rom::{Field, RomFormat, Table};
+use crate::fixed::{Field, Table};
 use crate::spec::Shininess;
 
 const NAMES: [&str; 4] = ["first", "second", "third", "fourth"];
@@ -41,7 +42,7 @@ fn table() -> impl Strategy<Value = Table> {
                 codes: column.iter().map(|(code, _)| format.wrap(*code)).collect(),
                 reals: column.iter().map(|(_, real)| *real).collect(),
             });
-            Table::new(&set, fields.collect(), 0)
+            set.rom(fields.collect(), 0)
         })
     })
 }
@@ -87,7 +88,7 @@ fn small_table() -> Table {
     };
     let fields =
         vec![field("high", Format::unsigned(0, 4), [1, 2, 3]), field("low", Format::signed(3, 4), [-1, 0x7f, 0])];
-    Table::new(&Shininess::Range(10, 12), fields, 0)
+    Shininess::Range(10, 12).rom(fields, 0)
 }
 
 proptest! {
@@ -227,7 +228,7 @@ fn a_deep_rom_passes_64_kib() {
     let codes: Vec<i128> = (0..40_000).map(|row| row * 7 % 65_536).collect();
     let reals = codes.iter().map(|&code| code as f64).collect();
     let field = Field { name: "only", meaning: "", format: Format::unsigned(17, 0), codes, reals };
-    let table = Table::new(&Shininess::Range(1, 40_000), vec![field], 0);
+    let table = Shininess::Range(1, 40_000).rom(vec![field], 0);
     for format in RomFormat::ALL {
         let image = read_for(&table, &written(&table, format), format).expect("a file of ours");
         assert_eq!(first_difference(&table, &image), None, "{format:?}");

@@ -6,7 +6,7 @@ use ihex::Record;
 use num_bigint::BigUint;
 
 use super::{RomFormat, word_bytes, word_digits};
-use crate::emit::rom::Table;
+use crate::fixed::Table;
 
 /// The data bytes of a record: what most tools write and every tool reads.
 const HEX_RECORD_BYTES: usize = 16;

@@ -1,0 +1,3 @@
+//! What is built around a lobe.
+
+pub mod shader;

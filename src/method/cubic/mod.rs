@@ -1,0 +1,105 @@
+//! `cubic`: `x(1 - u(A - a u))`, of the papers of 2007 and 2021.
+
+pub(super) mod datapath;
+mod lobe;
+pub(super) mod model;
+
+use std::sync::Arc;
+
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+
+use super::{About, Coefficients, Form, Inputs, Interface, Method, Options, Source, rows};
+use crate::datapath::Architecture;
+use crate::fit::{self, Fit, Inside, Objective};
+use crate::fixed::wide::Wide;
+use crate::platform::error::Error;
+
+pub use lobe::Cubic;
+pub(super) use lobe::{check_level, integral};
+
+/// The level Q unless another is given.
+pub(super) const LEVEL: f64 = 0.5;
+
+/// What the cubic is past its minimum, where the polynomial rises again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Tail {
+    /// 0.
+    Cut,
+    /// The minimum's value, down to the cosine 0.
+    Hold,
+}
+
+/// The method.
+pub static METHODS: [About; 1] = [About {
+    name: "cubic",
+    help: "x(1 - u(A - a u)); past its minimum cut to 0 or held",
+    formula: FORMULA,
+    core_name: None,
+    options: &["form", "q", "tail"],
+    coefficients: &[Coefficients::Paper, Coefficients::Minimax],
+    interpolates: true,
+    computes_with_shininess: false,
+    powers_of_two: false,
+    is_baseline: false,
+    configure: |about, options| {
+        let q = options.q.unwrap_or(LEVEL);
+        check_level(q)?;
+        let (form, tail) = (options.form.unwrap_or(Form::Stable), options.tail.unwrap_or(Tail::Cut));
+        Ok(Arc::new(Configured { form, tail, q, source: options.source(about) }))
+    },
+}];
+
+/// The formula of the cubic lobes.
+pub(super) const FORMULA: &str = "x(1 - u(A - a u))";
+
+/// The best cubic `x (1 - u (A - a u))` with the given tail for the shininess `n`.
+///
+/// # Errors
+/// As [`super::quadratic::fit`].
+pub fn fit(n: f64, tail: Tail, objective: &Objective) -> Result<Fit<Cubic>, Error> {
+    let shape = fit::Family { cosine: true, power: 1, hold: tail == Tail::Hold };
+    Ok(fit::best(n, &shape, Inside::Quadratic, objective)?.map(|fit| Cubic { a: fit.a, big_a: fit.big_a }))
+}
+
+#[derive(Debug)]
+struct Configured {
+    form: Form,
+    tail: Tail,
+    q: f64,
+    source: Source,
+}
+
+impl Method for Configured {
+    fn about(&self) -> &'static About {
+        &METHODS[0]
+    }
+
+    fn options(&self) -> Options {
+        let q = (self.source == Source::Paper).then_some(self.q);
+        Options { form: Some(self.form), q, tail: Some(self.tail), ..self.source.options() }
+    }
+
+    fn check(&self, interface: &Interface) -> Result<(), Error> {
+        self.form.check(interface)
+    }
+
+    fn architecture<'a>(&'a self, interface: &'a Interface) -> Result<Box<dyn Architecture + 'a>, Error> {
+        let lobes = rows::each(interface, |n| match self.source {
+            Source::Paper => Cubic::new(n, self.q),
+            Source::Fitted(objective) => fit(n, self.tail, &objective).map(|fit| fit.coefficients),
+        })?;
+        Ok(match self.form {
+            Form::Stable => Box::new(datapath::Stable::new(interface, self.tail, lobes)),
+            Form::Paper => Box::new(datapath::Paper { interface, lobes }),
+        })
+    }
+
+    fn model(&self, inputs: &Inputs) -> Wide {
+        match self.form {
+            Form::Stable => model::stable(inputs),
+            Form::Paper => model::paper(inputs),
+        }
+    }
+}

@@ -1,0 +1,374 @@
+//! The power itself, `2^(-n L(x))` with `L = -log2 x`: two small tables in place of a ROM row per shininess.
+//!
+//! After D. Harris, "An Exponentiation Unit for an OpenGL Lighting Engine" (IEEE Trans. Computers 53(3), 2004), with the logarithm
+//! taken apart so that its relative accuracy is kept near x = 1, where a large shininess needs it. With `x = 2^-e m`, m in
+//! [1/2, 1) or x = m = 1,
+//!
+//! `z = n L = n e + v κ(m)`, `v = n (1 - m)`, `κ(m) = -log2(m) / (1 - m)`, and `y = 2^-z = 2^-f 2^-i`, `z = i + f`.
+//!
+//! κ lies between `log2 e` and 2 and, like `2^-f`, comes from a table with linear interpolation (the module `chords`).
+//!
+//! # The proof
+//!
+//! The error depends on z far more than on n or x, so the cases of the analysis are ranges of the real z. What the hardware has
+//! in place of κ is `κ (1 + ρ)`, ρ bounded over all entries. With `v' = v + δv` the product is off by
+//! `κ' δv + v κ ρ`, and `v κ <= z`; so in a case `z' - z = δz` is in `κ' δv + [0, z] ρ` and the roundings. The second table
+//! holds `2^-(f + c) + τ`, where c makes up for the mean of δz. So before the last rounding the result is off by
+//! `2^-z (2^-(δz + c) - 1) + τ 2^-i + φ`, φ being what the shift by i drops, less than `1 - 2^-i` of the last bit. As `z 2^-z` never exceeds `1/(e ln 2)`, ρ counts at most
+//! `1/e`, whatever n is.
+//!
+//! The result is forced to 0 in three places, and in each `z >= G + 1`, so that y is half an output ulp at most: where the
+//! integer part of z does not fit its bits, where v does not (`z >= v log2 e`), and where x is so small that even the least shininess
+//! brings it there.
+
+use super::chords::{Chords, Slopes};
+use crate::datapath::builder::{Bound, Builder, Case};
+use crate::datapath::graph::NodeId;
+use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
+use crate::fixed::Table;
+use crate::fixed::Widths;
+use crate::fixed::{Format, Interval, exp2};
+use crate::lobe::Lobe;
+use crate::method::Interface;
+use crate::method::exponent::{Exponent, error_of_exponent, power_less_one};
+use crate::method::log_exp::{EXP_CURVATURE, LOG_RATIO_CURVATURE, log_ratio};
+use crate::method::polynomial::datapath as polynomial;
+use crate::platform::error::Error;
+
+const LOG2_E: f64 = std::f64::consts::LOG2_E;
+
+/// The memory of κ.
+pub(in crate::method) const LOG_TABLE: &str = "log_table";
+/// The memory of the exponential.
+pub(in crate::method) const EXP_TABLE: &str = "exp_table";
+
+/// `2^-f` for the fraction f of z, from its table.
+pub(in crate::method) fn exp_chords<'f>(
+    widths: &Widths,
+    slopes: Slopes,
+    function: &'f dyn Fn(f64) -> f64,
+) -> Chords<'f> {
+    Chords {
+        name: EXP_TABLE,
+        fields: ["exp_base", "exp_slope"],
+        meanings: ["2^-f at the entry's start", "how steeply 2^-f falls"],
+        function,
+        curvature: EXP_CURVATURE,
+        start: 0.0,
+        domain: 0,
+        address_bits: widths.get("exp"),
+        argument_bits: widths.get("z"),
+        cut_bits: widths.get("z"),
+        value_bits: widths.get("e"),
+        int_bits: 0,
+        slopes,
+        weight: None,
+    }
+}
+
+/// `2^-z = 2^-f 2^-i`, `z = i + f`, the integer part having `whole_bits`: `exp` is the table of `2^-(f + lift)` and lies in `memory`. Each
+/// case has the real z in its level.
+pub(in crate::method) fn power_of_two(
+    b: &mut Builder,
+    exp: &Chords,
+    memory: usize,
+    z: NodeId,
+    whole_bits: i32,
+    lift: f64,
+    levels: &[Interval],
+) -> Option<NodeId> {
+    let fraction = exp.look_up(b, memory, z, "power", "2^-f");
+    let table = b.table(memory);
+    let table_error = (0..table.rows()).map(|entry| exp.error(table, entry)).reduce(Interval::hull)?;
+    let whole = whole_bits.min(b.format(z).int_bits);
+    let whole = b.cast(z, Format::unsigned(whole, 0), true, "i", "the integer part of z");
+    let shifted = b.shift_right(fraction, whole, "power_shifted", "2^-z = 2^-f 2^-i");
+    let grid = b.format(shifted).frac_bits;
+    let bound = |(level, z): (&Interval, &Bound)| {
+        let off = z.error;
+        let hardware = Interval::new((level.low + off.low).max(0.0), (level.high + off.high).max(0.0));
+        let (least, most) = (hardware.low as i32, hardware.high as i32);
+        let scale = Interval::new(exp2(-most), exp2(-least));
+        let real = Interval::new(libm::exp2(-level.high), libm::exp2(-level.low));
+        // What a shift by i drops of a multiple of 2^-e is below 2^-e by the weight of its own last bit.
+        let lost = exp2(-exp.value_bits) * (1.0 - exp2(-most));
+        let error =
+            real * power_less_one(off + Interval::point(lift)) + table_error * scale + Interval::new(-lost, 0.0);
+        Bound { range: Interval::UNIT, error, grid }
+    };
+    let bounds = levels.iter().zip(b.bounds(z)).map(bound).collect();
+    b.assume(shifted, bounds);
+    Some(shifted)
+}
+
+/// `2^(-n L(x))`.
+#[derive(Debug)]
+pub struct LogExp<'a> {
+    interface: &'a Interface,
+    n: Exponent<'a>,
+}
+
+impl<'a> LogExp<'a> {
+    /// For an interface of this method.
+    ///
+    /// # Errors
+    /// A shininess that the method refuses.
+    pub fn new(interface: &'a Interface) -> Result<Self, Error> {
+        Ok(Self { interface, n: Exponent::new(interface)? })
+    }
+
+    fn input_bits(&self) -> i32 {
+        self.interface.input_fraction as i32
+    }
+
+    fn output_bits(&self) -> i32 {
+        self.interface.output_fraction as i32
+    }
+
+    /// x below `2^-this` gives 0: there n L is at least G + 1 for the least shininess.
+    fn depth(&self) -> i32 {
+        (f64::from(self.output_bits() + 1) / self.n.least).ceil() as i32
+    }
+
+    /// How far x is shifted at most; one bit less than the depth, since m >= 1/2, or than x has.
+    fn most_shift(&self) -> i32 {
+        self.depth().min(self.input_bits()) - 1
+    }
+
+    /// Bits of the integer part of z: the result is 0 from `2^this >= G + 1` on.
+    fn whole_bits(&self) -> i32 {
+        libm::ilogb(f64::from(self.output_bits())) + 1
+    }
+
+    /// Integer bits of v: from `v = 2^this` on, z is at least `2^this log2 e >= G + 1`.
+    fn versine_int_bits(&self) -> i32 {
+        (0..).find(|&bits| exp2(bits) * LOG2_E >= f64::from(self.output_bits() + 1)).unwrap_or_default()
+    }
+
+    fn log_chords(&self, widths: &Widths) -> Chords<'static> {
+        Chords {
+            name: LOG_TABLE,
+            fields: ["log_base", "log_slope"],
+            meanings: ["log ratio at the entry's start", "how steeply the log ratio falls"],
+            function: &log_ratio,
+            curvature: LOG_RATIO_CURVATURE,
+            start: 0.5,
+            domain: 1,
+            address_bits: widths.get("log"),
+            argument_bits: self.input_bits(),
+            cut_bits: widths.get("k") + 1,
+            value_bits: widths.get("k"),
+            int_bits: 1,
+            slopes: Slopes::Matched,
+            weight: None,
+        }
+    }
+
+    /// Whether n = 1 gives x by a way of its own. An output with all the bits of x gets x anyhow: it is less than 1 ulp off.
+    fn bypasses(&self) -> bool {
+        self.n.least == 1.0 && self.input_bits() > self.output_bits()
+    }
+
+    /// The ranges of the real z that the cases of the analysis are: fine where y is large.
+    fn levels(&self) -> Vec<Interval> {
+        let sixteenths = 16 * (self.output_bits() + 2);
+        let edges: Vec<f64> =
+            (0..=sixteenths).filter(|k| *k <= 48 || k % 4 == 0).map(|k| f64::from(k) / 16.0).collect();
+        let mut levels: Vec<Interval> = edges.windows(2).map(|edge| Interval::new(edge[0], edge[1])).collect();
+        // Past this the result is 0, or forced to it.
+        levels.push(Interval::new(edges[edges.len() - 1], exp2(self.whole_bits()) + 1.0));
+        levels
+    }
+
+    /// `n e`: a sum over the steps that the normalisation took.
+    fn times_steps(&self, b: &mut Builder, n: NodeId, steps: &[(i32, NodeId)]) -> Option<NodeId> {
+        if steps.is_empty() {
+            return None;
+        }
+        let n = b.at_most(n, self.whole_bits(), "n_low", "n or more than the result can show, where x < 1/2");
+        let count = b.cases().len();
+        let terms = steps.iter().map(|&(shift, above)| {
+            let power = libm::ilogb(f64::from(shift));
+            let name = format!("n_{shift}");
+            let scaled = b.scale(n, None, power, &vec![power; count], &name, &format!("{shift} n"));
+            b.zero_if(Some(above), scaled, &format!("ne_{shift}"), "0 where this step was not taken")
+        });
+        let mut terms: Vec<NodeId> = terms.collect();
+        let mut round = 0;
+        while terms.len() > 1 {
+            round += 1;
+            terms = terms
+                .chunks(2)
+                .enumerate()
+                .map(|(place, pair)| match *pair {
+                    [a, c] => b.add(a, c, &format!("ne_sum_{round}_{place}"), "n e"),
+                    _ => pair[0],
+                })
+                .collect();
+        }
+        terms.first().copied()
+    }
+}
+
+impl Architecture for LogExp<'_> {
+    fn parameters(&self) -> Vec<Parameter> {
+        let (f, g) = (self.input_bits(), self.output_bits());
+        let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
+        let n_bits = self.n.int_bits();
+        let mut parameters = Vec::new();
+        let mut n_fraction = self.interface.shininess.frac_bits() as i32;
+        if let Some(n) = self.n.parameter(g) {
+            n_fraction = *n.range.end();
+            parameters.push(n);
+        }
+        let log = ((g - 5) / 2).max(1);
+        let exp = ((g - 4) / 2).max(1);
+        let u = up_to(g + n_bits, g + n_bits + 4, f);
+        let v = up_to(g, g + 4, n_fraction + u.end());
+        parameters.extend([
+            Parameter {
+                name: "log",
+                meaning: "table of the logarithm (bits of its address)",
+                range: up_to(log, log + 4, f - 2),
+            },
+            Parameter { name: "exp", meaning: "table of the exponential (bits of its address)", range: exp..=exp + 4 },
+            Parameter { name: "u", meaning: "versine of the normalised cosine", range: u },
+            Parameter { name: "v", meaning: "v = n times that versine", range: v },
+            Parameter { name: "k", meaning: "log ratio", range: g..=g + 4 },
+            Parameter { name: "z", meaning: "z = n L", range: g..=g + 4 },
+            Parameter { name: "e", meaning: "2^-f", range: g + 1..=g + 5 },
+        ]);
+        parameters
+    }
+
+    fn cost(&self, w: &Widths) -> f64 {
+        let n_bits = self.n.int_bits() + self.n.frac_bits(w);
+        let power = |f: f64| libm::exp2(-f);
+        multiplier_cost(n_bits, w.get("u"))
+            + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + 1)
+            + self.log_chords(w).cost()
+            + exp_chords(w, Slopes::Matched, &power).cost()
+            // The shifter has a multiplexer a bit and level.
+            + f64::from(w.get("e") * self.whole_bits() + 2 * w.get("z") + w.get("v"))
+    }
+
+    fn tables(&self, widths: &Widths) -> Vec<Table> {
+        let mut tables: Vec<Table> = self.n.table(widths).into_iter().collect();
+        let lift = self.n.lift(self.input_bits(), widths);
+        tables.push(self.log_chords(widths).table());
+        tables.push(exp_chords(widths, Slopes::Matched, &|f| libm::exp2(-f - lift)).table());
+        tables
+    }
+
+    fn description(&self, tables: &[Table]) -> Description {
+        let entries = |name: &str| tables.iter().find(|table| table.name == name).map_or(0, Table::rows);
+        let bypass = if self.bypasses() { " Shininess 1 gives x rounded to nearest." } else { "" };
+        Description {
+            formula: "y = x^n".to_owned(),
+            evaluation: format!(
+                "It is evaluated as 2^(-n L) with L = -log2 x. With x = 2^-e m, m in [1/2, 1), n L = n e + n (1 - m) k, where the log ratio\n\
+                 k = -log2(m) / (1 - m) comes from a table of {} entries with linear interpolation, and so does 2^-f for the fraction f\n\
+                 of n L, from {} entries; the integer part shifts. So n is a number that the core computes with, and the relative\n\
+                 accuracy of L near x = 1 is that of the versine. The result is rounded to nearest.{bypass}",
+                entries(LOG_TABLE),
+                entries(EXP_TABLE),
+            ),
+        }
+    }
+
+    fn lobes(&self, _tables: &[Table]) -> Vec<Box<dyn Lobe>> {
+        let lobe = |n: f64| Box::new(crate::method::log_exp::LogExp { n }) as Box<dyn Lobe>;
+        self.interface.shininess.values().into_iter().map(lobe).collect()
+    }
+
+    fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
+        let (f, g) = (self.input_bits(), self.output_bits());
+        let memory = |name: &str| tables.iter().position(|table| table.name == name);
+        let (log_memory, exp_memory) = (memory(LOG_TABLE)?, memory(EXP_TABLE)?);
+        let levels = self.levels();
+        let case =
+            |_: &Interval| Case { active: Interval::UNIT, shininess: self.n.largest, rows: vec![None; tables.len()] };
+        let count = levels.len();
+        let mut b = Builder::new(&tables, levels.iter().map(case).collect());
+
+        let n = self.n.node(&mut b, &tables);
+        let (x, versine) = b.operand(self.interface);
+        let enough =
+            b.reaches(x, -self.depth().min(f), "enough", "x is large enough for a result above half an ulp")?;
+        let small = b.not(enough, "small", "x is so small that the result is 0");
+        let normal = b.normalise(x, -1, self.most_shift(), "m");
+        let m = normal.value;
+        let u = if normal.steps.is_empty() {
+            versine
+        } else {
+            let unit = b.constant(1 << f, Format::unsigned(1, f), "unit");
+            b.sub(unit, m, "um", "1 - m, m = x 2^e in [1/2, 1] or x = 0")
+        };
+        let known = |bound: &Bound, range: Interval| Bound { range, ..*bound };
+        let half = b.bounds(u).iter().map(|bound| known(bound, Interval::new(0.0, 0.5))).collect();
+        b.assume(u, half);
+        let u = b.floor(u, widths.get("u"), "u_cut", "1 - m, rounded down");
+
+        let nu = b.mul(n, u, "nu", "n (1 - m)");
+        let int_bits = self.versine_int_bits();
+        let beyond = b.reaches(nu, int_bits, "beyond", "so large that z is past what the result can show");
+        let exact = b.format(nu);
+        let v = Format::unsigned(exact.int_bits.min(int_bits), exact.frac_bits.min(widths.get("v")));
+        let v = b.cast(nu, v, true, "v", "v = n (1 - m), rounded down");
+
+        let log = self.log_chords(widths);
+        let ratio = log.look_up(&mut b, log_memory, m, "ratio", "k = -log2(m) / (1 - m)");
+        let relative = (0..1usize << log.address_bits)
+            .map(|entry| {
+                let (error, least) = (log.error(&tables[log_memory], entry), log.least(entry));
+                Interval::new(error.low.min(0.0) / least, error.high.max(0.0) / least)
+            })
+            .reduce(Interval::hull)?;
+        let product = b.mul(v, ratio, "vk", "v k");
+        let bounds = (0..count).map(|case| {
+            let (v, ratio) = (b.bounds(v)[case], b.bounds(ratio)[case]);
+            let error = ratio.range * v.error + Interval::new(0.0, levels[case].high) * relative;
+            Bound { error, ..b.bounds(product)[case] }
+        });
+        let bounds = bounds.collect();
+        b.assume(product, bounds);
+        let mut z = b.floor(product, widths.get("z"), "vk_cut", "rounded down");
+        if let Some(steps) = self.times_steps(&mut b, n, &normal.steps) {
+            z = b.add(steps, z, "z_sum", "z = n e + v k");
+            z = b.floor(z, widths.get("z"), "z", "z, rounded down");
+        }
+        let whole_bits = self.whole_bits();
+        let over = b.reaches(z, whole_bits, "over", "z is past what the result can show");
+
+        let lift = self.n.lift(self.input_bits(), widths);
+        // The places where the result is forced to 0 rest on this.
+        if b.bounds(z).iter().any(|z| z.error.magnitude() > 0.25) {
+            return None;
+        }
+        let power = |f: f64| libm::exp2(-f - lift);
+        let exp = exp_chords(widths, Slopes::Matched, &power);
+        let shifted = power_of_two(&mut b, &exp, exp_memory, z, whole_bits, lift, &levels)?;
+
+        let y = b.add_half(shifted, g, "y_half");
+        let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded to the output's bits");
+        let zero = b.any(&[Some(small), beyond, over], "zero", "the result is 0");
+        let mut y = b.zero_if(zero, y, "y", "y, 0 where it is below half an ulp");
+        let forced = |(bound, level): (&Bound, &Interval)| {
+            let gone = Interval::new(if level.high > f64::from(g) + 0.5 { -libm::exp2(-level.low) } else { 0.0 }, 0.0);
+            Bound { error: bound.error.hull(gone), ..*bound }
+        };
+        let bounds = b.bounds(y).iter().zip(&levels).map(forced).collect();
+        b.assume(y, bounds);
+        if self.bypasses() {
+            let rounded = b.add_half(x, g, "x_half");
+            let rounded = b.cast(rounded, Format::unsigned(1, g), false, "x_rounded", "x, rounded to nearest");
+            let frac_bits = b.format(n).frac_bits;
+            let one = b.constant(1 << frac_bits, b.format(n), "n_one");
+            let above = b.greater(n, one, "above_one", "n > 1");
+            y = b.select(above, [y, rounded], |_| None, "y_or_x", "x itself for n = 1");
+        }
+
+        let relative = self.n.relative_error(&tables);
+        polynomial::finish(b, self.interface, &tables, y, |case| error_of_exponent(levels[case], relative))
+    }
+}

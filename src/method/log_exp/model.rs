@@ -1,0 +1,83 @@
+//! The power `x^n` as `2^(-n L)`, `L = -log2 x`.
+
+use crate::fixed::wide::{self, Wide};
+use crate::method::Inputs;
+use crate::method::Shininess;
+
+/// n: the port's, or the ROM's.
+pub(super) fn shininess(inputs: &Inputs) -> Wide {
+    match inputs.interface.shininess {
+        Shininess::Range(..) | Shininess::Fixed { .. } => {
+            wide::from_code(inputs.n.into(), inputs.interface.shininess.frac_bits())
+        }
+        Shininess::List(_) | Shininess::Materials(_) => inputs.coefficient("n"),
+    }
+}
+
+/// x is taken apart into `2^-e m`; then `z = n e + n (1 - m) κ(m)` and `y = 2^-z`, both functions from their tables.
+pub(in crate::method) fn evaluate(inputs: &Inputs) -> Wide {
+    let output_fraction = inputs.interface.output_fraction;
+    let (least, _) = inputs.interface.shininess.ends();
+    let n = shininess(inputs);
+    let x = inputs.x;
+    let half = Wide::ONE >> 1;
+    if n == 1 && inputs.fine_input {
+        return wide::floor_to(x + inputs.half_ulp, output_fraction);
+    }
+    // From z = G + 1 on the power is half an ulp at most; so it is below this cosine, even for the least shininess.
+    let negligible = f64::from(output_fraction + 1);
+    let octaves = (negligible / least).ceil() as u32;
+    if x == 0 || (octaves < 64 && x < Wide::ONE >> octaves) {
+        return Wide::ZERO;
+    }
+    let (mut m, mut e) = (x, 0u32);
+    while m < half {
+        m <<= 1;
+        e += 1;
+    }
+    let v = inputs.floor(n * inputs.floor(Wide::ONE - m, "u"), "v");
+    let mut bound = 1u32;
+    while f64::from(bound) * std::f64::consts::LOG2_E < negligible {
+        bound *= 2;
+    }
+    let limit = (output_fraction + 1).next_power_of_two();
+    if v >= bound {
+        return Wide::ZERO;
+    }
+    let product =
+        if m == 1 { Wide::ZERO } else { v * interpolated(inputs, &LOG, m - half, inputs.widths.get("k") as u32 + 1) };
+    let steps = n.min(Wide::from_num(limit)) * Wide::from_num(e);
+    let z = inputs.floor(steps + inputs.floor(product, "z"), "z");
+    if z >= limit {
+        return Wide::ZERO;
+    }
+    let power = interpolated(inputs, &EXP, z.frac(), 64) >> z.to_num::<u32>();
+    wide::floor_to(inputs.floor(power, "e") + inputs.half_ulp, output_fraction)
+}
+
+/// A function table: its memory and the fields of it, the names of its widths, and the span of its arguments, `2^-domain`.
+pub(super) struct Function {
+    pub(super) memory: &'static str,
+    pub(super) base: &'static str,
+    pub(super) slope: &'static str,
+    pub(super) address: &'static str,
+    pub(super) value: &'static str,
+    pub(super) domain: u32,
+}
+
+pub(super) const LOG: Function =
+    Function { memory: "log_table", base: "log_base", slope: "log_slope", address: "log", value: "k", domain: 1 };
+pub(super) const EXP: Function =
+    Function { memory: "exp_table", base: "exp_base", slope: "exp_slope", address: "exp", value: "e", domain: 0 };
+
+/// A function at `argument`, counted from where its arguments start: the entry's base less its slope times the distance from the entry's
+/// start, that distance rounded down to `cut` bits and the product to the value's width.
+pub(super) fn interpolated(inputs: &Inputs, of: &Function, argument: Wide, cut: u32) -> Wide {
+    let address_bits = inputs.widths.get(of.address) as u32;
+    let entry = wide::to_code(argument << of.domain, address_bits);
+    let distance = argument - (wide::from_code(entry, address_bits) >> of.domain);
+    let word = |field: &str| inputs.entry(of.memory, entry as usize, field);
+    let has_slope = inputs.memory(of.memory).find(of.slope).is_some();
+    let slope = if has_slope { word(of.slope) } else { Wide::ZERO };
+    word(of.base) - inputs.floor(slope * wide::floor_to(distance, cut), of.value)
+}

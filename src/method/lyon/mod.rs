@@ -1,0 +1,75 @@
+//! `lyon-2`, `lyon-4`, `lyon-8`: `max(0, 1 - n u/k)^k`, of R. F. Lyon, Apple Technical Report 43, 1993.
+
+mod lobe;
+
+use std::sync::Arc;
+
+use super::{About, Inputs, Interface, Method, Options, Shininess, powers, rows};
+use crate::datapath::Architecture;
+use crate::fit::Power;
+use crate::fixed::wide::Wide;
+use crate::platform::error::Error;
+
+pub use lobe::Lyon;
+pub(crate) use lobe::{check_outer_power, squarings};
+
+/// The method with each k.
+pub static METHODS: [About; 3] = [
+    about("lyon-2", "(1 - n u/2)^2, 0 past its zero", "max(0, 1 - n u/2)^2", |about, _| configured(about, 2)),
+    about("lyon-4", "(1 - n u/4)^4, 0 past its zero", "max(0, 1 - n u/4)^4", |about, _| configured(about, 4)),
+    about("lyon-8", "(1 - n u/8)^8, 0 past its zero", "max(0, 1 - n u/8)^8", |about, _| configured(about, 8)),
+];
+
+const fn about(
+    name: &'static str,
+    help: &'static str,
+    formula: &'static str,
+    configure: fn(&'static About, &Options) -> Result<Arc<dyn Method>, Error>,
+) -> About {
+    About {
+        name,
+        help,
+        formula,
+        core_name: None,
+        options: &[],
+        coefficients: &[],
+        interpolates: false,
+        computes_with_shininess: true,
+        powers_of_two: false,
+        is_baseline: true,
+        configure,
+    }
+}
+
+#[allow(clippy::unnecessary_wraps)]
+fn configured(about: &'static About, k: u32) -> Result<Arc<dyn Method>, Error> {
+    Ok(Arc::new(Configured { about, k }))
+}
+
+#[derive(Debug)]
+struct Configured {
+    about: &'static About,
+    k: u32,
+}
+
+impl Method for Configured {
+    fn about(&self) -> &'static About {
+        self.about
+    }
+
+    fn options(&self) -> Options {
+        Options::default()
+    }
+
+    fn architecture<'a>(&'a self, interface: &'a Interface) -> Result<Box<dyn Architecture + 'a>, Error> {
+        if matches!(interface.shininess, Shininess::Range(..) | Shininess::Fixed { .. }) {
+            return Ok(Box::new(powers::datapath::Port { interface, power: self.k }));
+        }
+        let rows = rows::each(interface, |n| Ok(Power { big_a: n / f64::from(self.k), a: 0.0 }))?;
+        Ok(Box::new(powers::datapath::Rom { interface, rows, linear: true, cosine: false, power: self.k }))
+    }
+
+    fn model(&self, inputs: &Inputs) -> Wide {
+        powers::model::lyon(inputs, self.k)
+    }
+}

@@ -1,0 +1,53 @@
+//! `schlick`: `x/(1 + (n-1)u)`, of C. Schlick, Graphics Gems IV, 1994: the comparator of all three papers.
+
+mod datapath;
+mod lobe;
+mod model;
+
+use std::sync::Arc;
+
+use super::divide::Divider;
+use super::{About, Inputs, Interface, Method, Options};
+use crate::datapath::Architecture;
+use crate::fixed::wide::Wide;
+use crate::platform::error::Error;
+
+pub use lobe::Schlick;
+
+/// The method.
+pub static METHODS: [About; 1] = [About {
+    name: "schlick",
+    help: "x/(1 + (n-1)u)",
+    formula: "x/(1 + (n-1)u)",
+    core_name: None,
+    options: &["divider"],
+    coefficients: &[],
+    interpolates: false,
+    computes_with_shininess: true,
+    powers_of_two: false,
+    is_baseline: true,
+    configure: |_, options| Ok(Arc::new(Configured { divider: options.divider.unwrap_or(Divider::Digit) })),
+}];
+
+#[derive(Debug)]
+struct Configured {
+    divider: Divider,
+}
+
+impl Method for Configured {
+    fn about(&self) -> &'static About {
+        &METHODS[0]
+    }
+
+    fn options(&self) -> Options {
+        Options { divider: Some(self.divider), ..Options::default() }
+    }
+
+    fn architecture<'a>(&'a self, interface: &'a Interface) -> Result<Box<dyn Architecture + 'a>, Error> {
+        Ok(Box::new(datapath::Schlick::new(interface, self.divider)?))
+    }
+
+    fn model(&self, inputs: &Inputs) -> Wide {
+        model::schlick(inputs, self.divider)
+    }
+}

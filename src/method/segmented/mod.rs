@@ -1,0 +1,72 @@
+//! `segmented-2`, `segmented-4`, `segmented-8`: `x(c - u(A - a u))` by segments of `n u`: the cubic's datapath, a row per segment.
+
+mod datapath;
+mod lobe;
+mod model;
+
+use std::sync::Arc;
+
+use super::{About, Coefficients, Inputs, Interface, Method, Options, Source};
+use crate::datapath::Architecture;
+use crate::fit::Objective;
+use crate::fixed::wide::Wide;
+use crate::platform::error::Error;
+
+pub use lobe::Segmented;
+
+/// The method with each number of segments.
+pub static METHODS: [About; 3] = [
+    about("segmented-2", "x(c - u(A - a u)) in 2 segments", |about, options| configured(about, options, 2)),
+    about("segmented-4", "x(c - u(A - a u)) in 4 segments", |about, options| configured(about, options, 4)),
+    about("segmented-8", "x(c - u(A - a u)) in 8 segments", |about, options| configured(about, options, 8)),
+];
+
+const fn about(
+    name: &'static str,
+    formula: &'static str,
+    configure: fn(&'static About, &Options) -> Result<Arc<dyn Method>, Error>,
+) -> About {
+    About {
+        name,
+        help: formula,
+        formula,
+        core_name: None,
+        options: &[],
+        coefficients: &[Coefficients::Minimax],
+        interpolates: false,
+        computes_with_shininess: false,
+        powers_of_two: false,
+        is_baseline: false,
+        configure,
+    }
+}
+
+#[allow(clippy::unnecessary_wraps)]
+fn configured(about: &'static About, options: &Options, segments: u32) -> Result<Arc<dyn Method>, Error> {
+    Ok(Arc::new(Configured { about, segments, objective: options.objective.unwrap_or_default() }))
+}
+
+#[derive(Debug)]
+struct Configured {
+    about: &'static About,
+    segments: u32,
+    objective: Objective,
+}
+
+impl Method for Configured {
+    fn about(&self) -> &'static About {
+        self.about
+    }
+
+    fn options(&self) -> Options {
+        Source::Fitted(self.objective).options()
+    }
+
+    fn architecture<'a>(&'a self, interface: &'a Interface) -> Result<Box<dyn Architecture + 'a>, Error> {
+        Ok(Box::new(datapath::Segments::new(interface, self.segments, &self.objective)?))
+    }
+
+    fn model(&self, inputs: &Inputs) -> Wide {
+        model::segmented(inputs)
+    }
+}

@@ -1,0 +1,59 @@
+//! `table`: `x^n` from one table by n and the leading bits of the versine.
+
+mod datapath;
+mod lobe;
+mod model;
+
+use std::sync::Arc;
+
+use super::{About, Inputs, Interface, Method, Options, within};
+use crate::datapath::Architecture;
+use crate::fixed::wide::Wide;
+use crate::platform::error::Error;
+
+pub use lobe::Tabulated;
+
+/// Address bits of the versine that are allowed.
+pub const TABLE_BITS: std::ops::RangeInclusive<u32> = 2..=14;
+
+/// The method.
+pub static METHODS: [About; 1] = [About {
+    name: "table",
+    help: "x^n from one table by n and the leading bits of the versine",
+    formula: "x^n from a table",
+    // `table` is a word of Verilog.
+    core_name: Some("lookup_table"),
+    options: &["table_bits"],
+    coefficients: &[],
+    interpolates: false,
+    computes_with_shininess: false,
+    powers_of_two: false,
+    is_baseline: true,
+    configure: |_, options| {
+        let table_bits = within("table_bits", options.table_bits.unwrap_or(7), TABLE_BITS)?;
+        Ok(Arc::new(Configured { table_bits }))
+    },
+}];
+
+#[derive(Debug)]
+struct Configured {
+    table_bits: u32,
+}
+
+impl Method for Configured {
+    fn about(&self) -> &'static About {
+        &METHODS[0]
+    }
+
+    fn options(&self) -> Options {
+        Options { table_bits: Some(self.table_bits), ..Options::default() }
+    }
+
+    fn architecture<'a>(&'a self, interface: &'a Interface) -> Result<Box<dyn Architecture + 'a>, Error> {
+        Ok(Box::new(datapath::Tabulated::new(interface, self.table_bits)?))
+    }
+
+    fn model(&self, inputs: &Inputs) -> Wide {
+        model::tabulated(inputs, self.table_bits)
+    }
+}
