@@ -131,6 +131,24 @@ struct CostFlags {
     cache: Option<PathBuf>,
 }
 
+impl CostFlags {
+    fn costing(self, estimate: bool, tell: &dyn Fn(String)) -> Result<Costing, Error> {
+        if !estimate {
+            return Ok(Costing::Synthesis(Flow {
+                seeds: self.seeds,
+                target_mhz: self.target_mhz,
+                place: !self.no_place,
+                pack: !self.no_pack,
+                yosys: self.yosys,
+                cache: Some(self.cache.unwrap_or_else(synth::default_cache)),
+            }));
+        }
+        let model = Model::fit(&self.fit_from.as_deref().map_or_else(Results::built_in, Results::read)?)?;
+        accuracy(&model).into_iter().for_each(tell);
+        Ok(Costing::Estimate(model))
+    }
+}
+
 /// The axes that have a flag of their own; a list is an axis, and `default` leaves the key out.
 #[derive(Args)]
 #[command(next_help_heading = "Axes (comma-separated; `default` leaves the key out)")]
@@ -266,21 +284,7 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
         return Err(Error::input("no results file is given", "--results FILE.db"));
     };
 
-    let costing = if arguments.estimate {
-        let measured = arguments.costs.fit_from.as_deref().map_or_else(Results::built_in, Results::read)?;
-        let model = Model::fit(&measured)?;
-        accuracy(&model).into_iter().for_each(tell);
-        Costing::Estimate(model)
-    } else {
-        Costing::Synthesis(Flow {
-            seeds: arguments.costs.seeds,
-            target_mhz: arguments.costs.target_mhz,
-            place: !arguments.costs.no_place,
-            pack: !arguments.costs.no_pack,
-            yosys: arguments.costs.yosys,
-            cache: Some(arguments.costs.cache.unwrap_or_else(synth::default_cache)),
-        })
-    };
+    let costing = arguments.costs.costing(arguments.estimate, &tell)?;
     let earlier = if arguments.fresh { Earlier::Deleted } else { Earlier::Kept };
     let mut store = Store::open(path, &costing.provenance(&cores)?, earlier)?;
     let jobs = arguments.jobs.or_else(|| std::thread::available_parallelism().ok()).map_or(1, usize::from);

@@ -1,6 +1,5 @@
 //! `brdfgen generate`.
 
-use std::fs;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -12,10 +11,10 @@ use super::source::Source;
 use super::{Verdict, progress, say, say_json, warn};
 use crate::core::Direction;
 use crate::core::{Account, Design};
-use crate::emit::package::{self, File};
+use crate::emit::package::{self, File, Stale};
+use crate::explore::choose::Constraints;
 use crate::explore::{MaxError, Objective};
 use crate::platform::error::Error;
-use crate::platform::input;
 use crate::spec::CoreSpec;
 use crate::verify::cosim::{self, Job, Sim};
 use crate::verify::golden::Golden;
@@ -68,94 +67,106 @@ fn of_spec(spec: CoreSpec, files: Vec<File>) -> Result<Made, Error> {
 
 /// Compares the directory with the files that would be written.
 fn check(arguments: &Arguments, files: &[File]) -> Verdict {
-    let of_directory = |file: &File| fs::read(arguments.out.join(&file.path)).ok();
-    let stale: Vec<(&File, Option<Vec<u8>>)> = files
-        .iter()
-        .map(|file| (file, of_directory(file)))
-        .filter(|(file, there)| there.as_deref() != Some(&file.bytes))
-        .collect();
-    let same_lines = |(file, there): &&(&File, Option<Vec<u8>>)| {
-        let lines = |bytes: &[u8]| str::from_utf8(bytes).map(|text| input::plain(text).into_owned()).ok();
-        there.as_deref().and_then(lines).is_some_and(|text| Some(text) == lines(&file.bytes))
-    };
-    let (ends_only, other): (Vec<_>, Vec<_>) = stale.iter().partition(same_lines);
-    let paths =
-        |of: &[&(&File, Option<Vec<u8>>)]| of.iter().map(|(file, _)| file.path.clone()).collect::<Vec<String>>();
+    let stale = package::stale(&arguments.out, files);
+    let (ends_only, other): (Vec<_>, Vec<_>) = stale.iter().copied().partition(|(_, stale)| *stale == Stale::LineEnds);
+    let paths = |of: &[(&str, Stale)]| of.iter().map(|(path, _)| (*path).to_owned()).collect::<Vec<_>>();
     if arguments.json {
-        let differ = stale.iter().map(|(file, _)| &file.path).collect::<Vec<_>>();
-        say_json(&json!({ "checked": files.len(), "differ": differ, "differ_in_line_ends_only": paths(&ends_only) }));
-    } else {
-        for (file, there) in &other {
-            let what = if there.is_some() { "differs" } else { "is missing" };
-            say(format!("{} {what}", arguments.out.join(&file.path).display()));
-        }
-        if let Some((first, _)) = ends_only.first() {
-            let first = arguments.out.join(&first.path);
-            let whose = match ends_only.len() {
-                1 => format!("{} differs in its line ends only", first.display()),
-                count => format!("{} and {} more differ in their line ends only", first.display(), count - 1),
-            };
-            say(format!(
-                "{whose}: a check-out has put CR LF for LF, or an editor a byte order mark in front; `* -text` in .gitattributes leaves \
-                 files as they are"
-            ));
-        }
-        say(format!("{} of {} files are as they should be", files.len() - stale.len(), files.len()));
+        let (differ, ends_only) = (paths(&stale), paths(&ends_only));
+        say_json(&json!({ "checked": files.len(), "differ": differ, "differ_in_line_ends_only": ends_only }));
+        return Verdict::of(stale.is_empty());
     }
+    for (path, stale) in &other {
+        let what = if *stale == Stale::Missing { "is missing" } else { "differs" };
+        say(format!("{} {what}", arguments.out.join(path).display()));
+    }
+    if let Some((first, _)) = ends_only.first() {
+        let first = arguments.out.join(first);
+        let whose = match ends_only.len() {
+            1 => format!("{} differs in its line ends only", first.display()),
+            count => format!("{} and {} more differ in their line ends only", first.display(), count - 1),
+        };
+        say(format!(
+            "{whose}: a check-out has put CR LF for LF, or an editor a byte order mark in front; `* -text` in .gitattributes leaves \
+             files as they are"
+        ));
+    }
+    say(format!("{} of {} files are as they should be", files.len() - stale.len(), files.len()));
     Verdict::of(stale.is_empty())
 }
 
-pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
-    let of_scene = arguments.source.scene()?;
-    if of_scene.is_none() && !arguments.scene.is_empty() {
+/// What is wished of a core that is to be chosen, if one is.
+fn wish(arguments: &Arguments, is_scene: bool) -> Result<Option<Constraints>, Error> {
+    if !is_scene && !arguments.scene.is_empty() {
         return Err(Error::input("--margin and --synth are for scenes", "give a scene file, or leave them out"));
     }
-    if of_scene.is_some() && (arguments.max_error.is_some() || !arguments.wish.is_empty()) {
+    if is_scene && (arguments.max_error.is_some() || !arguments.wish.is_empty()) {
         return Err(Error::input(
             "a scene says itself what error its pictures may have and what is wished of the core",
             "write it in the tables [budget] and [core] of the scene file",
         ));
     }
-    let wish = match arguments.max_error {
-        None if arguments.wish.is_empty() => None,
-        None => {
-            return Err(Error::input(
-                "a core can only be chosen by its error",
-                "give --max-error, or leave the other flags of the choice out",
-            ));
-        }
+    match arguments.max_error {
+        None if arguments.wish.is_empty() => Ok(None),
+        None => Err(Error::input(
+            "a core can only be chosen by its error",
+            "give --max-error, or leave the other flags of the choice out",
+        )),
         Some(error) => {
             let goal = arguments.goal.unwrap_or(Objective::Lut);
-            Some(arguments.wish.wish(error, goal, arguments.source.fields()?)?)
+            arguments.wish.wish(error, goal, arguments.source.fields()?).map(Some)
         }
+    }
+}
+
+/// The core that is wished, with the latency that the results promise; none if none meets the wish.
+fn chosen(arguments: &Arguments, wish: &Constraints) -> Result<Option<(Made, u32)>, Error> {
+    let choice = wish.choose(&arguments.wish.results()?)?;
+    let Some(chosen) = &choice.chosen else {
+        if arguments.json {
+            say_json(&choice);
+        }
+        choose::describe(wish, &choice).iter().for_each(warn);
+        return Ok(None);
     };
+    if !arguments.json {
+        choose::describe(wish, &choice).iter().for_each(say);
+    }
+    Ok(Some((of_spec(wish.spec_of(chosen)?.resolve()?, Vec::new())?, chosen.cost.latency)))
+}
+
+/// Whether a chosen core is what was wished: the figures that it is chosen by may be of another version of this program.
+fn keeps(wish: &Constraints, promised: u32, latency: u32, account: &Account) -> bool {
+    if let Account::Lobe { measured, .. } = account
+        && measured.max_abs > wish.max_error.0
+    {
+        warn(format!(
+            "the chosen core has an error of {}, more than wished: the results that it was chosen from are of another version",
+            package::percent_text(measured.max_abs)
+        ));
+        return false;
+    }
+    if promised != latency {
+        warn(format!(
+            "the core takes {latency} clocks, where the results say {promised}: they are of another version, or of more shininesses"
+        ));
+    }
+    !wish.limits.iter().any(|&(objective, most)| objective == Objective::Latency && latency > most)
+}
+
+pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
+    let of_scene = arguments.source.scene()?;
+    let wish = wish(&arguments, of_scene.is_some())?;
     if !arguments.check {
         package::check_target(&arguments.out)?;
     }
-    let mut promised = None;
     let made = match (&of_scene, &wish) {
-        (Some((scene, keys)), _) => match scene::make(scene, &arguments.scene, keys, arguments.json)? {
-            Some(made) => made,
-            None => return Ok(Verdict::Differs),
-        },
-        (None, None) => of_spec(arguments.source.spec()?, arguments.source.companions())?,
-        (None, Some(wish)) => {
-            let choice = wish.choose(&arguments.wish.results()?)?;
-            let Some(chosen) = &choice.chosen else {
-                if arguments.json {
-                    say_json(&choice);
-                }
-                choose::describe(wish, &choice).iter().for_each(warn);
-                return Ok(Verdict::Differs);
-            };
-            if !arguments.json {
-                choose::describe(wish, &choice).iter().for_each(say);
-            }
-            promised = Some(chosen.cost.latency);
-            of_spec(wish.spec_of(chosen)?.resolve()?, Vec::new())?
+        (Some((scene, keys)), _) => {
+            scene::make(scene, &arguments.scene, keys, arguments.json)?.map(|made| (made, None))
         }
+        (None, None) => Some((of_spec(arguments.source.spec()?, arguments.source.companions())?, None)),
+        (None, Some(wish)) => chosen(&arguments, wish)?.map(|(made, promised)| (made, Some((wish, promised)))),
     };
-    let Made { design, files: others } = made;
+    let Some((Made { design, files: others }, wished)) = made else { return Ok(Verdict::Differs) };
     package::check_names(&design)?;
     let spinner = progress::spinner(format!("generating {}", design.spec.name));
     let account = Account::of(&design);
@@ -171,25 +182,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let results = arguments.wish.paths();
     let paths = results.joined(arguments.source.paths()).renewing(&arguments.out.join("core.toml"));
     paths.writes_in("--out", &arguments.out, files.iter().map(|file| file.path.as_str())).check()?;
-
-    // The figures that a core is chosen by may be of another version of this program.
-    if let (Some(MaxError(wished)), Account::Lobe { measured, .. }) = (arguments.max_error, &account)
-        && measured.max_abs > wished
-    {
-        warn(format!(
-            "the chosen core has an error of {}, more than wished: the results that it was chosen from are of another version",
-            package::percent_text(measured.max_abs)
-        ));
-        return Ok(Verdict::Differs);
-    }
-    let latency = design.schedule.latency;
-    if let Some(promised) = promised.filter(|&promised| promised != latency) {
-        warn(format!(
-            "the core takes {latency} clocks, where the results say {promised}: they are of another version, or of more shininesses"
-        ));
-    }
-    let limits = wish.iter().flat_map(|wish| &wish.limits);
-    if limits.into_iter().any(|&(objective, most)| objective == Objective::Latency && latency > most) {
+    if !wished.is_none_or(|(wish, promised)| keeps(wish, promised, design.schedule.latency, &account)) {
         return Ok(Verdict::Differs);
     }
 
@@ -201,7 +194,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     }
     // Of a core that fails there is nothing to read.
     let lints = if arguments.lint && outcome.passed() { super::cosim::lint(&job)? } else { Vec::new() };
-    let clean = super::cosim::are_clean(&lints);
+    let passed = outcome.passed() && super::cosim::are_clean(&lints);
     if arguments.json {
         let mut answer = json!({
             "directory": arguments.out.display().to_string(),
@@ -211,14 +204,27 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             "proved_ulps": design.budget.proved_ulps,
             "measured": account,
             "cosim": outcome,
-            "passed": outcome.passed() && clean,
+            "passed": passed,
         });
         if arguments.lint {
             answer["lint"] = json!(lints);
         }
         say_json(&answer);
-        return Ok(Verdict::of(outcome.passed() && clean));
+        return Ok(Verdict::of(passed));
     }
+    describe(&design, &account).iter().for_each(say);
+    super::cosim::say_outcome(&outcome);
+    if outcome.passed() {
+        say(format!("{} files in {}", files.len(), arguments.out.display()));
+    } else {
+        say("nothing was written");
+    }
+    lints.iter().for_each(super::cosim::say_lint);
+    Ok(Verdict::of(passed))
+}
+
+/// A core and its errors, in lines.
+fn describe(design: &Design, account: &Account) -> Vec<String> {
     let multipliers: Vec<String> = design.graph().multipliers().iter().map(|(a, b)| format!("{a}x{b}")).collect();
     let memories: Vec<String> =
         design.tables().iter().map(|table| format!("{} x {} bits", table.depth(), table.word_bits())).collect();
@@ -230,7 +236,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             many => format!("{} ports", many.len()),
         }
     };
-    say(format!(
+    let mut lines = vec![format!(
         "{}: {} -> {}, {} clocks, multipliers {}, {}",
         design.spec.name,
         formats(Direction::In),
@@ -238,17 +244,17 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         design.schedule.latency,
         multipliers.join(" "),
         if memories.is_empty() { "no ROM".to_owned() } else { format!("ROM {}", memories.join(", ")) },
-    ));
+    )];
     let proved = package::interval_text(design.budget.proved_ulps);
-    match &account {
+    match account {
         Account::Lobe { measured, .. } => {
-            say(format!(
+            lines.push(format!(
                 "error against the method: proved {proved} ulp, measured {} over {} inputs{}",
                 package::interval_text(measured.ulps),
                 measured.sweep.inputs,
                 if measured.sweep.exhaustive { " (all in [0, 1])" } else { "" },
             ));
-            say(format!(
+            lines.push(format!(
                 "error against x^n: {} at most, {} on the epicentre ({} relative)",
                 package::percent_text(measured.max_abs),
                 package::percent_text(measured.max_abs_epicentre),
@@ -256,19 +262,14 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             ));
         }
         Account::Shader(error) => {
-            say(format!("error of the lobe against its method: proved {proved} ulp"));
-            say(format!("error against the exact shader in codes of a channel, over {} samples:", error.samples));
+            let samples = error.samples;
+            lines.push(format!("error of the lobe against its method: proved {proved} ulp"));
+            lines.push(format!("error against the exact shader in codes of a channel, over {samples} samples:"));
             for part in error.parts.iter().chain([&error.whole]) {
-                say(format!("  {:<12} {} rms {:.3}", part.name, package::interval_text(part.codes), part.rms));
+                let codes = package::interval_text(part.codes);
+                lines.push(format!("  {:<12} {codes} rms {:.3}", part.name, part.rms));
             }
         }
     }
-    super::cosim::say_outcome(&outcome);
-    if outcome.passed() {
-        say(format!("{} files in {}", files.len(), arguments.out.display()));
-    } else {
-        say("nothing was written");
-    }
-    lints.iter().for_each(super::cosim::say_lint);
-    Ok(Verdict::of(outcome.passed() && clean))
+    lines
 }

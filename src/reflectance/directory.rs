@@ -3,6 +3,8 @@
 use std::path::Path;
 
 use serde::{Deserialize, Serialize};
+use serde_json::json;
+use sha2::{Digest, Sha256};
 
 use super::form::{Form, FormKind, FormSpec};
 use super::images::{self, Pixels};
@@ -42,7 +44,8 @@ struct Entry {
     caps: Vec<f64>,
 }
 
-/// The files of a form: names and bytes, the index last.
+/// The files of a form: names and bytes, then the index and the list of all of them, by which the next run knows those that it no longer
+/// writes.
 ///
 /// # Errors
 /// A picture that is too large for its format.
@@ -87,7 +90,18 @@ pub fn files(form: &Form) -> Result<Vec<(String, Vec<u8>)>, Error> {
     };
     let text = toml::to_string(&index).expect("plain values");
     files.push((INDEX.to_owned(), format!("{MARK}: {spec}\n{text}").into_bytes()));
+    files.push(manifest(&files));
     Ok(files)
+}
+
+fn manifest(files: &[(String, Vec<u8>)]) -> (String, Vec<u8>) {
+    let digest = |(path, bytes): &(String, Vec<u8>)| {
+        let hex = Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect::<String>();
+        (path.clone(), json!(hex))
+    };
+    let digests: serde_json::Map<String, serde_json::Value> = files.iter().map(digest).collect();
+    let text = serde_json::to_string_pretty(&json!({ "generator": "brdfgen", "files_sha256": digests }));
+    ("manifest.json".to_owned(), (text.expect("JSON of plain values") + "\n").into_bytes())
 }
 
 /// What an index says, before its images are read.

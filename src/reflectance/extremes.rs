@@ -36,6 +36,36 @@ pub struct Extreme {
     pub broken: Vec<String>,
 }
 
+impl Extreme {
+    /// What does not hold, a line each.
+    pub fn failures(&self) -> impl Iterator<Item = String> {
+        self.broken.iter().map(|what| format!("FAIL {}, {}: {what}", self.case, self.form))
+    }
+}
+
+/// The chapter's beginning.
+const CHAPTER: &str = "# Measured reflectance at the extremes
+
+`brdfgen reflectance stability --out FILE.md` measures this chapter. Every value has to be finite and not negative, and no larger than a bound that
+holds whatever is stored: of `paper` the largest sample, of `half` and `bivariate` the largest full scale times n·l. Where a case has a limit
+(0 at φ = 180°, the value from beside it at φ = 0, the sum of single lights), values have to be within what the last column allows.
+";
+
+/// What was found, as a chapter in Markdown.
+#[must_use]
+pub fn chapter(found: &[Extreme]) -> String {
+    let all_hold = found.iter().all(|one| one.broken.is_empty());
+    let mut text = format!(
+        "{CHAPTER}\n{}\n\n| case | form | largest value | part of its bound | off its limit, allowed |\n| --- | --- | ---: | ---: | ---: |\n",
+        if all_hold { "It holds for all of them." } else { "**It does not hold for all of them.**" }
+    );
+    for Extreme { case, form, largest, of_bound, off_limit, .. } in found {
+        let limit = off_limit.map_or_else(|| "-".to_owned(), |[off, within]| format!("{off:.1e}, {within:.1e}"));
+        text += &format!("| {case} | {form} | {largest:.4e} | {of_bound:.3} | {limit} |\n");
+    }
+    text
+}
+
 /// A case: what is looked up.
 struct Case {
     name: &'static str,

@@ -15,6 +15,7 @@
 //! | [`measure`] | the exposure, pictures of the sphere, the signal-to-noise ratio |
 //! | [`info`] | albedo and reciprocity |
 //! | [`images`], [`directory`], [`source`] | sphere images as PNG and OpenEXR, their directory; whatever a user names |
+//! | [`points`] | points to evaluate at, as CSV |
 //! | [`classical`] | the nearest diffuse and cos^n material |
 //! | [`trade`] | memory against error |
 //! | [`extremes`] | the forms where they degenerate |
@@ -38,6 +39,7 @@ pub mod info;
 pub mod measure;
 pub mod merl;
 pub mod paper;
+pub mod points;
 pub mod source;
 pub mod table;
 pub mod texels;

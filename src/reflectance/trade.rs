@@ -127,6 +127,17 @@ pub fn trade(reflectance: &dyn Reflectance, exposure: f64, done: &(dyn Fn() + Sy
     Ok(points)
 }
 
+/// The points as CSV.
+///
+/// # Errors
+/// None for points that were measured.
+pub fn csv(points: &[Point]) -> Result<Vec<u8>, Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let failed = || Error::input("the results cannot be written as CSV", "another file");
+    points.iter().try_for_each(|point| writer.serialize(point)).map_err(|_| failed())?;
+    writer.into_inner().map_err(|_| failed())
+}
+
 /// The point that takes the least memory with a mean ratio of at least `min_psnr`; without that wish, the one with the best mean. Of those that
 /// take at most `max_kib`. None if there is none.
 #[must_use]

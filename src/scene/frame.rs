@@ -154,6 +154,12 @@ impl Frame {
         (frame, bases)
     }
 
+    /// How many values of a lobe the picture asks for.
+    #[must_use]
+    pub fn samples(&self) -> u64 {
+        self.versine.iter().filter(|versine| !versine.is_nan()).count() as u64
+    }
+
     /// `k_s I` of each material and, within it, light.
     pub(super) fn weights(&self, scene: &Scene) -> Vec<Vec<Colour>> {
         (0..scene.materials.len()).map(|m| (0..self.lights).map(|l| scene.specular(m, l)).collect()).collect()

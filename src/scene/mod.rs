@@ -12,6 +12,8 @@
 //! - [`survey`]: where on their lobes its pictures' samples lie;
 //! - [`choice`]: the cheapest core that keeps the scene's budget;
 //! - [`shade`]: the whole shader around it;
+//! - `cores`: the cores that a picture is drawn through;
+//! - `drawing`: a picture exact and otherwise, judged;
 //! - [`simplify`]: what that core leaves out, and what this saves;
 //! - [`document`]: all of it in files beside the core;
 //! - [`picture`]: pictures as files: PNG and OpenEXR;
@@ -19,8 +21,10 @@
 
 mod candidates;
 pub mod choice;
+pub(crate) mod cores;
 pub mod difference;
 pub mod document;
+pub(crate) mod drawing;
 pub mod file;
 pub mod frame;
 pub mod highlight;

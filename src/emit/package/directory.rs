@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 
 use super::File;
 use crate::platform::error::Error;
+use crate::platform::input;
 use crate::platform::transient::{self, Draft, Folder};
 
 /// How the `core.toml` of a generated core begins.
@@ -216,6 +217,30 @@ fn replace(kind: Kind, directory: &Path, files: &[File]) -> Result<(), Error> {
         draft.keep_as(&path).map_err(failed(&path))?;
     }
     remove(&list)
+}
+
+/// What is wrong with a file on disk.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stale {
+    /// It is not there.
+    Missing,
+    /// It is another text.
+    Differs,
+    /// It is the same text with other line ends, or a byte order mark.
+    LineEnds,
+}
+
+/// The files that are not in the directory as they should be, by their paths.
+#[must_use]
+pub fn stale<'a>(directory: &Path, files: &'a [File]) -> Vec<(&'a str, Stale)> {
+    let lines = |bytes: &[u8]| str::from_utf8(bytes).map(|text| input::plain(text).into_owned()).ok();
+    let wrong = |file: &File| match fs::read(directory.join(&file.path)) {
+        Err(_) => Some(Stale::Missing),
+        Ok(there) if there == file.bytes => None,
+        Ok(there) if lines(&there).is_some_and(|text| Some(text) == lines(&file.bytes)) => Some(Stale::LineEnds),
+        Ok(_) => Some(Stale::Differs),
+    };
+    files.iter().filter_map(|file| Some((file.path.as_str(), wrong(file)?))).collect()
 }
 
 /// The files of a generated core on disk, as its manifest lists them, and the manifest itself.

@@ -5,7 +5,8 @@ mod directory;
 
 pub use datasheet::{interval_text, percent_text};
 pub use directory::{
-    GENERATED_MARK, Kind, check_target, check_target_of, core_files, write_directory, write_directory_of, write_file,
+    GENERATED_MARK, Kind, Stale, check_target, check_target_of, core_files, stale, write_directory, write_directory_of,
+    write_file,
 };
 
 use serde_json::json;

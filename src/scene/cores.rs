@@ -1,0 +1,199 @@
+//! The cores that a scene's picture is drawn through: named by keys or by a file, or chosen for the scene.
+
+use std::path::{Path, PathBuf};
+
+use clap::ValueEnum;
+use serde::Serialize;
+
+use super::choice::Search;
+use super::{Compiled, CoreModel, Frame, Highlights, Requirements, Scene};
+use crate::core::Design;
+use crate::emit::package::{self, counted};
+use crate::explore::run::Costing;
+use crate::explore::sweep::Core;
+use crate::explore::{Cost, Point};
+use crate::platform::error::Error;
+use crate::platform::{input, tool};
+use crate::spec::{BlockKind, Language, Shininess, SpecFields};
+use crate::target::Family;
+
+/// What computes a core's highlights.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Through {
+    /// The bit-exact model
+    Model,
+    /// The core's own HDL, compiled
+    Verilator,
+}
+
+/// A core that a picture is drawn through.
+#[derive(Clone, Debug)]
+pub(crate) struct PictureCore {
+    /// The core.
+    pub(crate) design: Design,
+    /// Where it is on disk, if it is taken from there as it is.
+    directory: Option<PathBuf>,
+}
+
+impl PictureCore {
+    /// The core of these keys: for the shininesses of the materials of the scene's objects, unless the keys name some.
+    fn of(scene: &Scene, fields: SpecFields) -> Result<Self, Error> {
+        if fields.block == Some(BlockKind::Shader) {
+            return Err(Error::input(
+                "the core is a shader, and a picture's highlights need a lobe",
+                "leave block = \"shader\" and the other keys of a shader out",
+            ));
+        }
+        let own = fields.shininess.is_some() || fields.material.is_some();
+        let shininess = if own { fields.shininess.clone() } else { Some(Shininess::List(scene.shininesses())) };
+        Ok(Self { design: Design::new(SpecFields { shininess, ..fields }.resolve()?)?, directory: None })
+    }
+
+    /// The core of keys with a method, and where one is missing that of the scene's `[core]` that any core may have.
+    pub(crate) fn of_keys(scene: &Scene, keys: SpecFields) -> Result<Self, Error> {
+        let wishes = scene.core.keys.clone();
+        let wishes = SpecFields {
+            input_fraction: wishes.input_fraction,
+            output_fraction: wishes.output_fraction,
+            operand: wishes.operand,
+            pipeline: wishes.pipeline,
+            ..SpecFields::default()
+        };
+        Self::of(scene, keys.or(wishes))
+    }
+
+    /// The core of a spec file or of a core's directory; `keys` win over it.
+    pub(crate) fn of_file(scene: &Scene, path: &Path, keys: SpecFields) -> Result<Self, Error> {
+        let directory = (path.is_dir() && keys == SpecFields::default()).then(|| path.to_owned());
+        Ok(Self { directory, ..Self::of(scene, keys.or(read(path)?))? })
+    }
+
+    /// The core that a comparison names: `METHOD`, `METHOD:KEY=VALUE:...`, a spec file or a directory; `keys` win over it.
+    pub(crate) fn named(scene: &Scene, entry: &str, keys: SpecFields) -> Result<Self, Error> {
+        let path = Path::new(entry);
+        let fields = if path.exists() {
+            read(path)?
+        } else {
+            let mut parts = entry.split(':');
+            let mut text = format!("method = {:?}\n", parts.next().unwrap_or_default());
+            for part in parts {
+                let (key, value) = part.split_once('=').ok_or_else(|| {
+                    Error::input(
+                        format!("`{part}` in `{entry}` is no key with its value"),
+                        "write METHOD:KEY=VALUE, as in log-exp:accuracy=9, the name of a file, or that of a core's directory",
+                    )
+                })?;
+                // Numbers as they are, words in quotes.
+                let value = if value.parse::<f64>().is_ok() { value.to_owned() } else { format!("{value:?}") };
+                text += &format!("{key} = {value}\n");
+            }
+            SpecFields::parse(&text, &format!("--compare {entry}"))?
+        };
+        Self::of_keys(scene, keys.or(fields))
+    }
+
+    /// The cheapest core with these keys that keeps the scene's budget, as `generate` chooses it. `progress` is told what is done, how much
+    /// of it and of how much.
+    pub(crate) fn needed(
+        scene: &Scene,
+        margin_degrees: f64,
+        costing: &Costing,
+        keys: &SpecFields,
+        progress: &(dyn Fn(&'static str, usize, usize) + Sync),
+    ) -> Result<Self, Error> {
+        let requirements = Requirements::of(scene, margin_degrees, &|done, of| progress("rendering", done, of))?;
+        let choice = Search::new(scene, &requirements, costing, keys)?.choose(progress)?;
+        let chosen = choice.chosen.ok_or_else(|| {
+            Error::input(
+                format!(
+                    "none of the {} cores considered keeps the budget of the scene {}",
+                    choice.considered, scene.name
+                ),
+                "allow more in its [budget], or name a core with --core or --method: its picture is drawn in any case",
+            )
+        })?;
+        Ok(Self { design: Design::new(chosen.spec()?.resolve()?)?, directory: None })
+    }
+
+    /// The core's highlights. `done` is told how many samples the compiled core has had.
+    pub(crate) fn highlights(
+        &self,
+        through: Through,
+        scene: &Scene,
+        frame: &Frame,
+        done: &dyn Fn(u64),
+    ) -> Result<Vec<f64>, Error> {
+        if through == Through::Model {
+            return CoreModel::new(&self.design)?.of(scene, frame);
+        }
+        let scratch = tool::scratch()?;
+        let directory = match &self.directory {
+            Some(directory) => directory,
+            None => {
+                let languages = &self.design.spec.languages;
+                let language = if languages.contains(&Language::Verilog) { Language::Verilog } else { Language::Vhdl };
+                for file in package::sources(&self.design, language)? {
+                    package::write_file(&scratch.path().join(&file.path), &file.bytes)?;
+                }
+                scratch.path()
+            }
+        };
+        Compiled::new(&self.design, directory, done)?.of(scene, frame)
+    }
+}
+
+/// Reads the keys of a core; a scene is told apart.
+fn read(path: &Path) -> Result<SpecFields, Error> {
+    if path.is_dir() {
+        return SpecFields::read(&path.join("core.toml"));
+    }
+    let text = input::read_text(path, "").unwrap_or_default();
+    if Scene::is_scene(&text) {
+        return Err(Error::input(
+            format!("{} is a scene, and no core", path.display()),
+            "give --core a spec file or the directory of a generated core",
+        ));
+    }
+    SpecFields::read(path)
+}
+
+impl Scene {
+    /// The distinct shininesses of the materials that objects have, ascending.
+    pub(crate) fn shininesses(&self) -> Vec<f64> {
+        let classical = self.objects.iter().filter(|object| self.reflectance(object.material).is_none());
+        let mut all: Vec<f64> = classical.map(|object| self.materials[object.material].shininess).collect();
+        all.sort_by(f64::total_cmp);
+        all.dedup();
+        all
+    }
+}
+
+/// A core's short name for people, without its shininesses.
+pub(crate) fn name(design: &Design) -> String {
+    // Those that need not be named.
+    let mut spec = design.spec.clone();
+    spec.interface.shininess = Shininess::Range(1, 1000);
+    Point::unmeasured(&Core::new(spec, Family::Ecp5)).name
+}
+
+/// A core in a line.
+pub(crate) fn text(design: &Design) -> String {
+    format!(
+        "core {}: {}, n = {}, {} clocks",
+        design.spec.name,
+        name(design),
+        design.spec.interface.shininess.to_string().replace(',', ", "),
+        design.schedule.latency
+    )
+}
+
+/// A core's cost in two lines.
+pub(crate) fn cost_lines(cost: &Cost) -> Vec<String> {
+    let Cost { lut, dsp, bram, latency, .. } = cost;
+    let mhz = cost.mhz_text(0);
+    vec![
+        format!("{lut} LUTs, {}, {}", counted(*dsp, "DSP"), counted(*bram, "block RAM")),
+        format!("{mhz}, {latency} clocks"),
+    ]
+}
