@@ -402,7 +402,7 @@ fn nothing_is_written_over_what_is_read() {
     // The claims' table of an earlier run is read and would be replaced.
     scratch.write(
         "claims/claims.csv",
-        fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/claims/recorded.csv")).unwrap(),
+        fs::read(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/papers/recorded.csv")).unwrap(),
     );
     scratch.refused("claims --recorded claims/claims.csv --out claims", &["--out", "claims/claims.csv"]);
     // A spec or results among a core's own files; what renews the core from its own spec is none.
