@@ -3,10 +3,10 @@
 
 use brdfgen::fit::{Fit, Inside, Objective, Peak, Segment, fit_segment, segment_bounds, segment_end};
 use brdfgen::lobe::{Lobe, exact};
-use brdfgen::method::cubic::{Cubic, Tail};
-use brdfgen::method::cubic_rational::CubicRational;
-use brdfgen::method::quadratic::Quadratic;
-use brdfgen::method::{cubic, cubic_min_zero, cubic_rational, power, quadratic};
+use brdfgen::method::cubic::{self, Cubic, Tail};
+use brdfgen::method::cubic_rational::{self, CubicRational};
+use brdfgen::method::quadratic::{self, Quadratic};
+use brdfgen::method::{cubic_min_zero, power};
 use rand_core::Rng;
 use rand_pcg::Pcg64;
 

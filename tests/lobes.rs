@@ -8,9 +8,7 @@ use brdfgen::method::cubic_rational::CubicRational;
 use brdfgen::method::lyon::Lyon;
 use brdfgen::method::quadratic::Quadratic;
 use brdfgen::method::schlick::Schlick;
-use brdfgen::papers::CosK;
-use brdfgen::papers::Taylor;
-use brdfgen::papers::TaylorSeries;
+use brdfgen::papers::{CosK, Taylor, TaylorSeries};
 use proptest::prelude::*;
 
 /// Bits of the reference arithmetic: enough to lose sixty to cancellation and still have a hundred.

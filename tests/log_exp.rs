@@ -4,8 +4,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use brdfgen::core::Design;
 use brdfgen::datapath::evaluate::Evaluator;
-use brdfgen::fixed::Table;
-use brdfgen::fixed::exp2;
+use brdfgen::fixed::{Table, exp2};
 use brdfgen::lobe;
 use brdfgen::spec::SpecFields;
 use brdfgen::verify::golden::{Golden, all_codes};

@@ -5,8 +5,7 @@
 
 mod common;
 
-use brdfgen::core::Direction;
-use brdfgen::core::{Account, Design};
+use brdfgen::core::{Account, Design, Direction};
 use brdfgen::emit::package;
 use brdfgen::spec::SpecFields;
 use brdfgen::synth::{self, Options};

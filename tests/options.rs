@@ -19,9 +19,8 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
-use brdfgen::core::Direction;
 use brdfgen::core::sample::random_codes;
-use brdfgen::core::{Account, Design, Part, ShaderError};
+use brdfgen::core::{Account, Design, Direction, Part, ShaderError};
 use brdfgen::emit::package;
 use brdfgen::fixed::Rng;
 use brdfgen::platform::error::Error;

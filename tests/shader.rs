@@ -7,9 +7,8 @@ mod common;
 use std::path::PathBuf;
 use std::process::Command;
 
-use brdfgen::core::Direction;
 use brdfgen::core::sample::{Sample, random_codes};
-use brdfgen::core::{Account, Design};
+use brdfgen::core::{Account, Design, Direction};
 use brdfgen::emit::package;
 use brdfgen::fixed::Rng;
 use brdfgen::method::quadratic::Quadratic;

@@ -1,9 +1,8 @@
 //! Cores where forms degenerate, and the range analysis against planted faults and against every input.
 
 use assert_cmd::Command;
-use brdfgen::core::Design;
-use brdfgen::core::Direction;
 use brdfgen::core::sample::{Sample, random_codes};
+use brdfgen::core::{Design, Direction};
 use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::graph::{Graph, Op};
 use brdfgen::datapath::range::Analysis;

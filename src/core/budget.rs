@@ -5,9 +5,8 @@ use serde::Serialize;
 
 use super::Design;
 use super::sample::Sample;
-use crate::fixed::Rng;
-use crate::fixed::Table;
 use crate::fixed::wide::Wide;
+use crate::fixed::{Rng, Table};
 use crate::lobe;
 use crate::spec::Shader;
 

@@ -1,7 +1,6 @@
 //! The ports of a core.
 
-use crate::fixed::Format;
-use crate::fixed::Table;
+use crate::fixed::{Format, Table};
 
 /// The ports through which a memory is written at run time.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -2,8 +2,7 @@
 
 use crate::block::shader::datapath::COLOURS;
 use crate::core::Design;
-use crate::fixed::Table;
-use crate::fixed::{Format, Rng, exp2};
+use crate::fixed::{Format, Rng, Table, exp2};
 use crate::spec::{Colour, Cosine, LightColours, Shader};
 
 /// A vector in space.

@@ -8,8 +8,7 @@ use rayon::prelude::*;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::widths::Solution;
 use crate::datapath::{Architecture, Datapath};
-use crate::fixed::Table;
-use crate::fixed::exp2;
+use crate::fixed::{Table, exp2};
 use crate::lobe;
 use crate::spec::{CoreSpec, Operand};
 

@@ -9,8 +9,7 @@
 //! and values there may wrap.
 
 use super::graph::{Graph, Node, NodeId, Op};
-use crate::fixed::Table;
-use crate::fixed::{Format, Interval};
+use crate::fixed::{Format, Interval, Table};
 
 /// What is known of a value in one case.
 #[derive(Clone, Copy, Debug)]

@@ -8,8 +8,7 @@ use multiversion::multiversion;
 use num_traits::{PrimInt, WrappingAdd, WrappingMul, WrappingShl, WrappingShr, WrappingSub};
 
 use super::graph::{Graph, Node, NodeId, Op};
-use crate::fixed::Format;
-use crate::fixed::Table;
+use crate::fixed::{Format, Table};
 
 /// Inputs of a column: small enough for all columns of a core to stay in the first-level cache.
 pub(crate) const LANES: usize = 64;

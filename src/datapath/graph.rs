@@ -1,7 +1,6 @@
 //! Operations, formats and their integer semantics.
 
-use crate::fixed::Format;
-use crate::fixed::Table;
+use crate::fixed::{Format, Table};
 
 /// The place of a node in its graph.
 pub type NodeId = usize;

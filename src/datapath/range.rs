@@ -12,8 +12,7 @@
 use rayon::prelude::*;
 
 use super::graph::{Graph, Node, NodeId, Op};
-use crate::fixed::Format;
-use crate::fixed::Table;
+use crate::fixed::{Format, Table};
 
 /// The codes from one to another, both included.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

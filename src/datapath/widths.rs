@@ -9,8 +9,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{Architecture, Datapath, Parameter};
-use crate::fixed::Interval;
-use crate::fixed::Widths;
+use crate::fixed::{Interval, Widths};
 use crate::platform::error::Error;
 
 /// What one quantisation contributes to the error.

@@ -4,9 +4,7 @@
 use crate::datapath::Parameter;
 use crate::datapath::builder::Builder;
 use crate::datapath::graph::NodeId;
-use crate::fixed::Table;
-use crate::fixed::Widths;
-use crate::fixed::{Interval, exp2};
+use crate::fixed::{Interval, Table, Widths, exp2};
 use crate::lobe;
 use crate::method::polynomial::datapath::{field, nearest_code};
 use crate::method::{Interface, Shininess};

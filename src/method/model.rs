@@ -5,9 +5,8 @@
 //! ROM words and the inner widths; what it does with them is its own account of the arithmetic.
 
 use super::{Configured, InputRange, Interface, Operand};
-use crate::fixed::Table;
-use crate::fixed::Widths;
 use crate::fixed::wide::{self, Wide};
+use crate::fixed::{Table, Widths};
 
 /// A core's function: what the model of its method is given besides the operand.
 #[derive(Clone, Copy, Debug)]

@@ -7,9 +7,7 @@ use crate::method::cubic_rational::CubicRational;
 use crate::method::lyon::Lyon;
 use crate::method::quadratic::Quadratic;
 use crate::method::schlick::Schlick;
-use crate::papers::CosK;
-use crate::papers::Taylor;
-use crate::papers::TaylorSeries;
+use crate::papers::{CosK, Taylor, TaylorSeries};
 use crate::platform::error::Error;
 
 /// A method that one of the papers proposes or compares itself with.

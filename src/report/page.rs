@@ -10,8 +10,7 @@ use super::trade::{Group, Palette, error_text, groups};
 use crate::emit::package::File;
 use crate::explore::{Objective, Point, pareto};
 use crate::platform::error::Error;
-use crate::plot::Chart;
-use crate::plot::png;
+use crate::plot::{Chart, png};
 
 /// Everything that a report shows, measured and drawn.
 #[derive(Debug)]

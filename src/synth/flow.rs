@@ -3,8 +3,7 @@
 use askama::Template;
 
 use super::{CORE, Netlist, Options};
-use crate::core::Design;
-use crate::core::Direction;
+use crate::core::{Design, Direction};
 use crate::emit::package::File;
 use crate::target::{Family, Pack};
 

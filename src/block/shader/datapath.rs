@@ -7,9 +7,7 @@ use super::{Cosine, LightColours, Shader};
 use crate::datapath::Datapath;
 use crate::datapath::builder::{Bound, Builder, Case};
 use crate::datapath::graph::{Graph, NodeId, Op};
-use crate::fixed::Widths;
-use crate::fixed::{Field, Table, interned};
-use crate::fixed::{Format, Interval, exp2};
+use crate::fixed::{Field, Format, Interval, Table, Widths, exp2, interned};
 use crate::method::polynomial::datapath::{field, nearest_code};
 use crate::method::{Interface, Shininess};
 

@@ -1,11 +1,9 @@
 //! The shader: scalar products, the cosine of the highlight, the lobe, the sum of the lights' colours.
 
 use super::{Cosine, LightColours, Shader};
-use crate::fixed::Table;
-use crate::fixed::Widths;
 use crate::fixed::wide::{self, Wide};
-use crate::method::Interface;
-use crate::method::Model;
+use crate::fixed::{Table, Widths};
+use crate::method::{Interface, Model};
 
 /// The function of a shader core for one interface.
 #[derive(Clone, Debug)]

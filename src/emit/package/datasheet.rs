@@ -3,12 +3,10 @@
 use askama::Template;
 
 use crate::block::shader::datapath::COLOURS;
-use crate::core::{Account, Design, Measured, OtherForm, Part, ShaderError};
-use crate::core::{Port, WritePort};
+use crate::core::{Account, Design, Measured, OtherForm, Part, Port, ShaderError, WritePort};
 use crate::datapath::Description;
 use crate::datapath::widths::Contribution;
-use crate::emit::markdown;
-use crate::emit::{Axis, render};
+use crate::emit::{Axis, markdown, render};
 use crate::fixed::{Field, Table};
 use crate::platform::error::Error;
 use crate::spec::{Block, Colour, CoreSpec, Cosine, Form, LightColours, Material, RomStyle, Shader, Shininess, Tail};

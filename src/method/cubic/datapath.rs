@@ -3,13 +3,10 @@
 use crate::datapath::builder::{Builder, Case};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
-use crate::fixed::Widths;
-use crate::fixed::{Field, Table};
-use crate::fixed::{Format, Interval, exp2};
+use crate::fixed::{Field, Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
 use crate::method::Interface;
-use crate::method::cubic::Cubic;
-use crate::method::cubic::Tail;
+use crate::method::cubic::{Cubic, Tail};
 use crate::method::polynomial::Polynomial;
 use crate::method::polynomial::datapath::{
     self as polynomial, BIG_A, Ends, Line, SMALL_A, Scaling, field, nearest_code,

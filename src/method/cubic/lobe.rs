@@ -1,8 +1,7 @@
 //! The cubic lobe x(1 - u(A - a u)) of "Approximation of Bidirectional Reflectance Distribution
 //! Function with 3-Degree Polynomial" (IEEE, 2007) and of its 2021 successor, which frees the level Q.
 
-use crate::lobe::Lobe;
-use crate::lobe::check_shininess;
+use crate::lobe::{Lobe, check_shininess};
 use crate::platform::error::Error;
 
 /// `x (1 - u (A - a u))` up to its cut, 0 past it, kept inside [0, 1]; `u = 1 - x`.

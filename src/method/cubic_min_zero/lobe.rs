@@ -3,8 +3,7 @@
 
 use crate::method::cubic::check_level;
 
-use crate::lobe::Lobe;
-use crate::lobe::check_shininess;
+use crate::lobe::{Lobe, check_shininess};
 use crate::platform::error::Error;
 
 /// `x max(0, 1 - K u)^2`, `u = 1 - x`.

@@ -4,9 +4,7 @@ use rayon::prelude::*;
 
 use crate::datapath::builder::{Bound, Builder, Case};
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost, widths};
-use crate::fixed::Table;
-use crate::fixed::Widths;
-use crate::fixed::{Format, Interval, exp2};
+use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
 use crate::method::cubic::datapath as cubic;
 use crate::method::divide::Divider;

@@ -2,8 +2,7 @@
 
 use crate::method::cubic::check_level;
 
-use crate::lobe::Lobe;
-use crate::lobe::check_shininess;
+use crate::lobe::{Lobe, check_shininess};
 use crate::method::cubic::Cubic;
 use crate::platform::error::Error;
 

@@ -15,9 +15,7 @@
 use crate::datapath::builder::{Bound, Builder};
 use crate::datapath::graph::{NodeId, Op};
 use crate::datapath::{Parameter, multiplier_cost};
-use crate::fixed::Table;
-use crate::fixed::Widths;
-use crate::fixed::{Format, Interval, exp2};
+use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::method::divide::Divider;
 use crate::method::polynomial::datapath::{field, nearest_code};
 

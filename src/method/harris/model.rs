@@ -1,8 +1,7 @@
 //! The power as `2^(-n L)` from two tables.
 
 use crate::fixed::wide::{self, Wide};
-use crate::method::Inputs;
-use crate::method::Shininess;
+use crate::method::{Inputs, Shininess};
 
 /// `z = n L`, L from its cell; `y = 2^-z`, the fraction's part from its cell and the rest a shift, which rounds down; rounded to nearest.
 pub(in crate::method) fn harris(inputs: &Inputs, log_bits: u32, exp_bits: u32) -> Wide {

@@ -2,8 +2,7 @@
 
 use crate::datapath::builder::{Bound, Builder};
 use crate::datapath::graph::NodeId;
-use crate::fixed::Table;
-use crate::fixed::{Format, Interval, exp2};
+use crate::fixed::{Format, Interval, Table, exp2};
 use crate::method::polynomial::datapath::{field, nearest_code};
 
 /// Entries with no more arguments than this are analysed at each of them.

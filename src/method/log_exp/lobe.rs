@@ -1,8 +1,6 @@
 //! The power itself, and the functions by which a logarithm and an exponential compute it.
 
-use crate::lobe::Lobe;
-use crate::lobe::check_shininess;
-use crate::lobe::exact;
+use crate::lobe::{Lobe, check_shininess, exact};
 use crate::platform::error::Error;
 
 /// `x^n`, which is `2^(-n L)` with `L = -log2 x` (Harris, "An Exponentiation Unit for an OpenGL Lighting Engine", IEEE Trans. Computers

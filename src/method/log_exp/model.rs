@@ -1,8 +1,7 @@
 //! The power `x^n` as `2^(-n L)`, `L = -log2 x`.
 
 use crate::fixed::wide::{self, Wide};
-use crate::method::Inputs;
-use crate::method::Shininess;
+use crate::method::{Inputs, Shininess};
 
 /// n: the port's, or the ROM's.
 pub(super) fn shininess(inputs: &Inputs) -> Wide {

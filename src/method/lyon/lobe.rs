@@ -1,8 +1,7 @@
 //! The lobe of R. F. Lyon, "Phong Shading Reformulation for Hardware Renderer Simplification", Apple Technical Report 43,
 //! 1993.
 
-use crate::lobe::Lobe;
-use crate::lobe::check_shininess;
+use crate::lobe::{Lobe, check_shininess};
 use crate::platform::error::Error;
 
 /// `max(0, 1 - n u / k)^k` for k = 2, 4 or 8: squarings of a line in `u = D^2/2`, D being the chord between the unit

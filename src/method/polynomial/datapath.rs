@@ -3,9 +3,7 @@
 use crate::datapath::builder::{Builder, Case};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{CaseError, Datapath, Description};
-use crate::fixed::Widths;
-use crate::fixed::{Field, Table};
-use crate::fixed::{Format, Interval, exp2};
+use crate::fixed::{Field, Format, Interval, Table, Widths, exp2};
 use crate::method::{Interface, Shininess};
 
 /// The nearest integer code of `value` at `frac_bits` fraction bits, halves away from zero.

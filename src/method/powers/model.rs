@@ -1,8 +1,7 @@
 //! The lobes that end in a power by squarings.
 
 use crate::fixed::wide::{self, Wide};
-use crate::method::Inputs;
-use crate::method::Shininess;
+use crate::method::{Inputs, Shininess};
 
 /// `p = u (A - a u)` in the scaled versine, or `None` where the lobe has ended.
 fn inner(inputs: &Inputs) -> Option<Wide> {

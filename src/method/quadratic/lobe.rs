@@ -1,7 +1,6 @@
 //! The quadratic lobe x(1 - a u) of "Quadratic approximation of BRDF" (Vinnytsia).
 
-use crate::lobe::Lobe;
-use crate::lobe::check_shininess;
+use crate::lobe::{Lobe, check_shininess};
 use crate::platform::error::Error;
 
 /// `max(0, x (1 - a u))`, `u = 1 - x`: the paper's `a x^2 + (1 - a) x` (its eqs. 1 and 4), factored.

@@ -3,9 +3,7 @@
 use crate::datapath::builder::{Bound, Builder, Case};
 use crate::datapath::graph::{NodeId, Op};
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
-use crate::fixed::Table;
-use crate::fixed::Widths;
-use crate::fixed::{Format, Interval, exp2};
+use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
 use crate::method::divide::Divider;
 use crate::method::divide::datapath as divide;

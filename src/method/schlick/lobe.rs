@@ -1,7 +1,6 @@
 //! The lobe x/(n - n x + x) of C. Schlick, "A Fast Alternative to Phong's Specular Model", Graphics Gems IV, 1994.
 
-use crate::lobe::Lobe;
-use crate::lobe::check_shininess;
+use crate::lobe::{Lobe, check_shininess};
 use crate::platform::error::Error;
 
 /// `x / (1 + (n-1) u)`, `u = 1 - x`: Schlick's `x / (n - n x + x)`, with the denominator as a sum of positive terms.

@@ -2,10 +2,9 @@
 
 use crate::fixed::Table;
 use crate::fixed::wide::{self, Wide};
-use crate::method::Inputs;
-use crate::method::Shininess;
 use crate::method::divide::Divider;
 use crate::method::divide::model as divide;
+use crate::method::{Inputs, Shininess};
 
 /// `den = 1 + (n-1) u`, `y = x / den`.
 pub(in crate::method) fn schlick(inputs: &Inputs, divider: Divider) -> Wide {

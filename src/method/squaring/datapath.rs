@@ -8,9 +8,7 @@
 use crate::datapath::builder::{Builder, Case};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
-use crate::fixed::Table;
-use crate::fixed::Widths;
-use crate::fixed::{Format, Interval};
+use crate::fixed::{Format, Interval, Table, Widths};
 use crate::lobe::{self, Lobe};
 use crate::method::Interface;
 use crate::method::polynomial::datapath::{self as polynomial, field};

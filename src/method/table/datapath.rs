@@ -4,9 +4,7 @@
 
 use crate::datapath::builder::{Builder, Case};
 use crate::datapath::{Architecture, Datapath, Description, Parameter};
-use crate::fixed::Table;
-use crate::fixed::Widths;
-use crate::fixed::{Format, Interval, exp2};
+use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
 use crate::method::Interface;
 use crate::method::polynomial::datapath::{self as polynomial, field, nearest_code};

@@ -1,8 +1,6 @@
 //! The power from a table.
 
-use crate::lobe::Lobe;
-use crate::lobe::check_shininess;
-use crate::lobe::exact;
+use crate::lobe::{Lobe, check_shininess, exact};
 use crate::platform::error::Error;
 
 /// `x^n` as a constant in each of equal cells of the versine: midway between the values at the cell's ends, which is the constant with

@@ -3,8 +3,7 @@
 use std::collections::VecDeque;
 
 use super::{Job, LISTED, Outcome, Part, Simulator};
-use crate::core::Design;
-use crate::core::Direction;
+use crate::core::{Design, Direction};
 use crate::datapath::fault::Defect;
 use crate::datapath::simulate::{Inputs, Outputs, Simulation, Write};
 use crate::fixed::Table;

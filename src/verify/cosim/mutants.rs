@@ -6,10 +6,8 @@
 use std::path::PathBuf;
 
 use super::compiled::{CORE, converse, program};
-use crate::core::Design;
-use crate::core::{Direction, WritePort};
-use crate::fixed::Format;
-use crate::fixed::Table;
+use crate::core::{Design, Direction, WritePort};
+use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
 use crate::verify::golden::{self, Golden, Vector};
 

@@ -17,8 +17,7 @@ use askama::Template;
 
 use super::{Proof, ProofStatus, Step, tried};
 use crate::core::Design;
-use crate::emit::package;
-use crate::emit::{Axis, render};
+use crate::emit::{Axis, package, render};
 use crate::platform::error::Error;
 use crate::platform::tool::{self, YICES, YOSYS, YOSYS_SMTBMC};
 use crate::spec::{Language, RomStyle};

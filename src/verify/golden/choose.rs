@@ -7,8 +7,7 @@ use super::detection::{self, Candidates};
 use crate::core::Design;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::{Graph, Node, Op};
-use crate::fixed::Table;
-use crate::fixed::{Rng, exp2};
+use crate::fixed::{Rng, Table, exp2};
 use crate::lobe::Lobe;
 use crate::verify::faults::simulation::blocks;
 

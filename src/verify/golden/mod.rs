@@ -15,9 +15,8 @@ use xxhash_rust::xxh3::Xxh3;
 
 pub use crate::core::golden::{Golden, RowDigest, Vector, complemented, complemented_tables, parse};
 
-use crate::core::Design;
-use crate::core::Direction;
 use crate::core::golden::digest_rows;
+use crate::core::{Design, Direction};
 use crate::fixed::{Format, Rng};
 use crate::spec::Block;
 

@@ -4,13 +4,11 @@ use rayon::prelude::*;
 
 use super::detection::{self, Candidates};
 use super::{OutputHash, Vector};
-use crate::core::Design;
-use crate::core::Direction;
 use crate::core::edges::varied;
 use crate::core::golden::STREAM;
 use crate::core::sample::{Sample, normalised, random_codes};
-use crate::fixed::Rng;
-use crate::fixed::Table;
+use crate::core::{Design, Direction};
+use crate::fixed::{Rng, Table};
 use crate::spec::Shader;
 use crate::verify::faults::simulation::blocks;
 

@@ -20,8 +20,7 @@ use crate::core::Design;
 use crate::core::edges::varied;
 use crate::datapath::graph::{Graph, NodeId};
 use crate::datapath::range::{Analysis, Ranges, Region, Span, by_rows};
-use crate::fixed::Rng;
-use crate::fixed::Table;
+use crate::fixed::{Rng, Table};
 use crate::spec::{Shader, Shininess};
 
 /// Inputs that are run with wide registers.
