@@ -289,7 +289,7 @@ fn compare_cores(arguments: &Arguments, scene: &Scene, compared: &[String], pipe
     let lines = [
         scene_text(scene, &frame),
         format!("shininess {shininesses}; budget: {}", drawing::budget_text(scene)),
-        format!("cost for {}, {source}", crate::explore::sweep::word(&family)),
+        format!("cost for {}, {source}", family.name),
     ];
     let Sheet { pixels, panels } = sheet::contact(&frame, &exact, &cells, &scene.name, &lines);
     write_to(&arguments.out, &pixels.png())?;

@@ -6,9 +6,9 @@ use std::str::FromStr;
 use serde::Serialize;
 
 use super::pareto::dominates;
-use super::sweep::word;
 use super::{Cost, Objective, Point, Results};
 use crate::emit::package::counted;
+use crate::method::word;
 use crate::platform::error::Error;
 use crate::spec::{Shininess, SpecFields};
 use crate::synth::Tools;

@@ -11,8 +11,8 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use super::shape::Multiplier;
-use super::sweep::word;
 use super::{Estimate, Point, Results, Shape};
+use crate::method::word;
 use crate::platform::error::Error;
 use crate::spec::hex;
 use crate::synth::{Synthesis, Tools};

@@ -3,10 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::Shape;
-use super::sweep::{Core, word};
+use super::sweep::Core;
 use crate::core::{Design, Measured};
 use crate::emit::package::counted;
 use crate::fixed::Table;
+use crate::method::word;
 use crate::spec::{CoreSpec, Pipeline, Shininess};
 use crate::synth::{Synthesis, Tools};
 use crate::target::Family;

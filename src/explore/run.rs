@@ -10,9 +10,10 @@ use serde::Serialize;
 
 use super::point::NO_CORE;
 use super::store::Provenance;
-use super::sweep::{Core, word};
+use super::sweep::Core;
 use super::{Cost, Model, Point, Shape, Store};
 use crate::core::Design;
+use crate::method::word;
 use crate::platform::error::Error;
 use crate::synth::{self, Options};
 use crate::target::Family;

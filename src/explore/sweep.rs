@@ -25,6 +25,7 @@ use serde::Deserialize;
 use sha2::{Digest, Sha256};
 use toml::{Table, Value};
 
+use crate::method::word;
 use crate::platform::error::Error;
 use crate::platform::input;
 use crate::spec::{BlockKind, CoreSpec, MethodName, SpecFields, hex};
@@ -79,8 +80,6 @@ impl Core {
         Self { id: hex(&Sha256::digest(text))[..16].to_owned(), family, spec }
     }
 }
-
-pub(crate) use crate::method::word;
 
 impl Axes {
     /// Sets the values of an axis, which has none yet.

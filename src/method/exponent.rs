@@ -17,7 +17,7 @@ const MOST_FRACTION_BITS: i32 = 24;
 
 /// Fraction bits that hold every shininess of a list exactly, if [`MOST_FRACTION_BITS`] do, and else those; 0 for a range.
 pub(in crate::method) fn exact_bits(set: &Shininess) -> i32 {
-    if matches!(set, Shininess::Range(..) | Shininess::Fixed { .. }) {
+    if set.is_at_port() {
         return 0;
     }
     let exact = |n: f64, bits: i32| libm::trunc(n * exp2(bits)) == n * exp2(bits);
@@ -51,7 +51,7 @@ impl<'a> Exponent<'a> {
 
     /// Whether n is read from a ROM: the port is an index.
     pub fn is_read(&self) -> bool {
-        matches!(self.set, Shininess::List(_) | Shininess::Materials(_))
+        !self.set.is_at_port()
     }
 
     /// Integer bits of n.

@@ -94,6 +94,23 @@ pub struct About {
 }
 
 impl About {
+    /// A method that is none of what else may be said of one.
+    const fn new(name: &'static str, help: &'static str, formula: &'static str, configure: Configure) -> Self {
+        Self {
+            name,
+            help,
+            formula,
+            core_name: None,
+            options: &[],
+            coefficients: &[],
+            interpolates: false,
+            computes_with_shininess: false,
+            powers_of_two: false,
+            is_baseline: false,
+            configure,
+        }
+    }
+
     /// Whether it has the option of this key.
     #[must_use]
     pub fn has(&self, key: &str) -> bool {
@@ -103,11 +120,10 @@ impl About {
 
 /// A method with its options.
 pub trait Method: fmt::Debug + Send + Sync {
-    /// What is known of it whatever its options.
-    fn about(&self) -> &'static About;
-
     /// Its options, all given.
-    fn options(&self) -> Options;
+    fn options(&self) -> Options {
+        Options::default()
+    }
 
     /// Refuses formats that the options do not go with.
     ///
@@ -130,7 +146,10 @@ pub trait Method: fmt::Debug + Send + Sync {
 
 /// A method with its options, as a spec holds it.
 #[derive(Clone)]
-pub struct Configured(Arc<dyn Method>);
+pub struct Configured {
+    about: &'static About,
+    method: Arc<dyn Method>,
+}
 
 impl Configured {
     /// The method with the options of a spec.
@@ -140,13 +159,19 @@ impl Configured {
     pub fn new(method: MethodName, options: &Options) -> Result<Self, Error> {
         let about = method.about();
         options.check(about)?;
-        (about.configure)(about, options).map(Self)
+        Ok(Self { about, method: (about.configure)(about, options)? })
+    }
+
+    /// What is known of it whatever its options.
+    #[must_use]
+    pub fn about(&self) -> &'static About {
+        self.about
     }
 
     /// Its name.
     #[must_use]
     pub fn name(&self) -> MethodName {
-        MethodName(self.about())
+        MethodName(self.about)
     }
 
     /// The form in which it is evaluated.
@@ -160,19 +185,19 @@ impl std::ops::Deref for Configured {
     type Target = dyn Method;
 
     fn deref(&self) -> &Self::Target {
-        &*self.0
+        &*self.method
     }
 }
 
 impl fmt::Debug for Configured {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
+        self.method.fmt(f)
     }
 }
 
 impl PartialEq for Configured {
     fn eq(&self, other: &Self) -> bool {
-        self.about().name == other.about().name && self.options() == other.options()
+        self.name() == other.name() && self.options() == other.options()
     }
 }
 

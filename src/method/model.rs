@@ -27,7 +27,9 @@ impl Model<'_> {
     /// The code of `out_spec` (UQ1.G) for a code of `in_n` and a code of the operand port (`in_cos` as a signed number).
     #[must_use]
     pub fn evaluate(&self, index: u32, operand: i64) -> u32 {
-        let (row, fraction) = self.interface.shininess.knot(self.interface.shininess.row_of_index(index));
+        let set = &self.interface.shininess;
+        let place = set.row_of_index(index);
+        let (row, fraction) = set.knot(place);
         let one = Wide::ONE;
         let operand = wide::from_code(operand.into(), self.interface.input_fraction);
         let within = match self.interface.input_range {
@@ -46,7 +48,7 @@ impl Model<'_> {
             fine_input: self.interface.input_fraction > self.interface.output_fraction,
             row,
             fraction: Wide::from_num(fraction),
-            n: self.interface.shininess.index_of_row(self.interface.shininess.row_of_index(index)),
+            n: set.index_of_row(place),
             tables: self.tables,
             constants: self.constants,
             widths: self.widths,
@@ -107,6 +109,17 @@ impl Inputs<'_> {
     pub(super) fn optional(&self, name: &str) -> Option<Wide> {
         let has = self.memory(Table::COEFFICIENTS).find(name).is_some();
         has.then(|| self.entry(Table::COEFFICIENTS, self.row, name))
+    }
+
+    /// n, where the port holds n itself.
+    pub(super) fn port_shininess(&self) -> Option<Wide> {
+        let set = &self.interface.shininess;
+        set.is_at_port().then(|| wide::from_code(self.n.into(), set.frac_bits()))
+    }
+
+    /// n: the port's, or the ROM's.
+    pub(super) fn shininess(&self) -> Wide {
+        self.port_shininess().unwrap_or_else(|| self.coefficient("n"))
     }
 
     /// `value`, or 0 at x = 0, where a surface faces away.

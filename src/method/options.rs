@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
-use super::cubic::Tail;
+use super::cubic::{Tail, check_level};
 use super::divide::Divider;
 use super::log_exp::Memory;
 use super::{About, Interface};
@@ -53,6 +53,11 @@ pub enum Source {
 }
 
 impl Source {
+    /// The level q, which only the papers' coefficients depend on.
+    pub(super) fn level(self, q: f64) -> Option<f64> {
+        (self == Self::Paper).then_some(q)
+    }
+
     /// The options that say so.
     #[must_use]
     pub fn options(self) -> Options {
@@ -133,6 +138,12 @@ impl Options {
             return Err(Error::input("the paper form has the paper's coefficients", "use --form stable with minimax"));
         }
         Ok(())
+    }
+
+    /// The level q, or the one that it is unless given; in range.
+    pub(super) fn level(&self, default: f64) -> Result<f64, Error> {
+        let q = self.q.unwrap_or(default);
+        check_level(q).map(|()| q)
     }
 
     /// Where the coefficients of a method come from that has any.

@@ -137,6 +137,12 @@ impl Shininess {
         }
     }
 
+    /// Whether `in_n` is the shininess itself, and no index.
+    #[must_use]
+    pub fn is_at_port(&self) -> bool {
+        matches!(self, Self::Range(..) | Self::Fixed { .. })
+    }
+
     /// The width of the port `in_n`.
     #[must_use]
     pub fn index_bits(&self) -> u32 {

@@ -10,7 +10,7 @@ use super::{Difference, Frame, Picture, Scene, cores, picture};
 use crate::core::Design;
 use crate::emit::package::counted;
 use crate::explore::Cost;
-use crate::explore::sweep::word;
+use crate::method::word;
 use crate::platform::error::Error;
 use crate::spec::Colour;
 

@@ -490,7 +490,7 @@ impl SpecFields {
         Self {
             name: Some(spec.name.clone()),
             block: shader.map(|_| BlockKind::Shader),
-            method: MethodName::named(spec.method.about().name),
+            method: Some(spec.method.name()),
             form: Some(spec.method.form()),
             coefficients: options.coefficients,
             objective: options.objective,

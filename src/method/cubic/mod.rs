@@ -9,7 +9,7 @@ use std::sync::Arc;
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
-use super::{About, Coefficients, Form, Inputs, Interface, Method, Options, Source, rows};
+use super::{About, Coefficients, Form, Inputs, Interface, Method, Options, Source};
 use crate::datapath::Architecture;
 use crate::fit::{self, Fit, Inside, Objective};
 use crate::fixed::wide::Wide;
@@ -33,22 +33,14 @@ pub enum Tail {
 
 /// The method.
 pub static METHODS: [About; 1] = [About {
-    name: "cubic",
-    help: "x(1 - u(A - a u)); past its minimum cut to 0 or held",
-    formula: FORMULA,
-    core_name: None,
     options: &["form", "q", "tail"],
     coefficients: &[Coefficients::Paper, Coefficients::Minimax],
     interpolates: true,
-    computes_with_shininess: false,
-    powers_of_two: false,
-    is_baseline: false,
-    configure: |about, options| {
-        let q = options.q.unwrap_or(LEVEL);
-        check_level(q)?;
+    ..About::new("cubic", "x(1 - u(A - a u)); past its minimum cut to 0 or held", FORMULA, |about, options| {
+        let q = options.level(LEVEL)?;
         let (form, tail) = (options.form.unwrap_or(Form::Stable), options.tail.unwrap_or(Tail::Cut));
         Ok(Arc::new(Configured { form, tail, q, source: options.source(about) }))
-    },
+    })
 }];
 
 /// The formula of the cubic lobes.
@@ -72,13 +64,8 @@ struct Configured {
 }
 
 impl Method for Configured {
-    fn about(&self) -> &'static About {
-        &METHODS[0]
-    }
-
     fn options(&self) -> Options {
-        let q = (self.source == Source::Paper).then_some(self.q);
-        Options { form: Some(self.form), q, tail: Some(self.tail), ..self.source.options() }
+        Options { form: Some(self.form), q: self.source.level(self.q), tail: Some(self.tail), ..self.source.options() }
     }
 
     fn check(&self, interface: &Interface) -> Result<(), Error> {
@@ -86,10 +73,9 @@ impl Method for Configured {
     }
 
     fn architecture<'a>(&'a self, interface: &'a Interface) -> Result<Box<dyn Architecture + 'a>, Error> {
-        let lobes = rows::each(interface, |n| match self.source {
-            Source::Paper => Cubic::new(n, self.q),
-            Source::Fitted(objective) => fit(n, self.tail, &objective).map(|fit| fit.coefficients),
-        })?;
+        let (q, tail) = (self.q, self.tail);
+        let fitted = |n, objective: &Objective| fit(n, tail, objective);
+        let lobes = self.source.rows(interface, |n| Cubic::new(n, q), fitted)?;
         Ok(match self.form {
             Form::Stable => Box::new(datapath::Stable::new(interface, self.tail, lobes)),
             Form::Paper => Box::new(datapath::Paper { interface, lobes }),

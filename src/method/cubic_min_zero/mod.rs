@@ -4,7 +4,7 @@ mod lobe;
 
 use std::sync::Arc;
 
-use super::{About, Coefficients, Inputs, Interface, Method, Options, Source, cubic, powers, rows};
+use super::{About, Coefficients, Inputs, Interface, Method, Options, Source, cubic, powers};
 use crate::datapath::Architecture;
 use crate::fit::{self, Fit, Inside, Objective, Power};
 use crate::fixed::wide::Wide;
@@ -14,21 +14,13 @@ pub use lobe::MinZero;
 
 /// The method.
 pub static METHODS: [About; 1] = [About {
-    name: "cubic-min-zero",
-    help: "x(1 - K u)^2, 0 past its zero",
-    formula: "x max(0, 1 - K u)^2",
-    core_name: None,
     options: &["q"],
     coefficients: &[Coefficients::Paper, Coefficients::Minimax],
     interpolates: true,
-    computes_with_shininess: false,
-    powers_of_two: false,
-    is_baseline: false,
-    configure: |about, options| {
-        let q = options.q.unwrap_or(cubic::LEVEL);
-        cubic::check_level(q)?;
+    ..About::new("cubic-min-zero", "x(1 - K u)^2, 0 past its zero", "x max(0, 1 - K u)^2", |about, options| {
+        let q = options.level(cubic::LEVEL)?;
         Ok(Arc::new(Configured { q, source: options.source(about) }))
-    },
+    })
 }];
 
 /// The best K of the cubic `x ((1 - K u)⁺)^2` for the shininess `n`: 0 for n = 1, about 0.45 n.
@@ -47,22 +39,13 @@ struct Configured {
 }
 
 impl Method for Configured {
-    fn about(&self) -> &'static About {
-        &METHODS[0]
-    }
-
     fn options(&self) -> Options {
-        Options { q: (self.source == Source::Paper).then_some(self.q), ..self.source.options() }
+        Options { q: self.source.level(self.q), ..self.source.options() }
     }
 
     fn architecture<'a>(&'a self, interface: &'a Interface) -> Result<Box<dyn Architecture + 'a>, Error> {
-        let rows = rows::each(interface, |n| {
-            let k = match self.source {
-                Source::Paper => MinZero::new(n, self.q)?.k,
-                Source::Fitted(objective) => fit(n, &objective)?.coefficients,
-            };
-            Ok(Power { big_a: k, a: 0.0 })
-        })?;
+        let ks = self.source.rows(interface, |n| Ok(MinZero::new(n, self.q)?.k), fit)?;
+        let rows = ks.into_iter().map(|k| Power { big_a: k, a: 0.0 }).collect();
         Ok(Box::new(powers::datapath::Rom { interface, rows, linear: true, cosine: true, power: 2 }))
     }
 

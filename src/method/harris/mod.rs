@@ -20,21 +20,19 @@ pub const EXP_BITS: std::ops::RangeInclusive<u32> = 2..=14;
 
 /// The method.
 pub static METHODS: [About; 1] = [About {
-    name: "harris",
-    help: "2^(-n L(x)) with L from one table and 2^-f from another, neither interpolated: one multiplication",
-    formula: "2^(-n L(x)), L and 2^-f from tables",
-    core_name: None,
     options: &["log_bits", "exp_bits"],
-    coefficients: &[],
-    interpolates: false,
     computes_with_shininess: true,
-    powers_of_two: false,
     is_baseline: true,
-    configure: |_, options| {
-        let log_bits = within("log_bits", options.log_bits.unwrap_or(8), LOG_BITS)?;
-        let exp_bits = within("exp_bits", options.exp_bits.unwrap_or(9), EXP_BITS)?;
-        Ok(Arc::new(Configured { log_bits, exp_bits }))
-    },
+    ..About::new(
+        "harris",
+        "2^(-n L(x)) with L from one table and 2^-f from another, neither interpolated: one multiplication",
+        "2^(-n L(x)), L and 2^-f from tables",
+        |_, options| {
+            let log_bits = within("log_bits", options.log_bits.unwrap_or(8), LOG_BITS)?;
+            let exp_bits = within("exp_bits", options.exp_bits.unwrap_or(9), EXP_BITS)?;
+            Ok(Arc::new(Configured { log_bits, exp_bits }))
+        },
+    )
 }];
 
 #[derive(Debug)]
@@ -44,10 +42,6 @@ struct Configured {
 }
 
 impl Method for Configured {
-    fn about(&self) -> &'static About {
-        &METHODS[0]
-    }
-
     fn options(&self) -> Options {
         Options { log_bits: Some(self.log_bits), exp_bits: Some(self.exp_bits), ..Options::default() }
     }

@@ -1,16 +1,11 @@
 //! The power as `2^(-n L)` from two tables.
 
 use crate::fixed::wide::{self, Wide};
-use crate::method::{Inputs, Shininess};
+use crate::method::Inputs;
 
 /// `z = n L`, L from its cell; `y = 2^-z`, the fraction's part from its cell and the rest a shift, which rounds down; rounded to nearest.
 pub(in crate::method) fn harris(inputs: &Inputs, log_bits: u32, exp_bits: u32) -> Wide {
-    let n = match inputs.interface.shininess {
-        Shininess::Range(..) | Shininess::Fixed { .. } => {
-            wide::from_code(inputs.n.into(), inputs.interface.shininess.frac_bits())
-        }
-        Shininess::List(_) | Shininess::Materials(_) => inputs.coefficient("n"),
-    };
+    let n = inputs.shininess();
     let u = Wide::ONE - inputs.x;
     if u == 1 {
         return Wide::ZERO;

@@ -20,20 +20,17 @@ pub use lobe::{EXP_CURVATURE, LOG_RATIO_CURVATURE, LogExp, log_ratio};
 
 /// The method.
 pub static METHODS: [About; 1] = [About {
-    name: "log-exp",
-    help: "2^(-n L(x)) with L = -log2 x, from small tables",
-    formula: "2^(-n L(x)), L = -log2 x",
-    core_name: None,
     options: &["accuracy", "memory"],
-    coefficients: &[],
-    interpolates: false,
     computes_with_shininess: true,
-    powers_of_two: false,
-    is_baseline: false,
-    configure: |_, options| {
-        let coarse = |bits| (bits, options.memory.unwrap_or(Memory::Auto));
-        Ok(Arc::new(Configured { coarse: options.accuracy.map(coarse) }))
-    },
+    ..About::new(
+        "log-exp",
+        "2^(-n L(x)) with L = -log2 x, from small tables",
+        "2^(-n L(x)), L = -log2 x",
+        |_, options| {
+            let coarse = |bits| (bits, options.memory.unwrap_or(Memory::Auto));
+            Ok(Arc::new(Configured { coarse: options.accuracy.map(coarse) }))
+        },
+    )
 }];
 
 #[derive(Debug)]
@@ -43,10 +40,6 @@ struct Configured {
 }
 
 impl Method for Configured {
-    fn about(&self) -> &'static About {
-        &METHODS[0]
-    }
-
     fn options(&self) -> Options {
         let (accuracy, memory) = self.coarse.unzip();
         Options { accuracy, memory, ..Options::default() }

@@ -1,23 +1,13 @@
 //! The power `x^n` as `2^(-n L)`, `L = -log2 x`.
 
 use crate::fixed::wide::{self, Wide};
-use crate::method::{Inputs, Shininess};
-
-/// n: the port's, or the ROM's.
-pub(super) fn shininess(inputs: &Inputs) -> Wide {
-    match inputs.interface.shininess {
-        Shininess::Range(..) | Shininess::Fixed { .. } => {
-            wide::from_code(inputs.n.into(), inputs.interface.shininess.frac_bits())
-        }
-        Shininess::List(_) | Shininess::Materials(_) => inputs.coefficient("n"),
-    }
-}
+use crate::method::Inputs;
 
 /// x is taken apart into `2^-e m`; then `z = n e + n (1 - m) κ(m)` and `y = 2^-z`, both functions from their tables.
 pub(in crate::method) fn evaluate(inputs: &Inputs) -> Wide {
     let output_fraction = inputs.interface.output_fraction;
     let (least, _) = inputs.interface.shininess.ends();
-    let n = shininess(inputs);
+    let n = inputs.shininess();
     let x = inputs.x;
     let half = Wide::ONE >> 1;
     if n == 1 && inputs.fine_input {

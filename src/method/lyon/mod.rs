@@ -4,7 +4,7 @@ mod lobe;
 
 use std::sync::Arc;
 
-use super::{About, Configure, Inputs, Interface, Method, Options, Shininess, powers, rows};
+use super::{About, Configure, Inputs, Interface, Method, powers, rows};
 use crate::datapath::Architecture;
 use crate::fit::Power;
 use crate::fixed::wide::Wide;
@@ -15,49 +15,23 @@ pub(crate) use lobe::{check_outer_power, squarings};
 
 /// The method with each k.
 pub static METHODS: [About; 3] = [
-    about("lyon-2", "(1 - n u/2)^2, 0 past its zero", "max(0, 1 - n u/2)^2", |about, _| configured(about, 2)),
-    about("lyon-4", "(1 - n u/4)^4, 0 past its zero", "max(0, 1 - n u/4)^4", |about, _| configured(about, 4)),
-    about("lyon-8", "(1 - n u/8)^8, 0 past its zero", "max(0, 1 - n u/8)^8", |about, _| configured(about, 8)),
+    about("lyon-2", "(1 - n u/2)^2, 0 past its zero", "max(0, 1 - n u/2)^2", |_, _| Ok(Arc::new(Configured { k: 2 }))),
+    about("lyon-4", "(1 - n u/4)^4, 0 past its zero", "max(0, 1 - n u/4)^4", |_, _| Ok(Arc::new(Configured { k: 4 }))),
+    about("lyon-8", "(1 - n u/8)^8, 0 past its zero", "max(0, 1 - n u/8)^8", |_, _| Ok(Arc::new(Configured { k: 8 }))),
 ];
 
 const fn about(name: &'static str, help: &'static str, formula: &'static str, configure: Configure) -> About {
-    About {
-        name,
-        help,
-        formula,
-        core_name: None,
-        options: &[],
-        coefficients: &[],
-        interpolates: false,
-        computes_with_shininess: true,
-        powers_of_two: false,
-        is_baseline: true,
-        configure,
-    }
-}
-
-#[allow(clippy::unnecessary_wraps)]
-fn configured(about: &'static About, k: u32) -> Result<Arc<dyn Method>, Error> {
-    Ok(Arc::new(Configured { about, k }))
+    About { computes_with_shininess: true, is_baseline: true, ..About::new(name, help, formula, configure) }
 }
 
 #[derive(Debug)]
 struct Configured {
-    about: &'static About,
     k: u32,
 }
 
 impl Method for Configured {
-    fn about(&self) -> &'static About {
-        self.about
-    }
-
-    fn options(&self) -> Options {
-        Options::default()
-    }
-
     fn architecture<'a>(&'a self, interface: &'a Interface) -> Result<Box<dyn Architecture + 'a>, Error> {
-        if matches!(interface.shininess, Shininess::Range(..) | Shininess::Fixed { .. }) {
+        if interface.shininess.is_at_port() {
             return Ok(Box::new(powers::datapath::Port { interface, power: self.k }));
         }
         let rows = rows::each(interface, |n| Ok(Power { big_a: n / f64::from(self.k), a: 0.0 }))?;

@@ -10,37 +10,29 @@ use crate::platform::error::Error;
 
 /// The method with each k.
 pub static METHODS: [About; 3] = [
-    about("power-2", "(1 - u(A - a u))^2 with fitted coefficients", "max(0, 1 - u(A - a u))^2", |about, options| {
-        configured(about, options, 2)
+    about("power-2", "(1 - u(A - a u))^2 with fitted coefficients", "max(0, 1 - u(A - a u))^2", |_, options| {
+        Ok(configured(options, 2))
     }),
-    about("power-4", "(1 - u(A - a u))^4 with fitted coefficients", "max(0, 1 - u(A - a u))^4", |about, options| {
-        configured(about, options, 4)
+    about("power-4", "(1 - u(A - a u))^4 with fitted coefficients", "max(0, 1 - u(A - a u))^4", |_, options| {
+        Ok(configured(options, 4))
     }),
-    about("power-8", "(1 - u(A - a u))^8 with fitted coefficients", "max(0, 1 - u(A - a u))^8", |about, options| {
-        configured(about, options, 8)
+    about("power-8", "(1 - u(A - a u))^8 with fitted coefficients", "max(0, 1 - u(A - a u))^8", |_, options| {
+        Ok(configured(options, 8))
     }),
 ];
 
 const fn about(name: &'static str, help: &'static str, formula: &'static str, configure: Configure) -> About {
     About {
-        name,
-        help,
-        formula,
-        core_name: None,
         options: &["inside"],
         coefficients: &[Coefficients::Minimax],
         interpolates: true,
-        computes_with_shininess: false,
-        powers_of_two: false,
-        is_baseline: false,
-        configure,
+        ..About::new(name, help, formula, configure)
     }
 }
 
-#[allow(clippy::unnecessary_wraps)]
-fn configured(about: &'static About, options: &Options, k: u32) -> Result<Arc<dyn Method>, Error> {
+fn configured(options: &Options, k: u32) -> Arc<dyn Method> {
     let (inside, objective) = (options.inside.unwrap_or(Inside::Quadratic), options.objective.unwrap_or_default());
-    Ok(Arc::new(Configured { about, k, inside, objective }))
+    Arc::new(Configured { k, inside, objective })
 }
 
 /// The best inside of `((1 - u (A - a u))⁺)^k` for the shininess `n`, with k = 2, 4 or 8.
@@ -58,17 +50,12 @@ pub fn fit(n: f64, k: u32, inside: Inside, objective: &Objective) -> Result<Fit<
 
 #[derive(Debug)]
 struct Configured {
-    about: &'static About,
     k: u32,
     inside: Inside,
     objective: Objective,
 }
 
 impl Method for Configured {
-    fn about(&self) -> &'static About {
-        self.about
-    }
-
     fn options(&self) -> Options {
         Options { inside: Some(self.inside), ..Source::Fitted(self.objective).options() }
     }

@@ -6,9 +6,9 @@ use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier
 use crate::fit::Power;
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
+use crate::method::Interface;
 use crate::method::polynomial::Polynomial;
 use crate::method::polynomial::datapath::{self as polynomial, BIG_A, Ends, Line, SMALL_A, Scaling};
-use crate::method::{Interface, Shininess};
 
 /// Parts of a row's versines that the analysis takes apart: near the highlight an error of p counts k times, farther out the
 /// coefficients' errors grow and the power's slope falls.
@@ -337,11 +337,7 @@ impl Architecture for Port<'_> {
         let mut b = Builder::new(&tables, vec![case; PIECES]);
         let port = b.index(set);
         let (_, u) = b.operand(self.interface);
-        let n = if matches!(set, Shininess::Range(..) | Shininess::Fixed { .. }) {
-            b.clamped_index(set, port)
-        } else {
-            port
-        };
+        let n = if set.is_at_port() { b.clamped_index(set, port) } else { port };
         let product = b.mul(n, u, "nu", "n u");
         let log2_k = self.power.trailing_zeros() as i32;
         let shifts = vec![-log2_k; PIECES];

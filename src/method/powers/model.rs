@@ -1,7 +1,7 @@
 //! The lobes that end in a power by squarings.
 
-use crate::fixed::wide::{self, Wide};
-use crate::method::{Inputs, Shininess};
+use crate::fixed::wide::Wide;
+use crate::method::Inputs;
 
 /// `p = u (A - a u)` in the scaled versine, or `None` where the lobe has ended.
 fn inner(inputs: &Inputs) -> Option<Wide> {
@@ -40,12 +40,9 @@ pub(in crate::method) fn rom(inputs: &Inputs, power: u32) -> Wide {
 
 /// `(1 - n u / k)^k`, with n from the port where that holds n itself.
 pub(in crate::method) fn lyon(inputs: &Inputs, power: u32) -> Wide {
-    let p = match inputs.interface.shininess {
-        Shininess::Range(..) | Shininess::Fixed { .. } => {
-            let n = wide::from_code(inputs.n.into(), inputs.interface.shininess.frac_bits());
-            Some(((Wide::ONE - inputs.x) * n) >> power.trailing_zeros())
-        }
-        _ => inner(inputs),
+    let p = match inputs.port_shininess() {
+        Some(n) => Some(((Wide::ONE - inputs.x) * n) >> power.trailing_zeros()),
+        None => inner(inputs),
     };
     powered(inputs, p, power)
 }

@@ -6,7 +6,7 @@ mod model;
 
 use std::sync::Arc;
 
-use super::{About, Coefficients, Form, Inputs, Interface, Method, Options, Source, rows};
+use super::{About, Coefficients, Form, Inputs, Interface, Method, Options, Source};
 use crate::datapath::Architecture;
 use crate::fit::{self, Fit, Inside, Objective};
 use crate::fixed::wide::Wide;
@@ -16,19 +16,12 @@ pub use lobe::Quadratic;
 
 /// The method.
 pub static METHODS: [About; 1] = [About {
-    name: "quadratic",
-    help: "x(1 - a u), clamped at 0",
-    formula: "max(0, x(1 - a u))",
-    core_name: None,
     options: &["form"],
     coefficients: &[Coefficients::Paper, Coefficients::Minimax],
     interpolates: true,
-    computes_with_shininess: false,
-    powers_of_two: false,
-    is_baseline: false,
-    configure: |_, options| {
-        Ok(Arc::new(Configured { form: options.form.unwrap_or(Form::Stable), source: options.source(&METHODS[0]) }))
-    },
+    ..About::new("quadratic", "x(1 - a u), clamped at 0", "max(0, x(1 - a u))", |about, options| {
+        Ok(Arc::new(Configured { form: options.form.unwrap_or(Form::Stable), source: options.source(about) }))
+    })
 }];
 
 /// The best `(x (1 - a u))⁺` for the shininess `n`.
@@ -46,20 +39,7 @@ struct Configured {
     source: Source,
 }
 
-impl Configured {
-    fn lobes(&self, interface: &Interface) -> Result<Vec<Quadratic>, Error> {
-        rows::each(interface, |n| match self.source {
-            Source::Paper => Quadratic::new(n),
-            Source::Fitted(objective) => fit(n, &objective).map(|fit| fit.coefficients),
-        })
-    }
-}
-
 impl Method for Configured {
-    fn about(&self) -> &'static About {
-        &METHODS[0]
-    }
-
     fn options(&self) -> Options {
         Options { form: Some(self.form), ..self.source.options() }
     }
@@ -69,7 +49,7 @@ impl Method for Configured {
     }
 
     fn architecture<'a>(&'a self, interface: &'a Interface) -> Result<Box<dyn Architecture + 'a>, Error> {
-        let lobes = self.lobes(interface)?;
+        let lobes = self.source.rows(interface, Quadratic::new, fit)?;
         Ok(match self.form {
             Form::Stable => Box::new(datapath::Stable { interface, lobes }),
             Form::Paper => Box::new(datapath::Paper { interface, lobes }),

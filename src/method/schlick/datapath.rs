@@ -5,10 +5,10 @@ use crate::datapath::graph::{NodeId, Op};
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
+use crate::method::Interface;
 use crate::method::divide::Divider;
 use crate::method::divide::datapath as divide;
 use crate::method::polynomial::datapath::{self as polynomial, field, nearest_code};
-use crate::method::{Interface, Shininess};
 use crate::platform::error::Error;
 
 /// No core needs `n - 1` with more fraction bits than this.
@@ -44,7 +44,7 @@ impl<'a> Schlick<'a> {
 
     /// Whether n comes from a ROM.
     fn listed(&self) -> bool {
-        matches!(self.interface.shininess, Shininess::List(_) | Shininess::Materials(_))
+        !self.interface.shininess.is_at_port()
     }
 
     /// The fraction bits with which every n of the list is exact, or as many as any core may need.

@@ -16,17 +16,12 @@ pub use lobe::Schlick;
 
 /// The method.
 pub static METHODS: [About; 1] = [About {
-    name: "schlick",
-    help: "x/(1 + (n-1)u)",
-    formula: "x/(1 + (n-1)u)",
-    core_name: None,
     options: &["divider"],
-    coefficients: &[],
-    interpolates: false,
     computes_with_shininess: true,
-    powers_of_two: false,
     is_baseline: true,
-    configure: |_, options| Ok(Arc::new(Configured { divider: options.divider.unwrap_or(Divider::Digit) })),
+    ..About::new("schlick", "x/(1 + (n-1)u)", "x/(1 + (n-1)u)", |_, options| {
+        Ok(Arc::new(Configured { divider: options.divider.unwrap_or(Divider::Digit) }))
+    })
 }];
 
 #[derive(Debug)]
@@ -35,10 +30,6 @@ struct Configured {
 }
 
 impl Method for Configured {
-    fn about(&self) -> &'static About {
-        &METHODS[0]
-    }
-
     fn options(&self) -> Options {
         Options { divider: Some(self.divider), ..Options::default() }
     }

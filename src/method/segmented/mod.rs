@@ -16,44 +16,26 @@ pub use lobe::Segmented;
 
 /// The method with each number of segments.
 pub static METHODS: [About; 3] = [
-    about("segmented-2", "x(c - u(A - a u)) in 2 segments", |about, options| configured(about, options, 2)),
-    about("segmented-4", "x(c - u(A - a u)) in 4 segments", |about, options| configured(about, options, 4)),
-    about("segmented-8", "x(c - u(A - a u)) in 8 segments", |about, options| configured(about, options, 8)),
+    about("segmented-2", "x(c - u(A - a u)) in 2 segments", |_, options| Ok(configured(options, 2))),
+    about("segmented-4", "x(c - u(A - a u)) in 4 segments", |_, options| Ok(configured(options, 4))),
+    about("segmented-8", "x(c - u(A - a u)) in 8 segments", |_, options| Ok(configured(options, 8))),
 ];
 
 const fn about(name: &'static str, formula: &'static str, configure: Configure) -> About {
-    About {
-        name,
-        help: formula,
-        formula,
-        core_name: None,
-        options: &[],
-        coefficients: &[Coefficients::Minimax],
-        interpolates: false,
-        computes_with_shininess: false,
-        powers_of_two: false,
-        is_baseline: false,
-        configure,
-    }
+    About { coefficients: &[Coefficients::Minimax], ..About::new(name, formula, formula, configure) }
 }
 
-#[allow(clippy::unnecessary_wraps)]
-fn configured(about: &'static About, options: &Options, segments: u32) -> Result<Arc<dyn Method>, Error> {
-    Ok(Arc::new(Configured { about, segments, objective: options.objective.unwrap_or_default() }))
+fn configured(options: &Options, segments: u32) -> Arc<dyn Method> {
+    Arc::new(Configured { segments, objective: options.objective.unwrap_or_default() })
 }
 
 #[derive(Debug)]
 struct Configured {
-    about: &'static About,
     segments: u32,
     objective: Objective,
 }
 
 impl Method for Configured {
-    fn about(&self) -> &'static About {
-        self.about
-    }
-
     fn options(&self) -> Options {
         Source::Fitted(self.objective).options()
     }

@@ -5,38 +5,27 @@ mod model;
 
 use std::sync::Arc;
 
-use super::{About, Inputs, Interface, Method, Options};
+use super::{About, Inputs, Interface, Method};
 use crate::datapath::Architecture;
 use crate::fixed::wide::Wide;
 use crate::platform::error::Error;
 
 /// The method.
 pub static METHODS: [About; 1] = [About {
-    name: "squaring",
-    help: "x squared log2 n times, for shininesses that are powers of two",
-    formula: "x^n by log2 n squarings",
-    core_name: None,
-    options: &[],
-    coefficients: &[],
-    interpolates: false,
-    computes_with_shininess: false,
     powers_of_two: true,
     is_baseline: true,
-    configure: |_, _| Ok(Arc::new(Configured)),
+    ..About::new(
+        "squaring",
+        "x squared log2 n times, for shininesses that are powers of two",
+        "x^n by log2 n squarings",
+        |_, _| Ok(Arc::new(Configured)),
+    )
 }];
 
 #[derive(Debug)]
 struct Configured;
 
 impl Method for Configured {
-    fn about(&self) -> &'static About {
-        &METHODS[0]
-    }
-
-    fn options(&self) -> Options {
-        Options::default()
-    }
-
     fn architecture<'a>(&'a self, interface: &'a Interface) -> Result<Box<dyn Architecture + 'a>, Error> {
         Ok(Box::new(datapath::Squaring::new(interface)?))
     }

@@ -18,21 +18,19 @@ pub const TABLE_BITS: std::ops::RangeInclusive<u32> = 2..=14;
 
 /// The method.
 pub static METHODS: [About; 1] = [About {
-    name: "table",
-    help: "x^n from one table by n and the leading bits of the versine",
-    formula: "x^n from a table",
     // `table` is a word of Verilog.
     core_name: Some("lookup_table"),
     options: &["table_bits"],
-    coefficients: &[],
-    interpolates: false,
-    computes_with_shininess: false,
-    powers_of_two: false,
     is_baseline: true,
-    configure: |_, options| {
-        let table_bits = within("table_bits", options.table_bits.unwrap_or(7), TABLE_BITS)?;
-        Ok(Arc::new(Configured { table_bits }))
-    },
+    ..About::new(
+        "table",
+        "x^n from one table by n and the leading bits of the versine",
+        "x^n from a table",
+        |_, options| {
+            let table_bits = within("table_bits", options.table_bits.unwrap_or(7), TABLE_BITS)?;
+            Ok(Arc::new(Configured { table_bits }))
+        },
+    )
 }];
 
 #[derive(Debug)]
@@ -41,10 +39,6 @@ struct Configured {
 }
 
 impl Method for Configured {
-    fn about(&self) -> &'static About {
-        &METHODS[0]
-    }
-
     fn options(&self) -> Options {
         Options { table_bits: Some(self.table_bits), ..Options::default() }
     }

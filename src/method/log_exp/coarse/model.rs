@@ -1,6 +1,6 @@
 //! The power `x^n` as `2^(-n L)` with an accuracy.
 
-use super::super::model::{EXP, Function, LOG, interpolated, shininess};
+use super::super::model::{EXP, Function, LOG, interpolated};
 use crate::fixed::wide::{self, Wide};
 use crate::method::Inputs;
 
@@ -8,7 +8,7 @@ const COARSE_LOG: Function = Function { domain: 0, ..LOG };
 
 /// With an accuracy of A bits: `z = (n u) κ(x)` and `y = 2^-z`, both functions from their tables.
 pub(in crate::method) fn evaluate(inputs: &Inputs, accuracy: u32) -> Wide {
-    let n = shininess(inputs);
+    let n = inputs.shininess();
     let x = inputs.x;
     if x == 0 {
         return Wide::ZERO;
