@@ -25,6 +25,7 @@ use brdfgen::method::polynomial::Polynomial;
 use brdfgen::method::quadratic::Quadratic;
 use brdfgen::method::schlick::Schlick;
 use brdfgen::method::segmented::Segmented;
+use brdfgen::method::{Use, variants};
 use brdfgen::papers::{CosK, Taylor, TaylorSeries};
 use brdfgen::platform::tool;
 use brdfgen::spec::{Inside, Language, SpecFields};
@@ -221,16 +222,15 @@ fn design(text: &str) -> Result<Design> {
     Ok(Design::new(SpecFields::parse(text, "bench")?.resolve()?)?)
 }
 
-/// The methods whose cores are timed.
-const CORES: [&str; 7] = ["quadratic", "cubic", "cubic-rational", "schlick", "power-4", "segmented-4", "log-exp"];
+/// The methods whose cores are timed, and their specs.
+fn cores() -> impl Iterator<Item = (&'static str, String)> {
+    variants(Use::Bench).map(|(about, variant)| (about.name, variant.spec(about) + "\nshininess = '1..=1000'"))
+}
 
 /// The bit-exact arithmetic, in its forms, against `powf`.
 fn bit_exact(effort: Effort) -> Result<Vec<Row>> {
     let xs: Vec<f64> = (0..COSINES).map(|i| (FIRST + i as i64) as f64 / 65536.0).collect();
-    let designs = CORES
-        .iter()
-        .map(|method| design(&format!("method = '{method}'\nshininess = '1..=1000'")))
-        .collect::<Result<Vec<Design>>>()?;
+    let designs = cores().map(|(_, text)| design(&text)).collect::<Result<Vec<Design>>>()?;
     let mut contenders = vec![powers("std powf (f64)", &xs, f64::powf)];
     for design in &designs {
         let name = design.spec.name.replace('_', "-");
@@ -292,8 +292,7 @@ fn bit_exact(effort: Effort) -> Result<Vec<Row>> {
 /// Choosing widths, coefficients and schedule of a core, and its files.
 fn generation(effort: Effort) -> Result<Vec<Row>> {
     let mut contenders = Vec::new();
-    for method in CORES {
-        let text = format!("method = '{method}'\nshininess = '1..=1000'");
+    for (method, text) in cores() {
         design(&text)?;
         contenders.push(contender(method, move || {
             black_box(design(black_box(&text)).expect("the same as before"));

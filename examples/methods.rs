@@ -8,54 +8,12 @@ use std::path::Path;
 
 use brdfgen::core::Design;
 use brdfgen::emit::package;
+use brdfgen::method::{Use, variants};
 use brdfgen::spec::SpecFields;
-
-/// What is compared: a name for the table, and the spec's lines.
-const METHODS: [(&str, &str); 40] = [
-    ("quadratic", "method = 'quadratic'"),
-    ("quadratic, minimax", "method = 'quadratic'\ncoefficients = 'minimax'"),
-    ("quadratic, paper form", "method = 'quadratic'\nform = 'paper'"),
-    ("cubic", "method = 'cubic'"),
-    ("cubic, Q = 0.6", "method = 'cubic'\nq = 0.6"),
-    ("cubic, minimax", "method = 'cubic'\ncoefficients = 'minimax'"),
-    ("cubic, minimax max-abs:0.5", "method = 'cubic'\ncoefficients = 'minimax'\nobjective = 'max-abs:0.5'"),
-    ("cubic, paper form", "method = 'cubic'\nform = 'paper'"),
-    ("cubic, held tail", "method = 'cubic'\ntail = 'hold'"),
-    ("cubic, held tail, minimax", "method = 'cubic'\ntail = 'hold'\ncoefficients = 'minimax'"),
-    ("cubic-three-point", "method = 'cubic-three-point'"),
-    ("cubic-three-point, held tail", "method = 'cubic-three-point'\ntail = 'hold'"),
-    ("cubic-min-zero", "method = 'cubic-min-zero'"),
-    ("cubic-min-zero, minimax", "method = 'cubic-min-zero'\ncoefficients = 'minimax'"),
-    ("cubic-rational, digit", "method = 'cubic-rational'\ndivider = 'digit'"),
-    ("cubic-rational, reciprocal", "method = 'cubic-rational'\ndivider = 'reciprocal'"),
-    ("schlick, digit", "method = 'schlick'\ndivider = 'digit'"),
-    ("schlick, reciprocal", "method = 'schlick'\ndivider = 'reciprocal'"),
-    ("lyon-2", "method = 'lyon-2'"),
-    ("lyon-4", "method = 'lyon-4'"),
-    ("lyon-8", "method = 'lyon-8'"),
-    ("power-2, linear", "method = 'power-2'\ninside = 'linear'"),
-    ("power-4, linear", "method = 'power-4'\ninside = 'linear'"),
-    ("power-8, linear", "method = 'power-8'\ninside = 'linear'"),
-    ("power-2, quadratic", "method = 'power-2'"),
-    ("power-4, quadratic", "method = 'power-4'"),
-    ("power-8, quadratic", "method = 'power-8'"),
-    ("segmented-2", "method = 'segmented-2'"),
-    ("segmented-4", "method = 'segmented-4'"),
-    ("segmented-8", "method = 'segmented-8'"),
-    ("log-exp", "method = 'log-exp'"),
-    ("log-exp to 2^-5", "method = 'log-exp'\naccuracy = 5"),
-    ("log-exp to 2^-7", "method = 'log-exp'\naccuracy = 7"),
-    ("log-exp to 2^-9", "method = 'log-exp'\naccuracy = 9"),
-    ("log-exp to 2^-11", "method = 'log-exp'\naccuracy = 11"),
-    ("log-exp to 2^-14", "method = 'log-exp'\naccuracy = 14"),
-    ("harris", "method = 'harris'"),
-    ("quadratic, in_n with 3 fraction bits", "method = 'quadratic'\nshininess_fraction = 3"),
-    ("cubic, in_n with 3 fraction bits", "method = 'cubic'\nshininess_fraction = 3"),
-    ("power-4, in_n with 3 fraction bits", "method = 'power-4'\nshininess_fraction = 3"),
-];
 
 /// The shininesses at which errors are measured.
 const MEASURED: [u32; 3] = [10, 100, 1000];
+
 fn design(method: &str) -> Result<Design, brdfgen::platform::error::Error> {
     let text = format!("{method}\nshininess = '1..=1000'\ninput_fraction = 16\noutput_fraction = 16");
     Design::new(SpecFields::parse(&text, "method")?.resolve()?)
@@ -129,7 +87,8 @@ const ABOUT: &str = "\
 # The methods, measured
 
 Written by `cargo run --release --example methods`; the same figures are in methods.csv. All cores serve the integers n = 1 to 1000
-(the last ones also eighths between them) and have F = G = 16 fraction bits. What they cost is in [targets.md](targets.md) and trade.csv.
+(those with 3 fraction bits of in_n also eighths between them) and have F = G = 16 fraction bits. What they cost is in
+[targets.md](targets.md) and trade.csv.
 
 The errors are those of the bit-exact evaluator, which the tests hold equal to the reference model, at n = 10, 100 and 1000, over every code of
 the cosine in [0, 1], 65537 of them, against x^n:
@@ -153,9 +112,10 @@ fn sig(value: f64) -> String {
 fn main() -> Result<(), Box<dyn Error>> {
     let mut refused = Vec::new();
     let mut entries = Vec::new();
-    for (name, method) in METHODS {
-        match design(method) {
-            Ok(design) => entries.push((name, method, Entry::of(&design))),
+    for (about, variant) in variants(Use::Table) {
+        let name = variant.full_name(about);
+        match design(&variant.spec(about)) {
+            Ok(design) => entries.push((name, Entry::of(&design))),
             Err(error) => refused.push(format!("{name}: {error}")),
         }
     }
@@ -172,7 +132,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     csv += "\n";
     text += "\n| method | ROM bits | multipliers | latency |\n| --- | ---: | --- | ---: |\n";
-    for (name, _, entry) in &entries {
+    for (name, entry) in &entries {
         writeln!(text, "| {name} | {} | {} | {} |", entry.rom_bits, entry.multipliers, entry.latency)?;
         write!(csv, "\"{name}\",{},{},{}", entry.rom_bits, entry.multipliers, entry.latency)?;
         for e in &entry.errors {
@@ -185,7 +145,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         write!(text, "\n## n = {n}\n\n")?;
         text += "| method | max abs | rel | RMS | falls | negative | seam | jump |\n";
         text += "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
-        for (name, _, entry) in &entries {
+        for (name, entry) in &entries {
             let e = &entry.errors[place];
             let (abs, rel, rms) = (sig(e.max_abs), sig(e.max_rel_epicentre), sig(e.rms));
             let (breaks, negative) = (e.breaks, e.negative);

@@ -2,6 +2,7 @@
 
 mod common;
 
+use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use brdfgen::core::{Design, Measured};
@@ -10,6 +11,7 @@ use brdfgen::datapath::graph::{Node, Op};
 use brdfgen::datapath::schedule::schedule;
 use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::fixed::exp2;
+use brdfgen::method::{About, Use, variants};
 use brdfgen::spec::{Pipeline, SpecFields};
 use brdfgen::verify::golden::all_codes;
 use proptest::prelude::*;
@@ -63,121 +65,68 @@ fn assert_every_input(spec: &str, stride: i64) {
     assert!(compared.into_inner() >= expected / 2, "{spec}: too few compared with the model");
 }
 
-/// Every method with each option that changes its datapath or its coefficients, as the lines of a spec.
-mod kinds {
-    pub const QUADRATIC: &str = "method = 'quadratic'";
-    pub const QUADRATIC_PAPER: &str = "method = 'quadratic'\nform = 'paper'";
-    pub const QUADRATIC_MINIMAX: &str = "method = 'quadratic'\ncoefficients = 'minimax'";
-    pub const CUBIC: &str = "method = 'cubic'";
-    pub const CUBIC_PAPER: &str = "method = 'cubic'\nform = 'paper'";
-    pub const CUBIC_HOLD: &str = "method = 'cubic'\ntail = 'hold'";
-    pub const CUBIC_MINIMAX: &str = "method = 'cubic'\ncoefficients = 'minimax'\nobjective = 'max-rel:0.5'";
-    pub const CUBIC_HOLD_MINIMAX: &str = "method = 'cubic'\ncoefficients = 'minimax'\ntail = 'hold'";
-    pub const THREE_POINT: &str = "method = 'cubic-three-point'";
-    pub const THREE_POINT_HOLD: &str = "method = 'cubic-three-point'\ntail = 'hold'";
-    pub const MIN_ZERO: &str = "method = 'cubic-min-zero'";
-    pub const MIN_ZERO_MINIMAX: &str = "method = 'cubic-min-zero'\ncoefficients = 'minimax'";
-    pub const LYON_2: &str = "method = 'lyon-2'";
-    pub const LYON_4: &str = "method = 'lyon-4'";
-    pub const LYON_8: &str = "method = 'lyon-8'";
-    pub const POWER_2: &str = "method = 'power-2'";
-    pub const POWER_4: &str = "method = 'power-4'\nobjective = 'weighted:0.5'";
-    pub const POWER_8: &str = "method = 'power-8'";
-    pub const POWER_2_LINEAR: &str = "method = 'power-2'\ninside = 'linear'\nobjective = 'max-abs:0.1'";
-    pub const POWER_4_LINEAR: &str = "method = 'power-4'\ninside = 'linear'";
-    pub const POWER_8_LINEAR: &str = "method = 'power-8'\ninside = 'linear'";
+/// A variant of a method, as the lines of a spec.
+#[derive(Clone, Debug)]
+struct Kind {
+    about: &'static About,
+    spec: String,
+}
 
-    pub const SEGMENTED_2: &str = "method = 'segmented-2'";
-    pub const SEGMENTED_4: &str = "method = 'segmented-4'\nobjective = 'weighted:-0.3'";
-    pub const SEGMENTED_8: &str = "method = 'segmented-8'";
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.spec)
+    }
+}
 
-    pub const ALL: [&str; 24] = [
-        QUADRATIC,
-        QUADRATIC_PAPER,
-        QUADRATIC_MINIMAX,
-        CUBIC,
-        CUBIC_PAPER,
-        CUBIC_HOLD,
-        CUBIC_MINIMAX,
-        CUBIC_HOLD_MINIMAX,
-        THREE_POINT,
-        THREE_POINT_HOLD,
-        MIN_ZERO,
-        MIN_ZERO_MINIMAX,
-        LYON_2,
-        LYON_4,
-        LYON_8,
-        POWER_2,
-        POWER_4,
-        POWER_8,
-        POWER_2_LINEAR,
-        POWER_4_LINEAR,
-        POWER_8_LINEAR,
-        SEGMENTED_2,
-        SEGMENTED_4,
-        SEGMENTED_8,
-    ];
-
+impl Kind {
     /// Whether a level q can be given: the paper's coefficients have one, fitted ones do not.
-    pub fn has_level(kind: &str) -> bool {
-        kind.contains("cubic") && !kind.contains("minimax")
+    fn has_level(&self) -> bool {
+        self.about.has("q") && !self.spec.contains("minimax")
     }
 
     /// Whether a range can have shininesses between its integers.
-    pub fn interpolates(kind: &str) -> bool {
-        !["paper", "three-point", "segmented"].iter().any(|without| kind.contains(without))
+    fn interpolates(&self) -> bool {
+        (self.about.interpolates || self.about.computes_with_shininess) && !self.spec.contains("paper")
     }
 }
 
-/// Every input at F = G = 16, compared with the model at every `stride`th: for the shininesses 1 to 1000 of the cores that are compared at all, and with
-/// `./test.sh --all` of every core; for some of them, from end to end, of the others.
-macro_rules! at_16_bits {
-    ($($test:ident: $kind:ident, $stride:literal;)*) => {
-        $(
-            #[test]
-            fn $test() {
-                let set = if $stride == 1 || common::all() {
-                    "'1..=1000'".to_owned()
-                } else {
-                    let some = [1, 2, 3, 4, 5, 7].into_iter().chain((8..=1000).step_by(31)).chain([1000]);
-                    format!("[{}]", some.map(|n: u32| n.to_string()).collect::<Vec<_>>().join(", "))
-                };
-                assert_every_input(&format!("{}\nshininess = {set}", kinds::$kind), $stride);
-            }
-        )*
-    };
+fn kinds_of(of: Use) -> Vec<Kind> {
+    variants(of).map(|(about, variant)| Kind { about, spec: variant.spec(about) }).collect()
 }
 
-at_16_bits! {
-    quadratic_is_faithful_at_16_bits: QUADRATIC, 1;
-    quadratic_paper_is_faithful_at_16_bits: QUADRATIC_PAPER, 1;
-    quadratic_minimax_is_faithful_at_16_bits: QUADRATIC_MINIMAX, 31;
-    cubic_is_faithful_at_16_bits: CUBIC, 1;
-    cubic_paper_is_faithful_at_16_bits: CUBIC_PAPER, 1;
-    cubic_hold_is_faithful_at_16_bits: CUBIC_HOLD, 31;
-    cubic_minimax_is_faithful_at_16_bits: CUBIC_MINIMAX, 31;
-    cubic_hold_minimax_is_faithful_at_16_bits: CUBIC_HOLD_MINIMAX, 31;
-    three_point_is_faithful_at_16_bits: THREE_POINT, 31;
-    three_point_hold_is_faithful_at_16_bits: THREE_POINT_HOLD, 31;
-    min_zero_is_faithful_at_16_bits: MIN_ZERO, 31;
-    min_zero_minimax_is_faithful_at_16_bits: MIN_ZERO_MINIMAX, 31;
-    lyon_2_is_faithful_at_16_bits: LYON_2, 31;
-    lyon_4_is_faithful_at_16_bits: LYON_4, 31;
-    lyon_8_is_faithful_at_16_bits: LYON_8, 31;
-    segmented_2_is_faithful_at_16_bits: SEGMENTED_2, 31;
-    segmented_4_is_faithful_at_16_bits: SEGMENTED_4, 31;
-    segmented_8_is_faithful_at_16_bits: SEGMENTED_8, 31;
-    power_2_is_faithful_at_16_bits: POWER_2, 31;
-    power_4_is_faithful_at_16_bits: POWER_4, 31;
-    power_8_is_faithful_at_16_bits: POWER_8, 31;
-    power_2_linear_is_faithful_at_16_bits: POWER_2_LINEAR, 31;
-    power_4_linear_is_faithful_at_16_bits: POWER_4_LINEAR, 31;
-    power_8_linear_is_faithful_at_16_bits: POWER_8_LINEAR, 31;
+/// Those whose model, datapath and method are compared here; the others have tests of their own.
+fn kinds() -> Vec<Kind> {
+    kinds_of(Use::Exactness)
+}
+
+/// Those that take shininesses between the integers of a range.
+fn interpolating() -> impl Iterator<Item = Kind> {
+    kinds().into_iter().filter(Kind::interpolates)
+}
+
+/// Every input at F = G = 16 for the shininesses 1 to 1000, compared with the model at all of them.
+#[test]
+fn the_papers_methods_are_faithful_at_16_bits() {
+    for lines in ["quadratic'", "quadratic'\nform = 'paper'", "cubic'", "cubic'\nform = 'paper'"] {
+        assert_every_input(&format!("method = '{lines}\nshininess = '1..=1000'"), 1);
+    }
+}
+
+/// Every input at F = G = 16, compared with the model at every 31st: for some shininesses from 1 to 1000, from end to end, and for all of
+/// them with `./test.sh --all`.
+#[test]
+fn every_method_is_faithful_at_16_bits() {
+    let some = [1, 2, 3, 4, 5, 7].into_iter().chain((8..=1000).step_by(31)).chain([1000]);
+    let some = some.map(|n: u32| n.to_string()).collect::<Vec<_>>().join(", ");
+    let set = if common::all() { "'1..=1000'".to_owned() } else { format!("[{some}]") };
+    for kind in kinds() {
+        assert_every_input(&format!("{kind}\nshininess = {set}"), 31);
+    }
 }
 
 #[test]
 fn every_input_equals_the_model_at_9_bits() {
-    for kind in kinds::ALL {
+    for kind in kinds() {
         for (f, g) in [(9, 9), (9, 12), (9, 6)] {
             assert_every_input(
                 &format!("{kind}\nshininess = '1..=300'\ninput_fraction = {f}\noutput_fraction = {g}"),
@@ -187,22 +136,11 @@ fn every_input_equals_the_model_at_9_bits() {
     }
 }
 
-/// Every kind, and those of the methods whose other tests are elsewhere.
-fn every_kind() -> impl Iterator<Item = &'static str> {
-    let others = [
-        "method = 'log-exp'",
-        "method = 'harris'",
-        "method = 'table'",
-        "method = 'schlick'",
-        "method = 'schlick'\ndivider = 'reciprocal'",
-        "method = 'cubic-rational'",
-    ];
-    kinds::ALL.into_iter().chain(others)
-}
-
 #[test]
 fn a_core_for_the_codes_from_0_to_1_needs_no_limits_and_agrees_with_one_for_any() {
-    for kind in every_kind() {
+    // Squaring takes other shininesses; a core with an accuracy is not faithful.
+    let suits = |kind: &Kind| !kind.about.powers_of_two && !kind.spec.contains("accuracy");
+    for kind in kinds_of(Use::Smallest).into_iter().filter(suits) {
         for operand in ["cos", "versine"] {
             let spec = |range: &str| {
                 format!(
@@ -230,7 +168,7 @@ fn a_core_for_the_codes_from_0_to_1_needs_no_limits_and_agrees_with_one_for_any(
 
 #[test]
 fn versine_operand_is_faithful_for_every_input() {
-    for kind in kinds::ALL {
+    for kind in kinds() {
         let spec =
             format!("{kind}\nshininess = '1..=200'\noperand = 'versine'\ninput_fraction = 12\noutput_fraction = 10");
         assert_every_input(&spec, 3);
@@ -242,9 +180,9 @@ fn versine_operand_is_faithful_for_every_input() {
 fn real_shininesses_near_the_degenerate_ones_are_faithful() {
     let set = "[1, 1.0001, 1.05, 1.2, 1.5, 1.8, 1.999, 2, 2.001, 2.3, 2.6, 2.9, 2.9999, 3, 3.0001, 3.9999, 4, 4.0001, \
                4.5, 7.9, 8, 8.1, 15.9999, 16, 16.0001]";
-    for kind in kinds::ALL {
+    for kind in kinds() {
         for q in [0.06, 0.2, 0.2847, 0.5, 0.75, 0.95] {
-            let q = if kinds::has_level(kind) {
+            let q = if kind.has_level() {
                 format!("q = {q}")
             } else if q == 0.5 {
                 String::new()
@@ -261,7 +199,7 @@ fn real_shininesses_near_the_degenerate_ones_are_faithful() {
 
 #[test]
 fn single_rows_are_faithful() {
-    for kind in kinds::ALL {
+    for kind in kinds() {
         for n in ["1", "1.3", "2", "3", "4", "50", "1000", "4096.5"] {
             assert_every_input(&format!("{kind}\nshininess = [{n}]\ninput_fraction = 13\noutput_fraction = 12"), 1);
         }
@@ -271,7 +209,7 @@ fn single_rows_are_faithful() {
 /// Shininesses between the integers: coefficients on the way from row to row, or n itself as a fixed-point number.
 #[test]
 fn shininesses_between_the_rows_are_faithful() {
-    for kind in kinds::ALL.into_iter().filter(|kind| kinds::interpolates(kind)) {
+    for kind in interpolating() {
         for (set, bits, f, g) in [
             ("1..=40", 1, 10, 12),
             ("1..=20", 3, 11, 9),
@@ -292,23 +230,33 @@ fn shininesses_between_the_rows_are_faithful() {
 #[test]
 fn awkward_coefficients_are_faithful() {
     for (kind, n, f, g) in [
-        (kinds::CUBIC, "[33.5]\nq = 0.6731500925891767", 8, 5),
-        (kinds::CUBIC, "[2.999897042275834]", 6, 12),
-        (kinds::CUBIC_PAPER, "[2.0073503908925137]\nq = 0.5330430221472111", 12, 4),
-        (kinds::CUBIC, "[1.9999]", 10, 10),
-        (kinds::CUBIC, "[1.000125310597362]\nq = 0.18428061877470708", 10, 7),
-        (kinds::QUADRATIC_PAPER, "[1.0105001220411538]", 4, 4),
-        (kinds::CUBIC_PAPER, "[2.0388254932042136]", 9, 5),
-        (kinds::CUBIC, "[3]\nq = 0.3", 10, 10),
-        (kinds::CUBIC, "[4]\nq = 0.0625", 8, 8),
-        (kinds::CUBIC, "[1000000]", 4, 4),
-        (kinds::POWER_2, "[4]", 10, 15),
-        (kinds::POWER_4, "[8, 2.44]", 10, 13),
-        (kinds::POWER_8, "[16, 2.63, 3.59]", 8, 15),
-        (kinds::POWER_2, "'4..=4'\nshininess_fraction = 3", 5, 9),
-        (kinds::CUBIC_HOLD, "[1.0000009541307748]", 11, 9),
-        (kinds::CUBIC_HOLD_MINIMAX, "[3.6172235051760584, 1.9915932567856647]", 5, 15),
-        (kinds::THREE_POINT_HOLD, "[1.000503219291507]\nq = 0.8982357175768237\ng = 0.2294135663548795", 11, 5),
+        ("method = 'cubic'", "[33.5]\nq = 0.6731500925891767", 8, 5),
+        ("method = 'cubic'", "[2.999897042275834]", 6, 12),
+        ("method = 'cubic'\nform = 'paper'", "[2.0073503908925137]\nq = 0.5330430221472111", 12, 4),
+        ("method = 'cubic'", "[1.9999]", 10, 10),
+        ("method = 'cubic'", "[1.000125310597362]\nq = 0.18428061877470708", 10, 7),
+        ("method = 'quadratic'\nform = 'paper'", "[1.0105001220411538]", 4, 4),
+        ("method = 'cubic'\nform = 'paper'", "[2.0388254932042136]", 9, 5),
+        ("method = 'cubic'", "[3]\nq = 0.3", 10, 10),
+        ("method = 'cubic'", "[4]\nq = 0.0625", 8, 8),
+        ("method = 'cubic'", "[1000000]", 4, 4),
+        ("method = 'power-2'", "[4]", 10, 15),
+        ("method = 'power-4'\nobjective = 'weighted:0.5'", "[8, 2.44]", 10, 13),
+        ("method = 'power-8'", "[16, 2.63, 3.59]", 8, 15),
+        ("method = 'power-2'", "'4..=4'\nshininess_fraction = 3", 5, 9),
+        ("method = 'cubic'\ntail = 'hold'", "[1.0000009541307748]", 11, 9),
+        (
+            "method = 'cubic'\ncoefficients = 'minimax'\ntail = 'hold'",
+            "[3.6172235051760584, 1.9915932567856647]",
+            5,
+            15,
+        ),
+        (
+            "method = 'cubic-three-point'\ntail = 'hold'",
+            "[1.000503219291507]\nq = 0.8982357175768237\ng = 0.2294135663548795",
+            11,
+            5,
+        ),
     ] {
         let spec = format!("{kind}\nshininess = {n}\ninput_fraction = {f}\noutput_fraction = {g}");
         assert_every_input(&spec, 1);
@@ -331,7 +279,7 @@ fn nothing_of_a_core_is_idle() {
         let unread = fields.filter(|(op, _)| nodes.iter().all(|node| node.op != *op)).map(|(_, name)| name.to_owned());
         unread.chain((0..nodes.len()).filter(|&id| idle(id)).map(|id| nodes[id].name.clone())).collect::<Vec<_>>()
     };
-    for kind in kinds::ALL {
+    for kind in kinds() {
         for set in ["'1..=40'", "[1]", "[1.5, 2.5]", "[3]", "[4.5]", "[60]"] {
             for operand in ["cos", "versine"] {
                 let spec = format!(
@@ -358,14 +306,14 @@ fn any_core() -> impl Strategy<Value = String> {
     let list = prop::collection::vec(shininess, 1..4).prop_map(|list| (format!("{list:?}"), None));
     let range = (1u32..200, 0u32..12, 0u32..=6)
         .prop_map(|(first, more, bits)| (format!("'{first}..={}'", first + more), (bits > 0).then_some(bits)));
-    (prop::sample::select(kinds::ALL.to_vec()), prop_oneof![list, range], 0.06f64..0.95, any::<bool>()).prop_map(
+    (prop::sample::select(kinds()), prop_oneof![list, range], 0.06f64..0.95, any::<bool>()).prop_map(
         |(kind, (set, bits), q, versine)| {
             let operand = if versine { "versine" } else { "cos" };
             let mut spec = format!("{kind}\nshininess = {set}\noperand = '{operand}'");
-            if kinds::has_level(kind) {
+            if kind.has_level() {
                 spec += &format!("\nq = {q}");
             }
-            if let Some(bits) = bits.filter(|_| kinds::interpolates(kind)) {
+            if let Some(bits) = bits.filter(|_| kind.interpolates()) {
                 spec += &format!("\nshininess_fraction = {bits}");
             }
             spec
@@ -383,7 +331,7 @@ proptest! {
 
     /// At widths whose inputs cannot all be tried, the model and the graph agree on random ones.
     #[test]
-    fn wide_cores_equal_the_model(kind in prop::sample::select(kinds::ALL.to_vec()), f in 12u32..=24, g in 12u32..=20, first in 1u32..2000, codes in proptest::collection::vec(any::<u64>(), 64)) {
+    fn wide_cores_equal_the_model(kind in prop::sample::select(kinds()), f in 12u32..=24, g in 12u32..=20, first in 1u32..2000, codes in proptest::collection::vec(any::<u64>(), 64)) {
         let spec = format!("{kind}\nshininess = '{first}..={}'\ninput_fraction = {f}\noutput_fraction = {g}", first + 7);
         let design = design(&spec);
         assert_proof(&design, &spec);
@@ -409,8 +357,8 @@ proptest! {
 fn every_pipeline_depth_computes_the_same() {
     let list = "shininess = [3, 7.5, 40]";
     let between = "shininess = '3..=12'\nshininess_fraction = 2";
-    let lists = kinds::ALL.into_iter().map(|kind| (kind, list));
-    let ranges = kinds::ALL.into_iter().filter(|kind| kinds::interpolates(kind)).map(|kind| (kind, between));
+    let lists = kinds().into_iter().map(|kind| (kind, list));
+    let ranges = interpolating().map(|kind| (kind, between));
     for (kind, set) in lists.chain(ranges) {
         let design = design(&format!("{kind}\n{set}\ninput_fraction = 8\noutput_fraction = 8"));
         let depths = (1..=32).map(Pipeline::Depth).chain([Pipeline::Auto]);
@@ -472,13 +420,13 @@ fn the_measurement_is_exhaustive_and_within_the_proof() {
 /// error that it has everywhere.
 #[test]
 fn ends_are_exact() {
-    for kind in kinds::ALL {
+    for kind in kinds() {
         let design = design(&format!("{kind}\nshininess = '1..=1000'\noutput_fraction = 11"));
         for n in 1..=1000 {
             let top = design.model().evaluate(n, 1 << 16);
-            let error = if kind.contains("segmented-2") { 19 } else { 8 };
+            let error = if kind.spec.contains("segmented-2") { 19 } else { 8 };
             let exact = top == 1 << 11;
-            assert!(exact || kind.contains("segmented") && (1 << 11) - top <= error, "{kind} n = {n}: {top}");
+            assert!(exact || kind.spec.contains("segmented") && (1 << 11) - top <= error, "{kind} n = {n}: {top}");
             assert_eq!(design.model().evaluate(n, 0), 0, "{kind} n = {n}");
         }
     }
@@ -495,10 +443,10 @@ fn a_form_that_needs_too_many_bits_says_so() {
 /// A ROM word with any one bit flipped changes the answer to some golden vector, unless it changes the answer to no input at all.
 #[test]
 fn golden_vectors_notice_every_flipped_rom_bit() {
-    for kind in kinds::ALL {
+    for kind in kinds() {
         assert_flips_are_noticed(&format!("{kind}\nshininess = '1..=60'\ninput_fraction = 10\noutput_fraction = 10"));
     }
-    for kind in kinds::ALL.into_iter().filter(|kind| kinds::interpolates(kind)) {
+    for kind in interpolating() {
         assert_flips_are_noticed(&format!(
             "{kind}\nshininess = '1..=30'\nshininess_fraction = 3\ninput_fraction = 9\noutput_fraction = 10"
         ));
@@ -568,56 +516,16 @@ fn assert_flips_are_noticed(spec: &str) {
     assert!(missed.is_empty(), "{spec}: {} of {words} flipped bits go unnoticed: {first:?}", missed.len());
 }
 
-/// Every method and every choice that changes its datapath, for the smallest cores.
-const SMALLEST: [&str; 36] = [
-    kinds::QUADRATIC,
-    kinds::QUADRATIC_PAPER,
-    kinds::QUADRATIC_MINIMAX,
-    kinds::CUBIC,
-    kinds::CUBIC_PAPER,
-    kinds::CUBIC_HOLD,
-    kinds::CUBIC_MINIMAX,
-    kinds::CUBIC_HOLD_MINIMAX,
-    kinds::THREE_POINT,
-    kinds::THREE_POINT_HOLD,
-    kinds::MIN_ZERO,
-    kinds::MIN_ZERO_MINIMAX,
-    kinds::LYON_2,
-    kinds::LYON_4,
-    kinds::LYON_8,
-    kinds::POWER_2,
-    kinds::POWER_4,
-    kinds::POWER_8,
-    kinds::POWER_2_LINEAR,
-    kinds::POWER_4_LINEAR,
-    kinds::POWER_8_LINEAR,
-    kinds::SEGMENTED_2,
-    kinds::SEGMENTED_4,
-    kinds::SEGMENTED_8,
-    "method = 'schlick'",
-    "method = 'schlick'\ndivider = 'reciprocal'",
-    "method = 'cubic-rational'",
-    "method = 'cubic-rational'\ndivider = 'reciprocal'",
-    "method = 'log-exp'",
-    "method = 'log-exp'\naccuracy = 3",
-    "method = 'log-exp'\naccuracy = 3\nmemory = 'block'",
-    "method = 'squaring'",
-    "method = 'harris'",
-    "method = 'harris'\nlog_bits = 2\nexp_bits = 2",
-    "method = 'table'",
-    "method = 'table'\ntable_bits = 2",
-];
-
 /// Where the output has few bits, distances, slopes and steps may have none at all: those mean the same in the model, in the datapath and
 /// in the evaluator, for every code at both ports.
 #[test]
 fn the_smallest_cores_are_the_same_everywhere() {
     let sets = ["'1..=5'", "[1]", "[2, 1048576]", "'255..=256'", "[1.5, 3.25, 700]"];
     let mut specs = Vec::new();
-    for kind in SMALLEST {
-        let sets: &[&str] = if kind.contains("squaring") { &["[1, 2, 4, 1024]", "[1]"] } else { &sets };
+    for kind in kinds_of(Use::Smallest) {
+        let sets: &[&str] = if kind.about.powers_of_two { &["[1, 2, 4, 1024]", "[1]"] } else { &sets };
         for (place, set) in sets.iter().enumerate() {
-            for f in if kind.contains("accuracy") { 8..=10 } else { 4..=10 } {
+            for f in if kind.spec.contains("accuracy") { 8..=10 } else { 4..=10 } {
                 for g in 4..=6 {
                     // Two or three sets for each pair of widths.
                     if (place + f + g) % 2 == 1 {

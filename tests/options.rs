@@ -14,7 +14,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::process::Command;
-use std::sync::Mutex;
+use std::sync::{LazyLock, Mutex};
 use std::time::Instant;
 
 use rayon::prelude::*;
@@ -23,6 +23,7 @@ use brdfgen::core::sample::random_codes;
 use brdfgen::core::{Account, Design, Direction, Part, ShaderError};
 use brdfgen::emit::package;
 use brdfgen::fixed::Rng;
+use brdfgen::method::METHODS;
 use brdfgen::platform::error::Error;
 use brdfgen::spec::{CoreSpec, Interface, Language, RomStyle, SpecFields};
 use brdfgen::verify::cosim::{self, Job, Sim};
@@ -35,34 +36,15 @@ const NOTHING: &str = "";
 const METHOD: usize = 0;
 const HELPERS: [usize; 6] = [METHOD, 1, 2, 3, 4, 5];
 
+/// Every method, as the line of a spec.
+static METHOD_LINES: LazyLock<Vec<String>> =
+    LazyLock::new(|| METHODS.into_iter().flatten().map(|about| format!("method = '{}'", about.name)).collect());
+
 /// What lobes and shaders both choose from: lines of a spec.
 fn choices_of_all() -> Vec<Choice> {
     let choice = |name, values: &[&'static str]| Choice { name, values: values.to_vec() };
     vec![
-        choice(
-            "method",
-            &[
-                "method = 'quadratic'",
-                "method = 'cubic'",
-                "method = 'cubic-rational'",
-                "method = 'cubic-three-point'",
-                "method = 'cubic-min-zero'",
-                "method = 'schlick'",
-                "method = 'lyon-2'",
-                "method = 'lyon-4'",
-                "method = 'lyon-8'",
-                "method = 'power-2'",
-                "method = 'power-4'",
-                "method = 'power-8'",
-                "method = 'segmented-2'",
-                "method = 'segmented-4'",
-                "method = 'segmented-8'",
-                "method = 'log-exp'",
-                "method = 'squaring'",
-                "method = 'harris'",
-                "method = 'table'",
-            ],
-        ),
+        Choice { name: "method", values: METHOD_LINES.iter().map(String::as_str).collect() },
         choice("coefficients", &[NOTHING, "coefficients = 'paper'", "coefficients = 'minimax'"]),
         choice("output_fraction", &["output_fraction = 8", "output_fraction = 20", "output_fraction = 4"]),
         choice("accuracy", &[NOTHING, "accuracy = 3", "accuracy = 15"]),

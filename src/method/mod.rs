@@ -28,6 +28,7 @@ pub mod segmented;
 mod shininess;
 pub mod squaring;
 pub mod table;
+mod variant;
 
 use std::fmt;
 use std::sync::{Arc, LazyLock};
@@ -41,6 +42,7 @@ pub use model::{Inputs, Model};
 pub use options::{Coefficients, Form, Options, Source};
 pub(crate) use options::{within, word};
 pub use shininess::{Colour, MAX_ROWS, Material, Shininess};
+pub use variant::{Use, Variant, variants};
 
 use crate::datapath::Architecture;
 use crate::fixed::wide::Wide;
@@ -89,6 +91,8 @@ pub struct About {
     pub powers_of_two: bool,
     /// Whether it is there to be compared with: published by others, or what an engineer would build without this crate.
     pub is_baseline: bool,
+    /// The options that tests, tables and benches run it with.
+    pub variants: &'static [Variant],
     /// The method with the options of a spec.
     pub configure: Configure,
 }
@@ -107,6 +111,7 @@ impl About {
             computes_with_shininess: false,
             powers_of_two: false,
             is_baseline: false,
+            variants: &[],
             configure,
         }
     }

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
-use super::{About, Coefficients, Form, Inputs, Interface, Method, Options, Source};
+use super::{About, Coefficients, Form, Inputs, Interface, Method, Options, Source, Use, Variant};
 use crate::datapath::Architecture;
 use crate::fit::{self, Fit, Inside, Objective};
 use crate::fixed::wide::Wide;
@@ -36,6 +36,17 @@ pub static METHODS: [About; 1] = [About {
     options: &["form", "q", "tail"],
     coefficients: &[Coefficients::Paper, Coefficients::Minimax],
     interpolates: true,
+    variants: &[
+        Variant::new("", "", &[Use::Table, Use::Exactness, Use::Bench]),
+        Variant::new("Q = 0.6", "q = 0.6", &[Use::Table]),
+        Variant::new("minimax", "coefficients = 'minimax'", &[Use::Table]),
+        Variant::new("minimax max-abs:0.5", "coefficients = 'minimax'\nobjective = 'max-abs:0.5'", &[Use::Table]),
+        Variant::new("minimax max-rel:0.5", "coefficients = 'minimax'\nobjective = 'max-rel:0.5'", &[Use::Exactness]),
+        Variant::new("paper form", "form = 'paper'", &[Use::Table, Use::Exactness]),
+        Variant::new("held tail", "tail = 'hold'", &[Use::Table, Use::Exactness]),
+        Variant::new("held tail, minimax", "tail = 'hold'\ncoefficients = 'minimax'", &[Use::Table, Use::Exactness]),
+        Variant::new("in_n with 3 fraction bits", "shininess_fraction = 3", &[Use::Table]),
+    ],
     ..About::new("cubic", "x(1 - u(A - a u)); past its minimum cut to 0 or held", FORMULA, |about, options| {
         let q = options.level(LEVEL)?;
         let (form, tail) = (options.form.unwrap_or(Form::Stable), options.tail.unwrap_or(Tail::Cut));

@@ -4,7 +4,7 @@ mod lobe;
 
 use std::sync::Arc;
 
-use super::{About, Coefficients, Inputs, Interface, Method, Options, Source, cubic, powers};
+use super::{About, Coefficients, Inputs, Interface, Method, Options, Source, Use, Variant, cubic, powers};
 use crate::datapath::Architecture;
 use crate::fit::{self, Fit, Inside, Objective, Power};
 use crate::fixed::wide::Wide;
@@ -17,6 +17,10 @@ pub static METHODS: [About; 1] = [About {
     options: &["q"],
     coefficients: &[Coefficients::Paper, Coefficients::Minimax],
     interpolates: true,
+    variants: &[
+        Variant::new("", "", &[Use::Table, Use::Exactness]),
+        Variant::new("minimax", "coefficients = 'minimax'", &[Use::Table, Use::Exactness]),
+    ],
     ..About::new("cubic-min-zero", "x(1 - K u)^2, 0 past its zero", "x max(0, 1 - K u)^2", |about, options| {
         let q = options.level(cubic::LEVEL)?;
         Ok(Arc::new(Configured { q, source: options.source(about) }))

@@ -8,7 +8,7 @@ mod model;
 use std::sync::Arc;
 
 use super::divide::Divider;
-use super::{About, Coefficients, Inputs, Interface, Method, Options, Source, cubic};
+use super::{About, Coefficients, Inputs, Interface, Method, Options, Source, Use, Variant, cubic};
 use crate::datapath::Architecture;
 use crate::fixed::wide::Wide;
 use crate::platform::error::Error;
@@ -20,6 +20,10 @@ pub use lobe::CubicRational;
 pub static METHODS: [About; 1] = [About {
     options: &["q", "divider"],
     coefficients: &[Coefficients::Paper, Coefficients::Minimax],
+    variants: &[
+        Variant::new("digit", "divider = 'digit'", &[Use::Table, Use::Smallest, Use::Bench]),
+        Variant::new("reciprocal", "divider = 'reciprocal'", &[Use::Table, Use::Smallest]),
+    ],
     ..About::new(
         "cubic-rational",
         "The cubic up to the cusp, x/(d + b u) past it",

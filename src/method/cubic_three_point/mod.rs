@@ -5,7 +5,7 @@ mod lobe;
 use std::sync::Arc;
 
 use super::cubic::{self, Cubic, Tail};
-use super::{About, Coefficients, Inputs, Interface, Method, Options, Source};
+use super::{About, Coefficients, Inputs, Interface, Method, Options, Source, Use, Variant};
 use crate::datapath::Architecture;
 use crate::fit::Objective;
 use crate::fixed::wide::Wide;
@@ -15,6 +15,10 @@ use crate::platform::error::Error;
 pub static METHODS: [About; 1] = [About {
     options: &["q", "g", "tail"],
     coefficients: &[Coefficients::Paper, Coefficients::Minimax],
+    variants: &[
+        Variant::new("", "", &[Use::Table, Use::Exactness]),
+        Variant::new("held tail", "tail = 'hold'", &[Use::Table, Use::Exactness]),
+    ],
     ..About::new(
         "cubic-three-point",
         "The cubic's shape through two points of the lobe",

@@ -6,7 +6,7 @@ mod model;
 
 use std::sync::Arc;
 
-use super::{About, Inputs, Interface, Method, Options, within};
+use super::{About, Inputs, Interface, Method, Options, Use, Variant, within};
 use crate::datapath::Architecture;
 use crate::fixed::wide::Wide;
 use crate::platform::error::Error;
@@ -23,6 +23,10 @@ pub static METHODS: [About; 1] = [About {
     options: &["log_bits", "exp_bits"],
     computes_with_shininess: true,
     is_baseline: true,
+    variants: &[
+        Variant::new("", "", &[Use::Table, Use::Smallest]),
+        Variant::new("small tables", "log_bits = 2\nexp_bits = 2", &[Use::Smallest]),
+    ],
     ..About::new(
         "harris",
         "2^(-n L(x)) with L from one table and 2^-f from another, neither interpolated: one multiplication",

@@ -9,7 +9,7 @@ mod model;
 
 use std::sync::Arc;
 
-use super::{About, Inputs, Interface, Method, Options, within};
+use super::{About, Inputs, Interface, Method, Options, Use, Variant, within};
 use crate::datapath::Architecture;
 use crate::fixed::wide::Wide;
 use crate::platform::error::Error;
@@ -22,6 +22,16 @@ pub use lobe::{EXP_CURVATURE, LOG_RATIO_CURVATURE, LogExp, log_ratio};
 pub static METHODS: [About; 1] = [About {
     options: &["accuracy", "memory"],
     computes_with_shininess: true,
+    variants: &[
+        Variant::new("", "", &[Use::Table, Use::Smallest, Use::Bench]),
+        Variant::new("to 2^-5", "accuracy = 5", &[Use::Table]),
+        Variant::new("to 2^-7", "accuracy = 7", &[Use::Table]),
+        Variant::new("to 2^-9", "accuracy = 9", &[Use::Table]),
+        Variant::new("to 2^-11", "accuracy = 11", &[Use::Table]),
+        Variant::new("to 2^-14", "accuracy = 14", &[Use::Table]),
+        Variant::new("to 2^-3", "accuracy = 3", &[Use::Smallest]),
+        Variant::new("to 2^-3, block memory", "accuracy = 3\nmemory = 'block'", &[Use::Smallest]),
+    ],
     ..About::new(
         "log-exp",
         "2^(-n L(x)) with L = -log2 x, from small tables",

@@ -4,7 +4,7 @@ mod lobe;
 
 use std::sync::Arc;
 
-use super::{About, Configure, Inputs, Interface, Method, powers, rows};
+use super::{About, Configure, Inputs, Interface, Method, Use, Variant, powers, rows};
 use crate::datapath::Architecture;
 use crate::fit::Power;
 use crate::fixed::wide::Wide;
@@ -20,8 +20,15 @@ pub static METHODS: [About; 3] = [
     about("lyon-8", "(1 - n u/8)^8, 0 past its zero", "max(0, 1 - n u/8)^8", |_, _| Ok(Arc::new(Configured { k: 8 }))),
 ];
 
+const VARIANTS: [Variant; 1] = [Variant::new("", "", &[Use::Table, Use::Exactness])];
+
 const fn about(name: &'static str, help: &'static str, formula: &'static str, configure: Configure) -> About {
-    About { computes_with_shininess: true, is_baseline: true, ..About::new(name, help, formula, configure) }
+    About {
+        computes_with_shininess: true,
+        is_baseline: true,
+        variants: &VARIANTS,
+        ..About::new(name, help, formula, configure)
+    }
 }
 
 #[derive(Debug)]

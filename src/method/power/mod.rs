@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{About, Coefficients, Configure, Inputs, Interface, Method, Options, Source, powers, rows};
+use super::{About, Coefficients, Configure, Inputs, Interface, Method, Options, Source, Use, Variant, powers, rows};
 use crate::datapath::Architecture;
 use crate::fit::{self, Fit, Inside, Objective, Power};
 use crate::fixed::wide::Wide;
@@ -10,22 +10,59 @@ use crate::platform::error::Error;
 
 /// The method with each k.
 pub static METHODS: [About; 3] = [
-    about("power-2", "(1 - u(A - a u))^2 with fitted coefficients", "max(0, 1 - u(A - a u))^2", |_, options| {
-        Ok(configured(options, 2))
-    }),
-    about("power-4", "(1 - u(A - a u))^4 with fitted coefficients", "max(0, 1 - u(A - a u))^4", |_, options| {
-        Ok(configured(options, 4))
-    }),
-    about("power-8", "(1 - u(A - a u))^8 with fitted coefficients", "max(0, 1 - u(A - a u))^8", |_, options| {
-        Ok(configured(options, 8))
-    }),
+    about(
+        "power-2",
+        "(1 - u(A - a u))^2 with fitted coefficients",
+        "max(0, 1 - u(A - a u))^2",
+        &VARIANTS_2,
+        |_, options| Ok(configured(options, 2)),
+    ),
+    about(
+        "power-4",
+        "(1 - u(A - a u))^4 with fitted coefficients",
+        "max(0, 1 - u(A - a u))^4",
+        &VARIANTS_4,
+        |_, options| Ok(configured(options, 4)),
+    ),
+    about(
+        "power-8",
+        "(1 - u(A - a u))^8 with fitted coefficients",
+        "max(0, 1 - u(A - a u))^8",
+        &VARIANTS_8,
+        |_, options| Ok(configured(options, 8)),
+    ),
 ];
 
-const fn about(name: &'static str, help: &'static str, formula: &'static str, configure: Configure) -> About {
+const VARIANTS_2: [Variant; 3] = [
+    Variant::new("quadratic", "", &[Use::Table, Use::Exactness]),
+    Variant::new("linear", "inside = 'linear'", &[Use::Table]),
+    Variant::new("linear, max-abs:0.1", "inside = 'linear'\nobjective = 'max-abs:0.1'", &[Use::Exactness]),
+];
+
+const VARIANTS_4: [Variant; 4] = [
+    Variant::new("quadratic", "", &[Use::Table, Use::Bench]),
+    Variant::new("quadratic, weighted:0.5", "objective = 'weighted:0.5'", &[Use::Exactness]),
+    Variant::new("linear", "inside = 'linear'", &[Use::Table, Use::Exactness]),
+    Variant::new("in_n with 3 fraction bits", "shininess_fraction = 3", &[Use::Table]),
+];
+
+const VARIANTS_8: [Variant; 2] = [
+    Variant::new("quadratic", "", &[Use::Table, Use::Exactness]),
+    Variant::new("linear", "inside = 'linear'", &[Use::Table, Use::Exactness]),
+];
+
+const fn about(
+    name: &'static str,
+    help: &'static str,
+    formula: &'static str,
+    variants: &'static [Variant],
+    configure: Configure,
+) -> About {
     About {
         options: &["inside"],
         coefficients: &[Coefficients::Minimax],
         interpolates: true,
+        variants,
         ..About::new(name, help, formula, configure)
     }
 }

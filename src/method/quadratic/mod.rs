@@ -6,7 +6,7 @@ mod model;
 
 use std::sync::Arc;
 
-use super::{About, Coefficients, Form, Inputs, Interface, Method, Options, Source};
+use super::{About, Coefficients, Form, Inputs, Interface, Method, Options, Source, Use, Variant};
 use crate::datapath::Architecture;
 use crate::fit::{self, Fit, Inside, Objective};
 use crate::fixed::wide::Wide;
@@ -19,6 +19,12 @@ pub static METHODS: [About; 1] = [About {
     options: &["form"],
     coefficients: &[Coefficients::Paper, Coefficients::Minimax],
     interpolates: true,
+    variants: &[
+        Variant::new("", "", &[Use::Table, Use::Exactness, Use::Bench]),
+        Variant::new("minimax", "coefficients = 'minimax'", &[Use::Table, Use::Exactness]),
+        Variant::new("paper form", "form = 'paper'", &[Use::Table, Use::Exactness]),
+        Variant::new("in_n with 3 fraction bits", "shininess_fraction = 3", &[Use::Table]),
+    ],
     ..About::new("quadratic", "x(1 - a u), clamped at 0", "max(0, x(1 - a u))", |about, options| {
         Ok(Arc::new(Configured { form: options.form.unwrap_or(Form::Stable), source: options.source(about) }))
     })

@@ -7,7 +7,7 @@ mod model;
 use std::sync::Arc;
 
 use super::divide::Divider;
-use super::{About, Inputs, Interface, Method, Options};
+use super::{About, Inputs, Interface, Method, Options, Use, Variant};
 use crate::datapath::Architecture;
 use crate::fixed::wide::Wide;
 use crate::platform::error::Error;
@@ -19,6 +19,10 @@ pub static METHODS: [About; 1] = [About {
     options: &["divider"],
     computes_with_shininess: true,
     is_baseline: true,
+    variants: &[
+        Variant::new("digit", "divider = 'digit'", &[Use::Table, Use::Smallest, Use::Bench]),
+        Variant::new("reciprocal", "divider = 'reciprocal'", &[Use::Table, Use::Smallest]),
+    ],
     ..About::new("schlick", "x/(1 + (n-1)u)", "x/(1 + (n-1)u)", |_, options| {
         Ok(Arc::new(Configured { divider: options.divider.unwrap_or(Divider::Digit) }))
     })

@@ -5,7 +5,7 @@ mod model;
 
 use std::sync::Arc;
 
-use super::{About, Inputs, Interface, Method};
+use super::{About, Inputs, Interface, Method, Use, Variant};
 use crate::datapath::Architecture;
 use crate::fixed::wide::Wide;
 use crate::platform::error::Error;
@@ -14,6 +14,7 @@ use crate::platform::error::Error;
 pub static METHODS: [About; 1] = [About {
     powers_of_two: true,
     is_baseline: true,
+    variants: &[Variant::new("", "", &[Use::Smallest])],
     ..About::new(
         "squaring",
         "x squared log2 n times, for shininesses that are powers of two",

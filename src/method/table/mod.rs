@@ -6,7 +6,7 @@ mod model;
 
 use std::sync::Arc;
 
-use super::{About, Inputs, Interface, Method, Options, within};
+use super::{About, Inputs, Interface, Method, Options, Use, Variant, within};
 use crate::datapath::Architecture;
 use crate::fixed::wide::Wide;
 use crate::platform::error::Error;
@@ -22,6 +22,7 @@ pub static METHODS: [About; 1] = [About {
     core_name: Some("lookup_table"),
     options: &["table_bits"],
     is_baseline: true,
+    variants: &[Variant::new("", "", &[Use::Smallest]), Variant::new("small", "table_bits = 2", &[Use::Smallest])],
     ..About::new(
         "table",
         "x^n from one table by n and the leading bits of the versine",
