@@ -168,10 +168,11 @@ impl Writer<'_> {
             Op::Clamp { low, high } => self.clamp(arg(0), low, high, width),
             Op::Add => format!("{} + {}", self.fitted(arg(0), frac, width), self.fitted(arg(1), frac, width)),
             Op::Sub => format!("{} - {}", self.fitted(arg(0), frac, width), self.fitted(arg(1), frac, width)),
-            Op::Mul if node.format.signed => {
-                format!("$signed({}) * $signed({})", self.name(arg(0)), self.name(arg(1)))
+            Op::Mul => {
+                let [a, b] =
+                    [arg(0), arg(1)].map(|id| self.fitted(id, self.format(id).frac_bits, self.format(id).width()));
+                if node.format.signed { format!("$signed({a}) * $signed({b})") } else { format!("{a} * {b}") }
             }
-            Op::Mul => format!("{} * {}", self.name(arg(0)), self.name(arg(1))),
             Op::ShiftLeft => {
                 let from = self.format(arg(0)).frac_bits;
                 format!("{} << {}", self.fitted(arg(0), from, width), self.name(arg(1)))

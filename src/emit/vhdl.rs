@@ -179,7 +179,10 @@ impl Writer<'_> {
             Op::Clamp { low, high } => self.clamp(arg(0), low, high, width),
             Op::Add => format!("{} + {}", self.fitted(arg(0), format), self.fitted(arg(1), format)),
             Op::Sub => format!("{} - {}", self.fitted(arg(0), format), self.fitted(arg(1), format)),
-            Op::Mul => format!("{} * {}", self.name(arg(0)), self.name(arg(1))),
+            Op::Mul => {
+                let [a, b] = [arg(0), arg(1)].map(|id| self.fitted(id, self.format(id)));
+                format!("{a} * {b}")
+            }
             Op::ShiftLeft => {
                 let to = Format { frac_bits: self.format(arg(0)).frac_bits, int_bits: 0, ..format };
                 let to = Format { int_bits: width as i32 - to.frac_bits - i32::from(to.signed), ..to };
