@@ -20,7 +20,8 @@ use sha2::{Digest, Sha256};
 pub use layout::Layout;
 pub use port::{Direction, Port, WritePort};
 
-use crate::block::shader::{ShaderModel, datapath as shader};
+use crate::block::shader::ShaderModel;
+use crate::block::shader::datapath::{self as shader, Joints};
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
 use crate::datapath::range::{Analysis, Narrowed, Region, regions};
@@ -79,6 +80,8 @@ pub struct Design {
     pub budget: Budget,
     /// The values of the lobe that the range analysis took bits off.
     pub narrowed: Vec<Narrowed>,
+    /// The joints of a shader's lights, in their order; none of a lobe.
+    pub joints: Vec<Joints>,
     /// The real-valued method of each shininess; kept, so that coefficients are fitted once.
     lobes: Arc<[Box<dyn Lobe>]>,
     /// What the lobe computes and how.
@@ -103,14 +106,14 @@ impl Design {
         drop(architecture);
         let Solution { widths, datapath: mut lobe, budget } = solution;
         let narrowed = narrow(&spec, &mut lobe);
-        let datapath = match &spec.block {
-            Block::Lobe => lobe,
+        let (datapath, joints) = match &spec.block {
+            Block::Lobe => (lobe, Vec::new()),
             Block::Shader(shader) => shader::build(&spec.interface, shader, &lobe).ok_or_else(|| {
                 Error::input("the shader would need values of more than 126 bits", "use fewer fraction bits")
             })?,
         };
         let schedule = schedule(&datapath.graph, spec.pipeline)?;
-        let design = Self { widths, datapath, schedule, budget, narrowed, lobes, description, spec };
+        let design = Self { widths, datapath, schedule, budget, narrowed, lobes, description, joints, spec };
         design.spec.golden_inputs.check(&design.numbers(Direction::In))?;
         if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {
             return Err(Error::input(

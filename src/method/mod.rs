@@ -28,6 +28,7 @@ pub mod segmented;
 mod shininess;
 pub mod squaring;
 pub mod table;
+pub(crate) mod width;
 
 use std::fmt;
 use std::sync::{Arc, LazyLock};
