@@ -240,8 +240,7 @@ fn shader_design((core, shader): (&str, &str)) -> Design {
 }
 
 fn prove(design: &Design, graph: &Graph) -> Proof {
-    let Block::Shader(shader) = &design.spec.block else { panic!("a shader") };
-    Proof::of(&design.spec.interface.shininess, shader, graph, design.tables())
+    Proof::of(&design.spec.interface.shininess, &design.joints, graph, design.tables())
 }
 
 #[test]

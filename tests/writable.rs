@@ -6,7 +6,7 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use brdfgen::core::{Account, Design};
+use brdfgen::core::{Account, Design, Role};
 use brdfgen::datapath::simulate::{Inputs, Simulation, Write};
 use brdfgen::emit::package;
 use brdfgen::emit::rom::RomFormat;
@@ -106,7 +106,7 @@ fn writable_cores_pass_everywhere_lint_clean_and_equal_the_rom_core() {
         let rom_golden = Golden::of(&with_rom);
         assert_eq!(rom_golden.groups, core.golden.groups, "{spec}");
         assert_eq!(rom_golden.digests, core.golden.digests, "{spec}");
-        assert!(with_rom.ports().iter().all(|port| !port.name.starts_with("wr_")));
+        assert!(with_rom.ports().iter().all(|port| port.role != Role::Write));
 
         let name = &core.design.spec.name;
         let (verilog, vhdl) = (format!("rtl/{name}.v"), format!("rtl/{name}.vhd"));

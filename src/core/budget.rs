@@ -87,10 +87,7 @@ impl ShaderError {
                     lobes[row].at(versine.to_num())
                 });
                 let real = |table: &Table, name: &str, row: usize| table.field(name).reals[row];
-                let stored = |table: &Table, name: &str, row: usize| {
-                    let field = table.field(name);
-                    field.format.value(field.codes[row])
-                };
+                let stored = |table: &Table, name: &str, row: usize| table.field(name).value(row);
                 let channels = |sample: &Sample, lights: &[(f64, f64)]| sample.channels(design, shader, lights, real);
                 let hardware = model.evaluate(&codes);
                 let stages = [

@@ -108,7 +108,7 @@ fn edge(design: &Design, shader: &Shader, row: u32, shininess: f64, rng: &mut Rn
     let fraction = shader.vector_fraction;
     let axis = near_axis(fraction, rng);
     let direction: Vector = axis.map(|code| code as f64 * exp2(-(fraction as i32)));
-    let dot_bits = shader.widths(&design.spec.interface).get("dot") as u32;
+    let dot_bits = shader.widths(&design.spec.interface).dot as u32;
     let dropped = 2 * fraction - dot_bits;
     let light = rng.below(shader.lights.into()) as usize;
     let about_normal = |rng: &mut Rng| {
@@ -225,22 +225,21 @@ mod tests {
     fn products_are_often_just_below_a_last_bit() {
         let design = design();
         let shader = design.spec.block.shader().expect("a shader");
-        let dropped = 2 * shader.vector_fraction - shader.widths(&design.spec.interface).get("dot") as u32;
+        let dropped = 2 * shader.vector_fraction - shader.widths(&design.spec.interface).dot as u32;
         assert_eq!(dropped, 14);
         let mut rng = Rng::new(3);
-        let names = ["nl1_xyz", "nv_xyz", "lv1_xyz"];
+        let model = design.shader_model(shader);
         let mut found = [0; 3];
         let mut grazing = 0;
         for _ in 0..4000 {
-            let codes: Vec<i128> = varied(&design, shader, &mut rng).into_iter().map(i128::from).collect();
-            let values = design.graph().values(design.tables(), &codes);
-            let value = |name: &str| {
-                values[design.graph().nodes.iter().position(|node| node.name == name).expect("a scalar product")]
-            };
-            for (count, name) in found.iter_mut().zip(names) {
-                *count += usize::from(value(name) & 0x3fff == 0x3fff);
+            let codes = varied(&design, shader, &mut rng);
+            let [normal, viewer, light] = [1, 4, 7].map(|place| at(&codes, place));
+            let products = [product(normal, light), product(normal, viewer), product(light, viewer)];
+            for (count, product) in found.iter_mut().zip(products) {
+                *count += usize::from(product & 0x3fff == 0x3fff);
             }
-            grazing += usize::from((1..1 << dropped).contains(&value(names[0])) && value("spec1") > 0);
+            let highlight = model.highlight(codes[0] as u32, &model.cosines(&codes)[0]);
+            grazing += usize::from((1..1 << dropped).contains(&products[0]) && highlight > 0);
         }
         assert!(found.iter().all(|&count| count > 10), "{found:?}");
         assert!(grazing > 10, "{grazing}");

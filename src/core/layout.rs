@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::WritePort;
+use super::{Role, WritePort};
 use crate::datapath::Datapath;
 use crate::datapath::graph::{Node, NodeId, Op};
 use crate::datapath::schedule::Schedule;
@@ -43,9 +43,6 @@ pub struct Layout<'a> {
     apart: bool,
 }
 
-/// Names that the text of every core has, whatever it computes.
-const FIXED: [&str; 7] = ["clk", "rst", "ce", "in_valid", "out_valid", "valid", "unused"];
-
 impl<'a> Layout<'a> {
     /// The layout of a core of this name. Values that would bear one name in the text, in either language, are told apart here; so
     /// are those that would bear the core's.
@@ -74,8 +71,8 @@ impl<'a> Layout<'a> {
         let graph = &self.datapath.graph;
         let inputs = graph.inputs.iter().map(|&id| self.nodes()[id].name.as_str());
         let outputs = graph.outputs.iter().map(|(name, _)| name.as_str());
-        let ports = FIXED.into_iter().chain(inputs).chain(outputs).chain([core]);
-        let mut names: HashSet<String> = ports.map(str::to_ascii_lowercase).collect();
+        let fixed = Role::NAMED.into_iter().map(|(_, name)| name).chain(["valid", "unused", core]);
+        let mut names: HashSet<String> = fixed.chain(inputs).chain(outputs).map(str::to_ascii_lowercase).collect();
         for (memory, table) in self.datapath.tables.iter().enumerate() {
             let name = table.name;
             names.extend(self.read(memory).map(|read| read.word));

@@ -18,9 +18,10 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 pub use layout::Layout;
-pub use port::{Direction, Port, WritePort};
+pub use port::{Direction, Port, Role, WritePort};
 
-use crate::block::shader::{ShaderModel, datapath as shader};
+use crate::block::shader::ShaderModel;
+use crate::block::shader::datapath::{self as shader, Joints};
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
 use crate::datapath::range::{Analysis, Narrowed, Region, regions};
@@ -31,7 +32,7 @@ use crate::fixed::{Format, Table, Widths};
 use crate::lobe::Lobe;
 use crate::method::{Configured, Model, Options};
 use crate::platform::error::Error;
-use crate::spec::{Block, CoreSpec, Form, InputRange, Operand, RomStyle, Shader, Shininess, hex};
+use crate::spec::{Block, CoreSpec, Cosine, Form, InputRange, LightColours, Operand, RomStyle, Shader, Shininess, hex};
 
 /// The same core in the method's other form, or why it cannot be built.
 pub type OtherForm = Result<Box<Design>, String>;
@@ -79,6 +80,8 @@ pub struct Design {
     pub budget: Budget,
     /// The values of the lobe that the range analysis took bits off.
     pub narrowed: Vec<Narrowed>,
+    /// The joints of a shader's lights, in their order; none of a lobe.
+    pub joints: Vec<Joints>,
     /// The real-valued method of each shininess; kept, so that coefficients are fitted once.
     lobes: Arc<[Box<dyn Lobe>]>,
     /// What the lobe computes and how.
@@ -103,14 +106,14 @@ impl Design {
         drop(architecture);
         let Solution { widths, datapath: mut lobe, budget } = solution;
         let narrowed = narrow(&spec, &mut lobe);
-        let datapath = match &spec.block {
-            Block::Lobe => lobe,
+        let (datapath, joints) = match &spec.block {
+            Block::Lobe => (lobe, Vec::new()),
             Block::Shader(shader) => shader::build(&spec.interface, shader, &lobe).ok_or_else(|| {
                 Error::input("the shader would need values of more than 126 bits", "use fewer fraction bits")
             })?,
         };
         let schedule = schedule(&datapath.graph, spec.pipeline)?;
-        let design = Self { widths, datapath, schedule, budget, narrowed, lobes, description, spec };
+        let design = Self { widths, datapath, schedule, budget, narrowed, lobes, description, joints, spec };
         design.spec.golden_inputs.check(&design.numbers(Direction::In))?;
         if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {
             return Err(Error::input(
@@ -225,20 +228,26 @@ impl Design {
     /// The ports, in the order of their declaration.
     #[must_use]
     pub fn ports(&self) -> Vec<Port> {
-        let control =
-            |name: &str, direction, meaning: String| Port { name: name.to_owned(), direction, format: None, meaning };
+        let control = |role: Role, meaning: &str| Port {
+            name: role.name().unwrap_or_default().to_owned(),
+            role,
+            format: None,
+            meaning: meaning.to_owned(),
+        };
         let numbers = |direction: Direction| {
             let meanings = match direction {
                 Direction::In => self.input_meanings(),
                 Direction::Out => self.output_meanings(),
             };
-            let port = move |((name, format), meaning): ((&str, Format), String)| Port {
-                name: name.to_owned(),
-                direction,
-                format: Some(format),
-                meaning,
+            let port = move |(place, ((name, format), meaning)): (usize, ((&str, Format), String))| {
+                let role = match direction {
+                    Direction::In if place == 0 => Role::Index,
+                    Direction::In => Role::Operand,
+                    Direction::Out => Role::Result,
+                };
+                Port { name: name.to_owned(), role, format: Some(format), meaning }
             };
-            self.numbers(direction).into_iter().zip(meanings).map(port).collect::<Vec<_>>()
+            self.numbers(direction).into_iter().zip(meanings).enumerate().map(port).collect::<Vec<_>>()
         };
         let (inputs, outputs) = (numbers(Direction::In), numbers(Direction::Out));
         let latency = self.schedule.latency;
@@ -248,18 +257,14 @@ impl Design {
             subject(&outputs, "the other outputs are")
         );
         let mut ports = vec![
-            control("clk", Direction::In, "clock; everything happens on its rising edge".to_owned()),
-            control(
-                "rst",
-                Direction::In,
-                "synchronous reset, active high: clears the valid chain, whatever ce is".to_owned(),
-            ),
-            control("ce", Direction::In, "clock enable: 0 freezes the whole pipeline".to_owned()),
-            control("in_valid", Direction::In, taken),
+            control(Role::Clock, "clock; everything happens on its rising edge"),
+            control(Role::Reset, "synchronous reset, active high: clears the valid chain, whatever ce is"),
+            control(Role::Enable, "clock enable: 0 freezes the whole pipeline"),
+            control(Role::InValid, &taken),
         ];
         ports.extend(inputs);
         ports.extend(self.write_ports().iter().flat_map(WritePort::ports).cloned());
-        ports.push(control("out_valid", Direction::Out, result));
+        ports.push(control(Role::OutValid, &result));
         ports.extend(outputs);
         ports
     }
@@ -291,28 +296,27 @@ impl Design {
         }
     }
 
-    /// As [`Design::input_meanings`], by the ports' names.
+    /// As [`Design::input_meanings`], in the order in which [`shader::build`] makes the ports.
     fn shader_input_meanings(&self, shader: &Shader) -> Vec<String> {
+        let vector = |of: &str| ["x", "y", "z"].map(|axis| format!("{axis} of {of}"));
         let last = self.spec.interface.shininess.rows() - 1;
-        let meaning = |(name, _): (&str, Format)| {
-            let (vector, axis) = name.split_at(name.len() - 1);
-            let light = vector.chars().last().unwrap_or('1');
-            let of = match vector.as_bytes() {
-                b"in_n" => "the normal N, of unit length".to_owned(),
-                b"in_v" => "the unit vector V to the viewer".to_owned(),
-                [.., b'h', _] => format!("the unit half vector H of light {light}"),
-                _ => format!("the unit vector L to light {light}"),
-            };
-            match (name, axis) {
-                ("in_material", _) => format!("index of the material, 0 to {last}; above: the last"),
-                (_, "x" | "y" | "z") => format!("{axis} of {of}"),
-                (_, channel) => {
-                    let colour = ["red", "green", "blue"].into_iter().find(|colour| colour.starts_with(channel));
-                    format!("{} of light {light}; {} is full scale", colour.unwrap_or_default(), shader.full_scale())
-                }
+        let mut meanings = vec![format!("index of the material, 0 to {last}; above: the last")];
+        meanings.extend(vector("the normal N, of unit length"));
+        if shader.cosine != Cosine::Half {
+            meanings.extend(vector("the unit vector V to the viewer"));
+        }
+        for light in 1..=shader.lights {
+            meanings.extend(vector(&format!("the unit vector L to light {light}")));
+            if shader.cosine == Cosine::Half {
+                meanings.extend(vector(&format!("the unit half vector H of light {light}")));
             }
-        };
-        self.numbers(Direction::In).into_iter().map(meaning).collect()
+            if shader.light_colours == LightColours::Ports {
+                let full = shader.full_scale();
+                let of = |colour| format!("{colour} of light {light}; {full} is full scale");
+                meanings.extend(["red", "green", "blue"].map(of));
+            }
+        }
+        meanings
     }
 
     /// The ports that carry numbers in one direction, in order: names and formats.

@@ -25,7 +25,7 @@ impl WritePort {
         };
         let port = |suffix: &str, format, meaning: String| Port {
             name: format!("{prefix}_{suffix}"),
-            direction: Direction::In,
+            role: Role::Write,
             format,
             meaning,
         };
@@ -65,13 +65,65 @@ impl Direction {
     }
 }
 
+/// What a port is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// The clock.
+    Clock,
+    /// The reset.
+    Reset,
+    /// The clock enable.
+    Enable,
+    /// Whether the inputs are to be taken.
+    InValid,
+    /// What selects the shininess or the material.
+    Index,
+    /// What the result is computed from.
+    Operand,
+    /// A part of a memory's write port.
+    Write,
+    /// Whether the outputs are a result.
+    OutValid,
+    /// A result.
+    Result,
+}
+
+impl Role {
+    /// Those of which every core has one port, with its name.
+    pub(super) const NAMED: [(Self, &str); 5] = [
+        (Self::Clock, "clk"),
+        (Self::Reset, "rst"),
+        (Self::Enable, "ce"),
+        (Self::InValid, "in_valid"),
+        (Self::OutValid, "out_valid"),
+    ];
+
+    /// The name that its port has in every core, if it has one.
+    #[must_use]
+    pub fn name(self) -> Option<&'static str> {
+        Self::NAMED.into_iter().find(|(role, _)| *role == self).map(|(_, name)| name)
+    }
+
+    /// The role of a port of this name, where every core has one.
+    #[must_use]
+    pub fn of(name: &str) -> Option<Self> {
+        Self::NAMED.into_iter().find(|(_, known)| *known == name).map(|(role, _)| role)
+    }
+
+    /// Which way its ports lead.
+    #[must_use]
+    pub fn direction(self) -> Direction {
+        if matches!(self, Self::OutValid | Self::Result) { Direction::Out } else { Direction::In }
+    }
+}
+
 /// A port of a core.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Port {
     /// Its name.
     pub name: String,
-    /// Which way it leads.
-    pub direction: Direction,
+    /// What it is for; that says which way it leads.
+    pub role: Role,
     /// The format of its codes; `None` for clock, reset, enable and the valid flags, which are a bit that is no number.
     pub format: Option<Format>,
     /// What it is for, as the end of a sentence.
@@ -79,6 +131,12 @@ pub struct Port {
 }
 
 impl Port {
+    /// Whether it carries a number of a vector in this direction, as no write port does.
+    #[must_use]
+    pub fn carries(&self, direction: Direction) -> bool {
+        matches!(self.role, Role::Index | Role::Operand | Role::Result) && self.role.direction() == direction
+    }
+
     /// Its format, as a port table says it.
     #[must_use]
     pub fn format_text(&self) -> String {

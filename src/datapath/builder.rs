@@ -107,9 +107,14 @@ impl<'a> Builder<'a> {
     }
 
     /// The finished graph with its output ports, without the nodes that no output needs (a lobe may do without x or without
-    /// u), or `None` if a value left its format.
+    /// u), or `None` if a value left its format. `kept` are nodes that an output needs: each is given its
+    /// place in the graph.
     #[must_use]
-    pub fn finish(self, outputs: &[(&str, NodeId)]) -> Option<Graph> {
+    pub fn finish<'k>(
+        self,
+        outputs: &[(&str, NodeId)],
+        kept: impl IntoIterator<Item = &'k mut NodeId>,
+    ) -> Option<Graph> {
         let mut needed = vec![false; self.nodes.len()];
         for id in outputs.iter().map(|&(_, node)| node).chain(self.inputs.iter().copied()) {
             needed[id] = true;
@@ -133,6 +138,7 @@ impl<'a> Builder<'a> {
         let moved = |node: Node| Node { args: node.args.iter().map(|&arg| place[arg]).collect(), ..node };
         let nodes = stays.map(|(node, _)| moved(node)).collect();
         let inputs = self.inputs.into_iter().map(|input| place[input]).collect();
+        kept.into_iter().for_each(|node| *node = place[*node]);
         let outputs = outputs.iter().map(|&(name, node)| (name.to_owned(), place[node])).collect();
         self.fits.then_some(Graph { nodes, inputs, outputs })
     }
@@ -378,13 +384,13 @@ impl<'a> Builder<'a> {
         if format.signed {
             return id;
         }
-        let name = format!("{}_signed", self.nodes[id].name);
-        if let Some(known) = self.nodes.iter().position(|node| node.name == name) {
+        let signed = Format { signed: true, ..format };
+        let is_known = |node: &Node| node.op == Op::Cast && node.args == [id] && node.format == signed;
+        if let Some(known) = self.nodes.iter().position(is_known) {
             return known;
         }
-        let bounds = self.bounds[id].clone();
-        let comment = "a sign bit for the signed product".to_owned();
-        self.push(Op::Cast, &[id], Format { signed: true, ..format }, &name, comment, bounds)
+        let (name, bounds) = (format!("{}_signed", self.nodes[id].name), self.bounds[id].clone());
+        self.push(Op::Cast, &[id], signed, &name, "a sign bit for the signed product".to_owned(), bounds)
     }
 
     /// `a` times `2^shifts[case]`: a shift by the ROM field `amount` plus `base`, or by `base` alone.

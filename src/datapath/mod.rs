@@ -20,7 +20,7 @@ pub mod schedule;
 pub mod simulate;
 pub mod widths;
 
-use crate::fixed::{Interval, Table, Widths};
+use crate::fixed::{Interval, Table, Width, Widths};
 use crate::lobe::Lobe;
 
 /// A core's graph with its ROM and the proof of its error.
@@ -63,15 +63,29 @@ impl CaseError {
     }
 }
 
-/// An inner width that may be chosen: its name and the values worth trying.
+/// An inner width that may be chosen: its handle and the values worth trying.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// The name, as in [`Widths`].
-    pub name: &'static str,
+    /// Its handle.
+    pub width: Width,
     /// What is quantised to this many fraction bits.
     pub meaning: &'static str,
     /// The narrowest and the widest value.
     pub range: std::ops::RangeInclusive<i32>,
+}
+
+impl Parameter {
+    /// A width with what it is and the values worth trying.
+    #[must_use]
+    pub fn new(width: Width, meaning: &'static str, range: std::ops::RangeInclusive<i32>) -> Self {
+        Self { width, meaning, range }
+    }
+
+    /// It with neither end of its range above this.
+    #[must_use]
+    pub fn up_to(self, cap: i32) -> Self {
+        Self { range: (*self.range.start()).min(cap)..=(*self.range.end()).min(cap), ..self }
+    }
 }
 
 /// What a core computes and how, for people.
@@ -93,8 +107,8 @@ pub trait Architecture: Sync {
         1.0
     }
 
-    /// Widths whose errors do not add, by their names: they are probed together.
-    fn interacting(&self) -> &'static [&'static [&'static str]] {
+    /// Widths whose errors do not add: they are probed together.
+    fn interacting(&self) -> &'static [&'static [Width]] {
         &[]
     }
 

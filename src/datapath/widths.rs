@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{Architecture, Datapath, Parameter};
-use crate::fixed::{Interval, Widths};
+use crate::fixed::{Interval, Width, Widths};
 use crate::platform::error::Error;
 
 /// What one quantisation contributes to the error.
@@ -68,7 +68,7 @@ fn total(datapath: &Datapath) -> [f64; 2] {
 }
 
 fn widths_of(parameters: &[Parameter], values: &[i32]) -> Widths {
-    Widths::new(parameters.iter().map(|p| p.name).zip(values.iter().copied()).collect())
+    Widths::new(parameters.iter().map(|p| p.width).zip(values.iter().copied()).collect())
 }
 
 impl Budget {
@@ -119,9 +119,9 @@ fn combinations(lists: &[Vec<i32>]) -> Vec<Vec<i32>> {
 
 /// What each group of widths adds on either side, with all others at their widest.
 fn probe(architecture: &dyn Architecture, parameters: &[Parameter], widest: &[i32], base: [f64; 2]) -> Vec<Probe> {
-    let place = |name: &str| parameters.iter().position(|parameter| parameter.name == name);
+    let place = |&width: &Width| parameters.iter().position(|parameter| parameter.width == width);
     let mut groups: Vec<Vec<usize>> =
-        architecture.interacting().iter().map(|names| names.iter().filter_map(|name| place(name)).collect()).collect();
+        architecture.interacting().iter().map(|group| group.iter().filter_map(place).collect()).collect();
     let grouped: Vec<usize> = groups.concat();
     groups.extend((0..parameters.len()).filter(|index| !grouped.contains(index)).map(|index| vec![index]));
     let probe = |members: Vec<usize>| {
@@ -216,7 +216,7 @@ fn budget(parameters: &[Parameter], probes: &[Probe], values: &[i32], datapath: 
             probe.combinations.iter().find(is_chosen).map(|&(_, added)| added)
         });
         Contribution {
-            name: parameter.name,
+            name: parameter.width.0,
             meaning: parameter.meaning,
             frac_bits: values[index],
             ulps: ulps.unwrap_or_default(),

@@ -28,7 +28,7 @@
 use askama::Template;
 
 use super::testbench::RandomPart;
-use super::{Direction, Port, Texts, names, render};
+use super::{Direction, Port, Role, Texts, names, render};
 use crate::fixed::Format;
 use crate::platform::error::Error;
 use crate::spec::Language;
@@ -131,6 +131,8 @@ pub struct AxisPort {
     pub bits: Option<u32>,
     /// What it is for, as the end of a sentence.
     pub meaning: String,
+    /// Whether it is a part of a write port of the core.
+    pub is_write: bool,
 }
 
 /// A core's wrapper.
@@ -156,10 +158,8 @@ impl Axis {
     /// The wrapper of a core, without a header.
     #[must_use]
     pub fn of(texts: &Texts, latency: u32, tuser_bits: u32) -> Self {
-        let writes: Vec<Port> = texts.writes.iter().flat_map(|(write, _)| write.ports()).cloned().collect();
-        let numbers = |direction: Direction| {
-            Packing::of(texts.ports.iter().filter(|port| port.direction == direction && !writes.contains(port)))
-        };
+        let writes = texts.ports.iter().filter(|port| port.role == Role::Write).cloned().collect();
+        let numbers = |direction: Direction| Packing::of(texts.ports.iter().filter(|port| port.carries(direction)));
         Self {
             name: format!("{}_axis", texts.name),
             header: Vec::new(),
@@ -179,6 +179,7 @@ impl Axis {
             direction,
             bits,
             meaning: meaning.to_owned(),
+            is_write: false,
         };
         let (input, output) = (Direction::In, Direction::Out);
         let mut ports = vec![
@@ -192,9 +193,10 @@ impl Axis {
         ];
         let write = |write: &Port| AxisPort {
             name: write.name.clone(),
-            direction: write.direction,
+            direction: write.role.direction(),
             bits: write.format.map(Format::width),
             meaning: write.meaning.replace("ce and rst are", "the stream does"),
+            is_write: true,
         };
         ports.extend(self.writes.iter().map(write));
         ports.extend([
@@ -283,8 +285,7 @@ impl Axis {
             Language::Vhdl => {
                 let width = ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
                 let declaration = |port: &AxisPort| {
-                    let is_write = self.writes.iter().any(|write| write.name == port.name);
-                    let vector = if is_write { texts.vhdl_ports.vector("unsigned") } else { "std_logic_vector" };
+                    let vector = if port.is_write { texts.vhdl_ports.vector("unsigned") } else { "std_logic_vector" };
                     let kind =
                         port.bits.map_or("std_logic".to_owned(), |bits| format!("{vector}({} downto 0)", bits - 1));
                     (port.meaning.clone(), format!("{:<width$} : {:<3} {kind}", port.name, port.direction.word()))

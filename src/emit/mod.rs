@@ -16,7 +16,7 @@ mod vhdl;
 pub use axis::{Axis, AxisPort, Lane, Packing};
 pub use testbench::test_bench;
 
-use crate::core::{Direction, Layout, Port, WritePort};
+use crate::core::{Direction, Layout, Port, Role, WritePort};
 use crate::platform::error::Error;
 use crate::spec::{Language, MAX_ROWS, VhdlPorts};
 

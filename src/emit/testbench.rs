@@ -194,10 +194,8 @@ pub fn test_bench(
     complemented: &[Vector],
     axis: Option<&Axis>,
 ) -> Result<String, Error> {
-    let is_write = |port: &&Port| texts.writes.iter().flat_map(|(write, _)| write.ports()).any(|write| write == *port);
     let numbers = |direction: Direction| -> Vec<BenchPort> {
-        let of = |port: &&Port| port.direction == direction;
-        texts.ports.iter().filter(of).filter(|port| !is_write(port)).filter_map(BenchPort::of).collect()
+        texts.ports.iter().filter(|port| port.carries(direction)).filter_map(BenchPort::of).collect()
     };
     let (inputs, outputs) = (numbers(Direction::In), numbers(Direction::Out));
     let numbers: Vec<&BenchPort> = inputs.iter().chain(&outputs).collect();

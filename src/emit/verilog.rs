@@ -256,7 +256,7 @@ impl Writer<'_> {
 }
 
 fn declaration(port: &Port) -> Declaration {
-    let direction = match port.direction {
+    let direction = match port.role.direction() {
         Direction::In => "input  wire",
         Direction::Out => "output wire",
     };

@@ -292,7 +292,7 @@ fn initial(is_flag: bool) -> &'static str {
 fn declaration(port: &Port, name_width: usize, ports: VhdlPorts) -> Declaration {
     let vector = |format: Format| format!("{}({} downto 0)", ports.vector(sign(format)), format.width() - 1);
     let kind = port.format.map_or("std_logic".to_owned(), vector);
-    let declaration = format!("{:<name_width$} : {:<3} {kind}", port.name, port.direction.word());
+    let declaration = format!("{:<name_width$} : {:<3} {kind}", port.name, port.role.direction().word());
     Declaration { comment: port.comment(), declaration }
 }
 

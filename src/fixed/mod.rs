@@ -15,7 +15,7 @@ pub use format::Format;
 pub use interval::Interval;
 pub use rng::Rng;
 pub use table::{Field, Table, interned};
-pub use widths::Widths;
+pub use widths::{Width, Widths};
 
 /// `2^exponent` as an exact `f64`; `exponent` must lie in -1022..=1023.
 #[must_use]

@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use num_bigint::BigUint;
 
-use crate::fixed::Format;
+use crate::fixed::{Format, Interval};
 
 /// A column of the ROM: one coefficient for every row.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +20,27 @@ pub struct Field {
     pub codes: Vec<i128>,
     /// The real value of each row before it was quantised.
     pub reals: Vec<f64>,
+}
+
+impl Field {
+    /// The number that the word of a row stands for.
+    #[must_use]
+    pub fn value(&self, row: usize) -> f64 {
+        self.format.value(self.codes[row])
+    }
+
+    /// What rounding added to the value of a row.
+    #[must_use]
+    pub fn rounding(&self, row: usize) -> f64 {
+        self.value(row) - self.reals[row]
+    }
+
+    /// The range of that over all rows.
+    #[must_use]
+    pub fn roundings(&self) -> Interval {
+        let of = |row| Interval::point(self.rounding(row));
+        (0..self.codes.len()).map(of).reduce(Interval::hull).unwrap_or(Interval::ZERO)
+    }
 }
 
 /// A memory of constants: its logical rows, for a coefficient ROM one a shininess, and the words that it holds.

@@ -1,40 +1,44 @@
 //! The inner widths of a core.
 
+use std::ops::Index;
+
 use serde::Serialize;
 use serde::ser::SerializeMap;
 
-/// The inner widths of a core by name, as the error analysis chose them: fraction bits each.
+/// The handle of an inner width: its name, as reports and manifests have it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Width(pub &'static str);
+
+/// The inner widths of a core, as the error analysis chose them: fraction bits each.
 ///
 /// They follow from the spec and are no part of it. The datapath and the model are both built from them.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Widths(Vec<(&'static str, i32)>);
+pub struct Widths(Vec<(Width, i32)>);
 
 impl Widths {
-    /// Widths with these names and values.
+    /// These widths with their values.
     #[must_use]
-    pub fn new(entries: Vec<(&'static str, i32)>) -> Self {
+    pub fn new(entries: Vec<(Width, i32)>) -> Self {
         Self(entries)
     }
+}
 
-    /// The fraction bits of the named quantity.
+impl Index<Width> for Widths {
+    type Output = i32;
+
+    /// The fraction bits of a quantity.
     ///
     /// # Panics
-    /// If there is none of that name: the names are fixed by the method.
-    #[must_use]
-    pub fn get(&self, name: &str) -> i32 {
-        self.0.iter().find(|(entry, _)| *entry == name).map(|&(_, bits)| bits).expect("a width of this method")
-    }
-
-    /// All of them, in order.
-    pub fn iter(&self) -> impl Iterator<Item = (&'static str, i32)> + '_ {
-        self.0.iter().copied()
+    /// If there is no such width here: which there are is fixed by the method.
+    fn index(&self, width: Width) -> &i32 {
+        self.0.iter().find(|(entry, _)| *entry == width).map(|(_, bits)| bits).expect("a width of this method")
     }
 }
 
 impl Serialize for Widths {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(Some(self.0.len()))?;
-        for (name, bits) in &self.0 {
+        for (Width(name), bits) in &self.0 {
             map.serialize_entry(name, bits)?;
         }
         map.end()

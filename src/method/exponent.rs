@@ -6,8 +6,8 @@ use crate::datapath::builder::Builder;
 use crate::datapath::graph::NodeId;
 use crate::fixed::{Interval, Table, Widths, exp2};
 use crate::lobe;
-use crate::method::polynomial::datapath::{field, nearest_code};
-use crate::method::{Interface, Shininess};
+use crate::method::polynomial::datapath::rounded_field;
+use crate::method::{Interface, Shininess, width};
 use crate::platform::error::Error;
 
 const LN_2: f64 = std::f64::consts::LN_2;
@@ -61,24 +61,19 @@ impl<'a> Exponent<'a> {
 
     /// Fraction bits of n.
     pub fn frac_bits(&self, widths: &Widths) -> i32 {
-        if self.is_read() { widths.get("n") } else { self.set.frac_bits() as i32 }
+        if self.is_read() { widths[width::N] } else { self.set.frac_bits() as i32 }
     }
 
     /// The width of n in its ROM, for a result with `precision` fraction bits.
     pub fn parameter(&self, precision: i32) -> Option<Parameter> {
         let low = (precision - libm::ilogb(self.least)).max(0);
-        let range = low.min(self.exact_bits)..=(low + 4).min(self.exact_bits);
-        self.is_read().then_some(Parameter { name: "n", meaning: "shininess n", range })
+        self.is_read().then(|| Parameter::new(width::N, "shininess n", low..=low + 4).up_to(self.exact_bits))
     }
 
-    /// The ROM of n, if n is read from one.
-    pub fn table(&self, widths: &Widths) -> Option<Table> {
-        self.is_read().then(|| {
-            let bits = widths.get("n");
-            let reals = self.set.values();
-            let codes = reals.iter().map(|&n| nearest_code(n, bits)).collect();
-            self.set.rom(vec![field("n", "the shininess", bits, codes, reals)], 0)
-        })
+    /// The ROM of n with these fraction bits, if n is read from one.
+    pub fn table(&self, bits: i32) -> Option<Table> {
+        let field = || rounded_field("n", "the shininess", bits, self.set.values());
+        self.is_read().then(|| self.set.rom(vec![field()], 0))
     }
 
     /// n as a number.
@@ -95,19 +90,18 @@ impl<'a> Exponent<'a> {
     /// Half of the most that rounding u, v and z down lowers z by where the result is near 1, u having `input_bits` before: the
     /// exponential's table makes up for it.
     pub fn lift(&self, input_bits: i32, widths: &Widths) -> f64 {
-        let (u, v, z) = (widths.get("u"), widths.get("v"), widths.get("z"));
+        let (u, v, z) = (widths[width::U], widths[width::V], widths[width::Z]);
         let lost = |from: i32, to: i32| (exp2(-to) - exp2(-from)).max(0.0);
         let of_v = self.largest * lost(input_bits, u) + lost(self.frac_bits(widths) + u, v);
-        0.5 * (std::f64::consts::LOG2_E * of_v + lost(v + widths.get("k"), z))
+        0.5 * (std::f64::consts::LOG2_E * of_v + lost(v + widths[width::K], z))
     }
 
     /// The range of `(n' - n) / n'` over the set, n' being what the ROM has in place of n.
     pub fn relative_error(&self, tables: &[Table]) -> Interval {
         let Some(table) = tables.iter().find(|table| table.name == Table::COEFFICIENTS) else { return Interval::ZERO };
         let n = table.field("n");
-        let ratio =
-            |(&code, &real): (&i128, &f64)| Interval::point((n.format.value(code) - real) / n.format.value(code));
-        n.codes.iter().zip(&n.reals).map(ratio).reduce(Interval::hull).unwrap_or(Interval::ZERO)
+        let ratio = |row| Interval::point(n.rounding(row) / n.value(row));
+        (0..table.rows()).map(ratio).reduce(Interval::hull).unwrap_or(Interval::ZERO)
     }
 }
 

@@ -29,6 +29,7 @@ mod shininess;
 pub mod squaring;
 pub mod table;
 mod variant;
+pub(crate) mod width;
 
 use std::fmt;
 use std::sync::{Arc, LazyLock};

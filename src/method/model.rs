@@ -4,9 +4,9 @@
 //! compared by the tests, and so is everything else that claims to compute the core's function. A model is given the
 //! ROM words and the inner widths; what it does with them is its own account of the arithmetic.
 
-use super::{Configured, InputRange, Interface, Operand};
+use super::{Configured, InputRange, Interface, Operand, width};
 use crate::fixed::wide::{self, Wide};
-use crate::fixed::{Table, Widths};
+use crate::fixed::{Table, Width, Widths};
 
 /// A core's function: what the model of its method is given besides the operand.
 #[derive(Clone, Copy, Debug)]
@@ -132,16 +132,16 @@ impl Inputs<'_> {
         let mut value = base;
         for level in 0..k.trailing_zeros() {
             if level > 0 {
-                value = self.floor(value, "s");
+                value = self.floor(value, width::S);
             }
             value *= value;
         }
         value
     }
 
-    /// `value` rounded down to the named width.
-    pub(super) fn floor(&self, value: Wide, name: &str) -> Wide {
-        wide::floor_to(value, self.widths.get(name) as u32)
+    /// `value` rounded down to a width.
+    pub(super) fn floor(&self, value: Wide, width: Width) -> Wide {
+        wide::floor_to(value, self.widths[width] as u32)
     }
 
     /// k of this row.
@@ -152,8 +152,8 @@ impl Inputs<'_> {
     /// `x (1 - p)` with x and `x p` rounded down to their widths, taken into [0, 1]; rounded to nearest where the input is
     /// finer than the output.
     pub(super) fn lobe(&self, p: Wide) -> Wide {
-        let x = self.floor(self.x, "x");
+        let x = self.floor(self.x, width::X);
         let rounding = if self.fine_input { self.half_ulp } else { Wide::ZERO };
-        (x + rounding - self.floor(x * p, "t")).clamp(Wide::ZERO, Wide::ONE)
+        (x + rounding - self.floor(x * p, width::T)).clamp(Wide::ZERO, Wide::ONE)
     }
 }

@@ -10,7 +10,7 @@ use super::require::{MaterialNeed, PictureError};
 use super::shade::{self, Shaded};
 use super::simplify::{Saving, Simplification};
 use super::{Budget, Requirements, Scene};
-use crate::core::{Design, Direction};
+use crate::core::{Design, Direction, Role};
 use crate::emit::package::{File, counted, rounded};
 use crate::emit::{markdown, render};
 use crate::explore::Cost;
@@ -199,7 +199,7 @@ impl Findings<'_> {
             "`in_n` above {last} selects row {last}, n = {}.",
             design.spec.interface.shininess.value(last)
         )];
-        let operand = design.ports().into_iter().find(|port| port.name == design.operand_name());
+        let operand = design.ports().into_iter().find(|port| port.role == Role::Operand);
         lines.extend(operand.map(|port| format!("`{}`: {}.", port.name, port.meaning)));
         if design.spec.interface.operand == Operand::Cos && requirements.least_cosine.is_some_and(|least| least < 0.0) {
             lines.push("Negative cosines were met, and give 0.".to_owned());

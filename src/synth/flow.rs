@@ -3,7 +3,7 @@
 use askama::Template;
 
 use super::{CORE, Netlist, Options};
-use crate::core::{Design, Direction};
+use crate::core::{Design, Direction, Role};
 use crate::emit::package::File;
 use crate::target::{Family, Pack};
 
@@ -94,9 +94,9 @@ struct Shell<'a> {
 fn shell_text(design: &Design) -> String {
     let (mut inputs_width, mut outputs_width) = (0, 0);
     let mut ports = Vec::new();
-    for port in design.ports().into_iter().filter(|port| port.name != "clk") {
+    for port in design.ports().into_iter().filter(|port| port.role != Role::Clock) {
         let bits = port.format.map_or(1, |format| format.width());
-        let (chain, width) = match port.direction {
+        let (chain, width) = match port.role.direction() {
             Direction::In => ("in_chain", &mut inputs_width),
             Direction::Out => ("outputs", &mut outputs_width),
         };

@@ -3,12 +3,12 @@
 //! The lobe is any method's own graph, taken over operation by operation ([`Builder::graft`]), once a light. What is around it is analysed
 //! here over all codes of the vectors' ports, of unit length or not: every code has a defined result.
 
-use super::{Cosine, LightColours, Shader};
+use super::{Cosine, LightColours, Shader, ShaderWidths};
 use crate::datapath::Datapath;
 use crate::datapath::builder::{Bound, Builder, Case};
 use crate::datapath::graph::{Graph, NodeId, Op};
-use crate::fixed::{Field, Format, Interval, Table, Widths, exp2, interned};
-use crate::method::polynomial::datapath::{field, nearest_code};
+use crate::fixed::{Field, Format, Interval, Table, exp2, interned};
+use crate::method::polynomial::datapath::rounded_field;
 use crate::method::{Interface, Shininess};
 
 /// The name of the memory with the materials' colours.
@@ -49,9 +49,7 @@ fn colours(interface: &Interface, shader: &Shader, frac_bits: i32) -> Table {
     let surfaces = Shader::surfaces(interface);
     let full = shader.full_scale() as f64 * exp2(-(shader.channel_bits as i32));
     let column = |name: &'static str, meaning: &'static str, value: &dyn Fn(usize) -> f64| -> Field {
-        let reals: Vec<f64> = (0..surfaces.len()).map(value).collect();
-        let codes = reals.iter().map(|&real| nearest_code(real, frac_bits)).collect();
-        field(name, meaning, frac_bits, codes, reals)
+        rounded_field(name, meaning, frac_bits, (0..surfaces.len()).map(value).collect())
     };
     let mut fields = Vec::new();
     for (channel, &ambient) in shader.ambient_light.iter().enumerate() {
@@ -104,13 +102,11 @@ fn roots(interface: &Interface, light: usize, frac_bits: i32) -> Table {
         values.push(root(a) - 0.5 * below);
         slopes.push(slope);
     }
-    let codes = |reals: &[f64], bits: i32| reals.iter().map(|&real| nearest_code(real, bits)).collect();
-    let slope_bits = frac_bits - j + 1;
     let [start, slope] = root_fields(light);
     let keys = (0..values.len()).map(|row| row as f64 * step).collect();
     let fields = vec![
-        field(start, "1/sqrt(m) at the segment's start", frac_bits, codes(&values, frac_bits), values),
-        field(slope, "its fall", slope_bits, codes(&slopes, slope_bits), slopes),
+        rounded_field(start, "1/sqrt(m) at the segment's start", frac_bits, values),
+        rounded_field(slope, "its fall", frac_bits - j + 1, slopes),
     ];
     Table::listed(root_memory(light), "entry", keys, fields)
 }
@@ -147,8 +143,40 @@ struct Shading<'a, 'b> {
     b: Builder<'b>,
     interface: &'a Interface,
     shader: &'a Shader,
-    widths: Widths,
+    widths: ShaderWidths,
+    /// The place of the memory with the colours; those with the roots follow it.
+    colours: usize,
+    material: NodeId,
     normal: [NodeId; 3],
+}
+
+/// The ports of a light, three each.
+struct LightPorts {
+    direction: [NodeId; 3],
+    half: Option<[NodeId; 3]>,
+    colour: Option<[NodeId; 3]>,
+}
+
+/// The nodes of a light at which a shader falls into parts that can be looked at one by one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Joints {
+    /// Where the cosine takes a root: s = 2 + 2 L.V and a = N.L + N.V, as they go into it.
+    pub root: Option<[NodeId; 2]>,
+    /// The lobe's operand.
+    pub operand: NodeId,
+    /// The lobe's result.
+    pub lobe: NodeId,
+    /// Whether the light is behind the surface.
+    pub dark: NodeId,
+    /// N.L for the diffuse term.
+    pub psi: NodeId,
+}
+
+impl Joints {
+    fn nodes(&mut self) -> impl Iterator<Item = &mut NodeId> {
+        let Self { root, operand, lobe, dark, psi } = self;
+        root.iter_mut().flatten().chain([operand, lobe, dark, psi])
+    }
 }
 
 impl Shading<'_, '_> {
@@ -162,6 +190,20 @@ impl Shading<'_, '_> {
         })
     }
 
+    /// The ports of a light.
+    fn light_ports(&mut self, light: usize) -> LightPorts {
+        let l = light + 1;
+        let channel = Format::unsigned(0, self.shader.channel_bits as i32);
+        let range = Interval::new(0.0, channel.value(channel.max_code()));
+        let direction = self.vector(&format!("l{l}"));
+        let half = (self.shader.cosine == Cosine::Half).then(|| self.vector(&format!("h{l}")));
+        let colour = (self.shader.light_colours == LightColours::Ports).then(|| {
+            let bound = Bound { range, error: Interval::ZERO, grid: channel.frac_bits };
+            CHANNELS.map(|c| self.b.input(channel, &format!("in_l{l}{c}"), |_| bound))
+        });
+        LightPorts { direction, half, colour }
+    }
+
     /// A scalar product.
     fn dot(&mut self, a: [NodeId; 3], c: [NodeId; 3], name: &str, what: &str) -> NodeId {
         let products = [0, 1, 2].map(|axis| self.b.mul(a[axis], c[axis], &format!("{name}_{}", AXES[axis]), what));
@@ -170,19 +212,20 @@ impl Shading<'_, '_> {
     }
 
     /// N.L in [0, 1], rounded down, and whether it is 0 before that.
-    fn incidence(&mut self, direction: [NodeId; 3], light: usize) -> (NodeId, Option<NodeId>) {
+    fn incidence(&mut self, direction: [NodeId; 3], light: usize) -> (NodeId, NodeId) {
         let l = light + 1;
         let dot = self.dot(self.normal, direction, &format!("nl{l}"), "N.L");
         let exact = self.b.clamp_to_unit(dot, &format!("nl{l}_exact"), "N.L, taken into [0, 1]: no light from behind");
         let lit = self.b.reaches(exact, -self.b.format(exact).frac_bits, &format!("lit{l}"), "N.L > 0");
-        let dark = lit.map(|lit| self.b.not(lit, &format!("dark{l}"), "the light is behind the surface"));
-        (self.b.floor(exact, self.widths.get("dot"), &format!("nl{l}"), "N.L, rounded down"), dark)
+        let lit = lit.expect("N.L has bits");
+        let dark = self.b.not(lit, &format!("dark{l}"), "the light is behind the surface");
+        (self.b.floor(exact, self.widths.dot, &format!("nl{l}"), "N.L, rounded down"), dark)
     }
 
     /// A scalar product, rounded down and taken into [-1, 1], where those of unit vectors lie.
     fn cosine(&mut self, a: [NodeId; 3], c: [NodeId; 3], name: &str, what: &str) -> NodeId {
         let dot = self.dot(a, c, name, what);
-        let bits = self.widths.get("dot");
+        let bits = self.widths.dot;
         let dot = self.b.floor(dot, bits, &format!("{name}_cut"), &format!("{what}, rounded down"));
         let one = 1i128 << self.b.format(dot).frac_bits;
         self.b.clamp(dot, -one, one, name, &format!("{what}, taken into [-1, 1]"))
@@ -190,7 +233,7 @@ impl Shading<'_, '_> {
 
     /// The lobe's operand: `value` rounded to nearest and taken into [0, 1].
     fn operand(&mut self, value: NodeId, name: &str, comment: &str) -> NodeId {
-        let bits = self.widths.get("x");
+        let bits = self.widths.x;
         let half = self.b.half_ulp(bits);
         let sum = self.b.add(value, half, &format!("{name}_half"), "plus half a last bit");
         let cut = self.b.floor(sum, bits, &format!("{name}_cut"), "rounded to nearest");
@@ -228,8 +271,9 @@ impl Shading<'_, '_> {
         self.operand(x, &format!("x{l}"), "x = 2 (N.L)(N.V) - L.V, taken into [0, 1]")
     }
 
-    /// `x = (N.L + N.V) / sqrt(2 + 2 L.V)`. With `s = 2 + 2 L.V = m 4^-k`, m from 1 to 4, it is `min(2, a 2^k) / sqrt(m)`.
-    fn root(&mut self, [nl, nv, lv]: [NodeId; 3], light: usize, memory: usize) -> NodeId {
+    /// `x = (N.L + N.V) / sqrt(2 + 2 L.V)`. With `s = 2 + 2 L.V = m 4^-k`, m from 1 to 4, it is `min(2, a 2^k) / sqrt(m)`. With it what
+    /// goes into the root, s and a.
+    fn root(&mut self, [nl, nv, lv]: [NodeId; 3], light: usize) -> (NodeId, [NodeId; 2]) {
         let l = light + 1;
         let a = self.b.add(nl, nv, &format!("a{l}_exact"), "N.L + N.V");
         let d = self.b.format(a).frac_bits;
@@ -239,6 +283,7 @@ impl Shading<'_, '_> {
         let s = self.b.add(twice, two, &format!("s{l}_exact"), "s = 2 + 2 L.V");
         let ds = self.b.format(s).frac_bits;
         let mut s = self.b.clamp(s, 0, (4 << ds) - 1, &format!("s{l}"), "s = 2 + 2 L.V, kept below 4");
+        let joints = [s, a];
         for amount in [16, 8, 4, 2].into_iter().filter(|&amount| amount < ds + 2) {
             let name = |what: &str| format!("{what}{l}_{amount}");
             let high = self.b.reaches(s, 2 - amount, &name("high"), &format!("the first {amount} bits of s"));
@@ -251,156 +296,131 @@ impl Shading<'_, '_> {
             let up = self.b.clamp(up, 0, two, &name("a_kept"), "at most 2");
             a = self.b.select(high, [a, up], |_| None, &name("a"), "a, times the root of the same");
         }
-        let bits = self.widths.get("root");
+        let bits = self.widths.root;
         let s = self.b.floor(s, bits, &format!("m{l}"), "m = s 4^k, rounded down");
         let a = self.b.floor(a, bits, &format!("a{l}_scaled"), "a 2^k, rounded down");
         let ds = self.b.format(s).frac_bits;
         let j = root_index_bits(self.interface);
         let row = self.b.cast(s, Format::unsigned(2, j), false, &format!("m{l}_high"), "the segment of m");
         let row = self.b.scale(row, None, j, &[j], &format!("segment{l}"), "its number");
-        let [root, slope] = root_fields(light).map(|name| self.b.field(memory, row, name));
+        let [root, slope] = root_fields(light).map(|name| self.b.field(self.colours + 1 + light, row, name));
         let offset =
             self.b.cast(s, Format::unsigned(-j, ds), true, &format!("offset{l}"), "m from the segment's start");
         let fall = self.b.mul(slope, offset, &format!("fall{l}_exact"), "slope times offset");
         let fall = self.b.floor(fall, bits, &format!("fall{l}"), "rounded down");
         let root = self.b.sub(root, fall, &format!("root{l}"), "1/sqrt(m)");
         let x = self.b.mul(a, root, &format!("x{l}_exact"), "a 2^k / sqrt(m)");
-        self.operand(x, &format!("x{l}"), "x = (N.L + N.V) / sqrt(2 + 2 L.V), taken into [0, 1]")
+        (self.operand(x, &format!("x{l}"), "x = (N.L + N.V) / sqrt(2 + 2 L.V), taken into [0, 1]"), joints)
     }
-}
 
-/// The shader around `lobe`, or `None` if a value would be too wide for this crate.
-///
-/// The inputs are `in_material`, N, V where it is used, and for each light L, H where it is given, and its colour where that comes from
-/// ports. The outputs are the codes of the three channels.
-#[must_use]
-pub fn build(interface: &Interface, shader: &Shader, lobe: &Datapath) -> Option<Datapath> {
-    let widths = shader.widths(interface);
-    let lights = shader.lights as usize;
-    let mut tables = Vec::new();
-    let memories = lobe_memories(lobe, lights, &mut tables);
-    let colour_memory = tables.len();
-    tables.push(colours(interface, shader, widths.get("k")));
-    if shader.cosine == Cosine::Sqrt {
-        tables.extend((0..lights).map(|light| roots(interface, light, widths.get("root"))));
-    }
-    let shininess = interface.shininess.values().into_iter().fold(1.0, f64::max);
-    let case = Case { active: Interval::UNIT, shininess, rows: vec![None; tables.len()] };
-    let mut b = Builder::new(&tables, vec![case]);
-    let material = material_port(&mut b, &interface.shininess);
-    let mut shading = Shading { b, interface, shader, widths: widths.clone(), normal: [0; 3] };
-    shading.normal = shading.vector("n");
-    let viewer = (shader.cosine != Cosine::Half).then(|| shading.vector("v"));
-    let channel = Format::unsigned(0, shader.channel_bits as i32);
-    let whole = Interval::new(0.0, channel.value(channel.max_code()));
-    let ports: Vec<_> = (1..=lights)
-        .map(|light| {
-            let direction = shading.vector(&format!("l{light}"));
-            let half = (shader.cosine == Cosine::Half).then(|| shading.vector(&format!("h{light}")));
-            let colour = (shader.light_colours == LightColours::Ports).then(|| {
-                let bound = Bound { range: whole, error: Interval::ZERO, grid: channel.frac_bits };
-                CHANNELS.map(|c| shading.b.input(channel, &format!("in_l{light}{c}"), |_| bound))
-            });
-            (direction, half, colour)
-        })
-        .collect();
-
-    let nv = viewer.map(|viewer| shading.cosine(shading.normal, viewer, "nv", "N.V"));
-    let mut sums: [Option<NodeId>; 3] = [None; 3];
-    for (light, (direction, half, colour)) in ports.into_iter().enumerate() {
-        let l = light + 1;
-        let (nl, dark) = shading.incidence(direction, light);
-        let cosines = viewer.zip(nv).map(|(viewer, nv)| {
-            let lv = shading.cosine(direction, viewer, &format!("lv{l}"), "L.V");
-            [nl, nv, lv]
-        });
-        let operand = match (shader.cosine, cosines, half) {
-            (Cosine::Half, _, Some(half)) => shading.half_vector(half, light),
-            (Cosine::Mirror, Some(cosines), _) => shading.mirror(cosines, light),
-            (Cosine::Sqrt, Some(cosines), _) => shading.root(cosines, light, colour_memory + 1 + light),
-            _ => unreachable!("the ports of this cosine"),
+    /// The lobe's operand for a light, and where it takes a root what goes into that; `viewer` is V with N.V, where H is not given.
+    fn front(
+        &mut self,
+        light: usize,
+        ports: &LightPorts,
+        nl: NodeId,
+        viewer: Option<([NodeId; 3], NodeId)>,
+    ) -> (NodeId, Option<[NodeId; 2]>) {
+        let (viewer, nv) = match (ports.half, viewer) {
+            (Some(half), _) => return (self.half_vector(half, light), None),
+            (None, viewer) => viewer.expect("H is given, or V is"),
         };
-        let b = &mut shading.b;
-        let given = [(lobe.graph.index(), material), (operand_clamp(&lobe.graph), operand)];
-        let spec = b.graft(&lobe.graph, &memories[light], &given, &format!("lobe{l}"));
-        let spec = b.zero_if(dark, spec, &format!("spec{l}"), "no highlight from a light behind the surface");
-        let psi = b.floor(nl, widths.get("cos"), &format!("psi{l}"), "N.L for the diffuse term, rounded down");
-        for (channel, sum) in sums.iter_mut().enumerate() {
-            let c = CHANNELS[channel];
-            let [_, diffuse, specular] = colour_names(shader, channel, light);
-            let mut term = |factor: &'static str, cosine: NodeId, name: &str| {
-                let k = b.field(colour_memory, material, factor);
-                let product = b.mul(k, cosine, &format!("{name}_exact"), "colour times cosine");
-                b.floor(product, widths.get("term"), name, "rounded down")
-            };
-            let diffuse = term(diffuse, psi, &format!("dif{l}_{c}"));
-            let specular = term(specular, spec, &format!("spc{l}_{c}"));
-            let mut both = b.add(diffuse, specular, &format!("both{l}_{c}"), "diffuse and specular");
-            if let Some(colour) = colour {
-                let lit = b.mul(both, colour[channel], &format!("lit{l}_{c}_exact"), "times the light's colour");
-                both = b.floor(lit, widths.get("term"), &format!("lit{l}_{c}"), "rounded down");
-            }
-            *sum = Some(match *sum {
-                None => both,
-                Some(before) => b.add(before, both, &format!("lights{l}_{c}"), "the lights so far"),
-            });
+        let lv = self.cosine(ports.direction, viewer, &format!("lv{}", light + 1), "L.V");
+        if self.shader.cosine == Cosine::Mirror {
+            return (self.mirror([nl, nv, lv], light), None);
+        }
+        let (x, root) = self.root([nl, nv, lv], light);
+        (x, Some(root))
+    }
+
+    /// `sum`, what the lights before have given to a channel, and what this one gives to it.
+    fn add_light(
+        &mut self,
+        sum: Option<NodeId>,
+        channel: usize,
+        light: usize,
+        [psi, spec]: [NodeId; 2],
+        colour: Option<[NodeId; 3]>,
+    ) -> NodeId {
+        let (l, c, bits, b) = (light + 1, CHANNELS[channel], self.widths.term, &mut self.b);
+        let [_, diffuse, specular] = colour_names(self.shader, channel, light);
+        let mut term = |factor: &'static str, cosine: NodeId, name: &str| {
+            let k = b.field(self.colours, self.material, factor);
+            let product = b.mul(k, cosine, &format!("{name}_exact"), "colour times cosine");
+            b.floor(product, bits, name, "rounded down")
+        };
+        let diffuse = term(diffuse, psi, &format!("dif{l}_{c}"));
+        let specular = term(specular, spec, &format!("spc{l}_{c}"));
+        let mut both = b.add(diffuse, specular, &format!("both{l}_{c}"), "diffuse and specular");
+        if let Some(colour) = colour {
+            let lit = b.mul(both, colour[channel], &format!("lit{l}_{c}_exact"), "times the light's colour");
+            both = b.floor(lit, bits, &format!("lit{l}_{c}"), "rounded down");
+        }
+        match sum {
+            None => both,
+            Some(before) => b.add(before, both, &format!("lights{l}_{c}"), "the lights so far"),
         }
     }
-    let bits = shader.channel_bits as i32;
-    let mut outputs = Vec::new();
-    for (channel, lights) in sums.into_iter().enumerate() {
-        let c = CHANNELS[channel];
-        let b = &mut shading.b;
-        let ambient = b.field(colour_memory, material, colour_names(shader, channel, 0)[0]);
+
+    /// The code of a channel, from what the lights give to it.
+    fn code(&mut self, lights: Option<NodeId>, channel: usize) -> NodeId {
+        let (c, bits, b) = (CHANNELS[channel], self.shader.channel_bits as i32, &mut self.b);
+        let ambient = b.field(self.colours, self.material, colour_names(self.shader, channel, 0)[0]);
         let sum =
             lights.map_or(ambient, |lights| b.add(lights, ambient, &format!("sum_{c}"), "with the ambient light"));
         let half = b.half_ulp(bits);
         let sum = b.add(sum, half, &format!("sum_half_{c}"), "plus half a code");
         let code = b.floor(sum, bits, &format!("cut_{c}"), "rounded to the nearest code");
-        let most = shader.full_scale().into();
-        let code = b.clamp(code, 0, most, &format!("kept_{c}"), "at most full scale");
-        outputs.push(b.scale(code, None, bits, &[bits], &format!("code_{c}"), "as a whole number"));
+        let code = b.clamp(code, 0, self.shader.full_scale().into(), &format!("kept_{c}"), "at most full scale");
+        b.scale(code, None, bits, &[bits], &format!("code_{c}"), "as a whole number")
+    }
+}
+
+/// The shader around `lobe`, with each light's joints, or `None` if a value would be too wide for this crate.
+///
+/// The inputs are `in_material`, N, V where it is used, and for each light L, H where it is given, and its colour where that comes from
+/// ports. The outputs are the codes of the three channels.
+#[must_use]
+pub fn build(interface: &Interface, shader: &Shader, lobe: &Datapath) -> Option<(Datapath, Vec<Joints>)> {
+    let widths = shader.widths(interface);
+    let lights = shader.lights as usize;
+    let mut tables = Vec::new();
+    let memories = lobe_memories(lobe, lights, &mut tables);
+    let colours_place = tables.len();
+    tables.push(colours(interface, shader, widths.k));
+    if shader.cosine == Cosine::Sqrt {
+        tables.extend((0..lights).map(|light| roots(interface, light, widths.root)));
+    }
+    let shininess = interface.shininess.values().into_iter().fold(1.0, f64::max);
+    let case = Case { active: Interval::UNIT, shininess, rows: vec![None; tables.len()] };
+    let mut b = Builder::new(&tables, vec![case]);
+    let material = material_port(&mut b, &interface.shininess);
+    let mut shading = Shading { b, interface, shader, widths, colours: colours_place, material, normal: [0; 3] };
+    shading.normal = shading.vector("n");
+    let viewer = (shader.cosine != Cosine::Half).then(|| shading.vector("v"));
+    let ports: Vec<LightPorts> = (0..lights).map(|light| shading.light_ports(light)).collect();
+    let viewer = viewer.map(|viewer| (viewer, shading.cosine(shading.normal, viewer, "nv", "N.V")));
+    let mut sums: [Option<NodeId>; 3] = [None; 3];
+    let mut joints = Vec::new();
+    for (light, ports) in ports.iter().enumerate() {
+        let l = light + 1;
+        let (nl, dark) = shading.incidence(ports.direction, light);
+        let (operand, root) = shading.front(light, ports, nl, viewer);
+        let b = &mut shading.b;
+        let given = [(lobe.graph.index(), material), (operand_clamp(&lobe.graph), operand)];
+        let lobe = b.graft(&lobe.graph, &memories[light], &given, &format!("lobe{l}"));
+        let spec = b.zero_if(Some(dark), lobe, &format!("spec{l}"), "no highlight from a light behind the surface");
+        let psi = b.floor(nl, widths.cos, &format!("psi{l}"), "N.L for the diffuse term, rounded down");
+        for (channel, sum) in sums.iter_mut().enumerate() {
+            *sum = Some(shading.add_light(*sum, channel, light, [psi, spec], ports.colour));
+        }
+        joints.push(Joints { root, operand, lobe, dark, psi });
     }
     let names = ["out_r", "out_g", "out_b"];
-    let outputs: Vec<(&str, NodeId)> = names.into_iter().zip(outputs).collect();
-    let graph = shading.b.finish(&outputs)?;
-    Some(Datapath { graph, tables, errors: lobe.errors.clone(), constants: lobe.constants.clone() })
-}
-
-/// The nodes of a light at which a shader falls into parts that can be looked at one by one.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Joints {
-    /// Where the cosine takes a root: s = 2 + 2 L.V and a = N.L + N.V, as they go into it.
-    pub root: Option<[NodeId; 2]>,
-    /// The lobe's operand.
-    pub operand: NodeId,
-    /// The lobe's result.
-    pub lobe: NodeId,
-    /// Whether the light is behind the surface.
-    pub dark: NodeId,
-    /// N.L for the diffuse term.
-    pub psi: NodeId,
-}
-
-/// The joints of each light of a graph that [`build`] made for this shader.
-///
-/// # Panics
-/// If the graph is another.
-#[must_use]
-pub fn joints(shader: &Shader, graph: &Graph) -> Vec<Joints> {
-    let find = |name: String| graph.nodes.iter().position(|node| node.name == name).expect("the shader's own names");
-    let of_light = |l: u32| {
-        let highlight = &graph.nodes[find(format!("spec{l}"))].args;
-        Joints {
-            root: (shader.cosine == Cosine::Sqrt).then(|| ["s", "a"].map(|name| find(format!("{name}{l}")))),
-            operand: find(format!("{}{l}", if shader.cosine == Cosine::Half { "u" } else { "x" })),
-            dark: highlight[0],
-            lobe: highlight[1],
-            // Where it needs no rounding it has no name of its own.
-            psi: graph.nodes[find(format!("dif{l}_{}_exact", CHANNELS[0]))].args[1],
-        }
-    };
-    (1..=shader.lights).map(of_light).collect()
+    let outputs: Vec<(&str, NodeId)> =
+        (0..3).map(|channel| (names[channel], shading.code(sums[channel], channel))).collect();
+    let graph = shading.b.finish(&outputs, joints.iter_mut().flat_map(Joints::nodes))?;
+    Some((Datapath { graph, tables, errors: lobe.errors.clone(), constants: lobe.constants.clone() }, joints))
 }
 
 /// The port `in_material`.

@@ -1,8 +1,8 @@
 //! The shader: scalar products, the cosine of the highlight, the lobe, the sum of the lights' colours.
 
-use super::{Cosine, LightColours, Shader};
+use super::{Cosine, LightColours, Shader, ShaderWidths};
+use crate::fixed::Table;
 use crate::fixed::wide::{self, Wide};
-use crate::fixed::{Table, Widths};
 use crate::method::{Interface, Model};
 
 /// The function of a shader core for one interface.
@@ -11,7 +11,7 @@ pub struct ShaderModel<'a> {
     lobe: Model<'a>,
     interface: &'a Interface,
     shader: &'a Shader,
-    widths: Widths,
+    widths: ShaderWidths,
     tables: &'a [Table],
 }
 
@@ -102,11 +102,12 @@ impl<'a> ShaderModel<'a> {
 
     /// `other` is the viewer, or the half vector where that is given.
     fn light(&self, light: usize, normal: Vector, direction: Vector, other: Vector) -> Cosines {
-        let floor = |value: Wide, name: &str| wide::floor_to(value, self.widths.get(name) as u32);
+        let floor = |value: Wide, bits: i32| wide::floor_to(value, bits as u32);
+        let ShaderWidths { dot: dot_bits, x: bits, cos, .. } = self.widths;
         let (zero, one) = (Wide::ZERO, Wide::ONE);
         let incidence = dot(normal, direction);
-        let nl = floor(incidence, "dot").clamp(zero, one);
-        let cosine = |a: Vector, b: Vector| floor(dot(a, b), "dot").clamp(-one, one);
+        let nl = floor(incidence, dot_bits).clamp(zero, one);
+        let cosine = |a: Vector, b: Vector| floor(dot(a, b), dot_bits).clamp(-one, one);
         let exact = match self.shader.cosine {
             Cosine::Half => {
                 let d = [0, 1, 2].map(|axis| normal[axis] - other[axis]);
@@ -115,24 +116,24 @@ impl<'a> ShaderModel<'a> {
             Cosine::Mirror => 2 * nl * cosine(normal, other) - cosine(direction, other),
             Cosine::Sqrt => self.root(light, nl + cosine(normal, other), cosine(direction, other)),
         };
-        let bits = self.widths.get("x") as u32;
+        let bits = bits as u32;
         let operand = wide::floor_to(exact + wide::from_code(1, bits + 1), bits).clamp(zero, one);
-        Cosines { diffuse: floor(nl, "cos"), operand, lit: incidence > 0 }
+        Cosines { diffuse: floor(nl, cos), operand, lit: incidence > 0 }
     }
 
     /// `a / sqrt(s)` with `s = 2 + 2 L.V`: with `s = m 4^-k`, m from 1 to 4, `min(2, a 2^k)` times the straight line for `1/sqrt(m)`.
     fn root(&self, light: usize, a: Wide, lv: Wide) -> Wide {
         let two = Wide::from_num(2);
-        let last = wide::from_code(1, self.widths.get("dot") as u32 - 1);
+        let last = wide::from_code(1, self.widths.dot as u32 - 1);
         let mut m = (two + 2 * lv).min(2 * two - last);
         let mut a = a.max(Wide::ZERO);
         // For s = 0 as often as the circuit can shift; the line for m = 0 is 1.
         let mut shifts = 0;
-        let most: u32 = [16, 8, 4, 2].into_iter().filter(|&shift| shift <= self.widths.get("dot") as u32).sum();
+        let most: u32 = [16, 8, 4, 2].into_iter().filter(|&shift| shift <= self.widths.dot as u32).sum();
         while m < 1 && shifts < most / 2 {
             (m, a, shifts) = (m * 4, (a * 2).min(two), shifts + 1);
         }
-        let bits = self.widths.get("root") as u32;
+        let bits = self.widths.root as u32;
         let (m, a) = (wide::floor_to(m, bits), wide::floor_to(a.min(two), bits));
         let memory = format!("root_{}", light + 1);
         let table = self.tables.iter().find(|table| table.name == memory).expect("a table of roots");
@@ -160,6 +161,6 @@ impl<'a> ShaderModel<'a> {
     }
 
     fn term(&self, value: Wide) -> Wide {
-        wide::floor_to(value, self.widths.get("term") as u32)
+        wide::floor_to(value, self.widths.term as u32)
     }
 }

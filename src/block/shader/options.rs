@@ -5,7 +5,6 @@ use std::str::FromStr;
 use clap::{Args, ValueEnum};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::fixed::Widths;
 use crate::method::{Colour, Interface, Material, Shininess};
 use crate::platform::error::Error;
 
@@ -143,6 +142,23 @@ pub struct Shader {
     pub ambient_light: Colour,
     /// The colours of the lights.
     pub light_colours: LightColours,
+}
+
+/// The inner widths of a shader around its lobe: fraction bits each.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct ShaderWidths {
+    /// The scalar products, two bits finer than the lobe's input, and six where they are divided by a root that may be small.
+    pub dot: i32,
+    /// The lobe's input.
+    pub x: i32,
+    /// The cosine of the diffuse term.
+    pub cos: i32,
+    /// The colours in the ROM.
+    pub k: i32,
+    /// Each light's terms, so fine that all their roundings together stay below an eighth of an output step.
+    pub term: i32,
+    /// The reciprocal square root and its factor.
+    pub root: i32,
 }
 
 /// What a material reflects.
@@ -313,28 +329,23 @@ impl ShaderFields {
 }
 
 impl Shader {
-    /// The inner widths around the lobe: fraction bits each, by rule.
-    ///
-    /// `dot`: the scalar products, two bits finer than the lobe's input, and six where they are divided by a root that may be
-    /// small; `x`: the lobe's input; `cos`: the cosine of the diffuse term;
-    /// `k`: the colours in the ROM; `term`: each light's terms, so fine that all their roundings together stay below an eighth of an
-    /// output step; `root`: the reciprocal square root and its factor.
+    /// The inner widths around the lobe, by rule.
     #[must_use]
-    pub fn widths(&self, interface: &Interface) -> Widths {
+    pub fn widths(&self, interface: &Interface) -> ShaderWidths {
         let (f, bits) = (self.vector_fraction as i32, self.channel_bits as i32);
         let x = interface.input_fraction as i32;
         let finer = if self.cosine == Cosine::Sqrt { 6 } else { 2 };
         let dot = (x + finer).min(2 * f);
         let each = if self.light_colours == LightColours::Ports { 3 } else { 2 };
         let terms = each * self.lights as i32;
-        Widths::new(vec![
-            ("dot", dot),
-            ("x", x),
-            ("cos", dot.min(bits + 4)),
-            ("k", bits + 4),
-            ("term", bits + 3 + libm::ilogb(f64::from(2 * terms - 1))),
-            ("root", x + 2),
-        ])
+        ShaderWidths {
+            dot,
+            x,
+            cos: dot.min(bits + 4),
+            k: bits + 4,
+            term: bits + 3 + libm::ilogb(f64::from(2 * terms - 1)),
+            root: x + 2,
+        }
     }
 
     /// The materials' surfaces, in the order of the set.

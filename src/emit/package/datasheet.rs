@@ -364,7 +364,7 @@ pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError
         lobe: lobe_text(spec),
         description: design.description().clone(),
         full_scale: shader.full_scale(),
-        dot_bits: shader.widths(&spec.interface).get("dot"),
+        dot_bits: shader.widths(&spec.interface).dot,
         operand_bits: spec.interface.input_fraction,
         error,
         parts: &error.parts,

@@ -279,7 +279,7 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
         let format = port.format.unwrap_or(Format::FLAG);
         json!({
             "name": port.name,
-            "direction": port.direction.word(),
+            "direction": port.role.direction().word(),
             "format": format.to_string(),
             "bits": format.width(),
             "meaning": port.meaning,

@@ -5,12 +5,12 @@ use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Field, Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
-use crate::method::Interface;
-use crate::method::cubic::{Cubic, Tail};
+use crate::method::cubic::{Cubic, H, Tail};
 use crate::method::polynomial::Polynomial;
 use crate::method::polynomial::datapath::{
-    self as polynomial, BIG_A, Ends, Line, SMALL_A, Scaling, field, nearest_code,
+    self as polynomial, BIG_A, Ends, Line, SMALL_A, Scaling, field, nearest_code, rounded_field,
 };
+use crate::method::{Interface, width};
 
 /// `q = A 2^-k - (a 4^-k) v`, `p = q v`, `y = x - x p` with `v = u 2^k`: three multiplications.
 #[derive(Debug)]
@@ -54,7 +54,7 @@ impl<'a> Stable<'a> {
 
     /// The scaling of each row with these widths.
     pub(in crate::method) fn scaling(&self, widths: &Widths) -> Scaling {
-        self.scaled_at(widths.get("A"))
+        self.scaled_at(widths[width::BIG_A])
     }
 
     fn scaled_at(&self, frac_bits: i32) -> Scaling {
@@ -75,15 +75,13 @@ impl<'a> Stable<'a> {
     fn hold_field(&self) -> Field {
         let bits = self.interface.output_fraction as i32;
         let value = |lobe: &Cubic| lobe.minimum().map_or(0.0, |minimum| lobe.formula(minimum).clamp(0.0, 1.0));
-        let reals: Vec<f64> = self.lobes.iter().map(value).collect();
-        let codes = reals.iter().map(|&real| nearest_code(real, bits)).collect();
-        field("hold", "the value past the cut", bits, codes, reals)
+        rounded_field("hold", "the value past the cut", bits, self.lobes.iter().map(value).collect())
     }
 
     /// The ROM fields of the cubic itself: A, a and k.
     pub(in crate::method) fn fields(&self, widths: &Widths) -> Vec<Field> {
         let scaling = self.scaling(widths);
-        let (bits_big, bits_small) = (widths.get("A"), widths.get("a"));
+        let (bits_big, bits_small) = (widths[width::BIG_A], widths[width::SMALL_A]);
         let ends = self.ends.in_codes();
         let mut big_codes = Vec::new();
         for ((lobe, &k), &end) in self.lobes.iter().zip(&scaling.k).zip(&ends) {
@@ -130,10 +128,10 @@ impl<'a> Stable<'a> {
         let a = polynomial::coefficient(b, address, SMALL_A);
         let past_cut = past_cut(b);
         let scaled = scaling.over_cases(b.cases()).apply(b, address.0, u);
-        let v = Format::unsigned(Ends::int_bits(ends, &scaling.k), widths.get("v"));
+        let v = Format::unsigned(Ends::int_bits(ends, &scaling.k), widths[width::V]);
         let v = b.cast(scaled, v, true, "v", "v = u 2^k, rounded down; wraps past the cut");
         let av = b.mul(a, v, "av", "(a 4^-k) v");
-        let r = b.floor(av, widths.get("A"), "r", "(a 4^-k) v, rounded down");
+        let r = b.floor(av, widths[width::BIG_A], "r", "(a 4^-k) v, rounded down");
         let q = b.sub(big_a, r, "q", "q = (A - a u) 2^-k; wraps past the cut");
         (b.mul(v, q, "vq", "u (A - a u) = v q"), past_cut)
     }
@@ -152,24 +150,23 @@ impl<'a> Stable<'a> {
 impl Architecture for Stable<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
-        let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
         let cap = (f - self.scaled_at(g + 6).base()).max(1);
         vec![
-            Parameter { name: "A", meaning: "coefficient A 2^-k, and q = A - a v", range: g..=g + 6 },
-            Parameter { name: "a", meaning: "coefficient a 4^-k", range: g - 1..=g + 6 },
-            Parameter { name: "x", meaning: "cosine x", range: up_to(g - 1, g + 4, f) },
-            Parameter { name: "v", meaning: "scaled versine v = u 2^k", range: up_to(g - 1, g + 5, cap) },
-            Parameter { name: "p", meaning: "p = v q", range: g - 1..=g + 5 },
-            Parameter { name: "t", meaning: "t = x p", range: g..=g + 4 },
+            Parameter::new(width::BIG_A, "coefficient A 2^-k, and q = A - a v", g..=g + 6),
+            Parameter::new(width::SMALL_A, "coefficient a 4^-k", g - 1..=g + 6),
+            Parameter::new(width::X, "cosine x", g - 1..=g + 4).up_to(f),
+            Parameter::new(width::V, "scaled versine v = u 2^k", g - 1..=g + 5).up_to(cap),
+            Parameter::new(width::P, "p = v q", g - 1..=g + 5),
+            Parameter::new(width::T, "t = x p", g..=g + 4),
         ]
     }
 
     fn cost(&self, w: &Widths) -> f64 {
-        let v = w.get("v") + 2;
-        multiplier_cost(w.get("a") - 1, v)
-            + multiplier_cost(w.get("A"), v)
-            + multiplier_cost(1 + w.get("x"), w.get("p"))
-            + f64::from(w.get("x").max(w.get("t")) + w.get("A") + w.get("v") + w.get("x") + w.get("a"))
+        let v = w[width::V] + 2;
+        multiplier_cost(w[width::SMALL_A] - 1, v)
+            + multiplier_cost(w[width::BIG_A], v)
+            + multiplier_cost(1 + w[width::X], w[width::P])
+            + f64::from(w[width::X].max(w[width::T]) + w[width::BIG_A] + w[width::V] + w[width::X] + w[width::SMALL_A])
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
@@ -240,7 +237,7 @@ impl Architecture for Stable<'_> {
         polynomial::finish(b, self.interface, &tables, y, |case| {
             let row = case % table.rows();
             if let Some(hold) = held.filter(|_| case >= table.rows()) {
-                return Interval::point(hold.format.value(hold.codes[row]) - hold.reals[row]);
+                return Interval::point(hold.rounding(row));
             }
             Self::coefficient_error(table, &ends, row)
         })
@@ -263,26 +260,26 @@ impl Architecture for Paper<'_> {
         // An error of a power of x is multiplied by a.
         let power = g + libm::ilogb(self.largest()) + 1;
         vec![
-            Parameter { name: "c", meaning: "coefficients a, b, c", range: g - 3..=g + 5 },
-            Parameter { name: "s", meaning: "square of the cosine", range: power.min(2 * f)..=(power + 5).min(2 * f) },
-            Parameter { name: "h", meaning: "cube of the cosine", range: power.min(3 * f)..=(power + 5).min(3 * f) },
-            Parameter { name: "m", meaning: "products a x^3, b x^2, c x", range: g..=g + 5 },
+            Parameter::new(width::C, "coefficients a, b, c", g - 3..=g + 5),
+            Parameter::new(width::S, "square of the cosine", power..=power + 5).up_to(2 * f),
+            Parameter::new(H, "cube of the cosine", power..=power + 5).up_to(3 * f),
+            Parameter::new(width::M, "products a x^3, b x^2, c x", g..=g + 5),
         ]
     }
 
     fn cost(&self, w: &Widths) -> f64 {
         let f = self.interface.input_fraction as i32;
-        let coefficient = w.get("c") + libm::ilogb(self.largest()) + 1;
+        let coefficient = w[width::C] + libm::ilogb(self.largest()) + 1;
         multiplier_cost(f + 1, f + 1)
-            + multiplier_cost(f + 1, w.get("s"))
-            + multiplier_cost(coefficient, w.get("h"))
-            + multiplier_cost(coefficient + 1, w.get("s"))
+            + multiplier_cost(f + 1, w[width::S])
+            + multiplier_cost(coefficient, w[H])
+            + multiplier_cost(coefficient + 1, w[width::S])
             + multiplier_cost(coefficient, f + 1)
-            + f64::from(2 * w.get("m"))
+            + f64::from(2 * w[width::M])
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
-        let bits = widths.get("c");
+        let bits = widths[width::C];
         let mut codes = [Vec::new(), Vec::new(), Vec::new()];
         let mut reals = [Vec::new(), Vec::new(), Vec::new()];
         for lobe in &self.lobes {
@@ -330,15 +327,15 @@ impl Architecture for Paper<'_> {
         let [ca, cb, cc] = ["a", "b", "c"].map(|name| b.field(0, address, name));
         let past_cut = Ends::flag(&mut b, self.interface, table, address, u);
         let square = b.mul(x, x, "xx", "x^2");
-        let s = b.floor(square, widths.get("s"), "s", "x^2, rounded down");
+        let s = b.floor(square, widths[width::S], "s", "x^2, rounded down");
         let cube = b.mul(s, x, "sx", "x^3");
-        let h = b.floor(cube, widths.get("h"), "h", "x^3, rounded down");
+        let h = b.floor(cube, widths[H], "h", "x^3, rounded down");
         let third = b.mul(ca, h, "ah", "a x^3");
-        let third = b.floor(third, widths.get("m"), "m3", "a x^3, rounded down");
+        let third = b.floor(third, widths[width::M], "m3", "a x^3, rounded down");
         let second = b.mul(cb, s, "bs", "b x^2");
-        let second = b.floor(second, widths.get("m"), "m2", "b x^2, rounded down");
+        let second = b.floor(second, widths[width::M], "m2", "b x^2, rounded down");
         let first = b.mul(cc, x, "cx", "c x");
-        let first = b.floor(first, widths.get("m"), "m1", "c x, rounded down");
+        let first = b.floor(first, widths[width::M], "m1", "c x, rounded down");
         let sum = b.add(third, second, "sum", "a x^3 + b x^2");
         let y = b.add(sum, first, "y_exact", "a x^3 + b x^2 + c x");
         let y = b.add_half(y, g, "y_half");
@@ -347,14 +344,10 @@ impl Architecture for Paper<'_> {
         let y = b.clamp_to_unit(y, "y_unit", "taken into [0, 1]");
         let y = b.zero_if(past_cut, y, "y", "y, 0 past the cut");
         polynomial::finish(b, self.interface, &tables, y, |row| {
-            let delta = |name: &str| {
-                let field = table.field(name);
-                Interval::point(field.format.value(field.codes[row]) - field.reals[row])
-            };
+            let [a, b] = ["a", "b"].map(|name| Interval::point(table.field(name).rounding(row)));
             // With the deltas adding up to 0 the move is da x^3 + db x^2 + dc x = -x u (da (1 + x) + db).
             let (x, u) = (Interval::new(1.0 - ends[row], 1.0), Interval::new(0.0, ends[row]));
-            let (one, a, b) = (Interval::point(1.0), delta("a"), delta("b"));
-            -(x * u * (a * (one + x) + b))
+            -(x * u * (a * (Interval::point(1.0) + x) + b))
         })
     }
 }

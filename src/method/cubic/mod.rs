@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::{About, Coefficients, Form, Inputs, Interface, Method, Options, Source, Use, Variant};
 use crate::datapath::Architecture;
 use crate::fit::{self, Fit, Inside, Objective};
+use crate::fixed::Width;
 use crate::fixed::wide::Wide;
 use crate::platform::error::Error;
 
@@ -65,6 +66,9 @@ pub fn fit(n: f64, tail: Tail, objective: &Objective) -> Result<Fit<Cubic>, Erro
     let shape = fit::Family { cosine: true, power: 1, hold: tail == Tail::Hold };
     Ok(fit::best(n, &shape, Inside::Quadratic, objective)?.map(|fit| Cubic { a: fit.a, big_a: fit.big_a }))
 }
+
+/// The width of the cosine's cube, as printed.
+const H: Width = Width("h");
 
 #[derive(Debug)]
 struct Configured {

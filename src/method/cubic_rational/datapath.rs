@@ -4,13 +4,16 @@ use rayon::prelude::*;
 
 use crate::datapath::builder::{Bound, Builder, Case};
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost, widths};
-use crate::fixed::{Format, Interval, Table, Widths, exp2};
+use crate::fixed::{Format, Interval, Table, Width, Widths, exp2};
 use crate::lobe::Lobe;
 use crate::method::cubic::datapath as cubic;
 use crate::method::divide::Divider;
 use crate::method::divide::datapath as divide;
 use crate::method::polynomial::datapath::{self as polynomial, field, nearest_code};
-use crate::method::{Interface, Operand};
+use crate::method::{Interface, Operand, width};
+
+/// The tail's slope b.
+const B: Width = Width("b");
 
 /// Both branches side by side: the cubic in three multiplications, and `x / (d + b u)` in one and a division. A comparison of the versine with
 /// the ROM's field `cut` chooses between the two.
@@ -79,7 +82,7 @@ impl<'a> Rational<'a> {
     /// The codes of b and d of a row; of d the nearest one that the divider bears, and the least one that it does.
     fn tail_codes(&self, row: usize, widths: &Widths) -> TailCodes {
         let (lobe, f) = (&self.lobes[row], self.interface.input_fraction as i32);
-        let [b_bits, den_bits, num_bits] = ["b", "den", "num"].map(|name| widths.get(name));
+        let [b_bits, den_bits, num_bits] = [B, width::DEN, width::NUM].map(|width| widths[width]);
         let b = nearest_code(lobe.b, b_bits);
         let u = self.cuts[row] + 1;
         let rise = shifted_down(b * u, b_bits + f - den_bits);
@@ -96,8 +99,8 @@ impl<'a> Rational<'a> {
         let reals = |of: fn(&super::CubicRational) -> f64| self.lobes.iter().map(of).collect();
         let mut fields = self.cubic.fields(widths);
         fields.extend([
-            field("b", "the tail's slope b", widths.get("b"), codes(|tail| tail.b), reals(|lobe| lobe.b)),
-            field("d", "the tail's constant d", widths.get("den"), codes(|tail| tail.d), reals(|lobe| lobe.d)),
+            field("b", "the tail's slope b", widths[B], codes(|tail| tail.b), reals(|lobe| lobe.b)),
+            field("d", "the tail's constant d", widths[width::DEN], codes(|tail| tail.d), reals(|lobe| lobe.d)),
             field(
                 "cut",
                 "the largest versine of the cubic",
@@ -133,7 +136,7 @@ impl<'a> Rational<'a> {
         let open = |datapath: &Datapath, row: &usize| self.seam(datapath, *row).abs() > 1.0;
         let mut rows: Vec<usize> = (0..tails.len()).into_par_iter().filter(|row| open(&datapath, row)).collect();
         // Half an output ulp is twice to four times as much in the denominator.
-        let furthest = 1i128 << (widths.get("den") - self.interface.output_fraction as i32 + 2).clamp(0, 6);
+        let furthest = 1i128 << (widths[width::DEN] - self.interface.output_fraction as i32 + 2).clamp(0, 6);
         for by in (1..=furthest).flat_map(|by| [by, -by]) {
             if rows.is_empty() {
                 return;
@@ -180,24 +183,19 @@ fn shifted_down(code: i128, places: i32) -> i128 {
 impl Architecture for Rational<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
-        let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
         // No width serves both branches, so each is solved alone: here the cubic, by whose widths the tail cannot gain.
         let alone = widths::solve(&self.cubic).map(|solution| solution.widths);
         let mut parameters = self.cubic.parameters();
         for parameter in &mut parameters {
-            let bits = alone.as_ref().map_or(*parameter.range.end(), |widths| widths.get(parameter.name));
+            let bits = alone.as_ref().map_or(*parameter.range.end(), |widths| widths[parameter.width]);
             parameter.range = bits..=bits;
         }
         let least = libm::ilogb(self.lobes.iter().map(|lobe| lobe.b + 1.0).fold(f64::INFINITY, f64::min));
         parameters.extend([
-            Parameter { name: "num", meaning: "numerator x", range: up_to(g - 1, g + 3, f) },
+            Parameter::new(width::NUM, "numerator x", g - 1..=g + 3).up_to(f),
             // An error of b is divided by about b.
-            Parameter {
-                name: "b",
-                meaning: "tail's slope b",
-                range: up_to(g - 2 - least, g + 2 - least, self.exact_bits()),
-            },
-            Parameter { name: "den", meaning: "coefficient d and denominator d + b u", range: g - 2..=g + 3 },
+            Parameter::new(B, "tail's slope b", g - 2 - least..=g + 2 - least).up_to(self.exact_bits()),
+            Parameter::new(width::DEN, "coefficient d and denominator d + b u", g - 2..=g + 3),
         ]);
         parameters.extend(divide::parameters(self.divider, g));
         parameters
@@ -207,9 +205,9 @@ impl Architecture for Rational<'_> {
         let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
         let magnitude = libm::ilogb(self.lobes.iter().map(|lobe| lobe.b).fold(1.0, f64::max)) + 1;
         self.cubic.cost(w)
-            + multiplier_cost(magnitude + w.get("b"), f + 1)
-            + f64::from(w.get("num") + w.get("b") + w.get("den"))
-            + divide::cost(self.divider, w, g, magnitude + 1, w.get("den"), w.get("num"))
+            + multiplier_cost(magnitude + w[B], f + 1)
+            + f64::from(w[width::NUM] + w[B] + w[width::DEN])
+            + divide::cost(self.divider, w, g, magnitude + 1, w[width::DEN], w[width::NUM])
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
@@ -267,9 +265,9 @@ impl Architecture for Rational<'_> {
         only(&mut b, &|row| self.tail(row));
         let [slope, constant] = ["b", "d"].map(|name| b.field(0, address, name));
         let num =
-            b.cast(x, Format::unsigned(0, widths.get("num")), true, "num", "x, rounded down: below 1 in the tail");
+            b.cast(x, Format::unsigned(0, widths[width::NUM]), true, "num", "x, rounded down: below 1 in the tail");
         let rise = b.mul(slope, u, "bu", "b u");
-        let rise = b.floor(rise, widths.get("den"), "rise", "b u, rounded down");
+        let rise = b.floor(rise, widths[width::DEN], "rise", "b u, rounded down");
         let den = b.add(constant, rise, "den", "the tail's denominator, d + b u");
         let tail = b.divide(self.divider, widths, [num, den], g, self.most(), memories - 1);
         let y = b.select(
@@ -285,11 +283,8 @@ impl Architecture for Rational<'_> {
                 return cubic::Stable::coefficient_error(table, &ends, case);
             }
             let row = case - rows;
-            let delta = |name: &str| {
-                let field = table.field(name);
-                field.format.value(field.codes[row]) - field.reals[row]
-            };
-            self.coefficient_error(row, Moved { b: delta("b"), d: delta("d") })
+            let [b, d] = ["b", "d"].map(|name| table.field(name).rounding(row));
+            self.coefficient_error(row, Moved { b, d })
         })
     }
 }

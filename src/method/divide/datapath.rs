@@ -16,8 +16,9 @@ use crate::datapath::builder::{Bound, Builder};
 use crate::datapath::graph::{NodeId, Op};
 use crate::datapath::{Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
-use crate::method::divide::Divider;
+use crate::method::divide::{Divider, INDEX, R, SLOPE};
 use crate::method::polynomial::datapath::{field, nearest_code};
+use crate::method::width;
 
 /// The name of the memory with the reciprocals.
 const RECIPROCALS: &str = "reciprocal";
@@ -29,14 +30,10 @@ pub(in crate::method) fn parameters(divider: Divider, g: i32) -> Vec<Parameter> 
         Divider::Reciprocal => {
             let address = (g / 2 - 1).max(1);
             vec![
-                Parameter { name: "m", meaning: "normalised denominator", range: g + 1..=g + 4 },
-                Parameter {
-                    name: "index",
-                    meaning: "denominator, to address the reciprocals",
-                    range: address..=address + 2,
-                },
-                Parameter { name: "r", meaning: "reciprocal", range: g + 1..=g + 4 },
-                Parameter { name: "slope", meaning: "slope of the reciprocal", range: g / 2..=g / 2 + 4 },
+                Parameter::new(width::M, "normalised denominator", g + 1..=g + 4),
+                Parameter::new(INDEX, "denominator, to address the reciprocals", address..=address + 2),
+                Parameter::new(R, "reciprocal", g + 1..=g + 4),
+                Parameter::new(SLOPE, "slope of the reciprocal", g / 2..=g / 2 + 4),
             ]
         }
     }
@@ -56,7 +53,7 @@ pub(in crate::method) fn cost(
         Divider::Digit => f64::from((g + 1) * (2 * (int_bits + frac_bits) + num_bits / 2)),
         Divider::Reciprocal => {
             let levels = (i32::BITS - int_bits.leading_zeros()) as i32;
-            let [m, index, r, slope] = ["m", "index", "r", "slope"].map(|name| widths.get(name));
+            let [m, index, r, slope] = [width::M, INDEX, R, SLOPE].map(|width| widths[width]);
             // A word of a small memory takes LUTs, one of a large memory a part of a block RAM.
             let word = f64::from(r + slope) * exp2(index) / 32.0;
             f64::from(levels * (m + g)) + word + multiplier_cost(slope, m - index) + multiplier_cost(num_bits, r)
@@ -123,7 +120,7 @@ impl Entry {
 
 /// The entries, in order, with the codes of their slopes.
 fn entries(widths: &Widths) -> impl Iterator<Item = (Entry, i128)> {
-    let [m, index, r, slope] = ["m", "index", "r", "slope"].map(|name| widths.get(name));
+    let [m, index, r, slope] = [width::M, INDEX, R, SLOPE].map(|width| widths[width]);
     (0..1 << index).map(move |entry| {
         let first = 1.0 + f64::from(entry) * exp2(-index);
         let last = first + exp2(-index) - exp2(-m);
@@ -145,8 +142,8 @@ fn reciprocals(widths: &Widths) -> Table {
         slopes.1.push(1.0 / (entry.first * entry.last));
     }
     let fields = vec![
-        field("seed", "about 1/m at the entry's least m", widths.get("r"), seeds.0, seeds.1),
-        field("slope", "how fast 1/m falls", widths.get("slope"), slopes.0, slopes.1),
+        field("seed", "about 1/m at the entry's least m", widths[R], seeds.0, seeds.1),
+        field("slope", "how fast 1/m falls", widths[SLOPE], slopes.0, slopes.1),
     ];
     Table::listed(RECIPROCALS, "entry", keys, fields)
 }
@@ -267,7 +264,7 @@ impl Builder<'_> {
 
     /// `floor(num r 2^-e) + 2^-(g+1)` with `g + 1` fraction bits.
     fn by_reciprocal(&mut self, widths: &Widths, [num, den]: [NodeId; 2], g: i32, memory: usize) -> NodeId {
-        let [m_bits, index, r_bits] = ["m", "index", "r"].map(|name| widths.get(name));
+        let [m_bits, index, r_bits] = [width::M, INDEX, R].map(|width| widths[width]);
         let (m, shifts) = self.normalise_down(den, m_bits);
         let fraction = self.inner(Op::Cast, &[m], Format::unsigned(0, m_bits), "fraction", "m - 1, rounded down");
         let address = self.inner(Op::Cast, &[fraction], Format::unsigned(0, index), "entry", "the entry of the table");

@@ -6,6 +6,15 @@ pub(super) mod model;
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
+use crate::fixed::Width;
+
+/// What of the denominator addresses the reciprocals.
+const INDEX: Width = Width("index");
+/// The reciprocal.
+const R: Width = Width("r");
+/// The slope of the reciprocal.
+const SLOPE: Width = Width("slope");
+
 /// How a core divides.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]

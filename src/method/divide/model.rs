@@ -1,8 +1,8 @@
 //! The quotient of two numbers.
 
 use crate::fixed::wide::{self, Wide};
-use crate::method::Inputs;
-use crate::method::divide::Divider;
+use crate::method::divide::{Divider, INDEX, R};
+use crate::method::{Inputs, width};
 
 /// `num / den` for `den >= 1`, plus half an output ulp: rounding that down is rounding the quotient to nearest.
 pub(in crate::method) fn rounded(inputs: &Inputs, divider: Divider, num: Wide, den: Wide) -> Wide {
@@ -18,9 +18,9 @@ pub(in crate::method) fn rounded(inputs: &Inputs, divider: Divider, num: Wide, d
 
 /// `1/m` for m in [1, 2), as the table and its slopes give it.
 fn reciprocal(inputs: &Inputs, m: Wide) -> Wide {
-    let fraction = inputs.floor(m, "m") - Wide::ONE;
-    let start = inputs.floor(fraction, "index");
-    let entry = (start << inputs.widths.get("index") as u32).to_num::<usize>();
+    let fraction = inputs.floor(m, width::M) - Wide::ONE;
+    let start = inputs.floor(fraction, INDEX);
+    let entry = (start << inputs.widths[INDEX] as u32).to_num::<usize>();
     let fall = inputs.entry("reciprocal", entry, "slope") * (fraction - start);
-    inputs.entry("reciprocal", entry, "seed") - inputs.floor(fall, "r")
+    inputs.entry("reciprocal", entry, "seed") - inputs.floor(fall, R)
 }

@@ -18,10 +18,10 @@ use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
-use crate::method::Interface;
 use crate::method::exponent::{Exponent, exact_bits};
 use crate::method::log_exp::{EXP_TABLE, LOG_TABLE};
-use crate::method::polynomial::datapath::{self as polynomial, field, nearest_code};
+use crate::method::polynomial::datapath::{self as polynomial, rounded_field};
+use crate::method::{Interface, width};
 use crate::platform::error::Error;
 
 /// No word of L needs more fraction bits than this.
@@ -89,19 +89,13 @@ impl<'a> Harris<'a> {
             crate::method::harris::Harris::logarithm(first.min(last) / one, last / one).min(most)
         };
         let reals: Vec<f64> = (0..self.octaves() * cells).map(entry).collect();
-        let bits = self.log_bits();
-        let codes = reals.iter().map(|&real| nearest_code(real, bits)).collect();
         let keys = (0..reals.len()).map(|entry| entry as f64).collect();
-        Table::listed(
-            LOG_TABLE,
-            "entry",
-            keys,
-            vec![field("log", "L = -log2 x midway in the cell", bits, codes, reals)],
-        )
+        let field = rounded_field("log", "L = -log2 x midway in the cell", self.log_bits(), reals);
+        Table::listed(LOG_TABLE, "entry", keys, vec![field])
     }
 
     fn exp_table(&self, widths: &Widths) -> Table {
-        let (entries, bits) = (1usize << self.exp_bits, widths.get("e"));
+        let entries = 1usize << self.exp_bits;
         let width = 1.0 / entries as f64;
         let span = (width - exp2(-self.log_bits() - self.shininess_bits())).max(0.0);
         let entry = |index: usize| {
@@ -109,9 +103,9 @@ impl<'a> Harris<'a> {
             crate::method::harris::Harris::exponential(first, first + span)
         };
         let reals: Vec<f64> = (0..entries).map(entry).collect();
-        let codes = reals.iter().map(|&real| nearest_code(real, bits)).collect();
         let keys = (0..entries).map(|entry| entry as f64).collect();
-        Table::listed(EXP_TABLE, "entry", keys, vec![field("exp", "2^-f midway in the cell", bits, codes, reals)])
+        let field = rounded_field("exp", "2^-f midway in the cell", widths[width::E], reals);
+        Table::listed(EXP_TABLE, "entry", keys, vec![field])
     }
 
     /// L of the versine, 0 below the octaves.
@@ -148,28 +142,21 @@ impl<'a> Harris<'a> {
 impl Architecture for Harris<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let g = self.output_bits();
-        vec![Parameter { name: "e", meaning: "2^-f", range: g + 1..=g + 3 }]
+        vec![Parameter::new(width::E, "2^-f", g + 1..=g + 3)]
     }
 
     fn cost(&self, w: &Widths) -> f64 {
         let word = 5 + self.log_bits();
         let memory = f64::from(self.octaves() * word) * exp2(self.log_bits as i32)
-            + f64::from(w.get("e")) * exp2(self.exp_bits as i32);
+            + f64::from(w[width::E]) * exp2(self.exp_bits as i32);
         multiplier_cost(self.n.int_bits() + self.shininess_bits(), word)
             + memory / 16.0
-            + f64::from(w.get("e") * self.whole_bits())
+            + f64::from(w[width::E] * self.whole_bits())
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
-        let mut tables = Vec::new();
-        if self.n.is_read() {
-            let bits = self.shininess_bits();
-            let reals = self.interface.shininess.values();
-            let codes = reals.iter().map(|&n| nearest_code(n, bits)).collect();
-            tables.push(self.interface.shininess.rom(vec![field("n", "the shininess", bits, codes, reals)], 0));
-        }
-        tables.extend([self.log_table(), self.exp_table(widths)]);
-        tables
+        let rom = self.n.table(self.shininess_bits());
+        rom.into_iter().chain([self.log_table(), self.exp_table(widths)]).collect()
     }
 
     fn description(&self, _tables: &[Table]) -> Description {
@@ -192,8 +179,7 @@ impl Architecture for Harris<'_> {
     fn lobes(&self, tables: &[Table]) -> Vec<Box<dyn Lobe>> {
         let of = |name: &str| tables.iter().find(|table| table.name == name);
         let words = |table: &Table, name: &str| -> Vec<f64> {
-            let field = table.field(name);
-            field.codes.iter().map(|&code| field.format.value(code)).collect()
+            (0..table.rows()).map(|row| table.field(name).value(row)).collect()
         };
         let log: Arc<[f64]> = of(LOG_TABLE).map(|table| words(table, "log")).unwrap_or_default().into();
         let exp: Arc<[f64]> = of(EXP_TABLE).map(|table| table.field("exp").reals.clone()).unwrap_or_default().into();
@@ -223,13 +209,7 @@ impl Architecture for Harris<'_> {
         let entry = b.scale(entry, None, bits, &[bits], "entry", "the entry of the second table");
         let power = b.field(exp_memory, entry, "exp");
         // The method's own value is the entry before it was rounded.
-        let words = tables[exp_memory].field("exp");
-        let rounding = words
-            .codes
-            .iter()
-            .zip(&words.reals)
-            .map(|(&code, &real)| Interval::point(words.format.value(code) - real))
-            .reduce(Interval::hull)?;
+        let rounding = tables[exp_memory].field("exp").roundings();
         let bounds = b.bounds(power).iter().map(|bound| Bound { error: rounding, ..*bound }).collect();
         b.assume(power, bounds);
         let shifted = b.shift_right(power, whole, "power_shifted", "2^-z = 2^-f 2^-i");

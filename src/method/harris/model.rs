@@ -1,7 +1,7 @@
 //! The power as `2^(-n L)` from two tables.
 
 use crate::fixed::wide::{self, Wide};
-use crate::method::Inputs;
+use crate::method::{Inputs, width};
 
 /// `z = n L`, L from its cell; `y = 2^-z`, the fraction's part from its cell and the rest a shift, which rounds down; rounded to nearest.
 pub(in crate::method) fn harris(inputs: &Inputs, log_bits: u32, exp_bits: u32) -> Wide {
@@ -21,5 +21,5 @@ pub(in crate::method) fn harris(inputs: &Inputs, log_bits: u32, exp_bits: u32) -
         return Wide::ZERO;
     }
     let power = inputs.entry("exp_table", wide::to_code(z.frac(), exp_bits) as usize, "exp");
-    inputs.floor(power >> z.to_num::<u32>(), "e") + inputs.half_ulp
+    inputs.floor(power >> z.to_num::<u32>(), width::E) + inputs.half_ulp
 }

@@ -133,7 +133,7 @@ impl Chords<'_> {
         let base = table.field(self.fields[0]);
         let slope = table.find(self.fields[1]);
         let of_entry = |entry: usize| {
-            let value = base.format.value(base.codes[entry]);
+            let value = base.value(entry);
             let slope_code = slope.map_or(0, |slope| slope.codes[entry]);
             self.differences(entry, slope_code, 1).map(move |(argument, difference)| (argument, value + difference))
         };
@@ -236,7 +236,7 @@ impl Chords<'_> {
     pub fn error(&self, table: &Table, entry: usize) -> Interval {
         let base = table.field(self.fields[0]);
         let slope_code = table.find(self.fields[1]).map_or(0, |slope| slope.codes[entry]);
-        self.shape(entry, slope_code) + Interval::point(base.format.value(base.codes[entry]))
+        self.shape(entry, slope_code) + Interval::point(base.value(entry))
     }
 
     /// The least value of the function over an entry.

@@ -22,15 +22,16 @@
 //! brings it there.
 
 use super::chords::{Chords, Slopes};
+use super::{EXP_ADDRESS, LOG_ADDRESS};
 use crate::datapath::builder::{Bound, Builder, Case};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
-use crate::method::Interface;
 use crate::method::exponent::{Exponent, error_of_exponent, power_less_one};
 use crate::method::log_exp::{EXP_CURVATURE, LOG_RATIO_CURVATURE, log_ratio};
 use crate::method::polynomial::datapath as polynomial;
+use crate::method::{Interface, width};
 use crate::platform::error::Error;
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
@@ -54,14 +55,36 @@ pub(in crate::method) fn exp_chords<'f>(
         curvature: EXP_CURVATURE,
         start: 0.0,
         domain: 0,
-        address_bits: widths.get("exp"),
-        argument_bits: widths.get("z"),
-        cut_bits: widths.get("z"),
-        value_bits: widths.get("e"),
+        address_bits: widths[EXP_ADDRESS],
+        argument_bits: widths[width::Z],
+        cut_bits: widths[width::Z],
+        value_bits: widths[width::E],
         int_bits: 0,
         slopes,
         weight: None,
     }
+}
+
+/// `v = n u` below `2^int_bits`, and whether it is so large that it is not; `u` is called `versine` in the comments.
+pub(super) fn times_versine(
+    b: &mut Builder,
+    widths: &Widths,
+    [n, u]: [NodeId; 2],
+    int_bits: i32,
+    versine: &str,
+) -> (NodeId, Option<NodeId>) {
+    let nu = b.mul(n, u, "nu", &format!("n {versine}"));
+    let beyond = b.reaches(nu, int_bits, "beyond", "so large that z is past what the result can show");
+    let exact = b.format(nu);
+    let v = Format::unsigned(exact.int_bits.min(int_bits), exact.frac_bits.min(widths[width::V]));
+    (b.cast(nu, v, true, "v", &format!("v = n {versine}, rounded down")), beyond)
+}
+
+/// `x` where n is 1, else `y`.
+pub(super) fn unless_one(b: &mut Builder, n: NodeId, y: NodeId, x: NodeId) -> NodeId {
+    let one = b.constant(1 << b.format(n).frac_bits, b.format(n), "n_one");
+    let above = b.greater(n, one, "above_one", "n > 1");
+    b.select(above, [y, x], |_| None, "y_or_x", "x itself for n = 1")
 }
 
 /// `2^-z = 2^-f 2^-i`, `z = i + f`, the integer part having `whole_bits`: `exp` is the table of `2^-(f + lift)` and lies in `memory`. Each
@@ -152,10 +175,10 @@ impl<'a> LogExp<'a> {
             curvature: LOG_RATIO_CURVATURE,
             start: 0.5,
             domain: 1,
-            address_bits: widths.get("log"),
+            address_bits: widths[LOG_ADDRESS],
             argument_bits: self.input_bits(),
-            cut_bits: widths.get("k") + 1,
-            value_bits: widths.get("k"),
+            cut_bits: widths[width::K] + 1,
+            value_bits: widths[width::K],
             int_bits: 1,
             slopes: Slopes::Matched,
             weight: None,
@@ -176,6 +199,34 @@ impl<'a> LogExp<'a> {
         // Past this the result is 0, or forced to it.
         levels.push(Interval::new(edges[edges.len() - 1], exp2(self.whole_bits()) + 1.0));
         levels
+    }
+
+    /// `v κ(m)`, κ from its memory; each case has the real z in its level.
+    fn times_ratio(
+        &self,
+        b: &mut Builder,
+        widths: &Widths,
+        memory: usize,
+        [v, m]: [NodeId; 2],
+        levels: &[Interval],
+    ) -> Option<NodeId> {
+        let log = self.log_chords(widths);
+        let ratio = log.look_up(b, memory, m, "ratio", "k = -log2(m) / (1 - m)");
+        let relative = (0..1usize << log.address_bits)
+            .map(|entry| {
+                let (error, least) = (log.error(b.table(memory), entry), log.least(entry));
+                Interval::new(error.low.min(0.0) / least, error.high.max(0.0) / least)
+            })
+            .reduce(Interval::hull)?;
+        let product = b.mul(v, ratio, "vk", "v k");
+        let bounds = levels.iter().enumerate().map(|(case, level)| {
+            let (v, ratio) = (b.bounds(v)[case], b.bounds(ratio)[case]);
+            let error = ratio.range * v.error + Interval::new(0.0, level.high) * relative;
+            Bound { error, ..b.bounds(product)[case] }
+        });
+        let bounds = bounds.collect();
+        b.assume(product, bounds);
+        Some(product)
     }
 
     /// `n e`: a sum over the steps that the normalisation took.
@@ -211,7 +262,6 @@ impl<'a> LogExp<'a> {
 impl Architecture for LogExp<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.input_bits(), self.output_bits());
-        let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
         let n_bits = self.n.int_bits();
         let mut parameters = Vec::new();
         let mut n_fraction = self.interface.shininess.frac_bits() as i32;
@@ -221,20 +271,16 @@ impl Architecture for LogExp<'_> {
         }
         let log = ((g - 5) / 2).max(1);
         let exp = ((g - 4) / 2).max(1);
-        let u = up_to(g + n_bits, g + n_bits + 4, f);
-        let v = up_to(g, g + 4, n_fraction + u.end());
+        let u = Parameter::new(width::U, "versine of the normalised cosine", g + n_bits..=g + n_bits + 4).up_to(f);
+        let v = Parameter::new(width::V, "v = n times that versine", g..=g + 4).up_to(n_fraction + u.range.end());
         parameters.extend([
-            Parameter {
-                name: "log",
-                meaning: "table of the logarithm (bits of its address)",
-                range: up_to(log, log + 4, f - 2),
-            },
-            Parameter { name: "exp", meaning: "table of the exponential (bits of its address)", range: exp..=exp + 4 },
-            Parameter { name: "u", meaning: "versine of the normalised cosine", range: u },
-            Parameter { name: "v", meaning: "v = n times that versine", range: v },
-            Parameter { name: "k", meaning: "log ratio", range: g..=g + 4 },
-            Parameter { name: "z", meaning: "z = n L", range: g..=g + 4 },
-            Parameter { name: "e", meaning: "2^-f", range: g + 1..=g + 5 },
+            Parameter::new(LOG_ADDRESS, "table of the logarithm (bits of its address)", log..=log + 4).up_to(f - 2),
+            Parameter::new(EXP_ADDRESS, "table of the exponential (bits of its address)", exp..=exp + 4),
+            u,
+            v,
+            Parameter::new(width::K, "log ratio", g..=g + 4),
+            Parameter::new(width::Z, "z = n L", g..=g + 4),
+            Parameter::new(width::E, "2^-f", g + 1..=g + 5),
         ]);
         parameters
     }
@@ -242,16 +288,16 @@ impl Architecture for LogExp<'_> {
     fn cost(&self, w: &Widths) -> f64 {
         let n_bits = self.n.int_bits() + self.n.frac_bits(w);
         let power = |f: f64| libm::exp2(-f);
-        multiplier_cost(n_bits, w.get("u"))
-            + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + 1)
+        multiplier_cost(n_bits, w[width::U])
+            + multiplier_cost(self.versine_int_bits() + w[width::V], w[width::K] + 1)
             + self.log_chords(w).cost()
             + exp_chords(w, Slopes::Matched, &power).cost()
             // The shifter has a multiplexer a bit and level.
-            + f64::from(w.get("e") * self.whole_bits() + 2 * w.get("z") + w.get("v"))
+            + f64::from(w[width::E] * self.whole_bits() + 2 * w[width::Z] + w[width::V])
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
-        let mut tables: Vec<Table> = self.n.table(widths).into_iter().collect();
+        let mut tables: Vec<Table> = self.n.table(self.n.frac_bits(widths)).into_iter().collect();
         let lift = self.n.lift(self.input_bits(), widths);
         tables.push(self.log_chords(widths).table());
         tables.push(exp_chords(widths, Slopes::Matched, &|f| libm::exp2(-f - lift)).table());
@@ -284,10 +330,8 @@ impl Architecture for LogExp<'_> {
         let memory = |name: &str| tables.iter().position(|table| table.name == name);
         let (log_memory, exp_memory) = (memory(LOG_TABLE)?, memory(EXP_TABLE)?);
         let levels = self.levels();
-        let case =
-            |_: &Interval| Case { active: Interval::UNIT, shininess: self.n.largest, rows: vec![None; tables.len()] };
-        let count = levels.len();
-        let mut b = Builder::new(&tables, levels.iter().map(case).collect());
+        let case = Case { active: Interval::UNIT, shininess: self.n.largest, rows: vec![None; tables.len()] };
+        let mut b = Builder::new(&tables, vec![case; levels.len()]);
 
         let n = self.n.node(&mut b, &tables);
         let (x, versine) = b.operand(self.interface);
@@ -295,45 +339,20 @@ impl Architecture for LogExp<'_> {
             b.reaches(x, -self.depth().min(f), "enough", "x is large enough for a result above half an ulp")?;
         let small = b.not(enough, "small", "x is so small that the result is 0");
         let normal = b.normalise(x, -1, self.most_shift(), "m");
-        let m = normal.value;
-        let u = if normal.steps.is_empty() {
-            versine
-        } else {
+        let mut u = versine;
+        if !normal.steps.is_empty() {
             let unit = b.constant(1 << f, Format::unsigned(1, f), "unit");
-            b.sub(unit, m, "um", "1 - m, m = x 2^e in [1/2, 1] or x = 0")
-        };
-        let known = |bound: &Bound, range: Interval| Bound { range, ..*bound };
-        let half = b.bounds(u).iter().map(|bound| known(bound, Interval::new(0.0, 0.5))).collect();
+            u = b.sub(unit, normal.value, "um", "1 - m, m = x 2^e in [1/2, 1] or x = 0");
+        }
+        let half = b.bounds(u).iter().map(|bound| Bound { range: Interval::new(0.0, 0.5), ..*bound }).collect();
         b.assume(u, half);
-        let u = b.floor(u, widths.get("u"), "u_cut", "1 - m, rounded down");
-
-        let nu = b.mul(n, u, "nu", "n (1 - m)");
-        let int_bits = self.versine_int_bits();
-        let beyond = b.reaches(nu, int_bits, "beyond", "so large that z is past what the result can show");
-        let exact = b.format(nu);
-        let v = Format::unsigned(exact.int_bits.min(int_bits), exact.frac_bits.min(widths.get("v")));
-        let v = b.cast(nu, v, true, "v", "v = n (1 - m), rounded down");
-
-        let log = self.log_chords(widths);
-        let ratio = log.look_up(&mut b, log_memory, m, "ratio", "k = -log2(m) / (1 - m)");
-        let relative = (0..1usize << log.address_bits)
-            .map(|entry| {
-                let (error, least) = (log.error(&tables[log_memory], entry), log.least(entry));
-                Interval::new(error.low.min(0.0) / least, error.high.max(0.0) / least)
-            })
-            .reduce(Interval::hull)?;
-        let product = b.mul(v, ratio, "vk", "v k");
-        let bounds = (0..count).map(|case| {
-            let (v, ratio) = (b.bounds(v)[case], b.bounds(ratio)[case]);
-            let error = ratio.range * v.error + Interval::new(0.0, levels[case].high) * relative;
-            Bound { error, ..b.bounds(product)[case] }
-        });
-        let bounds = bounds.collect();
-        b.assume(product, bounds);
-        let mut z = b.floor(product, widths.get("z"), "vk_cut", "rounded down");
+        let u = b.floor(u, widths[width::U], "u_cut", "1 - m, rounded down");
+        let (v, beyond) = times_versine(&mut b, widths, [n, u], self.versine_int_bits(), "(1 - m)");
+        let product = self.times_ratio(&mut b, widths, log_memory, [v, normal.value], &levels)?;
+        let mut z = b.floor(product, widths[width::Z], "vk_cut", "rounded down");
         if let Some(steps) = self.times_steps(&mut b, n, &normal.steps) {
             z = b.add(steps, z, "z_sum", "z = n e + v k");
-            z = b.floor(z, widths.get("z"), "z", "z, rounded down");
+            z = b.floor(z, widths[width::Z], "z", "z, rounded down");
         }
         let whole_bits = self.whole_bits();
         let over = b.reaches(z, whole_bits, "over", "z is past what the result can show");
@@ -360,10 +379,7 @@ impl Architecture for LogExp<'_> {
         if self.bypasses() {
             let rounded = b.add_half(x, g, "x_half");
             let rounded = b.cast(rounded, Format::unsigned(1, g), false, "x_rounded", "x, rounded to nearest");
-            let frac_bits = b.format(n).frac_bits;
-            let one = b.constant(1 << frac_bits, b.format(n), "n_one");
-            let above = b.greater(n, one, "above_one", "n > 1");
-            y = b.select(above, [y, rounded], |_| None, "y_or_x", "x itself for n = 1");
+            y = unless_one(&mut b, n, y, rounded);
         }
 
         let relative = self.n.relative_error(&tables);

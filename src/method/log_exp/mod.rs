@@ -11,6 +11,7 @@ use std::sync::Arc;
 
 use super::{About, Inputs, Interface, Method, Options, Use, Variant, within};
 use crate::datapath::Architecture;
+use crate::fixed::Width;
 use crate::fixed::wide::Wide;
 use crate::platform::error::Error;
 
@@ -42,6 +43,11 @@ pub static METHODS: [About; 1] = [About {
         },
     )
 }];
+
+/// Bits of the address of the logarithm's table.
+const LOG_ADDRESS: Width = Width("log");
+/// The same of the exponential's.
+const EXP_ADDRESS: Width = Width("exp");
 
 #[derive(Debug)]
 struct Configured {

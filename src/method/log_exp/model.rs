@@ -1,7 +1,9 @@
 //! The power `x^n` as `2^(-n L)`, `L = -log2 x`.
 
+use super::{EXP_ADDRESS, LOG_ADDRESS};
+use crate::fixed::Width;
 use crate::fixed::wide::{self, Wide};
-use crate::method::Inputs;
+use crate::method::{Inputs, width};
 
 /// x is taken apart into `2^-e m`; then `z = n e + n (1 - m) κ(m)` and `y = 2^-z`, both functions from their tables.
 pub(in crate::method) fn evaluate(inputs: &Inputs) -> Wide {
@@ -24,7 +26,7 @@ pub(in crate::method) fn evaluate(inputs: &Inputs) -> Wide {
         m <<= 1;
         e += 1;
     }
-    let v = inputs.floor(n * inputs.floor(Wide::ONE - m, "u"), "v");
+    let v = inputs.floor(n * inputs.floor(Wide::ONE - m, width::U), width::V);
     let mut bound = 1u32;
     while f64::from(bound) * std::f64::consts::LOG2_E < negligible {
         bound *= 2;
@@ -34,39 +36,38 @@ pub(in crate::method) fn evaluate(inputs: &Inputs) -> Wide {
         return Wide::ZERO;
     }
     let product =
-        if m == 1 { Wide::ZERO } else { v * interpolated(inputs, &LOG, m - half, inputs.widths.get("k") as u32 + 1) };
+        if m == 1 { Wide::ZERO } else { v * interpolated(inputs, &LOG, m - half, inputs.widths[width::K] as u32 + 1) };
     let steps = n.min(Wide::from_num(limit)) * Wide::from_num(e);
-    let z = inputs.floor(steps + inputs.floor(product, "z"), "z");
+    let z = inputs.floor(steps + inputs.floor(product, width::Z), width::Z);
     if z >= limit {
         return Wide::ZERO;
     }
     let power = interpolated(inputs, &EXP, z.frac(), 64) >> z.to_num::<u32>();
-    wide::floor_to(inputs.floor(power, "e") + inputs.half_ulp, output_fraction)
+    wide::floor_to(inputs.floor(power, width::E) + inputs.half_ulp, output_fraction)
 }
 
-/// A function table: its memory and the fields of it, the names of its widths, and the span of its arguments, `2^-domain`.
+/// A function table: its memory, the fields of it, base and slope, its widths, address and value, and the span of its arguments, `2^-domain`.
 pub(super) struct Function {
     pub(super) memory: &'static str,
-    pub(super) base: &'static str,
-    pub(super) slope: &'static str,
-    pub(super) address: &'static str,
-    pub(super) value: &'static str,
+    pub(super) fields: [&'static str; 2],
+    pub(super) widths: [Width; 2],
     pub(super) domain: u32,
 }
 
 pub(super) const LOG: Function =
-    Function { memory: "log_table", base: "log_base", slope: "log_slope", address: "log", value: "k", domain: 1 };
+    Function { memory: "log_table", fields: ["log_base", "log_slope"], widths: [LOG_ADDRESS, width::K], domain: 1 };
 pub(super) const EXP: Function =
-    Function { memory: "exp_table", base: "exp_base", slope: "exp_slope", address: "exp", value: "e", domain: 0 };
+    Function { memory: "exp_table", fields: ["exp_base", "exp_slope"], widths: [EXP_ADDRESS, width::E], domain: 0 };
 
 /// A function at `argument`, counted from where its arguments start: the entry's base less its slope times the distance from the entry's
 /// start, that distance rounded down to `cut` bits and the product to the value's width.
 pub(super) fn interpolated(inputs: &Inputs, of: &Function, argument: Wide, cut: u32) -> Wide {
-    let address_bits = inputs.widths.get(of.address) as u32;
+    let ([base, slope], [address, value]) = (of.fields, of.widths);
+    let address_bits = inputs.widths[address] as u32;
     let entry = wide::to_code(argument << of.domain, address_bits);
     let distance = argument - (wide::from_code(entry, address_bits) >> of.domain);
     let word = |field: &str| inputs.entry(of.memory, entry as usize, field);
-    let has_slope = inputs.memory(of.memory).find(of.slope).is_some();
-    let slope = if has_slope { word(of.slope) } else { Wide::ZERO };
-    word(of.base) - inputs.floor(slope * wide::floor_to(distance, cut), of.value)
+    let has_slope = inputs.memory(of.memory).find(slope).is_some();
+    let slope = if has_slope { word(slope) } else { Wide::ZERO };
+    word(base) - inputs.floor(slope * wide::floor_to(distance, cut), value)
 }

@@ -4,7 +4,7 @@ use crate::datapath::builder::{Builder, Case};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{CaseError, Datapath, Description};
 use crate::fixed::{Field, Format, Interval, Table, Widths, exp2};
-use crate::method::{Interface, Shininess};
+use crate::method::{Interface, Shininess, width};
 
 /// The nearest integer code of `value` at `frac_bits` fraction bits, halves away from zero.
 pub(crate) fn nearest_code(value: f64, frac_bits: i32) -> i128 {
@@ -22,6 +22,12 @@ pub(crate) fn field(
     let low = codes.iter().copied().min().unwrap_or(0);
     let high = codes.iter().copied().max().unwrap_or(0);
     Field { name, meaning, format: Format::holding(low, high, frac_bits), codes, reals }
+}
+
+/// The ROM field of the codes nearest to these numbers.
+pub(crate) fn rounded_field(name: &'static str, meaning: &'static str, frac_bits: i32, reals: Vec<f64>) -> Field {
+    let codes = reals.iter().map(|&real| nearest_code(real, frac_bits)).collect();
+    field(name, meaning, frac_bits, codes, reals)
 }
 
 /// The fields of A: at a row, and the step to the next.
@@ -65,13 +71,9 @@ pub(in crate::method) fn line_fields(
     frac_bits: i32,
     lines: &[Line],
 ) -> Vec<Field> {
-    let column = |name, meaning, reals: Vec<f64>| {
-        let codes: Vec<i128> = reals.iter().map(|&real| nearest_code(real, frac_bits)).collect();
-        field(name, meaning, frac_bits, codes, reals)
-    };
-    let mut fields = vec![column(name, meaning, lines.iter().map(|line| line.base).collect())];
+    let mut fields = vec![rounded_field(name, meaning, frac_bits, lines.iter().map(|line| line.base).collect())];
     if matches!(interface.shininess, Shininess::Fixed { .. }) {
-        fields.push(column(step_name, step_meaning, lines.iter().map(|line| line.step).collect()));
+        fields.push(rounded_field(step_name, step_meaning, frac_bits, lines.iter().map(|line| line.step).collect()));
     }
     fields
 }
@@ -82,7 +84,7 @@ pub(in crate::method) fn lines_of(table: &Table, [name, step]: [&'static str; 2]
         let column = |name: &str| table.find(name).map_or(0.0, value);
         Line { base: column(name), step: column(step) }
     };
-    [of(&|field| field.reals[row]), of(&|field| field.format.value(field.codes[row]))]
+    [of(&|field| field.reals[row]), of(&|field| field.value(row))]
 }
 
 /// What rounding added to a scaled coefficient over a row.
@@ -309,23 +311,23 @@ pub(in crate::method) fn output_of_p(
     zero: Option<NodeId>,
 ) -> NodeId {
     let g = interface.output_fraction as i32;
-    let x = b.floor(x, widths.get("x"), "x_cut", "x, rounded down");
+    let x = b.floor(x, widths[width::X], "x_cut", "x, rounded down");
     // With an input coarser than the output's ulp the floors of p and t lift the result about as much as the last floor
     // lowers it; a finer input gains no lift, and the result is rounded to nearest.
     let half = (interface.input_fraction > interface.output_fraction).then(|| b.half_ulp(g));
     if b.format(p_exact).signed {
         // A coefficient is negative, as it is for n below 2: p may be below 0 or above 1, and so may the result.
-        let p = b.floor(p_exact, widths.get("p"), "p", "p, rounded down");
-        let y = b.complement(x, p, widths.get("t"), half, "y_exact");
+        let p = b.floor(p_exact, widths[width::P], "p", "p, rounded down");
+        let y = b.complement(x, p, widths[width::T], half, "y_exact");
         let y = b.floor(y, g, "y_cut", "rounded down to the output's bits");
         let y = pad(b, y, g);
         let y = b.clamp_to_unit(y, "y_unit", "taken into [0, 1]");
         return b.zero_if(zero, y, "y", "y, 0 past the cut");
     }
     let above = b.reaches(p_exact, 0, "p_above", "the integer bits of p: the lobe is 0 from p = 1 on");
-    let p = b.cast(p_exact, Format::unsigned(0, widths.get("p")), true, "p", "p, rounded down");
+    let p = b.cast(p_exact, Format::unsigned(0, widths[width::P]), true, "p", "p, rounded down");
     let zero = b.any(&[zero, above], "zero", "the result is 0");
-    let y = b.complement(x, p, widths.get("t"), half, "y_exact");
+    let y = b.complement(x, p, widths[width::T], half, "y_exact");
     let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded down to the output's bits");
     b.zero_if(zero, y, "y", "y, 0 where the lobe has ended")
 }
@@ -359,5 +361,10 @@ pub(in crate::method) fn finish(
             arithmetic: bound.error.scale(ulps),
         })
         .collect();
-    Some(Datapath { graph: b.finish(&[("out_spec", output)])?, tables: tables.to_vec(), constants: Vec::new(), errors })
+    Some(Datapath {
+        graph: b.finish(&[("out_spec", output)], [])?,
+        tables: tables.to_vec(),
+        constants: Vec::new(),
+        errors,
+    })
 }

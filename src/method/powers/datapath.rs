@@ -6,9 +6,9 @@ use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier
 use crate::fit::Power;
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
-use crate::method::Interface;
 use crate::method::polynomial::Polynomial;
 use crate::method::polynomial::datapath::{self as polynomial, BIG_A, Ends, Line, SMALL_A, Scaling};
+use crate::method::{Interface, width};
 
 /// Parts of a row's versines that the analysis takes apart: near the highlight an error of p counts k times, farther out the
 /// coefficients' errors grow and the power's slope falls.
@@ -43,23 +43,22 @@ pub struct Port<'a> {
 fn parameters_of_power(interface: &Interface, power: u32, cosine: bool) -> Vec<Parameter> {
     let (f, g) = (interface.input_fraction as i32, interface.output_fraction as i32);
     let gain = power.trailing_zeros() as i32;
-    let mut parameters =
-        vec![Parameter { name: "p", meaning: "p, and the base w = 1 - p", range: g - 1 + gain..=g + 4 + gain }];
+    let mut parameters = vec![Parameter::new(width::P, "p, and the base w = 1 - p", g - 1 + gain..=g + 4 + gain)];
     if power > 2 || cosine {
-        parameters.push(Parameter { name: "s", meaning: "squares of w", range: g - 1..=g + 4 + gain });
+        parameters.push(Parameter::new(width::S, "squares of w", g - 1..=g + 4 + gain));
     }
     if cosine {
-        parameters.push(Parameter { name: "x", meaning: "cosine x", range: (g - 1).min(f)..=(g + 4).min(f) });
+        parameters.push(Parameter::new(width::X, "cosine x", g - 1..=g + 4).up_to(f));
     }
     parameters
 }
 
 fn cost_of_power(w: &Widths, power: u32, cosine: bool) -> f64 {
-    let p = w.get("p") + 1;
-    let s = if power > 2 || cosine { w.get("s") + 1 } else { p };
+    let p = w[width::P] + 1;
+    let s = if power > 2 || cosine { w[width::S] + 1 } else { p };
     multiplier_cost(p, p)
         + f64::from(power.trailing_zeros() - 1) * multiplier_cost(s, s)
-        + if cosine { multiplier_cost(w.get("x") + 1, s) } else { 0.0 }
+        + if cosine { multiplier_cost(w[width::X] + 1, s) } else { 0.0 }
         + f64::from(p + s)
 }
 
@@ -80,8 +79,8 @@ fn output_of_power(
         if b.format(p_exact).signed { b.at_least_zero(p_exact, "p_positive", "p, at least 0") } else { p_exact };
     let ended: Vec<bool> = b.bounds(p_exact).iter().map(|bound| bound.range.high >= 1.0).collect();
     let above = b.reaches(p_exact, 0, "p_above", "the integer bits of p: the lobe is 0 from p = 1 on");
-    let p = b.cast(p_exact, Format::unsigned(0, widths.get("p")), true, "p", "p, rounded down");
-    let one = b.constant(1 << widths.get("p"), Format::unsigned(1, widths.get("p")), "one_of_p");
+    let p = b.cast(p_exact, Format::unsigned(0, widths[width::P]), true, "p", "p, rounded down");
+    let one = b.constant(1 << widths[width::P], Format::unsigned(1, widths[width::P]), "one_of_p");
     let mut base = b.sub(one, p, "w", "w = 1 - p");
     // Where p reaches 1 the hardware's w is 0 by the flag.
     let bounds = b.bounds(base).to_vec().into_iter().zip(&ended);
@@ -94,14 +93,14 @@ fn output_of_power(
     let mut level = 1;
     while level < power {
         if level > 1 {
-            base = b.floor(base, widths.get("s"), &format!("w{level}_cut"), &format!("w^{level}, rounded down"));
+            base = b.floor(base, widths[width::S], &format!("w{level}_cut"), &format!("w^{level}, rounded down"));
         }
         level *= 2;
         base = b.mul(base, base, &format!("w{level}"), &format!("w^{level}"));
     }
     if let Some(x) = x {
-        let square = b.floor(base, widths.get("s"), &format!("w{level}_cut"), &format!("w^{level}, rounded down"));
-        let x = b.floor(x, widths.get("x"), "x_cut", "x, rounded down");
+        let square = b.floor(base, widths[width::S], &format!("w{level}_cut"), &format!("w^{level}, rounded down"));
+        let x = b.floor(x, widths[width::X], "x_cut", "x, rounded down");
         base = b.mul(x, square, "xw", "x w^2");
     }
     let y = polynomial::pad(b, base, g + 1);
@@ -142,7 +141,7 @@ impl Rom<'_> {
             let [real, word] = polynomial::lines_of(table, BIG_A, row).map(|line| line.range().low);
             let zero = 1.0 / (real.min(word) * exp2(scaling.k[row])).max(1.0);
             // Just past the zero p may still be below 1, since v is rounded down.
-            let past = zero + exp2(-scaling.k[row] - widths.get("v"));
+            let past = zero + exp2(-scaling.k[row] - widths[width::V]);
             polynomial::below_one(self.interface, past.min(exp2(1 - scaling.k[row])))
         };
         (0..table.rows()).map(end).collect()
@@ -155,35 +154,30 @@ impl Architecture for Rom<'_> {
         let gain = self.power.trailing_zeros() as i32 - i32::from(self.cosine);
         let cap = (f - self.scaling(g + 6 + gain).base()).max(1);
         let (low, high) = (g - 1 + gain, g + 5 + gain);
-        let mut parameters = vec![Parameter {
-            name: "A",
-            meaning: if self.linear { "coefficient A 2^-k" } else { "coefficient A 2^-k, and q = A - a v" },
-            range: low..=high,
-        }];
+        let meaning = if self.linear { "coefficient A 2^-k" } else { "coefficient A 2^-k, and q = A - a v" };
+        let mut parameters = vec![Parameter::new(width::BIG_A, meaning, low..=high)];
         if !self.linear {
-            parameters.push(Parameter { name: "a", meaning: "coefficient a 4^-k", range: low..=high });
+            parameters.push(Parameter::new(width::SMALL_A, "coefficient a 4^-k", low..=high));
         }
-        parameters.push(Parameter {
-            name: "v",
-            meaning: "scaled versine v = u 2^k",
-            range: low.min(cap)..=high.min(cap),
-        });
+        parameters.push(Parameter::new(width::V, "scaled versine v = u 2^k", low..=high).up_to(cap));
         parameters.extend(parameters_of_power(self.interface, self.power, self.cosine));
         parameters
     }
 
     fn cost(&self, w: &Widths) -> f64 {
-        let v = w.get("v") + 1;
+        let v = w[width::V] + 1;
         let inner = if self.linear {
-            multiplier_cost(w.get("A"), v) + f64::from(w.get("A"))
+            multiplier_cost(w[width::BIG_A], v) + f64::from(w[width::BIG_A])
         } else {
-            multiplier_cost(w.get("a"), v) + multiplier_cost(w.get("A"), v) + f64::from(w.get("a") + w.get("A"))
+            multiplier_cost(w[width::SMALL_A], v)
+                + multiplier_cost(w[width::BIG_A], v)
+                + f64::from(w[width::SMALL_A] + w[width::BIG_A])
         };
         inner + f64::from(v) + cost_of_power(w, self.power, self.cosine)
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
-        let bits = widths.get("A");
+        let bits = widths[width::BIG_A];
         let scaling = self.scaling(bits);
         let lines = scaling.lines(&self.lines(|row| row.big_a), 1);
         let meanings = ["the coefficient A, times 2^-k", "its step to the next row"];
@@ -191,7 +185,7 @@ impl Architecture for Rom<'_> {
         if !self.linear {
             let lines = scaling.lines(&self.lines(|row| row.a), 2);
             let meanings = ["the coefficient a, times 4^-k", "its step to the next row"];
-            fields.extend(polynomial::line_fields(self.interface, SMALL_A, meanings, widths.get("a"), &lines));
+            fields.extend(polynomial::line_fields(self.interface, SMALL_A, meanings, widths[width::SMALL_A], &lines));
         }
         fields.extend(scaling.field());
         fields.extend(self.ends().and_then(|ends| ends.field(self.interface)));
@@ -230,7 +224,7 @@ impl Architecture for Rom<'_> {
     }
 
     fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
-        let scaling = self.scaling(widths.get("A"));
+        let scaling = self.scaling(widths[width::BIG_A]);
         let table = &tables[0];
         let ends = self.active(widths, table, &scaling);
         let mut cases = Vec::new();
@@ -249,14 +243,14 @@ impl Architecture for Rom<'_> {
         } else {
             (None, Ends::int_bits(&ends, &scaling.k))
         };
-        let v = Format::unsigned(int_bits, widths.get("v"));
+        let v = Format::unsigned(int_bits, widths[width::V]);
         let v = b.cast(scaled, v, true, "v", "v = u 2^k, rounded down");
         let p = if self.linear {
             b.mul(big_a, v, "Av", "A u = (A 2^-k) v")
         } else {
             let a = polynomial::coefficient(&mut b, address, SMALL_A);
             let av = b.mul(a, v, "av", "(a 4^-k) v");
-            let r = b.floor(av, widths.get("A"), "r", "(a 4^-k) v, rounded down");
+            let r = b.floor(av, widths[width::BIG_A], "r", "(a 4^-k) v, rounded down");
             let q = b.sub(big_a, r, "q", "q = (A - a u) 2^-k; wraps past the cut");
             b.mul(v, q, "vq", "u (A - a u) = v q")
         };

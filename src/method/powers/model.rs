@@ -1,7 +1,7 @@
 //! The lobes that end in a power by squarings.
 
 use crate::fixed::wide::Wide;
-use crate::method::Inputs;
+use crate::method::{Inputs, width};
 
 /// `p = u (A - a u)` in the scaled versine, or `None` where the lobe has ended.
 fn inner(inputs: &Inputs) -> Option<Wide> {
@@ -12,9 +12,9 @@ fn inner(inputs: &Inputs) -> Option<Wide> {
     if cut.is_some_and(|cut| u > cut) || (inputs.optional("a").is_none() && v >= 2) {
         return None;
     }
-    let v = inputs.floor(v, "v");
+    let v = inputs.floor(v, width::V);
     let slope = match inputs.optional("a") {
-        Some(_) => inputs.coefficient("big_a") - inputs.floor(inputs.coefficient("a") * v, "A"),
+        Some(_) => inputs.coefficient("big_a") - inputs.floor(inputs.coefficient("a") * v, width::BIG_A),
         None => inputs.coefficient("big_a"),
     };
     Some(v * slope)
@@ -22,15 +22,15 @@ fn inner(inputs: &Inputs) -> Option<Wide> {
 
 /// `1 - p`, or `None` from p = 1 on.
 fn base(inputs: &Inputs, p: Wide) -> Option<Wide> {
-    let p = inputs.floor(p, "p").max(Wide::ZERO);
+    let p = inputs.floor(p, width::P).max(Wide::ZERO);
     (p < 1).then(|| Wide::ONE - p)
 }
 
 /// `x (1 - K u)^2`.
 pub(in crate::method) fn min_zero(inputs: &Inputs) -> Wide {
     let Some(base) = inner(inputs).and_then(|p| base(inputs, p)) else { return Wide::ZERO };
-    let square = inputs.floor(inputs.power(base, 2), "s");
-    inputs.floor(inputs.x, "x") * square + inputs.half_ulp
+    let square = inputs.floor(inputs.power(base, 2), width::S);
+    inputs.floor(inputs.x, width::X) * square + inputs.half_ulp
 }
 
 /// `(1 - u (A - a u))^k` with the ROM's coefficients.

@@ -4,9 +4,9 @@ use crate::datapath::builder::{Builder, Case};
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
-use crate::method::Interface;
-use crate::method::polynomial::datapath::{self as polynomial, Line, SMALL_A, Scaling, field, nearest_code};
+use crate::method::polynomial::datapath::{self as polynomial, Line, SMALL_A, Scaling, rounded_field};
 use crate::method::quadratic::Quadratic;
+use crate::method::{Interface, width};
 
 /// `p = (a 2^-k) (u 2^k)`, `y = x - x p`: two multiplications whose operands are all below 2.
 #[derive(Debug)]
@@ -48,30 +48,26 @@ impl Stable<'_> {
 impl Architecture for Stable<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
-        let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
+        let cap = (f - self.scaling(g + 5).base()).max(1);
         vec![
-            Parameter { name: "a", meaning: "coefficient a 2^-k", range: g - 1..=g + 5 },
-            Parameter { name: "x", meaning: "cosine x", range: up_to(g - 1, g + 4, f) },
-            Parameter {
-                name: "v",
-                meaning: "scaled versine v = u 2^k",
-                range: up_to(g - 2, g + 4, (f - self.scaling(g + 5).base()).max(1)),
-            },
-            Parameter { name: "p", meaning: "p = a u", range: g - 1..=g + 5 },
-            Parameter { name: "t", meaning: "t = x p", range: g..=g + 4 },
+            Parameter::new(width::SMALL_A, "coefficient a 2^-k", g - 1..=g + 5),
+            Parameter::new(width::X, "cosine x", g - 1..=g + 4).up_to(f),
+            Parameter::new(width::V, "scaled versine v = u 2^k", g - 2..=g + 4).up_to(cap),
+            Parameter::new(width::P, "p = a u", g - 1..=g + 5),
+            Parameter::new(width::T, "t = x p", g..=g + 4),
         ]
     }
 
     fn cost(&self, w: &Widths) -> f64 {
         let g = self.interface.output_fraction as i32;
-        multiplier_cost(w.get("a"), 1 + w.get("v"))
-            + multiplier_cost(1 + w.get("x"), w.get("p"))
-            + f64::from(w.get("x").max(w.get("t")).max(g))
-            + f64::from(w.get("v") + w.get("x") + w.get("a"))
+        multiplier_cost(w[width::SMALL_A], 1 + w[width::V])
+            + multiplier_cost(1 + w[width::X], w[width::P])
+            + f64::from(w[width::X].max(w[width::T]).max(g))
+            + f64::from(w[width::V] + w[width::X] + w[width::SMALL_A])
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
-        let bits = widths.get("a");
+        let bits = widths[width::SMALL_A];
         let scaling = self.scaling(bits);
         let meanings = ["the coefficient a, times 2^-k", "its step to the next row"];
         let lines = scaling.lines(&self.lines(), 1);
@@ -90,7 +86,7 @@ impl Architecture for Stable<'_> {
     }
 
     fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
-        let scaling = self.scaling(widths.get("a"));
+        let scaling = self.scaling(widths[width::SMALL_A]);
         let table = &tables[0];
         // The least a that a row has, before or after rounding, makes the lobe end last.
         let least = |row: usize| {
@@ -99,7 +95,7 @@ impl Architecture for Stable<'_> {
         };
         // Just past the zero p may still be below 1, since v is rounded down: up to there the values must be right.
         let end = |row: usize| {
-            let past = Quadratic { a: least(row) }.zero() + exp2(-scaling.k[row] - widths.get("v"));
+            let past = Quadratic { a: least(row) }.zero() + exp2(-scaling.k[row] - widths[width::V]);
             polynomial::below_one(self.interface, past.min(exp2(1 - scaling.k[row])))
         };
         let ends: Vec<f64> = (0..table.rows()).map(end).collect();
@@ -109,7 +105,7 @@ impl Architecture for Stable<'_> {
         let a = polynomial::coefficient(&mut b, address, SMALL_A);
         let scaled = scaling.apply(&mut b, address.0, u);
         let beyond = b.reaches(scaled, 1, "beyond", "u 2^k >= 2: then a u >= 1, since a 2^-k >= 1/2");
-        let v = b.cast(scaled, Format::unsigned(1, widths.get("v")), true, "v", "v = u 2^k, rounded down");
+        let v = b.cast(scaled, Format::unsigned(1, widths[width::V]), true, "v", "v = u 2^k, rounded down");
         let p = b.mul(a, v, "av", "a u = (a 2^-k) v");
         let y = polynomial::output_of_p(&mut b, self.interface, widths, x, p, beyond);
         polynomial::finish(b, self.interface, &tables, y, |row| {
@@ -124,29 +120,24 @@ impl Architecture for Paper<'_> {
         let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
         let largest = self.lobes.iter().map(|l| l.a).fold(1.0, f64::max);
         // An error of the square is multiplied by a.
-        let square = (g + libm::ilogb(largest) + 1).min(2 * f);
+        let square = g + libm::ilogb(largest) + 1;
         vec![
-            Parameter { name: "a", meaning: "coefficient a", range: g - 3..=g + 4 },
-            Parameter {
-                name: "s",
-                meaning: "square of the cosine",
-                range: square.min(2 * f)..=(square + 5).min(2 * f),
-            },
-            Parameter { name: "m", meaning: "product a (x^2 - x)", range: g..=g + 4 },
+            Parameter::new(width::SMALL_A, "coefficient a", g - 3..=g + 4),
+            Parameter::new(width::S, "square of the cosine", square..=square + 5).up_to(2 * f),
+            Parameter::new(width::M, "product a (x^2 - x)", g..=g + 4),
         ]
     }
 
     fn cost(&self, w: &Widths) -> f64 {
         let f = self.interface.input_fraction as i32;
         let largest = self.lobes.iter().map(|l| l.a).fold(1.0, f64::max);
-        multiplier_cost(f + 1, f + 1) + multiplier_cost(w.get("a") + libm::ilogb(largest) + 1, w.get("s"))
+        multiplier_cost(f + 1, f + 1) + multiplier_cost(w[width::SMALL_A] + libm::ilogb(largest) + 1, w[width::S])
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
-        let bits = widths.get("a");
-        let reals: Vec<f64> = self.lobes.iter().map(|l| l.a).collect();
-        let codes = reals.iter().map(|&a| nearest_code(a, bits)).collect();
-        vec![self.interface.shininess.rom(vec![field("a", "the coefficient a", bits, codes, reals)], 0)]
+        let reals = self.lobes.iter().map(|l| l.a).collect();
+        let a = rounded_field("a", "the coefficient a", widths[width::SMALL_A], reals);
+        vec![self.interface.shininess.rom(vec![a], 0)]
     }
 
     fn description(&self, _tables: &[Table]) -> Description {
@@ -172,18 +163,17 @@ impl Architecture for Paper<'_> {
         let (x, _) = b.operand(self.interface);
         let a = b.field(0, address, "a");
         let square = b.mul(x, x, "xx", "x^2");
-        let s = b.floor(square, widths.get("s"), "s", "x^2, rounded down");
+        let s = b.floor(square, widths[width::S], "s", "x^2, rounded down");
         let d = b.sub(s, x, "d", "x^2 - x");
         let m = b.mul(a, d, "ad", "a (x^2 - x)");
-        let m = b.floor(m, widths.get("m"), "m", "a (x^2 - x), rounded down");
+        let m = b.floor(m, widths[width::M], "m", "a (x^2 - x), rounded down");
         let x = b.add_half(x, g, "x_half");
         let y = b.add(m, x, "y_exact", "a (x^2 - x) + x");
         let y = b.floor(y, g, "y_cut", "rounded down to the output's bits");
         let y = polynomial::pad(&mut b, y, g);
         let y = b.clamp_to_unit(y, "y", "taken into [0, 1]");
         polynomial::finish(b, self.interface, &tables, y, |row| {
-            let (real, a) = (self.lobes[row].a, table.field("a"));
-            let word = a.format.value(a.codes[row]);
+            let (real, word) = (self.lobes[row].a, table.field("a").value(row));
             coefficient_error(Quadratic { a: real.min(word) }.zero(), Interval::point(word - real))
         })
     }

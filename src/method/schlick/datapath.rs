@@ -3,16 +3,17 @@
 use crate::datapath::builder::{Bound, Builder, Case};
 use crate::datapath::graph::{NodeId, Op};
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
-use crate::fixed::{Format, Interval, Table, Widths, exp2};
+use crate::fixed::{Format, Interval, Table, Width, Widths};
 use crate::lobe::Lobe;
-use crate::method::Interface;
 use crate::method::divide::Divider;
 use crate::method::divide::datapath as divide;
-use crate::method::polynomial::datapath::{self as polynomial, field, nearest_code};
+use crate::method::exponent::exact_bits;
+use crate::method::polynomial::datapath::{self as polynomial, rounded_field};
+use crate::method::{Interface, width};
 use crate::platform::error::Error;
 
-/// No core needs `n - 1` with more fraction bits than this.
-const MOST_BITS: i32 = 24;
+/// `n - 1` of a list.
+const N1: Width = Width("n1");
 
 /// `den = 1 + (n-1) u`, `y = x / den`: a multiplication and a division. Where the set is a range, n is `in_n` itself; for a list
 /// or materials `n - 1` comes from a ROM.
@@ -47,12 +48,6 @@ impl<'a> Schlick<'a> {
         !self.interface.shininess.is_at_port()
     }
 
-    /// The fraction bits with which every n of the list is exact, or as many as any core may need.
-    fn exact_bits(&self) -> i32 {
-        let exact = |bits: i32| self.lobes.iter().all(|lobe| (lobe.n * exp2(bits)).fract() == 0.0);
-        (0..MOST_BITS).find(|&bits| exact(bits)).unwrap_or(MOST_BITS)
-    }
-
     /// The integer bits of the denominator, which is n at most.
     fn den_int_bits(&self) -> i32 {
         // Rounding n to a ROM word may lift it to the next power of two.
@@ -79,41 +74,38 @@ impl<'a> Schlick<'a> {
 impl Architecture for Schlick<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
-        let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
         let magnitude = libm::ilogb(self.ends[1]);
         let mut parameters = vec![
-            Parameter { name: "num", meaning: "numerator x", range: up_to(g, g + 4, f) },
+            Parameter::new(width::NUM, "numerator x", g..=g + 4).up_to(f),
             // An error of u is multiplied by n.
-            Parameter { name: "u", meaning: "versine u", range: up_to(g + magnitude, g + magnitude + 5, f) },
-            Parameter { name: "den", meaning: "denominator 1 + (n-1) u", range: g..=g + 5 },
+            Parameter::new(width::U, "versine u", g + magnitude..=g + magnitude + 5).up_to(f),
+            Parameter::new(width::DEN, "denominator 1 + (n-1) u", g..=g + 5),
         ];
         if self.listed() {
-            let exact = self.exact_bits();
             // An error of n is divided by 4n.
             let least = libm::ilogb(self.ends[0]);
-            let range = up_to((g - 3 - least).max(0), (g + 3 - least).max(0), exact);
-            parameters.push(Parameter { name: "n1", meaning: "coefficient n - 1", range });
+            let range = (g - 3 - least).max(0)..=(g + 3 - least).max(0);
+            parameters
+                .push(Parameter::new(N1, "coefficient n - 1", range).up_to(exact_bits(&self.interface.shininess)));
         }
         parameters.extend(divide::parameters(self.divider, g));
         parameters
     }
 
     fn cost(&self, w: &Widths) -> f64 {
-        let frac = if self.listed() { w.get("n1") } else { 0 };
+        let frac = if self.listed() { w[N1] } else { 0 };
         let n_bits = libm::ilogb(self.ends[1]) + 1 + frac;
         let g = self.interface.output_fraction as i32;
-        multiplier_cost(n_bits, 1 + w.get("u"))
-            + f64::from(w.get("u") + w.get("num") + n_bits)
-            + divide::cost(self.divider, w, g, self.den_int_bits(), w.get("den"), 1 + w.get("num"))
+        multiplier_cost(n_bits, 1 + w[width::U])
+            + f64::from(w[width::U] + w[width::NUM] + n_bits)
+            + divide::cost(self.divider, w, g, self.den_int_bits(), w[width::DEN], 1 + w[width::NUM])
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
         let mut tables = Vec::new();
         if self.listed() {
-            let bits = widths.get("n1");
-            let reals: Vec<f64> = self.lobes.iter().map(|lobe| lobe.n - 1.0).collect();
-            let codes = reals.iter().map(|&n1| nearest_code(n1, bits)).collect();
-            let n1 = field("n1", "the shininess n, less 1", bits, codes, reals);
+            let reals = self.lobes.iter().map(|lobe| lobe.n - 1.0).collect();
+            let n1 = rounded_field("n1", "the shininess n, less 1", widths[N1], reals);
             tables.push(self.interface.shininess.rom(vec![n1], 0));
         }
         tables.extend(divide::table(self.divider, widths));
@@ -143,17 +135,13 @@ impl Architecture for Schlick<'_> {
         };
         let cases: Vec<Case> =
             if listed { (0..self.lobes.len()).map(|row| case(Some(row))).collect() } else { vec![case(None)] };
-        let rounded = |row: usize| {
-            let field = tables[0].field("n1");
-            field.format.value(field.codes[row])
-        };
         let mut b = Builder::new(&tables, cases);
         let n1 = self.less_one(&mut b);
         let (x, u) = b.operand(self.interface);
-        let u = b.floor(u, widths.get("u"), "u_cut", "u, rounded down");
-        let num = b.floor(x, widths.get("num"), "num", "x, rounded down");
+        let u = b.floor(u, widths[width::U], "u_cut", "u, rounded down");
+        let num = b.floor(x, widths[width::NUM], "num", "x, rounded down");
         let rise = b.mul(n1, u, "n1u", "(n-1) u");
-        let rise = b.floor(rise, widths.get("den"), "rise", "(n-1) u, rounded down");
+        let rise = b.floor(rise, widths[width::DEN], "rise", "(n-1) u, rounded down");
         let one = b.constant(1, Format::unsigned(1, 0), "unit");
         let den = b.add(one, rise, "den", "the denominator, 1 + (n-1) u");
         let y = b.divide(self.divider, widths, [num, den], g, 0, memories.saturating_sub(1));
@@ -162,7 +150,7 @@ impl Architecture for Schlick<'_> {
                 return Interval::ZERO;
             }
             // The move is -x u delta / (den den'), and x u / (1 + m u)^2 is at most 1/(4 (m + 1)).
-            let (real, rounded) = (self.lobes[case].n - 1.0, rounded(case));
+            let (real, rounded) = (self.lobes[case].n - 1.0, tables[0].field("n1").value(case));
             let reach = (1.0 / (4.0 * (real.min(rounded) + 1.0))).next_up();
             -(Interval::new(0.0, reach) * Interval::point(rounded - real))
         })

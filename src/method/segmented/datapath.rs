@@ -12,10 +12,10 @@ use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier
 use crate::fit::{self, Objective, Peak, Segment};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
-use crate::method::Interface;
 use crate::method::polynomial::Polynomial;
 use crate::method::polynomial::datapath::{self as polynomial, Scaling, field, nearest_code};
 use crate::method::segmented::Segmented;
+use crate::method::{Interface, width};
 use crate::platform::error::Error;
 
 /// Fraction bits of n's leading bits, of the versine's, and of the rough s.
@@ -182,20 +182,20 @@ impl Architecture for Segments<'_> {
         let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
         let cap = (f - self.scaling().base()).max(1);
         vec![
-            Parameter { name: "c", meaning: "coefficient c, and d = c - q v", range: g..=g + 4 },
-            Parameter { name: "A", meaning: "coefficient A 2^-k, and q = A - a v", range: g + 1..=g + 7 },
-            Parameter { name: "a", meaning: "coefficient a 4^-k", range: g + 1..=g + 6 },
-            Parameter { name: "v", meaning: "scaled versine v = u 2^k", range: g.min(cap)..=(g + 5).min(cap) },
-            Parameter { name: "x", meaning: "cosine x", range: (g - 1).min(f)..=(g + 3).min(f) },
+            Parameter::new(width::C, "coefficient c, and d = c - q v", g..=g + 4),
+            Parameter::new(width::BIG_A, "coefficient A 2^-k, and q = A - a v", g + 1..=g + 7),
+            Parameter::new(width::SMALL_A, "coefficient a 4^-k", g + 1..=g + 6),
+            Parameter::new(width::V, "scaled versine v = u 2^k", g..=g + 5).up_to(cap),
+            Parameter::new(width::X, "cosine x", g - 1..=g + 3).up_to(f),
         ]
     }
 
     fn cost(&self, w: &Widths) -> f64 {
-        let v = w.get("v") + 4;
-        multiplier_cost(w.get("a"), v)
-            + multiplier_cost(w.get("A"), v)
-            + multiplier_cost(w.get("x") + 1, w.get("c"))
-            + f64::from(w.get("c") + w.get("A") + w.get("a"))
+        let v = w[width::V] + 4;
+        multiplier_cost(w[width::SMALL_A], v)
+            + multiplier_cost(w[width::BIG_A], v)
+            + multiplier_cost(w[width::X] + 1, w[width::C])
+            + f64::from(w[width::C] + w[width::BIG_A] + w[width::SMALL_A])
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
@@ -205,7 +205,7 @@ impl Architecture for Segments<'_> {
         let mut fields = vec![field("m", "n 2^-k, for the segment", ROUGH_BITS, mantissas, values)];
         fields.extend(scaling.field());
         let scale = self.interface.shininess.rom(fields, scaling.base() as u32).named(SCALE);
-        let bits = ["c", "A", "a"].map(|name| widths.get(name));
+        let bits = [width::C, width::BIG_A, width::SMALL_A].map(|width| widths[width]);
         let lsb = exp2(-(self.interface.input_fraction as i32));
         let mut columns: [(Vec<i128>, Vec<f64>); 3] = Default::default();
         for row in &self.rows {
@@ -305,19 +305,16 @@ impl Architecture for Segments<'_> {
         let [c, big_a, a] = ["c", "big_a", "a"].map(|name| b.field(1, address, name));
         let ends: Vec<f64> = b.cases().iter().map(|case| case.active.high).collect();
         let shifts = scaling.over_cases(b.cases()).k;
-        let v = Format::unsigned(polynomial::Ends::int_bits(&ends, &shifts), widths.get("v"));
+        let v = Format::unsigned(polynomial::Ends::int_bits(&ends, &shifts), widths[width::V]);
         let v = b.cast(scaled, v, true, "v", "v = u 2^k, rounded down; wraps past the last segment");
         let av = b.mul(a, v, "av", "(a 4^-k) v");
-        let r = b.floor(av, widths.get("A"), "r", "(a 4^-k) v, rounded down");
+        let r = b.floor(av, widths[width::BIG_A], "r", "(a 4^-k) v, rounded down");
         let q = b.sub(big_a, r, "q", "q = (A - a u) 2^-k");
         let vq = b.mul(v, q, "vq", "u (A - a u) = v q");
-        let m = b.floor(vq, widths.get("c"), "m", "u (A - a u), rounded down");
+        let m = b.floor(vq, widths[width::C], "m", "u (A - a u), rounded down");
         let d = b.sub(c, m, "d", "d = c - u (A - a u)");
         // The parabola's own range: the intervals of its terms do not see that they move together.
-        let word = |name: &str, at: usize| {
-            let field = rom.field(name);
-            field.format.value(field.codes[at])
-        };
+        let word = |name: &str, at: usize| rom.field(name).value(at);
         let known: Vec<Bound> = b
             .bounds(d)
             .iter()
@@ -331,7 +328,7 @@ impl Architecture for Segments<'_> {
             .collect();
         b.narrow(d, known);
         let d = if b.format(d).signed { b.at_least_zero(d, "d_positive", "d, at least 0") } else { d };
-        let x = b.floor(x, widths.get("x"), "x_cut", "x, rounded down");
+        let x = b.floor(x, widths[width::X], "x_cut", "x, rounded down");
         let y = b.mul(x, d, "xd", "x d");
         let y = polynomial::pad(&mut b, y, g + 1);
         let y = b.add_half(y, g, "y_half");
@@ -344,10 +341,10 @@ impl Architecture for Segments<'_> {
         let cases: Vec<Interval> = b.cases().iter().map(|case| case.active).collect();
         let datapath = polynomial::finish(b, self.interface, &tables, y, |case| {
             let (row, at) = rows[case];
-            let delta = |name: &str| word(name, at) - rom.field(name).reals[at];
-            let moved = polynomial::parabola(delta("big_a"), delta("a"), cases[case].scale(self.rows[row].k));
+            let [c, big_a, a] = ["c", "big_a", "a"].map(|name| rom.field(name).rounding(at));
+            let moved = polynomial::parabola(big_a, a, cases[case].scale(self.rows[row].k));
             let x = Interval::new(1.0 - cases[case].high, 1.0 - cases[case].low);
-            (Interval::point(delta("c")) - moved) * x
+            (Interval::point(c) - moved) * x
         })?;
         Some(Datapath { constants: self.bounds.clone(), ..datapath })
     }

@@ -1,7 +1,7 @@
 //! The lobe in segments.
 
 use crate::fixed::wide::{self, Wide};
-use crate::method::Inputs;
+use crate::method::{Inputs, width};
 
 /// Fraction bits of what finds the segment.
 const ROUGH_BITS: u32 = 9;
@@ -23,8 +23,8 @@ pub(in crate::method) fn segmented(inputs: &Inputs) -> Wide {
         return Wide::ZERO;
     }
     let coefficient = |name: &str| inputs.entry("rom", inputs.row * bounds.len() + segment, name);
-    let v = inputs.floor(v, "v");
-    let q = coefficient("big_a") - inputs.floor(coefficient("a") * v, "A");
-    let d = (coefficient("c") - inputs.floor(q * v, "c")).max(Wide::ZERO);
-    (inputs.floor(inputs.x, "x") * d + inputs.half_ulp).min(Wide::ONE)
+    let v = inputs.floor(v, width::V);
+    let q = coefficient("big_a") - inputs.floor(coefficient("a") * v, width::BIG_A);
+    let d = (coefficient("c") - inputs.floor(q * v, width::C)).max(Wide::ZERO);
+    (inputs.floor(inputs.x, width::X) * d + inputs.half_ulp).min(Wide::ONE)
 }

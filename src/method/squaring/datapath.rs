@@ -10,8 +10,8 @@ use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Widths};
 use crate::lobe::{self, Lobe};
-use crate::method::Interface;
 use crate::method::polynomial::datapath::{self as polynomial, field};
+use crate::method::{Interface, width};
 use crate::platform::error::Error;
 
 /// The ROM's fields: the bits of the number of the power that a shininess takes, the least significant first. There are 21 powers of two
@@ -59,7 +59,7 @@ impl<'a> Squaring<'a> {
 
     /// Fraction bits of `x^(2^level)`.
     fn bits(&self, widths: &Widths, level: i32) -> i32 {
-        widths.get("s") + self.last() - level
+        widths[width::S] + self.last() - level
     }
 
     /// The place of each shininess among the taps.
@@ -96,11 +96,8 @@ impl Architecture for Squaring<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let g = self.interface.output_fraction as i32;
         let more = libm::ilogb(f64::from(self.last().max(1))) + 1;
-        vec![Parameter {
-            name: "s",
-            meaning: "the last power, and a bit more for each squaring before it",
-            range: g + 1..=g + 2 + more,
-        }]
+        let meaning = "the last power, and a bit more for each squaring before it";
+        vec![Parameter::new(width::S, meaning, g + 1..=g + 2 + more)]
     }
 
     fn cost(&self, w: &Widths) -> f64 {
@@ -172,7 +169,7 @@ impl Architecture for Squaring<'_> {
                 power = b.cast(power, unit, true, &name, &format!("{text}, rounded down"));
             }
             if self.taps.contains(&level) {
-                taps.push(b.floor(power, widths.get("s"), &format!("{name}_cut"), &format!("{text} with fewer bits")));
+                taps.push(b.floor(power, widths[width::S], &format!("{name}_cut"), &format!("{text} with fewer bits")));
             }
         }
         let y = self.select(&mut b, address, taps);

@@ -7,7 +7,7 @@ use crate::datapath::{Architecture, Datapath, Description, Parameter};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
 use crate::method::Interface;
-use crate::method::polynomial::datapath::{self as polynomial, field, nearest_code};
+use crate::method::polynomial::datapath::{self as polynomial, rounded_field};
 use crate::platform::error::Error;
 
 /// The most entries of a table: at 16 bits 2 Mbit, half of the block RAM of a large device of the ECP5 family.
@@ -68,10 +68,8 @@ impl Architecture for Tabulated<'_> {
 
     fn tables(&self, _widths: &Widths) -> Vec<Table> {
         let reals: Vec<f64> = self.lobes.iter().flat_map(|lobe| lobe.entries.iter().copied()).collect();
-        let bits = self.interface.output_fraction as i32;
-        let codes = reals.iter().map(|&real| nearest_code(real, bits)).collect();
         let whole = self.interface.shininess.rom(Vec::new(), 0);
-        let values = field("y", "x^n midway in the cell", bits, codes, reals);
+        let values = rounded_field("y", "x^n midway in the cell", self.interface.output_fraction as i32, reals);
         let mut table = Table::parts(&whole, self.cells(), vec![values]).named(POWER_TABLE);
         // A function table: its entries are told apart one by one.
         (table.key, table.keys) = ("entry", (0..table.rows()).map(|entry| entry as f64).collect());
@@ -115,13 +113,6 @@ impl Architecture for Tabulated<'_> {
             "y_wide",
             "with an integer bit",
         );
-        let words = tables[0].field("y");
-        let rounding = words
-            .codes
-            .iter()
-            .zip(&words.reals)
-            .map(|(&code, &real)| Interval::point(words.format.value(code) - real))
-            .reduce(Interval::hull)?;
-        polynomial::finish(b, self.interface, &tables, y, |_| rounding)
+        polynomial::finish(b, self.interface, &tables, y, |_| tables[0].field("y").roundings())
     }
 }

@@ -18,15 +18,12 @@ use rayon::prelude::*;
 
 use super::aig::{Aig, Literal};
 use super::circuit::{Bit, Circuit, Part, Register, Unfit};
-use crate::core::{Design, Direction};
+use crate::core::{Design, Direction, Role};
 use crate::fixed::Rng;
 use crate::verify::golden::{Golden, Vector};
 
 /// The most bits of inputs whose values are all run through: a quarter of a minute for a cubic core on two cores.
 pub(super) const MOST_BITS: usize = 28;
-
-/// Inputs that are no data.
-const CONTROL: [&str; 4] = ["clk", "rst", "ce", "in_valid"];
 
 /// A circuit that is a pipeline.
 #[derive(Clone, Debug)]
@@ -57,10 +54,10 @@ impl Nets {
         let mut holds = vec![Holds::Constant; circuit.nets];
         for (name, nets) in &circuit.inputs {
             for &net in nets {
-                holds[net] = match name.as_str() {
-                    "clk" | "rst" | "ce" => Holds::Control,
-                    "in_valid" => Holds::Valid(0),
-                    _ => Holds::Data(0),
+                holds[net] = match Role::of(name) {
+                    Some(Role::InValid) => Holds::Valid(0),
+                    Some(_) => Holds::Control,
+                    None => Holds::Data(0),
                 };
             }
         }
@@ -116,12 +113,15 @@ impl Nets {
 /// Checks that a circuit is a pipeline, and returns how many registers each path from an input to an output has, and
 /// how many stand before each register and each memory's read, by the part's place.
 fn depths(circuit: &Circuit) -> Result<(u32, HashMap<usize, u32>), Unfit> {
-    let port = |name: &str| match circuit.inputs.get(name).map(Vec::as_slice) {
-        Some([net]) => Ok(Bit::Net(*net)),
-        _ => Err(format!("there is no input {name} of one bit")),
+    let port = |role: Role| {
+        let name = role.name().unwrap_or_default();
+        match circuit.inputs.get(name).map(Vec::as_slice) {
+            Some([net]) => Ok(Bit::Net(*net)),
+            _ => Err(format!("there is no input {name} of one bit")),
+        }
     };
-    let control = [port("clk")?, port("rst")?, port("ce")?];
-    port("in_valid")?;
+    let control = [port(Role::Clock)?, port(Role::Reset)?, port(Role::Enable)?];
+    port(Role::InValid)?;
     let mut nets = Nets::of_inputs(circuit);
     let mut before = HashMap::new();
     for (index, part) in circuit.parts.iter().enumerate() {
@@ -142,12 +142,13 @@ fn depths(circuit: &Circuit) -> Result<(u32, HashMap<usize, u32>), Unfit> {
             return Err("a write port takes what went through registers".to_owned());
         }
     }
-    let valid = match circuit.outputs.get("out_valid").map(Vec::as_slice) {
+    let is_valid = |(name, _): &(&String, &Vec<Bit>)| Role::of(name) == Some(Role::OutValid);
+    let valid = match circuit.outputs.iter().find(is_valid).map(|(_, bits)| bits.as_slice()) {
         Some([bit]) => nets.of(*bit),
         _ => return Err("there is no output out_valid of one bit".to_owned()),
     };
     let Holds::Valid(depth) = valid else { return Err("out_valid is not in_valid some clocks later".to_owned()) };
-    for (name, bits) in circuit.outputs.iter().filter(|(name, _)| *name != "out_valid") {
+    for (name, bits) in circuit.outputs.iter().filter(|port| !is_valid(port)) {
         match nets.data(bits).map_err(|why| format!("the output {name}: {why}"))? {
             Holds::Data(found) if found != depth => {
                 return Err(format!("{name} comes {found} clocks after its input, and out_valid {depth}"));
@@ -172,12 +173,12 @@ impl Pipeline {
     }
 
     pub(super) fn data_inputs(&self) -> BTreeMap<&str, usize> {
-        let ports = self.circuit.inputs.iter().filter(|(name, _)| !CONTROL.contains(&name.as_str()));
+        let ports = self.circuit.inputs.iter().filter(|(name, _)| Role::of(name).is_none());
         ports.map(|(name, nets)| (name.as_str(), nets.len())).collect()
     }
 
     pub(super) fn data_outputs(&self) -> BTreeMap<&str, &[Bit]> {
-        let ports = self.circuit.outputs.iter().filter(|(name, _)| *name != "out_valid");
+        let ports = self.circuit.outputs.iter().filter(|(name, _)| Role::of(name).is_none());
         ports.map(|(name, bits)| (name.as_str(), bits.as_slice())).collect()
     }
 

@@ -2,6 +2,9 @@
 
 use super::{CubicRom, CubicWidths, Kernel, QuadraticRom, QuadraticWidths, cubic, quadratic};
 use crate::core::Design;
+use crate::datapath::graph::{Node, Op};
+use crate::fixed::Width;
+use crate::method::width;
 use crate::spec::{Block, Form, InputRange, Operand, Pipeline, RomStyle, Tail};
 
 /// The kernel of a design's method, if there is an instance at just its widths.
@@ -31,7 +34,7 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
         (0..table.depth()).map(|address| field.codes[table.row_of_address(address)] as u64).collect()
     };
     let width = |name: &str| table.field(name).format.width() as usize;
-    let bits = |name: &str| design.widths.get(name) as usize;
+    let bits = |width: Width| design.widths[width] as usize;
     let (f, g, n) =
         (spec.interface.input_fraction as usize, spec.interface.output_fraction as usize, table.address_bits as usize);
     let k = words("k");
@@ -44,35 +47,38 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
                 kw: width("k"),
                 kmax: k.iter().max().copied().unwrap_or(0) as usize,
                 ca: width("a"),
-                fv: bits("v"),
-                fp: bits("p"),
-                xb: bits("x"),
-                ft: bits("t"),
+                fv: bits(width::V),
+                fp: bits(width::P),
+                xb: bits(width::X),
+                ft: bits(width::T),
             };
             quadratic(&widths, QuadraticRom { k: &k, a: &words("a") })
         }
         "cubic" => {
             // Where no row is cut, the ROM has no threshold.
             table.find("cut")?;
-            let node = |name: &str| design.graph().nodes.iter().find(|node| node.name == name);
-            let (v, q) = (node("v")?.format, node("q")?.format);
+            let nodes = &design.graph().nodes;
+            let products: Vec<&Node> = nodes.iter().filter(|node| node.op == Op::Mul).collect();
+            // a v, v q and x p.
+            let [_, vq, _] = products[..] else { return None };
+            let [v, q] = [0, 1].map(|place| nodes[vq.args[place]].format);
             let widths = CubicWidths {
                 f,
                 g,
                 n,
                 kw: width("k"),
-                fv: bits("v"),
+                fv: bits(width::V),
                 iv: v.int_bits as usize,
-                cl: bits("a"),
+                cl: bits(width::SMALL_A),
                 wl: width("a"),
-                ca: bits("A"),
+                ca: bits(width::BIG_A),
                 wa: width("big_a"),
-                fr: bits("A"),
-                fq: bits("A"),
+                fr: bits(width::BIG_A),
+                fq: bits(width::BIG_A),
                 wq: q.width() as usize,
-                fp: bits("p"),
-                xb: bits("x"),
-                ft: bits("t"),
+                fp: bits(width::P),
+                xb: bits(width::X),
+                ft: bits(width::T),
             };
             let rom = CubicRom { k: &k, a: &words("a"), constant: &words("big_a"), threshold: &words("cut") };
             cubic(&widths, rom)

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::inspect::{MOST_BLOCKS, Signal, signal};
-use crate::block::shader::datapath::joints;
+use crate::block::shader::datapath::Joints;
 use crate::core::Design;
 use crate::core::edges::varied;
 use crate::datapath::graph::{Graph, NodeId};
@@ -79,9 +79,9 @@ impl Prover<'_> {
 }
 
 impl Proof {
-    /// Analyses the graph of a shader with these materials.
+    /// Analyses the graph of a shader with these materials and joints.
     #[must_use]
-    pub fn of(materials: &Shininess, shader: &Shader, graph: &Graph, tables: &[Table]) -> Self {
+    pub fn of(materials: &Shininess, joints: &[Joints], graph: &Graph, tables: &[Table]) -> Self {
         let nodes = graph.nodes.len();
         let proof = Self { parts: Vec::new(), overflows: Vec::new(), ranges: Ranges::none(nodes) };
         let mut prover = Prover { graph, tables, is_covered: vec![false; nodes], proof };
@@ -93,7 +93,7 @@ impl Proof {
         // The ports of vectors among the rest stay unused by the colours, and cost nothing there.
         let mut colour_ports = graph.inputs.clone();
         let mut colour_spans: Vec<Span> = all[1..].to_vec();
-        for (light, joints) in joints(shader, graph).into_iter().enumerate() {
+        for (light, joints) in joints.iter().enumerate() {
             let of_light = |part: &str| format!("{part} of light {}", light + 1);
             let mut results = vec![joints.dark, joints.psi];
             results.extend(joints.root.map_or(vec![joints.operand], |root| root.to_vec()));
@@ -153,7 +153,7 @@ impl ShaderInspection {
     #[must_use]
     pub fn of(design: &Design, shader: &Shader) -> Self {
         let (set, graph) = (&design.spec.interface.shininess, design.graph());
-        let proof = Proof::of(set, shader, graph, design.tables());
+        let proof = Proof::of(set, &design.joints, graph, design.tables());
         let wide = Analysis::new(graph, design.tables()).with_spare_bits(&proof.ranges);
         let differs = |place: u64| {
             let mut rng = Rng::new(place);

@@ -19,21 +19,27 @@
 use std::sync::OnceLock;
 
 use super::super::chords::{Chords, Slopes};
-use super::super::datapath::{EXP_TABLE, LOG_TABLE, exp_chords, power_of_two};
-use super::Memory;
+use super::super::datapath::{EXP_TABLE, LOG_TABLE, exp_chords, power_of_two, times_versine, unless_one};
+use super::super::{EXP_ADDRESS, LOG_ADDRESS};
+use super::{Memory, ONE};
 use crate::datapath::builder::{Bound, Builder, Case};
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
-use crate::fixed::{Format, Interval, Table, Widths, exp2};
+use crate::fixed::{Format, Interval, Table, Width, Widths, exp2};
 use crate::lobe::Lobe;
-use crate::method::Interface;
 use crate::method::exponent::{Exponent, error_of_exponent};
 use crate::method::log_exp::log_ratio;
 use crate::method::polynomial::datapath as polynomial;
+use crate::method::{Interface, width};
 use crate::platform::error::Error;
 use crate::target::MOST_LOGIC_BITS;
 
 const LOG2_E: f64 = std::f64::consts::LOG2_E;
 const LN_2: f64 = std::f64::consts::LN_2;
+
+/// Which of [`LOG_SLOPES`] the logarithm's table has.
+const LOG_SLOPE: Width = Width("log_slope");
+/// Which of [`EXP_SLOPES`] the exponential's has.
+const EXP_SLOPE: Width = Width("exp_slope");
 
 /// The slopes that the logarithm's table may have, the more costly behind: none, a few bits, or enough for a multiplier.
 const LOG_SLOPES: [Slopes; 7] = [
@@ -132,7 +138,7 @@ impl<'a> Coarse<'a> {
 
     /// Whether n = 1 gets x itself.
     fn bypasses(&self, widths: &Widths) -> bool {
-        widths.get("one") == 1
+        widths[ONE] == 1
     }
 
     /// The set's first shininesses that the tables serve.
@@ -143,7 +149,7 @@ impl<'a> Coarse<'a> {
     /// Half an output ulp, where the result is rounded down from more bits than it has: the second table makes up for that, too.
     fn half_ulp(&self, widths: &Widths) -> f64 {
         let g = self.interface.output_fraction as i32;
-        if widths.get("e") > g { exp2(-g - 1) } else { 0.0 }
+        if widths[width::E] > g { exp2(-g - 1) } else { 0.0 }
     }
 
     /// The logarithm's table; its function is only asked for codes.
@@ -161,12 +167,12 @@ impl<'a> Coarse<'a> {
             curvature: f64::INFINITY,
             start: 0.0,
             domain: 0,
-            address_bits: widths.get("log"),
+            address_bits: widths[LOG_ADDRESS],
             argument_bits: self.input_bits(),
-            cut_bits: widths.get("k") + 2,
-            value_bits: widths.get("k"),
+            cut_bits: widths[width::K] + 2,
+            value_bits: widths[width::K],
             int_bits: self.ratio_int_bits(widths),
-            slopes: LOG_SLOPES[widths.get("log_slope") as usize],
+            slopes: LOG_SLOPES[widths[LOG_SLOPE] as usize],
             weight: Some(weight),
         }
     }
@@ -182,7 +188,7 @@ impl<'a> Coarse<'a> {
     }
 
     fn exp_chords<'f>(widths: &Widths, function: &'f dyn Fn(f64) -> f64) -> Chords<'f> {
-        exp_chords(widths, EXP_SLOPES[widths.get("exp_slope") as usize], function)
+        exp_chords(widths, EXP_SLOPES[widths[EXP_SLOPE] as usize], function)
     }
 
     /// An estimate of a table's size in LUTs, for ranking; infinite where the tables may not be as large.
@@ -252,7 +258,7 @@ impl<'a> Coarse<'a> {
 
     /// The error of `v' κ'` in a case: `κ' (v' - v) + z (κ'/κ - 1)`, v' being off by what u loses, n times, and by its own rounding.
     fn product_error(&self, widths: &Widths, level: Interval, ratio: Interval) -> Interval {
-        let (u, v) = (widths.get("u"), widths.get("v"));
+        let (u, v) = (widths[width::U], widths[width::V]);
         let lost = |from: i32, to: i32| (exp2(-to) - exp2(-from)).max(0.0);
         let of_u = lost(self.input_bits(), u);
         let of_v = lost(self.n.frac_bits(widths) + u.min(self.input_bits()), v);
@@ -273,13 +279,12 @@ impl Architecture for Coarse<'_> {
         exp2(self.interface.output_fraction as i32 - self.accuracy)
     }
 
-    fn interacting(&self) -> &'static [&'static [&'static str]] {
-        &[&["log", "log_slope", "one"], &["exp", "exp_slope"]]
+    fn interacting(&self) -> &'static [&'static [Width]] {
+        &[&[LOG_ADDRESS, LOG_SLOPE, ONE], &[EXP_ADDRESS, EXP_SLOPE]]
     }
 
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g, a) = (self.input_bits(), self.interface.output_fraction as i32, self.accuracy);
-        let up_to = |low: i32, high: i32, cap: i32| low.min(cap)..=high.min(cap);
         let mut parameters = Vec::new();
         let mut n_fraction = self.interface.shininess.frac_bits() as i32;
         if let Some(n) = self.n.parameter(a) {
@@ -287,40 +292,33 @@ impl Architecture for Coarse<'_> {
             parameters.push(n);
         }
         let may_bypass = self.n.least == 1.0 && self.n.largest > 1.0 && self.interface.shininess.frac_bits() == 0;
-        let u = up_to(a + self.n.int_bits() - 1, a + self.n.int_bits() + 1, f);
-        let v = up_to(a, a + 2, n_fraction + u.end());
+        let middle = a + self.n.int_bits();
+        let u = Parameter::new(width::U, "versine", middle - 1..=middle + 1).up_to(f);
+        let v = Parameter::new(width::V, "v = n times the versine", a..=a + 2).up_to(n_fraction + u.range.end());
         let tables = |low: i32, high: i32, cap: i32| low.clamp(2, cap)..=high.clamp(2, cap);
         parameters.extend([
-            Parameter {
-                name: "log",
-                meaning: "table of the logarithm (bits of its address)",
-                range: tables(a - 5, a + 2, 10.min(f - 1)),
-            },
-            Parameter {
-                name: "log_slope",
-                meaning: "its slopes (0 none, 1 to 4 a few bits, 5 and 6 a multiplier)",
-                range: 0..=LOG_SLOPES.len() as i32 - 1,
-            },
-            Parameter {
-                name: "one",
-                meaning: "whether n = 1 gives x by a way of its own (1)",
-                range: 0..=i32::from(may_bypass),
-            },
-            Parameter {
-                name: "exp",
-                meaning: "table of the exponential (bits of its address)",
-                range: tables(a - 5, a + 1, 10),
-            },
-            Parameter {
-                name: "exp_slope",
-                meaning: "its slopes (0 none, 1 to 5 a few bits, 6 a multiplier)",
-                range: 0..=EXP_SLOPES.len() as i32 - 1,
-            },
-            Parameter { name: "u", meaning: "versine", range: u },
-            Parameter { name: "v", meaning: "v = n times the versine", range: v },
-            Parameter { name: "k", meaning: "log ratio", range: a..=a + 2 },
-            Parameter { name: "z", meaning: "z = n L", range: a + 1..=a + 3 },
-            Parameter { name: "e", meaning: "2^-f", range: up_to(a + 1, a + 4, g + 2) },
+            Parameter::new(
+                LOG_ADDRESS,
+                "table of the logarithm (bits of its address)",
+                tables(a - 5, a + 2, 10.min(f - 1)),
+            ),
+            Parameter::new(
+                LOG_SLOPE,
+                "its slopes (0 none, 1 to 4 a few bits, 5 and 6 a multiplier)",
+                0..=LOG_SLOPES.len() as i32 - 1,
+            ),
+            Parameter::new(ONE, "whether n = 1 gives x by a way of its own (1)", 0..=i32::from(may_bypass)),
+            Parameter::new(EXP_ADDRESS, "table of the exponential (bits of its address)", tables(a - 5, a + 1, 10)),
+            Parameter::new(
+                EXP_SLOPE,
+                "its slopes (0 none, 1 to 5 a few bits, 6 a multiplier)",
+                0..=EXP_SLOPES.len() as i32 - 1,
+            ),
+            u,
+            v,
+            Parameter::new(width::K, "log ratio", a..=a + 2),
+            Parameter::new(width::Z, "z = n L", a + 1..=a + 3),
+            Parameter::new(width::E, "2^-f", a + 1..=a + 4).up_to(g + 2),
         ]);
         parameters
     }
@@ -328,18 +326,18 @@ impl Architecture for Coarse<'_> {
     fn cost(&self, w: &Widths) -> f64 {
         let n_bits = self.n.int_bits() + self.n.frac_bits(w);
         let zero = |f: f64| f;
-        multiplier_cost(n_bits, w.get("u"))
-            + multiplier_cost(self.versine_int_bits() + w.get("v"), w.get("k") + self.ratio_int_bits(w))
+        multiplier_cost(n_bits, w[width::U])
+            + multiplier_cost(self.versine_int_bits() + w[width::V], w[width::K] + self.ratio_int_bits(w))
             + self.table_cost(&self.log_chords(w, &zero, &zero))
             + self.table_cost(&Self::exp_chords(w, &zero))
             // The shifter has a multiplexer a bit and level.
-            + 0.7 * f64::from(w.get("e") * self.whole_bits())
-            + 0.1 * f64::from(w.get("z") + w.get("v") + w.get("u"))
-            + f64::from(w.get("one") * (self.interface.output_fraction as i32 + 8))
+            + 0.7 * f64::from(w[width::E] * self.whole_bits())
+            + 0.1 * f64::from(w[width::Z] + w[width::V] + w[width::U])
+            + f64::from(w[ONE] * (self.interface.output_fraction as i32 + 8))
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
-        let mut tables: Vec<Table> = self.n.table(widths).into_iter().collect();
+        let mut tables: Vec<Table> = self.n.table(self.n.frac_bits(widths)).into_iter().collect();
         let (lift, half) = (self.n.lift(self.input_bits(), widths), self.half_ulp(widths));
         let weight = Self::weight(self.served(widths)[0]);
         tables.push(self.log_chords(widths, &|x| self.code(x)[1], &weight).table());
@@ -377,21 +375,16 @@ impl Architecture for Coarse<'_> {
         let memory = |name: &str| tables.iter().position(|table| table.name == name);
         let (log_memory, exp_memory) = (memory(LOG_TABLE)?, memory(EXP_TABLE)?);
         let levels = self.levels();
-        let case =
-            |_: &Interval| Case { active: Interval::UNIT, shininess: self.n.largest, rows: vec![None; tables.len()] };
+        let case = Case { active: Interval::UNIT, shininess: self.n.largest, rows: vec![None; tables.len()] };
         let count = levels.len();
-        let mut b = Builder::new(&tables, levels.iter().map(case).collect());
+        let mut b = Builder::new(&tables, vec![case; levels.len()]);
 
         let n = self.n.node(&mut b, &tables);
         let (x, u) = b.operand(self.interface);
         let dark = b.reaches(u, 0, "dark", "u = 1: the result is 0");
-        let cut = b.floor(u, widths.get("u"), "u_cut", "u, rounded down");
-        let nu = b.mul(n, cut, "nu", "n u");
+        let cut = b.floor(u, widths[width::U], "u_cut", "u, rounded down");
         let int_bits = self.versine_int_bits();
-        let beyond = b.reaches(nu, int_bits, "beyond", "so large that z is past what the result can show");
-        let exact = b.format(nu);
-        let v = Format::unsigned(exact.int_bits.min(int_bits), exact.frac_bits.min(widths.get("v")));
-        let v = b.cast(nu, v, true, "v", "v = n u, rounded down");
+        let (v, beyond) = times_versine(&mut b, widths, [n, cut], int_bits, "u");
 
         let weight = |_: f64| 1.0;
         let function = |x: f64| self.code(x)[1];
@@ -402,7 +395,7 @@ impl Architecture for Coarse<'_> {
         let errors = (0..count).map(|case| self.product_error(widths, levels[case], ratios[case]));
         let bounds = errors.zip(b.bounds(product)).map(|(error, bound)| Bound { error, ..*bound }).collect();
         b.assume(product, bounds);
-        let z = b.floor(product, widths.get("z"), "z", "z = n L, rounded down");
+        let z = b.floor(product, widths[width::Z], "z", "z = n L, rounded down");
         let whole_bits = self.whole_bits();
         let over = b.reaches(z, whole_bits, "over", "z is past what the result can show");
 
@@ -426,10 +419,7 @@ impl Architecture for Coarse<'_> {
         b.assume(y, bounds);
         if self.bypasses(widths) {
             let rounded = b.cast(x, Format::unsigned(1, g), false, "x_cut", "x with the output's bits");
-            let frac_bits = b.format(n).frac_bits;
-            let one = b.constant(1 << frac_bits, b.format(n), "n_one");
-            let above = b.greater(n, one, "above_one", "n > 1");
-            y = b.select(above, [y, rounded], |_| None, "y_or_x", "x itself for n = 1");
+            y = unless_one(&mut b, n, y, rounded);
         }
         let relative = self.n.relative_error(&tables);
         polynomial::finish(b, self.interface, &tables, y, |case| error_of_exponent(levels[case], relative))

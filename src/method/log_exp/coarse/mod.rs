@@ -6,6 +6,11 @@ pub(super) mod model;
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
+use crate::fixed::Width;
+
+/// 1 where n = 1 gives x by a way of its own.
+const ONE: Width = Width("one");
+
 /// The accuracies, in bits, that may be asked for.
 pub const ACCURACY: std::ops::RangeInclusive<u32> = 3..=15;
 /// Input fraction bits with which one may be: the proof goes over every input code.
