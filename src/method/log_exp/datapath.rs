@@ -66,7 +66,7 @@ pub(in crate::method) fn exp_chords<'f>(
 }
 
 /// `v = n u` below `2^int_bits`, and whether it is so large that it is not; `u` is called `versine` in the comments.
-pub(super) fn times_versine(
+pub(in crate::method) fn times_versine(
     b: &mut Builder,
     widths: &Widths,
     [n, u]: [NodeId; 2],
@@ -120,6 +120,28 @@ pub(in crate::method) fn power_of_two(
     let bounds = levels.iter().zip(b.bounds(z)).map(bound).collect();
     b.assume(shifted, bounds);
     Some(shifted)
+}
+
+/// `2^-z` rounded to nearest with `g` fraction bits; 0 where one of the flags is set, as it is only where that is half an ulp at most. Each
+/// case has the real z in its level.
+pub(in crate::method) fn rounded_or_zero(
+    b: &mut Builder,
+    power: NodeId,
+    g: i32,
+    flags: &[Option<NodeId>],
+    levels: &[Interval],
+) -> NodeId {
+    let y = b.add_half(power, g, "y_half");
+    let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded to the output's bits");
+    let zero = b.any(flags, "zero", "the result is 0");
+    let y = b.zero_if(zero, y, "y", "y, 0 where it is below half an ulp");
+    let forced = |(bound, level): (&Bound, &Interval)| {
+        let gone = Interval::new(if level.high > f64::from(g) + 0.5 { -libm::exp2(-level.low) } else { 0.0 }, 0.0);
+        Bound { error: bound.error.hull(gone), ..*bound }
+    };
+    let bounds = b.bounds(y).iter().zip(levels).map(forced).collect();
+    b.assume(y, bounds);
+    y
 }
 
 /// `2^(-n L(x))`.
@@ -366,16 +388,7 @@ impl Architecture for LogExp<'_> {
         let exp = exp_chords(widths, Slopes::Matched, &power);
         let shifted = power_of_two(&mut b, &exp, exp_memory, z, whole_bits, lift, &levels)?;
 
-        let y = b.add_half(shifted, g, "y_half");
-        let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded to the output's bits");
-        let zero = b.any(&[Some(small), beyond, over], "zero", "the result is 0");
-        let mut y = b.zero_if(zero, y, "y", "y, 0 where it is below half an ulp");
-        let forced = |(bound, level): (&Bound, &Interval)| {
-            let gone = Interval::new(if level.high > f64::from(g) + 0.5 { -libm::exp2(-level.low) } else { 0.0 }, 0.0);
-            Bound { error: bound.error.hull(gone), ..*bound }
-        };
-        let bounds = b.bounds(y).iter().zip(&levels).map(forced).collect();
-        b.assume(y, bounds);
+        let mut y = rounded_or_zero(&mut b, shifted, g, &[Some(small), beyond, over], &levels);
         if self.bypasses() {
             let rounded = b.add_half(x, g, "x_half");
             let rounded = b.cast(rounded, Format::unsigned(1, g), false, "x_rounded", "x, rounded to nearest");

@@ -1,11 +1,11 @@
 //! `log-exp`: `2^(-n L(x))`, `L = -log2 x`, from small tables, after D. Harris, IEEE Trans. Computers 53(3), 2004; with an
 //! accuracy a smaller core, in `coarse`.
 
-mod chords;
+pub(super) mod chords;
 mod coarse;
-mod datapath;
+pub(super) mod datapath;
 mod lobe;
-mod model;
+pub(super) mod model;
 
 use std::sync::Arc;
 
@@ -47,7 +47,7 @@ pub static METHODS: [About; 1] = [About {
 /// Bits of the address of the logarithm's table.
 const LOG_ADDRESS: Width = Width("log");
 /// The same of the exponential's.
-const EXP_ADDRESS: Width = Width("exp");
+pub(super) const EXP_ADDRESS: Width = Width("exp");
 
 #[derive(Debug)]
 struct Configured {

@@ -47,7 +47,7 @@ pub(in crate::method) fn evaluate(inputs: &Inputs) -> Wide {
 }
 
 /// A function table: its memory, the fields of it, base and slope, its widths, address and value, and the span of its arguments, `2^-domain`.
-pub(super) struct Function {
+pub(in crate::method) struct Function {
     pub(super) memory: &'static str,
     pub(super) fields: [&'static str; 2],
     pub(super) widths: [Width; 2],
@@ -56,12 +56,12 @@ pub(super) struct Function {
 
 pub(super) const LOG: Function =
     Function { memory: "log_table", fields: ["log_base", "log_slope"], widths: [LOG_ADDRESS, width::K], domain: 1 };
-pub(super) const EXP: Function =
+pub(in crate::method) const EXP: Function =
     Function { memory: "exp_table", fields: ["exp_base", "exp_slope"], widths: [EXP_ADDRESS, width::E], domain: 0 };
 
 /// A function at `argument`, counted from where its arguments start: the entry's base less its slope times the distance from the entry's
 /// start, that distance rounded down to `cut` bits and the product to the value's width.
-pub(super) fn interpolated(inputs: &Inputs, of: &Function, argument: Wide, cut: u32) -> Wide {
+pub(in crate::method) fn interpolated(inputs: &Inputs, of: &Function, argument: Wide, cut: u32) -> Wide {
     let ([base, slope], [address, value]) = (of.fields, of.widths);
     let address_bits = inputs.widths[address] as u32;
     let entry = wide::to_code(argument << of.domain, address_bits);
