@@ -38,7 +38,7 @@ const HELPERS: [usize; 6] = [METHOD, 1, 2, 3, 4, 5];
 
 /// Every method, as the line of a spec.
 static METHOD_LINES: LazyLock<Vec<String>> =
-    LazyLock::new(|| METHODS.into_iter().flatten().map(|about| format!("method = '{}'", about.name)).collect());
+    LazyLock::new(|| METHODS.iter().copied().flatten().map(|about| format!("method = '{}'", about.name)).collect());
 
 /// What lobes and shaders both choose from: lines of a spec.
 fn choices_of_all() -> Vec<Choice> {

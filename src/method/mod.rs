@@ -50,7 +50,7 @@ use crate::fixed::wide::Wide;
 use crate::platform::error::Error;
 
 /// The methods, in the order in which they are listed to users; a folder with an option in its name has several.
-pub static METHODS: [&[About]; 13] = [
+pub static METHODS: &[&[About]] = &[
     &quadratic::METHODS,
     &cubic::METHODS,
     &cubic_rational::METHODS,
@@ -211,7 +211,7 @@ impl PartialEq for Configured {
 #[derive(Clone, Copy)]
 pub struct MethodName(&'static About);
 
-static NAMES: LazyLock<Vec<MethodName>> = LazyLock::new(|| METHODS.into_iter().flatten().map(MethodName).collect());
+static NAMES: LazyLock<Vec<MethodName>> = LazyLock::new(|| METHODS.iter().copied().flatten().map(MethodName).collect());
 
 impl MethodName {
     /// The method of this name, if there is one.

@@ -47,7 +47,7 @@ impl Variant {
 /// The variants of all methods for a use, in the order of [`METHODS`].
 pub fn variants(of: Use) -> impl Iterator<Item = (&'static About, &'static Variant)> {
     let all =
-        METHODS.into_iter().flatten().flat_map(|about| about.variants.iter().map(move |variant| (about, variant)));
+        METHODS.iter().copied().flatten().flat_map(|about| about.variants.iter().map(move |variant| (about, variant)));
     let covers = move |used: &Use| *used == of || *used == Use::Exactness && of == Use::Smallest;
     all.filter(move |(_, variant)| variant.uses.iter().any(covers))
 }
@@ -59,7 +59,7 @@ mod tests {
     #[test]
     fn every_method_is_compared_with_its_model() {
         let compared: Vec<&str> = variants(Use::Smallest).map(|(about, _)| about.name).collect();
-        for about in METHODS.into_iter().flatten() {
+        for about in METHODS.iter().copied().flatten() {
             assert!(compared.contains(&about.name), "{}", about.name);
         }
     }
