@@ -99,8 +99,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         materials.push(material(place, path)?);
     }
     let bar = progress::bar("measuring", Report::work(points, chosen));
-    let report = Report::new(points, chosen, &speed, &|| bar.inc(1))?.with_scenes(scenes);
-    let report = report.with_materials(materials);
+    let report = Report::new(points, chosen, &speed, &|| bar.inc(1))?.with(scenes, materials);
     bar.finish_and_clear();
     let plots = arguments.plots.as_ref().map(|directory| (directory, report.plots()));
     // With what was read since, such as a scene's meshes, and the charts' names.
