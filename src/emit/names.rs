@@ -16,9 +16,7 @@ struct Declared {
 }
 
 /// The text, unless it declares a name twice in one scope, or uses the name of `core` for something else.
-///
-/// # Errors
-/// Names what clashes, and a name for the core that does not where that is the reason.
+/// Errors: names what clashes, and a name for the core that does not where that is the reason.
 pub(super) fn checked(language: Language, core: &str, text: String) -> Result<String, Error> {
     let mut seen: HashMap<(usize, String), usize> = HashMap::new();
     for Declared { name, scope, line } in declared(language, &text) {
