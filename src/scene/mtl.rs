@@ -48,10 +48,8 @@ pub(super) struct Parts {
 }
 
 /// Divides a mesh by the materials of its file. `file` is the OBJ file's name for messages, `directory` where it lies.
-///
-/// # Errors
-/// A file without `mtllib`, an MTL file that is not there or cannot be read, a material that is in none of them, a number that is none or
-/// out of its range.
+/// Errors: a file without `mtllib`, an MTL file that is not there or cannot be read, a material that is in none of
+/// them, a number that is none or out of its range.
 pub(super) fn parts(painted: &Painted, file: &str, directory: &Path) -> Result<Parts, Error> {
     let Painted { mesh, libraries, materials, of_triangle } = painted;
     let used = |place: usize| of_triangle.iter().any(|material| *material as usize == place);
