@@ -257,15 +257,7 @@ pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Resul
     options.check()?;
     let family = options.family;
     let (yosys, nextpnr) = find(options)?;
-    let mut work = Work {
-        files: files(design, options.language)?,
-        design,
-        options,
-        yosys: &yosys,
-        directory: None,
-        cache: Cache::new(options.cache.clone()),
-        ran: 0,
-    };
+    let mut work = Work::new(design, options, &yosys, options.cache.clone())?;
     progress(Step::Synthesis);
     let cells = work.cells()?;
     let mut placed = Vec::new();
@@ -298,15 +290,7 @@ pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Resul
 pub fn netlist(design: &Design, options: &Options) -> Result<Vec<u8>, Error> {
     options.check()?;
     let yosys = Yosys::find(options.yosys.as_deref())?;
-    let mut work = Work {
-        files: files(design, options.language)?,
-        design,
-        options,
-        yosys: &yosys,
-        directory: None,
-        cache: Cache::new(None),
-        ran: 0,
-    };
+    let mut work = Work::new(design, options, &yosys, None)?;
     let file = work.netlist(Netlist::Core)?;
     let directory = work.directory()?;
     let name = &design.spec.name;
@@ -363,7 +347,12 @@ enum Netlist {
     Placed,
 }
 
-impl Work<'_> {
+impl<'a> Work<'a> {
+    fn new(design: &'a Design, options: &'a Options, yosys: &'a Yosys, cache: Option<PathBuf>) -> Result<Self, Error> {
+        let files = files(design, options.language)?;
+        Ok(Self { files, design, options, yosys, directory: None, cache: Cache::new(cache), ran: 0 })
+    }
+
     fn flow(&self) -> Flow {
         Flow::new(self.design, self.options)
     }
