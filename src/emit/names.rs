@@ -4,7 +4,7 @@
 
 use std::collections::HashMap;
 
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::spec::Language;
 
 /// A name that a text declares.
@@ -21,12 +21,11 @@ pub(super) fn checked(language: Language, core: &str, text: String) -> Result<St
     let mut seen: HashMap<(usize, String), usize> = HashMap::new();
     for Declared { name, scope, line } in declared(language, &text) {
         let folded = name.to_ascii_lowercase();
-        if folded == core {
-            return Err(Error::input(
-                format!("a core cannot be named `{core}`: its {language} has another `{name}`"),
-                format!("another name works: --name {core}_core"),
-            ));
-        }
+        refuse!(
+            folded == core,
+            format!("a core cannot be named `{core}`: its {language} has another `{name}`"),
+            format!("another name works: --name {core}_core")
+        );
         let key = if language == Language::Vhdl { folded } else { name.clone() };
         if let Some(before) = seen.insert((scope, key), line) {
             return Err(Error::input(

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use super::mesh::{Mesh, Named, Painted};
 use super::text::{Statements, name_of, without_comment, without_mark};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 use crate::spec::{Colour, Material, suggest};
 
@@ -145,16 +145,13 @@ fn find<'a>(libraries: &'a [Library], named: &Named) -> Option<(usize, &'a Read)
 
 impl Library {
     fn read(name: &str, obj: &str, line: usize, directory: &Path) -> Result<Self, Error> {
-        if name.is_empty() {
-            return Err(Error::input(format!("{obj}, line {line}: mtllib names no file"), FORMAT));
-        }
+        refuse!(name.is_empty(), format!("{obj}, line {line}: mtllib names no file"), FORMAT);
         let path = path(name, directory);
-        if !path.is_file() {
-            return Err(Error::input(
-                format!("{obj}, line {line}: there is no file {}", path.display()),
-                "the MTL file of mtllib lies where its path leads from the OBJ file's directory",
-            ));
-        }
+        refuse!(
+            !path.is_file(),
+            format!("{obj}, line {line}: there is no file {}", path.display()),
+            "the MTL file of mtllib lies where its path leads from the OBJ file's directory"
+        );
         let file = path.display().to_string();
         let materials = read(&input::read(&path, input::MAX_TEXT)?, &file)?;
         Ok(Self { name: name.to_owned(), file, materials })

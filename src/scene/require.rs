@@ -15,7 +15,7 @@ use super::{Budget, Difference, Frame, Highlights, Picture, Scene};
 use crate::emit::package::counted;
 use crate::fixed::exp2;
 use crate::lobe;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::spec::{INPUT_FRACTION, Material, OUTPUT_FRACTION};
 
 /// The most pixels a row of a moved picture.
@@ -291,18 +291,16 @@ impl Requirements {
     /// # Errors
     /// A margin that is not allowed, a scene without a highlight.
     pub fn of(scene: &Scene, margin_degrees: f64, done: &(dyn Fn(usize, usize) + Sync)) -> Result<Self, Error> {
-        if !(0.0..=MAX_MARGIN).contains(&margin_degrees) {
-            return Err(Error::input(
-                format!("a margin of {margin_degrees} degrees is out of range"),
-                format!("a margin is a real number from 0 to {MAX_MARGIN}"),
-            ));
-        }
-        if !scene.has_highlights() {
-            return Err(Error::input(
-                "all objects of the scene are drawn by a reflectance, and none asks for a lobe",
-                "shading = \"classical\" makes the nearest diffuse and cos^n materials of them",
-            ));
-        }
+        refuse!(
+            !(0.0..=MAX_MARGIN).contains(&margin_degrees),
+            format!("a margin of {margin_degrees} degrees is out of range"),
+            format!("a margin is a real number from 0 to {MAX_MARGIN}")
+        );
+        refuse!(
+            !scene.has_highlights(),
+            "all objects of the scene are drawn by a reflectance, and none asks for a lobe",
+            "shading = \"classical\" makes the nearest diffuse and cos^n materials of them"
+        );
         let moved = scene.moved(margin_degrees);
         let [width, height] = moved_size(scene, moved.len());
         let total = 1 + moved.len();

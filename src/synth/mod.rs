@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 
 use crate::core::Design;
 use crate::emit::package;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::tool::{self, YOSYS};
 use crate::platform::transient::Folder;
 use crate::spec::Language;
@@ -180,18 +180,16 @@ impl Options {
     }
 
     fn check(&self) -> Result<(), Error> {
-        if !(1..=Self::MAX_SEEDS).contains(&self.seeds) {
-            return Err(Error::input(
-                format!("{} seeds are not allowed", self.seeds),
-                format!("1 to {} are", Self::MAX_SEEDS),
-            ));
-        }
-        if !(self.target_mhz > 0.0 && self.target_mhz <= 1000.0) {
-            return Err(Error::input(
-                format!("a target of {} MHz is not allowed", self.target_mhz),
-                "more than 0 and up to 1000 are",
-            ));
-        }
+        refuse!(
+            !(1..=Self::MAX_SEEDS).contains(&self.seeds),
+            format!("{} seeds are not allowed", self.seeds),
+            format!("1 to {} are", Self::MAX_SEEDS)
+        );
+        refuse!(
+            !(self.target_mhz > 0.0 && self.target_mhz <= 1000.0),
+            format!("a target of {} MHz is not allowed", self.target_mhz),
+            "more than 0 and up to 1000 are"
+        );
         Ok(())
     }
 }
