@@ -8,7 +8,7 @@ use serde_json::json;
 
 use super::source::{OnDisk, Source};
 use super::{Verdict, progress, say, say_json, write_to};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::spec::Language;
 use crate::synth::{self, Options};
 use crate::target::Family;
@@ -49,12 +49,11 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
     arguments.source.paths_of_core().may_write("--junit", arguments.junit.as_ref()).check()?;
-    if arguments.exhaustive && design.spec.block.shader().is_some() {
-        return Err(Error::input(
-            "--exhaustive runs every input, and a shader has too many",
-            "leave it out: the golden vectors and the digests are checked",
-        ));
-    }
+    refuse!(
+        arguments.exhaustive && design.spec.block.shader().is_some(),
+        "--exhaustive runs every input, and a shader has too many",
+        "leave it out: the golden vectors and the digests are checked"
+    );
     let modelled = |family: Family| match &family.description().models {
         Some(models) => Ok((family, models)),
         None => Err(Error::input(

@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::source::Source;
 use super::{Verdict, say, say_json};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::spec::Operand;
 
 #[derive(Args)]
@@ -52,12 +52,11 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         Operand::Versine => 1.0 - arguments.x,
     };
     let code = (wanted / format.lsb()).round();
-    if !(format.min_code() as f64..=format.max_code() as f64).contains(&code) {
-        return Err(Error::input(
-            format!("{} = {wanted} does not fit {format}", design.operand_name()),
-            format!("it holds {} to {}", format.value(format.min_code()), format.value(format.max_code())),
-        ));
-    }
+    refuse!(
+        !(format.min_code() as f64..=format.max_code() as f64).contains(&code),
+        format!("{} = {wanted} does not fit {format}", design.operand_name()),
+        format!("it holds {} to {}", format.value(format.min_code()), format.value(format.max_code()))
+    );
     let operand = code as i64;
     let output = design.model().evaluate(index, operand);
     let u = design.versine(operand);

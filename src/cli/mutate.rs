@@ -11,7 +11,7 @@ use super::source::{OnDisk, Source, read_golden};
 use super::{Verdict, progress, say, say_json};
 use crate::core::Design;
 use crate::emit::package::rtl_path;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::spec::{Language, RomStyle};
 use crate::verify::cosim::Vectors;
 use crate::verify::faults::{self, Mutant, Outcome, Tally};
@@ -114,12 +114,11 @@ struct Row {
 
 /// The Verilog of a core on disk.
 fn verilog(design: &Design, core: &OnDisk) -> Result<Vec<u8>, Error> {
-    if !design.spec.languages.contains(&Language::Verilog) || design.spec.rom == RomStyle::File {
-        return Err(Error::input(
-            format!("the core {} has no Verilog with its memories in the text", design.spec.name),
-            "leave --netlist out, or generate the core with Verilog and an inline ROM",
-        ));
-    }
+    refuse!(
+        !design.spec.languages.contains(&Language::Verilog) || design.spec.rom == RomStyle::File,
+        format!("the core {} has no Verilog with its memories in the text", design.spec.name),
+        "leave --netlist out, or generate the core with Verilog and an inline ROM"
+    );
     let path = core.path().join(rtl_path(design, Language::Verilog));
     std::fs::read(&path).map_err(|error| Error::io("cannot read", &path, error))
 }

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use super::scene::{MARGIN, costing};
 use super::source::{read_scene, reads_core};
 use super::{Verdict, progress, say, say_json, write_to};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::paths::Paths;
 use crate::scene::cores::{self, PictureCore, Through};
 use crate::scene::drawing::{self, Drawing, Drawn, Only, Own, scene_text};
@@ -319,12 +319,11 @@ fn compare_cores(arguments: &Arguments, scene: &Scene, compared: &[String], pipe
 
 /// The contact sheet of forms.
 fn compare_forms(arguments: &Arguments, scene: &Scene, compared: &[String], piped: bool) -> Result<Verdict, Error> {
-    if arguments.synth || arguments.family.is_some() || arguments.fields != SpecFields::default() {
-        return Err(Error::input(
-            "keys of a core are given, and the scene's measured materials are compared by forms",
-            "leave --synth, --family and the keys of a core out",
-        ));
-    }
+    refuse!(
+        arguments.synth || arguments.family.is_some() || arguments.fields != SpecFields::default(),
+        "keys of a core are given, and the scene's measured materials are compared by forms",
+        "leave --synth, --family and the keys of a core out"
+    );
     let all: Vec<Compared> = entries(compared, &Compared::DEFAULT).map(Compared::parse).collect::<Result<_, _>>()?;
     let bar = progress::bar("forms made", all.len() as u64);
     let mut looks = vec![scene.exact_looks()?];
@@ -396,12 +395,11 @@ fn check_writable(path: &Path) -> Result<(), Error> {
 fn core_of(arguments: &Arguments, scene: &Scene) -> Result<Option<PictureCore>, Error> {
     let keys = arguments.fields.clone();
     let is_named = arguments.core.is_some() || keys != SpecFields::default();
-    if is_named && !scene.has_highlights() {
-        return Err(Error::input(
-            "a core is given, and all objects of the scene are drawn by a reflectance",
-            "leave the core out, or give the materials shading = \"classical\"",
-        ));
-    }
+    refuse!(
+        is_named && !scene.has_highlights(),
+        "a core is given, and all objects of the scene are drawn by a reflectance",
+        "leave the core out, or give the materials shading = \"classical\""
+    );
     if arguments.only == Only::Exact && arguments.exr.is_none() || scene.is_measured() && !is_named {
         return Ok(None);
     }

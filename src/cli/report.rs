@@ -9,7 +9,7 @@ use super::source::read_scene;
 use super::{Verdict, progress, say, scene};
 use crate::emit::package;
 use crate::explore::{MaxError, Objective, Point, Results};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 use crate::platform::paths::Paths;
 use crate::reflectance::{Lookup, Model, Source, measure, trade};
@@ -76,12 +76,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         None => Speed::built_in()?,
     };
     let points = results.points();
-    if points.is_empty() {
-        return Err(Error::input(
-            "there are no points in the results",
-            "results of `brdfgen explore`, with at least one point",
-        ));
-    }
+    refuse!(
+        points.is_empty(),
+        "there are no points in the results",
+        "results of `brdfgen explore`, with at least one point"
+    );
     let chosen = chosen(arguments, &results)?;
     let mut scenes = Vec::new();
     for path in &arguments.scene {
@@ -99,8 +98,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         materials.push(material(place, path)?);
     }
     let bar = progress::bar("measuring", Report::work(points, chosen));
-    let report = Report::new(points, chosen, &speed, &|| bar.inc(1))?.with_scenes(scenes);
-    let report = report.with_materials(materials);
+    let report = Report::new(points, chosen, &speed, &|| bar.inc(1))?.with(scenes, materials);
     bar.finish_and_clear();
     let plots = arguments.plots.as_ref().map(|directory| (directory, report.plots()));
     // With what was read since, such as a scene's meshes, and the charts' names.
@@ -143,12 +141,11 @@ fn material(place: usize, path: &Path) -> Result<MaterialPart, Error> {
 fn chosen<'a>(arguments: &Arguments, results: &'a Results) -> Result<Option<&'a Point>, Error> {
     let keys = arguments.keys.fields();
     let Some(max_error) = arguments.max_error else {
-        if arguments.wish.is_wish() || keys != SpecFields::default() {
-            return Err(Error::input(
-                "a core is wished for without the error that is allowed",
-                "say --max-error as well, or leave the other wishes out",
-            ));
-        }
+        refuse!(
+            arguments.wish.is_wish() || keys != SpecFields::default(),
+            "a core is wished for without the error that is allowed",
+            "say --max-error as well, or leave the other wishes out"
+        );
         return Ok(None);
     };
     let objective = arguments.objective.unwrap_or(Objective::Lut);

@@ -10,7 +10,7 @@ use super::{Verdict, say, say_json, write_to};
 use crate::core::Design;
 use crate::emit::rom::{self, RomFormat, RomImage};
 use crate::fixed::Table;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 use crate::spec::CoreSpec;
 
@@ -43,12 +43,11 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
     let spec = &design.spec;
-    if design.tables().is_empty() {
-        return Err(Error::input(
-            format!("the core {} has no ROM", spec.name),
-            "its method computes everything from in_n and the operand",
-        ));
-    }
+    refuse!(
+        design.tables().is_empty(),
+        format!("the core {} has no ROM", spec.name),
+        "its method computes everything from in_n and the operand"
+    );
     let tables = tables(&design, arguments.memory_name.as_deref())?;
     if let Some(path) = &arguments.check {
         return check(&arguments, path, spec, &tables);

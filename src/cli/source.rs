@@ -7,7 +7,7 @@ use clap::Args;
 use super::warn;
 use crate::core::{Account, Design};
 use crate::emit::package::{self, File};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::paths::Paths;
 use crate::platform::transient::Folder;
 use crate::platform::{input, tool};
@@ -109,19 +109,17 @@ fn is_scene(path: &Path) -> bool {
 /// Reads a scene; a spec is told apart.
 pub(super) fn read_scene(path: &Path) -> Result<Scene, Error> {
     let shown = path.display();
-    if path.is_dir() {
-        return Err(Error::input(
-            format!("{shown} is a directory, and no scene"),
-            format!("give a scene file; `render` takes the directory of a core as --core {shown}"),
-        ));
-    }
+    refuse!(
+        path.is_dir(),
+        format!("{shown} is a directory, and no scene"),
+        format!("give a scene file; `render` takes the directory of a core as --core {shown}")
+    );
     let text = input::read_text(path, "a scene is a TOML file")?;
-    if !Scene::is_scene(&text) && SpecFields::parse(&text, &shown.to_string()).is_ok() {
-        return Err(Error::input(
-            format!("{shown} is the spec of a core, and no scene"),
-            format!("give a scene file; `render` takes the spec as --core {shown}"),
-        ));
-    }
+    refuse!(
+        !Scene::is_scene(&text) && SpecFields::parse(&text, &shown.to_string()).is_ok(),
+        format!("{shown} is the spec of a core, and no scene"),
+        format!("give a scene file; `render` takes the spec as --core {shown}")
+    );
     let scene = Scene::read(path)?;
     scene.left_out.iter().for_each(warn);
     Ok(scene)

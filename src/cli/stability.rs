@@ -9,7 +9,7 @@ use super::source::Source;
 use super::{Verdict, progress, say, say_json};
 use crate::core::Design;
 use crate::emit::package;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::paths::Paths;
 use crate::spec::{Block, MethodName, Shader};
 use crate::verify::stability::document::{self, Study};
@@ -50,12 +50,11 @@ const VECTOR_BITS: [u32; 4] = [10, 12, 14, 16];
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     if arguments.source.is_given() {
-        if !arguments.axis.is_empty() || !arguments.only.is_empty() || arguments.quick || arguments.out.is_some() {
-            return Err(Error::input(
-                "--axis, --only, --quick and --out are of the study, and a core is given",
-                "leave them out to inspect the core, or leave the core out for the study",
-            ));
-        }
+        refuse!(
+            !arguments.axis.is_empty() || !arguments.only.is_empty() || arguments.quick || arguments.out.is_some(),
+            "--axis, --only, --quick and --out are of the study, and a core is given",
+            "leave them out to inspect the core, or leave the core out for the study"
+        );
         return one(arguments);
     }
     if let Some(directory) = &arguments.out {

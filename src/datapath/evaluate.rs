@@ -111,45 +111,31 @@ pub(crate) trait Lane: PrimInt + WrappingAdd + WrappingMul + WrappingShl + Wrapp
     fn mul_narrow(self, other: Self) -> Self;
 }
 
-impl Lane for i64 {
-    const HALF: u32 = 32;
-    #[inline(always)]
-    fn from_code(code: i128) -> Self {
-        code as Self
-    }
-    #[inline(always)]
-    fn to_output(self) -> u32 {
-        self as u32
-    }
-    #[inline(always)]
-    fn to_code(self) -> i128 {
-        self.into()
-    }
-    #[inline(always)]
-    fn mul_narrow(self, other: Self) -> Self {
-        Self::from(self as i32).wrapping_mul(Self::from(other as i32))
-    }
+macro_rules! lane {
+    ($lane:ty, of halves of $half:ty) => {
+        impl Lane for $lane {
+            const HALF: u32 = <$half>::BITS;
+            #[inline(always)]
+            fn from_code(code: i128) -> Self {
+                code as Self
+            }
+            #[inline(always)]
+            fn to_output(self) -> u32 {
+                self as u32
+            }
+            #[inline(always)]
+            fn to_code(self) -> i128 {
+                self.into()
+            }
+            #[inline(always)]
+            fn mul_narrow(self, other: Self) -> Self {
+                Self::from(self as $half).wrapping_mul(Self::from(other as $half))
+            }
+        }
+    };
 }
-
-impl Lane for i128 {
-    const HALF: u32 = 64;
-    #[inline(always)]
-    fn from_code(code: i128) -> Self {
-        code
-    }
-    #[inline(always)]
-    fn to_output(self) -> u32 {
-        self as u32
-    }
-    #[inline(always)]
-    fn to_code(self) -> i128 {
-        self
-    }
-    #[inline(always)]
-    fn mul_narrow(self, other: Self) -> Self {
-        Self::from(self as i64).wrapping_mul(Self::from(other as i64))
-    }
-}
+lane!(i64, of halves of i32);
+lane!(i128, of halves of i64);
 
 #[inline(always)]
 fn run<L: Lane>(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64, out: &mut [u32]) {
@@ -249,9 +235,7 @@ pub(crate) fn step<L: Lane>(
             let most = 2 * L::HALF - 1;
             zip(result, before, arg(0), arg(1), |a: L, b: L| a.wrapping_shr(b.to_output().min(most)));
         }
-        Op::Field { .. } => {
-            map(result, before, arg(0), |address| L::from_code(codes[address.to_output() as usize]));
-        }
+        Op::Field { .. } => map(result, before, arg(0), |address| L::from_code(codes[address.to_output() as usize])),
         Op::Cast if node.format.frac_bits >= frac(0) => {
             let shift = align(0);
             map(result, before, arg(0), |a: L| a.wrapping_shl(shift));
@@ -264,22 +248,11 @@ pub(crate) fn step<L: Lane>(
         }
         Op::Scale => map(result, before, arg(0), |a| a),
         Op::NonZero => map(result, before, arg(0), |a| if a == L::zero() { L::zero() } else { L::one() }),
-        Op::Greater => {
-            zip(result, before, arg(0), arg(1), |a, b| if a > b { L::one() } else { L::zero() });
-        }
+        Op::Greater => zip(result, before, arg(0), arg(1), |a, b| if a > b { L::one() } else { L::zero() }),
         Op::Or => zip(result, before, arg(0), arg(1), |a, b| a | b),
         Op::Not => map(result, before, arg(0), |a: L| L::one().wrapping_sub(&a)),
         Op::ZeroIf => zip(result, before, arg(0), arg(1), |flag: L, a| flag.wrapping_sub(&L::one()) & a),
-        Op::Select => {
-            let mut second = [L::zero(); LANES];
-            map(&mut second, before, arg(2), |b| b);
-            zip(result, before, arg(0), arg(1), |flag: L, a| L::zero().wrapping_sub(&flag) & a);
-            let mut rest = [L::zero(); LANES];
-            map(&mut rest, before, arg(0), |flag: L| flag.wrapping_sub(&L::one()));
-            for ((result, second), keep) in result.iter_mut().zip(second).zip(rest) {
-                *result = *result | (second & keep);
-            }
-        }
+        Op::Select => select(result, before, [arg(0), arg(1), arg(2)]),
         Op::Input | Op::Constant(_) => {}
     }
 }
@@ -287,6 +260,18 @@ pub(crate) fn step<L: Lane>(
 /// Whether a lane can be shifted by every amount that a shift's argument may hold.
 fn fits_shift<L: Lane>(graph: &Graph, node: &Node) -> bool {
     graph.nodes[node.args[1]].format.max_code() < i128::from(2 * L::HALF)
+}
+
+#[inline(always)]
+fn select<L: Lane>(result: &mut [L; LANES], columns: &[[L; LANES]], [flag, a, b]: [Arg; 3]) {
+    let mut second = [L::zero(); LANES];
+    map(&mut second, columns, b, |b| b);
+    zip(result, columns, flag, a, |flag: L, a| L::zero().wrapping_sub(&flag) & a);
+    let mut rest = [L::zero(); LANES];
+    map(&mut rest, columns, flag, |flag: L| flag.wrapping_sub(&L::one()));
+    for ((result, second), keep) in result.iter_mut().zip(second).zip(rest) {
+        *result = *result | (second & keep);
+    }
 }
 
 #[inline(always)]

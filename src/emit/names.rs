@@ -4,7 +4,7 @@
 
 use std::collections::HashMap;
 
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::spec::Language;
 
 /// A name that a text declares.
@@ -16,19 +16,16 @@ struct Declared {
 }
 
 /// The text, unless it declares a name twice in one scope, or uses the name of `core` for something else.
-///
-/// # Errors
-/// Names what clashes, and a name for the core that does not where that is the reason.
+/// Errors: names what clashes, and a name for the core that does not where that is the reason.
 pub(super) fn checked(language: Language, core: &str, text: String) -> Result<String, Error> {
     let mut seen: HashMap<(usize, String), usize> = HashMap::new();
     for Declared { name, scope, line } in declared(language, &text) {
         let folded = name.to_ascii_lowercase();
-        if folded == core {
-            return Err(Error::input(
-                format!("a core cannot be named `{core}`: its {language} has another `{name}`"),
-                format!("another name works: --name {core}_core"),
-            ));
-        }
+        refuse!(
+            folded == core,
+            format!("a core cannot be named `{core}`: its {language} has another `{name}`"),
+            format!("another name works: --name {core}_core")
+        );
         let key = if language == Language::Vhdl { folded } else { name.clone() };
         if let Some(before) = seen.insert((scope, key), line) {
             return Err(Error::input(

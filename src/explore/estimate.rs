@@ -13,7 +13,7 @@ use sha2::{Digest, Sha256};
 use super::shape::Multiplier;
 use super::{Estimate, Point, Results, Shape};
 use crate::method::word;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::spec::hex;
 use crate::synth::{Synthesis, Tools};
 use crate::target::Family;
@@ -304,12 +304,11 @@ impl Model {
             let tools = placed.unwrap_or(&samples[0]).synthesis.tools.clone();
             models.insert(word(&family), FamilyModel::of(tools, &samples));
         }
-        if models.is_empty() {
-            return Err(Error::input(
-                format!("no family has {FEWEST} measured points to fit a cost model to"),
-                "explore some without --estimate, and give them with --fit-from",
-            ));
-        }
+        refuse!(
+            models.is_empty(),
+            format!("no family has {FEWEST} measured points to fit a cost model to"),
+            "explore some without --estimate, and give them with --fit-from"
+        );
         Ok(Self(models))
     }
 

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::core::Design;
 use crate::datapath::graph::{Graph, NodeId, Op};
+use crate::platform::as_text;
 
 /// The sizes of a core's operations.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -144,21 +145,6 @@ impl FromStr for MemorySize {
     }
 }
 
-/// Written and read as text.
-macro_rules! as_text {
-    ($kind:ty) => {
-        impl Serialize for $kind {
-            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-                serializer.collect_str(self)
-            }
-        }
-        impl<'de> Deserialize<'de> for $kind {
-            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-                String::deserialize(deserializer)?.parse().map_err(serde::de::Error::custom)
-            }
-        }
-    };
-}
 as_text!(Multiplier);
 as_text!(MemorySize);
 

@@ -11,7 +11,7 @@ use rusqlite::{Connection, OpenFlags, OptionalExtension, params};
 use serde::{Deserialize, Serialize};
 
 use super::{Point, Results};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::transient::Folder;
 use crate::synth::Tools;
 
@@ -264,9 +264,7 @@ impl Store {
     /// # Errors
     /// Files of different kinds or tools, a point that two files tell differently, or a target that is there already.
     pub fn merge(parts: &[PathBuf], out: &Path) -> Result<usize, Error> {
-        if out.exists() {
-            return Err(Error::input(format!("{} is there already", out.display()), "give --out a new file"));
-        }
+        refuse!(out.exists(), format!("{} is there already", out.display()), "give --out a new file");
         let mut points: BTreeMap<String, (Point, &Path)> = BTreeMap::new();
         let mut joined: Option<Provenance> = None;
         for path in parts {

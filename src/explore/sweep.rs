@@ -26,7 +26,7 @@ use sha2::{Digest, Sha256};
 use toml::{Table, Value};
 
 use crate::method::word;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 use crate::spec::{BlockKind, CoreSpec, MethodName, SpecFields, hex};
 use crate::target::Family;
@@ -87,15 +87,12 @@ impl Axes {
     /// # Errors
     /// A key that a core spec does not have or that is set already, a value that the key does not take, or no value.
     pub fn set(&mut self, key: &str, values: Vec<Value>) -> Result<(), Error> {
-        if values.is_empty() {
-            return Err(Error::input(format!("the axis {key} has no value"), "give one or more, or leave it out"));
-        }
-        if self.0.contains_key(key) {
-            return Err(Error::input(
-                format!("the axis {key} is given twice"),
-                "give all of its values at once, as in output_fraction=6,8",
-            ));
-        }
+        refuse!(values.is_empty(), format!("the axis {key} has no value"), "give one or more, or leave it out");
+        refuse!(
+            self.0.contains_key(key),
+            format!("the axis {key} is given twice"),
+            "give all of its values at once, as in output_fraction=6,8"
+        );
         for value in &values {
             check(key, value)?;
         }
@@ -230,9 +227,7 @@ impl Sweep {
             let span = error.span().unwrap_or(0..0);
             Error::text(error.message(), ALLOWED, file, text, (span.start, span.len()))
         })?;
-        if written.sweep.is_empty() {
-            return Err(Error::input(format!("{file} has no [[sweep]] block"), ALLOWED));
-        }
+        refuse!(written.sweep.is_empty(), format!("{file} has no [[sweep]] block"), ALLOWED);
         // The place of a block: its heading is on a line of its own.
         let headings = text.match_indices("[[").map(|(at, _)| at).chain([text.len()]).collect::<Vec<_>>();
         let block = |(number, table): (usize, Table)| {

@@ -4,7 +4,7 @@ use super::Fit;
 use super::minimax::{self, Best, Piece, Pieces, Shape};
 use super::target::{DEEP, Objective, Target, versine};
 use crate::lobe::{check_shininess, exact};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 
 /// The coefficients of `x (c - u (A - a u))` on one segment, the value clamped to [0, 1].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,12 +47,11 @@ pub enum Peak {
 pub fn fit_segment(n: f64, u_low: f64, u_high: f64, first: bool, objective: &Objective) -> Result<Fit<Segment>, Error> {
     check_shininess(n)?;
     objective.check()?;
-    if !(0.0 <= u_low && u_low < u_high && u_high <= 1.0) || (first && u_low != 0.0) {
-        return Err(Error::input(
-            format!("{u_low} to {u_high} is no segment of the versine"),
-            "a segment has bounds 0 <= low < high <= 1, and the first one starts at 0",
-        ));
-    }
+    refuse!(
+        !(0.0 <= u_low && u_low < u_high && u_high <= 1.0) || (first && u_low != 0.0),
+        format!("{u_low} to {u_high} is no segment of the versine"),
+        "a segment has bounds 0 <= low < high <= 1, and the first one starts at 0"
+    );
     Ok(segment(n, u_low, u_high, first, objective))
 }
 

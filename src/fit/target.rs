@@ -58,18 +58,7 @@ impl std::str::FromStr for Objective {
     }
 }
 
-impl serde::Serialize for Objective {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
-    }
-}
-
-impl<'de> serde::Deserialize<'de> for Objective {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = <std::borrow::Cow<'de, str>>::deserialize(deserializer)?;
-        text.parse().map_err(serde::de::Error::custom)
-    }
-}
+crate::platform::as_text!(Objective);
 
 /// The least f in [`Objective::Weighted`].
 const WEIGHT_FLOOR: f64 = 1.0 / 65_536.0;

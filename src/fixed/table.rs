@@ -164,12 +164,12 @@ impl Table {
     /// The codes of the fields, in their order, that a word holds; bits above the word's width are not looked at.
     #[must_use]
     pub fn codes_of(&self, word: &BigUint) -> Vec<i128> {
-        let code = |(index, field): (usize, &Field)| {
-            let bits = (word >> self.field_low_bit(index)) & ((BigUint::from(1u8) << field.format.width()) - 1u8);
+        let code = |(low, field): (u32, &Field)| {
+            let bits = (word >> low) & ((BigUint::from(1u8) << field.format.width()) - 1u8);
             // A field is at most 126 bits wide, as every value of a datapath is.
             field.format.wrap(u128::try_from(bits).unwrap_or_default() as i128)
         };
-        self.fields.iter().enumerate().map(code).collect()
+        self.placed_fields().map(code).collect()
     }
 
     /// This memory under another name.
@@ -218,6 +218,11 @@ impl Table {
     #[must_use]
     pub fn field_low_bit(&self, field: usize) -> u32 {
         self.fields[field + 1..].iter().map(|f| f.format.width()).sum()
+    }
+
+    /// The fields, each with the position of its least significant bit in the word.
+    pub fn placed_fields(&self) -> impl Iterator<Item = (u32, &Field)> {
+        self.fields.iter().enumerate().map(|(index, field)| (self.field_low_bit(index), field))
     }
 
     /// The word at an address.

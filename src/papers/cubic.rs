@@ -5,7 +5,7 @@ use super::claims::{
 };
 use super::measure::{grid, largest, rises};
 use super::method::{LEVEL, Method, three_point};
-use super::survey::{Errors, MOST, Row, TAIL_BANDS};
+use super::survey::{Errors, MOST, Row};
 use super::{Claim, Finding};
 use crate::method::cubic::Cubic;
 use crate::method::cubic_min_zero::MinZero;
@@ -36,41 +36,35 @@ pub(super) fn cubic_relative(rows: &[Row]) -> Result<Claim, Error> {
     let relative = |row: &Row| row.of(Method::Cubic).relative_epicentre;
     let (claimed, over) = (most(rows, 256, relative), first(rows, |row| relative(row) > CUBIC_BOUND));
     let real = most_real(Method::Cubic, |pieces| pieces.relative(1.0, LEVEL))?;
-    Ok(Claim {
-        id: "cubic-relative",
-        source: "C7, fig. 2 and the sentence above it, read as a relative error",
-        text: "The relative error on the epicentre is at most 0.67 % for every n in [1; 256].",
-        claimed: "0.67 %",
-        measured: vec![
+    Ok(Claim::of(
+        "cubic-relative",
+        vec![
             percent("relative; n <= 256", claimed),
             percent("relative; n <= 1000", most(rows, MOST, relative)),
             percent("relative; real n <= 16 by 64ths", real),
             count("first n over 0.67 %", over),
         ],
-        verdict: match (over > 256, real <= CUBIC_BOUND) {
+        match (over > 256, real <= CUBIC_BOUND) {
             (true, true) => Finding::Holds,
             (false, true) => Finding::Only(format!("for n < {over}")),
             (_, false) => Finding::DoesNotHold,
         },
-    })
+    ))
 }
 
 pub(super) fn cubic_absolute(rows: &[Row]) -> Result<Claim, Error> {
     let absolute = |row: &Row| row.of(Method::Cubic).absolute_epicentre;
     let all = most(rows, MOST, absolute);
     let real = most_real(Method::Cubic, |pieces| pieces.absolute(1.0, LEVEL))?;
-    Ok(Claim {
-        id: "cubic-absolute",
-        source: "C21, fig. 1 and the sentence above it; C7, fig. 2, read as an absolute error",
-        text: "The absolute error on the epicentre is at most 0.67 %.",
-        claimed: "0.67 %",
-        measured: vec![
+    Ok(Claim::of(
+        "cubic-absolute",
+        vec![
             percent("absolute; n <= 256", most(rows, 256, absolute)),
             percent("absolute; n <= 1000", all),
             percent("absolute; real n <= 16 by 64ths", real),
         ],
-        verdict: Finding::of(all.max(real) <= CUBIC_BOUND),
-    })
+        Finding::of(all.max(real) <= CUBIC_BOUND),
+    ))
 }
 
 /// Schlick's largest error by the cubic's, on the epicentre for n in [1; 256], and the least such ratio of any one n.
@@ -84,26 +78,20 @@ fn ratios(rows: &[Row], error: impl Fn(Errors) -> f64) -> (f64, f64) {
 
 pub(super) fn schlick_relative(rows: &[Row]) -> Claim {
     let (worst, least) = ratios(rows, |errors| errors.relative_epicentre);
-    Claim {
-        id: "schlick-relative",
-        source: "C7, below fig. 2",
-        text: "Against Schlick's lobe the relative error is smaller by more than 17 times, for n in [1; 256].",
-        claimed: "17x",
-        measured: vec![times("largest by largest error", worst), times("least of any n", least)],
-        verdict: Finding::of(worst.min(least) > 17.0),
-    }
+    Claim::of(
+        "schlick-relative",
+        vec![times("largest by largest error", worst), times("least of any n", least)],
+        Finding::of(worst.min(least) > 17.0),
+    )
 }
 
 pub(super) fn schlick_absolute(rows: &[Row]) -> Claim {
     let (worst, least) = ratios(rows, |errors| errors.absolute_epicentre);
-    Claim {
-        id: "schlick-absolute",
-        source: "C21, below fig. 1",
-        text: "Against Schlick's lobe the (absolute) error is smaller by more than 17 times.",
-        claimed: "17x",
-        measured: vec![times("largest by largest error; n <= 256", worst), times("least of any n <= 256", least)],
-        verdict: Finding::of(worst.min(least) > 17.0),
-    }
+    Claim::of(
+        "schlick-absolute",
+        vec![times("largest by largest error; n <= 256", worst), times("least of any n <= 256", least)],
+        Finding::of(worst.min(least) > 17.0),
+    )
 }
 
 /// The printed a and b with q = 2^(-1/n); both papers' text has b's terms in another order.
@@ -121,14 +109,7 @@ pub(super) fn closed_form() -> Result<Claim, Error> {
         let close = |got: f64, expected: f64| (got - expected).abs() <= 1e-9 * expected.abs().max(1.0);
         Ok(close(a, a_true) && close(b, b_true))
     })?;
-    Ok(Claim {
-        id: "cubic-closed-form",
-        source: "C7, C21, the solution for Q = 0.5",
-        text: "The closed forms of a and b solve the cubic's system.",
-        claimed: "all n",
-        measured: vec![count("n of 1000 that agree", agreeing)],
-        verdict: Finding::of(agreeing == MOST),
-    })
+    Ok(Claim::of("cubic-closed-form", vec![count("n of 1000 that agree", agreeing)], Finding::of(agreeing == MOST)))
 }
 
 pub(super) fn cubic_rises() -> Result<Claim, Error> {
@@ -140,23 +121,20 @@ pub(super) fn cubic_rises() -> Result<Claim, Error> {
         let cubic = Cubic::new(n, LEVEL)?;
         Ok(largest(n, (cubic.cut().unwrap_or(1.0), 1.0), None, uncut(&cubic)))
     };
-    Ok(Claim {
-        id: "cubic-rises",
-        source: "C7, fig. 1 and the paragraph above it",
-        text: "The cubic cannot be used for the fading area: the specular term increases there instead of fading.",
-        claimed: "increases",
-        measured: vec![
+    Ok(Claim::of(
+        "cubic-rises",
+        vec![
             count("n of 1000 that rise", rising.len()),
             value("largest value past the minimum; n = 25", past_cut(25.0)?),
             value("largest value past the minimum; n = 256", past_cut(256.0)?),
             value("largest value past the minimum; n = 1000", past_cut(1000.0)?),
         ],
         // x^1 to x^3 are of the cubic's own degree.
-        verdict: match rising.first() {
+        match rising.first() {
             Some(&n) if n > 1.0 => Finding::Only(format!("for n >= {n}")),
             first => Finding::of(first.is_some()),
         },
-    })
+    ))
 }
 
 /// The least value of a family of cubics over the shininesses, and those where it is negative.
@@ -182,58 +160,57 @@ fn between(negative: &[f64]) -> String {
     format!("{} < n < {}", libm::floor(low), libm::ceil(high))
 }
 
-pub(super) fn cubic_negative() -> Result<Claim, Error> {
-    let of = |n| Cubic::new(n, LEVEL);
-    let (integer, offenders) = dips(shininesses(), of)?;
-    let (real, negative) = dips(real_shininesses(), of)?;
-    Ok(Claim {
-        id: "cubic-negative",
-        source: "C7, fig. 3; C21, above fig. 3",
-        text: "The cubic at times takes negative values, and has to be cut off.",
-        claimed: "below 0",
-        measured: vec![
+/// A claim on where a family of cubics is negative; `finding` is told whether it is for no integer n, whether for no real one, and the integers
+/// around the real ones.
+fn negative(
+    id: &str,
+    of: impl Fn(f64) -> Result<Cubic, Error>,
+    finding: impl Fn(bool, bool, &dyn Fn() -> String) -> Finding,
+) -> Result<Claim, Error> {
+    let (integer, offenders) = dips(shininesses(), &of)?;
+    let (real, negative) = dips(real_shininesses(), &of)?;
+    Ok(Claim::of(
+        id,
+        vec![
             count("n of 1000 with negative values", offenders.len()),
             value("least value; integer n <= 1000", integer),
             value("least value; real n <= 16 by 64ths", real),
         ],
-        verdict: match (offenders.is_empty(), negative.is_empty()) {
+        finding(offenders.is_empty(), negative.is_empty(), &|| between(&negative)),
+    ))
+}
+
+pub(super) fn cubic_negative() -> Result<Claim, Error> {
+    negative(
+        "cubic-negative",
+        |n| Cubic::new(n, LEVEL),
+        |no_integer, no_real, between| match (no_integer, no_real) {
             (false, _) => Finding::Holds,
-            (true, false) => Finding::Only(format!("for real {}", between(&negative))),
+            (true, false) => Finding::Only(format!("for real {}", between())),
             (true, true) => Finding::DoesNotHold,
         },
-    })
+    )
 }
 
 pub(super) fn tail(rows: &[Row]) -> Vec<Claim> {
-    const IDS: [&str; 3] = ["tail-0.42", "tail-0.37", "tail-0.27"];
-    const TEXTS: [&str; 3] = [
-        "The rational tail's relative error is at most 1 % where 0.42 < f < 0.5.",
-        "The rational tail's relative error is at most 3 % where 0.37 < f < 0.42.",
-        "The rational tail's relative error is at most 10 % where 0.27 < f < 0.37.",
-    ];
-    const CLAIMED: [(&str, f64); 3] = [("1 %", 0.01), ("3 %", 0.03), ("10 %", 0.1)];
-    (0..TAIL_BANDS.len())
-        .map(|band| {
-            let (claimed, bound) = CLAIMED[band];
-            let over = first(rows, |row| row.tail[band] > bound);
-            Claim {
-                id: IDS[band],
-                source: "C7, below fig. 4; C21, above fig. 3",
-                text: TEXTS[band],
-                claimed,
-                measured: vec![
-                    percent("f the power; n = 25", rows[24].tail[band]),
-                    percent("f the power; n <= 1000", most(rows, MOST, |row| row.tail[band])),
-                    percent(
-                        "f the tail; error relative to it; n <= 1000",
-                        most(rows, MOST, |row| row.tail_by_itself[band]),
-                    ),
-                    count("first n over the claim; f the power", over),
-                ],
-                verdict: if over > MOST { Finding::Holds } else { Finding::Only(format!("for n < {over}")) },
-            }
-        })
-        .collect()
+    const CLAIMED: [(&str, f64); 3] = [("tail-0.42", 0.01), ("tail-0.37", 0.03), ("tail-0.27", 0.1)];
+    let claim = |(band, (id, bound)): (usize, (&str, f64))| {
+        let over = first(rows, |row| row.tail[band] > bound);
+        Claim::of(
+            id,
+            vec![
+                percent("f the power; n = 25", rows[24].tail[band]),
+                percent("f the power; n <= 1000", most(rows, MOST, |row| row.tail[band])),
+                percent(
+                    "f the tail; error relative to it; n <= 1000",
+                    most(rows, MOST, |row| row.tail_by_itself[band]),
+                ),
+                count("first n over the claim; f the power", over),
+            ],
+            if over > MOST { Finding::Holds } else { Finding::Only(format!("for n < {over}")) },
+        )
+    };
+    CLAIMED.into_iter().enumerate().map(claim).collect()
 }
 
 pub(super) fn tail_closed_form() -> Result<Claim, Error> {
@@ -243,14 +220,7 @@ pub(super) fn tail_closed_form() -> Result<Claim, Error> {
         let (a, b) = (4.0 * n * libm::pow(t, n + 1.0), 4.0 * n * libm::pow(t, n) - 2.0);
         Ok((tail.d - (a - b)).abs() < ROUNDING && (tail.b - b).abs() < ROUNDING * n)
     })?;
-    Ok(Claim {
-        id: "tail-closed-form",
-        source: "C7, C21, the solution of the tail's system",
-        text: "a = 4 n cos^(n+1) t and b = 4 n cos^n t - 2 give the power's value and slope at its cusp.",
-        claimed: "all n",
-        measured: vec![count("n of 1000 that agree", agreeing)],
-        verdict: Finding::of(agreeing == MOST),
-    })
+    Ok(Claim::of("tail-closed-form", vec![count("n of 1000 that agree", agreeing)], Finding::of(agreeing == MOST)))
 }
 
 /// The ratio is 2 at every n, because the tail is `Q S(x/t)` with S Schlick's lobe (see [`CubicRational`]) and x^n is
@@ -259,18 +229,15 @@ pub(super) fn tail_against_schlick(rows: &[Row]) -> Claim {
     let tail = |row: &Row, method: Method| row.of(method).absolute_tail;
     let (ours, schlick) =
         (most(rows, MOST, |row| tail(row, Method::CubicRational)), most(rows, MOST, |row| tail(row, Method::Schlick)));
-    Claim {
-        id: "tail-schlick",
-        source: "C7, conclusions",
-        text: "Against Schlick's lobe the error in the fading area is reduced considerably as well.",
-        claimed: "smaller",
-        measured: vec![
+    Claim::of(
+        "tail-schlick",
+        vec![
             percent("cubic with tail; absolute; beyond the epicentre; n <= 1000", ours),
             percent("Schlick; absolute; beyond the epicentre; n <= 1000", schlick),
             times("ratio", schlick / ours),
         ],
-        verdict: Finding::of(ours < schlick),
-    }
+        Finding::of(ours < schlick),
+    )
 }
 
 pub(super) fn tail_falls() -> Result<Claim, Error> {
@@ -278,34 +245,14 @@ pub(super) fn tail_falls() -> Result<Claim, Error> {
         let pieces = Method::CubicRational.lobe(n)?;
         Ok(rises(n, (0.0, 1.0), |u| pieces.lobe.at(u)))
     })?;
-    Ok(Claim {
-        id: "tail-falls",
-        source: "C7, abstract",
-        text: "The second function assures that the whole falls monotonically.",
-        claimed: "0 rises",
-        measured: vec![count("n of 1000 that rise", rising)],
-        verdict: Finding::of(rising == 0),
-    })
+    Ok(Claim::of("tail-falls", vec![count("n of 1000 that rise", rising)], Finding::of(rising == 0)))
 }
 
 pub(super) fn three_point_negative() -> Result<Claim, Error> {
-    let (integer, offenders) = dips(shininesses(), three_point)?;
-    let (real, negative) = dips(real_shininesses(), three_point)?;
-    Ok(Claim {
-        id: "three-point-zero",
-        source: "C21, below the three-point solution",
-        text: "With Q = 0.5 and G = 1/18 the three-point cubic does not cross the axis in the fading area.",
-        claimed: "not below 0",
-        measured: vec![
-            count("n of 1000 with negative values", offenders.len()),
-            value("least value; integer n <= 1000", integer),
-            value("least value; real n <= 16 by 64ths", real),
-        ],
-        verdict: match (offenders.is_empty(), negative.is_empty()) {
-            (true, true) => Finding::Holds,
-            (true, false) => Finding::Only(format!("for integer n; not for real {}", between(&negative))),
-            (false, _) => Finding::DoesNotHold,
-        },
+    negative("three-point-zero", three_point, |no_integer, no_real, between| match (no_integer, no_real) {
+        (true, true) => Finding::Holds,
+        (true, false) => Finding::Only(format!("for integer n; not for real {}", between())),
+        (false, _) => Finding::DoesNotHold,
     })
 }
 
@@ -319,14 +266,11 @@ pub(super) fn three_point_levels() -> Result<Claim, Error> {
     while last < 64 && !crosses(last + 1)? {
         last += 1;
     }
-    Ok(Claim {
-        id: "three-point-levels",
-        source: "C21, below the three-point solution",
-        text: "G = 1/18 is the optimal level for Q = 0.5: the lowest G = 1/m without a crossing of the axis.",
-        claimed: "18",
-        measured: vec![count("largest m without a crossing; n <= 1000", last)],
-        verdict: Finding::of(last == 18),
-    })
+    Ok(Claim::of(
+        "three-point-levels",
+        vec![count("largest m without a crossing; n <= 1000", last)],
+        Finding::of(last == 18),
+    ))
 }
 
 pub(super) fn three_point_closed_form() -> Claim {
@@ -337,27 +281,21 @@ pub(super) fn three_point_closed_form() -> Claim {
     let a = (l * l * (q - 1.0) + g * (1.0 - r * r) + r * r - q) / below;
     let b = (l * l * l * (q - 1.0) + g * (1.0 - r * r * r) - q + r * r * r) / below;
     let c = (l * l * (q - r * r) + l * l * (r * r * r - libm::pow(r, n)) + g * r * r * (1.0 - r)) / below;
-    Claim {
-        id: "three-point-closed-form",
-        source: "C21, the three-point solution",
-        text: "The closed forms of a, b and c solve the three-point system, so that a + b + c = 1.",
-        claimed: "1",
-        measured: vec![value("a + b + c as printed; n = 25", a + b + c)],
-        verdict: Finding::of((a + b + c - 1.0).abs() < ROUNDING),
-    }
+    Claim::of(
+        "three-point-closed-form",
+        vec![value("a + b + c as printed; n = 25", a + b + c)],
+        Finding::of((a + b + c - 1.0).abs() < ROUNDING),
+    )
 }
 
 pub(super) fn operations() -> Result<Claim, Error> {
     let (printed, ours) = (datapath("cubic", "paper")?, datapath("cubic", "stable")?);
     let (five, three) = (printed.graph().multipliers().len(), ours.graph().multipliers().len());
-    Ok(Claim {
-        id: "three-point-operations",
-        source: "C21, below the three-point solution",
-        text: "Hardware has to make five multiplications.",
-        claimed: "5",
-        measured: vec![count("multiplications as printed", five), count("multiplications of x(1 - u(A - a u))", three)],
-        verdict: if five == 5 { Finding::Only("as printed; fewer suffice".to_owned()) } else { Finding::DoesNotHold },
-    })
+    Ok(Claim::of(
+        "three-point-operations",
+        vec![count("multiplications as printed", five), count("multiplications of x(1 - u(A - a u))", three)],
+        if five == 5 { Finding::Only("as printed; fewer suffice".to_owned()) } else { Finding::DoesNotHold },
+    ))
 }
 
 /// The number of points in 0..90 degrees where the derivative by the angle is 0 and changes its sign: the peak, and the zeros
@@ -376,12 +314,9 @@ pub(super) fn extrema() -> Result<Claim, Error> {
     let through_two = |number: usize| how_many(|n| Ok(extrema_of(&three_point(n)?) == number));
     let (cubic, two) = (through_one(2)?, through_two(2)?);
     let thousand = three_point(1000.0)?;
-    Ok(Claim {
-        id: "extrema",
-        source: "C21, below the three-point solution",
-        text: "The cubic has two extrema: a maximum at γ = 0 and a minimum.",
-        claimed: "2",
-        measured: vec![
+    Ok(Claim::of(
+        "extrema",
+        vec![
             count("n of 1000 with two; cubic", cubic),
             count("n of 1000 with two; three-point cubic", two),
             count("n of 1000 with a second maximum; cubic", through_one(3)?),
@@ -390,8 +325,8 @@ pub(super) fn extrema() -> Result<Claim, Error> {
                 largest(1000.0, (thousand.cut().unwrap_or(1.0), 1.0), None, uncut(&thousand))
             }),
         ],
-        verdict: Finding::of(cubic == MOST && two == MOST),
-    })
+        Finding::of(cubic == MOST && two == MOST),
+    ))
 }
 
 pub(super) fn min_zero() -> Result<Claim, Error> {
@@ -407,22 +342,19 @@ pub(super) fn min_zero() -> Result<Claim, Error> {
         worst = worst.max(Method::MinZero.lobe(n)?.absolute(1.0, 0.0));
     }
     let (lobe, cubic) = raw(1000.0)?;
-    Ok(Claim {
-        id: "min-zero",
-        source: "C21, above fig. 3",
-        text: "With its minimum set to zero the cubic is an approximation that is not negative.",
-        claimed: "0",
-        measured: vec![
+    Ok(Claim::of(
+        "min-zero",
+        vec![
             value("least value; n <= 1000", lowest),
             percent("absolute; all angles; cut at its zero; n <= 1000", worst),
             value("largest value past its zero; not cut; n = 1000", {
                 largest(1000.0, (lobe.zero(), 1.0), None, uncut(&cubic))
             }),
         ],
-        verdict: if lowest == 0.0 {
+        if lowest == 0.0 {
             Finding::Only("cut past its minimum, where it rises".to_owned())
         } else {
             Finding::DoesNotHold
         },
-    })
+    ))
 }

@@ -122,6 +122,14 @@ fn bound(label: &str, percent: f64, to: f64) -> Curve {
     dashed_black(label, vec![(1.0, percent), (to, percent)])
 }
 
+fn shininess_axis() -> Axis {
+    Axis::log("shininess n", 1.0..MOST as f64)
+}
+
+fn angle_axis(widest: f64) -> Axis {
+    Axis::linear("angle, degrees", 0.0..widest)
+}
+
 /// A value of every row against n, in percent.
 fn against_n(rows: &[Row], f: impl Fn(&Row) -> f64) -> Vec<(f64, f64)> {
     rows.iter().map(|row| (row.n as f64, 100.0 * f(row))).collect()
@@ -168,13 +176,12 @@ fn charts(rows: &[Row]) -> Result<Vec<(String, Chart)>, Error> {
 /// Q, figure 3.
 fn quadratic_error_against_n(rows: &[Row]) -> Chart {
     let worst = against_n(rows, |row| row.quadratic);
-    Chart {
-        title: "Quadratic: largest relative error where x^n ≥ 0.56".to_owned(),
-        x: Axis::log("shininess n", 1.0..MOST as f64),
-        y: Axis::linear("largest relative error", 0.0..5.0).with_unit(" %"),
-        curves: vec![curve("quadratic", 0, Style::Solid, worst), bound("claimed, n ≤ 512", 4.0, 512.0)],
-        spots: Vec::new(),
-    }
+    Chart::of_curves(
+        "Quadratic: largest relative error where x^n ≥ 0.56",
+        shininess_axis(),
+        Axis::linear("largest relative error", 0.0..5.0).with_unit(" %"),
+        vec![curve("quadratic", 0, Style::Solid, worst), bound("claimed, n ≤ 512", 4.0, 512.0)],
+    )
 }
 
 /// Q, figure 2b; the paper does not say for which n.
@@ -183,33 +190,28 @@ fn quadratic_error_against_angle() -> Result<Chart, Error> {
     let (lobe, widest) = (Method::Quadratic.lobe(n)?.lobe, degrees(versine_at(n, 0.3)));
     let points = against_angle(widest, |u| 100.0 * (lobe.at(u) / exact(n, u) - 1.0));
     let end = degrees(versine_at(n, QUADRATIC_LEVEL));
-    Ok(Chart {
-        title: "Quadratic, n = 25: relative error".to_owned(),
-        x: Axis::linear("angle, degrees", 0.0..widest),
-        y: Axis::linear("relative error", -30.0..10.0).with_unit(" %"),
-        curves: vec![
-            curve("quadratic", 0, Style::Solid, points),
-            dashed_black("x^n = 0.56", vec![(end, -30.0), (end, 10.0)]),
-        ],
-        spots: Vec::new(),
-    })
+    Ok(Chart::of_curves(
+        "Quadratic, n = 25: relative error",
+        angle_axis(widest),
+        Axis::linear("relative error", -30.0..10.0).with_unit(" %"),
+        vec![curve("quadratic", 0, Style::Solid, points), dashed_black("x^n = 0.56", vec![(end, -30.0), (end, 10.0)])],
+    ))
 }
 
 /// C7, figure 2, and C21, figure 1.
 fn cubic_error_against_n(rows: &[Row]) -> Chart {
     let relative = against_n(rows, |row| row.of(Method::Cubic).relative_epicentre);
     let absolute = against_n(rows, |row| row.of(Method::Cubic).absolute_epicentre);
-    Chart {
-        title: "Cubic: largest error where x^n ≥ 1/2".to_owned(),
-        x: Axis::log("shininess n", 1.0..MOST as f64),
-        y: Axis::linear("largest error", 0.0..0.8).with_unit(" %"),
-        curves: vec![
+    Chart::of_curves(
+        "Cubic: largest error where x^n ≥ 1/2",
+        shininess_axis(),
+        Axis::linear("largest error", 0.0..0.8).with_unit(" %"),
+        vec![
             curve("relative to x^n", 2, Style::Solid, relative),
             curve("absolute, of the peak", 0, Style::Solid, absolute),
             bound("claimed, n ≤ 256", 0.67, 256.0),
         ],
-        spots: Vec::new(),
-    }
+    )
 }
 
 /// C7, figures 1 and 3.
@@ -226,13 +228,7 @@ fn cubic_rises() -> Result<Chart, Error> {
         curve("cubic", 2, Style::Solid, against_angle(90.0, raw(Cubic::new(n, LEVEL)?))),
         curve("cubic-three-point", 4, Style::Dashed, against_angle(90.0, raw(three_point(n)?))),
     ];
-    Ok(Chart {
-        title: "The cubics without a cut, n = 25".to_owned(),
-        x: Axis::linear("angle, degrees", 0.0..90.0),
-        y: Axis::linear("lobe", 0.0..24.0),
-        curves,
-        spots: Vec::new(),
-    })
+    Ok(Chart::of_curves("The cubics without a cut, n = 25", angle_axis(90.0), Axis::linear("lobe", 0.0..24.0), curves))
 }
 
 /// C7, figure 4, and C21, figure 3.
@@ -244,13 +240,7 @@ fn lobes() -> Result<Chart, Error> {
         let lobe = method.lobe(n)?.lobe;
         curves.push(curve(method.name(), *colour, *style, against_angle(90.0, |u| lobe.at(u))));
     }
-    Ok(Chart {
-        title: "The lobes, n = 25".to_owned(),
-        x: Axis::linear("angle, degrees", 0.0..60.0),
-        y: Axis::linear("lobe", 0.0..1.0),
-        curves,
-        spots: Vec::new(),
-    })
+    Ok(Chart::of_curves("The lobes, n = 25", angle_axis(60.0), Axis::linear("lobe", 0.0..1.0), curves))
 }
 
 /// The tail's claims of C7 and C21.
@@ -263,13 +253,12 @@ fn tail_error_against_n(rows: &[Row]) -> Chart {
         curves.push(curve(format!("{low} < x^n < {high}"), COLOUR[band], Style::Solid, worst));
         curves.push(curve(label, COLOUR[band], Style::Dashed, vec![(1.0, percent), (MOST as f64, percent)]));
     }
-    Chart {
-        title: "Rational tail: largest relative error".to_owned(),
-        x: Axis::log("shininess n", 1.0..MOST as f64),
-        y: Axis::linear("largest relative error", 0.0..16.0).with_unit(" %"),
+    Chart::of_curves(
+        "Rational tail: largest relative error",
+        shininess_axis(),
+        Axis::linear("largest relative error", 0.0..16.0).with_unit(" %"),
         curves,
-        spots: Vec::new(),
-    }
+    )
 }
 
 fn all_against_n(
@@ -279,13 +268,12 @@ fn all_against_n(
     points: impl Fn(Method) -> Vec<(f64, f64)>,
 ) -> Chart {
     let curves = shown.iter().map(|&(method, colour, style)| curve(method.name(), colour, style, points(method)));
-    Chart {
-        title: title.to_owned(),
-        x: Axis::log("shininess n", 1.0..MOST as f64),
-        y: Axis::log("largest error, % of the peak (where it is exact, none)", least..100.0).with_unit(" %"),
-        curves: curves.collect(),
-        spots: Vec::new(),
-    }
+    Chart::of_curves(
+        title,
+        shininess_axis(),
+        Axis::log("largest error, % of the peak (where it is exact, none)", least..100.0).with_unit(" %"),
+        curves.collect(),
+    )
 }
 
 fn all_against_angle(n: f64) -> Result<Chart, Error> {
@@ -296,13 +284,12 @@ fn all_against_angle(n: f64) -> Result<Chart, Error> {
         let points = against_angle(widest, |u| 100.0 * (lobe.at(u) - exact(n, u)).abs());
         curves.push(curve(method.name(), colour, style, points));
     }
-    Ok(Chart {
-        title: format!("Absolute error, n = {n}"),
-        x: Axis::linear("angle, degrees", 0.0..widest),
-        y: Axis::log("error, % of the peak", 0.001..100.0).with_unit(" %"),
+    Ok(Chart::of_curves(
+        format!("Absolute error, n = {n}"),
+        angle_axis(widest),
+        Axis::log("error, % of the peak", 0.001..100.0).with_unit(" %"),
         curves,
-        spots: Vec::new(),
-    })
+    ))
 }
 
 #[cfg(test)]

@@ -27,6 +27,8 @@ pub use record::{Difference, HEADER, Recorded};
 pub use survey::{Errors, Row, survey};
 pub use taylor::{Taylor, TaylorSeries};
 
+use std::sync::LazyLock;
+
 use serde::Serialize;
 
 /// The number of shininesses that [`survey()`] measures.
@@ -47,6 +49,21 @@ pub struct Claim {
     pub measured: Vec<Figure>,
     /// What follows.
     pub verdict: Finding,
+}
+
+/// What the papers claim: of each claim its name, what is claimed, where, and the sentence.
+static CLAIMED: LazyLock<Vec<[String; 4]>> = LazyLock::new(|| {
+    let table = csv::Reader::from_reader(include_str!("data/claims.csv").as_bytes());
+    table.into_deserialize().collect::<Result<_, _>>().expect("a table of four columns")
+});
+
+impl Claim {
+    /// What was measured of the claim of this name, which the table has.
+    fn of(id: &str, measured: Vec<Figure>, verdict: Finding) -> Self {
+        let row = CLAIMED.iter().find(|row| row[0] == id).expect("a claim of the table");
+        let [id, claimed, source, text] = row.each_ref().map(String::as_str);
+        Self { id, source, text, claimed, measured, verdict }
+    }
 }
 
 /// A measured figure.

@@ -12,18 +12,15 @@ use crate::platform::error::Error;
 pub(super) fn quadratic_error(rows: &[Row]) -> Result<Claim, Error> {
     let (claimed, all) = (most(rows, 512, |row| row.quadratic), most(rows, MOST, |row| row.quadratic));
     let real = most_real(Method::Quadratic, |pieces| pieces.relative(1.0, QUADRATIC_LEVEL))?;
-    Ok(Claim {
-        id: "quadratic-error",
-        source: "Q, text before the conclusions; fig. 3",
-        text: "The relative error is at most 4 % where x^n >= 0.56, for n in [1; 512].",
-        claimed: "4 %",
-        measured: vec![
+    Ok(Claim::of(
+        "quadratic-error",
+        vec![
             percent("relative; n <= 512", claimed),
             percent("relative; n <= 1000", all),
             percent("relative; real n <= 16 by 64ths", real),
         ],
-        verdict: Finding::of(claimed.max(real) <= 0.04),
-    })
+        Finding::of(claimed.max(real) <= 0.04),
+    ))
 }
 
 /// `max(0, x (1 - a u))` through the power's point at γ = arctan(1/(n-1)), as the text layer prints eq. 7.
@@ -35,14 +32,11 @@ pub(super) fn quadratic_printed_angle() -> Result<Claim, Error> {
         let range = (0.0, versine_at(n, QUADRATIC_LEVEL));
         worst = worst.max(largest(n, range, Some(lobe.zero()), |u| (lobe.at(u) / exact(n, u) - 1.0).abs()));
     }
-    Ok(Claim {
-        id: "quadratic-angle",
-        source: "Q, the inflection and eq. 7, as its text layer has them",
-        text: "The inflection lies at arctan(1/(n-1)); the coefficient taken there has the claimed error.",
-        claimed: "4 %",
-        measured: vec![percent("relative; n = 2 to 512", worst)],
-        verdict: if worst <= 0.04 { Finding::Holds } else { Finding::Only("with arctan(1/sqrt(n-1))".to_owned()) },
-    })
+    Ok(Claim::of(
+        "quadratic-angle",
+        vec![percent("relative; n = 2 to 512", worst)],
+        if worst <= 0.04 { Finding::Holds } else { Finding::Only("with arctan(1/sqrt(n-1))".to_owned()) },
+    ))
 }
 
 pub(super) fn quadratic_periphery() -> Result<Claim, Error> {
@@ -56,54 +50,42 @@ pub(super) fn quadratic_periphery() -> Result<Claim, Error> {
         Ok(rises(n, (0.0, 1.0), |u| lobe.at(u)))
     })?;
     let f = printed(Quadratic::new(1000.0)?.a);
-    Ok(Claim {
-        id: "quadratic-periphery",
-        source: "Q, the new model, first paragraph",
-        text: "Outside the epicentre the model's intensity falls monotonically, as it must.",
-        claimed: "0 rises",
-        measured: vec![
+    Ok(Claim::of(
+        "quadratic-periphery",
+        vec![
             count("n of 1000 that rise; as printed", rising),
             value("least value; as printed; n = 1000", -largest(1000.0, (0.0, 1.0), None, |u| -f(u))),
             count("n of 1000 that rise; cut at 0", cut),
         ],
-        verdict: match (rising, cut) {
+        match (rising, cut) {
             (0, _) => Finding::Holds,
             (_, 0) => Finding::Only("for the lobe cut at 0".to_owned()),
             _ => Finding::DoesNotHold,
         },
-    })
+    ))
 }
 
 pub(super) fn quadratic_block() -> Result<Claim, Error> {
     let (printed, ours) = (datapath("quadratic", "paper")?, datapath("quadratic", "stable")?);
     let multipliers = printed.graph().multipliers().len();
-    Ok(Claim {
-        id: "quadratic-block",
-        source: "Q, fig. 1 and its description",
-        text: "The block has two multipliers.",
-        claimed: "2",
-        measured: vec![
+    Ok(Claim::of(
+        "quadratic-block",
+        vec![
             count("multipliers of the printed form", multipliers),
             count("multipliers of x(1 - a u)", ours.graph().multipliers().len()),
         ],
-        verdict: Finding::of(multipliers == 2),
-    })
+        Finding::of(multipliers == 2),
+    ))
 }
 
 pub(super) fn schlick(rows: &[Row]) -> Claim {
     let inside = most(rows, MOST, |row| row.of(Method::Schlick).absolute_epicentre);
     let outside = most(rows, MOST, |row| row.of(Method::Schlick).absolute_tail);
-    Claim {
-        id: "schlick-epicentre",
-        source: "Q, C7, existing approaches",
-        text: "Schlick's lobe is satisfactory only on the epicentre; beyond it there is a considerable discrepancy.",
-        claimed: "larger beyond",
-        measured: vec![
-            percent("absolute; on the epicentre; n <= 1000", inside),
-            percent("absolute; beyond; n <= 1000", outside),
-        ],
-        verdict: Finding::of(outside > inside),
-    }
+    Claim::of(
+        "schlick-epicentre",
+        vec![percent("absolute; on the epicentre; n <= 1000", inside), percent("absolute; beyond; n <= 1000", outside)],
+        Finding::of(outside > inside),
+    )
 }
 
 pub(super) fn chord() -> Claim {
@@ -112,35 +94,26 @@ pub(super) fn chord() -> Claim {
         largest(n, (0.0, 1.0), None, |u| (libm::pow(libm::cos(libm::sqrt(2.0 * u)).max(0.0), n) - exact(n, u)).abs())
     };
     let (wide, narrow) = (change(1.0), change(1000.0));
-    Claim {
-        id: "chord",
-        source: "Q, C7, existing approaches (of Lyon)",
-        text: "The chord in place of the angle has little influence only for small angles.",
-        claimed: "little if small",
-        measured: vec![
-            percent("change of x^n; n = 1; all angles", wide),
-            percent("change of x^n; n = 1000; all angles", narrow),
-        ],
-        verdict: Finding::of(narrow < 0.1 * wide),
-    }
+    Claim::of(
+        "chord",
+        vec![percent("change of x^n; n = 1; all angles", wide), percent("change of x^n; n = 1000; all angles", narrow)],
+        Finding::of(narrow < 0.1 * wide),
+    )
 }
 
 pub(super) fn taylor(rows: &[Row]) -> Result<Claim, Error> {
     let chord = Method::Taylor(TaylorSeries::Chord);
     let inside = most(rows, MOST, |row| row.of(chord).absolute_epicentre);
     let cubic = most(rows, MOST, |row| row.of(Method::Cubic).absolute_epicentre);
-    Ok(Claim {
-        id: "taylor",
-        source: "Q, C7, existing approaches (of Lyon)",
-        text: "Three terms of the Taylor series in the chord do not approximate x^n with the necessary accuracy.",
-        claimed: "worse",
-        measured: vec![
+    Ok(Claim::of(
+        "taylor",
+        vec![
             percent("three terms; absolute; on the epicentre; n <= 1000", inside),
             percent("the cubic; absolute; on the epicentre; n <= 1000", cubic),
             value("sum of three terms at 90 degrees; n = 1000", Taylor::new(1000.0, TaylorSeries::Chord)?.sum(1.0)),
         ],
-        verdict: Finding::of(inside > cubic),
-    })
+        Finding::of(inside > cubic),
+    ))
 }
 
 pub(super) fn cos_k(rows: &[Row]) -> Claim {
@@ -150,12 +123,9 @@ pub(super) fn cos_k(rows: &[Row]) -> Claim {
     let [two, four, eight] = [2, 4, 8].map(|k| of(Method::CosK(k), k));
     let lyon = [2, 4, 8].map(|k| of(Method::Lyon(k), k));
     let schlick = of(Method::Schlick, 1);
-    Claim {
-        id: "cos-k",
-        source: "Q, C7, existing approaches",
-        text: "cos^k(sqrt(n/k) γ), n >= k, is sufficiently accurate: better than Schlick's and Lyon's lobes.",
-        claimed: "better",
-        measured: vec![
+    Claim::of(
+        "cos-k",
+        vec![
             percent("k = 2; absolute; all angles; n <= 1000", two),
             percent("k = 4; absolute; all angles; n <= 1000", four),
             percent("k = 8; absolute; all angles; n <= 1000", eight),
@@ -164,6 +134,6 @@ pub(super) fn cos_k(rows: &[Row]) -> Claim {
             percent("Lyon with k = 8; absolute; all angles; n <= 1000", lyon[2]),
             percent("Schlick; absolute; all angles; n <= 1000", schlick),
         ],
-        verdict: Finding::of(two.max(four).max(eight) < schlick && two < lyon[0] && four < lyon[1] && eight < lyon[2]),
-    }
+        Finding::of(two.max(four).max(eight) < schlick && two < lyon[0] && four < lyon[1] && eight < lyon[2]),
+    )
 }

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::{Claim, Unit, significant};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 
 /// How a table of measured values begins; further columns may follow.
@@ -79,9 +79,7 @@ impl Recorded {
             }
             offset += whole.len();
         }
-        if offset == 0 {
-            return Err(Error::input(format!("{file} is empty"), "a table that begins with claim,figure,measured"));
-        }
+        refuse!(offset == 0, format!("{file} is empty"), "a table that begins with claim,figure,measured");
         Ok(Self { rows })
     }
 

@@ -80,6 +80,16 @@ pub enum Error {
     },
 }
 
+/// Returns an [`Error::Input`] where a condition holds: what is wrong, and what is allowed.
+macro_rules! refuse {
+    ($condition:expr, $what:expr, $allowed:expr $(,)?) => {
+        if $condition {
+            return Err($crate::platform::error::Error::input($what, $allowed));
+        }
+    };
+}
+pub(crate) use refuse;
+
 impl Error {
     /// A value that is not allowed.
     #[must_use]

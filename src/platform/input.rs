@@ -12,7 +12,7 @@ use std::sync::{Mutex, PoisonError};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 
 /// The largest file of text, such as a spec, golden vectors, a ROM file or results, in bytes.
 pub const MAX_TEXT: u64 = 64 << 20;
@@ -48,12 +48,11 @@ pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
     let failed = |error| Error::io("cannot read", path, error);
     let mut bytes = Vec::new();
     open(path)?.take(most + 1).read_to_end(&mut bytes).map_err(failed)?;
-    if bytes.len() as u64 > most {
-        return Err(Error::input(
-            format!("{} is larger than {} MiB", path.display(), most >> 20),
-            "a file of this kind is much smaller: give another one",
-        ));
-    }
+    refuse!(
+        bytes.len() as u64 > most,
+        format!("{} is larger than {} MiB", path.display(), most >> 20),
+        "a file of this kind is much smaller: give another one"
+    );
     Ok(bytes)
 }
 

@@ -148,9 +148,7 @@ impl Tool {
     }
 
     /// Starts a command of this program, in a process group of its own that ends when [`time_limit`] is over.
-    ///
-    /// # Errors
-    /// If it is not installed or the system refuses to start it.
+    /// Errors: if it is not installed or the system refuses to start it.
     pub(crate) fn start(self, command: &mut Command) -> Result<Running, Error> {
         self.start_within(command, time_limit())
     }
@@ -312,9 +310,7 @@ pub(crate) struct Running {
 
 impl Running {
     /// Waits for its end.
-    ///
-    /// # Errors
-    /// If its time was over.
+    /// Errors: if its time was over.
     pub(crate) fn finish(mut self) -> Result<ExitStatus, Error> {
         let status = self.child.wait().map_err(|error| self.tool.start_error(error));
         self.stop_watching();
@@ -402,9 +398,7 @@ fn plain_places() -> impl Iterator<Item = PathBuf> {
 
 /// A directory as [`scratch`] makes it, whose path Make can work with: none with a space or another letter that it minds. Where the temporary
 /// folder has such a path, it is in the user's folder for caches or in `/tmp` or `/var/tmp`.
-///
-/// # Errors
-/// If there is no such directory, or the system refuses to make it.
+/// Errors: if there is no such directory, or the system refuses to make it.
 pub(crate) fn scratch_for_make() -> Result<Folder, Error> {
     let mut made = plain_places().map(|place| {
         // The folder for caches may not be there yet.

@@ -304,6 +304,12 @@ const LEGEND: (u32, u32) = (50, 22);
 const SMALL: u32 = 14;
 
 impl Chart {
+    /// A chart of curves alone.
+    #[must_use]
+    pub fn of_curves(title: impl Into<String>, x: Axis, y: Axis, curves: Vec<Curve>) -> Self {
+        Self { title: title.into(), x, y, curves, spots: Vec::new() }
+    }
+
     /// The chart as SVG text, for any ranges and points.
     #[must_use]
     pub fn svg(&self) -> String {
@@ -472,7 +478,7 @@ mod tests {
     fn chart(points: Vec<(f64, f64)>) -> Chart {
         let curve = Curve { label: "one & two".to_owned(), colour: COLOURS[0], style: Style::Solid, points };
         let (x, y) = (Axis::log("shininess n", 1.0..1000.0), Axis::linear("error", 0.0..1.0).with_unit(" %"));
-        Chart { title: "A title".to_owned(), x, y, curves: vec![curve], spots: Vec::new() }
+        Chart::of_curves("A title", x, y, vec![curve])
     }
 
     #[test]

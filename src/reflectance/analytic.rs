@@ -280,18 +280,14 @@ mod tests {
                     for parameter in family.parameters() {
                         match parameter.name {
                             "alpha" | "m" => model.set(parameter.name, value).unwrap(),
-                            "n" => model
-                                .set(
-                                    "n",
-                                    if value == "0.02" {
-                                        "2000"
-                                    } else if value == "1" {
-                                        "0"
-                                    } else {
-                                        "30"
-                                    },
-                                )
-                                .unwrap(),
+                            "n" => {
+                                let n = match value {
+                                    "0.02" => "2000",
+                                    "1" => "0",
+                                    _ => "30",
+                                };
+                                model.set("n", n).unwrap();
+                            }
                             _ => {}
                         }
                     }

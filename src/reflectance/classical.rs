@@ -7,7 +7,7 @@ use serde::Serialize;
 use super::measure::{Judge, Quality, Sphere};
 use super::vector::{Light, Vector};
 use super::{Reflectance, Rgb};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 
 /// What the highlight is a power of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -199,12 +199,11 @@ pub fn fit(
     exposure: f64,
     done: &(dyn Fn() + Sync),
 ) -> Result<Fit, Error> {
-    if !(1..=MOST_LOBES).contains(&lobes) {
-        return Err(Error::input(
-            format!("{lobes} lobes"),
-            format!("a classical material has 1 to {MOST_LOBES} of them"),
-        ));
-    }
+    refuse!(
+        !(1..=MOST_LOBES).contains(&lobes),
+        format!("{lobes} lobes"),
+        format!("a classical material has 1 to {MOST_LOBES} of them")
+    );
     let judge = Judge::new(reflectance, exposure, &super::measure::angles(15.0), FITTED);
     let mut data = Data { diffuse: Vec::new(), x: Vec::new(), target: Vec::new() };
     for (phi, picture) in judge.exact() {

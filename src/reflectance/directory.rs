@@ -10,7 +10,7 @@ use super::form::{Form, FormKind, FormSpec};
 use super::images::{self, Pixels};
 use super::paper::{Border, Options};
 use super::texels::{Scale, Texel, Texels};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 
 /// The index's file name.
@@ -171,32 +171,29 @@ pub fn parse(text: &str, name: &str) -> Result<Listed, Error> {
 /// As [`parse`]; a file that is missing, no picture, of another size or depth than the index says.
 pub fn read(directory: &Path) -> Result<Form, Error> {
     let path = directory.join(INDEX);
-    if !path.is_file() {
-        return Err(Error::input(
-            format!("{} has no {INDEX}", directory.display()),
-            "a directory of sphere images as `brdfgen reflectance images` writes it",
-        ));
-    }
+    refuse!(
+        !path.is_file(),
+        format!("{} has no {INDEX}", directory.display()),
+        "a directory of sphere images as `brdfgen reflectance images` writes it"
+    );
     let text = input::read_text(&path, "an index of sphere images is a TOML file")?;
     let name = path.display().to_string();
     let Listed { spec, exposure, files, caps } = parse(&text, &name)?;
     let mut codes = Vec::with_capacity(files.len() * spec.size * spec.size);
     for file in &files {
         let path = directory.join(file);
-        if !path.is_file() {
-            return Err(Error::input(
-                format!("{name} lists {file}, which is not there"),
-                "all images of an index lie beside it: make them anew, or copy the whole directory",
-            ));
-        }
+        refuse!(
+            !path.is_file(),
+            format!("{name} lists {file}, which is not there"),
+            "all images of an index lie beside it: make them anew, or copy the whole directory"
+        );
         let bytes = input::read(&path, images::MAX_PICTURE)?;
         let (width, mut image) = image(&bytes, &path.display().to_string(), spec.texel)?;
-        if width != spec.size || image.len() != spec.size * spec.size {
-            return Err(Error::input(
-                format!("{} has {width} × {} pixels", path.display(), image.len() / width),
-                format!("{INDEX} says {} × {}", spec.size, spec.size),
-            ));
-        }
+        refuse!(
+            width != spec.size || image.len() != spec.size * spec.size,
+            format!("{} has {width} × {} pixels", path.display(), image.len() / width),
+            format!("{INDEX} says {} × {}", spec.size, spec.size)
+        );
         images::flip(width, &mut image);
         codes.extend(image);
     }

@@ -6,7 +6,7 @@ use std::str::FromStr;
 use super::texels::{Samples, Scale, Texel, Texels};
 use super::vector::{Light, Vector};
 use super::{Reflectance, Rgb, bivariate, half, paper};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 
 /// The greatest size of an image, a slice or an axis of nodes.
 pub const LARGEST: usize = 4096;
@@ -200,24 +200,21 @@ impl FormSpec {
                 format!("the angles of the light in the form `{name}` are from 0 to {most} degrees"),
             ));
         }
-        if !self.angles.is_sorted_by(|a, b| a < b) {
-            return Err(Error::input(
-                format!("the angles {} do not ascend", listed()),
-                "each angle is greater than the one before, as in 0,45,90,135",
-            ));
-        }
-        if !(2..=LARGEST).contains(&self.size) {
-            return Err(Error::input(
-                format!("the size {} is out of range", self.size),
-                format!("images have 2 to {LARGEST} texels along a side"),
-            ));
-        }
-        if self.angles.len() * self.size * self.size > MOST_TEXELS {
-            return Err(Error::input(
-                format!("{} images of {}² texels are too many", self.angles.len(), self.size),
-                format!("at most {MOST_TEXELS} texels together"),
-            ));
-        }
+        refuse!(
+            !self.angles.is_sorted_by(|a, b| a < b),
+            format!("the angles {} do not ascend", listed()),
+            "each angle is greater than the one before, as in 0,45,90,135"
+        );
+        refuse!(
+            !(2..=LARGEST).contains(&self.size),
+            format!("the size {} is out of range", self.size),
+            format!("images have 2 to {LARGEST} texels along a side")
+        );
+        refuse!(
+            self.angles.len() * self.size * self.size > MOST_TEXELS,
+            format!("{} images of {}² texels are too many", self.angles.len(), self.size),
+            format!("at most {MOST_TEXELS} texels together")
+        );
         Ok(())
     }
 

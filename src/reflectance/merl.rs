@@ -19,13 +19,6 @@ const HEADER: usize = 12;
 /// What an invalid cell is written as.
 const INVALID: f64 = -1.0;
 
-/// Whether bytes begin like a table of some shape: three counts above 0 and no more than a table could have, in either byte order.
-#[must_use]
-pub fn is_table(start: &[u8]) -> bool {
-    let Some((header, _)) = start.split_first_chunk::<HEADER>() else { return false };
-    [u32::from_le_bytes, u32::from_be_bytes].into_iter().any(|read| counts(header, read).is_some())
-}
-
 fn counts(header: &[u8; HEADER], read: fn([u8; 4]) -> u32) -> Option<[usize; 3]> {
     let count = |at: usize| read([header[at], header[at + 1], header[at + 2], header[at + 3]]) as usize;
     let counts = [count(0), count(4), count(8)];

@@ -4,7 +4,7 @@ use std::io::Read;
 use std::path::Path;
 
 use super::{Form, FormKind, FormSpec, Lookup, Model, Reflectance, Table, directory, images, merl};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 
 /// What reflects, or pictures of it.
@@ -65,12 +65,11 @@ impl Source {
 /// A picture that cannot be read or is not square.
 pub fn matcap(bytes: &[u8], name: &str) -> Result<Form, Error> {
     let (width, height, samples) = images::read_linear(bytes, name)?;
-    if width != height || width < 2 {
-        return Err(Error::input(
-            format!("{name} has {width} × {height} pixels"),
-            "a matcap is a square picture of a sphere that touches its sides, of at least 2 × 2 pixels",
-        ));
-    }
+    refuse!(
+        width != height || width < 2,
+        format!("{name} has {width} × {height} pixels"),
+        "a matcap is a square picture of a sphere that touches its sides, of at least 2 × 2 pixels"
+    );
     let spec = FormSpec { size: width, ..FormSpec::of(FormKind::Matcap) };
     let samples = super::texels::Samples { width, height, data: samples };
     Ok(spec.encode(&samples, 1.0))

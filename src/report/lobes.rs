@@ -202,16 +202,16 @@ pub fn charts(cores: &[Measured], palette: &Palette, chosen: Option<&Point>) -> 
             let points = core.by_shininess.iter().map(|&(n, error)| (n, error.max(y.start))).collect();
             core.curve(palette, chosen, points)
         };
+        let curves = cores.iter().map(curve).collect();
         let x = if most >= 10.0 * least { Axis::log } else { Axis::linear };
         charts.push((
             "error_against_n".to_owned(),
-            Chart {
-                title: "Largest error of each method's most exact core".to_owned(),
-                x: x("shininess n".to_owned(), least..most),
-                curves: cores.iter().map(curve).collect(),
-                y: Axis::powers("largest error against x^n", y),
-                spots: Vec::new(),
-            },
+            Chart::of_curves(
+                "Largest error of each method's most exact core",
+                x("shininess n".to_owned(), least..most),
+                Axis::powers("largest error against x^n", y),
+                curves,
+            ),
         ));
     }
     let mut rows: Vec<usize> = WANTED.iter().map(|&wanted| first.nearest(wanted)).collect();
@@ -230,26 +230,19 @@ pub fn charts(cores: &[Measured], palette: &Palette, chosen: Option<&Point>) -> 
         let angle = || Axis::linear("angle between N and H, degrees", 0.0..widest);
         charts.push((
             format!("error_against_angle_n{n}"),
-            Chart {
-                title: format!("Largest error about the angle, n = {n}"),
-                x: angle(),
-                y: Axis::powers("error against x^n", lowest..powers_about([most].into_iter()).end),
-                curves: each(&error),
-                spots: Vec::new(),
-            },
+            Chart::of_curves(
+                format!("Largest error about the angle, n = {n}"),
+                angle(),
+                Axis::powers("error against x^n", lowest..powers_about([most].into_iter()).end),
+                each(&error),
+            ),
         ));
         let power = seen[0].iter().map(|seen| (seen.angle, seen.power)).collect();
         let mut curves = vec![Curve { label: format!("x^{n}"), colour: BLACK, style: Style::Solid, points: power }];
         curves.extend(each(&|seen| seen.value));
         charts.push((
             format!("lobes_n{n}"),
-            Chart {
-                title: format!("The lobes, n = {n}"),
-                x: angle(),
-                y: Axis::linear("lobe", 0.0..1.05),
-                curves,
-                spots: Vec::new(),
-            },
+            Chart::of_curves(format!("The lobes, n = {n}"), angle(), Axis::linear("lobe", 0.0..1.05), curves),
         ));
     }
     charts

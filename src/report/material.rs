@@ -1,6 +1,6 @@
 //! A material's part of the page: memory against error of all that can stand in place of its reflectance.
 
-use super::page::{Figure, Head, Line, Table, number, word};
+use super::page::{Figure, Line, Table, number, word};
 use crate::plot::{Axis, BLACK, COLOURS, Chart, Shape, Spot, Spots};
 use crate::reflectance::trade::Point;
 
@@ -49,11 +49,7 @@ impl MaterialPart {
                  the viewer; on linear values from 0 to 1."
             ),
             chart: (format!("material_{}", place + 1), chart(name, points)),
-            table: Table {
-                title: format!("{} points", points.len()),
-                heads: HEADS.map(|(name, meaning)| Head { name, meaning }).into(),
-                rows: points.iter().map(line).collect(),
-            },
+            table: Table::of(format!("{} points", points.len()), &HEADS, points.iter().map(line).collect()),
         }
     }
 

@@ -75,16 +75,10 @@ impl<'a> Report<'a> {
         })
     }
 
-    /// The report with these scenes, which stand first.
+    /// The report with these scenes, which stand first, and these materials, which stand behind them.
     #[must_use]
-    pub fn with_scenes(self, scenes: Vec<ScenePart>) -> Self {
-        Self { scenes, ..self }
-    }
-
-    /// The report with these materials, which stand behind the scenes.
-    #[must_use]
-    pub fn with_materials(self, materials: Vec<MaterialPart>) -> Self {
-        Self { materials, ..self }
+    pub fn with(self, scenes: Vec<ScenePart>, materials: Vec<MaterialPart>) -> Self {
+        Self { scenes, materials, ..self }
     }
 
     /// All charts as files, each as SVG and as PNG.
@@ -211,12 +205,19 @@ pub(super) struct Table {
     pub(super) rows: Vec<Line>,
 }
 
+impl Table {
+    /// A table with these columns, each by its name and what it means.
+    pub(super) fn of(title: String, heads: &[(&'static str, &'static str)], rows: Vec<Line>) -> Self {
+        Self { title, heads: heads.iter().map(|&(name, meaning)| Head { name, meaning }).collect(), rows }
+    }
+}
+
 /// A column.
 #[derive(Debug)]
 pub(super) struct Head {
-    pub(super) name: &'static str,
+    name: &'static str,
     /// What it is, for who points at it.
-    pub(super) meaning: &'static str,
+    meaning: &'static str,
 }
 
 /// A line of a table.
@@ -330,11 +331,7 @@ fn table(points: &[&Point], chosen: Option<&Point>) -> Table {
         ];
         Line { chosen: chosen.is_some_and(|chosen| chosen.id == point.id), cells }
     };
-    Table {
-        title: format!("{} points", points.len()),
-        heads: POINT_HEADS.map(|(name, meaning)| Head { name, meaning }).into(),
-        rows: points.iter().enumerate().map(line).collect(),
-    }
+    Table::of(format!("{} points", points.len()), &POINT_HEADS, points.iter().enumerate().map(line).collect())
 }
 
 /// The groups of the table of speeds.
@@ -357,11 +354,8 @@ fn speed(speed: &Speed) -> Vec<Table> {
                 cells: vec![word(name), shown(row.ns_median), shown(row.ns_least), shown(row.ns_most), times],
             }
         };
-        Table {
-            title: format!("{}; times as fast as {}", rows[0].group, rows[0].reference),
-            heads: HEADS.map(|(name, meaning)| Head { name, meaning }).into(),
-            rows: rows.iter().map(line).collect(),
-        }
+        let title = format!("{}; times as fast as {}", rows[0].group, rows[0].reference);
+        Table::of(title, &HEADS, rows.iter().map(line).collect())
     };
     speed.rows.chunk_by(|a, b| a.group == b.group).map(table).collect()
 }

@@ -2,7 +2,7 @@
 
 use base64::Engine as _;
 
-use super::page::{Cell, Figure, Head, Line, Table, count, number, word};
+use super::page::{Cell, Figure, Line, Table, count, number, word};
 use crate::emit::package::counted;
 use crate::explore::Cost;
 use crate::plot::{Axis, COLOURS, Chart, Curve, Style};
@@ -116,13 +116,12 @@ fn angles(name: &str, materials: &[&MaterialNeed]) -> Chart {
     let curves = curves(materials, |need| shares(&need.spread.degrees, width));
     let last = curves.iter().flat_map(|curve| &curve.points).filter(|point| point.1 > 0.0).map(|point| point.0);
     let last = last.fold(90.0, f64::max);
-    Chart {
-        title: format!("{name}: where the cosines lie"),
-        x: Axis::linear("angle whose cosine is given to the core, degrees", 0.0..last),
-        y: share_axis(&curves),
+    Chart::of_curves(
+        format!("{name}: where the cosines lie"),
+        Axis::linear("angle whose cosine is given to the core, degrees", 0.0..last),
+        share_axis(&curves),
         curves,
-        spots: Vec::new(),
-    }
+    )
 }
 
 /// The same along the lobe, where lobes of all shininesses look alike.
@@ -134,17 +133,12 @@ fn scaled(name: &str, materials: &[&MaterialNeed]) -> Chart {
         points.truncate(inner);
         points
     });
-    Chart {
-        title: format!("{name}: where on the lobe the samples are"),
-        x: Axis::linear("n(1 - x): about 0.7 at the edge of the epicentre", 0.0..0.25 * inner as f64),
-        y: share_axis(&curves),
+    Chart::of_curves(
+        format!("{name}: where on the lobe the samples are"),
+        Axis::linear("n(1 - x): about 0.7 at the edge of the epicentre", 0.0..0.25 * inner as f64),
+        share_axis(&curves),
         curves,
-        spots: Vec::new(),
-    }
-}
-
-fn heads(texts: &[(&'static str, &'static str)]) -> Vec<Head> {
-    texts.iter().map(|&(name, meaning)| Head { name, meaning }).collect()
+    )
 }
 
 fn materials(materials: &[MaterialNeed]) -> Table {
@@ -169,9 +163,9 @@ fn materials(materials: &[MaterialNeed]) -> Table {
         ];
         Line { chosen: false, cells }
     };
-    Table {
-        title: "Materials, over the picture and the moved ones".to_owned(),
-        heads: heads(&[
+    Table::of(
+        "Materials, over the picture and the moved ones".to_owned(),
+        &[
             ("material", "its name in the scene file"),
             ("n", "its shininess"),
             ("row", "the core's row that serves it; none where it needs none"),
@@ -183,9 +177,9 @@ fn materials(materials: &[MaterialNeed]) -> Table {
             ("invisible tail", "samples below it that are worth less"),
             ("negative", "samples with a negative cosine"),
             ("least x", "the least cosine"),
-        ]),
-        rows: materials.iter().map(line).collect(),
-    }
+        ],
+        materials.iter().map(line).collect(),
+    )
 }
 
 fn left_out(findings: &Findings) -> Table {
@@ -198,17 +192,17 @@ fn left_out(findings: &Findings) -> Table {
         let cells = [one.what, if one.applies { "yes" } else { "no" }, &one.reason, &keys_text(&one.keys), &saves];
         Line { chosen: false, cells: cells.into_iter().map(word).collect() }
     };
-    Table {
-        title: "What the core leaves out".to_owned(),
-        heads: heads(&[
+    Table::of(
+        "What the core leaves out".to_owned(),
+        &[
             ("what", "what may be left out"),
             ("left out", "whether it is"),
             ("why", "why, or why not"),
             ("keys", "the keys of the core's spec that say so"),
             ("saves", "the core with it put back, less the core"),
-        ]),
-        rows: findings.simplifications.iter().map(line).collect(),
-    }
+        ],
+        findings.simplifications.iter().map(line).collect(),
+    )
 }
 
 fn cores(findings: &Findings) -> Table {
@@ -238,9 +232,9 @@ fn cores(findings: &Findings) -> Table {
     let misses = choice.misses.iter().map(|one| line(&one.core, one.why.join("; "), false));
     let tools = choice.tools.as_ref().map(|tools| format!(", by {}", tools.yosys)).unwrap_or_default();
     let figures = if choice.estimated { "estimated" } else { "measured" };
-    Table {
-        title: format!("The chosen core, the next ones and the nearest misses; costs {figures}{tools}"),
-        heads: heads(&[
+    Table::of(
+        format!("The chosen core, the next ones and the nearest misses; costs {figures}{tools}"),
+        &[
             ("core", "the core's name"),
             ("LUTs", "LUTs that are used up, carry chains counted"),
             ("DSPs", "DSP blocks"),
@@ -254,7 +248,7 @@ fn cores(findings: &Findings) -> Table {
             ("any view", "the largest error in output steps that any view can have"),
             ("error", "the lobe's largest error against x^n"),
             ("why", "why it is not chosen"),
-        ]),
-        rows: std::iter::once(chosen).chain(others).chain(misses).collect(),
-    }
+        ],
+        std::iter::once(chosen).chain(others).chain(misses).collect(),
+    )
 }

@@ -19,7 +19,7 @@ use crate::explore::run::Costing;
 use crate::explore::sweep::Core;
 use crate::explore::{Cost, Model, Objective, Point, Results};
 use crate::fixed::exp2;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::spec::{BlockKind, SpecFields};
 use crate::synth::{self, Tools};
 use crate::target::Family;
@@ -120,22 +120,20 @@ impl<'a> Search<'a> {
         costing: &'a Costing,
         keys: &SpecFields,
     ) -> Result<Self, Error> {
-        if requirements.rows.is_empty() {
-            return Err(Error::input(
-                format!("the scene {} needs no core: no highlight falls on any pixel", scene.name),
-                "give a material that objects have a k_s above 0, or move a light or the camera",
-            ));
-        }
+        refuse!(
+            requirements.rows.is_empty(),
+            format!("the scene {} needs no core: no highlight falls on any pixel", scene.name),
+            "give a material that objects have a k_s above 0, or move a light or the camera"
+        );
         let keys = keys.clone().or(scene.core.keys.clone());
         if keys.block.is_some_and(|block| block != BlockKind::Lobe) {
             return Err(Error::input("a scene's core is chosen among lobes", "leave block = \"shader\" out"));
         }
-        if keys.shininess.is_some() || keys.material.is_some() || keys.shininess_fraction.is_some() {
-            return Err(Error::input(
-                "a scene's core serves the shininesses of the scene",
-                "leave shininess, shininess_fraction and material out",
-            ));
-        }
+        refuse!(
+            keys.shininess.is_some() || keys.material.is_some() || keys.shininess_fraction.is_some(),
+            "a scene's core serves the shininesses of the scene",
+            "leave shininess, shininess_fraction and material out"
+        );
         let family = scene.core.family;
         let screen = match costing {
             Costing::Estimate(model) => {
@@ -252,12 +250,11 @@ impl<'a> Search<'a> {
     /// A tool that is missing or fails.
     pub fn choose(&self, progress: &(dyn Fn(&'static str, usize, usize) + Sync)) -> Result<SceneChoice, Error> {
         let mut all = self.candidates(&|done, of| progress("drawing the scene through cores", done, of));
-        if all.is_empty() {
-            return Err(Error::input(
-                "no core can be built with these keys for this scene",
-                "leave some of the keys of [core], or of the flags, out",
-            ));
-        }
+        refuse!(
+            all.is_empty(),
+            "no core can be built with these keys for this scene",
+            "leave some of the keys of [core], or of the flags, out"
+        );
         let (considered, min_mhz) = (all.len(), self.scene.core.min_mhz);
         let mut meeting = self.ranked(all.clone(), min_mhz).meeting.len();
         if let Costing::Synthesis(_) = self.costing {

@@ -12,7 +12,7 @@ use crate::emit::package::{self, counted};
 use crate::explore::run::Costing;
 use crate::explore::sweep::Core;
 use crate::explore::{Cost, Point};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::{input, tool};
 use crate::spec::{BlockKind, Language, Shininess, SpecFields};
 use crate::target::Family;
@@ -39,12 +39,11 @@ pub(crate) struct PictureCore {
 impl PictureCore {
     /// The core of these keys: for the shininesses of the materials of the scene's objects, unless the keys name some.
     fn of(scene: &Scene, fields: SpecFields) -> Result<Self, Error> {
-        if fields.block == Some(BlockKind::Shader) {
-            return Err(Error::input(
-                "the core is a shader, and a picture's highlights need a lobe",
-                "leave block = \"shader\" and the other keys of a shader out",
-            ));
-        }
+        refuse!(
+            fields.block == Some(BlockKind::Shader),
+            "the core is a shader, and a picture's highlights need a lobe",
+            "leave block = \"shader\" and the other keys of a shader out"
+        );
         let own = fields.shininess.is_some() || fields.material.is_some();
         let shininess = if own { fields.shininess.clone() } else { Some(Shininess::List(scene.shininesses())) };
         Ok(Self { design: Design::new(SpecFields { shininess, ..fields }.resolve()?)?, directory: None })
@@ -149,12 +148,11 @@ fn read(path: &Path) -> Result<SpecFields, Error> {
         return SpecFields::read(&path.join("core.toml"));
     }
     let text = input::read_text(path, "").unwrap_or_default();
-    if Scene::is_scene(&text) {
-        return Err(Error::input(
-            format!("{} is a scene, and no core", path.display()),
-            "give --core a spec file or the directory of a generated core",
-        ));
-    }
+    refuse!(
+        Scene::is_scene(&text),
+        format!("{} is a scene, and no core", path.display()),
+        "give --core a spec file or the directory of a generated core"
+    );
     SpecFields::read(path)
 }
 

@@ -10,7 +10,7 @@ use super::obj::read_obj;
 use super::ply::{plain_ply, read_ply};
 use super::text::{first_line, without_mark};
 use crate::core::sample::{Vector, cross, dot, minus, normalised};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 
 /// The most vertices, and the most triangles, of a mesh.
@@ -194,9 +194,7 @@ impl Mesh {
         if mirrored {
             triangles.iter_mut().for_each(|triangle| triangle.swap(1, 2));
         }
-        if triangles.is_empty() {
-            return Err(Error::input("its scale leaves no triangle of the mesh with an area", "a scale nearer to 1"));
-        }
+        refuse!(triangles.is_empty(), "its scale leaves no triangle of the mesh with an area", "a scale nearer to 1");
         Ok(Self { positions, normals, dropped: all + before - triangles.len(), triangles })
     }
 }

@@ -8,7 +8,7 @@ use std::path::Path;
 
 use super::mesh::{Mesh, Named, Painted};
 use super::text::{Statements, name_of, without_comment, without_mark};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 use crate::spec::{Colour, Material, suggest};
 
@@ -48,10 +48,8 @@ pub(super) struct Parts {
 }
 
 /// Divides a mesh by the materials of its file. `file` is the OBJ file's name for messages, `directory` where it lies.
-///
-/// # Errors
-/// A file without `mtllib`, an MTL file that is not there or cannot be read, a material that is in none of them, a number that is none or
-/// out of its range.
+/// Errors: a file without `mtllib`, an MTL file that is not there or cannot be read, a material that is in none of
+/// them, a number that is none or out of its range.
 pub(super) fn parts(painted: &Painted, file: &str, directory: &Path) -> Result<Parts, Error> {
     let Painted { mesh, libraries, materials, of_triangle } = painted;
     let used = |place: usize| of_triangle.iter().any(|material| *material as usize == place);
@@ -147,16 +145,13 @@ fn find<'a>(libraries: &'a [Library], named: &Named) -> Option<(usize, &'a Read)
 
 impl Library {
     fn read(name: &str, obj: &str, line: usize, directory: &Path) -> Result<Self, Error> {
-        if name.is_empty() {
-            return Err(Error::input(format!("{obj}, line {line}: mtllib names no file"), FORMAT));
-        }
+        refuse!(name.is_empty(), format!("{obj}, line {line}: mtllib names no file"), FORMAT);
         let path = path(name, directory);
-        if !path.is_file() {
-            return Err(Error::input(
-                format!("{obj}, line {line}: there is no file {}", path.display()),
-                "the MTL file of mtllib lies where its path leads from the OBJ file's directory",
-            ));
-        }
+        refuse!(
+            !path.is_file(),
+            format!("{obj}, line {line}: there is no file {}", path.display()),
+            "the MTL file of mtllib lies where its path leads from the OBJ file's directory"
+        );
         let file = path.display().to_string();
         let materials = read(&input::read(&path, input::MAX_TEXT)?, &file)?;
         Ok(Self { name: name.to_owned(), file, materials })

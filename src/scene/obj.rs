@@ -6,7 +6,7 @@ use super::file::beyond;
 use super::mesh::{Corner, FORMATS, Named, Raw, allowed_coordinate};
 use super::text::{Statements, name_of, without_comment};
 use crate::core::sample::Vector;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 
 /// Reads an OBJ text: its statements `v`, `vn` and `f`, all objects and groups as one mesh.
 pub(super) fn read_obj(text: &str, file: &str) -> Result<Raw, Error> {
@@ -115,9 +115,7 @@ fn plain_obj(text: &str, file: &str) -> Result<PlainObj, Error> {
             _ => {}
         }
     }
-    if read[0] == 0 && count == 0 {
-        return Err(Error::input(format!("{file} is neither OBJ nor PLY"), FORMATS));
-    }
+    refuse!(read[0] == 0 && count == 0, format!("{file} is neither OBJ nor PLY"), FORMATS);
     vectors.push_str(&faces);
     lines.append(&mut face_lines);
     Ok(PlainObj { text: vectors, lines, every_normal, libraries, materials })

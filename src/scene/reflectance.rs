@@ -14,7 +14,7 @@ use super::frame::{BACKGROUND, Frame};
 use super::trace::Hit;
 use super::{Scene, Tracer};
 use crate::emit::package::counted;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::reflectance::classical::{self, Classical, Cosine};
 use crate::reflectance::vector::{self, Light};
 use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Model, Record, Reflectance, Source, Vector, measure};
@@ -119,9 +119,7 @@ impl ReflectanceFields {
                 return Err(Error::input("neither file nor model is given", allowed));
             }
             (Some(file), None) => {
-                if self.parameters.is_some() {
-                    return Err(Error::input("a file has no parameters", "they are a model's"));
-                }
+                refuse!(self.parameters.is_some(), "a file has no parameters", "they are a model's");
                 (file.clone(), Source::open(&directory.join(file), self.lookup.unwrap_or_default())?)
             }
             (None, Some(model)) => {
@@ -152,18 +150,16 @@ impl ReflectanceFields {
                         "leave it out, or give a table or a model",
                     ));
                 }
-                if shading != Shading::ImageBased {
-                    return Err(Error::input(
-                        format!("{name} holds sphere images, and no reflectance"),
-                        "shading = \"image-based\", or give a MERL table or a model",
-                    ));
-                }
-                if self.exposure.is_some() {
-                    return Err(Error::input(
-                        format!("exposure is given, and the images of {name} have theirs"),
-                        "leave it out, or make the images anew with --exposure",
-                    ));
-                }
+                refuse!(
+                    shading != Shading::ImageBased,
+                    format!("{name} holds sphere images, and no reflectance"),
+                    "shading = \"image-based\", or give a MERL table or a model"
+                );
+                refuse!(
+                    self.exposure.is_some(),
+                    format!("exposure is given, and the images of {name} have theirs"),
+                    "leave it out, or make the images anew with --exposure"
+                );
                 let (spec, exposure, form) = (form.spec.clone(), form.exposure, Arc::new(form).into());
                 Ok(Measured { name, shading, spec, viewer, exposure, source: None, form })
             }

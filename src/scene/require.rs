@@ -15,7 +15,7 @@ use super::{Budget, Difference, Frame, Highlights, Picture, Scene};
 use crate::emit::package::counted;
 use crate::fixed::exp2;
 use crate::lobe;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::spec::{INPUT_FRACTION, Material, OUTPUT_FRACTION};
 
 /// The most pixels a row of a moved picture.
@@ -291,18 +291,16 @@ impl Requirements {
     /// # Errors
     /// A margin that is not allowed, a scene without a highlight.
     pub fn of(scene: &Scene, margin_degrees: f64, done: &(dyn Fn(usize, usize) + Sync)) -> Result<Self, Error> {
-        if !(0.0..=MAX_MARGIN).contains(&margin_degrees) {
-            return Err(Error::input(
-                format!("a margin of {margin_degrees} degrees is out of range"),
-                format!("a margin is a real number from 0 to {MAX_MARGIN}"),
-            ));
-        }
-        if !scene.has_highlights() {
-            return Err(Error::input(
-                "all objects of the scene are drawn by a reflectance, and none asks for a lobe",
-                "shading = \"classical\" makes the nearest diffuse and cos^n materials of them",
-            ));
-        }
+        refuse!(
+            !(0.0..=MAX_MARGIN).contains(&margin_degrees),
+            format!("a margin of {margin_degrees} degrees is out of range"),
+            format!("a margin is a real number from 0 to {MAX_MARGIN}")
+        );
+        refuse!(
+            !scene.has_highlights(),
+            "all objects of the scene are drawn by a reflectance, and none asks for a lobe",
+            "shading = \"classical\" makes the nearest diffuse and cos^n materials of them"
+        );
         let moved = scene.moved(margin_degrees);
         let [width, height] = moved_size(scene, moved.len());
         let total = 1 + moved.len();
@@ -426,19 +424,26 @@ impl Requirements {
         self.errors(scene, highlights).iter().all(|error| self.budget.missed(error, "").is_empty())
     }
 
-    /// The fewest bits for which a bound, which halves with each bit, is within the share of the budget.
-    fn derived(&self, scene: &Scene, bound: &dyn Fn(i32) -> f64, most: u32) -> Option<u32> {
+    /// The bits of a port that a channel is moved by `steepest` steps times half of its last bit: the fewest for which that is within the
+    /// share of the budget, and with which the lobes that `rounded` gives keep it.
+    fn bits<L: Fn(usize) -> Vec<f64>>(
+        &self,
+        scene: &Scene,
+        steepest: f64,
+        port: std::ops::RangeInclusive<u32>,
+        rounded: impl Fn(f64) -> L,
+    ) -> Bits {
         let allowed = SHARE * self.budget.steps(scene.channel_bits);
-        (1..=most).find(|&bits| bound(bits as i32) <= allowed)
+        let derived = (1..=*port.end()).find(|&bits| steepest * exp2(-(bits as i32) - 1) <= allowed);
+        let measured = port.clone().find(|&bits| self.keeps(scene, &rounded(exp2(bits as i32))));
+        Bits { derived: derived.map(|bits| bits.max(*port.start())), measured }
     }
 
     fn input_bits(&self, scene: &Scene) -> Bits {
         let full = scene.full_scale();
         let steepest = self.rows.iter().map(|row| row.shininess * row.weight * full).fold(0.0, f64::max);
-        let derived = self.derived(scene, &|bits| steepest * exp2(-bits - 1), *INPUT_FRACTION.end());
-        let rounded = |bits: u32| {
-            let one = exp2(bits as i32);
-            move |view: usize| -> Vec<f64> {
+        self.bits(scene, steepest, INPUT_FRACTION, |one| {
+            move |view: usize| {
                 let lit = &self.views[view].lit;
                 let value = |(sample, &versine): (usize, &f64)| {
                     if versine.is_nan() || versine >= 1.0 {
@@ -449,22 +454,14 @@ impl Requirements {
                 };
                 lit.versine.par_iter().enumerate().map(value).collect()
             }
-        };
-        let measured = INPUT_FRACTION.clone().find(|&bits| self.keeps(scene, &rounded(bits)));
-        Bits { derived: derived.map(|bits| bits.max(*INPUT_FRACTION.start())), measured }
+        })
     }
 
     fn output_bits(&self, scene: &Scene) -> Bits {
         let full = scene.full_scale();
         let strongest = self.rows.iter().map(|row| row.weight * full).fold(0.0, f64::max);
-        let derived = self.derived(scene, &|bits| strongest * exp2(-bits - 1), *OUTPUT_FRACTION.end());
-        let rounded = |bits: u32| {
-            let one = exp2(bits as i32);
-            move |view: usize| -> Vec<f64> {
-                self.views[view].lobes.par_iter().map(|value| libm::round(value * one) / one).collect()
-            }
-        };
-        let measured = OUTPUT_FRACTION.clone().find(|&bits| self.keeps(scene, &rounded(bits)));
-        Bits { derived: derived.map(|bits| bits.max(*OUTPUT_FRACTION.start())), measured }
+        self.bits(scene, strongest, OUTPUT_FRACTION, |one| {
+            move |view: usize| self.views[view].lobes.par_iter().map(|value| libm::round(value * one) / one).collect()
+        })
     }
 }

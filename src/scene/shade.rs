@@ -9,7 +9,7 @@ use super::{Difference, Exact, Frame, Highlights, Picture, Requirements, Scene};
 use crate::core::Design;
 use crate::core::sample::{self, Sample, Vector};
 use crate::explore::choose::NearMiss;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::spec::{
     BlockKind, Front, INPUT_FRACTION, LightColours, Material, Model, Shader, ShaderFields, Shininess, SpecFields,
     VECTOR_FRACTION,
@@ -30,18 +30,16 @@ pub fn spec(
     asked: &ShaderFields,
 ) -> Result<SpecFields, Error> {
     let of_scene = ShaderFields { front: None, vector_fraction: None, ..asked.clone() };
-    if !of_scene.is_empty() {
-        return Err(Error::input(
-            "the scene says itself which model, lights, colours and channels its shader has",
-            "of the shader's keys give only front and vector_fraction",
-        ));
-    }
-    if scene.is_measured() {
-        return Err(Error::input(
-            "the scene has materials that are drawn by a reflectance, and a shader computes none",
-            "shading = \"classical\" makes the nearest diffuse and cos^n materials of them",
-        ));
-    }
+    refuse!(
+        !of_scene.is_empty(),
+        "the scene says itself which model, lights, colours and channels its shader has",
+        "of the shader's keys give only front and vector_fraction"
+    );
+    refuse!(
+        scene.is_measured(),
+        "the scene has materials that are drawn by a reflectance, and a shader computes none",
+        "shading = \"classical\" makes the nearest diffuse and cos^n materials of them"
+    );
     let first = requirements.rows.first().map_or(1.0, |row| row.shininess);
     let needed =
         scene.materials.iter().zip(&requirements.materials).filter(|(_, need)| need.base.and(&need.moved).samples > 0);
@@ -51,9 +49,7 @@ pub fn spec(
             Material { shininess, ..material.clone() }
         })
         .collect();
-    if materials.is_empty() {
-        return Err(Error::input("no object of the scene is seen", "turn the camera to the objects"));
-    }
+    refuse!(materials.is_empty(), "no object of the scene is seen", "turn the camera to the objects");
     let front = match scene.model {
         Model::Phong => asked.front,
         Model::Blinn => Some(asked.front.unwrap_or(Front::Half)),

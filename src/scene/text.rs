@@ -5,9 +5,7 @@ use std::borrow::Cow;
 use crate::platform::error::Error;
 
 /// The bytes without the byte order mark of UTF-8; `allowed` says what the file should be.
-///
-/// # Errors
-/// UTF-16 or UTF-32, by its byte order mark or, in a text of mostly ASCII, by every second byte of its start.
+/// Errors: UTF-16 or UTF-32, by its byte order mark or, in a text of mostly ASCII, by every second byte of its start.
 pub(super) fn without_mark<'a>(bytes: &'a [u8], file: &str, allowed: &str) -> Result<&'a [u8], Error> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let start = &bytes[..bytes.len().min(64) & !1];

@@ -45,9 +45,7 @@ impl Cache {
     }
 
     /// Keeps a result.
-    ///
-    /// # Errors
-    /// If the system refuses.
+    /// Errors: if the system refuses.
     pub(super) fn put(&self, key: &str, value: &impl Serialize) -> Result<(), Error> {
         let Some(path) = self.path(key) else { return Ok(()) };
         let body = serde_json::to_string(value).expect("JSON of plain values");

@@ -7,9 +7,7 @@ use crate::platform::tool::{self, GHDL};
 
 /// A VHDL core, the entity `top` in the file `source`, as Verilog by GHDL's synthesis. `directory` is the core's: a ROM file is read at
 /// elaboration by its path relative to that.
-///
-/// # Errors
-/// If GHDL is not installed or does not take the file.
+/// Errors: if GHDL is not installed or does not take the file.
 pub(crate) fn as_verilog(top: &str, directory: &Path, source: &Path) -> Result<Vec<u8>, Error> {
     let scratch = tool::scratch()?;
     let source = std::path::absolute(source).map_err(|error| Error::io("cannot find", source, error))?;

@@ -21,7 +21,7 @@ use std::path::{Path, PathBuf};
 
 use crate::core::Design;
 use crate::emit::package;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::tool::{self, YOSYS};
 use crate::platform::transient::Folder;
 use crate::spec::Language;
@@ -180,18 +180,16 @@ impl Options {
     }
 
     fn check(&self) -> Result<(), Error> {
-        if !(1..=Self::MAX_SEEDS).contains(&self.seeds) {
-            return Err(Error::input(
-                format!("{} seeds are not allowed", self.seeds),
-                format!("1 to {} are", Self::MAX_SEEDS),
-            ));
-        }
-        if !(self.target_mhz > 0.0 && self.target_mhz <= 1000.0) {
-            return Err(Error::input(
-                format!("a target of {} MHz is not allowed", self.target_mhz),
-                "more than 0 and up to 1000 are",
-            ));
-        }
+        refuse!(
+            !(1..=Self::MAX_SEEDS).contains(&self.seeds),
+            format!("{} seeds are not allowed", self.seeds),
+            format!("1 to {} are", Self::MAX_SEEDS)
+        );
+        refuse!(
+            !(self.target_mhz > 0.0 && self.target_mhz <= 1000.0),
+            format!("a target of {} MHz is not allowed", self.target_mhz),
+            "more than 0 and up to 1000 are"
+        );
         Ok(())
     }
 }
@@ -257,15 +255,7 @@ pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Resul
     options.check()?;
     let family = options.family;
     let (yosys, nextpnr) = find(options)?;
-    let mut work = Work {
-        files: files(design, options.language)?,
-        design,
-        options,
-        yosys: &yosys,
-        directory: None,
-        cache: Cache::new(options.cache.clone()),
-        ran: 0,
-    };
+    let mut work = Work::new(design, options, &yosys, options.cache.clone())?;
     progress(Step::Synthesis);
     let cells = work.cells()?;
     let mut placed = Vec::new();
@@ -298,15 +288,7 @@ pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Resul
 pub fn netlist(design: &Design, options: &Options) -> Result<Vec<u8>, Error> {
     options.check()?;
     let yosys = Yosys::find(options.yosys.as_deref())?;
-    let mut work = Work {
-        files: files(design, options.language)?,
-        design,
-        options,
-        yosys: &yosys,
-        directory: None,
-        cache: Cache::new(None),
-        ran: 0,
-    };
+    let mut work = Work::new(design, options, &yosys, None)?;
     let file = work.netlist(Netlist::Core)?;
     let directory = work.directory()?;
     let name = &design.spec.name;
@@ -363,7 +345,12 @@ enum Netlist {
     Placed,
 }
 
-impl Work<'_> {
+impl<'a> Work<'a> {
+    fn new(design: &'a Design, options: &'a Options, yosys: &'a Yosys, cache: Option<PathBuf>) -> Result<Self, Error> {
+        let files = files(design, options.language)?;
+        Ok(Self { files, design, options, yosys, directory: None, cache: Cache::new(cache), ran: 0 })
+    }
+
     fn flow(&self) -> Flow {
         Flow::new(self.design, self.options)
     }

@@ -40,9 +40,7 @@ fn script(top: &str) -> String {
 const SPARE: u32 = 40;
 
 /// A core's netlist with so many mutants, which `seed` chooses. The core's memories must be in its text.
-///
-/// # Errors
-/// No Yosys, or one that does not read the core.
+/// Errors: no Yosys, or one that does not read the core.
 pub(crate) fn mutated(top: &str, verilog: &[u8], count: u32, seed: u32) -> Result<Mutated, Error> {
     let list = format!("mutate -list {} -seed {seed} -o mutants.ys\n", count + SPARE);
     let list = run(top, verilog, &list, "mutants.ys")?;
@@ -60,9 +58,7 @@ pub(crate) fn mutated(top: &str, verilog: &[u8], count: u32, seed: u32) -> Resul
 
 /// The same netlist with some of its mutants alone, under their numbers, in Yosys' own language: in Verilog, a write port of a memory may
 /// become several.
-///
-/// # Errors
-/// As [`mutated`].
+/// Errors: as [`mutated`].
 pub(crate) fn mutated_by(top: &str, verilog: &[u8], mutants: &[&Listed]) -> Result<Vec<u8>, Error> {
     with(top, verilog, mutants, "write_rtlil")
 }

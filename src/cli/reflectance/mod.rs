@@ -14,7 +14,7 @@ use self::arguments::{
 };
 use super::{Verdict, progress, say, say_json, write_to};
 use crate::emit::package::{self, Kind};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::reflectance::classical::{self, Cosine, Fit};
 use crate::reflectance::measure::{self, Judge};
 use crate::reflectance::points::Points;
@@ -147,12 +147,11 @@ fn run_convert(arguments: &ConvertArguments) -> Result<Verdict, Error> {
         }
         _ => return Err(Error::input("a file to read and a model are given", "give one of them, and a file to write")),
     };
-    if to.as_os_str() != "-" && to.extension().is_none_or(|extension| extension != "binary") {
-        return Err(Error::input(
-            format!("{} does not end in .binary", to.display()),
-            "tables are written as MERL files, NAME.binary, or `-` for standard output",
-        ));
-    }
+    refuse!(
+        to.as_os_str() != "-" && to.extension().is_none_or(|extension| extension != "binary"),
+        format!("{} does not end in .binary", to.display()),
+        "tables are written as MERL files, NAME.binary, or `-` for standard output"
+    );
     let material = model.open(from)?;
     let phi_d = arguments.phi_d.as_ref().and_then(|cells| cells.parse().ok());
     let table = match &material.what {
@@ -260,12 +259,11 @@ fn run_eval(arguments: &EvalArguments) -> Result<Verdict, Error> {
     let opened = material.open()?;
     let (form, exposure) = match &opened.what {
         Source::Images(form) => {
-            if flags.form.is_some() || flags.is_given() || material.model.exposure.is_some() {
-                return Err(Error::input(
-                    format!("{} is a form already: {}", opened.name, form.spec),
-                    "leave --form, --exposure and the other keys of a form out",
-                ));
-            }
+            refuse!(
+                flags.form.is_some() || flags.is_given() || material.model.exposure.is_some(),
+                format!("{} is a form already: {}", opened.name, form.spec),
+                "leave --form, --exposure and the other keys of a form out"
+            );
             (Some(form.clone()), form.exposure)
         }
         _ => {

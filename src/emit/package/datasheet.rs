@@ -3,9 +3,7 @@
 use askama::Template;
 
 use crate::block::shader::datapath::COLOURS;
-use crate::core::{Account, Design, Measured, OtherForm, Part, Port, ShaderError, WritePort};
-use crate::datapath::Description;
-use crate::datapath::widths::Contribution;
+use crate::core::{Account, Design, Measured, OtherForm, ShaderError, WritePort};
 use crate::emit::{Axis, markdown, render};
 use crate::fixed::{Field, Table};
 use crate::platform::error::Error;
@@ -115,20 +113,6 @@ pub fn percent_text(value: f64) -> String {
     format!("{:.digits$} %", 100.0 * value)
 }
 
-struct FieldRow {
-    name: &'static str,
-    bits: String,
-    format: String,
-    meaning: &'static str,
-}
-
-struct Memory {
-    name: &'static str,
-    depth: usize,
-    word_bits: u32,
-    fields: Vec<FieldRow>,
-}
-
 /// How a memory is written.
 struct Load {
     memory: &'static str,
@@ -191,64 +175,25 @@ impl FormRow {
 #[derive(Template)]
 #[template(path = "package/datasheet.md", escape = "none")]
 struct Datasheet<'a> {
+    design: &'a Design,
     spec: &'a CoreSpec,
     lobe: String,
     command: String,
-    digest: String,
-    operand: &'a str,
-    operand_format: String,
-    output_format: String,
-    ports: Vec<Port>,
-    latency: u32,
-    description: Description,
     both_forms: bool,
     rom_file: bool,
-    memories: Vec<Memory>,
     loads: Vec<Load>,
     /// Whether a memory that can be written is read without a register.
     asynchronous: bool,
     /// Whether a row serves the shininesses up to the next row, too.
     interpolated: bool,
-    datapath: String,
     rows: Vec<(usize, String, String)>,
     /// What the bound is below.
     allowed: String,
-    contributions: &'a [Contribution],
-    coefficient_error: String,
-    arithmetic_error: String,
-    proved_error: String,
-    worst: f64,
     measured: &'a Measured,
-    measured_ulps: String,
-    max_abs: String,
-    max_abs_epicentre: String,
-    max_rel_epicentre: String,
-    rms: String,
     forms: Vec<FormRow>,
     other_failed: Option<&'a String>,
     axis: Option<Axis>,
     files: Vec<(String, &'static str)>,
-}
-
-fn memories(design: &Design) -> Vec<Memory> {
-    let memory = |table: &Table| {
-        let field = |(index, field): (usize, &Field)| {
-            let low = table.field_low_bit(index);
-            FieldRow {
-                name: field.name,
-                bits: format!("{}:{low}", low + field.format.width() - 1),
-                format: field.format.to_string(),
-                meaning: field.meaning,
-            }
-        };
-        Memory {
-            name: table.name,
-            depth: table.depth(),
-            word_bits: table.word_bits(),
-            fields: table.fields.iter().enumerate().map(field).collect(),
-        }
-    };
-    design.tables().iter().map(memory).collect()
 }
 
 fn files(design: &Design) -> Vec<(String, &'static str)> {
@@ -280,41 +225,21 @@ fn files(design: &Design) -> Vec<(String, &'static str)> {
     files
 }
 
-struct MaterialRow {
-    index: usize,
-    name: String,
-    shininess: f64,
-    ambient: String,
-    diffuse: String,
-    specular: String,
-}
-
 #[derive(Template)]
 #[template(path = "package/shader.md", escape = "none")]
 struct ShaderSheet<'a> {
+    design: &'a Design,
     spec: &'a CoreSpec,
     title: String,
     command: String,
-    digest: String,
-    ports: Vec<Port>,
-    latency: u32,
-    materials: Vec<MaterialRow>,
-    ambient_light: String,
+    shader: &'a Shader,
+    materials: &'a [Material],
     light_colours: String,
     cosine: &'static str,
     lobe: String,
-    description: Description,
-    full_scale: i64,
     dot_bits: i32,
-    operand_bits: u32,
     error: &'a ShaderError,
-    parts: &'a [Part],
-    proved_error: String,
-    coefficient_error: String,
-    arithmetic_error: String,
-    output_fraction: u32,
     rom_file: bool,
-    memories: Vec<Memory>,
     cost: FormRow,
     axis: Option<Axis>,
     files: Vec<(String, &'static str)>,
@@ -324,31 +249,42 @@ fn colour_text(colour: Colour) -> String {
     colour.map(|channel| format!("{channel:.3}")).join(" ")
 }
 
+/// How the templates write figures and names.
+mod filters {
+    use askama::{Result, Values, filter_fn};
+
+    #[filter_fn]
+    pub(super) fn ulps(interval: &[f64; 2], _: &dyn Values) -> Result<String> {
+        Ok(super::interval_text(*interval))
+    }
+
+    #[filter_fn]
+    pub(super) fn percent(value: &f64, _: &dyn Values) -> Result<String> {
+        Ok(super::percent_text(*value))
+    }
+
+    #[filter_fn]
+    pub(super) fn colour(colour: &[f64; 3], _: &dyn Values) -> Result<String> {
+        Ok(super::colour_text(*colour))
+    }
+
+    #[filter_fn]
+    pub(super) fn plain(name: &str, _: &dyn Values) -> Result<String> {
+        Ok(super::markdown::text(name))
+    }
+}
+
 /// The text of a shader's datasheet.
 pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError) -> Result<String, Error> {
     let spec = &design.spec;
-    let Shininess::Materials(list) = &spec.interface.shininess else { unreachable!("a shader serves materials") };
-    let material = |(index, material): (usize, &Material)| {
-        let surface = material.surface();
-        MaterialRow {
-            index,
-            name: markdown::text(&material.name),
-            shininess: material.shininess,
-            ambient: colour_text(surface.ambient),
-            diffuse: colour_text(surface.diffuse),
-            specular: colour_text(surface.specular),
-        }
-    };
-    let budget = &design.budget;
+    let Shininess::Materials(materials) = &spec.interface.shininess else { unreachable!("a shader serves materials") };
     render(&ShaderSheet {
+        design,
         spec,
         title: title(spec),
         command: markdown::code(&spec.command()),
-        digest: spec.digest(),
-        ports: design.ports(),
-        latency: design.schedule.latency,
-        materials: list.iter().enumerate().map(material).collect(),
-        ambient_light: colour_text(shader.ambient_light),
+        shader,
+        materials,
         light_colours: match &shader.light_colours {
             LightColours::Ports => format!("{}, their colours from ports", shader.lights),
             LightColours::Fixed(colours) => {
@@ -362,18 +298,9 @@ pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError
             Cosine::Sqrt => "x = (N.L + N.V) / sqrt(2 + 2 L.V), taken into [0, 1].",
         },
         lobe: lobe_text(spec),
-        description: design.description().clone(),
-        full_scale: shader.full_scale(),
         dot_bits: shader.widths(&spec.interface).dot,
-        operand_bits: spec.interface.input_fraction,
         error,
-        parts: &error.parts,
-        proved_error: interval_text(budget.proved_ulps),
-        coefficient_error: interval_text(budget.coefficient_ulps),
-        arithmetic_error: interval_text(budget.arithmetic_ulps),
-        output_fraction: spec.interface.output_fraction,
         rom_file: spec.rom == RomStyle::File,
-        memories: memories(design),
         cost: FormRow::of(design),
         axis: super::axis(design),
         files: files(design),
@@ -396,18 +323,11 @@ pub(super) fn datasheet(design: &Design, measured: &Measured, other: Option<&Oth
             materials.iter().enumerate().map(row).collect()
         }
     };
-    let budget = &design.budget;
     render(&Datasheet {
+        design,
         spec,
         lobe: lobe_text(spec),
         command: markdown::code(&spec.command()),
-        digest: spec.digest(),
-        operand: design.operand_name(),
-        operand_format: design.operand_format().to_string(),
-        output_format: design.output_format().to_string(),
-        ports: design.ports(),
-        latency: design.schedule.latency,
-        description: design.description().clone(),
         both_forms: forms.len() > 1 || other_failed.is_some(),
         rom_file: spec.rom == RomStyle::File,
         loads: design.write_ports().into_iter().map(|port| Load::of(design, port)).collect(),
@@ -416,21 +336,9 @@ pub(super) fn datasheet(design: &Design, measured: &Measured, other: Option<&Oth
             read.is_some_and(|read| !read.registered)
         }),
         interpolated: matches!(spec.interface.shininess, Shininess::Fixed { .. }),
-        datapath: design.datapath_digest(),
-        memories: memories(design),
         rows,
         allowed: allowed(&design.spec),
-        contributions: &budget.contributions,
-        coefficient_error: interval_text(budget.coefficient_ulps),
-        arithmetic_error: interval_text(budget.arithmetic_ulps),
-        proved_error: interval_text(budget.proved_ulps),
-        worst: budget.worst_shininess,
         measured,
-        measured_ulps: interval_text(measured.ulps),
-        max_abs: percent_text(measured.max_abs),
-        max_abs_epicentre: percent_text(measured.max_abs_epicentre),
-        max_rel_epicentre: percent_text(measured.max_rel_epicentre),
-        rms: percent_text(measured.rms),
         forms,
         other_failed,
         axis: super::axis(design),

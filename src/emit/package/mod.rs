@@ -287,16 +287,16 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     };
     let ports: Vec<_> = design.ports().iter().map(port).collect();
     let memory = |table: &Table| {
-        let field = |(index, field): (usize, &crate::fixed::Field)| {
+        let field = |(low, field): (u32, &crate::fixed::Field)| {
             json!({
                 "name": field.name,
                 "meaning": field.meaning,
                 "format": field.format.to_string(),
-                "low_bit": table.field_low_bit(index),
+                "low_bit": low,
                 "bits": field.format.width(),
             })
         };
-        let fields: Vec<_> = table.fields.iter().enumerate().map(field).collect();
+        let fields: Vec<_> = table.placed_fields().map(field).collect();
         json!({ "name": table.name, "depth": table.depth(), "word_bits": table.word_bits(), "fields": fields })
     };
     let memories: Vec<_> = design.tables().iter().map(memory).collect();

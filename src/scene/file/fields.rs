@@ -14,7 +14,7 @@ use super::{
 };
 use crate::core::sample::{Vector, dot};
 use crate::explore::Objective;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::scene::reflectance::Shading;
 use crate::spec::{CHANNEL_BITS, Colour, Model, Shininess, SpecFields, check_name, unit};
 use crate::target::Family;
@@ -142,20 +142,15 @@ impl SceneFields {
         let model = self.model.unwrap_or(Model::Phong);
         let (mut materials, mut reflectances) = material::all(source, self.material, self.shading, model, directory)?;
         let from_files = self.object.iter().any(|object| object.get_ref().materials.is_some());
-        if materials.is_empty() && !from_files {
-            return Err(Error::input("the scene has no materials", "give one at least: [[material]]"));
-        }
+        refuse!(materials.is_empty() && !from_files, "the scene has no materials", "give one at least: [[material]]");
 
-        if !(1..=MAX_LIGHTS).contains(&self.light.len()) {
-            return Err(Error::input(
-                format!("the scene has {} lights", self.light.len()),
-                format!("a scene has 1 to {MAX_LIGHTS} lights: [[light]]"),
-            ));
-        }
+        refuse!(
+            !(1..=MAX_LIGHTS).contains(&self.light.len()),
+            format!("the scene has {} lights", self.light.len()),
+            format!("a scene has 1 to {MAX_LIGHTS} lights: [[light]]")
+        );
         let lights = numbered(source, "light", self.light, |_| String::new(), LightFields::resolve)?;
-        if self.object.is_empty() {
-            return Err(Error::input("the scene has no objects", "give one at least: [[object]]"));
-        }
+        refuse!(self.object.is_empty(), "the scene has no objects", "give one at least: [[object]]");
         let mut left_out: Vec<String> = Vec::new();
         let objects = numbered(
             source,
@@ -204,23 +199,19 @@ impl CameraFields {
         coordinates("position", &self.position)?;
         coordinates("target", &target)?;
         let view = [0, 1, 2].map(|axis| target[axis] - self.position[axis]);
-        if view == [0.0; 3] {
-            return Err(Error::input("the camera stands at its target", "give it another position or target"));
-        }
+        refuse!(view == [0.0; 3], "the camera stands at its target", "give it another position or target");
         let (view, up) = (direction("view", view)?, direction("up", self.up.unwrap_or([0.0, 1.0, 0.0]))?);
-        if dot(view, up).abs() > 1.0 - 1e-12 {
-            return Err(Error::input(
-                "up is along the view",
-                "give an up that is across the view from position to target",
-            ));
-        }
+        refuse!(
+            dot(view, up).abs() > 1.0 - 1e-12,
+            "up is along the view",
+            "give an up that is across the view from position to target"
+        );
         let field_of_view = self.field_of_view.unwrap_or(40.0);
-        if !(0.01..=179.0).contains(&field_of_view) {
-            return Err(Error::input(
-                format!("field_of_view = {field_of_view} is out of range"),
-                "the vertical angle of view in degrees, from 0.01 to 179",
-            ));
-        }
+        refuse!(
+            !(0.01..=179.0).contains(&field_of_view),
+            format!("field_of_view = {field_of_view} is out of range"),
+            "the vertical angle of view in degrees, from 0.01 to 179"
+        );
         Ok(Camera { position: self.position, target, up, field_of_view })
     }
 }
@@ -246,19 +237,17 @@ impl LightFields {
         let colour = self.colour.unwrap_or([1.0; 3]);
         unit("colour", &colour)?;
         let intensity = self.intensity.unwrap_or(1.0);
-        if !(intensity >= 0.0 && intensity.is_finite()) {
-            return Err(Error::input(
-                format!("intensity = {intensity} is out of range"),
-                "a real number of at least 0",
-            ));
-        }
+        refuse!(
+            !(intensity >= 0.0 && intensity.is_finite()),
+            format!("intensity = {intensity} is out of range"),
+            "a real number of at least 0"
+        );
         let most = colour.iter().fold(0.0f64, |most, &channel| most.max(channel));
-        if intensity * most > 1.0 {
-            return Err(Error::input(
-                format!("intensity = {intensity} times the colour is above 1, full scale: the channel saturates"),
-                format!("an intensity of at most {} for this colour", 1.0 / most),
-            ));
-        }
+        refuse!(
+            intensity * most > 1.0,
+            format!("intensity = {intensity} times the colour is above 1, full scale: the channel saturates"),
+            format!("an intensity of at most {} for this colour", 1.0 / most)
+        );
         Ok(Light { kind, colour: colour.map(|channel| channel * intensity) })
     }
 }
@@ -280,12 +269,11 @@ impl BudgetFields {
 
 fn check_size(width: u32, height: u32) -> Result<(), Error> {
     for (what, side) in [("width", width), ("height", height)] {
-        if !(1..=MAX_SIDE).contains(&side) {
-            return Err(Error::input(
-                format!("{what} = {side} is out of range"),
-                format!("a picture has 1 to {MAX_SIDE} pixels a side"),
-            ));
-        }
+        refuse!(
+            !(1..=MAX_SIDE).contains(&side),
+            format!("{what} = {side} is out of range"),
+            format!("a picture has 1 to {MAX_SIDE} pixels a side")
+        );
     }
     Ok(())
 }

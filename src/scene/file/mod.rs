@@ -16,7 +16,7 @@ use super::mesh::Mesh;
 use super::reflectance::Measured;
 use crate::core::sample::{Vector, normalised};
 use crate::explore::Objective;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 use crate::spec::{Colour, Material, Model, SpecFields, check_name, toml_error};
 use crate::target::Family;
@@ -254,9 +254,7 @@ fn coordinates(what: &str, values: &[f64]) -> Result<(), Error> {
 fn direction(what: &str, given: Vector) -> Result<Vector, Error> {
     coordinates(what, &given)?;
     let largest = given.iter().fold(0.0f64, |most, c| most.max(c.abs()));
-    if largest == 0.0 {
-        return Err(Error::input(format!("{what} is the zero vector"), "a direction has a length above 0"));
-    }
+    refuse!(largest == 0.0, format!("{what} is the zero vector"), "a direction has a length above 0");
     // By the largest component first: a direction of tiny numbers is one too.
     Ok(normalised(given.map(|c| c / largest)))
 }

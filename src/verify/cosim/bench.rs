@@ -72,15 +72,7 @@ pub(super) fn copied(job: &Job, scratch: Folder) -> Result<Folder, Error> {
 
 /// An outcome without a vector compared.
 pub(super) fn failure(simulator: &str, job: &Job, part: Part, first: Vec<String>) -> Outcome {
-    Outcome {
-        simulator: simulator.to_owned(),
-        mode: part.mode(),
-        vectors: 0,
-        expected_vectors: job.golden.vectors().len() as u64,
-        mismatches: 0,
-        first,
-        seconds: 0.0,
-    }
+    Outcome { first, ..Outcome::none(simulator, part.mode(), job.golden.vectors().len() as u64) }
 }
 
 /// The failed outcome of a compilation that did not succeed.
@@ -98,12 +90,8 @@ pub(super) fn judge(simulator: &str, output: &Output, job: &Job, part: Part) -> 
     let marker = format!("brdfgen: {name}: ");
     let verdict = text.lines().rev().find_map(|line| line.split_once(&marker).map(|(_, rest)| rest.trim().to_owned()));
     let Some(verdict) = verdict else {
-        return failure(
-            simulator,
-            job,
-            part,
-            vec![format!("the bench gave no verdict ({}): {}", output.status, tail(output, 12))],
-        );
+        let what = format!("the bench gave no verdict ({}): {}", output.status, tail(output, 12));
+        return failure(simulator, job, part, vec![what]);
     };
     let number = |before: &str| -> Option<u64> {
         verdict.split(before).next()?.split_ascii_whitespace().next_back()?.parse().ok()

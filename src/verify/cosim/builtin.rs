@@ -123,7 +123,7 @@ impl<'a> Vectors<'a> {
     /// Runs the vectors, with their pauses, and compares `out_valid` and the outputs at every clock, until there are so
     /// many mismatches. A core whose memories can be written runs them as it comes up, then some vectors with other
     /// words in its memories, and all again with the right words.
-    fn run(&self, device: &mut dyn Device, most: u64) -> Found {
+    fn run(&self, device: &mut dyn Device, most: u64) -> Outcome {
         let Self { design, vectors, complemented } = self;
         let complemented: Vec<&Vector> = complemented.iter().collect();
         let mut bench = Bench::new(device, design, most).run_reset(vectors);
@@ -149,34 +149,14 @@ impl<'a> Vectors<'a> {
             }
         }
         first.append(&mut bench.first);
-        Found { compared: bench.compared, mismatches: bench.mismatches, first }
+        let (compared, mismatches) = (bench.compared, bench.mismatches);
+        Outcome { vectors: compared, mismatches, first, ..Outcome::none("", "golden vectors", vectors.len() as u64) }
     }
-}
-
-/// What a run of vectors found.
-struct Found {
-    compared: u64,
-    mismatches: u64,
-    first: Vec<String>,
 }
 
 fn run(job: &Job) -> Outcome {
-    let design = job.design;
-    let vectors = Vectors::of(design, job.golden);
-    let found = vectors.run(device(design).as_mut(), u64::MAX);
-    Outcome {
-        simulator: builtin_engine(design).name().to_owned(),
-        mode: "golden vectors",
-        vectors: found.compared,
-        expected_vectors: vectors.vectors.len() as u64,
-        mismatches: found.mismatches,
-        first: found.first,
-        seconds: 0.0,
-    }
-}
-
-fn codes(vector: &Vector) -> Vec<i128> {
-    vector.inputs.iter().copied().map(i128::from).collect()
+    let (design, simulator) = (job.design, builtin_engine(job.design).name().to_owned());
+    Outcome { simulator, ..Vectors::of(design, job.golden).run(device(design).as_mut(), u64::MAX) }
 }
 
 /// A device with a delay line of what it should answer.
@@ -231,8 +211,8 @@ impl<'a> Bench<'a> {
     fn run_reset(mut self, vectors: &[&Vector]) -> Self {
         for ce in [true, false] {
             for vector in vectors.iter().take(self.expected.len() + 2) {
-                let inputs = Inputs { rst: false, ce: true, in_valid: true, codes: codes(vector) };
-                self.device.clock(&inputs, &[]);
+                let codes = vector.inputs.iter().copied().map(i128::from).collect();
+                self.device.clock(&Inputs { rst: false, ce: true, in_valid: true, codes }, &[]);
             }
             // With an input that is presented at the same time: at this edge already nothing comes out, nor later. A
             // core of one stage shows nowhere else that it was reset.

@@ -56,9 +56,7 @@ pub(super) struct Compiled<'a> {
 
 impl<'a> Compiled<'a> {
     /// The core in a directory as a program; a build takes some ten seconds, so it is kept.
-    ///
-    /// # Errors
-    /// A tool that is not installed or does not compile the core.
+    /// Errors: a tool that is not installed or does not compile the core.
     pub(super) fn of(design: &Design, directory: &'a Path, language: Language) -> Result<Self, Error> {
         let source = directory.join(package::rtl_path(design, language));
         let verilog = match language {
@@ -69,9 +67,7 @@ impl<'a> Compiled<'a> {
     }
 
     /// Runs the core: `send` writes the records, in a thread of its own, `receive` reads the results, a little-endian `u32` each.
-    ///
-    /// # Errors
-    /// A program that cannot be started, or takes longer than it may. How it ended is for the caller to judge.
+    /// Errors: a program that cannot be started, or takes longer than it may. How it ended is for the caller to judge.
     pub(super) fn run(
         &self,
         send: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send,
@@ -82,9 +78,7 @@ impl<'a> Compiled<'a> {
 }
 
 /// Runs a compiled core: `send` writes to it, in a thread of its own, `receive` reads what it answers.
-///
-/// # Errors
-/// A program that cannot be started, or takes longer than it may. How it ended is for the caller to judge.
+/// Errors: a program that cannot be started, or takes longer than it may. How it ended is for the caller to judge.
 pub(super) fn converse(
     command: &mut Command,
     send: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send,
@@ -128,9 +122,7 @@ fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
 
 /// The program that Verilator makes of a core and a harness in C++, a file each by its name; other files are headers. `top` is the core's
 /// module. A build takes some ten seconds, so it is kept.
-///
-/// # Errors
-/// A tool that is not installed or does not compile it.
+/// Errors: a tool that is not installed or does not compile it.
 pub(super) fn program(top: &str, sources: &[(&str, &[u8])], flags: &str) -> Result<PathBuf, Error> {
     let version = VERILATOR.version().ok_or_else(|| VERILATOR.missing())?;
     let mut digest = Sha256::new();

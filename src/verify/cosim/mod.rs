@@ -18,7 +18,7 @@ mod verilator;
 pub use bench::Part;
 pub use builtin::{Engine, Vectors, builtin_engine};
 pub use exhaustive::exhaustive;
-pub use lint::{Lint, LintStatus, Linter, Unit, lint, linters};
+pub use lint::{Lint, LintStatus, lint};
 pub(crate) use mutants::{AtRandom, Mutants};
 pub use netlist::netlist;
 pub use stream::stream;
@@ -123,6 +123,12 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Nothing compared yet of so many vectors.
+    fn none(simulator: &str, mode: &'static str, expected_vectors: u64) -> Self {
+        let (simulator, first) = (simulator.to_owned(), Vec::new());
+        Self { simulator, mode, vectors: 0, expected_vectors, mismatches: 0, first, seconds: 0.0 }
+    }
+
     /// Whether every vector was compared and none differs.
     #[must_use]
     pub fn passed(&self) -> bool {

@@ -5,8 +5,11 @@
 
 use std::path::PathBuf;
 
+use askama::Template;
+
 use super::compiled::{CORE, converse, program};
 use crate::core::{Design, Direction, WritePort};
+use crate::emit::render;
 use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
 use crate::verify::golden::{self, Golden, Vector};
@@ -51,20 +54,19 @@ pub(crate) struct Mutants<'a> {
 
 impl<'a> Mutants<'a> {
     /// Compiles a core's netlist with the input `mutant`, 0 for none.
-    ///
-    /// # Errors
-    /// A tool that is not installed or does not compile the netlist.
+    /// Errors: a tool that is not installed or does not compile the netlist.
     pub(crate) fn of(design: &'a Design, verilog: &[u8]) -> Result<Self, Error> {
-        let sources =
-            [("core.v", verilog), ("core.h", &header(design).into_bytes()), ("mutants.cpp", HARNESS.as_bytes())];
+        let sources = [
+            ("core.v", verilog),
+            ("core.h", &render(&Header::of(design))?.into_bytes()),
+            ("mutants.cpp", HARNESS.as_bytes()),
+        ];
         Ok(Self { design, program: program(&design.spec.name, &sources, "-O2")? })
     }
 
     /// What of golden vectors detects each of the mutants from 0 to before `count`, if anything does; where memories
     /// can be written, by some with other words as well, and by all with the right words written.
-    ///
-    /// # Errors
-    /// A program that does not run to its end.
+    /// Errors: a program that does not run to its end.
     pub(crate) fn golden(&self, golden: &Golden, count: u32) -> Result<Vec<Option<Detected>>, Error> {
         let own = golden.vectors();
         if self.design.write_ports().is_empty() {
@@ -80,18 +82,14 @@ impl<'a> Mutants<'a> {
     }
 
     /// The place of the vector that goes in when a mutant is first seen to differ from these vectors.
-    ///
-    /// # Errors
-    /// A program that does not run to its end.
+    /// Errors: a program that does not run to its end.
     pub(crate) fn first_of(&self, mutant: u32, vectors: &[Vector]) -> Result<Option<usize>, Error> {
         let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), &[], mutant, 1)?;
         Ok(if let [Some(Detected::ByVector(number))] = found[..] { Some(number as usize - 1) } else { None })
     }
 
     /// Whether inputs show a mutant as vectors that a spec asks for.
-    ///
-    /// # Errors
-    /// A program that does not run to its end.
+    /// Errors: a program that does not run to its end.
     pub(crate) fn show(&self, mutant: u32, inputs: &[Vec<i64>]) -> Result<bool, Error> {
         let vectors = golden::asked_for(self.design, inputs);
         let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), &[], mutant, 1)?;
@@ -126,9 +124,7 @@ impl<'a> Mutants<'a> {
     }
 
     /// The place of the first of all inputs, the ports' bits side by side, that detects a mutant, from `first` on.
-    ///
-    /// # Errors
-    /// A program that does not run to its end.
+    /// Errors: a program that does not run to its end.
     pub(crate) fn every(&self, mutant: u32, first: u64, count: u64) -> Result<Option<u64>, Error> {
         let halves = |word: u64| [word as u32, (word >> 32) as u32];
         let words = [[1, mutant].as_slice(), &halves(first), &halves(count)].concat();
@@ -137,9 +133,7 @@ impl<'a> Mutants<'a> {
 
     /// The first of so many clocks with random inputs, `ce`, `in_valid` and `rst` that detects a mutant, and the last
     /// inputs that were taken until then.
-    ///
-    /// # Errors
-    /// A program that does not run to its end.
+    /// Errors: a program that does not run to its end.
     pub(crate) fn at_random(&self, mutant: u32, clocks: u32) -> Result<Option<AtRandom>, Error> {
         let ports = self.design.numbers(Direction::In);
         let answer = self.ask(&[2, mutant, clocks], 2 + recent(self.design) * ports.len())?;
@@ -212,55 +206,32 @@ fn writes(design: &Design, tables: &[Table]) -> Vec<Vec<u32>> {
 }
 
 /// What the harness needs to know of the core.
-fn header(design: &Design) -> String {
-    let (inputs, outputs) = (design.numbers(Direction::In), design.numbers(Direction::Out));
-    let mask = |bits: u32| u32::MAX >> (32 - bits);
-    let widths: Vec<String> = inputs.iter().map(|(_, format)| format.width().to_string()).collect();
-    let mut text = format!(
-        "#define LATENCY {}\n#define INPUTS {}\n#define OUTPUTS {}\n#define RECENT {}\n#define WRITE_WORDS {}\nstatic const int INPUT_BITS[] = {{{}}};\n",
-        design.schedule.latency,
-        inputs.len(),
-        outputs.len(),
-        recent(design),
-        2 + data_words(design),
-        widths.join(", ")
-    );
-    let mut line = |line: String| text.push_str(&(line + "\n"));
-    line("static void present(Vcore& core, const uint32_t* codes) {".to_owned());
-    for (place, (name, format)) in inputs.iter().enumerate() {
-        line(format!("    core.{name} = codes[{place}] & {:#x}u;", mask(format.width())));
+#[derive(Template)]
+#[template(path = "cosim/mutants.h", escape = "none")]
+struct Header<'a> {
+    design: &'a Design,
+    inputs: Vec<(&'a str, Format)>,
+    outputs: Vec<(&'a str, Format)>,
+    recent: usize,
+    write_words: usize,
+}
+
+impl<'a> Header<'a> {
+    fn of(design: &'a Design) -> Self {
+        let (inputs, outputs) = (design.numbers(Direction::In), design.numbers(Direction::Out));
+        Self { design, inputs, outputs, recent: recent(design), write_words: 2 + data_words(design) }
     }
-    for port in design.write_ports() {
-        line(format!("    core.{} = 0;", port.enable.name));
+}
+
+/// How the template writes a format.
+mod filters {
+    use askama::{Result, Values, filter_fn};
+
+    use crate::fixed::Format;
+
+    /// Its bits of a word.
+    #[filter_fn]
+    pub(super) fn mask(format: &Format, _: &dyn Values) -> Result<String> {
+        Ok(format!("{:#x}u", u32::MAX >> (32 - format.width())))
     }
-    line("}\nstatic bool shows(const Vcore& core, const uint32_t* codes) {\n    return true".to_owned());
-    for (place, (name, format)) in outputs.iter().enumerate() {
-        line(format!("        && uint32_t(core.{name}) == (codes[{place}] & {:#x}u)", mask(format.width())));
-    }
-    line("        ;\n}\nstatic bool same(const Vcore& a, const Vcore& b) {\n    return true".to_owned());
-    for (name, _) in outputs {
-        line(format!("        && a.{name} == b.{name}"));
-    }
-    line(
-        "        ;\n}\nstatic void write(Vcore& core, const uint32_t* write) {\n    (void)core, (void)write;"
-            .to_owned(),
-    );
-    for (number, port) in design.write_ports().iter().enumerate() {
-        let [enable, address, data] = port.ports().map(|port| port.name.as_str());
-        line(format!(
-            "    if (write[0] == {number}) {{\n        core.{enable} = 1;\n        core.{address} = write[1];"
-        ));
-        let bits = design.tables()[port.memory].word_bits();
-        match bits {
-            0..=32 => line(format!("        core.{data} = write[2];")),
-            33..=64 => line(format!("        core.{data} = write[2] | uint64_t(write[3]) << 32;")),
-            _ => {
-                let words = bits.div_ceil(u32::BITS);
-                line(format!("        for (int i = 0; i < {words}; ++i) core.{data}[i] = write[2 + i];"));
-            }
-        }
-        line("    }".to_owned());
-    }
-    line("}".to_owned());
-    text
 }

@@ -210,18 +210,14 @@ impl Aig {
 
     /// Runs through all values of the inputs on which the pairs depend, and returns values of all inputs for which the
     /// literals of a pair differ, if there are such; the inputs on which they do not depend are 0.
-    ///
-    /// # Errors
-    /// If they depend on more than `most` inputs, at most 63: how many.
+    /// Errors: if they depend on more than `most` inputs, at most 63: how many.
     pub(super) fn difference(&self, pairs: &[(Literal, Literal)], most: usize) -> Result<Option<Vec<bool>>, usize> {
         Ok(self.differences(&[pairs.to_vec()], most)?.pop().flatten())
     }
 
     /// As [`Self::difference`], for several groups of pairs at once: for each the first values for which the literals
     /// of one of its pairs differ.
-    ///
-    /// # Errors
-    /// As there, of all groups together.
+    /// Errors: as there, of all groups together.
     pub(super) fn differences(
         &self,
         groups: &[Vec<(Literal, Literal)>],

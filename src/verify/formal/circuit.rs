@@ -142,9 +142,7 @@ const PRODUCT: &str = "brdfgen_product";
 
 impl Circuit {
     /// Reads the module `top` of a Verilog text. The folder `rom` of `directory` is there for the text's files.
-    ///
-    /// # Errors
-    /// If Yosys cannot be started or does not take the text.
+    /// Errors: if Yosys cannot be started or does not take the text.
     pub(super) fn read(yosys: &Yosys, directory: &Path, top: &str, text: &[u8]) -> Result<Result<Self, Unfit>, Error> {
         let scratch = tool::scratch()?;
         package::write_file(&scratch.path().join(TEXT), text)?;
@@ -157,9 +155,7 @@ impl Circuit {
     }
 
     /// Reads the module `top` of a netlist in Yosys' own language, whose memories' words are in it.
-    ///
-    /// # Errors
-    /// As [`Self::read`].
+    /// Errors: as [`Self::read`].
     pub(super) fn read_netlist(yosys: &Yosys, top: &str, netlist: &[u8]) -> Result<Result<Self, Unfit>, Error> {
         let scratch = tool::scratch()?;
         package::write_file(&scratch.path().join(TEXT), netlist)?;

@@ -64,9 +64,7 @@ pub enum Step<'a> {
 }
 
 /// Looks at a claim, and tells of it.
-///
-/// # Errors
-/// Those of `prove`.
+/// Errors: those of `prove`.
 fn tried(
     claim: String,
     progress: &dyn Fn(Step),

@@ -161,9 +161,7 @@ fn depths(circuit: &Circuit) -> Result<(u32, HashMap<usize, u32>), Unfit> {
 
 impl Pipeline {
     /// A circuit, if it is a pipeline of the depth `latency`.
-    ///
-    /// # Errors
-    /// Why it is none.
+    /// Errors: why it is none.
     pub(super) fn of(circuit: Circuit, latency: u32) -> Result<Self, Unfit> {
         let (depth, before) = depths(&circuit)?;
         if depth != latency {

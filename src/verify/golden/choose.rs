@@ -266,19 +266,7 @@ impl<'a> Chooser<'a> {
             .flat_map(|&(first, stride, count)| (0..count).map(move |step| first + stride * step))
             .collect();
         let outputs = |evaluator: &Evaluator| -> Vec<u32> {
-            let mut all = Vec::with_capacity(codes.len());
-            for &(first, stride, count) in &combs {
-                let (a, b) =
-                    (design.operand_of_versine(first), design.operand_of_versine(first + stride * (count - 1)));
-                let mut outputs = vec![0; count as usize];
-                evaluator.evaluate(index, a.min(b), stride, &mut outputs);
-                // In the order of the versines, whichever way the operand runs.
-                if b < a {
-                    outputs.reverse();
-                }
-                all.extend(outputs);
-            }
-            all
+            combs.iter().flat_map(|&comb| outputs(design, evaluator, index, comb)).collect()
         };
         let right = outputs(&design.evaluator());
         let detects = |&flip: &usize| outputs(&flipped[flip]).iter().zip(&right).map(|(a, b)| a != b).collect();
@@ -332,15 +320,7 @@ impl<'a> Chooser<'a> {
             let cells = table_bits.filter(|_| !all);
             let stride = cells.map_or((end / codes) | 1, |bits| (self.one >> bits).max(1));
             let count = end / stride + 1;
-            let outputs = |evaluator: &Evaluator| -> Vec<u32> {
-                let mut outputs = vec![0; count as usize];
-                let (a, b) = (design.operand_of_versine(0), design.operand_of_versine(stride * (count - 1)));
-                evaluator.evaluate(index, a.min(b), stride, &mut outputs);
-                if b < a {
-                    outputs.reverse();
-                }
-                outputs
-            };
+            let outputs = |evaluator: &Evaluator| outputs(design, evaluator, index, (0, stride, count));
             let read: Vec<Vec<u32>> = addresses.iter().map(outputs).collect();
             let mut candidates: Vec<Candidate> = (0..count as usize)
                 .map(|step| Candidate {
@@ -430,6 +410,17 @@ impl<'a> Chooser<'a> {
             })
             .collect()
     }
+}
+
+/// The results for versine codes (the first, the stride and how many), in their order, whichever way the operand runs.
+fn outputs(design: &Design, evaluator: &Evaluator, index: u32, (first, stride, count): (i64, i64, i64)) -> Vec<u32> {
+    let [a, b] = [first, first + stride * (count - 1)].map(|versine| design.operand_of_versine(versine));
+    let mut outputs = vec![0; count as usize];
+    evaluator.evaluate(index, a.min(b), stride, &mut outputs);
+    if b < a {
+        outputs.reverse();
+    }
+    outputs
 }
 
 /// Candidates, their indices and versines, that together detect each flipped bit of each entry of function tables of

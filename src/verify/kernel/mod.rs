@@ -42,6 +42,7 @@ pub trait Kernel {
 
 /// The ports common to the cores, for [`Pipeline`].
 trait Ports: Block {
+    /// Register levels, which is the latency in enabled clocks.
     const LEVELS: usize;
 
     fn set_clock(&mut self, level: bool);
@@ -49,28 +50,112 @@ trait Ports: Block {
     fn outputs(&self) -> (bool, u64);
 }
 
-/// The methods of [`Ports`], for widths `$n` of `in_n` and `$cos` of `in_cos`.
-macro_rules! ports {
-    ($n:ident, $cos:ident) => {
-        fn set_clock(&mut self, level: bool) {
-            self.clock.next = level.into();
+/// A core: its ports and its blocks, how they are made, and what all cores connect alike. The blocks are registers, multipliers and
+/// ROMs, each with a clock and an enable; what has no value here is made by default, and a register `of` a value takes just that. `ports`
+/// are the widths of `in_n`, `in_cos` and `out_spec`.
+macro_rules! core {
+    (
+        $(#[$about:meta])*
+        struct $core:ident<$($width:ident),+>, $levels:literal levels, ports $n:ident, $cos:ident, $spec:ident;
+
+        fn new($widths:ident: $of_core:ty, $rom:ident: $table:ty) { $($before:tt)* }
+
+        blocks { $($block:ident: $kind:ty $(= $made:expr)? $(, of $source:ident.$out:ident)?;)+ }
+
+        signals { $($signal:ident: $type:ty $(= $value:expr)?;)+ }
+
+        // Taken as tokens, as `self` is to be the one that the logic says.
+        $hash:tt $attribute:tt
+        fn update(&mut $this:ident) { $($logic:tt)* }
+    ) => {
+        $(#[$about])*
+        #[derive(LogicBlock)]
+        pub(super) struct $core<$(const $width: usize),+> {
+            pub clock: Signal<In, Clock>,
+            pub rst: Signal<In, Bit>,
+            pub ce: Signal<In, Bit>,
+            pub in_valid: Signal<In, Bit>,
+            pub in_n: Signal<In, Bits<$n>>,
+            pub in_cos: Signal<In, Bits<$cos>>,
+            pub out_valid: Signal<Out, Bit>,
+            pub out_spec: Signal<Out, Bits<$spec>>,
+            valid: super::register::ValidChain<$levels>,
+            $($block: $kind,)+
+            $($signal: $type,)+
         }
 
-        fn set_inputs(&mut self, rst: bool, ce: bool, in_valid: bool, in_n: u64, in_cos: u64) {
-            use super::register::low_ones;
-            self.rst.next = rst;
-            self.ce.next = ce;
-            self.in_valid.next = in_valid;
-            self.in_n.next = (in_n & low_ones($n)).into();
-            self.in_cos.next = (in_cos & low_ones($cos)).into();
+        impl<$(const $width: usize),+> $core<$($width),+> {
+            /// Panics if the table does not have the shape that the widths ask for.
+            pub(super) fn new($widths: $of_core, $rom: $table) -> Self {
+                $($before)*
+                let mut core = Self {
+                    clock: Signal::default(),
+                    rst: Signal::default(),
+                    ce: Signal::default(),
+                    in_valid: Signal::default(),
+                    in_n: Signal::default(),
+                    in_cos: Signal::default(),
+                    out_valid: Signal::default(),
+                    out_spec: Signal::default(),
+                    valid: super::register::ValidChain::default(),
+                    $($block: super::made!($($made)?),)+
+                    $($signal: super::made!($($value)?),)+
+                };
+                core.connect_all();
+                core
+            }
         }
 
-        fn outputs(&self) -> (bool, u64) {
-            (self.out_valid.val(), self.out_spec.val().to_u64())
+        impl<$(const $width: usize),+> Logic for $core<$($width),+> {
+            $hash $attribute
+            fn update(&mut $this) {
+                clock!($this, clock, valid $(, $block)+);
+                $this.valid.enable.next = $this.ce.val();
+                $(
+                    $this.$block.enable.next = $this.ce.val();
+                    $($this.$block.d.next = $this.$source.$out.val();)?
+                )+
+                $this.valid.reset.next = $this.rst.val();
+                $this.valid.d.next = $this.in_valid.val();
+                $this.out_valid.next = $this.valid.q.val();
+                $($logic)*
+            }
+        }
+
+        impl<$(const $width: usize),+> super::Ports for $core<$($width),+> {
+            const LEVELS: usize = $levels;
+
+            fn set_clock(&mut self, level: bool) {
+                self.clock.next = level.into();
+            }
+
+            fn set_inputs(&mut self, rst: bool, ce: bool, in_valid: bool, in_n: u64, in_cos: u64) {
+                use super::register::low_ones;
+                self.rst.next = rst;
+                self.ce.next = ce;
+                self.in_valid.next = in_valid;
+                self.in_n.next = (in_n & low_ones($n)).into();
+                self.in_cos.next = (in_cos & low_ones($cos)).into();
+            }
+
+            fn outputs(&self) -> (bool, u64) {
+                (self.out_valid.val(), self.out_spec.val().to_u64())
+            }
         }
     };
 }
-use ports;
+use core;
+
+/// The value that is given, or the default.
+macro_rules! made {
+    () => {
+        Default::default()
+    };
+    ($value:expr) => {
+        $value
+    };
+}
+use made;
 
 /// A core under direct stepping.
 struct Pipeline<C>(C);
