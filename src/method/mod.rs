@@ -13,6 +13,7 @@ pub mod divide;
 mod exponent;
 pub mod harris;
 mod interface;
+pub(crate) mod keys;
 pub mod log_exp;
 pub mod lyon;
 mod model;
@@ -41,7 +42,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 pub use interface::{INPUT_FRACTION, InputRange, Interface, OUTPUT_FRACTION, Operand};
 pub use model::{Inputs, Model};
 pub use options::{Coefficients, Form, Options, Source};
-pub(crate) use options::{within, word};
+pub(crate) use options::{method_keys, within, word};
 pub use shininess::{Colour, MAX_ROWS, Material, Shininess};
 pub use variant::{Use, Variant, variants};
 

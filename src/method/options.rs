@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::cubic::{Tail, check_level};
 use super::divide::Divider;
+use super::keys::{Fields, keys};
 use super::log_exp::Memory;
 use super::{About, Interface};
 use crate::fit::{Inside, Objective};
@@ -69,54 +70,74 @@ impl Source {
     }
 }
 
-/// The options of all methods, each by the key of a spec.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Options {
-    /// How the polynomial is evaluated; every method has the stable form.
-    pub form: Option<Form>,
-    /// Where the coefficients come from.
-    pub coefficients: Option<Coefficients>,
-    /// What fitted coefficients make least.
-    pub objective: Option<Objective>,
-    /// The level Q of the cubic's point of contact.
-    pub q: Option<f64>,
-    /// The level G of the three-point cubic's second point.
-    pub g: Option<f64>,
-    /// What the cubic is past its minimum.
-    pub tail: Option<Tail>,
-    /// The polynomial inside a power.
-    pub inside: Option<Inside>,
-    /// A of a core that is only as accurate as `2^-A`; `None`: below one ulp of the output.
-    pub accuracy: Option<u32>,
-    /// Where the tables of such a core are meant to lie.
-    pub memory: Option<Memory>,
-    /// How the core divides.
-    pub divider: Option<Divider>,
-    /// Address bits of the versine in the method table.
-    pub table_bits: Option<u32>,
-    /// Address bits of the logarithm's table in the method harris, within an octave of the versine.
-    pub log_bits: Option<u32>,
-    /// Address bits of the exponential's table in the method harris.
-    pub exp_bits: Option<u32>,
+/// Hands the keys of the methods' options to the macro of another table, between the keys before and after them there.
+macro_rules! method_keys {
+    ($table:ident! { $($before:tt)* } $({ $($after:tt)* })?) => {
+        $table! {
+            $($before)*
+
+            /// How the polynomial is evaluated [default: stable]
+            form: Form,
+
+            /// Where the coefficients come from [default: paper, and minimax where no paper gives any]
+            coefficients: Coefficients,
+
+            /// What fitted coefficients make least: max-abs, max-abs:LEVEL or max-rel:LEVEL (where x^n is at least LEVEL), or
+            /// weighted:POWER (errors times a power of x^n) [default: max-abs]
+            objective: Objective where "fitted coefficients",
+
+            /// Level of the cubic's point of contact, 0.05 to 0.95 [default: 0.5]
+            q: f64 as "level q",
+
+            /// Level of the three-point cubic's second point, above 0 and below q [default: 1/18]
+            g: f64 as "level g",
+
+            /// What the cubic is past its minimum [default: cut]
+            tail: Tail as "choice of tail",
+
+            /// The polynomial inside a power [default: quadratic]
+            inside: Inside as "choice of inside",
+
+            /// Bits A of the method log-exp: a core smaller than the faithful one, proved within 2^-A of x^n, 3 to 15 and at most G - 1
+            #[arg(value_name = "A")]
+            accuracy: u32 as "accuracy",
+
+            /// Where the tables of a core with an accuracy are meant to lie: they are sized for it [default: auto]
+            memory: Memory where "cores with an accuracy",
+
+            /// How the core divides [default: digit]
+            divider: Divider as "divider",
+
+            /// Address bits of the versine in the method table: each shininess has 2^BITS entries, 2 to 14 [default: 7]
+            #[arg(value_name = "BITS")]
+            table_bits: u32 as "table_bits",
+
+            /// Address bits of the logarithm's table in the method harris, within an octave of the versine, 2 to 12 [default: 8]
+            #[arg(value_name = "BITS")]
+            log_bits: u32 as "log_bits",
+
+            /// Address bits of the exponential's table in the method harris, 2 to 14 [default: 9]
+            #[arg(value_name = "BITS")]
+            exp_bits: u32 as "exp_bits",
+
+            $($($after)*)?
+        }
+    };
 }
+pub(crate) use method_keys;
+
+method_keys! { keys! {
+    /// The options of all methods, each by the key of a spec.
+    Options:
+} }
 
 impl Options {
     /// Refuses an option that the method does not have: a mistake, not something to pass over.
     pub(super) fn check(&self, about: &About) -> Result<(), Error> {
         let paper_form = self.form == Some(Form::Paper);
-        for (key, what, given) in [
-            ("form", "paper form", paper_form),
-            ("q", "level q", self.q.is_some()),
-            ("g", "level g", self.g.is_some()),
-            ("tail", "choice of tail", self.tail.is_some()),
-            ("inside", "choice of inside", self.inside.is_some()),
-            ("accuracy", "accuracy", self.accuracy.is_some()),
-            ("divider", "divider", self.divider.is_some()),
-            ("table_bits", "table_bits", self.table_bits.is_some()),
-            ("log_bits", "log_bits", self.log_bits.is_some()),
-            ("exp_bits", "exp_bits", self.exp_bits.is_some()),
-        ] {
-            refuse(about, what, given && !about.has(key))?;
+        refuse(about, "paper form", paper_form && !about.has("form"))?;
+        for (key, value) in self.values() {
+            refuse(about, key.called, value.is_some() && !key.called.is_empty() && !about.has(key.name))?;
         }
         refuse(about, "choice of memory without an accuracy", self.memory.is_some() && self.accuracy.is_none())?;
         let coefficients = match (self.coefficients, about.coefficients) {

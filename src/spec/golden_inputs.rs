@@ -64,10 +64,3 @@ impl FromStr for GoldenInputs {
         text.split(';').map(input).collect::<Result<_, _>>().map(Self)
     }
 }
-
-impl std::fmt::Display for GoldenInputs {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let input = |codes: &Vec<i64>| codes.iter().map(i64::to_string).collect::<Vec<_>>().join(",");
-        f.write_str(&self.0.iter().map(input).collect::<Vec<_>>().join(";"))
-    }
-}

@@ -4,7 +4,13 @@
 //! checks every value once. Nothing behind [`CoreSpec`] checks again.
 
 mod fields;
+mod flags;
 mod golden_inputs;
+mod name;
+mod reference;
+mod resolve;
+#[cfg(test)]
+mod tests;
 
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -24,8 +30,10 @@ pub use crate::method::{
     OUTPUT_FRACTION, Operand, Shininess,
 };
 pub use fields::SpecFields;
-pub(crate) use fields::{check_name, suggest, toml_error};
+pub(crate) use fields::{suggest, toml_error};
 pub use golden_inputs::GoldenInputs;
+pub(crate) use name::check_name;
+pub use reference::reference;
 
 use crate::emit::rom::RomFormat;
 

@@ -2,10 +2,11 @@
 
 use std::str::FromStr;
 
-use clap::{Args, ValueEnum};
+use clap::ValueEnum;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::method::{Colour, Interface, Material, Shininess};
+use crate::method::keys::keys;
+use crate::method::{Colour, Interface, Material, Shininess, within};
 use crate::platform::error::Error;
 
 /// Bits of an output channel that are allowed.
@@ -86,45 +87,35 @@ pub enum LightColours {
     Fixed(Vec<Colour>),
 }
 
-/// The keys of the table `[shader]`, as written.
-#[derive(Args, Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[command(next_help_heading = "Shader")]
-pub struct ShaderFields {
+keys! {
+    /// The keys of the table `[shader]`, as written.
+    #[command(next_help_heading = "Shader")]
+    ShaderFields:
+
     /// The reflection model of a shader [default: phong]
-    #[arg(long, value_enum)]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub model: Option<Model>,
+    model: Model,
 
     /// How blinn gets at its half vector [default: half]
-    #[arg(long, value_enum)]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub front: Option<Front>,
+    front: Front where "the model blinn",
 
     /// Lights, 1 to 8, all of a sample at once [default: 1]
-    #[arg(long)]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub lights: Option<u32>,
+    lights: u32,
 
     /// Bits of an output channel: 8, 10 or 12 [default: 8]
-    #[arg(long, value_name = "BITS")]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub channel_bits: Option<u32>,
+    #[arg(value_name = "BITS")]
+    channel_bits: u32,
 
     /// Fraction bits of the vectors' components, 8 to 20 [default: 16]
-    #[arg(long, value_name = "F")]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub vector_fraction: Option<u32>,
+    #[arg(value_name = "F")]
+    vector_fraction: u32,
 
     /// Colour of the ambient light, R,G,B in 0 to 1 [default: 0.2,0.2,0.2]
-    #[arg(long, value_name = "R,G,B", value_delimiter = ',')]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ambient_light: Option<Vec<f64>>,
+    #[arg(value_name = "R,G,B", value_delimiter = ',')]
+    ambient_light: Vec<f64>,
 
     /// Colours of the lights, R,G,B;R,G,B;... or ports [default: white]
-    #[arg(long, value_name = "COLOURS|ports")]
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub light_colours: Option<LightColours>,
+    #[arg(value_name = "COLOURS|ports")]
+    light_colours: LightColours,
 }
 
 /// A shader block, every default resolved and every value checked; its lobe and its materials are the core's.
@@ -242,20 +233,6 @@ pub(crate) fn unit(what: &str, values: &[f64]) -> Result<(), Error> {
 }
 
 impl ShaderFields {
-    /// These fields, and where one is missing the other's.
-    #[must_use]
-    pub fn or(self, other: Self) -> Self {
-        Self {
-            model: self.model.or(other.model),
-            front: self.front.or(other.front),
-            lights: self.lights.or(other.lights),
-            channel_bits: self.channel_bits.or(other.channel_bits),
-            vector_fraction: self.vector_fraction.or(other.vector_fraction),
-            ambient_light: self.ambient_light.or(other.ambient_light),
-            light_colours: self.light_colours.or(other.light_colours),
-        }
-    }
-
     /// Whether none is given.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -274,15 +251,6 @@ impl ShaderFields {
             }
             (Model::Blinn, None | Some(Front::Half)) => Cosine::Half,
             (Model::Blinn, Some(Front::Sqrt)) => Cosine::Sqrt,
-        };
-        let within = |what: &str, value: u32, allowed: std::ops::RangeInclusive<u32>| {
-            if allowed.contains(&value) {
-                return Ok(value);
-            }
-            Err(Error::input(
-                format!("{what} = {value} is out of range"),
-                format!("{what} is a whole number from {} to {}", allowed.start(), allowed.end()),
-            ))
         };
         let lights = within("lights", self.lights.unwrap_or(1), LIGHTS)?;
         let channel_bits = self.channel_bits.unwrap_or(8);
@@ -379,23 +347,6 @@ impl FromStr for LightColours {
         };
         text.split(';').map(colour).collect::<Result<_, _>>().map(Self::Fixed)
     }
-}
-
-impl std::fmt::Display for LightColours {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Ports => f.write_str("ports"),
-            Self::Fixed(colours) => {
-                let text: Vec<String> = colours.iter().map(colour_text).collect();
-                f.write_str(&text.join(";"))
-            }
-        }
-    }
-}
-
-/// `R,G,B`.
-fn colour_text(colour: &Colour) -> String {
-    colour.map(|channel| channel.to_string()).join(",")
 }
 
 impl Serialize for LightColours {

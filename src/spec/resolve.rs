@@ -1,0 +1,224 @@
+//! From what was written to a core's spec, with every default and every check, and back.
+
+use super::{
+    Block, BlockKind, CoreSpec, Cosine, Form, INPUT_FRACTION, InputRange, Interface, Language, Material,
+    OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess,
+    SpecFields, TUSER_BITS, VhdlPorts, check_name,
+};
+use crate::emit::rom::RomFormat;
+use crate::method::{About, Configured, Options, within};
+use crate::platform::error::Error;
+
+impl SpecFields {
+    /// Fills in the defaults and checks every value.
+    ///
+    /// # Errors
+    /// Names the value that is wrong and what is allowed.
+    pub fn resolve(self) -> Result<CoreSpec, Error> {
+        let Some(method) = self.method else {
+            return Err(Error::input(
+                "no method is given",
+                "give --method quadratic, --method cubic or another, or a spec file",
+            ));
+        };
+        let block = self.resolved_block()?;
+        let (operand, input_range) = self.resolved_operand(&block)?;
+        let set = self.given_set(&block)?;
+        let form = self.form.unwrap_or(Form::Stable);
+        let method = Configured::new(method, &Options { form: Some(form), ..self.options() })?;
+        let shininess = self.resolved_set(set, method.about(), &block)?;
+        if let Some(Pipeline::Depth(depth)) = self.pipeline {
+            within("pipeline", depth, PIPELINE_DEPTH)?;
+        }
+        // A channel's last bit is worth sixteen of the lobe's, and a step of the cosine moves a highlight of n = 256 by one.
+        let (input_fraction, output_fraction) =
+            block.shader().map_or((16, 16), |shader| (shader.channel_bits + 8, shader.channel_bits + 4));
+        let input_fraction = within("input_fraction", self.input_fraction.unwrap_or(input_fraction), INPUT_FRACTION)?;
+        let output_fraction =
+            within("output_fraction", self.output_fraction.unwrap_or(output_fraction), OUTPUT_FRACTION)?;
+        let interface = Interface { shininess, input_fraction, output_fraction, operand, input_range };
+        method.check(&interface)?;
+        let axi_stream = self.resolved_axi_stream();
+        let name = self.name.unwrap_or_else(|| default_name(method.about(), form, &block));
+        check_name(&name)?;
+        let languages = resolved_languages(self.languages)?;
+        let vhdl_ports = self.vhdl_ports.unwrap_or_default();
+        if self.vhdl_ports.is_some() && !languages.contains(&Language::Vhdl) {
+            return Err(Error::input(
+                "vhdl_ports is given for a core without VHDL",
+                "add vhdl to languages, or leave vhdl_ports out",
+            ));
+        }
+        let mut rom_formats = self.rom_formats.unwrap_or_default();
+        rom_formats.push(RomFormat::Mem);
+        rom_formats.sort_unstable();
+        rom_formats.dedup();
+        Ok(CoreSpec {
+            name,
+            block,
+            method,
+            interface,
+            rom: self.rom.unwrap_or(RomStyle::Inline),
+            rom_formats,
+            pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
+            languages,
+            vhdl_ports,
+            axi_stream: axi_stream?,
+            golden_inputs: self.golden_inputs.unwrap_or_default(),
+        })
+    }
+
+    /// The lobe alone, or the shader around it.
+    fn resolved_block(&self) -> Result<Block, Error> {
+        match self.block.unwrap_or_default() {
+            BlockKind::Shader => {
+                let shader = self.shader.clone().resolve()?;
+                if self.rom == Some(RomStyle::Writable) {
+                    return Err(Error::input(
+                        "a shader's memories cannot be written",
+                        "use rom = \"inline\" or \"file\"",
+                    ));
+                }
+                Ok(Block::Shader(shader))
+            }
+            BlockKind::Lobe if self.shader.is_empty() => Ok(Block::Lobe),
+            BlockKind::Lobe => {
+                Err(Error::input("keys of a shader are given for a lobe", "use --block shader, or leave them out"))
+            }
+        }
+    }
+
+    /// What the lobe is given, and which codes of it: in a shader what its front end computes.
+    fn resolved_operand(&self, block: &Block) -> Result<(Operand, InputRange), Error> {
+        let operand = match (block.shader(), self.operand) {
+            (None, operand) => operand.unwrap_or(Operand::Cos),
+            (Some(_), Some(_)) => return Err(Error::input("a shader computes its own cosine", "leave operand out")),
+            (Some(shader), None) if shader.cosine == Cosine::Half => Operand::Versine,
+            (Some(_), None) => Operand::Cos,
+        };
+        if block.shader().is_some() && self.input_range.is_some() {
+            return Err(Error::input("a shader keeps its own cosine in [0, 1]", "leave input_range out"));
+        }
+        Ok((operand, self.input_range.unwrap_or(InputRange::Any)))
+    }
+
+    /// The shininesses or the materials, whichever are given.
+    fn given_set(&self, block: &Block) -> Result<Shininess, Error> {
+        let (what, allowed) = match (&self.shininess, &self.material) {
+            (set, None) if block.shader().is_some() => {
+                let set = set.as_ref().map_or("no materials".to_owned(), |set| format!("the shininess {set}"));
+                let allowed = "a shader serves materials: give --material NAME=N, or [[material]] in a spec file";
+                (format!("the block shader is given {set}"), allowed)
+            }
+            (Some(set), None) => return Ok(set.clone()),
+            (None, Some(materials)) => return Ok(Shininess::Materials(materials.clone())),
+            (None, None) => {
+                ("no shininess is given".to_owned(), "give --shininess 1..=1000, a list, or --material NAME=N")
+            }
+            (Some(_), Some(_)) => ("both shininess and materials are given".to_owned(), "give one of the two"),
+        };
+        Err(Error::input(what, allowed))
+    }
+
+    /// The shininesses with the fraction bits of a range and the surfaces of a shader's materials.
+    fn resolved_set(&self, set: Shininess, about: &About, block: &Block) -> Result<Shininess, Error> {
+        let frac_bits = within("shininess_fraction", self.shininess_fraction.unwrap_or(0), SHININESS_FRACTION)?;
+        let set = match set {
+            set if frac_bits == 0 => set,
+            Shininess::Range(first, last) => Shininess::Fixed { first, last, frac_bits },
+            _ => {
+                return Err(Error::input(
+                    "shininess_fraction needs a range",
+                    "a list or materials hold real numbers already: leave shininess_fraction out",
+                ));
+            }
+        };
+        set.check()?;
+        let set = match (set, block.shader()) {
+            (Shininess::Materials(materials), Some(_)) => {
+                materials.iter().try_for_each(Material::check_surface)?;
+                Shininess::Materials(materials.into_iter().map(Material::with_surface).collect())
+            }
+            (Shininess::Materials(materials), None) if materials.iter().any(Material::has_surface) => {
+                return Err(Error::input("a lobe has no colours", "use --block shader, or leave the colours out"));
+            }
+            (set, _) => set,
+        };
+        if frac_bits > 0 && !about.interpolates && !about.computes_with_shininess {
+            return Err(Error::input(
+                format!("the method {} takes no shininess between the integers of a range", about.name),
+                "leave shininess_fraction out, or give a list",
+            ));
+        }
+        Ok(set)
+    }
+
+    /// The bits of `tuser`, if there is a wrapper with AXI4-Stream interfaces.
+    fn resolved_axi_stream(&self) -> Result<Option<u32>, Error> {
+        match (self.axi_stream.unwrap_or(false), self.tuser_bits) {
+            (true, bits) => within("tuser_bits", bits.unwrap_or(*TUSER_BITS.start()), TUSER_BITS).map(Some),
+            (false, None) => Ok(None),
+            (false, Some(_)) => Err(Error::input(
+                "tuser_bits is given for a core without AXI4-Stream interfaces",
+                "give axi_stream as well, or leave tuser_bits out",
+            )),
+        }
+    }
+
+    /// The fields of a resolved spec, all given.
+    #[must_use]
+    pub fn from_spec(spec: &CoreSpec) -> Self {
+        let (shininess, material, shininess_fraction) = match &spec.interface.shininess {
+            Shininess::Materials(materials) => (None, Some(materials.clone()), None),
+            &Shininess::Fixed { first, last, frac_bits } => {
+                (Some(Shininess::Range(first, last)), None, Some(frac_bits))
+            }
+            set => (Some(set.clone()), None, None),
+        };
+        let shader = spec.block.shader();
+        let options = Options { form: Some(spec.method.form()), ..spec.method.options() };
+        Self {
+            name: Some(spec.name.clone()),
+            block: shader.map(|_| BlockKind::Shader),
+            method: Some(spec.method.name()),
+            shininess,
+            shininess_fraction,
+            input_fraction: Some(spec.interface.input_fraction),
+            output_fraction: Some(spec.interface.output_fraction),
+            operand: shader.is_none().then_some(spec.interface.operand),
+            rom: Some(spec.rom),
+            rom_formats: Some(spec.rom_formats.clone()),
+            pipeline: Some(spec.pipeline),
+            languages: Some(spec.languages.clone()),
+            // These keys are younger than specs that are compared by their digests.
+            input_range: Some(spec.interface.input_range).filter(|&range| range != InputRange::Any),
+            vhdl_ports: Some(spec.vhdl_ports).filter(|&ports| ports != VhdlPorts::default()),
+            axi_stream: spec.axi_stream.map(|_| true),
+            tuser_bits: spec.axi_stream,
+            golden_inputs: Some(spec.golden_inputs.clone()).filter(|inputs| !inputs.0.is_empty()),
+            material,
+            shader: shader.map(ShaderFields::from_shader).unwrap_or_default(),
+            ..Self::default().with_options(options)
+        }
+    }
+}
+
+/// What a core is called whose spec has no name.
+fn default_name(about: &About, form: Form, block: &Block) -> String {
+    if block.shader().is_some() {
+        return "shader".to_owned();
+    }
+    let name = about.core_name.map_or_else(|| about.name.replace('-', "_"), str::to_owned);
+    name + if form == Form::Paper { "_paper" } else { "" }
+}
+
+/// The languages, both unless they are given, each once.
+fn resolved_languages(given: Option<Vec<Language>>) -> Result<Vec<Language>, Error> {
+    let mut languages = given.unwrap_or_else(|| vec![Language::Verilog, Language::Vhdl]);
+    languages.sort_unstable();
+    languages.dedup();
+    if languages.is_empty() {
+        return Err(Error::input("no language is given", "give verilog, vhdl or both"));
+    }
+    Ok(languages)
+}
