@@ -60,9 +60,8 @@ pub struct Core {
 }
 
 impl Core {
-    /// Builds a core, measures its error, chooses its golden vectors and makes its files. That takes less than a second for a thousand
-    /// shininesses at 16 bits, and up to minutes where coefficients are fitted; for the bit-exact model and the memories alone
-    /// [`Design::new`] is enough.
+    /// Builds a core, measures its error, chooses its golden vectors and makes its files. That takes some seconds for a thousand shininesses
+    /// at 16 bits, and up to minutes where coefficients are fitted; for the bit-exact model and the memories alone [`Design::new`] is enough.
     ///
     /// # Errors
     /// A spec that no core can be built for (see [`Design::new`]), or a name that the core's text uses for something else.
