@@ -24,9 +24,9 @@ struct Errors {
     max_abs: f64,
     max_rel_epicentre: f64,
     rms: f64,
-    breaks: usize,
+    decreases: usize,
     negative: usize,
-    seam: f64,
+    max_step_error_ulps: f64,
     jump: f64,
 }
 
@@ -55,9 +55,9 @@ impl Errors {
             max_abs: errors.iter().copied().fold(0.0, f64::max),
             max_rel_epicentre: relative.fold(0.0, f64::max),
             rms: (errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64).sqrt(),
-            breaks: hardware.windows(2).filter(|pair| pair[1] < pair[0]).count(),
+            decreases: hardware.windows(2).filter(|pair| pair[1] < pair[0]).count(),
             negative: hardware.iter().filter(|&&value| value < 0.0).count(),
-            seam: beyond(&method),
+            max_step_error_ulps: beyond(&method),
             jump: beyond(&exact),
         }
     }
@@ -137,7 +137,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         write!(csv, "\"{name}\",{},{},{}", entry.rom_bits, entry.multipliers, entry.latency)?;
         for e in &entry.errors {
             let (abs, rel, rms) = (sig(e.max_abs), sig(e.max_rel_epicentre), sig(e.rms));
-            write!(csv, ",{abs},{rel},{rms},{},{},{:.2},{:.2}", e.breaks, e.negative, e.seam, e.jump)?;
+            write!(
+                csv,
+                ",{abs},{rel},{rms},{},{},{:.2},{:.2}",
+                e.decreases, e.negative, e.max_step_error_ulps, e.jump
+            )?;
         }
         csv += "\n";
     }
@@ -148,11 +152,11 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (name, entry) in &entries {
             let e = &entry.errors[place];
             let (abs, rel, rms) = (sig(e.max_abs), sig(e.max_rel_epicentre), sig(e.rms));
-            let (breaks, negative) = (e.breaks, e.negative);
+            let (decreases, negative) = (e.decreases, e.negative);
             writeln!(
                 text,
-                "| {name} | {abs} | {rel} | {rms} | {breaks} | {negative} | {:.2} | {:.1} |",
-                e.seam, e.jump
+                "| {name} | {abs} | {rel} | {rms} | {decreases} | {negative} | {:.2} | {:.1} |",
+                e.max_step_error_ulps, e.jump
             )?;
         }
     }

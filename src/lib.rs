@@ -1,6 +1,20 @@
 //! brdfgen generates FPGA cores for the specular term of a shader: `cos^n` of the highlight, as a rule a polynomial in the cosine whose
 //! coefficients, one set for each shininess n, sit in a ROM; and whole shaders around it.
 //!
+//! A program gives a [`Spec`] and gets a [`Core`]: all files in memory, the bit-exact model, what is proved and measured of the error.
+//!
+//! ```
+//! use brdfgen::{Core, Spec};
+//!
+//! let spec: Spec = "method = 'quadratic'\nshininess = '1..=16'\ninput_fraction = 8".parse()?;
+//! let core = Core::generate(&spec)?;
+//! for file in &core.files {
+//!     println!("{}: {} bytes", file.path, file.bytes.len());
+//! }
+//! println!("{} clocks; 0.95^5 is {:.4}", core.design.schedule.latency, core.at(5.0, 0.95)?.value);
+//! # Ok::<(), brdfgen::Error>(())
+//! ```
+//!
 //! # The map of the house
 //!
 //! Data flows one way: spec → method → datapath → core → {HDL, ROM files, vectors} → checks → reports. A room stands above all that it
@@ -24,6 +38,7 @@
 //! | [`emit`] | a core as Verilog and VHDL, test benches, and the core directory, put on disk whole |
 //! | [`synth`] | runs Yosys and nextpnr: cells, Fmax, with a cache |
 //! | [`verify`] | golden vectors, simulators, proofs, injected faults, stability |
+//! | [`generate`] | the front door: a core with all that goes with it |
 //! | [`explore`] | sweeps of many cores: errors, costs, the Pareto front, the choice |
 //! | [`scene`] | scene files, what a scene requires of a core, pictures |
 //! | [`papers`] | the papers' claims and figures, measured on the real-valued lobes |
@@ -41,6 +56,7 @@ pub mod emit;
 pub mod explore;
 pub mod fit;
 pub mod fixed;
+pub mod generate;
 pub mod lobe;
 pub mod method;
 pub mod papers;
@@ -53,3 +69,7 @@ pub mod spec;
 pub mod synth;
 pub mod target;
 pub mod verify;
+
+pub use generate::Core;
+pub use platform::error::Error;
+pub use spec::CoreSpec as Spec;

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 /// The rooms, each above all that it uses. A folder within a room that stands elsewhere has its own place.
-const ROOMS: [&str; 25] = [
+const ROOMS: [&str; 26] = [
     "platform",
     "plot",
     "fixed",
@@ -27,6 +27,7 @@ const ROOMS: [&str; 25] = [
     "verify/cosim",
     "verify/formal",
     "verify/stability",
+    "generate",
     "explore",
     "scene",
     "papers",

@@ -13,7 +13,6 @@ use crate::spec::Language;
 use crate::synth::{self, Options};
 use crate::target::Family;
 use crate::verify::cosim::{self, Job, Lint, Outcome, Sim};
-use crate::verify::golden::{self, Golden};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -62,8 +61,8 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         )),
     };
     let netlist = arguments.netlist.map(modelled).transpose()?;
-    let core = OnDisk::of(&arguments.source, &design)?;
-    let job = Job { design: &design, golden: &core.golden, directory: core.path() };
+    let core = OnDisk::of(&arguments.source, design)?;
+    let (job, design) = (core.job(), &core.design);
     let sims = arguments.sim.expand(&design.spec.languages);
     let mut outcomes = Vec::new();
     if arguments.exhaustive {
@@ -77,13 +76,13 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             bar.finish_and_clear();
         }
     } else if let Some((family, models)) = netlist {
-        outcomes.push(model(&job));
+        outcomes.push(cosim::model(&job));
         let spinner = progress::spinner("netlist".to_owned());
-        let netlist = synth::netlist(&design, &Options::new(family))?;
+        let netlist = synth::netlist(design, &Options::new(family))?;
         outcomes.push(cosim::netlist(&job, models, &netlist)?);
         spinner.finish_and_clear();
     } else {
-        outcomes.push(model(&job));
+        outcomes.push(cosim::model(&job));
         for sim in sims {
             let spinner = progress::spinner(format!("{sim:?}").to_lowercase());
             outcomes.push(cosim::golden(sim, &job)?);
@@ -115,23 +114,6 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         lints.iter().for_each(say_lint);
     }
     Ok(Verdict::of(passed))
-}
-
-/// The golden file against the model: what the simulators are compared with must be right itself.
-fn model(job: &Job) -> Outcome {
-    let start = std::time::Instant::now();
-    let expected = Golden::of(job.design);
-    let differences = golden::differences(job.design, &expected, job.golden);
-    let count = expected.vectors().len() as u64;
-    Outcome {
-        simulator: "model".to_owned(),
-        mode: "golden vectors",
-        vectors: count,
-        expected_vectors: count,
-        mismatches: differences.len() as u64,
-        first: differences.iter().take(cosim::LISTED).map(ToString::to_string).collect(),
-        seconds: start.elapsed().as_secs_f64(),
-    }
 }
 
 fn exhaustive_languages(sim: Sim, languages: &[Language]) -> Result<Vec<Language>, Error> {

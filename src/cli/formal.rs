@@ -6,6 +6,7 @@ use serde_json::json;
 use super::source::{OnDisk, Source};
 use super::{Verdict, progress, say, say_json};
 use crate::platform::error::Error;
+use crate::verify::cosim::Job;
 use crate::verify::formal::{self, Proof, Step};
 
 #[derive(Args)]
@@ -27,16 +28,16 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
-    let design = arguments.source.design()?;
-    let core = OnDisk::of(&arguments.source, &design)?;
+    let core = OnDisk::of(&arguments.source, arguments.source.design()?)?;
+    let Job { design, golden, directory } = core.job();
     let spinner = progress::spinner("formal".to_owned());
     let tell = |step: Step| match step {
         Step::Begun(claim) => spinner.set_message(claim.to_owned()),
         Step::Ended(_) if arguments.json => {}
         Step::Ended(proof) => spinner.suspend(|| say_proof(proof)),
     };
-    let mut proofs = formal::equivalence(&design, core.path(), &core.golden, arguments.solver_limit, &tell)?;
-    proofs.extend(formal::stream(&design, core.path(), &tell)?);
+    let mut proofs = formal::equivalence(design, directory, golden, arguments.solver_limit, &tell)?;
+    proofs.extend(formal::stream(design, directory, &tell)?);
     spinner.finish_and_clear();
     let all = |passes: &dyn Fn(formal::ProofStatus) -> bool| proofs.iter().all(|proof| passes(proof.verdict));
     if arguments.json {

@@ -6,17 +6,16 @@ use clap::Args;
 use serde_json::json;
 
 use super::choose::{self, WishFlags};
-use super::scene::{self, Made, SceneFlags};
+use super::scene::{self, SceneFlags};
 use super::source::Source;
 use super::{Verdict, progress, say, say_json, warn};
 use crate::core::{Account, Design, Direction};
 use crate::emit::package::{self, File, Stale};
 use crate::explore::choose::Constraints;
 use crate::explore::{MaxError, Objective};
+use crate::generate::Core;
 use crate::platform::error::Error;
 use crate::spec::CoreSpec;
-use crate::verify::cosim::{self, Job, Sim};
-use crate::verify::golden::Golden;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -56,22 +55,22 @@ pub(super) struct Arguments {
     source: Source,
 }
 
-/// The core of a spec, and the files that go with it.
-fn of_spec(spec: CoreSpec, files: Vec<File>) -> Result<Made, Error> {
-    let spinner = progress::spinner(format!("building {}", spec.name));
-    let design = Design::new(spec)?;
+/// The core of a spec, with these files beside its own.
+fn of_spec(spec: CoreSpec, others: Vec<File>) -> Result<Core, Error> {
+    let spinner = progress::spinner(format!("generating {}", spec.name));
+    let core = Core::of(Design::new(spec)?, others)?;
     spinner.finish_and_clear();
-    Ok(Made { design, files })
+    Ok(core)
 }
 
 /// Compares the directory with the files that would be written.
-fn check(arguments: &Arguments, files: &[File]) -> Verdict {
-    let stale = package::stale(&arguments.out, files);
+fn check(arguments: &Arguments, core: &Core) -> Verdict {
+    let (stale, count) = (core.check(&arguments.out), core.files.len());
     let (ends_only, other): (Vec<_>, Vec<_>) = stale.iter().copied().partition(|(_, stale)| *stale == Stale::LineEnds);
     let paths = |of: &[(&str, Stale)]| of.iter().map(|(path, _)| (*path).to_owned()).collect::<Vec<_>>();
     if arguments.json {
         let (differ, ends_only) = (paths(&stale), paths(&ends_only));
-        say_json(&json!({ "checked": files.len(), "differ": differ, "differ_in_line_ends_only": ends_only }));
+        say_json(&json!({ "checked": count, "differ": differ, "differ_in_line_ends_only": ends_only }));
         return Verdict::of(stale.is_empty());
     }
     for (path, stale) in &other {
@@ -89,7 +88,7 @@ fn check(arguments: &Arguments, files: &[File]) -> Verdict {
              files as they are"
         ));
     }
-    say(format!("{} of {} files are as they should be", files.len() - stale.len(), files.len()));
+    say(format!("{} of {count} files are as they should be", count - stale.len()));
     Verdict::of(stale.is_empty())
 }
 
@@ -118,7 +117,7 @@ fn wish(arguments: &Arguments, is_scene: bool) -> Result<Option<Constraints>, Er
 }
 
 /// The core that is wished, with the latency that the results promise; none if none meets the wish.
-fn chosen(arguments: &Arguments, wish: &Constraints) -> Result<Option<(Made, u32)>, Error> {
+fn chosen(arguments: &Arguments, wish: &Constraints) -> Result<Option<(Core, u32)>, Error> {
     let choice = wish.choose(&arguments.wish.results()?)?;
     let Some(chosen) = &choice.chosen else {
         if arguments.json {
@@ -134,8 +133,9 @@ fn chosen(arguments: &Arguments, wish: &Constraints) -> Result<Option<(Made, u32
 }
 
 /// Whether a chosen core is what was wished: the figures that it is chosen by may be of another version of this program.
-fn keeps(wish: &Constraints, promised: u32, latency: u32, account: &Account) -> bool {
-    if let Account::Lobe { measured, .. } = account
+fn keeps(wish: &Constraints, promised: u32, core: &Core) -> bool {
+    let latency = core.design.schedule.latency;
+    if let Account::Lobe { measured, .. } = &core.account
         && measured.max_abs > wish.max_error.0
     {
         warn(format!(
@@ -158,42 +158,36 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     if !arguments.check {
         package::check_target(&arguments.out)?;
     }
-    let made = match (&of_scene, &wish) {
+    let core = match (&of_scene, &wish) {
         (Some((scene, keys)), _) => {
-            scene::make(scene, &arguments.scene, keys, arguments.json)?.map(|made| (made, None))
+            scene::make(scene, &arguments.scene, keys, arguments.json)?.map(|core| (core, None))
         }
         (None, None) => Some((of_spec(arguments.source.spec()?, arguments.source.companions())?, None)),
-        (None, Some(wish)) => chosen(&arguments, wish)?.map(|(made, promised)| (made, Some((wish, promised)))),
+        (None, Some(wish)) => chosen(&arguments, wish)?.map(|(core, promised)| (core, Some((wish, promised)))),
     };
-    let Some((Made { design, files: others }, wished)) = made else { return Ok(Verdict::Differs) };
-    package::check_names(&design)?;
-    let spinner = progress::spinner(format!("generating {}", design.spec.name));
-    let account = Account::of(&design);
-    let golden = Golden::of(&design);
-    let files = package::files_with(&design, &account, &golden, others)?;
-    spinner.finish_and_clear();
-
+    let Some((core, wished)) = core else { return Ok(Verdict::Differs) };
     if arguments.check {
-        return Ok(check(&arguments, &files));
+        return Ok(check(&arguments, &core));
     }
 
     // A core's own directory is made anew from its own core.toml.
     let results = arguments.wish.paths();
     let paths = results.joined(arguments.source.paths()).renewing(&arguments.out.join("core.toml"));
-    paths.writes_in("--out", &arguments.out, files.iter().map(|file| file.path.as_str())).check()?;
-    if !wished.is_none_or(|(wish, promised)| keeps(wish, promised, design.schedule.latency, &account)) {
+    paths.writes_in("--out", &arguments.out, core.files.iter().map(|file| file.path.as_str())).check()?;
+    if !wished.is_none_or(|(wish, promised)| keeps(wish, promised, &core)) {
         return Ok(Verdict::Differs);
     }
 
     // Checked before it is written: a core that fails leaves no directory behind.
-    let job = Job { design: &design, golden: &golden, directory: &arguments.out };
-    let outcome = cosim::golden(Sim::Builtin, &job)?;
+    let outcome = core.simulate()?;
     if outcome.passed() {
-        package::write_directory(&arguments.out, &files)?;
+        core.write(&arguments.out)?;
     }
     // Of a core that fails there is nothing to read.
-    let lints = if arguments.lint && outcome.passed() { super::cosim::lint(&job)? } else { Vec::new() };
+    let lints =
+        if arguments.lint && outcome.passed() { super::cosim::lint(&core.job(&arguments.out))? } else { Vec::new() };
     let passed = outcome.passed() && super::cosim::are_clean(&lints);
+    let Core { design, account, files, .. } = &core;
     if arguments.json {
         let mut answer = json!({
             "directory": arguments.out.display().to_string(),
@@ -211,7 +205,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         say_json(&answer);
         return Ok(Verdict::of(passed));
     }
-    describe(&design, &account).iter().for_each(say);
+    describe(design, account).iter().for_each(say);
     super::cosim::say_outcome(&outcome);
     if outcome.passed() {
         say(format!("{} files in {}", files.len(), arguments.out.display()));

@@ -9,11 +9,10 @@ use serde_json::json;
 
 use super::source::{OnDisk, Source, read_golden};
 use super::{Verdict, progress, say, say_json};
-use crate::core::Design;
 use crate::emit::package::rtl_path;
 use crate::platform::error::{Error, refuse};
 use crate::spec::{Language, RomStyle};
-use crate::verify::cosim::Vectors;
+use crate::verify::cosim::{Job, Vectors};
 use crate::verify::faults::{self, Mutant, Outcome, Tally};
 use crate::verify::formal::netlist::{self, NetlistMutant};
 
@@ -49,16 +48,16 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let start = Instant::now();
-    let design = arguments.source.design()?;
-    let core = OnDisk::of(&arguments.source, &design)?;
-    let named = arguments.golden.as_ref().map(|path| read_golden(&design, path)).transpose()?;
+    let core = OnDisk::of(&arguments.source, arguments.source.design()?)?;
+    let design = &core.design;
+    let named = arguments.golden.as_ref().map(|path| read_golden(design, path)).transpose()?;
     let golden = named.as_ref().unwrap_or(&core.golden);
-    let all = faults::mutants(&design, arguments.seed);
+    let all = faults::mutants(design, arguments.seed);
     let step = all.len().div_ceil(arguments.most.max(1)).max(1);
     let mutants: Vec<Mutant> = all.into_iter().step_by(step).collect();
     let bar = progress::bar("mutants", mutants.len() as u64);
-    let vectors = Vectors::of(&design, golden);
-    let outcomes = faults::outcomes(&design, &mutants, &|defect| {
+    let vectors = Vectors::of(design, golden);
+    let outcomes = faults::outcomes(design, &mutants, &|defect| {
         let detected = vectors.detect(defect);
         bar.inc(1);
         detected
@@ -69,7 +68,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     if arguments.netlist > 0 {
         let spinner = progress::spinner("mutants of the netlist".to_owned());
         let row = |mutant: NetlistMutant| Row { kind: "netlist", what: mutant.what, outcome: mutant.outcome };
-        let found = netlist::outcomes(&design, &verilog(&design, &core)?, golden, arguments.netlist, arguments.seed)?;
+        let found = netlist::outcomes(design, &verilog(&core.job())?, golden, arguments.netlist, arguments.seed)?;
         sorts.push(("netlist", found.into_iter().map(row).collect()));
         spinner.finish_and_clear();
     }
@@ -113,13 +112,13 @@ struct Row {
 }
 
 /// The Verilog of a core on disk.
-fn verilog(design: &Design, core: &OnDisk) -> Result<Vec<u8>, Error> {
+fn verilog(&Job { design, directory, .. }: &Job) -> Result<Vec<u8>, Error> {
     refuse!(
         !design.spec.languages.contains(&Language::Verilog) || design.spec.rom == RomStyle::File,
         format!("the core {} has no Verilog with its memories in the text", design.spec.name),
         "leave --netlist out, or generate the core with Verilog and an inline ROM"
     );
-    let path = core.path().join(rtl_path(design, Language::Verilog));
+    let path = directory.join(rtl_path(design, Language::Verilog));
     std::fs::read(&path).map_err(|error| Error::io("cannot read", &path, error))
 }
 

@@ -27,6 +27,14 @@ pub(super) fn show(bar: &ProgressBar, done: usize, of: usize) {
     bar.set_position(done as u64);
 }
 
+/// Shows what is done, how much of it and of how much.
+pub(super) fn steps(bar: &ProgressBar) -> impl Fn(&'static str, usize, usize) + Sync {
+    move |what, done, of| {
+        bar.set_message(what);
+        show(bar, done, of);
+    }
+}
+
 /// A spinner for work whose length is not known.
 pub(super) fn spinner(what: String) -> ProgressBar {
     let spinner = ProgressBar::new_spinner().with_message(what);

@@ -8,7 +8,7 @@ use clap::Args;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::scene::{MARGIN, costing};
+use super::scene::costing;
 use super::source::{read_scene, reads_core};
 use super::{Verdict, progress, say, say_json, write_to};
 use crate::platform::error::{Error, refuse};
@@ -16,6 +16,7 @@ use crate::platform::paths::Paths;
 use crate::scene::cores::{self, PictureCore, Through};
 use crate::scene::drawing::{self, Drawing, Drawn, Only, Own, scene_text};
 use crate::scene::reflectance::{Compared, Looks};
+use crate::scene::require::MARGIN;
 use crate::scene::sheet::{self, Cell, Panel, Sheet};
 use crate::scene::{Difference, Exact, Frame, Highlights, Scene, Tracer};
 use crate::spec::{Colour, SpecFields};
@@ -408,11 +409,8 @@ fn core_of(arguments: &Arguments, scene: &Scene) -> Result<Option<PictureCore>, 
         None if keys.method.is_some() => PictureCore::of_keys(scene, keys)?,
         None => {
             let bar = progress::bar("rendering", 1);
-            let margin = arguments.margin.unwrap_or(MARGIN);
-            let core = PictureCore::needed(scene, margin, &costing(arguments.synth)?, &keys, &|what, done, of| {
-                bar.set_message(what);
-                progress::show(&bar, done, of);
-            })?;
+            let (margin, costing) = (arguments.margin.unwrap_or(MARGIN), costing(arguments.synth)?);
+            let core = PictureCore::needed(scene, margin, &costing, &keys, &progress::steps(&bar))?;
             bar.finish_and_clear();
             core
         }

@@ -5,15 +5,16 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::choose::{Keys, WishFlags};
+use super::scene::{self, SceneFlags};
 use super::source::read_scene;
-use super::{Verdict, progress, say, scene};
+use super::{Verdict, progress, say};
 use crate::emit::package;
 use crate::explore::{MaxError, Objective, Point, Results};
 use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 use crate::platform::paths::Paths;
 use crate::reflectance::{Lookup, Model, Source, measure, trade};
-use crate::report::{MaterialPart, Report, Speed};
+use crate::report::{MaterialPart, Report, ScenePart, Speed};
 use crate::spec::SpecFields;
 
 /// The page's name in a directory.
@@ -85,8 +86,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let mut scenes = Vec::new();
     for path in &arguments.scene {
         let scene = read_scene(path)?;
-        match scene::part(&scene)? {
-            Some(part) => scenes.push(part),
+        let inspection = scene::inspect(&scene, &SceneFlags::default(), &SpecFields::default())?;
+        match inspection.findings(&scene) {
+            Some(findings) => scenes.push(ScenePart::of(&findings)?),
             None => {
                 let help = format!("see `brdfgen scene inspect {}`", path.display());
                 return Err(Error::input(format!("no core keeps the budget of {}", path.display()), help));

@@ -8,6 +8,7 @@ use serde_json::json;
 use super::source::Source;
 use super::{Verdict, say, say_json, write_to};
 use crate::core::Design;
+use crate::emit::package;
 use crate::emit::rom::{self, RomFormat, RomImage};
 use crate::fixed::Table;
 use crate::platform::error::{Error, refuse};
@@ -78,8 +79,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         let mut files = Vec::new();
         for &format in &formats {
             let path = if to_stdout { out.clone() } else { out.join(format.file_name(&spec.name, table)) };
-            let name = rom::memory_name(&spec.name, table);
-            write_to(&path, &rom::write(table, format, &name, &spec.digest(), &spec.command()))?;
+            write_to(&path, &package::rom_file(&design, table, format).bytes)?;
             files.push(path.display().to_string());
         }
         memories.push(json!({

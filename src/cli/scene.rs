@@ -8,22 +8,19 @@ use serde_json::json;
 use super::choose::{cost_text, error_text};
 use super::source::read_scene;
 use super::{Verdict, progress, say, say_json, warn};
-use crate::core::Design;
-use crate::emit::package::{File, counted};
+use crate::emit::package::counted;
+use crate::explore::Cost;
 use crate::explore::choose::NearMiss;
 use crate::explore::run::{Costing, Flow};
-use crate::explore::{Cost, Model, Results};
+use crate::generate::Core;
 use crate::platform::error::Error;
-use crate::report::ScenePart;
-use crate::scene::choice::{RunnerUp, SceneChoice, SceneCore, Search, Verified};
+use crate::scene::choice::{RunnerUp, SceneChoice, SceneCore};
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
-use crate::scene::require::PictureError;
-use crate::scene::shade::{self, Shaded};
-use crate::scene::simplify::{Simplification, simplifications};
+use crate::scene::require::{MARGIN, PictureError};
+use crate::scene::shade::Shaded;
 use crate::scene::survey::Counts;
-use crate::scene::{Budget, CoreModel, Exact, Frame, Highlights, Requirements, Scene, Tracer, sheet};
-use crate::spec::{BlockKind, ShaderFields, SpecFields};
-use crate::synth;
+use crate::scene::{Budget, Requirements, Scene, SceneInspection};
+use crate::spec::SpecFields;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -54,9 +51,6 @@ struct Inspect {
     keys: SpecFields,
 }
 
-/// The degrees that the camera and the lights are moved by where the user does not say.
-pub(super) const MARGIN: f64 = 5.0;
-
 /// How a scene's core is chosen.
 #[derive(Args, Clone, Debug, Default)]
 #[command(next_help_heading = "Scene")]
@@ -79,141 +73,51 @@ impl SceneFlags {
 
 /// How costs are found: by synthesis, or by the cost model.
 pub(super) fn costing(synthesis: bool) -> Result<Costing, Error> {
-    if !synthesis {
-        return Ok(Costing::Estimate(Model::fit(&Results::built_in()?)?));
-    }
-    let cache = Some(synth::default_cache());
-    Ok(Costing::Synthesis(Flow { seeds: 3, target_mhz: None, place: true, pack: true, yosys: None, cache }))
+    if synthesis { Ok(Costing::Synthesis(Flow::default())) } else { Costing::built_in() }
 }
 
-/// A scene's core.
-pub(super) struct Made {
-    pub(super) design: Design,
-    /// The files beside the core's own.
-    pub(super) files: Vec<File>,
-}
-
-/// What is known of a scene, with a core or without.
-struct Known {
-    requirements: Requirements,
-    choice: SceneChoice,
-    core: Option<(SceneCore, Design, Vec<Simplification>, Verified)>,
-    /// The shader around it, where one is asked for.
-    shaded: Option<Shaded>,
-    /// The least frequency that the scene wishes.
-    min_mhz: Option<f64>,
-}
-
-impl Known {
-    fn of(scene: &Scene, flags: &SceneFlags, keys: &SpecFields) -> Result<Self, Error> {
-        // The lobe is chosen as if it were alone.
-        let asked = keys.clone().or(scene.core.keys.clone());
-        let alone = |keys: &SpecFields| SpecFields { block: None, shader: ShaderFields::default(), ..keys.clone() };
-        let (keys, mut lobe_scene) = (&alone(keys), scene.clone());
-        lobe_scene.core.keys = alone(&scene.core.keys);
-        let scene = &lobe_scene;
-        let bar = progress::bar("rendering", 1);
-        let told = |done, of| progress::show(&bar, done, of);
-        let requirements = Requirements::of(scene, flags.margin.unwrap_or(MARGIN), &told)?;
-        let costing = costing(flags.synth)?;
-        let search = Search::new(scene, &requirements, &costing, keys)?;
-        let mut choice = search.choose(&|what, done, of| {
-            bar.set_message(what);
-            told(done, of);
-        })?;
-        let shader = asked.block == Some(BlockKind::Shader);
-        if !shader && !asked.shader.is_empty() {
-            return Err(Error::input("keys of a shader are given for a lobe", "use --block shader, or leave them out"));
-        }
-        let shaded = if shader {
-            bar.set_message("drawing the scene through its shader");
-            bar.set_length(0);
-            shade::around(&search, &mut choice, (scene, &requirements), &asked.shader, &|| bar.inc(1))?
-        } else {
-            None
-        };
-        let core = match &choice.chosen {
-            None => None,
-            Some(chosen) => {
-                bar.set_message("verifying");
-                let design = Design::new(chosen.spec()?.resolve()?)?;
-                let verified = search.verified(&design)?;
-                let list = simplifications(scene, &requirements, &search, chosen)?;
-                Some((chosen.clone(), design, list, verified))
-            }
-        };
-        bar.finish_and_clear();
-        Ok(Self { requirements, choice, core, shaded, min_mhz: scene.core.min_mhz })
-    }
-
-    fn findings<'a>(&'a self, scene: &'a Scene) -> Option<Findings<'a>> {
-        let (chosen, design, simplifications, verified) = self.core.as_ref()?;
-        let Self { requirements, choice, shaded, .. } = self;
-        let shaded = shaded.as_ref();
-        Some(Findings { scene, requirements, choice, chosen, simplifications, design, verified, shaded })
-    }
+/// Inspects a scene.
+pub(super) fn inspect(scene: &Scene, flags: &SceneFlags, keys: &SpecFields) -> Result<SceneInspection, Error> {
+    let bar = progress::bar("rendering", 1);
+    let (margin, costing) = (flags.margin.unwrap_or(MARGIN), costing(flags.synth)?);
+    let inspection = SceneInspection::of(scene, margin, &costing, keys, &progress::steps(&bar))?;
+    bar.finish_and_clear();
+    Ok(inspection)
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
-    let Command::Inspect(inspect) = &arguments.command;
-    let scene = read_scene(&inspect.scene)?;
-    let known = Known::of(&scene, &inspect.flags, &inspect.keys)?;
-    let findings = known.findings(&scene);
-    if inspect.json {
+    let Command::Inspect(arguments) = &arguments.command;
+    let scene = read_scene(&arguments.scene)?;
+    let inspection = inspect(&scene, &arguments.flags, &arguments.keys)?;
+    let findings = inspection.findings(&scene);
+    if arguments.json {
         match &findings {
             Some(findings) => say_json(&findings.json()),
-            None => say_json(&json!({ "requires": known.requirements, "choice": known.choice })),
+            None => say_json(&json!({ "requires": inspection.requirements, "choice": inspection.choice })),
         }
         return Ok(Verdict::of(findings.is_some()));
     }
-    requirements_text(&scene, &known.requirements).iter().for_each(say);
-    choice_text(&known).iter().for_each(say);
+    requirements_text(&scene, &inspection.requirements).iter().for_each(say);
+    choice_text(&scene, &inspection).iter().for_each(say);
     Ok(Verdict::of(findings.is_some()))
 }
 
-/// The core that a scene needs, and the files that go with it; none where no core keeps the budget. Says what was chosen unless `quiet`.
-pub(super) fn make(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: bool) -> Result<Option<Made>, Error> {
-    let known = Known::of(scene, flags, keys)?;
-    let files = known.findings(scene).map(|findings| findings.files()).transpose()?;
-    let lines = choice_text(&known);
-    let kept = known.shaded.as_ref().is_none_or(|shaded| shaded.missed.is_empty());
-    match (known.core, files) {
-        (Some((_, design, ..)), Some(files)) if kept => {
-            if !quiet {
-                lines.iter().for_each(say);
-            }
-            Ok(Some(Made { design: known.shaded.map_or(design, |shaded| shaded.design), files }))
+/// The core that a scene needs; none where no core keeps the budget. Says what was chosen unless `quiet`.
+pub(super) fn make(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: bool) -> Result<Option<Core>, Error> {
+    let inspection = inspect(scene, flags, keys)?;
+    let lines = choice_text(scene, &inspection);
+    if !inspection.is_kept() {
+        if quiet {
+            say_json(&inspection.choice);
         }
-        _ => {
-            if quiet {
-                say_json(&known.choice);
-            }
-            lines.iter().for_each(warn);
-            Ok(None)
-        }
+        lines.iter().for_each(warn);
+    } else if !quiet {
+        lines.iter().for_each(say);
     }
-}
-
-/// A scene's part of the report; none where no core keeps the budget.
-pub(super) fn part(scene: &Scene) -> Result<Option<ScenePart>, Error> {
-    let known = Known::of(scene, &SceneFlags::default(), &SpecFields::default())?;
-    let Some(findings) = known.findings(scene) else { return Ok(None) };
-    let (frame, bases) = Frame::with_looks(&Tracer::new(scene), scene, &[scene.exact_looks()?], &|| {});
-    let frame = Frame { base: bases.concat(), ..frame };
-    let exact = frame.picture(scene, &Exact.of(scene, &frame)?);
-    let own = frame.picture(scene, &CoreModel::new(findings.design)?.of(scene, &frame)?);
-    let lines = [format!("core {}", findings.chosen.candidate.point.name)];
-    let budget = budget_text(&scene.budget);
-    let sheet = sheet::triptych(
-        &frame,
-        [&exact, &own],
-        "core",
-        &findings.verified.base,
-        &scene.name,
-        &lines,
-        &format!("budget: {budget}"),
-    );
-    Ok(Some(ScenePart::of(&findings, &sheet)))
+    let spinner = progress::spinner(format!("generating the core of {}", scene.name));
+    let core = inspection.generate(scene);
+    spinner.finish_and_clear();
+    core
 }
 
 /// A table of columns with a heading each; all but the first `left` are set flush right.
@@ -398,16 +302,17 @@ fn shader_help(shaded: &Shaded, budget: &Budget) -> Option<String> {
 }
 
 /// The choice, what it leaves out, and what it was chosen from.
-fn choice_text(known: &Known) -> Vec<String> {
-    let Known { requirements, choice, core, shaded, .. } = known;
+fn choice_text(scene: &Scene, inspection: &SceneInspection) -> Vec<String> {
+    let SceneInspection { requirements, choice, shaded, .. } = inspection;
+    let min_mhz = scene.core.min_mhz;
     let SceneChoice { runner_ups, misses, considered, meeting, estimated, tools, .. } = choice;
     let mut lines = Vec::new();
-    match core {
+    match inspection.findings(scene) {
         None => {
-            let mhz = known.min_mhz.map(|mhz| format!(" at {mhz} MHz or more"));
+            let mhz = min_mhz.map(|mhz| format!(" at {mhz} MHz or more"));
             lines.push(format!("no core keeps {}{}", budget_text(&requirements.budget), mhz.unwrap_or_default()));
         }
-        Some((chosen, _, simplifications, verified)) => {
+        Some(Findings { chosen, simplifications, verified, .. }) => {
             lines.push(core_text(chosen));
             let point = &chosen.candidate.point;
             lines.push(format!(
@@ -437,7 +342,7 @@ fn choice_text(known: &Known) -> Vec<String> {
             }
         }
     }
-    let speed = if known.min_mhz.is_some() { " and the frequency" } else { "" };
+    let speed = if min_mhz.is_some() { " and the frequency" } else { "" };
     lines.push(format!("{meeting} of the {considered} cores considered keep the budget{speed}"));
     if !runner_ups.is_empty() {
         let row = |RunnerUp { core, why }: &RunnerUp| core_row(core, why.clone());

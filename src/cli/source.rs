@@ -5,14 +5,16 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::warn;
-use crate::core::{Account, Design};
+use crate::core::Design;
 use crate::emit::package::{self, File};
+use crate::generate::Core;
 use crate::platform::error::{Error, refuse};
 use crate::platform::paths::Paths;
 use crate::platform::transient::Folder;
 use crate::platform::{input, tool};
 use crate::scene::{Scene, document};
 use crate::spec::{CoreSpec, SpecFields};
+use crate::verify::cosim::Job;
 use crate::verify::golden::{self, Golden};
 
 /// The core that a command works on.
@@ -66,7 +68,6 @@ impl Source {
     pub(super) fn fields(&self) -> Result<SpecFields, Error> {
         let written = match &self.path {
             None => SpecFields::default(),
-            Some(path) if path.is_dir() => SpecFields::read(&path.join("core.toml"))?,
             Some(path) if is_scene(path) => {
                 let name = path.display();
                 return Err(Error::input(
@@ -127,29 +128,29 @@ pub(super) fn read_scene(path: &Path) -> Result<Scene, Error> {
 
 /// A core on disk: the user's directory, or one generated for the occasion.
 pub(super) struct OnDisk {
+    pub(super) design: Design,
     pub(super) golden: Golden,
     path: PathBuf,
     _scratch: Option<Folder>,
 }
 
 impl OnDisk {
-    /// The core's directory.
-    pub(super) fn path(&self) -> &Path {
-        &self.path
+    /// The core with its vectors and its directory.
+    pub(super) fn job(&self) -> Job<'_> {
+        Job { design: &self.design, golden: &self.golden, directory: &self.path }
     }
 
     /// The directory that the source names with the vectors in it, or a new one of all the core's files.
-    pub(super) fn of(source: &Source, design: &Design) -> Result<Self, Error> {
+    pub(super) fn of(source: &Source, design: Design) -> Result<Self, Error> {
         if let Some(path) = source.directory() {
-            let file = path.join(package::golden_path(design));
-            let golden = read_golden(design, &file)?;
-            return Ok(Self { golden, path: path.to_owned(), _scratch: None });
+            let golden = read_golden(&design, &path.join(package::golden_path(&design)))?;
+            return Ok(Self { design, golden, path: path.to_owned(), _scratch: None });
         }
         let scratch = tool::scratch()?;
-        let golden = Golden::of(design);
         let path = scratch.path().join("core");
-        package::write_directory(&path, &package::files(design, &Account::of(design), &golden)?)?;
-        Ok(Self { golden, path, _scratch: Some(scratch) })
+        let core = Core::of(design, Vec::new())?;
+        core.write(&path)?;
+        Ok(Self { design: core.design, golden: core.golden, path, _scratch: Some(scratch) })
     }
 }
 

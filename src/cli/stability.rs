@@ -140,7 +140,7 @@ fn one(arguments: &Arguments) -> Result<Verdict, Error> {
         "  ends          {} at x = 0, 1 - {} ulps at x = 1, {} results above 1",
         found.at_zero, found.below_one, found.above_one
     ));
-    for (what, worst) in [("largest fall ", found.fall), ("largest seam ", found.seam)] {
+    for (what, worst) in [("largest fall ", found.max_decrease), ("largest seam ", found.max_step_error)] {
         match worst.ulps {
             0.0 => say(format!("  {what} none")),
             ulps => say(format!("  {what} {ulps:.3} ulps at n = {}, x = {}", worst.shininess, worst.cosine)),
@@ -191,8 +191,8 @@ fn summary(found: &Inspection) -> String {
         found.measured_ulps[1],
         found.largest.largest,
         found.largest.name,
-        found.fall.ulps,
-        found.seam.ulps,
+        found.max_decrease.ulps,
+        found.max_step_error.ulps,
         if found.broken().is_empty() { "" } else { ", BROKEN" },
     )
 }

@@ -2,6 +2,7 @@
 
 mod budget;
 pub mod edges;
+mod evaluation;
 pub mod golden;
 pub mod layout;
 mod measure;
@@ -10,6 +11,7 @@ pub mod sample;
 mod tune;
 
 pub use budget::{Part, ShaderError};
+pub use evaluation::Evaluation;
 pub use measure::{Measured, Sweep};
 
 use std::sync::Arc;

@@ -19,7 +19,7 @@ pub enum Op {
     },
     /// A constant code.
     Constant(i128),
-    /// Argument 0 taken into `low..=high` (codes of the argument, which are those of the result).
+    /// Argument 0 clamped to `low..=high` (codes of the argument, which are those of the result).
     Clamp {
         /// The least code.
         low: i128,

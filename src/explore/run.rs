@@ -11,7 +11,7 @@ use serde::Serialize;
 use super::point::NO_CORE;
 use super::store::Provenance;
 use super::sweep::Core;
-use super::{Cost, Model, Point, Shape, Store};
+use super::{Cost, Model, Point, Results, Shape, Store};
 use crate::core::Design;
 use crate::method::word;
 use crate::platform::error::Error;
@@ -59,6 +59,14 @@ pub struct Summary {
     pub failed_before: usize,
 }
 
+impl Default for Flow {
+    /// Three seeds, each family's own clock, and results that are kept.
+    fn default() -> Self {
+        let cache = Some(synth::default_cache());
+        Self { seeds: 3, target_mhz: None, place: true, pack: true, yosys: None, cache }
+    }
+}
+
 impl Flow {
     /// The options for a family.
     #[must_use]
@@ -77,6 +85,14 @@ impl Flow {
 }
 
 impl Costing {
+    /// By the cost model that the results of the program give.
+    ///
+    /// # Errors
+    /// None in a program whose results are whole.
+    pub fn built_in() -> Result<Self, Error> {
+        Ok(Self::Estimate(Model::fit(&Results::built_in()?)?))
+    }
+
     /// What makes the figures of these cores.
     ///
     /// # Errors

@@ -69,7 +69,7 @@ pub struct Inputs<'a> {
     pub(super) fine_input: bool,
     /// The row of the coefficient ROM.
     pub(super) row: usize,
-    /// The code of `in_n`, taken into the set.
+    /// The code of `in_n`, clamped to the set.
     pub(super) n: u32,
     /// How far the shininess lies on the way to the next row.
     pub(super) fraction: Wide,
@@ -149,7 +149,7 @@ impl Inputs<'_> {
         self.optional("k").map_or(0, |k| k.to_num::<u32>()) + self.memory(Table::COEFFICIENTS).shared_shift
     }
 
-    /// `x (1 - p)` with x and `x p` rounded down to their widths, taken into [0, 1]; rounded to nearest where the input is
+    /// `x (1 - p)` with x and `x p` rounded down to their widths, clamped to [0, 1]; rounded to nearest where the input is
     /// finer than the output.
     pub(super) fn lobe(&self, p: Wide) -> Wide {
         let x = self.floor(self.x, width::X);

@@ -5,12 +5,14 @@ use base64::Engine as _;
 use super::page::{Cell, Figure, Line, Table, count, number, word};
 use crate::emit::package::counted;
 use crate::explore::Cost;
+use crate::platform::error::Error;
 use crate::plot::{Axis, COLOURS, Chart, Curve, Style};
 use crate::scene::choice::SceneCore;
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
 use crate::scene::require::MaterialNeed;
-use crate::scene::sheet::Sheet;
+use crate::scene::sheet::{self, Sheet};
 use crate::scene::survey::{Counts, DEGREE_BINS, SCALED_BINS};
+use crate::scene::{CoreModel, Exact, Frame, Highlights, Tracer};
 
 /// A scene in the report.
 #[derive(Debug)]
@@ -31,9 +33,12 @@ pub struct ScenePart {
 
 impl ScenePart {
     /// What is found of a scene, with the page that shows its pictures.
-    #[must_use]
-    pub fn of(findings: &Findings, sheet: &Sheet) -> Self {
+    ///
+    /// # Errors
+    /// A scene or a core that no picture can be drawn of.
+    pub fn of(findings: &Findings) -> Result<Self, Error> {
         let Findings { scene, requirements, choice, chosen, verified, .. } = findings;
+        let pixels = pictures(findings)?.pixels;
         let figures = if choice.estimated { "estimated" } else { "measured" };
         let mut lines = vec![
             format!(
@@ -61,23 +66,35 @@ impl ScenePart {
         ];
         lines.extend(scene.left_out.iter().map(|line| format!("Of the materials' files {line}.")));
         let shiny: Vec<&MaterialNeed> = requirements.materials.iter().filter(|need| need.row.is_some()).collect();
-        Self {
+        Ok(Self {
             name: scene.name.clone(),
             lines,
-            picture: base64::engine::general_purpose::STANDARD.encode(sheet.pixels.png()),
-            width: sheet.pixels.width,
+            picture: base64::engine::general_purpose::STANDARD.encode(pixels.png()),
+            width: pixels.width,
             charts: vec![
                 (format!("scene_{}_angle", scene.name), angles(&scene.name, &shiny)),
                 (format!("scene_{}_lobe", scene.name), scaled(&scene.name, &shiny)),
             ],
             tables: vec![materials(&requirements.materials), left_out(findings), cores(findings)],
-        }
+        })
     }
 
     /// The charts for the page.
     pub(super) fn figures(&self) -> Vec<Figure> {
         self.charts.iter().map(|(name, chart)| Figure::of(name, chart)).collect()
     }
+}
+
+/// The exact picture, the core's, and how they differ.
+fn pictures(findings: &Findings) -> Result<Sheet, Error> {
+    let Findings { scene, design, chosen, verified, .. } = findings;
+    let (frame, bases) = Frame::with_looks(&Tracer::new(scene), scene, &[scene.exact_looks()?], &|| {});
+    let frame = Frame { base: bases.concat(), ..frame };
+    let exact = frame.picture(scene, &Exact.of(scene, &frame)?);
+    let own = frame.picture(scene, &CoreModel::new(design)?.of(scene, &frame)?);
+    let lines = [format!("core {}", chosen.candidate.point.name)];
+    let budget = format!("budget: {}", budget_text(&scene.budget));
+    Ok(sheet::triptych(&frame, [&exact, &own], "core", &verified.base, &scene.name, &lines, &budget))
 }
 
 /// A cost in words.

@@ -144,9 +144,6 @@ impl PictureCore {
 
 /// Reads the keys of a core; a scene is told apart.
 fn read(path: &Path) -> Result<SpecFields, Error> {
-    if path.is_dir() {
-        return SpecFields::read(&path.join("core.toml"));
-    }
     let text = input::read_text(path, "").unwrap_or_default();
     refuse!(
         Scene::is_scene(&text),

@@ -15,7 +15,8 @@
 //! - `cores`: the cores that a picture is drawn through;
 //! - `drawing`: a picture exact and otherwise, judged;
 //! - [`simplify`]: what that core leaves out, and what this saves;
-//! - [`document`]: all of it in files beside the core;
+//! - [`inspect`]: all of it;
+//! - [`document`]: the same in files beside the core;
 //! - [`picture`]: pictures as files: PNG and OpenEXR;
 //! - [`sheet`]: pages of pictures with what is to be said of them.
 
@@ -28,6 +29,7 @@ pub(crate) mod drawing;
 pub mod file;
 pub mod frame;
 pub mod highlight;
+pub mod inspect;
 pub mod mesh;
 pub mod mtl;
 mod obj;
@@ -48,6 +50,7 @@ pub use difference::Difference;
 pub use file::{Budget, Camera, CoreConstraints, Light, LightKind, Object, Scene, Shape};
 pub use frame::{Frame, Picture};
 pub use highlight::{Codes, Compiled, CoreModel, Exact, Highlights};
+pub use inspect::SceneInspection;
 pub use picture::Pixels;
 pub use require::Requirements;
 pub use trace::{Hit, Lit, Tracer};

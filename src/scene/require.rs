@@ -22,6 +22,8 @@ use crate::spec::{INPUT_FRACTION, Material, OUTPUT_FRACTION};
 pub const MOVED_WIDTH: u32 = 320;
 /// The most samples, pixels times lights, of all moved pictures together; they are made smaller until they have no more.
 const MOVED_SAMPLES: u64 = 6_000_000;
+/// The margin in degrees where none is said.
+pub const MARGIN: f64 = 5.0;
 /// The largest margin in degrees.
 pub const MAX_MARGIN: f64 = 45.0;
 /// The part of the budget that each of the roundings of input and output may take by the derivation.

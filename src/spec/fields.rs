@@ -111,12 +111,14 @@ macro_rules! options {
 method_keys! { options! {} }
 
 impl SpecFields {
-    /// Reads a TOML file.
+    /// Reads a TOML file, or the one in a generated core's directory.
     ///
     /// # Errors
     /// An unreadable file, text that is not TOML, an unknown key (with the nearest known one) or a value
     /// of the wrong kind, with its place.
     pub fn read(path: &Path) -> Result<Self, Error> {
+        let inside = path.join("core.toml");
+        let path = if path.is_dir() { &inside } else { path };
         let text = input::read_text(path, "a spec is a TOML file")?;
         Self::parse(&text, &path.display().to_string())
     }

@@ -12,6 +12,9 @@ mod resolve;
 #[cfg(test)]
 mod tests;
 
+use std::path::Path;
+use std::str::FromStr;
+
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -36,6 +39,7 @@ pub(crate) use name::check_name;
 pub use reference::reference;
 
 use crate::emit::rom::RomFormat;
+use crate::platform::error::Error;
 
 /// Fraction bits of a fixed-point shininess that are allowed.
 pub const SHININESS_FRACTION: std::ops::RangeInclusive<u32> = 0..=10;
@@ -106,6 +110,14 @@ impl VhdlPorts {
 }
 
 /// A core, every default resolved and every value checked.
+///
+/// ```
+/// let spec: brdfgen::Spec = "method = 'cubic'\nshininess = '1..=1000'\ninput_fraction = 12".parse()?;
+/// assert_eq!(spec.name, "cubic");
+/// assert_eq!(spec.to_toml().parse::<brdfgen::Spec>()?, spec);
+/// assert_eq!(spec.row_of(5.0)?, 4);
+/// # Ok::<(), brdfgen::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct CoreSpec {
     /// The name of the core, its module and its files.
@@ -132,7 +144,24 @@ pub struct CoreSpec {
     pub golden_inputs: GoldenInputs,
 }
 
+impl FromStr for CoreSpec {
+    type Err = Error;
+
+    /// Reads TOML text.
+    fn from_str(text: &str) -> Result<Self, Error> {
+        SpecFields::parse(text, "the spec")?.resolve()
+    }
+}
+
 impl CoreSpec {
+    /// Reads a TOML file, or the one in a generated core's directory.
+    ///
+    /// # Errors
+    /// A file that cannot be read, text that is no spec, or a value that is not allowed.
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        SpecFields::read(path)?.resolve()
+    }
+
     /// The spec as written to `core.toml`: every default resolved.
     #[must_use]
     pub fn to_toml(&self) -> String {
@@ -149,6 +178,21 @@ impl CoreSpec {
     #[must_use]
     pub fn digest(&self) -> String {
         hex(&Sha256::digest(self.to_toml()))[..16].to_owned()
+    }
+
+    /// The place of a lobe's shininess among those of the core.
+    ///
+    /// # Errors
+    /// A shader, or a shininess that the core does not have.
+    pub fn row_of(&self, n: f64) -> Result<usize, Error> {
+        if self.block.shader().is_some() {
+            return Err(Error::input("eval evaluates a lobe, and this core is a shader", "leave --block shader out"));
+        }
+        let set = &self.interface.shininess;
+        set.values().iter().position(|&own| own == n).ok_or_else(|| {
+            let all = if set.rows() > 20 { format!("{} of them", set.rows()) } else { set.to_string() };
+            Error::input(format!("the core has no shininess {n}"), format!("it has {all}"))
+        })
     }
 
     /// The flags that differ from the defaults, each with its value: `--key value`. No flag gives a material's colours.

@@ -42,6 +42,15 @@ pub fn rom_path(design: &Design, table: &Table, format: RomFormat) -> String {
     format!("rom/{}", format.file_name(&design.spec.name, table))
 }
 
+/// A memory's file.
+#[must_use]
+pub fn rom_file(design: &Design, table: &Table, format: RomFormat) -> File {
+    let spec = &design.spec;
+    let name = rom::memory_name(&spec.name, table);
+    let bytes = rom::write(table, format, &name, &spec.digest(), &spec.command());
+    File { path: rom_path(design, table, format), bytes }
+}
+
 /// The path of the HDL in the core's directory.
 #[must_use]
 pub fn rtl_path(design: &Design, language: Language) -> String {
@@ -89,12 +98,7 @@ pub fn sources(design: &Design, language: Language) -> Result<Vec<File>, Error> 
     let spec = &design.spec;
     let mut files = Vec::new();
     if spec.rom != RomStyle::Inline {
-        for table in design.tables() {
-            let name = rom::memory_name(&spec.name, table);
-            let format = read_format(spec);
-            let bytes = rom::write(table, format, &name, &spec.digest(), &spec.command());
-            files.push(File { path: rom_path(design, table, format), bytes });
-        }
+        files.extend(design.tables().iter().map(|table| rom_file(design, table, read_format(spec))));
     }
     let source = emit::backend(language).emit(&design.layout(), &texts_without_header(design))?;
     files.push(File { path: rtl_path(design, language), bytes: source.into_bytes() });
@@ -252,9 +256,8 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     }
     for table in design.tables() {
         for &format in &spec.rom_formats {
-            let name = rom::memory_name(&spec.name, table);
-            let bytes = rom::write(table, format, &name, &spec.digest(), &spec.command());
-            add(rom_path(design, table, format), bytes);
+            let File { path, bytes } = rom_file(design, table, format);
+            add(path, bytes);
         }
     }
     add(golden_path, golden.to_text(design).into_bytes());

@@ -19,7 +19,7 @@ pub(in crate::method) fn stable(inputs: &Inputs) -> Wide {
     inputs.lobe(inputs.floor(p, width::P))
 }
 
-/// `y = a x^3 + b x^2 + c x`, rounded to nearest and taken into [0, 1]; 0 past the cut.
+/// `y = a x^3 + b x^2 + c x`, rounded to nearest and clamped to [0, 1]; 0 past the cut.
 pub(in crate::method) fn paper(inputs: &Inputs) -> Wide {
     let x = inputs.x;
     if past_cut(inputs, Wide::ONE - x) {

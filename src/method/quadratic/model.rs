@@ -17,7 +17,7 @@ pub(in crate::method) fn stable(inputs: &Inputs) -> Wide {
     inputs.lobe(inputs.floor(p, width::P))
 }
 
-/// `y = x + a (x^2 - x)`, rounded to nearest and taken into [0, 1].
+/// `y = x + a (x^2 - x)`, rounded to nearest and clamped to [0, 1].
 pub(in crate::method) fn paper(inputs: &Inputs) -> Wide {
     let x = inputs.x;
     let square = inputs.floor(x * x, width::S);

@@ -30,7 +30,7 @@ use serde::{Deserialize, Serialize};
 use crate::core::Design;
 use crate::platform::error::Error;
 use crate::spec::Language;
-use crate::verify::golden::Golden;
+use crate::verify::golden::{Golden, differences};
 
 /// A simulator that brdfgen can use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, clap::ValueEnum)]
@@ -138,6 +138,24 @@ impl Outcome {
 
 /// Differences that are listed in full; more are counted.
 pub const LISTED: usize = 10;
+
+/// The golden file against the model: what the simulators are compared with must be right itself.
+#[must_use]
+pub fn model(job: &Job) -> Outcome {
+    let start = std::time::Instant::now();
+    let expected = Golden::of(job.design);
+    let found = differences(job.design, &expected, job.golden);
+    let count = expected.vectors().len() as u64;
+    Outcome {
+        simulator: "model".to_owned(),
+        mode: "golden vectors",
+        vectors: count,
+        expected_vectors: count,
+        mismatches: found.len() as u64,
+        first: found.iter().take(LISTED).map(ToString::to_string).collect(),
+        seconds: start.elapsed().as_secs_f64(),
+    }
+}
 
 /// Runs the golden vectors through a simulator.
 ///

@@ -47,8 +47,8 @@ struct Line {
     narrowed: u32,
     ulps: String,
     below_one: i64,
-    fall: String,
-    seam: String,
+    max_decrease: String,
+    max_step_error: String,
 }
 
 struct Section {
@@ -109,8 +109,8 @@ fn line(method: &str, entries: &[&Entry]) -> Line {
         narrowed: found.iter().map(|of| of.narrowed_bits).sum(),
         ulps: format!("{low:.2}..{high:.2}"),
         below_one: found.iter().map(|of| of.below_one).max().unwrap_or(0),
-        fall: greatest(&|of| of.fall.ulps).map_or(String::new(), |of| ulps(&of.fall)),
-        seam: greatest(&|of| of.seam.ulps).map_or(String::new(), |of| ulps(&of.seam)),
+        max_decrease: greatest(&|of| of.max_decrease.ulps).map_or(String::new(), |of| ulps(&of.max_decrease)),
+        max_step_error: greatest(&|of| of.max_step_error.ulps).map_or(String::new(), |of| ulps(&of.max_step_error)),
     }
 }
 
@@ -252,14 +252,14 @@ fn findings(study: &Study) -> Vec<String> {
         ));
     }
     for (printed, form) in [(true, "the printed forms"), (false, "the other forms and methods")] {
-        let worst =
-            found(printed).reduce(|best, other| if other.1.fall.ulps > best.1.fall.ulps { other } else { best });
-        let falling = found(printed).filter(|(_, of)| of.fall.ulps > 0.0).count();
-        let steeply = found(printed).filter(|(_, of)| of.fall.ulps > 1.0).count();
+        let worst = found(printed)
+            .reduce(|best, other| if other.1.max_decrease.ulps > best.1.max_decrease.ulps { other } else { best });
+        let falling = found(printed).filter(|(_, of)| of.max_decrease.ulps > 0.0).count();
+        let steeply = found(printed).filter(|(_, of)| of.max_decrease.ulps > 1.0).count();
         let Some((case, of)) = worst else { continue };
-        let largest = match of.fall.ulps {
+        let largest = match of.max_decrease.ulps {
             0.0 => String::new(),
-            _ => format!(" The largest fall is of {} ({}, {}).", ulps(&of.fall), case.method, case.value),
+            _ => format!(" The largest fall is of {} ({}, {}).", ulps(&of.max_decrease), case.method, case.value),
         };
         findings.push(format!(
             "**Monotone.** Of {} cores of {form}, {falling} fall anywhere as the cosine rises, {steeply} of them by more than one ulp.{largest}",
@@ -269,15 +269,17 @@ fn findings(study: &Study) -> Vec<String> {
     // Where every method is at the same shininesses and formats.
     let alike = || found(false).filter(|(case, _)| case.axis == Axis::Shininess && case.value == "cosine");
     let by = |wins: fn(f64, f64) -> bool| {
-        alike().reduce(|best, other| if wins(other.1.seam.ulps, best.1.seam.ulps) { other } else { best })
+        alike().reduce(
+            |best, other| if wins(other.1.max_step_error.ulps, best.1.max_step_error.ulps) { other } else { best },
+        )
     };
     if let (Some((least, low)), Some((most, high))) = (by(|a, b| a < b), by(|a, b| a > b)) {
         findings.push(format!(
             "**Seams.** With the same shininesses and formats the largest seam is from {} ({}) to {} ulps ({}): cuts, bounds of segments and \
              lobes a few inputs wide are the methods' own; hardware adds what the column of the error says.",
-            ulps(&low.seam),
+            ulps(&low.max_step_error),
             least.method,
-            ulps(&high.seam),
+            ulps(&high.max_step_error),
             most.method,
         ));
     }
@@ -323,8 +325,8 @@ fn cores_table(entries: &[Entry]) -> Result<Vec<u8>, csv::Error> {
             row.extend(of.measured_ulps.map(number));
             row.extend(of.proved_ulps.map(number));
             row.extend([number(of.max_abs), of.below_one.to_string(), of.at_zero.to_string()]);
-            row.extend([of.above_one.to_string(), of.outside_differences.to_string(), of.falls.to_string()]);
-            for worst in [of.fall, of.seam] {
+            row.extend([of.above_one.to_string(), of.outside_differences.to_string(), of.decreases.to_string()]);
+            for worst in [of.max_decrease, of.max_step_error] {
                 row.extend([number(worst.ulps), worst.shininess.to_string(), number(worst.cosine)]);
             }
         }

@@ -94,11 +94,14 @@ pub struct Inspection {
     /// Inputs outside [0, 1] whose result is not that of the nearest end.
     pub outside_differences: u64,
     /// Neighbouring cosines of which the greater has the lesser result.
-    pub falls: u64,
-    /// The largest of these falls.
-    pub fall: Worst,
+    #[serde(rename = "falls")]
+    pub decreases: u64,
+    /// The largest of these decreases.
+    #[serde(rename = "fall")]
+    pub max_decrease: Worst,
     /// The largest difference between a step of the result and the step of x^n itself.
-    pub seam: Worst,
+    #[serde(rename = "seam")]
+    pub max_step_error: Worst,
     /// Named places.
     pub places: Vec<Place>,
 }
@@ -126,9 +129,9 @@ struct Row {
     above_one: u64,
     outside: u64,
     outside_differences: u64,
-    falls: u64,
-    fall: Worst,
-    seam: Worst,
+    decreases: u64,
+    max_decrease: Worst,
+    max_step_error: Worst,
     places: [f64; 10],
 }
 
@@ -186,9 +189,9 @@ impl Inspection {
             at_zero: rows.iter().map(|row| row.at_zero).max().unwrap_or(0),
             above_one: sum(|row| row.above_one),
             outside_differences: sum(|row| row.outside_differences),
-            falls: sum(|row| row.falls),
-            fall: worst(|row| row.fall),
-            seam: worst(|row| row.seam),
+            decreases: sum(|row| row.decreases),
+            max_decrease: worst(|row| row.max_decrease),
+            max_step_error: worst(|row| row.max_step_error),
             places: PLACES.iter().enumerate().map(place).collect(),
         }
     }
@@ -289,10 +292,10 @@ impl Row {
             let step = f64::from(outputs[x]) - f64::from(outputs[x - 1]);
             let at = |ulps: f64| Worst { ulps, shininess: n, cosine: cosine(x) };
             if step < 0.0 {
-                found.falls += 1;
-                found.fall = found.fall.or(at(-step));
+                found.decreases += 1;
+                found.max_decrease = found.max_decrease.or(at(-step));
             }
-            found.seam = found.seam.or(at((step - (here - before)).abs()));
+            found.max_step_error = found.max_step_error.or(at((step - (here - before)).abs()));
             before = here;
         }
         // The cusp is where x^n = 1/2, the end the greatest cosine from which on everything down to 0 gives 0.
