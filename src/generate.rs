@@ -60,11 +60,13 @@ pub struct Core {
 }
 
 impl Core {
-    /// Builds a core, measures its error, chooses its golden vectors and makes its files. That takes some seconds for a thousand shininesses
-    /// at 16 bits, and up to minutes where coefficients are fitted; for the bit-exact model and the memories alone [`Design::new`] is enough.
+    /// Builds a core, measures its error, chooses its golden vectors and makes its files. That takes some seconds for a
+    /// thousand shininesses at 16 bits, and up to minutes where coefficients are fitted; for the bit-exact model and
+    /// the memories alone [`Design::new`] is enough.
     ///
     /// # Errors
-    /// A spec that no core can be built for (see [`Design::new`]), or a name that the core's text uses for something else.
+    /// A spec that no core can be built for (see [`Design::new`]), or a name that the core's text uses for something
+    /// else.
     pub fn generate(spec: &CoreSpec) -> Result<Self, Error> {
         Self::of(Design::new(spec.clone())?, Vec::new())
     }
@@ -81,8 +83,8 @@ impl Core {
         Ok(Self { design, account, golden, files })
     }
 
-    /// The codes at the output ports for codes at the input ports, by the bit-exact model; both in the order of [`Design::numbers`]. Of a
-    /// lobe `in_n` and the operand in, `out_spec` out.
+    /// The codes at the output ports for codes at the input ports, by the bit-exact model; both in the order of
+    /// [`Design::numbers`]. Of a lobe `in_n` and the operand in, `out_spec` out.
     ///
     /// # Errors
     /// Another number of codes than there are ports, or a code that its port does not hold.
@@ -101,7 +103,8 @@ impl Core {
         ))
     }
 
-    /// The result of a lobe for the shininess `n` and the code nearest to a cosine, from -2 up to 2, with what it should be.
+    /// The result of a lobe for the shininess `n` and the code nearest to a cosine, from -2 up to 2, with what it
+    /// should be.
     ///
     /// # Errors
     /// A shader, a shininess that the core does not have, a cosine that its port does not hold.

@@ -1,7 +1,8 @@
-//! brdfgen generates FPGA cores for the specular term of a shader: `cos^n` of the highlight, as a rule a polynomial in the cosine whose
-//! coefficients, one set for each shininess n, sit in a ROM; and whole shaders around it.
+//! brdfgen generates FPGA cores for the specular term of a shader: `cos^n` of the highlight, as a rule a polynomial in
+//! the cosine whose coefficients, one set for each shininess n, sit in a ROM; and whole shaders around it.
 //!
-//! A program gives a [`Spec`] and gets a [`Core`]: all files in memory, the bit-exact model, what is proved and measured of the error.
+//! A program gives a [`Spec`] and gets a [`Core`]: all files in memory, the bit-exact model, what is proved and
+//! measured of the error.
 //!
 //! ```
 //! use brdfgen::{Core, Spec};
@@ -17,8 +18,8 @@
 //!
 //! # The map of the house
 //!
-//! Data flows one way: spec → method → datapath → core → {HDL, ROM files, vectors} → checks → reports. A room stands above all that it
-//! uses, as `tests/rooms.rs` reads off the sources; from the bottom up:
+//! Data flows one way: spec → method → datapath → core → {HDL, ROM files, vectors} → checks → reports. A room stands
+//! above all that it uses, as `tests/rooms.rs` reads off the sources; from the bottom up:
 //!
 //! | module | what it does |
 //! | --- | --- |

@@ -1,9 +1,8 @@
 //! The lobe itself, x^n, as a real number, and what its approximations have in common.
 //!
-//! Everything is a function of the versine `u = 1 - x` of the cosine `x`, because near the highlight
-//! `u` is the small quantity that keeps its precision. Nothing here knows of bits. The elementary
-//! functions come from the crate `libm`, which is plain IEEE arithmetic: the same coefficients, and so
-//! the same ROM words, on every machine.
+//! Everything is a function of the versine `u = 1 - x` of the cosine `x`, because near the highlight `u` is the small
+//! quantity that keeps its precision. Nothing here knows of bits. The elementary functions come from the crate `libm`,
+//! which is plain IEEE arithmetic: the same coefficients, and so the same ROM words, on every machine.
 
 use crate::platform::error::Error;
 

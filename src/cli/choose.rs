@@ -18,7 +18,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "ERROR")]
     max_error: MaxError,
 
-    /// What is to be least; of equals the others, in the order LUTs, DSPs, block RAMs, clocks (for dsp and bram these two come first)
+    /// What is to be least; of equals the others, in the order LUTs, DSPs, block RAMs, clocks (for dsp and bram these
+    /// two come first)
     #[arg(long, visible_alias = "goal", value_enum, value_name = "COST", default_value = "lut")]
     objective: Objective,
 
@@ -37,7 +38,8 @@ pub(super) struct Arguments {
 #[derive(Args, Clone)]
 #[command(next_help_heading = "Core")]
 pub(super) struct Keys {
-    /// Shininesses served: a range of integers, or a list of real numbers; a core for a range serves the ranges in it [default: 1..=1000]
+    /// Shininesses served: a range of integers, or a list of real numbers; a core for a range serves the ranges in it
+    /// [default: 1..=1000]
     #[arg(long)]
     shininess: Option<Shininess>,
 
@@ -90,7 +92,8 @@ pub(super) struct WishFlags {
     #[arg(long, value_name = "CLOCKS")]
     max_latency: Option<u32>,
 
-    /// Choose among the points of this file, a .db, .csv or .json of explore [default: those that come with the program]
+    /// Choose among the points of this file, a .db, .csv or .json of explore [default: those that come with the
+    /// program]
     #[arg(long, value_name = "FILE")]
     results: Option<PathBuf>,
 

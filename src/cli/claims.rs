@@ -18,13 +18,13 @@ const REPORT: Kind = Kind { what: "a report of claims", file: "claims.csv", mark
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// Directory for claims.csv, error_against_n.csv, error_against_angle.csv and the charts (SVG and PNG): a new or empty one,
-    /// or one of an earlier run [default: nothing is written]
+    /// Directory for claims.csv, error_against_n.csv, error_against_angle.csv and the charts (SVG and PNG): a new or
+    /// empty one, or one of an earlier run [default: nothing is written]
     #[arg(long, short, value_name = "DIR")]
     out: Option<PathBuf>,
 
-    /// Compare with the values of this table, such as the claims.csv of an earlier run, instead of those recorded in the
-    /// program; exit 1 if one differs in its first three digits
+    /// Compare with the values of this table, such as the claims.csv of an earlier run, instead of those recorded in
+    /// the program; exit 1 if one differs in its first three digits
     #[arg(long, value_name = "FILE")]
     recorded: Option<PathBuf>,
 

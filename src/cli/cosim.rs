@@ -25,7 +25,8 @@ pub(super) struct Arguments {
     #[arg(long)]
     exhaustive: bool,
 
-    /// The netlist that `synth` makes of the core for this family, registers in its blocks included, in place of the core: ecp5, in Icarus
+    /// The netlist that `synth` makes of the core for this family, registers in its blocks included, in place of the
+    /// core: ecp5, in Icarus
     #[arg(long, value_enum, value_name = "FAMILY", conflicts_with_all = ["exhaustive", "sim"])]
     netlist: Option<Family>,
 

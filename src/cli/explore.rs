@@ -103,7 +103,8 @@ struct Explore {
 #[derive(Args)]
 #[command(next_help_heading = super::help::COSTS)]
 struct CostFlags {
-    /// Measured points that the cost model is fitted to: a .db, .csv or .json file [default: those that come with the program]
+    /// Measured points that the cost model is fitted to: a .db, .csv or .json file [default: those that come with the
+    /// program]
     #[arg(long, requires = "estimate", value_name = "FILE")]
     fit_from: Option<PathBuf>,
 

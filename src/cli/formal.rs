@@ -15,7 +15,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "S", default_value_t = 20, value_parser = clap::value_parser!(u32).range(1..))]
     solver_limit: u32,
 
-    /// End with exit code 0 although a claim is open, that is, neither proved nor refuted; without this it is 1, as for a refuted one
+    /// End with exit code 0 although a claim is open, that is, neither proved nor refuted; without this it is 1, as for
+    /// a refuted one
     #[arg(long)]
     allow_open: bool,
 

@@ -27,8 +27,8 @@ pub(super) struct Arguments {
     #[arg(long)]
     check: bool,
 
-    /// Then have the tools at hand read the text: Icarus, Verilator, Yosys and GHDL, and NVC, slang and Verible where they are installed;
-    /// exit 1 if one complains
+    /// Then have the tools at hand read the text: Icarus, Verilator, Yosys and GHDL, and NVC, slang and Verible where
+    /// they are installed; exit 1 if one complains
     #[arg(long, conflicts_with = "check")]
     lint: bool,
 
@@ -36,8 +36,8 @@ pub(super) struct Arguments {
     #[arg(long)]
     json: bool,
 
-    /// Choose the cheapest core whose |result - x^n| is at most this (0.01, 1% or 2^-7), as `choose` does; other keys of the core that
-    /// are given narrow the choice
+    /// Choose the cheapest core whose |result - x^n| is at most this (0.01, 1% or 2^-7), as `choose` does; other keys
+    /// of the core that are given narrow the choice
     #[arg(long, value_name = "ERROR", help_heading = "Choice")]
     max_error: Option<MaxError>,
 
@@ -132,7 +132,8 @@ fn chosen(arguments: &Arguments, wish: &Constraints) -> Result<Option<(Core, u32
     Ok(Some((of_spec(wish.spec_of(chosen)?.resolve()?, Vec::new())?, chosen.cost.latency)))
 }
 
-/// Whether a chosen core is what was wished: the figures that it is chosen by may be of another version of this program.
+/// Whether a chosen core is what was wished: the figures that it is chosen by may be of another version of this
+/// program.
 fn keeps(wish: &Constraints, promised: u32, core: &Core) -> bool {
     let latency = core.design.schedule.latency;
     if let Account::Lobe { measured, .. } = &core.account

@@ -168,7 +168,8 @@ fn printed(verdict: Verdict) -> Result<Verdict, Error> {
     }
 }
 
-/// Prints a line to standard error. A reader that went away is no error: the exit code still says how the command ended.
+/// Prints a line to standard error. A reader that went away is no error: the exit code still says how the command
+/// ended.
 fn warn(text: impl AsRef<str>) {
     let _ = writeln!(std::io::stderr(), "{}", text.as_ref());
 }

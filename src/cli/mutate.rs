@@ -26,7 +26,8 @@ pub(super) struct Arguments {
     #[arg(long = "source", value_name = "N", default_value_t = usize::MAX, hide_default_value = true)]
     most: usize,
 
-    /// So many mutants of the netlist of the core's Verilog as well, by Yosys and Verilator; its memories must be in its text
+    /// So many mutants of the netlist of the core's Verilog as well, by Yosys and Verilator; its memories must be in
+    /// its text
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     netlist: u32,
 

@@ -43,7 +43,8 @@ pub(super) struct Arguments {
     #[arg(long, short, value_name = "FILE.png")]
     out: PathBuf,
 
-    /// What the PNG file shows: the three pictures side by side with their figures, or one of them alone, pixel for pixel
+    /// What the PNG file shows: the three pictures side by side with their figures, or one of them alone, pixel for
+    /// pixel
     #[arg(long, value_enum, default_value = "all", conflicts_with = "compare")]
     only: Only,
 
@@ -51,8 +52,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "FILE.exr", conflicts_with = "compare")]
     exr: Option<PathBuf>,
 
-    /// How the core's highlights are computed: by its bit-exact model, or by the core itself, compiled by Verilator and given every
-    /// sample of the picture
+    /// How the core's highlights are computed: by its bit-exact model, or by the core itself, compiled by Verilator and
+    /// given every sample of the picture
     #[arg(long, value_enum, default_value = "model")]
     through: Through,
 
@@ -60,10 +61,10 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "WxH")]
     size: Option<Size>,
 
-    /// Make a contact sheet of several cores: methods, each with keys if need be, as in `cubic,log-exp:accuracy=9`, spec files or core
-    /// directories [default: quadratic, cubic, cubic-min-zero minimax, schlick, power-4, log-exp of accuracy 5 and 9]. Of a scene with
-    /// measured materials, of several forms: `paper`, `half`, `bivariate`, each with keys as in `half:images=8:size=64`, and `fit`
-    /// [default: paper of 4 and of 6 images, half, bivariate, fit]
+    /// Make a contact sheet of several cores: methods, each with keys if need be, as in `cubic,log-exp:accuracy=9`,
+    /// spec files or core directories [default: quadratic, cubic, cubic-min-zero minimax, schlick, power-4, log-exp of
+    /// accuracy 5 and 9]. Of a scene with measured materials, of several forms: `paper`, `half`, `bivariate`, each with
+    /// keys as in `half:images=8:size=64`, and `fit` [default: paper of 4 and of 6 images, half, bivariate, fit]
     #[arg(long, value_name = "CORES", num_args = 0..=1, require_equals = true, value_delimiter = ',', default_missing_value = "", conflicts_with = "method")]
     compare: Option<Vec<String>>,
 
@@ -79,8 +80,8 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, requires = "compare")]
     family: Option<Family>,
 
-    /// The core: a spec file, or the directory of a generated core; flags win over it. Without it and without --method: the cheapest core
-    /// that keeps the scene's budget
+    /// The core: a spec file, or the directory of a generated core; flags win over it. Without it and without --method:
+    /// the cheapest core that keeps the scene's budget
     #[arg(long, value_name = "SPEC", conflicts_with = "compare")]
     core: Option<PathBuf>,
 

@@ -38,12 +38,13 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "SCENE")]
     scene: Vec<PathBuf>,
 
-    /// A MERL table, or the name of a reflectance model or preset: its memory against its error in every form; repeat for more
+    /// A MERL table, or the name of a reflectance model or preset: its memory against its error in every form; repeat
+    /// for more
     #[arg(long, value_name = "FILE|MODEL")]
     material: Vec<PathBuf>,
 
-    /// Mark the core that `brdfgen choose` chooses for this error and the other wishes, such as 0.01, 1% or 2^-7; exit 1 if there is
-    /// none
+    /// Mark the core that `brdfgen choose` chooses for this error and the other wishes, such as 0.01, 1% or 2^-7; exit
+    /// 1 if there is none
     #[arg(long, value_name = "ERROR")]
     max_error: Option<MaxError>,
 

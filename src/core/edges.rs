@@ -1,8 +1,9 @@
-//! Inputs of a shader at which a last bit decides: scalar products just below or at a multiple of the last bit that rounding leaves, a
-//! light that only just shines on a surface, products of cosines just below such a multiple.
+//! Inputs of a shader at which a last bit decides: scalar products just below or at a multiple of the last bit that
+//! rounding leaves, a light that only just shines on a surface, products of cosines just below such a multiple.
 //!
-//! With k bits dropped, random samples find such an input once in 2^k. Here one is made: a vector near an axis has a component of ±1 code
-//! and one of about 2^(f/2) codes, so its product with another vector becomes any number when the other is moved by as few codes.
+//! With k bits dropped, random samples find such an input once in 2^k. Here one is made: a vector near an axis has a
+//! component of ±1 code and one of about 2^(f/2) codes, so its product with another vector becomes any number when the
+//! other is moved by as few codes.
 
 use super::Design;
 use super::sample::{Sample, Vector, front, normalised, plus, random_codes, random_direction};
@@ -58,7 +59,8 @@ fn last_bits(bits: u32, rng: &mut Rng) -> i64 {
     (some ^ flip(rng) ^ flip(rng)) & ones
 }
 
-/// The inverse of an odd number modulo a power of two, by Newton's iteration: each step doubles the bits that are right.
+/// The inverse of an odd number modulo a power of two, by Newton's iteration: each step doubles the bits that are
+/// right.
 fn inverse(odd: i64, bits: u32) -> i64 {
     let mut inverse = odd;
     for _ in 0..5 {
@@ -152,7 +154,8 @@ fn edge(design: &Design, shader: &Shader, row: u32, shininess: f64, rng: &mut Rn
             let [nl, nv] = [ports.light, viewer].map(|place| product(axis, at(&codes, place)) >> dropped);
             let bits = dot_bits - 1;
             let (wanted, half) = (last_bits(bits, rng), 1i64 << (bits - 1));
-            // Any odd factor has an inverse, so it says the other's low bits: of many near the sample's, the one whose other moves least.
+            // Any odd factor has an inverse, so it says the other's low bits: of many near the sample's, the one whose
+            // other moves least.
             let moves = |odd: i64| {
                 let low = inverse(odd, bits).wrapping_mul(wanted);
                 (low.wrapping_sub(nv).wrapping_add(half) & (2 * half - 1)) - half
@@ -219,8 +222,8 @@ mod tests {
         }
     }
 
-    /// Each scalar product's dropped bits are all 1 in one input of three hundred or more, not in one of 2^14; and there is light that hardly
-    /// reaches the surface and makes a highlight.
+    /// Each scalar product's dropped bits are all 1 in one input of three hundred or more, not in one of 2^14; and
+    /// there is light that hardly reaches the surface and makes a highlight.
     #[test]
     fn products_are_often_just_below_a_last_bit() {
         let design = design();

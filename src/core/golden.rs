@@ -1,5 +1,5 @@
-//! The golden vectors of a core as data: what they hold, their file's text, and what a core whose memories can be written gives for them
-//! with other words. Which inputs become vectors is chosen in [`crate::verify::golden`].
+//! The golden vectors of a core as data: what they hold, their file's text, and what a core whose memories can be
+//! written gives for them with other words. Which inputs become vectors is chosen in [`crate::verify::golden`].
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -44,8 +44,8 @@ impl Vector {
 pub struct RowDigest {
     /// The code of the first input port, `in_n`.
     pub index: u32,
-    /// XXH3-64 of the outputs, each as four little-endian bytes: for all operand codes, the least first, or for a shader for its
-    /// material's stream of samples.
+    /// XXH3-64 of the outputs, each as four little-endian bytes: for all operand codes, the least first, or for a
+    /// shader for its material's stream of samples.
     pub digest: u64,
 }
 
@@ -245,12 +245,12 @@ pub fn complemented_tables(design: &Design) -> Vec<Table> {
     tables.map(|(memory, table)| if written(memory) { table.complemented() } else { table.clone() }).collect()
 }
 
-/// Some inputs of the golden vectors, at evenly spaced codes of the first port, with the outputs that the core gives for them when
-/// [`complemented_tables`] are in its memories. They are such as differ from the golden outputs, as far as there are any, so that a core
-/// that was not written to does not pass. None for a core that cannot be written.
+/// Some inputs of the golden vectors, at evenly spaced codes of the first port, with the outputs that the core gives
+/// for them when [`complemented_tables`] are in its memories. They are such as differ from the golden outputs, as far
+/// as there are any, so that a core that was not written to does not pass. None for a core that cannot be written.
 ///
-/// The inverted words are far outside what the error analysis is about: what they give is a number all the same, since every operation
-/// takes its result modulo its format's width.
+/// The inverted words are far outside what the error analysis is about: what they give is a number all the same, since
+/// every operation takes its result modulo its format's width.
 #[must_use]
 pub fn complemented(design: &Design, golden: &Golden) -> Vec<Vector> {
     if design.write_ports().is_empty() {

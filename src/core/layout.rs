@@ -44,14 +44,15 @@ pub struct Layout<'a> {
 }
 
 impl<'a> Layout<'a> {
-    /// The layout of a core of this name. Values that would bear one name in the text, in either language, are told apart here; so
-    /// are those that would bear the core's.
+    /// The layout of a core of this name. Values that would bear one name in the text, in either language, are told
+    /// apart here; so are those that would bear the core's.
     #[must_use]
     pub fn new(core: &str, datapath: &'a Datapath, schedule: &'a Schedule) -> Self {
         let mut layout = Self { datapath, schedule, names: Vec::new(), apart: false };
         let mut taken = layout.fixed_names(core);
         for (id, node) in layout.nodes().iter().enumerate() {
-            // In VHDL the case of letters makes no difference. No name of a value differs from another by its case alone.
+            // In VHDL the case of letters makes no difference. No name of a value differs from another by its case
+            // alone.
             let free = |name: &String| layout.stage_names(id, name).iter().all(|name| !taken.contains(name));
             let others = (2..).map(|version| format!("{}_v{version}", node.name));
             let name = std::iter::once(node.name.clone()).chain(others).find(free).unwrap_or_default();
@@ -128,7 +129,8 @@ impl<'a> Layout<'a> {
         format!("{}_{stage}", self.names[id])
     }
 
-    /// The outputs that carry numbers, each with the name of what it shows; the ports' names followed by spaces to one length.
+    /// The outputs that carry numbers, each with the name of what it shows; the ports' names followed by spaces to one
+    /// length.
     #[must_use]
     pub fn shown(&self) -> Vec<(String, String)> {
         let shown =
@@ -189,8 +191,8 @@ impl<'a> Layout<'a> {
         (0..self.nodes().len()).filter(|&id| crosses(id)).map(|node| Register { node, stage }).collect()
     }
 
-    /// What the comparison `a > b` gives whatever the values are, where their widths alone decide it: a constant at or past the end of
-    /// what the other side holds.
+    /// What the comparison `a > b` gives whatever the values are, where their widths alone decide it: a constant at or
+    /// past the end of what the other side holds.
     #[must_use]
     pub fn decided(&self, a: NodeId, b: NodeId) -> Option<bool> {
         let codes = |id: NodeId| match self.nodes()[id].op {
@@ -212,8 +214,8 @@ impl<'a> Layout<'a> {
         node.op == Op::Greater && self.decided(node.args[0], node.args[1]).is_some()
     }
 
-    /// The bits of a node's value that nothing uses in the last stage it reaches, as `(high, low)`, most significant first.
-    /// In every earlier stage the whole value goes into a register.
+    /// The bits of a node's value that nothing uses in the last stage it reaches, as `(high, low)`, most significant
+    /// first. In every earlier stage the whole value goes into a register.
     #[must_use]
     pub fn unused_bits(&self, id: NodeId) -> Vec<(u32, u32)> {
         let format = self.nodes()[id].format;

@@ -109,7 +109,8 @@ impl Measured {
                     // Below e^-40 the power is nothing beside an ulp.
                     let exact = if log < -40.0 { 0.0 } else { libm::exp(log) };
                     let mut off = (hardware - exact).abs();
-                    // Exponential and logarithm round; where the power itself does not, the difference has no such rest.
+                    // Exponential and logarithm round; where the power itself does not, the difference has no such
+                    // rest.
                     if off < ROUNDED
                         && let Some(power) = exact_power(shininess[row], u, design.spec.interface.input_fraction)
                     {

@@ -94,8 +94,8 @@ impl Design {
     /// Chooses widths, quantises the coefficients, builds and schedules the datapath.
     ///
     /// # Errors
-    /// A spec that no core can be built for, such as one whose printed form needs values wider than 126 bits, or a writable ROM of a
-    /// method that has none.
+    /// A spec that no core can be built for, such as one whose printed form needs values wider than 126 bits, or a
+    /// writable ROM of a method that has none.
     pub fn new(spec: CoreSpec) -> Result<Self, Error> {
         spec.method.check(&spec.interface)?;
         let architecture = spec.method.architecture(&spec.interface)?;
@@ -126,8 +126,8 @@ impl Design {
         Ok(design)
     }
 
-    /// The design of the same core in the other form, for comparison, where the method has two for this core: the paper form has the
-    /// papers' coefficients and does not interpolate.
+    /// The design of the same core in the other form, for comparison, where the method has two for this core: the paper
+    /// form has the papers' coefficients and does not interpolate.
     fn other_form(&self) -> Option<OtherForm> {
         let spec = &self.spec;
         if !spec.method.about().has("form") || spec.is_fitted() || spec.interface.shininess.frac_bits() > 0 {
@@ -142,8 +142,8 @@ impl Design {
         Some(other.map(Box::new).map_err(|error| error.to_string()))
     }
 
-    /// The ports through which the memories that are keyed by the shininess are written, in the memories' order; none unless the spec
-    /// asks for them.
+    /// The ports through which the memories that are keyed by the shininess are written, in the memories' order; none
+    /// unless the spec asks for them.
     #[must_use]
     pub fn write_ports(&self) -> Vec<WritePort> {
         if self.spec.rom != RomStyle::Writable {
@@ -156,8 +156,9 @@ impl Design {
         tables.map(|(memory, table)| WritePort::of(memory, table)).collect()
     }
 
-    /// 16 hexadecimal digits that stand for the operations, their formats and the layout of the memories' words, without what the words
-    /// are: where two cores have the same, the words of the one compute in the other what they compute in their own.
+    /// 16 hexadecimal digits that stand for the operations, their formats and the layout of the memories' words,
+    /// without what the words are: where two cores have the same, the words of the one compute in the other what they
+    /// compute in their own.
     #[must_use]
     pub fn datapath_digest(&self) -> String {
         let layout = |table: &Table| -> Vec<(&str, Format)> {
@@ -435,7 +436,8 @@ fn regions_of(spec: &CoreSpec, graph: &Graph) -> Vec<Region> {
     regions(graph, |index| knots.row_of_index(index >> frac_bits))
 }
 
-/// Takes off a lobe's formats the bits that no input uses. A core whose words may be written keeps them: other words may use them.
+/// Takes off a lobe's formats the bits that no input uses. A core whose words may be written keeps them: other words
+/// may use them.
 fn narrow(spec: &CoreSpec, lobe: &mut Datapath) -> Vec<Narrowed> {
     if spec.rom == RomStyle::Writable {
         return Vec::new();

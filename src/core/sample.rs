@@ -91,8 +91,9 @@ impl Sample {
         Self { material, normal, viewer, lights: lights.iter().map(light).collect() }
     }
 
-    /// A random sample that a camera may see: the viewer in front of the surface, half of the lights anywhere in front of it and some
-    /// behind, the other half where their mirror images are near the viewer, as near as the highlight of `shininess` is wide.
+    /// A random sample that a camera may see: the viewer in front of the surface, half of the lights anywhere in front
+    /// of it and some behind, the other half where their mirror images are near the viewer, as near as the highlight of
+    /// `shininess` is wide.
     #[must_use]
     pub fn random(shader: &Shader, material: u32, shininess: f64, rng: &mut Rng) -> Self {
         let normal = random_direction(rng);
@@ -183,8 +184,8 @@ impl Sample {
         self.lights.iter().map(of).collect()
     }
 
-    /// The channels in codes, not rounded, for these diffuse cosines and highlights a light, with the colours as `value` reads them
-    /// from a field of the ROM at a row.
+    /// The channels in codes, not rounded, for these diffuse cosines and highlights a light, with the colours as
+    /// `value` reads them from a field of the ROM at a row.
     #[must_use]
     pub fn channels(
         &self,

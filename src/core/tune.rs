@@ -1,5 +1,5 @@
-//! Fitted coefficients as ROM words: the search over the integers about the rounded ones, so that what becomes least is the error
-//! of what the hardware computes, its roundings included.
+//! Fitted coefficients as ROM words: the search over the integers about the rounded ones, so that what becomes least is
+//! the error of what the hardware computes, its roundings included.
 
 use std::collections::VecDeque;
 
@@ -67,8 +67,8 @@ impl Points {
 
     /// The largest weighted error of a datapath whose memories are `tables`, if it is less than `bound`.
     ///
-    /// Most words fail where others have failed before them: `witnesses` are the blocks of points with the largest errors of late, which
-    /// are looked at first.
+    /// Most words fail where others have failed before them: `witnesses` are the blocks of points with the largest
+    /// errors of late, which are looked at first.
     fn error_below(
         &self,
         bound: f64,
@@ -157,8 +157,8 @@ fn searched(
     best
 }
 
-/// The solution with the words that the search finds, which are from here on the method's coefficients themselves; with the rounded
-/// ones where the analysis cannot prove the found ones.
+/// The solution with the words that the search finds, which are from here on the method's coefficients themselves; with
+/// the rounded ones where the analysis cannot prove the found ones.
 pub(super) fn tuned(spec: &CoreSpec, architecture: &dyn Architecture, solution: Solution) -> Solution {
     let datapath = &solution.datapath;
     let Some(memory) = datapath.tables.iter().position(|table| table.name == Table::COEFFICIENTS) else {

@@ -98,8 +98,9 @@ fn run_narrow(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64, 
     run::<i64>(evaluator, uniform, first, stride, out);
 }
 
-/// An integer that holds codes. Its operations wrap: the formats of a graph are proved to hold every value, so that nothing wraps unless a
-/// fault is in it, and a check of each lane for overflow, as builds for tests have it, would keep the compiler from vector instructions.
+/// An integer that holds codes. Its operations wrap: the formats of a graph are proved to hold every value, so that
+/// nothing wraps unless a fault is in it, and a check of each lane for overflow, as builds for tests have it, would
+/// keep the compiler from vector instructions.
 pub(crate) trait Lane: PrimInt + WrappingAdd + WrappingMul + WrappingShl + WrappingShr + WrappingSub {
     fn from_code(code: i128) -> Self;
     fn to_output(self) -> u32;
@@ -107,7 +108,8 @@ pub(crate) trait Lane: PrimInt + WrappingAdd + WrappingMul + WrappingShl + Wrapp
     fn to_code(self) -> i128;
     /// Half of the lane's bits.
     const HALF: u32;
-    /// The product of two numbers of at most [`Lane::HALF`] bits each, sign included: one multiplication of the machine.
+    /// The product of two numbers of at most [`Lane::HALF`] bits each, sign included: one multiplication of the
+    /// machine.
     fn mul_narrow(self, other: Self) -> Self;
 }
 
@@ -174,8 +176,8 @@ fn run<L: Lane>(evaluator: &Evaluator, uniform: &[i128], first: i64, stride: i64
     }
 }
 
-/// The values of a node for a column of inputs, given its arguments'; `codes` are those of the field that it reads, by address. A port or a
-/// constant is not computed.
+/// The values of a node for a column of inputs, given its arguments'; `codes` are those of the field that it reads, by
+/// address. A port or a constant is not computed.
 #[inline(always)]
 pub(crate) fn step<L: Lane>(
     graph: &Graph,

@@ -76,7 +76,8 @@ pub struct Graph {
     pub nodes: Vec<Node>,
     /// The input ports, in the order of their declaration. A lobe's are `in_n` and the operand.
     pub inputs: Vec<NodeId>,
-    /// The output ports, in the order of their declaration: a name and the node that the port shows. A lobe's is `out_spec`.
+    /// The output ports, in the order of their declaration: a name and the node that the port shows. A lobe's is
+    /// `out_spec`.
     pub outputs: Vec<(String, NodeId)>,
 }
 
@@ -171,8 +172,8 @@ impl Graph {
         self.outputs.iter().any(|&(_, node)| node == id)
     }
 
-    /// The graph with a copy of a node, which those read in its place that `reads_copy` says, and the outputs; and the copy. Nodes behind the
-    /// first move one further.
+    /// The graph with a copy of a node, which those read in its place that `reads_copy` says, and the outputs; and the
+    /// copy. Nodes behind the first move one further.
     #[must_use]
     pub fn with_copy(&self, node: NodeId, reads_copy: impl Fn(NodeId) -> bool) -> (Self, NodeId) {
         let copy = node + 1;

@@ -118,19 +118,19 @@ pub trait Architecture: Sync {
     /// The memories with these widths, the coefficient ROM first.
     fn tables(&self, widths: &Widths) -> Vec<Table>;
 
-    /// The datapath with these widths and memories, or `None` where a product would be wider than the tools of this crate
-    /// compute exactly (126 bits) or a value would leave its format.
+    /// The datapath with these widths and memories, or `None` where a product would be wider than the tools of this
+    /// crate compute exactly (126 bits) or a value would leave its format.
     fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath>;
 
-    /// The first and the last versine code that a row of the coefficient ROM serves, which may be past the last there is; `None` if
-    /// it serves none, as a segment past x = 0.
+    /// The first and the last versine code that a row of the coefficient ROM serves, which may be past the last there
+    /// is; `None` if it serves none, as a segment past x = 0.
     fn versines(&self, row: usize) -> Option<[i128; 2]> {
         let _ = row;
         Some([0, i128::MAX])
     }
 
-    /// The fields of the coefficient ROM whose words are searched where coefficients are fitted: the coefficients proper, not what
-    /// places or scales them.
+    /// The fields of the coefficient ROM whose words are searched where coefficients are fitted: the coefficients
+    /// proper, not what places or scales them.
     fn searched(&self) -> &'static [&'static str] {
         &["c", "big_a", "a"]
     }

@@ -9,14 +9,14 @@ use crate::fixed::{Interval, exp2};
 pub struct Normalised {
     /// The value, shifted to the left.
     pub value: NodeId,
-    /// The steps, the largest shift first: by how many bits, and a flag that is 0 where the step was taken. The shift is the sum of
-    /// the steps taken.
+    /// The steps, the largest shift first: by how many bits, and a flag that is 0 where the step was taken. The shift
+    /// is the sum of the steps taken.
     pub steps: Vec<(i32, NodeId)>,
 }
 
 impl Builder<'_> {
-    /// `a`, not negative and below `2^(weight + 1)` or an exact `2^(weight + 1)`, shifted to the left until it is at least `2^weight`,
-    /// by `most` bits or the next number of the form `2^k - 1`.
+    /// `a`, not negative and below `2^(weight + 1)` or an exact `2^(weight + 1)`, shifted to the left until it is at
+    /// least `2^weight`, by `most` bits or the next number of the form `2^k - 1`.
     ///
     /// The bounds take the result for at least `2^weight`: the caller flags an `a` below `2^(weight - most)`.
     pub fn normalise(&mut self, a: NodeId, weight: i32, most: i32, name: &str) -> Normalised {

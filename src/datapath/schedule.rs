@@ -1,10 +1,10 @@
 //! Places the pipeline registers.
 //!
-//! A *stage* is what lies between two registers. Every node is computed in one stage, as early as the rules allow;
-//! its value crosses into later stages through one register each. The rules for `auto`: the operands of a
-//! multiplier come from registers and its product goes into one; a ROM has two registers behind it (its own
-//! output register, and one more because a block RAM is slow to give its output), or three where it will be a block RAM, and is read
-//! no earlier than its word is wanted; and what is chained within a stage takes no longer than a multiplier, by the rough delays
+//! A *stage* is what lies between two registers. Every node is computed in one stage, as early as the rules allow; its
+//! value crosses into later stages through one register each. The rules for `auto`: the operands of a multiplier come
+//! from registers and its product goes into one; a ROM has two registers behind it (its own output register, and one
+//! more because a block RAM is slow to give its output), or three where it will be a block RAM, and is read no earlier
+//! than its word is wanted; and what is chained within a stage takes no longer than a multiplier, by the rough delays
 //! below.
 
 use std::str::FromStr;
@@ -106,8 +106,8 @@ const RULES: [Rules; 8] = [
 ];
 
 impl Rules {
-    /// Registers directly behind each memory: the fastest pipeline leaves a block RAM two of its own, the second because it is slow to
-    /// give its output, and one between it and what may lie far from it, such as a DSP block.
+    /// Registers directly behind each memory: the fastest pipeline leaves a block RAM two of its own, the second
+    /// because it is slow to give its output, and one between it and what may lie far from it, such as a DSP block.
     fn registers_behind(&self, graph: &Graph, memory: usize) -> u32 {
         let of_memory = |node: &&Node| matches!(node.op, Op::Field { memory: of, .. } if of == memory);
         let words: u32 = graph.nodes.iter().filter(of_memory).map(|node| node.format.width()).sum();
@@ -169,8 +169,8 @@ pub fn schedule(graph: &Graph, pipeline: Pipeline) -> Result<Schedule, Error> {
     Ok(schedule)
 }
 
-/// Puts off the reading of each memory to where the first use of its word allows, if the word is wider than its address: then the
-/// narrower of the two waits in registers.
+/// Puts off the reading of each memory to where the first use of its word allows, if the word is wider than its
+/// address: then the narrower of the two waits in registers.
 fn read_late(graph: &Graph, rules: Rules, stage: &mut [u32]) {
     let memory_of = |node: &Node| match node.op {
         Op::Field { memory, .. } => Some(memory),

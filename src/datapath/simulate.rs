@@ -109,7 +109,8 @@ impl<'a> Simulation<'a> {
         self.defect.and_then(Defect::fault).filter(|fault| fault.node == id)
     }
 
-    /// The register from which a stage reads a node, by how many stages later it is than the node's; none where it reads the node itself.
+    /// The register from which a stage reads a node, by how many stages later it is than the node's; none where it
+    /// reads the node itself.
     fn place(&self, id: NodeId, crossed: usize) -> Option<usize> {
         match self.timing() {
             Some(Timing::Register { node, register, what }) if node == id && crossed > register => match what {
@@ -126,8 +127,8 @@ impl<'a> Simulation<'a> {
         self.clock_writing(inputs, &[])
     }
 
-    /// One rising edge at which words are written, whatever `ce` and `rst` are. What is read at this edge from an address that is
-    /// written at it is the old word here; hardware promises nothing.
+    /// One rising edge at which words are written, whatever `ce` and `rst` are. What is read at this edge from an
+    /// address that is written at it is the old word here; hardware promises nothing.
     ///
     /// # Panics
     /// If a memory or an address does not exist.

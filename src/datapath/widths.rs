@@ -1,9 +1,9 @@
 //! "Computing just right": the cheapest inner widths whose proved error is below one output ulp.
 //!
-//! The goal is that of FloPoCo's faithful operators: `|hardware - method| < 1 ulp` for every representable input, at the least
-//! cost. Each quantisation adds an error of its own, and these add up nearly exactly; so each width is probed
-//! alone (all others at their widest), the sums rank the candidates, and the candidates are then proved in the
-//! order of their cost, each by the whole analysis.
+//! The goal is that of FloPoCo's faithful operators: `|hardware - method| < 1 ulp` for every representable input, at
+//! the least cost. Each quantisation adds an error of its own, and these add up nearly exactly; so each width is probed
+//! alone (all others at their widest), the sums rank the candidates, and the candidates are then proved in the order of
+//! their cost, each by the whole analysis.
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -51,8 +51,8 @@ pub struct Solution {
     pub budget: Budget,
 }
 
-/// A bound below this part of what is allowed is one below it: the rest covers the errors of the double-precision coefficients (below 1e-13 of values that
-/// weigh at most 2^20 ulps) and of the analysis' own sums.
+/// A bound below this part of what is allowed is one below it: the rest covers the errors of the double-precision
+/// coefficients (below 1e-13 of values that weigh at most 2^20 ulps) and of the analysis' own sums.
 const FAITHFUL: f64 = 1.0 - 1e-6;
 
 /// The sums of single contributions are near the true bound, on either side: candidates up to here are tried.
@@ -102,8 +102,8 @@ fn built(architecture: &dyn Architecture, widths: &Widths) -> Option<Datapath> {
     architecture.build(widths, architecture.tables(widths))
 }
 
-/// Widths that are probed together, by their places among the parameters, with what each combination of their values adds to the
-/// bounds of the error.
+/// Widths that are probed together, by their places among the parameters, with what each combination of their values
+/// adds to the bounds of the error.
 struct Probe {
     members: Vec<usize>,
     /// The values of the members, and the additions to the least and the greatest error.
@@ -142,8 +142,8 @@ fn probe(architecture: &dyn Architecture, parameters: &[Parameter], widest: &[i3
 /// Chooses the widths.
 ///
 /// # Errors
-/// If no combination of the offered widths is provably as accurate as the architecture asks for and within the arithmetic of this
-/// crate.
+/// If no combination of the offered widths is provably as accurate as the architecture asks for and within the
+/// arithmetic of this crate.
 pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
     let parameters = architecture.parameters();
     let tolerance = architecture.tolerance();

@@ -1,29 +1,31 @@
 //! The wrapper that gives a core AXI4-Stream interfaces.
 //!
-//! A beat of the stream is one set of the core's inputs, and later one of its outputs: `tdata` packs the ports that carry numbers
-//! side by side from its lowest bit on, in the order of their declaration, and is filled up to whole bytes as AXI4-Stream requires
-//! (Arm IHI 0051, section 2.1). `tlast` and `tuser` are carried beside the pipeline.
+//! A beat of the stream is one set of the core's inputs, and later one of its outputs: `tdata` packs the ports that
+//! carry numbers side by side from its lowest bit on, in the order of their declaration, and is filled up to whole
+//! bytes as AXI4-Stream requires (Arm IHI 0051, section 2.1). `tlast` and `tuser` are carried beside the pipeline.
 //!
 //! # Skid buffer or credit
 //!
 //! A pipeline can take back-pressure in two ways.
 //!
-//! - *Credit*: the pipeline runs freely into a FIFO that holds as many beats as are in flight, and the source is let in only while
-//!   there is room for what is under way. No clock enable is needed. But the FIFO holds a result for every stage (14 words for a
-//!   shader), with its counters and its own clock of latency or more.
-//! - *Enable and skid buffer*: the pipeline is frozen when the sink does not take what is at its end. The cores have a clock enable for
-//!   that, so that nothing but the freezing itself costs anything.
+//! - *Credit*: the pipeline runs freely into a FIFO that holds as many beats as are in flight, and the source is let in
+//!   only while there is room for what is under way. No clock enable is needed. But the FIFO holds a result for every
+//!   stage (14 words for a shader), with its counters and its own clock of latency or more.
+//! - *Enable and skid buffer*: the pipeline is frozen when the sink does not take what is at its end. The cores have a
+//!   clock enable for that, so that nothing but the freezing itself costs anything.
 //!
-//! So it is the enable. Driven by `m_axis_tready` itself, it would be a path from another block's logic to every register of the core,
-//! and on to the source. It is a register instead, and with it `s_axis_tready`, which therefore falls a clock late: the pipeline makes
-//! one more step, and the beat that would be lost by it waits in one more register, the skid register.
+//! So it is the enable. Driven by `m_axis_tready` itself, it would be a path from another block's logic to every
+//! register of the core, and on to the source. It is a register instead, and with it `s_axis_tready`, which therefore
+//! falls a clock late: the pipeline makes one more step, and the beat that would be lost by it waits in one more
+//! register, the skid register.
 //!
-//! That register stands behind the core and not in front of it, where it would do as well: results are narrower than operands (24 bits
-//! against 218 for a shader of two lights), and no multiplexer stands before the core's first stage. What the sink sees is one
-//! multiplexer behind registers.
+//! That register stands behind the core and not in front of it, where it would do as well: results are narrower than
+//! operands (24 bits against 218 for a shader of two lights), and no multiplexer stands before the core's first stage.
+//! What the sink sees is one multiplexer behind registers.
 //!
-//! The enable is 1 at every clock that follows one at which the sink was ready or nothing was at the pipeline's end. So one beat a clock
-//! passes, no stall leaves a bubble behind, and bubbles at the pipeline's end give way while the sink is not ready.
+//! The enable is 1 at every clock that follows one at which the sink was ready or nothing was at the pipeline's end. So
+//! one beat a clock passes, no stall leaves a bubble behind, and bubbles at the pipeline's end give way while the sink
+//! is not ready.
 
 use askama::Template;
 

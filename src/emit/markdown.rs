@@ -1,6 +1,7 @@
 //! Text of the user in Markdown: names stand as they were given, whatever they hold.
 
-/// Text that stands in a line, or in a cell of a table: nothing in it is markup or HTML, and it stays one line of one cell.
+/// Text that stands in a line, or in a cell of a table: nothing in it is markup or HTML, and it stays one line of one
+/// cell.
 #[must_use]
 pub fn text(text: &str) -> String {
     let characters: Vec<char> = text.chars().collect();

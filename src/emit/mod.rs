@@ -36,7 +36,8 @@ pub struct Texts {
     pub vhdl_ports: VhdlPorts,
     /// The files that memories are read from, if they are read from files.
     pub rom_files: Vec<RomFile>,
-    /// The ports through which memories are written, if they are, each with the file of the memory's words; all of them are among `ports`.
+    /// The ports through which memories are written, if they are, each with the file of the memory's words; all of them
+    /// are among `ports`.
     pub writes: Vec<(WritePort, RomFile)>,
 }
 

@@ -124,7 +124,8 @@ fn verilog_names(code: &str) -> Vec<String> {
     instance.map(|(_, name)| name).filter(is_name).map(str::to_owned).into_iter().collect()
 }
 
-/// The names that a line of VHDL declares: what stands in front of a colon, or behind the word for a type or a subprogram; the latter first.
+/// The names that a line of VHDL declares: what stands in front of a colon, or behind the word for a type or a
+/// subprogram; the latter first.
 fn vhdl_names(code: &str, words: &[&str]) -> Vec<String> {
     let mut names = Vec::new();
     for pair in words.windows(2).take(2) {

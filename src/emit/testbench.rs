@@ -180,9 +180,9 @@ fn literals(language: Language, ports: &[&BenchPort], vector: &Vector) -> String
     ports.iter().zip(codes).map(literal).collect::<Vec<_>>().join(", ")
 }
 
-/// The test bench of a core in a language; `golden` is the path of its vectors, relative to the core's directory. For a core whose
-/// memories can be written, `complemented` are some vectors with the outputs for the words' complements. With `axis`, it is the bench
-/// of the core's wrapper.
+/// The test bench of a core in a language; `golden` is the path of its vectors, relative to the core's directory. For a
+/// core whose memories can be written, `complemented` are some vectors with the outputs for the words' complements.
+/// With `axis`, it is the bench of the core's wrapper.
 ///
 /// # Errors
 /// If the template cannot be filled in.

@@ -284,7 +284,8 @@ fn kind(format: Format) -> String {
     format!("{}({} downto 0)", sign(format), format.width() - 1)
 }
 
-/// The value that a signal has before anything is known of it, so that no operation warns of what it is given at the beginning.
+/// The value that a signal has before anything is known of it, so that no operation warns of what it is given at the
+/// beginning.
 fn initial(is_flag: bool) -> &'static str {
     if is_flag { "'0'" } else { "(others => '0')" }
 }

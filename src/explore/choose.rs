@@ -56,9 +56,11 @@ pub struct Constraints {
     pub limits: Vec<(Objective, u32)>,
     /// The shininesses that the core has to serve: exactly this set, or a range that holds this range.
     pub shininess: Shininess,
-    /// Keys of the spec that the core must have as they are here; `name`, `languages`, `rom_formats` and the shininess are not looked at.
+    /// Keys of the spec that the core must have as they are here; `name`, `languages`, `rom_formats` and the shininess
+    /// are not looked at.
     pub keys: SpecFields,
-    /// Whether cores are considered that are there to be compared with; those of a method that `keys` name are in any case.
+    /// Whether cores are considered that are there to be compared with; those of a method that `keys` name are in any
+    /// case.
     pub baselines: bool,
 }
 
@@ -76,8 +78,8 @@ pub struct Candidate {
 pub struct Choice {
     /// The cheapest core that meets the constraints.
     pub chosen: Option<Candidate>,
-    /// The nearest misses, the nearest first: cores that no other considered core dominates in error, the four costs and, where a
-    /// frequency is asked for, the frequency.
+    /// The nearest misses, the nearest first: cores that no other considered core dominates in error, the four costs
+    /// and, where a frequency is asked for, the frequency.
     pub misses: Vec<NearMiss<Candidate>>,
     /// The number of cores considered: those of the family, the shininess and the keys that have a cost.
     pub considered: usize,
@@ -122,7 +124,8 @@ pub struct Standing {
     pub cost: Cost,
     /// Its errors, less is better; the first decides between cores of the same cost.
     pub errors: Vec<f64>,
-    /// What it misses of the constraints, each as log2 of value / allowed and in words; nothing of a core that meets it.
+    /// What it misses of the constraints, each as log2 of value / allowed and in words; nothing of a core that meets
+    /// it.
     pub missed: Vec<(f64, String)>,
 }
 
@@ -131,8 +134,8 @@ pub struct Standing {
 pub struct Ranking<T> {
     /// Those that meet it, the cheapest first.
     pub meeting: Vec<T>,
-    /// Those of the others that no core dominates in errors, the four costs and, where a frequency is asked for, the frequency; the nearest
-    /// first.
+    /// Those of the others that no core dominates in errors, the four costs and, where a frequency is asked for, the
+    /// frequency; the nearest first.
     pub misses: Vec<NearMiss<T>>,
 }
 
@@ -149,8 +152,8 @@ pub struct NearMiss<T> {
 }
 
 impl<T> Ranking<T> {
-    /// Ranks cores: the cheapest is that with the least of the objective; of equals that with the least of the other costs in the order of
-    /// [`Objective::order`], then the least flip-flops, the least error, the first one given.
+    /// Ranks cores: the cheapest is that with the least of the objective; of equals that with the least of the other
+    /// costs in the order of [`Objective::order`], then the least flip-flops, the least error, the first one given.
     #[must_use]
     pub fn of(all: Vec<T>, objective: Objective, min_mhz: Option<f64>, standing: &dyn Fn(&T) -> Standing) -> Self {
         let rank = |Standing { cost, .. }: &Standing| (objective.order().map(|one| one.of(cost)), cost.ff);
@@ -176,7 +179,8 @@ impl<T> Ranking<T> {
     }
 }
 
-/// How much slower a core is than asked for, as log2 of asked / own and in words. A frequency that is not known is missed by 1.
+/// How much slower a core is than asked for, as log2 of asked / own and in words. A frequency that is not known is
+/// missed by 1.
 #[must_use]
 pub fn too_slow(cost: &Cost, min_mhz: Option<f64>) -> Option<(f64, String)> {
     let least = min_mhz?;

@@ -340,7 +340,8 @@ fn outlined(line: &str) -> Result<String, String> {
     Ok(line.spec.to_toml())
 }
 
-/// The number of the line that a record begins on whose position is a byte, before the line breaks that the reader passes over.
+/// The number of the line that a record begins on whose position is a byte, before the line breaks that the reader
+/// passes over.
 fn line_at(text: &str, byte: usize) -> usize {
     let bytes = text.as_bytes();
     let begin =

@@ -1,9 +1,10 @@
 //! A cost model: what synthesis will make of a core, from what the core is made of.
 //!
-//! DSP blocks and block RAMs follow from rules that Yosys has too ([`crate::target`]): how it splits a multiplication over blocks, and
-//! when a memory is worth a block. LUTs, flip-flops and the least period are sums of the sizes of a core's parts ([`Shape`]), each with a
-//! factor that is fitted to measured points by least squares of the relative error, for each family of one version of the tools. The
-//! model says itself how far it is off: each point is estimated by a fit to all others.
+//! DSP blocks and block RAMs follow from rules that Yosys has too ([`crate::target`]): how it splits a multiplication
+//! over blocks, and when a memory is worth a block. LUTs, flip-flops and the least period are sums of the sizes of a
+//! core's parts ([`Shape`]), each with a factor that is fitted to measured points by least squares of the relative
+//! error, for each family of one version of the tools. The model says itself how far it is off: each point is estimated
+//! by a fit to all others.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -69,8 +70,8 @@ struct Terms {
 impl Terms {
     fn of(family: Family, shape: &Shape) -> Self {
         let (mut dsp, mut bram) = (0, 0);
-        // Products without a block; what hangs over where an operand is wider than a block; operands of products in one block and in
-        // several; the most blocks of a product; bits of memories in LUTs, words of block RAMs.
+        // Products without a block; what hangs over where an operand is wider than a block; operands of products in one
+        // block and in several; the most blocks of a product; bits of memories in LUTs, words of block RAMs.
         let [mut soft, mut over, mut whole, mut split, mut most, mut looked_up, mut words] = [0u32; 7];
         let widest = family.dsp.widest();
         for multiplier in &shape.multipliers {

@@ -44,9 +44,9 @@ pub fn dominates(a: &[f64], b: &[f64]) -> bool {
     a.iter().zip(b).all(|(a, b)| a <= b) && a.iter().zip(b).any(|(a, b)| a < b)
 }
 
-/// The places of the points that no other point dominates in error ([`Point::max_abs`]) and these costs: from the largest error
-/// to the smallest, of equals in their order. Points that failed or have no cost are not among them; of points that are equal in
-/// all of it, all are.
+/// The places of the points that no other point dominates in error ([`Point::max_abs`]) and these costs: from the
+/// largest error to the smallest, of equals in their order. Points that failed or have no cost are not among them; of
+/// points that are equal in all of it, all are.
 #[must_use]
 pub fn pareto(points: &[&Point], costs: &[Objective]) -> Vec<usize> {
     let values = |(place, point): (usize, &&Point)| -> Option<(usize, Vec<f64>)> {

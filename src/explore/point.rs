@@ -103,8 +103,8 @@ pub struct Cost {
     pub bram: u32,
     /// Clocks from input to output.
     pub latency: u32,
-    /// The median frequency in MHz over the seeds, or an estimate of it; none of a core that was not placed, or that has no path between two
-    /// registers.
+    /// The median frequency in MHz over the seeds, or an estimate of it; none of a core that was not placed, or that
+    /// has no path between two registers.
     pub mhz: Option<f64>,
     /// Why there is no frequency, where there is none.
     #[serde(skip_serializing_if = "Option::is_none")]

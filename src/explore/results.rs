@@ -28,8 +28,8 @@ impl Results {
         Self(points)
     }
 
-    /// The points, by family, the project's own methods before baselines, then by the columns that tell them apart, the id last: the
-    /// same points are always in the same order.
+    /// The points, by family, the project's own methods before baselines, then by the columns that tell them apart, the
+    /// id last: the same points are always in the same order.
     #[must_use]
     pub fn points(&self) -> &[Point] {
         &self.0
@@ -81,8 +81,8 @@ impl Results {
         Self::checked(points, |_| file.to_owned())
     }
 
-    /// The points as CSV, a line each: the columns of [`Point`], then those of its cost. Lists are written with spaces, the spec as a
-    /// TOML inline table; what is missing is empty. The slowest paths of a placement are left out.
+    /// The points as CSV, a line each: the columns of [`Point`], then those of its cost. Lists are written with spaces,
+    /// the spec as a TOML inline table; what is missing is empty. The slowest paths of a placement are left out.
     ///
     /// # Panics
     /// Never: every point has a CSV form.
@@ -91,17 +91,19 @@ impl Results {
         columns::write(&self.0)
     }
 
-    /// Reads what [`Results::to_csv`] writes; `file` names it in messages. Columns may be in any order, and there may be more.
+    /// Reads what [`Results::to_csv`] writes; `file` names it in messages. Columns may be in any order, and there may
+    /// be more.
     ///
     /// # Errors
-    /// Text that is no such table, with the line (that of the headings is the first) and the column; a point that is there twice, or a
-    /// figure that cannot be one.
+    /// Text that is no such table, with the line (that of the headings is the first) and the column; a point that is
+    /// there twice, or a figure that cannot be one.
     pub fn from_csv(text: &str, file: &str) -> Result<Self, Error> {
         let (points, lines) = columns::read(text, file)?;
         Self::checked(points, |index| format!("{file}, line {}", lines[index]))
     }
 
-    /// Results whose figures are ones that can be compared and drawn, each core once; `place` names where the point of an index stands.
+    /// Results whose figures are ones that can be compared and drawn, each core once; `place` names where the point of
+    /// an index stands.
     pub(super) fn checked(points: Vec<Point>, place: impl Fn(usize) -> String) -> Result<Self, Error> {
         let mut seen = BTreeSet::new();
         for (index, point) in points.iter().enumerate() {
@@ -117,8 +119,8 @@ impl Results {
     }
 }
 
-/// What is wrong with a point's figures, as each of them is used: errors are compared and drawn by their logarithms, a frequency divides,
-/// and everything is written as JSON again, which has finite numbers only.
+/// What is wrong with a point's figures, as each of them is used: errors are compared and drawn by their logarithms, a
+/// frequency divides, and everything is written as JSON again, which has finite numbers only.
 fn wrong_figure(point: &Point) -> Option<String> {
     let synthesis = point.synthesis.as_ref();
     let timing = synthesis.and_then(|synthesis| synthesis.timing.as_ref());

@@ -175,8 +175,9 @@ fn in_full(error: &Error) -> String {
     }
 }
 
-/// Measures those of the cores that the store does not hold yet, `jobs` at a time, and puts each into it as soon as it is there. A point that
-/// failed is made anew only with `retry`. `progress` is told of each point: how many are done, of how many, and the point.
+/// Measures those of the cores that the store does not hold yet, `jobs` at a time, and puts each into it as soon as it
+/// is there. A point that failed is made anew only with `retry`. `progress` is told of each point: how many are done,
+/// of how many, and the point.
 ///
 /// # Errors
 /// A tool that is not installed, or a store that cannot be written; what was finished is in the store.

@@ -18,7 +18,8 @@ pub struct Shape {
     pub memories: Vec<MemorySize>,
     /// The bits of all sums, differences and comparisons.
     pub adder_bits: u32,
-    /// The bits of all results that are chosen: selected (but those that are the same either way), zeroed, clamped (twice: at either end), tested for zero.
+    /// The bits of all results that are chosen: selected (but those that are the same either way), zeroed, clamped
+    /// (twice: at either end), tested for zero.
     pub mux_bits: u32,
     /// The bits of all results that are shifted by a variable, each times the bits of its shift.
     pub shift_bits: u32,
@@ -88,8 +89,8 @@ impl Shape {
     }
 }
 
-/// Where a bit of an unsigned node, counted from its last, comes from through formats that are changed: a node and its bit, or nothing where
-/// it is always 0. Bits of signed nodes are their own.
+/// Where a bit of an unsigned node, counted from its last, comes from through formats that are changed: a node and its
+/// bit, or nothing where it is always 0. Bits of signed nodes are their own.
 fn source(graph: &Graph, id: NodeId, bit: u32) -> Option<(NodeId, u32)> {
     let node = &graph.nodes[id];
     if node.format.signed || !matches!(node.op, Op::Cast | Op::Scale) {

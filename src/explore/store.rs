@@ -1,6 +1,7 @@
 //! The results of a run on disk, in SQLite: each finished point is committed at once.
 //!
-//! A results file holds figures of one kind and one set of tools: what made them is written in it, and a run of another kind is refused.
+//! A results file holds figures of one kind and one set of tools: what made them is written in it, and a run of another
+//! kind is refused.
 
 use std::collections::BTreeMap;
 use std::fs::{File, TryLockError};
@@ -31,7 +32,8 @@ pub struct Provenance {
 pub struct Store {
     connection: Connection,
     path: PathBuf,
-    /// Held while a run works with the file; closed after the connection, as closing any handle of a file ends SQLite's locks on it.
+    /// Held while a run works with the file; closed after the connection, as closing any handle of a file ends SQLite's
+    /// locks on it.
     lock: Option<File>,
 }
 
@@ -173,7 +175,8 @@ impl Store {
         Ok(store)
     }
 
-    /// Says to other runs that this one works with the file, as several may, or that it starts the file anew, as one alone may.
+    /// Says to other runs that this one works with the file, as several may, or that it starts the file anew, as one
+    /// alone may.
     fn lock(&mut self, earlier: Earlier) -> Result<(), Error> {
         // Beside SQLite's own locks, which are of another kind and last for a transaction.
         let file = File::open(&self.path).map_err(|error| Error::io("cannot read", &self.path, error))?;
@@ -259,7 +262,8 @@ impl Store {
         Results::checked(points, |_| self.path.display().to_string())
     }
 
-    /// Writes the points of several results files into a new one. Where files have the same point, one that did not fail wins.
+    /// Writes the points of several results files into a new one. Where files have the same point, one that did not
+    /// fail wins.
     ///
     /// # Errors
     /// Files of different kinds or tools, a point that two files tell differently, or a target that is there already.

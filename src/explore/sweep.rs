@@ -1,9 +1,10 @@
 //! What a run goes over: axes of spec keys, expanded to cores.
 //!
-//! A sweep file holds `[[sweep]]` blocks, each a table of keys of the core spec, and `family`. A list is an axis: every one of its
-//! values is combined with every one of the other axes'; a value that is itself a list is written as a list in the list. The
-//! value `default` leaves the key out, so that `coefficients = ["default", "minimax"]` also reaches methods that have none. Where a block
-//! does not say it, the methods are all, the shininess is `1..=1000` and the family `ecp5`.
+//! A sweep file holds `[[sweep]]` blocks, each a table of keys of the core spec, and `family`. A list is an axis: every
+//! one of its values is combined with every one of the other axes'; a value that is itself a list is written as a list
+//! in the list. The value `default` leaves the key out, so that `coefficients = ["default", "minimax"]` also reaches
+//! methods that have none. Where a block does not say it, the methods are all, the shininess is `1..=1000` and the
+//! family `ecp5`.
 //!
 //! ```toml
 //! [[sweep]]
@@ -329,8 +330,8 @@ mod tests {
             "[[sweep]]\nmethod = ['quadratic', 'power-4', 'schlick']\ncoefficients = ['default', 'paper', 'minimax']\noutput_fraction = [8, 12]\n\
              [[sweep]]\nmethod = 'quadratic'\noutput_fraction = 8\nfamily = ['ecp5', 'ice40']\n",
         );
-        // quadratic: paper (twice: it is the default) and minimax; power-4: minimax (twice); schlick: none; two widths each; then
-        // quadratic once more for ecp5, and for ice40.
+        // quadratic: paper (twice: it is the default) and minimax; power-4: minimax (twice); schlick: none; two widths
+        // each; then quadratic once more for ecp5, and for ice40.
         assert_eq!(plan.combinations, 18 + 2);
         assert_eq!(plan.cores.len(), 2 * (2 + 1 + 1) + 1);
         assert_eq!(plan.repeated, 2 * 2 + 1);

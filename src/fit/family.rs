@@ -117,7 +117,8 @@ pub fn best(n: f64, form: &Family, inside: Inside, objective: &Objective) -> Res
                 .enumerate()
                 .flat_map(|(i, &first)| slopes[i + 1..].iter().map(move |&second| (first, second)));
             let starts = pairs.flat_map(|((u, slope), (v, other)): ((f64, f64), (f64, f64))| {
-                // Through both points; and through the first, with the minimum at the second, which is where a lobe is cut.
+                // Through both points; and through the first, with the minimum at the second, which is where a lobe is
+                // cut.
                 let a = (slope - other) / (v - u);
                 let cut = slope / (2.0 * v - u);
                 [(slope + a * u, a), (2.0 * v * cut, cut)]

@@ -1,9 +1,10 @@
 //! The descent to the least largest error.
 //!
-//! At the coefficients p, the largest error is the maximum of the error's local extrema. Each is a smooth function of p, so in a
-//! box around p the best step is a linear program in D + 1 unknowns (the step and the largest error), with a few
-//! constraints, one for each extremum. The step is taken if it does good, and the box adapts to how well the linear model
-//! foretold the outcome. Where D + 1 extrema are equal at the optimum, this is Newton's method on the levelled system.
+//! At the coefficients p, the largest error is the maximum of the error's local extrema. Each is a smooth function of
+//! p, so in a box around p the best step is a linear program in D + 1 unknowns (the step and the largest error), with a
+//! few constraints, one for each extremum. The step is taken if it does good, and the box adapts to how well the linear
+//! model foretold the outcome. Where D + 1 extrema are equal at the optimum, this is Newton's method on the levelled
+//! system.
 
 use super::target::{Sample, Target};
 
@@ -111,7 +112,8 @@ fn weighted(value: f64, sample: &Sample) -> f64 {
     (value - sample.exact) * sample.weight
 }
 
-/// Half the distance of the two points of a difference quotient: both its errors, of the order h² and 2^-53 / h, stay below 1e-9.
+/// Half the distance of the two points of a difference quotient: both its errors, of the order h² and 2^-53 / h, stay
+/// below 1e-9.
 const DIFFERENCE: f64 = 1e-6;
 
 fn descend<const D: usize>(shape: &impl Shape<D>, target: &Target, start: [f64; D]) -> Best<D> {
@@ -289,10 +291,10 @@ fn refine(mut three: [Point; 3], sign: f64, curve: impl Fn(f64) -> Point) -> Poi
 
 /// The step within a box that makes the largest of linear functions least, and that least value.
 ///
-/// It is the linear program: minimise t with `error_j + slope_j · step <= t` and `|step_i| <= radius`. Its dual has D + 1
-/// equations: multipliers `λ_j >= 0` of the extrema add up to 1, and `Σ λ_j slope_j` is balanced by the multipliers of
-/// the box. The simplex method on the dual starts from the largest extremum alone, which is always admissible, and takes in
-/// the most violated constraint each time: Stiefel's exchange. All errors are divided by `unit` first.
+/// It is the linear program: minimise t with `error_j + slope_j · step <= t` and `|step_i| <= radius`. Its dual has D +
+/// 1 equations: multipliers `λ_j >= 0` of the extrema add up to 1, and `Σ λ_j slope_j` is balanced by the multipliers
+/// of the box. The simplex method on the dual starts from the largest extremum alone, which is always admissible, and
+/// takes in the most violated constraint each time: Stiefel's exchange. All errors are divided by `unit` first.
 fn linear_minimax<const D: usize>(extrema: &[Extremum<D>], unit: f64, radius: f64) -> ([f64; D], f64) {
     // Columns: the extrema, then for each coefficient the two walls of the box.
     let column = |j: usize| -> (Vector, f64) {

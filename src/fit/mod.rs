@@ -3,11 +3,12 @@
 //!
 //! All coefficients are real numbers here. Their rounding to ROM words belongs to whoever knows the formats.
 //!
-//! The papers take their coefficients from interpolation (see [`crate::lobe`]). Here the largest error itself is minimised,
-//! by the sequence of linear programs of K. Madsen, "An algorithm for minimax solution of overdetermined systems of
-//! non-linear equations", J. Inst. Maths Applics 16 (1975), which near the optimum is Remez' exchange with Newton's
-//! rate: see the module `minimax`. All shapes but the segments are one family, `x^e ((1 - u (A - a u))⁺)^k`, which is
-//! left where it would rise again. The problem has several local minima, so the descent starts from several interpolations.
+//! The papers take their coefficients from interpolation (see [`crate::lobe`]). Here the largest error itself is
+//! minimised, by the sequence of linear programs of K. Madsen, "An algorithm for minimax solution of overdetermined
+//! systems of non-linear equations", J. Inst. Maths Applics 16 (1975), which near the optimum is Remez' exchange with
+//! Newton's rate: see the module `minimax`. All shapes but the segments are one family, `x^e ((1 - u (A - a u))⁺)^k`,
+//! which is left where it would rise again. The problem has several local minima, so the descent starts from several
+//! interpolations.
 
 mod family;
 mod minimax;

@@ -34,12 +34,12 @@ pub enum Peak {
     Free,
 }
 
-/// The best coefficients on the segment `u_low..=u_high` for the shininess `n`; with c = 1 for the `first` segment, so that the
-/// lobe is exact at x = 1.
+/// The best coefficients on the segment `u_low..=u_high` for the shininess `n`; with c = 1 for the `first` segment, so
+/// that the lobe is exact at x = 1.
 ///
-/// Where the objective counts errors only down to a level, and at least half the segment lies above it, only that part is
-/// fitted. Otherwise all of it is, with the level's weight past the level, lest the coefficients grow without use. The reported
-/// error is that of the part that counts: 0 if none does.
+/// Where the objective counts errors only down to a level, and at least half the segment lies above it, only that part
+/// is fitted. Otherwise all of it is, with the level's weight past the level, lest the coefficients grow without use.
+/// The reported error is that of the part that counts: 0 if none does.
 ///
 /// # Errors
 /// A shininess outside 1..=2^20, an objective with a level or a power out of its range, or bounds that are not
@@ -55,11 +55,12 @@ pub fn fit_segment(n: f64, u_low: f64, u_high: f64, first: bool, objective: &Obj
     Ok(segment(n, u_low, u_high, first, objective))
 }
 
-/// The end `s_end = n u_S` for which `segments` equal segments of `s = n u` from 0 on, and 0 past the last, have the least error.
+/// The end `s_end = n u_S` for which `segments` equal segments of `s = n u` from 0 on, and 0 past the last, have the
+/// least error.
 ///
 /// A longer range makes the segments worse and the drop to 0 past them better; at the best end both are equal (or
-/// `s_end = n`, the whole range, if the segments are exact). For an objective with a level it is the level's place, since past
-/// it nothing counts.
+/// `s_end = n`, the whole range, if the segments are exact). For an objective with a level it is the level's place,
+/// since past it nothing counts.
 ///
 /// # Errors
 /// As [`fit_segment`], and a number of segments outside 1..=256.
@@ -94,10 +95,11 @@ pub fn segment_end(n: f64, segments: u32, peak: Peak, objective: &Objective) -> 
     Ok(best)
 }
 
-/// The bounds `u_1 < ... < u_S` (from `u_0 = 0` on) for which `segments` segments, and 0 past the last, have the least error.
+/// The bounds `u_1 < ... < u_S` (from `u_0 = 0` on) for which `segments` segments, and 0 past the last, have the least
+/// error.
 ///
-/// At the best bounds all segments and the drop to 0 have the same error. At n = 1000, that is half the largest error of equal
-/// segments for S = 2, and a ninth for S = 8. In `s = n u` the bounds hardly depend on n where n is large.
+/// At the best bounds all segments and the drop to 0 have the same error. At n = 1000, that is half the largest error
+/// of equal segments for S = 2, and a ninth for S = 8. In `s = n u` the bounds hardly depend on n where n is large.
 ///
 /// # Errors
 /// As [`segment_end`].
@@ -112,8 +114,8 @@ pub fn segment_bounds(n: f64, segments: u32, peak: Peak, objective: &Objective) 
     if best.error < 1e-14 {
         return Ok(best);
     }
-    // For a given error: all segments but the last as long as it allows, and the end where the drop has it. The last segment's
-    // error then tells whether the given one was too small.
+    // For a given error: all segments but the last as long as it allows, and the end where the drop has it. The last
+    // segment's error then tells whether the given one was too small.
     let reach = objective.reach(n);
     root(libm::log(even.error / f64::from(2 * segments)), libm::log(even.error), |log_error| {
         let error = libm::exp(log_error);
@@ -137,8 +139,8 @@ pub fn segment_bounds(n: f64, segments: u32, peak: Peak, objective: &Objective) 
     Ok(best)
 }
 
-/// Where the segment from `low` on has the given error; `limit` if it has less there. By the secant method on logarithms, as the
-/// error grows about as the third power of the length.
+/// Where the segment from `low` on has the given error; `limit` if it has less there. By the secant method on
+/// logarithms, as the error grows about as the third power of the length.
 fn longest(n: f64, low: f64, limit: f64, error: f64, peak: Peak, objective: &Objective) -> f64 {
     let most = limit - low;
     if most <= 0.0 {
@@ -171,8 +173,8 @@ fn log_ratio(error: f64, other: f64) -> f64 {
     libm::log(error.max(1e-300)) - libm::log(other.max(1e-300))
 }
 
-/// Looks at an increasing function ever nearer to its zero, by regula falsi in Illinois' form. The zero lies between the two
-/// bounds, or else below.
+/// Looks at an increasing function ever nearer to its zero, by regula falsi in Illinois' form. The zero lies between
+/// the two bounds, or else below.
 fn root(mut low: f64, mut high: f64, mut function: impl FnMut(f64) -> f64) {
     let (mut at_low, mut at_high) = (function(low), function(high));
     for _ in 0..8 {
@@ -205,7 +207,8 @@ fn check(n: f64, segments: u32, objective: &Objective) -> Result<(), Error> {
     Err(Error::input(format!("{segments} segments are out of range"), "there are 1 to 256 segments"))
 }
 
-/// A segment in its own coordinate `w = (u - origin) / unit`: `x (k_0 + k_1 w + k_2 w^2)`, with `k_0 = 1` if only two are free.
+/// A segment in its own coordinate `w = (u - origin) / unit`: `x (k_0 + k_1 w + k_2 w^2)`, with `k_0 = 1` if only two
+/// are free.
 struct Local {
     low: f64,
     high: f64,

@@ -9,14 +9,15 @@ pub enum Objective {
     /// The largest `|g - f|` over all cosines in [0, 1].
     #[default]
     MaxAbs,
-    /// The largest `|g - f|` where `f >= level`, with the level in 0.001..=0.99. Past the level the lobe is whatever the
-    /// shape gives, within [0, 1].
+    /// The largest `|g - f|` where `f >= level`, with the level in 0.001..=0.99. Past the level the lobe is whatever
+    /// the shape gives, within [0, 1].
     MaxAbsLevel {
         /// The exact lobe's value down to which errors count: 0.5 is the epicentre.
         level: f64,
     },
-    /// The largest `|g - f| / f` where `f >= level`, with the level in 0.001..=0.99. A relative error of 1 or more is reached
-    /// by the zero lobe too; where a shape can do no better, it gets the coefficients of [`Objective::MaxAbsLevel`].
+    /// The largest `|g - f| / f` where `f >= level`, with the level in 0.001..=0.99. A relative error of 1 or more is
+    /// reached by the zero lobe too; where a shape can do no better, it gets the coefficients of
+    /// [`Objective::MaxAbsLevel`].
     MaxRel {
         /// The exact lobe's value down to which errors count.
         level: f64,
@@ -150,8 +151,8 @@ pub(super) const DEEP: f64 = 40.0;
 impl Target {
     /// The whole interval in which the objective counts errors.
     ///
-    /// The samples lie at depths `-ln f`: for all shininesses the same features lie at the same depths. Past `DEEP` no shape
-    /// has an extremum inside; its far end is a sample.
+    /// The samples lie at depths `-ln f`: for all shininesses the same features lie at the same depths. Past `DEEP` no
+    /// shape has an extremum inside; its far end is a sample.
     pub fn whole(n: f64, objective: &Objective) -> Self {
         let mut depths: Vec<f64> = match *objective {
             Objective::MaxAbsLevel { level } | Objective::MaxRel { level } => {
@@ -204,7 +205,8 @@ impl Target {
     }
 }
 
-/// The extrema of a Chebyshev polynomial of the degree `count`, on [low, high], in increasing order; the ends are exact.
+/// The extrema of a Chebyshev polynomial of the degree `count`, on [low, high], in increasing order; the ends are
+/// exact.
 fn lobatto(low: f64, high: f64, count: u32) -> impl Iterator<Item = f64> {
     (0..=count).map(move |i| {
         let sine = libm::sin(std::f64::consts::FRAC_PI_2 * f64::from(i) / f64::from(count));

@@ -94,8 +94,8 @@ impl Format {
     }
 }
 
-/// A number of so many bits that are all 1: 0 of none, and the largest number there is of 127 or more. Values that turn out too wide are
-/// refused once the whole datapath is known.
+/// A number of so many bits that are all 1: 0 of none, and the largest number there is of 127 or more. Values that turn
+/// out too wide are refused once the whole datapath is known.
 const fn ones(bits: i32) -> i128 {
     match bits {
         ..=0 => 0,

@@ -1,8 +1,9 @@
 //! Fixed-point formats, intervals and the wide fixed-point type of the model.
 //!
-//! A number is an integer (its *code*) times the weight of its last bit. [`Format`] says how wide the
-//! integer is and where the binary point lies; [`Interval`] bounds real values and errors with outward
-//! rounding; [`Table`] holds the words of a memory; [`Rng`] draws reproducible random numbers; [`wide`] holds the arithmetic of the reference model on the crate `fixed`.
+//! A number is an integer (its *code*) times the weight of its last bit. [`Format`] says how wide the integer is and
+//! where the binary point lies; [`Interval`] bounds real values and errors with outward rounding; [`Table`] holds the
+//! words of a memory; [`Rng`] draws reproducible random numbers; [`wide`] holds the arithmetic of the reference model
+//! on the crate `fixed`.
 
 mod format;
 mod interval;

@@ -70,7 +70,8 @@ pub struct Table {
 }
 
 impl Table {
-    /// A coefficient ROM with the given fields: a row each of these shininesses, and at each address from 0 the row `row_of_address` of them.
+    /// A coefficient ROM with the given fields: a row each of these shininesses, and at each address from 0 the row
+    /// `row_of_address` of them.
     #[must_use]
     pub fn keyed(
         keys: Vec<f64>,
@@ -116,8 +117,8 @@ impl Table {
         Self { name, ..self }
     }
 
-    /// The coefficient ROM that has `parts` rows side by side for each row of `whole`: row `i` of it holds `parts i` to `parts (i + 1) - 1`.
-    /// `parts` is a power of two.
+    /// The coefficient ROM that has `parts` rows side by side for each row of `whole`: row `i` of it holds `parts i` to
+    /// `parts (i + 1) - 1`. `parts` is a power of two.
     #[must_use]
     pub fn parts(whole: &Self, parts: usize, fields: Vec<Field>) -> Self {
         debug_assert!(parts.is_power_of_two() && fields.iter().all(|f| f.codes.len() == parts * whole.rows()));

@@ -1,5 +1,5 @@
-//! The shininess as a number that a core computes with: from the port, or from a ROM where the port is an index; and what an error of
-//! the exponent does to a power of two.
+//! The shininess as a number that a core computes with: from the port, or from a ROM where the port is an index; and
+//! what an error of the exponent does to a power of two.
 
 use crate::datapath::Parameter;
 use crate::datapath::builder::Builder;
@@ -15,7 +15,8 @@ const LN_2: f64 = std::f64::consts::LN_2;
 /// More fraction bits than this no shininess needs: the error that is left counts 2^-25 at most.
 const MOST_FRACTION_BITS: i32 = 24;
 
-/// Fraction bits that hold every shininess of a list exactly, if [`MOST_FRACTION_BITS`] do, and else those; 0 for a range.
+/// Fraction bits that hold every shininess of a list exactly, if [`MOST_FRACTION_BITS`] do, and else those; 0 for a
+/// range.
 pub(in crate::method) fn exact_bits(set: &Shininess) -> i32 {
     if set.is_at_port() {
         return 0;
@@ -87,8 +88,8 @@ impl<'a> Exponent<'a> {
         b.clamped_index(self.set, port)
     }
 
-    /// Half of the most that rounding u, v and z down lowers z by where the result is near 1, u having `input_bits` before: the
-    /// exponential's table makes up for it.
+    /// Half of the most that rounding u, v and z down lowers z by where the result is near 1, u having `input_bits`
+    /// before: the exponential's table makes up for it.
     pub fn lift(&self, input_bits: i32, widths: &Widths) -> f64 {
         let (u, v, z) = (widths[width::U], widths[width::V], widths[width::Z]);
         let lost = |from: i32, to: i32| (exp2(-to) - exp2(-from)).max(0.0);
@@ -105,8 +106,8 @@ impl<'a> Exponent<'a> {
     }
 }
 
-/// What such a relative error of n does to `2^-z`, z in `level`: with n' in place of n, the real z is `z - z (n' - n)/n'`, so that
-/// `y' - y = y' (1 - 2^(z (n' - n)/n'))`.
+/// What such a relative error of n does to `2^-z`, z in `level`: with n' in place of n, the real z is
+/// `z - z (n' - n)/n'`, so that `y' - y = y' (1 - 2^(z (n' - n)/n'))`.
 pub(in crate::method) fn error_of_exponent(level: Interval, relative: Interval) -> Interval {
     if relative == Interval::ZERO {
         return Interval::ZERO;

@@ -25,7 +25,8 @@ pub enum Operand {
 pub enum InputRange {
     /// Any: a cosine is signed, Q1.F, and what lies outside [0, 1] is taken to the nearer end.
     Any,
-    /// Those in [0, 1]: the port is unsigned, UQ1.F, and nothing is compared. A code above 1 counts as what it is above 1.
+    /// Those in [0, 1]: the port is unsigned, UQ1.F, and nothing is compared. A code above 1 counts as what it is above
+    /// 1.
     Unit,
 }
 

@@ -8,7 +8,8 @@ use toml::Value;
 pub(crate) struct Key {
     /// The key in TOML; with hyphens its flag.
     pub(crate) name: &'static str,
-    /// What a method is said not to have that is given the key and has no use for it; empty for a key that any method may be given.
+    /// What a method is said not to have that is given the key and has no use for it; empty for a key that any method
+    /// may be given.
     pub(crate) called: &'static str,
     /// Where it applies; empty where its table or the methods that have it say so.
     pub(crate) applies: &'static str,
@@ -31,8 +32,9 @@ pub(crate) fn written<T: Serialize>(value: &T) -> Value {
 
 /// Makes a table of keys a struct of [`Fields`] that TOML and flags are read into.
 ///
-/// A key has its help, which ends with the default, what else clap is to know of its flag, and the kind of its value; then, where they
-/// are needed, what messages call it (`as`) and where it applies (`where`). A table within, if there is one, comes last, behind a `+`.
+/// A key has its help, which ends with the default, what else clap is to know of its flag, and the kind of its value;
+/// then, where they are needed, what messages call it (`as`) and where it applies (`where`). A table within, if there
+/// is one, comes last, behind a `+`.
 macro_rules! keys {
     (
         $(#[$of_fields:meta])* $Fields:ident:

@@ -1,9 +1,9 @@
 //! The methods to approximate the lobe: one folder each, named as the user names it.
 //!
-//! A folder holds all there is of its method: what is known of it whatever its options ([`About`]), its options ([`Method`], what
-//! `configure` makes of those of a spec), `lobe.rs`, its real numbers; `datapath.rs`, its graph; and `model.rs`, its bits, which know
-//! nothing of each other. What several methods share stands beside the folders. [`METHODS`] lists them, and everything that goes over
-//! methods goes over that list.
+//! A folder holds all there is of its method: what is known of it whatever its options ([`About`]), its options
+//! ([`Method`], what `configure` makes of those of a spec), `lobe.rs`, its real numbers; `datapath.rs`, its graph; and
+//! `model.rs`, its bits, which know nothing of each other. What several methods share stands beside the folders.
+//! [`METHODS`] lists them, and everything that goes over methods goes over that list.
 
 pub mod cubic;
 pub mod cubic_min_zero;
@@ -81,7 +81,8 @@ pub struct About {
     pub formula: &'static str,
     /// What a core is called whose spec has no name, where the method's name will not do.
     pub core_name: Option<&'static str>,
-    /// The options that it has, by their keys: `coefficients` and `objective` go without saying where [`About::coefficients`] says so.
+    /// The options that it has, by their keys: `coefficients` and `objective` go without saying where
+    /// [`About::coefficients`] says so.
     pub options: &'static [&'static str],
     /// The coefficients that it can have, the default first; none for a method without any.
     pub coefficients: &'static [Coefficients],
@@ -91,7 +92,8 @@ pub struct About {
     pub computes_with_shininess: bool,
     /// Whether it serves only shininesses that are powers of two.
     pub powers_of_two: bool,
-    /// Whether it is there to be compared with: published by others, or what an engineer would build without this crate.
+    /// Whether it is there to be compared with: published by others, or what an engineer would build without this
+    /// crate.
     pub is_baseline: bool,
     /// The options that tests, tables and benches run it with.
     pub variants: &'static [Variant],

@@ -24,7 +24,8 @@ pub struct Model<'a> {
 }
 
 impl Model<'_> {
-    /// The code of `out_spec` (UQ1.G) for a code of `in_n` and a code of the operand port (`in_cos` as a signed number).
+    /// The code of `out_spec` (UQ1.G) for a code of `in_n` and a code of the operand port (`in_cos` as a signed
+    /// number).
     #[must_use]
     pub fn evaluate(&self, index: u32, operand: i64) -> u32 {
         let set = &self.interface.shininess;
@@ -91,7 +92,8 @@ impl Inputs<'_> {
         if frac_bits >= 0 { wide::from_code(code, frac_bits as u32) } else { wide::from_code(code << -frac_bits, 0) }
     }
 
-    /// The named coefficient of this shininess: as the ROM holds it, or with its step to the next row for as much of the way.
+    /// The named coefficient of this shininess: as the ROM holds it, or with its step to the next row for as much of
+    /// the way.
     pub(super) fn coefficient(&self, name: &str) -> Wide {
         let base = self.entry(Table::COEFFICIENTS, self.row, name);
         // A step of 0 parts of the way adds nothing.
@@ -149,8 +151,8 @@ impl Inputs<'_> {
         self.optional("k").map_or(0, |k| k.to_num::<u32>()) + self.memory(Table::COEFFICIENTS).shared_shift
     }
 
-    /// `x (1 - p)` with x and `x p` rounded down to their widths, clamped to [0, 1]; rounded to nearest where the input is
-    /// finer than the output.
+    /// `x (1 - p)` with x and `x p` rounded down to their widths, clamped to [0, 1]; rounded to nearest where the input
+    /// is finer than the output.
     pub(super) fn lobe(&self, p: Wide) -> Wide {
         let x = self.floor(self.x, width::X);
         let rounding = if self.fine_input { self.half_ulp } else { Wide::ZERO };

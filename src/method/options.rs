@@ -82,8 +82,8 @@ macro_rules! method_keys {
             /// Where the coefficients come from [default: paper, and minimax where no paper gives any]
             coefficients: Coefficients,
 
-            /// What fitted coefficients make least: max-abs, max-abs:LEVEL or max-rel:LEVEL (where x^n is at least LEVEL), or
-            /// weighted:POWER (errors times a power of x^n) [default: max-abs]
+            /// What fitted coefficients make least: max-abs, max-abs:LEVEL or max-rel:LEVEL (where x^n is at least
+            /// LEVEL), or weighted:POWER (errors times a power of x^n) [default: max-abs]
             objective: Objective where "fitted coefficients",
 
             /// Level of the cubic's point of contact, 0.05 to 0.95 [default: 0.5]
@@ -98,7 +98,8 @@ macro_rules! method_keys {
             /// The polynomial inside a power [default: quadratic]
             inside: Inside as "choice of inside",
 
-            /// Bits A of the method log-exp: a core smaller than the faithful one, proved within 2^-A of x^n, 3 to 15 and at most G - 1
+            /// Bits A of the method log-exp: a core smaller than the faithful one, proved within 2^-A of x^n, 3 to 15
+            /// and at most G - 1
             #[arg(value_name = "A")]
             accuracy: u32 as "accuracy",
 
@@ -112,7 +113,8 @@ macro_rules! method_keys {
             #[arg(value_name = "BITS")]
             table_bits: u32 as "table_bits",
 
-            /// Address bits of the logarithm's table in the method harris, within an octave of the versine, 2 to 12 [default: 8]
+            /// Address bits of the logarithm's table in the method harris, within an octave of the versine, 2 to 12
+            /// [default: 8]
             #[arg(value_name = "BITS")]
             log_bits: u32 as "log_bits",
 

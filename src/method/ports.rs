@@ -6,8 +6,8 @@ use crate::datapath::graph::{NodeId, Op};
 use crate::fixed::{Format, Interval};
 
 impl Builder<'_> {
-    /// The operand's port, taken into the domain: the cosine x and the versine u, both `UQ1.F`, u in each case's active interval.
-    /// Returns `(x, u)`. The port `in_n` comes before it: see [`Builder::address`].
+    /// The operand's port, taken into the domain: the cosine x and the versine u, both `UQ1.F`, u in each case's active
+    /// interval. Returns `(x, u)`. The port `in_n` comes before it: see [`Builder::address`].
     pub fn operand(&mut self, interface: &Interface) -> (NodeId, NodeId) {
         let f = interface.input_fraction as i32;
         let one = 1i128 << f;
@@ -49,8 +49,9 @@ impl Builder<'_> {
         }
     }
 
-    /// A port of `UQ1.F` whose codes are meant to lie in [0, 1], and 1 minus it. Both stay in [0, 1] for every code: where the fraction is
-    /// not 0 the whole bit does not count. That takes no comparison, and only the results' own whole bits any logic.
+    /// A port of `UQ1.F` whose codes are meant to lie in [0, 1], and 1 minus it. Both stay in [0, 1] for every code:
+    /// where the fraction is not 0 the whole bit does not count. That takes no comparison, and only the results' own
+    /// whole bits any logic.
     fn within_unit(
         &mut self,
         port: NodeId,
@@ -91,8 +92,8 @@ impl Builder<'_> {
         self.offset_from_first(clamped, memory)
     }
 
-    /// The port `in_n` of a fixed-point range, taken into it, as the address of the memory `memory`, whose rows are the range's
-    /// integers, and the fraction.
+    /// The port `in_n` of a fixed-point range, taken into it, as the address of the memory `memory`, whose rows are the
+    /// range's integers, and the fraction.
     pub fn split_index(&mut self, set: &Shininess, frac_bits: i32, memory: usize) -> (NodeId, NodeId) {
         let port = self.index(set);
         let n = self.clamped_index(set, port);

@@ -60,8 +60,8 @@ impl FromStr for Material {
 pub enum Shininess {
     /// Every integer from the first to the last; the core's `in_n` is the shininess itself.
     Range(u32, u32),
-    /// Every multiple of `2^-frac_bits` from the first to the last integer; the core's `in_n` is the shininess as a fixed-point
-    /// number.
+    /// Every multiple of `2^-frac_bits` from the first to the last integer; the core's `in_n` is the shininess as a
+    /// fixed-point number.
     Fixed {
         /// The least shininess.
         first: u32,
@@ -87,7 +87,8 @@ impl Shininess {
         }
     }
 
-    /// The shininess of each row of a coefficient ROM: between the integers of a fixed-point range, coefficients are interpolated.
+    /// The shininess of each row of a coefficient ROM: between the integers of a fixed-point range, coefficients are
+    /// interpolated.
     #[must_use]
     pub fn knots(&self) -> Vec<f64> {
         match self {
@@ -96,7 +97,8 @@ impl Shininess {
         }
     }
 
-    /// The ROM row of the shininess at a place of the set, and how far it lies on the way to the next, from 0 to below 1.
+    /// The ROM row of the shininess at a place of the set, and how far it lies on the way to the next, from 0 to below
+    /// 1.
     #[must_use]
     pub fn knot(&self, place: usize) -> (usize, f64) {
         match self {
@@ -217,7 +219,8 @@ impl Shininess {
     pub fn rom(&self, fields: Vec<Field>, shared_shift: u32) -> Table {
         let set = &self.of_knots();
         let packed_bits = (usize::BITS - (set.rows() - 1).leading_zeros()).max(1);
-        // Up to the least depth of a block RAM, a memory twice as deep is cheaper than a clamp, a subtraction and their clock.
+        // Up to the least depth of a block RAM, a memory twice as deep is cheaper than a clamp, a subtraction and their
+        // clock.
         let direct = packed_bits.max((packed_bits + 1).min(BLOCK_RAM_ADDRESS_BITS));
         let (address_bits, first_index) =
             if set.index_bits() <= direct { (set.index_bits(), 0) } else { (packed_bits, set.index_of_row(0)) };

@@ -1,5 +1,6 @@
-//! The inner widths that the methods' formulas have in common, by their letters: the coefficients A, a and c, the cosine x, the versine u, and v,
-//! that scaled or times n; what else one stands for in a method, its parameters say. A width that one method alone has stands in its folder.
+//! The inner widths that the methods' formulas have in common, by their letters: the coefficients A, a and c, the
+//! cosine x, the versine u, and v, that scaled or times n; what else one stands for in a method, its parameters say. A
+//! width that one method alone has stands in its folder.
 
 use crate::fixed::Width;
 

@@ -160,8 +160,8 @@ fn between(negative: &[f64]) -> String {
     format!("{} < n < {}", libm::floor(low), libm::ceil(high))
 }
 
-/// A claim on where a family of cubics is negative; `finding` is told whether it is for no integer n, whether for no real one, and the integers
-/// around the real ones.
+/// A claim on where a family of cubics is negative; `finding` is told whether it is for no integer n, whether for no
+/// real one, and the integers around the real ones.
 fn negative(
     id: &str,
     of: impl Fn(f64) -> Result<Cubic, Error>,
@@ -298,8 +298,8 @@ pub(super) fn operations() -> Result<Claim, Error> {
     ))
 }
 
-/// The number of points in 0..90 degrees where the derivative by the angle is 0 and changes its sign: the peak, and the zeros
-/// of the derivative by u, `-(1+A) + 2 (A+a) u - 3 a u^2`, for u in (0, 1).
+/// The number of points in 0..90 degrees where the derivative by the angle is 0 and changes its sign: the peak, and the
+/// zeros of the derivative by u, `-(1+A) + 2 (A+a) u - 3 a u^2`, for u in (0, 1).
 fn extrema_of(cubic: &Cubic) -> usize {
     let Cubic { a, big_a } = *cubic;
     let slope = |u: f64| -(1.0 + big_a) + u * (2.0 * (big_a + a) - 3.0 * a * u);

@@ -1,6 +1,8 @@
-//! What "Image-based BRDF Representation" (A. Mihálik, R. Ďurikovič) claims of its method, measured as [`crate::reflectance::measure`] has it.
+//! What "Image-based BRDF Representation" (A. Mihálik, R. Ďurikovič) claims of its method, measured as
+//! [`crate::reflectance::measure`] has it.
 //!
-//! No measured table comes with the program: the materials are the presets of [`Model`], named for those of the paper's figures.
+//! No measured table comes with the program: the materials are the presets of [`Model`], named for those of the paper's
+//! figures.
 
 use std::sync::Arc;
 use std::time::Instant;
@@ -14,8 +16,8 @@ use crate::reflectance::{Form, FormKind, FormSpec, Light, Model, Texel, Vector, 
 use crate::scene::mesh::{Mesh, Normals};
 use crate::scene::{Object, Scene, Shape, Tracer, reflectance};
 
-/// The PSNR in the mean over the light's angles from which images are taken to suffice: a root mean square difference of 1 in 56, 4.5 steps
-/// of 8 bits.
+/// The PSNR in the mean over the light's angles from which images are taken to suffice: a root mean square difference
+/// of 1 in 56, 4.5 steps of 8 bits.
 const SUFFICES: f64 = 35.0;
 /// Pixels along a side of the spheres that are compared.
 const PIXELS: usize = 96;
@@ -84,8 +86,8 @@ fn parts(model: &Model, exposure: f64) -> Result<[Form; 4], Error> {
     Ok(all.map(|options| paper(4, SIZE, options).encode(&samples, exposure)))
 }
 
-/// The peaks of the blue channel along the plane of light and viewer, which is that of the highlight of a yellow plastic: each higher by a fiftieth
-/// of full scale than the valleys beside it.
+/// The peaks of the blue channel along the plane of light and viewer, which is that of the highlight of a yellow
+/// plastic: each higher by a fiftieth of full scale than the valleys beside it.
 fn peaks(form: &Form) -> usize {
     let value = |step: i32| {
         let angle = f64::from(step).to_radians() / 10.0;
@@ -305,8 +307,9 @@ pub struct Speed {
     pub ratio: f64,
 }
 
-/// Table I: frames a second with 1, 2, 4 and 8 lights, measured here and now. Only the ratios to one light can be compared with the paper's,
-/// which are of a graphics card that draws the object anew for each frame; here rays do. Each is the best of three.
+/// Table I: frames a second with 1, 2, 4 and 8 lights, measured here and now. Only the ratios to one light can be
+/// compared with the paper's, which are of a graphics card that draws the object anew for each frame; here rays do.
+/// Each is the best of three.
 ///
 /// # Errors
 /// None for the scene that is drawn.

@@ -16,7 +16,8 @@ pub fn versine_at(n: f64, level: f64) -> f64 {
 /// The largest value of `f` for versines in `from..=to`; `f` is smooth but for a step or bend after `break_at`.
 ///
 /// The grid is even in `ln(1 + n u)`: as `s = n u` where the lobe lives, coarser and coarser in its tail. Each grid
-/// point that its neighbours do not exceed is refined by a golden section if it is near the largest; ends count as they are.
+/// point that its neighbours do not exceed is refined by a golden section if it is near the largest; ends count as they
+/// are.
 pub fn largest(n: f64, (from, to): (f64, f64), break_at: Option<f64>, f: impl Fn(f64) -> f64) -> f64 {
     match break_at {
         Some(at) if from <= at && at < to => piece(n, from, at, &f).max(piece(n, at.next_up(), to, &f)),

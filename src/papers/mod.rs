@@ -1,11 +1,11 @@
 //! The papers' claims, measured.
 //!
 //! Q is "Quadratic approximation of BRDF"; C7 is "Approximation of Bidirectional Reflectance Distribution Function with
-//! 3-Degree Polynomial" (IEEE, 2007); C21 is "Approximation of classical distributive functions using a cubic polynomial"
-//! (2021); IB is "Image-based BRDF Representation", of another method: [`images`].
+//! 3-Degree Polynomial" (IEEE, 2007); C21 is "Approximation of classical distributive functions using a cubic
+//! polynomial" (2021); IB is "Image-based BRDF Representation", of another method: [`images`].
 //!
-//! Everything is measured on the real-valued lobes of [`crate::lobe`], at every integer shininess of a claim's range and up
-//! to 1000. Errors are the largest over the cosines in question, to at least four digits: see [`Row`].
+//! Everything is measured on the real-valued lobes of [`crate::lobe`], at every integer shininess of a claim's range
+//! and up to 1000. Errors are the largest over the cosines in question, to at least four digits: see [`Row`].
 
 mod claims;
 mod cos_k;

@@ -48,8 +48,8 @@ impl Recorded {
         Self::parse(BUILT_IN, "src/claims/recorded.csv")
     }
 
-    /// Reads a table: the header [`HEADER`], then a line for each figure. Columns after the third are not read, so that the
-    /// `claims.csv` of an earlier run is such a table.
+    /// Reads a table: the header [`HEADER`], then a line for each figure. Columns after the third are not read, so that
+    /// the `claims.csv` of an earlier run is such a table.
     ///
     /// # Errors
     /// A text that is no such table; says which line of `file` is wrong.

@@ -34,8 +34,8 @@ impl Taylor {
         Ok(Self { n, series })
     }
 
-    /// The sum of the series, which leaves [0, 1] where it has ceased to be an approximation: at u = 1 it is of the order
-    /// of `n^2/2`, or of `-n^3/6` with four terms.
+    /// The sum of the series, which leaves [0, 1] where it has ceased to be an approximation: at u = 1 it is of the
+    /// order of `n^2/2`, or of `-n^3/6` with four terms.
     #[must_use]
     pub fn sum(&self, u: f64) -> f64 {
         let n = self.n;

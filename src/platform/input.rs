@@ -1,7 +1,8 @@
-//! Reading the user's files: no more of them than a file of their kind can have, and their text as other programs write it.
+//! Reading the user's files: no more of them than a file of their kind can have, and their text as other programs write
+//! it.
 //!
-//! Editors, spreadsheets and check-outs put a byte order mark in front, end lines with CR LF or CR, save UTF-16, or separate columns by
-//! semicolons. What has one meaning is read; what has not is named for what it is.
+//! Editors, spreadsheets and check-outs put a byte order mark in front, end lines with CR LF or CR, save UTF-16, or
+//! separate columns by semicolons. What has one meaning is read; what has not is named for what it is.
 
 use std::borrow::Cow;
 use std::fs::File;
@@ -81,8 +82,8 @@ pub fn plain(text: &str) -> Cow<'_, str> {
     Cow::Owned(text.replace("\r\n", "\n").replace('\r', "\n"))
 }
 
-/// Refuses the bytes of a text of 16 or 32 bits a character, which `name` names: by its byte order mark, or as every other byte of its
-/// first characters is 0.
+/// Refuses the bytes of a text of 16 or 32 bits a character, which `name` names: by its byte order mark, or as every
+/// other byte of its first characters is 0.
 ///
 /// # Errors
 /// Says that it is such a text.
@@ -122,8 +123,8 @@ pub fn check_separator(text: &str, file: &str) -> Result<(), Error> {
     ))
 }
 
-/// Refuses a TOML text that holds a number which is none: `inf`, `nan`, or one beyond what 64 bits hold. What is wrong otherwise is left
-/// to whoever reads the text. `file` names it in messages.
+/// Refuses a TOML text that holds a number which is none: `inf`, `nan`, or one beyond what 64 bits hold. What is wrong
+/// otherwise is left to whoever reads the text. `file` names it in messages.
 ///
 /// # Errors
 /// Names the first such number, with its place.

@@ -1,8 +1,8 @@
-//! Which files a command reads and writes. Nothing is written over what is read, and no two things into one file: every command names
-//! its files here before it writes the first.
+//! Which files a command reads and writes. Nothing is written over what is read, and no two things into one file: every
+//! command names its files here before it writes the first.
 //!
-//! Files are compared as the system knows them: through links of both kinds, `.` and `..`, and for those that are not there yet by the
-//! directory that they will be in.
+//! Files are compared as the system knows them: through links of both kinds, `.` and `..`, and for those that are not
+//! there yet by the directory that they will be in.
 
 use std::ffi::OsString;
 use std::fs;
@@ -84,7 +84,8 @@ impl Paths {
     /// Nothing is written yet: the last chance to refuse.
     ///
     /// # Errors
-    /// A file that would be written and is read, or would be written twice, with both names; two things for standard output.
+    /// A file that would be written and is read, or would be written twice, with both names; two things for standard
+    /// output.
     pub fn check(&self) -> Result<(), Error> {
         let standard: Vec<&str> = self
             .written
@@ -187,8 +188,8 @@ fn identity(_: &Path) -> Option<(u64, u64)> {
     None
 }
 
-/// A path without links, `.` and `..`, as far as it leads to something; what is not there yet is appended. At most so many links to what
-/// is not there are followed.
+/// A path without links, `.` and `..`, as far as it leads to something; what is not there yet is appended. At most so
+/// many links to what is not there are followed.
 fn canonical(path: &Path, links: u32) -> PathBuf {
     let absolute = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
     if let Ok(there) = fs::canonicalize(&absolute) {

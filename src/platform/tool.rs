@@ -178,8 +178,8 @@ impl Tool {
     /// Runs a command of this program to its end, and catches what it prints. It has nothing to read.
     ///
     /// # Errors
-    /// If it is not installed or the system refuses to start it, if it takes longer than [`time_limit`], or prints more than
-    /// [`MAX_PRINTED`]; it is stopped then, with all that it has started.
+    /// If it is not installed or the system refuses to start it, if it takes longer than [`time_limit`], or prints more
+    /// than [`MAX_PRINTED`]; it is stopped then, with all that it has started.
     pub fn output(self, command: &mut Command) -> Result<Output, Error> {
         self.output_within(command, time_limit())
     }
@@ -309,8 +309,7 @@ pub(crate) struct Running {
 }
 
 impl Running {
-    /// Waits for its end.
-    /// Errors: if its time was over.
+    /// Waits for its end. Errors: if its time was over.
     pub(crate) fn finish(mut self) -> Result<ExitStatus, Error> {
         let status = self.child.wait().map_err(|error| self.tool.start_error(error));
         self.stop_watching();
@@ -396,8 +395,8 @@ fn plain_places() -> impl Iterator<Item = PathBuf> {
     places.into_iter().filter(|place| is_plain(place))
 }
 
-/// A directory as [`scratch`] makes it, whose path Make can work with: none with a space or another letter that it minds. Where the temporary
-/// folder has such a path, it is in the user's folder for caches or in `/tmp` or `/var/tmp`.
+/// A directory as [`scratch`] makes it, whose path Make can work with: none with a space or another letter that it
+/// minds. Where the temporary folder has such a path, it is in the user's folder for caches or in `/tmp` or `/var/tmp`.
 /// Errors: if there is no such directory, or the system refuses to make it.
 pub(crate) fn scratch_for_make() -> Result<Folder, Error> {
     let mut made = plain_places().map(|place| {
@@ -414,8 +413,8 @@ pub(crate) fn scratch_for_make() -> Result<Folder, Error> {
     })
 }
 
-/// Where what took long to make is kept: the folder `brdfgen` in the user's folder for caches, or in the temporary one where the user
-/// has none.
+/// Where what took long to make is kept: the folder `brdfgen` in the user's folder for caches, or in the temporary one
+/// where the user has none.
 #[must_use]
 pub fn cache_directory() -> PathBuf {
     let user = etcetera::choose_base_strategy().map(|folders| folders.cache_dir());

@@ -1,8 +1,9 @@
 //! What must not outlive a run: its temporary files and directories, and the programs that it started.
 //!
-//! Temporary things have names that nothing else has, `brdfgen-XXXXXX.tmp` or `.brdfgen-XXXXXX.tmp`, and are locked while their owner lives.
-//! They go away with what holds them, and at SIGINT, SIGTERM and SIGHUP ([`clean_on_signals`]). A run that is killed outright leaves them
-//! behind without their lock; the next run that makes something in the same directory removes them.
+//! Temporary things have names that nothing else has, `brdfgen-XXXXXX.tmp` or `.brdfgen-XXXXXX.tmp`, and are locked
+//! while their owner lives. They go away with what holds them, and at SIGINT, SIGTERM and SIGHUP
+//! ([`clean_on_signals`]). A run that is killed outright leaves them behind without their lock; the next run that makes
+//! something in the same directory removes them.
 
 use std::collections::BTreeSet;
 use std::ffi::OsStr;
@@ -175,8 +176,8 @@ impl Drop for Draft {
     }
 }
 
-/// The lock of a new directory, none on a file system that has no locks; nothing if another run has taken the directory for a leftover
-/// and removed it before it was locked.
+/// The lock of a new directory, none on a file system that has no locks; nothing if another run has taken the directory
+/// for a leftover and removed it before it was locked.
 #[cfg(unix)]
 fn owned(directory: &Path) -> Option<Option<File>> {
     let file = File::open(directory).ok()?;
@@ -285,9 +286,9 @@ pub(crate) fn kill_group(group: u32) {
 #[cfg(not(unix))]
 pub(crate) fn kill_group(_: u32) {}
 
-/// From now on SIGINT, SIGTERM and SIGHUP end the programs that were started and remove what is temporary, before they end this one as
-/// they always do. A signal that is ignored, as under `nohup`, stays ignored. A file that grows beyond the size that the user is allowed
-/// (`ulimit -f`) is an error of writing, and no longer the end of the program.
+/// From now on SIGINT, SIGTERM and SIGHUP end the programs that were started and remove what is temporary, before they
+/// end this one as they always do. A signal that is ignored, as under `nohup`, stays ignored. A file that grows beyond
+/// the size that the user is allowed (`ulimit -f`) is an error of writing, and no longer the end of the program.
 #[cfg(unix)]
 pub fn clean_on_signals() {
     use std::time::Duration;

@@ -83,7 +83,8 @@ impl Axis {
         Self { label: label.into(), range, scale: Scale::Doubling, unit: "" }
     }
 
-    /// An axis of counts from 0 up to the largest: evenly divided up to 12, by square roots if there are more; with room for a mark at 0.
+    /// An axis of counts from 0 up to the largest: evenly divided up to 12, by square roots if there are more; with
+    /// room for a mark at 0.
     #[must_use]
     pub fn counts(label: impl Into<String>, largest: u32) -> Self {
         let most = f64::from(largest.max(1));
@@ -98,8 +99,8 @@ impl Axis {
         Self { label: label.into(), range: 0.0..1.06 * f64::from(largest.max(1)), scale: Scale::Whole, unit: "" }
     }
 
-    /// The same axis with a range that can be drawn, however wide, narrow or empty its own is: the drawing library counts marks for ever
-    /// where a step between them is lost in rounding.
+    /// The same axis with a range that can be drawn, however wide, narrow or empty its own is: the drawing library
+    /// counts marks for ever where a step between them is lost in rounding.
     #[must_use]
     fn drawable(&self) -> Self {
         // Of the larger end, or of 1.

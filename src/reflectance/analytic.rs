@@ -1,7 +1,7 @@
 //! Reflectance models with named parameters. Each is reciprocal and in 1/sr; colours are factors from 0 to 1.
 //!
-//! Where the printed normalisation gives off more light than comes in, `norm` chooses between the form as `published` and one that is
-//! `conserving`: with factors that sum to at most 1, no more than what comes in.
+//! Where the printed normalisation gives off more light than comes in, `norm` chooses between the form as `published`
+//! and one that is `conserving`: with factors that sum to at most 1, no more than what comes in.
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -70,7 +70,8 @@ impl Model {
         self.norm
     }
 
-    /// Sets a parameter from text: a number, three of them for a colour's channels with commas between, or `norm`'s name.
+    /// Sets a parameter from text: a number, three of them for a colour's channels with commas between, or `norm`'s
+    /// name.
     ///
     /// # Errors
     /// A parameter that the model does not have; what is no number; a number out of range.
@@ -240,7 +241,8 @@ fn pow5(x: f64) -> f64 {
     x * x * x * x * x
 }
 
-/// The reflectance of unpolarised light at a dielectric whose reflectance at normal incidence is `f0`, for the cosine `c` of incidence.
+/// The reflectance of unpolarised light at a dielectric whose reflectance at normal incidence is `f0`, for the cosine
+/// `c` of incidence.
 fn fresnel(f0: f64, c: f64) -> f64 {
     let root = sqrt(f0);
     if root >= 1.0 {

@@ -1,4 +1,5 @@
-//! The reflectance over θh and θd alone, averaged over φd: for a directional light a curve of n·h, a measured lobe in place of cos^n.
+//! The reflectance over θh and θd alone, averaged over φd: for a directional light a curve of n·h, a measured lobe in
+//! place of cos^n.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -17,7 +18,8 @@ const AROUND: usize = 180;
 /// The least cosine of light and viewer that takes part in the average.
 const LEAST: f64 = 0.02;
 
-/// The nodes: θd along the rows, θh = 90° (i/(N-1))² along the columns; each the mean of E f over φd weighted by (n·l)(n·v).
+/// The nodes: θd along the rows, θh = 90° (i/(N-1))² along the columns; each the mean of E f over φd weighted by
+/// (n·l)(n·v).
 #[must_use]
 pub fn samples(reflectance: &dyn Reflectance, size: usize, exposure: f64) -> Samples {
     let part = |step: usize| step as f64 / (size - 1) as f64;
@@ -124,7 +126,8 @@ pub(super) fn curve(texels: &Texels, setup: &Setup) -> Curve {
 
 const LANES: usize = 64;
 
-/// arccos(x) = √(1-x) P(x) for x from 0 to 1, to 2e-8 (M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions, 4.4.46).
+/// arccos(x) = √(1-x) P(x) for x from 0 to 1, to 2e-8 (M. Abramowitz, I. A. Stegun, Handbook of Mathematical Functions,
+/// 4.4.46).
 const ARCCOS: [f32; 8] = [
     std::f32::consts::FRAC_PI_2,
     -0.214_598_8,

@@ -1,5 +1,5 @@
-//! The classical material that is nearest to a reflectance: I = kd n·l + Σ ks x^n, with x = n·h (Blinn) or r·v (Phong), as a cos^n core
-//! computes it.
+//! The classical material that is nearest to a reflectance: I = kd n·l + Σ ks x^n, with x = n·h (Blinn) or r·v (Phong),
+//! as a cos^n core computes it.
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -118,8 +118,8 @@ struct Data {
 type Weights = [f64; 1 + MOST_LOBES];
 
 impl Data {
-    /// The best weights of the channels for these shininesses, and the sum of the squares that is left. What is at full scale in both pictures
-    /// is no difference: so weights and clipped pixels are found in turns.
+    /// The best weights of the channels for these shininesses, and the sum of the squares that is left. What is at full
+    /// scale in both pictures is no difference: so weights and clipped pixels are found in turns.
     fn solve(&self, shininess: &[f64]) -> ([Weights; 3], f64) {
         let count = 1 + shininess.len();
         let rows: Vec<Weights> = (0..self.x.len())
@@ -187,8 +187,8 @@ fn not_negative(gram: &[Weights; 1 + MOST_LOBES], moment: &Weights, count: usize
     best.0
 }
 
-/// Fits a classical material with so many highlights, 1 to 3, to pictures of the sphere at all angles of the light, as the eye sees them: linear
-/// and cut off at full scale. `done` is called after each of the steps, [`steps`] of them.
+/// Fits a classical material with so many highlights, 1 to 3, to pictures of the sphere at all angles of the light, as
+/// the eye sees them: linear and cut off at full scale. `done` is called after each of the steps, [`steps`] of them.
 ///
 /// # Errors
 /// A number of highlights out of range.
@@ -256,7 +256,8 @@ pub fn steps(lobes: usize) -> u64 {
     (first + ROUNDS * lobes) as u64
 }
 
-/// Chooses the best shininess of one highlight: over the whole range, or `part` of its logarithm around the present one.
+/// Chooses the best shininess of one highlight: over the whole range, or `part` of its logarithm around the present
+/// one.
 fn search(data: &Data, shininess: &mut [f64], lobe: usize, part: f64, done: &(dyn Fn() + Sync)) {
     const TRIED: usize = 24;
     let [low, high] = SHININESS.map(libm::log);

@@ -44,8 +44,8 @@ struct Entry {
     caps: Vec<f64>,
 }
 
-/// The files of a form: names and bytes, then the index and the list of all of them, by which the next run knows those that it no longer
-/// writes.
+/// The files of a form: names and bytes, then the index and the list of all of them, by which the next run knows those
+/// that it no longer writes.
 ///
 /// # Errors
 /// A picture that is too large for its format.

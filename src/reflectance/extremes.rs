@@ -1,8 +1,9 @@
-//! The forms where they degenerate, measured: every value has to be finite, not negative and within a bound that holds for whatever is stored,
-//! where there is a limit it has to be met, and threads must not matter.
+//! The forms where they degenerate, measured: every value has to be finite, not negative and within a bound that holds
+//! for whatever is stored, where there is a limit it has to be met, and threads must not matter.
 //!
-//! The bounds follow from how values are made. A look-up is a weighted mean of texels, so the paper's form gives at most the largest sample that it
-//! stores, and the other two at most the largest E f, the largest full scale, times n·l.
+//! The bounds follow from how values are made. A look-up is a weighted mean of texels, so the paper's form gives at
+//! most the largest sample that it stores, and the other two at most the largest E f, the largest full scale, times
+//! n·l.
 
 use rayon::prelude::*;
 use serde::Serialize;

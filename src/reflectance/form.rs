@@ -72,7 +72,8 @@ impl FormKind {
         }
     }
 
-    /// The angles of so many images or slices: for 4 and 6 images the paper's sets, in general steps of 180/count degrees.
+    /// The angles of so many images or slices: for 4 and 6 images the paper's sets, in general steps of 180/count
+    /// degrees.
     #[must_use]
     pub fn angles(self, count: usize) -> Vec<f64> {
         match self {
@@ -320,8 +321,8 @@ impl Form {
         })
     }
 
-    /// Adds what a light of an intensity gives for many unit normals to what is there, in single precision; takes no memory. The results do
-    /// not depend on how the normals are cut into calls.
+    /// Adds what a light of an intensity gives for many unit normals to what is there, in single precision; takes no
+    /// memory. The results do not depend on how the normals are cut into calls.
     ///
     /// # Panics
     /// If there are not as many of each coordinate as results, or the record is another form's.

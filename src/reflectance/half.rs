@@ -1,7 +1,8 @@
 //! Slices of the reflectance about the half vector, one for each angle of the light, all looked up at the same place.
 //!
-//! With the viewer fixed and a directional light, θd = φ/2 everywhere on the sphere: an image of it is one slice of the table times n·l. In
-//! the frame of the half vector the highlight stands still, so that neighbouring slices can be blended without a turn; n·l is exact.
+//! With the viewer fixed and a directional light, θd = φ/2 everywhere on the sphere: an image of it is one slice of the
+//! table times n·l. In the frame of the half vector the highlight stands still, so that neighbouring slices can be
+//! blended without a turn; n·l is exact.
 
 use libm::{atan2, cos, sin, sqrt};
 use multiversion::multiversion;
@@ -42,7 +43,8 @@ pub fn samples(reflectance: &dyn Reflectance, angles: &[f64], size: usize, expos
                 (x, y) = (x * RADIUS / r, y * RADIUS / r);
             }
             let z = sqrt((1.0 - x * x - y * y).max(0.0));
-            // Turned about Y until light and viewer both see it; lit normals that are seen are never looked up further out.
+            // Turned about Y until light and viewer both see it; lit normals that are seen are never looked up further
+            // out.
             let psi = atan2(x, z).clamp(-most, most);
             let around = sqrt((1.0 - y * y).max(0.0));
             let n = Vector::new(around * sin(psi), y, around * cos(psi));
@@ -97,7 +99,8 @@ pub(super) fn at(texels: &Texels, setup: &Setup, n: Vector) -> Rgb {
     texels.value(blend).map(|value| value * cosine)
 }
 
-/// A light with its two slices blended: both are looked up at the same place, so one look-up in their blend is the blend of two.
+/// A light with its two slices blended: both are looked up at the same place, so one look-up in their blend is the
+/// blend of two.
 #[derive(Clone, Debug)]
 pub(super) struct Blended {
     l: [f32; 3],

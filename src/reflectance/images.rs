@@ -1,4 +1,5 @@
-//! Sphere images as picture files: PNG with 8 or 16 bits a channel, OpenEXR with 32-bit floating-point channels. +y is at the top of a file.
+//! Sphere images as picture files: PNG with 8 or 16 bits a channel, OpenEXR with 32-bit floating-point channels. +y is
+//! at the top of a file.
 
 use std::io::Cursor;
 
@@ -166,7 +167,8 @@ pub fn read_exr(bytes: &[u8], name: &str) -> Result<(usize, usize, Vec<[f32; 3]>
     Ok((width, pixels.len() / width, pixels))
 }
 
-/// Reads a picture of either kind as linear light, rows from the bottom: a PNG file's codes by the exponent that it tells, or as sRGB.
+/// Reads a picture of either kind as linear light, rows from the bottom: a PNG file's codes by the exponent that it
+/// tells, or as sRGB.
 ///
 /// # Errors
 /// As [`read_png`] and [`read_exr`].

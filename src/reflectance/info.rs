@@ -12,8 +12,8 @@ use super::{Reflectance, Rgb};
 /// Steps of θh and of its azimuth in the integral of the albedo.
 const STEPS: [usize; 2] = [400, 180];
 
-/// The directional albedo: the part of the light that leaves, for light that comes from `theta` degrees off the normal. The integral is taken
-/// over the half vector, in steps that become finer towards the normal, where highlights are.
+/// The directional albedo: the part of the light that leaves, for light that comes from `theta` degrees off the normal.
+/// The integral is taken over the half vector, in steps that become finer towards the normal, where highlights are.
 #[must_use]
 pub fn albedo(reflectance: &dyn Reflectance, theta: f64) -> Rgb {
     let v = about_y(Vector::z(), sine_cosine(theta));
@@ -41,8 +41,8 @@ pub fn albedo(reflectance: &dyn Reflectance, theta: f64) -> Rgb {
 /// Pairs of directions that the reciprocity is measured on.
 const PAIRS: usize = 20_000;
 
-/// How far a reflectance is from reciprocal: the root mean square of f(l, v) - f(v, l) over that of f itself, on directions of the upper half
-/// of the sphere. 0 for a reciprocal one.
+/// How far a reflectance is from reciprocal: the root mean square of f(l, v) - f(v, l) over that of f itself, on
+/// directions of the upper half of the sphere. 0 for a reciprocal one.
 #[must_use]
 pub fn reciprocity_error(reflectance: &dyn Reflectance) -> f64 {
     let mut dice = Pcg64::seed_from_u64(1);

@@ -7,7 +7,8 @@ use serde::Serialize;
 use super::vector::{Light, Vector};
 use super::{Form, Reflectance};
 
-/// The visible half of the unit sphere as a square picture has it: a normal for each pixel whose centre lies inside the disc.
+/// The visible half of the unit sphere as a square picture has it: a normal for each pixel whose centre lies inside the
+/// disc.
 #[derive(Clone, Debug)]
 pub struct Sphere {
     /// The normals, row by row from the bottom.
@@ -52,8 +53,8 @@ impl Sphere {
 /// The pixels along a side of the sphere that an exposure is measured on.
 const EXPOSURE_SIZE: usize = 256;
 
-/// The exposure that makes a material's sphere bright enough: E = 0.6/P, with P the 90th percentile over all visible pixels, unlit ones
-/// too, of the largest channel of f max(n·l, 0) at φ = 45°. 1 where P vanishes.
+/// The exposure that makes a material's sphere bright enough: E = 0.6/P, with P the 90th percentile over all visible
+/// pixels, unlit ones too, of the largest channel of f max(n·l, 0) at φ = 45°. 1 where P vanishes.
 #[must_use]
 pub fn exposure(reflectance: &dyn Reflectance) -> f64 {
     let light = Light::new(45.0, 0.0);
@@ -71,16 +72,16 @@ pub fn exposure(reflectance: &dyn Reflectance) -> f64 {
 /// The ratio in dB at which pictures count as the same: no texels here are that exact.
 const SAME: f64 = 150.0;
 
-/// The peak signal-to-noise ratio of two pictures in dB, on linear values from 0 to 1; values outside are taken to the nearest end. At most
-/// 150.
+/// The peak signal-to-noise ratio of two pictures in dB, on linear values from 0 to 1; values outside are taken to the
+/// nearest end. At most 150.
 #[must_use]
 pub fn psnr(exact: &[[f32; 3]], other: &[[f32; 3]]) -> f64 {
     let double = |(a, b): (&f32, &f32)| (f64::from(*a), f64::from(*b));
     ratio(exact.as_flattened().iter().zip(other.as_flattened()).map(double)).map_or(SAME, |ratio| ratio.min(SAME))
 }
 
-/// The peak signal-to-noise ratio of pairs of linear values in dB, each taken to the nearest end of 0 to 1; none where they are the same or there
-/// is none.
+/// The peak signal-to-noise ratio of pairs of linear values in dB, each taken to the nearest end of 0 to 1; none where
+/// they are the same or there is none.
 #[must_use]
 pub fn ratio(pairs: impl Iterator<Item = (f64, f64)>) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0u64);

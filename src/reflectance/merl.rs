@@ -1,5 +1,5 @@
-//! Tables as files of the MERL database: three 32-bit counts (θh, θd, φd), then the planes of red, green and blue as 64-bit floating-point
-//! numbers, all little-endian.
+//! Tables as files of the MERL database: three 32-bit counts (θh, θd, φd), then the planes of red, green and blue as
+//! 64-bit floating-point numbers, all little-endian.
 //!
 //! W. Matusik, H. Pfister, M. Brand, L. McMillan, "A Data-Driven Reflectance Model", 2003.
 
@@ -28,8 +28,8 @@ fn counts(header: &[u8; HEADER], read: fn([u8; 4]) -> u32) -> Option<[usize; 3]>
 /// Reads a table.
 ///
 /// # Errors
-/// If the system refuses, or the file is anything but a table of 90 × 90 × 180 or 90 × 90 × 360: what it is instead is said. Values that are
-/// not finite, and tables without a valid cell.
+/// If the system refuses, or the file is anything but a table of 90 × 90 × 180 or 90 × 90 × 360: what it is instead is
+/// said. Values that are not finite, and tables without a valid cell.
 pub fn read(path: &Path) -> Result<Table, Error> {
     read_from(input::open(path)?, &path.display().to_string(), &SHAPES)
 }

@@ -1,9 +1,10 @@
-//! Measured and analytic reflectance, and the image-based method that draws it from a few pictures of a sphere; knows no cores.
+//! Measured and analytic reflectance, and the image-based method that draws it from a few pictures of a sphere; knows
+//! no cores.
 //!
-//! The source is A. Mihálik and R. Ďurikovič, "Image-based BRDF Representation": pictures of the unit sphere of a material, lit from a few
-//! angles, are looked up and blended in place of the reflectance itself. [`paper`] is their method; [`half`] and [`bivariate`]
-//! are two forms that store slices of the reflectance about the half vector instead. docs/reflectance.md tells them
-//! apart for users.
+//! The source is A. Mihálik and R. Ďurikovič, "Image-based BRDF Representation": pictures of the unit sphere of a
+//! material, lit from a few angles, are looked up and blended in place of the reflectance itself. [`paper`] is their
+//! method; [`half`] and [`bivariate`] are two forms that store slices of the reflectance about the half vector instead.
+//! docs/reflectance.md tells them apart for users.
 //!
 //! | module | what it holds |
 //! | --- | --- |
@@ -22,9 +23,10 @@
 //!
 //! # Conventions
 //!
-//! The camera looks along -Z and is orthographic, so the direction to the viewer is v = (0, 0, 1) everywhere. A light is given by its polar
-//! angle φ from +Z, 0 to 180 degrees, and its azimuth γ about Z: l = Rz(γ)(sin φ, 0, cos φ). Radiance is E f max(n·l, 0), with the
-//! exposure E and the reflectance f per steradian. Colours are linear; red, green and blue in this order.
+//! The camera looks along -Z and is orthographic, so the direction to the viewer is v = (0, 0, 1) everywhere. A light
+//! is given by its polar angle φ from +Z, 0 to 180 degrees, and its azimuth γ about Z: l = Rz(γ)(sin φ, 0, cos φ).
+//! Radiance is E f max(n·l, 0), with the exposure E and the reflectance f per steradian. Colours are linear; red, green
+//! and blue in this order.
 
 pub mod analytic;
 pub mod bivariate;
@@ -61,8 +63,8 @@ pub type Rgb = [f64; 3];
 
 /// An isotropic reflectance.
 pub trait Reflectance: Sync {
-    /// The reflectance in 1/sr for unit vectors to the light, to the viewer and along the surface's normal; 0 where the light or the viewer
-    /// is not above the surface. Never negative, and finite.
+    /// The reflectance in 1/sr for unit vectors to the light, to the viewer and along the surface's normal; 0 where the
+    /// light or the viewer is not above the surface. Never negative, and finite.
     fn at(&self, l: Vector, v: Vector, n: Vector) -> Rgb;
 
     /// The radiance E f max(n·l, 0) that an orthographic camera at +Z sees of a normal.

@@ -1,10 +1,12 @@
 //! The form of the paper: pictures of the unit sphere, lit from a few angles; equations 1 to 4.
 //!
-//! With n turned back by γ about the viewer's axis, the images at φ1 ≤ φ ≤ φ2 are looked up where the normal is after a turn by k(φi - φ)
-//! about Y and blended by t = (φ - φ1)/(φ2 - φ1). What the paper leaves open is decided here:
+//! With n turned back by γ about the viewer's axis, the images at φ1 ≤ φ ≤ φ2 are looked up where the normal is after a
+//! turn by k(φi - φ) about Y and blended by t = (φ - φ1)/(φ2 - φ1). What the paper leaves open is decided here:
 //!
-//! - αh of equation 3 is at most 90 degrees; k is 1 where n has no part in the plane of light and viewer, as αh is undefined there.
-//! - Past the last image it alone is taken with k = 3/4, and below the first image that one. At an image's own angle nothing is turned.
+//! - αh of equation 3 is at most 90 degrees; k is 1 where n has no part in the plane of light and viewer, as αh is
+//!   undefined there.
+//! - Past the last image it alone is taken with k = 3/4, and below the first image that one. At an image's own angle
+//!   nothing is turned.
 //! - A turned normal may point away from the viewer, where the image has nothing: see [`Behind`].
 //!
 //! Figure 4's Δφ2 = 55° is a misprint for 30°: its images are at 45 and 90 degrees and its light at 60.
@@ -23,7 +25,8 @@ use super::{Reflectance, Rgb};
 /// What keeps the black outside of the sphere from an interpolation at its rim.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Border {
-    /// Normals are made shorter by a factor before the look-up, the paper's 0.995; texels whose centre is outside of the sphere are black.
+    /// Normals are made shorter by a factor before the look-up, the paper's 0.995; texels whose centre is outside of
+    /// the sphere are black.
     Shrink(f64),
     /// The rim's colour goes on outside of the sphere.
     Extend,

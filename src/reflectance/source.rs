@@ -19,7 +19,8 @@ pub enum Source {
 }
 
 impl Source {
-    /// Opens a MERL table, a directory of sphere images, or a PNG or OpenEXR picture as a matcap. What it is shows in its first bytes.
+    /// Opens a MERL table, a directory of sphere images, or a PNG or OpenEXR picture as a matcap. What it is shows in
+    /// its first bytes.
     ///
     /// # Errors
     /// If the system refuses, or the file is none of these or wrong.

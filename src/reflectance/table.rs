@@ -31,7 +31,8 @@ pub enum Lookup {
     Nearest,
 }
 
-/// A table. Cells below the horizon, or without a measurement, are invalid; they have the values of the nearest valid ones.
+/// A table. Cells below the horizon, or without a measurement, are invalid; they have the values of the nearest valid
+/// ones.
 #[derive(Clone, Debug)]
 pub struct Table {
     /// How it is looked up.
@@ -99,8 +100,8 @@ impl Table {
         }
     }
 
-    /// The table of a reflectance with 180 or 360 cells along φd: each cell's value is that at its centre. Cells whose light or viewer is
-    /// below the horizon are invalid.
+    /// The table of a reflectance with 180 or 360 cells along φd: each cell's value is that at its centre. Cells whose
+    /// light or viewer is below the horizon are invalid.
     ///
     /// # Errors
     /// If no cell is above the horizon or a value does not fit 32 bits, as [`Table::new`].
@@ -183,7 +184,8 @@ impl Table {
         self.shape[2] == PHI_D_WHOLE
     }
 
-    /// The value at these angles in 1/sr, interpolated between the centres of cells; above the last centre and below the first it stays.
+    /// The value at these angles in 1/sr, interpolated between the centres of cells; above the last centre and below
+    /// the first it stays.
     #[must_use]
     pub fn trilinear(&self, angles: &Angles) -> Rgb {
         let [nh, nd, np] = self.shape;
@@ -270,8 +272,8 @@ pub fn centre([nh, nd, np]: [usize; 3], [h, d, p]: [usize; 3]) -> Angles {
     Angles { theta_h: FRAC_PI_2 * root * root, theta_d: FRAC_PI_2 * part(d, nd), phi_d: turn * part(p, np) }
 }
 
-/// Gives the invalid cells the values of the nearest valid ones, in steps along the axes, and their mean where several are equally near: φd
-/// comes round. So no interpolation sees what was never measured.
+/// Gives the invalid cells the values of the nearest valid ones, in steps along the axes, and their mean where several
+/// are equally near: φd comes round. So no interpolation sees what was never measured.
 fn fill([nh, nd, np]: [usize; 3], cells: &mut [[f32; 3]], valid: &Bits) {
     let neighbours = |cell: usize| {
         let [h, d, p] = place([nh, nd, np], cell);
@@ -348,7 +350,8 @@ mod tests {
         assert_eq!(count, 200);
     }
 
-    /// A shift by half a cell would show: a value that is linear in the coordinates is met everywhere between the centres.
+    /// A shift by half a cell would show: a value that is linear in the coordinates is met everywhere between the
+    /// centres.
     #[test]
     fn interpolation_is_exact_for_what_is_linear_in_the_cells() {
         let shape = [7, 6, 12];

@@ -1,4 +1,5 @@
-//! The forms against the worked points of the reference file, against the targets of their quality, and at the extremes.
+//! The forms against the worked points of the reference file, against the targets of their quality, and at the
+//! extremes.
 
 use std::sync::OnceLock;
 
@@ -120,7 +121,8 @@ fn spike() -> Table {
     Table::new(shape, cells, "spike").unwrap()
 }
 
-/// Where the forms and their limits are undefined or degenerate: everything is finite and not negative, in both ways of looking up.
+/// Where the forms and their limits are undefined or degenerate: everything is finite and not negative, in both ways of
+/// looking up.
 #[test]
 fn extremes_are_finite_and_have_their_limits() {
     let with = |name: &str, key: &str, value: &str| {

@@ -12,8 +12,8 @@ pub enum Texel {
     Float,
     /// As a code of so many bits a channel, 1 to 16: evenly spaced up to the full scale.
     Linear(u32),
-    /// As a code of so many bits a channel, 1 to 16, of the square root: codes are interpolated and blended, and squared once at the end. The
-    /// full scale is each band's largest sample, or one cap for all.
+    /// As a code of so many bits a channel, 1 to 16, of the square root: codes are interpolated and blended, and
+    /// squared once at the end. The full scale is each band's largest sample, or one cap for all.
     Sqrt(u32, Option<f64>),
     /// As 5, 6 and 5 bits: evenly spaced where the form's default is, of the square root elsewhere.
     Packed565,
@@ -152,7 +152,8 @@ impl Texels {
         Self { width: samples.width, height: samples.height, texel, root, scale, caps, codes }
     }
 
-    /// Texels from what a file says: codes as parts of the largest code, or floating-point samples, and the full scale of each band.
+    /// Texels from what a file says: codes as parts of the largest code, or floating-point samples, and the full scale
+    /// of each band.
     ///
     /// # Panics
     /// If there are not as many texels or caps as the size says.
@@ -233,8 +234,8 @@ impl Texels {
         if self.root { blend.map(|code| code * code) } else { blend }
     }
 
-    /// The codes of a layer interpolated at u, v from 0 to 1, whose texels have their centres at (i + 1/2)/width; past the outermost centres
-    /// they stay.
+    /// The codes of a layer interpolated at u, v from 0 to 1, whose texels have their centres at (i + 1/2)/width; past
+    /// the outermost centres they stay.
     #[must_use]
     pub fn bilinear(&self, layer: usize, u: f64, v: f64) -> Rgb {
         let texels = self.layer(layer);

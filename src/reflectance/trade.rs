@@ -1,4 +1,5 @@
-//! Memory against error for one material: every form, number of images, size and kind of texel, and the fitted classical materials.
+//! Memory against error for one material: every form, number of images, size and kind of texel, and the fitted
+//! classical materials.
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -138,8 +139,8 @@ pub fn csv(points: &[Point]) -> Result<Vec<u8>, Error> {
     writer.into_inner().map_err(|_| failed())
 }
 
-/// The point that takes the least memory with a mean ratio of at least `min_psnr`; without that wish, the one with the best mean. Of those that
-/// take at most `max_kib`. None if there is none.
+/// The point that takes the least memory with a mean ratio of at least `min_psnr`; without that wish, the one with the
+/// best mean. Of those that take at most `max_kib`. None if there is none.
 #[must_use]
 pub fn choose(points: &[Point], max_kib: Option<f64>, min_psnr: Option<f64>) -> Option<&Point> {
     let within = points.iter().filter(|point| max_kib.is_none_or(|most| point.kib <= most));

@@ -7,7 +7,8 @@ use libm::{atan2, cos, sin, sqrt};
 /// A direction, as a rule of length 1.
 pub type Vector = nalgebra::Vector3<f64>;
 
-/// A directional light as the camera sees it: its polar angle φ from the direction to the viewer and its azimuth γ about it, in degrees.
+/// A directional light as the camera sees it: its polar angle φ from the direction to the viewer and its azimuth γ
+/// about it, in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
     /// From 0 (behind the viewer) to 180 degrees (behind the object).
@@ -23,7 +24,8 @@ impl Light {
         Self { phi, gamma }
     }
 
-    /// The light in a direction, which need not have the length 1, for a viewer at +Z. Along ±Z, where γ is undefined, it is 0.
+    /// The light in a direction, which need not have the length 1, for a viewer at +Z. Along ±Z, where γ is undefined,
+    /// it is 0.
     #[must_use]
     pub fn towards(direction: Vector) -> Self {
         let across = sqrt(direction.x * direction.x + direction.y * direction.y);
@@ -41,8 +43,8 @@ impl Light {
     }
 }
 
-/// A light and a normal as a viewer in the direction `v` sees them: turned so that `v` is +Z, as the forms have it. For a perspective camera, or a
-/// viewer that is not at +Z; all three are unit vectors in one frame.
+/// A light and a normal as a viewer in the direction `v` sees them: turned so that `v` is +Z, as the forms have it. For
+/// a perspective camera, or a viewer that is not at +Z; all three are unit vectors in one frame.
 #[must_use]
 pub fn seen_from(l: Vector, v: Vector, n: Vector) -> (Light, Vector) {
     // An axis across v that is well away from it; γ does not depend on which.
@@ -92,7 +94,8 @@ pub struct Angles {
 }
 
 impl Angles {
-    /// Those of unit vectors to the light, to the viewer and along the normal; none where light and viewer are opposite.
+    /// Those of unit vectors to the light, to the viewer and along the normal; none where light and viewer are
+    /// opposite.
     #[must_use]
     pub fn of(l: Vector, v: Vector, n: Vector) -> Option<Self> {
         let sum = l + v;

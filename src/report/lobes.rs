@@ -20,8 +20,8 @@ const WANTED: [f64; 3] = [10.0, 100.0, 1000.0];
 const LOWEST: f64 = 1e-3;
 /// Angles of a chart: one for about every second column of the picture.
 const ANGLES: u32 = 400;
-/// The error shown at an angle is the largest from as many angles before it to as many behind, so that the curve shows what it may be
-/// there and not where it happens to be 0,
+/// The error shown at an angle is the largest from as many angles before it to as many behind, so that the curve shows
+/// what it may be there and not where it happens to be 0,
 const AROUND: usize = 3;
 /// at about as many codes.
 const SAMPLES: i64 = 48;
@@ -54,8 +54,8 @@ struct Seen {
     error: f64,
 }
 
-/// The cores that stand for the methods of a group: of each method the one with the least error; and the chosen one, if it is in the
-/// group.
+/// The cores that stand for the methods of a group: of each method the one with the least error; and the chosen one, if
+/// it is in the group.
 #[must_use]
 pub fn representatives<'a>(group: &Group<'a>, palette: &Palette, chosen: Option<&Point>) -> Vec<&'a Point> {
     let mut best: Vec<&Point> = Vec::new();
@@ -73,8 +73,8 @@ pub fn representatives<'a>(group: &Group<'a>, palette: &Palette, chosen: Option<
     best
 }
 
-/// The shininesses at which cores of one group are measured, by their places in the set: all, or, of more than [`MOST_ROWS`], so many
-/// that lie evenly on a logarithmic axis, and those at which a core is worst.
+/// The shininesses at which cores of one group are measured, by their places in the set: all, or, of more than
+/// [`MOST_ROWS`], so many that lie evenly on a logarithmic axis, and those at which a core is worst.
 fn places(set: &Shininess, points: &[&Point]) -> Vec<usize> {
     let rows = set.rows();
     if rows <= MOST_ROWS {
@@ -93,10 +93,11 @@ pub fn work(points: &[&Point]) -> u64 {
     spec.map_or(0, |spec| (places(&spec.interface.shininess, points).len() * points.len()) as u64)
 }
 
-/// Builds the cores of points of one group, which have their shininesses and their cosines in common, and measures them at every
-/// shininess, or at some of many; `done` is called after each shininess of each core.
+/// Builds the cores of points of one group, which have their shininesses and their cosines in common, and measures them
+/// at every shininess, or at some of many; `done` is called after each shininess of each core.
 ///
-/// Every code of the cosine in [0, 1] is taken, or every 2nd, 3rd, ... where that would be more than 2^26 inputs of a core.
+/// Every code of the cosine in [0, 1] is taken, or every 2nd, 3rd, ... where that would be more than 2^26 inputs of a
+/// core.
 ///
 /// # Errors
 /// A point whose spec is none, or of which no core can be built.
@@ -111,8 +112,8 @@ pub fn measure<'a>(points: &[&'a Point], done: &(dyn Fn() + Sync)) -> Result<Vec
     Ok(points.iter().zip(designs).zip(errors).map(measured).collect())
 }
 
-/// Of each core the shininesses and the largest error of the bit-exact arithmetic against the power. The powers take longer than the
-/// arithmetic, so that they are computed once for all cores.
+/// Of each core the shininesses and the largest error of the bit-exact arithmetic against the power. The powers take
+/// longer than the arithmetic, so that they are computed once for all cores.
 fn by_shininess(points: &[&Point], designs: &[Design], done: &(dyn Fn() + Sync)) -> Vec<Vec<(f64, f64)>> {
     let Some(spec) = designs.first().map(|design| &design.spec) else { return Vec::new() };
     let rows = spec.interface.shininess.rows();
@@ -189,7 +190,8 @@ impl Measured<'_> {
     }
 }
 
-/// The charts of measured cores by name: error against the shininess, and for three shininesses error against the angle and the lobes.
+/// The charts of measured cores by name: error against the shininess, and for three shininesses error against the angle
+/// and the lobes.
 #[must_use]
 pub fn charts(cores: &[Measured], palette: &Palette, chosen: Option<&Point>) -> Vec<(String, Chart)> {
     let Some(first) = cores.first() else { return Vec::new() };

@@ -37,8 +37,8 @@ impl<'a> Report<'a> {
         lobes::work(&shown)
     }
 
-    /// Measures the cores that stand for the methods and draws all charts; the chosen core is marked. `done` is called after each
-    /// shininess of each measured core.
+    /// Measures the cores that stand for the methods and draws all charts; the chosen core is marked. `done` is called
+    /// after each shininess of each measured core.
     ///
     /// # Errors
     /// A point whose spec is none, or of which no core can be built.
@@ -227,8 +227,8 @@ pub(super) struct Line {
     pub(super) cells: Vec<Cell>,
 }
 
-/// A field: its text, and the number by which it is sorted, or nothing where it is sorted by its text. A number that is missing is
-/// the empty text.
+/// A field: its text, and the number by which it is sorted, or nothing where it is sorted by its text. A number that is
+/// missing is the empty text.
 #[derive(Debug)]
 pub(super) struct Cell {
     text: String,

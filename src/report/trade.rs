@@ -8,8 +8,8 @@ use crate::spec::{Material, Shininess, SpecFields};
 use crate::synth::Tools;
 use crate::target::Family;
 
-/// Points that may be compared with one another: for the same family by the same versions of the tools, for the same shininesses and
-/// the same cosine. All of them have a cost.
+/// Points that may be compared with one another: for the same family by the same versions of the tools, for the same
+/// shininesses and the same cosine. All of them have a cost.
 #[derive(Clone, Debug)]
 pub struct Group<'a> {
     /// The family.
@@ -165,7 +165,8 @@ impl<'a> Group<'a> {
         format!("{}_n{}_f{}", self.family.name, set.join("_"), self.input_fraction)
     }
 
-    /// The charts by what they are of: error against LUTs, DSPs, block RAMs and latency in clocks, and in ns where the points were placed.
+    /// The charts by what they are of: error against LUTs, DSPs, block RAMs and latency in clocks, and in ns where the
+    /// points were placed.
     #[must_use]
     pub fn charts(&self, palette: &Palette, chosen: Option<&Point>) -> Vec<(&'static str, Chart)> {
         let most = |of: fn(&Cost) -> u32| self.costs().map(|(_, cost)| of(&cost)).max().unwrap_or(1);
@@ -247,8 +248,8 @@ impl<'a> Group<'a> {
     }
 }
 
-/// The step line of the front of places (cost, error), less of both being better: from the upper edge at the cheapest to the right edge
-/// at the most exact.
+/// The step line of the front of places (cost, error), less of both being better: from the upper edge at the cheapest
+/// to the right edge at the most exact.
 fn steps(places: impl Iterator<Item = (f64, f64)>, right: f64, errors: &std::ops::Range<f64>) -> Vec<(f64, f64)> {
     let mut places: Vec<(f64, f64)> = places.map(|(x, y)| (x, y.max(errors.start))).collect();
     places.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));

@@ -30,14 +30,16 @@ struct Axis {
     coarse: bool,
 }
 
-/// A level with two significant digits, below the given one: where exactly it lies does not matter, and a spec is for people too.
+/// A level with two significant digits, below the given one: where exactly it lies does not matter, and a spec is for
+/// people too.
 fn rounded_level(level: f64) -> f64 {
     let scale = libm::pow(10.0, 1.0 - libm::floor(libm::log10(level)));
     (libm::floor(level * scale) / scale).clamp(0.001, 0.99)
 }
 
 impl Search<'_> {
-    /// The keys that every candidate has unless others are given: the scene's name and materials, and a port for what occurs.
+    /// The keys that every candidate has unless others are given: the scene's name and materials, and a port for what
+    /// occurs.
     fn common(&self) -> SpecFields {
         let material =
             |row: &ShininessRow| Material { name: row.name.clone(), shininess: row.shininess, ..Material::default() };
@@ -154,8 +156,9 @@ impl Search<'_> {
         drawn
     }
 
-    /// The coarse exact lobes: the least accuracy that keeps the budget, from below, then with fewer fraction bits. An accuracy of one bit
-    /// more halves the error, so that the first guess, from the budget, is nearly right; a core takes seconds to build.
+    /// The coarse exact lobes: the least accuracy that keeps the budget, from below, then with fewer fraction bits. An
+    /// accuracy of one bit more halves the error, so that the first guess, from the budget, is nearly right; a core
+    /// takes seconds to build.
     fn coarse(
         &self,
         inputs: &[u32],

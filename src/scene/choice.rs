@@ -1,7 +1,8 @@
 //! The core that a scene needs: the cheapest whose pictures keep the budget.
 //!
-//! Candidates are the methods of the crate, each with its coefficients and with a few fraction bits of input and output around the fewest
-//! that any core can do with ([`Requirements`]). Every candidate draws the scene's pictures through its bit-exact arithmetic.
+//! Candidates are the methods of the crate, each with its coefficients and with a few fraction bits of input and output
+//! around the fewest that any core can do with ([`Requirements`]). Every candidate draws the scene's pictures through
+//! its bit-exact arithmetic.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -39,10 +40,12 @@ pub struct SceneCore {
     pub base: PictureError,
     /// The worst error of a moved picture.
     pub moved: PictureError,
-    /// The root of the mean square of result - `x^n` over the lit samples of the base picture: what the scene meets of the lobe's error.
+    /// The root of the mean square of result - `x^n` over the lit samples of the base picture: what the scene meets of
+    /// the lobe's error.
     pub lobe_rms: f64,
-    /// The largest error in output steps that any view of these materials under these lights can have before the channel is rounded: the
-    /// largest over the rows of `sum(k_s I) full (max |result - x^n| + n 2^-(F+1))`, the bracket at most 1, as result and lobe lie in [0, 1].
+    /// The largest error in output steps that any view of these materials under these lights can have before the
+    /// channel is rounded: the largest over the rows of `sum(k_s I) full (max |result - x^n| + n 2^-(F+1))`, the
+    /// bracket at most 1, as result and lobe lie in [0, 1].
     pub guarantee: f64,
 }
 
@@ -113,7 +116,8 @@ impl<'a> Search<'a> {
     /// Prepares the search; `keys` narrow it beside those of the scene's `[core]`, over which they win.
     ///
     /// # Errors
-    /// A scene without any highlight, keys that make no lobe, or a family without a cost model where costs are to be estimated.
+    /// A scene without any highlight, keys that make no lobe, or a family without a cost model where costs are to be
+    /// estimated.
     pub fn new(
         scene: &'a Scene,
         requirements: &'a Requirements,
@@ -281,8 +285,8 @@ impl<'a> Search<'a> {
         Ok(SceneChoice { chosen, runner_ups, others, misses, considered, meeting, estimated, tools })
     }
 
-    /// Takes another core in place of the chosen one, one of the others; the dearer ones are left as runners-up. `refused` are those that do
-    /// not do after all, with why.
+    /// Takes another core in place of the chosen one, one of the others; the dearer ones are left as runners-up.
+    /// `refused` are those that do not do after all, with why.
     pub fn take(&self, choice: &mut SceneChoice, core: &SceneCore, refused: Vec<NearMiss<SceneCore>>) {
         let id = |core: &SceneCore| core.candidate.point.id.clone();
         let place = choice.others.iter().position(|other| id(other) == id(core)).map_or(0, |place| place + 1);
@@ -329,8 +333,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// Draws all pictures of the scene through the bit-exact model of a core and through its vectorised arithmetic, the base picture
-    /// whole, sample by sample, and says how they differ from the exact ones.
+    /// Draws all pictures of the scene through the bit-exact model of a core and through its vectorised arithmetic, the
+    /// base picture whole, sample by sample, and says how they differ from the exact ones.
     ///
     /// # Errors
     /// The first sample that the two do not agree on: a fault of the program.

@@ -68,7 +68,8 @@ impl PictureCore {
         Ok(Self { directory, ..Self::of(scene, keys.or(read(path)?))? })
     }
 
-    /// The core that a comparison names: `METHOD`, `METHOD:KEY=VALUE:...`, a spec file or a directory; `keys` win over it.
+    /// The core that a comparison names: `METHOD`, `METHOD:KEY=VALUE:...`, a spec file or a directory; `keys` win over
+    /// it.
     pub(crate) fn named(scene: &Scene, entry: &str, keys: SpecFields) -> Result<Self, Error> {
         let path = Path::new(entry);
         let fields = if path.exists() {
@@ -92,8 +93,8 @@ impl PictureCore {
         Self::of_keys(scene, keys.or(fields))
     }
 
-    /// The cheapest core with these keys that keeps the scene's budget, as `generate` chooses it. `progress` is told what is done, how much
-    /// of it and of how much.
+    /// The cheapest core with these keys that keeps the scene's budget, as `generate` chooses it. `progress` is told
+    /// what is done, how much of it and of how much.
     pub(crate) fn needed(
         scene: &Scene,
         margin_degrees: f64,

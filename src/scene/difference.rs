@@ -14,7 +14,8 @@ pub struct Difference {
     pub mean_steps: f64,
     /// How many pixels are off by 0, 1, 2, … steps, each by the channel that is off the most; no trailing zeros.
     pub pixels: Vec<u64>,
-    /// The peak signal-to-noise ratio in dB over pixels and channels, `20 log10(full scale / RMS)`; none where the pictures are the same.
+    /// The peak signal-to-noise ratio in dB over pixels and channels, `20 log10(full scale / RMS)`; none where the
+    /// pictures are the same.
     pub psnr: Option<f64>,
     /// The difference of each pixel's channel that is off the most, row by row from the top.
     #[serde(skip)]

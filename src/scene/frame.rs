@@ -15,7 +15,8 @@ pub const BACKGROUND: u16 = u16::MAX;
 
 /// A picture before its highlights: what each pixel shows, and which lobes it asks for.
 ///
-/// A channel is `base + sum over the lights of k_s I x^n`, in units of full scale, clamped to [0, 1] and rounded to the nearest code.
+/// A channel is `base + sum over the lights of k_s I x^n`, in units of full scale, clamped to [0, 1] and rounded to the
+/// nearest code.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Frame {
     /// Pixels a row.
@@ -24,13 +25,16 @@ pub struct Frame {
     pub height: u32,
     /// The number of lights; 0 where every material is drawn by its reflectance and none has a highlight.
     pub lights: usize,
-    /// The material of each pixel, row by row from the top, as its place in [`Scene::materials`]; [`BACKGROUND`] where there is none.
+    /// The material of each pixel, row by row from the top, as its place in [`Scene::materials`]; [`BACKGROUND`] where
+    /// there is none.
     pub material: Vec<u16>,
-    /// Ambient and diffuse light of each pixel in units of full scale, 0 or more; of the background its colour; of a material that is drawn
-    /// by its reflectance the ambient light alone: [`reflectance`](super::reflectance) adds the rest.
+    /// Ambient and diffuse light of each pixel in units of full scale, 0 or more; of the background its colour; of a
+    /// material that is drawn by its reflectance the ambient light alone: [`reflectance`](super::reflectance) adds the
+    /// rest.
     pub base: Vec<Colour>,
-    /// The versine `u = 1 - x` of the highlight for each pixel and, within it, each light: 0 to 2, above 1 where the cosine x is
-    /// negative; NaN where the light gives no highlight: it is behind the surface or in shadow, or there is no object.
+    /// The versine `u = 1 - x` of the highlight for each pixel and, within it, each light: 0 to 2, above 1 where the
+    /// cosine x is negative; NaN where the light gives no highlight: it is behind the surface or in shadow, or there is
+    /// no object.
     pub versine: Vec<f64>,
 }
 
@@ -52,11 +56,13 @@ pub(super) fn full_scale(channel_bits: u32) -> f64 {
     f64::from((1u32 << channel_bits) - 1)
 }
 
-/// The versine of a highlight's cosine, from 0 to 2 and without cancellation, for directions of length 1: half the square of the distance
-/// between V and the mirrored light `R = 2 (N.L) N - L` (B. T. Phong, "Illumination for computer generated pictures", 1975), or between
-/// N and H (J. F. Blinn, "Models of light reflection for computer synthesized pictures", 1977).
+/// The versine of a highlight's cosine, from 0 to 2 and without cancellation, for directions of length 1: half the
+/// square of the distance between V and the mirrored light `R = 2 (N.L) N - L` (B. T. Phong, "Illumination for computer
+/// generated pictures", 1975), or between N and H (J. F. Blinn, "Models of light reflection for computer synthesized
+/// pictures", 1977).
 ///
-/// It is computed as it is also where interpolation has turned N away from the viewer; it may exceed 1 there as anywhere else.
+/// It is computed as it is also where interpolation has turned N away from the viewer; it may exceed 1 there as
+/// anywhere else.
 #[must_use]
 pub fn versine(model: Model, normal: Vector, viewer: Vector, direction: Vector, half: Vector) -> f64 {
     let normal = Vector3::from(normal);
@@ -64,7 +70,8 @@ pub fn versine(model: Model, normal: Vector, viewer: Vector, direction: Vector, 
         Model::Phong => {
             let direction = Vector3::from(direction);
             let mirrored = normal * (2.0 * normal.dot(&direction)) - direction;
-            // Its length is 1 but for the rounding, and but for that of N's length, which would move the highlight's middle.
+            // Its length is 1 but for the rounding, and but for that of N's length, which would move the highlight's
+            // middle.
             Vector3::from(viewer) - unit(mirrored).unwrap_or(normal)
         }
         Model::Blinn => normal - Vector3::from(half),
@@ -73,7 +80,8 @@ pub fn versine(model: Model, normal: Vector, viewer: Vector, direction: Vector, 
 }
 
 impl Frame {
-    /// Renders a scene but for its highlights, with one sample in the middle of each pixel. `done` is called once a row.
+    /// Renders a scene but for its highlights, with one sample in the middle of each pixel. `done` is called once a
+    /// row.
     ///
     /// The result does not depend on the number of threads.
     #[must_use]
@@ -81,14 +89,15 @@ impl Frame {
         Self::trace(&Tracer::new(scene), scene, done)
     }
 
-    /// The same with a tracer that was made of a scene with the same objects, such as the same scene before its camera or a light
-    /// moved.
+    /// The same with a tracer that was made of a scene with the same objects, such as the same scene before its camera
+    /// or a light moved.
     #[must_use]
     pub fn trace(tracer: &Tracer, scene: &Scene, done: &(dyn Fn() + Sync)) -> Self {
         Self::with_looks(tracer, scene, &[], done).0
     }
 
-    /// The same, and for each of some looks [`Frame::base`] with the light added that materials give by their reflectances.
+    /// The same, and for each of some looks [`Frame::base`] with the light added that materials give by their
+    /// reflectances.
     #[must_use]
     pub fn with_looks(
         tracer: &Tracer,
@@ -165,8 +174,9 @@ impl Frame {
         (0..scene.materials.len()).map(|m| (0..self.lights).map(|l| scene.specular(m, l)).collect()).collect()
     }
 
-    /// The channels in units of full scale: `base`, which is [`Frame::base`] or that of a look, with these values
-    /// of the lobes, one a pixel and light, each 0 to 1; those of NaN versines are not looked at. What exceeds full scale is not cut off yet.
+    /// The channels in units of full scale: `base`, which is [`Frame::base`] or that of a look, with these values of
+    /// the lobes, one a pixel and light, each 0 to 1; those of NaN versines are not looked at. What exceeds full scale
+    /// is not cut off yet.
     #[must_use]
     pub fn channels(&self, scene: &Scene, base: &[Colour], highlights: &[f64]) -> Vec<Colour> {
         let weights = self.weights(scene);
@@ -215,10 +225,10 @@ fn aside(way: Vector3<f64>, up: Vector) -> [Vector3<f64>; 2] {
 impl Scene {
     /// The scene with its camera and each of its lights moved by an angle, one at a time, with the names of the moves.
     ///
-    /// The camera orbits its target: up, down, left and right as it sees them, and in the four directions between these; its own up turns
-    /// with it. Each light moves up, down, left and right as one sees it who looks at it with the camera's up: a directional light turns,
-    /// a point light orbits the camera's target (one at the target stays where it is, and is left out). Distances are kept. There are
-    /// no moves by 0 degrees.
+    /// The camera orbits its target: up, down, left and right as it sees them, and in the four directions between
+    /// these; its own up turns with it. Each light moves up, down, left and right as one sees it who looks at it with
+    /// the camera's up: a directional light turns, a point light orbits the camera's target (one at the target stays
+    /// where it is, and is left out). Distances are kept. There are no moves by 0 degrees.
     #[must_use]
     pub fn moved(&self, margin_degrees: f64) -> Vec<(String, Self)> {
         if margin_degrees == 0.0 {

@@ -15,8 +15,8 @@ use crate::verify::cosim;
 
 /// Something that computes `x^n`.
 pub trait Highlights {
-    /// The lobe of each sample of a frame, pixel by pixel and light by light, as [`Frame::versine`] has them; anything for a sample whose
-    /// versine is NaN.
+    /// The lobe of each sample of a frame, pixel by pixel and light by light, as [`Frame::versine`] has them; anything
+    /// for a sample whose versine is NaN.
     ///
     /// # Errors
     /// A tool that is missing or fails.
@@ -43,9 +43,11 @@ impl Highlights for Exact {
 /// The codes of a core's ports that a frame's samples come to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Codes {
-    /// The code of `in_n` of each material of the scene: that of the core's shininess that is nearest to the material's, of two the lower.
+    /// The code of `in_n` of each material of the scene: that of the core's shininess that is nearest to the
+    /// material's, of two the lower.
     pub indices: Vec<u32>,
-    /// The code of the operand of each sample, as [`Frame::versine`] has them: the nearest that its port holds; 0 where the versine is NaN.
+    /// The code of the operand of each sample, as [`Frame::versine`] has them: the nearest that its port holds; 0 where
+    /// the versine is NaN.
     pub operands: Vec<i32>,
 }
 
@@ -133,7 +135,8 @@ pub struct Compiled<'a> {
 }
 
 impl<'a> Compiled<'a> {
-    /// The core in a directory, with its HDL, and the files of its ROM where it reads such; `progress` is told how many results have come.
+    /// The core in a directory, with its HDL, and the files of its ROM where it reads such; `progress` is told how many
+    /// results have come.
     ///
     /// # Errors
     /// A core that is no lobe.

@@ -27,11 +27,12 @@ pub struct SceneInspection {
 }
 
 impl SceneInspection {
-    /// Inspects a scene with its camera and lights moved by `margin_degrees`, as [`Requirements::of`] does; `keys` of the core win over
-    /// those of the scene. `progress` is told what is done, how much of it and of how much.
+    /// Inspects a scene with its camera and lights moved by `margin_degrees`, as [`Requirements::of`] does; `keys` of
+    /// the core win over those of the scene. `progress` is told what is done, how much of it and of how much.
     ///
     /// # Errors
-    /// A scene that needs no core, keys that do not go with a scene or that make no core, or a tool that is missing or fails.
+    /// A scene that needs no core, keys that do not go with a scene or that make no core, or a tool that is missing or
+    /// fails.
     pub fn of(
         scene: &Scene,
         margin_degrees: f64,

@@ -15,7 +15,8 @@ use crate::platform::input;
 
 /// The most vertices, and the most triangles, of a mesh.
 pub const MAX_TRIANGLES: usize = 1 << 26;
-/// The sine, relative to the longest edge squared, below which a triangle has no area: rounding alone would decide on its normal.
+/// The sine, relative to the longest edge squared, below which a triangle has no area: rounding alone would decide on
+/// its normal.
 const NO_AREA: f64 = 1e-12;
 /// What can be read.
 pub(super) const FORMATS: &str = "a mesh is an OBJ file, or a PLY file of version 1.0, ascii or binary";
@@ -27,7 +28,8 @@ pub struct Mesh {
     pub positions: Vec<Vector>,
     /// The normals, unit vectors.
     pub normals: Vec<Vector>,
-    /// The triangles: for each corner the place of its position and of its normal. Seen from outside they turn to the left.
+    /// The triangles: for each corner the place of its position and of its normal. Seen from outside they turn to the
+    /// left.
     pub triangles: Vec<[Corner; 3]>,
     /// How many triangles of the file were left out because they have no area.
     pub dropped: usize,
@@ -49,7 +51,8 @@ pub enum Normals {
     /// The file's, where it has one for every corner; otherwise smooth ones.
     #[default]
     File,
-    /// At each vertex the sum of the normals of the triangles around it, each times its area. Vertices in the same place are one.
+    /// At each vertex the sum of the normals of the triangles around it, each times its area. Vertices in the same
+    /// place are one.
     Smooth,
     /// Each triangle's own.
     Flat,
@@ -101,8 +104,8 @@ pub(super) struct Raw {
 }
 
 impl Mesh {
-    /// Reads an OBJ or a PLY file; which one it is, its text says. A byte order mark, any line ends and, in OBJ, lines continued by `\` are
-    /// read as they are meant.
+    /// Reads an OBJ or a PLY file; which one it is, its text says. A byte order mark, any line ends and, in OBJ, lines
+    /// continued by `\` are read as they are meant.
     ///
     /// # Errors
     /// An unreadable file, or what [`Mesh::parse`] refuses.
@@ -111,13 +114,14 @@ impl Mesh {
         Self::parse(&bytes, &path.display().to_string(), normals)
     }
 
-    /// Reads the content of an OBJ or a PLY file; `file` is its name, for messages. Polygons become fans of triangles; points, lines,
-    /// colours and textures are passed over; triangles without an area are left out and counted; a normal of length 0 is replaced
-    /// by the triangle's own.
+    /// Reads the content of an OBJ or a PLY file; `file` is its name, for messages. Polygons become fans of triangles;
+    /// points, lines, colours and textures are passed over; triangles without an area are left out and counted; a
+    /// normal of length 0 is replaced by the triangle's own.
     ///
     /// # Errors
-    /// Something else than the two formats, a coordinate that is no number or beyond [`MAX_COORDINATE`], a face with a vertex that
-    /// is not there, a file that ends early, a mesh without any triangle that has an area, or with more than [`MAX_TRIANGLES`].
+    /// Something else than the two formats, a coordinate that is no number or beyond [`MAX_COORDINATE`], a face with a
+    /// vertex that is not there, a file that ends early, a mesh without any triangle that has an area, or with more
+    /// than [`MAX_TRIANGLES`].
     pub fn parse(bytes: &[u8], file: &str, normals: Normals) -> Result<Self, Error> {
         Self::parse_painted(bytes, file, normals).map(|painted| painted.mesh)
     }
@@ -133,8 +137,8 @@ impl Mesh {
         raw.finish(file, normals)
     }
 
-    /// The part of the mesh whose triangles are `wanted`, with those positions and normals alone that it needs; no triangle was dropped
-    /// from it.
+    /// The part of the mesh whose triangles are `wanted`, with those positions and normals alone that it needs; no
+    /// triangle was dropped from it.
     pub(super) fn part(&self, wanted: impl Fn(usize) -> bool) -> Self {
         /// The new place of a vector, which is copied when it is first met.
         fn moved(places: &mut HashMap<u32, u32>, place: u32, from: &[Vector], to: &mut Vec<Vector>) -> u32 {
@@ -176,7 +180,8 @@ impl Mesh {
             let turned = turned([0, 1, 2].map(|axis| p[axis] * scale[axis]));
             [0, 1, 2].map(|axis| turned[axis] + translate[axis])
         };
-        // The inverse transpose of a scale is its reciprocal, of a rotation itself; times the least factor, so that none overflows.
+        // The inverse transpose of a scale is its reciprocal, of a rotation itself; times the least factor, so that
+        // none overflows.
         let least = scale.iter().fold(f64::INFINITY, |least, factor| least.min(factor.abs()));
         let across = |n: &Vector| normalised(turned([0, 1, 2].map(|axis| n[axis] * (least / scale[axis]))));
         let positions: Vec<Vector> = self.positions.iter().map(place).collect();
@@ -260,8 +265,8 @@ impl Raw {
     }
 }
 
-/// Appends the unit vectors of those of the `given` normals that corners name to `normals` and has the corners name them there; where
-/// one has the length 0, the triangle's own takes its place.
+/// Appends the unit vectors of those of the `given` normals that corners name to `normals` and has the corners name
+/// them there; where one has the length 0, the triangle's own takes its place.
 fn place_normals(
     given: &[Vector],
     triangles: &mut [[Corner; 3]],
@@ -287,8 +292,8 @@ fn place_normals(
     }
 }
 
-/// For each place that vertices have the sum of the normals of the triangles there, each times its area, 0 where they cancel; and for
-/// each vertex which of these it has.
+/// For each place that vertices have the sum of the normals of the triangles there, each times its area, 0 where they
+/// cancel; and for each vertex which of these it has.
 fn smooth(positions: &[Vector], triangles: &[[Corner; 3]]) -> (Vec<Vector>, Vec<u32>) {
     let mut places: HashMap<[u64; 3], u32> = HashMap::with_capacity(positions.len());
     let groups: Vec<u32> = positions

@@ -1,7 +1,7 @@
 //! The materials of OBJ files: MTL.
 //!
-//! Of a material `Ns` is the shininess, `Ka`, `Kd` and `Ks` are what it gives back of ambient light, of a light scattered, and of a light
-//! mirrored. Everything else is left out, and named.
+//! Of a material `Ns` is the shininess, `Ka`, `Kd` and `Ks` are what it gives back of ambient light, of a light
+//! scattered, and of a light mirrored. Everything else is left out, and named.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -129,8 +129,8 @@ fn path(name: &str, directory: &Path) -> std::path::PathBuf {
     if own.is_file() { own } else { directory.join(name.replace('\\', "/")) }
 }
 
-/// The material of a statement `usemtl`, with the number of its library: by the whole name, then without what may be a comment. Of two with
-/// one name the first is meant.
+/// The material of a statement `usemtl`, with the number of its library: by the whole name, then without what may be a
+/// comment. Of two with one name the first is meant.
 fn find<'a>(libraries: &'a [Library], named: &Named) -> Option<(usize, &'a Read)> {
     let all = || {
         let of = |(number, library): (usize, &'a Library)| library.materials.iter().map(move |one| (number, one));
@@ -249,7 +249,8 @@ impl Read {
     }
 }
 
-/// The place of a material in a scene's list, to which it is added unless it is there; a name that another material has gets a number.
+/// The place of a material in a scene's list, to which it is added unless it is there; a name that another material has
+/// gets a number.
 pub(super) fn place(material: Material, all: &mut Vec<Material>) -> usize {
     let name = material.name.clone();
     let mut material = material;

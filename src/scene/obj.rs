@@ -45,7 +45,8 @@ pub(super) fn read_obj(text: &str, file: &str) -> Result<Raw, Error> {
 
 /// An OBJ text as the parser is given it.
 struct PlainObj {
-    /// Vertices, then normals, then faces with indices from 1; an object for each run of faces of one material, named as its place.
+    /// Vertices, then normals, then faces with indices from 1; an object for each run of faces of one material, named
+    /// as its place.
     text: String,
     /// For each line of the text that of the file, from 1.
     lines: Vec<usize>,
@@ -55,9 +56,10 @@ struct PlainObj {
     materials: Vec<Named>,
 }
 
-/// The statements of an OBJ text that matter here, once it is known that every coordinate is a number and every face's vertices and normals
-/// are there. The parser itself would wrap a face's index around, name no line, lend a corner without a normal another one's, pass over a
-/// first line that begins with a byte order mark, and knows no continued lines.
+/// The statements of an OBJ text that matter here, once it is known that every coordinate is a number and every face's
+/// vertices and normals are there. The parser itself would wrap a face's index around, name no line, lend a corner
+/// without a normal another one's, pass over a first line that begins with a byte order mark, and knows no continued
+/// lines.
 fn plain_obj(text: &str, file: &str) -> Result<PlainObj, Error> {
     const KINDS: [&str; 2] = ["v", "vn"];
     let kind = |word: &str| KINDS.iter().position(|w| *w == word);
@@ -121,8 +123,8 @@ fn plain_obj(text: &str, file: &str) -> Result<PlainObj, Error> {
     Ok(PlainObj { text: vectors, lines, every_normal, libraries, materials })
 }
 
-/// Appends a face's corner with indices from 1 to `faces`. `read` are the vertices and the normals up to this line, `all` those of the file. What
-/// is wrong with it, and what is allowed.
+/// Appends a face's corner with indices from 1 to `faces`. `read` are the vertices and the normals up to this line,
+/// `all` those of the file. What is wrong with it, and what is allowed.
 fn plain_corner(
     corner: &str,
     (read, all): (&[u64; 2], &[u64; 2]),

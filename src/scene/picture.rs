@@ -54,8 +54,8 @@ impl Pixels {
 }
 
 impl Picture {
-    /// The picture as pixels of 8 bits, or of 16 where its channels have more than 8: each code scaled to the full range and rounded to
-    /// the nearest.
+    /// The picture as pixels of 8 bits, or of 16 where its channels have more than 8: each code scaled to the full
+    /// range and rounded to the nearest.
     #[must_use]
     pub fn pixels(&self) -> Pixels {
         let depth = if self.channel_bits > 8 { 16 } else { 8 };
@@ -66,8 +66,9 @@ impl Picture {
     }
 }
 
-/// The OpenEXR file of a picture beside the exact one: the layers `exact` and `core` with the channels as parts of full scale, and
-/// `difference`, core less exact, in output steps. Channels R, G and B of 32-bit floating-point numbers; same pictures, same bytes.
+/// The OpenEXR file of a picture beside the exact one: the layers `exact` and `core` with the channels as parts of full
+/// scale, and `difference`, core less exact, in output steps. Channels R, G and B of 32-bit floating-point numbers;
+/// same pictures, same bytes.
 ///
 /// # Errors
 /// A picture that is too large for the format.

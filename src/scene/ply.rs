@@ -72,7 +72,8 @@ pub(super) fn read_ply(bytes: &[u8], file: &str) -> Result<Raw, Error> {
     Ok(Raw { positions, normals, triangles, ..Raw::default() })
 }
 
-/// A PLY file with the line ends and the single blanks that its parser knows: of the whole file if it is text, otherwise of its header.
+/// A PLY file with the line ends and the single blanks that its parser knows: of the whole file if it is text,
+/// otherwise of its header.
 pub(super) fn plain_ply(bytes: &[u8]) -> Cow<'_, [u8]> {
     let (mut plain, mut rest, mut text, mut body) = (Vec::new(), bytes, true, false);
     // Where a header's lines end with CR alone, a line feed behind it is the first byte of the body.

@@ -50,8 +50,8 @@ impl Ray {
         ray
     }
 
-    /// Where it enters a box, if it does so before `limit`. After "Robust BVH ray traversal" (T. Ize, 2013): NaN, of a ray within the plane
-    /// of a face, takes no part in the comparisons, and no box is missed through rounding.
+    /// Where it enters a box, if it does so before `limit`. After "Robust BVH ray traversal" (T. Ize, 2013): NaN, of a
+    /// ray within the plane of a face, takes no part in the comparisons, and no box is missed through rounding.
     pub(super) fn enters(&self, bounds: &[Vector; 2], limit: f64) -> Option<f64> {
         let (mut from, mut to) = (0.0, limit);
         for axis in 0..3 {
@@ -64,9 +64,10 @@ impl Ray {
         (from <= to * (1.0 + 8.0 * f64::EPSILON)).then_some(from)
     }
 
-    /// The distance of a triangle and the weights of its corners. After "Watertight ray/triangle intersection" (S. Woop, C. Benthin,
-    /// I. Wald, JCGT 2013): the ray is sheared onto an axis, and three edge functions tell on which side of each edge it passes. The two
-    /// triangles at an edge compute the same number for it, with opposite signs, and its sign is exact: no ray slips through.
+    /// The distance of a triangle and the weights of its corners. After "Watertight ray/triangle intersection" (S.
+    /// Woop, C. Benthin, I. Wald, JCGT 2013): the ray is sheared onto an axis, and three edge functions tell on which
+    /// side of each edge it passes. The two triangles at an edge compute the same number for it, with opposite signs,
+    /// and its sign is exact: no ray slips through.
     pub(super) fn triangle(&self, corners: &[V; 3]) -> Option<(f64, [f64; 3])> {
         let [z, x, y] = self.axes;
         let [a, b, c] = corners.map(|corner| {
@@ -86,8 +87,9 @@ impl Ray {
         Some((weights[0] * a[2] + weights[1] * b[2] + weights[2] * c[2], weights))
     }
 
-    /// The distances at which it passes through a sphere, the smaller first. After "Precision improvements for ray/sphere intersection"
-    /// (E. Haines, J. Günther, T. Akenine-Möller, Ray Tracing Gems 2019): no cancellation for spheres far away.
+    /// The distances at which it passes through a sphere, the smaller first. After "Precision improvements for
+    /// ray/sphere intersection" (E. Haines, J. Günther, T. Akenine-Möller, Ray Tracing Gems 2019): no cancellation for
+    /// spheres far away.
     pub(super) fn sphere(&self, centre: V, radius: f64) -> Option<[f64; 2]> {
         let f = self.origin - centre;
         let b = -f.dot(&self.direction);

@@ -1,8 +1,9 @@
 //! Materials that are drawn by their reflectance, exactly or through sphere images, next to classical ones.
 //!
 //! Every light and the viewer are turned into the frame of each pixel, in which the viewer is at +Z, as
-//! [`vector::seen_from`] has it: so point lights and perspective cameras cost a turn, and nothing else. The images' authors take the viewer to be
-//! in the same direction everywhere (A. Mihálik, R. Ďurikovič, "Image-based BRDF Representation", section 3): [`Viewer::Axis`].
+//! [`vector::seen_from`] has it: so point lights and perspective cameras cost a turn, and nothing else. The images'
+//! authors take the viewer to be in the same direction everywhere (A. Mihálik, R. Ďurikovič, "Image-based BRDF
+//! Representation", section 3): [`Viewer::Axis`].
 
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
@@ -396,8 +397,8 @@ impl Scene {
     }
 }
 
-/// The least cosine of a normal and the direction to the viewer: interpolated normals that turn away near an outline are turned back so far, or
-/// the outline would be black.
+/// The least cosine of a normal and the direction to the viewer: interpolated normals that turn away near an outline
+/// are turned back so far, or the outline would be black.
 const LEAST_COSINE: f64 = 0.01;
 
 /// The normal, turned towards the viewer as far as is needed to be seen.
@@ -489,8 +490,8 @@ impl Look {
     }
 }
 
-/// The normals of the pixels that show objects as the camera has them, one axis after the other: what distant lights need where the viewer is
-/// taken to be along the camera's axis. It is made once for any number of lights.
+/// The normals of the pixels that show objects as the camera has them, one axis after the other: what distant lights
+/// need where the viewer is taken to be along the camera's axis. It is made once for any number of lights.
 #[derive(Clone, Debug)]
 pub struct Seen([Vec<f32>; 3]);
 
@@ -523,8 +524,8 @@ impl Seen {
     }
 }
 
-/// The peak signal-to-noise ratio in dB of channels in units of full scale, clamped to 0 to 1, over the pixels that show objects; none where
-/// they are the same or there is no object.
+/// The peak signal-to-noise ratio in dB of channels in units of full scale, clamped to 0 to 1, over the pixels that
+/// show objects; none where they are the same or there is no object.
 #[must_use]
 pub fn psnr(frame: &Frame, exact: &[Colour], own: &[Colour]) -> Option<f64> {
     let pixels = frame.material.iter().zip(exact.iter().zip(own)).filter(|(material, _)| **material != BACKGROUND);

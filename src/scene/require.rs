@@ -1,8 +1,8 @@
 //! What a scene requires of a core: which lobes its pictures ask for, where on them, and how finely.
 //!
-//! The scene is rendered in double precision with the exact lobe, at its full size and, at a reduced one, with its camera and each light
-//! moved by a margin ([`Scene::moved`]). What no pixel of these pictures asks for need not be built; what a core does there all the same is
-//! defined by its ports.
+//! The scene is rendered in double precision with the exact lobe, at its full size and, at a reduced one, with its
+//! camera and each light moved by a margin ([`Scene::moved`]). What no pixel of these pictures asks for need not be
+//! built; what a core does there all the same is defined by its ports.
 
 use rayon::prelude::*;
 use serde::Serialize;
@@ -20,7 +20,8 @@ use crate::spec::{INPUT_FRACTION, Material, OUTPUT_FRACTION};
 
 /// The most pixels a row of a moved picture.
 pub const MOVED_WIDTH: u32 = 320;
-/// The most samples, pixels times lights, of all moved pictures together; they are made smaller until they have no more.
+/// The most samples, pixels times lights, of all moved pictures together; they are made smaller until they have no
+/// more.
 const MOVED_SAMPLES: u64 = 6_000_000;
 /// The margin in degrees where none is said.
 pub const MARGIN: f64 = 5.0;
@@ -109,11 +110,11 @@ impl PictureError {
 /// Fraction bits of a port.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Bits {
-    /// The fewest with which the rounding is proved to take no more than a quarter of the budget; none where the budget allows no error, or
-    /// where it needs more than a port may have.
+    /// The fewest with which the rounding is proved to take no more than a quarter of the budget; none where the budget
+    /// allows no error, or where it needs more than a port may have.
     pub derived: Option<u32>,
-    /// The fewest with which the pictures keep the budget where the lobe is exact and only this port is rounded; none where it needs more than
-    /// a port may have.
+    /// The fewest with which the pictures keep the budget where the lobe is exact and only this port is rounded; none
+    /// where it needs more than a port may have.
     pub measured: Option<u32>,
 }
 
@@ -144,11 +145,11 @@ pub struct Requirements {
     pub least_cosine: Option<f64>,
     /// The pixels of the base picture and of all moved ones with a channel whose sum exceeds full scale.
     pub saturated: [u64; 2],
-    /// The value of the lobe below which a highlight is less than half an output step, however bright material and light: `1 / (2 w full)`
-    /// of the largest `w = k_s I` of a light.
+    /// The value of the lobe below which a highlight is less than half an output step, however bright material and
+    /// light: `1 / (2 w full)` of the largest `w = k_s I` of a light.
     pub invisible_below: Option<f64>,
-    /// F: an input off by half of its last bit moves `x^n` by at most `n 2^-(F+1)`, as its slope is at most n, and a channel by at most
-    /// `sum(k_s I) full n 2^-(F+1)` steps.
+    /// F: an input off by half of its last bit moves `x^n` by at most `n 2^-(F+1)`, as its slope is at most n, and a
+    /// channel by at most `sum(k_s I) full n 2^-(F+1)` steps.
     pub input_fraction: Bits,
     /// G: an output off by half of its last bit moves a channel by at most `sum(k_s I) full 2^-(G+1)` steps.
     pub output_fraction: Bits,
@@ -194,8 +195,9 @@ impl Budget {
         missed
     }
 
-    /// The real-valued error in steps that keeps it whatever the picture: the greatest that moves no code by more than the steps that are
-    /// allowed; of a PSNR, the error e whose share of moved codes, e of them by one step, has the mean square that is allowed.
+    /// The real-valued error in steps that keeps it whatever the picture: the greatest that moves no code by more than
+    /// the steps that are allowed; of a PSNR, the error e whose share of moved codes, e of them by one step, has the
+    /// mean square that is allowed.
     #[must_use]
     pub fn steps(&self, channel_bits: u32) -> f64 {
         let full = full_scale(channel_bits);
@@ -233,7 +235,8 @@ impl View {
         Self { name, pixels: frame.material.len() as u64, lit, exact, lobes }
     }
 
-    /// How the whole picture with these values of the lobes, a sample of the lit pixels each, differs from the exact one.
+    /// How the whole picture with these values of the lobes, a sample of the lit pixels each, differs from the exact
+    /// one.
     #[must_use]
     pub fn error(&self, scene: &Scene, highlights: &[f64]) -> PictureError {
         let own = Difference::of(&self.exact, &self.lit.picture(scene, highlights));
@@ -277,7 +280,8 @@ fn exact(scene: &Scene, frame: &Frame) -> Vec<f64> {
     Exact.of(scene, frame).expect("the exact lobe needs no tools")
 }
 
-/// The size of the moved pictures: as the base's, made smaller to at most [`MOVED_WIDTH`] pixels a row and so many samples in all of them.
+/// The size of the moved pictures: as the base's, made smaller to at most [`MOVED_WIDTH`] pixels a row and so many
+/// samples in all of them.
 fn moved_size(scene: &Scene, moves: usize) -> [u32; 2] {
     let samples = moves as f64 * scene.lights.len() as f64 * f64::from(scene.width) * f64::from(scene.height);
     let narrow = f64::from(MOVED_WIDTH) / f64::from(scene.width);
@@ -287,8 +291,8 @@ fn moved_size(scene: &Scene, moves: usize) -> [u32; 2] {
 }
 
 impl Requirements {
-    /// Finds what a scene requires, with its camera and each of its lights moved by `margin_degrees`, from 0 to [`MAX_MARGIN`]. `done` is told
-    /// how many of how many pictures have been rendered.
+    /// Finds what a scene requires, with its camera and each of its lights moved by `margin_degrees`, from 0 to
+    /// [`MAX_MARGIN`]. `done` is told how many of how many pictures have been rendered.
     ///
     /// # Errors
     /// A margin that is not allowed, a scene without a highlight.
@@ -426,8 +430,8 @@ impl Requirements {
         self.errors(scene, highlights).iter().all(|error| self.budget.missed(error, "").is_empty())
     }
 
-    /// The bits of a port that a channel is moved by `steepest` steps times half of its last bit: the fewest for which that is within the
-    /// share of the budget, and with which the lobes that `rounded` gives keep it.
+    /// The bits of a port that a channel is moved by `steepest` steps times half of its last bit: the fewest for which
+    /// that is within the share of the budget, and with which the lobes that `rounded` gives keep it.
     fn bits<L: Fn(usize) -> Vec<f64>>(
         &self,
         scene: &Scene,

@@ -17,9 +17,10 @@ use crate::spec::{
 
 /// The spec of the shader of a scene around a lobe.
 ///
-/// `lobe` is the lobe's spec, chosen for the scene; `asked` says of the shader what the scene does not: the front end of Blinn's half
-/// vector and the vectors' fraction bits. Every material that a picture shows has its row; the colours of the lights are constants. A
-/// material without a highlight has the shininess of the first row: it is multiplied by 0.
+/// `lobe` is the lobe's spec, chosen for the scene; `asked` says of the shader what the scene does not: the front end
+/// of Blinn's half vector and the vectors' fraction bits. Every material that a picture shows has its row; the colours
+/// of the lights are constants. A material without a highlight has the shininess of the first row: it is multiplied by
+/// 0.
 ///
 /// # Errors
 /// Keys that the scene itself says, or no material that is seen.
@@ -91,16 +92,18 @@ pub struct Shaded {
     pub tried: usize,
 }
 
-/// The fraction bits that the lobe's input may get beyond those that the lobe was chosen with: before it more is rounded than one cosine.
+/// The fraction bits that the lobe's input may get beyond those that the lobe was chosen with: before it more is
+/// rounded than one cosine.
 const FINER: [u32; 3] = [0, 2, 4];
 
 /// The most lobes around which a shader is tried.
 const MOST_LOBES: usize = 6;
 
-/// The shader of a scene around the cheapest of the lobes that keep the budget, with which it keeps it too: a whole shader rounds more than
-/// its lobe, above all where many lights are added up. Lobes that differ from one that failed in nothing but the input's fraction bits are
-/// passed over, as [`make`] tries these. If the shader around another than the chosen lobe does, that is chosen; if none does, the nearest is
-/// returned, drawn through all pictures, and the choice is left.
+/// The shader of a scene around the cheapest of the lobes that keep the budget, with which it keeps it too: a whole
+/// shader rounds more than its lobe, above all where many lights are added up. Lobes that differ from one that failed
+/// in nothing but the input's fraction bits are passed over, as [`make`] tries these. If the shader around another than
+/// the chosen lobe does, that is chosen; if none does, the nearest is returned, drawn through all pictures, and the
+/// choice is left.
 ///
 /// # Errors
 /// As [`make`].
@@ -231,9 +234,9 @@ impl<'a> Pictures<'a> {
     }
 }
 
-/// The shader of a scene around the lobe that was chosen for it, with the fewest fraction bits of the vectors, and then of the lobe's input,
-/// whose pictures keep the scene's budget; all of them are drawn through the bit-exact model, every pixel and every light. If none
-/// does, the finest. `done` is called once a picture.
+/// The shader of a scene around the lobe that was chosen for it, with the fewest fraction bits of the vectors, and then
+/// of the lobe's input, whose pictures keep the scene's budget; all of them are drawn through the bit-exact model,
+/// every pixel and every light. If none does, the finest. `done` is called once a picture.
 ///
 /// # Errors
 /// As [`spec`], and a shader that cannot be built.
@@ -247,8 +250,9 @@ pub fn make(
     Pictures::of(scene, requirements)?.make(lobe, asked, done)
 }
 
-/// A point of a surface as the shader is given it: the material's row, N, V, and of each light L and H. A light that does not shine on the
-/// point, because it is in shadow or lies at the very point, is put behind the surface, where the shader finds no light.
+/// A point of a surface as the shader is given it: the material's row, N, V, and of each light L and H. A light that
+/// does not shine on the point, because it is in shadow or lies at the very point, is put behind the surface, where the
+/// shader finds no light.
 fn sample(tracer: &Tracer, scene: &Scene, hit: &Hit, row: u32) -> Sample {
     let behind: Vector = hit.normal.map(|component| -component);
     let light = |light: usize| {
@@ -272,8 +276,8 @@ pub fn rows(design: &Design, scene: &Scene) -> Vec<Option<u32>> {
     scene.materials.iter().map(place).collect()
 }
 
-/// A scene's picture by the bit-exact model of its shader, and the number of samples (pixels of objects, each with all its lights) that it
-/// was given. `done` is called once a row.
+/// A scene's picture by the bit-exact model of its shader, and the number of samples (pixels of objects, each with all
+/// its lights) that it was given. `done` is called once a row.
 ///
 /// # Errors
 /// A pixel of a material that the shader does not have.

@@ -1,4 +1,5 @@
-//! Pages of pictures with what is to be said of them: exact, core and difference side by side, and contact sheets of several cores.
+//! Pages of pictures with what is to be said of them: exact, core and difference side by side, and contact sheets of
+//! several cores.
 //!
 //! The text is drawn as SVG; the pictures are put in as they are, each pixel as a square of whole pixels.
 
@@ -16,8 +17,9 @@ type Rgb = [u8; 3];
 pub const NO_OBJECT: Rgb = [0x40, 0x40, 0x40];
 /// A heat map's colour of a pixel that is not off.
 pub const EQUAL: Rgb = [0x0a, 0x0c, 0x10];
-/// A heat map's colours of pixels that are off by 1, 2, 3 to 4, 5 to 8, and so on to 33 to 64 and more than 64 steps: the upper part of
-/// the map plasma of Smith and van der Walt (matplotlib, CC0), whose lightness rises evenly for people who see red and green alike too.
+/// A heat map's colours of pixels that are off by 1, 2, 3 to 4, 5 to 8, and so on to 33 to 64 and more than 64 steps:
+/// the upper part of the map plasma of Smith and van der Walt (matplotlib, CC0), whose lightness rises evenly for
+/// people who see red and green alike too.
 pub const HEAT: [Rgb; 8] = [
     [0x72, 0x01, 0xa8],
     [0x9c, 0x17, 0x9e],
@@ -84,7 +86,8 @@ pub struct Cell {
     pub verdict: String,
 }
 
-/// The place in the heat map's scale of a pixel that is off by so many steps: 0 if it is not off, else 1 and the place in [`HEAT`].
+/// The place in the heat map's scale of a pixel that is off by so many steps: 0 if it is not off, else 1 and the place
+/// in [`HEAT`].
 #[must_use]
 pub fn class(steps: u16) -> usize {
     // Powers of two are the last of their class.
@@ -223,8 +226,8 @@ impl<'a> Page<'a> {
         self.pictures.push((panel, pixels));
     }
 
-    /// The scale of the heat map up to a class, with a second line to each colour, in as many rows as the width needs; returns the first
-    /// pixel below it.
+    /// The scale of the heat map up to a class, with a second line to each colour, in as many rows as the width needs;
+    /// returns the first pixel below it.
     fn legend(&mut self, (left, top): (u32, u32), width: u32, entries: &[Entry]) -> u32 {
         let two_lines = entries.iter().any(|entry| !entry.note.is_empty());
         let row = self.units(if two_lines { 2.6 } else { 1.5 });
@@ -294,13 +297,14 @@ fn zoom(frame: &Frame, side: u32) -> u32 {
     (side / frame.width.max(frame.height)).max(1)
 }
 
-/// The size of the text on a page of this width, in pixels: readable where the page is shown as wide as a column of text.
+/// The size of the text on a page of this width, in pixels: readable where the page is shown as wide as a column of
+/// text.
 fn unit(width: u32) -> f64 {
     libm::round(f64::from(width) / 90.0).max(13.0)
 }
 
-/// Exact, the core's (or `what` else it is) and difference side by side, or one above the other where they are wide; `title` and `lines` stand above them, `verdict`
-/// below.
+/// Exact, the core's (or `what` else it is) and difference side by side, or one above the other where they are wide;
+/// `title` and `lines` stand above them, `verdict` below.
 #[must_use]
 pub fn triptych(
     frame: &Frame,
@@ -356,7 +360,8 @@ pub fn triptych(
     page.finish(width, height, depth)
 }
 
-/// A contact sheet: the exact picture, then each core's with its heat map, name, error and what else is to be said of it.
+/// A contact sheet: the exact picture, then each core's with its heat map, name, error and what else is to be said of
+/// it.
 #[must_use]
 pub fn contact(frame: &Frame, exact: &Picture, cells: &[Cell], title: &str, lines: &[String]) -> Sheet {
     let exact = exact.pixels();

@@ -70,8 +70,8 @@ fn percent(part: u64, whole: u64) -> f64 {
     if whole == 0 { 0.0 } else { 100.0 * part as f64 / whole as f64 }
 }
 
-/// Everything that the chosen core of a scene may leave out, whether it does and why, with what each saves: the cost, by the costing of the
-/// search, of the chosen core against the same core with that one simplification undone.
+/// Everything that the chosen core of a scene may leave out, whether it does and why, with what each saves: the cost,
+/// by the costing of the search, of the chosen core against the same core with that one simplification undone.
 ///
 /// # Errors
 /// A tool that is missing or fails.
@@ -145,7 +145,8 @@ fn materials(scene: &Scene, requirements: &Requirements, fields: &SpecFields) ->
     Simplification { applies: true, keys, undone, ..simplification }
 }
 
-/// Fewer bits of a port than a general core has: `what` is simplified, `own` of the bits are the chosen core's, and `width` sets them.
+/// Fewer bits of a port than a general core has: `what` is simplified, `own` of the bits are the chosen core's, and
+/// `width` sets them.
 fn fewer_bits(
     what: &'static str,
     (port, needed): (&str, super::require::Bits),

@@ -1,4 +1,5 @@
-//! The text of meshes and their materials as other programs write it: byte order marks, the three line ends, lines that go on.
+//! The text of meshes and their materials as other programs write it: byte order marks, the three line ends, lines that
+//! go on.
 
 use std::borrow::Cow;
 
@@ -26,8 +27,9 @@ pub(super) fn first_line(text: &[u8]) -> (&[u8], &[u8]) {
     (&text[..end], rest)
 }
 
-/// The statements of an OBJ or MTL text, each with the number of its first line, from 1. A `\` at a line's end continues it; one in a
-/// comment does not, as it is the end of a Windows path. Comments are still there ([`without_comment`]).
+/// The statements of an OBJ or MTL text, each with the number of its first line, from 1. A `\` at a line's end
+/// continues it; one in a comment does not, as it is the end of a Windows path. Comments are still there
+/// ([`without_comment`]).
 pub(super) struct Statements<'a> {
     rest: &'a str,
     line: usize,

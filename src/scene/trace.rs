@@ -1,7 +1,7 @@
 //! What a ray of sight meets in a scene, and which lights shine there.
 //!
-//! Spheres and triangles sit in one bounding volume hierarchy, built by the crate `bvh`; planes, which have no bounds, are tried one by
-//! one. All tolerances grow with the coordinates, so that a scene looks the same at any scale.
+//! Spheres and triangles sit in one bounding volume hierarchy, built by the crate `bvh`; planes, which have no bounds,
+//! are tried one by one. All tolerances grow with the coordinates, so that a scene looks the same at any scale.
 
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -25,11 +25,12 @@ const OFFSET: f64 = 1.0 / (1u64 << 36) as f64;
 pub struct Hit {
     /// The place, P.
     pub position: Vector,
-    /// N, of length 1: of a mesh interpolated between its corners (Phong 1975), with which a mesh looks smooth. It is on the side of
-    /// [`Hit::facet`], so that planes, open meshes and spheres from inside are lit on the side that is seen.
+    /// N, of length 1: of a mesh interpolated between its corners (Phong 1975), with which a mesh looks smooth. It is
+    /// on the side of [`Hit::facet`], so that planes, open meshes and spheres from inside are lit on the side that is
+    /// seen.
     pub normal: Vector,
-    /// The normal of the surface as it is, of length 1, turned to the viewer. On a mesh, where it differs from N, the angle between N and
-    /// the viewer may exceed 90 degrees near the outline; N is left as it is then.
+    /// The normal of the surface as it is, of length 1, turned to the viewer. On a mesh, where it differs from N, the
+    /// angle between N and the viewer may exceed 90 degrees near the outline; N is left as it is then.
     pub facet: Vector,
     /// V, of length 1: the direction to the viewer.
     pub viewer: Vector,
@@ -52,8 +53,8 @@ pub struct Lit {
     pub half: Vector,
     /// N.L.
     pub cosine: f64,
-    /// Whether it shines on the point: it is in front of the surface (`N.L > 0`), nothing is in between (looked at only where the scene
-    /// has shadows), and it does not lie at the point itself.
+    /// Whether it shines on the point: it is in front of the surface (`N.L > 0`), nothing is in between (looked at only
+    /// where the scene has shadows), and it does not lie at the point itself.
     pub visible: bool,
 }
 
@@ -160,8 +161,8 @@ impl Camera {
 }
 
 impl Tracer {
-    /// Makes the objects of a scene ready. All their numbers must be finite; squares of coordinates must neither overflow nor vanish,
-    /// as they do beyond about `1e150` and within `1e-150`.
+    /// Makes the objects of a scene ready. All their numbers must be finite; squares of coordinates must neither
+    /// overflow nor vanish, as they do beyond about `1e150` and within `1e-150`.
     ///
     /// # Panics
     /// On `2^31` triangles or more.
@@ -212,8 +213,8 @@ impl Tracer {
         let Some([low, high]) = boxes.clone().reduce(|a, b| [a[0].inf(&b[0]), a[1].sup(&b[1])]) else { return };
         self.size = (high - low).max();
         self.reach = low.amax().max(high.amax());
-        // The crate gives up to sort what is nearer than 2^-52: the scene is brought to about size 1 for it, by a power of two, which
-        // rounds nothing.
+        // The crate gives up to sort what is nearer than 2^-52: the scene is brought to about size 1 for it, by a power
+        // of two, which rounds nothing.
         let exponent = if self.size > 0.0 { libm::ilogb(self.size).clamp(-1000, 1000) } else { 0 };
         let (down, up) = (exp2(-exponent), exp2(exponent));
         let boxed = |[low, high]: [V; 2]| Boxed {
@@ -246,9 +247,10 @@ impl Tracer {
         self.root = places.first().copied();
     }
 
-    /// The nearest surface along a ray. The direction need not have length 1 but must not be null. What is nearer to the origin than
-    /// rounding errors (`2^-36` of the size of the scene) is not seen. Of surfaces at exactly the same distance, the one that is first in
-    /// the scene, and in its mesh, is seen; a mesh within a plane is at the same distance but for the rounding.
+    /// The nearest surface along a ray. The direction need not have length 1 but must not be null. What is nearer to
+    /// the origin than rounding errors (`2^-36` of the size of the scene) is not seen. Of surfaces at exactly the same
+    /// distance, the one that is first in the scene, and in its mesh, is seen; a mesh within a plane is at the same
+    /// distance but for the rounding.
     #[must_use]
     pub fn hit(&self, origin: Vector, direction: Vector) -> Option<Hit> {
         let ray = Ray::new(origin.into(), unit(direction.into())?, self.reach);
@@ -305,7 +307,8 @@ impl Tracer {
         Some(Found { t, key: (triangle.object, triangle.index), on: On::Triangle(place, weights) })
     }
 
-    /// Visits the spheres and triangles whose boxes a ray meets before a limit, the nearer boxes first; a visit returns the new limit.
+    /// Visits the spheres and triangles whose boxes a ray meets before a limit, the nearer boxes first; a visit returns
+    /// the new limit.
     fn walk(&self, from: Child, ray: &Ray, limit: f64, visit: &mut impl FnMut(usize) -> f64) -> f64 {
         let node = match from {
             Child::Item(item) => return visit(item as usize),
@@ -383,10 +386,11 @@ impl Tracer {
 
     /// A light of a scene, seen from a point of a surface. The scene must have the objects of the tracer.
     ///
-    /// Rays of shadow begin off the surface by `2^-36` of the scene's size plus what rounding needs. On a mesh with interpolated normals a
-    /// facet's plane would cut the light off before N.L does, and the shadow's edge would follow the facets; there the ray begins on
-    /// the smooth surface that the normals imply, by "Hacking the shadow terminator" (J. Hanika, Ray Tracing Gems II 2021, chapter 4):
-    /// the point is lifted to the tangent planes of the corners, as far as it is below them.
+    /// Rays of shadow begin off the surface by `2^-36` of the scene's size plus what rounding needs. On a mesh with
+    /// interpolated normals a facet's plane would cut the light off before N.L does, and the shadow's edge would follow
+    /// the facets; there the ray begins on the smooth surface that the normals imply, by "Hacking the shadow
+    /// terminator" (J. Hanika, Ray Tracing Gems II 2021, chapter 4): the point is lifted to the tangent planes of the
+    /// corners, as far as it is below them.
     #[must_use]
     pub fn light(&self, scene: &Scene, hit: &Hit, light: usize) -> Lit {
         let (normal, viewer) = (V::from(hit.normal), V::from(hit.viewer));

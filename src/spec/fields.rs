@@ -46,8 +46,8 @@ method_keys! { keys! {
     /// What the core is given [default: cos]
     operand: Operand where "lobes",
 
-    /// Codes of the operand that the core may be given: any, or those in [0, 1], which spares it the limits at both ends
-    /// [default: any]
+    /// Codes of the operand that the core may be given: any, or those in [0, 1], which spares it the limits at both
+    /// ends [default: any]
     #[arg(value_name = "RANGE")]
     input_range: InputRange where "lobes",
 
@@ -66,8 +66,8 @@ method_keys! { keys! {
     #[arg(value_delimiter = ',')]
     languages: Vec<Language>,
 
-    /// Types of the VHDL's ports: numeric (unsigned and signed), or std-logic (std_logic_vector, as Vivado's block designs need them)
-    /// [default: numeric]
+    /// Types of the VHDL's ports: numeric (unsigned and signed), or std-logic (std_logic_vector, as Vivado's block
+    /// designs need them) [default: numeric]
     #[arg(value_name = "TYPES")]
     vhdl_ports: VhdlPorts where "cores with VHDL",
 
@@ -79,7 +79,8 @@ method_keys! { keys! {
     #[arg(value_name = "BITS")]
     tuser_bits: u32 where "cores with AXI4-Stream interfaces",
 
-    /// Inputs for the golden vectors besides those that are chosen: the codes of the input ports in order, CODE,CODE;CODE,CODE
+    /// Inputs for the golden vectors besides those that are chosen: the codes of the input ports in order,
+    /// CODE,CODE;CODE,CODE
     #[arg(value_name = "INPUTS")]
     golden_inputs: GoldenInputs,
 
@@ -151,8 +152,8 @@ impl SpecFields {
     }
 }
 
-/// What is wrong with TOML text, with its place: an unknown key with the nearest of those that the parser or `more` knows, or what
-/// the parser says with `help`.
+/// What is wrong with TOML text, with its place: an unknown key with the nearest of those that the parser or `more`
+/// knows, or what the parser says with `help`.
 pub(crate) fn toml_error(error: &toml::de::Error, more: &[&str], help: &str, file: &str, text: &str) -> Error {
     let span = error.span().unwrap_or(0..0);
     let (what, allowed) = match error.message().strip_prefix("unknown field `").and_then(|rest| rest.split_once('`')) {

@@ -10,8 +10,8 @@ use crate::platform::error::Error;
 /// The most inputs that a spec may give.
 const MOST: usize = 4096;
 
-/// Inputs for the golden vectors, in order: each the codes of all input ports, in the ports' order, as numbers (negative for negative
-/// cosines).
+/// Inputs for the golden vectors, in order: each the codes of all input ports, in the ports' order, as numbers
+/// (negative for negative cosines).
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct GoldenInputs(pub Vec<Vec<i64>>);

@@ -2,17 +2,20 @@
 
 use crate::platform::error::Error;
 
-/// Words that cannot name a module, entity or file scope: the reserved words of Verilog-2005, SystemVerilog-2017 (as which most
-/// tools read Verilog), Verilog-AMS, VHDL-2008 with PSL and VHDL-AMS, and names that the generated text itself uses.
+/// Words that cannot name a module, entity or file scope: the reserved words of Verilog-2005, SystemVerilog-2017 (as
+/// which most tools read Verilog), Verilog-AMS, VHDL-2008 with PSL and VHDL-AMS, and names that the generated text
+/// itself uses.
 const RESERVED: &str = include_str!("data/reserved.txt");
 
-/// Names that the text of cores, wrappers and benches uses for something else; whatever else it does is told apart where it is written.
+/// Names that the text of cores, wrappers and benches uses for something else; whatever else it does is told apart
+/// where it is written.
 const USED: &str = include_str!("data/used.txt");
 
 /// Names that Windows keeps for devices, whatever follows them behind a dot; `com` and `lpt` with a digit are others.
 const DEVICES: [&str; 4] = ["aux", "con", "nul", "prn"];
 
-/// The most letters of a name: the longest names of files, such as those of a memory's, stay far below the 255 bytes of file systems.
+/// The most letters of a name: the longest names of files, such as those of a memory's, stay far below the 255 bytes of
+/// file systems.
 const NAME_LETTERS: usize = 64;
 
 /// Whether a name is an identifier of both languages that files can be named by.

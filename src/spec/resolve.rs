@@ -30,7 +30,8 @@ impl SpecFields {
         if let Some(Pipeline::Depth(depth)) = self.pipeline {
             within("pipeline", depth, PIPELINE_DEPTH)?;
         }
-        // A channel's last bit is worth sixteen of the lobe's, and a step of the cosine moves a highlight of n = 256 by one.
+        // A channel's last bit is worth sixteen of the lobe's, and a step of the cosine moves a highlight of n = 256 by
+        // one.
         let (input_fraction, output_fraction) =
             block.shader().map_or((16, 16), |shader| (shader.channel_bits + 8, shader.channel_bits + 4));
         let input_fraction = within("input_fraction", self.input_fraction.unwrap_or(input_fraction), INPUT_FRACTION)?;

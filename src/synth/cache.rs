@@ -44,8 +44,7 @@ impl Cache {
         (digest == hex(&Sha256::digest(body))).then(|| serde_json::from_str(body).ok())?
     }
 
-    /// Keeps a result.
-    /// Errors: if the system refuses.
+    /// Keeps a result. Errors: if the system refuses.
     pub(super) fn put(&self, key: &str, value: &impl Serialize) -> Result<(), Error> {
         let Some(path) = self.path(key) else { return Ok(()) };
         let body = serde_json::to_string(value).expect("JSON of plain values");

@@ -5,9 +5,9 @@ use std::path::Path;
 use crate::platform::error::Error;
 use crate::platform::tool::{self, GHDL};
 
-/// A VHDL core, the entity `top` in the file `source`, as Verilog by GHDL's synthesis. `directory` is the core's: a ROM file is read at
-/// elaboration by its path relative to that.
-/// Errors: if GHDL is not installed or does not take the file.
+/// A VHDL core, the entity `top` in the file `source`, as Verilog by GHDL's synthesis. `directory` is the core's: a ROM
+/// file is read at elaboration by its path relative to that. Errors: if GHDL is not installed or does not take the
+/// file.
 pub(crate) fn as_verilog(top: &str, directory: &Path, source: &Path) -> Result<Vec<u8>, Error> {
     let scratch = tool::scratch()?;
     let source = std::path::absolute(source).map_err(|error| Error::io("cannot find", source, error))?;
@@ -17,9 +17,9 @@ pub(crate) fn as_verilog(top: &str, directory: &Path, source: &Path) -> Result<V
     Ok(with_wide_constants(&GHDL.succeed(&mut command)?))
 }
 
-/// GHDL 2.0 writes a constant of more than 32 bits as the string of its digits, as VHDL has it; in Verilog that is the number of the
-/// string's letters. Returns the netlist with `N'b` literals in their stead. Comments, attributes, and the parameters of a module or an
-/// instance stay as they are: there a string is a string.
+/// GHDL 2.0 writes a constant of more than 32 bits as the string of its digits, as VHDL has it; in Verilog that is the
+/// number of the string's letters. Returns the netlist with `N'b` literals in their stead. Comments, attributes, and
+/// the parameters of a module or an instance stay as they are: there a string is a string.
 fn with_wide_constants(netlist: &[u8]) -> Vec<u8> {
     /// The bytes up to the end of what `end` ends, from `at` on.
     fn up_to(text: &[u8], at: usize, end: &[u8]) -> usize {

@@ -1,7 +1,7 @@
 //! What a core costs on an FPGA: Yosys for the cells, nextpnr for the clock.
 //!
-//! Yosys and nextpnr place a core with unconstrained ports; the clock that they reach is that of the paths between registers. Every
-//! result holds the versions of both, since they change it more than many a change of the core.
+//! Yosys and nextpnr place a core with unconstrained ports; the clock that they reach is that of the paths between
+//! registers. Every result holds the versions of both, since they change it more than many a change of the core.
 
 mod cache;
 mod flow;
@@ -48,7 +48,8 @@ pub struct Resources {
     pub lut: u32,
     /// Cells of a carry chain, each of as many bits as the family's has.
     pub carry: u32,
-    /// Look-up tables that are used up: `lut`, and what carry chains and memories take of tables that are not among them.
+    /// Look-up tables that are used up: `lut`, and what carry chains and memories take of tables that are not among
+    /// them.
     pub lut_total: u32,
     /// Flip-flops outside of DSP blocks and block RAMs.
     pub ff: u32,
@@ -241,8 +242,8 @@ fn find(options: &Options) -> Result<(Yosys, Option<Nextpnr>), Error> {
 /// Measures what a core costs.
 ///
 /// # Errors
-/// Options out of range, a program that is not installed, or one that does not do its work (a core that does not fit the device, for
-/// one).
+/// Options out of range, a program that is not installed, or one that does not do its work (a core that does not fit
+/// the device, for one).
 pub fn synthesise(design: &Design, options: &Options) -> Result<Synthesis, Error> {
     run(design, options, &|_| {}).map(|run| run.synthesis)
 }
@@ -280,8 +281,8 @@ pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Resul
     Ok(Run { synthesis, cached: work.ran == 0 })
 }
 
-/// The netlist of the core alone as Verilog: the one whose cells [`synthesise`] counts, with the registers in the blocks where they are moved. Its module
-/// has the core's name and ports.
+/// The netlist of the core alone as Verilog: the one whose cells [`synthesise`] counts, with the registers in the
+/// blocks where they are moved. Its module has the core's name and ports.
 ///
 /// # Errors
 /// Options out of range, no Yosys, or one that does not read the core.
@@ -300,7 +301,8 @@ pub fn netlist(design: &Design, options: &Options) -> Result<Vec<u8>, Error> {
     YOSYS.written(&directory.join("netlist.v"))
 }
 
-/// The files that Yosys reads, by their paths: the core as Verilog, and its memories' words where it reads them from files.
+/// The files that Yosys reads, by their paths: the core as Verilog, and its memories' words where it reads them from
+/// files.
 fn files(design: &Design, language: Language) -> Result<Vec<package::File>, Error> {
     let mut files = package::sources(design, language)?;
     let bytes = match language {

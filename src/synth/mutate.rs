@@ -21,14 +21,15 @@ pub(crate) struct Mutated {
 pub(crate) struct Listed {
     /// What is wrong: the mode, the cell, its port and bit.
     pub(crate) what: String,
-    /// Whether it is what makes a register take its input that is wrong, its clock, enable or reset, and not what it takes.
+    /// Whether it is what makes a register take its input that is wrong, its clock, enable or reset, and not what it
+    /// takes.
     pub(crate) is_control: bool,
     /// Yosys' command for it.
     command: String,
 }
 
-/// From the text to cells, whose ports get the mistakes. A register has its enable at a port of its own, as a flip-flop has; only `rst` is
-/// a register's reset. What a memory shows goes to a register like any other.
+/// From the text to cells, whose ports get the mistakes. A register has its enable at a port of its own, as a flip-flop
+/// has; only `rst` is a register's reset. What a memory shows goes to a register like any other.
 fn script(top: &str) -> String {
     format!(
         "read_verilog core.v\nprep -top {top} -flatten -nordff\nopt_dff\nopt_clean\n\
@@ -56,9 +57,8 @@ pub(crate) fn mutated(top: &str, verilog: &[u8], count: u32, seed: u32) -> Resul
     Ok(Mutated { verilog, mutants })
 }
 
-/// The same netlist with some of its mutants alone, under their numbers, in Yosys' own language: in Verilog, a write port of a memory may
-/// become several.
-/// Errors: as [`mutated`].
+/// The same netlist with some of its mutants alone, under their numbers, in Yosys' own language: in Verilog, a write
+/// port of a memory may become several. Errors: as [`mutated`].
 pub(crate) fn mutated_by(top: &str, verilog: &[u8], mutants: &[&Listed]) -> Result<Vec<u8>, Error> {
     with(top, verilog, mutants, "write_rtlil")
 }
@@ -82,7 +82,8 @@ fn read(path: &Path) -> Result<Vec<u8>, Error> {
 }
 
 impl Listed {
-    /// Of a line of the list, which has the places in the text at its end; the input `mutant` of so many bits chooses it by a number.
+    /// Of a line of the list, which has the places in the text at its end; the input `mutant` of so many bits chooses
+    /// it by a number.
     fn of(line: &str, bits: u32, number: u32) -> Self {
         let words: Vec<&str> = line.split_whitespace().collect();
         let option = |name: &str| words.iter().position(|word| *word == name).and_then(|place| words.get(place + 1));

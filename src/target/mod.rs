@@ -1,5 +1,5 @@
-//! The families of FPGAs, one file each: what a family is called, what it has, which tools serve it and how its cells count. All else asks
-//! the list here; only this module tells families apart.
+//! The families of FPGAs, one file each: what a family is called, what it has, which tools serve it and how its cells
+//! count. All else asks the list here; only this module tells families apart.
 
 mod cyclonev;
 mod ecp5;
@@ -89,7 +89,8 @@ pub struct Description {
     pub models: Option<Models>,
 }
 
-/// Types of cells, with what one counts as. A type that ends in `*` stands for all that begin so; the first that fits a cell counts.
+/// Types of cells, with what one counts as. A type that ends in `*` stands for all that begin so; the first that fits a
+/// cell counts.
 pub type Kinds = &'static [(&'static str, u32)];
 
 /// Which cells count as what.
@@ -112,8 +113,8 @@ pub struct Cells {
 /// What Yosys makes of multiplications, as the family's script calls `mul2dsp`.
 #[derive(Debug)]
 pub struct Dsp {
-    /// The operands that a multiplier takes, wider first, and the parts of a block that it is, smaller ones first: the first that holds a
-    /// product is taken, the last for parts of one that is wider.
+    /// The operands that a multiplier takes, wider first, and the parts of a block that it is, smaller ones first: the
+    /// first that holds a product is taken, the last for parts of one that is wider.
     pub shapes: &'static [([u32; 2], u32)],
     /// The parts that a block is counted in.
     pub parts: u32,
@@ -130,8 +131,8 @@ pub struct Dsp {
 pub struct Bram {
     /// The words and the bits of a word that a block can have, the shallowest last.
     pub shapes: &'static [(u32, u32)],
-    /// The bits of a memory in LUTs that cost as much as a block: more of them go into a block. A bit in LUTs costs 1/16, a block what its
-    /// library says.
+    /// The bits of a memory in LUTs that cost as much as a block: more of them go into a block. A bit in LUTs costs
+    /// 1/16, a block what its library says.
     pub worth: u32,
     /// The registers of a word that a block has inside.
     pub registers: u32,
@@ -192,7 +193,8 @@ impl ValueEnum for Family {
 }
 
 impl Family {
-    /// The clock that a placement is asked for unless another is wanted, in MHz; 150 where nothing is placed and nobody asks.
+    /// The clock that a placement is asked for unless another is wanted, in MHz; 150 where nothing is placed and nobody
+    /// asks.
     #[must_use]
     pub fn target_mhz(self) -> f64 {
         self.placement.as_ref().map_or(150.0, |placement| placement.target_mhz)
@@ -224,7 +226,8 @@ impl Dsp {
         self.shapes.last().expect("a family has multipliers")
     }
 
-    /// The multipliers of a product of operands of so many bits, the wider first, and the parts of a block that they are together.
+    /// The multipliers of a product of operands of so many bits, the wider first, and the parts of a block that they
+    /// are together.
     #[must_use]
     pub fn multipliers(&self, operands: [u32; 2], signed: bool) -> [u32; 2] {
         let [wide, narrow] = operands;

@@ -1,7 +1,8 @@
 //! A shader around a lobe: scalar products, the cosine of the highlight, the lobe, and the sum of the lights' colours.
 //!
-//! The lobe is any method's own graph, taken over operation by operation ([`Builder::graft`]), once a light. What is around it is analysed
-//! here over all codes of the vectors' ports, of unit length or not: every code has a defined result.
+//! The lobe is any method's own graph, taken over operation by operation ([`Builder::graft`]), once a light. What is
+//! around it is analysed here over all codes of the vectors' ports, of unit length or not: every code has a defined
+//! result.
 
 use super::{Cosine, LightColours, Shader, ShaderWidths};
 use crate::datapath::Datapath;
@@ -29,8 +30,8 @@ fn root_fields(light: usize) -> [&'static str; 2] {
     [interned(format!("start_{}", light + 1)), interned(format!("slope_{}", light + 1))]
 }
 
-/// The names of a channel's colours in the ROM: ambient, and diffuse and specular of a light (of none in particular where the lights'
-/// colours come from ports).
+/// The names of a channel's colours in the ROM: ambient, and diffuse and specular of a light (of none in particular
+/// where the lights' colours come from ports).
 #[must_use]
 pub fn colour_names(shader: &Shader, channel: usize, light: usize) -> [&'static str; 3] {
     let c = CHANNELS[channel];
@@ -41,10 +42,11 @@ pub fn colour_names(shader: &Shader, channel: usize, light: usize) -> [&'static 
     [interned(format!("ambient_{c}")), interned(format!("diffuse_{c}{of}")), interned(format!("specular_{c}{of}"))]
 }
 
-/// The colours of each material, as they stand in the ROM: in units in which full scale is the greatest code, `1 - 2^-bits`.
+/// The colours of each material, as they stand in the ROM: in units in which full scale is the greatest code,
+/// `1 - 2^-bits`.
 ///
-/// Light colours that are constants are multiplied in. One that is a port's code c stands for `c / (2^bits - 1)`, so that its product with
-/// k is `k c 2^-bits` in these units, and k is in the ROM as it is.
+/// Light colours that are constants are multiplied in. One that is a port's code c stands for `c / (2^bits - 1)`, so
+/// that its product with k is `k c 2^-bits` in these units, and k is in the ROM as it is.
 fn colours(interface: &Interface, shader: &Shader, frac_bits: i32) -> Table {
     let surfaces = Shader::surfaces(interface);
     let full = shader.full_scale() as f64 * exp2(-(shader.channel_bits as i32));
@@ -81,8 +83,8 @@ pub fn root_index_bits(interface: &Interface) -> i32 {
     ((interface.input_fraction as i32 - 1) / 2).max(1)
 }
 
-/// `1/sqrt(m)` for m from 1 to 4 in straight lines, a row a segment; each lies half its largest error below the chord. Below 1, where
-/// only m = 0 falls, it is 1.
+/// `1/sqrt(m)` for m from 1 to 4 in straight lines, a row a segment; each lies half its largest error below the chord.
+/// Below 1, where only m = 0 falls, it is 1.
 fn roots(interface: &Interface, light: usize, frac_bits: i32) -> Table {
     let j = root_index_bits(interface);
     let step = exp2(-j);
@@ -271,8 +273,8 @@ impl Shading<'_, '_> {
         self.operand(x, &format!("x{l}"), "x = 2 (N.L)(N.V) - L.V, taken into [0, 1]")
     }
 
-    /// `x = (N.L + N.V) / sqrt(2 + 2 L.V)`. With `s = 2 + 2 L.V = m 4^-k`, m from 1 to 4, it is `min(2, a 2^k) / sqrt(m)`. With it what
-    /// goes into the root, s and a.
+    /// `x = (N.L + N.V) / sqrt(2 + 2 L.V)`. With `s = 2 + 2 L.V = m 4^-k`, m from 1 to 4, it is
+    /// `min(2, a 2^k) / sqrt(m)`. With it what goes into the root, s and a.
     fn root(&mut self, [nl, nv, lv]: [NodeId; 3], light: usize) -> (NodeId, [NodeId; 2]) {
         let l = light + 1;
         let a = self.b.add(nl, nv, &format!("a{l}_exact"), "N.L + N.V");
@@ -313,7 +315,8 @@ impl Shading<'_, '_> {
         (self.operand(x, &format!("x{l}"), "x = (N.L + N.V) / sqrt(2 + 2 L.V), taken into [0, 1]"), joints)
     }
 
-    /// The lobe's operand for a light, and where it takes a root what goes into that; `viewer` is V with N.V, where H is not given.
+    /// The lobe's operand for a light, and where it takes a root what goes into that; `viewer` is V with N.V, where H
+    /// is not given.
     fn front(
         &mut self,
         light: usize,
@@ -378,8 +381,8 @@ impl Shading<'_, '_> {
 
 /// The shader around `lobe`, with each light's joints, or `None` if a value would be too wide for this crate.
 ///
-/// The inputs are `in_material`, N, V where it is used, and for each light L, H where it is given, and its colour where that comes from
-/// ports. The outputs are the codes of the three channels.
+/// The inputs are `in_material`, N, V where it is used, and for each light L, H where it is given, and its colour where
+/// that comes from ports. The outputs are the codes of the three channels.
 #[must_use]
 pub fn build(interface: &Interface, shader: &Shader, lobe: &Datapath) -> Option<(Datapath, Vec<Joints>)> {
     let widths = shader.widths(interface);

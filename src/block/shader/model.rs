@@ -121,7 +121,8 @@ impl<'a> ShaderModel<'a> {
         Cosines { diffuse: floor(nl, cos), operand, lit: incidence > 0 }
     }
 
-    /// `a / sqrt(s)` with `s = 2 + 2 L.V`: with `s = m 4^-k`, m from 1 to 4, `min(2, a 2^k)` times the straight line for `1/sqrt(m)`.
+    /// `a / sqrt(s)` with `s = 2 + 2 L.V`: with `s = m 4^-k`, m from 1 to 4, `min(2, a 2^k)` times the straight line
+    /// for `1/sqrt(m)`.
     fn root(&self, light: usize, a: Wide, lv: Wide) -> Wide {
         let two = Wide::from_num(2);
         let last = wide::from_code(1, self.widths.dot as u32 - 1);

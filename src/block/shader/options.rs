@@ -138,7 +138,8 @@ pub struct Shader {
 /// The inner widths of a shader around its lobe: fraction bits each.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct ShaderWidths {
-    /// The scalar products, two bits finer than the lobe's input, and six where they are divided by a root that may be small.
+    /// The scalar products, two bits finer than the lobe's input, and six where they are divided by a root that may be
+    /// small.
     pub dot: i32,
     /// The lobe's input.
     pub x: i32,
@@ -164,8 +165,8 @@ pub struct Surface {
 }
 
 impl Material {
-    /// This material with the defaults for what is not written of its surface; the colour of the ambient light stays unwritten where it is
-    /// that of the scattered light.
+    /// This material with the defaults for what is not written of its surface; the colour of the ambient light stays
+    /// unwritten where it is that of the scattered light.
     #[must_use]
     pub fn with_surface(self) -> Self {
         Self {

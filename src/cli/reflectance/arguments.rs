@@ -21,8 +21,9 @@ pub(super) struct MaterialArguments {
 
 #[derive(Args)]
 pub(super) struct ModelArguments {
-    /// A reflectance model in place of a file: lambert, blinnphong, ward, cook-torrance, ggx, ashikhmin-shirley, or a preset:
-    /// yellow-plastic, red-specular-plastic, orange-diffuse-paint, blue-acrylic, aluminium-bronze, gold-paint, colour-shifting-paint
+    /// A reflectance model in place of a file: lambert, blinnphong, ward, cook-torrance, ggx, ashikhmin-shirley, or a
+    /// preset: yellow-plastic, red-specular-plastic, orange-diffuse-paint, blue-acrylic, aluminium-bronze, gold-paint,
+    /// colour-shifting-paint
     #[arg(long, value_name = "NAME")]
     pub(super) model: Option<String>,
 
@@ -34,7 +35,8 @@ pub(super) struct ModelArguments {
     #[arg(long, value_enum, default_value = "trilinear")]
     pub(super) lookup: Lookup,
 
-    /// The exposure E that radiance is multiplied by [default: 0.6 over the 90th percentile of the sphere lit from 45 degrees]
+    /// The exposure E that radiance is multiplied by [default: 0.6 over the 90th percentile of the sphere lit from 45
+    /// degrees]
     #[arg(long, value_name = "E", value_parser = positive)]
     pub(super) exposure: Option<f64>,
 }
@@ -53,8 +55,8 @@ pub(super) struct FormArguments {
 
     /// The light's angles of the images in degrees, as in 0,45,90,135, or how many [default: 4 images, 16 slices]
     ///
-    /// So many images of the paper's form are 180/N degrees apart, so many slices of half even from 0 to 176; without a meaning for
-    /// bivariate and exact
+    /// So many images of the paper's form are 180/N degrees apart, so many slices of half even from 0 to 176; without a
+    /// meaning for bivariate and exact
     #[arg(long, value_name = "ANGLES", allow_hyphen_values = true)]
     pub(super) images: Option<String>,
 
@@ -62,8 +64,8 @@ pub(super) struct FormArguments {
     #[arg(long)]
     pub(super) size: Option<usize>,
 
-    /// How texels are stored: float, linear:BITS, sqrt:BITS, sqrt:BITS:CAP or 565 [default: linear:8 for paper, sqrt:8 for half and
-    /// bivariate]
+    /// How texels are stored: float, linear:BITS, sqrt:BITS, sqrt:BITS:CAP or 565 [default: linear:8 for paper, sqrt:8
+    /// for half and bivariate]
     #[arg(long)]
     pub(super) texel: Option<Texel>,
 
@@ -138,7 +140,8 @@ pub(super) struct ConvertArguments {
     #[command(flatten)]
     pub(super) model: ModelArguments,
 
-    /// Cells along the azimuth φd: 180, which makes the table reciprocal, or 360 [default: as many as IN has; 180 for a model]
+    /// Cells along the azimuth φd: 180, which makes the table reciprocal, or 360 [default: as many as IN has; 180 for a
+    /// model]
     #[arg(long, value_name = "CELLS", value_parser = ["180", "360"])]
     pub(super) phi_d: Option<String>,
 

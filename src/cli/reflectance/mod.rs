@@ -49,7 +49,8 @@ enum Command {
     Eval(EvalArguments),
     /// Measure memory against error for every form, number of images, size and kind of texel
     Trade(TradeArguments),
-    /// Look every form up where it degenerates: values must be finite, within their bounds, at their limits, the same on all threads
+    /// Look every form up where it degenerates: values must be finite, within their bounds, at their limits, the same
+    /// on all threads
     Stability(StabilityArguments),
 }
 

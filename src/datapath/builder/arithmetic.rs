@@ -55,8 +55,8 @@ impl Builder<'_> {
     ///
     /// The plain rule for differences would take x and t for independent. With `t = x_hw p_hw + e_t` the error is
     /// `(1 - p) e_x - x_hw e_p - e_t`, and the range is that of `x_hw (1 - p_hw) - e_t`. Where p is an unsigned
-    /// fraction, t never exceeds x, whatever the inputs. With `half`, a constant is added to x that makes a later rounding
-    /// down one to nearest; it counts as an error until then.
+    /// fraction, t never exceeds x, whatever the inputs. With `half`, a constant is added to x that makes a later
+    /// rounding down one to nearest; it counts as an error until then.
     pub fn complement(&mut self, x: NodeId, p: NodeId, frac_bits: i32, half: Option<NodeId>, name: &str) -> NodeId {
         let product = self.mul(x, p, "xp", "x p");
         let whole = self.format(product);
@@ -169,7 +169,8 @@ impl Builder<'_> {
         self.push(op, &args, format, name, comment.to_owned(), bounds)
     }
 
-    /// `a` times `2^-amount`, rounded down to the fraction bits of `a`; `amount` is an integer without error, not negative.
+    /// `a` times `2^-amount`, rounded down to the fraction bits of `a`; `amount` is an integer without error, not
+    /// negative.
     pub fn shift_right(&mut self, a: NodeId, amount: NodeId, name: &str, comment: &str) -> NodeId {
         let format = self.format(a);
         let bounds = self.per_case(|case| {

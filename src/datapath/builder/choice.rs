@@ -27,8 +27,8 @@ impl Builder<'_> {
         self.within(a, [0, positive.max_code()], positive, [0.0, f64::INFINITY], name, comment)
     }
 
-    /// `a` taken into the codes `low..=high` of its own fraction bits, in the narrowest format that holds these; `low` is 0 or
-    /// negative. `low` below 0 needs a signed `a`.
+    /// `a` taken into the codes `low..=high` of its own fraction bits, in the narrowest format that holds these; `low`
+    /// is 0 or negative. `low` below 0 needs a signed `a`.
     pub fn clamp(&mut self, a: NodeId, low: i128, high: i128, name: &str, comment: &str) -> NodeId {
         let format = Format::holding(low, high, self.format(a).frac_bits);
         self.within(a, [low, high], format, [format.value(low), format.value(high)], name, comment)
@@ -115,8 +115,9 @@ impl Builder<'_> {
         self.push(Op::Select, &[flag, a, b], format, name, comment.to_owned(), bounds)
     }
 
-    /// 0 where the flag is 1, else `a`. The error bound stays: where the flag is 1 either the real value is 0, or the hardware's p has
-    /// reached 1, and then the real value `x (1 - p)` is positive by the error of p at most, which the bound holds.
+    /// 0 where the flag is 1, else `a`. The error bound stays: where the flag is 1 either the real value is 0, or the
+    /// hardware's p has reached 1, and then the real value `x (1 - p)` is positive by the error of p at most, which the
+    /// bound holds.
     pub fn zero_if(&mut self, flag: Option<NodeId>, a: NodeId, name: &str, comment: &str) -> NodeId {
         let Some(flag) = flag else { return a };
         let bounds = self.mapped(a, |bound| Bound { range: bound.range.hull(Interval::ZERO), ..bound });

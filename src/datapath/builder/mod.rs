@@ -1,12 +1,12 @@
 //! Builds a graph and bounds every value's range and error, row by row.
 //!
-//! The analysis is an abstract interpretation with intervals. It goes case by case: a case is a row of the coefficient ROM, or a
-//! part of one, such as a segment. For every case it follows, next to the range of each hardware value, the interval of its
-//! *error*: the hardware value minus the real value that the formula with the quantised coefficients has there. Sums add errors, a
-//! product obeys `a'b' - ab = a (b' - b) + b' (a' - a)`, and dropping bits adds `[-(2^-f - 2^-g), 0]`, where `g` is the number
-//! of fraction bits that the value really has in this case. The inputs range over the case's *active*
-//! interval only, as a rule the versines from 0 to where the lobe is 0 for good; past it a flag forces the result,
-//! and values there may wrap.
+//! The analysis is an abstract interpretation with intervals. It goes case by case: a case is a row of the coefficient
+//! ROM, or a part of one, such as a segment. For every case it follows, next to the range of each hardware value, the
+//! interval of its *error*: the hardware value minus the real value that the formula with the quantised coefficients
+//! has there. Sums add errors, a product obeys `a'b' - ab = a (b' - b) + b' (a' - a)`, and dropping bits adds
+//! `[-(2^-f - 2^-g), 0]`, where `g` is the number of fraction bits that the value really has in this case. The inputs
+//! range over the case's *active* interval only, as a rule the versines from 0 to where the lobe is 0 for good; past it
+//! a flag forces the result, and values there may wrap.
 
 mod arithmetic;
 mod choice;
@@ -94,16 +94,16 @@ impl<'a> Builder<'a> {
         &self.bounds[id]
     }
 
-    /// Replaces what the analysis knows of a node by what the caller has proved: tighter bounds, case by case, from a relation
-    /// between values that intervals do not see.
+    /// Replaces what the analysis knows of a node by what the caller has proved: tighter bounds, case by case, from a
+    /// relation between values that intervals do not see.
     pub fn assume(&mut self, id: NodeId, bounds: Vec<Bound>) {
         debug_assert_eq!(bounds.len(), self.cases.len());
         self.bounds[id] = bounds;
     }
 
-    /// The finished graph with its output ports, without the nodes that no output needs (a lobe may do without x or without
-    /// u), or `None` if a value left its format. `kept` are nodes that an output needs: each is given its
-    /// place in the graph.
+    /// The finished graph with its output ports, without the nodes that no output needs (a lobe may do without x or
+    /// without u), or `None` if a value left its format. `kept` are nodes that an output needs: each is given its place
+    /// in the graph.
     #[must_use]
     pub fn finish<'k>(
         self,
@@ -209,7 +209,8 @@ impl<'a> Builder<'a> {
         self.push(Op::Add, &[base, part], format, "part_address", "the address of the part".to_owned(), bounds)
     }
 
-    /// Replaces what the analysis knows of a node as [`Builder::assume`] does, and its format by the narrowest that holds it.
+    /// Replaces what the analysis knows of a node as [`Builder::assume`] does, and its format by the narrowest that
+    /// holds it.
     pub fn narrow(&mut self, id: NodeId, bounds: Vec<Bound>) {
         let frac_bits = self.format(id).frac_bits;
         self.nodes[id].format = self.holding(&bounds, frac_bits);
@@ -262,11 +263,12 @@ impl<'a> Builder<'a> {
         self.push(Op::Constant(code), &[], format, name, String::new(), vec![bound; self.cases.len()])
     }
 
-    /// Takes over another graph's operations up to its output, and returns that. `given` says which of its nodes are nodes here
-    /// already; `memories` which memory here each of its own is. A field that is read here already is not read again. The new
-    /// nodes' names begin with `prefix`.
+    /// Takes over another graph's operations up to its output, and returns that. `given` says which of its nodes are
+    /// nodes here already; `memories` which memory here each of its own is. A field that is read here already is not
+    /// read again. The new nodes' names begin with `prefix`.
     ///
-    /// The graph has its own analysis: here its values are only known to fit their formats, and its errors are not followed.
+    /// The graph has its own analysis: here its values are only known to fit their formats, and its errors are not
+    /// followed.
     pub fn graft(&mut self, graph: &Graph, memories: &[usize], given: &[(NodeId, NodeId)], prefix: &str) -> NodeId {
         let mut here: Vec<Option<NodeId>> = vec![None; graph.nodes.len()];
         for &(there, known) in given {

@@ -1,13 +1,13 @@
 //! Which values the nodes of a graph take: an interval analysis of their integers, refined until it decides.
 //!
-//! [`builder`](super::builder) chooses formats from intervals of reals, a case at a time. This is a second look, at the finished
-//! graph and without any of the builder's knowledge: it follows intervals of codes through the operations as hardware does them, a
-//! block of inputs at a time (a row, and a stretch of operand codes), and halves a block wherever the intervals are too wide to tell.
-//! A block of one input is exact, so the analysis decides everything if it is let.
+//! [`builder`](super::builder) chooses formats from intervals of reals, a case at a time. This is a second look, at the
+//! finished graph and without any of the builder's knowledge: it follows intervals of codes through the operations as
+//! hardware does them, a block of inputs at a time (a row, and a stretch of operand codes), and halves a block wherever
+//! the intervals are too wide to tell. A block of one input is exact, so the analysis decides everything if it is let.
 //!
-//! A value is *needed* in a block if the output depends on it there: what a flag forces to 0 may be anything. It *overflows* if it is
-//! needed and its exact value is outside its format. A cast that drops high bits on purpose is told from one that loses them by what
-//! becomes of the bits: other nodes look at them.
+//! A value is *needed* in a block if the output depends on it there: what a flag forces to 0 may be anything. It
+//! *overflows* if it is needed and its exact value is outside its format. A cast that drops high bits on purpose is
+//! told from one that loses them by what becomes of the bits: other nodes look at them.
 
 mod narrow;
 mod relations;
@@ -29,9 +29,9 @@ use crate::fixed::{Format, Table};
 /// Inputs: the codes of each port.
 pub type Region = Vec<Span>;
 
-/// The whole of a graph's inputs, row by row: the codes of the first port, of format `index`, that read the same row, and what the other
-/// ports take. What lies between two rows of a memory reads the one below: all of it goes together. A greater code reads no row before
-/// that of a lesser one.
+/// The whole of a graph's inputs, row by row: the codes of the first port, of format `index`, that read the same row,
+/// and what the other ports take. What lies between two rows of a memory reads the one below: all of it goes together.
+/// A greater code reads no row before that of a lesser one.
 #[must_use]
 pub fn by_rows(index: Format, others: &[Span], row_of_index: impl Fn(u32) -> usize) -> Vec<Region> {
     let most = index.max_code();
@@ -107,8 +107,8 @@ pub struct Overflow {
 pub struct Ranges {
     /// For each node a span that holds its exact value wherever it is needed; `None` if it never is.
     pub needed: Vec<Option<Span>>,
-    /// For each node that is a cast the bits that it drops above those that others take, as a number: the same wherever it is needed,
-    /// as the leading 1 of a normalised value is.
+    /// For each node that is a cast the bits that it drops above those that others take, as a number: the same wherever
+    /// it is needed, as the leading 1 of a normalised value is.
     pub dropped: Vec<Option<i128>>,
     /// For each node whether the analysis ran out of blocks before it could tell whether the value fits.
     pub undecided: Vec<bool>,
@@ -184,14 +184,15 @@ pub struct Analysis<'a> {
     is_tight: bool,
     /// For each node that is a field its codes' extremes.
     extremes: Vec<Option<Extremes>>,
-    /// For each node the format that its exact value must fit, and the codes of that: the node's own, with the bits that a cast drops and
-    /// other nodes take.
+    /// For each node the format that its exact value must fit, and the codes of that: the node's own, with the bits
+    /// that a cast drops and other nodes take.
     room: Vec<(Format, Span)>,
     /// Casts whose value is looked at only where it is not negative.
     guarded: Vec<bool>,
     complements: Vec<Option<Complement>>,
     restoring: Vec<Option<Restoring>>,
-    /// For each node that is the `2r` of a step of a restoring division, looked at only where it is less than d: the `2r - d`.
+    /// For each node that is the `2r` of a step of a restoring division, looked at only where it is less than d: the
+    /// `2r - d`.
     kept: Vec<Option<NodeId>>,
 }
 
@@ -203,9 +204,9 @@ impl<'a> Analysis<'a> {
         Self { is_tight: true, ..Self::of_part(graph, tables, &graph.inputs, &outputs) }
     }
 
-    /// Prepares the part of a graph between `ports`, which are any nodes, and `results`: a port takes what a region says of it, whatever
-    /// makes it in the graph. Where the regions hold what the ports take in the graph, so does what is found of the part. Blocks are
-    /// halved only until it is known whether values fit.
+    /// Prepares the part of a graph between `ports`, which are any nodes, and `results`: a port takes what a region
+    /// says of it, whatever makes it in the graph. Where the regions hold what the ports take in the graph, so does
+    /// what is found of the part. Blocks are halved only until it is known whether values fit.
     ///
     /// # Panics
     /// In [`Analysis::over`] if a result depends on an input of the graph that is no port of the part.

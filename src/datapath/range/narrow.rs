@@ -24,9 +24,9 @@ impl Narrowed {
 }
 
 impl Analysis<'_> {
-    /// The graph with every format as narrow as the ranges allow: sums, differences, shifts and casts lose the integer bits that no
-    /// needed value uses, and products those that their narrower operands leave idle. The function stays what it is for every input
-    /// that `ranges` covers.
+    /// The graph with every format as narrow as the ranges allow: sums, differences, shifts and casts lose the integer
+    /// bits that no needed value uses, and products those that their narrower operands leave idle. The function stays
+    /// what it is for every input that `ranges` covers.
     #[must_use]
     pub fn narrowed(&self, ranges: &Ranges) -> (Graph, Vec<Narrowed>) {
         let mut graph = self.graph.clone();
@@ -56,15 +56,15 @@ impl Analysis<'_> {
         (graph, narrowed)
     }
 
-    /// The graph with registers in which nothing can overflow unseen: sums, differences, products, shifts and casts get a sign and eight
-    /// integer bits more, or as many as make them 62 bits wide, which are evaluated faster than more. Where no needed value leaves its
-    /// format, its outputs are those of the graph itself; so running both over every input checks an analysis that found none. What casts
-    /// drop on purpose, as `ranges` tells, they drop here too.
+    /// The graph with registers in which nothing can overflow unseen: sums, differences, products, shifts and casts get
+    /// a sign and eight integer bits more, or as many as make them 62 bits wide, which are evaluated faster than more.
+    /// Where no needed value leaves its format, its outputs are those of the graph itself; so running both over every
+    /// input checks an analysis that found none. What casts drop on purpose, as `ranges` tells, they drop here too.
     #[must_use]
     pub fn with_spare_bits(&self, ranges: &Ranges) -> Graph {
         let mut graph = self.graph.clone();
-        // An address beyond a memory would be none at all, and a flag is one bit: what makes these, through operations that pass on what
-        // they get, stays.
+        // An address beyond a memory would be none at all, and a flag is one bit: what makes these, through operations
+        // that pass on what they get, stays.
         let mut stays = vec![false; graph.nodes.len()];
         for (id, node) in self.graph.nodes.iter().enumerate().rev() {
             let kept: &[NodeId] = match node.op {
@@ -92,8 +92,8 @@ impl Analysis<'_> {
         graph
     }
 
-    /// The nodes whose formats something else rests on: ports, addresses, operands of what only renames or shifts bits, of limits that
-    /// are compared in the operand's width, and of a result that is a port.
+    /// The nodes whose formats something else rests on: ports, addresses, operands of what only renames or shifts bits,
+    /// of limits that are compared in the operand's width, and of a result that is a port.
     fn fixed_formats(&self) -> Vec<bool> {
         let graph = self.graph;
         let mut fixed: Vec<bool> = (0..graph.nodes.len()).map(|id| graph.is_output(id)).collect();

@@ -15,8 +15,8 @@ pub(super) struct Complement {
     pub(super) added: Option<NodeId>,
 }
 
-/// A step of a restoring division: `2r - d`, of which the sign selects between `2r` and the difference. Plain intervals lose that what is
-/// selected is at most d, as r was.
+/// A step of a restoring division: `2r - d`, of which the sign selects between `2r` and the difference. Plain intervals
+/// lose that what is selected is at most d, as r was.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Restoring {
     pub(super) doubled: NodeId,
@@ -25,9 +25,9 @@ pub(super) struct Restoring {
     pub(super) before: Option<NodeId>,
 }
 
-/// The format that a node's exact value must fit for nothing to be lost: for a cast that keeps low bits while other casts of the same
-/// value take the bits above these, the format with these bits too; a cast that takes the sign as a bit loses nothing, nor does one
-/// that rounds nothing of a value that another node uses whole.
+/// The format that a node's exact value must fit for nothing to be lost: for a cast that keeps low bits while other
+/// casts of the same value take the bits above these, the format with these bits too; a cast that takes the sign as a
+/// bit loses nothing, nor does one that rounds nothing of a value that another node uses whole.
 pub(super) fn room(graph: &Graph, id: NodeId) -> Format {
     let node = &graph.nodes[id];
     if node.op != Op::Cast {
@@ -50,7 +50,8 @@ pub(super) fn room(graph: &Graph, id: NodeId) -> Format {
     Format { int_bits: node.format.int_bits + above, ..node.format }
 }
 
-/// Whether a node is an unsigned cast of a signed value, used only as what a selection takes where that value is not negative.
+/// Whether a node is an unsigned cast of a signed value, used only as what a selection takes where that value is not
+/// negative.
 pub(super) fn is_guarded_by_sign(graph: &Graph, id: NodeId) -> bool {
     let node = &graph.nodes[id];
     if node.op != Op::Cast || node.format.signed || !graph.nodes[node.args[0]].format.signed || graph.is_output(id) {
@@ -93,8 +94,8 @@ pub(super) fn restoring(graph: &Graph, id: NodeId) -> Option<Restoring> {
     is_twice.then(|| Restoring { doubled, divisor, before: step_before() })
 }
 
-/// Whether a node is an unsigned cast of the `2r` of a step of a restoring division, used only as what is selected where the step's
-/// difference is negative: that difference.
+/// Whether a node is an unsigned cast of the `2r` of a step of a restoring division, used only as what is selected
+/// where the step's difference is negative: that difference.
 pub(super) fn kept_where_less(graph: &Graph, id: NodeId) -> Option<NodeId> {
     let of = |id: NodeId| &graph.nodes[id];
     if of(id).op != Op::Cast || graph.is_output(id) {

@@ -54,7 +54,8 @@ impl Span {
         self.low.unsigned_abs().max(self.high.unsigned_abs())
     }
 
-    /// What of it is no greater than a bound that is known to hold; all of it where nothing is, as behind a value that has left its format.
+    /// What of it is no greater than a bound that is known to hold; all of it where nothing is, as behind a value that
+    /// has left its format.
     pub(super) fn up_to(self, bound: i128) -> Self {
         if bound < self.low { self } else { Self { high: self.high.min(bound), ..self } }
     }
@@ -97,7 +98,8 @@ impl Span {
 /// The least and greatest codes of a field over any stretch of addresses.
 #[derive(Clone, Debug)]
 pub(super) struct Extremes {
-    /// A binary tree: `nodes[leaves + i]` is the code at address `i`, `nodes[i]` the hull of `nodes[2 i]` and `nodes[2 i + 1]`.
+    /// A binary tree: `nodes[leaves + i]` is the code at address `i`, `nodes[i]` the hull of `nodes[2 i]` and
+    /// `nodes[2 i + 1]`.
     nodes: Vec<Span>,
 }
 

@@ -152,8 +152,8 @@ impl Analysis<'_> {
         }
     }
 
-    /// `x + c - floor(x p) = x (1 - p) + c + (x p - floor(x p))`, where nothing of it is taken modulo a width; in units of the node's
-    /// last bit.
+    /// `x + c - floor(x p) = x (1 - p) + c + (x p - floor(x p))`, where nothing of it is taken modulo a width; in units
+    /// of the node's last bit.
     fn related(&self, node: &Node, complement: Complement, block: &Block) -> Option<Span> {
         let format = |id: NodeId| self.graph.nodes[id].format;
         let Complement { product, x, p, floor, added } = complement;

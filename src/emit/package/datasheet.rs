@@ -307,7 +307,8 @@ pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError
     })
 }
 
-/// The text of a lobe's datasheet; `other` is the core in the other form, or why it cannot be built, where the method has two forms.
+/// The text of a lobe's datasheet; `other` is the core in the other form, or why it cannot be built, where the method
+/// has two forms.
 pub(super) fn datasheet(design: &Design, measured: &Measured, other: Option<&OtherForm>) -> Result<String, Error> {
     let spec = &design.spec;
     let forms: Vec<FormRow> =

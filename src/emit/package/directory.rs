@@ -107,12 +107,14 @@ fn make_readable(_: &Path) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Writes a core's directory. A new one appears whole, by a rename. In an existing one each file is replaced whole, once all are on the
-/// disk under temporary names; its `manifest.json` goes first and comes last, so that an interrupted run leaves a directory without one, and
-/// a list of files from which the next run finishes the work. Of several runs at once one writes after the other.
+/// Writes a core's directory. A new one appears whole, by a rename. In an existing one each file is replaced whole,
+/// once all are on the disk under temporary names; its `manifest.json` goes first and comes last, so that an
+/// interrupted run leaves a directory without one, and a list of files from which the next run finishes the work. Of
+/// several runs at once one writes after the other.
 ///
 /// # Errors
-/// If the directory is somebody else's (see [`check_target`]), another run does not end its writing, or the system refuses.
+/// If the directory is somebody else's (see [`check_target`]), another run does not end its writing, or the system
+/// refuses.
 pub fn write_directory(directory: &Path, files: &[File]) -> Result<(), Error> {
     write_directory_of(CORE, directory, files)
 }
@@ -120,7 +122,8 @@ pub fn write_directory(directory: &Path, files: &[File]) -> Result<(), Error> {
 /// Writes a directory of another kind in the same way.
 ///
 /// # Errors
-/// If the directory is somebody else's (see [`check_target_of`]), another run does not end its writing, or the system refuses.
+/// If the directory is somebody else's (see [`check_target_of`]), another run does not end its writing, or the system
+/// refuses.
 pub fn write_directory_of(kind: Kind, directory: &Path, files: &[File]) -> Result<(), Error> {
     check_target_of(kind, directory)?;
     let failed = |error| Error::io("cannot write", directory, error);
@@ -266,8 +269,8 @@ fn listed(manifest: &Path) -> Vec<String> {
     known.keys().filter(|path| is_inside(path)).cloned().collect()
 }
 
-/// Whether a path stays in the directory that it is relative to: a list is a file like any other, and nothing outside the directory is
-/// touched on its word.
+/// Whether a path stays in the directory that it is relative to: a list is a file like any other, and nothing outside
+/// the directory is touched on its word.
 fn is_inside(path: &str) -> bool {
     Path::new(path).components().all(|part| matches!(part, std::path::Component::Normal(_)))
 }

@@ -57,8 +57,8 @@ pub fn rtl_path(design: &Design, language: Language) -> String {
     format!("rtl/{}.{}", design.spec.name, extension(language))
 }
 
-/// The format of the files that a core's HDL reads: the one without comments, as Vivado's synthesis wants them (UG901), where the spec asks
-/// for it.
+/// The format of the files that a core's HDL reads: the one without comments, as Vivado's synthesis wants them (UG901),
+/// where the spec asks for it.
 #[must_use]
 pub fn read_format(spec: &CoreSpec) -> RomFormat {
     if spec.rom_formats.contains(&RomFormat::MemPlain) { RomFormat::MemPlain } else { RomFormat::Mem }
@@ -89,8 +89,8 @@ fn extension(language: Language) -> &'static str {
     }
 }
 
-/// What tools that read a core in one language need: the files of its memories, where it reads them from such, and last the HDL itself,
-/// without the comment at its head; nothing is measured for it.
+/// What tools that read a core in one language need: the files of its memories, where it reads them from such, and last
+/// the HDL itself, without the comment at its head; nothing is measured for it.
 ///
 /// # Errors
 /// A core that cannot be written in the language.

@@ -24,8 +24,9 @@ fn write(of: &Writing<'_>) -> Vec<u8> {
     of.headed(";", "Xilinx coefficient file", &text)
 }
 
-/// Settings and words as AMD UG896 has them: `KEYWORD = VALUE ;`, with the text behind each semicolon a comment up to the end of its line.
-/// Keywords are in any case; `memory_initialization_vector` is the last one, and what follows is not read.
+/// Settings and words as AMD UG896 has them: `KEYWORD = VALUE ;`, with the text behind each semicolon a comment up to
+/// the end of its line. Keywords are in any case; `memory_initialization_vector` is the last one, and what follows is
+/// not read.
 fn read(source: &Source<'_>) -> Result<RomImage, Error> {
     let mut cursor = source.tokens(&Comments { line: None, behind: Some(';'), block: None })?;
     let mut radix = None;
@@ -113,7 +114,8 @@ mod tests {
         assert_eq!(refused(&vector.replace("10", "7"), RomFormat::Coe, 8), "the radix `7` is not allowed");
     }
 
-    /// By AMD UG896: text behind a semicolon is a comment, keywords are in any case, and those behind the vector are not read.
+    /// By AMD UG896: text behind a semicolon is a comment, keywords are in any case, and those behind the vector are
+    /// not read.
     #[test]
     fn coe_as_its_manual_has_it() {
         let words = |text: &str| words(text, RomFormat::Coe, 8);

@@ -46,7 +46,8 @@ fn write(of: &Writing<'_>) -> Vec<u8> {
     record_lines(records)
 }
 
-/// One record a word, as Quartus' memory editor writes them. The deepest ROM has an address of 16 bits for each of its words.
+/// One record a word, as Quartus' memory editor writes them. The deepest ROM has an address of 16 bits for each of its
+/// words.
 fn write_quartus(of: &Writing<'_>) -> Vec<u8> {
     let record = |(address, mut value): (usize, Vec<u8>)| {
         value.reverse();
@@ -62,8 +63,8 @@ fn record_lines(mut records: Vec<Record>) -> Vec<u8> {
     records.into_iter().map(line).collect::<String>().into_bytes()
 }
 
-/// The records' data with their addresses, which have their extensions added, and their places. An extension by segment counts as 16, one
-/// that is linear as 65,536.
+/// The records' data with their addresses, which have their extensions added, and their places. An extension by segment
+/// counts as 16, one that is linear as 65,536.
 struct Records(Vec<(usize, Vec<u8>, Span)>);
 
 impl Records {
@@ -100,7 +101,8 @@ impl Records {
         Ok(Self(records))
     }
 
-    /// Whether the addresses can only be those of words: each record begins as many words behind the one before as that has.
+    /// Whether the addresses can only be those of words: each record begins as many words behind the one before as that
+    /// has.
     fn count_words(&self, word_bytes: usize) -> bool {
         let whole = self.0.iter().all(|(_, value, _)| value.len() % word_bytes == 0);
         let next = |two: &[(usize, Vec<u8>, Span)]| two[0].0 + two[0].1.len() / word_bytes == two[1].0;
@@ -108,8 +110,8 @@ impl Records {
     }
 }
 
-/// Intel HEX: the addresses are those of bytes. Quartus' kind is told by its records, and text for `$readmemh`, which goes under the same
-/// name, by the colon that it does not begin with.
+/// Intel HEX: the addresses are those of bytes. Quartus' kind is told by its records, and text for `$readmemh`, which
+/// goes under the same name, by the colon that it does not begin with.
 fn read(source: &Source<'_>) -> Result<RomImage, Error> {
     if !source.text.trim_start().is_empty() && !source.text.trim_start().starts_with(':') {
         let text = (MEM.read)(&Source { text: source.text.clone(), allowed: MEM.allowed, ..*source });

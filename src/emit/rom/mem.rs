@@ -132,8 +132,8 @@ impl Lattice {
     }
 }
 
-/// Lattice's memory file: a header from `#Format=` to `#Data`, then a word a line, in hexadecimal or binary; or `ADDRESS: WORD WORD`, all
-/// in hexadecimal. Comments begin with `#` or `//`; a word that is not given is 0.
+/// Lattice's memory file: a header from `#Format=` to `#Data`, then a word a line, in hexadecimal or binary; or
+/// `ADDRESS: WORD WORD`, all in hexadecimal. Comments begin with `#` or `//`; a word that is not given is 0.
 fn lattice(source: &Source<'_>) -> Result<RomImage, Error> {
     let Lattice { radix, addressed, depth, width, end } = Lattice::of(source)?;
     let mut words = Words::new(source);

@@ -104,7 +104,8 @@ fn read(source: &Source<'_>) -> Result<RomImage, Error> {
     }
 }
 
-/// Xilinx' kind, which its core generators write for simulation: a line of binary digits for each word, as many as it has bits.
+/// Xilinx' kind, which its core generators write for simulation: a line of binary digits for each word, as many as it
+/// has bits.
 fn read_xilinx(source: &Source<'_>) -> Result<RomImage, Error> {
     let mut words = Words::new(source);
     for (address, (line, span)) in lines(&source.text, &[]).enumerate() {

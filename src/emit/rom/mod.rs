@@ -1,7 +1,7 @@
 //! The files that hold a ROM: written from a [`Table`], read back into a [`RomImage`], compared.
 //!
-//! A format is a file of this folder, with all that is known of it, and its line in the list of [`RomFormat`], by which the command line, the
-//! spec's key `rom_formats`, the tests and the fuzzer go.
+//! A format is a file of this folder, with all that is known of it, and its line in the list of [`RomFormat`], by which
+//! the command line, the spec's key `rom_formats`, the tests and the fuzzer go.
 
 mod bin;
 mod c;

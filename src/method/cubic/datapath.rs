@@ -113,7 +113,8 @@ impl<'a> Stable<'a> {
         fields
     }
 
-    /// `p = u (A - a u)`, and the flag that `past_cut` makes once the coefficients are read. `ends` are the rows' greatest versines.
+    /// `p = u (A - a u)`, and the flag that `past_cut` makes once the coefficients are read. `ends` are the rows'
+    /// greatest versines.
     pub(in crate::method) fn p(
         &self,
         b: &mut Builder,

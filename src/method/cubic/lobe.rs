@@ -6,10 +6,9 @@ use crate::platform::error::Error;
 
 /// `x (1 - u (A - a u))` up to its cut, 0 past it, kept inside [0, 1]; `u = 1 - x`.
 ///
-/// The cubic `a x^3 + b x^2 + c x` passes through (0, 0) and (1, 1) and has the value and the slope of
-/// x^n at the point `t = Q^(1/n)` where x^n = Q (2007: eqs. 2 to 8 with Q = 1/2; 2021: free Q). Here
-/// `A = 2a + b`. With `h = Q/t`, `h' = (n-1) Q / t^2` and `u_t = 1 - t`:
-/// `a = (1 - h - h' u_t) / u_t^2` and `A = h' + 2 a u_t`.
+/// The cubic `a x^3 + b x^2 + c x` passes through (0, 0) and (1, 1) and has the value and the slope of x^n at the point
+/// `t = Q^(1/n)` where x^n = Q (2007: eqs. 2 to 8 with Q = 1/2; 2021: free Q). Here `A = 2a + b`. With `h = Q/t`,
+/// `h' = (n-1) Q / t^2` and `u_t = 1 - t`: `a = (1 - h - h' u_t) / u_t^2` and `A = h' + 2 a u_t`.
 ///
 /// Past the epicentre the cubic *rises* again, into the ten-thousands at n = 1000, so that a clamp at 0 is
 /// no help: it is cut to 0 beyond the minimum of its inner parabola, `u > A / (2a)`. Only for non-integer
@@ -18,8 +17,7 @@ use crate::platform::error::Error;
 /// to take negative values, which it does for no integer n.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cubic {
-    /// The papers' `a`: negative for 1 < n < 2, 0 at n = 1 and n = 2, then positive, about 0.319 n^2
-    /// for Q = 1/2.
+    /// The papers' `a`: negative for 1 < n < 2, 0 at n = 1 and n = 2, then positive, about 0.319 n^2 for Q = 1/2.
     pub a: f64,
     /// `2a + b` of the papers' `a` and `b`: about 0.942 n for Q = 1/2.
     pub big_a: f64,
@@ -59,10 +57,10 @@ pub(in crate::method) fn check_level(q: f64) -> Result<(), Error> {
 impl Cubic {
     /// The coefficients for the shininess `n` and the level `q` in (0, 1).
     ///
-    /// As printed, `1 - h - h' u_t` cancels wholly near n = 1, near n = 2 and for q near 1. It is the
-    /// Taylor remainder of `x^(n-1)` about t, so with `x = e^-y`, `L = -ln t` it equals
-    /// `(n-1)(n-2) * integral over 0..L of (1 - e^-y) e^-(n-2)y dy`: a positive, entire integrand, which 16
-    /// Gauss points integrate to rounding error. The relative error of `a` is below 1e-13. So is that of `A`, except for n
+    /// As printed, `1 - h - h' u_t` cancels wholly near n = 1, near n = 2 and for q near 1. It is the Taylor remainder
+    /// of `x^(n-1)` about t, so with `x = e^-y`, `L = -ln t` it equals
+    /// `(n-1)(n-2) * integral over 0..L of (1 - e^-y) e^-(n-2)y dy`: a positive, entire integrand, which 16 Gauss
+    /// points integrate to rounding error. The relative error of `a` is below 1e-13. So is that of `A`, except for n
     /// below 2 with q below 0.3: there A has a zero, and 1e-13 is relative to the larger of its two terms.
     ///
     /// # Errors
@@ -90,8 +88,8 @@ impl Cubic {
         (self.a > 0.0 && minimum < 1.0).then_some(minimum)
     }
 
-    /// The versine in (0, 1) of the cubic's own minimum, where it is held if not cut: the smaller zero of its derivative
-    /// `-(3a u^2 - 2(A + a) u + (1 + A))`.
+    /// The versine in (0, 1) of the cubic's own minimum, where it is held if not cut: the smaller zero of its
+    /// derivative `-(3a u^2 - 2(A + a) u + (1 + A))`.
     #[must_use]
     pub fn minimum(&self) -> Option<f64> {
         let half = self.big_a + self.a;

@@ -15,8 +15,8 @@ use crate::method::{Interface, Operand, width};
 /// The tail's slope b.
 const B: Width = Width("b");
 
-/// Both branches side by side: the cubic in three multiplications, and `x / (d + b u)` in one and a division. A comparison of the versine with
-/// the ROM's field `cut` chooses between the two.
+/// Both branches side by side: the cubic in three multiplications, and `x / (d + b u)` in one and a division. A
+/// comparison of the versine with the ROM's field `cut` chooses between the two.
 #[derive(Debug)]
 pub struct Rational<'a> {
     interface: &'a Interface,
@@ -86,7 +86,8 @@ impl<'a> Rational<'a> {
         let b = nearest_code(lobe.b, b_bits);
         let u = self.cuts[row] + 1;
         let rise = shifted_down(b * u, b_bits + f - den_bits);
-        // At the tail's first versine, and so at all of them, the denominator is at least 1 and 2^most times the numerator, in the hardware too.
+        // At the tail's first versine, and so at all of them, the denominator is at least 1 and 2^most times the
+        // numerator, in the hardware too.
         let num = shifted_down((1i128 << f) - u, f - num_bits);
         let needed = -shifted_down(-(num << self.most()), num_bits - den_bits);
         let least = needed.max(1 << den_bits) - rise;
@@ -113,7 +114,8 @@ impl<'a> Rational<'a> {
         [rom].into_iter().chain(divide::table(self.divider, widths)).collect()
     }
 
-    /// The hardware's step from a row's last versine of the cubic to the next one, less the method's step, in output ulps.
+    /// The hardware's step from a row's last versine of the cubic to the next one, less the method's step, in output
+    /// ulps.
     fn seam(&self, datapath: &Datapath, row: usize) -> f64 {
         let one = 1i128 << self.interface.input_fraction;
         let index = i128::from(self.interface.shininess.index_of_row(row));
@@ -129,8 +131,8 @@ impl<'a> Rational<'a> {
         error(self.cuts[row] + 1) - error(self.cuts[row])
     }
 
-    /// Moves d of the rows whose seam is off by more than an output ulp until it is not: two values within an ulp of the
-    /// method can be off by nearly two from each other.
+    /// Moves d of the rows whose seam is off by more than an output ulp until it is not: two values within an ulp of
+    /// the method can be off by nearly two from each other.
     fn close_seams(&self, widths: &Widths, tails: &mut [TailCodes]) {
         let Some(mut datapath) = self.build(widths, self.with_tails(widths, tails)) else { return };
         let open = |datapath: &Datapath, row: &usize| self.seam(datapath, *row).abs() > 1.0;
@@ -251,7 +253,8 @@ impl Architecture for Rational<'_> {
         let (x, u) = b.operand(self.interface);
         let cut = b.field(0, address, "cut");
         let past = b.greater(u, cut, "past", "u > cut: past the cubic's versines");
-        // A branch is not used where the other one is: its values may wrap there, and each is bounded for its own versines only.
+        // A branch is not used where the other one is: its values may wrap there, and each is bounded for its own
+        // versines only.
         let only = |b: &mut Builder, of: &dyn Fn(usize) -> Interval| {
             let exact = |range: Interval| Bound { range, error: Interval::ZERO, grid: f };
             let versines: Vec<Interval> = (0..2 * rows).map(|case| of(case % rows)).collect();

@@ -15,10 +15,11 @@ const DEEPEST: f64 = 40.0;
 /// Steps of the search for b, each of which leaves 0.618 of its interval.
 const STEPS: usize = 60;
 
-/// The best cubic down to x^n = 1/2 for the shininess `n`, and past it the best tail `x / (d + b u)` that goes on from its value
-/// there, which it takes to be 1/2 at most.
+/// The best cubic down to x^n = 1/2 for the shininess `n`, and past it the best tail `x / (d + b u)` that goes on from
+/// its value there, which it takes to be 1/2 at most.
 ///
-/// One unknown is left, b: at each u the tail falls with it, so that its largest error has one minimum, which a golden section finds.
+/// One unknown is left, b: at each u the tail falls with it, so that its largest error has one minimum, which a golden
+/// section finds.
 ///
 /// # Errors
 /// As [`crate::method::quadratic::fit`].

@@ -9,15 +9,16 @@ use crate::platform::error::Error;
 /// [`Cubic`] down to its point of contact t, and `x / (d + b u)` past it; `u = 1 - x`.
 ///
 /// The papers' tail is `x / (a - b x)` with the value and the slope of x^n at t, where x^n = Q = 1/2: `a = 2n t` and
-/// `b = 2n - 2`. For any Q in (0, 1) the same two conditions give `b = (n-1)/Q` and `d = a - b = (1 - n (1-t))/Q`, so that
-/// value and slope of the whole are continuous. The denominator is `t/Q` at t and grows from there: there is no pole.
-/// For Q = 1/2, `d` falls from 1 at n = 1 to `2 - 2 ln 2 = 0.6137`.
+/// `b = 2n - 2`. For any Q in (0, 1) the same two conditions give `b = (n-1)/Q` and `d = a - b = (1 - n (1-t))/Q`, so
+/// that value and slope of the whole are continuous. The denominator is `t/Q` at t and grows from there: there is no
+/// pole. For Q = 1/2, `d` falls from 1 at n = 1 to `2 - 2 ln 2 = 0.6137`.
 ///
-/// The tail is [`Schlick`](crate::method::schlick::Schlick)'s lobe S again: it equals `Q S(x/t)`, as the power is `Q (x/t)^n`, so that its
-/// largest absolute error is exactly Q times Schlick's, and its relative error at the level v Schlick's at `v/Q`.
+/// The tail is [`Schlick`](crate::method::schlick::Schlick)'s lobe S again: it equals `Q S(x/t)`, as the power is
+/// `Q (x/t)^n`, so that its largest absolute error is exactly Q times Schlick's, and its relative error at the level v
+/// Schlick's at `v/Q`.
 ///
-/// Misprints: the 2007 paper's running text gives `a = 2n^n sqrt(0.5)` for `2n (0.5)^(1/n)`; in both papers the derivative's
-/// second term has `(a - b cos^2(t))` below it for `(a - b cos(t))^2`.
+/// Misprints: the 2007 paper's running text gives `a = 2n^n sqrt(0.5)` for `2n (0.5)^(1/n)`; in both papers the
+/// derivative's second term has `(a - b cos^2(t))` below it for `(a - b cos(t))^2`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CubicRational {
     /// The epicentre's cubic.
@@ -31,8 +32,8 @@ pub struct CubicRational {
 }
 
 impl CubicRational {
-    /// The coefficients for the shininess `n` and the level `q`. The relative error is below 1e-14 for `b` and `cusp`, and
-    /// for `d` relative to `1/Q`: for Q near 1/e, and only there, d may be near 0.
+    /// The coefficients for the shininess `n` and the level `q`. The relative error is below 1e-14 for `b` and `cusp`,
+    /// and for `d` relative to `1/Q`: for Q near 1/e, and only there, d may be near 0.
     ///
     /// # Errors
     /// See [`Cubic::new`].

@@ -13,17 +13,17 @@ impl Cubic {
 
     /// The cubic through (0, 0), (1, 1), (r, q) and (l, g), `r = q^(1/n)` and `l = g^(1/n)`, which are points of x^n.
     ///
-    /// With `s(p) = (1 - p^(n-1)) / (1 - p)`: `a = (s(r) - s(l)) / (r - l)` and `A = s(r) + a (1 - r)`. Below l it rises
-    /// again, into the thousands, hence the cut at the minimum of its inner parabola ([`Cubic::cut`]).
+    /// With `s(p) = (1 - p^(n-1)) / (1 - p)`: `a = (s(r) - s(l)) / (r - l)` and `A = s(r) + a (1 - r)`. Below l it
+    /// rises again, into the thousands, hence the cut at the minimum of its inner parabola ([`Cubic::cut`]).
     ///
-    /// These differences cancel near n = 1 and n = 2 and for g near q. But `a` is the second divided difference of x^(n-1)
-    /// at l, r and 1: `(n-1)(n-2)` times the integral of x^(n-3) against the linear B-spline on these knots. With x = e^-y
-    /// that is a sum of two integrals of positive, entire functions, each integrated by 16 Gauss points. The relative error of `a`
-    /// is below 1e-13, and so is that of `A`, except for n below 2: there A has a zero, and 1e-13 is relative to
-    /// the larger of its two terms. n = 1, 2, 3 give (a, A) = (0, 0), (0, 1), (1, 2).
+    /// These differences cancel near n = 1 and n = 2 and for g near q. But `a` is the second divided difference of
+    /// x^(n-1) at l, r and 1: `(n-1)(n-2)` times the integral of x^(n-3) against the linear B-spline on these knots.
+    /// With x = e^-y that is a sum of two integrals of positive, entire functions, each integrated by 16 Gauss points.
+    /// The relative error of `a` is below 1e-13, and so is that of `A`, except for n below 2: there A has a zero, and
+    /// 1e-13 is relative to the larger of its two terms. n = 1, 2, 3 give (a, A) = (0, 0), (0, 1), (1, 2).
     ///
-    /// Misprints: the paper's closed form solves a system without a linear term, with the minus of b lost, l^2 for l^3 in
-    /// c and r^n for Q; at n = 25 its a, b and c add up to 156 and not to 1.
+    /// Misprints: the paper's closed form solves a system without a linear term, with the minus of b lost, l^2 for l^3
+    /// in c and r^n for Q; at n = 25 its a, b and c add up to 156 and not to 1.
     ///
     /// # Errors
     /// See [`check_shininess`]; levels that are not in the order 1e-6 <= g < q < 1.

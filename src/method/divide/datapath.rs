@@ -1,16 +1,16 @@
 //! Division: one quotient a clock, rounded to nearest.
 //!
-//! Both dividers take a numerator and a denominator with `0 <= num <= den 2^-most` and `den >= 1`, where 2^-`most` bounds the
-//! quotient, and give `num / den` with G fraction bits.
+//! Both dividers take a numerator and a denominator with `0 <= num <= den 2^-most` and `den >= 1`, where 2^-`most`
+//! bounds the quotient, and give `num / den` with G fraction bits.
 //!
-//! - [`Divider::Digit`]: restoring division. With the remainder `r = num 2^most` a step takes `2r - den`; where that is not
-//!   negative it becomes the remainder and the digit is 1, else the remainder is 2r and the digit 0. What is gathered are the *zeros*
-//!   of the quotient, because `2^-most - zeros` is then the quotient plus half an output ulp, which rounding to nearest wants: no
-//!   adder of its own. The digits are those of `floor(num / den)`; for `num = den 2^-most` all of them are 1, and the rounding
-//!   makes that exact.
-//! - [`Divider::Reciprocal`]: with `den = m 2^e`, m in [1, 2), the quotient is `(num r) 2^-e` with `r = seed - slope d`, about 1/m, from a
-//!   table that the leading fraction bits of m address; d is what follows these. One small multiplication and one of the numerator's width; a
-//!   Newton step would take two beside the latter.
+//! - [`Divider::Digit`]: restoring division. With the remainder `r = num 2^most` a step takes `2r - den`; where that is
+//!   not negative it becomes the remainder and the digit is 1, else the remainder is 2r and the digit 0. What is
+//!   gathered are the *zeros* of the quotient, because `2^-most - zeros` is then the quotient plus half an output ulp,
+//!   which rounding to nearest wants: no adder of its own. The digits are those of `floor(num / den)`; for
+//!   `num = den 2^-most` all of them are 1, and the rounding makes that exact.
+//! - [`Divider::Reciprocal`]: with `den = m 2^e`, m in [1, 2), the quotient is `(num r) 2^-e` with
+//!   `r = seed - slope d`, about 1/m, from a table that the leading fraction bits of m address; d is what follows
+//!   these. One small multiplication and one of the numerator's width; a Newton step would take two beside the latter.
 
 use crate::datapath::builder::{Bound, Builder};
 use crate::datapath::graph::{NodeId, Op};
@@ -159,11 +159,11 @@ fn reciprocal_error(table: &Table, widths: &Widths) -> Interval {
 }
 
 impl Builder<'_> {
-    /// `num / den`, rounded to nearest to `g` fraction bits, as `UQ1.g`. In every case it must hold that `0 <= num <= den 2^-most` and
-    /// `den >= 1`; `memory` is the number of the reciprocals where the divider uses them.
+    /// `num / den`, rounded to nearest to `g` fraction bits, as `UQ1.g`. In every case it must hold that
+    /// `0 <= num <= den 2^-most` and `den >= 1`; `memory` is the number of the reciprocals where the divider uses them.
     ///
-    /// With `num` and `den` off by `e_n` and `e_d`, their quotient is off by `(e_n - y e_d) / den`, y being the real quotient; the divider's own error
-    /// comes on top of that.
+    /// With `num` and `den` off by `e_n` and `e_d`, their quotient is off by `(e_n - y e_d) / den`, y being the real
+    /// quotient; the divider's own error comes on top of that.
     pub(in crate::method) fn divide(
         &mut self,
         divider: Divider,
@@ -293,7 +293,8 @@ impl Builder<'_> {
         self.unbounded(y)
     }
 
-    /// `den 2^-e` in [1, 2), rounded down to no fewer than `m_bits` fraction bits, and the flags of the shifts that e consists of.
+    /// `den 2^-e` in [1, 2), rounded down to no fewer than `m_bits` fraction bits, and the flags of the shifts that e
+    /// consists of.
     fn normalise_down(&mut self, den: NodeId, m_bits: i32) -> (NodeId, Vec<(NodeId, i32)>) {
         let (mut m, mut shifts) = (den, Vec::new());
         while self.format(m).int_bits > 1 {

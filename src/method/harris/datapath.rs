@@ -1,15 +1,15 @@
 //! The power as `2^-z`, `z = n L`, from a table of L and a table of `2^-f`, neither interpolated: one multiplication.
 //!
 //! After D. Harris, "An Exponentiation Unit for an OpenGL Lighting Engine" (IEEE Trans. Computers 53(3), 2004); see
-//! [`crate::method::harris::Harris`] for what is his and what is not. A cell of L within an octave of the versine u is `u 2^-log_bits` wide or less, so that
-//! it counts `n u e^(-n u) 2^-log_bits` in the result, whatever n is.
+//! [`crate::method::harris::Harris`] for what is his and what is not. A cell of L within an octave of the versine u is
+//! `u 2^-log_bits` wide or less, so that it counts `n u e^(-n u) 2^-log_bits` in the result, whatever n is.
 //!
 //! # The proof
 //!
-//! The words of L, and of n where that is read from a ROM, are the method's own numbers, and z is their exact product. So the cell of its
-//! fraction is the method's cell, and what is left are the rounding of the second table's words, what the shift by the integer part of z
-//! drops, and the last rounding. Where the integer part does not fit its bits the result is forced to 0; there `z >= G + 1`, so
-//! that the method's value is half an output ulp at most.
+//! The words of L, and of n where that is read from a ROM, are the method's own numbers, and z is their exact product.
+//! So the cell of its fraction is the method's cell, and what is left are the rounding of the second table's words,
+//! what the shift by the integer part of z drops, and the last rounding. Where the integer part does not fit its bits
+//! the result is forced to 0; there `z >= G + 1`, so that the method's value is half an output ulp at most.
 
 use std::sync::Arc;
 

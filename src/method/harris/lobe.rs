@@ -5,12 +5,14 @@ use std::sync::Arc;
 use crate::fixed::exp2;
 use crate::lobe::Lobe;
 
-/// `2^-z`, `z = n L(u)`, where L is constant in each cell of the versine and `2^-f` in each cell of the fraction f of z.
+/// `2^-z`, `z = n L(u)`, where L is constant in each cell of the versine and `2^-f` in each cell of the fraction f of
+/// z.
 ///
-/// After D. Harris, "An Exponentiation Unit for an OpenGL Lighting Engine" (IEEE Trans. Computers 53(3), 2004): a table of logarithms that
-/// is partitioned into subintervals, a multiplier, and a table of the inverse logarithm. Here the subintervals are the octaves of the
-/// versine, `[2^-e, 2^(1-e))`, since it is near x = 1 that a large shininess needs the logarithm; each has equally many cells. Harris makes
-/// each subinterval a bipartite table, which takes less memory and an adder; here it is a plain one.
+/// After D. Harris, "An Exponentiation Unit for an OpenGL Lighting Engine" (IEEE Trans. Computers 53(3), 2004): a table
+/// of logarithms that is partitioned into subintervals, a multiplier, and a table of the inverse logarithm. Here the
+/// subintervals are the octaves of the versine, `[2^-e, 2^(1-e))`, since it is near x = 1 that a large shininess needs
+/// the logarithm; each has equally many cells. Harris makes each subinterval a bipartite table, which takes less memory
+/// and an adder; here it is a plain one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Harris {
     /// The shininess.
@@ -24,8 +26,8 @@ pub struct Harris {
 }
 
 impl Harris {
-    /// L of a cell that reaches from one versine below 1 to another: that of the cosine midway, so that x itself, which is the lobe for
-    /// n = 1, has the same error at both ends.
+    /// L of a cell that reaches from one versine below 1 to another: that of the cosine midway, so that x itself, which
+    /// is the lobe for n = 1, has the same error at both ends.
     #[must_use]
     pub fn logarithm(first: f64, last: f64) -> f64 {
         -libm::log1p(-0.5 * (first + last)) * std::f64::consts::LOG2_E

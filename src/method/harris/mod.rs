@@ -1,4 +1,5 @@
-//! `harris`: `2^(-n L(x))` from two tables that are not interpolated, after D. Harris, IEEE Trans. Computers 53(3), 2004.
+//! `harris`: `2^(-n L(x))` from two tables that are not interpolated, after D. Harris, IEEE Trans. Computers 53(3),
+//! 2004.
 
 mod datapath;
 mod lobe;

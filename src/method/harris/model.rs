@@ -3,7 +3,8 @@
 use crate::fixed::wide::{self, Wide};
 use crate::method::{Inputs, width};
 
-/// `z = n L`, L from its cell; `y = 2^-z`, the fraction's part from its cell and the rest a shift, which rounds down; rounded to nearest.
+/// `z = n L`, L from its cell; `y = 2^-z`, the fraction's part from its cell and the rest a shift, which rounds down;
+/// rounded to nearest.
 pub(in crate::method) fn harris(inputs: &Inputs, log_bits: u32, exp_bits: u32) -> Wide {
     let n = inputs.shininess();
     let u = Wide::ONE - inputs.x;

@@ -29,8 +29,8 @@ pub(in crate::method) enum Slopes {
     None,
 }
 
-/// A convex falling function over `[start, start + 2^-domain)` as `base - slope d` in `2^address_bits` equal entries, d being the
-/// distance from the entry's start.
+/// A convex falling function over `[start, start + 2^-domain)` as `base - slope d` in `2^address_bits` equal entries, d
+/// being the distance from the entry's start.
 pub(in crate::method) struct Chords<'f> {
     /// The memory's name.
     pub name: &'static str,
@@ -58,8 +58,8 @@ pub(in crate::method) struct Chords<'f> {
     pub int_bits: i32,
     /// How finely the slopes are kept.
     pub slopes: Slopes,
-    /// How much an error counts at an argument; `None`: everywhere the same. With a weight the function is gone through argument by
-    /// argument, so that its curvature need not be bounded.
+    /// How much an error counts at an argument; `None`: everywhere the same. With a weight the function is gone through
+    /// argument by argument, so that its curvature need not be bounded.
     pub weight: Option<&'f dyn Fn(f64) -> f64>,
 }
 
@@ -69,8 +69,8 @@ impl Chords<'_> {
         self.domain + self.address_bits
     }
 
-    /// How finely the slopes are kept. Where no bit of the argument is left behind those that select the entry, the distance from the
-    /// entry's start is always 0, and there are none.
+    /// How finely the slopes are kept. Where no bit of the argument is left behind those that select the entry, the
+    /// distance from the entry's start is always 0, and there are none.
     fn slopes(&self) -> Slopes {
         if self.cut_bits() > self.step_bits() { self.slopes } else { Slopes::None }
     }
@@ -111,8 +111,8 @@ impl Chords<'_> {
         (exp2(-self.step_bits()) - exp2(-self.argument_bits)).max(0.0)
     }
 
-    /// The arguments of an entry with `-slope d`, as the hardware computes it, minus the function: every `stride`th from the first, and the
-    /// last.
+    /// The arguments of an entry with `-slope d`, as the hardware computes it, minus the function: every `stride`th
+    /// from the first, and the last.
     fn differences(&self, entry: usize, slope_code: i128, stride: i64) -> impl Iterator<Item = (f64, f64)> + '_ {
         let first = self.first(entry);
         let count = self.arguments();

@@ -1,8 +1,8 @@
 //! The power itself, `2^(-n L(x))` with `L = -log2 x`: two small tables in place of a ROM row per shininess.
 //!
-//! After D. Harris, "An Exponentiation Unit for an OpenGL Lighting Engine" (IEEE Trans. Computers 53(3), 2004), with the logarithm
-//! taken apart so that its relative accuracy is kept near x = 1, where a large shininess needs it. With `x = 2^-e m`, m in
-//! [1/2, 1) or x = m = 1,
+//! After D. Harris, "An Exponentiation Unit for an OpenGL Lighting Engine" (IEEE Trans. Computers 53(3), 2004), with
+//! the logarithm taken apart so that its relative accuracy is kept near x = 1, where a large shininess needs it. With
+//! `x = 2^-e m`, m in [1/2, 1) or x = m = 1,
 //!
 //! `z = n L = n e + v κ(m)`, `v = n (1 - m)`, `κ(m) = -log2(m) / (1 - m)`, and `y = 2^-z = 2^-f 2^-i`, `z = i + f`.
 //!
@@ -10,16 +10,16 @@
 //!
 //! # The proof
 //!
-//! The error depends on z far more than on n or x, so the cases of the analysis are ranges of the real z. What the hardware has
-//! in place of κ is `κ (1 + ρ)`, ρ bounded over all entries. With `v' = v + δv` the product is off by
-//! `κ' δv + v κ ρ`, and `v κ <= z`; so in a case `z' - z = δz` is in `κ' δv + [0, z] ρ` and the roundings. The second table
-//! holds `2^-(f + c) + τ`, where c makes up for the mean of δz. So before the last rounding the result is off by
-//! `2^-z (2^-(δz + c) - 1) + τ 2^-i + φ`, φ being what the shift by i drops, less than `1 - 2^-i` of the last bit. As `z 2^-z` never exceeds `1/(e ln 2)`, ρ counts at most
-//! `1/e`, whatever n is.
+//! The error depends on z far more than on n or x, so the cases of the analysis are ranges of the real z. What the
+//! hardware has in place of κ is `κ (1 + ρ)`, ρ bounded over all entries. With `v' = v + δv` the product is off by
+//! `κ' δv + v κ ρ`, and `v κ <= z`; so in a case `z' - z = δz` is in `κ' δv + [0, z] ρ` and the roundings. The second
+//! table holds `2^-(f + c) + τ`, where c makes up for the mean of δz. So before the last rounding the result is off by
+//! `2^-z (2^-(δz + c) - 1) + τ 2^-i + φ`, φ being what the shift by i drops, less than `1 - 2^-i` of the last bit. As
+//! `z 2^-z` never exceeds `1/(e ln 2)`, ρ counts at most `1/e`, whatever n is.
 //!
-//! The result is forced to 0 in three places, and in each `z >= G + 1`, so that y is half an output ulp at most: where the
-//! integer part of z does not fit its bits, where v does not (`z >= v log2 e`), and where x is so small that even the least shininess
-//! brings it there.
+//! The result is forced to 0 in three places, and in each `z >= G + 1`, so that y is half an output ulp at most: where
+//! the integer part of z does not fit its bits, where v does not (`z >= v log2 e`), and where x is so small that even
+//! the least shininess brings it there.
 
 use super::chords::{Chords, Slopes};
 use super::{EXP_ADDRESS, LOG_ADDRESS};
@@ -87,8 +87,8 @@ pub(super) fn unless_one(b: &mut Builder, n: NodeId, y: NodeId, x: NodeId) -> No
     b.select(above, [y, x], |_| None, "y_or_x", "x itself for n = 1")
 }
 
-/// `2^-z = 2^-f 2^-i`, `z = i + f`, the integer part having `whole_bits`: `exp` is the table of `2^-(f + lift)` and lies in `memory`. Each
-/// case has the real z in its level.
+/// `2^-z = 2^-f 2^-i`, `z = i + f`, the integer part having `whole_bits`: `exp` is the table of `2^-(f + lift)` and
+/// lies in `memory`. Each case has the real z in its level.
 pub(in crate::method) fn power_of_two(
     b: &mut Builder,
     exp: &Chords,
@@ -122,8 +122,8 @@ pub(in crate::method) fn power_of_two(
     Some(shifted)
 }
 
-/// `2^-z` rounded to nearest with `g` fraction bits; 0 where one of the flags is set, as it is only where that is half an ulp at most. Each
-/// case has the real z in its level.
+/// `2^-z` rounded to nearest with `g` fraction bits; 0 where one of the flags is set, as it is only where that is half
+/// an ulp at most. Each case has the real z in its level.
 pub(in crate::method) fn rounded_or_zero(
     b: &mut Builder,
     power: NodeId,
@@ -207,7 +207,8 @@ impl<'a> LogExp<'a> {
         }
     }
 
-    /// Whether n = 1 gives x by a way of its own. An output with all the bits of x gets x anyhow: it is less than 1 ulp off.
+    /// Whether n = 1 gives x by a way of its own. An output with all the bits of x gets x anyhow: it is less than 1 ulp
+    /// off.
     fn bypasses(&self) -> bool {
         self.n.least == 1.0 && self.input_bits() > self.output_bits()
     }

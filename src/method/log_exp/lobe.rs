@@ -3,8 +3,8 @@
 use crate::lobe::{Lobe, check_shininess, exact};
 use crate::platform::error::Error;
 
-/// `x^n`, which is `2^(-n L)` with `L = -log2 x` (Harris, "An Exponentiation Unit for an OpenGL Lighting Engine", IEEE Trans. Computers
-/// 53(3), 2004).
+/// `x^n`, which is `2^(-n L)` with `L = -log2 x` (Harris, "An Exponentiation Unit for an OpenGL Lighting Engine", IEEE
+/// Trans. Computers 53(3), 2004).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LogExp {
     /// The shininess.
@@ -31,7 +31,8 @@ impl Lobe for LogExp {
 
 /// `-log2(m) / (1 - m)` for m in (0, 1]: convex and falling, 2 at m = 1/2 and `log2 e` at m = 1.
 ///
-/// With it `-log2 m = (1 - m) log_ratio(m)` keeps its relative accuracy where m is near 1 and a large shininess needs it.
+/// With it `-log2 m = (1 - m) log_ratio(m)` keeps its relative accuracy where m is near 1 and a large shininess needs
+/// it.
 #[must_use]
 pub fn log_ratio(m: f64) -> f64 {
     let w = 1.0 - m;

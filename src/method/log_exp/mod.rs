@@ -1,5 +1,5 @@
-//! `log-exp`: `2^(-n L(x))`, `L = -log2 x`, from small tables, after D. Harris, IEEE Trans. Computers 53(3), 2004; with an
-//! accuracy a smaller core, in `coarse`.
+//! `log-exp`: `2^(-n L(x))`, `L = -log2 x`, from small tables, after D. Harris, IEEE Trans. Computers 53(3), 2004; with
+//! an accuracy a smaller core, in `coarse`.
 
 pub(super) mod chords;
 mod coarse;

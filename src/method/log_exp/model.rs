@@ -46,7 +46,8 @@ pub(in crate::method) fn evaluate(inputs: &Inputs) -> Wide {
     wide::floor_to(inputs.floor(power, width::E) + inputs.half_ulp, output_fraction)
 }
 
-/// A function table: its memory, the fields of it, base and slope, its widths, address and value, and the span of its arguments, `2^-domain`.
+/// A function table: its memory, the fields of it, base and slope, its widths, address and value, and the span of its
+/// arguments, `2^-domain`.
 pub(in crate::method) struct Function {
     pub(super) memory: &'static str,
     pub(super) fields: [&'static str; 2],
@@ -59,8 +60,8 @@ pub(super) const LOG: Function =
 pub(in crate::method) const EXP: Function =
     Function { memory: "exp_table", fields: ["exp_base", "exp_slope"], widths: [EXP_ADDRESS, width::E], domain: 0 };
 
-/// A function at `argument`, counted from where its arguments start: the entry's base less its slope times the distance from the entry's
-/// start, that distance rounded down to `cut` bits and the product to the value's width.
+/// A function at `argument`, counted from where its arguments start: the entry's base less its slope times the distance
+/// from the entry's start, that distance rounded down to `cut` bits and the product to the value's width.
 pub(in crate::method) fn interpolated(inputs: &Inputs, of: &Function, argument: Wide, cut: u32) -> Wide {
     let ([base, slope], [address, value]) = (of.fields, of.widths);
     let address_bits = inputs.widths[address] as u32;

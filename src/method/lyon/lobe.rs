@@ -1,5 +1,5 @@
-//! The lobe of R. F. Lyon, "Phong Shading Reformulation for Hardware Renderer Simplification", Apple Technical Report 43,
-//! 1993.
+//! The lobe of R. F. Lyon, "Phong Shading Reformulation for Hardware Renderer Simplification", Apple Technical Report
+//! 43, 1993.
 
 use crate::lobe::{Lobe, check_shininess};
 use crate::platform::error::Error;
@@ -7,9 +7,9 @@ use crate::platform::error::Error;
 /// `max(0, 1 - n u / k)^k` for k = 2, 4 or 8: squarings of a line in `u = D^2/2`, D being the chord between the unit
 /// vectors.
 ///
-/// The papers describe it as a Taylor series in the chord of which three terms are kept; that is [`Taylor`](crate::papers::Taylor).
-/// What Lyon builds is this limit of `(1 - n u / k)^k` towards `e^(-n u)`, stopped at a small k. For n < k nothing is cut, and
-/// the value at x = 0 is `(1 - n/k)^k` and not 0.
+/// The papers describe it as a Taylor series in the chord of which three terms are kept; that is
+/// [`Taylor`](crate::papers::Taylor). What Lyon builds is this limit of `(1 - n u / k)^k` towards `e^(-n u)`, stopped
+/// at a small k. For n < k nothing is cut, and the value at x = 0 is `(1 - n/k)^k` and not 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lyon {
     /// The shininess.

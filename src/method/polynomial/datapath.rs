@@ -35,8 +35,8 @@ pub(in crate::method) const BIG_A: [&str; 2] = ["big_a", "big_a_step"];
 /// The fields of a, likewise.
 pub(in crate::method) const SMALL_A: [&str; 2] = ["a", "a_step"];
 
-/// A coefficient over a row of the ROM: of a fixed-point range, `base + f step` with f from 0 to below 1 on the way to the
-/// next row; else step is 0.
+/// A coefficient over a row of the ROM: of a fixed-point range, `base + f step` with f from 0 to below 1 on the way to
+/// the next row; else step is 0.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::method) struct Line {
     pub base: f64,
@@ -120,7 +120,8 @@ pub(in crate::method) fn real_coefficients(
     (0..interface.shininess.rows()).map(of).collect()
 }
 
-/// The port `in_n` as the address of the memory `memory` and, of a fixed-point range, the fraction on the way to the next row.
+/// The port `in_n` as the address of the memory `memory` and, of a fixed-point range, the fraction on the way to the
+/// next row.
 pub(in crate::method) fn address(b: &mut Builder, interface: &Interface, memory: usize) -> (NodeId, Option<NodeId>) {
     let Shininess::Fixed { frac_bits, .. } = interface.shininess else {
         return (b.address(&interface.shininess, memory), None);
@@ -211,8 +212,8 @@ pub(in crate::method) struct Scaling {
 }
 
 impl Scaling {
-    /// `k = floor(log2 c) + 1` for each leading coefficient c, and at least 0: then `c 2^-k` lies in [1/2, 1) for c of at
-    /// least 1/2, also after rounding to `frac_bits`, and `v = u 2^k` below 2 wherever `c u < 1`.
+    /// `k = floor(log2 c) + 1` for each leading coefficient c, and at least 0: then `c 2^-k` lies in [1/2, 1) for c of
+    /// at least 1/2, also after rounding to `frac_bits`, and `v = u 2^k` below 2 wherever `c u < 1`.
     pub fn of(leading: impl Iterator<Item = f64>, frac_bits: i32) -> Self {
         let exponent = |c: f64| {
             let k = if c == 0.0 { 0 } else { (libm::ilogb(c.abs()) + 1).max(0) };
@@ -281,8 +282,8 @@ pub(in crate::method) fn stable_description(formula: &str, interface: &Interface
     }
 }
 
-/// `end` or the largest versine below 1, whichever is less. At u = 1 the cosine is 0, and so is the result, whatever p is: no
-/// format needs to hold what is computed there.
+/// `end` or the largest versine below 1, whichever is less. At u = 1 the cosine is 0, and so is the result, whatever p
+/// is: no format needs to hold what is computed there.
 pub(in crate::method) fn below_one(interface: &Interface, end: f64) -> f64 {
     end.min(1.0 - exp2(-(interface.input_fraction as i32)))
 }

@@ -2,8 +2,8 @@
 
 use crate::lobe::Lobe;
 
-/// `x^e ((c - u (A - a u))⁺)^k` for `u <= end`, with e = 0 or 1 and k = 1, 2, 4 or 8, and a constant past the end; kept inside
-/// [0, 1], and 0 at x = 0, where a surface faces away.
+/// `x^e ((c - u (A - a u))⁺)^k` for `u <= end`, with e = 0 or 1 and k = 1, 2, 4 or 8, and a constant past the end; kept
+/// inside [0, 1], and 0 at x = 0, where a surface faces away.
 ///
 /// With the coefficients of a ROM's words it is what a core with fitted coefficients computes but for its roundings.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -10,12 +10,12 @@ use crate::method::polynomial::Polynomial;
 use crate::method::polynomial::datapath::{self as polynomial, BIG_A, Ends, Line, SMALL_A, Scaling};
 use crate::method::{Interface, width};
 
-/// Parts of a row's versines that the analysis takes apart: near the highlight an error of p counts k times, farther out the
-/// coefficients' errors grow and the power's slope falls.
+/// Parts of a row's versines that the analysis takes apart: near the highlight an error of p counts k times, farther
+/// out the coefficients' errors grow and the power's slope falls.
 const PIECES: usize = 8;
 
-/// With the coefficients in a ROM: `p = v (A 2^-k - (a 4^-k) v)`, `w = 1 - p`, squarings of w, and a multiplication by x where
-/// the lobe has that factor.
+/// With the coefficients in a ROM: `p = v (A 2^-k - (a 4^-k) v)`, `w = 1 - p`, squarings of w, and a multiplication by
+/// x where the lobe has that factor.
 #[derive(Debug)]
 pub struct Rom<'a> {
     /// What it is asked with.
@@ -62,8 +62,8 @@ fn cost_of_power(w: &Widths, power: u32, cosine: bool) -> f64 {
         + f64::from(p + s)
 }
 
-/// From the exact p to the output: `(1 - p)^power`, times x where one is given, rounded to nearest; 0 where `zero` or p >= 1, and
-/// where the surface faces away.
+/// From the exact p to the output: `(1 - p)^power`, times x where one is given, rounded to nearest; 0 where `zero` or p
+/// >= 1, and where the surface faces away.
 fn output_of_power(
     b: &mut Builder,
     interface: &Interface,
@@ -260,7 +260,8 @@ impl Architecture for Rom<'_> {
         let active: Vec<Interval> = b.cases().iter().map(|case| case.active).collect();
         polynomial::finish(b, self.interface, &tables, y, |case| {
             let (row, v) = (case / PIECES, active[case].scale(scaling.k[case / PIECES]));
-            // By the mean value theorem: -k w^(k-1) times what the words add to p, w between the real and the words' one.
+            // By the mean value theorem: -k w^(k-1) times what the words add to p, w between the real and the words'
+            // one.
             let [delta_big, delta_small] = [BIG_A, SMALL_A].map(|names| polynomial::delta(table, names, row));
             let moved = v * (delta_big - delta_small * v);
             let [real, _] = polynomial::lines_of(table, BIG_A, row);

@@ -17,8 +17,8 @@ pub struct Stable<'a> {
     pub lobes: Vec<Quadratic>,
 }
 
-/// `y = x + a (x^2 - x)` as in figure 1 of the quadratic paper: between the registers RG1 (n) and RG2 (cos γ) and the output a
-/// square, a subtraction, a multiplication by the PROM's a(n) and an addition.
+/// `y = x + a (x^2 - x)` as in figure 1 of the quadratic paper: between the registers RG1 (n) and RG2 (cos γ) and the
+/// output a square, a subtraction, a multiplication by the PROM's a(n) and an addition.
 #[derive(Debug)]
 pub struct Paper<'a> {
     /// What it is asked with.

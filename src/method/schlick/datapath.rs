@@ -15,8 +15,8 @@ use crate::platform::error::Error;
 /// `n - 1` of a list.
 const N1: Width = Width("n1");
 
-/// `den = 1 + (n-1) u`, `y = x / den`: a multiplication and a division. Where the set is a range, n is `in_n` itself; for a list
-/// or materials `n - 1` comes from a ROM.
+/// `den = 1 + (n-1) u`, `y = x / den`: a multiplication and a division. Where the set is a range, n is `in_n` itself;
+/// for a list or materials `n - 1` comes from a ROM.
 #[derive(Debug)]
 pub struct Schlick<'a> {
     interface: &'a Interface,

@@ -1,8 +1,9 @@
 //! The lobe in segments: the cubic's datapath with a row of coefficients for each shininess and segment.
 //!
-//! The segment is found from a rough `s = n u`: a few leading bits of the scaled versine times a few of n's, compared with bounds that
-//! all rows share, since in s the best bounds hardly depend on n. What little the roughness moves a bound is known when the
-//! coefficients are fitted: they are those of the versines that the hardware takes for a segment.
+//! The segment is found from a rough `s = n u`: a few leading bits of the scaled versine times a few of n's, compared
+//! with bounds that all rows share, since in s the best bounds hardly depend on n. What little the roughness moves a
+//! bound is known when the coefficients are fitted: they are those of the versines that the hardware takes for a
+//! segment.
 
 use rayon::prelude::*;
 
@@ -23,8 +24,8 @@ const ROUGH_BITS: i32 = 9;
 /// Integer bits of the rough versine: s reaches 8.4 in 8 segments, and n's leading bits are at least 1/2.
 const ROUGH_INT_BITS: i32 = 5;
 
-/// `s = v m` finds the segment; `q = A 2^-k - (a 4^-k) v`, `d = c - q v`, `y = x d` with `v = u 2^k`: three multiplications, and a small
-/// one for the segment.
+/// `s = v m` finds the segment; `q = A 2^-k - (a 4^-k) v`, `d = c - q v`, `y = x d` with `v = u 2^k`: three
+/// multiplications, and a small one for the segment.
 #[derive(Debug)]
 pub struct Segments<'a> {
     interface: &'a Interface,
@@ -40,7 +41,8 @@ struct Row {
     k: i32,
     /// n 2^-k as a code.
     mantissa: i128,
-    /// The coefficients of each segment and the versine codes that it serves, the last included; `None` where u ends before.
+    /// The coefficients of each segment and the versine codes that it serves, the last included; `None` where u ends
+    /// before.
     segments: Vec<Option<(Segment, [i128; 2])>>,
 }
 

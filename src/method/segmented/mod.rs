@@ -1,4 +1,5 @@
-//! `segmented-2`, `segmented-4`, `segmented-8`: `x(c - u(A - a u))` by segments of `n u`: the cubic's datapath, a row per segment.
+//! `segmented-2`, `segmented-4`, `segmented-8`: `x(c - u(A - a u))` by segments of `n u`: the cubic's datapath, a row
+//! per segment.
 
 mod datapath;
 mod lobe;

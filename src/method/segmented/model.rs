@@ -6,8 +6,8 @@ use crate::method::{Inputs, width};
 /// Fraction bits of what finds the segment.
 const ROUGH_BITS: u32 = 9;
 
-/// `y = x (c - u (A - a u))` with the coefficients of the segment that a rough n u finds, rounded to nearest; 0 past the last.
-/// `bounds` are the ends of the segments as codes of s.
+/// `y = x (c - u (A - a u))` with the coefficients of the segment that a rough n u finds, rounded to nearest; 0 past
+/// the last. `bounds` are the ends of the segments as codes of s.
 pub(in crate::method) fn segmented(inputs: &Inputs) -> Wide {
     let bounds = inputs.constants;
     let u = Wide::ONE - inputs.x;

@@ -2,8 +2,8 @@
 //!
 //! # The widths
 //!
-//! An error of `x^j` counts `n/j x^(n-j)` times in `x^n`, which is up to `n/j` near the highlight. So with `s` fraction bits for the last
-//! power each one before it has a bit more than the one behind it, and all squarings count the same.
+//! An error of `x^j` counts `n/j x^(n-j)` times in `x^n`, which is up to `n/j` near the highlight. So with `s` fraction
+//! bits for the last power each one before it has a bit more than the one behind it, and all squarings count the same.
 
 use crate::datapath::builder::{Builder, Case};
 use crate::datapath::graph::NodeId;
@@ -14,8 +14,8 @@ use crate::method::polynomial::datapath::{self as polynomial, field};
 use crate::method::{Interface, width};
 use crate::platform::error::Error;
 
-/// The ROM's fields: the bits of the number of the power that a shininess takes, the least significant first. There are 21 powers of two
-/// among the shininesses.
+/// The ROM's fields: the bits of the number of the power that a shininess takes, the least significant first. There are
+/// 21 powers of two among the shininesses.
 const TAP_BITS: [&str; 5] = ["tap_0", "tap_1", "tap_2", "tap_3", "tap_4"];
 
 /// A chain of squarings, and a multiplexer behind it where the set has more than one shininess.

@@ -1,6 +1,7 @@
 //! The power from a table by the shininess and the leading bits of the versine.
 //!
-//! A word is the nearest code to its entry, so that the whole error is half an output ulp; where the surface faces away, the result is 0.
+//! A word is the nearest code to its entry, so that the whole error is half an output ulp; where the surface faces
+//! away, the result is 0.
 
 use crate::datapath::builder::{Builder, Case};
 use crate::datapath::{Architecture, Datapath, Description, Parameter};

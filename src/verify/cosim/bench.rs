@@ -52,8 +52,9 @@ impl Part {
     }
 }
 
-/// Puts a copy of the core's sources and of the files that its bench reads into a directory, under their usual relative paths: simulators and what
-/// they start read few names of directories as they are, those with spaces, quotes and other letters among them.
+/// Puts a copy of the core's sources and of the files that its bench reads into a directory, under their usual relative
+/// paths: simulators and what they start read few names of directories as they are, those with spaces, quotes and other
+/// letters among them.
 pub(super) fn copied(job: &Job, scratch: Folder) -> Result<Folder, Error> {
     // A core without a memory has no folder for it.
     let rom = (!job.design.tables().is_empty()).then_some("rom");

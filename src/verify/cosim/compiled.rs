@@ -1,7 +1,7 @@
 //! A core as a program.
 //!
-//! Verilator compiles the core with a harness of ours, `testbench/exhaustive.cpp`, into a program that reads runs of operand codes and
-//! writes the results, both as binary records through pipes, one input a clock.
+//! Verilator compiles the core with a harness of ours, `testbench/exhaustive.cpp`, into a program that reads runs of
+//! operand codes and writes the results, both as binary records through pipes, one input a clock.
 
 use std::fs;
 use std::io::{self, Read, Write};
@@ -66,8 +66,9 @@ impl<'a> Compiled<'a> {
         Ok(Self { program: build(design, &verilog)?, directory })
     }
 
-    /// Runs the core: `send` writes the records, in a thread of its own, `receive` reads the results, a little-endian `u32` each.
-    /// Errors: a program that cannot be started, or takes longer than it may. How it ended is for the caller to judge.
+    /// Runs the core: `send` writes the records, in a thread of its own, `receive` reads the results, a little-endian
+    /// `u32` each. Errors: a program that cannot be started, or takes longer than it may. How it ended is for the
+    /// caller to judge.
     pub(super) fn run(
         &self,
         send: impl FnOnce(&mut dyn Write) -> io::Result<()> + Send,
@@ -120,9 +121,9 @@ fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
     program(&design.spec.name, &sources, &flags)
 }
 
-/// The program that Verilator makes of a core and a harness in C++, a file each by its name; other files are headers. `top` is the core's
-/// module. A build takes some ten seconds, so it is kept.
-/// Errors: a tool that is not installed or does not compile it.
+/// The program that Verilator makes of a core and a harness in C++, a file each by its name; other files are headers.
+/// `top` is the core's module. A build takes some ten seconds, so it is kept. Errors: a tool that is not installed or
+/// does not compile it.
 pub(super) fn program(top: &str, sources: &[(&str, &[u8])], flags: &str) -> Result<PathBuf, Error> {
     let version = VERILATOR.version().ok_or_else(|| VERILATOR.missing())?;
     let mut digest = Sha256::new();

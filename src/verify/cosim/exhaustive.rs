@@ -1,7 +1,8 @@
 //! Every input through a compiled core.
 //!
-//! The results of the [`compiled`](super::compiled) core are compared with the vectorised evaluator (itself checked against the model).
-//! VHDL goes through GHDL's synthesis to Verilog first, so that its check is not independent of GHDL's front end.
+//! The results of the [`compiled`](super::compiled) core are compared with the vectorised evaluator (itself checked
+//! against the model). VHDL goes through GHDL's synthesis to Verilog first, so that its check is not independent of
+//! GHDL's front end.
 
 use std::io::{Read, Write};
 

@@ -25,8 +25,8 @@ impl Simulator for Icarus {
     }
 }
 
-/// Compiles these files of a directory, whose last one is a bench of this part of the core, and runs them. What the compiler says with one of
-/// `fatal` in it is no mere warning.
+/// Compiles these files of a directory, whose last one is a bench of this part of the core, and runs them. What the
+/// compiler says with one of `fatal` in it is no mere warning.
 pub(super) fn simulate(
     directory: &Folder,
     sources: &[String],

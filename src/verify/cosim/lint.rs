@@ -1,7 +1,8 @@
-//! Reads a core's text with the tools at hand: compilers' front ends and linters, each with the flags that a user gives first.
+//! Reads a core's text with the tools at hand: compilers' front ends and linters, each with the flags that a user gives
+//! first.
 //!
-//! A run of the golden vectors says that a simulator computes what it should; this says that no tool complains of the text. A tool that
-//! says anything has failed it, whatever its exit status is.
+//! A run of the golden vectors says that a simulator computes what it should; this says that no tool complains of the
+//! text. A tool that says anything has failed it, whatever its exit status is.
 
 use std::process::{Command, Output};
 use std::time::Instant;
@@ -45,8 +46,8 @@ fn with_sources(arguments: &[&str], unit: &Unit) -> Vec<Vec<String>> {
     vec![own.chain(unit.sources.iter().cloned()).collect()]
 }
 
-/// The rules of Verible that the text cannot follow: Verilog-2005 has no lifetime of tasks and no types of parameters, and its memories
-/// count from 0 up as `$readmemh` fills them.
+/// The rules of Verible that the text cannot follow: Verilog-2005 has no lifetime of tasks and no types of parameters,
+/// and its memories count from 0 up as `$readmemh` fills them.
 const VERIBLE_RULES: &str =
     "--rules=-explicit-task-lifetime,-explicit-parameter-storage-type,-unpacked-dimensions-range-ordering";
 
@@ -160,10 +161,12 @@ fn units(job: &Job, language: Language) -> Vec<Unit> {
     parts.flat_map(unit).collect()
 }
 
-/// Reads the text of a core in a directory with every tool that reads one of its languages; `progress` is told which is at work.
+/// Reads the text of a core in a directory with every tool that reads one of its languages; `progress` is told which is
+/// at work.
 ///
 /// # Errors
-/// A directory that cannot be read, or a tool that the system does not start. What is not installed, or complains, is in the answer.
+/// A directory that cannot be read, or a tool that the system does not start. What is not installed, or complains, is
+/// in the answer.
 pub fn lint(job: &Job, progress: &dyn Fn(&str)) -> Result<Vec<Lint>, Error> {
     let mut lints = Vec::new();
     for linter in LINTERS.iter().filter(|linter| job.design.spec.languages.contains(&linter.language)) {

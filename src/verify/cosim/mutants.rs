@@ -88,8 +88,7 @@ impl<'a> Mutants<'a> {
         Ok(if let [Some(Detected::ByVector(number))] = found[..] { Some(number as usize - 1) } else { None })
     }
 
-    /// Whether inputs show a mutant as vectors that a spec asks for.
-    /// Errors: a program that does not run to its end.
+    /// Whether inputs show a mutant as vectors that a spec asks for. Errors: a program that does not run to its end.
     pub(crate) fn show(&self, mutant: u32, inputs: &[Vec<i64>]) -> Result<bool, Error> {
         let vectors = golden::asked_for(self.design, inputs);
         let found = self.by_vectors(&vectors.iter().collect::<Vec<_>>(), &[], mutant, 1)?;
@@ -132,8 +131,7 @@ impl<'a> Mutants<'a> {
     }
 
     /// The first of so many clocks with random inputs, `ce`, `in_valid` and `rst` that detects a mutant, and the last
-    /// inputs that were taken until then.
-    /// Errors: a program that does not run to its end.
+    /// inputs that were taken until then. Errors: a program that does not run to its end.
     pub(crate) fn at_random(&self, mutant: u32, clocks: u32) -> Result<Option<AtRandom>, Error> {
         let ports = self.design.numbers(Direction::In);
         let answer = self.ask(&[2, mutant, clocks], 2 + recent(self.design) * ports.len())?;

@@ -9,8 +9,9 @@ use crate::platform::tool;
 use crate::spec::Language;
 use crate::target::Models;
 
-/// Runs the golden vectors through a netlist of a family's cells as Verilog, whose module has the core's name and ports, such as
-/// [`crate::synth::netlist`] makes, by the core's own bench in Icarus Verilog. A cell, or a setting of one, without a model fails.
+/// Runs the golden vectors through a netlist of a family's cells as Verilog, whose module has the core's name and
+/// ports, such as [`crate::synth::netlist`] makes, by the core's own bench in Icarus Verilog. A cell, or a setting of
+/// one, without a model fails.
 ///
 /// # Errors
 /// Icarus is not installed, or the core has no Verilog bench; a netlist that fails is an [`Outcome`].

@@ -9,11 +9,13 @@ use crate::platform::error::Error;
 use crate::platform::tool::tail;
 use crate::spec::Language;
 
-/// The results of the core in a directory for inputs, one a clock and in this order: each a code of `in_n` and one of the operand, both
-/// within their ports. The core is its Verilog, or its VHDL where it has no Verilog. `progress` is told how many results have come.
+/// The results of the core in a directory for inputs, one a clock and in this order: each a code of `in_n` and one of
+/// the operand, both within their ports. The core is its Verilog, or its VHDL where it has no Verilog. `progress` is
+/// told how many results have come.
 ///
 /// # Errors
-/// A tool that is not installed or does not compile the core; a core that fails, or has not given a result for each input.
+/// A tool that is not installed or does not compile the core; a core that fails, or has not given a result for each
+/// input.
 pub fn stream(
     design: &Design,
     directory: &Path,

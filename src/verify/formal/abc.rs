@@ -16,9 +16,9 @@ pub(super) enum Answer {
     Unknown,
 }
 
-/// Whether the literals of each pair are the same function of the graph's inputs. `seconds` is the most that ABC may take:
-/// it is stopped then, as its own limit does not hold in every phase of its work.
-/// Errors: if ABC is not installed, or ends without a word about it.
+/// Whether the literals of each pair are the same function of the graph's inputs. `seconds` is the most that ABC may
+/// take: it is stopped then, as its own limit does not hold in every phase of its work. Errors: if ABC is not
+/// installed, or ends without a word about it.
 pub(super) fn equal(aig: &Aig, pairs: &[(Literal, Literal)], seconds: u32) -> Result<Answer, Error> {
     let scratch = tool::scratch()?;
     let sides: [Vec<Literal>; 2] =

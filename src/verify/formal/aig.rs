@@ -216,8 +216,7 @@ impl Aig {
     }
 
     /// As [`Self::difference`], for several groups of pairs at once: for each the first values for which the literals
-    /// of one of its pairs differ.
-    /// Errors: as there, of all groups together.
+    /// of one of its pairs differ. Errors: as there, of all groups together.
     pub(super) fn differences(
         &self,
         groups: &[Vec<(Literal, Literal)>],

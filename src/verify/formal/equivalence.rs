@@ -114,8 +114,7 @@ impl Both {
 }
 
 impl<'a> Comparison<'a> {
-    /// Two pipelines with the same ports and the same memories that are written.
-    /// Errors: how they differ.
+    /// Two pipelines with the same ports and the same memories that are written. Errors: how they differ.
     pub(super) fn new(one: &'a Pipeline, other: &'a Pipeline) -> Result<Self, String> {
         let widths = |side: &Pipeline| -> Vec<(String, usize)> {
             let outputs = side.data_outputs().into_iter().map(|(name, bits)| (name.to_owned(), bits.len()));
@@ -293,8 +292,7 @@ impl<'a> Comparison<'a> {
 
     /// Asks a method. `inject`: with one wrong result. Returns the answer, with the inputs that show a difference where
     /// the method says them, how many bits were compared, and how many were not the same node. `seconds` is the most
-    /// that the solver may take.
-    /// Errors: if the solver does not work.
+    /// that the solver may take. Errors: if the solver does not work.
     pub(super) fn ask(&self, method: &Method, inject: bool, seconds: u32) -> Result<Asked, Error> {
         let pairs: &[[usize; 2]] = match method {
             Method::Stages(pairs) => pairs,

@@ -40,8 +40,7 @@ const MOST_WORDS: usize = 8;
 /// Injects one fault after the other in the second circuit of a comparison that went through by this method, asks it
 /// again, and returns each with what became of it: one that the circuit cannot have is not decided. A core whose
 /// results are constants has no registers, and reads no memory. `golden` are vectors of the design: a bit of a memory
-/// that the proof passes over must change no result of theirs either.
-/// Errors: if the solver does not work.
+/// that the proof passes over must change no result of theirs either. Errors: if the solver does not work.
 pub(super) fn check(
     comparison: &Comparison,
     method: &Method,

@@ -63,8 +63,7 @@ pub enum Step<'a> {
     Ended(&'a Proof),
 }
 
-/// Looks at a claim, and tells of it.
-/// Errors: those of `prove`.
+/// Looks at a claim, and tells of it. Errors: those of `prove`.
 fn tried(
     claim: String,
     progress: &dyn Fn(Step),
@@ -105,8 +104,7 @@ fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
 }
 
 /// Proves that the texts of the core in a directory are pipelines of the core's latency and all the same circuit: see
-/// [`equivalence`](self) for what that says. Each text is first run on the golden
-/// vectors.
+/// [`equivalence`](self) for what that says. Each text is first run on the golden vectors.
 ///
 /// `seconds` is the most that the solver may take at once; `progress` is told of each claim before and after it is
 /// looked at. A claim that was proved is proved again with faults injected in one of the circuits; if one of them is

@@ -205,8 +205,7 @@ impl From<Unfit> for Proof {
 }
 
 /// What is proved of mutants of a core's netlist, by their numbers. The netlist, with the input `mutant`, holds no
-/// other mutants.
-/// Errors: a tool that is not installed or does not do its work.
+/// other mutants. Errors: a tool that is not installed or does not do its work.
 fn prove(design: &Design, netlist: &[u8], mutants: &[u32]) -> Result<Vec<Proof>, Error> {
     let all = |why: Unfit| Ok(vec![Proof::from(why); mutants.len()]);
     let circuit = match Circuit::read_netlist(&Yosys::find(None)?, &design.spec.name, netlist)? {

@@ -160,8 +160,7 @@ fn depths(circuit: &Circuit) -> Result<(u32, HashMap<usize, u32>), Unfit> {
 }
 
 impl Pipeline {
-    /// A circuit, if it is a pipeline of the depth `latency`.
-    /// Errors: why it is none.
+    /// A circuit, if it is a pipeline of the depth `latency`. Errors: why it is none.
     pub(super) fn of(circuit: Circuit, latency: u32) -> Result<Self, Unfit> {
         let (depth, before) = depths(&circuit)?;
         if depth != latency {

@@ -1,14 +1,14 @@
 //! The proof of the wrapper with AXI4-Stream interfaces: for every source and every sink, forever.
 //!
-//! What is claimed stands in `templates/formal/stream.v`, of the wrapper around the core itself: no beat is lost, doubled, made up or
-//! reordered, `tlast`, `tuser` and `tdata` stay with their beat, a beat that waits stays as it is, the source waits for the sink only, a
-//! full pipeline gives a beat at every clock, and a reset drops everything. What the core computes is left open: that is for
-//! [`crate::verify::cosim`] and the equivalence of its languages.
+//! What is claimed stands in `templates/formal/stream.v`, of the wrapper around the core itself: no beat is lost,
+//! doubled, made up or reordered, `tlast`, `tuser` and `tdata` stay with their beat, a beat that waits stays as it is,
+//! the source waits for the sink only, a full pipeline gives a beat at every clock, and a reset drops everything. What
+//! the core computes is left open: that is for [`crate::verify::cosim`] and the equivalence of its languages.
 //!
-//! It is proved by induction over two clocks (`yosys-smtbmc` with Yices): the first clocks after a reset keep the claims, and a clock that
-//! keeps them is followed by one that does. For that the claims say, too, where each beat is: signals of the wrapper and of its core are
-//! connected by their names to the module that holds the claims. Last, three situations are shown to happen at all, so that the claims
-//! are not about nothing.
+//! It is proved by induction over two clocks (`yosys-smtbmc` with Yices): the first clocks after a reset keep the
+//! claims, and a clock that keeps them is followed by one that does. For that the claims say, too, where each beat is:
+//! signals of the wrapper and of its core are connected by their names to the module that holds the claims. Last, three
+//! situations are shown to happen at all, so that the claims are not about nothing.
 
 use std::path::Path;
 use std::process::Command;
@@ -36,7 +36,8 @@ const CLAIMS: &str = "stream.v";
 /// The file with all of it for the solver.
 const PROBLEM: &str = "stream.smt2";
 
-/// Proves what the core's wrapper promises, once for each of its languages; of a core without a wrapper there is nothing to prove.
+/// Proves what the core's wrapper promises, once for each of its languages; of a core without a wrapper there is
+/// nothing to prove.
 ///
 /// `directory` is the core's. `progress` is told of each claim before and after it is looked at.
 ///

@@ -1,9 +1,7 @@
-//! The two cores described in Rust and built with rust-hdl: stepped in process, or emitted as
-//! Verilog.
+//! The two cores described in Rust and built with rust-hdl: stepped in process, or emitted as Verilog.
 //!
-//! This is a second description of the same arithmetic. Hardware needs its widths when it is
-//! compiled, so there is one instance for each entry in the lists below, and [`quadratic()`] and
-//! [`cubic()`] look an instance up by its widths.
+//! This is a second description of the same arithmetic. Hardware needs its widths when it is compiled, so there is one
+//! instance for each entry in the lists below, and [`quadratic()`] and [`cubic()`] look an instance up by its widths.
 //!
 //! Both cores have the ports `clock`, `rst`, `ce`, `in_valid`, `in_n`, `in_cos`, `out_valid` and
 //! `out_spec`. The cosine is limited to `[0, 1]`, so negative ones give 0. `ce = 0` freezes the
@@ -50,9 +48,9 @@ trait Ports: Block {
     fn outputs(&self) -> (bool, u64);
 }
 
-/// A core: its ports and its blocks, how they are made, and what all cores connect alike. The blocks are registers, multipliers and
-/// ROMs, each with a clock and an enable; what has no value here is made by default, and a register `of` a value takes just that. `ports`
-/// are the widths of `in_n`, `in_cos` and `out_spec`.
+/// A core: its ports and its blocks, how they are made, and what all cores connect alike. The blocks are registers,
+/// multipliers and ROMs, each with a clock and an enable; what has no value here is made by default, and a register
+/// `of` a value takes just that. `ports` are the widths of `in_n`, `in_cos` and `out_spec`.
 macro_rules! core {
     (
         $(#[$about:meta])*
@@ -162,11 +160,10 @@ struct Pipeline<C>(C);
 
 impl<C: Ports> Kernel for Pipeline<C> {
     fn clock(&mut self, rst: bool, ce: bool, in_valid: bool, in_n: u64, in_cos: u64) -> (bool, u64) {
-        // A fixed number of passes instead of a search for the settled state, which takes about
-        // twice as many. It suffices because every block lies directly below the core and all
-        // logic between them is in the core's own update. In these passes (1) the inputs and the
-        // rising clock reach the core, and the falling one of the previous call the blocks;
-        // (2) both reach the blocks; (3) the registers change; (4) the outputs follow.
+        // A fixed number of passes instead of a search for the settled state, which takes about twice as many. It
+        // suffices because every block lies directly below the core and all logic between them is in the core's own
+        // update. In these passes (1) the inputs and the rising clock reach the core, and the falling one of the
+        // previous call the blocks; (2) both reach the blocks; (3) the registers change; (4) the outputs follow.
         let core = &mut self.0;
         core.set_inputs(rst, ce, in_valid, in_n, in_cos);
         core.set_clock(true);

@@ -9,8 +9,8 @@ use crate::spec::{Block, Form, InputRange, Operand, Pipeline, RomStyle, Tail};
 
 /// The kernel of a design's method, if there is an instance at just its widths.
 ///
-/// The kernels have the pipeline of `auto`, take any cosine, round down, read a ROM that is addressed by `in_n` itself and cannot
-/// be written, and scale by a shift that is wholly in the ROM.
+/// The kernels have the pipeline of `auto`, take any cosine, round down, read a ROM that is addressed by `in_n` itself
+/// and cannot be written, and scale by a shift that is wholly in the ROM.
 #[must_use]
 pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
     let spec = &design.spec;

@@ -1,8 +1,8 @@
 //! How many fraction bits a form's values need, measured.
 //!
-//! Every value of a form is computed with the same number of fraction bits, rounded down, coefficients rounded to nearest: the least
-//! number with which the result stays within `2^-G` of the polynomial is what the form needs. The cosine has 30 fraction bits, so that
-//! its own rounding has no part in it.
+//! Every value of a form is computed with the same number of fraction bits, rounded down, coefficients rounded to
+//! nearest: the least number with which the result stays within `2^-G` of the polynomial is what the form needs. The
+//! cosine has 30 fraction bits, so that its own rounding has no part in it.
 
 use serde::Serialize;
 

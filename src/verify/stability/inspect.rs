@@ -221,8 +221,8 @@ impl Inspection {
     }
 }
 
-/// The signal for which `key` is largest, of those that the result depends on somewhere. A bit of another value is none: its weight is only
-/// where that value has it.
+/// The signal for which `key` is largest, of those that the result depends on somewhere. A bit of another value is
+/// none: its weight is only where that value has it.
 pub(super) fn signal(graph: &Graph, ranges: &Ranges, key: impl Fn(&Signal) -> f64) -> Signal {
     let mut best: Option<(f64, Signal)> = None;
     for (node, span) in graph.nodes.iter().zip(&ranges.needed) {

@@ -7,8 +7,8 @@ use serde::Serialize;
 use crate::fixed::{Rng, exp2};
 use crate::lobe::exact;
 
-/// The largest move of `x^n` where the cosine is rounded to nearest with `fraction` bits: `1 - (1 - 2^-(F+1))^n`, at the top of the
-/// lobe, where it is steepest for every n of at least 1.
+/// The largest move of `x^n` where the cosine is rounded to nearest with `fraction` bits: `1 - (1 - 2^-(F+1))^n`, at
+/// the top of the lobe, where it is steepest for every n of at least 1.
 #[must_use]
 pub fn of_cosine(shininess: f64, fraction: u32) -> f64 {
     1.0 - exact(shininess, exp2(-(fraction as i32) - 1))
@@ -30,8 +30,9 @@ pub struct FrontEnd {
 /// Pairs of vectors that are tried.
 const PAIRS: u64 = 20_000;
 
-/// Measures a front end on pairs of unit vectors, spread over the sphere, whose angles cover the lobe down to `x^n` = 1/1000.
-/// Both ways get the same rounded vectors and compute without rounding, so that only the vectors' rounding shows.
+/// Measures a front end on pairs of unit vectors, spread over the sphere, whose angles cover the lobe down to `x^n` =
+/// 1/1000. Both ways get the same rounded vectors and compute without rounding, so that only the vectors' rounding
+/// shows.
 #[must_use]
 pub fn front_end(shininess: f64, bits: u32) -> FrontEnd {
     let widest = libm::acos(libm::exp(libm::log(1e-3) / shininess));

@@ -1,20 +1,21 @@
-//! The power `2^(-n L(x))` with less accuracy than the output's last bit, and so with less hardware: [`super::super::datapath`] without
-//! the normalisation.
+//! The power `2^(-n L(x))` with less accuracy than the output's last bit, and so with less hardware:
+//! [`super::super::datapath`] without the normalisation.
 //!
 //! With u = 1 - x,
 //!
 //! `z = n L = n u κ(x)`, `κ(x) = -log2(x) / u`, and `y = 2^-z = 2^-f 2^-i`, `z = i + f`.
 //!
-//! κ is `log2 e` at x = 1, where a large shininess needs L to be relatively accurate, and smooth there: a table of few constants
-//! does. It has a pole at x = 0, but there only the least shininesses give more than 0, and the error counts by
-//! `n L 2^(-n L)`. Both tables are of constants, or of lines whose slope has a few bits only, so that the product is a sum of
-//! shifts, or of lines with a multiplier; the search over the widths chooses.
+//! κ is `log2 e` at x = 1, where a large shininess needs L to be relatively accurate, and smooth there: a table of few
+//! constants does. It has a pole at x = 0, but there only the least shininesses give more than 0, and the error counts
+//! by `n L 2^(-n L)`. Both tables are of constants, or of lines whose slope has a few bits only, so that the product is
+//! a sum of shifts, or of lines with a multiplier; the search over the widths chooses.
 //!
 //! # The proof
 //!
-//! As in [`super::super::datapath`], the cases are ranges of the real z; but κ' is not bounded by its entries. It is compared with κ at
-//! every code of x, and a case is charged with the codes only that lead into it, for each of the set's first shininesses; for all
-//! others together, with every code up to the last that does. n = 1, which reaches the pole, may get x itself by a way of its own.
+//! As in [`super::super::datapath`], the cases are ranges of the real z; but κ' is not bounded by its entries. It is
+//! compared with κ at every code of x, and a case is charged with the codes only that lead into it, for each of the
+//! set's first shininesses; for all others together, with every code up to the last that does. n = 1, which reaches the
+//! pole, may get x itself by a way of its own.
 
 use std::sync::OnceLock;
 
@@ -41,7 +42,8 @@ const LOG_SLOPE: Width = Width("log_slope");
 /// Which of [`EXP_SLOPES`] the exponential's has.
 const EXP_SLOPE: Width = Width("exp_slope");
 
-/// The slopes that the logarithm's table may have, the more costly behind: none, a few bits, or enough for a multiplier.
+/// The slopes that the logarithm's table may have, the more costly behind: none, a few bits, or enough for a
+/// multiplier.
 const LOG_SLOPES: [Slopes; 7] = [
     Slopes::None,
     Slopes::Bits { int: 1, frac: 0 },
@@ -146,7 +148,8 @@ impl<'a> Coarse<'a> {
         &self.first[usize::from(self.bypasses(widths) && self.first.len() > 1)..]
     }
 
-    /// Half an output ulp, where the result is rounded down from more bits than it has: the second table makes up for that, too.
+    /// Half an output ulp, where the result is rounded down from more bits than it has: the second table makes up for
+    /// that, too.
     fn half_ulp(&self, widths: &Widths) -> f64 {
         let g = self.interface.output_fraction as i32;
         if widths[width::E] > g { exp2(-g - 1) } else { 0.0 }
@@ -177,8 +180,8 @@ impl<'a> Coarse<'a> {
         }
     }
 
-    /// How much a relative error of κ counts at most at x: `n L 2^(-n L) ln 2` at the worst n from `least` on, for an absolute
-    /// error of κ.
+    /// How much a relative error of κ counts at most at x: `n L 2^(-n L) ln 2` at the worst n from `least` on, for an
+    /// absolute error of κ.
     fn weight(least: f64) -> impl Fn(f64) -> f64 {
         move |x: f64| {
             let exponent = -libm::log(x) * least;
@@ -210,8 +213,9 @@ impl<'a> Coarse<'a> {
         memory + chords.interpolation_cost()
     }
 
-    /// The ranges of the real z that the cases of the analysis are: fine where y is large. The last is a point, from which on the real
-    /// result is nothing; it stands for every z above it too, as what the hardware makes of a larger one is less.
+    /// The ranges of the real z that the cases of the analysis are: fine where y is large. The last is a point, from
+    /// which on the real result is nothing; it stands for every z above it too, as what the hardware makes of a larger
+    /// one is less.
     fn levels(&self) -> Vec<Interval> {
         let past = 32 * (1 << self.whole_bits()) + 32;
         let edges: Vec<f64> = (0..=past).filter(|k| *k <= 256 || k % 8 == 0).map(|k| f64::from(k) / 32.0).collect();
@@ -220,7 +224,8 @@ impl<'a> Coarse<'a> {
         levels
     }
 
-    /// For each level, the range of κ'/κ - 1 over the codes of x that lead into it with any shininess that the tables serve.
+    /// For each level, the range of κ'/κ - 1 over the codes of x that lead into it with any shininess that the tables
+    /// serve.
     fn ratios(&self, widths: &Widths, errors: &[(f64, f64)], levels: &[Interval]) -> Vec<Interval> {
         let served = self.served(widths);
         // From x = 1 downwards, L rises.
@@ -256,7 +261,8 @@ impl<'a> Coarse<'a> {
             .collect()
     }
 
-    /// The error of `v' κ'` in a case: `κ' (v' - v) + z (κ'/κ - 1)`, v' being off by what u loses, n times, and by its own rounding.
+    /// The error of `v' κ'` in a case: `κ' (v' - v) + z (κ'/κ - 1)`, v' being off by what u loses, n times, and by its
+    /// own rounding.
     fn product_error(&self, widths: &Widths, level: Interval, ratio: Interval) -> Interval {
         let (u, v) = (widths[width::U], widths[width::V]);
         let lost = |from: i32, to: i32| (exp2(-to) - exp2(-from)).max(0.0);
