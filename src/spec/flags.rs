@@ -20,8 +20,8 @@ impl SpecFields {
         first.into_iter().chain(rest).flat_map(|(key, value)| self.flags_of(key, &value)).collect()
     }
 
-    /// What need not be given: the fields of a core of which only the [`FIRST`] keys and the shader's kind are said; those themselves, and
-    /// everything where they alone make no core, must be.
+    /// What need not be given: the fields of a core of which only the [`FIRST`] keys and the shader's kind are said; those
+    /// themselves, and everything where they alone make no core, must be.
     fn defaults(&self) -> Self {
         let of = |fields: Self| fields.resolve().map(|spec| Self::from_spec(&spec)).unwrap_or_default();
         let (model, front) = (self.shader.model, self.shader.front);
