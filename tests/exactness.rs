@@ -10,7 +10,7 @@ use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::graph::{Node, Op};
 use brdfgen::datapath::schedule::schedule;
 use brdfgen::datapath::simulate::{Inputs, Simulation};
-use brdfgen::fixed::exp2;
+use brdfgen::fixed::{Table, exp2};
 use brdfgen::method::{About, Use, variants};
 use brdfgen::spec::{Pipeline, SpecFields};
 use brdfgen::verify::golden::all_codes;
@@ -475,6 +475,8 @@ fn assert_flips_are_noticed(spec: &str) {
         .tables()
         .iter()
         .enumerate()
+        // Tables of functions have no row a shininess: `mutate` flips their bits.
+        .filter(|(_, table)| table.name == Table::COEFFICIENTS)
         .flat_map(|(memory, table)| table.fields.iter().enumerate().map(move |(field, f)| (memory, field, f)))
         .flat_map(|(memory, field, f)| (0..f.format.width()).map(move |bit| (memory, field, bit)))
         .collect();

@@ -97,7 +97,7 @@ pub(super) struct WishFlags {
     #[arg(long, value_name = "FILE")]
     results: Option<PathBuf>,
 
-    /// Consider cores too that are there to be compared with; those of a --method that is named are in any case
+    /// Consider baselines too; those of a named --method are in any case
     #[arg(long)]
     baselines: bool,
 }
