@@ -11,6 +11,7 @@ pub mod cubic_rational;
 pub mod cubic_three_point;
 pub mod divide;
 mod exponent;
+pub mod gaussian;
 pub mod harris;
 mod interface;
 pub(crate) mod keys;
@@ -62,6 +63,7 @@ pub static METHODS: &[&[About]] = &[
     &power::METHODS,
     &segmented::METHODS,
     &log_exp::METHODS,
+    &gaussian::METHODS,
     &squaring::METHODS,
     &harris::METHODS,
     &table::METHODS,
