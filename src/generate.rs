@@ -6,8 +6,8 @@ use crate::core::{Account, Design, Direction, Evaluation};
 use crate::emit::package::{self, File, Stale};
 use crate::emit::rom::RomFormat;
 use crate::fixed::Format;
-use crate::platform::error::Error;
-use crate::spec::CoreSpec;
+use crate::platform::error::{Error, refuse};
+use crate::spec::{CoreSpec, InputRange};
 use crate::verify::cosim::{self, Job, Outcome, Sim};
 use crate::verify::golden::Golden;
 
@@ -74,7 +74,7 @@ impl Core {
     /// The same of a core that is built, with more files in its directory.
     ///
     /// # Errors
-    /// A name that the core's text uses for something else.
+    /// A name that the core's text uses for something else, or files that cannot be made ([`package::files_with`]).
     pub fn of(design: Design, others: Vec<File>) -> Result<Self, Error> {
         package::check_names(&design)?;
         let account = Account::of(&design);
@@ -103,12 +103,18 @@ impl Core {
         ))
     }
 
-    /// The result of a lobe for the shininess `n` and the code nearest to a cosine, from -2 up to 2, with what it
-    /// should be.
+    /// The result of a lobe for the shininess `n` and the code nearest to a cosine, with what it should be.
     ///
     /// # Errors
-    /// A shader, a shininess that the core does not have, a cosine that its port does not hold.
+    /// A shader, a shininess that the core does not have, a cosine that its port does not hold or, with an
+    /// `input_range` of `unit`, one outside [0, 1].
     pub fn at(&self, n: f64, cosine: f64) -> Result<Evaluation, Error> {
+        let is_unit = self.design.spec.interface.input_range == InputRange::Unit;
+        refuse!(
+            is_unit && !(0.0..=1.0).contains(&cosine),
+            format!("the core takes no cosine of {cosine}"),
+            "it takes those in [0, 1]"
+        );
         self.design.at(self.design.spec.row_of(n)?, cosine)
     }
 

@@ -6,7 +6,7 @@ use serde_json::json;
 use super::source::Source;
 use super::{Verdict, say, say_json};
 use crate::core::{Design, Evaluation};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -28,6 +28,8 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let spec = arguments.source.spec()?;
+    let is_shader = spec.block.shader().is_some();
+    refuse!(is_shader, "eval evaluates a lobe, and this core is a shader", "leave --block shader out");
     let row = spec.row_of(arguments.n)?;
     let design = Design::new(spec)?;
     let Evaluation { index, operand, output, cosine, value, method, exact } = design.at(row, arguments.x)?;

@@ -112,7 +112,9 @@ pub(super) fn make(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: 
             say_json(&inspection.choice);
         }
         lines.iter().for_each(warn);
-    } else if !quiet {
+        return Ok(None);
+    }
+    if !quiet {
         lines.iter().for_each(say);
     }
     let spinner = progress::spinner(format!("generating the core of {}", scene.name));

@@ -77,7 +77,7 @@ macro_rules! method_keys {
             $($before)*
 
             /// How the polynomial is evaluated [default: stable]
-            form: Form,
+            form: Form where "all; the paper form: `quadratic`, `cubic`",
 
             /// Where the coefficients come from [default: paper, and minimax where no paper gives any]
             coefficients: Coefficients,

@@ -145,7 +145,7 @@ impl PictureCore {
 
 /// Reads the keys of a core; a scene is told apart.
 fn read(path: &Path) -> Result<SpecFields, Error> {
-    let text = input::read_text(path, "").unwrap_or_default();
+    let text = if path.is_dir() { String::new() } else { input::read_text(path, "").unwrap_or_default() };
     refuse!(
         Scene::is_scene(&text),
         format!("{} is a scene, and no core", path.display()),

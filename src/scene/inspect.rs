@@ -98,7 +98,7 @@ impl SceneInspection {
     /// The core, or the shader around it, with the scene's files beside its own; none where none keeps the budget.
     ///
     /// # Errors
-    /// As [`Core::of`].
+    /// As [`Core::of`], and a picture or page of the scene that cannot be made.
     pub fn generate(self, scene: &Scene) -> Result<Option<Core>, Error> {
         let files = self.findings(scene).filter(|_| self.is_kept()).map(|findings| findings.files()).transpose()?;
         let lobe = self.core.map(|(design, ..)| design);

@@ -52,7 +52,8 @@ impl SpecFields {
     fn flags_of(&self, key: &str, value: &Value) -> Vec<String> {
         let flag = format!("--{}", key.replace('_', "-"));
         match value {
-            Value::Boolean(_) => vec![flag],
+            Value::Boolean(true) => vec![flag],
+            Value::Boolean(false) => vec![flag + "=false"],
             _ if key == "material" => {
                 let materials = self.material.iter().flatten();
                 materials.map(|one| format!("{flag} {}={}", quoted(&one.name), one.shininess)).collect()

@@ -39,7 +39,7 @@ pub(crate) use name::check_name;
 pub use reference::reference;
 
 use crate::emit::rom::RomFormat;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 
 /// Fraction bits of a fixed-point shininess that are allowed.
 pub const SHININESS_FRACTION: std::ops::RangeInclusive<u32> = 0..=10;
@@ -185,9 +185,11 @@ impl CoreSpec {
     /// # Errors
     /// A shader, or a shininess that the core does not have.
     pub fn row_of(&self, n: f64) -> Result<usize, Error> {
-        if self.block.shader().is_some() {
-            return Err(Error::input("eval evaluates a lobe, and this core is a shader", "leave --block shader out"));
-        }
+        refuse!(
+            self.block.shader().is_some(),
+            format!("the core {} is a shader, which has materials and no shininess", self.name),
+            "ask a lobe"
+        );
         let set = &self.interface.shininess;
         set.values().iter().position(|&own| own == n).ok_or_else(|| {
             let all = if set.rows() > 20 { format!("{} of them", set.rows()) } else { set.to_string() };

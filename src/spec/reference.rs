@@ -24,8 +24,11 @@ struct Row {
 impl Row {
     fn new(key: Key, arg: &Arg) -> Self {
         let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
-        let (meaning, default) = help.split_once(" [default: ").unwrap_or((&help, "none]"));
         let words = arg.get_possible_values();
+        // Help says no default of a flag that is there or not.
+        let stands_alone = arg.get_num_args().is_some_and(|values| values.min_values() == 0);
+        let none = if stands_alone { "false]" } else { "none]" };
+        let (meaning, default) = help.split_once(" [default: ").unwrap_or((&help, none));
         let values = match (words.as_slice(), arg.get_value_names()) {
             ([], None) => code([key.name.to_uppercase()]),
             ([], Some(names)) => code(names.iter().flat_map(|name| name.split('|'))),
