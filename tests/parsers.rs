@@ -63,8 +63,8 @@ fn changed_files_are_read_or_refused() {
         let files = corpus(name);
         let changed = if name == "generate" { CHANGED_SPECS } else { CHANGED };
         (0..changed).into_par_iter().for_each(|seed| {
-            let mut dice = Pcg64::seed_from_u64(seed);
-            let mut below = |most: usize| (dice.next_u64() % most.max(1) as u64) as usize;
+            let mut rng = Pcg64::seed_from_u64(seed);
+            let mut below = |most: usize| (rng.next_u64() % most.max(1) as u64) as usize;
             let mut bytes = files[below(files.len())].1.clone();
             for _ in 0..=below(4) {
                 let (at, length) = (below(bytes.len() + 1), below(12));

@@ -268,7 +268,7 @@ fn front_ends_pass_in_verilator() {
     }
 }
 
-/// What a name in the HDL is followed by is its stage, which changes with the schedule: a fault is planted by a part of a line.
+/// What a name in the HDL is followed by is its stage, which changes with the schedule: a fault is injected by a part of a line.
 type Fault = (&'static str, Language, &'static str, &'static str, &'static str);
 
 /// A line that holds the first text gets the third for the second.

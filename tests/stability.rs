@@ -1,4 +1,4 @@
-//! Cores where forms degenerate, and the range analysis against planted faults and against every input.
+//! Cores where forms degenerate, and the range analysis against injected faults and against every input.
 
 use assert_cmd::Command;
 use brdfgen::core::sample::{Sample, random_codes};
@@ -83,7 +83,7 @@ fn needs_its_width(op: Op) -> bool {
 
 #[test]
 fn a_register_with_a_bit_too_few_is_found_by_the_analysis_and_by_the_wide_registers() {
-    let mut planted = 0;
+    let mut injected = 0;
     for spec in SPECS {
         let design = design(spec);
         let regions = design.regions();
@@ -114,11 +114,11 @@ fn a_register_with_a_bit_too_few_is_found_by_the_analysis_and_by_the_wide_regist
             if differs {
                 let wide = analysis.with_spare_bits(&ranges);
                 assert_ne!(outputs(&design, &wide), outputs(&design, &graph), "{spec}: {name}");
-                planted += 1;
+                injected += 1;
             }
         }
     }
-    assert!(planted >= 20, "only {planted} faults change a result");
+    assert!(injected >= 20, "only {injected} faults change a result");
 }
 
 #[test]

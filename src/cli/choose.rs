@@ -1,4 +1,4 @@
-//! `brdfgen choose`, and the wish that `brdfgen generate --max-error` has in common with it.
+//! `brdfgen choose`, and the flags that `brdfgen generate --max-error` has in common with it.
 
 use std::path::PathBuf;
 
@@ -28,7 +28,7 @@ pub(super) struct Arguments {
     json: bool,
 
     #[command(flatten)]
-    wish: WishFlags,
+    constraints: ConstraintFlags,
 
     #[command(flatten)]
     keys: Keys,
@@ -67,7 +67,7 @@ pub(super) struct Keys {
 /// What is wished of a core beside its error and what is to be least.
 #[derive(Args)]
 #[command(next_help_heading = "Choice")]
-pub(super) struct WishFlags {
+pub(super) struct ConstraintFlags {
     /// The family of FPGAs that the core is for [default: ecp5]
     #[arg(long, value_enum)]
     family: Option<Family>,
@@ -111,7 +111,7 @@ impl Keys {
     }
 }
 
-impl WishFlags {
+impl ConstraintFlags {
     /// Whether none of them is given.
     pub(super) fn is_empty(&self) -> bool {
         self.results.is_none() && !self.is_wish()
@@ -126,8 +126,8 @@ impl WishFlags {
             || *baselines
     }
 
-    /// The wish, for a core with these keys.
-    pub(super) fn wish(
+    /// What is wished, an error of at most this among it, of a core with these keys.
+    pub(super) fn with_error(
         &self,
         max_error: MaxError,
         objective: Objective,
@@ -166,15 +166,16 @@ impl WishFlags {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
-    let wish = arguments.wish.wish(arguments.max_error, arguments.objective, arguments.keys.fields())?;
-    let choice = wish.choose(&arguments.wish.results()?)?;
+    let constraints =
+        arguments.constraints.with_error(arguments.max_error, arguments.objective, arguments.keys.fields())?;
+    let choice = constraints.choose(&arguments.constraints.results()?)?;
     if arguments.json {
         say_json(&choice);
     } else {
-        describe(&wish, &choice).iter().for_each(say);
+        describe(&constraints, &choice).iter().for_each(say);
         if let Some(chosen) = &choice.chosen {
             // In full, however long: there is no core.toml yet.
-            let flags = wish.spec_of(chosen)?.resolve()?.flags().join(" ");
+            let flags = constraints.spec_of(chosen)?.resolve()?.flags().join(" ");
             say(format!("  made by: brdfgen generate {flags} --out DIR"));
         }
     }
@@ -195,10 +196,10 @@ pub(super) fn error_text(value: f64) -> String {
 }
 
 /// All that a core must meet, in words.
-fn wish_text(wish: &Constraints) -> String {
-    let limits = wish.limits.iter().map(|(objective, most)| format!("at most {}", objective.counted(*most)));
-    let mhz = wish.min_mhz.map(|mhz| format!("at least {mhz} MHz"));
-    let error = format!("an error of at most {}", error_text(wish.max_error.0));
+fn constraints_text(constraints: &Constraints) -> String {
+    let limits = constraints.limits.iter().map(|(objective, most)| format!("at most {}", objective.counted(*most)));
+    let mhz = constraints.min_mhz.map(|mhz| format!("at least {mhz} MHz"));
+    let error = format!("an error of at most {}", error_text(constraints.max_error.0));
     std::iter::once(error).chain(mhz).chain(limits).collect::<Vec<_>>().join(", ")
 }
 
@@ -215,12 +216,12 @@ fn core_text(Candidate { point, cost }: &Candidate) -> String {
 }
 
 /// The choice for people: a line a thing.
-pub(super) fn describe(wish: &Constraints, choice: &Choice) -> Vec<String> {
+pub(super) fn describe(constraints: &Constraints, choice: &Choice) -> Vec<String> {
     let Choice { chosen, misses, considered, meeting, tools } = choice;
     let mut lines = Vec::new();
     match chosen {
         Some(chosen) => lines.push(core_text(chosen)),
-        None => lines.push(format!("no core meets the wish: {}", wish_text(wish))),
+        None => lines.push(format!("no core meets the wish: {}", constraints_text(constraints))),
     }
     lines.push(format!("  {meeting} of the {considered} cores considered meet the wish"));
     if !misses.is_empty() {

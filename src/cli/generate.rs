@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::json;
 
-use super::choose::{self, WishFlags};
+use super::choose::{self, ConstraintFlags};
 use super::scene::{self, SceneFlags};
 use super::source::Source;
 use super::{Verdict, progress, say, say_json, warn};
@@ -46,7 +46,7 @@ pub(super) struct Arguments {
     goal: Option<Objective>,
 
     #[command(flatten)]
-    wish: WishFlags,
+    constraints: ConstraintFlags,
 
     #[command(flatten)]
     scene: SceneFlags,
@@ -93,51 +93,51 @@ fn check(arguments: &Arguments, core: &Core) -> Verdict {
 }
 
 /// What is wished of a core that is to be chosen, if one is.
-fn wish(arguments: &Arguments, is_scene: bool) -> Result<Option<Constraints>, Error> {
+fn constraints(arguments: &Arguments, is_scene: bool) -> Result<Option<Constraints>, Error> {
     if !is_scene && !arguments.scene.is_empty() {
         return Err(Error::input("--margin and --synth are for scenes", "give a scene file, or leave them out"));
     }
-    if is_scene && (arguments.max_error.is_some() || !arguments.wish.is_empty()) {
+    if is_scene && (arguments.max_error.is_some() || !arguments.constraints.is_empty()) {
         return Err(Error::input(
             "a scene says itself what error its pictures may have and what is wished of the core",
             "write it in the tables [budget] and [core] of the scene file",
         ));
     }
     match arguments.max_error {
-        None if arguments.wish.is_empty() => Ok(None),
+        None if arguments.constraints.is_empty() => Ok(None),
         None => Err(Error::input(
             "a core can only be chosen by its error",
             "give --max-error, or leave the other flags of the choice out",
         )),
         Some(error) => {
             let goal = arguments.goal.unwrap_or(Objective::Lut);
-            arguments.wish.wish(error, goal, arguments.source.fields()?).map(Some)
+            arguments.constraints.with_error(error, goal, arguments.source.fields()?).map(Some)
         }
     }
 }
 
 /// The core that is wished, with the latency that the results promise; none if none meets the wish.
-fn chosen(arguments: &Arguments, wish: &Constraints) -> Result<Option<(Core, u32)>, Error> {
-    let choice = wish.choose(&arguments.wish.results()?)?;
+fn chosen(arguments: &Arguments, constraints: &Constraints) -> Result<Option<(Core, u32)>, Error> {
+    let choice = constraints.choose(&arguments.constraints.results()?)?;
     let Some(chosen) = &choice.chosen else {
         if arguments.json {
             say_json(&choice);
         }
-        choose::describe(wish, &choice).iter().for_each(warn);
+        choose::describe(constraints, &choice).iter().for_each(warn);
         return Ok(None);
     };
     if !arguments.json {
-        choose::describe(wish, &choice).iter().for_each(say);
+        choose::describe(constraints, &choice).iter().for_each(say);
     }
-    Ok(Some((of_spec(wish.spec_of(chosen)?.resolve()?, Vec::new())?, chosen.cost.latency)))
+    Ok(Some((of_spec(constraints.spec_of(chosen)?.resolve()?, Vec::new())?, chosen.cost.latency)))
 }
 
 /// Whether a chosen core is what was wished: the figures that it is chosen by may be of another version of this
 /// program.
-fn keeps(wish: &Constraints, promised: u32, core: &Core) -> bool {
+fn keeps(constraints: &Constraints, promised: u32, core: &Core) -> bool {
     let latency = core.design.schedule.latency;
     if let Account::Lobe { measured, .. } = &core.account
-        && measured.max_abs > wish.max_error.0
+        && measured.max_abs > constraints.max_error.0
     {
         warn(format!(
             "the chosen core has an error of {}, more than wished: the results that it was chosen from are of another version",
@@ -150,21 +150,23 @@ fn keeps(wish: &Constraints, promised: u32, core: &Core) -> bool {
             "the core takes {latency} clocks, where the results say {promised}: they are of another version, or of more shininesses"
         ));
     }
-    !wish.limits.iter().any(|&(objective, most)| objective == Objective::Latency && latency > most)
+    !constraints.limits.iter().any(|&(objective, most)| objective == Objective::Latency && latency > most)
 }
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let of_scene = arguments.source.scene()?;
-    let wish = wish(&arguments, of_scene.is_some())?;
+    let constraints = constraints(&arguments, of_scene.is_some())?;
     if !arguments.check {
         package::check_target(&arguments.out)?;
     }
-    let core = match (&of_scene, &wish) {
+    let core = match (&of_scene, &constraints) {
         (Some((scene, keys)), _) => {
             scene::make(scene, &arguments.scene, keys, arguments.json)?.map(|core| (core, None))
         }
         (None, None) => Some((of_spec(arguments.source.spec()?, arguments.source.companions())?, None)),
-        (None, Some(wish)) => chosen(&arguments, wish)?.map(|(core, promised)| (core, Some((wish, promised)))),
+        (None, Some(constraints)) => {
+            chosen(&arguments, constraints)?.map(|(core, promised)| (core, Some((constraints, promised))))
+        }
     };
     let Some((core, wished)) = core else { return Ok(Verdict::Differs) };
     if arguments.check {
@@ -172,10 +174,10 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     }
 
     // A core's own directory is made anew from its own core.toml.
-    let results = arguments.wish.paths();
+    let results = arguments.constraints.paths();
     let paths = results.joined(arguments.source.paths()).renewing(&arguments.out.join("core.toml"));
     paths.writes_in("--out", &arguments.out, core.files.iter().map(|file| file.path.as_str())).check()?;
-    if !wished.is_none_or(|(wish, promised)| keeps(wish, promised, &core)) {
+    if !wished.is_none_or(|(constraints, promised)| keeps(constraints, promised, &core)) {
         return Ok(Verdict::Differs);
     }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::choose::{Keys, WishFlags};
+use super::choose::{ConstraintFlags, Keys};
 use super::scene::{self, SceneFlags};
 use super::source::read_scene;
 use super::{Verdict, progress, say};
@@ -53,7 +53,7 @@ pub(super) struct Arguments {
     objective: Option<Objective>,
 
     #[command(flatten)]
-    wish: WishFlags,
+    constraints: ConstraintFlags,
 
     #[command(flatten)]
     keys: Keys,
@@ -64,12 +64,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let paths = [&arguments.speed]
         .into_iter()
         .flatten()
-        .fold(arguments.wish.paths(), |paths, path| paths.reads("--speed", path));
+        .fold(arguments.constraints.paths(), |paths, path| paths.reads("--speed", path));
     let paths = arguments.scene.iter().fold(paths, |paths, path| paths.reads("--scene", path));
     let files = arguments.material.iter().filter(|path| path.exists());
     let paths = files.fold(paths, |paths, path| paths.reads("--material", path)).writes("--out", &page);
     paths.check()?;
-    let results = arguments.wish.results()?;
+    let results = arguments.constraints.results()?;
     let speed = match &arguments.speed {
         Some(path) => {
             let text = input::read_text(path, "measured speeds are a CSV file")?;
@@ -145,14 +145,14 @@ fn chosen<'a>(arguments: &Arguments, results: &'a Results) -> Result<Option<&'a 
     let keys = arguments.keys.fields();
     let Some(max_error) = arguments.max_error else {
         refuse!(
-            arguments.wish.is_wish() || keys != SpecFields::default(),
+            arguments.constraints.is_wish() || keys != SpecFields::default(),
             "a core is wished for without the error that is allowed",
             "say --max-error as well, or leave the other wishes out"
         );
         return Ok(None);
     };
     let objective = arguments.objective.unwrap_or(Objective::Lut);
-    let choice = arguments.wish.wish(max_error, objective, keys)?.choose(results)?;
+    let choice = arguments.constraints.with_error(max_error, objective, keys)?.choose(results)?;
     let id = choice.chosen.map(|candidate| candidate.point.id);
     Ok(results.points().iter().find(|point| Some(&point.id) == id.as_ref()))
 }

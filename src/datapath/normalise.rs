@@ -1,6 +1,6 @@
 //! Normalising: leading zeros counted and shifted out, a power of two at a time.
 
-use super::builder::{Bound, Builder};
+use super::builder::{Bound, Builder, HighBits};
 use super::graph::NodeId;
 use crate::fixed::{Interval, exp2};
 
@@ -30,7 +30,8 @@ impl Builder<'_> {
             let Some(above) = self.reaches(value, weight - shift + 1, &flag, &comment) else { continue };
             let count = self.cases().len();
             let moved = self.scale(value, None, shift, &vec![shift; count], &format!("{name}_by_{shift}"), "shifted");
-            let moved = self.cast(moved, format, true, &format!("{name}_moved_{shift}"), "the high bits are 0");
+            let moved =
+                self.cast(moved, format, HighBits::Guarded, &format!("{name}_moved_{shift}"), "the high bits are 0");
             let comment = format!("shifted to the left by {shift} where that loses no bit");
             value = self.select(above, [value, moved], |_| None, &format!("{name}_{shift}"), &comment);
             steps.push((shift, above));

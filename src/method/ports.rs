@@ -1,7 +1,7 @@
 //! The ports of a lobe in its graph: what is known of their codes, and how they are taken into the domain.
 
 use super::{InputRange, Interface, Operand, Shininess};
-use crate::datapath::builder::{Bound, Builder};
+use crate::datapath::builder::{Bound, Builder, HighBits};
 use crate::datapath::graph::{NodeId, Op};
 use crate::fixed::{Format, Interval};
 
@@ -98,10 +98,15 @@ impl Builder<'_> {
         let port = self.index(set);
         let n = self.clamped_index(set, port);
         let most = self.format(n).int_bits;
-        let whole = self.cast(n, Format::unsigned(most, 0), false, "n_whole", "the integer below n");
+        let whole = self.cast(n, Format::unsigned(most, 0), HighBits::Unused, "n_whole", "the integer below n");
         let address = self.offset_from_first(whole, memory);
-        let fraction =
-            self.cast(n, Format::unsigned(0, frac_bits), true, "n_fraction", "what n has beyond that integer");
+        let fraction = self.cast(
+            n,
+            Format::unsigned(0, frac_bits),
+            HighBits::Guarded,
+            "n_fraction",
+            "what n has beyond that integer",
+        );
         let rows = self.tables[memory].rows();
         let last = self.cases.iter().map(|case| case.rows[memory] == Some(rows - 1)).collect::<Vec<_>>();
         let most = 1.0 - crate::fixed::exp2(-frac_bits);

@@ -262,7 +262,7 @@ fn fresnel(f0: f64, c: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::super::info::albedo;
-    use super::super::vector::tests::{dice, upper};
+    use super::super::vector::tests::{random, upper};
     use super::super::vector::{Light, about_y, sine_cosine};
     use super::*;
 
@@ -306,10 +306,10 @@ mod tests {
 
     #[test]
     fn light_and_viewer_can_be_exchanged_and_turned() {
-        let mut dice = dice(11);
+        let mut random = random(11);
         for model in all() {
             for _ in 0..100 {
-                let (l, v, turn) = (upper(&mut dice), upper(&mut dice), 360.0 * dice());
+                let (l, v, turn) = (upper(&mut random), upper(&mut random), 360.0 * random());
                 let value = model.at(l, v, Vector::z());
                 assert!(value.iter().all(|f| f.is_finite() && *f >= 0.0), "{model} {value:?}");
                 let turned = |a: Vector| about_y(a, sine_cosine(turn));

@@ -45,8 +45,8 @@ const PAIRS: usize = 20_000;
 /// directions of the upper half of the sphere. 0 for a reciprocal one.
 #[must_use]
 pub fn reciprocity_error(reflectance: &dyn Reflectance) -> f64 {
-    let mut dice = Pcg64::seed_from_u64(1);
-    let mut unit = || (dice.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
+    let mut rng = Pcg64::seed_from_u64(1);
+    let mut unit = || (rng.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
     let mut direction = || {
         // Half a degree above the horizon at least, where tables are filled.
         let (z, phi) = (0.01 + 0.99 * unit(), 2.0 * PI * unit());

@@ -172,15 +172,15 @@ pub fn bytes(table: &Table) -> Vec<u8> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::vector::tests::dice;
+    use super::super::vector::tests::random;
     use super::*;
 
     const SMALL: [usize; 3] = [3, 4, 6];
 
     fn table() -> Table {
-        let mut dice = dice(9);
+        let mut random = random(9);
         let cells = (0..72)
-            .map(|cell| if cell % 7 == 3 { [-0.5; 3] } else { [(); 3].map(|()| (1e4 * dice() * dice()) as f32) })
+            .map(|cell| if cell % 7 == 3 { [-0.5; 3] } else { [(); 3].map(|()| (1e4 * random() * random()) as f32) })
             .collect();
         Table::new(SMALL, cells, "t").unwrap()
     }

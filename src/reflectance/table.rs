@@ -324,7 +324,7 @@ fn fill([nh, nd, np]: [usize; 3], cells: &mut [[f32; 3]], valid: &Bits) {
 #[cfg(test)]
 mod tests {
     use super::super::flat::Flat;
-    use super::super::vector::tests::{dice, upper};
+    use super::super::vector::tests::{random, upper};
     use super::*;
 
     const SHAPE: [usize; 3] = [THETA_H, THETA_D, PHI_D];
@@ -360,9 +360,9 @@ mod tests {
             .map(|cell| linear(place(shape, cell).map(|step| step as f64 + 0.5)).map(|value| value as f32))
             .collect();
         let table = Table::new(shape, cells, "test").unwrap();
-        let mut dice = dice(3);
+        let mut random = random(3);
         for _ in 0..500 {
-            let at = [0.5 + 6.0 * dice(), 0.5 + 5.0 * dice(), 0.5 + 11.0 * dice()];
+            let at = [0.5 + 6.0 * random(), 0.5 + 5.0 * random(), 0.5 + 11.0 * random()];
             let root = at[0] / 7.0;
             let angles =
                 Angles { theta_h: FRAC_PI_2 * root * root, theta_d: FRAC_PI_2 * at[1] / 6.0, phi_d: PI * at[2] / 12.0 };
@@ -424,14 +424,14 @@ mod tests {
     #[test]
     fn a_table_of_half_the_circle_is_reciprocal_and_black_stays_black() {
         let table = Table::new(SHAPE, (0..90 * 90 * 180).map(|i| [(i % 977) as f32, 1.0, 0.0]).collect(), "t").unwrap();
-        let mut dice = dice(5);
+        let mut random = random(5);
         for _ in 0..500 {
-            let (l, v) = (upper(&mut dice), upper(&mut dice));
+            let (l, v) = (upper(&mut random), upper(&mut random));
             let (one, other) = (table.at(l, v, Vector::z()), table.at(v, l, Vector::z()));
             assert!((0..3).all(|c| (one[c] - other[c]).abs() < 1e-6 * (1.0 + one[c])), "{one:?} {other:?}");
         }
         let black = Table::new(SHAPE, vec![[0.0; 3]; 90 * 90 * 180], "t").unwrap();
-        assert_eq!(black.at(upper(&mut dice), upper(&mut dice), Vector::z()), [0.0; 3]);
+        assert_eq!(black.at(upper(&mut random), upper(&mut random), Vector::z()), [0.0; 3]);
     }
 
     #[test]

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use super::form::{FormKind, FormSpec};
 use super::measure::{self, Judge};
 use super::table::PHI_D;
-use super::vector::tests::{dice, upper};
+use super::vector::tests::{random, upper};
 use super::*;
 
 /// The 400 points of the paper's form: each step and the result of 512² floating-point images.
@@ -78,8 +78,8 @@ fn forms_are_as_good_as_they_should_be() {
 #[test]
 fn many_normals_at_once_are_as_one_by_one() {
     let model = Model::named("ggx").unwrap();
-    let mut dice = dice(31);
-    let normals: Vec<Vector> = (0..501).map(|_| upper(&mut dice)).collect();
+    let mut random = random(31);
+    let normals: Vec<Vector> = (0..501).map(|_| upper(&mut random)).collect();
     let single: [Vec<f32>; 3] = [0, 1, 2].map(|axis| normals.iter().map(|n| n[axis] as f32).collect());
     let single = [&single[0][..], &single[1][..], &single[2][..]];
     for kind in FormKind::MADE {

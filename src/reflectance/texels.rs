@@ -282,12 +282,13 @@ pub(super) fn pair(angles: &[f64], angle: f64) -> Pair {
 
 #[cfg(test)]
 mod tests {
-    use super::super::vector::tests::dice;
+    use super::super::vector::tests::random;
     use super::*;
 
     fn samples(width: usize, height: usize, layers: usize, most: f64) -> Samples {
-        let mut dice = dice(21);
-        let data = (0..width * height * layers).map(|_| [(); 3].map(|()| (most * dice() * dice()) as f32)).collect();
+        let mut random = random(21);
+        let data =
+            (0..width * height * layers).map(|_| [(); 3].map(|()| (most * random() * random()) as f32)).collect();
         Samples { width, height, data }
     }
 

@@ -132,23 +132,23 @@ pub(crate) mod tests {
     use rand_pcg::Pcg64;
 
     /// Numbers from 0 to 1, the same in every run.
-    pub(crate) fn dice(seed: u64) -> impl FnMut() -> f64 {
-        let mut dice = Pcg64::seed_from_u64(seed);
-        move || (dice.next_u64() >> 11) as f64 / (1u64 << 53) as f64
+    pub(crate) fn random(seed: u64) -> impl FnMut() -> f64 {
+        let mut random = Pcg64::seed_from_u64(seed);
+        move || (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
     /// A direction of the upper half of the sphere.
-    pub(crate) fn upper(dice: &mut impl FnMut() -> f64) -> Vector {
-        let (z, a) = (dice(), 2.0 * PI * dice());
+    pub(crate) fn upper(random: &mut impl FnMut() -> f64) -> Vector {
+        let (z, a) = (random(), 2.0 * PI * random());
         let r = (1.0 - z * z).sqrt();
         Vector::new(r * a.cos(), r * a.sin(), z)
     }
 
     #[test]
     fn angles_lead_back_to_their_vectors() {
-        let mut dice = dice(1);
+        let mut random = random(1);
         for _ in 0..2000 {
-            let (l, v, n) = (upper(&mut dice), upper(&mut dice), Vector::z());
+            let (l, v, n) = (upper(&mut random), upper(&mut random), Vector::z());
             let angles = Angles::of(l, v, n).unwrap();
             let [l2, v2, n2] = angles.vectors();
             // Scalar products do not depend on the frame; the determinant tells the two turns of φd apart.
@@ -171,9 +171,9 @@ pub(crate) mod tests {
 
     #[test]
     fn another_viewer_sees_the_same_geometry() {
-        let mut dice = dice(7);
+        let mut random = random(7);
         for _ in 0..500 {
-            let (l, v, n) = (upper(&mut dice), upper(&mut dice), upper(&mut dice));
+            let (l, v, n) = (upper(&mut random), upper(&mut random), upper(&mut random));
             let (light, m) = seen_from(l, v, n);
             let k = light.direction();
             for (a, b) in [(l.dot(&n), k.dot(&m)), (v.dot(&n), m.z), (l.dot(&v), k.z)] {

@@ -6,7 +6,7 @@
 
 use super::{Cosine, LightColours, Shader, ShaderWidths};
 use crate::datapath::Datapath;
-use crate::datapath::builder::{Bound, Builder, Case};
+use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::{Graph, NodeId, Op};
 use crate::fixed::{Field, Format, Interval, Table, exp2, interned};
 use crate::method::polynomial::datapath::rounded_field;
@@ -248,7 +248,7 @@ impl Shading<'_, '_> {
         if format.frac_bits >= frac_bits {
             return a;
         }
-        self.b.cast(a, Format { frac_bits, ..format }, false, name, "with zeros")
+        self.b.cast(a, Format { frac_bits, ..format }, HighBits::Unused, name, "with zeros")
     }
 
     /// `u = |N - H|^2 / 2`.
@@ -290,7 +290,8 @@ impl Shading<'_, '_> {
             let name = |what: &str| format!("{what}{l}_{amount}");
             let high = self.b.reaches(s, 2 - amount, &name("high"), &format!("the first {amount} bits of s"));
             let high = high.expect("s has these bits");
-            let low = self.b.cast(s, Format::unsigned(2 - amount, ds), true, &name("s_low"), "without them");
+            let low =
+                self.b.cast(s, Format::unsigned(2 - amount, ds), HighBits::Guarded, &name("s_low"), "without them");
             let up = self.b.scale(low, None, amount, &[amount], &name("s_up"), &format!("s 2^{amount}"));
             s = self.b.select(high, [s, up], |_| None, &name("s"), &format!("s, times 2^{amount} if it is so small"));
             let up = self.b.scale(a, None, amount / 2, &[amount / 2], &name("a_up"), &format!("a 2^{}", amount / 2));
@@ -303,11 +304,16 @@ impl Shading<'_, '_> {
         let a = self.b.floor(a, bits, &format!("a{l}_scaled"), "a 2^k, rounded down");
         let ds = self.b.format(s).frac_bits;
         let j = root_index_bits(self.interface);
-        let row = self.b.cast(s, Format::unsigned(2, j), false, &format!("m{l}_high"), "the segment of m");
+        let row = self.b.cast(s, Format::unsigned(2, j), HighBits::Unused, &format!("m{l}_high"), "the segment of m");
         let row = self.b.scale(row, None, j, &[j], &format!("segment{l}"), "its number");
         let [root, slope] = root_fields(light).map(|name| self.b.field(self.colours + 1 + light, row, name));
-        let offset =
-            self.b.cast(s, Format::unsigned(-j, ds), true, &format!("offset{l}"), "m from the segment's start");
+        let offset = self.b.cast(
+            s,
+            Format::unsigned(-j, ds),
+            HighBits::Guarded,
+            &format!("offset{l}"),
+            "m from the segment's start",
+        );
         let fall = self.b.mul(slope, offset, &format!("fall{l}_exact"), "slope times offset");
         let fall = self.b.floor(fall, bits, &format!("fall{l}"), "rounded down");
         let root = self.b.sub(root, fall, &format!("root{l}"), "1/sqrt(m)");

@@ -1,6 +1,6 @@
 //! Sums, products, shifts and casts, each with its range and error.
 
-use super::{Bound, Builder};
+use super::{Bound, Builder, HighBits};
 use crate::datapath::graph::{Node, NodeId, Op};
 use crate::fixed::{Format, Interval, exp2};
 
@@ -63,7 +63,8 @@ impl Builder<'_> {
         let proper = !self.format(p).signed && self.format(p).int_bits <= 0;
         // x p < 1 where p < 1, so that the integer bit of the product is idle.
         let t = Format { int_bits: if proper { 0 } else { whole.int_bits }, frac_bits, ..whole };
-        let t = self.cast(product, t, proper, "t", "t = x p, rounded down");
+        let high = if proper { HighBits::Guarded } else { HighBits::Unused };
+        let t = self.cast(product, t, high, "t", "t = x p, rounded down");
         let one = Interval::point(1.0);
         let added = half.map_or(Interval::ZERO, |half| self.bounds[half][0].range);
         let bounds = self.per_case(|case| {
@@ -112,7 +113,7 @@ impl Builder<'_> {
         for weight in -format.frac_bits..format.int_bits {
             let place = weight + format.frac_bits;
             let bit = Format::unsigned(weight + 1, -weight);
-            let bit = self.cast(a, bit, true, &format!("{name}_bit_{place}"), "a bit of the slope");
+            let bit = self.cast(a, bit, HighBits::Guarded, &format!("{name}_bit_{place}"), "a bit of the slope");
             let clear = self.not(bit, &format!("{name}_without_{place}"), "the bit is 0");
             let scaled = self.scale(b, None, weight, &vec![weight; count], &format!("{name}_by_{place}"), "shifted");
             let term = self.zero_if(Some(clear), scaled, &format!("{name}_term_{place}"), "0 where the bit is 0");
@@ -183,9 +184,9 @@ impl Builder<'_> {
         self.push(Op::ShiftRight, &[a, amount], format, name, comment.to_owned(), bounds)
     }
 
-    /// `a` with `format`'s bits only: low bits are dropped, and high bits where the caller guards them with a
-    /// flag (`guarded`) or the analysis shows that they are never used.
-    pub fn cast(&mut self, a: NodeId, format: Format, guarded: bool, name: &str, comment: &str) -> NodeId {
+    /// `a` with `format`'s bits only: low bits are dropped, and high bits as `high` says.
+    pub fn cast(&mut self, a: NodeId, format: Format, high: HighBits, name: &str, comment: &str) -> NodeId {
+        let guarded = high == HighBits::Guarded;
         let empty = format.int_bits + format.frac_bits <= 0;
         // A number far below the last bit that is kept still takes one bit.
         let format = Format { int_bits: format.int_bits.max(1 - format.frac_bits), ..format };
@@ -228,7 +229,7 @@ impl Builder<'_> {
         if format.frac_bits <= frac_bits {
             return a;
         }
-        let rounded = self.cast(a, Format { frac_bits, ..format }, false, name, comment);
+        let rounded = self.cast(a, Format { frac_bits, ..format }, HighBits::Unused, name, comment);
         self.narrow(rounded, self.bounds[rounded].clone());
         rounded
     }

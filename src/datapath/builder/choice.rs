@@ -1,6 +1,6 @@
 //! Values held within bounds, flags and what they choose.
 
-use super::{Bound, Builder};
+use super::{Bound, Builder, HighBits};
 use crate::datapath::graph::{NodeId, Op};
 use crate::fixed::{Format, Interval, exp2};
 
@@ -60,7 +60,7 @@ impl Builder<'_> {
             return None;
         }
         let high = Format::unsigned(format.int_bits, -weight);
-        let high = self.cast(a, high, false, &format!("{name}_bits"), comment);
+        let high = self.cast(a, high, HighBits::Unused, &format!("{name}_bits"), comment);
         Some(if self.format(high).width() == 1 { high } else { self.flag(Op::NonZero, &[high], name, comment) })
     }
 
@@ -110,7 +110,7 @@ impl Builder<'_> {
             Format { signed, int_bits: fa.int_bits.max(fb.int_bits), frac_bits: fa.frac_bits.max(fb.frac_bits) };
         let [a, b] = [a, b].map(|id| {
             let name = format!("{}_wide", self.nodes[id].name);
-            self.cast(id, format, false, &name, "in the wider of two formats")
+            self.cast(id, format, HighBits::Unused, &name, "in the wider of two formats")
         });
         self.push(Op::Select, &[flag, a, b], format, name, comment.to_owned(), bounds)
     }

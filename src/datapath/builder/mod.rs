@@ -28,6 +28,15 @@ pub struct Bound {
 /// No value of a graph is wider than this, so that products of two fit the 128-bit arithmetic here.
 const MAX_BITS: i32 = 126;
 
+/// Why high bits that a cast leaves out are not missed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HighBits {
+    /// A flag of the caller's forces the result where they count.
+    Guarded,
+    /// The analysis shows that they are never used; a core for which it does not is refused.
+    Unused,
+}
+
 /// A case of the analysis.
 #[derive(Clone, Debug)]
 pub struct Case {

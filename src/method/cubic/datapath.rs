@@ -1,6 +1,6 @@
 //! The cubic lobe `x (1 - u (A - a u))`, cut to 0 past the minimum of its inner parabola.
 
-use crate::datapath::builder::{Builder, Case};
+use crate::datapath::builder::{Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Field, Format, Interval, Table, Widths, exp2};
@@ -130,7 +130,7 @@ impl<'a> Stable<'a> {
         let past_cut = past_cut(b);
         let scaled = scaling.over_cases(b.cases()).apply(b, address.0, u);
         let v = Format::unsigned(Ends::int_bits(ends, &scaling.k), widths[width::V]);
-        let v = b.cast(scaled, v, true, "v", "v = u 2^k, rounded down; wraps past the cut");
+        let v = b.cast(scaled, v, HighBits::Guarded, "v", "v = u 2^k, rounded down; wraps past the cut");
         let av = b.mul(a, v, "av", "(a 4^-k) v");
         let r = b.floor(av, widths[width::BIG_A], "r", "(a 4^-k) v, rounded down");
         let q = b.sub(big_a, r, "q", "q = (A - a u) 2^-k; wraps past the cut");

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::datapath::builder::{Bound, Builder, Case};
+use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost, widths};
 use crate::fixed::{Format, Interval, Table, Width, Widths, exp2};
 use crate::lobe::Lobe;
@@ -267,8 +267,13 @@ impl Architecture for Rational<'_> {
         let cubic = polynomial::output_of_p(&mut b, self.interface, widths, x, p, None);
         only(&mut b, &|row| self.tail(row));
         let [slope, constant] = ["b", "d"].map(|name| b.field(0, address, name));
-        let num =
-            b.cast(x, Format::unsigned(0, widths[width::NUM]), true, "num", "x, rounded down: below 1 in the tail");
+        let num = b.cast(
+            x,
+            Format::unsigned(0, widths[width::NUM]),
+            HighBits::Guarded,
+            "num",
+            "x, rounded down: below 1 in the tail",
+        );
         let rise = b.mul(slope, u, "bu", "b u");
         let rise = b.floor(rise, widths[width::DEN], "rise", "b u, rounded down");
         let den = b.add(constant, rise, "den", "the tail's denominator, d + b u");

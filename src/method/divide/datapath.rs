@@ -12,7 +12,7 @@
 //!   `r = seed - slope d`, about 1/m, from a table that the leading fraction bits of m address; d is what follows
 //!   these. One small multiplication and one of the numerator's width; a Newton step would take two beside the latter.
 
-use crate::datapath::builder::{Bound, Builder};
+use crate::datapath::builder::{Bound, Builder, HighBits};
 use crate::datapath::graph::{NodeId, Op};
 use crate::datapath::{Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
@@ -196,7 +196,7 @@ impl Builder<'_> {
                 grid: g,
             }
         });
-        let y = self.cast(exact, Format::unsigned(1, g), false, "quotient", "num / den, rounded to nearest");
+        let y = self.cast(exact, Format::unsigned(1, g), HighBits::Unused, "quotient", "num / den, rounded to nearest");
         self.assume(y, bounds);
         y
     }

@@ -13,7 +13,7 @@
 
 use std::sync::Arc;
 
-use crate::datapath::builder::{Bound, Builder, Case};
+use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
@@ -115,8 +115,13 @@ impl<'a> Harris<'a> {
         let top = low.map(|low| b.not(low, "top", "x is 1, or so near to it that L counts as 0"));
         let normal = b.normalise(u, -1, self.octaves() - 1, "m");
         let bits = self.log_bits as i32;
-        let cell =
-            b.cast(normal.value, Format::unsigned(-1, bits + 1), true, "cell", "where in its octave the versine lies");
+        let cell = b.cast(
+            normal.value,
+            Format::unsigned(-1, bits + 1),
+            HighBits::Guarded,
+            "cell",
+            "where in its octave the versine lies",
+        );
         let mut address = b.scale(cell, None, bits + 1, &vec![bits + 1; count], "cell_number", "as a number");
         let mut octave: Option<NodeId> = None;
         for (shift, above) in normal.steps {
@@ -204,8 +209,9 @@ impl Architecture for Harris<'_> {
         let whole_bits = self.whole_bits();
         let over = b.reaches(z, whole_bits, "over", "z is past what the result can show");
         let whole = whole_bits.min(b.format(z).int_bits);
-        let whole = b.cast(z, Format::unsigned(whole, 0), true, "i", "the integer part of z");
-        let entry = b.cast(z, Format::unsigned(0, bits), true, "f", "the leading bits of the fraction of z");
+        let whole = b.cast(z, Format::unsigned(whole, 0), HighBits::Guarded, "i", "the integer part of z");
+        let entry =
+            b.cast(z, Format::unsigned(0, bits), HighBits::Guarded, "f", "the leading bits of the fraction of z");
         let entry = b.scale(entry, None, bits, &[bits], "entry", "the entry of the second table");
         let power = b.field(exp_memory, entry, "exp");
         // The method's own value is the entry before it was rounded.
@@ -214,7 +220,7 @@ impl Architecture for Harris<'_> {
         b.assume(power, bounds);
         let shifted = b.shift_right(power, whole, "power_shifted", "2^-z = 2^-f 2^-i");
         let y = b.add_half(shifted, g, "y_half");
-        let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded to the output's bits");
+        let y = b.cast(y, Format::unsigned(1, g), HighBits::Unused, "y_cut", "rounded to the output's bits");
         let dark = b.reaches(u, 0, "dark", "u = 1: the surface faces away");
         let zero = b.any(&[dark, over], "zero", "the result is 0");
         let y = b.zero_if(zero, y, "y", "y, 0 where it is below half an ulp");

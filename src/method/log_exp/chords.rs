@@ -1,6 +1,6 @@
 //! A function table with linear interpolation, fitted to its quantised words.
 
-use crate::datapath::builder::{Bound, Builder};
+use crate::datapath::builder::{Bound, Builder, HighBits};
 use crate::datapath::graph::NodeId;
 use crate::fixed::{Format, Interval, Table, exp2};
 use crate::method::polynomial::datapath::{field, nearest_code};
@@ -249,7 +249,7 @@ impl Chords<'_> {
         let name = |part: &str| format!("{value}_{part}");
         let count = b.cases().len();
         let entry = Format::unsigned(-self.domain, self.step_bits());
-        let entry = b.cast(argument, entry, true, &name("high"), "the bits that select the entry");
+        let entry = b.cast(argument, entry, HighBits::Guarded, &name("high"), "the bits that select the entry");
         let shift = self.step_bits();
         let address = b.scale(entry, None, shift, &vec![shift; count], &name("entry"), "the address in the table");
         let base = b.field(memory, address, self.fields[0]);
@@ -258,7 +258,7 @@ impl Chords<'_> {
         }
         let slope = b.field(memory, address, self.fields[1]);
         let d = Format::unsigned(-self.step_bits(), self.cut_bits());
-        let d = b.cast(argument, d, true, &name("d"), "the distance from the entry's start");
+        let d = b.cast(argument, d, HighBits::Guarded, &name("d"), "the distance from the entry's start");
         let whole = Bound {
             range: Interval::new(0.0, b.format(d).value(b.format(d).max_code())),
             error: Interval::ZERO,

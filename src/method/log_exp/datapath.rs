@@ -23,7 +23,7 @@
 
 use super::chords::{Chords, Slopes};
 use super::{EXP_ADDRESS, LOG_ADDRESS};
-use crate::datapath::builder::{Bound, Builder, Case};
+use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
@@ -77,7 +77,7 @@ pub(in crate::method) fn times_versine(
     let beyond = b.reaches(nu, int_bits, "beyond", "so large that z is past what the result can show");
     let exact = b.format(nu);
     let v = Format::unsigned(exact.int_bits.min(int_bits), exact.frac_bits.min(widths[width::V]));
-    (b.cast(nu, v, true, "v", &format!("v = n {versine}, rounded down")), beyond)
+    (b.cast(nu, v, HighBits::Guarded, "v", &format!("v = n {versine}, rounded down")), beyond)
 }
 
 /// `x` where n is 1, else `y`.
@@ -102,7 +102,7 @@ pub(in crate::method) fn power_of_two(
     let table = b.table(memory);
     let table_error = (0..table.rows()).map(|entry| exp.error(table, entry)).reduce(Interval::hull)?;
     let whole = whole_bits.min(b.format(z).int_bits);
-    let whole = b.cast(z, Format::unsigned(whole, 0), true, "i", "the integer part of z");
+    let whole = b.cast(z, Format::unsigned(whole, 0), HighBits::Guarded, "i", "the integer part of z");
     let shifted = b.shift_right(fraction, whole, "power_shifted", "2^-z = 2^-f 2^-i");
     let grid = b.format(shifted).frac_bits;
     let bound = |(level, z): (&Interval, &Bound)| {
@@ -132,7 +132,7 @@ pub(in crate::method) fn rounded_or_zero(
     levels: &[Interval],
 ) -> NodeId {
     let y = b.add_half(power, g, "y_half");
-    let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded to the output's bits");
+    let y = b.cast(y, Format::unsigned(1, g), HighBits::Unused, "y_cut", "rounded to the output's bits");
     let zero = b.any(flags, "zero", "the result is 0");
     let y = b.zero_if(zero, y, "y", "y, 0 where it is below half an ulp");
     let forced = |(bound, level): (&Bound, &Interval)| {
@@ -392,7 +392,8 @@ impl Architecture for LogExp<'_> {
         let mut y = rounded_or_zero(&mut b, shifted, g, &[Some(small), beyond, over], &levels);
         if self.bypasses() {
             let rounded = b.add_half(x, g, "x_half");
-            let rounded = b.cast(rounded, Format::unsigned(1, g), false, "x_rounded", "x, rounded to nearest");
+            let rounded =
+                b.cast(rounded, Format::unsigned(1, g), HighBits::Unused, "x_rounded", "x, rounded to nearest");
             y = unless_one(&mut b, n, y, rounded);
         }
 

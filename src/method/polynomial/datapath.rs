@@ -1,6 +1,6 @@
 //! What the polynomial lobes share: rounding coefficients, and the way from p to `x (1 - p)`.
 
-use crate::datapath::builder::{Builder, Case};
+use crate::datapath::builder::{Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{CaseError, Datapath, Description};
 use crate::fixed::{Field, Format, Interval, Table, Widths, exp2};
@@ -326,10 +326,10 @@ pub(in crate::method) fn output_of_p(
         return b.zero_if(zero, y, "y", "y, 0 past the cut");
     }
     let above = b.reaches(p_exact, 0, "p_above", "the integer bits of p: the lobe is 0 from p = 1 on");
-    let p = b.cast(p_exact, Format::unsigned(0, widths[width::P]), true, "p", "p, rounded down");
+    let p = b.cast(p_exact, Format::unsigned(0, widths[width::P]), HighBits::Guarded, "p", "p, rounded down");
     let zero = b.any(&[zero, above], "zero", "the result is 0");
     let y = b.complement(x, p, widths[width::T], half, "y_exact");
-    let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded down to the output's bits");
+    let y = b.cast(y, Format::unsigned(1, g), HighBits::Unused, "y_cut", "rounded down to the output's bits");
     b.zero_if(zero, y, "y", "y, 0 where the lobe has ended")
 }
 
@@ -339,7 +339,7 @@ pub(in crate::method) fn pad(b: &mut Builder, a: NodeId, frac_bits: i32) -> Node
     if format.frac_bits >= frac_bits {
         return a;
     }
-    b.cast(a, Format { frac_bits, ..format }, false, "y_padded", "with zeros")
+    b.cast(a, Format { frac_bits, ..format }, HighBits::Unused, "y_padded", "with zeros")
 }
 
 /// The finished datapath; `coefficients` bounds, case by case, what rounding the coefficients adds to the result.

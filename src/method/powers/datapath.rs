@@ -1,6 +1,6 @@
 //! The lobes that end in a power by squarings: `x (1 - K u)^2`, `(1 - u (A - a u))^k` and Lyon's `(1 - n u / k)^k`.
 
-use crate::datapath::builder::{Bound, Builder, Case};
+use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fit::Power;
@@ -79,7 +79,7 @@ fn output_of_power(
         if b.format(p_exact).signed { b.at_least_zero(p_exact, "p_positive", "p, at least 0") } else { p_exact };
     let ended: Vec<bool> = b.bounds(p_exact).iter().map(|bound| bound.range.high >= 1.0).collect();
     let above = b.reaches(p_exact, 0, "p_above", "the integer bits of p: the lobe is 0 from p = 1 on");
-    let p = b.cast(p_exact, Format::unsigned(0, widths[width::P]), true, "p", "p, rounded down");
+    let p = b.cast(p_exact, Format::unsigned(0, widths[width::P]), HighBits::Guarded, "p", "p, rounded down");
     let one = b.constant(1 << widths[width::P], Format::unsigned(1, widths[width::P]), "one_of_p");
     let mut base = b.sub(one, p, "w", "w = 1 - p");
     // Where p reaches 1 the hardware's w is 0 by the flag.
@@ -105,7 +105,7 @@ fn output_of_power(
     }
     let y = polynomial::pad(b, base, g + 1);
     let y = b.add_half(y, g, "y_half");
-    let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded down to the output's bits");
+    let y = b.cast(y, Format::unsigned(1, g), HighBits::Unused, "y_cut", "rounded down to the output's bits");
     let zero = b.any(&[zero, above], "zero", "the result is 0");
     let y = b.zero_if(zero, y, "y", "y, 0 where the lobe has ended");
     if x.is_some() { y } else { polynomial::lit(b, u, y) }
@@ -244,7 +244,7 @@ impl Architecture for Rom<'_> {
             (None, Ends::int_bits(&ends, &scaling.k))
         };
         let v = Format::unsigned(int_bits, widths[width::V]);
-        let v = b.cast(scaled, v, true, "v", "v = u 2^k, rounded down");
+        let v = b.cast(scaled, v, HighBits::Guarded, "v", "v = u 2^k, rounded down");
         let p = if self.linear {
             b.mul(big_a, v, "Av", "A u = (A 2^-k) v")
         } else {

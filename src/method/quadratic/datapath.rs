@@ -1,6 +1,6 @@
 //! The quadratic lobe `x (1 - a u)`, clamped at 0.
 
-use crate::datapath::builder::{Builder, Case};
+use crate::datapath::builder::{Builder, Case, HighBits};
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
@@ -105,7 +105,8 @@ impl Architecture for Stable<'_> {
         let a = polynomial::coefficient(&mut b, address, SMALL_A);
         let scaled = scaling.apply(&mut b, address.0, u);
         let beyond = b.reaches(scaled, 1, "beyond", "u 2^k >= 2: then a u >= 1, since a 2^-k >= 1/2");
-        let v = b.cast(scaled, Format::unsigned(1, widths[width::V]), true, "v", "v = u 2^k, rounded down");
+        let v =
+            b.cast(scaled, Format::unsigned(1, widths[width::V]), HighBits::Guarded, "v", "v = u 2^k, rounded down");
         let p = b.mul(a, v, "av", "a u = (a 2^-k) v");
         let y = polynomial::output_of_p(&mut b, self.interface, widths, x, p, beyond);
         polynomial::finish(b, self.interface, &tables, y, |row| {

@@ -7,7 +7,7 @@
 
 use rayon::prelude::*;
 
-use crate::datapath::builder::{Bound, Builder, Case};
+use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fit::{self, Objective, Peak, Segment};
@@ -297,9 +297,9 @@ impl Architecture for Segments<'_> {
         let scaled = scaling.over_cases(b.cases()).apply(&mut b, address, u);
         let beyond = b.reaches(scaled, ROUGH_INT_BITS, "beyond", "u 2^k is past every segment");
         let rough = Format::unsigned(ROUGH_INT_BITS, ROUGH_BITS.min(b.format(scaled).frac_bits));
-        let rough = b.cast(scaled, rough, true, "v_rough", "the leading bits of u 2^k");
+        let rough = b.cast(scaled, rough, HighBits::Guarded, "v_rough", "the leading bits of u 2^k");
         let s = b.mul(rough, mantissa, "s_exact", "n u, roughly");
-        let s = b.cast(s, Format::unsigned(ROUGH_INT_BITS, ROUGH_BITS), true, "s", "n u, roughly");
+        let s = b.cast(s, Format::unsigned(ROUGH_INT_BITS, ROUGH_BITS), HighBits::Guarded, "s", "n u, roughly");
         let last = b.constant(self.bounds[self.segments() - 1] - 1, b.format(s), "last");
         let past = b.greater(s, last, "past", "past the last segment");
         let segment = self.segment(&mut b, s);
@@ -308,7 +308,7 @@ impl Architecture for Segments<'_> {
         let ends: Vec<f64> = b.cases().iter().map(|case| case.active.high).collect();
         let shifts = scaling.over_cases(b.cases()).k;
         let v = Format::unsigned(polynomial::Ends::int_bits(&ends, &shifts), widths[width::V]);
-        let v = b.cast(scaled, v, true, "v", "v = u 2^k, rounded down; wraps past the last segment");
+        let v = b.cast(scaled, v, HighBits::Guarded, "v", "v = u 2^k, rounded down; wraps past the last segment");
         let av = b.mul(a, v, "av", "(a 4^-k) v");
         let r = b.floor(av, widths[width::BIG_A], "r", "(a 4^-k) v, rounded down");
         let q = b.sub(big_a, r, "q", "q = (A - a u) 2^-k");
@@ -334,7 +334,7 @@ impl Architecture for Segments<'_> {
         let y = b.mul(x, d, "xd", "x d");
         let y = polynomial::pad(&mut b, y, g + 1);
         let y = b.add_half(y, g, "y_half");
-        let y = b.cast(y, Format::unsigned(1, g), false, "y_cut", "rounded down to the output's bits");
+        let y = b.cast(y, Format::unsigned(1, g), HighBits::Unused, "y_cut", "rounded down to the output's bits");
         // The top of a fit may lie above 1.
         let over = b.bounds(y).iter().any(|bound| bound.range.high > 1.0);
         let y = if over { b.clamp_to_unit(y, "y_unit", "at most 1") } else { y };

@@ -5,7 +5,7 @@
 //! An error of `x^j` counts `n/j x^(n-j)` times in `x^n`, which is up to `n/j` near the highlight. So with `s` fraction
 //! bits for the last power each one before it has a bit more than the one behind it, and all squarings count the same.
 
-use crate::datapath::builder::{Builder, Case};
+use crate::datapath::builder::{Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Widths};
@@ -166,7 +166,7 @@ impl Architecture for Squaring<'_> {
                 power = b.mul(power, power, &format!("{name}_exact"), &text);
                 // A square of what is at most 1 is at most 1.
                 let unit = Format::unsigned(1, b.format(power).frac_bits.min(self.bits(widths, level)));
-                power = b.cast(power, unit, true, &name, &format!("{text}, rounded down"));
+                power = b.cast(power, unit, HighBits::Guarded, &name, &format!("{text}, rounded down"));
             }
             if self.taps.contains(&level) {
                 taps.push(b.floor(power, widths[width::S], &format!("{name}_cut"), &format!("{text} with fewer bits")));
@@ -174,7 +174,7 @@ impl Architecture for Squaring<'_> {
         }
         let y = self.select(&mut b, address, taps);
         let y = b.add_half(y, g, "y_half");
-        let y = b.cast(y, Format::unsigned(1, g), false, "y", "rounded down to the output's bits");
+        let y = b.cast(y, Format::unsigned(1, g), HighBits::Unused, "y", "rounded down to the output's bits");
         polynomial::finish(b, self.interface, &tables, y, |_| Interval::ZERO)
     }
 }

@@ -3,7 +3,7 @@
 //! A word is the nearest code to its entry, so that the whole error is half an output ulp; where the surface faces
 //! away, the result is 0.
 
-use crate::datapath::builder::{Builder, Case};
+use crate::datapath::builder::{Builder, Case, HighBits};
 use crate::datapath::{Architecture, Datapath, Description, Parameter};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
@@ -101,7 +101,8 @@ impl Architecture for Tabulated<'_> {
         let address = b.address(&self.interface.shininess, 0);
         let (_, u) = b.operand(self.interface);
         let bits = self.table_bits as i32;
-        let cell = b.cast(u, Format::unsigned(0, bits), true, "cell", "the cell of the versine, for u below 1");
+        let cell =
+            b.cast(u, Format::unsigned(0, bits), HighBits::Guarded, "cell", "the cell of the versine, for u below 1");
         let cell = b.scale(cell, None, bits, &[bits], "cell_number", "the number of the cell");
         let address = b.part_address(address, cell, 0);
         let y = b.field(0, address, "y");
@@ -110,7 +111,7 @@ impl Architecture for Tabulated<'_> {
         let y = b.cast(
             y,
             Format::unsigned(1, self.interface.output_fraction as i32),
-            false,
+            HighBits::Unused,
             "y_wide",
             "with an integer bit",
         );

@@ -23,7 +23,7 @@ use super::super::chords::{Chords, Slopes};
 use super::super::datapath::{EXP_TABLE, LOG_TABLE, exp_chords, power_of_two, times_versine, unless_one};
 use super::super::{EXP_ADDRESS, LOG_ADDRESS};
 use super::{Memory, ONE};
-use crate::datapath::builder::{Bound, Builder, Case};
+use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Width, Widths, exp2};
 use crate::lobe::Lobe;
@@ -410,7 +410,7 @@ impl Architecture for Coarse<'_> {
         let exp = Self::exp_chords(widths, &power);
         let shifted = power_of_two(&mut b, &exp, exp_memory, z, whole_bits, lift, &levels)?;
 
-        let y = b.cast(shifted, Format::unsigned(1, g), false, "y_cut", "the output's bits");
+        let y = b.cast(shifted, Format::unsigned(1, g), HighBits::Unused, "y_cut", "the output's bits");
         let zero = b.any(&[dark, beyond, over], "zero", "the result is 0");
         let mut y = b.zero_if(zero, y, "y", "y, 0 where it is past what the result can show");
         // The flags are up only where the hardware's v or z has reached these.
@@ -424,7 +424,7 @@ impl Architecture for Coarse<'_> {
         let bounds = (0..count).map(forced).collect();
         b.assume(y, bounds);
         if self.bypasses(widths) {
-            let rounded = b.cast(x, Format::unsigned(1, g), false, "x_cut", "x with the output's bits");
+            let rounded = b.cast(x, Format::unsigned(1, g), HighBits::Unused, "x_cut", "x with the output's bits");
             y = unless_one(&mut b, n, y, rounded);
         }
         let relative = self.n.relative_error(&tables);
