@@ -1,8 +1,9 @@
-//! What software costs, as ratios: every contender of a group runs in every round, one after the other, and the ratio is taken within the
-//! round, so that whatever else the machine does meets all alike. Medians over the rounds are reported.
+//! What software costs, as ratios: every contender of a group runs in every round, one after the other, and the ratio
+//! is taken within the round, so that whatever else the machine does meets all alike. Medians over the rounds are
+//! reported.
 //!
-//! `cargo bench --bench ratios` prints the table; `cargo bench --bench ratios -- --out docs` also writes speed.csv and speed.md there.
-//! Run as a test (without `--bench`), it goes through everything once and measures nothing.
+//! `cargo bench --bench ratios` prints the table; `cargo bench --bench ratios -- --out docs` also writes speed.csv and
+//! speed.md there. Run as a test (without `--bench`), it goes through everything once and measures nothing.
 
 use std::error::Error;
 use std::fmt::Write;
@@ -305,11 +306,12 @@ fn generation(effort: Effort) -> Result<Vec<Row>> {
 /// How many times over the long run has the golden vectors of the short one.
 const COPIES: usize = 16;
 
-/// Vectors through each simulator that is installed: what one more costs, and what a whole run of the golden vectors costs.
+/// Vectors through each simulator that is installed: what one more costs, and what a whole run of the golden vectors
+/// costs.
 ///
-/// The first is the difference of the times of a run of the golden vectors and one of them [`COPIES`] times over, which take turns.
-/// Verilator's runs are nearly all compiling, so that the difference would be noise: there it is every input of a core with fewer
-/// shininesses, compiled beforehand.
+/// The first is the difference of the times of a run of the golden vectors and one of them [`COPIES`] times over, which
+/// take turns. Verilator's runs are nearly all compiling, so that the difference would be noise: there it is every
+/// input of a core with fewer shininesses, compiled beforehand.
 fn simulators(rounds: usize) -> Result<Vec<Row>> {
     eprintln!("simulators");
     let core = design("method = 'quadratic'\nshininess = '1..=1000'")?;

@@ -1,7 +1,9 @@
-//! Samples per second of the exact reflectance, looked up in a table, and of the three forms: a sphere under one directional light, on one
-//! thread and on all, all in one run. Then the frame of 1920×1080 samples under 1, 2, 4 and 8 lights, and a mesh drawn in it.
+//! Samples per second of the exact reflectance, looked up in a table, and of the three forms: a sphere under one
+//! directional light, on one thread and on all, all in one run. Then the frame of 1920×1080 samples under 1, 2, 4 and 8
+//! lights, and a mesh drawn in it.
 //!
-//! `cargo bench --bench reflectance` prints the table. Run as a test (without `--bench`), it goes through everything once and measures nothing.
+//! `cargo bench --bench reflectance` prints the table. Run as a test (without `--bench`), it goes through everything
+//! once and measures nothing.
 
 use std::error::Error;
 use std::hint::black_box;

@@ -1,5 +1,6 @@
-//! Writes `docs/scenes.md` and `docs/scenes/*.png`: for each scene in `scenes/` its core beside the cheapest core for 1..=1000 that is as exact,
-//! both synthesised and placed, and the pictures: `cargo run --release --example scenes -- docs`.
+//! Writes `docs/scenes.md` and `docs/scenes/*.png`: for each scene in `scenes/` its core beside the cheapest core for
+//! 1..=1000 that is as exact, both synthesised and placed, and the pictures:
+//! `cargo run --release --example scenes -- docs`.
 
 use std::error::Error;
 use std::fmt::Write;

@@ -1,5 +1,6 @@
-//! Writes `docs/targets.md`: at each error from 2^-3 to 2^-14 the cheapest core of the project's own methods beside the cheapest baseline,
-//! from the measured points that come with the program: `cargo run --release --example targets -- docs`.
+//! Writes `docs/targets.md`: at each error from 2^-3 to 2^-14 the cheapest core of the project's own methods beside the
+//! cheapest baseline, from the measured points that come with the program:
+//! `cargo run --release --example targets -- docs`.
 
 use std::error::Error;
 use std::fmt::Write;

@@ -1,5 +1,5 @@
-//! What is fuzzed: each reader of files with the properties that must hold of it whatever the bytes are, and `generate` itself, from a spec
-//! to the files of its core. The fuzzer and `tests/parsers.rs` share this file.
+//! What is fuzzed: each reader of files with the properties that must hold of it whatever the bytes are, and `generate`
+//! itself, from a spec to the files of its core. The fuzzer and `tests/parsers.rs` share this file.
 //!
 //! A property that fails is a panic. Memory and time are watched from outside.
 
@@ -83,8 +83,8 @@ fn is_small(spec: &CoreSpec) -> bool {
         && options.accuracy.is_none_or(|bits| bits <= 9)
 }
 
-/// A small core is made, or refused in words: model and datapath compute the same for every input, and what is measured of it is within
-/// what is proved. Of a shader a few inputs are compared, and nothing is measured.
+/// A small core is made, or refused in words: model and datapath compute the same for every input, and what is measured
+/// of it is within what is proved. Of a shader a few inputs are compared, and nothing is measured.
 fn generate(bytes: &[u8]) {
     let Ok(text) = str::from_utf8(bytes) else { return };
     let Some(spec) = checked(SpecFields::parse(text, "spec.toml").and_then(SpecFields::resolve)) else { return };
@@ -141,7 +141,8 @@ fn designs() -> &'static [Design; 2] {
     })
 }
 
-/// Vectors are the same after they were written and read; the first byte chooses the core, and whether its name is put before them.
+/// Vectors are the same after they were written and read; the first byte chooses the core, and whether its name is put
+/// before them.
 fn golden_vectors(bytes: &[u8]) {
     let Some((&first, rest)) = bytes.split_first() else { return };
     let Ok(text) = str::from_utf8(rest) else { return };
@@ -155,8 +156,8 @@ fn golden_vectors(bytes: &[u8]) {
     assert_eq!((plain(&again), &again.digests), (plain(&read), &read.digests));
 }
 
-/// The words of a file are no more than a ROM has and fit their width; written as plain words they are read again. The first byte chooses
-/// the format, the second the width.
+/// The words of a file are no more than a ROM has and fit their width; written as plain words they are read again. The
+/// first byte chooses the format, the second the width.
 fn rom_file(bytes: &[u8]) {
     let [format, width, rest @ ..] = bytes else { return };
     let format = RomFormat::ALL[usize::from(*format) % RomFormat::ALL.len()];
@@ -183,7 +184,8 @@ fn scene(bytes: &[u8]) {
     }
 }
 
-/// The same mesh as other programs write it: with a byte order mark, with other line ends, and with lines that are continued.
+/// The same mesh as other programs write it: with a byte order mark, with other line ends, and with lines that are
+/// continued.
 fn variants(bytes: &[u8]) -> Vec<Vec<u8>> {
     let mut all = vec![[b"\xef\xbb\xbf", bytes].concat()];
     let has = |part: &[u8]| bytes.windows(part.len()).any(|window| window == part);
@@ -205,8 +207,8 @@ fn variants(bytes: &[u8]) -> Vec<Vec<u8>> {
     all
 }
 
-/// Every corner of a mesh is there, every number is one, and every normal has the length 1; written as plain OBJ it has the same triangles.
-/// Neither a byte order mark nor line ends nor continued lines change it.
+/// Every corner of a mesh is there, every number is one, and every normal has the length 1; written as plain OBJ it has
+/// the same triangles. Neither a byte order mark nor line ends nor continued lines change it.
 fn mesh(bytes: &[u8]) {
     if !bytes.starts_with(b"\xef\xbb\xbf")
         && let Some(mesh) = checked(Mesh::parse(bytes, "mesh", Normals::File))
@@ -284,8 +286,9 @@ fn tables(bytes: &[u8]) {
     checked(Recorded::parse(text, "claims.csv"));
 }
 
-/// A small reflectance table, which is the same after it was written and read, an index of sphere images, or a picture; the first byte
-/// chooses. A real table is larger than what is worth to be fuzzed, so that a small shape is allowed beside those of files.
+/// A small reflectance table, which is the same after it was written and read, an index of sphere images, or a picture;
+/// the first byte chooses. A real table is larger than what is worth to be fuzzed, so that a small shape is allowed
+/// beside those of files.
 fn reflectance(bytes: &[u8]) {
     let Some((&first, rest)) = bytes.split_first() else { return };
     match first % 4 {
@@ -309,7 +312,8 @@ fn reflectance(bytes: &[u8]) {
             }
         }
         _ => {
-            // No fuzzer guesses a check sum of a PNG file's parts: sizes and kinds of an OpenEXR header are within its reach.
+            // No fuzzer guesses a check sum of a PNG file's parts: sizes and kinds of an OpenEXR header are within its
+            // reach.
             if let Some((width, height, pixels)) = checked(images::read_exr(rest, "image.exr")) {
                 assert_eq!(pixels.len(), width * height);
             }

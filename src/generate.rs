@@ -21,8 +21,8 @@ use crate::verify::golden::Golden;
 /// let spec: Spec = "name = 'lobe'\nmethod = 'quadratic'\nshininess = '1..=16'\ninput_fraction = 8".parse()?;
 /// let core = Core::generate(&spec)?;
 ///
-/// // The error against the real-valued method in units of the last place of `out_spec`: proved for every input, and measured over all
-/// // cosines from 0 to 1.
+/// // The error against the real-valued method in units of the last place of `out_spec`: proved for every input, and
+/// // measured over all cosines from 0 to 1.
 /// let [low, high] = core.design.budget.proved_ulps;
 /// assert!(-1.0 < low && high < 1.0);
 /// let Account::Lobe { measured, .. } = &core.account else { unreachable!("the spec asks for no shader") };

@@ -1,4 +1,5 @@
-//! The wrapper with AXI4-Stream interfaces: it passes its benches and is proved, broken ones are found by both, linters are silent.
+//! The wrapper with AXI4-Stream interfaces: it passes its benches and is proved, broken ones are found by both, linters
+//! are silent.
 //!
 //! Needs iverilog, verilator, ghdl, yosys and Yices; `test.sh` installs them.
 
@@ -111,7 +112,8 @@ fn every_wrapper_passes_its_benches_lints_clean_and_is_proved() {
     });
 }
 
-/// Watches the wrapper's outputs from the first clock of its reset on, with inputs that are unknown until a beat is offered.
+/// Watches the wrapper's outputs from the first clock of its reset on, with inputs that are unknown until a beat is
+/// offered.
 const VERILOG_WATCH: &str = "
 module watch;
     reg aclk = 1'b0, aresetn = 1'b0, valid = 1'b0, ready = 1'b1;

@@ -21,8 +21,8 @@ fn design(spec: &str) -> Design {
     try_design(spec).expect(spec)
 }
 
-/// Every code of the operand port for every `row_step`th shininess: within the proved bound of the real-valued method, which is below one
-/// output ulp, and at every `stride`th code equal to the model.
+/// Every code of the operand port for every `row_step`th shininess: within the proved bound of the real-valued method,
+/// which is below one output ulp, and at every `stride`th code equal to the model.
 fn assert_every_input(spec: &str, row_step: usize, stride: i64) {
     let design = design(spec);
     let [low, high] = design.budget.proved_ulps;
@@ -191,8 +191,9 @@ fn largest_error(spec: &str) -> f64 {
     measured.max_abs
 }
 
-/// A cell of the logarithm counts `n u e^(-n u) 2^-log_bits` at most, half of it on either side; a cell of the exponential half of
-/// `ln 2 2^-exp_bits`: the error against x^n is near the sum of both, for small and large shininesses alike.
+/// A cell of the logarithm counts `n u e^(-n u) 2^-log_bits` at most, half of it on either side; a cell of the
+/// exponential half of `ln 2 2^-exp_bits`: the error against x^n is near the sum of both, for small and large
+/// shininesses alike.
 #[test]
 fn the_error_of_harris_is_that_of_its_cells() {
     for (log, exp) in [(4, 5), (6, 7), (8, 9), (9, 7)] {

@@ -210,8 +210,8 @@ fn ends_and_the_identity_are_exact() {
     }
 }
 
-/// Between the last code of the cubic and the first of the tail the hardware steps by no more than an output ulp beyond what the
-/// method does there, for every shininess.
+/// Between the last code of the cubic and the first of the tail the hardware steps by no more than an output ulp beyond
+/// what the method does there, for every shininess.
 #[test]
 fn the_seam_is_below_an_ulp() {
     for divider in DIVIDERS {

@@ -112,8 +112,8 @@ fn the_papers_methods_are_faithful_at_16_bits() {
     }
 }
 
-/// Every input at F = G = 16, compared with the model at every 31st: for some shininesses from 1 to 1000, from end to end, and for all of
-/// them with `./test.sh --all`.
+/// Every input at F = G = 16, compared with the model at every 31st: for some shininesses from 1 to 1000, from end to
+/// end, and for all of them with `./test.sh --all`.
 #[test]
 fn every_method_is_faithful_at_16_bits() {
     let some = [1, 2, 3, 4, 5, 7].into_iter().chain((8..=1000).step_by(31)).chain([1000]);
@@ -225,8 +225,8 @@ fn shininesses_between_the_rows_are_faithful() {
     }
 }
 
-/// Where a coefficient rounds up to a power of two at some widths only, is a last bit below zero, or vanishes; where a parabola
-/// ends at u = 1 only, so that no row has a cut.
+/// Where a coefficient rounds up to a power of two at some widths only, is a last bit below zero, or vanishes; where a
+/// parabola ends at u = 1 only, so that no row has a cut.
 #[test]
 fn awkward_coefficients_are_faithful() {
     for (kind, n, f, g) in [
@@ -416,8 +416,8 @@ fn the_measurement_is_exhaustive_and_within_the_proof() {
     assert!((measured.max_rel_epicentre - 0.007_0).abs() < 1e-4, "{}", measured.max_rel_epicentre);
 }
 
-/// At x = 0 the lobe is 0 and at x = 1 it is 1, exactly, whatever the widths; but for segments, whose fit leaves the top within the
-/// error that it has everywhere.
+/// At x = 0 the lobe is 0 and at x = 1 it is 1, exactly, whatever the widths; but for segments, whose fit leaves the
+/// top within the error that it has everywhere.
 #[test]
 fn ends_are_exact() {
     for kind in kinds() {
@@ -440,7 +440,8 @@ fn a_form_that_needs_too_many_bits_says_so() {
     assert!(message.contains("126 bits"), "{message}");
 }
 
-/// A ROM word with any one bit flipped changes the answer to some golden vector, unless it changes the answer to no input at all.
+/// A ROM word with any one bit flipped changes the answer to some golden vector, unless it changes the answer to no
+/// input at all.
 #[test]
 fn golden_vectors_notice_every_flipped_rom_bit() {
     for kind in kinds() {
@@ -518,8 +519,8 @@ fn assert_flips_are_noticed(spec: &str) {
     assert!(missed.is_empty(), "{spec}: {} of {words} flipped bits go unnoticed: {first:?}", missed.len());
 }
 
-/// Where the output has few bits, distances, slopes and steps may have none at all: those mean the same in the model, in the datapath and
-/// in the evaluator, for every code at both ports.
+/// Where the output has few bits, distances, slopes and steps may have none at all: those mean the same in the model,
+/// in the datapath and in the evaluator, for every code at both ports.
 #[test]
 fn the_smallest_cores_are_the_same_everywhere() {
     let sets = ["'1..=5'", "[1]", "[2, 1048576]", "'255..=256'", "[1.5, 3.25, 700]"];

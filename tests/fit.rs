@@ -116,7 +116,8 @@ fn level(objective: &Objective) -> Option<f64> {
     }
 }
 
-/// Points evenly spaced in ln f down to e^-14, which is where all features lie, with a tenth of the points for the rest.
+/// Points evenly spaced in ln f down to e^-14, which is where all features lie, with a tenth of the points for the
+/// rest.
 fn points(n: f64, count: u32, objective: &Objective) -> Vec<Point> {
     let depth = level(objective).map_or(14.0, |level| -level.ln());
     let mut versines: Vec<f64> =

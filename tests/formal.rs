@@ -1,4 +1,5 @@
-//! The proof that the texts of a core are the same circuit: it goes through for what the generator writes, and for no text with a fault.
+//! The proof that the texts of a core are the same circuit: it goes through for what the generator writes, and for no
+//! text with a fault.
 //!
 //! Needs ghdl and yosys with yosys-abc; `test.sh` installs them.
 

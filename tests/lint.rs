@@ -1,7 +1,8 @@
-//! Every bench is built as a user builds it, with each tool's default flags, and nothing is said but the bench's verdict; and `--lint`.
+//! Every bench is built as a user builds it, with each tool's default flags, and nothing is said but the bench's
+//! verdict; and `--lint`.
 //!
-//! Needs iverilog, verilator, ghdl and yosys; `test.sh` installs them. With `BRDFGEN_TEST_ALL=1` many more cores are built, and all of
-//! them to programs.
+//! Needs iverilog, verilator, ghdl and yosys; `test.sh` installs them. With `BRDFGEN_TEST_ALL=1` many more cores are
+//! built, and all of them to programs.
 
 mod common;
 
@@ -103,8 +104,8 @@ const MORE: &[&str] = &[
      [shader]\nmodel = 'blinn'\nchannel_bits = 10\nlight_colours = 'ports'",
 ];
 
-/// The C++ compiler needs a minute for a bench with Verilator's default flags, and many for one of a wrapper: these of [`SPECS`] become
-/// programs in the default run, by the number of their bench.
+/// The C++ compiler needs a minute for a bench with Verilator's default flags, and many for one of a wrapper: these of
+/// [`SPECS`] become programs in the default run, by the number of their bench.
 const TO_PROGRAMS: [(usize, usize); 1] = [(0, 0)];
 
 #[test]
@@ -271,7 +272,8 @@ fn lint_says_what_each_tool_says() {
     );
 }
 
-/// A tool that complains is exit code 1, with everything else said and written; one that is not there is named with its package.
+/// A tool that complains is exit code 1, with everything else said and written; one that is not there is named with its
+/// package.
 #[cfg(unix)]
 #[test]
 fn a_tool_that_complains_or_is_missing_is_named() {

@@ -46,8 +46,8 @@ fn assert_within(design: &Design, spec: &str, index: u32, operand: i64, output: 
     assert!(output <= 1 << design.spec.interface.output_fraction, "{spec}: in_n {index}, operand {operand}: {output}");
 }
 
-/// Every code of the operand port for every `row_step`th shininess: within the proved bound of x^n, and at every `stride`th code equal to
-/// the model.
+/// Every code of the operand port for every `row_step`th shininess: within the proved bound of x^n, and at every
+/// `stride`th code equal to the model.
 fn assert_every_input(spec: &str, row_step: usize, stride: i64) {
     let design = design(spec);
     let (first, count) = all_codes(design.operand_format());
@@ -191,7 +191,8 @@ proptest! {
         assert_every_input(&format!("{spec}\ninput_fraction = {f}\noutput_fraction = {g}"), 1, 3);
     }
 
-    /// At widths whose inputs cannot all be tried: random ones, on the highlight and anywhere, and ones near the ends of the tables' entries.
+    /// At widths whose inputs cannot all be tried: random ones, on the highlight and anywhere, and ones near the ends
+    /// of the tables' entries.
     #[test]
     fn wide_cores_are_within_the_proof(f in 12u32..=24, g in 12u32..=20, first in 1u32..=3000, span in 0u32..=60_000, r in 0u32..=10, versine: bool, codes in proptest::collection::vec(any::<u64>(), 600)) {
         let operand = if versine { "versine" } else { "cos" };
@@ -257,7 +258,8 @@ fn the_target_is_met() {
     assert!(measured.sweep.exhaustive && measured.max_abs < 0.000_02, "{}", measured.max_abs);
 }
 
-/// The tables have as many entries as the wanted error needs: more for a finer output, and about 4 times as many for 4 bits.
+/// The tables have as many entries as the wanted error needs: more for a finer output, and about 4 times as many for 4
+/// bits.
 #[test]
 fn tables_grow_with_the_wanted_error() {
     let sizes = [8, 12, 16, 20].map(|g| {
@@ -271,8 +273,8 @@ fn tables_grow_with_the_wanted_error() {
     }
 }
 
-/// An entry of a function table with any one bit flipped changes the answer to some golden vector, unless it changes the answer to no input
-/// at all.
+/// An entry of a function table with any one bit flipped changes the answer to some golden vector, unless it changes
+/// the answer to no input at all.
 #[test]
 fn golden_vectors_notice_every_flipped_bit_of_an_entry() {
     for spec in [

@@ -118,7 +118,8 @@ fn the_command_ends_with_1_when_a_mutant_survives() {
     assert_eq!(scratch.run(&json).stdout, scratch.run(&json).ends_with(1).stdout, "the same seed, the same answer");
 }
 
-/// What a spec asks for is in its golden vectors, behind the others, which stay as they are; a golden file without it is not the core's.
+/// What a spec asks for is in its golden vectors, behind the others, which stay as they are; a golden file without it
+/// is not the core's.
 #[test]
 fn golden_inputs_of_a_spec_are_in_its_vectors() {
     let scratch = Scratch::new();

@@ -1,5 +1,5 @@
-//! The netlist that `synth` makes of a core for ECP5, with registers moved into its blocks, runs the core's golden vectors; a netlist with
-//! a mistake does not.
+//! The netlist that `synth` makes of a core for ECP5, with registers moved into its blocks, runs the core's golden
+//! vectors; a netlist with a mistake does not.
 //!
 //! Needs pyosys and iverilog; `test.sh` installs them.
 
@@ -67,8 +67,8 @@ impl Core {
         golden
     }
 
-    /// Inverts single bits of the 16-bit tables that stand behind `words` in the netlist, one of every `step`, and says how many there are and
-    /// how many the golden vectors find; what they miss, no input shows.
+    /// Inverts single bits of the 16-bit tables that stand behind `words` in the netlist, one of every `step`, and says
+    /// how many there are and how many the golden vectors find; what they miss, no input shows.
     fn bits_of_tables(&self, words: &[&str], step: usize) -> [usize; 2] {
         let found = words.iter().flat_map(|word| self.netlist.match_indices(word)).map(|(at, word)| at + word.len());
         let bits: Vec<(usize, u32)> = found.flat_map(|at| (0..16).map(move |bit| (at, bit))).step_by(step).collect();
@@ -122,7 +122,8 @@ fn multipliers_with_registers_and_tables_do_what_the_core_does() {
     core.fails(".REG_OUTPUT_CLK(\"CLK0\")", ".REG_OUTPUT_CLK(\"NONE\")", "expected");
 }
 
-/// Some combinations of a table's inputs never come, so that a wrong bit there shows for no input; any other the vectors find.
+/// Some combinations of a table's inputs never come, so that a wrong bit there shows for no input; any other the
+/// vectors find.
 #[test]
 fn single_bits_of_tables_are_found_wherever_an_input_shows_them() {
     let core = Core::new(LOGIC);

@@ -1,10 +1,12 @@
-//! All options together: `generate`, from the spec to the directory, over specs in which every two values of two options that go together
-//! do so in some spec, at the ends of the ranges that are allowed.
+//! All options together: `generate`, from the spec to the directory, over specs in which every two values of two
+//! options that go together do so in some spec, at the ends of the ranges that are allowed.
 //!
-//! Each core is made, written to disk, compiled by Icarus Verilog without a warning, analysed and elaborated by GHDL, and simulated with
-//! its golden vectors; what cannot be a core is refused in words. Needs iverilog and ghdl; `test.sh` installs them.
+//! Each core is made, written to disk, compiled by Icarus Verilog without a warning, analysed and elaborated by GHDL,
+//! and simulated with its golden vectors; what cannot be a core is refused in words. Needs iverilog and ghdl; `test.sh`
+//! installs them.
 //!
-//! By default the quickest cores of the set are made, and of shaders nothing is measured; with `BRDFGEN_TEST_ALL=1` all of it.
+//! By default the quickest cores of the set are made, and of shaders nothing is measured; with `BRDFGEN_TEST_ALL=1` all
+//! of it.
 
 mod common;
 #[path = "common/pairs.rs"]
@@ -170,7 +172,8 @@ impl Options {
         chosen.fold(self.base.clone(), SpecFields::or).resolve()
     }
 
-    /// Whether a row makes a spec of a core that can be written to if it is to be: what the design itself says of a small one like it.
+    /// Whether a row makes a spec of a core that can be written to if it is to be: what the design itself says of a
+    /// small one like it.
     fn is_valid(&self, row: &[usize]) -> bool {
         let Ok(spec) = self.spec(row) else { return false };
         if spec.rom != RomStyle::Writable {
@@ -225,7 +228,8 @@ enum Made {
     Wrong(String),
 }
 
-/// A shader's account without a measurement and some vectors of random codes: the whole of both takes a minute a shader.
+/// A shader's account without a measurement and some vectors of random codes: the whole of both takes a minute a
+/// shader.
 fn sketched(design: &Design) -> (Account, Golden) {
     let part = |name| Part { name, meaning: "", codes: [0.0; 2], rms: 0.0 };
     let account = Account::Shader(ShaderError { samples: 1, parts: vec![part("part")], whole: part("whole") });
@@ -309,7 +313,8 @@ fn complaint(design: &Design, language: Language, directory: &Path) -> Option<St
     }
 }
 
-/// A rough measure of how long a core takes to be made, as a power of two: the codes of both ports, and the entries of its tables.
+/// A rough measure of how long a core takes to be made, as a power of two: the codes of both ports, and the entries of
+/// its tables.
 fn size(spec: &CoreSpec) -> u32 {
     let options = spec.method.options();
     let entries = [options.table_bits, options.log_bits, options.exp_bits].into_iter().flatten().max().unwrap_or(0);

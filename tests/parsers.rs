@@ -1,5 +1,5 @@
-//! Every reader of files on a corpus, on what has once made one of them fail, and on changes of both. The corpus comes from the fuzzer; see
-//! docs/fuzzing.md.
+//! Every reader of files on a corpus, on what has once made one of them fail, and on changes of both. The corpus comes
+//! from the fuzzer; see docs/fuzzing.md.
 
 #[path = "../fuzz/targets.rs"]
 mod targets;

@@ -1,4 +1,5 @@
-//! `brdfgen report` from the outside: the page, its charts, what it refuses; and the page in a browser, where there is one.
+//! `brdfgen report` from the outside: the page, its charts, what it refuses; and the page in a browser, where there is
+//! one.
 
 mod common;
 

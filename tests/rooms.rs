@@ -1,5 +1,6 @@
-//! The rules of the house, read off the sources: rooms stand one above the other and use only what is below them; a method's model and
-//! its datapath know nothing of each other; only the commands print; only `platform` makes commands of programs.
+//! The rules of the house, read off the sources: rooms stand one above the other and use only what is below them; a
+//! method's model and its datapath know nothing of each other; only the commands print; only `platform` makes commands
+//! of programs.
 
 use std::path::Path;
 
@@ -43,7 +44,8 @@ struct Source {
     text: String,
 }
 
-/// The place in the order of what a path, of a file or of a module, lies in: the room whose name is the longest beginning of it.
+/// The place in the order of what a path, of a file or of a module, lies in: the room whose name is the longest
+/// beginning of it.
 fn room(path: &str) -> Option<usize> {
     let lies_in = |room: &str| path.strip_prefix(room).is_some_and(|rest| rest.is_empty() || rest.starts_with('/'));
     (0..ROOMS.len()).filter(|&place| lies_in(ROOMS[place])).max_by_key(|&place| ROOMS[place].len())

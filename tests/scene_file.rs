@@ -69,8 +69,8 @@ fn the_scenes_read() {
     }
 }
 
-/// Every normal is a unit vector, and all but a part of them lie on the side of their triangle from which it turns to the left: at a
-/// sharp edge a smooth one may not.
+/// Every normal is a unit vector, and all but a part of them lie on the side of their triangle from which it turns to
+/// the left: at a sharp edge a smooth one may not.
 fn outside(mesh: &Mesh, part: f64, what: &str) {
     let mut inside = 0;
     for triangle in &mesh.triangles {
@@ -526,7 +526,8 @@ fn a_mesh_has_the_materials_of_its_file_on_wish() {
 
 #[test]
 fn normals_are_the_files_smooth_or_flat() {
-    // A roof of two slopes, its ridge's vertices given twice; the normals of the file are of other lengths, one of them 0.
+    // A roof of two slopes, its ridge's vertices given twice; the normals of the file are of other lengths, one of them
+    // 0.
     let roof = "v -1 0 0\nv 0 1 0\nv 0 1 -1\nv 1 0 0\nv 0 1 0\nv 0 1 -1\n";
     let plain = format!("{roof}f 1 2 3\nf 4 6 5\n");
     let half = 0.5f64.sqrt();
@@ -573,7 +574,8 @@ fn transforms_scale_then_turn_then_move_and_keep_normals_outside() {
             if normals == Normals::Flat {
                 outside(&there, 0.0, &format!("{scale:?}"));
             }
-            // A normal and the way from the middle to its corner keep their scalar product's sign, however the mesh is scaled.
+            // A normal and the way from the middle to its corner keep their scalar product's sign, however the mesh is
+            // scaled.
             let middle = [0, 1, 2].map(|i| there.positions.iter().map(|p| p[i]).sum::<f64>() / 4.0);
             for corner in there.triangles.iter().flatten() {
                 let (p, n) = (there.positions[corner.position as usize], there.normals[corner.normal as usize]);

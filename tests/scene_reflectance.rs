@@ -1,4 +1,5 @@
-//! Scenes with materials that are drawn by their reflectance: exactly against formulas of their own, through the forms, next to classical ones.
+//! Scenes with materials that are drawn by their reflectance: exactly against formulas of their own, through the forms,
+//! next to classical ones.
 
 mod common;
 

@@ -59,7 +59,8 @@ fn keys(text: &str) -> SpecFields {
 
 #[test]
 fn the_cosines_of_a_sphere_are_distributed_as_its_geometry_says() {
-    // On the disc that is seen, the part within the angle a of the middle is sin^2 a. Blinn's cosine is that of a here, Phong's of 2 a.
+    // On the disc that is seen, the part within the angle a of the middle is sin^2 a. Blinn's cosine is that of a here,
+    // Phong's of 2 a.
     for (model, times) in [("blinn", 1.0), ("phong", 2.0)] {
         let n = 10.0f64;
         let found = required(&scene(&lone(model, n, "")), 0.0);
@@ -198,7 +199,8 @@ fn the_chosen_core_is_the_cheapest_that_keeps_the_budget_and_its_widths_are_need
     assert!((psnr(verified.base.psnr) - psnr(chosen.base.psnr)).abs() < 1e-9);
     assert_eq!(verified.moved.max_steps, chosen.moved.max_steps);
 
-    // What is undone costs at least as much in ROM or in logic, and what was cut is needed: with a bit less, no core keeps the budget.
+    // What is undone costs at least as much in ROM or in logic, and what was cut is needed: with a bit less, no core
+    // keeps the budget.
     let list = simplifications(&scene, &found, &search, chosen).unwrap();
     let materials = &list[0];
     let saving = materials.saves.unwrap();
@@ -331,7 +333,8 @@ fn one_of_a_thing_is_singular_and_what_is_not_there_is_not_named() {
     scratch.run_each(["scene", "inspect", "."]).refuses(&[". is a directory, and no scene"]);
 }
 
-/// Where a view may meet the whole lobe however few points of it the pictures show, no channel is off by more than the whole highlight.
+/// Where a view may meet the whole lobe however few points of it the pictures show, no channel is off by more than the
+/// whole highlight.
 #[test]
 fn no_view_is_off_by_more_than_the_highlight() {
     let scene = scene(&lone("phong", 1000.0, "").replace("= 200", "= 1"));

@@ -66,7 +66,8 @@ fn lobe(text: &str) -> SpecFields {
     SpecFields::parse(text, "lobe").unwrap()
 }
 
-/// The shader of a scene around a lobe, its picture's difference from the exact one, and the samples that went through it.
+/// The shader of a scene around a lobe, its picture's difference from the exact one, and the samples that went through
+/// it.
 fn through(scene: &Scene, lobe: &SpecFields, asked: &ShaderFields) -> (Design, Difference, u64) {
     let requirements = Requirements::of(scene, 0.0, &|_, _| {}).unwrap();
     let spec = shade::spec(scene, &requirements, lobe, asked).and_then(SpecFields::resolve).unwrap();
@@ -144,7 +145,8 @@ fn a_scene_becomes_a_shader_with_its_documents() {
     assert!(!scratch.path("x").exists());
 }
 
-/// What a name may hold at worst: markup and HTML, the ends of comments and of strings in every language that is written.
+/// What a name may hold at worst: markup and HTML, the ends of comments and of strings in every language that is
+/// written.
 const HOSTILE: [&str; 2] = [r#"<b>&"m|x"#, r#"a`b` *c* [d](e) */ (* -- // ; % ' $(f) {g} \"#];
 
 /// Every table of a Markdown text has rows of as many cells, and no HTML is in it outside of code.

@@ -292,7 +292,8 @@ fn shadows_are_where_they_should_be() {
     }
 }
 
-/// Nothing behind a point light throws a shadow, and no surface on itself: not a plane to the horizon, not a sphere, not a mesh.
+/// Nothing behind a point light throws a shadow, and no surface on itself: not a plane to the horizon, not a sphere,
+/// not a mesh.
 #[test]
 fn no_shadow_without_a_thing_in_between() {
     let shapes = [
@@ -618,8 +619,8 @@ fn moved_scenes_are_moved_by_the_margin() {
     assert!(dot(ahead, right).abs() < 1e-15 && dot(up, right).abs() < 1e-15 && (length(up) - 1.0).abs() < 1e-15);
 }
 
-/// Where interpolation turns N away from the viewer, the formulas are used as they are; opposite directions have no half vector, and
-/// give the cosine 0.
+/// Where interpolation turns N away from the viewer, the formulas are used as they are; opposite directions have no
+/// half vector, and give the cosine 0.
 #[test]
 fn normals_turned_away_from_the_viewer() {
     let tilted = Mesh { normals: vec![[0.8, 0.0, 0.6]], ..square() };

@@ -121,8 +121,8 @@ fn the_model_equals_the_graph_on_a_million_samples() {
     });
 }
 
-/// A shader in double precision, from the formulas: the channels in codes, not rounded. `power` is the highlight for a material's n and
-/// the cosine.
+/// A shader in double precision, from the formulas: the channels in codes, not rounded. `power` is the highlight for a
+/// material's n and the cosine.
 fn in_double(design: &Design, sample: &Sample, power: impl Fn(f64, f64) -> f64) -> [f64; 3] {
     let shader = shader(design);
     let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
@@ -156,8 +156,9 @@ fn in_double(design: &Design, sample: &Sample, power: impl Fn(f64, f64) -> f64) 
     sums.map(|sum| sum.min(1.0) * shader.full_scale() as f64)
 }
 
-/// On the port's own vectors with the quadratic in place of the power only the hardware's roundings are left: half a code for the
-/// output, and little beside it. On exact vectors with the power the error stays within what the account states of it.
+/// On the port's own vectors with the quadratic in place of the power only the hardware's roundings are left: half a
+/// code for the output, and little beside it. On exact vectors with the power the error stays within what the account
+/// states of it.
 #[test]
 fn the_hardware_is_near_a_shader_in_double_precision() {
     let quadratics = specs().into_iter().filter(|spec| spec.contains("quadratic") && !spec.contains("vector_fraction"));
@@ -174,8 +175,8 @@ fn the_hardware_is_near_a_shader_in_double_precision() {
             let quadratic = |n: f64, x: f64| (x * (1.0 - Quadratic::new(n).unwrap().a * (1.0 - x))).max(0.0);
             let method = in_double(&design, &rounded, quadratic);
             let exact = in_double(&design, &sample, |n, x| x.powf(n));
-            // A highlight of n = 128 has a slope of 102 at its top; the cosine has errors of three of its dot products' last bits, and
-            // where these are divided by a root of s = 2 + 2 L.V of more.
+            // A highlight of n = 128 has a slope of 102 at its top; the cosine has errors of three of its dot products'
+            // last bits, and where these are divided by a root of s = 2 + 2 L.V of more.
             let full = shader(&design).full_scale() as f64;
             let allowed = rounded.lights.iter().fold(0.6, |sum, light| {
                 let lv: f64 = light.direction.iter().zip(rounded.viewer).map(|(a, b)| a * b).sum();
@@ -194,7 +195,8 @@ fn the_hardware_is_near_a_shader_in_double_precision() {
                 assert!(on_horizon || (low - 1.0..=high + 1.0).contains(&error), "{spec}\n{sample:?}: {error}");
             }
         }
-        // The parts say what they should: the method's error is that of the quadratic, the rounding of the output half a code.
+        // The parts say what they should: the method's error is that of the quadratic, the rounding of the output half
+        // a code.
         let part = |name: &str| account.parts.iter().find(|part| part.name == name).expect(name);
         assert!(part("method").rms > part("arithmetic").rms, "{account:?}");
         assert!((0.1..0.45).contains(&part("arithmetic").rms), "{account:?}");
@@ -268,7 +270,8 @@ fn front_ends_pass_in_verilator() {
     }
 }
 
-/// What a name in the HDL is followed by is its stage, which changes with the schedule: a fault is injected by a part of a line.
+/// What a name in the HDL is followed by is its stage, which changes with the schedule: a fault is injected by a part
+/// of a line.
 type Fault = (&'static str, Language, &'static str, &'static str, &'static str);
 
 /// A line that holds the first text gets the third for the second.
@@ -311,7 +314,8 @@ fn broken_shaders_fail() {
     });
 }
 
-/// A ROM word with a flipped bit changes the answer to some golden vector, but for last bits that hardly any sample shows.
+/// A ROM word with a flipped bit changes the answer to some golden vector, but for last bits that hardly any sample
+/// shows.
 #[test]
 fn golden_vectors_notice_flipped_rom_bits() {
     let design = design(&text("method = 'quadratic'", "lights = 2"));
@@ -454,7 +458,8 @@ fn commands_take_or_refuse_a_shader() {
     }
 }
 
-/// The reference core takes a DSP block a multiplier of up to 18 bits, and no more block RAM than it has large memories.
+/// The reference core takes a DSP block a multiplier of up to 18 bits, and no more block RAM than it has large
+/// memories.
 #[test]
 fn yosys_synthesises_the_reference_core() {
     let source = concat!(env!("CARGO_MANIFEST_DIR"), "/generated/shader/rtl/shader.v");

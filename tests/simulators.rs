@@ -114,7 +114,8 @@ const SPECS: &[&str] = &[
     "method = 'cubic'\ntail = 'hold'\nshininess = '1..=100'",
     "method = 'cubic-three-point'\ntail = 'hold'\nshininess = [1.2, 2.5, 70]\ninput_fraction = 9\noutput_fraction = 11",
     "method = 'cubic'\ncoefficients = 'minimax'\nshininess = '1..=64'\nshininess_fraction = 2\npipeline = 5",
-    // The power with constants in its tables, with slopes of a few bits, with multipliers; n = 1 by a way of its own or not.
+    // The power with constants in its tables, with slopes of a few bits, with multipliers; n = 1 by a way of its own or
+    // not.
     "method = 'log-exp'\naccuracy = 4\nshininess = '1..=1000'",
     "method = 'log-exp'\naccuracy = 9\nshininess = '1..=300'\ninput_fraction = 14\noutput_fraction = 12",
     "method = 'log-exp'\naccuracy = 12\nshininess = [1, 2.5, 640]\noperand = 'versine'\nmemory = 'block'\nrom = 'file'",

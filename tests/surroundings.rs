@@ -1,5 +1,5 @@
-//! What happens around the program: disks that are full, runs that are killed, runs at the same time, external programs that hang, crash or
-//! lie, paths that are hard to write.
+//! What happens around the program: disks that are full, runs that are killed, runs at the same time, external programs
+//! that hang, crash or lie, paths that are hard to write.
 //!
 //! Needs iverilog, verilator and ghdl; `test.sh` installs them.
 #![cfg(unix)]
@@ -277,7 +277,8 @@ fn a_generate_that_is_killed_leaves_nothing_that_looks_whole_and_is_finished_by_
     assert!(killed > 0, "no run was killed in time");
 }
 
-/// Every state that a killed run can leave a directory in: the list of files, temporary files, the manifest gone, the first k files new.
+/// Every state that a killed run can leave a directory in: the list of files, temporary files, the manifest gone, the
+/// first k files new.
 #[test]
 fn every_state_of_an_interrupted_writing_is_finished() {
     let scratch = Scratch::new();
@@ -292,7 +293,8 @@ fn every_state_of_an_interrupted_writing_is_finished() {
     let known: std::collections::BTreeSet<&PathBuf> = old_files.keys().chain(new_files.keys()).collect();
     let list = serde_json::to_string(&known).unwrap();
     for state in (0..=new_files.len()).step_by(3) {
-        // Into an empty directory, or over the old core; the third run is the same as the second, or makes the old core.
+        // Into an empty directory, or over the old core; the third run is the same as the second, or makes the old
+        // core.
         for (over, line, wanted) in [(false, OTHER, &new), (true, OTHER, &new), (true, ONE, &old)] {
             let _ = fs::remove_dir_all(scratch.path("core"));
             for (path, bytes) in old_files.iter().filter(|(path, _)| over && path.as_os_str() != "manifest.json") {

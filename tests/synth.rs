@@ -1,4 +1,5 @@
-//! `brdfgen synth`: real runs of Yosys and nextpnr, what is kept of them, what is said when they are not there or answer nonsense.
+//! `brdfgen synth`: real runs of Yosys and nextpnr, what is kept of them, what is said when they are not there or
+//! answer nonsense.
 //!
 //! Needs pyosys and nextpnr for ECP5, iCE40 and Gowin, and iverilog; `test.sh` installs them.
 
@@ -157,7 +158,8 @@ fn nextpnr_reports_are_read_and_broken_ones_refused() {
 /// `MULT18X18D` as far as the cores use it: unsigned, registers with a clock enable.
 const MULTIPLIER: &str = include_str!("data/mult18x18d.v");
 
-/// The netlist with the registers inside the multipliers runs the core's own test bench; one whose register was forgotten fails it.
+/// The netlist with the registers inside the multipliers runs the core's own test bench; one whose register was
+/// forgotten fails it.
 #[test]
 fn a_packed_netlist_passes_the_cores_test_bench() {
     let scratch = Scratch::new();

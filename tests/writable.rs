@@ -1,5 +1,5 @@
-//! Cores whose coefficients can be written: the words that they come up with and the words that are loaded, in simulators and in
-//! synthesis.
+//! Cores whose coefficients can be written: the words that they come up with and the words that are loaded, in
+//! simulators and in synthesis.
 //!
 //! Needs iverilog, verilator, ghdl and yosys; `test.sh` installs them.
 
@@ -156,7 +156,8 @@ fn every_vector_of_the_loading_test_differs_from_the_golden_one() {
     }
 }
 
-/// The words of another set, loaded into a core of the same datapath, make it the other core; and only with the same digest.
+/// The words of another set, loaded into a core of the same datapath, make it the other core; and only with the same
+/// digest.
 #[test]
 fn the_words_of_a_core_with_the_same_digest_make_it_that_core() {
     let spec = |q: f64, last: u32| {

@@ -13,7 +13,8 @@ use serde_json::Value;
 /// The content of a directory by path: a file's bytes, or `None` for a directory.
 pub type Tree = BTreeMap<PathBuf, Option<Vec<u8>>>;
 
-/// Whether sets of cores and inputs are to be run whole (`./test.sh --all`), and not the part that every change has to pass.
+/// Whether sets of cores and inputs are to be run whole (`./test.sh --all`), and not the part that every change has to
+/// pass.
 pub fn all() -> bool {
     std::env::var_os("BRDFGEN_TEST_ALL").is_some_and(|value| value == "1")
 }

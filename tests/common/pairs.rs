@@ -28,11 +28,11 @@ pub fn pairs_of(row: &[usize]) -> impl Iterator<Item = (Pick, Pick)> + '_ {
     (0..row.len()).flat_map(move |a| (a + 1..row.len()).map(move |b| ((a, row[a]), (b, row[b]))))
 }
 
-/// Covers every pair of values that goes together, greedily and always in the same way: a row begins with a pair that none has yet, and
-/// takes for each other choice the value that makes most new pairs with what is chosen already.
+/// Covers every pair of values that goes together, greedily and always in the same way: a row begins with a pair that
+/// none has yet, and takes for each other choice the value that makes most new pairs with what is chosen already.
 ///
-/// `valid` says whether a row goes. What a value needs of other choices must be found among those of `helpers`, with the plainest of all
-/// others; and leaving any other choice at its plainest must spoil no row.
+/// `valid` says whether a row goes. What a value needs of other choices must be found among those of `helpers`, with
+/// the plainest of all others; and leaving any other choice at its plainest must spoil no row.
 pub fn covering(choices: &[Choice], helpers: &[usize], valid: &dyn Fn(&[usize]) -> bool) -> Covering {
     let mut open: BTreeSet<(Pick, Pick)> = BTreeSet::new();
     for a in 0..choices.len() {
