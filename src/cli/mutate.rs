@@ -64,11 +64,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         detected
     });
     bar.finish_and_clear();
-    let row = |(mutant, outcome): (Mutant, Outcome)| Row { kind: mutant.kind.name(), what: mutant.what, outcome };
-    let mut sorts = vec![("source", mutants.into_iter().zip(outcomes).map(row).collect::<Vec<Row>>())];
+    let row = |(mutant, outcome): (Mutant, Outcome)| MutantRow { kind: mutant.kind.name(), what: mutant.what, outcome };
+    let mut sorts = vec![("source", mutants.into_iter().zip(outcomes).map(row).collect::<Vec<MutantRow>>())];
     if arguments.netlist > 0 {
         let spinner = progress::spinner("mutants of the netlist".to_owned());
-        let row = |mutant: NetlistMutant| Row { kind: "netlist", what: mutant.what, outcome: mutant.outcome };
+        let row = |mutant: NetlistMutant| MutantRow { kind: "netlist", what: mutant.what, outcome: mutant.outcome };
         let found = netlist::outcomes(design, &verilog(&core.job())?, golden, arguments.netlist, arguments.seed)?;
         sorts.push(("netlist", found.into_iter().map(row).collect()));
         spinner.finish_and_clear();
@@ -83,7 +83,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         let list: Vec<_> = shown.collect();
         say_json(&json!({ "core": name, "tallies": of, "mutants": list }));
     } else {
-        for Row { kind, what, outcome } in shown {
+        for MutantRow { kind, what, outcome } in shown {
             let end = match outcome {
                 Outcome::Detected { by } => format!("killed: {by}"),
                 Outcome::Equivalent { proof } => format!("equivalent: {proof}"),
@@ -105,7 +105,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 
 /// A mutant, for printing.
 #[derive(Serialize)]
-struct Row {
+struct MutantRow {
     kind: &'static str,
     what: String,
     #[serde(flatten)]

@@ -27,7 +27,7 @@ struct Reg {
 }
 
 /// A memory, read in a stage.
-struct Memory<'a> {
+struct MemoryText<'a> {
     name: &'a str,
     word: String,
     range: String,
@@ -41,7 +41,7 @@ struct Memory<'a> {
     rows: Vec<(String, String)>,
 }
 
-impl Memory<'_> {
+impl MemoryText<'_> {
     /// Whether its words are in an array, and not in the branches of a case statement.
     fn in_array(&self) -> bool {
         self.parameter.is_some() || self.write.is_some()
@@ -51,7 +51,7 @@ impl Memory<'_> {
 struct Stage<'a> {
     index: u32,
     heading: String,
-    memories: Vec<Memory<'a>>,
+    memories: Vec<MemoryText<'a>>,
     wires: Vec<Wire>,
     regs: Vec<Reg>,
 }
@@ -265,7 +265,7 @@ fn declaration(port: &Port) -> Declaration {
 }
 
 /// The memories that are read in a stage.
-fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory<'a>> {
+fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<MemoryText<'a>> {
     let tables = layout.datapath.tables.iter().enumerate();
     let reads = tables.filter_map(|(memory, table)| Some((memory, table, layout.read(memory)?)));
     reads
@@ -276,7 +276,7 @@ fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory
                 (format!("{address_bits}'d{address}"), word_literal(&table.word(address), table.word_bits()))
             };
             let write = texts.write_port(memory);
-            Memory {
+            MemoryText {
                 name: table.name,
                 range: range(Format::unsigned(table.word_bits() as i32, 0)),
                 address: layout.name(read.address, stage),

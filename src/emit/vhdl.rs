@@ -26,7 +26,7 @@ struct Assignment {
 }
 
 /// A memory, read in a stage.
-struct Memory<'a> {
+struct MemoryText<'a> {
     name: &'a str,
     /// The name of its constant.
     constant: String,
@@ -44,8 +44,8 @@ struct Memory<'a> {
     chunks: Vec<Chunk>,
 }
 
-impl Memory<'_> {
-    /// The constant or signal that holds its whole words, if they are not in [`Memory::chunks`] only.
+impl MemoryText<'_> {
+    /// The constant or signal that holds its whole words, if they are not in [`MemoryText::chunks`] only.
     fn array(&self) -> Option<&str> {
         match (&self.generic, self.write) {
             (_, Some(_)) => Some(self.name),
@@ -58,7 +58,7 @@ impl Memory<'_> {
 struct Stage<'a> {
     index: u32,
     heading: String,
-    memories: Vec<Memory<'a>>,
+    memories: Vec<MemoryText<'a>>,
     assignments: Vec<Assignment>,
     registers: Vec<(String, String)>,
 }
@@ -298,7 +298,7 @@ fn declaration(port: &Port, name_width: usize, ports: VhdlPorts) -> Declaration 
 }
 
 /// The memories that are read in a stage.
-fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory<'a>> {
+fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<MemoryText<'a>> {
     let tables = layout.datapath.tables.iter().enumerate();
     let reads = tables.filter_map(|(memory, table)| Some((memory, table, layout.read(memory)?)));
     reads
@@ -321,7 +321,7 @@ fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory
                     rows: words.iter().enumerate().rev().map(row).collect(),
                 }
             };
-            Memory {
+            MemoryText {
                 name: table.name,
                 constant: table.name.to_ascii_uppercase(),
                 bits: table.word_bits(),

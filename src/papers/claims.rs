@@ -1,7 +1,7 @@
 //! The list of claims that are measured on lobes, and what measuring them shares.
 
-use super::method::{Method, Pieces};
-use super::survey::{MOST, Row};
+use super::method::{PaperMethod, Pieces};
+use super::survey::{MOST, SurveyRow};
 use super::{Claim, Figure, Unit, cubic, images, quadratic};
 use crate::core::Design;
 use crate::platform::error::Error;
@@ -27,7 +27,7 @@ pub(super) fn value(name: &'static str, value: f64) -> Figure {
 }
 
 /// The largest of `f` for n up to `most`.
-pub(super) fn most(rows: &[Row], most: usize, f: impl Fn(&Row) -> f64) -> f64 {
+pub(super) fn most(rows: &[SurveyRow], most: usize, f: impl Fn(&SurveyRow) -> f64) -> f64 {
     rows[..most].iter().map(f).fold(0.0, f64::max)
 }
 
@@ -57,7 +57,7 @@ pub(super) fn real_shininesses() -> impl Iterator<Item = f64> {
 }
 
 /// The largest of an error of a method's lobes for the real shininesses.
-pub(super) fn most_real(method: Method, error: impl Fn(&Pieces) -> f64) -> Result<f64, Error> {
+pub(super) fn most_real(method: PaperMethod, error: impl Fn(&Pieces) -> f64) -> Result<f64, Error> {
     real_shininesses().try_fold(0.0, |worst: f64, n| Ok(worst.max(error(&method.lobe(n)?))))
 }
 
@@ -71,7 +71,7 @@ pub(super) fn datapath(method: &str, form: &str) -> Result<Design, Error> {
 ///
 /// # Errors
 /// None for the papers' parameters.
-pub fn claims(rows: &[Row]) -> Result<Vec<Claim>, Error> {
+pub fn claims(rows: &[SurveyRow]) -> Result<Vec<Claim>, Error> {
     let mut claims = vec![
         quadratic::quadratic_error(rows)?,
         quadratic::quadratic_printed_angle()?,

@@ -4,8 +4,8 @@ use super::claims::{
     ROUNDING, count, datapath, how_many, most, most_real, percent, real_shininesses, shininesses, those, times, value,
 };
 use super::measure::{grid, largest, rises};
-use super::method::{LEVEL, Method, three_point};
-use super::survey::{Errors, MOST, Row};
+use super::method::{LEVEL, PaperMethod, three_point};
+use super::survey::{Errors, MOST, SurveyRow};
 use super::{Claim, Finding};
 use crate::method::cubic::Cubic;
 use crate::method::cubic_min_zero::MinZero;
@@ -25,17 +25,17 @@ fn least(n: f64, cubic: &Cubic) -> f64 {
 }
 
 /// The first n where `f` holds, or one past the last.
-fn first(rows: &[Row], f: impl Fn(&Row) -> bool) -> usize {
+fn first(rows: &[SurveyRow], f: impl Fn(&SurveyRow) -> bool) -> usize {
     rows.iter().find(|row| f(row)).map_or(MOST + 1, |row| row.n)
 }
 
 /// The claimed bound of the cubic's error.
 const CUBIC_BOUND: f64 = 0.0067;
 
-pub(super) fn cubic_relative(rows: &[Row]) -> Result<Claim, Error> {
-    let relative = |row: &Row| row.of(Method::Cubic).relative_epicentre;
+pub(super) fn cubic_relative(rows: &[SurveyRow]) -> Result<Claim, Error> {
+    let relative = |row: &SurveyRow| row.of(PaperMethod::Cubic).relative_epicentre;
     let (claimed, over) = (most(rows, 256, relative), first(rows, |row| relative(row) > CUBIC_BOUND));
-    let real = most_real(Method::Cubic, |pieces| pieces.relative(1.0, LEVEL))?;
+    let real = most_real(PaperMethod::Cubic, |pieces| pieces.relative(1.0, LEVEL))?;
     Ok(Claim::of(
         "cubic-relative",
         vec![
@@ -52,10 +52,10 @@ pub(super) fn cubic_relative(rows: &[Row]) -> Result<Claim, Error> {
     ))
 }
 
-pub(super) fn cubic_absolute(rows: &[Row]) -> Result<Claim, Error> {
-    let absolute = |row: &Row| row.of(Method::Cubic).absolute_epicentre;
+pub(super) fn cubic_absolute(rows: &[SurveyRow]) -> Result<Claim, Error> {
+    let absolute = |row: &SurveyRow| row.of(PaperMethod::Cubic).absolute_epicentre;
     let all = most(rows, MOST, absolute);
-    let real = most_real(Method::Cubic, |pieces| pieces.absolute(1.0, LEVEL))?;
+    let real = most_real(PaperMethod::Cubic, |pieces| pieces.absolute(1.0, LEVEL))?;
     Ok(Claim::of(
         "cubic-absolute",
         vec![
@@ -68,15 +68,17 @@ pub(super) fn cubic_absolute(rows: &[Row]) -> Result<Claim, Error> {
 }
 
 /// Schlick's largest error by the cubic's, on the epicentre for n in [1; 256], and the least such ratio of any one n.
-fn ratios(rows: &[Row], error: impl Fn(Errors) -> f64) -> (f64, f64) {
-    let of = |row: &Row, method| error(row.of(method));
-    let worst = most(rows, 256, |row| of(row, Method::Schlick)) / most(rows, 256, |row| of(row, Method::Cubic));
-    let single = rows[..256].iter().filter(|row| of(row, Method::Cubic) > ROUNDING);
-    let least = single.map(|row| of(row, Method::Schlick) / of(row, Method::Cubic)).fold(f64::INFINITY, f64::min);
+fn ratios(rows: &[SurveyRow], error: impl Fn(Errors) -> f64) -> (f64, f64) {
+    let of = |row: &SurveyRow, method| error(row.of(method));
+    let worst =
+        most(rows, 256, |row| of(row, PaperMethod::Schlick)) / most(rows, 256, |row| of(row, PaperMethod::Cubic));
+    let single = rows[..256].iter().filter(|row| of(row, PaperMethod::Cubic) > ROUNDING);
+    let least =
+        single.map(|row| of(row, PaperMethod::Schlick) / of(row, PaperMethod::Cubic)).fold(f64::INFINITY, f64::min);
     (worst, least)
 }
 
-pub(super) fn schlick_relative(rows: &[Row]) -> Claim {
+pub(super) fn schlick_relative(rows: &[SurveyRow]) -> Claim {
     let (worst, least) = ratios(rows, |errors| errors.relative_epicentre);
     Claim::of(
         "schlick-relative",
@@ -85,7 +87,7 @@ pub(super) fn schlick_relative(rows: &[Row]) -> Claim {
     )
 }
 
-pub(super) fn schlick_absolute(rows: &[Row]) -> Claim {
+pub(super) fn schlick_absolute(rows: &[SurveyRow]) -> Claim {
     let (worst, least) = ratios(rows, |errors| errors.absolute_epicentre);
     Claim::of(
         "schlick-absolute",
@@ -192,7 +194,7 @@ pub(super) fn cubic_negative() -> Result<Claim, Error> {
     )
 }
 
-pub(super) fn tail(rows: &[Row]) -> Vec<Claim> {
+pub(super) fn tail(rows: &[SurveyRow]) -> Vec<Claim> {
     const CLAIMED: [(&str, f64); 3] = [("tail-0.42", 0.01), ("tail-0.37", 0.03), ("tail-0.27", 0.1)];
     let claim = |(band, (id, bound)): (usize, (&str, f64))| {
         let over = first(rows, |row| row.tail[band] > bound);
@@ -225,10 +227,12 @@ pub(super) fn tail_closed_form() -> Result<Claim, Error> {
 
 /// The ratio is 2 at every n, because the tail is `Q S(x/t)` with S Schlick's lobe (see [`CubicRational`]) and x^n is
 /// `Q (x/t)^n`: its error is half of Schlick's over all angles.
-pub(super) fn tail_against_schlick(rows: &[Row]) -> Claim {
-    let tail = |row: &Row, method: Method| row.of(method).absolute_tail;
-    let (ours, schlick) =
-        (most(rows, MOST, |row| tail(row, Method::CubicRational)), most(rows, MOST, |row| tail(row, Method::Schlick)));
+pub(super) fn tail_against_schlick(rows: &[SurveyRow]) -> Claim {
+    let tail = |row: &SurveyRow, method: PaperMethod| row.of(method).absolute_tail;
+    let (ours, schlick) = (
+        most(rows, MOST, |row| tail(row, PaperMethod::CubicRational)),
+        most(rows, MOST, |row| tail(row, PaperMethod::Schlick)),
+    );
     Claim::of(
         "tail-schlick",
         vec![
@@ -242,7 +246,7 @@ pub(super) fn tail_against_schlick(rows: &[Row]) -> Claim {
 
 pub(super) fn tail_falls() -> Result<Claim, Error> {
     let rising = how_many(|n| {
-        let pieces = Method::CubicRational.lobe(n)?;
+        let pieces = PaperMethod::CubicRational.lobe(n)?;
         Ok(rises(n, (0.0, 1.0), |u| pieces.lobe.at(u)))
     })?;
     Ok(Claim::of("tail-falls", vec![count("n of 1000 that rise", rising)], Finding::of(rising == 0)))
@@ -339,7 +343,7 @@ pub(super) fn min_zero() -> Result<Claim, Error> {
         let (_, cubic) = raw(n)?;
         let value = least(n, &cubic);
         lowest = if value < -ROUNDING { lowest.min(value) } else { lowest };
-        worst = worst.max(Method::MinZero.lobe(n)?.absolute(1.0, 0.0));
+        worst = worst.max(PaperMethod::MinZero.lobe(n)?.absolute(1.0, 0.0));
     }
     let (lobe, cubic) = raw(1000.0)?;
     Ok(Claim::of(

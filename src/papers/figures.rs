@@ -1,9 +1,9 @@
 //! The files of a run: the claims and the papers' figures as tables and as charts.
 
 use super::measure::versine_at;
-use super::method::{LEVEL, Method, three_point};
+use super::method::{LEVEL, PaperMethod, three_point};
 use super::record::HEADER;
-use super::survey::{MOST, QUADRATIC_LEVEL, Row, TAIL_BANDS};
+use super::survey::{MOST, QUADRATIC_LEVEL, SurveyRow, TAIL_BANDS};
 use super::{Claim, Pieces, Unit, images};
 use crate::emit::package::File;
 use crate::lobe::{degrees, exact, versine};
@@ -26,7 +26,7 @@ pub const TABLES: [&str; 3] = ["claims.csv", "error_against_n.csv", "error_again
 ///
 /// # Errors
 /// None for the papers' parameters.
-pub fn files(rows: &[Row], claims: &[Claim]) -> Result<Vec<File>, Error> {
+pub fn files(rows: &[SurveyRow], claims: &[Claim]) -> Result<Vec<File>, Error> {
     let file = |path: &str, text: String| File { path: path.to_owned(), bytes: text.into_bytes() };
     let mut files = vec![
         file(TABLES[0], claims_table(claims)),
@@ -65,10 +65,10 @@ fn claims_table(claims: &[Claim]) -> String {
     text
 }
 
-fn error_against_n(rows: &[Row]) -> String {
+fn error_against_n(rows: &[SurveyRow]) -> String {
     let mut text = "n,method,max_absolute,max_absolute_epicentre,max_absolute_tail,max_relative_epicentre\n".to_owned();
     for row in rows {
-        for (method, errors) in Method::ALL.iter().zip(&row.errors) {
+        for (method, errors) in PaperMethod::ALL.iter().zip(&row.errors) {
             let values = [errors.absolute, errors.absolute_epicentre, errors.absolute_tail, errors.relative_epicentre];
             let values = values.map(|value| format!("{value:.4e}")).join(",");
             text += &format!("{},{},{values}\n", row.n, method.name());
@@ -80,13 +80,13 @@ fn error_against_n(rows: &[Row]) -> String {
 fn error_against_angle() -> Result<String, Error> {
     let mut text = "n,degrees,exact,method,value,error\n".to_owned();
     for n in SHININESSES {
-        let lobes: Vec<Pieces> = Method::ALL.into_iter().map(|method| method.lobe(n)).collect::<Result<_, _>>()?;
+        let lobes: Vec<Pieces> = PaperMethod::ALL.into_iter().map(|method| method.lobe(n)).collect::<Result<_, _>>()?;
         let widest = degrees(versine_at(n, LOWEST));
         for i in 0..ANGLES {
             let angle = widest * i as f64 / (ANGLES - 1) as f64;
             let u = versine(angle);
             let power = exact(n, u);
-            for (method, pieces) in Method::ALL.iter().zip(&lobes) {
+            for (method, pieces) in PaperMethod::ALL.iter().zip(&lobes) {
                 let value = pieces.lobe.at(u);
                 let error = value - power;
                 text += &format!("{n},{angle:.5},{power:.6e},{},{value:.6e},{error:.4e}\n", method.name());
@@ -97,16 +97,16 @@ fn error_against_angle() -> Result<String, Error> {
 }
 
 /// The methods that a chart of all of them shows, with their colours: the proposed ones solid, the comparators dashed.
-const SHOWN: [(Method, usize, Style); 9] = [
-    (Method::Quadratic, 0, Style::Solid),
-    (Method::Cubic, 2, Style::Solid),
-    (Method::CubicRational, 3, Style::Solid),
-    (Method::ThreePoint, 4, Style::Solid),
-    (Method::MinZero, 5, Style::Solid),
-    (Method::Schlick, 0, Style::Dashed),
-    (Method::Lyon(4), 2, Style::Dashed),
-    (Method::CosK(4), 4, Style::Dashed),
-    (Method::Taylor(TaylorSeries::Chord), 5, Style::Dashed),
+const SHOWN: [(PaperMethod, usize, Style); 9] = [
+    (PaperMethod::Quadratic, 0, Style::Solid),
+    (PaperMethod::Cubic, 2, Style::Solid),
+    (PaperMethod::CubicRational, 3, Style::Solid),
+    (PaperMethod::ThreePoint, 4, Style::Solid),
+    (PaperMethod::MinZero, 5, Style::Solid),
+    (PaperMethod::Schlick, 0, Style::Dashed),
+    (PaperMethod::Lyon(4), 2, Style::Dashed),
+    (PaperMethod::CosK(4), 4, Style::Dashed),
+    (PaperMethod::Taylor(TaylorSeries::Chord), 5, Style::Dashed),
 ];
 
 fn curve(label: impl Into<String>, colour: usize, style: Style, points: Vec<(f64, f64)>) -> Curve {
@@ -131,7 +131,7 @@ fn angle_axis(widest: f64) -> Axis {
 }
 
 /// A value of every row against n, in percent.
-fn against_n(rows: &[Row], f: impl Fn(&Row) -> f64) -> Vec<(f64, f64)> {
+fn against_n(rows: &[SurveyRow], f: impl Fn(&SurveyRow) -> f64) -> Vec<(f64, f64)> {
     rows.iter().map(|row| (row.n as f64, 100.0 * f(row))).collect()
 }
 
@@ -144,7 +144,7 @@ fn against_angle(widest: f64, f: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
 }
 
 /// The charts by their files' names.
-fn charts(rows: &[Row]) -> Result<Vec<(String, Chart)>, Error> {
+fn charts(rows: &[SurveyRow]) -> Result<Vec<(String, Chart)>, Error> {
     let mut charts = vec![
         ("quadratic_error_against_n".to_owned(), quadratic_error_against_n(rows)),
         ("quadratic_error_against_angle".to_owned(), quadratic_error_against_angle()?),
@@ -160,7 +160,7 @@ fn charts(rows: &[Row]) -> Result<Vec<(String, Chart)>, Error> {
         }),
     ));
     // On the epicentre the cubic is the same with and without its tail.
-    let shown: Vec<_> = SHOWN.into_iter().filter(|(method, ..)| *method != Method::CubicRational).collect();
+    let shown: Vec<_> = SHOWN.into_iter().filter(|(method, ..)| *method != PaperMethod::CubicRational).collect();
     charts.push((
         "epicentre_error_against_n".to_owned(),
         all_against_n("Largest absolute error where x^n ≥ 1/2", 0.05, &shown, |method| {
@@ -174,7 +174,7 @@ fn charts(rows: &[Row]) -> Result<Vec<(String, Chart)>, Error> {
 }
 
 /// Q, figure 3.
-fn quadratic_error_against_n(rows: &[Row]) -> Chart {
+fn quadratic_error_against_n(rows: &[SurveyRow]) -> Chart {
     let worst = against_n(rows, |row| row.quadratic);
     Chart::of_curves(
         "Quadratic: largest relative error where x^n ≥ 0.56",
@@ -187,7 +187,7 @@ fn quadratic_error_against_n(rows: &[Row]) -> Chart {
 /// Q, figure 2b; the paper does not say for which n.
 fn quadratic_error_against_angle() -> Result<Chart, Error> {
     let n = 25.0;
-    let (lobe, widest) = (Method::Quadratic.lobe(n)?.lobe, degrees(versine_at(n, 0.3)));
+    let (lobe, widest) = (PaperMethod::Quadratic.lobe(n)?.lobe, degrees(versine_at(n, 0.3)));
     let points = against_angle(widest, |u| 100.0 * (lobe.at(u) / exact(n, u) - 1.0));
     let end = degrees(versine_at(n, QUADRATIC_LEVEL));
     Ok(Chart::of_curves(
@@ -199,9 +199,9 @@ fn quadratic_error_against_angle() -> Result<Chart, Error> {
 }
 
 /// C7, figure 2, and C21, figure 1.
-fn cubic_error_against_n(rows: &[Row]) -> Chart {
-    let relative = against_n(rows, |row| row.of(Method::Cubic).relative_epicentre);
-    let absolute = against_n(rows, |row| row.of(Method::Cubic).absolute_epicentre);
+fn cubic_error_against_n(rows: &[SurveyRow]) -> Chart {
+    let relative = against_n(rows, |row| row.of(PaperMethod::Cubic).relative_epicentre);
+    let absolute = against_n(rows, |row| row.of(PaperMethod::Cubic).absolute_epicentre);
     Chart::of_curves(
         "Cubic: largest error where x^n ≥ 1/2",
         shininess_axis(),
@@ -244,7 +244,7 @@ fn lobes() -> Result<Chart, Error> {
 }
 
 /// The tail's claims of C7 and C21.
-fn tail_error_against_n(rows: &[Row]) -> Chart {
+fn tail_error_against_n(rows: &[SurveyRow]) -> Chart {
     const CLAIMED: [(f64, &str); 3] = [(1.0, "claimed 1 %"), (3.0, "claimed 3 %"), (10.0, "claimed 10 %")];
     const COLOUR: [usize; 3] = [0, 4, 2];
     let mut curves = Vec::new();
@@ -264,8 +264,8 @@ fn tail_error_against_n(rows: &[Row]) -> Chart {
 fn all_against_n(
     title: &str,
     least: f64,
-    shown: &[(Method, usize, Style)],
-    points: impl Fn(Method) -> Vec<(f64, f64)>,
+    shown: &[(PaperMethod, usize, Style)],
+    points: impl Fn(PaperMethod) -> Vec<(f64, f64)>,
 ) -> Chart {
     let curves = shown.iter().map(|&(method, colour, style)| curve(method.name(), colour, style, points(method)));
     Chart::of_curves(

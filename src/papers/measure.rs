@@ -100,13 +100,13 @@ pub fn rises(n: f64, (from, to): (f64, f64), f: impl Fn(f64) -> f64) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::method::Method;
+    use super::super::method::PaperMethod;
     use super::*;
 
     /// Every extreme against a grid two hundred times as dense, over levels that hold steps, bends and ends.
     #[test]
     fn extremes_are_those_of_a_dense_grid() {
-        for method in Method::ALL {
+        for method in PaperMethod::ALL {
             for n in [1.0, 2.0, 5.0, 25.0, 256.0, 1000.0] {
                 let pieces = method.lobe(n).unwrap();
                 for (high, low) in [(1.0, 0.5), (1.0, 0.0), (0.5, 0.0), (0.42, 0.37)] {

@@ -12,7 +12,7 @@ use crate::platform::error::Error;
 
 /// A method that one of the papers proposes or compares itself with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Method {
+pub enum PaperMethod {
     /// [`Quadratic`].
     Quadratic,
     /// [`Cubic`] at the level 1/2, cut to 0 past its minimum.
@@ -33,7 +33,7 @@ pub enum Method {
     Taylor(TaylorSeries),
 }
 
-impl Method {
+impl PaperMethod {
     /// All of them, in the order of the tables.
     pub const ALL: [Self; 15] = [
         Self::Quadratic,

@@ -5,7 +5,7 @@
 //! polynomial" (2021); IB is "Image-based BRDF Representation", of another method: [`images`].
 //!
 //! Everything is measured on the real-valued lobes of [`crate::lobe`], at every integer shininess of a claim's range
-//! and up to 1000. Errors are the largest over the cosines in question, to at least four digits: see [`Row`].
+//! and up to 1000. Errors are the largest over the cosines in question, to at least four digits: see [`SurveyRow`].
 
 mod claims;
 mod cos_k;
@@ -22,9 +22,9 @@ mod taylor;
 pub use claims::claims;
 pub use cos_k::CosK;
 pub use figures::{TABLES, files};
-pub use method::{Method, Pieces};
+pub use method::{PaperMethod, Pieces};
 pub use record::{Difference, HEADER, Recorded};
-pub use survey::{Errors, Row, survey};
+pub use survey::{Errors, SurveyRow, survey};
 pub use taylor::{Taylor, TaylorSeries};
 
 use std::sync::LazyLock;

@@ -2,16 +2,16 @@
 
 use super::claims::{count, datapath, how_many, most, most_real, percent, shininesses, value};
 use super::measure::{largest, rises, versine_at};
-use super::method::Method;
-use super::survey::{MOST, QUADRATIC_LEVEL, Row};
+use super::method::PaperMethod;
+use super::survey::{MOST, QUADRATIC_LEVEL, SurveyRow};
 use super::{Claim, Finding, Taylor, TaylorSeries};
 use crate::lobe::{Lobe, exact};
 use crate::method::quadratic::Quadratic;
 use crate::platform::error::Error;
 
-pub(super) fn quadratic_error(rows: &[Row]) -> Result<Claim, Error> {
+pub(super) fn quadratic_error(rows: &[SurveyRow]) -> Result<Claim, Error> {
     let (claimed, all) = (most(rows, 512, |row| row.quadratic), most(rows, MOST, |row| row.quadratic));
-    let real = most_real(Method::Quadratic, |pieces| pieces.relative(1.0, QUADRATIC_LEVEL))?;
+    let real = most_real(PaperMethod::Quadratic, |pieces| pieces.relative(1.0, QUADRATIC_LEVEL))?;
     Ok(Claim::of(
         "quadratic-error",
         vec![
@@ -78,9 +78,9 @@ pub(super) fn quadratic_block() -> Result<Claim, Error> {
     ))
 }
 
-pub(super) fn schlick(rows: &[Row]) -> Claim {
-    let inside = most(rows, MOST, |row| row.of(Method::Schlick).absolute_epicentre);
-    let outside = most(rows, MOST, |row| row.of(Method::Schlick).absolute_tail);
+pub(super) fn schlick(rows: &[SurveyRow]) -> Claim {
+    let inside = most(rows, MOST, |row| row.of(PaperMethod::Schlick).absolute_epicentre);
+    let outside = most(rows, MOST, |row| row.of(PaperMethod::Schlick).absolute_tail);
     Claim::of(
         "schlick-epicentre",
         vec![percent("absolute; on the epicentre; n <= 1000", inside), percent("absolute; beyond; n <= 1000", outside)],
@@ -101,10 +101,10 @@ pub(super) fn chord() -> Claim {
     )
 }
 
-pub(super) fn taylor(rows: &[Row]) -> Result<Claim, Error> {
-    let chord = Method::Taylor(TaylorSeries::Chord);
+pub(super) fn taylor(rows: &[SurveyRow]) -> Result<Claim, Error> {
+    let chord = PaperMethod::Taylor(TaylorSeries::Chord);
     let inside = most(rows, MOST, |row| row.of(chord).absolute_epicentre);
-    let cubic = most(rows, MOST, |row| row.of(Method::Cubic).absolute_epicentre);
+    let cubic = most(rows, MOST, |row| row.of(PaperMethod::Cubic).absolute_epicentre);
     Ok(Claim::of(
         "taylor",
         vec![
@@ -116,13 +116,14 @@ pub(super) fn taylor(rows: &[Row]) -> Result<Claim, Error> {
     ))
 }
 
-pub(super) fn cos_k(rows: &[Row]) -> Claim {
+pub(super) fn cos_k(rows: &[SurveyRow]) -> Claim {
     // Below n = k the angle is stretched, which nobody proposes.
-    let of =
-        |method: Method, k: u32| most(&rows[k as usize - 1..], MOST + 1 - k as usize, |row| row.of(method).absolute);
-    let [two, four, eight] = [2, 4, 8].map(|k| of(Method::CosK(k), k));
-    let lyon = [2, 4, 8].map(|k| of(Method::Lyon(k), k));
-    let schlick = of(Method::Schlick, 1);
+    let of = |method: PaperMethod, k: u32| {
+        most(&rows[k as usize - 1..], MOST + 1 - k as usize, |row| row.of(method).absolute)
+    };
+    let [two, four, eight] = [2, 4, 8].map(|k| of(PaperMethod::CosK(k), k));
+    let lyon = [2, 4, 8].map(|k| of(PaperMethod::Lyon(k), k));
+    let schlick = of(PaperMethod::Schlick, 1);
     Claim::of(
         "cos-k",
         vec![

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::measure::largest;
-use super::method::{LEVEL, Method};
+use super::method::{LEVEL, PaperMethod};
 use crate::lobe::{Lobe, exact};
 use crate::method::cubic_rational::CubicRational;
 use crate::platform::error::Error;
@@ -30,10 +30,10 @@ pub struct Errors {
 
 /// Everything measured at one shininess.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub struct SurveyRow {
     /// The shininess.
     pub n: usize,
-    /// One for each of [`Method::ALL`].
+    /// One for each of [`PaperMethod::ALL`].
     pub errors: Vec<Errors>,
     /// The quadratic's largest relative error where x^n >= 0.56.
     pub quadratic: f64,
@@ -43,17 +43,17 @@ pub struct Row {
     pub tail_by_itself: [f64; 3],
 }
 
-impl Row {
+impl SurveyRow {
     /// The errors of a method.
     #[must_use]
-    pub fn of(&self, method: Method) -> Errors {
-        let place = Method::ALL.iter().position(|&m| m == method).expect("the table has every method");
+    pub fn of(&self, method: PaperMethod) -> Errors {
+        let place = PaperMethod::ALL.iter().position(|&m| m == method).expect("the table has every method");
         self.errors[place]
     }
 
     fn measure(n: usize) -> Result<Self, Error> {
         let shininess = n as f64;
-        let errors = Method::ALL.into_iter().map(|method| {
+        let errors = PaperMethod::ALL.into_iter().map(|method| {
             let pieces = method.lobe(shininess)?;
             let (epicentre, tail) = (pieces.absolute(1.0, LEVEL), pieces.absolute(LEVEL, 0.0));
             Ok(Errors {
@@ -63,7 +63,7 @@ impl Row {
                 relative_epicentre: pieces.relative(1.0, LEVEL),
             })
         });
-        let rational = Method::CubicRational.lobe(shininess)?;
+        let rational = PaperMethod::CubicRational.lobe(shininess)?;
         // Past the cusp only, where the tail alone speaks: the step between the pieces is at the band's end.
         let tail = TAIL_BANDS.map(|(high, low)| rational.relative(high, low));
         let g = CubicRational::new(shininess, LEVEL)?;
@@ -74,7 +74,7 @@ impl Row {
         Ok(Self {
             n,
             errors: errors.collect::<Result<_, Error>>()?,
-            quadratic: Method::Quadratic.lobe(shininess)?.relative(1.0, QUADRATIC_LEVEL),
+            quadratic: PaperMethod::Quadratic.lobe(shininess)?.relative(1.0, QUADRATIC_LEVEL),
             tail,
             tail_by_itself,
         })
@@ -90,11 +90,11 @@ fn tail_versine(g: &CubicRational, level: f64) -> f64 {
 ///
 /// # Errors
 /// None for these shininesses.
-pub fn survey(done: &(dyn Fn() + Sync)) -> Result<Vec<Row>, Error> {
+pub fn survey(done: &(dyn Fn() + Sync)) -> Result<Vec<SurveyRow>, Error> {
     (1..=MOST)
         .into_par_iter()
         .map(|n| {
-            let row = Row::measure(n);
+            let row = SurveyRow::measure(n);
             done();
             row
         })

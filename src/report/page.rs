@@ -343,8 +343,8 @@ fn speed(speed: &Speed) -> Vec<Table> {
         ("to", "greatest of the rounds"),
         ("times as fast", "median of the rounds' own ratios to the group's first line"),
     ];
-    let table = |rows: &[super::speed::Row]| {
-        let line = |row: &super::speed::Row| {
+    let table = |rows: &[super::speed::SpeedRow]| {
+        let line = |row: &super::speed::SpeedRow| {
             let name = if row.tool.is_empty() { row.name.clone() } else { format!("{} ({})", row.name, row.tool) };
             let shown = |value: f64| number(Some(value), time);
             let short = |value: f64| format!("{}", format!("{value:.2e}").parse::<f64>().unwrap_or(value));

@@ -9,12 +9,12 @@ use crate::platform::input;
 #[derive(Clone, Debug, Default)]
 pub struct Speed {
     /// The lines, in the file's order.
-    pub(super) rows: Vec<Row>,
+    pub(super) rows: Vec<SpeedRow>,
 }
 
 /// A line of the table.
 #[derive(Clone, Debug, Deserialize)]
-pub(super) struct Row {
+pub(super) struct SpeedRow {
     pub(super) group: String,
     pub(super) name: String,
     /// Nanoseconds for one: the least, the median and the greatest of the rounds.
@@ -61,7 +61,7 @@ impl Speed {
         for record in reader.records() {
             let record = record.map_err(|error| wrong(error.to_string(), byte(error.position())))?;
             let at = byte(record.position());
-            let row: Row = record.deserialize(Some(&heads)).map_err(|error| wrong(error.to_string(), at))?;
+            let row: SpeedRow = record.deserialize(Some(&heads)).map_err(|error| wrong(error.to_string(), at))?;
             let figures = [
                 ("ns_least", row.ns_least),
                 ("ns_median", row.ns_median),

@@ -9,7 +9,7 @@ use crate::method::keys::{Fields, Key};
 use crate::method::{About, METHODS};
 
 /// What the page says of a key.
-struct Row {
+struct KeyRow {
     name: &'static str,
     flag: String,
     heading: String,
@@ -21,7 +21,7 @@ struct Row {
     words: Vec<(String, String)>,
 }
 
-impl Row {
+impl KeyRow {
     fn new(key: Key, arg: &Arg) -> Self {
         let help = arg.get_help().map(ToString::to_string).unwrap_or_default();
         let words = arg.get_possible_values();
@@ -72,7 +72,7 @@ fn code(words: impl IntoIterator<Item = impl AsRef<str>>) -> String {
 #[derive(Template)]
 #[template(path = "spec/spec.md")]
 struct Page {
-    rows: Vec<Row>,
+    rows: Vec<KeyRow>,
 }
 
 /// The reference page of a spec's keys, `docs/spec.md`, in Markdown.
@@ -85,7 +85,7 @@ pub fn reference() -> String {
     command.build();
     let row = |(key, _): (Key, _)| {
         let arg = command.get_arguments().find(|arg| arg.get_id() == key.name).expect("every key is a flag");
-        Row::new(key, arg)
+        KeyRow::new(key, arg)
     };
     let page = Page { rows: SpecFields::default().values().into_iter().map(row).collect() };
     page.render().expect("a template of texts").trim().to_owned() + "\n"

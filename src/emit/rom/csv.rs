@@ -99,7 +99,7 @@ fn read(source: &Source<'_>) -> Result<RomImage, Error> {
 }
 
 /// The columns that the header row names.
-fn columns<'s>(source: &Source<'_>, header: &Row<'s>) -> Result<Vec<Column<'s>>, Error> {
+fn columns<'s>(source: &Source<'_>, header: &Fields<'s>) -> Result<Vec<Column<'s>>, Error> {
     let only_one = |name: &str| header.iter().filter(|(cell, _)| *cell == name).count() == 1;
     if let Some(name) = ["address", "word"].into_iter().find(|name| !only_one(name)) {
         let what = format!("the header row has not one column `{name}`");
@@ -119,10 +119,10 @@ fn columns<'s>(source: &Source<'_>, header: &Row<'s>) -> Result<Vec<Column<'s>>,
 }
 
 /// A row's cells with their places.
-type Row<'s> = Vec<(&'s str, Span)>;
+type Fields<'s> = Vec<(&'s str, Span)>;
 
 /// The rows that are not blank. A cell may stand in double quotes, but not hold a comma.
-fn rows(text: &str) -> impl Iterator<Item = Row<'_>> {
+fn rows(text: &str) -> impl Iterator<Item = Fields<'_>> {
     let offset = |part: &str| part.as_ptr() as usize - text.as_ptr() as usize;
     text.lines().filter(|line| !line.trim().is_empty()).map(move |line| {
         let cells = line.split(',').map(|cell| {
@@ -134,7 +134,7 @@ fn rows(text: &str) -> impl Iterator<Item = Row<'_>> {
     })
 }
 
-fn row_span(row: &Row<'_>) -> Span {
+fn row_span(row: &Fields<'_>) -> Span {
     match (row.first(), row.last()) {
         (Some((_, first)), Some((_, last))) => (first.0, last.0 + last.1 - first.0),
         _ => (0, 0),

@@ -31,12 +31,12 @@ pub struct Segments<'a> {
     interface: &'a Interface,
     /// The first code of s of each segment but the first, and the first past the last.
     bounds: Vec<i128>,
-    rows: Vec<Row>,
+    rows: Vec<SegmentRow>,
 }
 
 /// A shininess' part in the search for the segment, and its segments.
 #[derive(Clone, Debug)]
-struct Row {
+struct SegmentRow {
     /// n lies in [2^(k-1), 2^k).
     k: i32,
     /// n 2^-k as a code.
@@ -62,8 +62,10 @@ impl<'a> Segments<'a> {
         // For a small shininess the lobe ends before the segments do; s itself fits its bits in any case.
         let most = Format::unsigned(ROUGH_INT_BITS, ROUGH_BITS).max_code();
         bounds.iter_mut().for_each(|bound| *bound = (*bound).min(most));
-        let rows =
-            knots.into_par_iter().map(|n| Row::of(interface, objective, &bounds, n)).collect::<Result<_, _>>()?;
+        let rows = knots
+            .into_par_iter()
+            .map(|n| SegmentRow::of(interface, objective, &bounds, n))
+            .collect::<Result<_, _>>()?;
         Ok(Self { interface, bounds, rows })
     }
 
@@ -127,7 +129,7 @@ impl<'a> Segments<'a> {
     }
 }
 
-impl Row {
+impl SegmentRow {
     fn of(interface: &Interface, objective: &Objective, bounds: &[i128], n: f64) -> Result<Self, Error> {
         let k = libm::ilogb(n) + 1;
         let mantissa = nearest_code(n * exp2(-k), ROUGH_BITS);

@@ -80,7 +80,7 @@ impl Write {
 
 /// A memory: 2^address bits words, each lowest bit first.
 #[derive(Clone, Debug)]
-pub(super) struct Memory {
+pub(super) struct CircuitMemory {
     pub(super) words: Vec<Vec<bool>>,
     pub(super) writes: Vec<Write>,
 }
@@ -93,7 +93,7 @@ pub(super) struct Circuit {
     /// The bits of the outputs, lowest bit first.
     pub(super) outputs: BTreeMap<String, Vec<Bit>>,
     pub(super) parts: Vec<Part>,
-    pub(super) memories: Vec<Memory>,
+    pub(super) memories: Vec<CircuitMemory>,
     /// Nets that stand for the bits that the text leaves undefined, such as a case that never happens: each may be
     /// anything.
     undefined: Vec<usize>,
@@ -293,7 +293,7 @@ impl Circuit {
             })
             .collect::<Result<_, Unfit>>()?;
         let memory = self.memories.len();
-        self.memories.push(Memory { words, writes });
+        self.memories.push(CircuitMemory { words, writes });
         (0..reads)
             .map(|index| {
                 let (address, data) = (port("RD_ADDR", index, address)?, nets(&port("RD_DATA", index, width)?)?);

@@ -48,7 +48,7 @@ const BLOCKS: usize = 64;
 
 /// How two circuits are compared.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Method {
+pub(super) enum Technique {
     /// Cut at these pairs of registers, by the solver.
     Stages(Vec<[usize; 2]>),
     /// From the inputs to the outputs, each of the inputs' values.
@@ -61,7 +61,7 @@ pub(super) enum Method {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Compared {
     /// They are the same. Of `compared` bits `open` were not the same node from the start.
-    Same { method: Method, compared: usize, open: usize },
+    Same { method: Technique, compared: usize, open: usize },
     /// They are not: why.
     Different(String),
     /// It was not found out: why.
@@ -293,11 +293,11 @@ impl<'a> Comparison<'a> {
     /// Asks a method. `inject`: with one wrong result. Returns the answer, with the inputs that show a difference where
     /// the method says them, how many bits were compared, and how many were not the same node. `seconds` is the most
     /// that the solver may take. Errors: if the solver does not work.
-    pub(super) fn ask(&self, method: &Method, inject: bool, seconds: u32) -> Result<Asked, Error> {
+    pub(super) fn ask(&self, method: &Technique, inject: bool, seconds: u32) -> Result<Asked, Error> {
         let pairs: &[[usize; 2]] = match method {
-            Method::Stages(pairs) => pairs,
-            Method::Every => return Ok(self.every(inject)),
-            Method::Whole => &[],
+            Technique::Stages(pairs) => pairs,
+            Technique::Every => return Ok(self.every(inject)),
+            Technique::Whole => &[],
         };
         let (mut both, mut duties) = self.cut(pairs);
         if inject {
@@ -357,15 +357,15 @@ impl<'a> Comparison<'a> {
             Ok(pairs) => pairs,
             Err(differs) => return Ok(Compared::Different(differs)),
         };
-        let stages = Method::Stages(self.confirmed(pairs));
+        let stages = Technique::Stages(self.confirmed(pairs));
         let asked = self.ask(&stages, false, seconds)?;
         if asked.answer == Answer::Equal {
             return Ok(Compared::Same { method: stages, compared: asked.compared, open: asked.open });
         }
-        let mut method = Method::Whole;
+        let mut method = Technique::Whole;
         let mut asked = self.ask(&method, false, seconds)?;
         if asked.answer == Answer::Unknown {
-            method = Method::Every;
+            method = Technique::Every;
             asked = self.ask(&method, false, seconds)?;
         }
         let Asked { answer, shown, compared, open } = asked;

@@ -2,7 +2,7 @@
 
 use super::abc::Answer;
 use super::circuit::{Bit, Part};
-use super::equivalence::{Comparison, Method};
+use super::equivalence::{Comparison, Technique};
 use super::pipeline::Pipeline;
 use crate::core::Design;
 use crate::platform::error::Error;
@@ -43,7 +43,7 @@ const MOST_WORDS: usize = 8;
 /// that the proof passes over must change no result of theirs either. Errors: if the solver does not work.
 pub(super) fn check(
     comparison: &Comparison,
-    method: &Method,
+    method: &Technique,
     (design, golden): (&Design, &Golden),
     seconds: u32,
 ) -> Result<Vec<(&'static str, Outcome)>, Error> {
@@ -84,7 +84,7 @@ pub(super) fn check(
     // A result may not show the lowest bit; the highest is padding where GHDL widens the words, which a kernel's are
     // not.
     let middle = words.len() / 2;
-    let bit = if matches!(method, Method::Stages(_)) { 0 } else { words[middle].len() - 1 };
+    let bit = if matches!(method, Technique::Stages(_)) { 0 } else { words[middle].len() - 1 };
     if let by @ Some(_) = seen(&with(middle, bit))? {
         outcomes.push((WHAT, outcome(by)));
         return Ok(outcomes);

@@ -25,7 +25,7 @@ use crate::verify::golden::Golden;
 #[cfg(feature = "kernel")]
 use crate::verify::kernel;
 use circuit::Circuit;
-use equivalence::{Compared, Comparison, Method};
+use equivalence::{Compared, Comparison, Technique};
 use pipeline::Pipeline;
 pub use stream::stream;
 
@@ -175,9 +175,9 @@ fn compare(
         return Ok((ProofStatus::Open, how));
     }
     let method = match method {
-        Method::Stages(_) => format!("stage by stage, {compared} bits, {open} of them by the solver"),
-        Method::Every => format!("from the inputs to the outputs, {compared} bits, for every value of the inputs"),
-        Method::Whole => format!("from the inputs to the outputs, {compared} bits, {open} of them by the solver"),
+        Technique::Stages(_) => format!("stage by stage, {compared} bits, {open} of them by the solver"),
+        Technique::Every => format!("from the inputs to the outputs, {compared} bits, for every value of the inputs"),
+        Technique::Whole => format!("from the inputs to the outputs, {compared} bits, {open} of them by the solver"),
     };
     let detected = Tally::of(injected.iter().map(|(_, outcome)| outcome)).detected;
     let mut how = format!("{method}; {detected} of {detected} planted faults found");

@@ -122,7 +122,7 @@ const PLACES: [&str; 10] = [
 
 /// What one row tells.
 #[derive(Clone, Default)]
-struct Row {
+struct RowStudy {
     wide_differences: u64,
     below_one: i64,
     at_zero: i64,
@@ -149,8 +149,8 @@ impl Inspection {
         let evaluators = [Evaluator::new(design.graph(), design.tables()), Evaluator::new(&wide, design.tables())];
         let codes = (1usize << design.spec.interface.input_fraction) + 1;
         let logs: Vec<f64> = (0..codes).map(|x| libm::log((x as f64) / (codes - 1) as f64)).collect();
-        let rows: Vec<Row> =
-            (0..set.rows()).into_par_iter().map(|row| Row::of(design, &evaluators, &logs, row)).collect();
+        let rows: Vec<RowStudy> =
+            (0..set.rows()).into_par_iter().map(|row| RowStudy::of(design, &evaluators, &logs, row)).collect();
 
         let measured = Measured::of(design);
         let nodes = &design.graph().nodes;
@@ -166,8 +166,8 @@ impl Inspection {
             );
             Place { name, ulps, shininess: shininess(row) }
         };
-        let sum = |of: fn(&Row) -> u64| rows.iter().map(of).sum();
-        let worst = |of: fn(&Row) -> Worst| rows.iter().map(of).fold(Worst::default(), Worst::or);
+        let sum = |of: fn(&RowStudy) -> u64| rows.iter().map(of).sum();
+        let worst = |of: fn(&RowStudy) -> Worst| rows.iter().map(of).fold(Worst::default(), Worst::or);
         let overflow = |overflow: &crate::datapath::range::Overflow| {
             format!("{} at the inputs {:?}", nodes[overflow.node].name, overflow.inputs)
         };
@@ -240,7 +240,7 @@ pub(super) fn signal(graph: &Graph, ranges: &Ranges, key: impl Fn(&Signal) -> f6
     best.expect("the output is needed").1
 }
 
-impl Row {
+impl RowStudy {
     fn of(design: &Design, [core, wide]: &[Evaluator; 2], logs: &[f64], row: usize) -> Self {
         let spec = &design.spec;
         let (index, n) = (spec.interface.shininess.index_of_row(row), spec.interface.shininess.value(row));
