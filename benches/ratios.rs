@@ -180,7 +180,9 @@ fn fitted_segments(n: f64, segments: u32) -> std::result::Result<Segmented, brdf
     let mut pieces = Vec::new();
     let mut low = 0.0;
     for end in ends {
-        let fit::Segment { c, big_a, a } = fit::fit_segment(n, low, end, low == 0.0, &Objective::MaxAbs)?.coefficients;
+        let fit::Segment { c, big_a, a } =
+            fit::fit_segment(n, low, end, if low == 0.0 { Peak::Exact } else { Peak::Free }, &Objective::MaxAbs)?
+                .coefficients;
         pieces.push(Polynomial { cosine: true, power: 1, c, big_a, a, end, past: 0.0 });
         low = end;
     }

@@ -249,7 +249,7 @@ fn what_a_shape_can_represent_is_found_exactly() {
         }
     }
     for n in [1.0, 2.0, 3.0] {
-        let fit = fit_segment(n, 0.25, 0.5, false, &Objective::MaxAbs).unwrap();
+        let fit = fit_segment(n, 0.25, 0.5, Peak::Free, &Objective::MaxAbs).unwrap();
         assert_eq!((fit.coefficients.c, fit.coefficients.big_a, fit.error), (1.0, n - 1.0, 0.0));
         assert_eq!(segment_end(n, 4, Peak::Exact, &Objective::MaxAbs).unwrap(), Fit { coefficients: n, error: 0.0 });
     }
@@ -323,7 +323,8 @@ fn segments_are_as_good_as_reported_and_none_nearby_is_better() {
             for (s_low, s_high) in SEGMENTS {
                 let (low, high) = (s_low / n.max(s_high), s_high / n.max(s_high));
                 let first = low == 0.0;
-                let fit = fit_segment(n, low, high, first, &objective).unwrap();
+                let peak = if first { Peak::Exact } else { Peak::Free };
+                let fit = fit_segment(n, low, high, peak, &objective).unwrap();
                 let points = segment_points(n, low, high, 10_000, &objective);
                 let found = segment_error(fit.coefficients, &points);
                 let about = format!("{objective:?} n = {n} s = {s_low}..{s_high}: {fit:?}");
@@ -350,7 +351,7 @@ fn a_segment_counts_only_what_lies_above_the_level() {
         // The level lies at s = 0.693: late in the first segment, early in the second, before the third.
         for (s_low, s_high, most) in [(0.4, 0.8, 1e-3), (0.6, 1.2, 3e-3), (0.8, 1.6, 0.0)] {
             let (low, high) = (s_low / n, s_high / n);
-            let fit = fit_segment(n, low, high, false, &objective).unwrap();
+            let fit = fit_segment(n, low, high, Peak::Free, &objective).unwrap();
             let points = segment_points(n, low, high, 10_000, &objective);
             let found = segment_error(fit.coefficients, &points);
             assert!((found - fit.error).abs() <= 1e-3 * fit.error, "{fit:?}, but {found}");
@@ -367,7 +368,7 @@ fn segmented_error(n: f64, bounds: &[f64], peak: Peak, objective: &Objective) ->
     let mut low = 0.0;
     let mut largest = drop;
     for &high in bounds {
-        let fit = fit_segment(n, low, high, low == 0.0 && peak == Peak::Exact, objective).unwrap();
+        let fit = fit_segment(n, low, high, if low == 0.0 { peak } else { Peak::Free }, objective).unwrap();
         largest = largest.max(segment_error(fit.coefficients, &segment_points(n, low, high, 10_000, objective)));
         low = high;
     }
@@ -435,11 +436,10 @@ fn bad_arguments_are_refused() {
         assert!(cubic::fit(10.0, Tail::Cut, &objective).is_err(), "{objective:?}");
     }
     assert!(power::fit(10.0, 3, Inside::Linear, &fine).is_err());
-    for (low, high, first) in
-        [(0.5, 0.5, false), (-0.1, 0.5, false), (0.5, 1.1, false), (0.1, 0.5, true), (0.1, f64::NAN, false)]
-    {
-        assert!(fit_segment(10.0, low, high, first, &fine).is_err(), "{low} {high} {first}");
+    for (low, high) in [(0.5, 0.5), (-0.1, 0.5), (0.5, 1.1), (0.1, f64::NAN)] {
+        assert!(fit_segment(10.0, low, high, Peak::Free, &fine).is_err(), "{low} {high}");
     }
+    assert!(fit_segment(10.0, 0.1, 0.5, Peak::Exact, &fine).is_err());
     for segments in [0, 257] {
         assert!(segment_bounds(10.0, segments, Peak::Free, &fine).is_err());
     }

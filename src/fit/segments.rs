@@ -34,8 +34,8 @@ pub enum Peak {
     Free,
 }
 
-/// The best coefficients on the segment `u_low..=u_high` for the shininess `n`; with c = 1 for the `first` segment, so
-/// that the lobe is exact at x = 1.
+/// The best coefficients on the segment `u_low..=u_high` for the shininess `n`; with c = 1 where the lobe's peak is
+/// exact, as it may be in the first segment.
 ///
 /// Where the objective counts errors only down to a level, and at least half the segment lies above it, only that part
 /// is fitted. Otherwise all of it is, with the level's weight past the level, lest the coefficients grow without use.
@@ -43,16 +43,16 @@ pub enum Peak {
 ///
 /// # Errors
 /// A shininess outside 1..=2^20, an objective with a level or a power out of its range, or bounds that are not
-/// `0 <= u_low < u_high <= 1`, with `u_low = 0` for the first.
-pub fn fit_segment(n: f64, u_low: f64, u_high: f64, first: bool, objective: &Objective) -> Result<Fit<Segment>, Error> {
+/// `0 <= u_low < u_high <= 1`, with `u_low = 0` for an exact peak.
+pub fn fit_segment(n: f64, u_low: f64, u_high: f64, peak: Peak, objective: &Objective) -> Result<Fit<Segment>, Error> {
     check_shininess(n)?;
     objective.check()?;
     refuse!(
-        !(0.0 <= u_low && u_low < u_high && u_high <= 1.0) || (first && u_low != 0.0),
+        !(0.0 <= u_low && u_low < u_high && u_high <= 1.0) || (peak == Peak::Exact && u_low != 0.0),
         format!("{u_low} to {u_high} is no segment of the versine"),
-        "a segment has bounds 0 <= low < high <= 1, and the first one starts at 0"
+        "a segment has bounds 0 <= low < high <= 1, and one with an exact peak starts at 0"
     );
-    Ok(segment(n, u_low, u_high, first, objective))
+    Ok(segment(n, u_low, u_high, peak, objective))
 }
 
 /// The end `s_end = n u_S` for which `segments` equal segments of `s = n u` from 0 on, and 0 past the last, have the
@@ -69,7 +69,7 @@ pub fn segment_end(n: f64, segments: u32, peak: Peak, objective: &Objective) -> 
     let within = |s_end: f64| {
         let bound = |i: u32| (s_end / n * f64::from(i) / f64::from(segments)).min(1.0);
         (0..segments)
-            .map(|i| segment(n, bound(i), bound(i + 1), i == 0 && peak == Peak::Exact, objective).error)
+            .map(|i| segment(n, bound(i), bound(i + 1), if i == 0 { peak } else { Peak::Free }, objective).error)
             .fold(0.0_f64, f64::max)
     };
     let reach = objective.reach(n);
@@ -129,7 +129,7 @@ pub fn segment_bounds(n: f64, segments: u32, peak: Peak, objective: &Objective) 
         if low >= end {
             return 1.0;
         }
-        let last = segment(n, low, end, segments == 1 && peak == Peak::Exact, objective).error;
+        let last = segment(n, low, end, if segments == 1 { peak } else { Peak::Free }, objective).error;
         bounds.push(end);
         if last.max(error) < best.error {
             best = Fit { coefficients: bounds, error: last.max(error) };
@@ -152,8 +152,8 @@ fn longest(n: f64, low: f64, limit: f64, error: f64, peak: Peak, objective: &Obj
     let mut length = (guess.min(3.0) / n).min(most);
     let mut before: Option<(f64, f64)> = None;
     for _ in 0..20 {
-        let first = low == 0.0 && peak == Peak::Exact;
-        let ratio = log_ratio(segment(n, low, low + length, first, objective).error, error);
+        let peak = if low == 0.0 { peak } else { Peak::Free };
+        let ratio = log_ratio(segment(n, low, low + length, peak, objective).error, error);
         if ratio.abs() < 1e-7 || (length == most && ratio < 0.0) {
             break;
         }
@@ -263,7 +263,7 @@ impl<const D: usize> Shape<D> for Local {
 }
 
 /// [`fit_segment`] with arguments known to be good.
-fn segment(n: f64, low: f64, high: f64, first: bool, objective: &Objective) -> Fit<Segment> {
+fn segment(n: f64, low: f64, high: f64, peak: Peak, objective: &Objective) -> Fit<Segment> {
     let m = n - 1.0;
     if m == 0.0 || m == 1.0 || m == 2.0 {
         return Fit { coefficients: Segment { c: 1.0, big_a: m, a: 0.5 * m * (m - 1.0) }, error: 0.0 };
@@ -280,7 +280,7 @@ fn segment(n: f64, low: f64, high: f64, first: bool, objective: &Objective) -> F
         (true, false) => 0.0,
     };
     // The starts interpolate: at the top and two further points, or at the zeros of Chebyshev's cubic polynomial.
-    if first {
+    if peak == Peak::Exact {
         let local = Local { low, high: top, origin: 0.0, unit: top };
         let slope = |w: f64| (wanted(top * w) - 1.0) / w;
         let (w_1, w_2) = (0.4, 0.9);

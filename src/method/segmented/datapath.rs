@@ -158,7 +158,7 @@ impl SegmentRow {
                 let versine = |code: i128| code as f64 / one as f64;
                 // A segment of one code still needs an interval to be fitted over.
                 let to = versine(end).max(versine(first) + versine(1));
-                let fit = fit::fit_segment(n, versine(first), to.min(1.0), false, objective)?;
+                let fit = fit::fit_segment(n, versine(first), to.min(1.0), Peak::Free, objective)?;
                 Some((fit.coefficients, [first, end - 1]))
             } else {
                 None
