@@ -123,8 +123,7 @@ fn edge(design: &Design, shader: &Shader, row: u32, shininess: f64, rng: &mut Rn
         tune(at(codes, axis), &mut vector, product >> dropped << dropped | last_bits(dropped, rng));
         put(codes, moved, vector);
     };
-    let number = design.numbers(Direction::In).len();
-    let ports = Ports::of(shader, light, number);
+    let ports = Ports::of(shader, light, design.numbers(Direction::In).len());
     match (ports.viewer, rng.below(6)) {
         // L.V
         (Some(viewer), 0) => {
