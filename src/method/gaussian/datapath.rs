@@ -15,7 +15,9 @@ use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
 use crate::method::exponent::{Exponent, error_of_exponent};
 use crate::method::log_exp::chords::Slopes;
-use crate::method::log_exp::datapath::{exp_chords, power_of_two, rounded_or_zero, times_versine};
+use crate::method::log_exp::datapath::{
+    exp_chords, levels, power_of_two, rounded_or_zero, times_versine, versine_int_bits, whole_bits,
+};
 use crate::method::log_exp::{EXP_ADDRESS, EXP_TABLE};
 use crate::method::polynomial::datapath::{self as polynomial, nearest_code};
 use crate::method::{Interface, width};
@@ -46,28 +48,6 @@ impl<'a> Exponential<'a> {
     fn output_bits(&self) -> i32 {
         self.interface.output_fraction as i32
     }
-
-    /// Bits of the integer part of z: the result is 0 from `2^this >= G + 1` on.
-    fn whole_bits(&self) -> i32 {
-        libm::ilogb(f64::from(self.output_bits())) + 1
-    }
-
-    /// Integer bits of v: from `v = 2^this` on, z is at least `2^this log2 e >= G + 1`.
-    fn int_bits(&self) -> i32 {
-        (0..).find(|&bits| exp2(bits) * LOG2_E >= f64::from(self.output_bits() + 1)).unwrap_or_default()
-    }
-
-    /// The ranges of the real z that the cases of the analysis are: fine where y is large. Past the last but one the
-    /// result is 0, or forced to it: what z is for a larger n u does not matter, as v or z' does not fit its bits from
-    /// `2^whole_bits` on.
-    fn levels(&self) -> Vec<Interval> {
-        let sixteenths = 16 * (self.output_bits() + 2);
-        let edges: Vec<f64> =
-            (0..=sixteenths).filter(|k| *k <= 48 || k % 4 == 0).map(|k| f64::from(k) / 16.0).collect();
-        let mut levels: Vec<Interval> = edges.windows(2).map(|edge| Interval::new(edge[0], edge[1])).collect();
-        levels.push(Interval::new(edges[edges.len() - 1], exp2(self.whole_bits()) + 1.0));
-        levels
-    }
 }
 
 impl Architecture for Exponential<'_> {
@@ -93,10 +73,10 @@ impl Architecture for Exponential<'_> {
     fn cost(&self, w: &Widths) -> f64 {
         let power = |f: f64| libm::exp2(-f);
         multiplier_cost(self.n.int_bits() + self.n.frac_bits(w), w[width::U])
-            + multiplier_cost(self.int_bits() + w[width::V], w[width::K] + 1)
+            + multiplier_cost(versine_int_bits(self.output_bits()) + w[width::V], w[width::K] + 1)
             + exp_chords(w, Slopes::Matched, &power).cost()
             // The shifter has a multiplexer a bit and level.
-            + f64::from(w[width::E] * self.whole_bits() + w[width::Z] + w[width::V])
+            + f64::from(w[width::E] * whole_bits(self.output_bits()) + w[width::Z] + w[width::V])
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
@@ -123,7 +103,7 @@ impl Architecture for Exponential<'_> {
 
     fn build(&self, widths: &Widths, tables: Vec<Table>) -> Option<Datapath> {
         let memory = tables.iter().position(|table| table.name == EXP_TABLE)?;
-        let levels = self.levels();
+        let levels = levels(self.output_bits());
         let active = Interval::new(0.0, polynomial::below_one(self.interface, 1.0));
         let case = Case { active, shininess: self.n.largest, rows: vec![None; tables.len()] };
         let mut b = Builder::new(&tables, vec![case; levels.len()]);
@@ -131,7 +111,7 @@ impl Architecture for Exponential<'_> {
         let n = self.n.node(&mut b, &tables);
         let (_, versine) = b.operand(self.interface);
         let u = b.floor(versine, widths[width::U], "u_cut", "u, rounded down");
-        let (v, beyond) = times_versine(&mut b, widths, [n, u], self.int_bits(), "u");
+        let (v, beyond) = times_versine(&mut b, widths, [n, u], versine_int_bits(self.output_bits()), "u");
 
         let bits = widths[width::K];
         let code = nearest_code(LOG2_E, bits);
@@ -146,7 +126,7 @@ impl Architecture for Exponential<'_> {
         let bounds = bounds.collect();
         b.assume(product, bounds);
         let z = b.floor(product, widths[width::Z], "z", "z = n u log2 e, rounded down");
-        let whole_bits = self.whole_bits();
+        let whole_bits = whole_bits(self.output_bits());
         let over = b.reaches(z, whole_bits, "over", "z is past what the result can show");
         // The places where the result is forced to 0 rest on this.
         if b.bounds(z).iter().any(|z| z.error.magnitude() > 0.25) {

@@ -144,6 +144,26 @@ pub(in crate::method) fn rounded_or_zero(
     y
 }
 
+/// Bits of the integer part of z for an output of `g` fraction bits: the result is 0 from `2^this >= G + 1` on.
+pub(in crate::method) fn whole_bits(g: i32) -> i32 {
+    libm::ilogb(f64::from(g)) + 1
+}
+
+/// Integer bits of v: from `v = 2^this` on, z is at least `2^this log2 e >= G + 1`.
+pub(in crate::method) fn versine_int_bits(g: i32) -> i32 {
+    (0..).find(|&bits| exp2(bits) * LOG2_E >= f64::from(g + 1)).unwrap_or_default()
+}
+
+/// The ranges of the real z that the cases of the analysis are: fine where y is large. Past the last but one the result
+/// is 0, or forced to it: what z is from `2^whole_bits` on does not matter, as v or the hardware's z does not fit there.
+pub(in crate::method) fn levels(g: i32) -> Vec<Interval> {
+    let sixteenths = 16 * (g + 2);
+    let edges: Vec<f64> = (0..=sixteenths).filter(|k| *k <= 48 || k % 4 == 0).map(|k| f64::from(k) / 16.0).collect();
+    let mut levels: Vec<Interval> = edges.windows(2).map(|edge| Interval::new(edge[0], edge[1])).collect();
+    levels.push(Interval::new(edges[edges.len() - 1], exp2(whole_bits(g)) + 1.0));
+    levels
+}
+
 /// `2^(-n L(x))`.
 #[derive(Debug)]
 pub struct LogExp<'a> {
@@ -178,16 +198,6 @@ impl<'a> LogExp<'a> {
         self.depth().min(self.input_bits()) - 1
     }
 
-    /// Bits of the integer part of z: the result is 0 from `2^this >= G + 1` on.
-    fn whole_bits(&self) -> i32 {
-        libm::ilogb(f64::from(self.output_bits())) + 1
-    }
-
-    /// Integer bits of v: from `v = 2^this` on, z is at least `2^this log2 e >= G + 1`.
-    fn versine_int_bits(&self) -> i32 {
-        (0..).find(|&bits| exp2(bits) * LOG2_E >= f64::from(self.output_bits() + 1)).unwrap_or_default()
-    }
-
     fn log_chords(&self, widths: &Widths) -> Chords<'static> {
         Chords {
             name: LOG_TABLE,
@@ -211,17 +221,6 @@ impl<'a> LogExp<'a> {
     /// off.
     fn bypasses(&self) -> bool {
         self.n.least == 1.0 && self.input_bits() > self.output_bits()
-    }
-
-    /// The ranges of the real z that the cases of the analysis are: fine where y is large.
-    fn levels(&self) -> Vec<Interval> {
-        let sixteenths = 16 * (self.output_bits() + 2);
-        let edges: Vec<f64> =
-            (0..=sixteenths).filter(|k| *k <= 48 || k % 4 == 0).map(|k| f64::from(k) / 16.0).collect();
-        let mut levels: Vec<Interval> = edges.windows(2).map(|edge| Interval::new(edge[0], edge[1])).collect();
-        // Past this the result is 0, or forced to it.
-        levels.push(Interval::new(edges[edges.len() - 1], exp2(self.whole_bits()) + 1.0));
-        levels
     }
 
     /// `v κ(m)`, κ from its memory; each case has the real z in its level.
@@ -257,7 +256,8 @@ impl<'a> LogExp<'a> {
         if steps.is_empty() {
             return None;
         }
-        let n = b.at_most(n, self.whole_bits(), "n_low", "n or more than the result can show, where x < 1/2");
+        let n =
+            b.at_most(n, whole_bits(self.output_bits()), "n_low", "n or more than the result can show, where x < 1/2");
         let count = b.cases().len();
         let terms = steps.iter().map(|&(shift, above)| {
             let power = libm::ilogb(f64::from(shift));
@@ -312,11 +312,11 @@ impl Architecture for LogExp<'_> {
         let n_bits = self.n.int_bits() + self.n.frac_bits(w);
         let power = |f: f64| libm::exp2(-f);
         multiplier_cost(n_bits, w[width::U])
-            + multiplier_cost(self.versine_int_bits() + w[width::V], w[width::K] + 1)
+            + multiplier_cost(versine_int_bits(self.output_bits()) + w[width::V], w[width::K] + 1)
             + self.log_chords(w).cost()
             + exp_chords(w, Slopes::Matched, &power).cost()
             // The shifter has a multiplexer a bit and level.
-            + f64::from(w[width::E] * self.whole_bits() + 2 * w[width::Z] + w[width::V])
+            + f64::from(w[width::E] * whole_bits(self.output_bits()) + 2 * w[width::Z] + w[width::V])
     }
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
@@ -352,7 +352,7 @@ impl Architecture for LogExp<'_> {
         let (f, g) = (self.input_bits(), self.output_bits());
         let memory = |name: &str| tables.iter().position(|table| table.name == name);
         let (log_memory, exp_memory) = (memory(LOG_TABLE)?, memory(EXP_TABLE)?);
-        let levels = self.levels();
+        let levels = levels(self.output_bits());
         let case = Case { active: Interval::UNIT, shininess: self.n.largest, rows: vec![None; tables.len()] };
         let mut b = Builder::new(&tables, vec![case; levels.len()]);
 
@@ -370,14 +370,14 @@ impl Architecture for LogExp<'_> {
         let half = b.bounds(u).iter().map(|bound| Bound { range: Interval::new(0.0, 0.5), ..*bound }).collect();
         b.assume(u, half);
         let u = b.floor(u, widths[width::U], "u_cut", "1 - m, rounded down");
-        let (v, beyond) = times_versine(&mut b, widths, [n, u], self.versine_int_bits(), "(1 - m)");
+        let (v, beyond) = times_versine(&mut b, widths, [n, u], versine_int_bits(self.output_bits()), "(1 - m)");
         let product = self.times_ratio(&mut b, widths, log_memory, [v, normal.value], &levels)?;
         let mut z = b.floor(product, widths[width::Z], "vk_cut", "rounded down");
         if let Some(steps) = self.times_steps(&mut b, n, &normal.steps) {
             z = b.add(steps, z, "z_sum", "z = n e + v k");
             z = b.floor(z, widths[width::Z], "z", "z, rounded down");
         }
-        let whole_bits = self.whole_bits();
+        let whole_bits = whole_bits(self.output_bits());
         let over = b.reaches(z, whole_bits, "over", "z is past what the result can show");
 
         let lift = self.n.lift(self.input_bits(), widths);

@@ -27,11 +27,7 @@ pub(in crate::method) fn evaluate(inputs: &Inputs) -> Wide {
         e += 1;
     }
     let v = inputs.floor(n * inputs.floor(Wide::ONE - m, width::U), width::V);
-    let mut bound = 1u32;
-    while f64::from(bound) * std::f64::consts::LOG2_E < negligible {
-        bound *= 2;
-    }
-    let limit = (output_fraction + 1).next_power_of_two();
+    let [bound, limit] = limits(output_fraction);
     if v >= bound {
         return Wide::ZERO;
     }
@@ -39,6 +35,22 @@ pub(in crate::method) fn evaluate(inputs: &Inputs) -> Wide {
         if m == 1 { Wide::ZERO } else { v * interpolated(inputs, &LOG, m - half, inputs.widths[width::K] as u32 + 1) };
     let steps = n.min(Wide::from_num(limit)) * Wide::from_num(e);
     let z = inputs.floor(steps + inputs.floor(product, width::Z), width::Z);
+    rounded_power(inputs, z)
+}
+
+/// Powers of two from which on v and z, `z >= v log2 e`, give a result of half an ulp at most: z is G + 1 there at least.
+pub(in crate::method) fn limits(output_fraction: u32) -> [u32; 2] {
+    let mut v = 1u32;
+    while f64::from(v) * std::f64::consts::LOG2_E < f64::from(output_fraction + 1) {
+        v *= 2;
+    }
+    [v, (output_fraction + 1).next_power_of_two()]
+}
+
+/// `2^-z` rounded to nearest, 0 from the limit of z on: the fraction of z through the table, its integer part a shift.
+pub(in crate::method) fn rounded_power(inputs: &Inputs, z: Wide) -> Wide {
+    let output_fraction = inputs.interface.output_fraction;
+    let [_, limit] = limits(output_fraction);
     if z >= limit {
         return Wide::ZERO;
     }
@@ -48,7 +60,7 @@ pub(in crate::method) fn evaluate(inputs: &Inputs) -> Wide {
 
 /// A function table: its memory, the fields of it, base and slope, its widths, address and value, and the span of its
 /// arguments, `2^-domain`.
-pub(in crate::method) struct Function {
+pub(super) struct Function {
     pub(super) memory: &'static str,
     pub(super) fields: [&'static str; 2],
     pub(super) widths: [Width; 2],
@@ -57,12 +69,12 @@ pub(in crate::method) struct Function {
 
 pub(super) const LOG: Function =
     Function { memory: "log_table", fields: ["log_base", "log_slope"], widths: [LOG_ADDRESS, width::K], domain: 1 };
-pub(in crate::method) const EXP: Function =
+pub(super) const EXP: Function =
     Function { memory: "exp_table", fields: ["exp_base", "exp_slope"], widths: [EXP_ADDRESS, width::E], domain: 0 };
 
 /// A function at `argument`, counted from where its arguments start: the entry's base less its slope times the distance
 /// from the entry's start, that distance rounded down to `cut` bits and the product to the value's width.
-pub(in crate::method) fn interpolated(inputs: &Inputs, of: &Function, argument: Wide, cut: u32) -> Wide {
+pub(super) fn interpolated(inputs: &Inputs, of: &Function, argument: Wide, cut: u32) -> Wide {
     let ([base, slope], [address, value]) = (of.fields, of.widths);
     let address_bits = inputs.widths[address] as u32;
     let entry = wide::to_code(argument << of.domain, address_bits);
