@@ -132,6 +132,7 @@ fn tables_are_within_the_proof_for_every_input() {
         "method = 'harris'\nlog_bits = 4\nexp_bits = 5",
         "method = 'harris'\nlog_bits = 2\nexp_bits = 9",
         "method = 'harris'\nlog_bits = 9\nexp_bits = 2",
+        "method = 'table'\ntable_bits = 2",
         "method = 'table'\ntable_bits = 5",
         "method = 'table'\ntable_bits = 9",
     ] {
@@ -142,6 +143,8 @@ fn tables_are_within_the_proof_for_every_input() {
             ("[1, 1.0001, 1.3, 2.71828, 7, 99.9]", 11, 16),
             ("[1.5, 64, 1234.567, 300000.3, 1048576]", 13, 4),
             ("[1]", 4, 20),
+            // Four entries, all rounded down, and 0 exactly where the surface faces away.
+            ("[16]", 4, 20),
             ("[17.25]", 14, 10),
             ("'3..=3'", 9, 9),
         ] {

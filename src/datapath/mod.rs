@@ -56,10 +56,10 @@ pub struct CaseError {
 }
 
 impl CaseError {
-    /// The sum of both.
+    /// The sum of both, and 0 where the surface faces away: there the result is exact, and no coefficient acts.
     #[must_use]
     pub fn total(&self) -> Interval {
-        self.coefficients + self.arithmetic
+        (self.coefficients + self.arithmetic).hull(Interval::ZERO)
     }
 }
 

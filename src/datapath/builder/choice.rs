@@ -115,12 +115,15 @@ impl Builder<'_> {
         self.push(Op::Select, &[flag, a, b], format, name, comment.to_owned(), bounds)
     }
 
-    /// 0 where the flag is 1, else `a`. The error bound stays: where the flag is 1 either the real value is 0, or the
+    /// 0 where the flag is 1, else `a`. Where the flag is 1 either the real value is 0, which is exact, or the
     /// hardware's p has reached 1, and then the real value `x (1 - p)` is positive by the error of p at most, which the
-    /// bound holds.
+    /// bound of `a` holds.
     pub fn zero_if(&mut self, flag: Option<NodeId>, a: NodeId, name: &str, comment: &str) -> NodeId {
         let Some(flag) = flag else { return a };
-        let bounds = self.mapped(a, |bound| Bound { range: bound.range.hull(Interval::ZERO), ..bound });
+        let bounds = self.mapped(a, |Bound { range, error, grid }| {
+            let [range, error] = [range, error].map(|interval| interval.hull(Interval::ZERO));
+            Bound { range, error, grid }
+        });
         self.push(Op::ZeroIf, &[flag, a], self.format(a), name, comment.to_owned(), bounds)
     }
 }
