@@ -1,5 +1,5 @@
 //! What is fuzzed: each reader of files with the properties that must hold of it whatever the bytes are, and `generate`
-//! itself, from a spec to the files of its core. The fuzzer and `tests/parsers.rs` share this file.
+//! itself, from a spec to the files of its core. The fuzzer and `tests/it/parsers.rs` share this file.
 //!
 //! A property that fails is a panic. Memory and time are watched from outside.
 

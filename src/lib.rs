@@ -19,7 +19,7 @@
 //! # The map of the house
 //!
 //! Data flows one way: spec → method → datapath → core → {HDL, ROM files, vectors} → checks → reports. A room stands
-//! above all that it uses, as `tests/rooms.rs` reads off the sources; from the bottom up:
+//! above all that it uses, as `tests/it/rooms.rs` reads off the sources; from the bottom up:
 //!
 //! | module | what it does |
 //! | --- | --- |

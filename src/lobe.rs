@@ -50,14 +50,3 @@ pub fn check_shininess(n: f64) -> Result<(), Error> {
         format!("a shininess is a real number from 1 to {MAX_SHININESS}; below 1 the lobe has no inflection to fit"),
     ))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn angles_and_versines() {
-        assert!((degrees(1.0) - 90.0).abs() < 1e-12 && (versine(60.0) - 0.5).abs() < 1e-15);
-        assert!((degrees(versine(0.001)) - 0.001).abs() < 1e-15);
-    }
-}

@@ -55,9 +55,6 @@ pub use table::{Lookup, Table};
 pub use texels::Texel;
 pub use vector::{Light, Vector};
 
-#[cfg(test)]
-mod tests;
-
 /// Red, green and blue, linear.
 pub type Rgb = [f64; 3];
 
@@ -75,19 +72,5 @@ pub trait Reflectance: Sync {
             return [0.0; 3];
         }
         self.at(l, Vector::z(), n).map(|f| exposure * f * cosine)
-    }
-}
-
-/// A reflectance that is 0 everywhere or a constant, for what is to be tested against a closed form.
-#[cfg(test)]
-mod flat {
-    use super::{Reflectance, Rgb, Vector};
-
-    pub struct Flat(pub Rgb);
-
-    impl Reflectance for Flat {
-        fn at(&self, l: Vector, v: Vector, n: Vector) -> Rgb {
-            if n.dot(&l) > 0.0 && n.dot(&v) > 0.0 { self.0 } else { [0.0; 3] }
-        }
     }
 }

@@ -9,8 +9,6 @@ mod golden_inputs;
 mod name;
 mod reference;
 mod resolve;
-#[cfg(test)]
-mod tests;
 
 use std::path::Path;
 use std::str::FromStr;

@@ -12,8 +12,6 @@ mod hex;
 mod mem;
 mod mif;
 mod source;
-#[cfg(test)]
-mod tests;
 mod vhdl;
 mod writing;
 

@@ -12,8 +12,6 @@ mod multiplier;
 mod quadratic;
 mod register;
 mod select;
-#[cfg(test)]
-mod tests;
 
 pub use cubic::{CubicRom, CubicWidths};
 pub use quadratic::{QuadraticRom, QuadraticWidths};

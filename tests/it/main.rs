@@ -1,0 +1,37 @@
+//! The tests, but those of private functions, which stand beside them. They are one program: each one more would link
+//! the whole crate once more.
+
+mod common;
+
+mod axis;
+mod baselines;
+mod claims;
+mod cli;
+mod divide;
+mod exactness;
+mod explore;
+mod fit;
+mod formal;
+mod lint;
+mod lobes;
+mod log_exp;
+mod mutate;
+mod netlist;
+mod options;
+mod parsers;
+mod reflectance;
+mod report;
+mod rooms;
+mod scene_file;
+mod scene_reflectance;
+mod scene_render;
+mod scene_require;
+mod scene_shade;
+mod scene_trace;
+mod shader;
+mod simulators;
+mod stability;
+mod surroundings;
+mod synth;
+mod unit;
+mod writable;
