@@ -89,7 +89,9 @@ say "documentation"
 cargo doc --locked --no-deps --quiet
 
 say "tests"
-cargo test $quiet --locked --no-fail-fast
+# That a test takes a minute is said on a terminal only, too.
+slow='match($0, /test [^ ]+ has been running for over/) { printf "%s", substr($0, 1, RSTART - 1); next } { print; fflush() }'
+if [ -t 1 ]; then cargo test --locked --no-fail-fast; else cargo test --quiet --locked --no-fail-fast 2>&1 | awk "$slow"; fi
 
 if [ "$all" = yes ]; then
     # The same inputs in every run: so many from one seed, starting from the kept ones. fuzz/run.sh alone goes on from where it was.
