@@ -429,10 +429,11 @@ fn markdown(rows: &[Row], machine: &str) -> String {
     let mut text = format!(
         "# Software speed\n\n\
          Written by `cargo bench --bench ratios -- --out docs`; the same figures are in speed.csv. {machine}.\n\n\
-         Within a group all ran in turns, round by round. A time is the median of the rounds, with the least and the greatest; \
-         *times as fast* is the median of the rounds' own ratios to the group's first line. The values of the f64 and bit-exact groups are \
-         those of {COSINES} cosines from 15/16 up for each of 16 shininesses spread over 1 to 1000 (the slow forms take every 64th); the f64 lobes \
-         have their coefficients from beforehand, as a shader has for a material.\n"
+         Within a group all ran in turns, round by round. A time is the median of the rounds, with the least and the \
+         greatest; *times as fast* is the median of the rounds' own ratios to the group's first line. The values of \
+         the f64 and bit-exact groups are those of {COSINES} cosines from 15/16 up for each of 16 shininesses spread \
+         over 1 to 1000 (the slow forms take every 64th); the f64 lobes have their coefficients from beforehand, as a \
+         shader has for a material.\n"
     );
     for group in rows.chunk_by(|a, b| a.group == b.group) {
         let _ = write!(

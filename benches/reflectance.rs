@@ -167,7 +167,8 @@ fn main() -> Result<()> {
 /// The bunny, drawn: rays and normals, lights made ready and codes on the one hand, look-ups on the other.
 fn drawn(forms: &[Form], rounds: usize) -> Result<()> {
     println!(
-        "\n| the bunny, 1920×1080, all threads | all but look-ups, 1 light: ms | 8 | 8 to 1 | look-ups, 1 light: ms | 8 | 8 to 1 |\n\
+        "\n| the bunny, 1920×1080, all threads | all but look-ups, 1 light: ms | 8 | 8 to 1 | look-ups, 1 light: ms | \
+         8 | 8 to 1 |\n\
          | --- | ---: | ---: | ---: | ---: | ---: | ---: |"
     );
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/bunny.toml");

@@ -86,20 +86,27 @@ impl Entry {
 const ABOUT: &str = "\
 # The methods, measured
 
-Written by `cargo run --release --example methods`; the same figures are in methods.csv. All cores serve the integers n = 1 to 1000
+Written by `cargo run --release --example methods`; the same figures are in methods.csv. All cores serve the integers \
+n = 1 to 1000
 (those with 3 fraction bits of in_n also eighths between them) and have F = G = 16 fraction bits. What they cost is in
 [targets.md](targets.md) and trade.csv.
 
-The errors are those of the bit-exact evaluator, which the tests hold equal to the reference model, at n = 10, 100 and 1000, over every code of
+The errors are those of the bit-exact evaluator, which the tests hold equal to the reference model, at n = 10, 100 and \
+1000, over every code of
 the cosine in [0, 1], 65537 of them, against x^n:
 
-- *max abs*: the largest |y - x^n|; *rel*: the largest |y - x^n| / x^n where x^n >= 1/2; *RMS*: the root of the mean of (y - x^n)^2.
-- *falls*: the pairs of adjacent codes at which the output falls as the cosine rises. *negative*: the codes with a result below 0;
+- *max abs*: the largest |y - x^n|; *rel*: the largest |y - x^n| / x^n where x^n >= 1/2; *RMS*: the root of the mean \
+of (y - x^n)^2.
+- *falls*: the pairs of adjacent codes at which the output falls as the cosine rises. *negative*: the codes with a \
+result below 0;
   the output's format has none.
-- *seam*: over all pairs of adjacent codes, and so also at the cusp, at the cut and at the bounds of segments, the most by which the core's step
-  |y(i+1) - y(i)| exceeds that of the real-valued method there, in ulps of the output: what the hardware adds to a seam. Steps of
+- *seam*: over all pairs of adjacent codes, and so also at the cusp, at the cut and at the bounds of segments, the \
+most by which the core's step
+  |y(i+1) - y(i)| exceeds that of the real-valued method there, in ulps of the output: what the hardware adds to a \
+  seam. Steps of
   one ulp where the method hardly moves make it up to 1, rounding up to 2.
-- *jump*: the same against x^n in place of the method: the largest discontinuity that the method has, as one sees it. A held tail has
+- *jump*: the same against x^n in place of the method: the largest discontinuity that the method has, as one sees it. \
+A held tail has
   it between the codes 0 and 1, as the result is 0 at x = 0.
 
 Multipliers are given by the widths of their operands, ROM bits as the depth of each memory times its word.

@@ -105,9 +105,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let results = Results::built_in()?;
     let mut text = String::from(
         "# What a scene requires\n\n\
-         For each scene in `scenes/` the core that `brdfgen generate` chooses for it, beside the cheapest core of the measured ones for every integer\n\
-         shininess from 1 to 1000 whose largest error is no greater; cheapest in LUTs, a DSP block counting as 536 and a block RAM as 402. Both are synthesised and placed for ECP5 (the median of three seeds), and both draw the\n\
-         scene through their bit-exact models; the error is that of the picture against the exact one, in output steps.\n\
+         For each scene in `scenes/` the core that `brdfgen generate` chooses for it, beside the cheapest core of the \
+         measured ones for every integer\n\
+         shininess from 1 to 1000 whose largest error is no greater; cheapest in LUTs, a DSP block counting as 536 and \
+         a block RAM as 402. Both are synthesised and placed for ECP5 (the median of three seeds), and both draw the\n\
+         scene through their bit-exact models; the error is that of the picture against the exact one, in output \
+         steps.\n\
          Written by `cargo run --release --example scenes -- docs`.\n\n\
          | scene | core | ROM bits | LUT | DSP | block RAM | MHz | clocks | steps off | PSNR |\n\
          | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",

@@ -70,7 +70,8 @@ fn cells(found: Option<&(&Point, Cost)>) -> String {
     )
 }
 
-const HEAD: &str = "| error | core | its error | LUT (LUT4 + 2 x carry cell) | DSP | block RAM | MHz | clocks | % of the device |\n\
+const HEAD: &str = "| error | core | its error | LUT (LUT4 + 2 x carry cell) | DSP | block RAM | MHz | clocks | % of \
+ the device |\n\
                     | --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n";
 
 fn text(results: &Results) -> Result<String, Box<dyn Error>> {
@@ -79,9 +80,12 @@ fn text(results: &Results) -> Result<String, Box<dyn Error>> {
     let tools = general.first().and_then(|(point, _)| point.tools()).ok_or("no measured core")?;
     let mut text = format!(
         "# What an error costs\n\n\
-         Made from `docs/trade.csv` by `cargo run --release --example targets -- docs`: ECP5-85k, speed grade 6, n = {GENERAL} at run time, 16\n\
-         fraction bits in and out, one result a clock, at least {CLOCK} MHz as the median over three seeds. The error is the largest\n\
-         |core - x^n| over every n and every cosine code. The cheapest core is the one that takes the least of an LFE5U-85F: its parts of\n\
+         Made from `docs/trade.csv` by `cargo run --release --example targets -- docs`: ECP5-85k, speed grade 6, n = \
+         {GENERAL} at run time, 16\n\
+         fraction bits in and out, one result a clock, at least {CLOCK} MHz as the median over three seeds. The error \
+         is the largest\n\
+         |core - x^n| over every n and every cosine code. The cheapest core is the one that takes the least of an \
+         LFE5U-85F: its parts of\n\
          the LUTs, the DSP blocks and the block RAMs added up. {}; {}.\n\n\
          ## The cheapest core and the cheapest baseline\n\n{HEAD}",
         tools.yosys,
@@ -101,7 +105,8 @@ fn text(results: &Results) -> Result<String, Box<dyn Error>> {
     }
     writeln!(
         text,
-        "\n## Wishes\n\n| wish | met by | its error | LUT (LUT4 + 2 x carry cell) | DSP | block RAM | MHz | clocks | % of the device |"
+        "\n## Wishes\n\n| wish | met by | its error | LUT (LUT4 + 2 x carry cell) | DSP | block RAM | MHz | clocks | % \
+         of the device |"
     )?;
     writeln!(text, "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |")?;
     let most = u32::MAX;
@@ -116,7 +121,8 @@ fn text(results: &Results) -> Result<String, Box<dyn Error>> {
     }
     write!(
         text,
-        "\n## A scene of eight materials\n\nn = 5, 10, 20, 40, 80, 160, 320, 640, against the general core of the same error.\n\n{HEAD}"
+        "\n## A scene of eight materials\n\nn = 5, 10, 20, 40, 80, 160, 320, 640, against the general core of the same \
+         error.\n\n{HEAD}"
     )?;
     for bits in [3, 5, 7, 9, 11, 14] {
         let error = 0.5f64.powi(bits);

@@ -73,8 +73,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 
 /// Table I of IB with what was measured just now.
 fn speed_lines(speeds: &[Speed]) -> Vec<String> {
-    let heading = "images-speed (IB, table I): Another light does not make rendering notably slower. Claimed: 323 of 325 and 380 of 388 frames a \
-                   second with 8 lights and with 1. By rays on this processor, images of 512 x 512, timed now and compared with no record:";
+    let heading = "images-speed (IB, table I): Another light does not make rendering notably slower. Claimed: 323 of \
+                   325 and 380 of 388 frames a second with 8 lights and with 1. By rays on this processor, images of \
+                   512 x 512, timed now and compared with no record:";
     let line = |Speed { mesh, lights, fps, ratio }: &Speed| {
         format!("  {mesh}, {}: {fps:.0} frames a second, {ratio:.2} of those with 1", counted(*lights as u64, "light"))
     };

@@ -351,7 +351,8 @@ fn accuracy(model: &Model) -> Vec<String> {
         lines.push(format!("cost model for {family}, fitted to {} points of {}:", model.points, model.tools.yosys));
         for accuracy in &model.accuracy {
             lines.push(format!(
-                "  {:<4} off by {:.1} % in the median, {:.1} % at worst ({}), each of {} points estimated from the others",
+                "  {:<4} off by {:.1} % in the median, {:.1} % at worst ({}), each of {} points estimated from the \
+                 others",
                 accuracy.what,
                 100.0 * accuracy.median,
                 100.0 * accuracy.worst,

@@ -84,8 +84,8 @@ fn check(arguments: &Arguments, core: &Core) -> Verdict {
             count => format!("{} and {} more differ in their line ends only", first.display(), count - 1),
         };
         say(format!(
-            "{whose}: a check-out has put CR LF for LF, or an editor a byte order mark in front; `* -text` in .gitattributes leaves \
-             files as they are"
+            "{whose}: a check-out has put CR LF for LF, or an editor a byte order mark in front; `* -text` in \
+             .gitattributes leaves files as they are"
         ));
     }
     say(format!("{} of {count} files are as they should be", count - stale.len()));
@@ -140,14 +140,16 @@ fn keeps(constraints: &Constraints, promised: u32, core: &Core) -> bool {
         && measured.max_abs > constraints.max_error.0
     {
         warn(format!(
-            "the chosen core has an error of {}, more than wished: the results that it was chosen from are of another version",
+            "the chosen core has an error of {}, more than wished: the results that it was chosen from are of another \
+             version",
             package::percent_text(measured.max_abs)
         ));
         return false;
     }
     if promised != latency {
         warn(format!(
-            "the core takes {latency} clocks, where the results say {promised}: they are of another version, or of more shininesses"
+            "the core takes {latency} clocks, where the results say {promised}: they are of another version, or of \
+             more shininesses"
         ));
     }
     !constraints.limits.iter().any(|&(objective, most)| objective == Objective::Latency && latency > most)

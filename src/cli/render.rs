@@ -65,11 +65,13 @@ pub(super) struct Arguments {
     /// spec files or core directories [default: quadratic, cubic, cubic-min-zero minimax, schlick, power-4, log-exp of
     /// accuracy 5 and 9]. Of a scene with measured materials, of several forms: `paper`, `half`, `bivariate`, each with
     /// keys as in `half:images=8:size=64`, and `fit` [default: paper of 4 and of 6 images, half, bivariate, fit]
-    #[arg(long, value_name = "CORES", num_args = 0..=1, require_equals = true, value_delimiter = ',', default_missing_value = "", conflicts_with = "method")]
+    #[arg(long, value_name = "CORES", num_args = 0..=1, require_equals = true, value_delimiter = ',')]
+    #[arg(default_missing_value = "", conflicts_with = "method")]
     compare: Option<Vec<String>>,
 
     /// Where a core is to be chosen: move the camera and each light by so many degrees too, 0 to 45 [default: 5]
-    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true, conflicts_with_all = ["compare", "core", "method"])]
+    #[arg(long, value_name = "DEGREES", allow_negative_numbers = true)]
+    #[arg(conflicts_with_all = ["compare", "core", "method"])]
     margin: Option<f64>,
 
     /// Costs by synthesis and placement instead of the cost model, where a core is to be chosen and with --compare

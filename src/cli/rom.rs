@@ -139,7 +139,8 @@ fn check(arguments: &Arguments, path: &Path, spec: &CoreSpec, tables: &[&Table])
     if arguments.json {
         let first = difference.as_ref().map(ToString::to_string);
         say_json(&json!({
-            "file": shown, "memory": table.name, "kind": image.kind, "words": image.words.len(), "first_difference": first,
+            "file": shown, "memory": table.name, "kind": image.kind, "words": image.words.len(),
+            "first_difference": first,
         }));
     } else {
         let kind = image.kind.map(|kind| format!(" ({kind})")).unwrap_or_default();

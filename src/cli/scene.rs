@@ -275,7 +275,8 @@ fn shader_text(shaded: &Shaded) -> String {
     let bits = spec.block.shader().map_or(0, |shader| shader.vector_fraction);
     let end = if shaded.missed.is_empty() { String::new() } else { format!("; {}", shaded.missed.join(", ")) };
     format!(
-        "  the shader around it: vectors of {bits} fraction bits, F{}, {} clocks; {} samples through its bit-exact model: base {}; moved {}{end}",
+        "  the shader around it: vectors of {bits} fraction bits, F{}, {} clocks; {} samples through its bit-exact \
+         model: base {}; moved {}{end}",
         spec.interface.input_fraction,
         shaded.design.schedule.latency,
         shaded.samples,
@@ -297,8 +298,8 @@ fn shader_help(shaded: &Shaded, budget: &Budget) -> Option<String> {
     let wanted = steps.map(|_| format!("max_steps = {most}"));
     let wanted = wanted.into_iter().chain(psnr.map(|psnr| format!("min_psnr = {}", psnr.min(floor))));
     Some(format!(
-        "  no shader around {} keeps the budget; this one does with {} in [budget]; fewer lights, or keys that are given (method, output_fraction, \
-         vector_fraction) left out or finer, may help too",
+        "  no shader around {} keeps the budget; this one does with {} in [budget]; fewer lights, or keys that are \
+         given (method, output_fraction, vector_fraction) left out or finer, may help too",
         if shaded.tried == 1 { "this lobe".to_owned() } else { format!("any of {} lobes", shaded.tried) },
         wanted.collect::<Vec<_>>().join(" and "),
     ))
@@ -325,7 +326,8 @@ fn choice_text(scene: &Scene, inspection: &SceneInspection) -> Vec<String> {
                 point.rom_bits,
             ));
             lines.push(format!(
-                "  {} lit samples of {} through the bit-exact model: {} at most in the base picture, {} in the moved ones",
+                "  {} lit samples of {} through the bit-exact model: {} at most in the base picture, {} in the moved \
+                 ones",
                 verified.samples,
                 counted(verified.pictures as u64, "picture"),
                 counted(verified.base.max_steps, "step"),

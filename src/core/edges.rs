@@ -192,7 +192,8 @@ mod tests {
     use super::*;
     use crate::spec::SpecFields;
 
-    const SPEC: &str = "block = \"shader\"\nmethod = \"quadratic\"\n[[material]]\nname = \"m\"\nshininess = 20\n[shader]\nlights = 1\n";
+    const SPEC: &str = "block = \"shader\"\nmethod = \"quadratic\"\n[[material]]\nname = \"m\"\nshininess = \
+     20\n[shader]\nlights = 1\n";
 
     fn design() -> Design {
         Design::new(SpecFields::parse(SPEC, "test").and_then(SpecFields::resolve).expect("a spec")).expect("a design")

@@ -157,7 +157,8 @@ mod tests {
 
     #[test]
     fn a_name_is_declared_once_in_a_scope() {
-        let verilog = "module m (\n    input  wire clk,\n    output wire [3:0] out_y\n);\n    wire [3:0] m_0 = 4'd0; // wire m_0\n";
+        let verilog = "module m (\n    input  wire clk,\n    output wire [3:0] out_y\n);\n    wire [3:0] m_0 = 4'd0; \
+         // wire m_0\n";
         assert!(checked(Language::Verilog, "m", verilog.to_owned()).is_ok());
         for twice in ["    wire m_0 = 1'b1;", "    reg [7:0] m_0;", "    integer clk = 0;", "    x #(\n    ) m_0 ("] {
             let message = refused(Language::Verilog, "m", &format!("{verilog}{twice}\n"));
@@ -169,7 +170,8 @@ mod tests {
         assert!(checked(Language::Verilog, "m", task.clone()).is_ok());
         assert!(refused(Language::Verilog, "m", &format!("{task}    reg t = 0;\n")).contains("`t` twice"));
 
-        let vhdl = "entity m is\n    port (\n        clk : in  std_logic\n    );\narchitecture rtl of m is\n    signal m_0 : std_logic; -- x : y\n";
+        let vhdl = "entity m is\n    port (\n        clk : in  std_logic\n    );\narchitecture rtl of m is\n    signal \
+         m_0 : std_logic; -- x : y\n";
         assert!(checked(Language::Vhdl, "m", vhdl.to_owned()).is_ok());
         for twice in [
             "constant M_0 : natural := 0;",
@@ -180,7 +182,8 @@ mod tests {
             let message = refused(Language::Vhdl, "m", &format!("{vhdl}    {twice}\n"));
             assert!(message.contains("twice, in lines"), "{message}");
         }
-        let inner = "    function f(m_0 : string) return x is\n        variable clk : bit := m_0(1);\n    begin\n    end function;\n    m_0 <= m_0;\n    m_0 := m_0;\n";
+        let inner = "    function f(m_0 : string) return x is\n        variable clk : bit := m_0(1);\n    begin\n    \
+         end function;\n    m_0 <= m_0;\n    m_0 := m_0;\n";
         assert!(checked(Language::Vhdl, "m", format!("{vhdl}{inner}")).is_ok());
         assert!(refused(Language::Vhdl, "m", &format!("{vhdl}{inner}{inner}")).contains("`f` twice"));
     }

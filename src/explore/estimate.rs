@@ -323,7 +323,8 @@ impl Model {
             Error::input(
                 format!("there is no cost model for {}", word(&family)),
                 format!(
-                    "the measured points give one for {}: explore {FEWEST} points or more of the family, and give them with --fit-from",
+                    "the measured points give one for {}: explore {FEWEST} points or more of the family, and give them \
+                     with --fit-from",
                     known.join(", ")
                 ),
             )

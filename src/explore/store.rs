@@ -45,7 +45,8 @@ CREATE TABLE provenance (document TEXT NOT NULL);
 CREATE TABLE point (id TEXT PRIMARY KEY, failed INTEGER NOT NULL, document TEXT NOT NULL) WITHOUT ROWID;
 CREATE VIEW trade AS SELECT
     id, document ->> 'name' AS name, document ->> 'family' AS family, document ->> 'method' AS method,
-    document ->> 'coefficients' AS coefficients, document ->> 'variant' AS variant, document ->> 'shininess' AS shininess,
+    document ->> 'coefficients' AS coefficients, document ->> 'variant' AS variant, document ->> 'shininess' AS \
+    shininess,
     document ->> 'input_fraction' AS input_fraction, document ->> 'output_fraction' AS output_fraction,
     document ->> 'max_abs' AS max_abs, document ->> 'max_rel' AS max_rel, document ->> 'rms' AS rms,
     document ->> 'rom_bits' AS rom_bits, document ->> 'latency' AS latency,
@@ -124,7 +125,8 @@ impl Store {
                 Err(what) => {
                     refused = Some(Error::input(
                         format!("{}: the results would hold figures {what}", path.display()),
-                        "give another file, or --fresh to start this one anew: figures that are made differently cannot be compared",
+                        "give another file, or --fresh to start this one anew: figures that are made differently \
+                         cannot be compared",
                     ));
                 }
             }
@@ -188,7 +190,8 @@ impl Store {
             Err(TryLockError::WouldBlock) => {
                 return Err(Error::input(
                     format!("another run of explore works with {}", self.path.display()),
-                    "runs share a results file, but one that starts it anew with --fresh must be alone: wait, or give another file",
+                    "runs share a results file, but one that starts it anew with --fresh must be alone: wait, or give \
+                     another file",
                 ));
             }
             // A file system without locks.
@@ -279,7 +282,8 @@ impl Store {
                 Some(held) => held.with(&own).map_err(|what| {
                     Error::input(
                         format!("{}: the merged results would hold figures {what}", path.display()),
-                        "merge results of one version of the tools: figures that are made differently cannot be compared",
+                        "merge results of one version of the tools: figures that are made differently cannot be \
+                         compared",
                     )
                 })?,
             });

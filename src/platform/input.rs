@@ -116,7 +116,8 @@ pub fn check_separator(text: &str, file: &str) -> Result<(), Error> {
     let at = heading.as_ptr() as usize - text.as_ptr() as usize;
     Err(Error::text(
         format!("columns are separated by commas and this has {name}"),
-        "save it with commas between the columns and points in the numbers; a spreadsheet has this in its export or region settings",
+        "save it with commas between the columns and points in the numbers; a spreadsheet has this in its export or \
+         region settings",
         file,
         text,
         (at, heading.len()),

@@ -47,9 +47,12 @@ impl Extreme {
 /// The chapter's beginning.
 const CHAPTER: &str = "# Measured reflectance at the extremes
 
-`brdfgen reflectance stability --out FILE.md` measures this chapter. Every value has to be finite and not negative, and no larger than a bound that
-holds whatever is stored: of `paper` the largest sample, of `half` and `bivariate` the largest full scale times n·l. Where a case has a limit
-(0 at φ = 180°, the value from beside it at φ = 0, the sum of single lights), values have to be within what the last column allows.
+`brdfgen reflectance stability --out FILE.md` measures this chapter. Every value has to be finite and not negative, \
+and no larger than a bound that
+holds whatever is stored: of `paper` the largest sample, of `half` and `bivariate` the largest full scale times n·l. \
+Where a case has a limit
+(0 at φ = 180°, the value from beside it at φ = 0, the sum of single lights), values have to be within what the last \
+column allows.
 ";
 
 /// What was found, as a chapter in Markdown.
@@ -57,7 +60,8 @@ holds whatever is stored: of `paper` the largest sample, of `half` and `bivariat
 pub fn chapter(found: &[Extreme]) -> String {
     let all_hold = found.iter().all(|one| one.broken.is_empty());
     let mut text = format!(
-        "{CHAPTER}\n{}\n\n| case | form | largest value | part of its bound | off its limit, allowed |\n| --- | --- | ---: | ---: | ---: |\n",
+        "{CHAPTER}\n{}\n\n| case | form | largest value | part of its bound | off its limit, allowed |\n| --- | --- | \
+         ---: | ---: | ---: |\n",
         if all_hold { "It holds for all of them." } else { "**It does not hold for all of them.**" }
     );
     for Extreme { case, form, largest, of_bound, off_limit, .. } in found {

@@ -83,7 +83,8 @@ impl Family {
         match self {
             Self::Lambert => "J. H. Lambert, Photometria, 1760",
             Self::BlinnPhong => {
-                "J. F. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977; normalised by (n+2)/(2π)"
+                "J. F. Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977; normalised \
+                 by (n+2)/(2π)"
             }
             Self::Ward => "G. J. Ward, Measuring and Modeling Anisotropic Reflection, SIGGRAPH 1992",
             Self::CookTorrance => {

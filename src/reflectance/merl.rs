@@ -99,7 +99,8 @@ fn length(name: &str, shape: [usize; 3], what: &str) -> Error {
 
 /// The shape that the beginning of a file tells; what it is if that is none of those allowed.
 fn shape(start: &[u8], name: &str, shapes: &[[usize; 3]]) -> Result<[usize; 3], Error> {
-    let allowed = "a MERL table begins with the counts 90, 90, 180 (or 360) as little-endian 32-bit numbers, and has 34992012 (or 69984012) bytes";
+    let allowed = "a MERL table begins with the counts 90, 90, 180 (or 360) as little-endian 32-bit numbers, and has \
+     34992012 (or 69984012) bytes";
     let refused = |what: String| Err(Error::input(format!("{name} {what}"), allowed));
     if start.is_empty() {
         return refused("is empty".to_owned());

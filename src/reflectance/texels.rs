@@ -47,7 +47,8 @@ impl FromStr for Texel {
     fn from_str(text: &str) -> Result<Self, String> {
         let wrong = || {
             format!(
-                "`{text}` is no texel: `float`, `linear:8` or `sqrt:8` with 1 to 16 bits a channel, `sqrt:8:CAP` with one cap above 0, or `565`"
+                "`{text}` is no texel: `float`, `linear:8` or `sqrt:8` with 1 to 16 bits a channel, `sqrt:8:CAP` with \
+                 one cap above 0, or `565`"
             )
         };
         let parts: Vec<&str> = text.split(':').collect();

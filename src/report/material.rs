@@ -45,8 +45,8 @@ impl MaterialPart {
         Self {
             name: name.to_owned(),
             line: format!(
-                "Pictures of a sphere against those of the reflectance itself, at the exposure {exposure:.4}, over lights from 2.5 to 167.5 degrees from \
-                 the viewer; on linear values from 0 to 1."
+                "Pictures of a sphere against those of the reflectance itself, at the exposure {exposure:.4}, over \
+                 lights from 2.5 to 167.5 degrees from the viewer; on linear values from 0 to 1."
             ),
             chart: (format!("material_{}", place + 1), chart(name, points)),
             table: Table::of(format!("{} points", points.len()), &HEADS, points.iter().map(line).collect()),

@@ -42,7 +42,8 @@ impl ScenePart {
         let figures = if choice.estimated { "estimated" } else { "measured" };
         let mut lines = vec![
             format!(
-                "{} by {} pixels of {} bits a channel, {}; the budget is {}, with the camera and each light moved by up to {} degrees.",
+                "{} by {} pixels of {} bits a channel, {}; the budget is {}, with the camera and each light moved by \
+                 up to {} degrees.",
                 requirements.size[0],
                 requirements.size[1],
                 scene.channel_bits,
@@ -51,9 +52,9 @@ impl ScenePart {
                 requirements.margin_degrees,
             ),
             format!(
-                "Of the {} cores that drew it the cheapest that keeps the budget is {}: {} ({figures}). Through its bit-exact model the picture is off by {} \
-                 at most, PSNR {}; {} lit samples in {} pictures. In any view of these materials under these lights no channel is off by \
-                 more than {} steps.",
+                "Of the {} cores that drew it the cheapest that keeps the budget is {}: {} ({figures}). Through its \
+                 bit-exact model the picture is off by {} at most, PSNR {}; {} lit samples in {} pictures. In any view \
+                 of these materials under these lights no channel is off by more than {} steps.",
                 choice.considered,
                 chosen.candidate.point.name,
                 cost_text(&chosen.candidate.cost),

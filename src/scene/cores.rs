@@ -81,7 +81,8 @@ impl PictureCore {
                 let (key, value) = part.split_once('=').ok_or_else(|| {
                     Error::input(
                         format!("`{part}` in `{entry}` is no key with its value"),
-                        "write METHOD:KEY=VALUE, as in log-exp:accuracy=9, the name of a file, or that of a core's directory",
+                        "write METHOD:KEY=VALUE, as in log-exp:accuracy=9, the name of a file, or that of a core's \
+                         directory",
                     )
                 })?;
                 // Numbers as they are, words in quotes.

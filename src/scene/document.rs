@@ -179,12 +179,12 @@ impl Findings<'_> {
             let last = shaded.design.spec.interface.shininess.rows() - 1;
             return vec![
                 format!("`in_material` above {last} selects row {last}."),
-                "Vectors of any length and direction have a defined result: each cosine is taken into [0, 1], a light from behind gives nothing, and a \
-                 channel above full scale is full scale."
+                "Vectors of any length and direction have a defined result: each cosine is taken into [0, 1], a light \
+                 from behind gives nothing, and a channel above full scale is full scale."
                     .to_owned(),
                 format!(
-                    "Other views are measured only as far as the moved pictures go. Another light, colour or material than those of `{}` needs another \
-                     shader.",
+                    "Other views are measured only as far as the moved pictures go. Another light, colour or material \
+                     than those of `{}` needs another shader.",
                     scene.name
                 ),
             ];
@@ -209,8 +209,9 @@ impl Findings<'_> {
             _ => "the rows".to_owned(),
         };
         lines.push(format!(
-            "Any other view, normal and light direction: with {n} of these materials and the {} of the scene no channel is off by more than {}, \
-             as the lobe is off by at most {:.3e} ({}) and half of the input's last bit moves it by at most n 2^-{}.",
+            "Any other view, normal and light direction: with {n} of these materials and the {} of the scene no \
+             channel is off by more than {}, as the lobe is off by at most {:.3e} ({}) and half of the input's last \
+             bit moves it by at most n 2^-{}.",
             counted(requirements.lights as u64, "light"),
             counted(chosen.guaranteed_steps(), "step"),
             chosen.candidate.point.max_abs,
@@ -218,8 +219,9 @@ impl Findings<'_> {
             design.spec.interface.input_fraction + 1,
         ));
         lines.push(format!(
-            "Another shininess than those of the rows is not served; a material that is not modelled is drawn with the row whose shininess is \
-             nearest. More or brighter lights raise the bound in proportion. Make the core anew when `{}`'s materials change.",
+            "Another shininess than those of the rows is not served; a material that is not modelled is drawn with the \
+             row whose shininess is nearest. More or brighter lights raise the bound in proportion. Make the core anew \
+             when `{}`'s materials change.",
             scene.name
         ));
         lines

@@ -57,7 +57,8 @@ pub(super) fn parts(painted: &Painted, file: &str, directory: &Path) -> Result<P
         let missing = if libraries.is_empty() { "mtllib" } else { "usemtl" };
         return Err(Error::input(
             format!("{file} has no {missing}, and materials = \"mtl\" asks for the materials of its MTL file"),
-            "an OBJ file names its MTL file with mtllib and each face's material with usemtl; without the key every face has the object's material",
+            "an OBJ file names its MTL file with mtllib and each face's material with usemtl; without the key every \
+             face has the object's material",
         ));
     }
     let mut read: Vec<Library> = Vec::new();

@@ -132,6 +132,9 @@ pub(super) fn across(v: V) -> V {
 
 #[cfg(test)]
 pub(super) mod tests {
+    use std::cmp::Ordering;
+
+    use num_bigint::{BigInt, Sign};
     use proptest::prelude::*;
 
     use super::*;
@@ -158,7 +161,11 @@ pub(super) mod tests {
         #![proptest_config(ProptestConfig { cases: 2000, ..ProptestConfig::default() })]
 
         #[test]
-        fn triangles_are_met_as_in_the_textbook(corners in prop::array::uniform3(vector()), origin in vector(), direction in vector()) {
+        fn triangles_are_met_as_in_the_textbook(
+            corners in prop::array::uniform3(vector()),
+            origin in vector(),
+            direction in vector(),
+        ) {
             prop_assume!(direction != [0.0; 3]);
             let ray = Ray::new(origin.into(), unit(direction.into()).unwrap(), 2.0);
             let corners = corners.map(V::from);
@@ -180,12 +187,16 @@ pub(super) mod tests {
             let mut b = a.map(|c| c * factor);
             b[1] = f64::from_bits((b[1].to_bits() as i64 + ulps) as u64);
             prop_assert_eq!(edge(a, b), -edge(b, a));
-            let big = |x: f64| num_traits::FromPrimitive::from_f64(x * 2f64.powi(60)).unwrap();
-            let product = |x: f64, y: f64| -> num_bigint::BigInt { let (x, y): (num_bigint::BigInt, num_bigint::BigInt) = (big(x), big(y)); x * y };
+            let big = |x: f64| -> BigInt { num_traits::FromPrimitive::from_f64(x * 2f64.powi(60)).unwrap() };
+            let product = |x: f64, y: f64| big(x) * big(y);
             let whole = |x: f64| (x * 2f64.powi(60)).fract() == 0.0;
             prop_assume!([a[0], a[1], b[0], b[1]].into_iter().all(whole));
             let exact = product(a[0], b[1]) - product(a[1], b[0]);
-            let sign = |x: f64| if x > 0.0 { num_bigint::Sign::Plus } else if x < 0.0 { num_bigint::Sign::Minus } else { num_bigint::Sign::NoSign };
+            let sign = |x: f64| match x.partial_cmp(&0.0) {
+                Some(Ordering::Greater) => Sign::Plus,
+                Some(Ordering::Less) => Sign::Minus,
+                _ => Sign::NoSign,
+            };
             prop_assert_eq!(sign(edge(a, b)), exact.sign());
         }
     }

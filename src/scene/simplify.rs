@@ -157,7 +157,8 @@ fn fewer_bits(
 ) -> Simplification {
     let measured = match needed.measured {
         Some(fewest) => format!(
-            "with the exact lobe, all pictures keep the budget with {fewest} fraction bits of the {port} and not with fewer"
+            "with the exact lobe, all pictures keep the budget with {fewest} fraction bits of the {port} and not with \
+             fewer"
         ),
         None => format!("not even the most fraction bits of the {port} keep the budget"),
     };
@@ -225,7 +226,8 @@ fn accuracy(
     let allowed = requirements.budget.steps(scene.channel_bits);
     let reason = if applies {
         format!(
-            "the budget allows {allowed:.3} step{} before the rounding; this core's lobe is off by at most {:.2e}, {:.2e} rms on the picture's samples",
+            "the budget allows {allowed:.3} step{} before the rounding; this core's lobe is off by at most {:.2e}, \
+             {:.2e} rms on the picture's samples",
             if allowed == 1.0 { "" } else { "s" },
             point.max_abs,
             chosen.lobe_rms
@@ -260,7 +262,8 @@ fn tail(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Si
         ("epicentre_percent", percent(counts.epicentre, counts.lit())),
     ];
     let seen = format!(
-        "highlights below {:.3} % of the lobe are less than half a step: {invisible:.1} % of the lit samples, and {visible:.1} % are of a tail that is seen",
+        "highlights below {:.3} % of the lobe are less than half a step: {invisible:.1} % of the lit samples, and \
+         {visible:.1} % are of a tail that is seen",
         100.0 * level
     );
     let objective = spec.method.options().objective;
@@ -309,7 +312,8 @@ fn saturation(requirements: &Requirements) -> Simplification {
     let [base, moved] = requirements.saturated;
     let reason = if base + moved > 0 {
         format!(
-            "channels exceed full scale in {base} pixels of the base picture and {moved} of the moved ones: a shader must saturate"
+            "channels exceed full scale in {base} pixels of the base picture and {moved} of the moved ones: a shader \
+             must saturate"
         )
     } else {
         "no channel exceeds full scale in any picture; the lobe has no adder that could lose its saturation".to_owned()

@@ -52,8 +52,9 @@ pub(crate) fn check_name(name: &str) -> Result<(), Error> {
     Err(Error::input(
         format!("the name `{name}` is not allowed"),
         format!(
-            "`{}` would be: a name is an identifier of both languages and of files, up to {NAME_LETTERS} lower-case letters, digits \
-             and single underscores, a letter first, no underscore last, no reserved word, no port, no device of Windows",
+            "`{}` would be: a name is an identifier of both languages and of files, up to {NAME_LETTERS} lower-case \
+             letters, digits and single underscores, a letter first, no underscore last, no reserved word, no port, no \
+             device of Windows",
             allowed_name(name)
         ),
     ))

@@ -86,9 +86,11 @@ mod tests {
         let digits = "10".repeat(17);
         let with = |constant: &str| {
             format!(
-                "/* a \"{digits}\" */\n(* note = \"{digits}\" *)\nmodule m #(parameter P = \"{digits}\") (input a);\n  // \"{digits}\"\n\
+                "/* a \"{digits}\" */\n(* note = \"{digits}\" *)\nmodule m #(parameter P = \"{digits}\") (input a);\n  \
+                 // \"{digits}\"\n\
                  \x20 assign y = a ? {constant} : x + {constant};\n  always @(*) #1 z <= {constant};\n\
-                 \x20 sub #(.P((\"{digits}\")), .Q(1)) \\odd\"name  (.a ({constant}));\n  initial $display(\"0101\", \"\\\"{digits}\");\nendmodule\n"
+                 \x20 sub #(.P((\"{digits}\")), .Q(1)) \\odd\"name  (.a ({constant}));\n  initial \
+                 $display(\"0101\", \"\\\"{digits}\");\nendmodule\n"
             )
         };
         let made = with_wide_constants(with(&format!("\"{digits}\"")).as_bytes());

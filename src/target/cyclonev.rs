@@ -7,7 +7,8 @@ pub(super) const FAMILY: Description = Description {
     name: "cyclonev",
     title: "Cyclone V",
     brief: "Cyclone V (cells only)",
-    about: "Intel Cyclone V: cells only, as there is no placement here; a LUT is an adaptive LUT, of which a logic module (ALM) has two",
+    about: "Intel Cyclone V: cells only, as there is no placement here; a LUT is an adaptive LUT, of which a logic \
+     module (ALM) has two",
     device: "Cyclone V",
     yosys: "synth_intel_alm -family cyclonev -noiopad -noclkbuf",
     padless: "",

@@ -6,8 +6,8 @@ pub(super) const FAMILY: Description = Description {
     name: "gowin",
     title: "Gowin",
     brief: "GW2A-18",
-    about: "Gowin GW2A: GW2A-18, PG256, C8/I7; placed as on iCE40; nextpnr's delays of its DSP blocks look incomplete, so that the \
-            clock of a core with multipliers may be too high",
+    about: "Gowin GW2A: GW2A-18, PG256, C8/I7; placed as on iCE40; nextpnr's delays of its DSP blocks look incomplete, \
+            so that the clock of a core with multipliers may be too high",
     device: "GW2A-LV18PG256C8/I7",
     yosys: "synth_gowin -family gw2a",
     padless: " -noiopads",

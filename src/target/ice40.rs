@@ -6,7 +6,8 @@ pub(super) const FAMILY: Description = Description {
     name: "ice40",
     title: "iCE40",
     brief: "UP5K",
-    about: "Lattice iCE40: UP5K, SG48, which has DSP blocks; the core is placed between two shift registers, as it has too few pins",
+    about: "Lattice iCE40: UP5K, SG48, which has DSP blocks; the core is placed between two shift registers, as it has \
+     too few pins",
     device: "iCE40UP5K SG48",
     yosys: "synth_ice40 -device u -dsp -abc9",
     padless: "",

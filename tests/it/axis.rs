@@ -61,9 +61,11 @@ impl Core {
 const SPECS: &[&str] = &[
     "axi_stream = true\nmethod = 'quadratic'\nshininess = '1..=1000'",
     "axi_stream = true\ntuser_bits = 64\nmethod = 'cubic'\nshininess = '1..=64'\npipeline = 1\nrom = 'file'",
-    "axi_stream = true\ntuser_bits = 40\nmethod = 'cubic'\nshininess = '1..=64'\nrom = 'writable'\noutput_fraction = 15",
+    "axi_stream = true\ntuser_bits = 40\nmethod = 'cubic'\nshininess = '1..=64'\nrom = 'writable'\noutput_fraction = \
+     15",
     "axi_stream = true\ntuser_bits = 2\nmethod = 'schlick'\nshininess = [20]\noperand = 'versine'\ninput_fraction = 6",
-    "axi_stream = true\ntuser_bits = 5\nblock = 'shader'\nmethod = 'quadratic'\nmaterial = [{ name = 'a', shininess = 9 }]\n\
+    "axi_stream = true\ntuser_bits = 5\nblock = 'shader'\nmethod = 'quadratic'\nmaterial = \
+     [{ name = 'a', shininess = 9 }]\n\
      [shader]\nmodel = 'blinn'\nchannel_bits = 10\nlight_colours = 'ports'",
 ];
 
@@ -125,7 +127,8 @@ module watch;
     wire [USER-1:0] tuser;
     NAME_axis dut (.aclk(aclk), .aresetn(aresetn), .s_axis_tdata(data), .s_axis_tvalid(valid), .s_axis_tready(tready),
         .s_axis_tlast(valid ? 1'b1 : 1'bx), .s_axis_tuser(tag), WRITES
-        .m_axis_tdata(tdata), .m_axis_tvalid(tvalid), .m_axis_tready(ready), .m_axis_tlast(tlast), .m_axis_tuser(tuser));
+        .m_axis_tdata(tdata), .m_axis_tvalid(tvalid), .m_axis_tready(ready), .m_axis_tlast(tlast), \
+        .m_axis_tuser(tuser));
     initial begin
         for (i = 0; i < 300; i = i + 1) begin
             aresetn = i >= 3;
@@ -160,7 +163,8 @@ begin
     dut : entity work.NAME_axis port map (
         aclk => aclk, aresetn => aresetn, s_axis_tdata => data, s_axis_tvalid => valid, s_axis_tready => tready,
         s_axis_tlast => tlast_in, s_axis_tuser => tag, WRITES
-        m_axis_tdata => tdata, m_axis_tvalid => tvalid, m_axis_tready => ready, m_axis_tlast => tlast, m_axis_tuser => tuser);
+        m_axis_tdata => tdata, m_axis_tvalid => tvalid, m_axis_tready => ready, m_axis_tlast => tlast, m_axis_tuser => \
+        tuser);
     process is
         variable unknown, beats : natural := 0;
     begin
@@ -250,7 +254,8 @@ fn the_wrapper_passes_in_verilator() {
 /// A fault: what it is, a text of the HDL, and what takes its place.
 type Fault = (&'static str, &'static str, &'static str);
 
-const SMALL: &str = "axi_stream = true\ntuser_bits = 3\nmethod = 'quadratic'\nshininess = '1..=64'\ninput_fraction = 10\n\
+const SMALL: &str = "axi_stream = true\ntuser_bits = 3\nmethod = 'quadratic'\nshininess = '1..=64'\ninput_fraction = \
+ 10\n\
                      output_fraction = 10\npipeline = 4";
 
 const VERILOG_FAULTS: &[Fault] = &[

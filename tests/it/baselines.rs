@@ -84,7 +84,8 @@ fn squaring_is_within_the_proof_for_every_input() {
     ] {
         for operand in ["cos", "versine"] {
             let spec = format!(
-                "method = 'squaring'\nshininess = {set}\ninput_fraction = {f}\noutput_fraction = {g}\noperand = '{operand}'"
+                "method = 'squaring'\nshininess = {set}\ninput_fraction = {f}\noutput_fraction = {g}\noperand = \
+                 '{operand}'"
             );
             assert_every_input(&spec, 1, 1);
         }
@@ -119,9 +120,14 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
     #[test]
-    fn any_squaring_core_is_within_the_proof(f in 4u32..=11, g in 4u32..=20, logs in prop::collection::vec(0u32..=20, 1..6)) {
+    fn any_squaring_core_is_within_the_proof(
+        f in 4u32..=11,
+        g in 4u32..=20,
+        logs in prop::collection::vec(0u32..=20, 1..6),
+    ) {
         let set: Vec<u32> = logs.iter().map(|log| 1 << log).collect();
-        assert_every_input(&format!("method = 'squaring'\nshininess = {set:?}\ninput_fraction = {f}\noutput_fraction = {g}"), 1, 1);
+        assert_every_input(&format!("method = 'squaring'\nshininess = {set:?}\ninput_fraction = {f}\noutput_fraction = \
+         {g}"), 1, 1);
     }
 }
 
@@ -151,7 +157,8 @@ fn tables_are_within_the_proof_for_every_input() {
             for operand in ["cos", "versine"] {
                 assert_every_input(
                     &format!(
-                        "{method}\nshininess = {set}\ninput_fraction = {f}\noutput_fraction = {g}\noperand = '{operand}'"
+                        "{method}\nshininess = {set}\ninput_fraction = {f}\noutput_fraction = {g}\noperand = \
+                         '{operand}'"
                     ),
                     1,
                     3,
@@ -179,7 +186,15 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
 
     #[test]
-    fn any_small_core_with_tables_is_within_the_proof(f in 4u32..=11, g in 4u32..=20, n in prop::collection::vec(1.0f64..300.0, 1..4), log in 2u32..=8, exp in 2u32..=10, table in 2u32..=12, versine: bool) {
+    fn any_small_core_with_tables_is_within_the_proof(
+        f in 4u32..=11,
+        g in 4u32..=20,
+        n in prop::collection::vec(1.0f64..300.0, 1..4),
+        log in 2u32..=8,
+        exp in 2u32..=10,
+        table in 2u32..=12,
+        versine: bool,
+    ) {
         let operand = if versine { "versine" } else { "cos" };
         let rest = format!("shininess = {n:?}\noperand = '{operand}'\ninput_fraction = {f}\noutput_fraction = {g}");
         assert_every_input(&format!("method = 'harris'\nlog_bits = {log}\nexp_bits = {exp}\n{rest}"), 1, 1);

@@ -81,7 +81,8 @@ fn fitted_tails_are_faithful_for_every_input() {
         for objective in ["max-abs", "max-rel:0.2", "weighted:-0.5"] {
             assert_every_input(
                 &format!(
-                    "method = 'cubic-rational'\ndivider = '{divider}'\ncoefficients = 'minimax'\nobjective = '{objective}'\n\
+                    "method = 'cubic-rational'\ndivider = '{divider}'\ncoefficients = 'minimax'\nobjective = \
+                     '{objective}'\n\
                      shininess = '1..=120'\ninput_fraction = 10\noutput_fraction = 10"
                 ),
                 1,
@@ -125,7 +126,8 @@ fn fixed_point_shininesses_are_faithful() {
         for (bits, f, g) in [(3, 9, 9), (10, 6, 8), (2, 12, 7)] {
             assert_every_input(
                 &format!(
-                    "method = 'schlick'\ndivider = '{divider}'\nshininess = '1..=20'\nshininess_fraction = {bits}\ninput_fraction = {f}\noutput_fraction = {g}"
+                    "method = 'schlick'\ndivider = '{divider}'\nshininess = '1..=20'\nshininess_fraction = \
+                     {bits}\ninput_fraction = {f}\noutput_fraction = {g}"
                 ),
                 1,
             );
@@ -140,7 +142,8 @@ fn every_level_is_faithful() {
             let set = "[1, 1.0001, 1.2, 1.999, 2, 2.3, 2.9999, 3, 4.5, 60, 777.7]";
             assert_every_input(
                 &format!(
-                    "method = 'cubic-rational'\ndivider = '{divider}'\nshininess = {set}\nq = {q}\ninput_fraction = 11\noutput_fraction = 11"
+                    "method = 'cubic-rational'\ndivider = '{divider}'\nshininess = {set}\nq = {q}\ninput_fraction = \
+                     11\noutput_fraction = 11"
                 ),
                 1,
             );
@@ -164,18 +167,33 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
     #[test]
-    fn any_core_is_faithful(core in 0usize..4, f in 4u32..=11, g in 4u32..=20, n in proptest::collection::vec(1.0f64..300.0, 1..4), q in 0.05f64..0.95, versine: bool) {
+    fn any_core_is_faithful(
+        core in 0usize..4,
+        f in 4u32..=11,
+        g in 4u32..=20,
+        n in proptest::collection::vec(1.0f64..300.0, 1..4),
+        q in 0.05f64..0.95,
+        versine: bool,
+    ) {
         let core = cores().nth(core).expect("four cores");
         let level = if core.contains("rational") { format!("q = {q}\n") } else { String::new() };
         let operand = if versine { "versine" } else { "cos" };
-        assert_every_input(&format!("{core}\nshininess = {n:?}\n{level}operand = '{operand}'\ninput_fraction = {f}\noutput_fraction = {g}"), 1);
+        assert_every_input(&format!("{core}\nshininess = {n:?}\n{level}operand = '{operand}'\ninput_fraction = \
+         {f}\noutput_fraction = {g}"), 1);
     }
 
     /// At widths whose inputs cannot all be tried, the model and the graph agree on random ones.
     #[test]
-    fn wide_cores_equal_the_model(core in 0usize..4, f in 12u32..=24, g in 12u32..=20, first in 1u32..2000, codes in proptest::collection::vec(any::<u64>(), 64)) {
+    fn wide_cores_equal_the_model(
+        core in 0usize..4,
+        f in 12u32..=24,
+        g in 12u32..=20,
+        first in 1u32..2000,
+        codes in proptest::collection::vec(any::<u64>(), 64),
+    ) {
         let core = cores().nth(core).expect("four cores");
-        let spec = format!("{core}\nshininess = '{first}..={}'\ninput_fraction = {f}\noutput_fraction = {g}", first + 7);
+        let spec = format!("{core}\nshininess = '{first}..={}'\ninput_fraction = {f}\noutput_fraction = \
+         {g}", first + 7);
         let design = design(&spec);
         let [low, high] = design.budget.proved_ulps;
         let (least, count) = all_codes(design.operand_format());
@@ -183,7 +201,8 @@ proptest! {
         for code in codes {
             let index = first + (code % 8) as u32;
             // Half of them on the highlight, where there is something to differ.
-            let operand = if code & 64 == 0 { least + (code >> 8) as i64 % count as i64 } else { (1 << f) - ((code >> 8) % highlight) as i64 };
+            let near_top = (1 << f) - ((code >> 8) % highlight) as i64;
+            let operand = if code & 64 == 0 { least + (code >> 8) as i64 % count as i64 } else { near_top };
             let mut output = [0];
             design.evaluator().evaluate(index, operand, 1, &mut output);
             prop_assert_eq!(design.model().evaluate(index, operand), output[0], "{} {} {}", &spec, index, operand);

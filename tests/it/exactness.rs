@@ -143,7 +143,8 @@ fn a_core_for_the_codes_from_0_to_1_needs_no_limits_and_agrees_with_one_for_any(
         for operand in ["cos", "versine"] {
             let spec = |range: &str| {
                 format!(
-                    "{kind}\nshininess = [1, 2, 7.5, 30, 300]\noperand = '{operand}'\ninput_range = '{range}'\ninput_fraction = 10\noutput_fraction = 10"
+                    "{kind}\nshininess = [1, 2, 7.5, 30, 300]\noperand = '{operand}'\ninput_range = \
+                     '{range}'\ninput_fraction = 10\noutput_fraction = 10"
                 )
             };
             assert_every_input(&spec("unit"), 1);
@@ -330,8 +331,15 @@ proptest! {
 
     /// At widths whose inputs cannot all be tried, the model and the graph agree on random ones.
     #[test]
-    fn wide_cores_equal_the_model(kind in prop::sample::select(kinds()), f in 12u32..=24, g in 12u32..=20, first in 1u32..2000, codes in proptest::collection::vec(any::<u64>(), 64)) {
-        let spec = format!("{kind}\nshininess = '{first}..={}'\ninput_fraction = {f}\noutput_fraction = {g}", first + 7);
+    fn wide_cores_equal_the_model(
+        kind in prop::sample::select(kinds()),
+        f in 12u32..=24,
+        g in 12u32..=20,
+        first in 1u32..2000,
+        codes in proptest::collection::vec(any::<u64>(), 64),
+    ) {
+        let spec = format!("{kind}\nshininess = '{first}..={}'\ninput_fraction = {f}\noutput_fraction = \
+         {g}", first + 7);
         let design = design(&spec);
         assert_proof(&design, &spec);
         let (least, count) = all_codes(design.operand_format());
@@ -341,7 +349,8 @@ proptest! {
         for code in codes {
             let index = first + (code % 8) as u32;
             // Half of them on the highlight, where there is something to differ.
-            let operand = if code & 64 == 0 { least + (code >> 8) as i64 % count as i64 } else { (1 << f) - ((code >> 8) % highlight) as i64 };
+            let near_top = (1 << f) - ((code >> 8) % highlight) as i64;
+            let operand = if code & 64 == 0 { least + (code >> 8) as i64 % count as i64 } else { near_top };
             let mut output = [0];
             design.evaluator().evaluate(index, operand, 1, &mut output);
             prop_assert_eq!(design.model().evaluate(index, operand), output[0], "{} {} {}", &spec, index, operand);
@@ -536,7 +545,8 @@ fn the_smallest_cores_are_the_same_everywhere() {
                     let operand = ["cos", "versine"][(place + f) % 2];
                     let range = ["any", "unit"][(place + g) % 2];
                     specs.push(format!(
-                        "{kind}\nshininess = {set}\ninput_fraction = {f}\noutput_fraction = {g}\noperand = '{operand}'\n\
+                        "{kind}\nshininess = {set}\ninput_fraction = {f}\noutput_fraction = {g}\noperand = \
+                         '{operand}'\n\
                          input_range = '{range}'"
                     ));
                 }

@@ -380,7 +380,8 @@ fn a_reader_that_goes_away_changes_nothing() {
 fn the_command_of_a_chosen_core_makes_it() {
     let scratch = scratch();
     let at = scratch.path();
-    let axes = "--method quadratic --coefficients minimax --shininess 1..=16 --input-fraction 8 --output-fraction 8 --pipeline 6";
+    let axes = "--method quadratic --coefficients minimax --shininess 1..=16 --input-fraction 8 --output-fraction 8 \
+     --pipeline 6";
     let run: Vec<&str> = ["explore", "--estimate", "--results", "a.db"].into_iter().chain(axes.split(' ')).collect();
     prints(at, &run, 0);
     let said = prints(at, &["choose", "--results", "a.db", "--max-error", "50%", "--shininess", "1..=16"], 0);

@@ -74,7 +74,8 @@ fn what_the_generator_writes_is_proved() {
         ("method = 'quadratic'\nshininess = '1..=16'\ninput_fraction = 8\noutput_fraction = 8\nrom = 'file'", 3),
         // Its VHDL has constants of more than 32 bits.
         (
-            "block = 'shader'\nmethod = 'quadratic'\nmaterial = [{ name = 'a', shininess = 9 }]\n[shader]\nmodel = 'blinn'",
+            "block = 'shader'\nmethod = 'quadratic'\nmaterial = [{ name = 'a', shininess = 9 }]\n[shader]\nmodel = \
+             'blinn'",
             3,
         ),
     ];

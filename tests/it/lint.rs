@@ -79,26 +79,35 @@ fn passes(text: &str, what: &str) {
 const SPECS: &[&str] = &[
     "method = 'quadratic'\nshininess = '1..=20'\ninput_fraction = 10\noutput_fraction = 9",
     "method = 'cubic'\nshininess = '1..=16'\nrom = 'writable'\naxi_stream = true\ntuser_bits = 64\ninput_fraction = 10",
-    "method = 'cubic-rational'\nshininess = [1, 2.5, 30]\nrom = 'file'\naxi_stream = true\ninput_fraction = 10\noutput_fraction = 9",
-    "method = 'lyon-4'\nshininess = '1..=40'\nshininess_fraction = 2\naxi_stream = true\ntuser_bits = 33\ninput_fraction = 9",
-    "method = 'log-exp'\naccuracy = 6\nmaterial = [{ name = 'a', shininess = 9 }, { name = 'b', shininess = 70.5 }]\nrom = 'file'\ninput_fraction = 10\noutput_fraction = 10",
-    "method = 'segmented-4'\nshininess = '1..=16'\npipeline = 1\ninput_fraction = 9\noutput_fraction = 8\nrom = 'writable'\naxi_stream = true\nvhdl_ports = 'std-logic'",
+    "method = 'cubic-rational'\nshininess = [1, 2.5, 30]\nrom = 'file'\naxi_stream = true\ninput_fraction = \
+     10\noutput_fraction = 9",
+    "method = 'lyon-4'\nshininess = '1..=40'\nshininess_fraction = 2\naxi_stream = true\ntuser_bits = \
+     33\ninput_fraction = 9",
+    "method = 'log-exp'\naccuracy = 6\nmaterial = [{ name = 'a', shininess = 9 }, \
+     { name = 'b', shininess = 70.5 }]\nrom = 'file'\ninput_fraction = 10\noutput_fraction = 10",
+    "method = 'segmented-4'\nshininess = '1..=16'\npipeline = 1\ninput_fraction = 9\noutput_fraction = 8\nrom = \
+     'writable'\naxi_stream = true\nvhdl_ports = 'std-logic'",
     // Ports of one bit, and a comparison that the width of the port decides.
-    "method = 'log-exp'\nshininess = '1..=1'\ninput_fraction = 8\noutput_fraction = 7\noperand = 'versine'\npipeline = 5",
-    "method = 'table'\nshininess = [20]\ntable_bits = 4\ninput_fraction = 4\noutput_fraction = 4\naxi_stream = true\nvhdl_ports = 'std-logic'",
-    "block = 'shader'\nmethod = 'segmented-2'\nmaterial = [{ name = 'a', shininess = 9 }, { name = 'b', shininess = 30 }]\npipeline = 1\naxi_stream = true\ntuser_bits = 5\n[shader]\nlights = 2",
+    "method = 'log-exp'\nshininess = '1..=1'\ninput_fraction = 8\noutput_fraction = 7\noperand = 'versine'\npipeline = \
+     5",
+    "method = 'table'\nshininess = [20]\ntable_bits = 4\ninput_fraction = 4\noutput_fraction = 4\naxi_stream = \
+     true\nvhdl_ports = 'std-logic'",
+    "block = 'shader'\nmethod = 'segmented-2'\nmaterial = [{ name = 'a', shininess = 9 }, \
+     { name = 'b', shininess = 30 }]\npipeline = 1\naxi_stream = true\ntuser_bits = 5\n[shader]\nlights = 2",
 ];
 
 /// More of them.
 const MORE: &[&str] = &[
     "method = 'quadratic'\nshininess = '1..=1000'\nrom = 'writable'\nvhdl_ports = 'std-logic'\naxi_stream = true",
-    "method = 'cubic'\nshininess = [1, 2, 3]\ninput_fraction = 24\noutput_fraction = 20\naxi_stream = true\ntuser_bits = 32",
+    "method = 'cubic'\nshininess = [1, 2, 3]\ninput_fraction = 24\noutput_fraction = 20\naxi_stream = true\ntuser_bits \
+     = 32",
     "method = 'power-4'\nshininess = '1..=64'\nrom = 'file'\npipeline = 20\naxi_stream = true",
     "method = 'schlick'\nshininess = [1]\ninput_fraction = 4\noutput_fraction = 4\npipeline = 1",
     "method = 'squaring'\nshininess = [1]\npipeline = 1\ninput_fraction = 8\noutput_fraction = 8",
     "method = 'harris'\nshininess = '1..=20'\nlog_bits = 3\nexp_bits = 3\nrom = 'writable'",
     "method = 'log-exp'\naccuracy = 9\nshininess = '1..=30'\nrom = 'file'\naxi_stream = true\ntuser_bits = 8",
-    "block = 'shader'\nmethod = 'quadratic'\nmaterial = [{ name = 'a', shininess = 9 }]\naxi_stream = true\nvhdl_ports = 'std-logic'\n\
+    "block = 'shader'\nmethod = 'quadratic'\nmaterial = [{ name = 'a', shininess = 9 }]\naxi_stream = true\nvhdl_ports \
+     = 'std-logic'\n\
      [shader]\nmodel = 'blinn'\nchannel_bits = 10\nlight_colours = 'ports'",
 ];
 

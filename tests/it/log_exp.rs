@@ -178,26 +178,50 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
 
     #[test]
-    fn any_small_core_is_within_the_proof(f in 4u32..=11, g in 4u32..=20, n in proptest::collection::vec(1.0f64..300.0, 1..4), versine: bool) {
+    fn any_small_core_is_within_the_proof(
+        f in 4u32..=11,
+        g in 4u32..=20,
+        n in proptest::collection::vec(1.0f64..300.0, 1..4),
+        versine: bool,
+    ) {
         let operand = if versine { "versine" } else { "cos" };
-        assert_every_input(&format!("shininess = {n:?}\noperand = '{operand}'\ninput_fraction = {f}\noutput_fraction = {g}"), 1, 1);
+        assert_every_input(&format!("shininess = {n:?}\noperand = '{operand}'\ninput_fraction = {f}\noutput_fraction = \
+         {g}"), 1, 1);
     }
 
     #[test]
-    fn any_accuracy_is_kept(a in 3u32..=13, f in 8u32..=12, spare in 1u32..=6, first in 1u32..=9, span in 0u32..=300, versine: bool, unit: bool) {
+    fn any_accuracy_is_kept(
+        a in 3u32..=13,
+        f in 8u32..=12,
+        spare in 1u32..=6,
+        first in 1u32..=9,
+        span in 0u32..=300,
+        versine: bool,
+        unit: bool,
+    ) {
         let (operand, g, last) = (if versine { "versine" } else { "cos" }, a + spare, first + span);
         let range = if unit { "unit" } else { "any" };
-        let spec = format!("accuracy = {a}\nshininess = '{first}..={last}'\noperand = '{operand}'\ninput_range = '{range}'");
+        let spec = format!("accuracy = {a}\nshininess = '{first}..={last}'\noperand = '{operand}'\ninput_range = \
+         '{range}'");
         assert_every_input(&format!("{spec}\ninput_fraction = {f}\noutput_fraction = {g}"), 1, 3);
     }
 
     /// At widths whose inputs cannot all be tried: random ones, on the highlight and anywhere, and ones near the ends
     /// of the tables' entries.
     #[test]
-    fn wide_cores_are_within_the_proof(f in 12u32..=24, g in 12u32..=20, first in 1u32..=3000, span in 0u32..=60_000, r in 0u32..=10, versine: bool, codes in proptest::collection::vec(any::<u64>(), 600)) {
+    fn wide_cores_are_within_the_proof(
+        f in 12u32..=24,
+        g in 12u32..=20,
+        first in 1u32..=3000,
+        span in 0u32..=60_000,
+        r in 0u32..=10,
+        versine: bool,
+        codes in proptest::collection::vec(any::<u64>(), 600),
+    ) {
         let operand = if versine { "versine" } else { "cos" };
         let last = (first + span).min(first + 65_535);
-        let spec = format!("shininess = '{first}..={last}'\nshininess_fraction = {r}\noperand = '{operand}'\ninput_fraction = {f}\noutput_fraction = {g}");
+        let spec = format!("shininess = '{first}..={last}'\nshininess_fraction = {r}\noperand = \
+         '{operand}'\ninput_fraction = {f}\noutput_fraction = {g}");
         let design = design(&spec);
         let (evaluator, model) = (design.evaluator(), design.model());
         let rows = design.spec.interface.shininess.rows() as u64;
@@ -213,7 +237,10 @@ proptest! {
                 // From z = 0 to well past what the result shows.
                 1 | 2 => ((draw as f64 * exp2(-20) * 1.3 * f64::from(g) / n).min(1.0) * one as f64) as u64,
                 // A few bits only, and their neighbours.
-                _ => (one - ((draw & 31) << (code >> 8 & 31) & (one - 1))).wrapping_add((code >> 16 & 3).wrapping_sub(1)),
+                _ => {
+                    let few_bits = one - ((draw & 31) << (code >> 8 & 31) & (one - 1));
+                    few_bits.wrapping_add((code >> 16 & 3).wrapping_sub(1))
+                }
             };
             let operand = design.operand_of_versine(versine.min(one) as i64);
             let mut output = [0];

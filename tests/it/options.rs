@@ -119,8 +119,10 @@ fn shader_choices() -> Vec<Choice> {
         "material",
         &[
             "material = [{ name = 'one', shininess = 1 }]",
-            "material = [{ name = 'a', shininess = 4, ambient = 0, diffuse = 0, specular = 1 }, { name = 'b', shininess = 1048576, colour = [0, 1, 0.5], specular_colour = [0, 0, 0] }]",
-            "material = [{ name = 'a', shininess = 2 }, { name = 'a', shininess = 2 }, { name = '|<c>&', shininess = 128 }]",
+            "material = [{ name = 'a', shininess = 4, ambient = 0, diffuse = 0, specular = 1 }, \
+             { name = 'b', shininess = 1048576, colour = [0, 1, 0.5], specular_colour = [0, 0, 0] }]",
+            "material = [{ name = 'a', shininess = 2 }, { name = 'a', shininess = 2 }, \
+             { name = '|<c>&', shininess = 128 }]",
         ],
     ));
     choices.push(choice(

@@ -164,11 +164,13 @@ fn absurd_sizes_are_refused() {
         "format binary_big_endian 1.0\nelement vertex 4294967296",
     ] {
         let text = format!(
-            "ply\n{header}\nproperty float x\nproperty float y\nproperty float z\nelement face 99999999999\nproperty list uint int vertex_indices\nend_header\n0 0 0\n"
+            "ply\n{header}\nproperty float x\nproperty float y\nproperty float z\nelement face 99999999999\nproperty \
+             list uint int vertex_indices\nend_header\n0 0 0\n"
         );
         refused(Mesh::parse(text.as_bytes(), "mesh.ply", Normals::File));
     }
-    let list = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\n\
+    let list = "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty \
+     float z\n\
                 element face 1\nproperty list uint int vertex_indices\nend_header\n";
     let bytes = [list.as_bytes(), &[0; 12], &[0xff; 4], &[0; 8]].concat();
     refused(Mesh::parse(&bytes, "mesh.ply", Normals::File));

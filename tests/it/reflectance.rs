@@ -41,7 +41,8 @@ fn eval_meets_the_worked_points() {
         let wanted = points(material, set);
         scratch.write("in.csv", &wanted);
         let line = format!(
-            "reflectance eval --model {material} --form paper --images {images} --size 512 --texel float --exposure {exposure} --points in.csv --csv out.csv"
+            "reflectance eval --model {material} --form paper --images {images} --size 512 --texel float --exposure \
+             {exposure} --points in.csv --csv out.csv"
         );
         scratch.run(&line).succeeds().says(&["100 points in out.csv"]);
         let exact = line.replace("--form paper", "--form exact").replace("out.csv", "exact.csv");
@@ -160,7 +161,12 @@ fn wrong_directories_are_refused() {
 #[test]
 fn a_matcap_is_looked_up_without_a_turn() {
     let scratch = Scratch::new();
-    scratch.run("reflectance images --model red-specular-plastic --images 45, --texel float --size 64 --exposure 1 --out dir").succeeds();
+    scratch
+        .run(
+            "reflectance images --model red-specular-plastic --images 45, --texel float --size 64 --exposure 1 \
+     --out dir",
+        )
+        .succeeds();
     fs::copy(scratch.path("dir/000_phi_45.exr"), scratch.path("ball.exr")).unwrap();
     scratch.write("p.csv", "phi_deg,gamma_deg,nx,ny,nz\n45,0,0.28,0,0.96\n120,77,0.28,0,0.96\n");
     scratch.run("reflectance eval ball.exr --points p.csv --csv matcap.csv").succeeds();

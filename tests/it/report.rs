@@ -247,12 +247,17 @@ fn the_tables_sort_in_a_browser() {
     scratch.run("report --results r.json --out page.html").succeeds();
     // What a reader would do, and what is seen then, as text in the page.
     let script = r#"<script>
-const head = (name) => Array.from(document.querySelectorAll("section table th button")).find((button) => button.textContent === name);
+const buttons = Array.from(document.querySelectorAll("section table th button"));
+const head = (name) => buttons.find((button) => button.textContent === name);
 const column = (name) => {
   const place = head(name).closest("th").cellIndex;
   return Array.from(head(name).closest("table").tBodies[0].rows, (row) => row.cells[place].textContent).join(" | ");
 };
-const say = (what) => { const line = document.createElement("p"); line.textContent = "SEEN " + what + " END"; document.body.append(line); };
+const say = (what) => {
+  const line = document.createElement("p");
+  line.textContent = "SEEN " + what + " END";
+  document.body.append(line);
+};
 head("LUTs").click(); say("up: " + column("LUTs") + " " + head("LUTs").closest("th").getAttribute("aria-sort"));
 head("LUTs").click(); say("down: " + column("LUTs") + " " + head("LUTs").closest("th").getAttribute("aria-sort"));
 head("method").focus(); say("focus: " + document.activeElement.textContent);

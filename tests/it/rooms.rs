@@ -1,6 +1,6 @@
 //! The rules of the house, read off the sources: rooms stand one above the other and use only what is below them; a
 //! method's model and its datapath know nothing of each other; only the commands print; only `platform` makes commands
-//! of programs.
+//! of programs; no file is longer and no line wider than one takes in.
 
 use std::path::Path;
 
@@ -37,6 +37,10 @@ const ROOMS: [&str; 26] = [
 
 /// What the commands and the program are: above everything.
 const TOP: [&str; 2] = ["cli", "main"];
+
+/// The columns of a line and the lines of a file, at most.
+const WIDTH: usize = 120;
+const LENGTH: usize = 600;
 
 /// A file of the sources: its path in `src` without the ending, and its text.
 struct Source {
@@ -142,20 +146,41 @@ fn sources_in(directory: &Path, root: &Path, sources: &mut Vec<Source>) {
         let name = path.strip_prefix(root).expect("within").with_extension("").to_string_lossy().replace('\\', "/");
         if path.is_dir() {
             sources_in(&path, root, sources);
-        } else if path.extension().is_some_and(|ending| ending == "rs") && !name.ends_with("/tests") {
+        } else if path.extension().is_some_and(|ending| ending == "rs") {
             sources.push(Source { path: name, text: std::fs::read_to_string(&path).expect("text") });
         }
     }
 }
 
-#[test]
-fn the_sources_keep_the_rules() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+/// What is too large, of any sources.
+fn too_large(sources: &[Source]) -> Vec<String> {
+    let of = |Source { path, text }: &Source| {
+        let lines = text.lines().count();
+        let long = (lines > LENGTH).then(|| format!("{path}.rs has {lines} lines, more than {LENGTH}"));
+        let wide = text.lines().enumerate().filter(|(_, line)| line.chars().count() > WIDTH);
+        let wide = wide.map(|(place, _)| format!("{path}.rs:{} is wider than {WIDTH} columns", place + 1));
+        long.into_iter().chain(wide).collect::<Vec<_>>()
+    };
+    sources.iter().flat_map(of).collect()
+}
+
+fn sources_of(folder: &str) -> Vec<Source> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
     let mut sources = Vec::new();
     sources_in(&root, &root, &mut sources);
+    sources
+}
+
+#[test]
+fn the_sources_keep_the_rules() {
+    let sources = sources_of("src");
     assert!(sources.len() > 200, "{} sources", sources.len());
     let complaints = complaints(&sources);
     assert!(complaints.is_empty(), "{}", complaints.join("\n"));
+    for folder in ["src", "tests", "examples", "benches", "fuzz"] {
+        let complaints = too_large(&sources_of(folder));
+        assert!(complaints.is_empty(), "{folder}: {}", complaints.join("\n"));
+    }
 }
 
 #[test]
@@ -176,6 +201,12 @@ fn each_rule_that_is_broken_is_named() {
         let found = complaints(&[Source { path: path.to_owned(), text: text.to_owned() }]);
         assert!(found.len() == 1 && found[0].contains(expected), "{path}: {found:?}");
     }
+    for (text, expected) in [("\n".repeat(LENGTH + 1), "has 601 lines"), ("é".repeat(WIDTH + 1), "a.rs:1 is wider")] {
+        let found = too_large(&[Source { path: "a".to_owned(), text }]);
+        assert!(found.len() == 1 && found[0].contains(expected), "{found:?}");
+    }
+    let largest = Source { path: String::new(), text: format!("{}\n", "é".repeat(WIDTH)).repeat(LENGTH) };
+    assert!(too_large(&[largest]).is_empty());
     for (path, text) in [
         ("spec/fields", "use crate::emit::rom::RomFormat;\n// crate::cli says\nuse crate::platform::{error, input};"),
         ("method/harris/lobe", "use crate::fixed::exp2;"),

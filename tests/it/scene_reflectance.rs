@@ -13,7 +13,8 @@ use serde_json::Value;
 /// A sphere of one material under one light; `{}` is the table of the reflectance.
 fn sphere(reflectance: &str, light: &str) -> String {
     format!(
-        "width = 48\nheight = 40\n[camera]\nposition = [0.5, 0.8, 4.0]\n[[material]]\nname = \"own\"\n[material.reflectance]\n{reflectance}\n\
+        "width = 48\nheight = 40\n[camera]\nposition = [0.5, 0.8, 4.0]\n[[material]]\nname \
+         = \"own\"\n[material.reflectance]\n{reflectance}\n\
          [[light]]\n{light}\n[[object]]\nkind = \"sphere\"\nmaterial = \"own\"\n"
     )
 }

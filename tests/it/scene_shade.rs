@@ -204,7 +204,8 @@ fn names_of_the_user_are_text_in_every_file() {
     let material =
         |(place, name): (usize, &String)| format!("[[material]]\nname = {name}\nshininess = {}\n", 5 + 7 * place);
     let materials: String = quoted.iter().enumerate().map(material).collect();
-    let common = "method = 'quadratic'\ninput_fraction = 8\noutput_fraction = 8\nrom_formats = ['mem', 'coe', 'mif', 'c', 'csv', 'vhdl']\n";
+    let common = "method = 'quadratic'\ninput_fraction = 8\noutput_fraction = 8\nrom_formats = ['mem', 'coe', 'mif', \
+     'c', 'csv', 'vhdl']\n";
     scratch.write("lobe.toml", format!("name = 'lobe'\n{common}{materials}"));
     scratch.run("generate lobe.toml --out lobe").succeeds();
     are_well_formed(&scratch, "lobe");
@@ -223,7 +224,8 @@ fn names_of_the_user_are_text_in_every_file() {
         format!("[[object]]\nkind = 'sphere'\nmaterial = {name}\nradius = 0.7\ncentre = [{place}, 0, 0]\n")
     };
     let objects: String = quoted.iter().enumerate().map(object).collect();
-    let top = "width = 24\nheight = 16\n[camera]\nposition = [0.5, 0, 5]\n[[light]]\ndirection = [1, 1, 2]\n[budget]\nmax_steps = 8\n";
+    let top = "width = 24\nheight = 16\n[camera]\nposition = [0.5, 0, 5]\n[[light]]\ndirection = [1, 1, \
+     2]\n[budget]\nmax_steps = 8\n";
     scratch.write("scene.toml", format!("{top}{materials}{objects}"));
     scratch.run("generate scene.toml --margin 0 --method power-4 --out picture").succeeds();
     are_well_formed(&scratch, "picture");

@@ -51,12 +51,17 @@ fn specs() -> Vec<String> {
         ("method = 'quadratic'", "model = 'phong'\nlights = 3\nchannel_bits = 10"),
         ("method = 'cubic'", "model = 'phong'\nlights = 2\nlight_colours = 'ports'"),
         ("method = 'cubic'\nform = 'paper'", "model = 'blinn'\nfront = 'half'\nchannel_bits = 12"),
-        ("method = 'quadratic'\nrom = 'file'", "model = 'blinn'\nlights = 3\nlight_colours = 'ports'\nchannel_bits = 10"),
+        (
+            "method = 'quadratic'\nrom = 'file'",
+            "model = 'blinn'\nlights = 3\nlight_colours = 'ports'\nchannel_bits = \
+         10",
+        ),
         ("method = 'quadratic'", "model = 'blinn'\nfront = 'sqrt'"),
         ("method = 'cubic'", "model = 'blinn'\nfront = 'sqrt'\nlights = 3\nchannel_bits = 12"),
         (
             "method = 'quadratic'\ninput_fraction = 9\noutput_fraction = 7\npipeline = 3",
-            "model = 'blinn'\nfront = 'sqrt'\nvector_fraction = 8\nlight_colours = [[0.5, 0, 1]]\nambient_light = [0, 0.5, 1]",
+            "model = 'blinn'\nfront = 'sqrt'\nvector_fraction = 8\nlight_colours = [[0.5, 0, 1]]\nambient_light = [0, \
+             0.5, 1]",
         ),
         ("method = 'segmented-4'", "model = 'phong'\nchannel_bits = 10"),
         ("method = 'log-exp'", "model = 'blinn'\nfront = 'half'\nlights = 2"),

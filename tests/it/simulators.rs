@@ -82,7 +82,8 @@ const SPECS: &[&str] = &[
     "method = 'cubic'\nshininess = [2]",
     // A wired shift beside a ROM one, a clamped address, materials.
     "method = 'quadratic'\nshininess = '900..=1000'",
-    "method = 'cubic'\nmaterial = [{ name = 'gold', shininess = 51.2 }, { name = 'plastic', shininess = 32 }]\nrom = 'file'",
+    "method = 'cubic'\nmaterial = [{ name = 'gold', shininess = 51.2 }, { name = 'plastic', shininess = 32 }]\nrom = \
+     'file'",
     "method = 'quadratic'\nshininess = '1..=1000'\nrom = 'file'",
     // A ROM file without comments.
     "method = 'quadratic'\nshininess = '1..=20'\nrom = 'file'\nrom_formats = ['mem-plain']",
@@ -296,8 +297,10 @@ fn the_kernels_verilog_passes_the_same_bench() {
             let kernel = kernel::of_design(&core.design).expect("a kernel of these widths");
             assert_eq!(kernel.latency(), core.design.schedule.latency);
             let wrapper = format!(
-                "`timescale 1ns / 1ps\nmodule {method} (input wire clk, input wire rst, input wire ce, input wire in_valid,\n\
-                 input wire [{}:0] in_n, input wire [{}:0] in_cos, output wire out_valid, output wire [{}:0] out_spec);\n\
+                "`timescale 1ns / 1ps\nmodule {method} (input wire clk, input wire rst, input wire ce, input wire \
+                 in_valid,\n\
+                 input wire [{}:0] in_n, input wire [{}:0] in_cos, output wire out_valid, output wire [{}:0] \
+                 out_spec);\n\
                  top core (.clock(clk), .rst(rst), .ce(ce), .in_valid(in_valid), .in_n(in_n), .in_cos(in_cos),\n\
                  .out_valid(out_valid), .out_spec(out_spec));\nendmodule\n",
                 core.design.index_format().width() - 1,
@@ -319,11 +322,13 @@ fn a_simulator_is_not_believed_on_its_word() {
         ("no verdict", "module quadratic_tb; initial $display(\"all good\"); endmodule"),
         (
             "no vectors",
-            "module quadratic_tb; initial $display(\"brdfgen: quadratic: 0 vectors compared, 0 mismatches: PASS\"); endmodule",
+            "module quadratic_tb; initial $display(\"brdfgen: quadratic: 0 vectors compared, 0 mismatches: PASS\"); \
+             endmodule",
         ),
         (
             "too few",
-            "module quadratic_tb; initial $display(\"brdfgen: quadratic: 7 vectors compared, 0 mismatches: PASS\"); endmodule",
+            "module quadratic_tb; initial $display(\"brdfgen: quadratic: 7 vectors compared, 0 mismatches: PASS\"); \
+             endmodule",
         ),
         ("does not compile", "module quadratic_tb; initial $display(; endmodule"),
     ] {

@@ -115,7 +115,10 @@ fn missing_programs_and_wrong_options_are_refused_in_words() {
 
 #[test]
 fn nextpnr_reports_are_read_and_broken_ones_refused() {
-    let segment = |kind: &str, delay: f64, from: &str, to: &str| json!({ "type": kind, "delay": delay, "from": { "cell": from, "port": "Q" }, "to": { "cell": to, "port": "A" } });
+    let segment = |kind: &str, delay: f64, from: &str, to: &str| {
+        let [from, to] = [(from, "Q"), (to, "A")].map(|(cell, port)| json!({ "cell": cell, "port": port }));
+        json!({ "type": kind, "delay": delay, "from": from, "to": to })
+    };
     let path = [
         segment("clk-to-q", 0.5, "r", "r"),
         segment("routing", 1.25, "r", "l"),
@@ -166,7 +169,8 @@ fn a_packed_netlist_passes_the_cores_test_bench() {
     yosys(
         &scratch,
         "read_verilog core/rtl/tiny.v\nsynth_ecp5 -top tiny -run begin:map_ffs\n\
-         dffunmap -srst-only t:MULT18X18D %ci2 t:$_SDFF* %i\nsynth_ecp5 -top tiny -run map_ffs:\nwrite_json plain.json\n",
+         dffunmap -srst-only t:MULT18X18D %ci2 t:$_SDFF* %i\nsynth_ecp5 -top tiny -run map_ffs:\nwrite_json \
+         plain.json\n",
     );
     let plain: Value = serde_json::from_slice(&scratch.read("plain.json")).unwrap();
     let mut packed = plain.clone();
@@ -183,7 +187,8 @@ fn a_packed_netlist_passes_the_cores_test_bench() {
         scratch.write("netlist.json", core.to_string());
         yosys(
             &scratch,
-            "read_json netlist.json\nread_verilog -overwrite +/lattice/cells_sim_ecp5.v\nread_verilog -overwrite mult.v\n\
+            "read_json netlist.json\nread_verilog -overwrite +/lattice/cells_sim_ecp5.v\nread_verilog -overwrite \
+             mult.v\n\
              hierarchy -top tiny\nproc\nflatten\nopt_clean\nwrite_verilog -noattr netlist.v\n",
         );
         let run = |program: &str, arguments: &[&str]| {

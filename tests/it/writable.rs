@@ -162,7 +162,8 @@ fn every_vector_of_the_loading_test_differs_from_the_golden_one() {
 fn the_words_of_a_core_with_the_same_digest_make_it_that_core() {
     let spec = |q: f64, last: u32| {
         design(&format!(
-            "method = 'cubic'\nshininess = '1..={last}'\nq = {q}\ninput_fraction = 10\noutput_fraction = 10\nrom = 'writable'"
+            "method = 'cubic'\nshininess = '1..={last}'\nq = {q}\ninput_fraction = 10\noutput_fraction = 10\nrom = \
+             'writable'"
         ))
     };
     let (core, other) = (spec(0.5, 100), spec(0.51, 100));

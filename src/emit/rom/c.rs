@@ -13,7 +13,8 @@ pub(super) const C: FileFormat = FileFormat {
     about: "C header with the words as an array: NAME_rom.h",
     suffix: "_rom.h",
     extensions: &["h"],
-    allowed: "the words stand in an array of integers or of limbs of 32 bits, as in = {0x1f, 0x2e}; or = {{1, 2}, {3, 4}};",
+    allowed: "the words stand in an array of integers or of limbs of 32 bits, as in = {0x1f, 0x2e}; or = {{1, 2}, {3, \
+     4}};",
     is_text: true,
     read,
     write,

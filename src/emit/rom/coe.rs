@@ -11,8 +11,8 @@ pub(super) const COE: FileFormat = FileFormat {
     about: "Xilinx coefficient file: NAME.coe",
     suffix: ".coe",
     extensions: &["coe"],
-    allowed: "a .coe file has memory_initialization_radix=2, 8, 10 or 16; then memory_initialization_vector=WORD,WORD,...; and \
-              after each semicolon a comment up to the end of the line",
+    allowed: "a .coe file has memory_initialization_radix=2, 8, 10 or 16; then \
+              memory_initialization_vector=WORD,WORD,...; and after each semicolon a comment up to the end of the line",
     is_text: true,
     read,
     write,

@@ -15,8 +15,8 @@ pub(super) const CSV: FileFormat = FileFormat {
     about: "Table of shininess, real and quantised coefficients: NAME.csv",
     suffix: ".csv",
     extensions: &["csv"],
-    allowed: "a ROM's .csv has the columns address and word (hexadecimal), FIELD_code with integers and FIELD_real with numbers, \
-              named in the first row",
+    allowed: "a ROM's .csv has the columns address and word (hexadecimal), FIELD_code with integers and FIELD_real \
+              with numbers, named in the first row",
     is_text: true,
     read,
     write,

@@ -10,11 +10,12 @@ use super::{FileFormat, MAX_DEPTH, RomImage};
 use crate::platform::error::Error;
 
 pub(super) const HEX: FileFormat = FileFormat {
-    about: "Intel HEX with byte addresses, each word in whole little-endian bytes: NAME.hex; for Quartus see quartus-hex",
+    about: "Intel HEX with byte addresses, each word in whole little-endian bytes: NAME.hex; for Quartus see \
+     quartus-hex",
     suffix: ".hex",
     extensions: &["hex", "ihex", "ihx"],
-    allowed: "an Intel HEX file has one record a line, as in :0300300002337A1E, and ends with :00000001FF; its addresses count \
-              bytes, or words as Quartus writes them",
+    allowed: "an Intel HEX file has one record a line, as in :0300300002337A1E, and ends with :00000001FF; its \
+              addresses count bytes, or words as Quartus writes them",
     is_text: true,
     read,
     write,
@@ -24,7 +25,8 @@ pub(super) const QUARTUS_HEX: FileFormat = FileFormat {
     about: "Quartus' .hex, Intel HEX whose addresses count words, each in whole big-endian bytes: NAME_quartus.hex",
     suffix: "_quartus.hex",
     extensions: &[],
-    allowed: "Quartus' .hex has one word a record, as in :03000200100001EA, and ends with :00000001FF; its addresses count words",
+    allowed: "Quartus' .hex has one word a record, as in :03000200100001EA, and ends with :00000001FF; its addresses \
+     count words",
     is_text: true,
     read: read_quartus,
     write: write_quartus,

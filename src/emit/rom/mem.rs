@@ -9,8 +9,8 @@ pub(super) const MEM: FileFormat = FileFormat {
     about: "Hexadecimal words for `$readmemh`: NAME.mem",
     suffix: ".mem",
     extensions: &["mem", "vmem", "memh"],
-    allowed: "a .mem file has hexadecimal words separated by white space, @ADDRESS in hexadecimal, and // or /* */ comments; \
-              or Lattice's header from #Format= to #Data and its lines",
+    allowed: "a .mem file has hexadecimal words separated by white space, @ADDRESS in hexadecimal, and // or /* */ \
+              comments; or Lattice's header from #Format= to #Data and its lines",
     is_text: true,
     read,
     write: |of| of.headed("//", "words for $readmemh", &words(of)),

@@ -13,8 +13,8 @@ pub(super) const MIF: FileFormat = FileFormat {
     about: "Intel memory initialization file: NAME.mif",
     suffix: ".mif",
     extensions: &["mif"],
-    allowed: "Intel's .mif file has DEPTH, WIDTH, ADDRESS_RADIX and DATA_RADIX, each as in DEPTH = 256; then CONTENT BEGIN, \
-              lines such as 0 : 1f; or [0..3] : 1f; and END; Xilinx' has a word of binary digits a line",
+    allowed: "Intel's .mif file has DEPTH, WIDTH, ADDRESS_RADIX and DATA_RADIX, each as in DEPTH = 256; then CONTENT \
+              BEGIN, lines such as 0 : 1f; or [0..3] : 1f; and END; Xilinx' has a word of binary digits a line",
     is_text: true,
     read,
     write,

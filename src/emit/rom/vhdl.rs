@@ -13,8 +13,8 @@ pub(super) const VHDL: FileFormat = FileFormat {
     about: "VHDL package with the words as a constant: NAME_rom_pkg.vhd",
     suffix: "_rom_pkg.vhd",
     extensions: &["vhd", "vhdl"],
-    allowed: "the words stand in a constant array of bit strings, as in := (0 => \"0101\", 1 => x\"a\"); and the package ends \
-              with `end`",
+    allowed: "the words stand in a constant array of bit strings, as in := (0 => \"0101\", 1 => x\"a\"); and the \
+              package ends with `end`",
     is_text: true,
     read,
     write,

@@ -308,8 +308,10 @@ impl Architecture for Paper<'_> {
     fn description(&self, _tables: &[Table]) -> Description {
         Description {
             formula: "y = x (1 - u (A - a u)) for u up to A/(2a), 0 past it; kept inside [0, 1]".to_owned(),
-            evaluation: "It is evaluated as printed, a x^3 + b x^2 + c x with a = a, b = A - 2a, c = 1 - A + a: the powers' rounding errors are\n\
-                         multiplied by a, which grows with the square of the shininess. The result is rounded to nearest."
+            evaluation: "It is evaluated as printed, a x^3 + b x^2 + c x with a = a, b = A - 2a, c = 1 - A + a: the \
+             powers' rounding errors are\n\
+                         multiplied by a, which grows with the square of the shininess. The result is rounded to \
+                         nearest."
                 .to_owned(),
         }
     }

@@ -70,11 +70,13 @@ pub(in crate::method) fn table(divider: Divider, widths: &Widths) -> Option<Tabl
 pub(in crate::method) fn description(divider: Divider) -> &'static str {
     match divider {
         Divider::Digit => {
-            "The quotient comes from restoring division, a digit a step: exact, and then rounded to nearest. No multiplier is used\n\
+            "The quotient comes from restoring division, a digit a step: exact, and then rounded to nearest. No \
+             multiplier is used\n\
              for it."
         }
         Divider::Reciprocal => {
-            "The denominator is normalised to m in [1, 2); 1/m comes from a table of values and slopes, is multiplied by the numerator\n\
+            "The denominator is normalised to m in [1, 2); 1/m comes from a table of values and slopes, is multiplied \
+             by the numerator\n\
              and shifted back. The result is rounded to nearest."
         }
     }

@@ -90,7 +90,8 @@ impl Architecture for Exponential<'_> {
         Description {
             formula: "y = e^(-n u); 0 at x = 0".to_owned(),
             evaluation: format!(
-                "It is evaluated as 2^-z with z = n u log2 e: 2^-f for the fraction f of z comes from a table of {entries} entries with\n\
+                "It is evaluated as 2^-z with z = n u log2 e: 2^-f for the fraction f of z comes from a table of \
+                 {entries} entries with\n\
                  linear interpolation, and the integer part shifts. The result is rounded to nearest."
             ),
         }

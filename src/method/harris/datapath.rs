@@ -170,8 +170,10 @@ impl Architecture for Harris<'_> {
         Description {
             formula: "y = 2^(-n L(u)), L and 2^-f constant in cells; 0 at x = 0".to_owned(),
             evaluation: format!(
-                "In the manner of Harris (IEEE Trans. Computers 53(3), 2004): L = -log2 x comes from a table of {} octaves of the versine with\n\
-                 {} cells each, as words with {} fraction bits{rounded}; the product n L is exact. Its integer part shifts what a\n\
+                "In the manner of Harris (IEEE Trans. Computers 53(3), 2004): L = -log2 x comes from a table of {} \
+                 octaves of the versine with\n\
+                 {} cells each, as words with {} fraction bits{rounded}; the product n L is exact. Its integer part \
+                 shifts what a\n\
                  table of {} entries has for its fraction. The result is rounded to nearest.",
                 self.octaves(),
                 1 << self.log_bits,

@@ -155,7 +155,8 @@ pub(in crate::method) fn versine_int_bits(g: i32) -> i32 {
 }
 
 /// The ranges of the real z that the cases of the analysis are: fine where y is large. Past the last but one the result
-/// is 0, or forced to it: what z is from `2^whole_bits` on does not matter, as v or the hardware's z does not fit there.
+/// is 0, or forced to it: what z is from `2^whole_bits` on does not matter, as v or the hardware's z does not fit
+/// there.
 pub(in crate::method) fn levels(g: i32) -> Vec<Interval> {
     let sixteenths = 16 * (g + 2);
     let edges: Vec<f64> = (0..=sixteenths).filter(|k| *k <= 48 || k % 4 == 0).map(|k| f64::from(k) / 16.0).collect();
@@ -333,9 +334,12 @@ impl Architecture for LogExp<'_> {
         Description {
             formula: "y = x^n".to_owned(),
             evaluation: format!(
-                "It is evaluated as 2^(-n L) with L = -log2 x. With x = 2^-e m, m in [1/2, 1), n L = n e + n (1 - m) k, where the log ratio\n\
-                 k = -log2(m) / (1 - m) comes from a table of {} entries with linear interpolation, and so does 2^-f for the fraction f\n\
-                 of n L, from {} entries; the integer part shifts. So n is a number that the core computes with, and the relative\n\
+                "It is evaluated as 2^(-n L) with L = -log2 x. With x = 2^-e m, m in [1/2, 1), n L = n e + n (1 - m) \
+                 k, where the log ratio\n\
+                 k = -log2(m) / (1 - m) comes from a table of {} entries with linear interpolation, and so does 2^-f \
+                 for the fraction f\n\
+                 of n L, from {} entries; the integer part shifts. So n is a number that the core computes with, and \
+                 the relative\n\
                  accuracy of L near x = 1 is that of the versine. The result is rounded to nearest.{bypass}",
                 entries(LOG_TABLE),
                 entries(EXP_TABLE),

@@ -38,7 +38,8 @@ pub(in crate::method) fn evaluate(inputs: &Inputs) -> Wide {
     rounded_power(inputs, z)
 }
 
-/// Powers of two from which on v and z, `z >= v log2 e`, give a result of half an ulp at most: z is G + 1 there at least.
+/// Powers of two from which on v and z, `z >= v log2 e`, give a result of half an ulp at most: z is G + 1 there at
+/// least.
 pub(in crate::method) fn limits(output_fraction: u32) -> [u32; 2] {
     let mut v = 1u32;
     while f64::from(v) * std::f64::consts::LOG2_E < f64::from(output_fraction + 1) {

@@ -275,8 +275,10 @@ pub(in crate::method) fn stable_description(formula: &str, interface: &Interface
     Description {
         formula: formula.to_owned(),
         evaluation: format!(
-            "It is evaluated in the scaled versine v = u 2^k, k chosen for each shininess so that the leading coefficient times 2^-k\n\
-             lies in [1/2, 1){wired}. So every operand of a multiplication is of the order of one, and few bits suffice.\n\
+            "It is evaluated in the scaled versine v = u 2^k, k chosen for each shininess so that the leading \
+             coefficient times 2^-k\n\
+             lies in [1/2, 1){wired}. So every operand of a multiplication is of the order of one, and few bits \
+             suffice.\n\
              {rounding}"
         ),
     }

@@ -144,7 +144,8 @@ impl Architecture for Paper<'_> {
     fn description(&self, _tables: &[Table]) -> Description {
         Description {
             formula: "y = max(0, x (1 - a u))".to_owned(),
-            evaluation: "It is evaluated as printed, a (x^2 - x) + x: the square's rounding error is multiplied by a. The result is rounded to\n\
+            evaluation: "It is evaluated as printed, a (x^2 - x) + x: the square's rounding error is multiplied by a. \
+             The result is rounded to\n\
                          nearest."
                 .to_owned(),
         }

@@ -246,7 +246,8 @@ impl Architecture for Segments<'_> {
         let formula = "y = x (c - u (A - a u)) with the coefficients of the segment, 0 past the last";
         let mut description = polynomial::stable_description(formula, self.interface, tables);
         description.evaluation += &format!(
-            "\nThe segments end at s = {}, where s is n u to the {ROUGH_BITS} leading bits of both: 2^-k n is the field m of the\n\
+            "\nThe segments end at s = {}, where s is n u to the {ROUGH_BITS} leading bits of both: 2^-k n is the \
+             field m of the\n\
              memory {SCALE}. The coefficients of segment i of a shininess are at {} times its address plus i.",
             bounds.join(", "),
             self.segments()

@@ -129,7 +129,8 @@ impl Architecture for Squaring<'_> {
         Description {
             formula: "y = x^n, n a power of two".to_owned(),
             evaluation: format!(
-                "x is squared {} times in a chain; of its powers those with the exponents {} are selected from. Each power has a bit\n\
+                "x is squared {} times in a chain; of its powers those with the exponents {} are selected from. Each \
+                 power has a bit\n\
                  more than the one behind it, since its error counts twice as much. The result is rounded to nearest.",
                 self.last(),
                 powers.join(", "),

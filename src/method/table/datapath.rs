@@ -81,7 +81,8 @@ impl Architecture for Tabulated<'_> {
         Description {
             formula: "y = x^n midway between its values at the ends of a cell of the versine; 0 at x = 0".to_owned(),
             evaluation: format!(
-                "A table of {} entries for each shininess, {} in all, rounded to nearest: the address is the shininess and the {} leading\n\
+                "A table of {} entries for each shininess, {} in all, rounded to nearest: the address is the shininess \
+                 and the {} leading\n\
                  bits of the versine.",
                 self.cells(),
                 tables[0].rows(),

@@ -376,7 +376,8 @@ impl<'a> Comparison<'a> {
                 |shown| format!("the outputs differ for {shown}"),
             )),
             Answer::Unknown => Compared::Unknown(format!(
-                "their registers are not the same stage by stage, and the solver did not compare the outputs as functions of the inputs in {seconds} s; these have more values than are run through"
+                "their registers are not the same stage by stage, and the solver did not compare the outputs as \
+                 functions of the inputs in {seconds} s; these have more values than are run through"
             )),
         })
     }

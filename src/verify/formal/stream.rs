@@ -142,7 +142,8 @@ impl Answer {
 /// The script that makes the problem: the wrapper's signals are connected to the claims once everything is one module.
 fn script(axis: &Axis) -> Result<String, Error> {
     let mut script = format!(
-        "read_verilog -formal -sv {CLAIMS}\nread_verilog {WRAPPER}\nhierarchy -check -top stream\nproc\nflatten\ncd stream\n"
+        "read_verilog -formal -sv {CLAIMS}\nread_verilog {WRAPPER}\nhierarchy -check -top stream\nproc\nflatten\ncd \
+         stream\n"
     );
     let own = ["ready", "skid_valid", "last", "user", "skid"].map(|name| (name.to_owned(), format!("dut.{name}")));
     let lanes = axis.inputs.lanes.iter().chain(&axis.outputs.lanes).map(|lane| lane.port.name.clone());
@@ -167,7 +168,8 @@ mod tests {
 
     #[test]
     fn the_solvers_answers_are_read() {
-        let failed = "##   0:00:02  BMC failed!\n##   0:00:02  Assert failed in stream: beat_stays\n##   0:00:02  Status: FAILED\n";
+        let failed = "##   0:00:02  BMC failed!\n##   0:00:02  Assert failed in stream: beat_stays\n##   0:00:02  \
+         Status: FAILED\n";
         assert_eq!(Answer::of(failed), Some(Answer::Fails("beat_stays".to_owned())));
         assert_eq!(Answer::of("##   0:00:00  Status: PASSED\n"), Some(Answer::Holds));
         assert_eq!(Answer::of("##   0:00:00  Status: PREUNSAT\n"), None);

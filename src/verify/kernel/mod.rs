@@ -265,7 +265,10 @@ quadratic_sets! {
 }
 
 cubic_sets! {
-    { f: 16, g: 16, n: 10, kw: 4, fv: 15, iv: 2, cl: 18, wl: 17, ca: 20, wa: 20, fr: 20, fq: 20, wq: 20, fp: 18, xb: 16, ft: 17 }
-    { f: 12, g: 12, n: 9, kw: 4, fv: 11, iv: 2, cl: 13, wl: 12, ca: 16, wa: 16, fr: 16, fq: 16, wq: 16, fp: 15, xb: 12, ft: 13 }
-    { f: 8, g: 8, n: 7, kw: 3, fv: 7, iv: 2, cl: 10, wl: 9, ca: 11, wa: 11, fr: 11, fq: 11, wq: 11, fp: 10, xb: 8, ft: 9 }
+    { f: 16, g: 16, n: 10, kw: 4, fv: 15, iv: 2, cl: 18, wl: 17,
+      ca: 20, wa: 20, fr: 20, fq: 20, wq: 20, fp: 18, xb: 16, ft: 17 }
+    { f: 12, g: 12, n: 9, kw: 4, fv: 11, iv: 2, cl: 13, wl: 12,
+      ca: 16, wa: 16, fr: 16, fq: 16, wq: 16, fp: 15, xb: 12, ft: 13 }
+    { f: 8, g: 8, n: 7, kw: 3, fv: 7, iv: 2, cl: 10, wl: 9,
+      ca: 11, wa: 11, fr: 11, fq: 11, wq: 11, fp: 10, xb: 8, ft: 9 }
 }

@@ -123,8 +123,8 @@ fn sections(entries: &[Entry]) -> Vec<Section> {
         Axis::Level => ("Every level Q from 0.05 to 0.95", "The methods with a level, at the same shininesses."),
         Axis::Input => (
             "Input fractions from 8 to 24",
-            "n = 1, 1.001, 2, 3, 1000 and 65536; with more than 22 fraction bits, where a shininess has millions of inputs, 1000 and 65536 \
-             only, but every input of these.",
+            "n = 1, 1.001, 2, 3, 1000 and 65536; with more than 22 fraction bits, where a shininess has millions of \
+             inputs, 1000 and 65536 only, but every input of these.",
         ),
         Axis::Output => ("Output fractions from 4 to 20", "n = 1, 1.001, 2, 3, 1000 and 65536."),
     };
@@ -225,12 +225,14 @@ fn registers(study: &Study) -> String {
     let differences: u64 = all.iter().map(|of| of.wide_differences).sum();
     let outside: u64 = all.iter().map(|of| of.outside_differences).sum();
     match (overflows, differences, outside) {
-        (0, 0, 0) => "**Registers.** It is proved of every core that no value overflows where the result depends on it; no result is another \
-                      one with wide registers; every input beyond the ends of [0, 1] gives the end's result."
+        (0, 0, 0) => "**Registers.** It is proved of every core that no value overflows where the result depends on \
+                      it; no result is another one with wide registers; every input beyond the ends of [0, 1] gives \
+                      the end's result."
             .to_owned(),
         _ => format!(
-            "**Registers.** {overflows} values overflow or are not proved to stay in their registers; {differences} results differ with wide \
-             registers; {outside} inputs beyond the ends of [0, 1] give another result than the end."
+            "**Registers.** {overflows} values overflow or are not proved to stay in their registers; {differences} \
+             results differ with wide registers; {outside} inputs beyond the ends of [0, 1] give another result than \
+             the end."
         ),
     }
 }
@@ -241,7 +243,8 @@ fn findings(study: &Study) -> Vec<String> {
     let found = |printed| found(study, printed);
     for of in study.conditioning.iter().filter(|of| of.degree == 3 && [1000.0, 65536.0].contains(&of.shininess)) {
         findings.push(format!(
-            "**Cancellation, n = {}.** The terms of the printed cubic add up to {:.3e} times its value: for 2^-12 it needs {} fraction bits in \
+            "**Cancellation, n = {}.** The terms of the printed cubic add up to {:.3e} times its value: for 2^-12 it \
+             needs {} fraction bits in \
              every register, for 2^-16 {}. The form that is built needs {} and {}.",
             of.shininess,
             of.condition,
@@ -262,7 +265,8 @@ fn findings(study: &Study) -> Vec<String> {
             _ => format!(" The largest fall is of {} ({}, {}).", ulps(&of.max_decrease), case.method, case.value),
         };
         findings.push(format!(
-            "**Monotone.** Of {} cores of {form}, {falling} fall anywhere as the cosine rises, {steeply} of them by more than one ulp.{largest}",
+            "**Monotone.** Of {} cores of {form}, {falling} fall anywhere as the cosine rises, {steeply} of them by \
+             more than one ulp.{largest}",
             found(printed).count(),
         ));
     }
@@ -275,8 +279,9 @@ fn findings(study: &Study) -> Vec<String> {
     };
     if let (Some((least, low)), Some((most, high))) = (by(|a, b| a < b), by(|a, b| a > b)) {
         findings.push(format!(
-            "**Seams.** With the same shininesses and formats the largest seam is from {} ({}) to {} ulps ({}): cuts, bounds of segments and \
-             lobes a few inputs wide are the methods' own; hardware adds what the column of the error says.",
+            "**Seams.** With the same shininesses and formats the largest seam is from {} ({}) to {} ulps ({}): cuts, \
+             bounds of segments and lobes a few inputs wide are the methods' own; hardware adds what the column of the \
+             error says.",
             ulps(&low.max_step_error),
             least.method,
             ulps(&high.max_step_error),
@@ -302,7 +307,8 @@ fn findings(study: &Study) -> Vec<String> {
     let saved = study.front_ends.iter().filter(|of| of.bits == 16 && of.shininess >= 1000.0);
     findings.extend(saved.map(|of| {
         format!(
-            "**The input, n = {}.** Vectors of 16 fraction bits make an error of {:.3} through N·H and of {:.2e} through |N - H|²/2.",
+            "**The input, n = {}.** Vectors of 16 fraction bits make an error of {:.3} through N·H and of {:.2e} \
+             through |N - H|²/2.",
             of.shininess, of.cosine, of.versine
         )
     }));

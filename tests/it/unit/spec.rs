@@ -36,13 +36,14 @@ fn defaults_are_resolved_and_written_back() {
 #[test]
 fn flags_stand_in_their_order_as_a_shell_takes_them() {
     let spec = parse(
-        "block = 'shader'\nmethod = 'quadratic'\ncoefficients = 'minimax'\nrom_formats = ['csv', 'c']\naxi_stream = true\n\
+        "block = 'shader'\nmethod = 'quadratic'\ncoefficients = 'minimax'\nrom_formats = ['csv', 'c']\naxi_stream = \
+         true\n\
          material = [{ name = 'a', shininess = 5 }, { name = \"b's\", shininess = 60.5 }]\n[shader]\nlights = 2\n\
          channel_bits = 10\nambient_light = [0, 0.5, 1]\nlight_colours = [[1, 1, 1], [0.25, 0, 0]]",
     );
     let expected = "--block shader --method quadratic --material a=5 --material 'b'\\''s'=60.5 --coefficients minimax \
-                    --input-fraction 18 --output-fraction 14 --rom-formats mem,c,csv --axi-stream --model phong --lights 2 \
-                    --channel-bits 10 --ambient-light 0,0.5,1 --light-colours '1,1,1;0.25,0,0'";
+                    --input-fraction 18 --output-fraction 14 --rom-formats mem,c,csv --axi-stream --model phong \
+                    --lights 2 --channel-bits 10 --ambient-light 0,0.5,1 --light-colours '1,1,1;0.25,0,0'";
     assert_eq!(spec.unwrap().flags().join(" "), expected);
 }
 
@@ -142,14 +143,24 @@ proptest! {
     }
 
     #[test]
-    fn any_value_is_taken_or_refused(key in "(method|form|q|shininess|input_fraction|rom|pipeline|languages|name)", value in "(\"[a-z0-9.=,]{0,12}\"|-?[0-9]{1,12}|[0-9]{1,3}\\.[0-9]{1,3}|\\[[0-9., ]{0,9}\\]|nan|true)") {
+    fn any_value_is_taken_or_refused(
+        key in "(method|form|q|shininess|input_fraction|rom|pipeline|languages|name)",
+        value in "(\"[a-z0-9.=,]{0,12}\"|-?[0-9]{1,12}|[0-9]{1,3}\\.[0-9]{1,3}|\\[[0-9., ]{0,9}\\]|nan|true)",
+    ) {
         let _ = parse(&format!("method = \"cubic\"\nshininess = [3]\n{key} = {value}\n"));
         let _ = parse(&format!("{key} = {value}\n"));
     }
 
     #[test]
-    fn resolved_specs_survive_toml(n in proptest::collection::vec(1.0f64..5000.0, 1..5), f in 4u32..=24, g in 4u32..=20, q in 0.05f64..0.95, depth in 1u32..=32) {
-        let text = format!("method = \"cubic\"\nshininess = {n:?}\ninput_fraction = {f}\noutput_fraction = {g}\nq = {q:?}\npipeline = {depth}\nrom_formats = [\"csv\", \"mem\", \"csv\"]");
+    fn resolved_specs_survive_toml(
+        n in proptest::collection::vec(1.0f64..5000.0, 1..5),
+        f in 4u32..=24,
+        g in 4u32..=20,
+        q in 0.05f64..0.95,
+        depth in 1u32..=32,
+    ) {
+        let text = format!("method = \"cubic\"\nshininess = {n:?}\ninput_fraction = {f}\noutput_fraction = {g}\nq = \
+         {q:?}\npipeline = {depth}\nrom_formats = [\"csv\", \"mem\", \"csv\"]");
         let spec = parse(&text).unwrap();
         prop_assert_eq!(&parse(&spec.to_toml()).unwrap(), &spec);
     }

@@ -360,9 +360,11 @@ impl Architecture for Coarse<'_> {
         Description {
             formula: "y = x^n".to_owned(),
             evaluation: format!(
-                "It is evaluated as 2^(-n L) with L = -log2 x, to within 2^-{}: n L = (n u) k, u = 1 - x, where the log ratio\n\
+                "It is evaluated as 2^(-n L) with L = -log2 x, to within 2^-{}: n L = (n u) k, u = 1 - x, where the \
+                 log ratio\n\
                  k = L / u comes from a table of {}, and so does 2^-f for the fraction f of n L, from {};\n\
-                 the integer part shifts. So n is a number that the core computes with, and the relative accuracy of L near\n\
+                 the integer part shifts. So n is a number that the core computes with, and the relative accuracy of L \
+                 near\n\
                  x = 1 is that of the versine. The result is rounded down; the second table makes up for half of it.",
                 self.accuracy,
                 kind(LOG_TABLE, "log_slope"),

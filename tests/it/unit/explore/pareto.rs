@@ -41,8 +41,9 @@ proptest! {
         };
         let points: Vec<Point> = values.iter().map(made).collect();
         let all: Vec<&Point> = points.iter().collect();
+        let is_chosen = |(bit, _): &(usize, Objective)| chosen >> bit & 1 == 1;
         let costs: Vec<Objective> =
-            Objective::ALL.into_iter().enumerate().filter(|(bit, _)| chosen >> bit & 1 == 1).map(|(_, cost)| cost).collect();
+            Objective::ALL.into_iter().enumerate().filter(is_chosen).map(|(_, cost)| cost).collect();
         let front = pareto(&all, &costs);
         prop_assert!(!front.is_empty());
         // Written out once more, in whole numbers.

@@ -9,7 +9,8 @@ fn plan(text: &str) -> Plan {
 #[test]
 fn every_valid_combination_is_a_core_once() {
     let plan = plan(
-        "[[sweep]]\nmethod = ['quadratic', 'power-4', 'schlick']\ncoefficients = ['default', 'paper', 'minimax']\noutput_fraction = [8, 12]\n\
+        "[[sweep]]\nmethod = ['quadratic', 'power-4', 'schlick']\ncoefficients = ['default', 'paper', \
+         'minimax']\noutput_fraction = [8, 12]\n\
          [[sweep]]\nmethod = 'quadratic'\noutput_fraction = 8\nfamily = ['ecp5', 'ice40']\n",
     );
     // quadratic: paper (twice: it is the default) and minimax; power-4: minimax (twice); schlick: none; two widths
@@ -29,7 +30,8 @@ fn every_valid_combination_is_a_core_once() {
 #[test]
 fn lists_of_a_key_are_written_as_lists_in_the_list() {
     let plan = plan(
-        "[[sweep]]\nmethod = 'cubic'\nshininess = ['1..=64', [5, 12.5], '3,4', 7]\nq = [0.5, 0.6]\npipeline = ['auto', 9]\n\
+        "[[sweep]]\nmethod = 'cubic'\nshininess = ['1..=64', [5, 12.5], '3,4', 7]\nq = [0.5, 0.6]\npipeline = ['auto', \
+         9]\n\
          [[sweep]]\nmethod = 'cubic'\nmaterial = [[{ name = 'a', shininess = 3 }], [{ name = 'a', shininess = 4 }]]\n",
     );
     assert_eq!(plan.cores.len(), 4 * 2 * 2 + 2);

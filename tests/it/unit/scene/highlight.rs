@@ -15,7 +15,8 @@ fn design(spec: &str) -> Design {
 fn scene_and_frame() -> (Scene, Frame) {
     let material = |name: &str, shininess: f64| {
         format!(
-            "[[material]]\nname = {name:?}\nshininess = {shininess}\n[[object]]\nkind = \"sphere\"\nmaterial = {name:?}\ncentre = [0, 0, 0]\nradius = 1\n"
+            "[[material]]\nname = {name:?}\nshininess = {shininess}\n[[object]]\nkind = \"sphere\"\nmaterial = \
+             {name:?}\ncentre = [0, 0, 0]\nradius = 1\n"
         )
     };
     let text = format!(

@@ -4,7 +4,8 @@ use super::{refused, words};
 
 #[test]
 fn coe_of_other_tools() {
-    let text = "; a comment\nMemory_Initialization_Radix = 2 ;\n;another\nmemory_initialization_vector = 01 10,\n; inside\n11\n;\n";
+    let text = "; a comment\nMemory_Initialization_Radix = 2 ;\n;another\nmemory_initialization_vector = 01 10,\n; \
+     inside\n11\n;\n";
     assert_eq!(words(text, RomFormat::Coe, 8), Ok(vec![1, 2, 3]));
     let vector = "memory_initialization_radix=10;\nmemory_initialization_vector=1,2";
     assert_eq!(words(&format!("{vector}55;"), RomFormat::Coe, 8), Ok(vec![1, 255]));
@@ -20,8 +21,10 @@ fn coe_as_its_manual_has_it() {
     let words = |text: &str| words(text, RomFormat::Coe, 8);
     for text in [
         "MEMORY_INITIALIZATION_RADIX = 8 ; octal; = \"words, (\nMEMORY_INITIALIZATION_VECTOR = 1, 17, 377; the end, 5",
-        "memory_initialization_radix=16; hex\nmemory_initialization_vector=\n1,\nf,\nff;\nPATTERN = 5, 6;\nany=thing \"",
-        "; = \nRadix = 10 ; all of it\n\n; more\nMemory_initialization_vector = 1 15\n; a line\n255; memory_initialization_vector=7;",
+        "memory_initialization_radix=16; hex\nmemory_initialization_vector=\n1,\nf,\nff;\nPATTERN = 5, \
+         6;\nany=thing \"",
+        "; = \nRadix = 10 ; all of it\n\n; more\nMemory_initialization_vector = 1 15\n; a line\n255; \
+         memory_initialization_vector=7;",
         "memory_initialization_radix=2;\r\nmemory_initialization_vector=\r\n1\r\n1111\r\n11111111\r\n;\r\n",
     ] {
         assert_eq!(words(text), Ok(vec![1, 15, 255]), "{text}");
