@@ -6,7 +6,7 @@ use clap::{Args, Subcommand};
 use serde_json::json;
 
 use super::{Verdict, progress, say, say_json, warn, write_to};
-use crate::explore::run::{self, Costing, Flow, Summary};
+use crate::explore::run::{self, Costing, Failed, Flow, Summary};
 use crate::explore::store::Earlier;
 use crate::explore::sweep::{Axes, Plan, Shard};
 use crate::explore::{Model, Point, Results, Store, Sweep};
@@ -299,7 +299,8 @@ fn explore(arguments: Explore) -> Result<Verdict, Error> {
             bar.suspend(|| warn(format!("{} {}: {first}", point.id, point.name)));
         }
     };
-    let summary = run::run(&cores, &costing, &mut store, jobs, arguments.retry_failed, &progress)?;
+    let failed = if arguments.retry_failed { Failed::Retry } else { Failed::Keep };
+    let summary = run::run(&cores, &costing, &mut store, jobs, failed, &progress)?;
     bar.finish_and_clear();
     let results = store.results()?;
     if let Some(path) = &arguments.csv {

@@ -15,7 +15,7 @@ use crate::spec::{Block, MethodName, Shader};
 use crate::verify::stability::document::{self, Study};
 use crate::verify::stability::inspect::{Inspection, Signal};
 use crate::verify::stability::shader::ShaderInspection;
-use crate::verify::stability::study::{self, Axis, Entry};
+use crate::verify::stability::study::{self, Axis, Entry, Extent};
 use crate::verify::stability::{EXTREMES, conditioning, quantisation};
 
 #[derive(Args)]
@@ -66,7 +66,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         axes => axes.to_vec(),
     };
     let methods = if arguments.only.is_empty() { study::methods() } else { arguments.only.clone() };
-    let cases: Vec<_> = axes.into_iter().flat_map(|axis| study::cases(axis, &methods, arguments.quick)).collect();
+    let extent = if arguments.quick { Extent::Quick } else { Extent::Whole };
+    let cases: Vec<_> = axes.into_iter().flat_map(|axis| study::cases(axis, &methods, extent)).collect();
     let bar = progress::bar("inspecting cores", cases.len() as u64);
     let mut entries = Vec::new();
     for case in &cases {

@@ -175,8 +175,17 @@ fn in_full(error: &Error) -> String {
     }
 }
 
+/// What becomes of points that failed before.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Failed {
+    /// They stay as they are.
+    Keep,
+    /// They are made anew.
+    Retry,
+}
+
 /// Measures those of the cores that the store does not hold yet, `jobs` at a time, and puts each into it as soon as it
-/// is there. A point that failed is made anew only with `retry`. `progress` is told of each point: how many are done,
+/// is there. `progress` is told of each point: how many are done,
 /// of how many, and the point.
 ///
 /// # Errors
@@ -186,15 +195,16 @@ pub fn run(
     costing: &Costing,
     store: &mut Store,
     jobs: usize,
-    retry: bool,
+    failed: Failed,
     progress: &(dyn Fn(usize, usize, &Point) + Sync),
 ) -> Result<Summary, Error> {
     let known = store.known()?;
+    let retries = failed == Failed::Retry;
     let wanted: Vec<&Core> =
-        cores.iter().filter(|core| known.get(&core.id).is_none_or(|&failed| failed && retry)).collect();
+        cores.iter().filter(|core| known.get(&core.id).is_none_or(|&has_failed| has_failed && retries)).collect();
     let failed_before = cores.iter().filter(|core| known.get(&core.id) == Some(&true)).count();
     let mut summary = Summary { kept: cores.len() - wanted.len(), ..Summary::default() };
-    summary.failed_before = if retry { 0 } else { failed_before };
+    summary.failed_before = if retries { 0 } else { failed_before };
     // The measurement of one core shares these threads with that of the others.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs).build();
     let pool = pool.map_err(|error| Error::input(format!("{jobs} threads: {error}"), "use fewer --jobs"))?;

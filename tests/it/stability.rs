@@ -11,7 +11,7 @@ use brdfgen::spec::{Block, MethodName, SpecFields};
 use brdfgen::verify::stability::document::{self, Study};
 use brdfgen::verify::stability::inspect::Inspection;
 use brdfgen::verify::stability::shader::{Proof, ShaderInspection};
-use brdfgen::verify::stability::study::{self, Axis};
+use brdfgen::verify::stability::study::{self, Axis, Extent};
 use rayon::prelude::*;
 
 fn design(spec: &str) -> Design {
@@ -156,7 +156,7 @@ fn a_writable_core_keeps_its_bits() {
 #[test]
 fn cores_at_the_extremes_keep_every_promise() {
     for axis in [Axis::Shininess, Axis::Level, Axis::Input, Axis::Output] {
-        let cases = study::cases(axis, &study::methods(), true);
+        let cases = study::cases(axis, &study::methods(), Extent::Quick);
         assert!(cases.len() > 15, "{axis:?}");
         // Every other core of the quick study: the command runs all of them.
         for case in cases.iter().step_by(2) {
@@ -171,13 +171,13 @@ fn cores_at_the_extremes_keep_every_promise() {
 
 #[test]
 fn the_study_says_what_it_finds() {
-    let entry = study::cases(Axis::Shininess, &[method("cubic")], true).remove(0).inspect();
+    let entry = study::cases(Axis::Shininess, &[method("cubic")], Extent::Quick).remove(0).inspect();
     let found = entry.found.unwrap();
     assert_eq!((found.rows, found.at_zero, found.above_one, found.outside_differences), (13, 0, 0, 0));
     let places: Vec<&str> = found.places.iter().map(|place| place.name).collect();
     assert!(places.contains(&"cusp") && places.contains(&"x = 1"), "{places:?}");
     // The printed form's values are some thousand times as large.
-    let printed = study::cases(Axis::Shininess, &[method("cubic")], true);
+    let printed = study::cases(Axis::Shininess, &[method("cubic")], Extent::Quick);
     let printed = printed.iter().find(|case| case.method.contains("printed")).unwrap().inspect();
     if let Some(printed) = printed.found {
         assert!(
@@ -328,7 +328,7 @@ fn the_committed_study_is_current() {
         (Axis::Shininess, method("quadratic"), 3),
         (Axis::Output, method("squaring"), 3),
     ] {
-        let cases = study::cases(axis, &[method], false);
+        let cases = study::cases(axis, &[method], Extent::Whole);
         let is_whole = cases.len() == of_table;
         let entries = cases.iter().take(of_table).map(study::Case::inspect).collect();
         let study = Study { conditioning: Vec::new(), front_ends: Vec::new(), entries };

@@ -290,17 +290,17 @@ impl<'a> Comparison<'a> {
         (both, duties)
     }
 
-    /// Asks a method. `inject`: with one wrong result. Returns the answer, with the inputs that show a difference where
-    /// the method says them, how many bits were compared, and how many were not the same node. `seconds` is the most
-    /// that the solver may take. Errors: if the solver does not work.
-    pub(super) fn ask(&self, method: &Technique, inject: bool, seconds: u32) -> Result<Asked, Error> {
+    /// Asks a method. Returns the answer, with the inputs that show a difference where the method says them, how many
+    /// bits were compared, and how many were not the same node. `seconds` is the most that the solver may take. Errors:
+    /// if the solver does not work.
+    pub(super) fn ask(&self, method: &Technique, results: Results, seconds: u32) -> Result<Asked, Error> {
         let pairs: &[[usize; 2]] = match method {
             Technique::Stages(pairs) => pairs,
-            Technique::Every => return Ok(self.every(inject)),
+            Technique::Every => return Ok(self.every(results)),
             Technique::Whole => &[],
         };
         let (mut both, mut duties) = self.cut(pairs);
-        if inject {
+        if results == Results::OneWrong {
             both.inject(&mut duties);
         }
         let open = open(&duties);
@@ -311,7 +311,7 @@ impl<'a> Comparison<'a> {
     /// Runs all values of the inputs through both: those of the widest port, once for each value of the others, which
     /// makes the graph small. Bits that a text leaves undefined are run through as well; where there are too many, it
     /// is not found out.
-    fn every(&self, inject: bool) -> Asked {
+    fn every(&self, results: Results) -> Asked {
         let ports = self.sides[0].data_inputs();
         let bits: usize = ports.values().sum();
         let widest = ports.values().max().copied().unwrap_or(0);
@@ -323,7 +323,7 @@ impl<'a> Comparison<'a> {
             let inputs = Inputs::of_widest(&mut aig, self.sides[0], number);
             let mut both = self.build_on(aig, inputs, &[]);
             let mut duties = self.duties(&mut both);
-            if inject {
+            if results == Results::OneWrong {
                 both.inject(&mut duties);
             }
             (both, duties)
@@ -358,15 +358,15 @@ impl<'a> Comparison<'a> {
             Err(differs) => return Ok(Compared::Different(differs)),
         };
         let stages = Technique::Stages(self.confirmed(pairs));
-        let asked = self.ask(&stages, false, seconds)?;
+        let asked = self.ask(&stages, Results::Own, seconds)?;
         if asked.answer == Answer::Equal {
             return Ok(Compared::Same { method: stages, compared: asked.compared, open: asked.open });
         }
         let mut method = Technique::Whole;
-        let mut asked = self.ask(&method, false, seconds)?;
+        let mut asked = self.ask(&method, Results::Own, seconds)?;
         if asked.answer == Answer::Unknown {
             method = Technique::Every;
-            asked = self.ask(&method, false, seconds)?;
+            asked = self.ask(&method, Results::Own, seconds)?;
         }
         let Asked { answer, shown, compared, open } = asked;
         Ok(match answer {
@@ -381,6 +381,15 @@ impl<'a> Comparison<'a> {
             )),
         })
     }
+}
+
+/// Whose results are compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Results {
+    /// The circuits' own.
+    Own,
+    /// One of them wrong on purpose.
+    OneWrong,
 }
 
 /// What a method says.

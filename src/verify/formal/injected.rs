@@ -2,7 +2,7 @@
 
 use super::abc::Answer;
 use super::circuit::{Bit, Part};
-use super::equivalence::{Comparison, Technique};
+use super::equivalence::{Comparison, Results, Technique};
 use super::pipeline::Pipeline;
 use crate::core::Design;
 use crate::platform::error::Error;
@@ -61,11 +61,11 @@ pub(super) fn check(
         circuit.parts[place] = fault(&circuit.parts[place]).expect("it has the fault");
         outcomes.push((what, outcome(Pipeline::of(circuit, other.depth).err())));
     }
-    let found = |comparison: &Comparison, inject: bool| -> Result<Option<String>, Error> {
-        let asked = comparison.ask(method, inject, seconds)?;
+    let found = |comparison: &Comparison, results: Results| -> Result<Option<String>, Error> {
+        let asked = comparison.ask(method, results, seconds)?;
         Ok((asked.answer == Answer::Different).then(|| "the outputs differ".to_owned()))
     };
-    outcomes.push(("one wrong result", outcome(found(comparison, true)?)));
+    outcomes.push(("one wrong result", outcome(found(comparison, Results::OneWrong)?)));
     // A bit of a word of a memory is wrong.
     let Some(memory) = other.circuit.memories.iter().position(|memory| memory.writes.is_empty()) else {
         return Ok(outcomes);
@@ -78,7 +78,7 @@ pub(super) fn check(
         faulty
     };
     let seen = |faulty: &Pipeline| {
-        found(&Comparison { sides: [comparison.sides[0], faulty], reads: comparison.reads.clone() }, false)
+        found(&Comparison { sides: [comparison.sides[0], faulty], reads: comparison.reads.clone() }, Results::Own)
     };
     const WHAT: &str = "a wrong bit in a memory";
     // A result may not show the lowest bit; the highest is padding where GHDL widens the words, which a kernel's are

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 
 use super::abc::Answer;
 use super::circuit::{Circuit, Unfit};
-use super::equivalence::{Comparison, Technique};
+use super::equivalence::{Comparison, Results, Technique};
 use super::pipeline::{Pipeline, first_shown};
 use crate::core::edges::varied;
 use crate::core::{Design, Direction};
@@ -251,14 +251,14 @@ fn is_same_by_stages(core: &Pipeline, side: &Pipeline) -> Result<bool, Error> {
     let Ok(comparison) = Comparison::new(core, side) else { return Ok(false) };
     let registers = core.circuit.registers().map(|(place, _)| [place, place]).collect();
     let stages = Technique::Stages(comparison.confirmed(registers));
-    Ok(comparison.ask(&stages, false, SECONDS)?.answer == Answer::Equal)
+    Ok(comparison.ask(&stages, Results::Own, SECONDS)?.answer == Answer::Equal)
 }
 
 fn as_a_whole(core: &Pipeline, side: &Pipeline) -> Result<Proof, Error> {
     // What shows it is not known, or is what a memory is given.
     let refuted = || Proof::Open { why: ", which ABC refutes".to_owned(), is_pipeline: false };
     let Ok(comparison) = Comparison::new(core, side) else { return Ok(refuted()) };
-    Ok(match comparison.ask(&Technique::Whole, false, SECONDS)?.answer {
+    Ok(match comparison.ask(&Technique::Whole, Results::Own, SECONDS)?.answer {
         Answer::Equal => Proof::Same("from the inputs to the outputs, by ABC".to_owned()),
         Answer::Different => refuted(),
         Answer::Unknown => Proof::Open { why: format!(" (ABC within {SECONDS} s)"), is_pipeline: true },

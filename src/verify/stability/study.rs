@@ -87,12 +87,23 @@ fn set(about: &About, shininesses: &[f64]) -> String {
     }
 }
 
-/// The cores of an axis, for these methods; `quick` leaves out all but formats of 12 bits, and every other value.
+/// How many cores a study has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extent {
+    /// Formats of 12 bits, and every fourth value of an axis.
+    Quick,
+    /// All.
+    Whole,
+}
+
+/// The cores of an axis, for these methods.
 #[must_use]
-pub fn cases(axis: Axis, methods: &[MethodName], quick: bool) -> Vec<Case> {
+pub fn cases(axis: Axis, methods: &[MethodName], extent: Extent) -> Vec<Case> {
     let mut cases = Vec::new();
-    let (input, output) = if quick { (12, 12) } else { (16, 16) };
-    let step = if quick { 4 } else { 1 };
+    let (input, output, step, widest_input) = match extent {
+        Extent::Quick => (12, 12, 4, 16),
+        Extent::Whole => (16, 16, 1, 24),
+    };
     let mut add = |method: &str, value: String, spec: String| {
         cases.push(Case { axis, value, method: method.to_owned(), spec });
     };
@@ -130,7 +141,7 @@ pub fn cases(axis: Axis, methods: &[MethodName], quick: bool) -> Vec<Case> {
             }
             Axis::Level => {}
             Axis::Input => {
-                for fraction in (8..=if quick { 16 } else { 24 }).step_by(step) {
+                for fraction in (8..=widest_input).step_by(step) {
                     let set: &[f64] = if fraction > ALL_OF_FEW { &LARGE } else { &FEW };
                     add(name, format!("F = {fraction}"), head(set) + &formats(fraction, output));
                 }
