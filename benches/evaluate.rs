@@ -50,7 +50,7 @@ fn evaluate(criterion: &mut Criterion) {
                 }
             });
         });
-        let model = design.model();
+        let model = design.lobe().model();
         group.bench_function(format!("{method} {form}: model"), |bench| {
             bench.iter(|| {
                 for n in shininesses() {

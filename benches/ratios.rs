@@ -237,8 +237,8 @@ fn bit_exact(effort: Effort) -> Result<Vec<Row>> {
     let mut contenders = vec![powers("std powf (f64)", &xs, f64::powf)];
     for design in &designs {
         let name = design.spec.name.replace('_', "-");
-        let (model, evaluator) = (design.model(), design.evaluator());
-        let set = &design.spec.interface.shininess;
+        let (model, evaluator) = (design.lobe().model(), design.evaluator());
+        let set = &design.lobe().interface.shininess;
         let mut out = vec![0u32; COSINES];
         contenders.push(contender(format!("{name}: evaluator, vectorised"), move || {
             for n in shininesses() {
@@ -348,8 +348,7 @@ fn simulators(rounds: usize) -> Result<Vec<Row>> {
         if outcome.passed() { Ok(outcome.seconds * 1e9) } else { Err(format!("does not pass: {outcome:?}").into()) }
     };
     let every_input = || -> Result<f64> {
-        let job = Job { design: &small, golden: &small_golden, directory: &small_directory };
-        let outcome = cosim::exhaustive(&job, Language::Verilog, &|_, _| ())?;
+        let outcome = cosim::exhaustive(small.lobe(), &small_directory, Language::Verilog, &|_, _| ())?;
         let inputs = outcome.vectors as f64;
         Ok(passed(outcome)? / inputs)
     };

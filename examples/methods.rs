@@ -32,16 +32,16 @@ struct Errors {
 
 impl Errors {
     fn of(design: &Design, n: u32) -> Self {
-        let (set, format) = (&design.spec.interface.shininess, design.output_format());
+        let (set, format) = (&design.lobe().interface.shininess, design.lobe().output_format());
         let index = n << set.frac_bits();
         let row = set.row_of_index(index);
-        let codes = 1i64 << design.spec.interface.input_fraction;
+        let codes = 1i64 << design.lobe().interface.input_fraction;
         let mut outputs = vec![0u32; codes as usize + 1];
         design.evaluator().evaluate(index, 0, 1, &mut outputs);
-        let lobe = &design.lobes()[row];
+        let lobe = &design.lobe().lobes[row];
         let hardware: Vec<f64> = outputs.iter().map(|&code| format.value(code.into())).collect();
-        let method: Vec<f64> = (0..=codes).map(|code| lobe.at(design.versine(code))).collect();
-        let exact: Vec<f64> = (0..=codes).map(|code| design.exact(row, code)).collect();
+        let method: Vec<f64> = (0..=codes).map(|code| lobe.at(design.lobe().versine(code))).collect();
+        let exact: Vec<f64> = (0..=codes).map(|code| design.lobe().exact(row, code)).collect();
         let off = |(a, b): (&f64, &f64)| (a - b).abs();
         let errors: Vec<f64> = hardware.iter().zip(&exact).map(off).collect();
         let relative =

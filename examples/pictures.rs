@@ -37,7 +37,7 @@ fn lobes(path: &Path) -> Result<(), Box<dyn Error>> {
             .label(format!("x^{n}"))
             .legend(|(x, y)| PathElement::new([(x, y), (x + 20, y)], BLACK));
         for (design, colour) in [(&quadratic, COLOURS[0]), (&cubic, COLOURS[2])] {
-            let model = design.model();
+            let model = design.lobe().model();
             let points = codes().map(|code| (code as f64 / 65536.0, f64::from(model.evaluate(n, code)) / 65536.0));
             chart
                 .draw_series(LineSeries::new(points, colour.stroke_width(2)))?

@@ -19,7 +19,7 @@ use brdfgen::reflectance::{directory, images, merl, source};
 use brdfgen::report::Speed;
 use brdfgen::scene::Scene;
 use brdfgen::scene::mesh::{Mesh, Normals};
-use brdfgen::spec::{CoreSpec, SpecFields};
+use brdfgen::spec::{CoreSpec, LobeSpec, SpecFields};
 use brdfgen::synth;
 use brdfgen::target::pack;
 use brdfgen::verify::cosim::{self, Job, Sim};
@@ -72,12 +72,13 @@ fn spec(bytes: &[u8]) {
 
 /// Whether a core is made in no time: few inputs, small tables, and few stages of few operations.
 fn is_small(spec: &CoreSpec) -> bool {
-    let inputs = spec.interface.shininess.index_bits() + spec.interface.input_fraction;
-    let options = spec.method.options();
+    let LobeSpec { method, interface } = spec.block.lobe();
+    let inputs = interface.shininess.index_bits() + interface.input_fraction;
+    let options = method.options();
     let entries = [options.table_bits, options.log_bits, options.exp_bits];
     let lights = spec.block.shader().map_or(0, |shader| shader.lights);
     inputs <= 13
-        && spec.interface.shininess.rows() <= 300
+        && interface.shininess.rows() <= 300
         && entries.into_iter().flatten().all(|bits| bits <= 9)
         && lights <= 2
         && options.accuracy.is_none_or(|bits| bits <= 9)
@@ -111,13 +112,13 @@ fn generate(bytes: &[u8]) {
         let (core, spec_digest) = (design.spec.name.clone(), design.spec.digest());
         (account, golden::Golden { core, spec_digest, groups: Vec::new(), digests: Vec::new() })
     } else {
-        let (first, count) = golden::all_codes(design.operand_format());
-        for index in 0..1i64 << design.index_format().width() {
+        let (first, count) = golden::all_codes(design.lobe().operand_format());
+        for index in 0..1i64 << design.lobe().index_format().width() {
             (first..first + count as i64).for_each(|operand| agree(&[index, operand]));
         }
         let account = Account::of(&design);
         if let Account::Lobe { measured, .. } = &account {
-            let ([low, high], [least, most]) = (design.budget.proved_ulps, measured.ulps);
+            let ([low, high], [least, most]) = (design.lobe().budget.proved_ulps, measured.ulps);
             assert!(low - 1e-6 <= least && most <= high + 1e-6, "measured {least}..{most}, proved {low}..{high}");
         }
         (account, golden::Golden::of(&design))

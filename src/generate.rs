@@ -23,7 +23,7 @@ use crate::verify::golden::Golden;
 ///
 /// // The error against the real-valued method in units of the last place of `out_spec`: proved for every input, and
 /// // measured over all cosines from 0 to 1.
-/// let [low, high] = core.design.budget.proved_ulps;
+/// let [low, high] = core.design.lobe().budget.proved_ulps;
 /// assert!(-1.0 < low && high < 1.0);
 /// let Account::Lobe { measured, .. } = &core.account else { unreachable!("the spec asks for no shader") };
 /// assert!(measured.sweep.exhaustive && low <= measured.ulps[0] && measured.ulps[1] <= high);
@@ -109,13 +109,13 @@ impl Core {
     /// A shader, a shininess that the core does not have, a cosine that its port does not hold or, with an
     /// `input_range` of `unit`, one outside [0, 1].
     pub fn at(&self, n: f64, cosine: f64) -> Result<Evaluation, Error> {
-        let is_unit = self.design.spec.interface.input_range == InputRange::Unit;
+        let is_unit = self.design.lobe().interface.input_range == InputRange::Unit;
         refuse!(
             is_unit && !(0.0..=1.0).contains(&cosine),
             format!("the core takes no cosine of {cosine}"),
             "it takes those in [0, 1]"
         );
-        self.design.at(self.design.spec.row_of(n)?, cosine)
+        self.design.lobe().at(self.design.spec.row_of(n)?, cosine)
     }
 
     /// The files of all memories in a format, whether the spec asks for it or not.

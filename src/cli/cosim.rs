@@ -8,6 +8,7 @@ use serde_json::json;
 
 use super::source::{OnDisk, Source};
 use super::{Verdict, progress, say, say_json, write_to};
+use crate::core::BlockDesign;
 use crate::platform::error::{Error, refuse};
 use crate::spec::Language;
 use crate::synth::{self, Options};
@@ -50,7 +51,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
     arguments.source.paths_of_core().may_write("--junit", arguments.junit.as_ref()).check()?;
     refuse!(
-        arguments.exhaustive && design.spec.block.shader().is_some(),
+        arguments.exhaustive && matches!(design.block(), BlockDesign::Shader(_)),
         "--exhaustive runs every input, and a shader has too many",
         "leave it out: the golden vectors and the digests are checked"
     );
@@ -66,14 +67,14 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let (job, design) = (core.job(), &core.design);
     let sims = arguments.sim.expand(&design.spec.languages);
     let mut outcomes = Vec::new();
-    if arguments.exhaustive {
+    if let (true, BlockDesign::Lobe(lobe)) = (arguments.exhaustive, design.block()) {
         for language in exhaustive_languages(arguments.sim, &design.spec.languages)? {
             let bar = progress::bar("every input", 1);
             let tell = |done: u64, total: u64| {
                 bar.set_length(total);
                 bar.set_position(done);
             };
-            outcomes.push(cosim::exhaustive(&job, language, &tell)?);
+            outcomes.push(cosim::exhaustive(lobe, job.directory, language, &tell)?);
             bar.finish_and_clear();
         }
     } else if let Some((family, models)) = netlist {

@@ -32,14 +32,14 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     refuse!(is_shader, "eval evaluates a lobe, and this core is a shader", "leave --block shader out");
     let row = spec.row_of(arguments.n)?;
     let design = Design::new(spec)?;
-    let Evaluation { index, operand, output, cosine, value, method, exact } = design.at(row, arguments.x)?;
-    let ulp = design.output_format().lsb();
+    let Evaluation { index, operand, output, cosine, value, method, exact } = design.lobe().at(row, arguments.x)?;
+    let ulp = design.lobe().output_format().lsb();
     if arguments.json {
         say_json(&json!({
             "n": arguments.n,
             "x": cosine,
             "in_n": index,
-            design.operand_name(): operand,
+            design.lobe().operand_name(): operand,
             "exact": exact,
             "method": method,
             "model": value,
@@ -49,7 +49,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         }));
         return Ok(Verdict::Done);
     }
-    say(format!("n = {}, x = {cosine} (in_n = {index}, {} = {operand})", arguments.n, design.operand_name()));
+    say(format!("n = {}, x = {cosine} (in_n = {index}, {} = {operand})", arguments.n, design.lobe().operand_name()));
     say(format!("exact   {exact:.9}"));
     say(format!("method  {method:.9}  {:+.3e} from exact", method - exact));
     say(format!(

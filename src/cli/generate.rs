@@ -199,7 +199,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             "name": design.spec.name,
             "files": files.iter().map(|file| &file.path).collect::<Vec<_>>(),
             "latency": design.schedule.latency,
-            "proved_ulps": design.budget.proved_ulps,
+            "proved_ulps": design.lobe().budget.proved_ulps,
             "measured": account,
             "cosim": outcome,
             "passed": passed,
@@ -243,7 +243,7 @@ fn describe(design: &Design, account: &Account) -> Vec<String> {
         multipliers.join(" "),
         if memories.is_empty() { "no ROM".to_owned() } else { format!("ROM {}", memories.join(", ")) },
     )];
-    let proved = package::interval_text(design.budget.proved_ulps);
+    let proved = package::interval_text(design.lobe().budget.proved_ulps);
     match account {
         Account::Lobe { measured, .. } => {
             lines.push(format!(

@@ -277,7 +277,7 @@ fn shader_text(shaded: &Shaded) -> String {
     format!(
         "  the shader around it: vectors of {bits} fraction bits, F{}, {} clocks; {} samples through its bit-exact \
          model: base {}; moved {}{end}",
-        spec.interface.input_fraction,
+        spec.block.lobe().interface.input_fraction,
         shaded.design.schedule.latency,
         shaded.samples,
         picture_text(&shaded.base),

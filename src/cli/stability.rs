@@ -7,11 +7,11 @@ use serde_json::json;
 
 use super::source::Source;
 use super::{Verdict, progress, say, say_json};
-use crate::core::Design;
+use crate::core::{BlockDesign, ShaderDesign};
 use crate::emit::package;
 use crate::platform::error::{Error, refuse};
 use crate::platform::paths::Paths;
-use crate::spec::{Block, MethodName, Shader};
+use crate::spec::MethodName;
 use crate::verify::stability::document::{self, Study};
 use crate::verify::stability::inspect::{Inspection, Signal};
 use crate::verify::stability::shader::ShaderInspection;
@@ -114,11 +114,12 @@ fn broken_of(entry: &Entry) -> Vec<String> {
 
 fn one(arguments: &Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
-    if let Block::Shader(shader) = &design.spec.block {
-        return one_shader(arguments, &design, shader);
-    }
+    let lobe = match design.block() {
+        BlockDesign::Lobe(lobe) => lobe,
+        BlockDesign::Shader(shader) => return one_shader(arguments, shader),
+    };
     let spinner = progress::spinner("every input".to_owned());
-    let found = Inspection::of(&design);
+    let found = Inspection::of(lobe);
     spinner.finish_and_clear();
     let broken = found.broken();
     if arguments.json {
@@ -129,7 +130,7 @@ fn one(arguments: &Arguments) -> Result<Verdict, Error> {
     say(format!("  ranges        {}, in {} blocks of inputs", proof(&found.overflows, &found.undecided), found.blocks));
     say(format!("  wide registers {} results differ", found.wide_differences));
     say_signals(&found.largest, &found.widest);
-    for narrowed in &design.narrowed {
+    for narrowed in lobe.narrowed {
         say(format!("  narrowed      {} {} -> {}", narrowed.name, narrowed.from, narrowed.to));
     }
     let [low, high] = found.measured_ulps;
@@ -164,16 +165,19 @@ fn say_signals(largest: &Signal, widest: &Signal) {
     }
 }
 
-fn one_shader(arguments: &Arguments, design: &Design, shader: &Shader) -> Result<Verdict, Error> {
+fn one_shader(arguments: &Arguments, design: ShaderDesign<'_>) -> Result<Verdict, Error> {
     let spinner = progress::spinner("the shader's parts".to_owned());
-    let found = ShaderInspection::of(design, shader);
+    let found = ShaderInspection::of(design);
     spinner.finish_and_clear();
     let broken = found.broken();
     if arguments.json {
         say_json(&json!({ "core": found, "broken": broken }));
         return Ok(Verdict::of(broken.is_empty()));
     }
-    say(format!("{}: {} materials, {} lights; too many inputs to run all", found.core, found.rows, shader.lights));
+    say(format!(
+        "{}: {} materials, {} lights; too many inputs to run all",
+        found.core, found.rows, design.shader.lights
+    ));
     say(format!("  ranges        {}, part by part", proof(&found.overflows, &found.undecided)));
     for part in &found.parts {
         say(format!("    {:<22} {} blocks of inputs", part.name, part.blocks));

@@ -3,12 +3,11 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::Design;
+use super::ShaderDesign;
 use super::sample::Sample;
 use crate::fixed::wide::Wide;
 use crate::fixed::{Rng, Table};
-use crate::lobe;
-use crate::spec::Shader;
+use crate::lobe::exact;
 
 /// The error of a part of the shader, in codes of a channel.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -52,16 +51,17 @@ type Sums = [[f64; 3]; PARTS.len() + 1];
 impl ShaderError {
     /// Measures a shader over random samples that a camera may see ([`Sample::random`]).
     #[must_use]
-    pub fn of(design: &Design, shader: &Shader) -> Self {
-        let rows = design.spec.interface.shininess.rows();
+    pub fn of(design: ShaderDesign<'_>) -> Self {
+        let ShaderDesign { lobe, shader, .. } = design;
+        let rows = design.materials().len();
         let step = rows.div_ceil(1 << 8);
         let measured: Vec<usize> = (0..rows).step_by(step).collect();
         let each = SAMPLES / measured.len() as u64;
-        let lobes = design.lobes();
-        let model = design.shader_model(shader);
+        let lobes = lobe.lobes;
+        let model = design.model();
         let of_row = |row: usize| {
             let mut rng = Rng::new(1 + row as u64);
-            let n = design.spec.interface.shininess.value(row);
+            let n = lobe.interface.shininess.value(row);
             let mut sums: Sums = [[f64::INFINITY, f64::NEG_INFINITY, 0.0]; PARTS.len() + 1];
             for _ in 0..each {
                 let sample = Sample::random(shader, row as u32, n, &mut rng);
@@ -72,7 +72,7 @@ impl ShaderError {
                     let of = |versine: f64| if versine >= 1.0 { 0.0 } else { highlight(versine) };
                     sample.angles(shader).iter().map(|angles| (angles.diffuse, of(angles.versine))).collect()
                 };
-                let power = |versine: f64| lobe::exact(n, versine);
+                let power = |versine: f64| exact(n, versine);
                 let method = |versine: f64| lobes[row].at(versine);
                 let cosines = model.cosines(&codes);
                 let in_hardware = |highlight: &dyn Fn(usize) -> f64| -> Vec<(f64, f64)> {
@@ -83,19 +83,19 @@ impl ShaderError {
                 };
                 let front = in_hardware(&|light| {
                     let operand = cosines[light].operand;
-                    let versine = if design.takes_versine() { operand } else { Wide::ONE - operand };
+                    let versine = if lobe.takes_versine() { operand } else { Wide::ONE - operand };
                     lobes[row].at(versine.to_num())
                 });
                 let real = |table: &Table, name: &str, row: usize| table.field(name).reals[row];
                 let stored = |table: &Table, name: &str, row: usize| table.field(name).value(row);
-                let channels = |sample: &Sample, lights: &[(f64, f64)]| sample.channels(design, shader, lights, real);
+                let channels = |sample: &Sample, lights: &[(f64, f64)]| sample.channels(design, lights, real);
                 let hardware = model.evaluate(&codes);
                 let stages = [
                     channels(&sample, &lights(&sample, &power)),
                     channels(&sample, &lights(&sample, &method)),
                     channels(&rounded, &lights(&rounded, &method)),
                     channels(&rounded, &front),
-                    sample.channels(design, shader, &front, stored),
+                    sample.channels(design, &front, stored),
                     [0, 1, 2].map(|channel| hardware[channel] as f64),
                 ];
                 for channel in [0, 1, 2] {

@@ -5,7 +5,7 @@
 //! component of ±1 code and one of about 2^(f/2) codes, so its product with another vector becomes any number when the
 //! other is moved by as few codes.
 
-use super::Design;
+use super::ShaderDesign;
 use super::sample::{Sample, Vector, front, normalised, plus, random_codes, random_direction};
 use crate::core::Direction;
 use crate::fixed::{Rng, exp2};
@@ -94,23 +94,24 @@ fn put(codes: &mut [i64], place: usize, vector: Codes) {
 
 /// An input of a shader: a random sample, random codes, or one of this module's, each of a random material.
 #[must_use]
-pub fn varied(design: &Design, shader: &Shader, rng: &mut Rng) -> Vec<i64> {
-    let ports = design.numbers(Direction::In);
-    let row = rng.below(design.spec.interface.shininess.rows() as u64) as u32;
-    let n = design.spec.interface.shininess.value(row as usize);
+pub fn varied(design: ShaderDesign<'_>, rng: &mut Rng) -> Vec<i64> {
+    let (ports, shader) = (design.numbers(Direction::In), design.shader);
+    let row = rng.below(design.materials().len() as u64) as u32;
+    let n = design.lobe.interface.shininess.value(row as usize);
     let codes = match rng.below(4) {
         0 => Sample::random(shader, row, n, rng).codes(shader),
         1 => random_codes(&ports, rng),
-        _ => edge(design, shader, row, n, rng),
+        _ => edge(design, row, n, rng),
     };
     codes.into_iter().zip(ports).map(|(code, (_, format))| format.wrap(code.into()) as i64).collect()
 }
 
-fn edge(design: &Design, shader: &Shader, row: u32, shininess: f64, rng: &mut Rng) -> Vec<i64> {
+fn edge(design: ShaderDesign<'_>, row: u32, shininess: f64, rng: &mut Rng) -> Vec<i64> {
+    let shader = design.shader;
     let fraction = shader.vector_fraction;
     let axis = near_axis(fraction, rng);
     let direction: Vector = axis.map(|code| code as f64 * exp2(-(fraction as i32)));
-    let dot_bits = shader.widths(&design.spec.interface).dot as u32;
+    let dot_bits = shader.widths(design.lobe.interface).dot as u32;
     let dropped = 2 * fraction - dot_bits;
     let light = rng.below(shader.lights.into()) as usize;
     let about_normal = |rng: &mut Rng| {
@@ -190,6 +191,7 @@ fn edge(design: &Design, shader: &Shader, row: u32, shininess: f64, rng: &mut Rn
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::core::{BlockDesign, Design};
     use crate::spec::SpecFields;
 
     const SPEC: &str = "block = \"shader\"\nmethod = \"quadratic\"\n[[material]]\nname = \"m\"\nshininess = \
@@ -227,15 +229,15 @@ mod tests {
     #[test]
     fn products_are_often_just_below_a_last_bit() {
         let design = design();
-        let shader = design.spec.block.shader().expect("a shader");
-        let dropped = 2 * shader.vector_fraction - shader.widths(&design.spec.interface).dot as u32;
+        let BlockDesign::Shader(design) = design.block() else { panic!("a shader") };
+        let dropped = 2 * design.shader.vector_fraction - design.shader.widths(design.lobe.interface).dot as u32;
         assert_eq!(dropped, 14);
         let mut rng = Rng::new(3);
-        let model = design.shader_model(shader);
+        let model = design.model();
         let mut found = [0; 3];
         let mut grazing = 0;
         for _ in 0..4000 {
-            let codes = varied(&design, shader, &mut rng);
+            let codes = varied(design, &mut rng);
             let [normal, viewer, light] = [1, 4, 7].map(|place| at(&codes, place));
             let products = [product(normal, light), product(normal, viewer), product(light, viewer)];
             for (count, product) in found.iter_mut().zip(products) {

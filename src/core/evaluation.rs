@@ -1,6 +1,6 @@
 //! One result of a lobe's core.
 
-use super::Design;
+use super::LobeDesign;
 use crate::platform::error::Error;
 
 /// A result of a lobe's core by the bit-exact model, with what it should be.
@@ -22,12 +22,12 @@ pub struct Evaluation {
     pub exact: f64,
 }
 
-impl Design {
+impl LobeDesign<'_> {
     /// The result of a lobe for the shininess of a row and the code nearest to a cosine.
     ///
     /// # Errors
     /// A cosine that the operand's port does not hold.
-    pub fn at(&self, row: usize, cosine: f64) -> Result<Evaluation, Error> {
+    pub fn at(self, row: usize, cosine: f64) -> Result<Evaluation, Error> {
         let format = self.operand_format();
         let wanted = if self.takes_versine() { 1.0 - cosine } else { cosine };
         let code = (wanted / format.lsb()).round();
@@ -37,7 +37,7 @@ impl Design {
                 format!("it holds {} to {}", format.value(format.min_code()), format.value(format.max_code())),
             ));
         }
-        let (index, operand) = (self.spec.interface.shininess.index_of_row(row), code as i64);
+        let (index, operand) = (self.interface.shininess.index_of_row(row), code as i64);
         let (output, versine) = (self.model().evaluate(index, operand), self.versine(operand));
         Ok(Evaluation {
             index,
@@ -45,7 +45,7 @@ impl Design {
             output,
             cosine: 1.0 - versine,
             value: self.output_format().value(output.into()),
-            method: self.lobes()[row].at(versine),
+            method: self.lobes[row].at(versine),
             exact: self.exact(row, operand),
         })
     }

@@ -6,7 +6,7 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
-use super::{Design, Direction};
+use super::{BlockDesign, Design, Direction};
 use crate::datapath::simulate::Inputs;
 use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
@@ -73,12 +73,17 @@ pub(crate) const STREAM: u64 = 1 << 13;
 
 /// The rows that have a digest: all, or evenly spaced ones where all would take too long.
 pub(crate) fn digest_rows(design: &Design) -> Vec<usize> {
-    let rows = design.spec.interface.shininess.rows() as u64;
-    let step = match design.spec.block {
-        Block::Lobe => (rows << design.operand_format().width()).div_ceil(MOST_OUTPUTS).max(1) as usize,
-        Block::Shader(_) => (rows * STREAM).div_ceil(MOST_SAMPLES) as usize,
+    let (rows, step) = match design.block() {
+        BlockDesign::Lobe(lobe) => {
+            let rows = lobe.interface.shininess.rows();
+            (rows, ((rows as u64) << lobe.operand_format().width()).div_ceil(MOST_OUTPUTS).max(1))
+        }
+        BlockDesign::Shader(shader) => {
+            let rows = shader.materials().len();
+            (rows, (rows as u64 * STREAM).div_ceil(MOST_SAMPLES))
+        }
     };
-    (0..design.spec.interface.shininess.rows()).step_by(step).collect()
+    (0..rows).step_by(step as usize).collect()
 }
 
 const ALLOWED: &str = "a golden file holds `v` lines (the codes of the inputs and of the outputs in hexadecimal; idle, \
@@ -130,8 +135,8 @@ impl Golden {
         let ni = digits(index_format);
         let shown: Vec<&str> = outputs.iter().map(|&(name, _)| name).collect();
         let over = match design.spec.block {
-            Block::Lobe => format!("all {} codes of {}, the least first", 1u64 << inputs[1].1.width(), inputs[1].0),
-            Block::Shader(_) => format!("the {} samples of its stream", STREAM),
+            Block::Lobe(_) => format!("all {} codes of {}, the least first", 1u64 << inputs[1].1.width(), inputs[1].0),
+            Block::Shader(..) => format!("the {} samples of its stream", STREAM),
         };
         let _ = writeln!(text, "# d {index}, XXH3-64 over {} for {over}, 4 little-endian bytes each", shown.join(", "));
         for d in &self.digests {

@@ -3,8 +3,7 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::Design;
-use crate::lobe;
+use super::LobeDesign;
 
 /// The most inputs that a measurement evaluates: about a second on two cores.
 const MOST_INPUTS: u64 = 1 << 27;
@@ -23,9 +22,9 @@ pub struct Sweep {
 }
 
 impl Sweep {
-    fn of(design: &Design) -> Self {
-        let codes = (1u64 << design.spec.interface.input_fraction) + 1;
-        let rows = design.spec.interface.shininess.rows() as u64;
+    fn of(lobe: LobeDesign<'_>) -> Self {
+        let codes = (1u64 << lobe.interface.input_fraction) + 1;
+        let rows = lobe.interface.shininess.rows() as u64;
         // Rows are thinned only when a thousand versines each would still be too many.
         let step = (codes * rows).div_ceil(MOST_INPUTS).min(codes.div_ceil(1024)).max(1);
         let row_step = (codes.div_ceil(step) * rows).div_ceil(MOST_INPUTS).max(1);
@@ -66,30 +65,28 @@ fn exact_power(n: f64, versine: f64, frac_bits: u32) -> Option<f64> {
 impl Measured {
     const NONE: [f64; 7] = [0.0; 7];
 
-    /// Measures a design.
+    /// Measures a lobe.
     #[must_use]
-    pub fn of(design: &Design) -> Self {
-        Self::with_rows(design).0
+    pub fn of(lobe: LobeDesign<'_>) -> Self {
+        Self::with_rows(lobe).0
     }
 
     /// As [`Measured::of`], with the largest |hardware - x^n| of each row that was measured, in order.
     #[must_use]
-    pub fn with_rows(design: &Design) -> (Self, Vec<f64>) {
-        let sweep = Sweep::of(design);
-        let lobes = design.lobes();
-        let shininess = design.spec.interface.shininess.values();
-        let scale = crate::fixed::exp2(design.spec.interface.output_fraction as i32);
-        let codes = (1i64 << design.spec.interface.input_fraction) + 1;
+    pub fn with_rows(lobe: LobeDesign<'_>) -> (Self, Vec<f64>) {
+        let sweep = Sweep::of(lobe);
+        let lobes = lobe.lobes;
+        let shininess = lobe.interface.shininess.values();
+        let scale = crate::fixed::exp2(lobe.interface.output_fraction as i32);
+        let codes = (1i64 << lobe.interface.input_fraction) + 1;
         let step = sweep.step as usize;
-        let evaluator = design.evaluator();
-        let logs: Vec<f64> = (0..codes)
-            .step_by(step)
-            .map(|code| libm::log1p(-design.versine(design.operand_of_versine(code))))
-            .collect();
+        let evaluator = lobe.evaluator();
+        let logs: Vec<f64> =
+            (0..codes).step_by(step).map(|code| libm::log1p(-lobe.versine(lobe.operand_of_versine(code)))).collect();
 
         let row = |row: usize| -> ([f64; 7], [f64; 2]) {
             let mut worst = [shininess[row], 0.0];
-            let index = design.spec.interface.shininess.index_of_row(row);
+            let index = lobe.interface.shininess.index_of_row(row);
             let mut total = Self::NONE;
             let mut square = 0.0;
             let mut outputs = vec![0u32; 4096];
@@ -98,21 +95,21 @@ impl Measured {
                 let count = (outputs.len() as i64).min((codes - code + step as i64 - 1) / step as i64) as usize;
                 // The operand's codes rise or fall with the versine's; the evaluator goes upwards.
                 let end = code + ((count - 1) * step) as i64;
-                let first = design.operand_of_versine(code).min(design.operand_of_versine(end));
+                let first = lobe.operand_of_versine(code).min(lobe.operand_of_versine(end));
                 evaluator.evaluate(index, first, step as i64, &mut outputs[..count]);
                 for (offset, &output) in outputs[..count].iter().enumerate() {
                     let operand = first + (offset * step) as i64;
-                    let u = design.versine(operand);
+                    let u = lobe.versine(operand);
                     let hardware = f64::from(output) / scale;
                     let error = hardware * scale - lobes[row].at(u) * scale;
-                    let log = logs[design.operand_of_versine(operand) as usize / step] * shininess[row];
+                    let log = logs[lobe.operand_of_versine(operand) as usize / step] * shininess[row];
                     // Below e^-40 the power is nothing beside an ulp.
                     let exact = if log < -40.0 { 0.0 } else { libm::exp(log) };
                     let mut off = (hardware - exact).abs();
                     // Exponential and logarithm round; where the power itself does not, the difference has no such
                     // rest.
                     if off < ROUNDED
-                        && let Some(power) = exact_power(shininess[row], u, design.spec.interface.input_fraction)
+                        && let Some(power) = exact_power(shininess[row], u, lobe.interface.input_fraction)
                     {
                         off = (hardware - power).abs();
                     }
@@ -133,7 +130,7 @@ impl Measured {
             total[6] = 1.0;
             (total, worst)
         };
-        let rows: Vec<usize> = (0..design.spec.interface.shininess.rows()).step_by(sweep.row_step as usize).collect();
+        let rows: Vec<usize> = (0..lobe.interface.shininess.rows()).step_by(sweep.row_step as usize).collect();
         let parts: Vec<([f64; 7], [f64; 2])> = rows.into_par_iter().map(row).collect();
         let by_row = parts.iter().map(|(part, _)| part[2]).collect();
         // In order, so that the sum is the same on every machine.
@@ -153,14 +150,5 @@ impl Measured {
             rms: (total[5] / sweep.inputs as f64).sqrt(),
         };
         (measured, by_row)
-    }
-}
-
-/// The exact lobe at an operand code.
-impl Design {
-    /// `x^n` for a row at an operand code.
-    #[must_use]
-    pub fn exact(&self, row: usize, operand: i64) -> f64 {
-        lobe::exact(self.spec.interface.shininess.value(row), self.versine(operand))
     }
 }

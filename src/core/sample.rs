@@ -1,7 +1,7 @@
 //! Samples of a shader in real numbers.
 
 use crate::block::shader::datapath::COLOURS;
-use crate::core::Design;
+use crate::core::ShaderDesign;
 use crate::fixed::{Format, Rng, Table, exp2};
 use crate::spec::{Colour, Cosine, LightColours, Shader};
 
@@ -189,13 +189,13 @@ impl Sample {
     #[must_use]
     pub fn channels(
         &self,
-        design: &Design,
-        shader: &Shader,
+        design: ShaderDesign<'_>,
         lights: &[(f64, f64)],
         value: impl Fn(&Table, &str, usize) -> f64,
     ) -> [f64; 3] {
         let table = design.tables().iter().find(|table| table.name == COLOURS).expect("a shader's colours");
-        let row = design.spec.interface.shininess.row_of_index(self.material);
+        let shader = design.shader;
+        let row = design.lobe.interface.shininess.row_of_index(self.material);
         let scale = exp2(shader.channel_bits as i32);
         [0, 1, 2].map(|channel| {
             let names = |light: usize| crate::block::shader::datapath::colour_names(shader, channel, light);

@@ -10,7 +10,7 @@ use crate::datapath::widths::Solution;
 use crate::datapath::{Architecture, Datapath};
 use crate::fixed::{Table, exp2};
 use crate::lobe;
-use crate::spec::{CoreSpec, Operand};
+use crate::spec::{LobeSpec, Operand};
 
 /// The most versines at which a row's error is taken.
 const MOST_POINTS: i128 = 2048;
@@ -33,7 +33,7 @@ struct Points {
 
 impl Points {
     /// The points of a row of the coefficient ROM; `None` where nothing of what it serves counts.
-    fn of(spec: &CoreSpec, architecture: &dyn Architecture, table: &Table, row: usize) -> Option<Self> {
+    fn of(spec: &LobeSpec, architecture: &dyn Architecture, table: &Table, row: usize) -> Option<Self> {
         let parts = table.rows() / spec.interface.shininess.rows();
         let (n, one) = (table.keys[row], 1i128 << spec.interface.input_fraction);
         let [first, last] = architecture.versines(row)?;
@@ -73,7 +73,7 @@ impl Points {
         &self,
         bound: f64,
         witnesses: &mut VecDeque<usize>,
-        spec: &CoreSpec,
+        spec: &LobeSpec,
         datapath: &Datapath,
         tables: &[Table],
     ) -> Option<f64> {
@@ -107,7 +107,7 @@ impl Points {
 
 /// The words of a row that give the least error found by steepest descent over the neighbouring integers.
 fn searched(
-    spec: &CoreSpec,
+    spec: &LobeSpec,
     architecture: &dyn Architecture,
     datapath: &Datapath,
     memory: usize,
@@ -159,7 +159,7 @@ fn searched(
 
 /// The solution with the words that the search finds, which are from here on the method's coefficients themselves; with
 /// the rounded ones where the analysis cannot prove the found ones.
-pub(super) fn tuned(spec: &CoreSpec, architecture: &dyn Architecture, solution: Solution) -> Solution {
+pub(super) fn tuned(spec: &LobeSpec, architecture: &dyn Architecture, solution: Solution) -> Solution {
     let datapath = &solution.datapath;
     let Some(memory) = datapath.tables.iter().position(|table| table.name == Table::COEFFICIENTS) else {
         return solution;

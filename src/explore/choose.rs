@@ -222,7 +222,7 @@ impl Constraints {
             ..self.keys.clone()
         };
         let same = wanted.or(own.clone()) == own;
-        same && own.resolve().is_ok_and(|spec| serves(&spec.interface.shininess, &self.shininess))
+        same && own.resolve().is_ok_and(|spec| serves(&spec.block.lobe().interface.shininess, &self.shininess))
     }
 
     /// What a candidate misses, each as log2 of value / allowed and in words.

@@ -8,7 +8,7 @@ use crate::core::{Design, Measured};
 use crate::emit::package::counted;
 use crate::fixed::Table;
 use crate::method::word;
-use crate::spec::{CoreSpec, Pipeline, Shininess};
+use crate::spec::{CoreSpec, LobeSpec, Pipeline, Shininess};
 use crate::synth::{Synthesis, Tools};
 use crate::target::Family;
 
@@ -136,9 +136,10 @@ impl Point {
     #[must_use]
     pub fn unmeasured(core: &Core) -> Self {
         let spec = &core.spec;
-        let about = spec.method.about();
+        let LobeSpec { method, interface } = spec.block.lobe();
+        let (about, options) = (method.about(), method.options());
         let method = about.name.to_owned();
-        let chosen = spec.method.options().coefficients.as_ref().map(word).unwrap_or_default();
+        let chosen = options.coefficients.as_ref().map(word).unwrap_or_default();
         let variant = variant(spec);
         let pipeline = spec.pipeline.to_string();
         let mut name = vec![method.clone()];
@@ -147,10 +148,10 @@ impl Point {
             "inside" | "divider" | "form" | "operand" | "tail" | "objective" => value.clone(),
             _ => format!("{key}={value}"),
         }));
-        name.push(format!("G{}", spec.interface.output_fraction));
-        name.extend((spec.interface.input_fraction != 16).then(|| format!("F{}", spec.interface.input_fraction)));
+        name.push(format!("G{}", interface.output_fraction));
+        name.extend((interface.input_fraction != 16).then(|| format!("F{}", interface.input_fraction)));
         name.extend((spec.pipeline != Pipeline::Auto).then(|| format!("P{pipeline}")));
-        let shininess = match &spec.interface.shininess {
+        let shininess = match &interface.shininess {
             set @ (Shininess::Range(..) | Shininess::Fixed { .. }) => set.to_string(),
             Shininess::List(list) => counted(list.len() as u64, "value"),
             Shininess::Materials(materials) => counted(materials.len() as u64, "material"),
@@ -165,9 +166,9 @@ impl Point {
             coefficients: chosen,
             variant: variant.iter().map(|(key, value)| format!("{key}={value}")).collect::<Vec<_>>().join(" "),
             shininess,
-            rows: spec.interface.shininess.rows() as u32,
-            input_fraction: spec.interface.input_fraction,
-            output_fraction: spec.interface.output_fraction,
+            rows: interface.shininess.rows() as u32,
+            input_fraction: interface.input_fraction,
+            output_fraction: interface.output_fraction,
             pipeline,
             max_abs: 0.0,
             max_rel: 0.0,
@@ -189,7 +190,7 @@ impl Point {
     /// The point of a core with its error, measured on the bit-exact arithmetic; without a cost.
     #[must_use]
     pub fn measured(core: &Core, design: &Design) -> Self {
-        Self::with_measured(core, design, &Measured::of(design))
+        Self::with_measured(core, design, &Measured::of(design.lobe()))
     }
 
     /// As [`Point::measured`], with an error that is measured already.
@@ -201,7 +202,7 @@ impl Point {
             (false, 1) => format!("subset: every shininess, one code of the operand in {}", sweep.step),
             (false, rows) => format!("subset: one shininess in {rows}, one code of the operand in {}", sweep.step),
         };
-        let ulps = design.budget.proved_ulps.iter().fold(0.0, |most: f64, bound| most.max(bound.abs()));
+        let ulps = design.lobe().budget.proved_ulps.iter().fold(0.0, |most: f64, bound| most.max(bound.abs()));
         let [worst_n, versine] = measured.worst;
         Self {
             max_abs: measured.max_abs,
@@ -210,7 +211,7 @@ impl Point {
             worst_n,
             worst_x: 1.0 - versine,
             checked,
-            bound: ulps * design.output_format().lsb(),
+            bound: ulps * design.lobe().output_format().lsb(),
             rom_bits: design.tables().iter().map(Table::bits).sum::<usize>() as u64,
             latency: design.schedule.latency,
             shape: Shape::of(design),

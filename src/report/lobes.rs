@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use rayon::prelude::*;
 
 use super::trade::{Group, Palette, powers_about};
-use crate::core::Design;
+use crate::core::{Design, LobeDesign};
 use crate::datapath::evaluate::Evaluator;
 use crate::explore::Point;
 use crate::fixed::exp2;
@@ -90,7 +90,7 @@ fn places(set: &Shininess, points: &[&Point]) -> Vec<usize> {
 #[must_use]
 pub fn work(points: &[&Point]) -> u64 {
     let spec = points.first().and_then(|point| SpecFields::parse(&point.spec, &point.name).ok()?.resolve().ok());
-    spec.map_or(0, |spec| (places(&spec.interface.shininess, points).len() * points.len()) as u64)
+    spec.map_or(0, |spec| (places(&spec.block.lobe().interface.shininess, points).len() * points.len()) as u64)
 }
 
 /// Builds the cores of points of one group, which have their shininesses and their cosines in common, and measures them
@@ -115,32 +115,33 @@ pub fn measure<'a>(points: &[&'a Point], done: &(dyn Fn() + Sync)) -> Result<Vec
 /// Of each core the shininesses and the largest error of the bit-exact arithmetic against the power. The powers take
 /// longer than the arithmetic, so that they are computed once for all cores.
 fn by_shininess(points: &[&Point], designs: &[Design], done: &(dyn Fn() + Sync)) -> Vec<Vec<(f64, f64)>> {
-    let Some(spec) = designs.first().map(|design| &design.spec) else { return Vec::new() };
-    let rows = spec.interface.shininess.rows();
-    let places = places(&spec.interface.shininess, points);
-    let codes = (1u64 << spec.interface.input_fraction) + 1;
+    let lobes: Vec<LobeDesign> = designs.iter().map(Design::lobe).collect();
+    let Some(&LobeDesign { interface, .. }) = lobes.first() else { return Vec::new() };
+    let rows = interface.shininess.rows();
+    let places = places(&interface.shininess, points);
+    let codes = (1u64 << interface.input_fraction) + 1;
     let step = (codes * rows as u64).div_ceil(MOST_INPUTS) as usize;
-    let one = exp2(spec.interface.input_fraction as i32);
+    let one = exp2(interface.input_fraction as i32);
     let logs: Vec<f64> = (0..codes).step_by(step).map(|versine| libm::log1p(-(versine as f64 / one))).collect();
     let evaluators: Vec<_> = designs.iter().map(Design::evaluator).collect();
     let at = |&row: &usize| -> Vec<(f64, f64)> {
-        let n = spec.interface.shininess.value(row);
+        let n = interface.shininess.value(row);
         // Below e^-40 the power is nothing beside an ulp.
         let power = |log: &f64| if n * log < -40.0 { 0.0 } else { libm::exp(n * log) };
         let powers: Vec<f64> = logs.iter().map(power).collect();
         let mut outputs = vec![0u32; powers.len()];
-        let largest = |(design, evaluator): (&Design, &Evaluator)| {
+        let largest = |(lobe, evaluator): (&LobeDesign, &Evaluator)| {
             // Versine codes upwards are operand codes from this one on, up or down.
-            let first = design.operand_of_versine(0);
-            let stride = (design.operand_of_versine(1) - first) * step as i64;
-            evaluator.evaluate(design.spec.interface.shininess.index_of_row(row), first, stride, &mut outputs);
-            let scale = exp2(-(design.spec.interface.output_fraction as i32));
+            let first = lobe.operand_of_versine(0);
+            let stride = (lobe.operand_of_versine(1) - first) * step as i64;
+            evaluator.evaluate(lobe.interface.shininess.index_of_row(row), first, stride, &mut outputs);
+            let scale = exp2(-(lobe.interface.output_fraction as i32));
             let error = |(&output, power): (&u32, &f64)| (f64::from(output) * scale - power).abs();
             let largest = outputs.iter().zip(&powers).map(error).fold(0.0, f64::max);
             done();
             (n, largest)
         };
-        designs.iter().zip(&evaluators).map(largest).collect()
+        lobes.iter().zip(&evaluators).map(largest).collect()
     };
     let by_row: Vec<Vec<(f64, f64)>> = places.par_iter().map(at).collect();
     (0..designs.len()).map(|core| by_row.iter().map(|row| row[core]).collect()).collect()
@@ -149,25 +150,24 @@ fn by_shininess(points: &[&Point], designs: &[Design], done: &(dyn Fn() + Sync))
 impl Measured<'_> {
     /// The place in the set of the shininess nearest to a wanted one.
     fn nearest(&self, wanted: f64) -> usize {
-        let set = &self.design.spec.interface.shininess;
+        let set = &self.design.lobe().interface.shininess;
         let distance = |&row: &usize| libm::fabs(libm::log(set.value(row) / wanted));
         (0..set.rows()).min_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0)
     }
 
     /// The results from the angle 0 to the widest, at angles of codes of the operand.
     fn against_angle(&self, row: usize, widest: f64) -> Vec<Seen> {
-        let design = &self.design;
-        let (n, index) =
-            (design.spec.interface.shininess.value(row), design.spec.interface.shininess.index_of_row(row));
-        let one = exp2(design.spec.interface.input_fraction as i32);
+        let lobe = self.design.lobe();
+        let (n, index) = (lobe.interface.shininess.value(row), lobe.interface.shininess.index_of_row(row));
+        let one = exp2(lobe.interface.input_fraction as i32);
         let wanted = |step| versine(widest * f64::from(step) / f64::from(ANGLES));
         let mut codes: Vec<i64> = (0..=ANGLES).map(|step| libm::round(wanted(step) * one) as i64).collect();
         codes.dedup();
-        let scale = exp2(-(design.spec.interface.output_fraction as i32));
-        let model = design.model();
+        let scale = exp2(-(lobe.interface.output_fraction as i32));
+        let model = lobe.model();
         let at = |code: i64| {
-            let operand = design.operand_of_versine(code);
-            let u = design.versine(operand);
+            let operand = lobe.operand_of_versine(code);
+            let u = lobe.versine(operand);
             (u, exact(n, u), f64::from(model.evaluate(index, operand)) * scale)
         };
         let seen = |place: usize| {
@@ -219,7 +219,7 @@ pub fn charts(cores: &[Measured], palette: &Palette, chosen: Option<&Point>) -> 
     let mut rows: Vec<usize> = WANTED.iter().map(|&wanted| first.nearest(wanted)).collect();
     rows.dedup();
     for row in rows {
-        let n = first.design.spec.interface.shininess.value(row);
+        let n = first.design.lobe().interface.shininess.value(row);
         let widest = degrees(-libm::expm1(libm::log(LOWEST) / n));
         let seen: Vec<Vec<Seen>> = cores.par_iter().map(|core| core.against_angle(core.nearest(n), widest)).collect();
         let lowest = exp2(-18);

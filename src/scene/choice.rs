@@ -159,8 +159,13 @@ impl<'a> Search<'a> {
     }
 
     fn slots(&self, design: &Design) -> Arc<Slots> {
-        let format = design.operand_format();
-        let key = (design.spec.interface.input_fraction, design.takes_versine(), format.min_code(), format.max_code());
+        let format = design.lobe().operand_format();
+        let key = (
+            design.lobe().interface.input_fraction,
+            design.lobe().takes_versine(),
+            format.min_code(),
+            format.max_code(),
+        );
         let kept = |slots: &Mutex<BTreeMap<PortKey, Arc<Slots>>>| {
             slots.lock().unwrap_or_else(PoisonError::into_inner).get(&key).cloned()
         };
@@ -176,7 +181,7 @@ impl<'a> Search<'a> {
     /// Builds a core and lets it draw; none where none can be built.
     pub(super) fn draw(&self, fields: SpecFields) -> Option<SceneCore> {
         let design = Design::new(fields.resolve().ok()?).ok()?;
-        let (measured, by_row) = Measured::with_rows(&design);
+        let (measured, by_row) = Measured::with_rows(design.lobe());
         let core = Core::new(design.spec.clone(), self.scene.core.family);
         let point = Point::with_measured(&core, &design, &measured);
         let estimate = self.screen.0.estimate(self.screen.1, &point.shape).ok()?;
@@ -194,7 +199,7 @@ impl<'a> Search<'a> {
         });
         let (count, sum) = squares.fold((0u64, 0.0), |(count, sum), square| (count + 1, sum + square));
         let full = self.scene.full_scale();
-        let half_step = exp2(-(design.spec.interface.input_fraction as i32) - 1);
+        let half_step = exp2(-(design.lobe().interface.input_fraction as i32) - 1);
         let bound = |(row, own): (&ShininessRow, &f64)| row.weight * full * (own + row.shininess * half_step).min(1.0);
         let guarantee = self.requirements.rows.iter().zip(&by_row).map(bound).fold(0.0, f64::max);
         let lobe_rms = if count == 0 { 0.0 } else { (sum / count as f64).sqrt() };

@@ -14,7 +14,7 @@ use crate::explore::sweep::Core;
 use crate::explore::{Cost, Point};
 use crate::platform::error::{Error, refuse};
 use crate::platform::{input, tool};
-use crate::spec::{BlockKind, Language, Shininess, SpecFields};
+use crate::spec::{Block, BlockKind, Language, Shininess, SpecFields};
 use crate::target::Family;
 
 /// What computes a core's highlights.
@@ -170,7 +170,8 @@ impl Scene {
 pub(crate) fn name(design: &Design) -> String {
     // Those that need not be named.
     let mut spec = design.spec.clone();
-    spec.interface.shininess = Shininess::Range(1, 1000);
+    let (Block::Lobe(lobe) | Block::Shader(lobe, _)) = &mut spec.block;
+    lobe.interface.shininess = Shininess::Range(1, 1000);
     Point::unmeasured(&Core::new(spec, Family::Ecp5)).name
 }
 
@@ -180,7 +181,7 @@ pub(crate) fn text(design: &Design) -> String {
         "core {}: {}, n = {}, {} clocks",
         design.spec.name,
         name(design),
-        design.spec.interface.shininess.to_string().replace(',', ", "),
+        design.lobe().interface.shininess.to_string().replace(',', ", "),
         design.schedule.latency
     )
 }

@@ -157,14 +157,17 @@ impl Findings<'_> {
                 let note = "drawn by its reflectance: it asks for no lobe".to_owned();
                 return Coded { name: need.name.clone(), shininess: None, code: None, modelled: false, note };
             }
-            let row = design.spec.interface.shininess.row_of_index(code);
+            let row = design.lobe().interface.shininess.row_of_index(code);
             let modelled = need.row.is_some();
             let note = match (modelled, need.used) {
                 (true, _) => String::new(),
                 _ if need.peak_steps == 0.0 => "no highlight: k_s is 0".to_owned(),
                 (_, used) => {
                     let why = if used { "on no lit pixel" } else { "no object has it" };
-                    format!("not modelled: {why}; the nearest row, n = {}", design.spec.interface.shininess.value(row))
+                    format!(
+                        "not modelled: {why}; the nearest row, n = {}",
+                        design.lobe().interface.shininess.value(row)
+                    )
                 }
             };
             Coded { name: need.name.clone(), shininess: Some(need.shininess), code: Some(code), modelled, note }
@@ -176,7 +179,7 @@ impl Findings<'_> {
     fn outside(&self) -> Vec<String> {
         let Self { requirements, chosen, design, scene, .. } = self;
         if let Some(shaded) = self.shaded {
-            let last = shaded.design.spec.interface.shininess.rows() - 1;
+            let last = shaded.design.lobe().interface.shininess.rows() - 1;
             return vec![
                 format!("`in_material` above {last} selects row {last}."),
                 "Vectors of any length and direction have a defined result: each cosine is taken into [0, 1], a light \
@@ -189,17 +192,18 @@ impl Findings<'_> {
                 ),
             ];
         }
-        let last = design.spec.interface.shininess.rows() - 1;
+        let last = design.lobe().interface.shininess.rows() - 1;
         let mut lines = vec![format!(
             "`in_n` above {last} selects row {last}, n = {}.",
-            design.spec.interface.shininess.value(last)
+            design.lobe().interface.shininess.value(last)
         )];
         let operand = design.ports().into_iter().find(|port| port.role == Role::Operand);
         lines.extend(operand.map(|port| format!("`{}`: {}.", port.name, port.meaning)));
-        if design.spec.interface.operand == Operand::Cos && requirements.least_cosine.is_some_and(|least| least < 0.0) {
+        if design.lobe().interface.operand == Operand::Cos && requirements.least_cosine.is_some_and(|least| least < 0.0)
+        {
             lines.push("Negative cosines were met, and give 0.".to_owned());
         }
-        if design.spec.interface.operand == Operand::Cos && design.spec.interface.input_range == InputRange::Unit {
+        if design.lobe().interface.operand == Operand::Cos && design.lobe().interface.input_range == InputRange::Unit {
             lines.push(
                 "No picture has a negative cosine on a lit point; the port has no sign, so give 0 for one.".to_owned(),
             );
@@ -216,7 +220,7 @@ impl Findings<'_> {
             counted(chosen.guaranteed_steps(), "step"),
             chosen.candidate.point.max_abs,
             chosen.candidate.point.checked,
-            design.spec.interface.input_fraction + 1,
+            design.lobe().interface.input_fraction + 1,
         ));
         lines.push(format!(
             "Another shininess than those of the rows is not served; a material that is not modelled is drawn with the \
@@ -325,8 +329,8 @@ impl Findings<'_> {
             "materials": self.materials(),
             "left_out_of_mtl": scene.left_out,
             "ports": {
-                design.operand_name(): design.operand_format().to_string(),
-                design.numbers(Direction::Out)[0].0: design.output_format().to_string(),
+                design.lobe().operand_name(): design.lobe().operand_format().to_string(),
+                design.numbers(Direction::Out)[0].0: design.lobe().output_format().to_string(),
             },
             "pictures": requirements.pictures,
             "size": requirements.size,

@@ -55,18 +55,18 @@ impl Codes {
     /// The codes of a frame's samples for a lobe's core.
     #[must_use]
     pub fn of(design: &Design, scene: &Scene, frame: &Frame) -> Self {
-        let values = design.spec.interface.shininess.values();
+        let values = design.lobe().interface.shininess.values();
         let nearest = |shininess: f64| {
             let away = |row: &usize| (values[*row] - shininess).abs();
             let closer = |a: &usize, b: &usize| away(a).total_cmp(&away(b)).then(values[*a].total_cmp(&values[*b]));
-            design.spec.interface.shininess.index_of_row((0..values.len()).min_by(closer).unwrap_or(0))
+            design.lobe().interface.shininess.index_of_row((0..values.len()).min_by(closer).unwrap_or(0))
         };
         let indices = scene.materials.iter().map(|material| nearest(material.shininess)).collect();
-        let one = exp2(design.spec.interface.input_fraction as i32);
-        let format = design.operand_format();
+        let one = exp2(design.lobe().interface.input_fraction as i32);
+        let format = design.lobe().operand_format();
         let (low, high) = (format.min_code() as f64, format.max_code() as f64);
         let operand = |&versine: &f64| {
-            let value = match design.spec.interface.operand {
+            let value = match design.lobe().interface.operand {
                 Operand::Cos => 1.0 - versine,
                 Operand::Versine => versine,
             };
@@ -116,7 +116,7 @@ impl Highlights for CoreModel<'_> {
     fn of(&self, scene: &Scene, frame: &Frame) -> Result<Vec<f64>, Error> {
         // Each code that is asked for goes through the model once.
         let slots = Slots::of(self.design, scene, std::iter::once(frame));
-        let (model, lsb) = (self.design.model(), self.design.output_format().lsb());
+        let (model, lsb) = (self.design.lobe().model(), self.design.lobe().output_format().lsb());
         let mut results = Vec::new();
         for (index, operands) in &slots.rows {
             let value = |&operand: &i64| f64::from(model.evaluate(*index, operand)) * lsb;
@@ -151,8 +151,8 @@ impl Highlights for Compiled<'_> {
         let codes = Codes::of(self.design, scene, frame);
         let inputs: Vec<(u32, i32)> =
             (0..frame.versine.len()).into_par_iter().filter_map(|sample| codes.sample(frame, sample)).collect();
-        let results = cosim::stream(self.design, self.directory, &inputs, self.progress)?;
-        let lsb = self.design.output_format().lsb();
+        let results = cosim::stream(self.design.lobe(), self.directory, &inputs, self.progress)?;
+        let lsb = self.design.lobe().output_format().lsb();
         let mut results = results.into_iter().map(|code| f64::from(code) * lsb);
         let value = |versine: &f64| if versine.is_nan() { Some(0.0) } else { results.next() };
         // As many as were asked for: `stream` sees to that.

@@ -6,12 +6,12 @@ use super::choice::{SceneChoice, SceneCore, Search};
 use super::require::PictureError;
 use super::trace::{Hit, Tracer};
 use super::{Difference, Exact, Frame, Highlights, Picture, Requirements, Scene};
-use crate::core::Design;
 use crate::core::sample::{self, Sample, Vector};
+use crate::core::{BlockDesign, Design, ShaderDesign};
 use crate::explore::choose::NearMiss;
 use crate::platform::error::{Error, refuse};
 use crate::spec::{
-    BlockKind, Front, INPUT_FRACTION, LightColours, Material, Model, Shader, ShaderFields, Shininess, SpecFields,
+    BlockKind, Front, INPUT_FRACTION, LightColours, Material, Model, ShaderFields, Shininess, SpecFields,
     VECTOR_FRACTION,
 };
 
@@ -179,9 +179,9 @@ impl<'a> Pictures<'a> {
     fn through(&self, design: Design, extent: Extent, done: &(dyn Fn() + Sync)) -> Result<Shaded, Error> {
         let (base, moved) = (PictureError::default(), PictureError::default());
         let mut shaded = Shaded { design, samples: 0, base, moved, missed: Vec::new(), tried: 1 };
-        let shader = shaded.design.spec.block.shader().expect("a shader was asked for").clone();
         for (place, (view, exact)) in self.views.iter().zip(&self.exact).enumerate() {
-            let (own, samples) = picture(&shaded.design, &shader, view, &self.tracer, &|| {})?;
+            let BlockDesign::Shader(shader) = shaded.design.block() else { unreachable!("a shader was asked for") };
+            let (own, samples) = picture(shader, view, &self.tracer, &|| {})?;
             done();
             let error = PictureError::of(&Difference::of(exact, &own), self.scene.channel_bits);
             shaded.samples += samples;
@@ -204,7 +204,7 @@ impl<'a> Pictures<'a> {
     /// As [`make`].
     fn make(&self, lobe: &SpecFields, asked: &ShaderFields, done: &(dyn Fn() + Sync)) -> Result<Shaded, Error> {
         let widths: Vec<u32> = asked.vector_fraction.map_or_else(|| VECTOR_FRACTION.collect(), |bits| vec![bits]);
-        let input = lobe.clone().resolve()?.interface.input_fraction;
+        let input = lobe.clone().resolve()?.block.lobe().interface.input_fraction;
         let mut last = None;
         for finer in FINER.into_iter().filter(|finer| input + finer <= *INPUT_FRACTION.end()) {
             let lobe = SpecFields { input_fraction: Some(input + finer), ..lobe.clone() };
@@ -271,7 +271,9 @@ fn sample(tracer: &Tracer, scene: &Scene, hit: &Hit, row: u32) -> Sample {
 /// The code of `in_material` of each material of the scene; none of a material that the shader does not have.
 #[must_use]
 pub fn rows(design: &Design, scene: &Scene) -> Vec<Option<u32>> {
-    let Shininess::Materials(own) = &design.spec.interface.shininess else { return vec![None; scene.materials.len()] };
+    let Shininess::Materials(own) = &design.lobe().interface.shininess else {
+        return vec![None; scene.materials.len()];
+    };
     let place = |material: &Material| own.iter().position(|known| known.name == material.name).map(|row| row as u32);
     scene.materials.iter().map(place).collect()
 }
@@ -282,13 +284,12 @@ pub fn rows(design: &Design, scene: &Scene) -> Vec<Option<u32>> {
 /// # Errors
 /// A pixel of a material that the shader does not have.
 pub fn picture(
-    design: &Design,
-    shader: &Shader,
+    design: ShaderDesign<'_>,
     scene: &Scene,
     tracer: &Tracer,
     done: &(dyn Fn() + Sync),
 ) -> Result<(Picture, u64), Error> {
-    let (model, rows) = (design.shader_model(shader), rows(design, scene));
+    let (model, rows) = (design.model(), rows(&design, scene));
     let full = scene.full_scale();
     let background = scene.background.map(|channel| libm::round(channel * full) as u16);
     let of_row = |y: u32| -> Result<(Vec<[u16; 3]>, u64), Error> {
@@ -302,7 +303,7 @@ pub fn picture(
                 let name = &scene.materials[hit.material].name;
                 Error::input(format!("the shader has no material {name}"), "make it with a wider --margin")
             })?;
-            let channels = model.evaluate(&sample(tracer, scene, &hit, row).codes(shader));
+            let channels = model.evaluate(&sample(tracer, scene, &hit, row).codes(design.shader));
             codes.push([0, 1, 2].map(|channel| channels[channel] as u16));
             samples += 1;
         }

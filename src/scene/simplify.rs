@@ -179,9 +179,8 @@ fn input(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> S
     let greatest = requirements.rows.iter().map(|row| row.shininess).fold(1.0, f64::max);
     let port = ("input", requirements.input_fraction);
     let measure = ("greatest_shininess", greatest);
-    fewer_bits("fewer bits of the cosine", port, spec.interface.input_fraction, measure, fields, |bits| SpecFields {
-        input_fraction: Some(bits),
-        ..SpecFields::default()
+    fewer_bits("fewer bits of the cosine", port, spec.block.lobe().interface.input_fraction, measure, fields, |bits| {
+        SpecFields { input_fraction: Some(bits), ..SpecFields::default() }
     })
 }
 
@@ -189,9 +188,8 @@ fn output(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> 
     let peak = requirements.materials.iter().map(|need| need.peak_steps).fold(0.0, f64::max);
     let port = ("output", requirements.output_fraction);
     let measure = ("brightest_highlight_steps", peak);
-    fewer_bits("fewer bits of the lobe", port, spec.interface.output_fraction, measure, fields, |bits| SpecFields {
-        output_fraction: Some(bits),
-        ..SpecFields::default()
+    fewer_bits("fewer bits of the lobe", port, spec.block.lobe().interface.output_fraction, measure, fields, |bits| {
+        SpecFields { output_fraction: Some(bits), ..SpecFields::default() }
     })
 }
 
@@ -222,7 +220,8 @@ fn accuracy(
     scene: &Scene,
 ) -> Simplification {
     let point = &chosen.candidate.point;
-    let applies = spec.method.about().name != "log-exp" || spec.method.options().accuracy.is_some();
+    let applies =
+        spec.block.lobe().method.about().name != "log-exp" || spec.block.lobe().method.options().accuracy.is_some();
     let allowed = requirements.budget.steps(scene.channel_bits);
     let reason = if applies {
         format!(
@@ -266,7 +265,7 @@ fn tail(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Si
          {visible:.1} % are of a tail that is seen",
         100.0 * level
     );
-    let objective = spec.method.options().objective;
+    let objective = spec.block.lobe().method.options().objective;
     let what = "the tail that cannot be seen";
     if let Some(objective @ Objective::MaxAbsLevel { .. }) = objective {
         let reason = format!("{seen}; the coefficients are fitted above {objective} only");
@@ -274,7 +273,7 @@ fn tail(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> Si
         let undone = SpecFields { objective: Some(Objective::MaxAbs), ..fields.clone() };
         return Simplification::new(what, reason, &evidence).with(keys, undone);
     }
-    let why = if spec.is_fitted() {
+    let why = if spec.block.lobe().is_fitted() {
         "coefficients fitted to the visible part alone make no cheaper core that keeps the budget"
     } else {
         "the chosen method has no fitted coefficients that could leave it out"
@@ -294,7 +293,7 @@ fn range(requirements: &Requirements, fields: &SpecFields, spec: &CoreSpec) -> S
         return Simplification::new(what, reason, &evidence);
     }
     let reason = format!("no lit sample has a negative cosine: the least is {least:.4}");
-    if spec.interface.input_range != InputRange::Unit {
+    if spec.block.lobe().interface.input_range != InputRange::Unit {
         return Simplification::new(what, reason + "; the keys ask for a port that takes any", &evidence);
     }
     let range = |range: InputRange| SpecFields { input_range: Some(range), ..SpecFields::default() };

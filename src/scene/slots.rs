@@ -35,7 +35,7 @@ impl Slots {
         let mut indices: Vec<u32> = all.zip(seen).filter(|(_, seen)| *seen).map(|(&index, _)| index).collect();
         indices.sort_unstable();
         indices.dedup();
-        let format = design.operand_format();
+        let format = design.lobe().operand_format();
         let (first, last) = (format.min_code() as i64, format.max_code() as i64);
         // A bit for each code of each row, in words: whether it is asked for.
         let words = (last - first) as usize / 64 + 1;
@@ -85,7 +85,7 @@ impl Slots {
     /// The core's results for all of the codes.
     pub(super) fn results(&self, design: &Design) -> Vec<f64> {
         let evaluator = design.evaluator();
-        let lsb = design.output_format().lsb();
+        let lsb = design.lobe().output_format().lsb();
         let of_row = |(index, operands): &(u32, Vec<i64>)| {
             let mut results = Vec::with_capacity(operands.len());
             let mut outputs = vec![0u32; 4096];

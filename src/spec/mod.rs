@@ -18,9 +18,9 @@ use sha2::{Digest, Sha256};
 
 pub(crate) use crate::block::shader::unit;
 pub use crate::block::shader::{
-    Block, BlockKind, CHANNEL_BITS, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, Surface,
-    VECTOR_FRACTION,
+    CHANNEL_BITS, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, Surface, VECTOR_FRACTION,
 };
+pub use crate::block::{Block, BlockKind, LobeSpec};
 pub use crate::datapath::schedule::{PIPELINE_DEPTH, Pipeline};
 pub use crate::fit::Inside;
 pub use crate::method::cubic::Tail;
@@ -37,7 +37,7 @@ pub(crate) use name::check_name;
 pub use reference::reference;
 
 use crate::emit::rom::RomFormat;
-use crate::platform::error::{Error, refuse};
+use crate::platform::error::Error;
 
 /// Fraction bits of a fixed-point shininess that are allowed.
 pub const SHININESS_FRACTION: std::ops::RangeInclusive<u32> = 0..=10;
@@ -120,12 +120,8 @@ impl VhdlPorts {
 pub struct CoreSpec {
     /// The name of the core, its module and its files.
     pub name: String,
-    /// What the core is: the lobe that the other keys describe, or a shader around it.
+    /// What the core is: a lobe, or a shader around one.
     pub block: Block,
-    /// The method with its options.
-    pub method: Configured,
-    /// The shininesses and the formats of the lobe's ports.
-    pub interface: Interface,
     /// Where the HDL finds the coefficients.
     pub rom: RomStyle,
     /// The ROM files that are written beside the HDL; always holds [`RomFormat::Mem`].
@@ -166,12 +162,6 @@ impl CoreSpec {
         SpecFields::from_spec(self).to_toml()
     }
 
-    /// Whether the coefficients are fitted.
-    #[must_use]
-    pub fn is_fitted(&self) -> bool {
-        self.method.options().coefficients == Some(Coefficients::Minimax)
-    }
-
     /// The first 16 hexadecimal digits of the SHA-256 of [`CoreSpec::to_toml`].
     #[must_use]
     pub fn digest(&self) -> String {
@@ -183,12 +173,13 @@ impl CoreSpec {
     /// # Errors
     /// A shader, or a shininess that the core does not have.
     pub fn row_of(&self, n: f64) -> Result<usize, Error> {
-        refuse!(
-            self.block.shader().is_some(),
-            format!("the core {} is a shader, which has materials and no shininess", self.name),
-            "ask a lobe"
-        );
-        let set = &self.interface.shininess;
+        let Block::Lobe(LobeSpec { interface, .. }) = &self.block else {
+            return Err(Error::input(
+                format!("the core {} is a shader, which has materials and no shininess", self.name),
+                "ask a lobe",
+            ));
+        };
+        let set = &interface.shininess;
         set.values().iter().position(|&own| own == n).ok_or_else(|| {
             let all = if set.rows() > 20 { format!("{} of them", set.rows()) } else { set.to_string() };
             Error::input(format!("the core has no shininess {n}"), format!("it has {all}"))
@@ -207,8 +198,11 @@ impl CoreSpec {
     pub fn command(&self) -> String {
         let command = format!("brdfgen generate {}", self.flags().join(" "));
         // No flag gives a material's colours.
-        let coloured = match (&self.interface.shininess, self.block.shader()) {
-            (Shininess::Materials(materials), Some(_)) => materials.iter().any(|material| !material.is_plain()),
+        let coloured = match &self.block {
+            Block::Shader(
+                LobeSpec { interface: Interface { shininess: Shininess::Materials(materials), .. }, .. },
+                _,
+            ) => materials.iter().any(|material| !material.is_plain()),
             _ => false,
         };
         if command.len() <= 88 && !coloured { command } else { "brdfgen generate core.toml".to_owned() }

@@ -1,8 +1,8 @@
 //! From what was written to a core's spec, with every default and every check, and back.
 
 use super::{
-    Block, BlockKind, CoreSpec, Cosine, Form, INPUT_FRACTION, InputRange, Interface, Language, Material,
-    OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, ShaderFields, Shininess,
+    Block, BlockKind, CoreSpec, Cosine, Form, INPUT_FRACTION, InputRange, Interface, Language, LobeSpec, Material,
+    OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, Shader, ShaderFields, Shininess,
     SpecFields, TUSER_BITS, VhdlPorts, check_name,
 };
 use crate::emit::rom::RomFormat;
@@ -21,26 +21,26 @@ impl SpecFields {
                 "give --method quadratic, --method cubic or another, or a spec file",
             ));
         };
-        let block = self.resolved_block()?;
-        let (operand, input_range) = self.resolved_operand(&block)?;
-        let set = self.given_set(&block)?;
+        let shader = self.resolved_shader()?;
+        let (operand, input_range) = self.resolved_operand(shader.as_ref())?;
+        let set = self.given_set(shader.as_ref())?;
         let form = self.form.unwrap_or(Form::Stable);
         let method = Configured::new(method, &Options { form: Some(form), ..self.options() })?;
-        let shininess = self.resolved_set(set, method.about(), &block)?;
+        let shininess = self.resolved_set(set, method.about(), shader.as_ref())?;
         if let Some(Pipeline::Depth(depth)) = self.pipeline {
             within("pipeline", depth, PIPELINE_DEPTH)?;
         }
         // A channel's last bit is worth sixteen of the lobe's, and a step of the cosine moves a highlight of n = 256 by
         // one.
         let (input_fraction, output_fraction) =
-            block.shader().map_or((16, 16), |shader| (shader.channel_bits + 8, shader.channel_bits + 4));
+            shader.as_ref().map_or((16, 16), |shader| (shader.channel_bits + 8, shader.channel_bits + 4));
         let input_fraction = within("input_fraction", self.input_fraction.unwrap_or(input_fraction), INPUT_FRACTION)?;
         let output_fraction =
             within("output_fraction", self.output_fraction.unwrap_or(output_fraction), OUTPUT_FRACTION)?;
         let interface = Interface { shininess, input_fraction, output_fraction, operand, input_range };
         method.check(&interface)?;
         let axi_stream = self.resolved_axi_stream();
-        let name = self.name.unwrap_or_else(|| default_name(method.about(), form, &block));
+        let name = self.name.unwrap_or_else(|| default_name(method.about(), form, shader.as_ref()));
         check_name(&name)?;
         let languages = resolved_languages(self.languages)?;
         let vhdl_ports = self.vhdl_ports.unwrap_or_default();
@@ -56,9 +56,10 @@ impl SpecFields {
         rom_formats.dedup();
         Ok(CoreSpec {
             name,
-            block,
-            method,
-            interface,
+            block: match shader {
+                None => Block::Lobe(LobeSpec { method, interface }),
+                Some(shader) => Block::Shader(LobeSpec { method, interface }, shader),
+            },
             rom: self.rom.unwrap_or(RomStyle::Inline),
             rom_formats,
             pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
@@ -69,8 +70,8 @@ impl SpecFields {
         })
     }
 
-    /// The lobe alone, or the shader around it.
-    fn resolved_block(&self) -> Result<Block, Error> {
+    /// The shader around the lobe, if there is one.
+    fn resolved_shader(&self) -> Result<Option<Shader>, Error> {
         match self.block.unwrap_or_default() {
             BlockKind::Shader => {
                 let shader = self.shader.clone().resolve()?;
@@ -80,9 +81,9 @@ impl SpecFields {
                         "use rom = \"inline\" or \"file\"",
                     ));
                 }
-                Ok(Block::Shader(shader))
+                Ok(Some(shader))
             }
-            BlockKind::Lobe if self.shader.is_empty() => Ok(Block::Lobe),
+            BlockKind::Lobe if self.shader.is_empty() => Ok(None),
             BlockKind::Lobe => {
                 Err(Error::input("keys of a shader are given for a lobe", "use --block shader, or leave them out"))
             }
@@ -90,23 +91,23 @@ impl SpecFields {
     }
 
     /// What the lobe is given, and which codes of it: in a shader what its front end computes.
-    fn resolved_operand(&self, block: &Block) -> Result<(Operand, InputRange), Error> {
-        let operand = match (block.shader(), self.operand) {
+    fn resolved_operand(&self, shader: Option<&Shader>) -> Result<(Operand, InputRange), Error> {
+        let operand = match (shader, self.operand) {
             (None, operand) => operand.unwrap_or(Operand::Cos),
             (Some(_), Some(_)) => return Err(Error::input("a shader computes its own cosine", "leave operand out")),
             (Some(shader), None) if shader.cosine == Cosine::Half => Operand::Versine,
             (Some(_), None) => Operand::Cos,
         };
-        if block.shader().is_some() && self.input_range.is_some() {
+        if shader.is_some() && self.input_range.is_some() {
             return Err(Error::input("a shader keeps its own cosine in [0, 1]", "leave input_range out"));
         }
         Ok((operand, self.input_range.unwrap_or(InputRange::Any)))
     }
 
     /// The shininesses or the materials, whichever are given.
-    fn given_set(&self, block: &Block) -> Result<Shininess, Error> {
+    fn given_set(&self, shader: Option<&Shader>) -> Result<Shininess, Error> {
         let (what, allowed) = match (&self.shininess, &self.material) {
-            (set, None) if block.shader().is_some() => {
+            (set, None) if shader.is_some() => {
                 let set = set.as_ref().map_or("no materials".to_owned(), |set| format!("the shininess {set}"));
                 let allowed = "a shader serves materials: give --material NAME=N, or [[material]] in a spec file";
                 (format!("the block shader is given {set}"), allowed)
@@ -122,7 +123,7 @@ impl SpecFields {
     }
 
     /// The shininesses with the fraction bits of a range and the surfaces of a shader's materials.
-    fn resolved_set(&self, set: Shininess, about: &About, block: &Block) -> Result<Shininess, Error> {
+    fn resolved_set(&self, set: Shininess, about: &About, shader: Option<&Shader>) -> Result<Shininess, Error> {
         let frac_bits = within("shininess_fraction", self.shininess_fraction.unwrap_or(0), SHININESS_FRACTION)?;
         let set = match set {
             set if frac_bits == 0 => set,
@@ -135,7 +136,7 @@ impl SpecFields {
             }
         };
         set.check()?;
-        let set = match (set, block.shader()) {
+        let set = match (set, shader) {
             (Shininess::Materials(materials), Some(_)) => {
                 materials.iter().try_for_each(Material::check_surface)?;
                 Shininess::Materials(materials.into_iter().map(Material::with_surface).collect())
@@ -169,44 +170,56 @@ impl SpecFields {
     /// The fields of a resolved spec, all given.
     #[must_use]
     pub fn from_spec(spec: &CoreSpec) -> Self {
-        let (shininess, material, shininess_fraction) = match &spec.interface.shininess {
+        let shader = spec.block.shader();
+        let common = Self {
+            name: Some(spec.name.clone()),
+            block: shader.map(|_| BlockKind::Shader),
+            rom: Some(spec.rom),
+            rom_formats: Some(spec.rom_formats.clone()),
+            pipeline: Some(spec.pipeline),
+            languages: Some(spec.languages.clone()),
+            // These keys are younger than specs that are compared by their digests.
+            vhdl_ports: Some(spec.vhdl_ports).filter(|&ports| ports != VhdlPorts::default()),
+            axi_stream: spec.axi_stream.map(|_| true),
+            tuser_bits: spec.axi_stream,
+            golden_inputs: Some(spec.golden_inputs.clone()).filter(|inputs| !inputs.0.is_empty()),
+            shader: shader.map(ShaderFields::from_shader).unwrap_or_default(),
+            ..Self::default()
+        };
+        match &spec.block {
+            Block::Lobe(lobe) => {
+                let Interface { operand, input_range, .. } = lobe.interface;
+                let input_range = Some(input_range).filter(|&range| range != InputRange::Any);
+                Self { operand: Some(operand), input_range, ..common }.with_lobe(lobe)
+            }
+            Block::Shader(lobe, _) => common.with_lobe(lobe),
+        }
+    }
+
+    /// With what both a lobe alone and that of a shader are given.
+    fn with_lobe(self, LobeSpec { method, interface }: &LobeSpec) -> Self {
+        let (shininess, material, shininess_fraction) = match &interface.shininess {
             Shininess::Materials(materials) => (None, Some(materials.clone()), None),
             &Shininess::Fixed { first, last, frac_bits } => {
                 (Some(Shininess::Range(first, last)), None, Some(frac_bits))
             }
             set => (Some(set.clone()), None, None),
         };
-        let shader = spec.block.shader();
-        let options = Options { form: Some(spec.method.form()), ..spec.method.options() };
         Self {
-            name: Some(spec.name.clone()),
-            block: shader.map(|_| BlockKind::Shader),
-            method: Some(spec.method.name()),
+            method: Some(method.name()),
             shininess,
             shininess_fraction,
-            input_fraction: Some(spec.interface.input_fraction),
-            output_fraction: Some(spec.interface.output_fraction),
-            operand: shader.is_none().then_some(spec.interface.operand),
-            rom: Some(spec.rom),
-            rom_formats: Some(spec.rom_formats.clone()),
-            pipeline: Some(spec.pipeline),
-            languages: Some(spec.languages.clone()),
-            // These keys are younger than specs that are compared by their digests.
-            input_range: Some(spec.interface.input_range).filter(|&range| range != InputRange::Any),
-            vhdl_ports: Some(spec.vhdl_ports).filter(|&ports| ports != VhdlPorts::default()),
-            axi_stream: spec.axi_stream.map(|_| true),
-            tuser_bits: spec.axi_stream,
-            golden_inputs: Some(spec.golden_inputs.clone()).filter(|inputs| !inputs.0.is_empty()),
+            input_fraction: Some(interface.input_fraction),
+            output_fraction: Some(interface.output_fraction),
             material,
-            shader: shader.map(ShaderFields::from_shader).unwrap_or_default(),
-            ..Self::default().with_options(options)
+            ..self.with_options(Options { form: Some(method.form()), ..method.options() })
         }
     }
 }
 
 /// What a core is called whose spec has no name.
-fn default_name(about: &About, form: Form, block: &Block) -> String {
-    if block.shader().is_some() {
+fn default_name(about: &About, form: Form, shader: Option<&Shader>) -> String {
+    if shader.is_some() {
         return "shader".to_owned();
     }
     let name = about.core_name.map_or_else(|| about.name.replace('-', "_"), str::to_owned);

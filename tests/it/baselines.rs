@@ -25,21 +25,21 @@ fn design(spec: &str) -> Design {
 /// which is below one output ulp, and at every `stride`th code equal to the model.
 fn assert_every_input(spec: &str, row_step: usize, stride: i64) {
     let design = design(spec);
-    let [low, high] = design.budget.proved_ulps;
+    let [low, high] = design.lobe().budget.proved_ulps;
     assert!(-1.0 < low && high < 1.0, "{spec}: proved {low}..{high}");
-    let scale = exp2(design.spec.interface.output_fraction as i32);
-    let (first, count) = all_codes(design.operand_format());
-    let (evaluator, model, lobes) = (design.evaluator(), design.model(), design.lobes());
+    let scale = exp2(design.lobe().interface.output_fraction as i32);
+    let (first, count) = all_codes(design.lobe().operand_format());
+    let (evaluator, model, lobes) = (design.evaluator(), design.lobe().model(), design.lobe().lobes);
     let compared = AtomicU64::new(0);
-    let rows: Vec<usize> = (0..design.spec.interface.shininess.rows()).step_by(row_step).collect();
+    let rows: Vec<usize> = (0..design.lobe().interface.shininess.rows()).step_by(row_step).collect();
     rows.par_iter().for_each(|&row| {
-        let index = design.spec.interface.shininess.index_of_row(row);
+        let index = design.lobe().interface.shininess.index_of_row(row);
         let mut outputs = vec![0u32; count as usize];
         evaluator.evaluate(index, first, 1, &mut outputs);
         let mut own = 0;
         for (offset, &output) in outputs.iter().enumerate() {
             let operand = first + offset as i64;
-            let error = f64::from(output) - lobes[row].at(design.versine(operand)) * scale;
+            let error = f64::from(output) - lobes[row].at(design.lobe().versine(operand)) * scale;
             // The method itself is computed in double precision here.
             assert!(
                 low - 1e-6 <= error && error <= high + 1e-6 && f64::from(output) <= scale,
@@ -97,7 +97,7 @@ fn squaring_is_within_the_proof_for_every_input() {
 #[test]
 fn squaring_is_the_power() {
     let design = design("method = 'squaring'\nshininess = [1, 4, 16, 64, 256, 1024]");
-    let measured = Measured::of(&design);
+    let measured = Measured::of(design.lobe());
     assert!(measured.sweep.exhaustive && measured.max_abs < exp2(-16) && measured.max_abs > exp2(-18));
     assert_eq!(evaluate(&design, 5, 1 << 16), 1 << 16);
     assert_eq!([evaluate(&design, 0, 0), evaluate(&design, 3, -5)], [0, 0]);
@@ -204,7 +204,7 @@ proptest! {
 
 /// The largest |hardware - x^n| over every input.
 fn largest_error(spec: &str) -> f64 {
-    let measured = Measured::of(&design(spec));
+    let measured = Measured::of(design(spec).lobe());
     assert!(measured.sweep.exhaustive, "{spec}");
     measured.max_abs
 }
@@ -288,10 +288,19 @@ fn the_sizes_are_written_back() {
     }
     for method in ["schlick", "squaring", "harris", "table"] {
         let text = format!("method = '{method}'\nshininess = [4]");
-        assert!(SpecFields::parse(&text, "test").and_then(SpecFields::resolve).unwrap().method.about().is_baseline);
+        assert!(
+            SpecFields::parse(&text, "test")
+                .and_then(SpecFields::resolve)
+                .unwrap()
+                .block
+                .lobe()
+                .method
+                .about()
+                .is_baseline
+        );
     }
     let other = SpecFields::parse("method = 'log-exp'\nshininess = [4]", "test").and_then(SpecFields::resolve).unwrap();
-    assert!(!other.method.about().is_baseline && !other.to_toml().contains("_bits"));
+    assert!(!other.block.lobe().method.about().is_baseline && !other.to_toml().contains("_bits"));
 }
 
 /// The lobes' numbers where they are known exactly.

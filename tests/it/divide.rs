@@ -25,20 +25,21 @@ fn design(spec: &str) -> Design {
 /// `stride`th code, equal to the model.
 fn assert_every_input(spec: &str, stride: i64) {
     let design = design(spec);
-    let [low, high] = design.budget.proved_ulps;
+    let [low, high] = design.lobe().budget.proved_ulps;
     assert!(-1.0 < low && high < 1.0, "{spec}: proved {low}..{high}");
-    let (first, count) = all_codes(design.operand_format());
-    let (evaluator, model, lobes) = (design.evaluator(), design.model(), design.lobes());
-    let one = 1u32 << design.spec.interface.output_fraction;
+    let (first, count) = all_codes(design.lobe().operand_format());
+    let (evaluator, model, lobes) = (design.evaluator(), design.lobe().model(), design.lobe().lobes);
+    let one = 1u32 << design.lobe().interface.output_fraction;
     let compared = AtomicU64::new(0);
-    (0..design.spec.interface.shininess.rows()).into_par_iter().for_each(|row| {
-        let index = design.spec.interface.shininess.index_of_row(row);
+    (0..design.lobe().interface.shininess.rows()).into_par_iter().for_each(|row| {
+        let index = design.lobe().interface.shininess.index_of_row(row);
         let mut outputs = vec![0u32; count as usize];
         evaluator.evaluate(index, first, 1, &mut outputs);
         let mut own = 0;
         for (offset, &output) in outputs.iter().enumerate() {
             let operand = first + offset as i64;
-            let method = lobes[row].at(design.versine(operand)) * exp2(design.spec.interface.output_fraction as i32);
+            let method =
+                lobes[row].at(design.lobe().versine(operand)) * exp2(design.lobe().interface.output_fraction as i32);
             let error = f64::from(output) - method;
             // The method itself is computed in double precision here.
             assert!(
@@ -52,7 +53,7 @@ fn assert_every_input(spec: &str, stride: i64) {
         }
         compared.fetch_add(own, Ordering::Relaxed);
     });
-    let expected = design.spec.interface.shininess.rows() as u64 * count / stride.unsigned_abs();
+    let expected = design.lobe().interface.shininess.rows() as u64 * count / stride.unsigned_abs();
     assert!(compared.into_inner() >= expected / 2, "{spec}: too few compared with the model");
 }
 
@@ -195,8 +196,8 @@ proptest! {
         let spec = format!("{core}\nshininess = '{first}..={}'\ninput_fraction = {f}\noutput_fraction = \
          {g}", first + 7);
         let design = design(&spec);
-        let [low, high] = design.budget.proved_ulps;
-        let (least, count) = all_codes(design.operand_format());
+        let [low, high] = design.lobe().budget.proved_ulps;
+        let (least, count) = all_codes(design.lobe().operand_format());
         let highlight = (4.0 / f64::from(first) * exp2(f as i32)) as u64 + 1;
         for code in codes {
             let index = first + (code % 8) as u32;
@@ -205,8 +206,8 @@ proptest! {
             let operand = if code & 64 == 0 { least + (code >> 8) as i64 % count as i64 } else { near_top };
             let mut output = [0];
             design.evaluator().evaluate(index, operand, 1, &mut output);
-            prop_assert_eq!(design.model().evaluate(index, operand), output[0], "{} {} {}", &spec, index, operand);
-            let method = design.lobes()[(index - first) as usize].at(design.versine(operand)) * exp2(g as i32);
+            prop_assert_eq!(design.lobe().model().evaluate(index, operand), output[0], "{} {} {}", &spec, index, operand);
+            let method = design.lobe().lobes[(index - first) as usize].at(design.lobe().versine(operand)) * exp2(g as i32);
             let error = f64::from(output[0]) - method;
             prop_assert!(low - 1e-6 <= error && error <= high + 1e-6, "{} {} {}: {}", &spec, index, operand, error);
         }
@@ -218,7 +219,7 @@ proptest! {
 fn ends_and_the_identity_are_exact() {
     for core in cores() {
         let design = design(&format!("{core}\nshininess = '1..=1000'\noutput_fraction = 18"));
-        let model = design.model();
+        let model = design.lobe().model();
         for n in 1..=1000 {
             assert_eq!(model.evaluate(n, 1 << 16), 1 << 18, "{core} n = {n}");
             assert_eq!(model.evaluate(n, 0), 0, "{core} n = {n}");
@@ -235,16 +236,16 @@ fn ends_and_the_identity_are_exact() {
 fn the_seam_is_below_an_ulp() {
     for divider in DIVIDERS {
         let design = design(&format!("method = 'cubic-rational'\ndivider = '{divider}'\nshininess = '1..=1000'"));
-        let (evaluator, lobes) = (design.evaluator(), design.lobes());
+        let (evaluator, lobes) = (design.evaluator(), design.lobe().lobes);
         let cuts = &design.tables()[0].field("cut").codes;
         let mut largest = [0.0f64; 2];
         for row in 0..1000 {
-            let index = design.spec.interface.shininess.index_of_row(row);
-            let operand = design.operand_of_versine(cuts[row] as i64 + 1);
+            let index = design.lobe().interface.shininess.index_of_row(row);
+            let operand = design.lobe().operand_of_versine(cuts[row] as i64 + 1);
             let mut around = [0; 2];
             evaluator.evaluate(index, operand, 1, &mut around);
             let [tail, cubic] = around.map(f64::from);
-            let at = |operand: i64| lobes[row].at(design.versine(operand)) * exp2(16);
+            let at = |operand: i64| lobes[row].at(design.lobe().versine(operand)) * exp2(16);
             let (own, method) = (cubic - tail, at(operand + 1) - at(operand));
             largest = [largest[0].max(own.abs() - method.abs()), largest[1].max((own - method).abs())];
         }
@@ -277,7 +278,7 @@ fn every_pipeline_depth_computes_the_same() {
                     outputs.push(out.codes[0] as u32);
                 }
             }
-            let expected: Vec<u32> = stimuli.iter().map(|&(n, x)| design.model().evaluate(n, x)).collect();
+            let expected: Vec<u32> = stimuli.iter().map(|&(n, x)| design.lobe().model().evaluate(n, x)).collect();
             assert_eq!(outputs, expected, "{core} depth {depth}");
         }
     }

@@ -21,13 +21,13 @@ fn design(spec: &str) -> Design {
 }
 
 fn assert_proof(design: &Design, spec: &str) {
-    let [low, high] = design.budget.proved_ulps;
+    let [low, high] = design.lobe().budget.proved_ulps;
     assert!(-1.0 < low && high < 1.0, "{spec}: proved {low}..{high}");
 }
 
 /// The real-valued method at a port code, in output ulps: saturated inputs included.
 fn method_ulps(design: &Design, lobe: &dyn brdfgen::lobe::Lobe, operand: i64) -> f64 {
-    lobe.at(design.versine(operand)) * exp2(design.spec.interface.output_fraction as i32)
+    lobe.at(design.lobe().versine(operand)) * exp2(design.lobe().interface.output_fraction as i32)
 }
 
 /// Every code of the operand port for every row: the evaluator is within the proved bound of the method, and, at every
@@ -35,13 +35,13 @@ fn method_ulps(design: &Design, lobe: &dyn brdfgen::lobe::Lobe, operand: i64) ->
 fn assert_every_input(spec: &str, stride: i64) {
     let design = design(spec);
     assert_proof(&design, spec);
-    let [low, high] = design.budget.proved_ulps;
-    let (first, count) = all_codes(design.operand_format());
-    let (evaluator, model, lobes) = (design.evaluator(), design.model(), design.lobes());
-    let one = 1u32 << design.spec.interface.output_fraction;
+    let [low, high] = design.lobe().budget.proved_ulps;
+    let (first, count) = all_codes(design.lobe().operand_format());
+    let (evaluator, model, lobes) = (design.evaluator(), design.lobe().model(), design.lobe().lobes);
+    let one = 1u32 << design.lobe().interface.output_fraction;
     let compared = AtomicU64::new(0);
-    (0..design.spec.interface.shininess.rows()).into_par_iter().for_each(|row| {
-        let index = design.spec.interface.shininess.index_of_row(row);
+    (0..design.lobe().interface.shininess.rows()).into_par_iter().for_each(|row| {
+        let index = design.lobe().interface.shininess.index_of_row(row);
         let mut outputs = vec![0u32; count as usize];
         evaluator.evaluate(index, first, 1, &mut outputs);
         let mut own = 0;
@@ -60,7 +60,7 @@ fn assert_every_input(spec: &str, stride: i64) {
         }
         compared.fetch_add(own, Ordering::Relaxed);
     });
-    let expected = design.spec.interface.shininess.rows() as u64 * count / stride.unsigned_abs();
+    let expected = design.lobe().interface.shininess.rows() as u64 * count / stride.unsigned_abs();
     assert!(compared.into_inner() >= expected / 2, "{spec}: too few compared with the model");
 }
 
@@ -155,10 +155,11 @@ fn a_core_for_the_codes_from_0_to_1_needs_no_limits_and_agrees_with_one_for_any(
                 design.graph().nodes.iter().filter(of_port).any(limit)
             };
             assert!(limits(&any) && !limits(&unit), "{kind}");
-            assert_eq!(unit.operand_format().width(), 11, "{kind}: no sign");
+            assert_eq!(unit.lobe().operand_format().width(), 11, "{kind}: no sign");
             for row in 0..5 {
                 for operand in 0..=1024i64 {
-                    let (any, unit) = (any.model().evaluate(row, operand), unit.model().evaluate(row, operand));
+                    let (any, unit) =
+                        (any.lobe().model().evaluate(row, operand), unit.lobe().model().evaluate(row, operand));
                     assert_eq!(any, unit, "{kind}: row {row}, operand {operand}");
                 }
             }
@@ -342,10 +343,10 @@ proptest! {
          {g}", first + 7);
         let design = design(&spec);
         assert_proof(&design, &spec);
-        let (least, count) = all_codes(design.operand_format());
+        let (least, count) = all_codes(design.lobe().operand_format());
         let highlight = (4.0 / f64::from(first) * exp2(f as i32)) as u64 + 1;
-        let [low, high] = design.budget.proved_ulps;
-        let lobes = design.lobes();
+        let [low, high] = design.lobe().budget.proved_ulps;
+        let lobes = design.lobe().lobes;
         for code in codes {
             let index = first + (code % 8) as u32;
             // Half of them on the highlight, where there is something to differ.
@@ -353,7 +354,7 @@ proptest! {
             let operand = if code & 64 == 0 { least + (code >> 8) as i64 % count as i64 } else { near_top };
             let mut output = [0];
             design.evaluator().evaluate(index, operand, 1, &mut output);
-            prop_assert_eq!(design.model().evaluate(index, operand), output[0], "{} {} {}", &spec, index, operand);
+            prop_assert_eq!(design.lobe().model().evaluate(index, operand), output[0], "{} {} {}", &spec, index, operand);
             let error = f64::from(output[0]) - method_ulps(&design, lobes[(code % 8) as usize].as_ref(), operand);
             prop_assert!(low - 1e-6 <= error && error <= high + 1e-6, "{}: {} {}: {}", &spec, index, operand, error);
         }
@@ -380,7 +381,7 @@ fn assert_pipeline(design: &Design, depth: Pipeline, what: &str) {
     if let Pipeline::Depth(depth) = depth {
         assert_eq!(latency, depth as usize);
     }
-    let indices = 1 << design.index_format().width();
+    let indices = 1 << design.lobe().index_format().width();
     let mut simulation = Simulation::new(design.graph(), &schedule, design.tables());
     let stimuli: Vec<(u32, i64)> = (0..60).map(|i| (i * 5 % indices, i64::from(i) * 17 % 300 - 20)).collect();
     let mut outputs = Vec::new();
@@ -401,7 +402,7 @@ fn assert_pipeline(design: &Design, depth: Pipeline, what: &str) {
         }
         assert!(step < 1000, "{what}: results are missing");
     }
-    let expected: Vec<u32> = stimuli.iter().map(|&(n, x)| design.model().evaluate(n, x)).collect();
+    let expected: Vec<u32> = stimuli.iter().map(|&(n, x)| design.lobe().model().evaluate(n, x)).collect();
     assert_eq!(outputs, expected, "{what}");
     for ce in [true, false] {
         simulation.clock(&Inputs { ce: true, in_valid: true, ..Inputs::default() });
@@ -415,9 +416,9 @@ fn assert_pipeline(design: &Design, depth: Pipeline, what: &str) {
 #[test]
 fn the_measurement_is_exhaustive_and_within_the_proof() {
     let design = design("method = 'cubic'\nshininess = '1..=1000'");
-    let measured = Measured::of(&design);
+    let measured = Measured::of(design.lobe());
     assert!(measured.sweep.exhaustive && measured.sweep.inputs == 65_537_000);
-    let [low, high] = design.budget.proved_ulps;
+    let [low, high] = design.lobe().budget.proved_ulps;
     assert!(low <= measured.ulps[0] && measured.ulps[1] <= high);
     // The papers' cubic: 0.551 % absolute and 0.689 % to 0.70 % relative on the epicentre; the ulp adds 0.002 %.
     assert!((measured.max_abs_epicentre - 0.005_51).abs() < 5e-5, "{}", measured.max_abs_epicentre);
@@ -431,11 +432,11 @@ fn ends_are_exact() {
     for kind in kinds() {
         let design = design(&format!("{kind}\nshininess = '1..=1000'\noutput_fraction = 11"));
         for n in 1..=1000 {
-            let top = design.model().evaluate(n, 1 << 16);
+            let top = design.lobe().model().evaluate(n, 1 << 16);
             let error = if kind.spec.contains("segmented-2") { 19 } else { 8 };
             let exact = top == 1 << 11;
             assert!(exact || kind.spec.contains("segmented") && (1 << 11) - top <= error, "{kind} n = {n}: {top}");
-            assert_eq!(design.model().evaluate(n, 0), 0, "{kind} n = {n}");
+            assert_eq!(design.lobe().model().evaluate(n, 0), 0, "{kind} n = {n}");
         }
     }
 }
@@ -468,8 +469,8 @@ fn golden_vectors_notice_every_flipped_rom_bit() {
 
 fn assert_flips_are_noticed(spec: &str) {
     let design = design(spec);
-    let set = &design.spec.interface.shininess;
-    let codes = (1usize << design.spec.interface.input_fraction) + 1;
+    let set = &design.lobe().interface.shininess;
+    let codes = (1usize << design.lobe().interface.input_fraction) + 1;
     let golden = brdfgen::verify::golden::Golden::of(&design);
     let vectors: Vec<(u32, i64)> = golden.vectors().iter().map(|v| (v.inputs[0] as u32, v.inputs[1])).collect();
     // The vectors and the places of the set that read each row of the ROM.
@@ -562,11 +563,11 @@ fn the_smallest_cores_are_the_same_everywhere() {
             Err(error) => panic!("{spec}: {error}"),
         };
         made.fetch_add(1, Ordering::Relaxed);
-        let (first, count) = all_codes(design.operand_format());
-        let (evaluator, model) = (design.evaluator(), design.model());
+        let (first, count) = all_codes(design.lobe().operand_format());
+        let (evaluator, model) = (design.evaluator(), design.lobe().model());
         // Of a port of many bits the codes about both ends of the set.
-        let last = design.index_format().max_code() as u32;
-        let set = &design.spec.interface.shininess;
+        let last = design.lobe().index_format().max_code() as u32;
+        let set = &design.lobe().interface.shininess;
         let mut indices: Vec<u32> = (0..4).chain(last..=last).collect();
         let ends = [set.index_of_row(0), set.index_of_row(set.rows() - 1)];
         indices.extend(ends.iter().flat_map(|&end| end.saturating_sub(1)..=end.saturating_add(1)));

@@ -24,18 +24,15 @@ fn evaluate(design: &Design, index: u32, operand: i64) -> u32 {
 
 /// The result in output ulps minus x^n for the versine and the real shininess that the codes stand for.
 fn error(design: &Design, index: u32, operand: i64, output: u32) -> f64 {
-    let n = design.spec.interface.shininess.value(design.spec.interface.shininess.row_of_index(index));
-    f64::from(output) - lobe::exact(n, design.versine(operand)) * exp2(design.spec.interface.output_fraction as i32)
+    let n = design.lobe().interface.shininess.value(design.lobe().interface.shininess.row_of_index(index));
+    f64::from(output)
+        - lobe::exact(n, design.lobe().versine(operand)) * exp2(design.lobe().interface.output_fraction as i32)
 }
 
 fn assert_within(design: &Design, spec: &str, index: u32, operand: i64, output: u32) {
-    let [low, high] = design.budget.proved_ulps;
-    let allowed = design
-        .spec
-        .method
-        .options()
-        .accuracy
-        .map_or(1.0, |bits| exp2(design.spec.interface.output_fraction as i32 - bits as i32));
+    let [low, high] = design.lobe().budget.proved_ulps;
+    let accuracy = design.lobe().method.options().accuracy;
+    let allowed = accuracy.map_or(1.0, |bits| exp2(design.lobe().interface.output_fraction as i32 - bits as i32));
     assert!(-allowed < low && high < allowed, "{spec}: proved {low}..{high}");
     let error = error(design, index, operand, output);
     // The power itself is computed in double precision here: its relative error is below (2 + n |ln x|) 2^-52.
@@ -43,19 +40,22 @@ fn assert_within(design: &Design, spec: &str, index: u32, operand: i64, output: 
         low - 1e-6 <= error && error <= high + 1e-6,
         "{spec}: in_n {index}, operand {operand}: {output}, error {error} outside {low}..{high}"
     );
-    assert!(output <= 1 << design.spec.interface.output_fraction, "{spec}: in_n {index}, operand {operand}: {output}");
+    assert!(
+        output <= 1 << design.lobe().interface.output_fraction,
+        "{spec}: in_n {index}, operand {operand}: {output}"
+    );
 }
 
 /// Every code of the operand port for every `row_step`th shininess: within the proved bound of x^n, and at every
 /// `stride`th code equal to the model.
 fn assert_every_input(spec: &str, row_step: usize, stride: i64) {
     let design = design(spec);
-    let (first, count) = all_codes(design.operand_format());
-    let (evaluator, model) = (design.evaluator(), design.model());
+    let (first, count) = all_codes(design.lobe().operand_format());
+    let (evaluator, model) = (design.evaluator(), design.lobe().model());
     let compared = AtomicU64::new(0);
-    let rows: Vec<usize> = (0..design.spec.interface.shininess.rows()).step_by(row_step).collect();
+    let rows: Vec<usize> = (0..design.lobe().interface.shininess.rows()).step_by(row_step).collect();
     rows.par_iter().for_each(|&row| {
-        let index = design.spec.interface.shininess.index_of_row(row);
+        let index = design.lobe().interface.shininess.index_of_row(row);
         let mut outputs = vec![0u32; count as usize];
         evaluator.evaluate(index, first, 1, &mut outputs);
         let mut own = 0;
@@ -167,10 +167,10 @@ fn rounding_a_list_to_its_rom_is_in_the_proof() {
         assert_every_input(&format!("{list}\ninput_fraction = {f}\noutput_fraction = {g}"), 1, 11);
     }
     let design = design(&format!("{list}\noutput_fraction = 8"));
-    assert!(design.budget.coefficient_ulps[0] < 0.0 && design.budget.coefficient_ulps[1] > 0.0);
+    assert!(design.lobe().budget.coefficient_ulps[0] < 0.0 && design.lobe().budget.coefficient_ulps[1] > 0.0);
     // Numbers of few bits are exact in the ROM.
     let design = self::design("shininess = [5, 12.5, 80.25]");
-    assert_eq!(design.budget.coefficient_ulps, [0.0, 0.0]);
+    assert_eq!(design.lobe().budget.coefficient_ulps, [0.0, 0.0]);
     assert_eq!(design.datapath.coefficients().map(|table| table.field("n").format.frac_bits), Some(2));
 }
 
@@ -223,13 +223,13 @@ proptest! {
         let spec = format!("shininess = '{first}..={last}'\nshininess_fraction = {r}\noperand = \
          '{operand}'\ninput_fraction = {f}\noutput_fraction = {g}");
         let design = design(&spec);
-        let (evaluator, model) = (design.evaluator(), design.model());
-        let rows = design.spec.interface.shininess.rows() as u64;
+        let (evaluator, model) = (design.evaluator(), design.lobe().model());
+        let rows = design.lobe().interface.shininess.rows() as u64;
         for code in codes {
             // As many small shininesses as large ones.
             let row = (code >> 40) % (rows >> ((code >> 8) % 20)).max(1);
-            let index = design.spec.interface.shininess.index_of_row(row as usize);
-            let n = design.spec.interface.shininess.value(row as usize);
+            let index = design.lobe().interface.shininess.index_of_row(row as usize);
+            let n = design.lobe().interface.shininess.value(row as usize);
             let one = 1u64 << f;
             let draw = code >> 20 & 0xf_ffff;
             let versine = match code & 3 {
@@ -242,7 +242,7 @@ proptest! {
                     few_bits.wrapping_add((code >> 16 & 3).wrapping_sub(1))
                 }
             };
-            let operand = design.operand_of_versine(versine.min(one) as i64);
+            let operand = design.lobe().operand_of_versine(versine.min(one) as i64);
             let mut output = [0];
             evaluator.evaluate(index, operand, 1, &mut output);
             assert_within(&design, &spec, index, operand, output[0]);
@@ -258,14 +258,14 @@ fn the_exact_places_are_exact() {
         for set in ["'1..=1000'", "[7, 1, 900.5]"] {
             let design = design(&format!("shininess = {set}\ninput_fraction = {f}\noutput_fraction = {g}"));
             let one = 1i64 << f;
-            let index = design.spec.interface.shininess.index_of_row(usize::from(set.starts_with('[')));
+            let index = design.lobe().interface.shininess.index_of_row(usize::from(set.starts_with('[')));
             let step = (one / 4096).max(1) as usize;
             for code in (0..=one).step_by(step).chain([one - 1, 1, 2, 3]) {
                 let exact = if g >= f { code << (g - f) } else { ((code >> (f - g - 1)) + 1) >> 1 };
                 assert_eq!(i64::from(evaluate(&design, index, code)), exact, "F {f} G {g} set {set} code {code}");
             }
-            for row in (0..design.spec.interface.shininess.rows()).step_by(37) {
-                let index = design.spec.interface.shininess.index_of_row(row);
+            for row in (0..design.lobe().interface.shininess.rows()).step_by(37) {
+                let index = design.lobe().interface.shininess.index_of_row(row);
                 for code in [one, one + 1, 2 * one - 1] {
                     assert_eq!(evaluate(&design, index, code), 1 << g);
                 }
@@ -281,7 +281,7 @@ fn the_exact_places_are_exact() {
 #[test]
 fn the_target_is_met() {
     let design = design("shininess = '4..=1000'");
-    let measured = brdfgen::core::Measured::of(&design);
+    let measured = brdfgen::core::Measured::of(design.lobe());
     assert!(measured.sweep.exhaustive && measured.max_abs < 0.000_02, "{}", measured.max_abs);
 }
 
@@ -311,9 +311,9 @@ fn golden_vectors_notice_every_flipped_bit_of_an_entry() {
         let design = design(spec);
         let golden = Golden::of(&design);
         let vectors = golden.vectors();
-        let (first, count) = all_codes(design.operand_format());
-        let rows: Vec<u32> = (0..design.spec.interface.shininess.rows())
-            .map(|row| design.spec.interface.shininess.index_of_row(row))
+        let (first, count) = all_codes(design.lobe().operand_format());
+        let rows: Vec<u32> = (0..design.lobe().interface.shininess.rows())
+            .map(|row| design.lobe().interface.shininess.index_of_row(row))
             .collect();
         let every_output = |evaluator: &Evaluator| -> Vec<u32> {
             let mut outputs = vec![0; rows.len() * count as usize];

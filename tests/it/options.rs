@@ -25,7 +25,7 @@ use brdfgen::emit::package;
 use brdfgen::fixed::Rng;
 use brdfgen::method::METHODS;
 use brdfgen::platform::error::Error;
-use brdfgen::spec::{CoreSpec, Interface, Language, RomStyle, SpecFields};
+use brdfgen::spec::{Block, CoreSpec, Interface, Language, LobeSpec, RomStyle, SpecFields};
 use brdfgen::verify::cosim::{self, Job, Sim};
 use brdfgen::verify::golden::{Golden, Vector};
 
@@ -178,15 +178,16 @@ impl Options {
         if spec.rom != RomStyle::Writable {
             return true;
         }
-        let key =
-            format!("{:?} {:?} {:?}", spec.method.name(), spec.method.options().accuracy, spec.interface.shininess);
+        let LobeSpec { method, interface } = spec.block.lobe().clone();
+        let accuracy = method.options().accuracy;
+        let key = format!("{:?} {accuracy:?} {:?}", method.name(), interface.shininess);
         let small = || {
-            let (f, g) = (
-                spec.interface.input_fraction.min(8),
-                spec.interface.output_fraction.min(spec.method.options().accuracy.map_or(8, |a| a + 1)),
-            );
-            let interface = Interface { input_fraction: f, output_fraction: g, ..spec.interface };
-            let small = CoreSpec { interface, golden_inputs: Default::default(), ..spec };
+            let (f, g) =
+                (interface.input_fraction.min(8), interface.output_fraction.min(accuracy.map_or(8, |a| a + 1)));
+            let interface = Interface { input_fraction: f, output_fraction: g, ..interface };
+            // No shader can be written.
+            let block = Block::Lobe(LobeSpec { method, interface });
+            let small = CoreSpec { block, golden_inputs: Default::default(), ..spec };
             Design::new(small).is_ok()
         };
         *self.writable.lock().expect("no panic").entry(key).or_insert_with(small)
@@ -258,7 +259,7 @@ fn make(spec: &CoreSpec, whole: bool) -> Result<Made, Error> {
         sketched(&design)
     };
     if let Account::Lobe { measured, .. } = &account {
-        let ([low, high], [least, most]) = (design.budget.proved_ulps, measured.ulps);
+        let ([low, high], [least, most]) = (design.lobe().budget.proved_ulps, measured.ulps);
         if least < low - 1e-6 || most > high + 1e-6 {
             return Ok(Made::Wrong(format!("measured {least}..{most} ulp, proved {low}..{high}")));
         }
@@ -315,9 +316,10 @@ fn complaint(design: &Design, language: Language, directory: &Path) -> Option<St
 /// A rough measure of how long a core takes to be made, as a power of two: the codes of both ports, and the entries of
 /// its tables.
 fn size(spec: &CoreSpec) -> u32 {
-    let options = spec.method.options();
+    let LobeSpec { method, interface } = spec.block.lobe();
+    let options = method.options();
     let entries = [options.table_bits, options.log_bits, options.exp_bits].into_iter().flatten().max().unwrap_or(0);
-    spec.interface.shininess.index_bits() + spec.interface.input_fraction.max(entries)
+    interface.shininess.index_bits() + interface.input_fraction.max(entries)
 }
 
 fn all_is_made(what: &str, options: &Options, quick: impl Fn(&CoreSpec) -> bool) {
@@ -407,9 +409,8 @@ fn lobes_with_any_two_options() {
 #[test]
 fn shaders_with_any_two_options() {
     let quick = |spec: &CoreSpec| {
-        spec.interface.input_fraction < 24
-            && spec.method.options().accuracy.is_none()
-            && spec.interface.output_fraction < 20
+        let LobeSpec { method, interface } = spec.block.lobe();
+        interface.input_fraction < 24 && method.options().accuracy.is_none() && interface.output_fraction < 20
     };
     all_is_made("shaders", &Options::of("block = 'shader'", shader_choices()), quick);
 }

@@ -239,7 +239,7 @@ fn keys_narrow_the_choice_and_a_port_for_0_to_1_is_chosen_where_it_may() {
         assert_eq!((spec.method, spec.pipeline), (fields.method, fields.pipeline));
         assert_eq!(spec.name.as_deref(), Some("lone"));
         let resolved = spec.clone().resolve().unwrap();
-        assert_eq!(resolved.interface.input_range == brdfgen::spec::InputRange::Unit, unit);
+        assert_eq!(resolved.block.lobe().interface.input_range == brdfgen::spec::InputRange::Unit, unit);
         let list = simplifications(&scene, &found, &search, &chosen).unwrap();
         let range = list.iter().find(|one| one.what == "no negative cosines").unwrap();
         assert_eq!((range.applies, range.saves.is_some()), (unit, unit), "{}", range.reason);

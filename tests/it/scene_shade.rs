@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::common::Scratch;
-use brdfgen::core::Design;
+use brdfgen::core::{BlockDesign, Design};
 use brdfgen::scene::highlight::Exact;
 use brdfgen::scene::trace::Tracer;
 use brdfgen::scene::{Difference, Frame, Highlights, Requirements, Scene, shade};
@@ -71,8 +71,8 @@ fn through(scene: &Scene, lobe: &SpecFields, asked: &ShaderFields) -> (Design, D
     let spec = shade::spec(scene, &requirements, lobe, asked).and_then(SpecFields::resolve).unwrap();
     let design = Design::new(spec).unwrap();
     let tracer = Tracer::new(scene);
-    let (picture, samples) =
-        shade::picture(&design, design.spec.block.shader().unwrap(), scene, &tracer, &|| {}).unwrap();
+    let BlockDesign::Shader(shader) = design.block() else { panic!("a shader") };
+    let (picture, samples) = shade::picture(shader, scene, &tracer, &|| {}).unwrap();
     let frame = Frame::trace(&tracer, scene, &|| {});
     let exact = frame.picture(scene, &Exact.of(scene, &frame).unwrap());
     (design, Difference::of(&exact, &picture), samples)
@@ -85,7 +85,7 @@ fn the_shader_draws_the_scene_within_a_step() {
         let scene = scene(model);
         let asked = ShaderFields { front, vector_fraction: Some(18), ..ShaderFields::default() };
         let (design, difference, samples) = through(&scene, &fine, &asked);
-        assert_eq!(design.spec.interface.shininess.rows(), 3, "the material that no object has is left out");
+        assert_eq!(design.lobe().interface.shininess.rows(), 3, "the material that no object has is left out");
         assert!(samples > 3000 && difference.max_steps <= 1, "{model} {front:?}: {samples}, {difference:?}");
         assert!(difference.pixels[0] > samples / 2, "{model} {front:?}: {:?}", difference.pixels);
     }

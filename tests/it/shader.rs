@@ -87,8 +87,8 @@ fn through_graph(design: &Design, codes: &[i64]) -> Vec<i64> {
 }
 
 fn random_sample(design: &Design, rng: &mut Rng) -> Sample {
-    let row = rng.below(design.spec.interface.shininess.rows() as u64) as usize;
-    Sample::random(shader(design), row as u32, design.spec.interface.shininess.value(row), rng)
+    let row = rng.below(design.lobe().interface.shininess.rows() as u64) as usize;
+    Sample::random(shader(design), row as u32, design.lobe().interface.shininess.value(row), rng)
 }
 
 /// A million inputs: samples, random codes, and codes that are each at an end, about 0 or about 1.
@@ -130,8 +130,8 @@ fn the_model_equals_the_graph_on_a_million_samples() {
 fn in_double(design: &Design, sample: &Sample, power: impl Fn(f64, f64) -> f64) -> [f64; 3] {
     let shader = shader(design);
     let dot = |a: [f64; 3], b: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let row = (sample.material as usize).min(design.spec.interface.shininess.rows() - 1);
-    let surface = Shader::surfaces(&design.spec.interface)[row];
+    let row = (sample.material as usize).min(design.lobe().interface.shininess.rows() - 1);
+    let surface = Shader::surfaces(design.lobe().interface)[row];
     let mut sums = [0, 1, 2].map(|channel| shader.ambient_light[channel] * surface.ambient[channel]);
     for (number, light) in sample.lights.iter().enumerate() {
         let (nl, nv) = (dot(sample.normal, light.direction), dot(sample.normal, sample.viewer));
@@ -147,7 +147,7 @@ fn in_double(design: &Design, sample: &Sample, power: impl Fn(f64, f64) -> f64) 
                 1.0 - dot(d, d) / 2.0
             }
         };
-        let highlight = power(design.spec.interface.shininess.value(row), x.clamp(0.0, 1.0));
+        let highlight = power(design.lobe().interface.shininess.value(row), x.clamp(0.0, 1.0));
         let colour = match &shader.light_colours {
             LightColours::Ports => light.colour,
             LightColours::Fixed(colours) => colours[number],
@@ -185,7 +185,8 @@ fn the_hardware_is_near_a_shader_in_double_precision() {
             let allowed = rounded.lights.iter().fold(0.6, |sum, light| {
                 let lv: f64 = light.direction.iter().zip(rounded.viewer).map(|(a, b)| a * b).sum();
                 let root = if shader(&design).cosine == Cosine::Sqrt { 1.0 / (2.0 + 2.0 * lv).max(1e-9) } else { 0.0 };
-                sum + 0.2 + full * 102.0 * (3.0 + root) * 2f64.powi(-(design.spec.interface.input_fraction as i32) - 2)
+                sum + 0.2
+                    + full * 102.0 * (3.0 + root) * 2f64.powi(-(design.lobe().interface.input_fraction as i32) - 2)
             });
             for channel in 0..3 {
                 let (got, method) = (hardware[channel] as f64, method[channel]);

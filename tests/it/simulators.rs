@@ -303,9 +303,9 @@ fn the_kernels_verilog_passes_the_same_bench() {
                  out_spec);\n\
                  top core (.clock(clk), .rst(rst), .ce(ce), .in_valid(in_valid), .in_n(in_n), .in_cos(in_cos),\n\
                  .out_valid(out_valid), .out_spec(out_spec));\nendmodule\n",
-                core.design.index_format().width() - 1,
-                core.design.operand_format().width() - 1,
-                core.design.output_format().width() - 1,
+                core.design.lobe().index_format().width() - 1,
+                core.design.lobe().operand_format().width() - 1,
+                core.design.lobe().output_format().width() - 1,
             );
             std::fs::write(core.rtl(Language::Verilog), wrapper + &kernel.verilog()).expect("written");
             let outcome = core.run(Sim::Icarus);
@@ -382,7 +382,7 @@ fn exhaustive_runs_compare_every_input() {
     let path = core.path();
     let job = Job { design: &core.design, golden: &core.golden, directory: &path };
     for language in [Language::Verilog, Language::Vhdl] {
-        let outcome = cosim::exhaustive(&job, language, &|_, _| {}).expect("it runs");
+        let outcome = cosim::exhaustive(job.design.lobe(), job.directory, language, &|_, _| {}).expect("it runs");
         assert!(outcome.passed() && outcome.vectors == 100 << 12, "{outcome:?}");
     }
     let with_file =
@@ -390,7 +390,8 @@ fn exhaustive_runs_compare_every_input() {
     let with_file_path = with_file.path();
     let file_job = Job { design: &with_file.design, golden: &with_file.golden, directory: &with_file_path };
     for language in [Language::Verilog, Language::Vhdl] {
-        let outcome = cosim::exhaustive(&file_job, language, &|_, _| {}).expect("it runs");
+        let outcome =
+            cosim::exhaustive(file_job.design.lobe(), file_job.directory, language, &|_, _| {}).expect("it runs");
         assert!(outcome.passed() && outcome.vectors == 8 << 9, "{outcome:?}");
     }
     let file = core.rtl(Language::Verilog);
@@ -402,9 +403,9 @@ fn exhaustive_runs_compare_every_input() {
         output.replace(';', &format!(" ^ {{12'd0, hit[{}]}};", core.design.schedule.latency - 1))
     );
     std::fs::write(&file, text.replace(output, &faulty)).expect("written");
-    let outcome = cosim::exhaustive(&job, Language::Verilog, &|_, _| {}).expect("it runs");
+    let outcome = cosim::exhaustive(job.design.lobe(), job.directory, Language::Verilog, &|_, _| {}).expect("it runs");
     std::fs::write(core.rtl(Language::Vhdl), "entity cubic is").expect("written");
-    let broken = cosim::exhaustive(&job, Language::Vhdl, &|_, _| {}).expect("an outcome");
+    let broken = cosim::exhaustive(job.design.lobe(), job.directory, Language::Vhdl, &|_, _| {}).expect("an outcome");
     assert!(!broken.passed() && broken.first[0].contains("does not compile"), "{broken:?}");
     assert!(outcome.mismatches == 1 && outcome.first[0].contains("in_n 77, operand 1001"), "{outcome:?}");
 }

@@ -2,12 +2,12 @@
 
 use assert_cmd::Command;
 use brdfgen::core::sample::{Sample, random_codes};
-use brdfgen::core::{Design, Direction};
+use brdfgen::core::{BlockDesign, Design, Direction, ShaderDesign};
 use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::graph::{Graph, Op};
 use brdfgen::datapath::range::Analysis;
 use brdfgen::fixed::Rng;
-use brdfgen::spec::{Block, MethodName, SpecFields};
+use brdfgen::spec::{MethodName, SpecFields};
 use brdfgen::verify::stability::document::{self, Study};
 use brdfgen::verify::stability::inspect::Inspection;
 use brdfgen::verify::stability::shader::{Proof, ShaderInspection};
@@ -37,13 +37,13 @@ const SPECS: [&str; 12] = [
 /// The outputs of a graph for every code of its operand's port, for each row.
 fn outputs(design: &Design, graph: &Graph) -> Vec<Vec<u32>> {
     let evaluator = Evaluator::new(graph, design.tables());
-    let (first, count) = brdfgen::verify::golden::all_codes(design.operand_format());
+    let (first, count) = brdfgen::verify::golden::all_codes(design.lobe().operand_format());
     let run = |row: usize| {
         let mut outputs = vec![0; count as usize];
-        evaluator.evaluate(design.spec.interface.shininess.index_of_row(row), first, 1, &mut outputs);
+        evaluator.evaluate(design.lobe().interface.shininess.index_of_row(row), first, 1, &mut outputs);
         outputs
     };
-    (0..design.spec.interface.shininess.rows()).into_par_iter().map(run).collect()
+    (0..design.lobe().interface.shininess.rows()).into_par_iter().map(run).collect()
 }
 
 fn method(name: &str) -> MethodName {
@@ -54,7 +54,7 @@ fn method(name: &str) -> MethodName {
 fn no_needed_value_overflows_and_the_narrowed_graph_computes_the_same() {
     for spec in SPECS {
         let design = design(spec);
-        let found = Inspection::of(&design);
+        let found = Inspection::of(design.lobe());
         assert_eq!(found.broken(), Vec::<String>::new(), "{spec}");
         // Once more, with everything that may be narrowed as wide as it can be: nothing but formats changes.
         let mut wide = design.graph().clone();
@@ -128,9 +128,9 @@ fn values_lie_in_their_ranges() {
         let graph = design.graph();
         let analysis = Analysis::new(graph, design.tables());
         let ranges = analysis.over(&design.regions(), 1 << 16);
-        let (first, count) = brdfgen::verify::golden::all_codes(design.operand_format());
-        for row in 0..design.spec.interface.shininess.rows() {
-            let index = design.spec.interface.shininess.index_of_row(row);
+        let (first, count) = brdfgen::verify::golden::all_codes(design.lobe().operand_format());
+        for row in 0..design.lobe().interface.shininess.rows() {
+            let index = design.lobe().interface.shininess.index_of_row(row);
             for place in (0..count as i64).step_by(37) {
                 let values = graph.values(design.tables(), &[index.into(), (first + place).into()]);
                 // The output is always needed.
@@ -148,9 +148,9 @@ fn values_lie_in_their_ranges() {
 #[test]
 fn a_writable_core_keeps_its_bits() {
     let text = "method = 'cubic-min-zero'\nshininess = '1..=64'\nrom = 'writable'";
-    assert!(design(text).narrowed.is_empty());
+    assert!(design(text).lobe().narrowed.is_empty());
     let fixed = design("method = 'cubic'\nshininess = '1..=64'");
-    assert!(fixed.narrowed.iter().any(|narrowed| narrowed.name == "u_scaled"), "{:?}", fixed.narrowed);
+    assert!(fixed.lobe().narrowed.iter().any(|narrowed| narrowed.name == "u_scaled"), "{:?}", fixed.lobe().narrowed);
 }
 
 #[test]
@@ -239,19 +239,25 @@ fn shader_design((core, shader): (&str, &str)) -> Design {
     ))
 }
 
+fn shader(design: &Design) -> ShaderDesign<'_> {
+    match design.block() {
+        BlockDesign::Shader(shader) => shader,
+        BlockDesign::Lobe(_) => panic!("a shader"),
+    }
+}
+
 fn prove(design: &Design, graph: &Graph) -> Proof {
-    Proof::of(&design.spec.interface.shininess, &design.joints, graph, design.tables())
+    Proof::of(&design.lobe().interface.shininess, shader(design).joints, graph, design.tables())
 }
 
 #[test]
 fn no_value_of_a_shader_overflows() {
     for text in SHADERS {
         let design = shader_design(text);
-        let Block::Shader(shader) = &design.spec.block else { panic!("a shader") };
-        let found = ShaderInspection::of(&design, shader);
+        let found = ShaderInspection::of(shader(&design));
         assert_eq!(found.broken(), Vec::<String>::new(), "{text:?}");
         let parts = |name: &str| found.parts.iter().filter(|part| part.name.starts_with(name)).count();
-        let lights = shader.lights as usize;
+        let lights = shader(&design).shader.lights as usize;
         let roots = if text.1.contains("sqrt") { lights } else { 0 };
         assert_eq!([parts("front end"), parts("root"), parts("lobe"), parts("colours")], [lights, roots, lights, 1]);
         // What random inputs make of the outputs lies in the ranges.
@@ -274,7 +280,7 @@ fn a_register_of_a_shader_with_a_bit_too_few_is_found() {
     let mut found_in = std::collections::BTreeMap::new();
     for text in SHADERS {
         let design = shader_design(text);
-        let Block::Shader(shader) = &design.spec.block else { panic!("a shader") };
+        let shader = shader(&design).shader;
         let mut rng = Rng::new(1);
         let samples: Vec<Vec<i128>> = (0..200)
             .map(|place| {

@@ -273,7 +273,7 @@ fn exhaustive_runs_leave_the_memories_alone() {
     let core = Generated::new(spec).on_disk();
     let path = core.path();
     let job = Job { design: &core.design, golden: &core.golden, directory: &path };
-    let outcome = cosim::exhaustive(&job, Language::Vhdl, &|_, _| {}).expect("it runs");
+    let outcome = cosim::exhaustive(job.design.lobe(), job.directory, Language::Vhdl, &|_, _| {}).expect("it runs");
     assert!(outcome.passed() && outcome.vectors == 8 << 9, "{outcome:?}");
 }
 

@@ -7,6 +7,6 @@ mod options;
 pub use model::{Cosines, ShaderModel};
 pub(crate) use options::unit;
 pub use options::{
-    Block, BlockKind, CHANNEL_BITS, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, ShaderWidths,
-    Surface, VECTOR_FRACTION,
+    CHANNEL_BITS, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, ShaderWidths, Surface,
+    VECTOR_FRACTION,
 };

@@ -16,37 +16,6 @@ pub const VECTOR_FRACTION: std::ops::RangeInclusive<u32> = 8..=20;
 /// Numbers of lights that are allowed.
 pub const LIGHTS: std::ops::RangeInclusive<u32> = 1..=8;
 
-/// What a core is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
-#[serde(rename_all = "kebab-case")]
-pub enum BlockKind {
-    /// The lobe alone.
-    #[default]
-    Lobe,
-    /// A lobe with the cosine in front of it and the colours behind it.
-    Shader,
-}
-
-/// A core's block, resolved.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Block {
-    /// The lobe alone.
-    Lobe,
-    /// A complete shader around the lobe.
-    Shader(Shader),
-}
-
-impl Block {
-    /// The shader, if it is one.
-    #[must_use]
-    pub fn shader(&self) -> Option<&Shader> {
-        match self {
-            Self::Lobe => None,
-            Self::Shader(shader) => Some(shader),
-        }
-    }
-}
-
 /// The reflection model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]

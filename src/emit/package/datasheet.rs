@@ -3,17 +3,19 @@
 use askama::Template;
 
 use crate::block::shader::datapath::COLOURS;
-use crate::core::{Account, Design, Measured, OtherForm, ShaderError, WritePort};
+use crate::core::{Account, Design, LobeDesign, Measured, OtherForm, ShaderDesign, ShaderError, WritePort};
 use crate::emit::{Axis, markdown, render};
 use crate::fixed::{Field, Table};
 use crate::platform::error::Error;
-use crate::spec::{Block, Colour, CoreSpec, Cosine, Form, LightColours, Material, RomStyle, Shader, Shininess, Tail};
+use crate::spec::{
+    Block, Colour, CoreSpec, Cosine, Form, LightColours, LobeSpec, Material, RomStyle, Shader, Shininess, Tail,
+};
 
 /// What the core is, in a line.
 pub(super) fn title(spec: &CoreSpec) -> String {
-    let Block::Shader(shader) = &spec.block else { return lobe_text(spec) };
+    let Block::Shader(lobe, shader) = &spec.block else { return lobe_text(spec.block.lobe()) };
     let plural = |count: usize| if count == 1 { "" } else { "s" };
-    let (lights, materials) = (shader.lights as usize, spec.interface.shininess.rows());
+    let (lights, materials) = (shader.lights as usize, lobe.interface.shininess.rows());
     format!(
         "{} shader, {lights} light{}, {materials} material{}, {} bits a channel",
         match shader.cosine {
@@ -27,7 +29,7 @@ pub(super) fn title(spec: &CoreSpec) -> String {
 }
 
 /// What the bound of the error is below, in words.
-fn allowed(spec: &CoreSpec) -> String {
+fn allowed(spec: &LobeSpec) -> String {
     match spec.method.options().accuracy {
         None => "1 ulp: the core is faithful".to_owned(),
         Some(bits) => {
@@ -37,7 +39,7 @@ fn allowed(spec: &CoreSpec) -> String {
 }
 
 /// What the lobe is, in a line.
-fn lobe_text(spec: &CoreSpec) -> String {
+fn lobe_text(spec: &LobeSpec) -> String {
     let mut text = format!("specular lobe x^n as {}", spec.method.about().formula);
     if let Some(tail) = spec.method.options().tail {
         text += match tail {
@@ -74,7 +76,7 @@ pub fn interval_text([low, high]: [f64; 2]) -> String {
 
 /// The error, a line each.
 pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
-    let proved = interval_text(design.budget.proved_ulps);
+    let proved = interval_text(design.lobe().budget.proved_ulps);
     match account {
         Account::Lobe { measured, .. } => {
             let proved = format!("Error against the real-valued method, in ulps of out_spec: proved within {proved}.");
@@ -156,7 +158,7 @@ impl FormRow {
     fn of(design: &Design) -> Self {
         let multipliers = design.graph().multipliers();
         Self {
-            form: form_text(design.spec.method.form()),
+            form: form_text(design.lobe().method.form()),
             multipliers: multipliers.iter().map(|(a, b)| format!("{a}x{b}")).collect::<Vec<_>>().join(", "),
             multiplier_bits: multipliers.iter().map(|(a, b)| a * b).sum(),
             rom: if design.tables().is_empty() {
@@ -167,7 +169,7 @@ impl FormRow {
             },
             registers: design.register_bits(),
             latency: design.schedule.latency,
-            proved: interval_text(design.budget.proved_ulps),
+            proved: interval_text(design.lobe().budget.proved_ulps),
         }
     }
 }
@@ -175,9 +177,9 @@ impl FormRow {
 #[derive(Template)]
 #[template(path = "package/datasheet.md", escape = "none")]
 struct Datasheet<'a> {
-    design: &'a Design,
+    design: LobeDesign<'a>,
     spec: &'a CoreSpec,
-    lobe: String,
+    title: String,
     command: String,
     both_forms: bool,
     rom_file: bool,
@@ -228,7 +230,7 @@ fn files(design: &Design) -> Vec<(String, &'static str)> {
 #[derive(Template)]
 #[template(path = "package/shader.md", escape = "none")]
 struct ShaderSheet<'a> {
-    design: &'a Design,
+    design: ShaderDesign<'a>,
     spec: &'a CoreSpec,
     title: String,
     command: String,
@@ -275,16 +277,16 @@ mod filters {
 }
 
 /// The text of a shader's datasheet.
-pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError) -> Result<String, Error> {
+pub(super) fn shader_sheet(design: ShaderDesign<'_>, error: &ShaderError) -> Result<String, Error> {
+    let ShaderDesign { lobe, shader, .. } = design;
     let spec = &design.spec;
-    let Shininess::Materials(materials) = &spec.interface.shininess else { unreachable!("a shader serves materials") };
     render(&ShaderSheet {
         design,
         spec,
         title: title(spec),
         command: markdown::code(&spec.command()),
         shader,
-        materials,
+        materials: design.materials(),
         light_colours: match &shader.light_colours {
             LightColours::Ports => format!("{}, their colours from ports", shader.lights),
             LightColours::Fixed(colours) => {
@@ -297,24 +299,28 @@ pub(super) fn shader_sheet(design: &Design, shader: &Shader, error: &ShaderError
             Cosine::Half => "x = 1 - u with the versine u = |N - H|^2 / 2, taken into [0, 1].",
             Cosine::Sqrt => "x = (N.L + N.V) / sqrt(2 + 2 L.V), taken into [0, 1].",
         },
-        lobe: lobe_text(spec),
-        dot_bits: shader.widths(&spec.interface).dot,
+        lobe: lobe_text(spec.block.lobe()),
+        dot_bits: shader.widths(lobe.interface).dot,
         error,
         rom_file: spec.rom == RomStyle::File,
-        cost: FormRow::of(design),
-        axis: super::axis(design),
-        files: files(design),
+        cost: FormRow::of(&design),
+        axis: super::axis(&design),
+        files: files(&design),
     })
 }
 
 /// The text of a lobe's datasheet; `other` is the core in the other form, or why it cannot be built, where the method
 /// has two forms.
-pub(super) fn datasheet(design: &Design, measured: &Measured, other: Option<&OtherForm>) -> Result<String, Error> {
-    let spec = &design.spec;
+pub(super) fn datasheet(
+    design: LobeDesign<'_>,
+    measured: &Measured,
+    other: Option<&OtherForm>,
+) -> Result<String, Error> {
+    let (spec, core) = (&design.spec, design.core());
     let forms: Vec<FormRow> =
-        std::iter::once(design).chain(other.and_then(|other| other.as_deref().ok())).map(FormRow::of).collect();
+        std::iter::once(core).chain(other.and_then(|other| other.as_deref().ok())).map(FormRow::of).collect();
     let other_failed = other.and_then(|other| other.as_ref().err());
-    let rows = match &spec.interface.shininess {
+    let rows = match &design.interface.shininess {
         Shininess::Range(..) | Shininess::Fixed { .. } => Vec::new(),
         Shininess::List(list) => {
             list.iter().enumerate().map(|(index, n)| (index, String::new(), n.to_string())).collect()
@@ -327,22 +333,22 @@ pub(super) fn datasheet(design: &Design, measured: &Measured, other: Option<&Oth
     render(&Datasheet {
         design,
         spec,
-        lobe: lobe_text(spec),
+        title: title(spec),
         command: markdown::code(&spec.command()),
         both_forms: forms.len() > 1 || other_failed.is_some(),
         rom_file: spec.rom == RomStyle::File,
-        loads: design.write_ports().into_iter().map(|port| Load::of(design, port)).collect(),
+        loads: design.write_ports().into_iter().map(|port| Load::of(core, port)).collect(),
         asynchronous: design.write_ports().iter().any(|port| {
             let read = design.layout().read(port.memory);
             read.is_some_and(|read| !read.registered)
         }),
-        interpolated: matches!(spec.interface.shininess, Shininess::Fixed { .. }),
+        interpolated: matches!(design.interface.shininess, Shininess::Fixed { .. }),
         rows,
-        allowed: allowed(&design.spec),
+        allowed: allowed(spec.block.lobe()),
         measured,
         forms,
         other_failed,
-        axis: super::axis(design),
-        files: files(design),
+        axis: super::axis(core),
+        files: files(core),
     })
 }

@@ -13,7 +13,7 @@ use serde_json::json;
 use sha2::{Digest, Sha256};
 
 use crate::core::golden::{self, Golden};
-use crate::core::{Account, Design, Port, WritePort};
+use crate::core::{Account, BlockDesign, Design, Port, WritePort};
 use crate::datapath::widths::Budget;
 use crate::emit::rom::{self, RomFormat};
 use crate::emit::{self, Axis, RomFile, Texts};
@@ -239,10 +239,12 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     let mut add = |path: String, bytes: Vec<u8>| files.push(File { path, bytes });
 
     add("core.toml".to_owned(), spec_text(design).into_bytes());
-    let sheet = match (&spec.block, account) {
-        (Block::Shader(shader), Account::Shader(error)) => datasheet::shader_sheet(design, shader, error)?,
-        (_, Account::Lobe { measured, other_form }) => datasheet::datasheet(design, measured, other_form.as_ref())?,
-        (Block::Lobe, Account::Shader(_)) => unreachable!("the account is the core's"),
+    let sheet = match (design.block(), account) {
+        (BlockDesign::Shader(shader), Account::Shader(error)) => datasheet::shader_sheet(shader, error)?,
+        (BlockDesign::Lobe(lobe), Account::Lobe { measured, other_form }) => {
+            datasheet::datasheet(lobe, measured, other_form.as_ref())?
+        }
+        _ => unreachable!("the account is the core's"),
     };
     add("README.md".to_owned(), sheet.into_bytes());
     for &language in &spec.languages {
@@ -306,9 +308,9 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     let multipliers: Vec<_> = design.graph().multipliers().iter().map(|(a, b)| json!([a, b])).collect();
     let digests: serde_json::Map<String, serde_json::Value> =
         files.iter().map(|file| (file.path.clone(), json!(hex(&Sha256::digest(&file.bytes))))).collect();
-    let mut widths = json!(design.widths);
-    if let Block::Shader(shader) = &spec.block {
-        widths = json!({ "lobe": widths, "shader": shader.widths(&spec.interface) });
+    let mut widths = json!(design.lobe().widths);
+    if let Block::Shader(lobe, shader) = &spec.block {
+        widths = json!({ "lobe": widths, "shader": shader.widths(&lobe.interface) });
     }
     let mut manifest = json!({
         "generator": "brdfgen",
@@ -346,7 +348,8 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
 
 /// What the manifest says of the error, proved and measured.
 fn error_manifest(design: &Design, account: &Account) -> serde_json::Value {
-    let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } = &design.budget;
+    let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } =
+        &design.lobe().budget;
     let mut error = json!({
         "proved_ulps": proved_ulps,
         "proved_coefficient_ulps": coefficient_ulps,

@@ -11,7 +11,7 @@ use std::time::Instant;
 
 use sha2::{Digest, Sha256};
 
-use crate::core::Design;
+use crate::core::LobeDesign;
 use crate::emit::package;
 use crate::platform::error::Error;
 use crate::platform::tool::{self, Tool, VERILATOR};
@@ -57,13 +57,13 @@ pub(super) struct Compiled<'a> {
 impl<'a> Compiled<'a> {
     /// The core in a directory as a program; a build takes some ten seconds, so it is kept.
     /// Errors: a tool that is not installed or does not compile the core.
-    pub(super) fn of(design: &Design, directory: &'a Path, language: Language) -> Result<Self, Error> {
-        let source = directory.join(package::rtl_path(design, language));
+    pub(super) fn of(lobe: LobeDesign<'_>, directory: &'a Path, language: Language) -> Result<Self, Error> {
+        let source = directory.join(package::rtl_path(&lobe, language));
         let verilog = match language {
             Language::Verilog => fs::read(&source).map_err(|error| Error::io("cannot read", &source, error))?,
-            Language::Vhdl => synth::as_verilog(&design.spec.name, directory, &source)?,
+            Language::Vhdl => synth::as_verilog(&lobe.spec.name, directory, &source)?,
         };
-        Ok(Self { program: build(design, &verilog)?, directory })
+        Ok(Self { program: build(lobe, &verilog)?, directory })
     }
 
     /// Runs the core: `send` writes the records, in a thread of its own, `receive` reads the results, a little-endian
@@ -107,18 +107,18 @@ pub(super) fn converse(
 }
 
 /// The program of a core.
-fn build(design: &Design, verilog: &[u8]) -> Result<PathBuf, Error> {
+fn build(lobe: LobeDesign<'_>, verilog: &[u8]) -> Result<PathBuf, Error> {
     let flags = format!(
         "-O2 -DOPERAND={} -DOPERAND_BITS={} -DLATENCY={}",
-        design.operand_name(),
-        design.operand_format().width(),
-        design.schedule.latency
+        lobe.operand_name(),
+        lobe.operand_format().width(),
+        lobe.schedule.latency
     );
     // The memories keep the words that they come up with.
-    let low: String = design.write_ports().iter().map(|port| format!(" core->{} = 0;", port.enable.name)).collect();
+    let low: String = lobe.write_ports().iter().map(|port| format!(" core->{} = 0;", port.enable.name)).collect();
     let harness = format!("#define DISABLE_WRITES{low}\n{HARNESS}");
     let sources = [("core.v", verilog), ("exhaustive.cpp", harness.as_bytes())];
-    program(&design.spec.name, &sources, &flags)
+    program(&lobe.spec.name, &sources, &flags)
 }
 
 /// The program that Verilator makes of a core and a harness in C++, a file each by its name; other files are headers.

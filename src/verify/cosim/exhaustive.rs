@@ -5,31 +5,38 @@
 //! GHDL's front end.
 
 use std::io::{Read, Write};
+use std::path::Path;
 
 use super::compiled::{Compiled, Record};
-use super::{Job, LISTED, Outcome};
+use super::{LISTED, Outcome};
+use crate::core::LobeDesign;
 use crate::platform::error::Error;
 use crate::platform::tool::tail;
 use crate::spec::Language;
 use crate::verify::golden::all_codes;
 
-/// Runs every code of the operand port for every row through the core in one language; `progress` is told how many
-/// inputs are done, of how many.
+/// Runs every code of the operand port for every row through the core of a lobe in one language; `progress` is told how
+/// many inputs are done, of how many.
 ///
 /// # Errors
 /// A tool that is not installed or does not compile the core.
-pub fn exhaustive(job: &Job, language: Language, progress: &dyn Fn(u64, u64)) -> Result<Outcome, Error> {
+pub fn exhaustive(
+    lobe: LobeDesign<'_>,
+    directory: &Path,
+    language: Language,
+    progress: &dyn Fn(u64, u64),
+) -> Result<Outcome, Error> {
     let start = std::time::Instant::now();
     let simulator = match language {
         Language::Verilog => "verilator",
         Language::Vhdl => "ghdl --synth, verilator",
     };
-    let mut outcome = match Compiled::of(job.design, job.directory, language) {
-        Ok(core) => run(job, &core, progress)?,
+    let mut outcome = match Compiled::of(lobe, directory, language) {
+        Ok(core) => run(lobe, &core, progress)?,
         // A core that does not compile has failed its check; what other languages' checks found still counts.
         Err(Error::ToolFailed { tool, what, output }) => Outcome {
             first: vec![format!("{tool} does not compile the core ({what}): {output}")],
-            ..nothing_compared(job)
+            ..nothing_compared(lobe)
         },
         Err(other) => return Err(other),
     };
@@ -39,27 +46,26 @@ pub fn exhaustive(job: &Job, language: Language, progress: &dyn Fn(u64, u64)) ->
 }
 
 /// The inputs that a run has to compare.
-fn inputs(job: &Job) -> u64 {
-    job.design.spec.interface.shininess.rows() as u64 * all_codes(job.design.operand_format()).1
+fn inputs(lobe: LobeDesign<'_>) -> u64 {
+    lobe.interface.shininess.rows() as u64 * all_codes(lobe.operand_format()).1
 }
 
-fn nothing_compared(job: &Job) -> Outcome {
-    Outcome::none("", "every input", inputs(job))
+fn nothing_compared(lobe: LobeDesign<'_>) -> Outcome {
+    Outcome::none("", "every input", inputs(lobe))
 }
 
-fn run(job: &Job, core: &Compiled, progress: &dyn Fn(u64, u64)) -> Result<Outcome, Error> {
-    let design = job.design;
-    let (first, count) = all_codes(design.operand_format());
-    let rows = design.spec.interface.shininess.rows();
-    let indices: Vec<u32> = (0..rows).map(|row| design.spec.interface.shininess.index_of_row(row)).collect();
-    let total = inputs(job);
-    let mut outcome = nothing_compared(job);
+fn run(lobe: LobeDesign<'_>, core: &Compiled, progress: &dyn Fn(u64, u64)) -> Result<Outcome, Error> {
+    let (first, count) = all_codes(lobe.operand_format());
+    let set = &lobe.interface.shininess;
+    let indices: Vec<u32> = (0..set.rows()).map(|row| set.index_of_row(row)).collect();
+    let total = inputs(lobe);
+    let mut outcome = nothing_compared(lobe);
     let send = |pipe: &mut dyn Write| {
         let record = |&index: &u32| Record { index, first: first as i32, count: count as u32 }.write(pipe);
         indices.iter().try_for_each(record)
     };
     let receive = |pipe: &mut dyn Read| {
-        let evaluator = design.evaluator();
+        let evaluator = lobe.evaluator();
         let block = count.min(1 << 16) as usize;
         let (mut bytes, mut expected) = (vec![0u8; 4 * block], vec![0u32; block]);
         for &index in &indices {

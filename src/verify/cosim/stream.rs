@@ -4,7 +4,7 @@ use std::io::{Read, Write};
 use std::path::Path;
 
 use super::compiled::{CORE, Compiled, Record};
-use crate::core::Design;
+use crate::core::LobeDesign;
 use crate::platform::error::Error;
 use crate::platform::tool::tail;
 use crate::spec::Language;
@@ -17,13 +17,13 @@ use crate::spec::Language;
 /// A tool that is not installed or does not compile the core; a core that fails, or has not given a result for each
 /// input.
 pub fn stream(
-    design: &Design,
+    lobe: LobeDesign<'_>,
     directory: &Path,
     inputs: &[(u32, i32)],
     progress: &dyn Fn(u64),
 ) -> Result<Vec<u32>, Error> {
-    let verilog = design.spec.languages.contains(&Language::Verilog);
-    let core = Compiled::of(design, directory, if verilog { Language::Verilog } else { Language::Vhdl })?;
+    let verilog = lobe.spec.languages.contains(&Language::Verilog);
+    let core = Compiled::of(lobe, directory, if verilog { Language::Verilog } else { Language::Vhdl })?;
     let mut results = Vec::with_capacity(inputs.len());
     let receive = |pipe: &mut dyn Read| {
         let mut bytes = vec![0u8; 1 << 16];

@@ -15,13 +15,12 @@ use super::local::Local;
 use super::mutants::Mutant;
 use super::simulation::{FaultSimulation, blocks, held_in_register};
 use super::{MOST_VALUES, Outcome, inputs_text};
-use crate::core::Design;
 use crate::core::edges::varied;
+use crate::core::{BlockDesign, Design, ShaderDesign};
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::fault::{Defect, Fault, Registered, Timing};
 use crate::datapath::graph::{Graph, NodeId};
 use crate::fixed::Rng;
-use crate::spec::Shader;
 
 /// Ports of more codes than these together are not run through all of them.
 const MOST_INPUTS: u64 = 1 << 34;
@@ -59,8 +58,8 @@ pub fn decide(design: &Design, defects: &[&Defect]) -> Vec<Outcome> {
         (0..defects.len()).filter(open).filter_map(|place| Some((place, defects[place].fault()?))).collect();
     let faults: Vec<&Fault> = left.iter().map(|(_, fault)| *fault).collect();
     let inputs = Domain::whole(graph);
-    if let Some(shader) = design.spec.block.shader() {
-        for ((place, _), inputs) in left.iter().zip(sampled(design, shader, &faults)) {
+    if let BlockDesign::Shader(shader) = design.block() {
+        for ((place, _), inputs) in left.iter().zip(sampled(shader, &faults)) {
             outcomes[*place] = Some(match inputs {
                 Some(inputs) => Outcome::Survived { input: inputs_text(design, &inputs) },
                 None => Outcome::Undecided { tried: format!("{SAMPLES} inputs and every part of the graph") },
@@ -84,12 +83,12 @@ pub fn decide(design: &Design, defects: &[&Defect]) -> Vec<Outcome> {
 }
 
 /// For each fault an input of a shader that shows it, if there is one among many samples.
-fn sampled(design: &Design, shader: &Shader, faults: &[&Fault]) -> Vec<Option<Vec<i64>>> {
+fn sampled(design: ShaderDesign<'_>, faults: &[&Fault]) -> Vec<Option<Vec<i64>>> {
     let simulation = FaultSimulation::new(design.graph(), design.tables());
     let tasks = SAMPLES / OF_TASK;
     let task = |task: u64| {
         let mut rng = Rng::new((4 << 40) + task);
-        simulation.first(faults, &mut *blocks((0..OF_TASK).map(|_| varied(design, shader, &mut rng))))
+        simulation.first(faults, &mut *blocks((0..OF_TASK).map(|_| varied(design, &mut rng))))
     };
     let all: Vec<Vec<Option<Vec<i64>>>> = (0..tasks).into_par_iter().map(task).collect();
     (0..faults.len()).map(|fault| all.iter().find_map(|shown| shown[fault].clone())).collect()
@@ -101,10 +100,10 @@ fn values(design: &Design, node: NodeId) -> Option<BTreeMap<i128, u64>> {
     let shown = Graph { outputs: vec![("value".to_owned(), node)], ..graph.clone() };
     let mut found = BTreeMap::new();
     let evaluator = Evaluator::new(&shown, design.tables());
-    let operand = design.operand_format();
+    let [index, operand] = [graph.index(), graph.operand()].map(|port| graph.nodes[port].format);
     let (first, count) = (operand.min_code() as i64, 1u64 << operand.width());
     let mut codes = vec![0u32; count as usize];
-    for index in 0..1u64 << design.index_format().width() {
+    for index in 0..1u64 << index.width() {
         evaluator.evaluate(index as u32, first, 1, &mut codes);
         for (place, &code) in codes.iter().enumerate() {
             let code = graph.nodes[node].format.wrap(code.into());

@@ -20,7 +20,7 @@ use super::circuit::{Circuit, Unfit};
 use super::equivalence::{Comparison, Results, Technique};
 use super::pipeline::{Pipeline, first_shown};
 use crate::core::edges::varied;
-use crate::core::{Design, Direction};
+use crate::core::{BlockDesign, Design, Direction};
 use crate::fixed::{Format, Rng};
 use crate::platform::error::Error;
 use crate::synth::yosys::Yosys;
@@ -147,9 +147,9 @@ fn decided(
 
 /// Inputs of a shader as vectors: of random codes, hardly any sees a highlight.
 fn samples(design: &Design) -> Vec<Vector> {
-    let Some(shader) = design.spec.block.shader() else { return Vec::new() };
+    let BlockDesign::Shader(shader) = design.block() else { return Vec::new() };
     let mut rng = Rng::new(7 << 40);
-    let inputs: Vec<Vec<i64>> = (0..SAMPLES).map(|_| varied(design, shader, &mut rng)).collect();
+    let inputs: Vec<Vec<i64>> = (0..SAMPLES).map(|_| varied(shader, &mut rng)).collect();
     let vector = |inputs: Vec<i64>| Vector { outputs: design.evaluate(&inputs), inputs, idle: 0, stall: 0 };
     inputs.into_par_iter().map(vector).collect()
 }

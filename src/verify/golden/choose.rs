@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::Vector;
 use super::detection::{self, Candidates};
-use crate::core::Design;
+use crate::core::LobeDesign;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::{Graph, Node, Op};
 use crate::fixed::{Rng, Table, exp2};
@@ -39,16 +39,16 @@ struct Flip {
 }
 
 struct Chooser<'a> {
-    design: &'a Design,
+    design: LobeDesign<'a>,
     lobes: &'a [Box<dyn Lobe>],
     rng: Rng,
     one: i64,
 }
 
 /// The vectors of a design, in groups with a heading.
-pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
+pub(super) fn vectors(design: LobeDesign<'_>) -> Vec<(String, Vec<Vector>)> {
     let mut chooser =
-        Chooser { design, lobes: design.lobes(), rng: Rng::new(0), one: 1 << design.spec.interface.input_fraction };
+        Chooser { design, lobes: design.lobes, rng: Rng::new(0), one: 1 << design.interface.input_fraction };
     let mut groups = vec![
         ("corners of the port codes".to_owned(), chooser.port_corners()),
         ("corners of the lobe: 0, 1, the cusp, where it ends, each with its neighbours".to_owned(), chooser.corners()),
@@ -67,7 +67,7 @@ pub(super) fn vectors(design: &Design) -> Vec<(String, Vec<Vector>)> {
         groups.push(("mutants that no vector above tells from the core".to_owned(), mutants));
     }
     let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
-    let pausing = detection::pausing(design, &known, &|task| chooser.candidates(task));
+    let pausing = detection::pausing(&design, &known, &|task| chooser.candidates(task));
     if !pausing.is_empty() {
         groups.push(("mutants of registers that no vector above tells from the core".to_owned(), pausing));
     }
@@ -83,7 +83,7 @@ impl<'a> Chooser<'a> {
 
     /// A few rows that matter: the first and last, small ones, powers of two and their neighbours.
     fn marked_rows(&self) -> Vec<usize> {
-        let rows = self.design.spec.interface.shininess.rows();
+        let rows = self.design.interface.shininess.rows();
         let mut marked: Vec<usize> = (0..rows.min(4)).chain(rows.saturating_sub(2)..rows).collect();
         for power in 2..17u32 {
             for near in [-1i64, 0, 1] {
@@ -106,8 +106,8 @@ impl<'a> Chooser<'a> {
         operands.sort_unstable();
         operands.dedup();
         let last_index = (1u64 << design.index_format().width()) as u32 - 1;
-        let rows = design.spec.interface.shininess.rows();
-        let set = &design.spec.interface.shininess;
+        let rows = design.interface.shininess.rows();
+        let set = &design.interface.shininess;
         let mut indices = vec![0, 1.min(last_index), set.index_of_row(0), set.index_of_row(rows / 2)];
         indices.extend([set.index_of_row(rows - 1), last_index]);
         indices.sort_unstable();
@@ -144,18 +144,18 @@ impl<'a> Chooser<'a> {
     fn corners(&mut self) -> Vec<Vector> {
         let mut result = Vec::new();
         for row in self.marked_rows() {
-            let n = self.design.spec.interface.shininess.value(row);
+            let n = self.design.interface.shininess.value(row);
             let cusp = -libm::expm1(-std::f64::consts::LN_2 / n);
             let mut codes: Vec<i64> = [0, 1, 2, self.one - 1, self.one].into();
             codes.extend(self.around(cusp));
             codes.extend(self.around(self.end(row) as f64 / self.one as f64));
             // The powers of two at which a scaled versine changes its leading bit.
-            for shift in 1..=self.design.spec.interface.input_fraction as i32 {
+            for shift in 1..=self.design.interface.input_fraction as i32 {
                 codes.extend(self.around(exp2(-shift)).filter(|_| exp2(-shift) * n < 8.0 && exp2(-shift) * n > 0.5));
             }
             codes.sort_unstable();
             codes.dedup();
-            let index = self.design.spec.interface.shininess.index_of_row(row);
+            let index = self.design.interface.shininess.index_of_row(row);
             for code in codes {
                 result.push(self.vector(index, self.design.operand_of_versine(code)));
             }
@@ -172,7 +172,7 @@ impl<'a> Chooser<'a> {
         let indices = (0..count).step_by(step).map(|index| index as u32);
         indices
             .map(|index| {
-                let n = design.spec.interface.shininess.value(design.spec.interface.shininess.row_of_index(index));
+                let n = design.interface.shininess.value(design.interface.shininess.row_of_index(index));
                 let cusp = -libm::expm1(-std::f64::consts::LN_2 / n);
                 self.vector(index, design.operand_of_versine((cusp * self.one as f64) as i64))
             })
@@ -183,7 +183,7 @@ impl<'a> Chooser<'a> {
     /// flipped, as far as any candidate does.
     fn rom_bits(&mut self) -> Vec<Vector> {
         let design = self.design;
-        let set = &design.spec.interface.shininess;
+        let set = &design.interface.shininess;
         let count = set.of_knots().rows();
         let mut flipped: Vec<Vec<Table>> = Vec::new();
         for (memory, table) in design.tables().iter().enumerate().filter(|(_, table)| table.key == "shininess") {
@@ -229,10 +229,10 @@ impl<'a> Chooser<'a> {
     /// Versine codes that detect as many of the `flipped` words of a code of in_n as possible.
     fn detecting(&self, index: u32, flipped: &[Evaluator]) -> Vec<i64> {
         let design = self.design;
-        let row = design.spec.interface.shininess.row_of_index(index);
+        let row = design.interface.shininess.row_of_index(index);
         let end = self.end(row);
         let cuts = design.datapath.coefficients().and_then(|table| table.find("cut"));
-        let cut = cuts.map_or(end, |field| field.codes[design.spec.interface.shininess.knot(row).0] as i64);
+        let cut = cuts.map_or(end, |field| field.codes[design.interface.shininess.knot(row).0] as i64);
         // First blocks about the end of the lobe, where a coefficient weighs most, and about the cut, which lies past
         // it where a tail is held, and combs over the lobe and over all; then, for what these do not detect, a fine
         // comb over the lobe.
@@ -296,10 +296,10 @@ impl<'a> Chooser<'a> {
             return Vec::new();
         }
 
-        let set = &design.spec.interface.shininess;
+        let set = &design.interface.shininess;
         // A table of the power itself has entries for each row: every row is gone through, those that only codes
         // outside the set read too, and in it every cell, as also a word that is 0 shows when it is not.
-        let table_bits = design.spec.method.options().table_bits;
+        let table_bits = design.method.options().table_bits;
         let of_rows = table_bits.is_some();
         let all = set.rows().saturating_mul(self.one as usize + 1) <= MOST_CANDIDATES;
         let indices: Vec<u32> = if of_rows && tables[memories[0]].first_index == 0 {
@@ -309,7 +309,7 @@ impl<'a> Chooser<'a> {
             rows.into_iter().map(|row| set.index_of_row(row)).collect()
         };
         let codes = if all { self.one + 1 } else { (MOST_CANDIDATES / indices.len()).max(1) as i64 };
-        let least = exp2(-(design.spec.interface.output_fraction as i32) - 2);
+        let least = exp2(-(design.interface.output_fraction as i32) - 2);
         // Made once, as an evaluator lays out what is looked up at computed addresses.
         let addresses: Vec<Evaluator> = addresses.iter().map(|graph| Evaluator::new(graph, tables)).collect();
         let flipped: Vec<Evaluator> = flips.iter().map(|flip| Evaluator::new(graph, &flip.tables)).collect();
@@ -360,7 +360,7 @@ impl<'a> Chooser<'a> {
         let (index_bits, operand) = (design.index_format().width(), design.operand_format());
         let all = index_bits + operand.width() == bits;
         let (first, operands) = super::all_codes(operand);
-        let rows = design.spec.interface.shininess.rows() as u64;
+        let rows = design.interface.shininess.rows() as u64;
         let mut rng = Rng::new((5 << 40) + task);
         let places = task << TASK_BITS..((task + 1) << TASK_BITS).min(1 << bits);
         blocks(places.map(move |place| {
@@ -372,9 +372,9 @@ impl<'a> Chooser<'a> {
                 // Every other row from the lower ones, where more of a lobe's inputs give anything.
                 let most = if place % 4 == 1 { rows.min(2 << rng.below(index_bits.into())) } else { rows };
                 let row = rng.below(most) as usize;
-                let widest = (3.0 / design.spec.interface.shininess.value(row)).min(1.0) * one as f64;
+                let widest = (3.0 / design.interface.shininess.value(row)).min(1.0) * one as f64;
                 let versine = rng.below(widest as u64 + 1) as i64;
-                (design.spec.interface.shininess.index_of_row(row).into(), design.operand_of_versine(versine))
+                (design.interface.shininess.index_of_row(row).into(), design.operand_of_versine(versine))
             };
             [index as i64, operand]
         }))
@@ -383,7 +383,7 @@ impl<'a> Chooser<'a> {
     /// Inputs that detect mutants which no known vector does.
     fn mutants(&mut self, known: &[&Vector]) -> Vec<Vector> {
         let tasks = (1u64 << self.candidate_bits()).div_ceil(1 << TASK_BITS);
-        let chosen = detection::detecting(self.design, known, tasks, &|task| self.candidates(task));
+        let chosen = detection::detecting(&self.design, known, tasks, &|task| self.candidates(task));
         chosen.into_iter().map(|inputs| self.vector(inputs[0] as u32, inputs[1])).collect()
     }
 
@@ -400,20 +400,25 @@ impl<'a> Chooser<'a> {
 
     fn random_highlight(&mut self) -> Vec<Vector> {
         let design = self.design;
-        let rows = design.spec.interface.shininess.rows() as u64;
+        let rows = design.interface.shininess.rows() as u64;
         (0..RANDOM)
             .map(|_| {
                 let row = self.rng.below(rows) as usize;
-                let widest = (3.0 / design.spec.interface.shininess.value(row)).min(1.0) * self.one as f64;
+                let widest = (3.0 / design.interface.shininess.value(row)).min(1.0) * self.one as f64;
                 let code = self.rng.below(widest as u64 + 1) as i64;
-                self.vector(design.spec.interface.shininess.index_of_row(row), design.operand_of_versine(code))
+                self.vector(design.interface.shininess.index_of_row(row), design.operand_of_versine(code))
             })
             .collect()
     }
 }
 
 /// The results for versine codes (the first, the stride and how many), in their order, whichever way the operand runs.
-fn outputs(design: &Design, evaluator: &Evaluator, index: u32, (first, stride, count): (i64, i64, i64)) -> Vec<u32> {
+fn outputs(
+    design: LobeDesign<'_>,
+    evaluator: &Evaluator,
+    index: u32,
+    (first, stride, count): (i64, i64, i64),
+) -> Vec<u32> {
     let [a, b] = [first, first + stride * (count - 1)].map(|versine| design.operand_of_versine(versine));
     let mut outputs = vec![0; count as usize];
     evaluator.evaluate(index, a.min(b), stride, &mut outputs);

@@ -16,9 +16,8 @@ use xxhash_rust::xxh3::Xxh3;
 pub use crate::core::golden::{Golden, RowDigest, Vector, complemented, complemented_tables, parse};
 
 use crate::core::golden::digest_rows;
-use crate::core::{Design, Direction};
+use crate::core::{BlockDesign, Design, Direction, LobeDesign};
 use crate::fixed::{Format, Rng};
-use crate::spec::Block;
 
 /// The heading of the vectors that a spec asks for.
 const FROM_SPEC: &str = "inputs of the spec, one a clock and then with a clock without ce before each";
@@ -60,20 +59,20 @@ impl Golden {
     #[must_use]
     pub fn of(design: &Design) -> Self {
         let rows = digest_rows(design);
-        let digests = rows
-            .into_par_iter()
-            .map(|row| {
-                let index = design.spec.interface.shininess.index_of_row(row);
-                let digest = match &design.spec.block {
-                    Block::Lobe => digest(design, index),
-                    Block::Shader(shader) => shader::digest(design, shader, index),
-                };
-                RowDigest { index, digest }
-            })
-            .collect();
-        let mut groups = match &design.spec.block {
-            Block::Lobe => choose::vectors(design),
-            Block::Shader(shader) => shader::vectors(design, shader),
+        let digest_of = |row| match design.block() {
+            BlockDesign::Lobe(lobe) => {
+                let index = lobe.interface.shininess.index_of_row(row);
+                RowDigest { index, digest: digest(lobe, index) }
+            }
+            BlockDesign::Shader(shader) => {
+                let index = shader.lobe.interface.shininess.index_of_row(row);
+                RowDigest { index, digest: shader::digest(shader, index) }
+            }
+        };
+        let digests = rows.into_par_iter().map(digest_of).collect();
+        let mut groups = match design.block() {
+            BlockDesign::Lobe(lobe) => choose::vectors(lobe),
+            BlockDesign::Shader(shader) => shader::vectors(shader),
         };
         if !design.spec.golden_inputs.0.is_empty() {
             groups.push((FROM_SPEC.to_owned(), asked_for(design, &design.spec.golden_inputs.0)));
@@ -89,9 +88,9 @@ pub fn all_codes(format: Format) -> (i64, u64) {
 }
 
 /// The digest of a shininess by the vectorised evaluator.
-fn digest(design: &Design, index: u32) -> u64 {
-    let evaluator = design.evaluator();
-    let (first, count) = all_codes(design.operand_format());
+fn digest(lobe: LobeDesign<'_>, index: u32) -> u64 {
+    let evaluator = lobe.evaluator();
+    let (first, count) = all_codes(lobe.operand_format());
     let mut outputs = vec![0u32; 4096];
     let mut hash = OutputHash::default();
     let mut done = 0;

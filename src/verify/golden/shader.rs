@@ -7,7 +7,7 @@ use super::{OutputHash, Vector};
 use crate::core::edges::varied;
 use crate::core::golden::STREAM;
 use crate::core::sample::{Sample, normalised, random_codes};
-use crate::core::{Design, Direction};
+use crate::core::{Design, Direction, ShaderDesign};
 use crate::fixed::{Rng, Table};
 use crate::spec::Shader;
 use crate::verify::faults::simulation::blocks;
@@ -23,14 +23,15 @@ const TASKS: u64 = 64;
 const OF_TASK: u64 = 1 << 14;
 
 /// The vectors of a shader, in groups with a heading.
-pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vector>)> {
+pub(super) fn vectors(design: ShaderDesign<'_>) -> Vec<(String, Vec<Vector>)> {
+    let shader = design.shader;
     let mut rng = Rng::new(0);
     let ports = design.numbers(Direction::In);
-    let rows = design.spec.interface.shininess.rows();
+    let rows = design.materials().len();
     let materials: Vec<u32> = (0..rows).step_by(rows.div_ceil(MOST_ROWS)).map(|row| row as u32).collect();
     let any_material = |rng: &mut Rng| {
         let row = rng.below(rows as u64) as u32;
-        (row, design.spec.interface.shininess.value(row as usize))
+        (row, design.lobe.interface.shininess.value(row as usize))
     };
     let mut groups: Vec<(&str, Vec<Vec<i64>>)> = Vec::new();
 
@@ -69,7 +70,7 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
         let pairs = (0..shader.lights as usize).flat_map(|l| materials.iter().map(move |&m| (l, m)));
         pairs.map(|(light, material)| alone(light, material)).collect()
     }));
-    let detecting: Vec<Vec<Vec<i64>>> = materials.par_iter().map(|&row| detecting(design, shader, row)).collect();
+    let detecting: Vec<Vec<Vec<i64>>> = materials.par_iter().map(|&row| detecting(design, row)).collect();
     groups.push(("rows told from rows with any bit of a word flipped", detecting.concat()));
     groups.push(("random codes", (0..RANDOM).map(|_| random_codes(&ports, &mut rng)).collect()));
     groups.push(("random samples", {
@@ -89,7 +90,7 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
     };
     let mut groups: Vec<(String, Vec<Vector>)> = groups.into_iter().map(&mut group).collect();
     let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
-    let mutants = detection::detecting(design, &known, TASKS, &|task| candidates(design, shader, task));
+    let mutants = detection::detecting(&design, &known, TASKS, &|task| candidates(design, task));
     if !mutants.is_empty() {
         groups.push((
             "mutants that no vector above tells from the core".to_owned(),
@@ -97,7 +98,7 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
         ));
     }
     let known: Vec<&Vector> = groups.iter().flat_map(|(_, vectors)| vectors).collect();
-    let pausing = detection::pausing(design, &known, &|task| candidates(design, shader, task));
+    let pausing = detection::pausing(&design, &known, &|task| candidates(design, task));
     if !pausing.is_empty() {
         groups.push(("mutants of registers that no vector above tells from the core".to_owned(), pausing));
     }
@@ -105,9 +106,9 @@ pub(super) fn vectors(design: &Design, shader: &Shader) -> Vec<(String, Vec<Vect
 }
 
 /// A task's candidates among which those are sought that detect mutants.
-fn candidates<'a>(design: &'a Design, shader: &'a Shader, task: u64) -> Candidates<'a> {
+fn candidates(design: ShaderDesign<'_>, task: u64) -> Candidates<'_> {
     let mut rng = Rng::new((5 << 40) + task);
-    blocks((0..OF_TASK).map(move |_| varied(design, shader, &mut rng)))
+    blocks((0..OF_TASK).map(move |_| varied(design, &mut rng)))
 }
 
 /// Normal, viewer and lights along the axes and halfway between them: scalar products of 0, 1 and -1.
@@ -140,13 +141,14 @@ fn along_axes(shader: &Shader, materials: &[u32]) -> Vec<Vec<i64>> {
 
 /// The fewest samples that a greedy search finds to detect each flipped bit of a material's words, as far as any
 /// candidate does.
-fn detecting(design: &Design, shader: &Shader, row: u32) -> Vec<Vec<i64>> {
+fn detecting(design: ShaderDesign<'_>, row: u32) -> Vec<Vec<i64>> {
+    let shader = design.shader;
     let mut rng = Rng::new((1 << 40) + u64::from(row));
-    let n = design.spec.interface.shininess.value(row as usize);
+    let n = design.lobe.interface.shininess.value(row as usize);
     let candidates: Vec<Vec<i64>> =
         (0..CANDIDATES).map(|_| Sample::random(shader, row, n, &mut rng).codes(shader)).collect();
     let outputs = |tables: &[Table]| -> Vec<Vec<i64>> {
-        candidates.iter().map(|codes| through_graph(design, tables, codes)).collect()
+        candidates.iter().map(|codes| through_graph(&design, tables, codes)).collect()
     };
     let right = outputs(design.tables());
     let mut detects: Vec<Vec<bool>> = Vec::new();
@@ -173,10 +175,12 @@ fn through_graph(design: &Design, tables: &[Table], codes: &[i64]) -> Vec<i64> {
 }
 
 /// The digest of a material: its stream's inputs are samples and random codes in turn.
-pub(super) fn digest(design: &Design, shader: &Shader, index: u32) -> u64 {
+pub(super) fn digest(design: ShaderDesign<'_>, index: u32) -> u64 {
+    let shader = design.shader;
     let mut rng = Rng::new((2 << 40) + u64::from(index));
     let ports = design.numbers(Direction::In);
-    let n = design.spec.interface.shininess.value(design.spec.interface.shininess.row_of_index(index));
+    let set = &design.lobe.interface.shininess;
+    let n = set.value(set.row_of_index(index));
     let mut hash = OutputHash::default();
     for sample in 0..STREAM {
         let codes = if sample % 2 == 0 {
@@ -187,7 +191,7 @@ pub(super) fn digest(design: &Design, shader: &Shader, index: u32) -> u64 {
             codes
         };
         let outputs: Vec<u32> =
-            through_graph(design, design.tables(), &codes).into_iter().map(|code| code as u32).collect();
+            through_graph(&design, design.tables(), &codes).into_iter().map(|code| code as u32).collect();
         hash.update(&outputs);
     }
     hash.digest()

@@ -1,11 +1,11 @@
 //! The kernel for a design, where there is one.
 
 use super::{CubicRom, CubicWidths, Kernel, QuadraticRom, QuadraticWidths, cubic, quadratic};
-use crate::core::Design;
+use crate::core::{BlockDesign, Design};
 use crate::datapath::graph::{Node, Op};
 use crate::fixed::Width;
 use crate::method::width;
-use crate::spec::{Block, Form, InputRange, Operand, Pipeline, RomStyle, Tail};
+use crate::spec::{Form, InputRange, Operand, Pipeline, RomStyle, Tail};
 
 /// The kernel of a design's method, if there is an instance at just its widths.
 ///
@@ -13,16 +13,16 @@ use crate::spec::{Block, Form, InputRange, Operand, Pipeline, RomStyle, Tail};
 /// and cannot be written, and scale by a shift that is wholly in the ROM.
 #[must_use]
 pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
-    let spec = &design.spec;
+    let BlockDesign::Lobe(lobe) = design.block() else { return None };
+    let (spec, interface) = (&design.spec, lobe.interface);
     let table = design.datapath.coefficients()?;
-    let suits = spec.block == Block::Lobe
-        && spec.method.form() == Form::Stable
-        && spec.method.options().tail != Some(Tail::Hold)
-        && spec.interface.operand == Operand::Cos
-        && spec.interface.input_range == InputRange::Any
+    let suits = lobe.method.form() == Form::Stable
+        && lobe.method.options().tail != Some(Tail::Hold)
+        && interface.operand == Operand::Cos
+        && interface.input_range == InputRange::Any
         && spec.pipeline == Pipeline::Auto
         && spec.rom != RomStyle::Writable
-        && spec.interface.input_fraction <= spec.interface.output_fraction
+        && interface.input_fraction <= interface.output_fraction
         && table.first_index == 0
         && table.shared_shift == 0
         && table.fields.iter().all(|field| !field.format.signed);
@@ -34,11 +34,11 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
         (0..table.depth()).map(|address| field.codes[table.row_of_address(address)] as u64).collect()
     };
     let width = |name: &str| table.field(name).format.width() as usize;
-    let bits = |width: Width| design.widths[width] as usize;
+    let bits = |width: Width| lobe.widths[width] as usize;
     let (f, g, n) =
-        (spec.interface.input_fraction as usize, spec.interface.output_fraction as usize, table.address_bits as usize);
+        (interface.input_fraction as usize, interface.output_fraction as usize, table.address_bits as usize);
     let k = words("k");
-    match spec.method.about().name {
+    match lobe.method.about().name {
         "quadratic" => {
             let widths = QuadraticWidths {
                 f,

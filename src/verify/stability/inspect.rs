@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::core::{Design, Measured};
+use crate::core::{LobeDesign, Measured};
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
 use crate::datapath::range::{Analysis, Ranges};
@@ -141,13 +141,13 @@ impl Inspection {
     /// # Panics
     /// For a shader, whose inputs are too many: see [`super::shader`].
     #[must_use]
-    pub fn of(design: &Design) -> Self {
-        let set = &design.spec.interface.shininess;
+    pub fn of(design: LobeDesign<'_>) -> Self {
+        let set = &design.interface.shininess;
         let analysis = Analysis::new(design.graph(), design.tables());
         let ranges = analysis.over(&design.regions(), MOST_BLOCKS);
         let wide = analysis.with_spare_bits(&ranges);
         let evaluators = [Evaluator::new(design.graph(), design.tables()), Evaluator::new(&wide, design.tables())];
-        let codes = (1usize << design.spec.interface.input_fraction) + 1;
+        let codes = (1usize << design.interface.input_fraction) + 1;
         let logs: Vec<f64> = (0..codes).map(|x| libm::log((x as f64) / (codes - 1) as f64)).collect();
         let rows: Vec<RowStudy> =
             (0..set.rows()).into_par_iter().map(|row| RowStudy::of(design, &evaluators, &logs, row)).collect();
@@ -241,11 +241,11 @@ pub(super) fn signal(graph: &Graph, ranges: &Ranges, key: impl Fn(&Signal) -> f6
 }
 
 impl RowStudy {
-    fn of(design: &Design, [core, wide]: &[Evaluator; 2], logs: &[f64], row: usize) -> Self {
-        let spec = &design.spec;
-        let (index, n) = (spec.interface.shininess.index_of_row(row), spec.interface.shininess.value(row));
-        let one = 1i64 << spec.interface.input_fraction;
-        let scale = exp2(spec.interface.output_fraction as i32);
+    fn of(design: LobeDesign<'_>, [core, wide]: &[Evaluator; 2], logs: &[f64], row: usize) -> Self {
+        let interface = design.interface;
+        let (index, n) = (interface.shininess.index_of_row(row), interface.shininess.value(row));
+        let one = 1i64 << interface.input_fraction;
+        let scale = exp2(interface.output_fraction as i32);
         let mut found = Self::default();
         let mut run = |first: i64, count: usize| {
             let (mut own, mut other) = (vec![0u32; count], vec![0u32; count]);
@@ -258,7 +258,7 @@ impl RowStudy {
         let ends = [outputs[0], outputs[one as usize]];
         let mut differing = 0;
         let mut outside = 0;
-        if spec.interface.input_range == InputRange::Any {
+        if interface.input_range == InputRange::Any {
             let (first, count) = crate::verify::golden::all_codes(design.operand_format());
             let last = first + count as i64 - 1;
             for (from, to, end) in [
@@ -275,11 +275,11 @@ impl RowStudy {
             }
         }
         (found.outside, found.outside_differences) = (outside, differing);
-        if spec.interface.operand == Operand::Versine {
+        if interface.operand == Operand::Versine {
             outputs.reverse();
         }
         // From here on the outputs are in the order of the cosines.
-        let top = 1i64 << spec.interface.output_fraction;
+        let top = 1i64 << interface.output_fraction;
         found.at_zero = outputs[0].into();
         found.below_one = top - i64::from(outputs[one as usize]);
         found.above_one = outputs.iter().filter(|&&output| i64::from(output) > top).count() as u64;

@@ -16,12 +16,12 @@ use serde::Serialize;
 
 use super::inspect::{MOST_BLOCKS, Signal, signal};
 use crate::block::shader::datapath::Joints;
-use crate::core::Design;
+use crate::core::ShaderDesign;
 use crate::core::edges::varied;
 use crate::datapath::graph::{Graph, NodeId};
 use crate::datapath::range::{Analysis, Ranges, Region, Span, by_rows};
 use crate::fixed::{Rng, Table};
-use crate::spec::{Shader, Shininess};
+use crate::spec::Shininess;
 
 /// Inputs that are run with wide registers.
 const SAMPLES: u64 = 1 << 14;
@@ -151,13 +151,13 @@ pub struct ShaderInspection {
 impl ShaderInspection {
     /// Inspects a shader's core.
     #[must_use]
-    pub fn of(design: &Design, shader: &Shader) -> Self {
-        let (set, graph) = (&design.spec.interface.shininess, design.graph());
-        let proof = Proof::of(set, &design.joints, graph, design.tables());
+    pub fn of(design: ShaderDesign<'_>) -> Self {
+        let (set, graph) = (&design.lobe.interface.shininess, design.graph());
+        let proof = Proof::of(set, design.joints, graph, design.tables());
         let wide = Analysis::new(graph, design.tables()).with_spare_bits(&proof.ranges);
         let differs = |place: u64| {
             let mut rng = Rng::new(place);
-            let codes: Vec<i128> = varied(design, shader, &mut rng).into_iter().map(i128::from).collect();
+            let codes: Vec<i128> = varied(design, &mut rng).into_iter().map(i128::from).collect();
             let outputs = |graph: &Graph| -> Vec<i128> {
                 let values = graph.values(design.tables(), &codes);
                 graph.outputs.iter().map(|&(_, id)| values[id]).collect()

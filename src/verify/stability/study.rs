@@ -163,7 +163,7 @@ impl Case {
         let case = self.clone();
         let design = SpecFields::parse(&self.spec, "spec").and_then(SpecFields::resolve).and_then(Design::new);
         match design {
-            Ok(design) => Entry { case, refused: None, found: Some(Inspection::of(&design)) },
+            Ok(design) => Entry { case, refused: None, found: Some(Inspection::of(design.lobe())) },
             Err(error) => Entry { case, refused: Some(error.to_string()), found: None },
         }
     }

@@ -21,15 +21,16 @@ fn message(text: &str) -> String {
 #[test]
 fn defaults_are_resolved_and_written_back() {
     let spec = parse("method = \"quadratic\"\nshininess = \"1..=1000\"").unwrap();
-    assert_eq!(
-        (spec.interface.input_fraction, spec.interface.output_fraction, spec.method.form()),
-        (16, 16, Form::Stable)
-    );
+    let LobeSpec { method, interface } = spec.block.lobe();
+    assert_eq!((interface.input_fraction, interface.output_fraction, method.form()), (16, 16, Form::Stable));
     assert_eq!(spec.languages, [Language::Verilog, Language::Vhdl]);
     assert_eq!(parse(&spec.to_toml()).unwrap(), spec);
     assert_eq!(spec.command(), "brdfgen generate --method quadratic --shininess 1..=1000");
     // The default of a level that the method does not have is no obstacle.
-    assert_eq!(parse("method = \"cubic\"\nshininess = [3]\nq = 0.051").unwrap().method.options().q, Some(0.051));
+    assert_eq!(
+        parse("method = \"cubic\"\nshininess = [3]\nq = 0.051").unwrap().block.lobe().method.options().q,
+        Some(0.051)
+    );
 }
 
 /// What a core is comes first; then what differs from the defaults, in the order of the keys.

@@ -124,7 +124,7 @@ fn only_what_serves_the_shininess_and_has_the_keys_is_considered() {
     let named = Constraints { keys: keys("method = 'quadratic'\nname = 'mine'"), ..constraints(0.5, Objective::Lut) };
     let choice = named.choose(&results()).unwrap();
     let spec = named.spec_of(choice.chosen.as_ref().unwrap()).unwrap().resolve().unwrap();
-    assert_eq!((spec.name.as_str(), spec.interface.shininess.to_string().as_str()), ("mine", "5..=9"));
+    assert_eq!((spec.name.as_str(), spec.block.lobe().interface.shininess.to_string().as_str()), ("mine", "5..=9"));
 }
 
 #[test]

@@ -24,7 +24,7 @@ fn every_valid_combination_is_a_core_once() {
     assert!(plan.cores.is_sorted_by(|a, b| a.id < b.id));
     let ice: Vec<&Core> = plan.cores.iter().filter(|core| core.family == Family::Ice40).collect();
     assert_eq!(ice.len(), 1);
-    assert_eq!(ice[0].spec.method.about().name, "quadratic");
+    assert_eq!(ice[0].spec.block.lobe().method.about().name, "quadratic");
 }
 
 #[test]
@@ -35,7 +35,7 @@ fn lists_of_a_key_are_written_as_lists_in_the_list() {
          [[sweep]]\nmethod = 'cubic'\nmaterial = [[{ name = 'a', shininess = 3 }], [{ name = 'a', shininess = 4 }]]\n",
     );
     assert_eq!(plan.cores.len(), 4 * 2 * 2 + 2);
-    let rows: Vec<usize> = plan.cores.iter().map(|core| core.spec.interface.shininess.rows()).collect();
+    let rows: Vec<usize> = plan.cores.iter().map(|core| core.spec.block.lobe().interface.shininess.rows()).collect();
     assert_eq!([64, 2, 1].map(|count| rows.iter().filter(|&&rows| rows == count).count()), [4, 8, 6]);
 }
 

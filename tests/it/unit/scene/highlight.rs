@@ -52,7 +52,7 @@ fn codes_are_the_nearest_of_the_ports() {
             "method = \"cubic\"\noperand = {operand:?}\ninput_fraction = 12\nshininess = \"1..=1000\""
         ));
         let codes = Codes::of(&design, &scene, &frame);
-        let format = design.operand_format();
+        let format = design.lobe().operand_format();
         let mut dark = 0;
         for (sample, &u) in frame.versine.iter().enumerate() {
             if u.is_nan() {
@@ -84,7 +84,7 @@ fn the_tabulated_model_is_the_model() {
         assert_eq!(values.len(), frame.versine.len());
         for (sample, &value) in values.iter().enumerate() {
             let Some((index, operand)) = codes.sample(&frame, sample) else { continue };
-            let wanted = design.model().evaluate(index, operand.into());
+            let wanted = design.lobe().model().evaluate(index, operand.into());
             assert_eq!(value, f64::from(wanted) / 65_536.0, "{spec}, sample {sample}");
         }
     }
