@@ -89,9 +89,16 @@ say "documentation"
 cargo doc --locked --no-deps --quiet
 
 say "tests"
-# That a test takes a minute is said on a terminal only, too.
-slow='match($0, /test [^ ]+ has been running for over/) { printf "%s", substr($0, 1, RSTART - 1); next } { print; fflush() }'
-if [ -t 1 ]; then cargo test --locked --no-fail-fast; else cargo test --quiet --locked --no-fail-fast 2>&1 | awk "$slow"; fi
+# That a test takes a minute, too: the rest of such a line are the dots of tests that have passed.
+without_times() {
+    while IFS= read -r line; do
+        case $line in
+        *"has been running for over"*) printf '%s' "${line%%test *}" ;;
+        *) printf '%s\n' "$line" ;;
+        esac
+    done
+}
+if [ -t 1 ]; then cargo test --locked --no-fail-fast; else cargo test --quiet --locked --no-fail-fast 2>&1 | without_times; fi
 
 if [ "$all" = yes ]; then
     # The same inputs in every run: so many from one seed, starting from the kept ones. fuzz/run.sh alone goes on from where it was.
