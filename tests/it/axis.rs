@@ -3,58 +3,24 @@
 //!
 //! Needs iverilog, verilator, ghdl, yosys and Yices; `test.sh` installs them.
 
-use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use brdfgen::core::{Account, Design};
 use brdfgen::emit::package;
-use brdfgen::spec::{Language, SpecFields};
-use brdfgen::verify::cosim::{self, Job, Sim};
+use brdfgen::spec::Language;
+use brdfgen::verify::cosim::{self, Sim};
 use brdfgen::verify::formal::{self, ProofStatus};
-use brdfgen::verify::golden::Golden;
 use rayon::prelude::*;
-use tempfile::TempDir;
 
-struct Core {
-    design: Design,
-    golden: Golden,
-    files: Vec<package::File>,
-}
+use crate::common::core::{Generated, OnDisk, silent};
 
-impl Core {
-    fn new(spec: &str) -> Self {
-        let spec = SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec);
-        let design = Design::new(spec).expect("a design");
-        let golden = Golden::of(&design);
-        let files = package::files(&design, &Account::of(&design), &golden).expect("files");
-        Self { design, golden, files }
-    }
-
-    fn text(&self, path: &str) -> String {
-        let file = self.files.iter().find(|file| file.path == path).expect(path);
-        String::from_utf8(file.bytes.clone()).expect("text")
-    }
-
-    fn on_disk(&self) -> (TempDir, PathBuf) {
-        let scratch = tempfile::tempdir().expect("a directory");
-        let path = scratch.path().join("core");
-        package::write_directory(&path, &self.files).expect("written");
-        (scratch, path)
-    }
-
-    /// Its directory with a fault in the wrapper.
-    fn broken(&self, language: Language, (what, from, to): Fault) -> (TempDir, PathBuf) {
-        let (scratch, path) = self.on_disk();
-        let file = package::axis_path(&self.design, language);
-        let text = self.text(&file);
-        assert_eq!(text.matches(from).count(), 1, "{what}: `{from}` in\n{text}");
-        std::fs::write(path.join(file), text.replace(from, to)).expect("written");
-        (scratch, path)
-    }
-
-    fn job<'a>(&'a self, directory: &'a Path) -> Job<'a> {
-        Job { design: &self.design, golden: &self.golden, directory }
-    }
+/// The directory of a core with a fault in the wrapper.
+fn broken(core: &Generated, language: Language, (what, from, to): Fault) -> OnDisk {
+    let directory = core.on_disk();
+    let file = package::axis_path(&core.design, language);
+    let text = core.text(&file);
+    assert_eq!(text.matches(from).count(), 1, "{what}: `{from}` in\n{text}");
+    std::fs::write(directory.path().join(file), text.replace(from, to)).expect("written");
+    directory
 }
 
 /// Lobes and shaders; one stage and many; ROM in the text, in a file and writable; `tuser` of one bit and of many.
@@ -69,38 +35,33 @@ const SPECS: &[&str] = &[
      [shader]\nmodel = 'blinn'\nchannel_bits = 10\nlight_colours = 'ports'",
 ];
 
-fn silent(directory: &Path, program: &str, arguments: &[&str], what: &str) {
-    let output = Command::new(program).current_dir(directory).args(arguments).output().expect(program);
-    let text = format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-    assert!(output.status.success() && text.trim().is_empty(), "{program} on {what}:\n{text}");
-}
-
 #[test]
 fn every_wrapper_passes_its_benches_lints_clean_and_is_proved() {
     SPECS.par_iter().for_each(|spec| {
-        let core = Core::new(spec);
-        let (scratch, path) = core.on_disk();
+        let core = Generated::new(spec);
+        let directory = core.on_disk();
+        let path = directory.path();
         for sim in [Sim::Icarus, Sim::Ghdl] {
-            let outcome = cosim::axis(sim, &core.job(&path)).expect("it runs").expect("there is a wrapper");
+            let outcome = cosim::axis(sim, &directory.job()).expect("it runs").expect("there is a wrapper");
             assert!(outcome.passed(), "{spec}\n{outcome:?}");
             assert_eq!(outcome.vectors, core.golden.vectors().len() as u64);
         }
-        assert_eq!(cosim::axis(Sim::Builtin, &core.job(&path)).expect("an answer"), None);
+        assert_eq!(cosim::axis(Sim::Builtin, &directory.job()).expect("an answer"), None);
 
         let name = &core.design.spec.name;
         let verilog = [format!("rtl/{name}.v"), format!("rtl/{name}_axis.v"), format!("tb/{name}_axis_tb.v")];
         let vhdl = [format!("rtl/{name}.vhd"), format!("rtl/{name}_axis.vhd"), format!("tb/{name}_axis_tb.vhd")];
-        let work = scratch.path().join("work");
+        let work = directory.beside("work");
         std::fs::create_dir(&work).expect("a directory");
         let (workdir, out) = (format!("--workdir={}", work.display()), work.join("out").display().to_string());
         let top = format!("{name}_axis");
-        silent(&path, "verilator", &["--lint-only", "-Wall", "--top-module", &top, &verilog[0], &verilog[1]], spec);
-        silent(&path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog[0], &verilog[1]], spec);
-        silent(&path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog[0], &verilog[1], &verilog[2]], spec);
-        silent(&path, "ghdl", &["-a", "--std=08", &workdir, &vhdl[0], &vhdl[1], &vhdl[2]], spec);
+        silent(path, "verilator", &["--lint-only", "-Wall", "--top-module", &top, &verilog[0], &verilog[1]], spec);
+        silent(path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog[0], &verilog[1]], spec);
+        silent(path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog[0], &verilog[1], &verilog[2]], spec);
+        silent(path, "ghdl", &["-a", "--std=08", &workdir, &vhdl[0], &vhdl[1], &vhdl[2]], spec);
         let script =
             format!("read_verilog {} {}; hierarchy -check -top {top}; proc; check -assert", verilog[0], verilog[1]);
-        silent(&path, "yosys", &["-q", "-p", &script], spec);
+        silent(path, "yosys", &["-q", "-p", &script], spec);
         for file in verilog[1..].iter().chain(&vhdl[1..]) {
             let text = core.text(file);
             assert!(text.is_ascii() && text.ends_with('\n') && !text.contains(['\t', '\r']), "{file} of {spec}");
@@ -108,7 +69,7 @@ fn every_wrapper_passes_its_benches_lints_clean_and_is_proved() {
             assert_eq!(long, None, "{file} of {spec}");
         }
 
-        let proofs = formal::stream(&core.design, &path, &|_| {}).expect("it runs");
+        let proofs = formal::stream(&core.design, path, &|_| {}).expect("it runs");
         assert_eq!(proofs.len(), 2);
         assert!(proofs.iter().all(|proof| proof.verdict == ProofStatus::Proved), "{spec}\n{proofs:?}");
     });
@@ -199,8 +160,9 @@ fn the_wrappers_outputs_are_known_from_reset_on() {
     let written =
         small.replace("tuser_bits = 3", "tuser_bits = 64\nrom = 'writable'").replace("pipeline = 4", "pipeline = 1");
     [small.as_str(), SPECS[3], &written].par_iter().for_each(|spec| {
-        let core = Core::new(spec);
-        let (scratch, path) = core.on_disk();
+        let core = Generated::new(spec);
+        let directory = core.on_disk();
+        let path = directory.path();
         let axis = package::axis(&core.design).expect("a wrapper");
         let name = &core.design.spec.name;
         let watch = |text: &str, writes: [&str; 3]| {
@@ -215,7 +177,7 @@ fn the_wrappers_outputs_are_known_from_reset_on() {
                 .replace("IN", &axis.inputs.tdata_bits().to_string())
         };
         let said = |program: &str, arguments: &[&str]| {
-            let output = Command::new(program).current_dir(&path).args(arguments).output().expect(program);
+            let output = Command::new(program).current_dir(path).args(arguments).output().expect(program);
             let text =
                 format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
             assert!(output.status.success(), "{program} on {spec}:\n{text}");
@@ -231,7 +193,7 @@ fn the_wrappers_outputs_are_known_from_reset_on() {
         let verilog = watch(VERILOG_WATCH, [".PORT(1'b0), ", ".PORT(0), ", ".PORT(0),"]);
         std::fs::write(path.join("watch.v"), verilog).expect("written");
         let (core_file, wrapper) = (format!("rtl/{name}.v"), format!("rtl/{name}_axis.v"));
-        let out = scratch.path().join("watch.vvp").display().to_string();
+        let out = directory.beside("watch.vvp").display().to_string();
         said("iverilog", &["-g2005", "-o", &out, "-s", "watch", &core_file, &wrapper, "watch.v"]);
         known(&said("vvp", &["-n", &out]));
 
@@ -245,9 +207,9 @@ fn the_wrappers_outputs_are_known_from_reset_on() {
 
 #[test]
 fn the_wrapper_passes_in_verilator() {
-    let core = Core::new(SPECS[2]);
-    let (_scratch, path) = core.on_disk();
-    let outcome = cosim::axis(Sim::Verilator, &core.job(&path)).expect("it runs").expect("there is a wrapper");
+    let core = Generated::new(SPECS[2]);
+    let directory = core.on_disk();
+    let outcome = cosim::axis(Sim::Verilator, &directory.job()).expect("it runs").expect("there is a wrapper");
     assert!(outcome.passed(), "{outcome:?}");
 }
 
@@ -294,13 +256,13 @@ const VHDL_FAULTS: &[Fault] = &[
 
 #[test]
 fn benches_find_broken_wrappers() {
-    let core = Core::new(SMALL);
+    let core = Generated::new(SMALL);
     for (language, sim, faults) in
         [(Language::Verilog, Sim::Icarus, VERILOG_FAULTS), (Language::Vhdl, Sim::Ghdl, VHDL_FAULTS)]
     {
         faults.par_iter().for_each(|&fault| {
-            let (_scratch, path) = core.broken(language, fault);
-            let outcome = cosim::axis(sim, &core.job(&path)).expect("it runs").expect("there is a wrapper");
+            let directory = broken(&core, language, fault);
+            let outcome = cosim::axis(sim, &directory.job()).expect("it runs").expect("there is a wrapper");
             assert!(!outcome.passed() && !outcome.first[0].contains("compile"), "{language}, {}: {outcome:?}", fault.0);
         });
     }
@@ -308,11 +270,12 @@ fn benches_find_broken_wrappers() {
 
 #[test]
 fn proofs_find_broken_wrappers() {
-    let core = Core::new(SMALL);
+    let core = Generated::new(SMALL);
     for (language, faults) in [(Language::Verilog, VERILOG_FAULTS), (Language::Vhdl, VHDL_FAULTS)] {
         faults.par_iter().for_each(|&fault| {
-            let (_scratch, path) = core.broken(language, fault);
-            let proofs = formal::stream(&core.design, &path, &|_| {});
+            let directory = broken(&core, language, fault);
+            let path = directory.path();
+            let proofs = formal::stream(&core.design, path, &|_| {});
             // GHDL leaves out what has no use, so that the claims cannot be connected to it.
             let Ok(proofs) = proofs else {
                 assert!(language == Language::Vhdl && fault.0 == "skid register dropped", "{}: {proofs:?}", fault.0);
@@ -333,8 +296,8 @@ fn proofs_find_broken_wrappers() {
 /// What a core with a wrapper has more than one without: files, a section of the datasheet, a part of the manifest.
 #[test]
 fn the_packing_is_said_wherever_it_is_looked_for() {
-    let core = Core::new(SMALL);
-    let plain = Core::new(&SMALL.replace("axi_stream = true\ntuser_bits = 3\n", ""));
+    let core = Generated::new(SMALL);
+    let plain = Generated::new(&SMALL.replace("axi_stream = true\ntuser_bits = 3\n", ""));
     assert_eq!(core.text("files.f"), "rtl/quadratic.v\nrtl/quadratic_axis.v\n");
     let more: Vec<&str> = core.files.iter().map(|file| file.path.as_str()).collect();
     let more: Vec<&&str> = more.iter().filter(|path| plain.files.iter().all(|file| file.path != **path)).collect();
@@ -359,6 +322,7 @@ fn the_packing_is_said_wherever_it_is_looked_for() {
         assert!(core.text(path).contains("  [18:7]  in_cos        Q1.10 cosine x;"), "{}", core.text(path));
     }
     // The core itself is the same but for the spec's digest and the command in its header.
-    let body = |core: &Core| core.text("rtl/quadratic.v").split_once("`timescale").map(|(_, body)| body.to_owned());
+    let body =
+        |core: &Generated| core.text("rtl/quadratic.v").split_once("`timescale").map(|(_, body)| body.to_owned());
     assert_eq!(body(&core), body(&plain));
 }

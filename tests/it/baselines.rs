@@ -1,7 +1,5 @@
 //! The baselines: their proofs against brute force, the model, their errors against x^n, what they refuse.
 
-use std::sync::atomic::{AtomicU64, Ordering};
-
 use brdfgen::core::{Design, Measured};
 use brdfgen::fixed::exp2;
 use brdfgen::lobe;
@@ -9,51 +7,12 @@ use brdfgen::method::harris::Harris;
 use brdfgen::method::table::Tabulated;
 use brdfgen::platform::error::Error;
 use brdfgen::spec::SpecFields;
-use brdfgen::verify::golden::all_codes;
 use proptest::prelude::*;
-use rayon::prelude::*;
+
+use crate::common::core::{assert_every_input, design};
 
 fn try_design(spec: &str) -> Result<Design, Error> {
     SpecFields::parse(spec, "test").and_then(SpecFields::resolve).and_then(Design::new)
-}
-
-fn design(spec: &str) -> Design {
-    try_design(spec).expect(spec)
-}
-
-/// Every code of the operand port for every `row_step`th shininess: within the proved bound of the real-valued method,
-/// which is below one output ulp, and at every `stride`th code equal to the model.
-fn assert_every_input(spec: &str, row_step: usize, stride: i64) {
-    let design = design(spec);
-    let [low, high] = design.lobe().budget.proved_ulps;
-    assert!(-1.0 < low && high < 1.0, "{spec}: proved {low}..{high}");
-    let scale = exp2(design.lobe().interface.output_fraction as i32);
-    let (first, count) = all_codes(design.lobe().operand_format());
-    let (evaluator, model, lobes) = (design.evaluator(), design.lobe().model(), design.lobe().lobes);
-    let compared = AtomicU64::new(0);
-    let rows: Vec<usize> = (0..design.lobe().interface.shininess.rows()).step_by(row_step).collect();
-    rows.par_iter().for_each(|&row| {
-        let index = design.lobe().interface.shininess.index_of_row(row);
-        let mut outputs = vec![0u32; count as usize];
-        evaluator.evaluate(index, first, 1, &mut outputs);
-        let mut own = 0;
-        for (offset, &output) in outputs.iter().enumerate() {
-            let operand = first + offset as i64;
-            let error = f64::from(output) - lobes[row].at(design.lobe().versine(operand)) * scale;
-            // The method itself is computed in double precision here.
-            assert!(
-                low - 1e-6 <= error && error <= high + 1e-6 && f64::from(output) <= scale,
-                "{spec}: row {row}, operand {operand}: {output}, error {error} outside {low}..{high}"
-            );
-            if (operand + row as i64) % stride == 0 {
-                assert_eq!(model.evaluate(index, operand), output, "{spec}: row {row}, operand {operand}");
-                own += 1;
-            }
-        }
-        compared.fetch_add(own, Ordering::Relaxed);
-    });
-    let expected = rows.len() as u64 * count / stride.unsigned_abs();
-    assert!(compared.into_inner() >= expected / 2, "{spec}: too few compared with the model");
 }
 
 fn evaluate(design: &Design, index: u32, operand: i64) -> u32 {

@@ -1,7 +1,8 @@
 //! `brdfgen claims` from the outside: the recorded values, the files, what it refuses and how it ends.
 
-use crate::common::Scratch;
 use serde_json::Value;
+
+use crate::common::Scratch;
 
 /// The measured value of a figure in the answer's JSON.
 #[track_caller]

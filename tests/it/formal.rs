@@ -3,55 +3,36 @@
 //!
 //! Needs ghdl and yosys with yosys-abc; `test.sh` installs them.
 
-use crate::common::Scratch;
-use brdfgen::core::{Account, Design};
-use brdfgen::emit::package;
-use brdfgen::spec::{Language, SpecFields};
-use brdfgen::verify::formal::{self, Proof, ProofStatus, Step};
-use brdfgen::verify::golden::Golden;
-use rayon::prelude::*;
 use std::sync::Mutex;
 
-/// A core in memory: its design, golden vectors and files.
-struct Core {
-    design: Design,
-    golden: Golden,
-    files: Vec<package::File>,
-}
+use brdfgen::spec::Language;
+use brdfgen::verify::formal::{self, Proof, ProofStatus, Step};
+use rayon::prelude::*;
+
+use crate::common::Scratch;
+use crate::common::core::Generated;
 
 /// A fault: a language, a text of its HDL, and what takes its place.
 type Fault = (Language, &'static str, &'static str);
 
-impl Core {
-    fn new(spec: &str) -> Self {
-        let spec = SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec);
-        let design = Design::new(spec).expect("a design");
-        let golden = Golden::of(&design);
-        let files = package::files(&design, &Account::of(&design), &golden).expect("files");
-        Self { design, golden, files }
+/// What is proved of a core, with faults in its texts.
+fn proofs_of(core: &Generated, faults: &[Fault]) -> Vec<Proof> {
+    let directory = core.on_disk();
+    for (language, from, to) in faults {
+        let file = directory.rtl(*language);
+        let text = std::fs::read_to_string(&file).expect("text");
+        assert_eq!(text.matches(from).count(), 1, "`{from}` in\n{text}");
+        std::fs::write(file, text.replace(from, to)).expect("written");
     }
-
-    /// What is proved of it, with faults in its texts.
-    fn proofs(&self, faults: &[Fault]) -> Vec<Proof> {
-        let scratch = tempfile::tempdir().expect("a directory");
-        let path = scratch.path().join("core");
-        package::write_directory(&path, &self.files).expect("written");
-        for (language, from, to) in faults {
-            let file = path.join(package::rtl_path(&self.design, *language));
-            let text = std::fs::read_to_string(&file).expect("text");
-            assert_eq!(text.matches(from).count(), 1, "`{from}` in\n{text}");
-            std::fs::write(file, text.replace(from, to)).expect("written");
-        }
-        // Each claim is told of before and after it is looked at.
-        let told = Mutex::new(Vec::new());
-        let tell = |step: Step| match step {
-            Step::Begun(claim) => told.lock().expect("whole").push(claim.to_owned()),
-            Step::Ended(proof) => assert_eq!(told.lock().expect("whole").last(), Some(&proof.claim)),
-        };
-        let proofs = formal::equivalence(&self.design, &path, &self.golden, 60, &tell).expect("the tools work");
-        assert_eq!(told.into_inner().expect("whole").len(), proofs.len());
-        proofs
-    }
+    // Each claim is told of before and after it is looked at.
+    let told = Mutex::new(Vec::new());
+    let tell = |step: Step| match step {
+        Step::Begun(claim) => told.lock().expect("whole").push(claim.to_owned()),
+        Step::Ended(proof) => assert_eq!(told.lock().expect("whole").last(), Some(&proof.claim)),
+    };
+    let proofs = formal::equivalence(&core.design, directory.path(), &core.golden, 60, &tell).expect("the tools work");
+    assert_eq!(told.into_inner().expect("whole").len(), proofs.len());
+    proofs
 }
 
 /// The verdict on the claim that begins so.
@@ -80,7 +61,7 @@ fn what_the_generator_writes_is_proved() {
         ),
     ];
     specs.par_iter().for_each(|(spec, claims)| {
-        let proofs = Core::new(spec).proofs(&[]);
+        let proofs = proofs_of(&Generated::new(spec), &[]);
         assert!(proofs.len() >= *claims, "{spec}: {proofs:?}");
         assert!(proofs.iter().all(|proof| proof.verdict == ProofStatus::Proved), "{spec}: {proofs:?}");
     });
@@ -88,7 +69,7 @@ fn what_the_generator_writes_is_proved() {
 
 #[test]
 fn another_function_in_one_text_is_refuted() {
-    let core = Core::new(CUBIC);
+    let core = Generated::new(CUBIC);
     let faults: &[Fault] = &[
         // A bit of a word of the ROM: in the threshold, in the shift.
         (Language::Verilog, "30'h3df5332f;", "30'h3df5332e;"),
@@ -103,14 +84,14 @@ fn another_function_in_one_text_is_refuted() {
         (Language::Verilog, "out_spec  = y_4;", "out_spec  = y_4 ^ (y_4 == 9'd77);"),
     ];
     faults.par_iter().for_each(|fault| {
-        let proofs = core.proofs(&[*fault]);
+        let proofs = proofs_of(&core, &[*fault]);
         assert_eq!(of(&proofs, "Verilog = VHDL"), ProofStatus::Refuted, "{fault:?}: {proofs:?}");
     });
 }
 
 #[test]
 fn a_text_that_is_no_pipeline_is_refuted() {
-    let core = Core::new(CUBIC);
+    let core = Generated::new(CUBIC);
     let faults: &[Fault] = &[
         // A register is dropped.
         (Language::Verilog, "x_2 <= x_1;", "x_2 <= x_0;"),
@@ -126,7 +107,7 @@ fn a_text_that_is_no_pipeline_is_refuted() {
         (Language::Vhdl, "out_valid <= valid(4);", "out_valid <= valid(3);"),
     ];
     faults.par_iter().for_each(|fault| {
-        let proofs = core.proofs(&[*fault]);
+        let proofs = proofs_of(&core, &[*fault]);
         let claim = format!("{} is a pipeline", fault.0);
         assert_eq!(of(&proofs, &claim), ProofStatus::Refuted, "{fault:?}: {proofs:?}");
         assert!(!proofs.iter().any(|proof| proof.claim == "Verilog = VHDL"), "{fault:?}: {proofs:?}");
@@ -137,7 +118,7 @@ fn a_text_that_is_no_pipeline_is_refuted() {
 fn the_same_fault_in_both_texts_is_another_core() {
     let both =
         [(Language::Verilog, "30'h3df5332f;", "30'h3df5332e;"), (Language::Vhdl, "x\"3df5332f\"", "x\"3df5332e\"")];
-    let proofs = Core::new(CUBIC).proofs(&both);
+    let proofs = proofs_of(&Generated::new(CUBIC), &both);
     assert_eq!(of(&proofs, "Verilog = VHDL"), ProofStatus::Proved, "{proofs:?}");
     for language in [Language::Verilog, Language::Vhdl] {
         assert_eq!(of(&proofs, &format!("{language} is a pipeline")), ProofStatus::Refuted, "{proofs:?}");
@@ -146,7 +127,7 @@ fn the_same_fault_in_both_texts_is_another_core() {
 
 #[test]
 fn a_memory_that_is_written_otherwise_is_refuted() {
-    let core = Core::new(WRITABLE);
+    let core = Generated::new(WRITABLE);
     let faults: &[Fault] = &[
         (Language::Verilog, "if (wr_en) rom", "if (1'b1) rom"),
         (Language::Verilog, "rom[wr_addr] <= wr_data;", "rom[wr_addr] <= wr_data ^ 1'b1;"),
@@ -155,7 +136,7 @@ fn a_memory_that_is_written_otherwise_is_refuted() {
         (Language::Vhdl, "rom(to_integer(wr_addr)) <=", "rom(to_integer(not wr_addr)) <="),
     ];
     faults.par_iter().for_each(|fault| {
-        let proofs = core.proofs(&[*fault]);
+        let proofs = proofs_of(&core, &[*fault]);
         assert_eq!(of(&proofs, "Verilog = VHDL"), ProofStatus::Refuted, "{fault:?}: {proofs:?}");
     });
 }
@@ -165,7 +146,7 @@ fn a_memory_that_is_written_otherwise_is_refuted() {
 fn a_fault_is_found_in_comparison_with_the_kernel() {
     // Wrong for one result.
     let fault = (Language::Verilog, "out_spec  = y_7;", "out_spec  = y_7 ^ (y_7 == 17'd7777);");
-    let proofs = Core::new(KERNEL).proofs(&[fault]);
+    let proofs = proofs_of(&Generated::new(KERNEL), &[fault]);
     assert_eq!(of(&proofs, "Verilog = rust-hdl"), ProofStatus::Refuted, "{proofs:?}");
     assert_eq!(of(&proofs, "Verilog = VHDL"), ProofStatus::Refuted, "{proofs:?}");
 }

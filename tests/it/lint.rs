@@ -7,7 +7,6 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::common::{self, Scratch};
 use brdfgen::core::{Account, Design};
 use brdfgen::emit::package;
 use brdfgen::spec::{Language, MethodName, SpecFields};
@@ -16,10 +15,8 @@ use clap::ValueEnum;
 use rayon::prelude::*;
 use tempfile::TempDir;
 
-fn design(spec: &str) -> Design {
-    let spec = SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec);
-    Design::new(spec).expect("a design")
-}
+use crate::common::core::design;
+use crate::common::{self, Scratch};
 
 /// A core in a directory of its own.
 struct Core {

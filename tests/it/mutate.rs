@@ -2,7 +2,6 @@
 //!
 //! Needs iverilog, ghdl, verilator and yosys; `test.sh` installs them.
 
-use crate::common::Scratch;
 use brdfgen::core::{Account, Design};
 use brdfgen::datapath::fault::{Change, Defect, Fault};
 use brdfgen::datapath::graph::Op;
@@ -15,11 +14,10 @@ use brdfgen::verify::faults::{Mutant, Outcome, Tally, decide, mutants, outcomes}
 use brdfgen::verify::formal::netlist;
 use brdfgen::verify::golden::Golden;
 
-const SMALL: &str = "method = \"quadratic\"\nshininess = \"1..=15\"\ninput_fraction = 8\noutput_fraction = 8\n";
+use crate::common::Scratch;
+use crate::common::core::design;
 
-fn design(spec: &str) -> Design {
-    Design::new(SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec)).expect("a design")
-}
+const SMALL: &str = "method = \"quadratic\"\nshininess = \"1..=15\"\ninput_fraction = 8\noutput_fraction = 8\n";
 
 fn outcomes_of(design: &Design, golden: &Golden, mutants: &[Mutant]) -> Vec<Outcome> {
     let vectors = Vectors::of(design, golden);

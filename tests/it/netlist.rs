@@ -3,7 +3,6 @@
 //!
 //! Needs pyosys and iverilog; `test.sh` installs them.
 
-use crate::common::Scratch;
 use brdfgen::core::{Account, Design, Direction};
 use brdfgen::emit::package;
 use brdfgen::spec::SpecFields;
@@ -12,6 +11,8 @@ use brdfgen::target::Family;
 use brdfgen::verify::cosim::{self, Job};
 use brdfgen::verify::golden::{Golden, Vector, all_codes};
 use rayon::prelude::*;
+
+use crate::common::Scratch;
 
 /// Multipliers, one-clock tables in logic, carry chains.
 const LOGIC: &str = "method = \"quadratic\"\nshininess = \"1,5,20\"\ninput_fraction = 8\noutput_fraction = 8\n";

@@ -15,10 +15,6 @@ use std::process::Command;
 use std::sync::{LazyLock, Mutex};
 use std::time::Instant;
 
-use rayon::prelude::*;
-
-use crate::common;
-use crate::common::pairs::{Choice, Covering, covering, pairs_of};
 use brdfgen::core::sample::random_codes;
 use brdfgen::core::{Account, Design, Direction, Part, ShaderError};
 use brdfgen::emit::package;
@@ -28,6 +24,10 @@ use brdfgen::platform::error::Error;
 use brdfgen::spec::{Block, CoreSpec, Interface, Language, LobeSpec, RomStyle, SpecFields};
 use brdfgen::verify::cosim::{self, Job, Sim};
 use brdfgen::verify::golden::{Golden, Vector};
+use rayon::prelude::*;
+
+use crate::common;
+use crate::common::pairs::{Choice, Covering, covering, pairs_of};
 
 const NOTHING: &str = "";
 

@@ -9,14 +9,13 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use rand_core::{Rng, SeedableRng};
-use rand_pcg::Pcg64;
-use rayon::prelude::*;
-
 use brdfgen::emit::rom::{self, RomFormat};
 use brdfgen::scene::mesh::{Mesh, Normals};
 use brdfgen::spec::SpecFields;
 use brdfgen::verify::golden;
+use rand_core::{Rng, SeedableRng};
+use rand_pcg::Pcg64;
+use rayon::prelude::*;
 use targets::TARGETS;
 
 /// The longest that a reader may take for a file of the corpus, on a busy machine; the fuzzer allows as much.

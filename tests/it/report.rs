@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
-use crate::common::Scratch;
 use brdfgen::core::Design;
 use brdfgen::explore::sweep::Core;
 use brdfgen::explore::{Point, Results};
@@ -14,6 +13,8 @@ use brdfgen::synth::{Resources, Synthesis, Timing, Tools};
 use brdfgen::target::Family;
 use resvg::tiny_skia::Pixmap;
 use resvg::usvg::roxmltree::{Document, ParsingOptions};
+
+use crate::common::Scratch;
 
 /// A small core with its real errors and costs made up from its place.
 fn point(place: u32, method: &str, set: &str, g: u32, family: Family, yosys: &str) -> Point {

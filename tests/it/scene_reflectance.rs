@@ -3,12 +3,13 @@
 
 use std::path::Path;
 
-use crate::common::Scratch;
 use brdfgen::reflectance::vector::seen_from;
 use brdfgen::reflectance::{FormKind, FormSpec, Model, Reflectance, Vector, measure};
 use brdfgen::scene::reflectance::{Compared, Looks, psnr};
 use brdfgen::scene::{Exact, Frame, Highlights, LightKind, Scene, Tracer};
 use serde_json::Value;
+
+use crate::common::Scratch;
 
 /// A sphere of one material under one light; `{}` is the table of the reflectance.
 fn sphere(reflectance: &str, light: &str) -> String {

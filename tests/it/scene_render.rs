@@ -4,8 +4,9 @@
 
 use std::io::Cursor;
 
-use crate::common::Scratch;
 use serde_json::Value;
+
+use crate::common::Scratch;
 
 /// Two spheres on a plane under two lights.
 const SPHERES: &str = r#"

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use crate::common::Scratch;
 use brdfgen::core::Design;
 use brdfgen::explore::choose::Ranking;
 use brdfgen::explore::run::Costing;
@@ -12,6 +11,8 @@ use brdfgen::scene::simplify::simplifications;
 use brdfgen::scene::survey::DEGREE_BINS;
 use brdfgen::scene::{Requirements, Scene};
 use brdfgen::spec::SpecFields;
+
+use crate::common::Scratch;
 
 /// A sphere with the light behind the camera, which is so far away that its rays are parallel.
 fn lone(model: &str, n: f64, more: &str) -> String {

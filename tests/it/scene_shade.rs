@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
-use crate::common::Scratch;
 use brdfgen::core::{BlockDesign, Design};
 use brdfgen::scene::highlight::Exact;
 use brdfgen::scene::trace::Tracer;
 use brdfgen::scene::{Difference, Frame, Highlights, Requirements, Scene, shade};
 use brdfgen::spec::{Front, ShaderFields, SpecFields};
+
+use crate::common::Scratch;
 
 const SCENE: &str = "
 width = 96

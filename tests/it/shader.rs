@@ -2,21 +2,20 @@
 //!
 //! Needs iverilog, verilator, ghdl and yosys; `test.sh` installs them.
 
-use std::path::PathBuf;
 use std::process::Command;
 
-use crate::common;
 use brdfgen::core::sample::{Sample, random_codes};
 use brdfgen::core::{Account, Design, Direction};
-use brdfgen::emit::package;
 use brdfgen::fixed::Rng;
 use brdfgen::method::quadratic::Quadratic;
 use brdfgen::platform::error::Error;
 use brdfgen::spec::{Cosine, Language, LightColours, Shader, SpecFields};
-use brdfgen::verify::cosim::{self, Job, Outcome, Sim};
+use brdfgen::verify::cosim::{self, Job, Sim};
 use brdfgen::verify::golden::{self, Golden};
 use rayon::prelude::*;
-use tempfile::TempDir;
+
+use crate::common;
+use crate::common::core::{Generated, OnDisk, design, silent};
 
 const MATERIALS: &str = "
 [[material]]
@@ -69,11 +68,6 @@ fn specs() -> Vec<String> {
     ]
     .map(|(core, shader)| text(core, shader))
     .to_vec()
-}
-
-fn design(spec: &str) -> Design {
-    let resolved = SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec);
-    Design::new(resolved).expect(spec)
 }
 
 fn shader(design: &Design) -> &Shader {
@@ -208,42 +202,10 @@ fn the_hardware_is_near_a_shader_in_double_precision() {
     });
 }
 
-struct Core {
-    design: Design,
-    golden: Golden,
-    scratch: TempDir,
-}
-
-impl Core {
-    fn new(spec: &str) -> Self {
-        let design = design(spec);
-        let golden = Golden::of(&design);
-        let scratch = tempfile::tempdir().expect("a directory");
-        let files = package::files(&design, &Account::of(&design), &golden).expect("files");
-        package::write_directory(&scratch.path().join("core"), &files).expect("written");
-        Self { design, golden, scratch }
-    }
-
-    fn path(&self) -> PathBuf {
-        self.scratch.path().join("core")
-    }
-
-    fn run(&self, sim: Sim) -> Outcome {
-        cosim::golden(sim, &Job { design: &self.design, golden: &self.golden, directory: &self.path() })
-            .expect("it runs")
-    }
-
-    fn silent(&self, program: &str, arguments: &[&str]) {
-        let output = Command::new(program).current_dir(self.path()).args(arguments).output().expect(program);
-        let text = format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-        assert!(output.status.success() && text.trim().is_empty(), "{program}:\n{text}");
-    }
-}
-
 #[test]
 fn every_shader_passes_in_icarus_and_ghdl_and_lints_clean() {
     specs().par_iter().enumerate().for_each(|(place, spec)| {
-        let core = Core::new(spec);
+        let core = OnDisk::new(spec);
         // GHDL interprets: it takes most of the time, and analyses the others below.
         let ghdl = (common::all() || place % 2 == 0).then_some(Sim::Ghdl);
         for sim in [Sim::Builtin, Sim::Icarus].into_iter().chain(ghdl) {
@@ -251,12 +213,12 @@ fn every_shader_passes_in_icarus_and_ghdl_and_lints_clean() {
             assert!(outcome.passed(), "{spec}\n{outcome:?}");
             assert_eq!(outcome.vectors, core.golden.vectors().len() as u64);
         }
-        let work = core.scratch.path().join("work");
+        let work = core.beside("work");
         std::fs::create_dir(&work).expect("a directory");
         let (out, workdir) = (work.join("out").display().to_string(), format!("--workdir={}", work.display()));
-        core.silent("verilator", &["--lint-only", "-Wall", "rtl/shader.v"]);
-        core.silent("iverilog", &["-Wall", "-g2005", "-o", &out, "rtl/shader.v", "tb/shader_tb.v"]);
-        core.silent("ghdl", &["-a", "--std=08", &workdir, "rtl/shader.vhd", "tb/shader_tb.vhd"]);
+        silent(core.path(), "verilator", &["--lint-only", "-Wall", "rtl/shader.v"], spec);
+        silent(core.path(), "iverilog", &["-Wall", "-g2005", "-o", &out, "rtl/shader.v", "tb/shader_tb.v"], spec);
+        silent(core.path(), "ghdl", &["-a", "--std=08", &workdir, "rtl/shader.vhd", "tb/shader_tb.vhd"], spec);
         for file in ["rtl/shader.v", "rtl/shader.vhd", "tb/shader_tb.v", "tb/shader_tb.vhd"] {
             let text = std::fs::read_to_string(core.path().join(file)).expect("text");
             let long = text.lines().find(|line| line.len() > 100 || line.ends_with(' '));
@@ -270,7 +232,7 @@ fn front_ends_pass_in_verilator() {
     let all = specs();
     let some = if common::all() { vec![&all[0], &all[4], &all[5]] } else { vec![&all[4]] };
     for spec in some {
-        let outcome = Core::new(spec).run(Sim::Verilator);
+        let outcome = OnDisk::new(spec).run(Sim::Verilator);
         assert!(outcome.passed(), "{spec}\n{outcome:?}");
     }
 }
@@ -295,16 +257,10 @@ const FAULTS: &[Fault] = &[
 #[test]
 fn broken_shaders_fail() {
     let spec = text("method = 'quadratic'", "lights = 2");
-    let right = Core::new(&spec);
+    let right = Generated::new(&spec);
     FAULTS.par_iter().for_each(|(what, language, line, from, to)| {
-        let core = Core {
-            design: right.design.clone(),
-            golden: right.golden.clone(),
-            scratch: tempfile::tempdir().expect("a directory"),
-        };
-        let files = package::files(&core.design, &Account::of(&core.design), &core.golden).expect("files");
-        package::write_directory(&core.path(), &files).expect("written");
-        let file = core.path().join(package::rtl_path(&core.design, *language));
+        let core = right.on_disk();
+        let file = core.rtl(*language);
         let text = std::fs::read_to_string(&file).expect("HDL");
         let place = text.match_indices(line).find(|(place, _)| {
             let end = text[*place..].find(';').map_or(text.len(), |end| place + end);

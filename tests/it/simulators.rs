@@ -2,65 +2,16 @@
 //!
 //! Needs iverilog, verilator, ghdl and yosys; `test.sh` installs them.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
-use crate::common;
-use brdfgen::core::{Account, Design};
 use brdfgen::emit::package;
-use brdfgen::spec::{Language, SpecFields};
-use brdfgen::verify::cosim::{self, Job, Outcome, Sim};
-use brdfgen::verify::golden::Golden;
+use brdfgen::spec::Language;
+use brdfgen::verify::cosim::{self, Job, Sim};
 use rayon::prelude::*;
-use tempfile::TempDir;
 
-#[derive(Clone)]
-struct Generated {
-    design: Design,
-    golden: Golden,
-    files: Vec<package::File>,
-}
-
-impl Generated {
-    fn new(spec: &str) -> Self {
-        let spec = SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec);
-        let design = Design::new(spec).expect("a design");
-        let golden = Golden::of(&design);
-        let files = package::files(&design, &Account::of(&design), &golden).expect("files");
-        Self { design, golden, files }
-    }
-
-    fn on_disk(&self) -> Core {
-        let scratch = tempfile::tempdir().expect("a directory");
-        package::write_directory(&scratch.path().join("core"), &self.files).expect("written");
-        Core { design: self.design.clone(), golden: self.golden.clone(), scratch }
-    }
-}
-
-struct Core {
-    design: Design,
-    golden: Golden,
-    scratch: TempDir,
-}
-
-impl Core {
-    fn new(spec: &str) -> Self {
-        Generated::new(spec).on_disk()
-    }
-
-    fn path(&self) -> PathBuf {
-        self.scratch.path().join("core")
-    }
-
-    fn run(&self, sim: Sim) -> Outcome {
-        cosim::golden(sim, &Job { design: &self.design, golden: &self.golden, directory: &self.path() })
-            .expect("it runs")
-    }
-
-    fn rtl(&self, language: Language) -> PathBuf {
-        self.path().join(package::rtl_path(&self.design, language))
-    }
-}
+use crate::common;
+use crate::common::core::{Generated, OnDisk, silent};
 
 /// Specs that reach every construct of the templates.
 const SPECS: &[&str] = &[
@@ -129,16 +80,10 @@ const SPECS: &[&str] = &[
     "method = 'squaring'\nshininess = [32]\noperand = 'versine'\ninput_fraction = 10\npipeline = 2",
 ];
 
-fn silent(directory: &Path, program: &str, arguments: &[&str], what: &str) {
-    let output = Command::new(program).current_dir(directory).args(arguments).output().expect(program);
-    let text = format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-    assert!(output.status.success() && text.trim().is_empty(), "{program} on {what}:\n{text}");
-}
-
 #[test]
 fn every_construct_passes_in_icarus_and_ghdl_and_lints_clean() {
     SPECS.par_iter().enumerate().for_each(|(place, spec)| {
-        let core = Core::new(spec);
+        let core = OnDisk::new(spec);
         // The VHDL of the others is analysed below, and run with `./test.sh --all`.
         let ghdl = (common::all() || place % 2 == 0).then_some(Sim::Ghdl);
         for sim in [Sim::Builtin, Sim::Icarus].into_iter().chain(ghdl) {
@@ -149,15 +94,15 @@ fn every_construct_passes_in_icarus_and_ghdl_and_lints_clean() {
         let name = &core.design.spec.name;
         let (verilog, vhdl) = (format!("rtl/{name}.v"), format!("rtl/{name}.vhd"));
         let (bench, vhdl_bench) = (format!("tb/{name}_tb.v"), format!("tb/{name}_tb.vhd"));
-        let work = core.scratch.path().join("work");
+        let work = core.beside("work");
         std::fs::create_dir(&work).expect("a directory");
         let workdir = format!("--workdir={}", work.display());
         let out = work.join("out").display().to_string();
         let path = core.path();
-        silent(&path, "verilator", &["--lint-only", "-Wall", &verilog], spec);
-        silent(&path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog], spec);
-        silent(&path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog, &bench], spec);
-        silent(&path, "ghdl", &["-a", "--std=08", &workdir, &vhdl, &vhdl_bench], spec);
+        silent(path, "verilator", &["--lint-only", "-Wall", &verilog], spec);
+        silent(path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog], spec);
+        silent(path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog, &bench], spec);
+        silent(path, "ghdl", &["-a", "--std=08", &workdir, &vhdl, &vhdl_bench], spec);
         for file in [verilog, vhdl, bench, vhdl_bench] {
             let text = std::fs::read_to_string(path.join(&file)).expect("text");
             assert!(text.is_ascii() && text.ends_with('\n') && !text.contains(['\t', '\r']), "{file} of {spec}");
@@ -170,7 +115,7 @@ fn every_construct_passes_in_icarus_and_ghdl_and_lints_clean() {
 #[test]
 fn the_bench_passes_in_verilator() {
     for spec in [SPECS[4], SPECS[6]] {
-        let outcome = Core::new(spec).run(Sim::Verilator);
+        let outcome = OnDisk::new(spec).run(Sim::Verilator);
         assert!(outcome.passed(), "{spec}\n{outcome:?}");
     }
 }
@@ -291,7 +236,7 @@ fn the_kernels_verilog_passes_the_same_bench() {
     use brdfgen::verify::kernel;
     for method in ["quadratic", "cubic"] {
         for (bits, set) in [(16, "1..=1000"), (12, "1..=256"), (8, "1..=64")] {
-            let core = Core::new(&format!(
+            let core = OnDisk::new(&format!(
                 "method = '{method}'\nshininess = '{set}'\ninput_fraction = {bits}\noutput_fraction = {bits}"
             ));
             let kernel = kernel::of_design(&core.design).expect("a kernel of these widths");
@@ -316,7 +261,7 @@ fn the_kernels_verilog_passes_the_same_bench() {
 
 #[test]
 fn a_simulator_is_not_believed_on_its_word() {
-    let core = Core::new("method = 'quadratic'\nshininess = [3, 9]\ninput_fraction = 8\noutput_fraction = 8");
+    let core = OnDisk::new("method = 'quadratic'\nshininess = [3, 9]\ninput_fraction = 8\noutput_fraction = 8");
     let bench = core.path().join(package::bench_path(&core.design, Language::Verilog));
     for (what, text) in [
         ("no verdict", "module quadratic_tb; initial $display(\"all good\"); endmodule"),
@@ -341,7 +286,7 @@ fn a_simulator_is_not_believed_on_its_word() {
 fn a_missing_or_cut_golden_file_fails_in_every_bench() {
     let spec = "method = 'quadratic'\nshininess = [3, 9]\ninput_fraction = 8\noutput_fraction = 8";
     for sim in [Sim::Icarus, Sim::Ghdl] {
-        let core = Core::new(spec);
+        let core = OnDisk::new(spec);
         let file = core.path().join(package::golden_path(&core.design));
         let text = std::fs::read_to_string(&file).expect("vectors");
         let cut: String = text.lines().take(60).map(|line| format!("{line}\n")).collect();
@@ -358,7 +303,7 @@ fn a_missing_or_cut_golden_file_fails_in_every_bench() {
 /// What an editor or a check-out does to the vectors changes none of them.
 #[test]
 fn vectors_with_a_byte_order_mark_and_cr_lf_are_read_by_every_bench() {
-    let core = Core::new("method = 'quadratic'\nshininess = '1..=20'\ninput_fraction = 8\noutput_fraction = 8");
+    let core = OnDisk::new("method = 'quadratic'\nshininess = '1..=20'\ninput_fraction = 8\noutput_fraction = 8");
     let path = core.path().join(package::golden_path(&core.design));
     let text = std::fs::read_to_string(&path).expect("the vectors");
     // Without comments the count is what the mark stands before.
@@ -378,17 +323,17 @@ fn vectors_with_a_byte_order_mark_and_cr_lf_are_read_by_every_bench() {
 
 #[test]
 fn exhaustive_runs_compare_every_input() {
-    let core = Core::new("method = 'cubic'\nshininess = '1..=100'\ninput_fraction = 10\noutput_fraction = 12");
+    let core = OnDisk::new("method = 'cubic'\nshininess = '1..=100'\ninput_fraction = 10\noutput_fraction = 12");
     let path = core.path();
-    let job = Job { design: &core.design, golden: &core.golden, directory: &path };
+    let job = Job { design: &core.design, golden: &core.golden, directory: path };
     for language in [Language::Verilog, Language::Vhdl] {
         let outcome = cosim::exhaustive(job.design.lobe(), job.directory, language, &|_, _| {}).expect("it runs");
         assert!(outcome.passed() && outcome.vectors == 100 << 12, "{outcome:?}");
     }
     let with_file =
-        Core::new("method = 'quadratic'\nshininess = '2..=9'\ninput_fraction = 7\noutput_fraction = 7\nrom = 'file'");
+        OnDisk::new("method = 'quadratic'\nshininess = '2..=9'\ninput_fraction = 7\noutput_fraction = 7\nrom = 'file'");
     let with_file_path = with_file.path();
-    let file_job = Job { design: &with_file.design, golden: &with_file.golden, directory: &with_file_path };
+    let file_job = Job { design: &with_file.design, golden: &with_file.golden, directory: with_file_path };
     for language in [Language::Verilog, Language::Vhdl] {
         let outcome =
             cosim::exhaustive(file_job.design.lobe(), file_job.directory, language, &|_, _| {}).expect("it runs");
@@ -414,7 +359,7 @@ fn exhaustive_runs_compare_every_input() {
 #[test]
 fn yosys_infers_dsp_blocks_and_block_ram() {
     for (spec, name, least_dsp, most_dsp) in [(SPECS[0], "quadratic", 2, 2), (SPECS[1], "cubic", 3, 4)] {
-        let core = Core::new(spec);
+        let core = OnDisk::new(spec);
         let cells = |source: &Path| {
             let script = format!("read_verilog {}; synth_ecp5 -top {name}; stat", source.display());
             let output = Command::new("yosys").args(["-p", &script]).output().expect("yosys");
@@ -427,9 +372,9 @@ fn yosys_infers_dsp_blocks_and_block_ram() {
                 count.unwrap_or(0)
             }
         };
-        let synthesized = core.scratch.path().join("from_vhdl.v");
+        let synthesized = core.beside("from_vhdl.v");
         let ghdl = Command::new("ghdl")
-            .current_dir(core.scratch.path())
+            .current_dir(core.beside(""))
             .args(["--synth", "--std=08", "--out=verilog"])
             .arg(core.rtl(Language::Vhdl))
             .args(["-e", name])

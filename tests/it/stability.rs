@@ -7,16 +7,14 @@ use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::graph::{Graph, Op};
 use brdfgen::datapath::range::Analysis;
 use brdfgen::fixed::Rng;
-use brdfgen::spec::{MethodName, SpecFields};
+use brdfgen::spec::MethodName;
 use brdfgen::verify::stability::document::{self, Study};
 use brdfgen::verify::stability::inspect::Inspection;
 use brdfgen::verify::stability::shader::{Proof, ShaderInspection};
 use brdfgen::verify::stability::study::{self, Axis, Extent};
 use rayon::prelude::*;
 
-fn design(spec: &str) -> Design {
-    SpecFields::parse(spec, "test").and_then(SpecFields::resolve).and_then(Design::new).expect(spec)
-}
+use crate::common::core::design;
 
 /// Cores of every kind of datapath, small enough for all their inputs.
 const SPECS: [&str; 12] = [

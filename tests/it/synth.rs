@@ -6,10 +6,11 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::common::Scratch;
 use brdfgen::synth::parse_report;
 use brdfgen::target::{Family, pack};
 use serde_json::{Value, json};
+
+use crate::common::Scratch;
 
 /// A core whose ROM is small enough for look-up tables; `--seeds 1` as one placement takes seconds.
 const SMALL: &str = "--method quadratic --shininess 1,5,20 --input-fraction 8 --output-fraction 8 --name tiny";

@@ -3,74 +3,18 @@
 //!
 //! Needs iverilog, verilator, ghdl and yosys; `test.sh` installs them.
 
-use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use brdfgen::core::{Account, Design, Role};
+use brdfgen::core::{Design, Role};
 use brdfgen::datapath::simulate::{Inputs, Simulation, Write};
 use brdfgen::emit::package;
 use brdfgen::emit::rom::RomFormat;
-use brdfgen::spec::{CoreSpec, Language, RomStyle, SpecFields};
-use brdfgen::verify::cosim::{self, Job, Outcome, Sim};
+use brdfgen::spec::{Language, RomStyle};
+use brdfgen::verify::cosim::{self, Job, Sim};
 use brdfgen::verify::golden::{self, Golden};
 use rayon::prelude::*;
-use tempfile::TempDir;
 
-fn resolved(spec: &str) -> CoreSpec {
-    SpecFields::parse(spec, "test").and_then(SpecFields::resolve).expect(spec)
-}
-
-fn design(spec: &str) -> Design {
-    Design::new(resolved(spec)).expect(spec)
-}
-
-#[derive(Clone)]
-struct Generated {
-    design: Design,
-    golden: Golden,
-    files: Vec<package::File>,
-}
-
-impl Generated {
-    fn new(spec: &str) -> Self {
-        let design = design(spec);
-        let golden = Golden::of(&design);
-        let files = package::files(&design, &Account::of(&design), &golden).expect("files");
-        Self { design, golden, files }
-    }
-
-    fn on_disk(&self) -> Core {
-        let scratch = tempfile::tempdir().expect("a directory");
-        package::write_directory(&scratch.path().join("core"), &self.files).expect("written");
-        Core { design: self.design.clone(), golden: self.golden.clone(), scratch }
-    }
-
-    fn text(&self, path: &str) -> String {
-        let file = self.files.iter().find(|file| file.path == path).expect(path);
-        String::from_utf8(file.bytes.clone()).expect("text")
-    }
-}
-
-struct Core {
-    design: Design,
-    golden: Golden,
-    scratch: TempDir,
-}
-
-impl Core {
-    fn path(&self) -> PathBuf {
-        self.scratch.path().join("core")
-    }
-
-    fn run(&self, sim: Sim) -> Outcome {
-        cosim::golden(sim, &Job { design: &self.design, golden: &self.golden, directory: &self.path() })
-            .expect("it runs")
-    }
-
-    fn rtl(&self, language: Language) -> PathBuf {
-        self.path().join(package::rtl_path(&self.design, language))
-    }
-}
+use crate::common::core::{Generated, design, resolved, silent};
 
 const SPECS: &[&str] = &[
     "method = 'quadratic'\nshininess = '1..=1000'\nrom = 'writable'",
@@ -84,12 +28,6 @@ const SPECS: &[&str] = &[
     "method = 'cubic'\nshininess = [1.1, 1.5, 1.9, 2, 2.5]\nrom = 'writable'",
     "method = 'quadratic'\nshininess = '1..=64'\nshininess_fraction = 3\nrom = 'writable'",
 ];
-
-fn silent(directory: &Path, program: &str, arguments: &[&str], what: &str) {
-    let output = Command::new(program).current_dir(directory).args(arguments).output().expect(program);
-    let text = format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-    assert!(output.status.success() && text.trim().is_empty(), "{program} on {what}:\n{text}");
-}
 
 #[test]
 fn writable_cores_pass_everywhere_lint_clean_and_equal_the_rom_core() {
@@ -111,14 +49,14 @@ fn writable_cores_pass_everywhere_lint_clean_and_equal_the_rom_core() {
         let name = &core.design.spec.name;
         let (verilog, vhdl) = (format!("rtl/{name}.v"), format!("rtl/{name}.vhd"));
         let (bench, vhdl_bench) = (format!("tb/{name}_tb.v"), format!("tb/{name}_tb.vhd"));
-        let work = core.scratch.path().join("work");
+        let work = core.beside("work");
         std::fs::create_dir(&work).expect("a directory");
         let workdir = format!("--workdir={}", work.display());
         let out = work.join("out").display().to_string();
         let path = core.path();
-        silent(&path, "verilator", &["--lint-only", "-Wall", &verilog], spec);
-        silent(&path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog, &bench], spec);
-        silent(&path, "ghdl", &["-a", "--std=08", &workdir, &vhdl, &vhdl_bench], spec);
+        silent(path, "verilator", &["--lint-only", "-Wall", &verilog], spec);
+        silent(path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog, &bench], spec);
+        silent(path, "ghdl", &["-a", "--std=08", &workdir, &vhdl, &vhdl_bench], spec);
         for file in [verilog, vhdl, bench, vhdl_bench] {
             let text = generated.text(&file);
             assert!(text.is_ascii() && text.ends_with('\n') && !text.contains(['\t', '\r']), "{file} of {spec}");
@@ -272,7 +210,7 @@ fn exhaustive_runs_leave_the_memories_alone() {
     let spec = "method = 'quadratic'\nshininess = '2..=9'\ninput_fraction = 7\noutput_fraction = 7\nrom = 'writable'";
     let core = Generated::new(spec).on_disk();
     let path = core.path();
-    let job = Job { design: &core.design, golden: &core.golden, directory: &path };
+    let job = Job { design: &core.design, golden: &core.golden, directory: path };
     let outcome = cosim::exhaustive(job.design.lobe(), job.directory, Language::Vhdl, &|_, _| {}).expect("it runs");
     assert!(outcome.passed() && outcome.vectors == 8 << 9, "{outcome:?}");
 }
@@ -284,9 +222,9 @@ fn yosys_infers_block_ram() {
         [(SPECS[0], "quadratic"), ("method = 'segmented-2'\nshininess = '1..=1000'\nrom = 'writable'", "segmented_2")]
     {
         let core = Generated::new(spec).on_disk();
-        let synthesized = core.scratch.path().join("from_vhdl.v");
+        let synthesized = core.beside("from_vhdl.v");
         let ghdl = Command::new("ghdl")
-            .current_dir(core.scratch.path())
+            .current_dir(core.beside(""))
             .args(["--synth", "--std=08", "--out=verilog"])
             .arg(core.rtl(Language::Vhdl))
             .args(["-e", name])

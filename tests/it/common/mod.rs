@@ -1,5 +1,6 @@
 //! A temporary directory in which the built program runs, and what it answers.
 
+pub mod core;
 pub mod pairs;
 
 use std::collections::BTreeMap;
