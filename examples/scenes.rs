@@ -68,7 +68,7 @@ fn of_scene(name: &str, results: &Results, pictures: &Path) -> Result<[String; 2
     let exact = frame.picture(&scene, &Exact.of(&scene, &frame)?);
     let (own, difference) = drawn(&scene, &frame, &exact, &design)?;
     let mut table = row(name, &point.name, point.rom_bits, &cost, &difference);
-    let wish = Constraints {
+    let constraints = Constraints {
         max_error: MaxError(point.max_abs),
         family: scene.core.family,
         min_mhz: None,
@@ -78,9 +78,9 @@ fn of_scene(name: &str, results: &Results, pictures: &Path) -> Result<[String; 2
         keys: SpecFields::default(),
         baselines: false,
     };
-    match wish.choose(results)?.chosen {
+    match constraints.choose(results)?.chosen {
         Some(general) => {
-            let core = Design::new(wish.spec_of(&general)?.resolve()?)?;
+            let core = Design::new(constraints.spec_of(&general)?.resolve()?)?;
             let (_, difference) = drawn(&scene, &frame, &exact, &core)?;
             let of = format!("{} n=1..1000", general.point.name);
             table += &row("", &of, general.point.rom_bits, &general.cost, &difference);

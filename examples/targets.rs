@@ -105,7 +105,7 @@ fn text(results: &Results) -> Result<String, Box<dyn Error>> {
     }
     writeln!(
         text,
-        "\n## Wishes\n\n| wish | met by | its error | LUT (LUT4 + 2 x carry cell) | DSP | block RAM | MHz | clocks | % \
+        "\n## Constraints\n\n| constraints | met by | its error | LUT (LUT4 + 2 x carry cell) | DSP | block RAM | MHz | clocks | % \
          of the device |"
     )?;
     writeln!(text, "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |")?;

@@ -64,7 +64,7 @@ pub(super) struct Keys {
     operand: Option<Operand>,
 }
 
-/// What is wished of a core beside its error and what is to be least.
+/// What is asked of a core beside its error and what is to be least.
 #[derive(Args)]
 #[command(next_help_heading = "Choice")]
 pub(super) struct ConstraintFlags {
@@ -114,11 +114,11 @@ impl Keys {
 impl ConstraintFlags {
     /// Whether none of them is given.
     pub(super) fn is_empty(&self) -> bool {
-        self.results.is_none() && !self.is_wish()
+        self.results.is_none() && !self.constrains()
     }
 
-    /// Whether any of them is given that says what is wished, and not only of which results.
-    pub(super) fn is_wish(&self) -> bool {
+    /// Whether any of them is given that says what is asked of the core, and not only of which results.
+    pub(super) fn constrains(&self) -> bool {
         let Self { family, min_mhz, max_lut, max_dsp, max_bram, max_latency, results: _, baselines } = self;
         family.is_some()
             || min_mhz.is_some()
@@ -126,7 +126,7 @@ impl ConstraintFlags {
             || *baselines
     }
 
-    /// What is wished, an error of at most this among it, of a core with these keys.
+    /// What is asked for, an error of at most this among it, of a core with these keys.
     pub(super) fn with_error(
         &self,
         max_error: MaxError,
@@ -221,9 +221,9 @@ pub(super) fn describe(constraints: &Constraints, choice: &Choice) -> Vec<String
     let mut lines = Vec::new();
     match chosen {
         Some(chosen) => lines.push(core_text(chosen)),
-        None => lines.push(format!("no core meets the wish: {}", constraints_text(constraints))),
+        None => lines.push(format!("no core meets the constraints: {}", constraints_text(constraints))),
     }
-    lines.push(format!("  {meeting} of the {considered} cores considered meet the wish"));
+    lines.push(format!("  {meeting} of the {considered} cores considered meet the constraints"));
     if !misses.is_empty() {
         lines.push("nearest misses:".to_owned());
         let miss = |miss: &NearMiss<Candidate>| format!("  {}: {}", core_text(&miss.core), miss.why.join(", "));

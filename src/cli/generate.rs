@@ -92,14 +92,14 @@ fn check(arguments: &Arguments, core: &Core) -> Verdict {
     Verdict::of(stale.is_empty())
 }
 
-/// What is wished of a core that is to be chosen, if one is.
+/// What is asked of a core that is to be chosen, if one is.
 fn constraints(arguments: &Arguments, is_scene: bool) -> Result<Option<Constraints>, Error> {
     if !is_scene && !arguments.scene.is_empty() {
         return Err(Error::input("--margin and --synth are for scenes", "give a scene file, or leave them out"));
     }
     if is_scene && (arguments.max_error.is_some() || !arguments.constraints.is_empty()) {
         return Err(Error::input(
-            "a scene says itself what error its pictures may have and what is wished of the core",
+            "a scene says itself what error its pictures may have and what is asked of the core",
             "write it in the tables [budget] and [core] of the scene file",
         ));
     }
@@ -116,7 +116,7 @@ fn constraints(arguments: &Arguments, is_scene: bool) -> Result<Option<Constrain
     }
 }
 
-/// The core that is wished, with the latency that the results promise; none if none meets the wish.
+/// The core that is asked for, with the latency that the results promise; none if none meets the constraints.
 fn chosen(arguments: &Arguments, constraints: &Constraints) -> Result<Option<(Core, u32)>, Error> {
     let choice = constraints.choose(&arguments.constraints.results()?)?;
     let Some(chosen) = &choice.chosen else {
@@ -132,7 +132,7 @@ fn chosen(arguments: &Arguments, constraints: &Constraints) -> Result<Option<(Co
     Ok(Some((of_spec(constraints.spec_of(chosen)?.resolve()?, Vec::new())?, chosen.cost.latency)))
 }
 
-/// Whether a chosen core is what was wished: the figures that it is chosen by may be of another version of this
+/// Whether a chosen core is what was asked for: the figures that it is chosen by may be of another version of this
 /// program.
 fn keeps(constraints: &Constraints, promised: u32, core: &Core) -> bool {
     let latency = core.design.schedule.latency;
@@ -140,7 +140,7 @@ fn keeps(constraints: &Constraints, promised: u32, core: &Core) -> bool {
         && measured.max_abs > constraints.max_error.0
     {
         warn(format!(
-            "the chosen core has an error of {}, more than wished: the results that it was chosen from are of another \
+            "the chosen core has an error of {}, more than asked for: the results that it was chosen from are of another \
              version",
             package::percent_text(measured.max_abs)
         ));
@@ -170,7 +170,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             chosen(&arguments, constraints)?.map(|(core, promised)| (core, Some((constraints, promised))))
         }
     };
-    let Some((core, wished)) = core else { return Ok(Verdict::Differs) };
+    let Some((core, asked)) = core else { return Ok(Verdict::Differs) };
     if arguments.check {
         return Ok(check(&arguments, &core));
     }
@@ -179,7 +179,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let results = arguments.constraints.paths();
     let paths = results.joined(arguments.source.paths()).renewing(&arguments.out.join("core.toml"));
     paths.writes_in("--out", &arguments.out, core.files.iter().map(|file| file.path.as_str())).check()?;
-    if !wished.is_none_or(|(constraints, promised)| keeps(constraints, promised, &core)) {
+    if !asked.is_none_or(|(constraints, promised)| keeps(constraints, promised, &core)) {
         return Ok(Verdict::Differs);
     }
 

@@ -74,7 +74,7 @@ enum Command {
     Eval(eval::Arguments),
     /// Measure error and cost of many cores
     Explore(Box<explore::Arguments>),
-    /// Name the cheapest core that meets a wish, and what just misses it
+    /// Name the cheapest core that meets constraints, and what just misses it
     Choose(Box<choose::Arguments>),
     /// Measure the papers' claims and compare with the recorded values
     Claims(claims::Arguments),

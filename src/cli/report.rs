@@ -43,7 +43,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "FILE|MODEL")]
     material: Vec<PathBuf>,
 
-    /// Mark the core that `brdfgen choose` chooses for this error and the other wishes, such as 0.01, 1% or 2^-7; exit
+    /// Mark the core that `brdfgen choose` chooses for this error and the other constraints, such as 0.01, 1% or 2^-7; exit
     /// 1 if there is none
     #[arg(long, value_name = "ERROR")]
     max_error: Option<MaxError>,
@@ -121,7 +121,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     if let Some(chosen) = chosen {
         say(format!("chosen: {}", chosen.name));
     } else if arguments.max_error.is_some() {
-        say("no core meets the wish: see `brdfgen choose`");
+        say("no core meets the constraints: see `brdfgen choose`");
         return Ok(Verdict::Differs);
     }
     Ok(Verdict::Done)
@@ -145,9 +145,9 @@ fn chosen<'a>(arguments: &Arguments, results: &'a Results) -> Result<Option<&'a 
     let keys = arguments.keys.fields();
     let Some(max_error) = arguments.max_error else {
         refuse!(
-            arguments.constraints.is_wish() || keys != SpecFields::default(),
-            "a core is wished for without the error that is allowed",
-            "say --max-error as well, or leave the other wishes out"
+            arguments.constraints.constrains() || keys != SpecFields::default(),
+            "a core is asked for without the error that is allowed",
+            "say --max-error as well, or leave the other constraints out"
         );
         return Ok(None);
     };

@@ -231,7 +231,7 @@ impl Constraints {
         let MaxError(allowed) = self.max_error;
         if point.max_abs > allowed {
             let ratio = point.max_abs / allowed;
-            missed.push((libm::log2(ratio), format!("its error is {ratio:.3} times what is wished")));
+            missed.push((libm::log2(ratio), format!("its error is {ratio:.3} times what is asked for")));
         }
         missed.extend(too_slow(cost, self.min_mhz));
         for &(objective, most) in &self.limits {

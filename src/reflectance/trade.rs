@@ -139,7 +139,7 @@ pub fn csv(points: &[Point]) -> Result<Vec<u8>, Error> {
     writer.into_inner().map_err(|_| failed())
 }
 
-/// The point that takes the least memory with a mean ratio of at least `min_psnr`; without that wish, the one with the
+/// The point that takes the least memory with a mean ratio of at least `min_psnr`; without it, the one with the
 /// best mean. Of those that take at most `max_kib`. None if there is none.
 #[must_use]
 pub fn choose(points: &[Point], max_kib: Option<f64>, min_psnr: Option<f64>) -> Option<&Point> {

@@ -51,15 +51,15 @@ impl PictureCore {
 
     /// The core of keys with a method, and where one is missing that of the scene's `[core]` that any core may have.
     pub(crate) fn of_keys(scene: &Scene, keys: SpecFields) -> Result<Self, Error> {
-        let wishes = scene.core.keys.clone();
-        let wishes = SpecFields {
-            input_fraction: wishes.input_fraction,
-            output_fraction: wishes.output_fraction,
-            operand: wishes.operand,
-            pipeline: wishes.pipeline,
+        let own = scene.core.keys.clone();
+        let own = SpecFields {
+            input_fraction: own.input_fraction,
+            output_fraction: own.output_fraction,
+            operand: own.operand,
+            pipeline: own.pipeline,
             ..SpecFields::default()
         };
-        Self::of(scene, keys.or(wishes))
+        Self::of(scene, keys.or(own))
     }
 
     /// The core of a spec file or of a core's directory; `keys` win over it.

@@ -237,7 +237,7 @@ fn the_cheapest_core_is_chosen_and_built() {
     let choice: Value = serde_json::from_str(&said).unwrap();
     let chosen = &choice["chosen"];
     assert!(chosen["point"]["max_abs"].as_f64().unwrap() <= 0.2);
-    // Against the data itself: nothing that meets the wish has fewer LUTs.
+    // Against the data itself: nothing that meets the constraints has fewer LUTs.
     let cheapest = Results::built_in().unwrap();
     let meets = |point: &&Point| {
         point.family == brdfgen::target::Family::Ecp5
@@ -249,18 +249,19 @@ fn the_cheapest_core_is_chosen_and_built() {
     assert_eq!(chosen["cost"]["lut"], least);
     for miss in choice["misses"].as_array().unwrap() {
         assert!(miss["point"]["max_abs"].as_f64().unwrap() > 0.2 && miss["octaves"].as_f64().unwrap() > 0.0);
-        assert!(miss["why"][0].as_str().unwrap().contains("times what is wished"));
+        assert!(miss["why"][0].as_str().unwrap().contains("times what is unmet"));
     }
     let said = prints(at, &["choose", "--max-error", "2^-30", "--min-mhz", "500", "--max-dsp", "3"], 1);
-    let wished = "no core meets the wish: an error of at most 9.31e-8 % (2^-30.00), at least 500 MHz, at most 3 DSPs";
-    assert!(said.contains(wished) && said.contains("nearest misses:"), "{said}");
+    let unmet =
+        "no core meets the constraints: an error of at most 9.31e-8 % (2^-30.00), at least 500 MHz, at most 3 DSPs";
+    assert!(said.contains(unmet) && said.contains("nearest misses:"), "{said}");
 
     let said = prints(
         at,
         &["generate", "--max-error", "20%", "--name", "chosen", "--shininess", "1..=100", "--out", "core"],
         0,
     );
-    assert!(said.contains("cores considered meet the wish"), "{said}");
+    assert!(said.contains("cores considered meet the constraints"), "{said}");
     let toml = std::fs::read_to_string(at.join("core/core.toml")).unwrap();
     assert!(toml.contains("shininess = \"1..=100\"") && toml.contains("name = \"chosen\""), "{toml}");
     let method = format!("method = {}", chosen["point"]["method"]);

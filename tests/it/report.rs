@@ -83,13 +83,16 @@ fn text(node: resvg::usvg::roxmltree::Node) -> String {
 #[test]
 fn the_page_is_whole_and_stands_alone() {
     let scratch = scratch();
-    let wish = "--max-error 5% --shininess 1..=40 --input-fraction 10";
+    let constraints = "--max-error 5% --shininess 1..=40 --input-fraction 10";
     // Of one version of the tools, or nothing can be chosen.
     let mut points = results().points().to_vec();
     points.retain(|point| point.tools().is_none_or(|tools| tools.yosys == "Yosys 1 & 2"));
     let one = Results::new(points);
     scratch.write("one.json", one.to_json());
-    scratch.run(&format!("report --results one.json --out page.html {wish}")).succeeds().says(&["chosen: power-4 "]);
+    scratch
+        .run(&format!("report --results one.json --out page.html {constraints}"))
+        .succeeds()
+        .says(&["chosen: power-4 "]);
     let page = scratch.text("page.html");
     let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
     let document = Document::parse_with_options(&page, options).unwrap_or_else(|error| panic!("{error}"));
@@ -164,11 +167,11 @@ fn a_material_comes_with_its_trade() {
 }
 
 #[test]
-fn a_wish_that_none_meets_is_said() {
+fn constraints_that_none_meets_are_said() {
     let scratch = scratch();
-    let wish = "--max-error 2^-20 --shininess 7 --family ice40 --input-fraction 10 --baselines";
-    let run = scratch.run(&format!("report --results r.json --out page {wish}")).ends_with(1);
-    run.says(&["no core meets the wish"]);
+    let constraints = "--max-error 2^-20 --shininess 7 --family ice40 --input-fraction 10 --baselines";
+    let run = scratch.run(&format!("report --results r.json --out page {constraints}")).ends_with(1);
+    run.says(&["no core meets the constraints"]);
     assert!(!scratch.text("page/report.html").contains("The chosen core"));
     let mixed = "report --results r.json --out x --max-error 5% --shininess 1..=40";
     scratch.refused(mixed, &["figures of Yosys 1 & 2 and of Yosys 3"]);

@@ -343,7 +343,7 @@ fn run_trade(arguments: &TradeArguments) -> Result<Verdict, Error> {
         points.iter().filter(|point| point.front).for_each(|point| say(format!("  {}", line(point))));
         match chosen {
             Some(point) => say(format!("chosen: {}", line(point).trim_start())),
-            None => say("nothing meets the wish"),
+            None => say("nothing meets the constraints"),
         }
         for path in arguments.csv.iter().chain(&arguments.svg) {
             say(path.display().to_string());

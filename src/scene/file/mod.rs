@@ -67,7 +67,7 @@ pub struct Scene {
     pub budget: Budget,
     /// Whether the file says so, or it is the default.
     pub has_budget: bool,
-    /// What is wished of the core.
+    /// What is asked of the core.
     pub core: CoreConstraints,
 }
 
@@ -145,7 +145,7 @@ pub struct Budget {
     pub min_psnr: Option<f64>,
 }
 
-/// What is wished of the core, beside the picture's budget.
+/// What is asked of the core, beside the picture's budget.
 #[derive(Clone, Debug)]
 pub struct CoreConstraints {
     /// The family of FPGAs.

@@ -171,7 +171,7 @@ fn compare(
     };
     let missed = these(&|what, outcome| matches!(outcome, Outcome::Survived { .. }).then(|| what.to_owned()));
     if !missed.is_empty() {
-        let how = format!("the proof goes through with a planted fault as well: {}", missed.join(", "));
+        let how = format!("the proof goes through with an injected fault as well: {}", missed.join(", "));
         return Ok((ProofStatus::Open, how));
     }
     let method = match method {
@@ -180,13 +180,13 @@ fn compare(
         Technique::Whole => format!("from the inputs to the outputs, {compared} bits, {open} of them by the solver"),
     };
     let detected = Tally::of(injected.iter().map(|(_, outcome)| outcome)).detected;
-    let mut how = format!("{method}; {detected} of {detected} planted faults found");
+    let mut how = format!("{method}; {detected} of {detected} injected faults found");
     let impossible = these(&|what, outcome| match outcome {
         Outcome::Undecided { tried } => Some(format!("{what} ({tried})")),
         _ => None,
     });
     if !impossible.is_empty() {
-        how += &format!("; not planted: {}", impossible.join(", "));
+        how += &format!("; not injected: {}", impossible.join(", "));
     }
     Ok((ProofStatus::Proved, how))
 }
