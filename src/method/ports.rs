@@ -1,4 +1,4 @@
-//! The ports of a lobe in its graph: what is known of their codes, and how they are taken into the domain.
+//! The ports of a lobe in its graph: what is known of their codes, and how they are clamped to the domain.
 
 use super::{InputRange, Interface, Operand, Shininess};
 use crate::datapath::builder::{Bound, Builder, HighBits};
@@ -6,7 +6,7 @@ use crate::datapath::graph::{NodeId, Op};
 use crate::fixed::{Format, Interval};
 
 impl Builder<'_> {
-    /// The operand's port, taken into the domain: the cosine x and the versine u, both `UQ1.F`, u in each case's active
+    /// The operand's port, clamped to the domain: the cosine x and the versine u, both `UQ1.F`, u in each case's active
     /// interval. Returns `(x, u)`. The port `in_n` comes before it: see [`Builder::address`].
     pub fn operand(&mut self, interface: &Interface) -> (NodeId, NodeId) {
         let f = interface.input_fraction as i32;
@@ -92,7 +92,7 @@ impl Builder<'_> {
         self.offset_from_first(clamped, memory)
     }
 
-    /// The port `in_n` of a fixed-point range, taken into it, as the address of the memory `memory`, whose rows are the
+    /// The port `in_n` of a fixed-point range, clamped to it, as the address of the memory `memory`, whose rows are the
     /// range's integers, and the fraction.
     pub fn split_index(&mut self, set: &Shininess, frac_bits: i32, memory: usize) -> (NodeId, NodeId) {
         let port = self.index(set);
@@ -137,7 +137,7 @@ impl Builder<'_> {
         Bound { range: range.scale(-frac_bits), error, grid: frac_bits }
     }
 
-    /// The port `in_n`, taken into the set.
+    /// The port `in_n`, clamped to the set.
     pub fn clamped_index(&mut self, set: &Shininess, port: NodeId) -> NodeId {
         let (first, last) = (set.index_of_row(0), set.index_of_row(set.rows() - 1));
         let bounds = vec![Self::codes(set); self.cases.len()];

@@ -21,7 +21,7 @@ const SPECS: &[&str] = &[
     "method = 'cubic'\nform = 'paper'\nshininess = '1..=1000'",
     "method = 'quadratic'\nshininess = '1..=100'\noperand = 'versine'",
     "method = 'cubic'\nshininess = '1..=100'\noperand = 'versine'\noutput_fraction = 10",
-    // Signed coefficients, and results that must be taken into [0, 1].
+    // Signed coefficients, and results that must be clamped to [0, 1].
     "method = 'cubic'\nshininess = [1.1, 1.5, 1.9, 2, 2.5]",
     "method = 'cubic'\nform = 'paper'\nshininess = [1.1, 1.5, 1.9, 2, 2.5]",
     "method = 'cubic'\nshininess = [1.001, 1.5]\nq = 0.05",

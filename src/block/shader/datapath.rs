@@ -224,7 +224,7 @@ impl Shading<'_, '_> {
         (self.b.floor(exact, self.widths.dot, &format!("nl{l}"), "N.L, rounded down"), dark)
     }
 
-    /// A scalar product, rounded down and taken into [-1, 1], where those of unit vectors lie.
+    /// A scalar product, rounded down and clamped to [-1, 1], where those of unit vectors lie.
     fn cosine(&mut self, a: [NodeId; 3], c: [NodeId; 3], name: &str, what: &str) -> NodeId {
         let dot = self.dot(a, c, name, what);
         let bits = self.widths.dot;
@@ -233,7 +233,7 @@ impl Shading<'_, '_> {
         self.b.clamp(dot, -one, one, name, &format!("{what}, taken into [-1, 1]"))
     }
 
-    /// The lobe's operand: `value` rounded to nearest and taken into [0, 1].
+    /// The lobe's operand: `value` rounded to nearest and clamped to [0, 1].
     fn operand(&mut self, value: NodeId, name: &str, comment: &str) -> NodeId {
         let bits = self.widths.x;
         let half = self.b.half_ulp(bits);

@@ -15,7 +15,7 @@ impl Builder<'_> {
         self.within(a, [0, high], format, [0.0, exp2(weight)], name, comment)
     }
 
-    /// `a` taken into [0, 1], as `UQ1.f`.
+    /// `a` clamped to [0, 1], as `UQ1.f`.
     pub fn clamp_to_unit(&mut self, a: NodeId, name: &str, comment: &str) -> NodeId {
         let unit = Format::unsigned(1, self.format(a).frac_bits);
         self.within(a, [0, 1 << unit.frac_bits], unit, [0.0, 1.0], name, comment)
@@ -27,14 +27,14 @@ impl Builder<'_> {
         self.within(a, [0, positive.max_code()], positive, [0.0, f64::INFINITY], name, comment)
     }
 
-    /// `a` taken into the codes `low..=high` of its own fraction bits, in the narrowest format that holds these; `low`
+    /// `a` clamped to the codes `low..=high` of its own fraction bits, in the narrowest format that holds these; `low`
     /// is 0 or negative. `low` below 0 needs a signed `a`.
     pub fn clamp(&mut self, a: NodeId, low: i128, high: i128, name: &str, comment: &str) -> NodeId {
         let format = Format::holding(low, high, self.format(a).frac_bits);
         self.within(a, [low, high], format, [format.value(low), format.value(high)], name, comment)
     }
 
-    /// `a` taken into these codes, in a format that holds them, and so into a range of reals.
+    /// `a` clamped to these codes, in a format that holds them, and so into a range of reals.
     fn within(
         &mut self,
         a: NodeId,

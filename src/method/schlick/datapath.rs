@@ -54,7 +54,7 @@ impl<'a> Schlick<'a> {
         libm::ilogb(self.ends[1] + 1.0) + 1
     }
 
-    /// `n - 1` in the graph: from the port taken into the range, or the ROM's.
+    /// `n - 1` in the graph: from the port clamped to the range, or the ROM's.
     fn less_one(&self, b: &mut Builder) -> NodeId {
         let set = &self.interface.shininess;
         if self.listed() {

@@ -1,7 +1,7 @@
 //! One shader: whether a value leaves its register.
 //!
 //! A shader has too many inputs to run or to halve: six ports of a vector's components at least. But it falls into
-//! parts whose joints are taken into known ranges, and the range analysis goes over each part with its joints free, so
+//! parts whose joints are clamped to known ranges, and the range analysis goes over each part with its joints free, so
 //! that it covers every combination that the part before it could give, and more:
 //!
 //! - the *front end* of a light, from the vectors' ports, every code of them, to N.L and the highlight's cosine;
