@@ -105,8 +105,8 @@ fn text(results: &Results) -> Result<String, Box<dyn Error>> {
     }
     writeln!(
         text,
-        "\n## Constraints\n\n| constraints | met by | its error | LUT (LUT4 + 2 x carry cell) | DSP | block RAM | MHz | clocks | % \
-         of the device |"
+        "\n## Constraints\n\n| constraints | met by | its error | LUT (LUT4 + 2 x carry cell) | DSP | block RAM | \
+         MHz | clocks | % of the device |"
     )?;
     writeln!(text, "| --- | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |")?;
     let most = u32::MAX;

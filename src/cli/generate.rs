@@ -140,8 +140,8 @@ fn keeps(constraints: &Constraints, promised: u32, core: &Core) -> bool {
         && measured.max_abs > constraints.max_error.0
     {
         warn(format!(
-            "the chosen core has an error of {}, more than asked for: the results that it was chosen from are of another \
-             version",
+            "the chosen core has an error of {}, more than asked for: the results that it was chosen from are of \
+             another version",
             package::percent_text(measured.max_abs)
         ));
         return false;

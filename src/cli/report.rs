@@ -43,8 +43,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "FILE|MODEL")]
     material: Vec<PathBuf>,
 
-    /// Mark the core that `brdfgen choose` chooses for this error and the other constraints, such as 0.01, 1% or 2^-7; exit
-    /// 1 if there is none
+    /// Mark the core that `brdfgen choose` chooses for this error and the other constraints, such as 0.01, 1% or 2^-7;
+    /// exit 1 if there is none
     #[arg(long, value_name = "ERROR")]
     max_error: Option<MaxError>,
 

@@ -170,8 +170,9 @@ proptest! {
             let operand = if code & 64 == 0 { least + (code >> 8) as i64 % count as i64 } else { near_top };
             let mut output = [0];
             design.evaluator().evaluate(index, operand, 1, &mut output);
-            prop_assert_eq!(design.lobe().model().evaluate(index, operand), output[0], "{} {} {}", &spec, index, operand);
-            let method = design.lobe().lobes[(index - first) as usize].at(design.lobe().versine(operand)) * exp2(g as i32);
+            let lobe = design.lobe();
+            prop_assert_eq!(lobe.model().evaluate(index, operand), output[0], "{} {} {}", &spec, index, operand);
+            let method = lobe.lobes[(index - first) as usize].at(lobe.versine(operand)) * exp2(g as i32);
             let error = f64::from(output[0]) - method;
             prop_assert!(low - 1e-6 <= error && error <= high + 1e-6, "{} {} {}: {}", &spec, index, operand, error);
         }

@@ -320,7 +320,8 @@ proptest! {
             let operand = if code & 64 == 0 { least + (code >> 8) as i64 % count as i64 } else { near_top };
             let mut output = [0];
             design.evaluator().evaluate(index, operand, 1, &mut output);
-            prop_assert_eq!(design.lobe().model().evaluate(index, operand), output[0], "{} {} {}", &spec, index, operand);
+            let expected = design.lobe().model().evaluate(index, operand);
+            prop_assert_eq!(expected, output[0], "{} {} {}", &spec, index, operand);
             let error = f64::from(output[0]) - method_ulps(&design, lobes[(code % 8) as usize].as_ref(), operand);
             prop_assert!(low - 1e-6 <= error && error <= high + 1e-6, "{}: {} {}: {}", &spec, index, operand, error);
         }

@@ -191,8 +191,9 @@ proptest! {
         parts in prop::collection::vec(
             prop::sample::select(vec![
                 "0", "1f", "-", "@", ",", ";", ":", "..", "=", "=>", "(", ")", "{", "}", "[", "]", "\"01\"", "x", "\"",
-                "%", "//", "/*", "*/", "--", "\n", " ", "#", "BEGIN", "END", "CONTENT", "DEPTH", "WIDTH", "é", "\u{feff}",
-                ":= (", "= {", "address,word\n", "memory_initialization_radix=16;", "memory_initialization_vector=",
+                "%", "//", "/*", "*/", "--", "\n", " ", "#", "BEGIN", "END", "CONTENT", "DEPTH", "WIDTH", "é",
+                "\u{feff}", ":= (",
+                "= {", "address,word\n", "memory_initialization_radix=16;", "memory_initialization_vector=",
                 "DEPTH=2;WIDTH=8;CONTENT BEGIN", "ffffffffffffffffffff", ":00000001FF", ":02000004FFFFFC",
             ]),
             0..30,
