@@ -1,5 +1,6 @@
 //! What a core is: a lobe alone, or what is built around one.
 
+pub mod image;
 pub mod shader;
 
 use clap::ValueEnum;

@@ -18,16 +18,23 @@ const AROUND: usize = 180;
 /// The least cosine of light and viewer that takes part in the average.
 const LEAST: f64 = 0.02;
 
-/// The nodes: θd along the rows, θh = 90° (i/(N-1))² along the columns; each the mean of E f over φd weighted by
-/// (n·l)(n·v).
+/// The nodes at θh = 90° (i/(N-1))² along the columns; see [`samples_at`].
 #[must_use]
 pub fn samples(reflectance: &dyn Reflectance, size: usize, exposure: f64) -> Samples {
     let part = |step: usize| step as f64 / (size - 1) as f64;
+    let columns: Vec<f64> = (0..size).map(|column| FRAC_PI_2 * part(column) * part(column)).collect();
+    samples_at(reflectance, &columns, size, exposure)
+}
+
+/// The nodes: so many θd, evenly spaced, along the rows, ascending θh in radians along the columns; each the mean of
+/// E f over φd weighted by (n·l)(n·v).
+#[must_use]
+pub fn samples_at(reflectance: &dyn Reflectance, columns: &[f64], rows: usize, exposure: f64) -> Samples {
+    let part = |step: usize| step as f64 / (rows - 1) as f64;
     let row = |row: usize| {
         let theta_d = (LAST * part(row)).to_radians();
         let mut before = [0.0f32; 3];
-        let node = |column: usize| {
-            let theta_h = FRAC_PI_2 * part(column) * part(column);
+        let node = |&theta_h: &f64| {
             let (mut sum, mut weights) = ([0.0; 3], 0.0);
             for step in 0..AROUND {
                 let phi_d = 2.0 * PI * (step as f64 + 0.5) / AROUND as f64;
@@ -45,16 +52,16 @@ pub fn samples(reflectance: &dyn Reflectance, size: usize, exposure: f64) -> Sam
             }
             before
         };
-        (0..size).map(node).collect()
+        columns.iter().map(node).collect()
     };
-    let mut rows: Vec<Vec<[f32; 3]>> = (0..size).into_par_iter().map(row).collect();
+    let mut nodes: Vec<Vec<[f32; 3]>> = (0..rows).into_par_iter().map(row).collect();
     // At the last θd not even θh = 0 takes part: such a row is the one before.
-    for place in 1..size {
+    for place in 1..rows {
         if libm::cos((LAST * part(place)).to_radians()) <= LEAST {
-            rows[place] = rows[place - 1].clone();
+            nodes[place] = nodes[place - 1].clone();
         }
     }
-    Samples { width: size, height: size, data: rows.concat() }
+    Samples { width: columns.len(), height: rows, data: nodes.concat() }
 }
 
 /// What a light has ready for every normal.
@@ -67,14 +74,26 @@ pub(super) struct Setup {
     lit: bool,
 }
 
+/// The polar angles of lights in degrees that so many rows of nodes are of.
+#[must_use]
+pub fn angles(rows: usize) -> Vec<f64> {
+    (0..rows).map(|row| 2.0 * LAST * row as f64 / (rows - 1) as f64).collect()
+}
+
+/// The row of nodes of a light of the polar angle `phi` in degrees among `rows`, and the weight of the next one.
+fn place(rows: usize, phi: f64) -> (usize, f64) {
+    let place = (0.5 * phi / LAST * (rows - 1) as f64).clamp(0.0, (rows - 1) as f64);
+    let row = (place as usize).min(rows - 2);
+    (row, place - row as f64)
+}
+
 pub(super) fn setup(size: usize, light: Light) -> Setup {
     let l = light.direction();
-    let place = (0.5 * light.phi / LAST * (size - 1) as f64).clamp(0.0, (size - 1) as f64);
-    let row = (place as usize).min(size - 2);
+    let (row, t) = place(size, light.phi);
     // Behind the object the half vector vanishes, and nothing that is seen is lit.
     let lit = light.phi < 180.0;
     let h = if lit { (l + Vector::z()).normalize() } else { Vector::z() };
-    Setup { l, h, rows: [row, row + 1], t: place - row as f64, lit }
+    Setup { l, h, rows: [row, row + 1], t, lit }
 }
 
 /// What the nodes give for a normal.

@@ -260,7 +260,7 @@ fn held(u: f64, count: usize) -> (usize, usize, f64) {
 
 /// Two neighbouring layers and how an angle lies between them.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Pair {
+pub struct Pair {
     /// The layer at or below the angle; the first one below the first angle.
     pub first: usize,
     /// The next one, unless the angle is at or past the last, or before the first.
@@ -270,7 +270,8 @@ pub(super) struct Pair {
 }
 
 /// The layers that an angle lies between; the angles ascend.
-pub(super) fn pair(angles: &[f64], angle: f64) -> Pair {
+#[must_use]
+pub fn pair(angles: &[f64], angle: f64) -> Pair {
     let above = angles.partition_point(|&one| one <= angle);
     match above.checked_sub(1) {
         Some(first) if above < angles.len() => {

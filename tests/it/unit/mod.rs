@@ -1,5 +1,8 @@
 //! Tests of single modules, each in the place that the module has in `src/`; a method has its own in its folder.
 
+mod block {
+    mod image;
+}
 mod emit {
     mod rom;
 }

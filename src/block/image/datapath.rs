@@ -1,0 +1,361 @@
+//! The operations of the image-based block.
+
+use super::{Banks, Image, ImageForm, ImageWidths};
+use crate::datapath::Datapath;
+use crate::datapath::builder::{Bound, Builder, Case, HighBits};
+use crate::datapath::graph::NodeId;
+use crate::fixed::{Format, Interval, Table, exp2};
+
+const AXES: [char; 3] = ['x', 'y', 'z'];
+const CHANNELS: [char; 3] = ['r', 'g', 'b'];
+
+/// The ports of a light.
+struct LightPorts {
+    direction: [NodeId; 3],
+    /// The vectors of [`Image::frame`].
+    frame: Vec<Vec<NodeId>>,
+    band: NodeId,
+    blend: NodeId,
+    /// None where all lights have one.
+    shift: Option<NodeId>,
+    gain: [NodeId; 3],
+}
+
+/// The graph under construction.
+struct Imaging<'a, 'b> {
+    b: Builder<'b>,
+    image: &'a Image,
+    widths: ImageWidths,
+    normal: [NodeId; 3],
+}
+
+/// Both addresses of a place in a direction whose texels lie in two memories by their parity, and the weight of the odd
+/// one.
+struct Pair {
+    /// In the memory of the even and of the odd ones.
+    addresses: [NodeId; 2],
+    odd: NodeId,
+}
+
+fn bound(low: f64, high: f64, grid: i32) -> Bound {
+    Bound { range: Interval::new(low, high), error: Interval::ZERO, grid }
+}
+
+impl Imaging<'_, '_> {
+    fn port(&mut self, format: Format, name: &str) -> NodeId {
+        let own = bound(format.value(format.min_code()), format.value(format.max_code()), format.frac_bits);
+        self.b.input(format, name, |_| own)
+    }
+
+    /// The ports of a vector, signed Q1.f.
+    fn vector(&mut self, name: &str, axes: &[char]) -> Vec<NodeId> {
+        axes.iter().map(|axis| self.port(self.image.vector(), &format!("in_{name}{axis}"))).collect()
+    }
+
+    fn light_ports(&mut self, l: usize) -> LightPorts {
+        let shift_bits = self.widths.shift_bits();
+        let direction = self.vector(&format!("l{l}"), &AXES);
+        let frame = self.image.frame().iter().map(|(name, axes)| self.vector(&format!("{name}{l}"), axes)).collect();
+        let bands = self.image.extents()[0].ilog2() as i32;
+        LightPorts {
+            direction: [direction[0], direction[1], direction[2]],
+            frame,
+            band: self.port(Format::unsigned(bands, 0), &format!("in_band{l}")),
+            blend: self.port(Format::unsigned(1, self.image.weight_bits as i32), &format!("in_blend{l}")),
+            shift: (shift_bits > 0).then(|| self.port(Format::unsigned(shift_bits, 0), &format!("in_shift{l}"))),
+            gain: CHANNELS.map(|c| self.port(Format::unsigned(0, self.widths.gain), &format!("in_gain{l}{c}"))),
+        }
+    }
+
+    fn sum_of_products(&mut self, a: &[NodeId], c: &[NodeId], name: &str, what: &str) -> NodeId {
+        let mut axes = String::new();
+        let mut sum = None;
+        for (axis, (&a, &c)) in AXES.iter().zip(a.iter().zip(c)) {
+            let product = self.b.mul(a, c, &format!("{name}_{axis}"), what);
+            axes.push(*axis);
+            sum = Some(match sum {
+                None => product,
+                Some(before) => self.b.add(before, product, &format!("{name}_{axes}"), what),
+            });
+        }
+        sum.expect("vectors have components")
+    }
+
+    /// n·l from 0 times 2^shift, rounded down and kept in its format; 0 where the normal is turned away from the
+    /// viewer.
+    fn incidence(&mut self, direction: [NodeId; 3], shift: Option<NodeId>, l: usize) -> NodeId {
+        let ImageWidths { lit_int, lit, shift: most_shift, .. } = self.widths;
+        let dot = self.sum_of_products(&self.normal.clone(), &direction, &format!("nl{l}"), "n.l");
+        let most = (1i128 << self.b.format(dot).frac_bits) - 1;
+        let dot = self.b.clamp(dot, 0, most, &format!("nl{l}_kept"), "n.l, kept in [0, 1)");
+        let mut dot = self.b.floor(dot, lit + most_shift, &format!("nl{l}_cut"), "rounded down");
+        if let Some(shift) = shift {
+            let most = i128::from(most_shift);
+            let shift = if self.b.format(shift).max_code() > most {
+                self.b.clamp(shift, 0, most, &format!("shift{l}"), "at most the greatest")
+            } else {
+                shift
+            };
+            let shifts = [most_shift];
+            let up = self.b.scale(dot, Some(shift), 0, &shifts, &format!("nl{l}_up"), "times 2^shift");
+            self.b.assume(up, vec![bound(0.0, exp2(most_shift) - exp2(-lit), lit + most_shift)]);
+            let cut = self.b.floor(up, lit, &format!("nl{l}_up_cut"), "rounded down");
+            let most = (1i128 << (lit_int + lit)) - 1;
+            dot = self.b.clamp(cut, 0, most, &format!("nl{l}_within"), "kept in its format");
+        }
+        let towards = self.b.at_least_zero(self.normal[2], "nz_kept", "n.v, not below 0");
+        let seen = self.b.reaches(towards, -(self.image.vector_fraction as i32), "seen", "n.v > 0");
+        let hidden = self.b.not(seen.expect("n.v has bits"), "hidden", "the normal is turned away from the viewer");
+        self.b.zero_if(Some(hidden), dot, &format!("nl{l}"), "n.l, 0 for a normal that is turned away")
+    }
+
+    /// u = |n - h|²/2, rounded down, at most that of the last column.
+    fn versine(&mut self, half: &[NodeId], octave_bits: u32, l: usize) -> NodeId {
+        let most = 1i128 << (self.image.vector_fraction + 1);
+        let apart = [0, 1, 2].map(|axis| {
+            let name = format!("d{l}_{}", AXES[axis]);
+            let d = self.b.sub(self.normal[axis], half[axis], &format!("{name}_exact"), "a component of n - h");
+            self.b.clamp(d, -most, most - 1, &name, "of unit vectors it is below 2")
+        });
+        let sum = self.sum_of_products(&apart, &apart, &format!("dd{l}"), "|n - h|^2");
+        let u = self.b.scale(sum, None, -1, &[-1], &format!("u{l}_exact"), "|n - h|^2 / 2");
+        let bits = self.widths.versine;
+        let u = self.b.floor(u, bits, &format!("u{l}_cut"), "rounded down");
+        let most = (1i128 << bits) - (1 << (bits - octave_bits as i32 - 1));
+        self.b.clamp(u, 0, most, &format!("u{l}"), "the versine u = |n - h|^2 / 2, at most the last column's")
+    }
+
+    /// The number of the column at or below u and the weight of the next: u as a floating-point number.
+    fn octave_column(&mut self, u: NodeId, octave_bits: u32, l: usize) -> (NodeId, NodeId) {
+        let (m, w) = (octave_bits as i32, self.image.weight_bits as i32);
+        let octaves = (self.image.size >> octave_bits) as i32;
+        let mut y = u;
+        let mut exponent: Option<NodeId> = None;
+        let mut flags = Vec::new();
+        for amount in (0..octaves.ilog2()).rev().map(|bit| 1 << bit) {
+            let name = |what: &str| format!("{what}{l}_{amount}");
+            let frac_bits = self.b.format(y).frac_bits;
+            let high = self.b.reaches(y, -amount, &name("high"), &format!("the first {amount} bits of u"));
+            let high = high.expect("u has these bits");
+            let low = Format::unsigned(-amount, frac_bits);
+            let low = self.b.cast(y, low, HighBits::Guarded, &name("u_low"), "without them");
+            let up = self.b.scale(low, None, amount, &[amount], &name("u_up"), &format!("u 2^{amount}"));
+            y = self.b.select(high, [y, up], |_| None, &name("u"), &format!("u, times 2^{amount} if it is so small"));
+            // Where a single bit is looked at it keeps its weight.
+            let bit = amount.ilog2() as i32 + self.b.format(high).frac_bits;
+            let place = self.b.scale(high, None, bit, &[bit], &name("place"), "a bit of the exponent");
+            exponent = Some(match exponent {
+                None => place,
+                Some(before) => self.b.add(before, place, &name("exponent"), "the exponent's bits so far"),
+            });
+            flags.push(Some(high));
+        }
+        let normal = self.b.any(&flags, &format!("normal{l}"), "the exponent is not 0").expect("there are octaves");
+        let twice = self.b.scale(y, None, 1, &[1], &format!("u{l}_twice"), "2 u");
+        let frac_bits = self.b.format(twice).frac_bits;
+        let rest = Format::unsigned(0, frac_bits);
+        let rest = self.b.cast(twice, rest, HighBits::Guarded, &format!("u{l}_rest"), "2 u - 1");
+        let rest = self.b.select(normal, [rest, y], |_| None, &format!("rest{l}"), "the place in the octave");
+        let rest = self.b.floor(rest, m + w, &format!("rest{l}_cut"), "rounded down to the weights' last bit");
+        let within = self.b.cast(
+            rest,
+            Format::unsigned(0, m),
+            HighBits::Unused,
+            &format!("step{l}"),
+            "the column in the octave",
+        );
+        let within = self.b.scale(within, None, m, &[m], &format!("step{l}_number"), "its number");
+        let exponent = exponent.expect("there are octaves");
+        let exponent = self.b.scale(exponent, None, m, &[m], &format!("octave{l}"), "the octave's first column");
+        let column = self.b.add(exponent, within, &format!("column{l}"), "the column at or below u");
+        let weight =
+            self.b.cast(rest, Format::unsigned(-m, m + w), HighBits::Guarded, &format!("part{l}"), "u past it");
+        (column, self.b.scale(weight, None, m, &[m], &format!("weight{l}"), "the weight of the next column"))
+    }
+
+    /// Where a product with the normal lies among the texels of a side, whose centres are at (i + 1/2)/size of -1 to 1:
+    /// the texel at or below it and the weight of the next, to the nearest weight and between the outermost centres.
+    fn across(&mut self, axis: &[NodeId], name: &str, l: usize) -> (NodeId, NodeId) {
+        let w = self.image.weight_bits as i32;
+        let (bits, size) = (self.image.size.ilog2() as i32, i128::from(self.image.size));
+        let normal = self.normal[..axis.len()].to_vec();
+        let dot = self.sum_of_products(&normal, axis, &format!("{name}{l}"), "the turned normal");
+        let by = bits - 1;
+        let scaled = self.b.scale(dot, None, by, &[by], &format!("{name}{l}_scaled"), "in texels from the middle");
+        let middle = ((size - 1) << w) + 1;
+        let format = Format::unsigned(bits, w + 1);
+        let middle = self.b.constant(middle, format, &format!("middle_{w}"));
+        let place =
+            self.b.add(scaled, middle, &format!("{name}{l}_place"), "from the first, plus half a weight's last bit");
+        let place = self.b.floor(place, w, &format!("{name}{l}_cut"), "rounded to the nearest weight");
+        let place =
+            self.b.clamp(place, 0, (size - 1) << w, &format!("{name}{l}_kept"), "between the outermost centres");
+        let whole = Format::unsigned(bits, 0);
+        let texel =
+            self.b.cast(place, whole, HighBits::Unused, &format!("{name}{l}_texel"), "the texel at or below it");
+        let part = Format::unsigned(0, w);
+        let weight =
+            self.b.cast(place, part, HighBits::Guarded, &format!("{name}{l}_weight"), "the weight of the next");
+        (texel, weight)
+    }
+
+    /// The addresses of a place among so many and the next in the memories of the even and of the odd ones.
+    fn addresses(&mut self, place: NodeId, extent: u32, name: &str) -> [NodeId; 2] {
+        let bits = extent.ilog2() as i32;
+        let one = self.b.constant(1, Format::unsigned(1, 0), "one");
+        let next = self.b.add(place, one, &format!("{name}_next"), "the next");
+        [(next, "even"), (place, "odd")].map(|(of, parity)| {
+            // Past the last one the weight is 0.
+            let high = Format::unsigned(bits, -1);
+            let high = self.b.cast(of, high, HighBits::Guarded, &format!("{name}_{parity}_high"), "its leading bits");
+            self.b.scale(high, None, -1, &[-1], &format!("{name}_{parity}"), &format!("the {parity} one of both"))
+        })
+    }
+
+    /// Where a place and the next lie, and the weight of the odd one; `weight` is that of the next.
+    fn pair(&mut self, (place, weight): (NodeId, NodeId), extent: u32, name: &str) -> Pair {
+        let addresses = self.addresses(place, extent, name);
+        let bits = self.image.weight_bits as i32;
+        let one = self.b.constant(1 << bits, Format::unsigned(1, bits), "whole");
+        let other = self.b.sub(one, weight, &format!("{name}_other"), "the weight of the place itself");
+        self.b.narrow(other, vec![bound(exp2(-bits), 1.0, bits)]);
+        let last = Format::unsigned(1, 0);
+        let is_odd = self.b.cast(place, last, HighBits::Guarded, &format!("{name}_is_odd"), "its last bit");
+        let odd = self.b.select(is_odd, [other, weight], |_| None, &format!("{name}_odd"), "the weight of the odd one");
+        Pair { addresses, odd }
+    }
+
+    /// Where the texels of a light and a normal lie in each direction, the outermost first.
+    fn pairs(&mut self, ports: &LightPorts, l: usize) -> Vec<Pair> {
+        let extents = self.image.extents();
+        let odd = self.b.at_most(ports.blend, 0, &format!("blend{l}"), "the weight of the odd band, at most 1");
+        let addresses = self.addresses(ports.band, extents[0], &format!("band{l}"));
+        let mut pairs = vec![Pair { addresses, odd }];
+        match self.image.form {
+            ImageForm::Bivariate { octave_bits } => {
+                let u = self.versine(&ports.frame[0], octave_bits, l);
+                let column = self.octave_column(u, octave_bits, l);
+                pairs.push(self.pair(column, extents[1], &format!("column{l}")));
+            }
+            ImageForm::Half { .. } => {
+                for (place, name) in [(1, "v"), (0, "u")] {
+                    let texel = self.across(&ports.frame[place], name, l);
+                    pairs.push(self.pair(texel, self.image.size, &format!("{name}{l}")));
+                }
+            }
+        }
+        pairs
+    }
+
+    /// `a + (c - a) t`, exact.
+    fn blend(&mut self, [a, c]: [NodeId; 2], t: NodeId, name: &str, what: &str) -> NodeId {
+        let apart = self.b.sub(c, a, &format!("{name}_apart"), "the difference");
+        let part = self.b.mul(apart, t, &format!("{name}_part"), "its part");
+        let sum = self.b.add(a, part, name, what);
+        // Between both.
+        let most = 1.0 - exp2(-(self.image.texel_bits as i32));
+        let grid = self.b.format(sum).frac_bits;
+        self.b.narrow(sum, vec![bound(0.0, most, grid)]);
+        sum
+    }
+
+    /// The address of the texel of these parities of its places.
+    fn address(&mut self, pairs: &[Pair], parities: &[usize], l: usize) -> NodeId {
+        let extents = self.image.extents();
+        let mut address = None;
+        for ((pair, &parity), (extent, place)) in pairs.iter().zip(parities).zip(extents.iter().zip(1..)) {
+            let own = pair.addresses[parity];
+            address = Some(match address {
+                None => own,
+                Some(before) => {
+                    let bits = extent.ilog2() as i32 - 1;
+                    let known: String = parities[..place].iter().map(usize::to_string).collect();
+                    let first = format!("texels{l}_{known}");
+                    let first = self.b.scale(before, None, bits, &[bits], &first, "the first of them");
+                    self.b.add(first, own, &format!("texel{l}_{known}"), "side by side")
+                }
+            });
+        }
+        address.expect("there are directions")
+    }
+
+    /// The blend of texels in all directions, the innermost first; `texels` are in the order of [`Banks::parities`].
+    fn blended(&mut self, texels: Vec<NodeId>, pairs: &[Pair], name: &str) -> NodeId {
+        let mut left = texels;
+        for (pair, place) in pairs.iter().rev().zip(1..) {
+            let what = if left.len() == 2 { "two bands" } else { "two neighbours" };
+            let two = |(number, two): (usize, &[NodeId])| {
+                self.blend([two[0], two[1]], pair.odd, &format!("{name}_{place}_{number}"), what)
+            };
+            left = left.chunks(2).enumerate().map(two).collect();
+        }
+        left[0]
+    }
+
+    /// What a light gives to the channels.
+    fn light(&mut self, light: usize, ports: &LightPorts) -> [NodeId; 3] {
+        let l = light + 1;
+        let nl = self.incidence(ports.direction, ports.shift, l);
+        let pairs = self.pairs(ports, l);
+        let parities = Banks::parities(pairs.len());
+        let addresses: Vec<NodeId> = parities.iter().map(|parities| self.address(&pairs, parities, l)).collect();
+        let first = light * parities.len();
+        let ImageWidths { lit, code, square, term, .. } = self.widths;
+        [0, 1, 2].map(|channel| {
+            let c = CHANNELS[channel];
+            let texel = |(number, parities): (usize, &Vec<usize>)| {
+                self.b.field(first + number, addresses[number], Banks::fields(light, parities)[channel])
+            };
+            let texels = parities.iter().enumerate().map(texel).collect();
+            let root = self.blended(texels, &pairs, &format!("blend{l}_{c}"));
+            let root = self.b.floor(root, code, &format!("root{l}_{c}"), "the blended code");
+            let squared = self.b.mul(root, root, &format!("square{l}_{c}_exact"), "its square");
+            let squared = self.b.floor(squared, square, &format!("square{l}_{c}"), "rounded down");
+            let factor = self.b.mul(nl, ports.gain[channel], &format!("gain{l}_{c}_exact"), "n.l times the gain");
+            let factor = self.b.floor(factor, lit, &format!("gain{l}_{c}"), "rounded down");
+            let product = self.b.mul(factor, squared, &format!("light{l}_{c}_exact"), "what the light gives");
+            self.b.floor(product, term, &format!("light{l}_{c}"), "rounded down")
+        })
+    }
+
+    /// The code of a channel.
+    fn code(&mut self, sum: NodeId, channel: usize) -> NodeId {
+        let (c, bits, b) = (CHANNELS[channel], self.image.channel_bits as i32, &mut self.b);
+        let half = b.half_ulp(bits);
+        let sum = b.add(sum, half, &format!("sum_half_{c}"), "plus half a code");
+        let code = b.floor(sum, bits, &format!("cut_{c}"), "rounded to the nearest code");
+        let code = b.clamp(code, 0, self.image.full_scale().into(), &format!("kept_{c}"), "at most full scale");
+        b.scale(code, None, bits, &[bits], &format!("code_{c}"), "as a whole number")
+    }
+}
+
+/// The datapath of a block with these texels, or `None` if a value would be too wide for this crate.
+///
+/// The inputs are n, and for each light l, the vectors of [`Image::frame`], the band, the blend, the shift and a gain a
+/// channel; the outputs are the codes of the three channels.
+#[must_use]
+pub fn build(image: &Image, widths: ImageWidths, banks: &Banks) -> Option<Datapath> {
+    let lights = image.lights as usize;
+    let tables: Vec<Table> = (0..lights).flat_map(|light| banks.tables(image, light)).collect();
+    let case = Case { active: Interval::UNIT, shininess: 1.0, rows: vec![None; tables.len()] };
+    let mut imaging = Imaging { b: Builder::new(&tables, vec![case]), image, widths, normal: [0; 3] };
+    let normal = imaging.vector("n", &AXES);
+    imaging.normal = [normal[0], normal[1], normal[2]];
+    let ports: Vec<LightPorts> = (1..=lights).map(|l| imaging.light_ports(l)).collect();
+    let mut sums: Option<[NodeId; 3]> = None;
+    for (light, ports) in ports.iter().enumerate() {
+        let terms = imaging.light(light, ports);
+        sums = Some(match sums {
+            None => terms,
+            Some(before) => [0, 1, 2].map(|channel| {
+                let name = format!("lights{}_{}", light + 1, CHANNELS[channel]);
+                imaging.b.add(before[channel], terms[channel], &name, "the lights so far")
+            }),
+        });
+    }
+    let sums = sums?;
+    let names = ["out_r", "out_g", "out_b"];
+    let outputs: Vec<(&str, NodeId)> = (0..3).map(|c| (names[c], imaging.code(sums[c], c))).collect();
+    let graph = imaging.b.finish(&outputs, [])?;
+    Some(Datapath { graph, tables, errors: Vec::new(), constants: Vec::new() })
+}

@@ -1,0 +1,126 @@
+//! The image-based block in bits, from its formula.
+
+use super::{Image, ImageForm, ImageWidths};
+use crate::fixed::wide::{self, Wide};
+use crate::reflectance::texels::Texels;
+
+/// The function of an image-based core.
+#[derive(Clone, Debug)]
+pub struct ImageModel<'a> {
+    image: &'a Image,
+    widths: ImageWidths,
+    texels: &'a Texels,
+}
+
+/// A place between two texels: the number of the first, and the weight of the next.
+type Place = (usize, Wide);
+
+impl<'a> ImageModel<'a> {
+    /// The model of a block with these texels.
+    #[must_use]
+    pub fn new(image: &'a Image, widths: ImageWidths, texels: &'a Texels) -> Self {
+        Self { image, widths, texels }
+    }
+
+    /// The codes of `out_r`, `out_g` and `out_b` for the codes of the input ports in their order.
+    #[must_use]
+    pub fn evaluate(&self, inputs: &[i64]) -> Vec<i64> {
+        let (normal, lights) = inputs.split_at(3);
+        let mut sums = [Wide::ZERO; 3];
+        for light in lights.chunks(lights.len() / self.image.lights as usize) {
+            let terms = self.light(normal, light);
+            (0..3).for_each(|c| sums[c] += terms[c]);
+        }
+        let bits = self.image.channel_bits;
+        let code = |sum: Wide| wide::to_code(sum + wide::from_code(1, bits + 1), bits) as i64;
+        sums.map(|sum| code(sum).min(self.image.full_scale())).to_vec()
+    }
+
+    /// The exact product of vectors of these codes.
+    fn product(&self, a: &[i64], b: &[i64]) -> Wide {
+        let number = |code: i64| wide::from_code(code.into(), self.image.vector_fraction);
+        a.iter().zip(b).fold(Wide::ZERO, |sum, (&a, &b)| sum + number(a) * number(b))
+    }
+
+    /// The column of |n - h|²/2 as a floating-point number with a place behind the last.
+    fn octave_column(&self, normal: &[i64], half: &[i64], octave_bits: u32) -> Place {
+        let weight_bits = self.image.weight_bits;
+        let most = 1i64 << (self.image.vector_fraction + 1);
+        let apart: Vec<i64> = normal.iter().zip(half).map(|(n, h)| (n - h).clamp(-most, most - 1)).collect();
+        let u = wide::floor_to(self.product(&apart, &apart) / 2, self.widths.versine as u32);
+        let u = u.min(Wide::ONE - wide::from_code(1, octave_bits + 1));
+        let octaves = self.image.size >> octave_bits;
+        let exponent = (1..octaves).rev().find(|&e| u >= wide::from_code(1, octaves - e)).unwrap_or(0);
+        let rest = match exponent {
+            0 => u << (octaves - 1),
+            e => (u << (octaves - e)) - Wide::ONE,
+        };
+        let within = wide::to_code(rest, octave_bits + weight_bits) as usize;
+        let place = within + ((exponent as usize) << (octave_bits + weight_bits));
+        (place >> weight_bits, self.weight(place))
+    }
+
+    /// The weight that the last bits of a place are.
+    fn weight(&self, place: usize) -> Wide {
+        let bits = self.image.weight_bits;
+        wide::from_code((place & ((1 << bits) - 1)) as i128, bits)
+    }
+
+    /// Where a vector lies along an axis of a slice, whose texels have their centres at (i + 1/2)/size of -1 to 1: to
+    /// the nearest weight, between the outermost centres.
+    fn across(&self, normal: &[i64], axis: &[i64]) -> Place {
+        let bits = self.image.weight_bits;
+        let last = Wide::from_num(self.image.size - 1);
+        let place = (self.product(normal, axis) * i128::from(self.image.size) + last) / 2;
+        let place = wide::floor_to(place + wide::from_code(1, bits + 1), bits).clamp(Wide::ZERO, last);
+        let place = wide::to_code(place, bits) as usize;
+        (place >> bits, self.weight(place))
+    }
+
+    /// The blend of the texels about a place in all directions.
+    fn blend(&self, channel: usize, places: &[Place], extents: &[u32], before: usize) -> Wide {
+        let Some((&(place, weight), rest)) = places.split_first() else {
+            let full = ((1u32 << self.image.texel_bits) - 1) as f32;
+            let code = (self.texels.codes()[before][channel] * full).round() as i128;
+            return wide::from_code(code, self.image.texel_bits);
+        };
+        let extent = extents[0] as usize;
+        let [a, b] = [place, (place + 1) % extent]
+            .map(|place| self.blend(channel, rest, &extents[1..], before * extent + place));
+        a + (b - a) * weight
+    }
+
+    /// What a light gives to the channels.
+    fn light(&self, normal: &[i64], light: &[i64]) -> [Wide; 3] {
+        let f = self.image.vector_fraction;
+        let floor = |value: Wide, bits: i32| wide::floor_to(value, bits as u32);
+        let last = wide::from_code(1, 2 * f);
+        let nl = self.product(normal, &light[..3]).clamp(Wide::ZERO, Wide::ONE - last);
+        if normal[2] <= 0 {
+            return [Wide::ZERO; 3];
+        }
+        let extents = self.image.extents();
+        let (inner, rest): (Vec<Place>, &[i64]) = match self.image.form {
+            ImageForm::Bivariate { octave_bits } => {
+                (vec![self.octave_column(normal, &light[3..6], octave_bits)], &light[6..])
+            }
+            ImageForm::Half { .. } => {
+                (vec![self.across(&normal[..2], &light[6..8]), self.across(normal, &light[3..6])], &light[8..])
+            }
+        };
+        let band = (rest[0] as usize) % extents[0] as usize;
+        let odd = wide::from_code(rest[1].into(), self.image.weight_bits).min(Wide::ONE);
+        let t = if band.is_multiple_of(2) { odd } else { Wide::ONE - odd };
+        let places = [vec![(band, t)], inner].concat();
+        // n·l 2^shift, within its format.
+        let ImageWidths { shift: most_shift, lit_int, lit, gain: gain_bits, code, square, term, .. } = self.widths;
+        let (shift, gains) = if most_shift == 0 { (0, &rest[2..]) } else { (rest[2], &rest[3..]) };
+        let most = (Wide::ONE << lit_int) - wide::from_code(1, lit as u32);
+        let lit_up = floor(floor(nl, lit + most_shift) << (shift as i32).min(most_shift), lit).min(most);
+        [0, 1, 2].map(|channel| {
+            let code = floor(self.blend(channel, &places, &extents, 0), code);
+            let gain = floor(lit_up * wide::from_code(gains[channel].into(), gain_bits as u32), lit);
+            floor(gain * floor(code * code, square), term)
+        })
+    }
+}
