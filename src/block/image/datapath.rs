@@ -1,10 +1,11 @@
 //! The operations of the image-based block.
 
-use super::{Banks, Image, ImageForm, ImageWidths};
+use super::texels::{banks, fields, parities};
+use super::{Image, ImageBlock, ImageForm, ImageWidths};
 use crate::datapath::Datapath;
 use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;
-use crate::fixed::{Format, Interval, Table, exp2};
+use crate::fixed::{Format, Interval, exp2};
 
 const AXES: [char; 3] = ['x', 'y', 'z'];
 const CHANNELS: [char; 3] = ['r', 'g', 'b'];
@@ -27,6 +28,8 @@ struct Imaging<'a, 'b> {
     image: &'a Image,
     widths: ImageWidths,
     normal: [NodeId; 3],
+    /// Whether the normal is turned away from the viewer.
+    hidden: NodeId,
 }
 
 /// Both addresses of a place in a direction whose texels lie in two memories by their parity, and the weight of the odd
@@ -56,11 +59,11 @@ impl Imaging<'_, '_> {
         let shift_bits = self.widths.shift_bits();
         let direction = self.vector(&format!("l{l}"), &AXES);
         let frame = self.image.frame().iter().map(|(name, axes)| self.vector(&format!("{name}{l}"), axes)).collect();
-        let bands = self.image.extents()[0].ilog2() as i32;
+        let band_bits = self.image.extents()[0].ilog2() as i32;
         LightPorts {
             direction: [direction[0], direction[1], direction[2]],
             frame,
-            band: self.port(Format::unsigned(bands, 0), &format!("in_band{l}")),
+            band: self.port(Format::unsigned(band_bits, 0), &format!("in_band{l}")),
             blend: self.port(Format::unsigned(1, self.image.weight_bits as i32), &format!("in_blend{l}")),
             shift: (shift_bits > 0).then(|| self.port(Format::unsigned(shift_bits, 0), &format!("in_shift{l}"))),
             gain: CHANNELS.map(|c| self.port(Format::unsigned(0, self.widths.gain), &format!("in_gain{l}{c}"))),
@@ -79,6 +82,13 @@ impl Imaging<'_, '_> {
             });
         }
         sum.expect("vectors have components")
+    }
+
+    /// Whether the normal is turned away from the viewer.
+    fn hidden(&mut self) -> NodeId {
+        let towards = self.b.at_least_zero(self.normal[2], "nz_kept", "n.v, not below 0");
+        let seen = self.b.reaches(towards, -(self.image.vector_fraction as i32), "seen", "n.v > 0");
+        self.b.not(seen.expect("n.v has bits"), "hidden", "the normal is turned away from the viewer")
     }
 
     /// n·l from 0 times 2^shift, rounded down and kept in its format; 0 where the normal is turned away from the
@@ -100,17 +110,14 @@ impl Imaging<'_, '_> {
             let up = self.b.scale(dot, Some(shift), 0, &shifts, &format!("nl{l}_up"), "times 2^shift");
             self.b.assume(up, vec![bound(0.0, exp2(most_shift) - exp2(-lit), lit + most_shift)]);
             let cut = self.b.floor(up, lit, &format!("nl{l}_up_cut"), "rounded down");
-            let most = (1i128 << (lit_int + lit)) - 1;
+            let most = (1i128 << (lit_int + self.b.format(cut).frac_bits)) - 1;
             dot = self.b.clamp(cut, 0, most, &format!("nl{l}_within"), "kept in its format");
         }
-        let towards = self.b.at_least_zero(self.normal[2], "nz_kept", "n.v, not below 0");
-        let seen = self.b.reaches(towards, -(self.image.vector_fraction as i32), "seen", "n.v > 0");
-        let hidden = self.b.not(seen.expect("n.v has bits"), "hidden", "the normal is turned away from the viewer");
-        self.b.zero_if(Some(hidden), dot, &format!("nl{l}"), "n.l, 0 for a normal that is turned away")
+        self.b.zero_if(Some(self.hidden), dot, &format!("nl{l}"), "n.l, 0 for a normal that is turned away")
     }
 
     /// u = |n - h|²/2, rounded down, at most that of the last column.
-    fn versine(&mut self, half: &[NodeId], octave_bits: u32, l: usize) -> NodeId {
+    fn versine(&mut self, half: &[NodeId], octaves: u32, l: usize) -> NodeId {
         let most = 1i128 << (self.image.vector_fraction + 1);
         let apart = [0, 1, 2].map(|axis| {
             let name = format!("d{l}_{}", AXES[axis]);
@@ -119,20 +126,19 @@ impl Imaging<'_, '_> {
         });
         let sum = self.sum_of_products(&apart, &apart, &format!("dd{l}"), "|n - h|^2");
         let u = self.b.scale(sum, None, -1, &[-1], &format!("u{l}_exact"), "|n - h|^2 / 2");
-        let bits = self.widths.versine;
+        let bits = self.image.versine_bits(octaves) as i32;
         let u = self.b.floor(u, bits, &format!("u{l}_cut"), "rounded down");
-        let most = (1i128 << bits) - (1 << (bits - octave_bits as i32 - 1));
+        let most = (1i128 << bits) - (1 << (bits - self.image.octave_bits(octaves) as i32 - 1));
         self.b.clamp(u, 0, most, &format!("u{l}"), "the versine u = |n - h|^2 / 2, at most the last column's")
     }
 
     /// The number of the column at or below u and the weight of the next: u as a floating-point number.
-    fn octave_column(&mut self, u: NodeId, octave_bits: u32, l: usize) -> (NodeId, NodeId) {
-        let (m, w) = (octave_bits as i32, self.image.weight_bits as i32);
-        let octaves = (self.image.size >> octave_bits) as i32;
+    fn octave_column(&mut self, u: NodeId, octaves: u32, l: usize) -> (NodeId, NodeId) {
+        let (m, w) = (self.image.octave_bits(octaves) as i32, self.image.weight_bits as i32);
         let mut y = u;
         let mut exponent: Option<NodeId> = None;
         let mut flags = Vec::new();
-        for amount in (0..octaves.ilog2()).rev().map(|bit| 1 << bit) {
+        for amount in (0..octaves.ilog2()).rev().map(|bit| 1i32 << bit) {
             let name = |what: &str| format!("{what}{l}_{amount}");
             let frac_bits = self.b.format(y).frac_bits;
             let high = self.b.reaches(y, -amount, &name("high"), &format!("the first {amount} bits of u"));
@@ -205,7 +211,7 @@ impl Imaging<'_, '_> {
         let one = self.b.constant(1, Format::unsigned(1, 0), "one");
         let next = self.b.add(place, one, &format!("{name}_next"), "the next");
         [(next, "even"), (place, "odd")].map(|(of, parity)| {
-            // Past the last one the weight is 0.
+            // Past the last one the first follows; no place of a normal is there, and no band of a record.
             let high = Format::unsigned(bits, -1);
             let high = self.b.cast(of, high, HighBits::Guarded, &format!("{name}_{parity}_high"), "its leading bits");
             self.b.scale(high, None, -1, &[-1], &format!("{name}_{parity}"), &format!("the {parity} one of both"))
@@ -232,9 +238,9 @@ impl Imaging<'_, '_> {
         let addresses = self.addresses(ports.band, extents[0], &format!("band{l}"));
         let mut pairs = vec![Pair { addresses, odd }];
         match self.image.form {
-            ImageForm::Bivariate { octave_bits } => {
-                let u = self.versine(&ports.frame[0], octave_bits, l);
-                let column = self.octave_column(u, octave_bits, l);
+            ImageForm::Bivariate { octaves } => {
+                let u = self.versine(&ports.frame[0], octaves, l);
+                let column = self.octave_column(u, octaves, l);
                 pairs.push(self.pair(column, extents[1], &format!("column{l}")));
             }
             ImageForm::Half { .. } => {
@@ -279,7 +285,7 @@ impl Imaging<'_, '_> {
         address.expect("there are directions")
     }
 
-    /// The blend of texels in all directions, the innermost first; `texels` are in the order of [`Banks::parities`].
+    /// The blend of texels in all directions, the innermost first; `texels` are in the order of [`parities`].
     fn blended(&mut self, texels: Vec<NodeId>, pairs: &[Pair], name: &str) -> NodeId {
         let mut left = texels;
         for (pair, place) in pairs.iter().rev().zip(1..) {
@@ -297,14 +303,14 @@ impl Imaging<'_, '_> {
         let l = light + 1;
         let nl = self.incidence(ports.direction, ports.shift, l);
         let pairs = self.pairs(ports, l);
-        let parities = Banks::parities(pairs.len());
+        let parities = parities(pairs.len());
         let addresses: Vec<NodeId> = parities.iter().map(|parities| self.address(&pairs, parities, l)).collect();
         let first = light * parities.len();
         let ImageWidths { lit, code, square, term, .. } = self.widths;
         [0, 1, 2].map(|channel| {
             let c = CHANNELS[channel];
             let texel = |(number, parities): (usize, &Vec<usize>)| {
-                self.b.field(first + number, addresses[number], Banks::fields(light, parities)[channel])
+                self.b.field(first + number, addresses[number], fields(light, parities)[channel])
             };
             let texels = parities.iter().enumerate().map(texel).collect();
             let root = self.blended(texels, &pairs, &format!("blend{l}_{c}"));
@@ -329,33 +335,38 @@ impl Imaging<'_, '_> {
     }
 }
 
-/// The datapath of a block with these texels, or `None` if a value would be too wide for this crate.
-///
-/// The inputs are n, and for each light l, the vectors of [`Image::frame`], the band, the blend, the shift and a gain a
-/// channel; the outputs are the codes of the three channels.
-#[must_use]
-pub fn build(image: &Image, widths: ImageWidths, banks: &Banks) -> Option<Datapath> {
-    let lights = image.lights as usize;
-    let tables: Vec<Table> = (0..lights).flat_map(|light| banks.tables(image, light)).collect();
-    let case = Case { active: Interval::UNIT, shininess: 1.0, rows: vec![None; tables.len()] };
-    let mut imaging = Imaging { b: Builder::new(&tables, vec![case]), image, widths, normal: [0; 3] };
-    let normal = imaging.vector("n", &AXES);
-    imaging.normal = [normal[0], normal[1], normal[2]];
-    let ports: Vec<LightPorts> = (1..=lights).map(|l| imaging.light_ports(l)).collect();
-    let mut sums: Option<[NodeId; 3]> = None;
-    for (light, ports) in ports.iter().enumerate() {
-        let terms = imaging.light(light, ports);
-        sums = Some(match sums {
-            None => terms,
-            Some(before) => [0, 1, 2].map(|channel| {
-                let name = format!("lights{}_{}", light + 1, CHANNELS[channel]);
-                imaging.b.add(before[channel], terms[channel], &name, "the lights so far")
-            }),
-        });
+impl ImageBlock {
+    /// The operations, or `None` if a value would be too wide for this crate.
+    ///
+    /// The inputs are n, and for each light its direction, the vectors of [`Image::frame`], the band, the blend, the
+    /// shift where lights differ in it, and a gain a channel; the outputs are the codes of the three channels.
+    #[must_use]
+    pub fn datapath(&self) -> Option<Datapath> {
+        let Self { image, widths, texels } = self;
+        let lights = image.lights as usize;
+        let tables = banks(image, texels);
+        let case = Case { active: Interval::UNIT, shininess: 1.0, rows: vec![None; tables.len()] };
+        let b = Builder::new(&tables, vec![case]);
+        let mut imaging = Imaging { b, image, widths: *widths, normal: [0; 3], hidden: 0 };
+        let normal = imaging.vector("n", &AXES);
+        imaging.normal = [normal[0], normal[1], normal[2]];
+        let ports: Vec<LightPorts> = (1..=lights).map(|l| imaging.light_ports(l)).collect();
+        imaging.hidden = imaging.hidden();
+        let mut sums: Option<[NodeId; 3]> = None;
+        for (light, ports) in ports.iter().enumerate() {
+            let terms = imaging.light(light, ports);
+            sums = Some(match sums {
+                None => terms,
+                Some(before) => [0, 1, 2].map(|channel| {
+                    let name = format!("lights{}_{}", light + 1, CHANNELS[channel]);
+                    imaging.b.add(before[channel], terms[channel], &name, "the lights so far")
+                }),
+            });
+        }
+        let sums = sums?;
+        let names = ["out_r", "out_g", "out_b"];
+        let outputs: Vec<(&str, NodeId)> = (0..3).map(|c| (names[c], imaging.code(sums[c], c))).collect();
+        let graph = imaging.b.finish(&outputs, [])?;
+        Some(Datapath { graph, tables, errors: Vec::new(), constants: Vec::new() })
     }
-    let sums = sums?;
-    let names = ["out_r", "out_g", "out_b"];
-    let outputs: Vec<(&str, NodeId)> = (0..3).map(|c| (names[c], imaging.code(sums[c], c))).collect();
-    let graph = imaging.b.finish(&outputs, [])?;
-    Some(Datapath { graph, tables, errors: Vec::new(), constants: Vec::new() })
 }

@@ -3,17 +3,65 @@
 //! What is stored are codes of `√(f/cap)`: over θh and θd, a row of texels and a cap for each θd
 //! ([`ImageForm::Bivariate`]), or slices about the half vector, one for each angle of the light ([`ImageForm::Half`]).
 //! A directional light has one θd for all normals, so that a light record names one of these *bands*, its blend with
-//! the next, and a gain a channel: the light's intensity, both caps and the exposure. Of a sample are left a scalar
-//! product, an address, the blend of neighbouring texels, its square and two products; texels lie in memories by the
-//! parities of their places, and all that are blended are read in one clock.
+//! the next, and a gain a channel: the light's intensity, both caps and the exposure, with an exponent. Of a sample are
+//! left a scalar product, an address, the blend of neighbouring texels, its square and two products; texels lie in
+//! memories by the parities of their places, and all that are blended are read in one clock.
 
-pub mod datapath;
+mod datapath;
 mod model;
 mod options;
 mod record;
 mod texels;
 
 pub use model::ImageModel;
-pub use options::{Image, ImageForm, ImageWidths};
+pub use options::{Image, ImageForm, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, WEIGHT_BITS};
 pub use record::LightRecord;
-pub use texels::{Banks, OctaveAxis};
+pub use texels::OctaveAxis;
+
+use crate::platform::error::Error;
+use crate::reflectance::Reflectance;
+use crate::reflectance::texels::Texels;
+
+/// An image-based block of a reflectance: its texels, and the widths that follow.
+#[derive(Clone, Debug)]
+pub struct ImageBlock {
+    image: Image,
+    widths: ImageWidths,
+    texels: Texels,
+}
+
+impl ImageBlock {
+    /// The block of a reflectance times an exposure.
+    ///
+    /// # Errors
+    /// What [`Image::check`] refuses.
+    pub fn new(image: Image, reflectance: &dyn Reflectance, exposure: f64) -> Result<Self, Error> {
+        image.check()?;
+        let texels = texels::sampled(&image, reflectance, exposure);
+        Ok(Self { widths: ImageWidths::new(&image, &texels), image, texels })
+    }
+
+    /// What was asked for.
+    #[must_use]
+    pub fn image(&self) -> &Image {
+        &self.image
+    }
+
+    /// Its widths.
+    #[must_use]
+    pub fn widths(&self) -> &ImageWidths {
+        &self.widths
+    }
+
+    /// Its texels: bands, each with its cap.
+    #[must_use]
+    pub fn texels(&self) -> &Texels {
+        &self.texels
+    }
+
+    /// The bit-exact reference.
+    #[must_use]
+    pub fn model(&self) -> ImageModel<'_> {
+        ImageModel::new(&self.image, self.widths, &self.texels)
+    }
+}

@@ -1,5 +1,6 @@
 //! The image-based block in bits, from its formula.
 
+use super::texels::code;
 use super::{Image, ImageForm, ImageWidths};
 use crate::fixed::wide::{self, Wide};
 use crate::reflectance::texels::Texels;
@@ -16,9 +17,7 @@ pub struct ImageModel<'a> {
 type Place = (usize, Wide);
 
 impl<'a> ImageModel<'a> {
-    /// The model of a block with these texels.
-    #[must_use]
-    pub fn new(image: &'a Image, widths: ImageWidths, texels: &'a Texels) -> Self {
+    pub(super) fn new(image: &'a Image, widths: ImageWidths, texels: &'a Texels) -> Self {
         Self { image, widths, texels }
     }
 
@@ -43,13 +42,12 @@ impl<'a> ImageModel<'a> {
     }
 
     /// The column of |n - h|²/2 as a floating-point number with a place behind the last.
-    fn octave_column(&self, normal: &[i64], half: &[i64], octave_bits: u32) -> Place {
-        let weight_bits = self.image.weight_bits;
+    fn octave_column(&self, normal: &[i64], half: &[i64], octaves: u32) -> Place {
+        let (weight_bits, octave_bits) = (self.image.weight_bits, self.image.octave_bits(octaves));
         let most = 1i64 << (self.image.vector_fraction + 1);
         let apart: Vec<i64> = normal.iter().zip(half).map(|(n, h)| (n - h).clamp(-most, most - 1)).collect();
-        let u = wide::floor_to(self.product(&apart, &apart) / 2, self.widths.versine as u32);
+        let u = wide::floor_to(self.product(&apart, &apart) / 2, self.image.versine_bits(octaves));
         let u = u.min(Wide::ONE - wide::from_code(1, octave_bits + 1));
-        let octaves = self.image.size >> octave_bits;
         let exponent = (1..octaves).rev().find(|&e| u >= wide::from_code(1, octaves - e)).unwrap_or(0);
         let rest = match exponent {
             0 => u << (octaves - 1),
@@ -80,9 +78,7 @@ impl<'a> ImageModel<'a> {
     /// The blend of the texels about a place in all directions.
     fn blend(&self, channel: usize, places: &[Place], extents: &[u32], before: usize) -> Wide {
         let Some((&(place, weight), rest)) = places.split_first() else {
-            let full = ((1u32 << self.image.texel_bits) - 1) as f32;
-            let code = (self.texels.codes()[before][channel] * full).round() as i128;
-            return wide::from_code(code, self.image.texel_bits);
+            return wide::from_code(code(self.image, self.texels, before, channel), self.image.texel_bits);
         };
         let extent = extents[0] as usize;
         let [a, b] = [place, (place + 1) % extent]
@@ -101,9 +97,7 @@ impl<'a> ImageModel<'a> {
         }
         let extents = self.image.extents();
         let (inner, rest): (Vec<Place>, &[i64]) = match self.image.form {
-            ImageForm::Bivariate { octave_bits } => {
-                (vec![self.octave_column(normal, &light[3..6], octave_bits)], &light[6..])
-            }
+            ImageForm::Bivariate { octaves } => (vec![self.octave_column(normal, &light[3..6], octaves)], &light[6..]),
             ImageForm::Half { .. } => {
                 (vec![self.across(&normal[..2], &light[6..8]), self.across(normal, &light[3..6])], &light[8..])
             }
@@ -115,7 +109,7 @@ impl<'a> ImageModel<'a> {
         // n·l 2^shift, within its format.
         let ImageWidths { shift: most_shift, lit_int, lit, gain: gain_bits, code, square, term, .. } = self.widths;
         let (shift, gains) = if most_shift == 0 { (0, &rest[2..]) } else { (rest[2], &rest[3..]) };
-        let most = (Wide::ONE << lit_int) - wide::from_code(1, lit as u32);
+        let most = (Wide::ONE << lit_int) - wide::from_code(1, (lit as u32).min(2 * f));
         let lit_up = floor(floor(nl, lit + most_shift) << (shift as i32).min(most_shift), lit).min(most);
         [0, 1, 2].map(|channel| {
             let code = floor(self.blend(channel, &places, &extents, 0), code);

@@ -1,34 +1,53 @@
 //! What an image-based block is asked with, and the widths that follow.
 
-use super::Banks;
+use std::ops::RangeInclusive;
+
+use super::record;
+use crate::block::shader::{CHANNEL_BITS, LIGHTS, VECTOR_FRACTION};
 use crate::fixed::{Format, exp2};
-use crate::reflectance::half;
+use crate::method::within;
+use crate::platform::error::{Error, refuse};
+use crate::reflectance::texels::Texels;
+use crate::reflectance::{bivariate, half};
+
+/// Texels along a side that are allowed, each a power of two.
+pub const SIZE: RangeInclusive<u32> = 8..=512;
+/// Octaves of 1 - n·h that are allowed, each a power of two.
+pub const OCTAVES: RangeInclusive<u32> = 2..=16;
+/// Slices that are allowed, each a power of two.
+pub const SLICES: RangeInclusive<u32> = 4..=64;
+/// Bits of a texel's channel that are allowed.
+pub const TEXEL_BITS: RangeInclusive<u32> = 4..=10;
+/// Fraction bits of the weights that are allowed.
+pub const WEIGHT_BITS: RangeInclusive<u32> = 3..=8;
+/// The most texels of a block: with 8 bits a channel 24 Mbit.
+const MOST_TEXELS: u64 = 1 << 20;
 
 /// What is stored of the reflectance, and how a light finds it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImageForm {
     /// Over θh and θd: a row of texels for each θd, the columns along 1 - n·h.
     Bivariate {
-        /// The columns of an octave of 1 - n·h, as a power of two; see [`super::OctaveAxis`].
-        octave_bits: u32,
+        /// How many octaves of 1 - n·h have columns of their own; see [`super::OctaveAxis`].
+        octaves: u32,
     },
     /// Slices about the half vector, one for each angle of the light.
     Half {
-        /// How many: a power of two from 2 to 64.
+        /// How many.
         slices: u32,
     },
 }
 
-/// An image-based block.
+/// What an image-based block is asked with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
     /// What is stored.
     pub form: ImageForm,
-    /// Texels along either side: a power of two from 8 to 512.
+    /// Texels along either side.
     pub size: u32,
-    /// Bits of a texel's channel, 4 to 10.
+    /// Bits of a texel's channel.
     pub texel_bits: u32,
-    /// Fraction bits of the weights that texels are blended with, 3 to 8.
+    /// Fraction bits of the weights that texels are blended with.
     pub weight_bits: u32,
     /// Fraction bits of the vectors' components, which are signed Q1.f.
     pub vector_fraction: u32,
@@ -49,8 +68,6 @@ pub struct ImageWidths {
     pub lit: i32,
     /// Of a light's gain, which is below 1.
     pub gain: i32,
-    /// 1 - n·h, as fine as the least octave's weights need.
-    pub versine: i32,
     /// The blended code.
     pub code: i32,
     /// Its square.
@@ -62,32 +79,132 @@ pub struct ImageWidths {
 /// The bits of a multiplier's operand in most families.
 const OPERAND: i32 = 18;
 
+/// A number of things that is allowed and a power of two.
+fn power_of_two(what: &str, value: u32, allowed: RangeInclusive<u32>) -> Result<(), Error> {
+    let (least, most) = (*allowed.start(), *allowed.end());
+    within(what, value, allowed)?;
+    refuse!(
+        !value.is_power_of_two(),
+        format!("{what} = {value} is no power of two"),
+        format!("a power of two from {least} to {most}")
+    );
+    Ok(())
+}
+
 impl ImageWidths {
     /// Bits of a light's shift.
     #[must_use]
     pub fn shift_bits(&self) -> i32 {
         (0..).find(|&bits| self.shift < 1 << bits).unwrap_or_default()
     }
+
+    /// The widths for these texels: operands of 18 bits wherever these do.
+    ///
+    /// Where light and viewer are on opposite sides a reflectance is in the thousands, and n·l of what both see as
+    /// small; so a light's gain has an exponent, which n·l is shifted by.
+    pub(super) fn new(image: &Image, texels: &Texels) -> Self {
+        let (weight, channel) = (image.weight_bits as i32, image.channel_bits as i32);
+        // n·l of a normal that a light and the viewer see.
+        let incidence = |phi: f64| if phi > 90.0 { libm::sin(phi.to_radians()) } else { 1.0 };
+        let (mut shift, mut lit) = (0, 1.0f64);
+        let mut take = |phi: f64, of_light: i32| {
+            (shift, lit) = (shift.max(of_light), lit.max(incidence(phi) * exp2(of_light)));
+        };
+        let angles = image.band_angles();
+        let gains: Vec<f64> = (0..angles.len()).map(|band| record::gain(image, texels, [band, band], 0.0)).collect();
+        angles.iter().zip(&gains).for_each(|(&phi, &gain)| take(phi, record::shift(gain)));
+        // Between two bands the root of the gain is a straight line: the shift changes where it crosses a power of two.
+        for (angles, gains) in angles.windows(2).zip(gains.windows(2)) {
+            let [first, second] = [gains[0], gains[1]].map(libm::sqrt);
+            for crossed in 0..record::shift(gains[0].max(gains[1])) {
+                let t = (libm::sqrt(exp2(crossed)) - first) / (second - first);
+                if (0.0..=1.0).contains(&t) {
+                    take(angles[0] + t * (angles[1] - angles[0]), crossed + 1);
+                }
+            }
+        }
+        let lit_int = (0..).find(|&bits| lit <= exp2(bits)).unwrap_or_default();
+        let blends = image.extents().len() as i32;
+        Self {
+            shift,
+            lit_int,
+            lit: (OPERAND - lit_int).max(channel + 3),
+            gain: OPERAND,
+            code: (image.texel_bits as i32 + blends * weight).min(OPERAND),
+            square: OPERAND,
+            term: channel + 3 + libm::ilogb(f64::from(2 * image.lights - 1)),
+        }
+    }
 }
 
 impl Image {
+    /// Whether a block can be made of it.
+    ///
+    /// # Errors
+    /// A value that is not allowed, weights that are finer than what they are made of, too many texels.
+    pub fn check(&self) -> Result<(), Error> {
+        power_of_two("size", self.size, SIZE)?;
+        within("texel_bits", self.texel_bits, TEXEL_BITS)?;
+        within("weight_bits", self.weight_bits, WEIGHT_BITS)?;
+        within("vector_fraction", self.vector_fraction, VECTOR_FRACTION)?;
+        within("lights", self.lights, LIGHTS)?;
+        refuse!(
+            !CHANNEL_BITS.contains(&self.channel_bits),
+            format!("channel_bits = {} is not offered", self.channel_bits),
+            "8, 10 or 12"
+        );
+        match self.form {
+            ImageForm::Bivariate { octaves } => {
+                power_of_two("octaves", octaves, OCTAVES)?;
+                refuse!(
+                    octaves > self.size,
+                    format!("{octaves} octaves are more than the {} columns", self.size),
+                    "fewer octaves, or a greater size"
+                );
+                let (needed, there) = (self.versine_bits(octaves), 2 * self.vector_fraction + 1);
+                refuse!(
+                    needed > there,
+                    format!("1 - n.h is needed to 2^-{needed}, and is a multiple of 2^-{there}"),
+                    "a greater vector_fraction, or fewer octaves, columns or weight_bits"
+                );
+            }
+            ImageForm::Half { slices } => power_of_two("slices", slices, SLICES)?,
+        }
+        let texels = self.extents().iter().map(|&extent| u64::from(extent)).product::<u64>();
+        refuse!(
+            texels > MOST_TEXELS,
+            format!("{texels} texels are too many"),
+            format!("at most {MOST_TEXELS}: a smaller size, or fewer slices")
+        );
+        Ok(())
+    }
+
     /// The greatest code of a channel: full scale.
     #[must_use]
     pub fn full_scale(&self) -> i64 {
         (1 << self.channel_bits) - 1
     }
 
-    /// How many rows of texels, or slices, a light chooses two of, and the angles of the light in degrees that they are
-    /// of.
+    /// The binary logarithm of the columns an octave.
+    pub(super) fn octave_bits(&self, octaves: u32) -> u32 {
+        (self.size / octaves).ilog2()
+    }
+
+    /// The fraction bits of 1 - n·h that the least octave's weights need.
+    pub(super) fn versine_bits(&self, octaves: u32) -> u32 {
+        octaves - 1 + self.octave_bits(octaves) + self.weight_bits
+    }
+
+    /// The light's polar angles in degrees that the bands of texels are of: rows, or slices.
     #[must_use]
-    pub fn bands(&self) -> Vec<f64> {
+    pub fn band_angles(&self) -> Vec<f64> {
         match self.form {
-            ImageForm::Bivariate { .. } => crate::reflectance::bivariate::angles(self.size as usize),
+            ImageForm::Bivariate { .. } => bivariate::angles(self.size as usize),
             ImageForm::Half { slices } => half::angles(slices as usize),
         }
     }
 
-    /// Along what texels lie, the outermost first: how many there are, each a power of two.
+    /// How many texels lie in each direction, the outermost first: the bands, and what is in one of them.
     #[must_use]
     pub fn extents(&self) -> Vec<u32> {
         match self.form {
@@ -96,8 +213,8 @@ impl Image {
         }
     }
 
-    /// The ports of a light beside its direction, number of the band, blend and gain: the names of vectors and of their
-    /// components.
+    /// The vectors of a light that the normal is multiplied by, beside its direction: their names and those of their
+    /// components in the ports.
     #[must_use]
     pub fn frame(&self) -> &'static [(&'static str, &'static [char])] {
         match self.form {
@@ -110,37 +227,5 @@ impl Image {
     #[must_use]
     pub fn vector(&self) -> Format {
         Format::signed(1, self.vector_fraction as i32)
-    }
-
-    /// The widths for these texels: operands of 18 bits wherever these do.
-    ///
-    /// Where light and viewer are on opposite sides a reflectance is in the thousands, and n·l of what both see as
-    /// small; so a light's gain has an exponent, which n·l is shifted by.
-    #[must_use]
-    pub fn widths(&self, banks: &Banks) -> ImageWidths {
-        let (weight, channel) = (self.weight_bits as i32, self.channel_bits as i32);
-        let (mut shift, mut lit) = (0, 1.0f64);
-        for phi in (0..720).map(|step| 0.25 * f64::from(step)) {
-            let of_light = super::record::shift(super::record::gain(self, banks, phi));
-            // n·l of a normal that light and viewer see.
-            let incidence = if phi > 90.0 { libm::sin(phi.to_radians()) } else { 1.0 };
-            (shift, lit) = (shift.max(of_light), lit.max(incidence * exp2(of_light)));
-        }
-        let lit_int = (0..).find(|&bits| lit <= exp2(bits)).unwrap_or_default();
-        let blends = self.extents().len() as i32;
-        let versine = match self.form {
-            ImageForm::Bivariate { octave_bits } => (self.size >> octave_bits) as i32 - 1 + octave_bits as i32 + weight,
-            ImageForm::Half { .. } => 0,
-        };
-        ImageWidths {
-            shift,
-            lit_int,
-            lit: (OPERAND - lit_int).max(channel + 3),
-            gain: OPERAND,
-            versine,
-            code: (self.texel_bits as i32 + blends * weight).min(OPERAND),
-            square: OPERAND,
-            term: channel + 3 + libm::ilogb(f64::from(2 * self.lights - 1)),
-        }
     }
 }

@@ -1,8 +1,10 @@
 //! What a core is told of a light.
 
-use super::{Banks, Image, ImageForm, ImageWidths};
+use super::{Image, ImageBlock, ImageForm};
+use crate::block::shader::unit as check_unit;
 use crate::fixed::exp2;
-use crate::reflectance::texels::pair;
+use crate::platform::error::Error;
+use crate::reflectance::texels::{Texels, pair};
 use crate::reflectance::vector::{Light, Vector, sine_cosine};
 
 /// The codes of a light's ports.
@@ -24,9 +26,9 @@ pub struct LightRecord {
     pub gain: [i64; 3],
 }
 
-/// The gain of a light of intensity 1 where the cap is 1: codes stand for multiples of 2^-bits here, of 1/(2^bits - 1)
-/// in the texels and of 2^bits/(2^bits - 1) in the output.
-pub(super) fn unit(image: &Image) -> f64 {
+/// The gain of a light of intensity 1 where the cap is 1. A texel's code c is c 2^-b in the datapath, b its bits, and
+/// stands for c/(2^b - 1) of the root of the cap; full scale of a channel of b bits is (2^b - 1) 2^-b.
+fn unit(image: &Image) -> f64 {
     let steps = exp2(image.texel_bits as i32);
     let root = steps / (steps - 1.0);
     root * root * image.full_scale() as f64 * exp2(-(image.channel_bits as i32))
@@ -50,62 +52,62 @@ fn frame(image: &Image, light: Light) -> Vec<f64> {
     }
 }
 
-/// The band of texels of a light's polar angle in degrees, and the weight of the next: past the last band that one
-/// alone is the next of the one before.
-fn band(image: &Image, phi: f64) -> (usize, f64) {
-    let pair = pair(&image.bands(), phi);
-    match pair.second {
-        Some(_) => (pair.first, pair.t),
-        None if pair.first == 0 => (0, 0.0),
-        None => (pair.first - 1, 1.0),
-    }
+/// The weights of two bands, the second with the part `t`.
+fn weights(texels: &Texels, [first, second]: [usize; 2], t: f64) -> [f64; 2] {
+    [(1.0 - t) * texels.weight(first), t * texels.weight(second)]
 }
 
-/// What the squared blend of a light's bands and n·l are multiplied by, where its intensity is 1; and the part of the
-/// next band in the blend.
-fn gain_and_next(image: &Image, banks: &Banks, phi: f64) -> (f64, f64) {
-    let (band, t) = band(image, phi);
-    let weights = [(1.0 - t) * banks.texels.weight(band), t * banks.texels.weight(band + 1)];
-    let weight = weights[0] + weights[1];
-    let next = if weight > 0.0 { weights[1] / weight } else { 0.0 };
-    // Behind the object nothing that is seen is lit.
-    (if phi < 180.0 { weight * weight * unit(image) } else { 0.0 }, next)
-}
-
-/// The gain of a light of intensity 1.
-pub(super) fn gain(image: &Image, banks: &Banks, phi: f64) -> f64 {
-    gain_and_next(image, banks, phi).0
+/// The gain of a light of intensity 1 between two bands.
+pub(super) fn gain(image: &Image, texels: &Texels, bands: [usize; 2], t: f64) -> f64 {
+    let [first, second] = weights(texels, bands, t);
+    (first + second) * (first + second) * unit(image)
 }
 
 /// The shift that makes a fraction of a gain.
 pub(super) fn shift(gain: f64) -> i32 {
-    (0..).find(|&shift| gain < exp2(shift)).unwrap_or_default()
+    (0..=1024).find(|&shift| gain < exp2(shift)).unwrap_or_default()
 }
 
-impl LightRecord {
-    /// The record of a light of an intensity a channel, each from 0 to 1.
-    #[must_use]
-    pub fn new(image: &Image, widths: &ImageWidths, banks: &Banks, light: Light, intensity: [f64; 3]) -> Self {
+impl ImageBlock {
+    /// The record of a light of an intensity a channel.
+    ///
+    /// # Errors
+    /// An intensity that is not from 0 to 1.
+    pub fn record(&self, light: Light, intensity: [f64; 3]) -> Result<LightRecord, Error> {
+        check_unit("intensity", &intensity)?;
+        let Self { image, widths, texels } = self;
         let nearest = |value: f64, frac_bits: i32| libm::round(value * exp2(frac_bits)) as i64;
         let component = |value: f64| nearest(value, image.vector_fraction as i32);
         let direction = light.direction();
-        let (band, _) = band(image, light.phi);
-        let (gain, next) = gain_and_next(image, banks, light.phi);
+        let pair = pair(&image.band_angles(), light.phi);
+        // Past the last band that one alone is the next of the one before.
+        let (band, t) = match pair.second {
+            Some(_) => (pair.first, pair.t),
+            None if pair.first == 0 => (0, 0.0),
+            None => (pair.first - 1, 1.0),
+        };
+        let [own, next] = weights(texels, [band, band + 1], t);
+        let next = if own + next > 0.0 { next / (own + next) } else { 0.0 };
         // The odd band is the next one of an even band, and an odd band itself.
-        let odd = if band % 2 == 0 { next } else { 1.0 - next };
-        let largest = intensity.into_iter().fold(0.0, f64::max);
-        let shift = shift(gain * largest).min(widths.shift);
+        let odd = if band.is_multiple_of(2) { next } else { 1.0 - next };
+        // Behind the object nothing that is seen is lit.
+        let gain = if light.phi < 180.0 { gain(image, texels, [band, band + 1], t) } else { 0.0 };
+        let gains = intensity.map(|intensity| gain * intensity);
+        let shift = shift(gains.into_iter().fold(0.0, f64::max)).min(widths.shift);
         let most = (1i64 << widths.gain) - 1;
-        Self {
+        Ok(LightRecord {
             direction: [direction.x, direction.y, direction.z].map(component),
             frame: frame(image, light).into_iter().map(component).collect(),
             band: band as i64,
             blend: nearest(odd, image.weight_bits as i32),
             shift: (widths.shift > 0).then_some(shift.into()),
-            gain: intensity.map(|intensity| nearest(gain * intensity, widths.gain - shift).min(most)),
-        }
+            // A gain just below a power of two is rounded up to it.
+            gain: gains.map(|gain| nearest(gain, widths.gain - shift).min(most)),
+        })
     }
+}
 
+impl LightRecord {
     /// The codes in the order of the ports.
     #[must_use]
     pub fn codes(&self) -> Vec<i64> {

@@ -33,79 +33,83 @@ impl OctaveAxis {
     }
 }
 
+/// The texels of a reflectance: bands of the roots of its values, each with its cap.
+pub(super) fn sampled(image: &Image, reflectance: &dyn Reflectance, exposure: f64) -> Texels {
+    let size = image.size as usize;
+    let (samples, scale): (Samples, Scale) = match image.form {
+        ImageForm::Bivariate { octaves } => {
+            let axis = OctaveAxis { size: image.size, octave_bits: image.octave_bits(octaves) };
+            let angle = |column| libm::acos(1.0 - axis.versine(column));
+            let angles: Vec<f64> = (0..image.size).map(angle).collect();
+            (bivariate::samples_at(reflectance, &angles, size, exposure), Scale::Row)
+        }
+        ImageForm::Half { .. } => (half::samples(reflectance, &image.band_angles(), size, exposure), Scale::Layer),
+    };
+    Texels::encode(&samples, Texel::Sqrt(image.texel_bits, None), scale)
+}
+
+/// The code of a texel's channel.
+pub(super) fn code(image: &Image, texels: &Texels, place: usize, channel: usize) -> i128 {
+    let full = ((1u32 << image.texel_bits) - 1) as f32;
+    (texels.codes()[place][channel] * full).round() as i128
+}
+
 /// Red, green and blue in names.
 const CHANNELS: [&str; 3] = ["r", "g", "b"];
 
-/// Texels in memories by the parities of their places, so that all that are blended are read in one clock.
-#[derive(Clone, Debug)]
-pub struct Banks {
-    /// The texels: bands, each with its cap.
-    pub texels: Texels,
+/// The name of the memory of a light, counted from 0, that holds the texels of these parities of their places, the
+/// outermost first.
+fn memory(light: usize, parities: &[usize]) -> &'static str {
+    let words: Vec<&str> = parities.iter().map(|&odd| ["even", "odd"][odd]).collect();
+    interned(format!("texels_{}_{}", light + 1, words.join("_")))
 }
 
-impl Banks {
-    /// The texels of a reflectance.
-    #[must_use]
-    pub fn of(image: &Image, reflectance: &dyn Reflectance, exposure: f64) -> Self {
-        let size = image.size as usize;
-        let texel = Texel::Sqrt(image.texel_bits, None);
-        let (samples, scale): (Samples, Scale) = match image.form {
-            ImageForm::Bivariate { octave_bits } => {
-                let axis = OctaveAxis { size: image.size, octave_bits };
-                let angle = |column| libm::acos(1.0 - axis.versine(column));
-                let angles: Vec<f64> = (0..image.size).map(angle).collect();
-                (bivariate::samples_at(reflectance, &angles, size, exposure), Scale::Row)
-            }
-            ImageForm::Half { .. } => (half::samples(reflectance, &image.bands(), size, exposure), Scale::Layer),
+/// The names of the fields of that memory.
+pub(super) fn fields(light: usize, parities: &[usize]) -> [&'static str; 3] {
+    CHANNELS.map(|channel| interned(format!("{}_{channel}", memory(light, parities))))
+}
+
+/// All parities of places in so many directions, those of the innermost changing fastest.
+pub(super) fn parities(directions: usize) -> Vec<Vec<usize>> {
+    (0..1usize << directions).map(|bits| (0..directions).rev().map(|place| bits >> place & 1).collect()).collect()
+}
+
+/// The memories of all lights, of each in the order of [`parities`]: all texels that are blended lie in memories of
+/// their own, and are read in one clock.
+pub(super) fn banks(image: &Image, texels: &Texels) -> Vec<Table> {
+    let extents: Vec<usize> = image.extents().iter().map(|&extent| extent as usize).collect();
+    let steps = exp2(image.texel_bits as i32);
+    let bank = |parities: &Vec<usize>| {
+        // The place of the texel at an address: in each direction twice its part of the address, and the parity.
+        let place = |address: usize| {
+            let mut rest = address;
+            let mut inner = 1;
+            extents.iter().zip(parities).rev().fold(0, |place, (extent, parity)| {
+                let own = 2 * (rest % (extent / 2)) + parity;
+                rest /= extent / 2;
+                let place = place + own * inner;
+                inner *= extent;
+                place
+            })
         };
-        Self { texels: Texels::encode(&samples, texel, scale) }
-    }
-
-    /// The name of the memory of a light, counted from 0, that holds the texels of these parities of their places, the
-    /// outermost first.
-    #[must_use]
-    pub fn memory(light: usize, parities: &[usize]) -> &'static str {
-        let words: Vec<&str> = parities.iter().map(|&odd| ["even", "odd"][odd]).collect();
-        interned(format!("texels_{}_{}", light + 1, words.join("_")))
-    }
-
-    /// The names of the fields of that memory.
-    #[must_use]
-    pub fn fields(light: usize, parities: &[usize]) -> [&'static str; 3] {
-        CHANNELS.map(|channel| interned(format!("{}_{channel}", Self::memory(light, parities))))
-    }
-
-    /// All parities of places in so many directions, those of the innermost changing fastest.
-    #[must_use]
-    pub fn parities(directions: usize) -> Vec<Vec<usize>> {
-        (0..1usize << directions).map(|bits| (0..directions).rev().map(|place| bits >> place & 1).collect()).collect()
-    }
-
-    /// The memories of a light, in the order of [`Banks::parities`].
-    #[must_use]
-    pub fn tables(&self, image: &Image, light: usize) -> Vec<Table> {
-        let extents: Vec<usize> = image.extents().iter().map(|&extent| extent as usize).collect();
-        // A code c of b bits stands here for c 2^-b, and for c/(2^b - 1) of the root of the cap.
-        let (full, steps) = (((1u32 << image.texel_bits) - 1) as f32, exp2(image.texel_bits as i32));
-        let bank = |parities: Vec<usize>| {
-            let lies_in = |&place: &usize| {
-                let mut rest = place;
-                extents.iter().zip(&parities).rev().all(|(extent, parity)| {
-                    let own = rest % extent % 2 == *parity;
-                    rest /= extent;
-                    own
-                })
-            };
-            let places: Vec<usize> = (0..self.texels.codes().len()).filter(lies_in).collect();
-            let names = Self::fields(light, &parities);
-            let field = |channel: usize| -> Field {
-                let code = |&place: &usize| f64::from((self.texels.codes()[place][channel] * full).round()) / steps;
-                let reals = places.iter().map(code).collect();
-                rounded_field(names[channel], ["red", "green", "blue"][channel], image.texel_bits as i32, reals)
-            };
-            let keys = (0..places.len()).map(|place| place as f64).collect();
-            Table::listed(Self::memory(light, &parities), "entry", keys, (0..3).map(field).collect())
+        let count: usize = extents.iter().map(|extent| extent / 2).product();
+        let names = fields(0, parities);
+        let field = |channel: usize| -> Field {
+            let real = |address| code(image, texels, place(address), channel) as f64 / steps;
+            let meaning = ["red", "green", "blue"][channel];
+            rounded_field(names[channel], meaning, image.texel_bits as i32, (0..count).map(real).collect())
         };
-        Self::parities(extents.len()).into_iter().map(bank).collect()
-    }
+        let keys = (0..count).map(|address| address as f64).collect();
+        Table::listed(memory(0, parities), "entry", keys, (0..3).map(field).collect())
+    };
+    let parities = parities(extents.len());
+    let first: Vec<Table> = parities.iter().map(bank).collect();
+    let of_light = |light: usize| {
+        first.iter().zip(&parities).map(move |(table, parities)| {
+            let mut table = table.clone().renamed(memory(light, parities));
+            table.fields.iter_mut().zip(fields(light, parities)).for_each(|(field, name)| field.name = name);
+            table
+        })
+    };
+    (0..image.lights as usize).flat_map(of_light).collect()
 }

@@ -116,15 +116,15 @@ pub fn every_input(lobe: LobeDesign<'_>, row_step: usize, stride: i64, check: im
             let operand = first + offset as i64;
             check(row, index, operand, output);
             if (operand + row as i64) % stride == 0 {
-                let core = &lobe.spec.name;
-                assert_eq!(model.evaluate(index, operand), output, "{core}: row {row}, operand {operand}");
+                let expected = model.evaluate(index, operand);
+                assert_eq!(expected, output, "{}row {row}, operand {operand}", lobe.spec.to_toml());
                 own += 1;
             }
         }
         compared.fetch_add(own, Ordering::Relaxed);
     });
     let expected = rows.len() as u64 * count / stride.unsigned_abs();
-    assert!(compared.into_inner() >= expected / 2, "{}: too few compared with the model", lobe.spec.name);
+    assert!(compared.into_inner() >= expected / 2, "too few compared with the model:\n{}", lobe.spec.to_toml());
 }
 
 /// The same inputs: each result is within the proved bound of the real-valued method, which is below one output ulp.
