@@ -1,6 +1,7 @@
 //! What a core is: a lobe alone, or what is built around one.
 
 pub mod image;
+mod parts;
 pub mod shader;
 
 use clap::ValueEnum;

@@ -86,10 +86,9 @@ pub(crate) fn digest_rows(design: &Design) -> Vec<usize> {
     (0..rows).step_by(step as usize).collect()
 }
 
-const ALLOWED: &str = "a golden file holds `v` lines (the codes of the inputs and of the outputs in hexadecimal; idle, \
- stall in \
-                       decimal), `d` lines (the first input's code, digest), one `c` line (the number of vectors) and \
-                       comments that begin with `#`";
+const ALLOWED: &str = "a golden file holds `v` lines (the codes of the inputs and of the outputs in hexadecimal; \
+                       idle, stall in decimal), `d` lines (the first input's code, digest), one `c` line (the number \
+                       of vectors) and comments that begin with `#`";
 
 impl Golden {
     /// All vectors, in order.

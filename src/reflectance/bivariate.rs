@@ -80,20 +80,14 @@ pub fn angles(rows: usize) -> Vec<f64> {
     (0..rows).map(|row| 2.0 * LAST * row as f64 / (rows - 1) as f64).collect()
 }
 
-/// The row of nodes of a light of the polar angle `phi` in degrees among `rows`, and the weight of the next one.
-fn place(rows: usize, phi: f64) -> (usize, f64) {
-    let place = (0.5 * phi / LAST * (rows - 1) as f64).clamp(0.0, (rows - 1) as f64);
-    let row = (place as usize).min(rows - 2);
-    (row, place - row as f64)
-}
-
 pub(super) fn setup(size: usize, light: Light) -> Setup {
     let l = light.direction();
-    let (row, t) = place(size, light.phi);
+    let place = (0.5 * light.phi / LAST * (size - 1) as f64).clamp(0.0, (size - 1) as f64);
+    let row = (place as usize).min(size - 2);
     // Behind the object the half vector vanishes, and nothing that is seen is lit.
     let lit = light.phi < 180.0;
     let h = if lit { (l + Vector::z()).normalize() } else { Vector::z() };
-    Setup { l, h, rows: [row, row + 1], t, lit }
+    Setup { l, h, rows: [row, row + 1], t: place - row as f64, lit }
 }
 
 /// What the nodes give for a normal.

@@ -218,7 +218,8 @@ impl Texels {
     }
 
     /// What the codes of two layers, or rows, are multiplied by where they are blended, the second with the part `t`.
-    pub(super) fn weights(&self, [first, second]: [usize; 2], t: f64) -> [f64; 2] {
+    #[must_use]
+    pub fn weights(&self, [first, second]: [usize; 2], t: f64) -> [f64; 2] {
         [(1.0 - t) * self.weight(first), t * self.weight(second)]
     }
 

@@ -15,7 +15,7 @@ use brdfgen::verify::golden::{self, Golden};
 use rayon::prelude::*;
 
 use crate::common;
-use crate::common::core::{Generated, OnDisk, design, silent};
+use crate::common::core::{Generated, OnDisk, design, ecp5_cells, silent};
 
 const MATERIALS: &str = "
 [[material]]
@@ -424,16 +424,8 @@ fn commands_take_or_refuse_a_shader() {
 #[test]
 fn yosys_synthesises_the_reference_core() {
     let source = concat!(env!("CARGO_MANIFEST_DIR"), "/generated/shader/rtl/shader.v");
-    let script = format!("read_verilog {source}; synth_ecp5 -top shader; stat");
-    let output = Command::new("yosys").args(["-p", &script]).output().expect("yosys");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let report = text.rsplit("Printing statistics").next().unwrap_or_default();
-    let count = |cell: &str| -> u32 {
-        let line = report.lines().find(|line| line.split_ascii_whitespace().any(|word| word == cell));
-        line.and_then(|line| line.split_ascii_whitespace().find_map(|word| word.parse().ok())).unwrap_or(0)
-    };
+    let count = ecp5_cells(std::path::Path::new(source), "shader");
     let [dsp, ram, luts, registers] = ["MULT18X18D", "DP16KD", "LUT4", "TRELLIS_FF"].map(count);
     println!("shader: LUT4 {luts} FF {registers} DSP {dsp} BRAM {ram}");
-    assert!((15..=45).contains(&dsp) && ram <= 8 && luts > 0, "{report}");
+    assert!((15..=45).contains(&dsp) && ram <= 8 && luts > 0, "{dsp} DSP, {ram} BRAM, {luts} LUT4");
 }

@@ -2,16 +2,13 @@
 //!
 //! Needs iverilog, verilator, ghdl and yosys; `test.sh` installs them.
 
-use std::path::Path;
-use std::process::Command;
-
 use brdfgen::emit::package;
 use brdfgen::spec::Language;
 use brdfgen::verify::cosim::{self, Job, Sim};
 use rayon::prelude::*;
 
 use crate::common;
-use crate::common::core::{Generated, OnDisk, silent};
+use crate::common::core::{Generated, OnDisk, ecp5_cells, silent};
 
 /// Specs that reach every construct of the templates.
 const SPECS: &[&str] = &[
@@ -215,12 +212,9 @@ fn broken_cores_fail() {
 fn assert_faults_are_noticed(spec: &str, verilog: &[Fault], vhdl: &[Fault]) {
     let right = Generated::new(spec);
     for (language, sim, faults) in [(Language::Verilog, Sim::Icarus, verilog), (Language::Vhdl, Sim::Ghdl, vhdl)] {
-        let text = std::fs::read_to_string(right.on_disk().rtl(language)).expect("HDL");
-        faults.par_iter().for_each(|(what, from, to)| {
-            assert_eq!(text.matches(from).count(), 1, "{what}: `{from}` stands once in the core");
-            let core = right.on_disk();
-            std::fs::write(core.rtl(language), text.replace(from, to)).expect("written");
-            let outcome = core.run(sim);
+        faults.par_iter().for_each(|&fault| {
+            let what = fault.0;
+            let outcome = right.with_fault(language, fault).run(sim);
             assert!(!outcome.passed(), "{what} goes unnoticed: {outcome:?}");
             assert!(outcome.vectors > 0, "{what}: the bench did not run: {outcome:?}");
             let place = outcome.first.first().expect("a difference");
@@ -360,29 +354,8 @@ fn exhaustive_runs_compare_every_input() {
 fn yosys_infers_dsp_blocks_and_block_ram() {
     for (spec, name, least_dsp, most_dsp) in [(SPECS[0], "quadratic", 2, 2), (SPECS[1], "cubic", 3, 4)] {
         let core = OnDisk::new(spec);
-        let cells = |source: &Path| {
-            let script = format!("read_verilog {}; synth_ecp5 -top {name}; stat", source.display());
-            let output = Command::new("yosys").args(["-p", &script]).output().expect("yosys");
-            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-            let text = String::from_utf8_lossy(&output.stdout).into_owned();
-            let report = text.rsplit("Printing statistics").next().unwrap_or_default().to_owned();
-            move |cell: &str| -> u32 {
-                let line = report.lines().find(|line| line.split_ascii_whitespace().any(|word| word == cell));
-                let count = line.and_then(|line| line.split_ascii_whitespace().find_map(|word| word.parse().ok()));
-                count.unwrap_or(0)
-            }
-        };
-        let synthesized = core.beside("from_vhdl.v");
-        let ghdl = Command::new("ghdl")
-            .current_dir(core.beside(""))
-            .args(["--synth", "--std=08", "--out=verilog"])
-            .arg(core.rtl(Language::Vhdl))
-            .args(["-e", name])
-            .output()
-            .expect("ghdl");
-        std::fs::write(&synthesized, ghdl.stdout).expect("written");
-        for source in [core.rtl(Language::Verilog), synthesized] {
-            let count = cells(&source);
+        for source in core.as_verilog() {
+            let count = ecp5_cells(&source, name);
             let (dsp, ram) = (count("MULT18X18D"), count("DP16KD"));
             println!(
                 "{name} {}: LUT4 {} FF {} DSP {dsp} BRAM {ram}",

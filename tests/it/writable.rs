@@ -14,7 +14,7 @@ use brdfgen::verify::cosim::{self, Job, Sim};
 use brdfgen::verify::golden::{self, Golden};
 use rayon::prelude::*;
 
-use crate::common::core::{Generated, design, resolved, silent};
+use crate::common::core::{Generated, design, ecp5_cells, resolved, silent};
 
 const SPECS: &[&str] = &[
     "method = 'quadratic'\nshininess = '1..=1000'\nrom = 'writable'",
@@ -172,12 +172,9 @@ fn broken_write_ports_fail() {
         (&quadratic, Language::Vhdl, Sim::Ghdl, VHDL_FAULTS),
         (&segmented, Language::Verilog, Sim::Icarus, SCALE_FAULTS),
     ] {
-        let text = right.text(&package::rtl_path(&right.design, language));
-        faults.par_iter().for_each(|(what, from, to)| {
-            assert_eq!(text.matches(from).count(), 1, "{what}: `{from}` stands once in the core");
-            let core = right.on_disk();
-            std::fs::write(core.rtl(language), text.replace(from, to)).expect("written");
-            let outcome = core.run(sim);
+        faults.par_iter().for_each(|&fault| {
+            let what = fault.0;
+            let outcome = right.with_fault(language, fault).run(sim);
             assert!(!outcome.passed(), "{what} goes unnoticed: {outcome:?}");
             assert!(outcome.mismatches > 0, "{what}: the bench compared nothing: {outcome:?}");
         });
@@ -222,25 +219,8 @@ fn yosys_infers_block_ram() {
         [(SPECS[0], "quadratic"), ("method = 'segmented-2'\nshininess = '1..=1000'\nrom = 'writable'", "segmented_2")]
     {
         let core = Generated::new(spec).on_disk();
-        let synthesized = core.beside("from_vhdl.v");
-        let ghdl = Command::new("ghdl")
-            .current_dir(core.beside(""))
-            .args(["--synth", "--std=08", "--out=verilog"])
-            .arg(core.rtl(Language::Vhdl))
-            .args(["-e", name])
-            .output()
-            .expect("ghdl");
-        std::fs::write(&synthesized, ghdl.stdout).expect("written");
-        for source in [core.rtl(Language::Verilog), synthesized] {
-            let script = format!("read_verilog {}; synth_ecp5 -top {name}; stat", source.display());
-            let output = Command::new("yosys").args(["-p", &script]).output().expect("yosys");
-            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-            let text = String::from_utf8_lossy(&output.stdout).into_owned();
-            let report = text.rsplit("Printing statistics").next().unwrap_or_default();
-            let count = |cell: &str| -> u32 {
-                let line = report.lines().find(|line| line.split_ascii_whitespace().any(|word| word == cell));
-                line.and_then(|line| line.split_ascii_whitespace().find_map(|word| word.parse().ok())).unwrap_or(0)
-            };
+        for source in core.as_verilog() {
+            let count = ecp5_cells(&source, name);
             let (ram, luts, ffs) = (count("DP16KD"), count("LUT4"), count("TRELLIS_FF"));
             println!("{name} {}: LUT4 {luts} FF {ffs} DSP {} BRAM {ram}", source.display(), count("MULT18X18D"));
             let bits: usize = core.design.tables().iter().map(brdfgen::fixed::Table::bits).sum();

@@ -2,13 +2,11 @@
 
 use super::texels::{banks, fields, parities};
 use super::{Image, ImageBlock, ImageForm, ImageWidths};
+use crate::block::parts::{self, AXES, CHANNELS};
 use crate::datapath::Datapath;
 use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;
 use crate::fixed::{Format, Interval, exp2};
-
-const AXES: [char; 3] = ['x', 'y', 'z'];
-const CHANNELS: [char; 3] = ['r', 'g', 'b'];
 
 /// The ports of a light.
 struct LightPorts {
@@ -45,14 +43,9 @@ fn bound(low: f64, high: f64, grid: i32) -> Bound {
 }
 
 impl Imaging<'_, '_> {
-    fn port(&mut self, format: Format, name: &str) -> NodeId {
-        let own = bound(format.value(format.min_code()), format.value(format.max_code()), format.frac_bits);
-        self.b.input(format, name, |_| own)
-    }
-
     /// The ports of a vector, signed Q1.f.
     fn vector(&mut self, name: &str, axes: &[char]) -> Vec<NodeId> {
-        axes.iter().map(|axis| self.port(self.image.vector(), &format!("in_{name}{axis}"))).collect()
+        axes.iter().map(|axis| self.b.port(self.image.vector(), &format!("in_{name}{axis}"))).collect()
     }
 
     fn light_ports(&mut self, l: usize) -> LightPorts {
@@ -63,25 +56,11 @@ impl Imaging<'_, '_> {
         LightPorts {
             direction: [direction[0], direction[1], direction[2]],
             frame,
-            band: self.port(Format::unsigned(band_bits, 0), &format!("in_band{l}")),
-            blend: self.port(Format::unsigned(1, self.image.weight_bits as i32), &format!("in_blend{l}")),
-            shift: (shift_bits > 0).then(|| self.port(Format::unsigned(shift_bits, 0), &format!("in_shift{l}"))),
-            gain: CHANNELS.map(|c| self.port(Format::unsigned(0, self.widths.gain), &format!("in_gain{l}{c}"))),
+            band: self.b.port(Format::unsigned(band_bits, 0), &format!("in_band{l}")),
+            blend: self.b.port(Format::unsigned(1, self.image.weight_bits as i32), &format!("in_blend{l}")),
+            shift: (shift_bits > 0).then(|| self.b.port(Format::unsigned(shift_bits, 0), &format!("in_shift{l}"))),
+            gain: CHANNELS.map(|c| self.b.port(Format::unsigned(0, self.widths.gain), &format!("in_gain{l}{c}"))),
         }
-    }
-
-    fn sum_of_products(&mut self, a: &[NodeId], c: &[NodeId], name: &str, what: &str) -> NodeId {
-        let mut axes = String::new();
-        let mut sum = None;
-        for (axis, (&a, &c)) in AXES.iter().zip(a.iter().zip(c)) {
-            let product = self.b.mul(a, c, &format!("{name}_{axis}"), what);
-            axes.push(*axis);
-            sum = Some(match sum {
-                None => product,
-                Some(before) => self.b.add(before, product, &format!("{name}_{axes}"), what),
-            });
-        }
-        sum.expect("vectors have components")
     }
 
     /// Whether the normal is turned away from the viewer.
@@ -95,7 +74,7 @@ impl Imaging<'_, '_> {
     /// viewer.
     fn incidence(&mut self, direction: [NodeId; 3], shift: Option<NodeId>, l: usize) -> NodeId {
         let ImageWidths { lit_int, lit, shift: most_shift, .. } = self.widths;
-        let dot = self.sum_of_products(&self.normal.clone(), &direction, &format!("nl{l}"), "n.l");
+        let dot = parts::dot(&mut self.b, &self.normal, &direction, &format!("nl{l}"), "n.l");
         let most = (1i128 << self.b.format(dot).frac_bits) - 1;
         let dot = self.b.clamp(dot, 0, most, &format!("nl{l}_kept"), "n.l, kept in [0, 1)");
         let mut dot = self.b.floor(dot, lit + most_shift, &format!("nl{l}_cut"), "rounded down");
@@ -124,7 +103,7 @@ impl Imaging<'_, '_> {
             let d = self.b.sub(self.normal[axis], half[axis], &format!("{name}_exact"), "a component of n - h");
             self.b.clamp(d, -most, most - 1, &name, "of unit vectors it is below 2")
         });
-        let sum = self.sum_of_products(&apart, &apart, &format!("dd{l}"), "|n - h|^2");
+        let sum = parts::dot(&mut self.b, &apart, &apart, &format!("dd{l}"), "|n - h|^2");
         let u = self.b.scale(sum, None, -1, &[-1], &format!("u{l}_exact"), "|n - h|^2 / 2");
         let bits = self.image.versine_bits(octaves) as i32;
         let u = self.b.floor(u, bits, &format!("u{l}_cut"), "rounded down");
@@ -184,8 +163,7 @@ impl Imaging<'_, '_> {
     fn across(&mut self, axis: &[NodeId], name: &str, l: usize) -> (NodeId, NodeId) {
         let w = self.image.weight_bits as i32;
         let (bits, size) = (self.image.size.ilog2() as i32, i128::from(self.image.size));
-        let normal = self.normal[..axis.len()].to_vec();
-        let dot = self.sum_of_products(&normal, axis, &format!("{name}{l}"), "the turned normal");
+        let dot = parts::dot(&mut self.b, &self.normal[..axis.len()], axis, &format!("{name}{l}"), "the turned normal");
         let by = bits - 1;
         let scaled = self.b.scale(dot, None, by, &[by], &format!("{name}{l}_scaled"), "in texels from the middle");
         let middle = ((size - 1) << w) + 1;
@@ -323,16 +301,6 @@ impl Imaging<'_, '_> {
             self.b.floor(product, term, &format!("light{l}_{c}"), "rounded down")
         })
     }
-
-    /// The code of a channel.
-    fn code(&mut self, sum: NodeId, channel: usize) -> NodeId {
-        let (c, bits, b) = (CHANNELS[channel], self.image.channel_bits as i32, &mut self.b);
-        let half = b.half_ulp(bits);
-        let sum = b.add(sum, half, &format!("sum_half_{c}"), "plus half a code");
-        let code = b.floor(sum, bits, &format!("cut_{c}"), "rounded to the nearest code");
-        let code = b.clamp(code, 0, self.image.full_scale().into(), &format!("kept_{c}"), "at most full scale");
-        b.scale(code, None, bits, &[bits], &format!("code_{c}"), "as a whole number")
-    }
 }
 
 impl ImageBlock {
@@ -365,7 +333,8 @@ impl ImageBlock {
         }
         let sums = sums?;
         let names = ["out_r", "out_g", "out_b"];
-        let outputs: Vec<(&str, NodeId)> = (0..3).map(|c| (names[c], imaging.code(sums[c], c))).collect();
+        let outputs: Vec<(&str, NodeId)> =
+            (0..3).map(|c| (names[c], parts::channel_code(&mut imaging.b, sums[c], c, image.channel_bits))).collect();
         let graph = imaging.b.finish(&outputs, [])?;
         Some(Datapath { graph, tables, errors: Vec::new(), constants: Vec::new() })
     }

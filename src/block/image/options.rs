@@ -111,7 +111,7 @@ impl ImageWidths {
             (shift, lit) = (shift.max(of_light), lit.max(incidence(phi) * exp2(of_light)));
         };
         let angles = image.band_angles();
-        let gains: Vec<f64> = (0..angles.len()).map(|band| record::gain(image, texels, [band, band], 0.0)).collect();
+        let gains: Vec<f64> = (0..angles.len()).map(|band| record::gain(image, texels.weight(band))).collect();
         angles.iter().zip(&gains).for_each(|(&phi, &gain)| take(phi, record::shift(gain)));
         // Between two bands the root of the gain is a straight line: the shift changes where it crosses a power of two.
         for (angles, gains) in angles.windows(2).zip(gains.windows(2)) {

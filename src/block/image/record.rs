@@ -4,7 +4,7 @@ use super::{Image, ImageBlock, ImageForm};
 use crate::block::shader::unit as check_unit;
 use crate::fixed::exp2;
 use crate::platform::error::Error;
-use crate::reflectance::texels::{Texels, pair};
+use crate::reflectance::texels::pair;
 use crate::reflectance::vector::{Light, Vector, sine_cosine};
 
 /// The codes of a light's ports.
@@ -52,15 +52,9 @@ fn frame(image: &Image, light: Light) -> Vec<f64> {
     }
 }
 
-/// The weights of two bands, the second with the part `t`.
-fn weights(texels: &Texels, [first, second]: [usize; 2], t: f64) -> [f64; 2] {
-    [(1.0 - t) * texels.weight(first), t * texels.weight(second)]
-}
-
-/// The gain of a light of intensity 1 between two bands.
-pub(super) fn gain(image: &Image, texels: &Texels, bands: [usize; 2], t: f64) -> f64 {
-    let [first, second] = weights(texels, bands, t);
-    (first + second) * (first + second) * unit(image)
+/// The gain of a light of intensity 1 whose bands have this weight together.
+pub(super) fn gain(image: &Image, weight: f64) -> f64 {
+    weight * weight * unit(image)
 }
 
 /// The shift that makes a fraction of a gain.
@@ -86,12 +80,13 @@ impl ImageBlock {
             None if pair.first == 0 => (0, 0.0),
             None => (pair.first - 1, 1.0),
         };
-        let [own, next] = weights(texels, [band, band + 1], t);
-        let next = if own + next > 0.0 { next / (own + next) } else { 0.0 };
+        let [own, next] = texels.weights([band, band + 1], t);
+        let weight = own + next;
+        let next = if weight > 0.0 { next / weight } else { 0.0 };
         // The odd band is the next one of an even band, and an odd band itself.
         let odd = if band.is_multiple_of(2) { next } else { 1.0 - next };
         // Behind the object nothing that is seen is lit.
-        let gain = if light.phi < 180.0 { gain(image, texels, [band, band + 1], t) } else { 0.0 };
+        let gain = if light.phi < 180.0 { gain(image, weight) } else { 0.0 };
         let gains = intensity.map(|intensity| gain * intensity);
         let shift = shift(gains.into_iter().fold(0.0, f64::max)).min(widths.shift);
         let most = (1i64 << widths.gain) - 1;

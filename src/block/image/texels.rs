@@ -1,6 +1,7 @@
 //! The texels of an image-based block and the memories that they lie in.
 
 use super::{Image, ImageForm};
+use crate::block::parts::CHANNELS;
 use crate::fixed::{Field, Table, exp2, interned};
 use crate::method::polynomial::datapath::rounded_field;
 use crate::reflectance::texels::{Samples, Scale, Texel, Texels};
@@ -53,9 +54,6 @@ pub(super) fn code(image: &Image, texels: &Texels, place: usize, channel: usize)
     let full = ((1u32 << image.texel_bits) - 1) as f32;
     (texels.codes()[place][channel] * full).round() as i128
 }
-
-/// Red, green and blue in names.
-const CHANNELS: [&str; 3] = ["r", "g", "b"];
 
 /// The name of the memory of a light, counted from 0, that holds the texels of these parities of their places, the
 /// outermost first.

@@ -5,6 +5,7 @@
 //! result.
 
 use super::{Cosine, LightColours, Shader, ShaderWidths};
+use crate::block::parts::{self, AXES, CHANNELS};
 use crate::datapath::Datapath;
 use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::{Graph, NodeId, Op};
@@ -14,10 +15,6 @@ use crate::method::{Interface, Shininess};
 
 /// The name of the memory with the materials' colours.
 pub const COLOURS: &str = "colours";
-
-/// Red, green and blue in names.
-const CHANNELS: [char; 3] = ['r', 'g', 'b'];
-const AXES: [char; 3] = ['x', 'y', 'z'];
 
 /// The name of the memory with the reciprocal roots of a light, counted from 0.
 #[must_use]
@@ -185,32 +182,23 @@ impl Shading<'_, '_> {
     /// The three ports of a vector, signed Q1.f.
     fn vector(&mut self, name: &str) -> [NodeId; 3] {
         let format = Format::signed(1, self.shader.vector_fraction as i32);
-        let range = Interval::new(format.value(format.min_code()), format.value(format.max_code()));
-        AXES.map(|axis| {
-            let bound = Bound { range, error: Interval::ZERO, grid: format.frac_bits };
-            self.b.input(format, &format!("in_{name}{axis}"), |_| bound)
-        })
+        AXES.map(|axis| self.b.port(format, &format!("in_{name}{axis}")))
     }
 
     /// The ports of a light.
     fn light_ports(&mut self, light: usize) -> LightPorts {
         let l = light + 1;
         let channel = Format::unsigned(0, self.shader.channel_bits as i32);
-        let range = Interval::new(0.0, channel.value(channel.max_code()));
         let direction = self.vector(&format!("l{l}"));
         let half = (self.shader.cosine == Cosine::Half).then(|| self.vector(&format!("h{l}")));
-        let colour = (self.shader.light_colours == LightColours::Ports).then(|| {
-            let bound = Bound { range, error: Interval::ZERO, grid: channel.frac_bits };
-            CHANNELS.map(|c| self.b.input(channel, &format!("in_l{l}{c}"), |_| bound))
-        });
+        let colour = (self.shader.light_colours == LightColours::Ports)
+            .then(|| CHANNELS.map(|c| self.b.port(channel, &format!("in_l{l}{c}"))));
         LightPorts { direction, half, colour }
     }
 
     /// A scalar product.
     fn dot(&mut self, a: [NodeId; 3], c: [NodeId; 3], name: &str, what: &str) -> NodeId {
-        let products = [0, 1, 2].map(|axis| self.b.mul(a[axis], c[axis], &format!("{name}_{}", AXES[axis]), what));
-        let sum = self.b.add(products[0], products[1], &format!("{name}_xy"), what);
-        self.b.add(sum, products[2], &format!("{name}_xyz"), what)
+        parts::dot(&mut self.b, &a, &c, name, what)
     }
 
     /// N.L in [0, 1], rounded down, and whether it is 0 before that.
@@ -373,15 +361,11 @@ impl Shading<'_, '_> {
 
     /// The code of a channel, from what the lights give to it.
     fn code(&mut self, lights: Option<NodeId>, channel: usize) -> NodeId {
-        let (c, bits, b) = (CHANNELS[channel], self.shader.channel_bits as i32, &mut self.b);
+        let (c, b) = (CHANNELS[channel], &mut self.b);
         let ambient = b.field(self.colours, self.material, colour_names(self.shader, channel, 0)[0]);
         let sum =
             lights.map_or(ambient, |lights| b.add(lights, ambient, &format!("sum_{c}"), "with the ambient light"));
-        let half = b.half_ulp(bits);
-        let sum = b.add(sum, half, &format!("sum_half_{c}"), "plus half a code");
-        let code = b.floor(sum, bits, &format!("cut_{c}"), "rounded to the nearest code");
-        let code = b.clamp(code, 0, self.shader.full_scale().into(), &format!("kept_{c}"), "at most full scale");
-        b.scale(code, None, bits, &[bits], &format!("code_{c}"), "as a whole number")
+        parts::channel_code(b, sum, channel, self.shader.channel_bits)
     }
 }
 

@@ -195,6 +195,12 @@ impl<'a> Builder<'a> {
         id
     }
 
+    /// An input port that any of its codes may come to.
+    pub fn port(&mut self, format: Format, name: &str) -> NodeId {
+        let range = Interval::new(format.value(format.min_code()), format.value(format.max_code()));
+        self.input(format, name, |_| Bound { range, error: Interval::ZERO, grid: format.frac_bits })
+    }
+
     /// A whole index of the set as the address in a memory whose rows begin at the set's first.
     pub(crate) fn offset_from_first(&mut self, index: NodeId, memory: usize) -> NodeId {
         let table = &self.tables[memory];

@@ -47,6 +47,16 @@ impl Generated {
         String::from_utf8(file.bytes.clone()).expect("text")
     }
 
+    /// On disk with a fault in its HDL: a text that stands there once, and what takes its place.
+    #[track_caller]
+    pub fn with_fault(&self, language: Language, (what, from, to): (&str, &str, &str)) -> OnDisk {
+        let text = self.text(&package::rtl_path(&self.design, language));
+        assert_eq!(text.matches(from).count(), 1, "{what}: `{from}` stands once in the core");
+        let core = self.on_disk();
+        std::fs::write(core.rtl(language), text.replace(from, to)).expect("written");
+        core
+    }
+
     pub fn on_disk(&self) -> OnDisk {
         let scratch = tempfile::tempdir().expect("a directory");
         let directory = scratch.path().join("core");
@@ -90,6 +100,20 @@ impl OnDisk {
     pub fn rtl(&self, language: Language) -> PathBuf {
         self.directory.join(package::rtl_path(&self.design, language))
     }
+
+    /// Both languages as Verilog, for synthesis: the VHDL as GHDL's synthesis writes it.
+    pub fn as_verilog(&self) -> [PathBuf; 2] {
+        let synthesized = self.beside("from_vhdl.v");
+        let ghdl = Command::new("ghdl")
+            .current_dir(self.beside(""))
+            .args(["--synth", "--std=08", "--out=verilog"])
+            .arg(self.rtl(Language::Vhdl))
+            .args(["-e", &self.design.spec.name])
+            .output()
+            .expect("ghdl");
+        std::fs::write(&synthesized, ghdl.stdout).expect("written");
+        [self.rtl(Language::Verilog), synthesized]
+    }
 }
 
 /// The files of a core pass a program that is to say nothing.
@@ -98,6 +122,19 @@ pub fn silent(directory: &Path, program: &str, arguments: &[&str], what: &str) {
     let output = Command::new(program).current_dir(directory).args(arguments).output().expect(program);
     let text = format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success() && text.trim().is_empty(), "{program} on {what}:\n{text}");
+}
+
+/// How many cells of a kind Yosys makes of Verilog for ECP5.
+pub fn ecp5_cells(source: &Path, top: &str) -> impl Fn(&str) -> u32 {
+    let script = format!("read_verilog {}; synth_ecp5 -top {top}; stat", source.display());
+    let output = Command::new("yosys").args(["-p", &script]).output().expect("yosys");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let report = text.rsplit("Printing statistics").next().unwrap_or_default().to_owned();
+    move |cell: &str| -> u32 {
+        let line = report.lines().find(|line| line.split_ascii_whitespace().any(|word| word == cell));
+        line.and_then(|line| line.split_ascii_whitespace().find_map(|word| word.parse().ok())).unwrap_or(0)
+    }
 }
 
 /// Every code of a lobe's operand port for every `row_step`th shininess by the evaluator: `check` is given the row, the

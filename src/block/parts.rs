@@ -1,0 +1,32 @@
+//! What the blocks around and beside a lobe are built of.
+
+use crate::datapath::builder::Builder;
+use crate::datapath::graph::NodeId;
+
+/// The components of vectors in names.
+pub(super) const AXES: [char; 3] = ['x', 'y', 'z'];
+/// Red, green and blue in names.
+pub(super) const CHANNELS: [char; 3] = ['r', 'g', 'b'];
+
+/// A scalar product of vectors of two or three components, exact.
+pub(super) fn dot(b: &mut Builder, a: &[NodeId], c: &[NodeId], name: &str, what: &str) -> NodeId {
+    let components = a.iter().zip(c).zip(AXES);
+    let products: Vec<NodeId> =
+        components.map(|((&a, &c), axis)| b.mul(a, c, &format!("{name}_{axis}"), what)).collect();
+    let mut sum = products[0];
+    for (&product, axes) in products[1..].iter().zip(["xy", "xyz"]) {
+        sum = b.add(sum, product, &format!("{name}_{axes}"), what);
+    }
+    sum
+}
+
+/// The nearest code of a channel to a sum in which full scale is the greatest code, `1 - 2^-bits`; at most full scale.
+pub(super) fn channel_code(b: &mut Builder, sum: NodeId, channel: usize, bits: u32) -> NodeId {
+    let (c, full) = (CHANNELS[channel], (1 << bits) - 1);
+    let bits = bits as i32;
+    let half = b.half_ulp(bits);
+    let sum = b.add(sum, half, &format!("sum_half_{c}"), "plus half a code");
+    let code = b.floor(sum, bits, &format!("cut_{c}"), "rounded to the nearest code");
+    let code = b.clamp(code, 0, full, &format!("kept_{c}"), "at most full scale");
+    b.scale(code, None, bits, &[bits], &format!("code_{c}"), "as a whole number")
+}
