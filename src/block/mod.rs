@@ -8,6 +8,7 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 use crate::method::{Coefficients, Configured, Interface};
+use image::ImageSpec;
 use shader::Shader;
 
 /// What a core is.
@@ -19,6 +20,20 @@ pub enum BlockKind {
     Lobe,
     /// A lobe with the cosine in front of it and the colours behind it.
     Shader,
+    /// A reflectance by texels of it.
+    Image,
+}
+
+impl BlockKind {
+    /// What such a core is, with its article.
+    #[must_use]
+    pub fn noun(self) -> &'static str {
+        match self {
+            Self::Lobe => "a lobe",
+            Self::Shader => "a shader",
+            Self::Image => "an image-based block",
+        }
+    }
 }
 
 /// A lobe, resolved.
@@ -37,6 +52,8 @@ pub enum Block {
     Lobe(LobeSpec),
     /// A complete shader around the lobe.
     Shader(LobeSpec, Shader),
+    /// An image-based block, which has no lobe.
+    Image(ImageSpec),
 }
 
 impl LobeSpec {
@@ -49,18 +66,38 @@ impl LobeSpec {
 
 impl Block {
     /// Its lobe.
+    ///
+    /// # Panics
+    /// An image-based block has none: where one may come, look at the variant.
     #[must_use]
     pub fn lobe(&self) -> &LobeSpec {
         match self {
             Self::Lobe(lobe) | Self::Shader(lobe, _) => lobe,
+            Self::Image(_) => panic!("an image-based block has no lobe"),
         }
+    }
+
+    /// Its kind.
+    #[must_use]
+    pub fn kind(&self) -> BlockKind {
+        match self {
+            Self::Lobe(_) => BlockKind::Lobe,
+            Self::Shader(..) => BlockKind::Shader,
+            Self::Image(_) => BlockKind::Image,
+        }
+    }
+
+    /// Whether there is a lobe in it.
+    #[must_use]
+    pub fn has_lobe(&self) -> bool {
+        !matches!(self, Self::Image(_))
     }
 
     /// The shader, if it is one.
     #[must_use]
     pub fn shader(&self) -> Option<&Shader> {
         match self {
-            Self::Lobe(_) => None,
+            Self::Lobe(_) | Self::Image(_) => None,
             Self::Shader(_, shader) => Some(shader),
         }
     }

@@ -8,11 +8,18 @@ pub(super) const AXES: [char; 3] = ['x', 'y', 'z'];
 /// Red, green and blue in names.
 pub(super) const CHANNELS: [char; 3] = ['r', 'g', 'b'];
 
-/// A scalar product of vectors of two or three components, exact.
-pub(super) fn dot(b: &mut Builder, a: &[NodeId], c: &[NodeId], name: &str, what: &str) -> NodeId {
+/// A scalar product of vectors of two or three components: exact, or the sum of products that are rounded down to so
+/// many fraction bits.
+pub(super) fn dot(b: &mut Builder, a: &[NodeId], c: &[NodeId], bits: Option<i32>, name: &str, what: &str) -> NodeId {
     let components = a.iter().zip(c).zip(AXES);
-    let products: Vec<NodeId> =
-        components.map(|((&a, &c), axis)| b.mul(a, c, &format!("{name}_{axis}"), what)).collect();
+    let product = |((&a, &c), axis): ((&NodeId, &NodeId), char)| match bits {
+        None => b.mul(a, c, &format!("{name}_{axis}"), what),
+        Some(bits) => {
+            let product = b.mul(a, c, &format!("{name}_{axis}_exact"), what);
+            b.floor(product, bits, &format!("{name}_{axis}"), "rounded down")
+        }
+    };
+    let products: Vec<NodeId> = components.map(product).collect();
     let mut sum = products[0];
     for (&product, axes) in products[1..].iter().zip(["xy", "xyz"]) {
         sum = b.add(sum, product, &format!("{name}_{axes}"), what);

@@ -9,7 +9,7 @@ use crate::explore::choose::{Candidate, Choice, Constraints, NearMiss};
 use crate::explore::{Cost, MaxError, Objective, Results};
 use crate::platform::error::Error;
 use crate::platform::paths::Paths;
-use crate::spec::{Coefficients, MethodName, Operand, Shininess, SpecFields};
+use crate::spec::{BlockKind, Coefficients, MethodName, Operand, Shininess, SpecFields};
 use crate::target::Family;
 
 #[derive(Args)]
@@ -133,6 +133,10 @@ impl ConstraintFlags {
         objective: Objective,
         keys: SpecFields,
     ) -> Result<Constraints, Error> {
+        if keys.block == Some(BlockKind::Image) {
+            let what = "only a core with a lobe is chosen by its error, and an image-based block is asked for";
+            return Err(Error::input(what, "leave --max-error out"));
+        }
         if let Some(mhz) = self.min_mhz.filter(|mhz| !(mhz.is_finite() && *mhz > 0.0)) {
             return Err(Error::input(format!("a frequency of {mhz} MHz is not allowed"), "more than 0 is"));
         }

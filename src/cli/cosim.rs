@@ -51,8 +51,8 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
     arguments.source.paths_of_core().may_write("--junit", arguments.junit.as_ref()).check()?;
     refuse!(
-        arguments.exhaustive && matches!(design.block(), BlockDesign::Shader(_)),
-        "--exhaustive runs every input, and a shader has too many",
+        arguments.exhaustive && design.is_sampled(),
+        format!("--exhaustive runs every input, and {} has too many", design.spec.block.kind().noun()),
         "leave it out: the golden vectors and the digests are checked"
     );
     let modelled = |family: Family| match &family.description().models {

@@ -7,6 +7,7 @@ use super::source::Source;
 use super::{Verdict, say, say_json};
 use crate::core::{Design, Evaluation};
 use crate::platform::error::{Error, refuse};
+use crate::spec::BlockKind;
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -28,8 +29,12 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let spec = arguments.source.spec()?;
-    let is_shader = spec.block.shader().is_some();
-    refuse!(is_shader, "eval evaluates a lobe, and this core is a shader", "leave --block shader out");
+    let kind = spec.block.kind();
+    refuse!(
+        kind != BlockKind::Lobe,
+        format!("eval evaluates a lobe, and this core is {}", kind.noun()),
+        "give a core without a `block`"
+    );
     let row = spec.row_of(arguments.n)?;
     let design = Design::new(spec)?;
     let Evaluation { index, operand, output, cosine, value, method, exact } = design.lobe().at(row, arguments.x)?;

@@ -9,7 +9,7 @@ use super::choose::{self, ConstraintFlags};
 use super::scene::{self, SceneFlags};
 use super::source::Source;
 use super::{Verdict, progress, say, say_json, warn};
-use crate::core::{Account, Design, Direction};
+use crate::core::{Account, Design, Direction, Part};
 use crate::emit::package::{self, File, Stale};
 use crate::explore::choose::Constraints;
 use crate::explore::{MaxError, Objective};
@@ -199,11 +199,13 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             "name": design.spec.name,
             "files": files.iter().map(|file| &file.path).collect::<Vec<_>>(),
             "latency": design.schedule.latency,
-            "proved_ulps": design.lobe().budget.proved_ulps,
             "measured": account,
             "cosim": outcome,
             "passed": passed,
         });
+        if design.spec.block.has_lobe() {
+            answer["proved_ulps"] = json!(design.lobe().budget.proved_ulps);
+        }
         if arguments.lint {
             answer["lint"] = json!(lints);
         }
@@ -243,9 +245,10 @@ fn describe(design: &Design, account: &Account) -> Vec<String> {
         multipliers.join(" "),
         if memories.is_empty() { "no ROM".to_owned() } else { format!("ROM {}", memories.join(", ")) },
     )];
-    let proved = package::interval_text(design.lobe().budget.proved_ulps);
+    let proved = || package::interval_text(design.lobe().budget.proved_ulps);
     match account {
         Account::Lobe { measured, .. } => {
+            let proved = proved();
             lines.push(format!(
                 "error against the method: proved {proved} ulp, measured {} over {} inputs{}",
                 package::interval_text(measured.ulps),
@@ -261,13 +264,25 @@ fn describe(design: &Design, account: &Account) -> Vec<String> {
         }
         Account::Shader(error) => {
             let samples = error.samples;
-            lines.push(format!("error of the lobe against its method: proved {proved} ulp"));
+            lines.push(format!("error of the lobe against its method: proved {} ulp", proved()));
             lines.push(format!("error against the exact shader in codes of a channel, over {samples} samples:"));
-            for part in error.parts.iter().chain([&error.whole]) {
-                let codes = package::interval_text(part.codes);
-                lines.push(format!("  {:<12} {codes} rms {:.3}", part.name, part.rms));
-            }
+            lines.extend(error.parts.iter().chain([&error.whole]).map(part_line));
+        }
+        Account::Image(error) => {
+            let (mean, worst) = (error.quality.mean, error.quality.worst);
+            lines.push(format!(
+                "pictures of a sphere, lit from {} angles: {mean:.1} dB in the mean, {worst:.1} dB at {} degrees",
+                error.angles, error.quality.worst_phi
+            ));
+            let samples = error.samples;
+            lines.push(format!("error against the exact reflectance in codes of a channel, over {samples} samples:"));
+            lines.extend(error.parts.iter().chain([&error.whole]).map(part_line));
         }
     }
     lines
+}
+
+/// A part of an error, in a line.
+fn part_line(part: &Part) -> String {
+    format!("  {:<12} {} rms {:.3}", part.name, package::interval_text(part.codes), part.rms)
 }

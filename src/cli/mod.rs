@@ -12,6 +12,7 @@ mod formal;
 mod generate;
 mod golden;
 mod help;
+mod image;
 mod mutate;
 mod progress;
 mod reflectance;
@@ -82,6 +83,8 @@ enum Command {
     Stability(Box<stability::Arguments>),
     /// Read, convert, draw, fit and compare measured reflectance, and sphere images of it
     Reflectance(Box<reflectance::Arguments>),
+    /// Make what an image-based block is told of lights
+    Image(Box<image::Arguments>),
     /// Draw a scene exactly and through a core, and how the two differ
     Render(Box<render::Arguments>),
     /// Show the trade of error against cost as one HTML page, and its charts as SVG and PNG
@@ -130,6 +133,7 @@ pub fn main() -> ExitCode {
         Command::Claims(arguments) => claims::run(&arguments),
         Command::Stability(arguments) => stability::run(&arguments),
         Command::Reflectance(arguments) => reflectance::run(&arguments),
+        Command::Image(arguments) => image::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Report(arguments) => report::run(&arguments),
         Command::Scene(arguments) => scene::run(&arguments),

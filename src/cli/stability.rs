@@ -7,14 +7,14 @@ use serde_json::json;
 
 use super::source::Source;
 use super::{Verdict, progress, say, say_json};
-use crate::core::{BlockDesign, ShaderDesign};
+use crate::core::{BlockDesign, Design};
 use crate::emit::package;
 use crate::platform::error::{Error, refuse};
 use crate::platform::paths::Paths;
 use crate::spec::MethodName;
 use crate::verify::stability::document::{self, Study};
 use crate::verify::stability::inspect::{Inspection, Signal};
-use crate::verify::stability::shader::ShaderInspection;
+use crate::verify::stability::sampled::SampledInspection;
 use crate::verify::stability::study::{self, Axis, Entry, Extent};
 use crate::verify::stability::{EXTREMES, conditioning, quantisation};
 
@@ -116,7 +116,7 @@ fn one(arguments: &Arguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
     let lobe = match design.block() {
         BlockDesign::Lobe(lobe) => lobe,
-        BlockDesign::Shader(shader) => return one_shader(arguments, shader),
+        _ => return one_sampled(arguments, &design),
     };
     let spinner = progress::spinner("every input".to_owned());
     let found = Inspection::of(lobe);
@@ -165,19 +165,22 @@ fn say_signals(largest: &Signal, widest: &Signal) {
     }
 }
 
-fn one_shader(arguments: &Arguments, design: ShaderDesign<'_>) -> Result<Verdict, Error> {
-    let spinner = progress::spinner("the shader's parts".to_owned());
-    let found = ShaderInspection::of(design);
+fn one_sampled(arguments: &Arguments, design: &Design) -> Result<Verdict, Error> {
+    let spinner = progress::spinner("the core's parts".to_owned());
+    let found = SampledInspection::of(design);
     spinner.finish_and_clear();
     let broken = found.broken();
     if arguments.json {
         say_json(&json!({ "core": found, "broken": broken }));
         return Ok(Verdict::of(broken.is_empty()));
     }
-    say(format!(
-        "{}: {} materials, {} lights; too many inputs to run all",
-        found.core, found.rows, design.shader.lights
-    ));
+    let what = match design.block() {
+        BlockDesign::Shader(shader) => {
+            format!("{} materials, {} lights", shader.materials().len(), shader.shader.lights)
+        }
+        _ => "an image-based block".to_owned(),
+    };
+    say(format!("{}: {what}; too many inputs to run all", found.core));
     say(format!("  ranges        {}, part by part", proof(&found.overflows, &found.undecided)));
     for part in &found.parts {
         say(format!("    {:<22} {} blocks of inputs", part.name, part.blocks));

@@ -61,7 +61,7 @@ fn last_bits(bits: u32, rng: &mut Rng) -> i64 {
 
 /// The inverse of an odd number modulo a power of two, by Newton's iteration: each step doubles the bits that are
 /// right.
-fn inverse(odd: i64, bits: u32) -> i64 {
+pub(super) fn inverse(odd: i64, bits: u32) -> i64 {
     let mut inverse = odd;
     for _ in 0..5 {
         inverse = inverse.wrapping_mul(2i64.wrapping_sub(odd.wrapping_mul(inverse)));

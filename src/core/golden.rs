@@ -42,10 +42,10 @@ impl Vector {
 /// The digest of one shininess.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct RowDigest {
-    /// The code of the first input port, `in_n`.
+    /// The code of the first input port, `in_n` or `in_material`; of an image-based block the stream.
     pub index: u32,
-    /// XXH3-64 of the outputs, each as four little-endian bytes: for all operand codes, the least first, or for a
-    /// shader for its material's stream of samples.
+    /// XXH3-64 of the outputs, each as four little-endian bytes: for all operand codes, the least first, or for the
+    /// samples of a stream.
     pub digest: u64,
 }
 
@@ -68,7 +68,10 @@ const MOST_OUTPUTS: u64 = 1 << 30;
 /// The same for the samples of a shader's streams.
 const MOST_SAMPLES: u64 = 1 << 20;
 
-/// Samples of a material's stream.
+/// The streams of an image-based block.
+const IMAGE_STREAMS: usize = 4;
+
+/// Samples of a stream.
 pub(crate) const STREAM: u64 = 1 << 13;
 
 /// The rows that have a digest: all, or evenly spaced ones where all would take too long.
@@ -82,6 +85,7 @@ pub(crate) fn digest_rows(design: &Design) -> Vec<usize> {
             let rows = shader.materials().len();
             (rows, (rows as u64 * STREAM).div_ceil(MOST_SAMPLES))
         }
+        BlockDesign::Image(_) => (IMAGE_STREAMS, 1),
     };
     (0..rows).step_by(step as usize).collect()
 }
@@ -135,8 +139,10 @@ impl Golden {
         let shown: Vec<&str> = outputs.iter().map(|&(name, _)| name).collect();
         let over = match design.spec.block {
             Block::Lobe(_) => format!("all {} codes of {}, the least first", 1u64 << inputs[1].1.width(), inputs[1].0),
-            Block::Shader(..) => format!("the {} samples of its stream", STREAM),
+            Block::Shader(..) => format!("the {STREAM} samples of its stream"),
+            Block::Image(_) => format!("the {STREAM} samples of this stream"),
         };
+        let index = if matches!(design.spec.block, Block::Image(_)) { "stream" } else { index };
         let _ = writeln!(text, "# d {index}, XXH3-64 over {} for {over}, 4 little-endian bytes each", shown.join(", "));
         for d in &self.digests {
             let _ = writeln!(text, "d {:0ni$x} {:016x}", d.index, d.digest);

@@ -4,6 +4,8 @@ mod budget;
 pub mod edges;
 mod evaluation;
 pub mod golden;
+mod image;
+mod image_inputs;
 pub mod layout;
 mod lobe;
 mod measure;
@@ -14,6 +16,7 @@ mod tune;
 
 pub use budget::{Part, ShaderError};
 pub use evaluation::Evaluation;
+pub use image::{ImageDesign, ImageError};
 pub use measure::{Measured, Sweep};
 
 pub use layout::Layout;
@@ -24,15 +27,16 @@ pub use shader::ShaderDesign;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 
+use crate::block::image::{ImageBlock, Joints as ImageJoints};
 use crate::block::shader::datapath::{Joints, build};
 use crate::datapath::Datapath;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
-use crate::datapath::range::Region;
+use crate::datapath::range::{Region, regions};
 use crate::datapath::schedule::{Schedule, schedule};
-use crate::fixed::{Format, Table};
+use crate::fixed::{Format, Rng, Table};
 use crate::platform::error::Error;
-use crate::spec::{Block, CoreSpec, LobeSpec, RomStyle, hex};
+use crate::spec::{Block, CoreSpec, ImageSpec, RomStyle, hex};
 use lobe::{MadeLobe, regions_of};
 
 /// The measured error of a core.
@@ -50,6 +54,8 @@ pub enum Account {
     },
     /// Of a shader.
     Shader(ShaderError),
+    /// Of an image-based block.
+    Image(ImageError),
 }
 
 impl Account {
@@ -59,6 +65,7 @@ impl Account {
         match design.block() {
             BlockDesign::Lobe(lobe) => Self::Lobe { measured: Measured::of(lobe), other_form: lobe.other_form() },
             BlockDesign::Shader(shader) => Self::Shader(ShaderError::of(shader)),
+            BlockDesign::Image(image) => Self::Image(ImageError::of(image)),
         }
     }
 }
@@ -72,10 +79,40 @@ pub struct Design {
     pub datapath: Datapath,
     /// The pipeline.
     pub schedule: Schedule,
-    /// How its lobe was made.
-    lobe: MadeLobe,
-    /// The joints of a shader's lights, in their order.
-    joints: Vec<Joints>,
+    /// How its block was made.
+    made: Made,
+}
+
+/// What is known of a block besides its datapath.
+#[derive(Clone, Debug)]
+enum Made {
+    Lobe(MadeLobe),
+    /// With the joints of its lights, in their order.
+    Shader(MadeLobe, Vec<Joints>),
+    Image(ImageBlock, ImageJoints),
+}
+
+impl Made {
+    /// The operations of a block, and what else is known of it.
+    fn new(spec: &CoreSpec) -> Result<(Datapath, Self), Error> {
+        let too_wide = |what: &str| {
+            Error::input(format!("the {what} would need values of more than 126 bits"), "use fewer fraction bits")
+        };
+        match &spec.block {
+            Block::Lobe(lobe) => MadeLobe::new(lobe, spec.rom).map(|(datapath, lobe)| (datapath, Self::Lobe(lobe))),
+            Block::Shader(lobe, shader) => {
+                let (of_lobe, made) = MadeLobe::new(lobe, spec.rom)?;
+                let built = build(&lobe.interface, shader, &of_lobe);
+                let (datapath, joints) = built.ok_or_else(|| too_wide("shader"))?;
+                Ok((datapath, Self::Shader(made, joints)))
+            }
+            Block::Image(ImageSpec { image, model, exposure }) => {
+                let block = ImageBlock::new(image.clone(), model, *exposure)?;
+                let (datapath, joints) = block.datapath().ok_or_else(|| too_wide("block"))?;
+                Ok((datapath, Self::Image(block, joints)))
+            }
+        }
+    }
 }
 
 /// A core as the block that it is.
@@ -85,6 +122,8 @@ pub enum BlockDesign<'a> {
     Lobe(LobeDesign<'a>),
     /// A shader.
     Shader(ShaderDesign<'a>),
+    /// An image-based block.
+    Image(ImageDesign<'a>),
 }
 
 impl Design {
@@ -94,17 +133,9 @@ impl Design {
     /// A spec that no core can be built for, such as one whose printed form needs values wider than 126 bits, or a
     /// writable ROM of a method that has none.
     pub fn new(spec: CoreSpec) -> Result<Self, Error> {
-        let (of_lobe, lobe) = MadeLobe::new(spec.block.lobe(), spec.rom)?;
-        let (datapath, joints) = match &spec.block {
-            Block::Lobe(_) => (of_lobe, Vec::new()),
-            Block::Shader(LobeSpec { interface, .. }, shader) => {
-                build(interface, shader, &of_lobe).ok_or_else(|| {
-                    Error::input("the shader would need values of more than 126 bits", "use fewer fraction bits")
-                })?
-            }
-        };
+        let (datapath, made) = Made::new(&spec)?;
         let schedule = schedule(&datapath.graph, spec.pipeline)?;
-        let design = Self { datapath, schedule, lobe, joints, spec };
+        let design = Self { datapath, schedule, made, spec };
         design.spec.golden_inputs.check(&design.numbers(Direction::In))?;
         if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {
             return Err(Error::input(
@@ -118,20 +149,31 @@ impl Design {
     /// The core as the block that it is.
     #[must_use]
     pub fn block(&self) -> BlockDesign<'_> {
-        let lobe = self.lobe();
-        match &self.spec.block {
-            Block::Lobe(_) => BlockDesign::Lobe(lobe),
-            Block::Shader(_, shader) => BlockDesign::Shader(ShaderDesign { lobe, shader, joints: &self.joints }),
+        match (&self.spec.block, &self.made) {
+            (Block::Lobe(lobe), Made::Lobe(made)) => BlockDesign::Lobe(LobeDesign::new(self, lobe, made)),
+            (Block::Shader(lobe, shader), Made::Shader(made, joints)) => {
+                BlockDesign::Shader(ShaderDesign { lobe: LobeDesign::new(self, lobe, made), shader, joints })
+            }
+            (Block::Image(of), Made::Image(block, joints)) => {
+                BlockDesign::Image(ImageDesign::new(self, of, block, joints))
+            }
+            _ => unreachable!("a design is made of its spec"),
         }
     }
 
     /// The core's lobe, alone or in a shader.
+    ///
+    /// # Panics
+    /// An image-based block has none: where one may come, look at [`Design::block`].
     #[must_use]
     pub fn lobe(&self) -> LobeDesign<'_> {
-        LobeDesign::new(self, self.spec.block.lobe(), &self.lobe)
+        match self.block() {
+            BlockDesign::Lobe(lobe) | BlockDesign::Shader(ShaderDesign { lobe, .. }) => lobe,
+            BlockDesign::Image(_) => panic!("an image-based block has no lobe"),
+        }
     }
 
-    /// The ports through which the memories that are keyed by the shininess are written, in the memories' order; none
+    /// The ports through which the memories that hold data, and no function, are written, in the memories' order; none
     /// unless the spec asks for them.
     #[must_use]
     pub fn write_ports(&self) -> Vec<WritePort> {
@@ -139,10 +181,19 @@ impl Design {
             return Vec::new();
         }
         let layout = self.layout();
-        let written =
-            |(memory, table): &(usize, &Table)| table.is_keyed_by_shininess() && layout.read(*memory).is_some();
+        let written = |(memory, table): &(usize, &Table)| table.holds_data() && layout.read(*memory).is_some();
         let tables = self.tables().iter().enumerate().filter(written);
         tables.map(|(memory, table)| WritePort::of(memory, table)).collect()
+    }
+
+    /// Whether its HDL reads the words of its memories from files: texels are many, and never in the source.
+    #[must_use]
+    pub fn reads_files(&self) -> bool {
+        match self.spec.rom {
+            RomStyle::File => true,
+            RomStyle::Writable => !self.spec.block.has_lobe(),
+            RomStyle::Inline => false,
+        }
     }
 
     /// 16 hexadecimal digits that stand for the operations, their formats and the layout of the memories' words,
@@ -157,8 +208,7 @@ impl Design {
             self.tables().iter().map(|table| (table.name, table.address_bits, layout(table))).collect();
         let operations: Vec<_> = self.graph().nodes.iter().map(|node| (&node.op, &node.args, node.format)).collect();
         let outputs = &self.graph().outputs;
-        let functions: Vec<_> =
-            self.tables().iter().filter(|table| !table.is_keyed_by_shininess()).map(Table::words).collect();
+        let functions: Vec<_> = self.tables().iter().filter(|table| !table.holds_data()).map(Table::words).collect();
         let text = format!("{operations:?} {outputs:?} {memories:?} {functions:?}");
         hex(&Sha256::digest(text))[..16].to_owned()
     }
@@ -184,7 +234,12 @@ impl Design {
     /// All inputs, row by row of the memories, for the range analysis.
     #[must_use]
     pub fn regions(&self) -> Vec<Region> {
-        regions_of(&self.lobe().interface.shininess, self.graph())
+        match self.block() {
+            BlockDesign::Lobe(lobe) | BlockDesign::Shader(ShaderDesign { lobe, .. }) => {
+                regions_of(&lobe.interface.shininess, self.graph())
+            }
+            BlockDesign::Image(_) => regions(self.graph(), |_| 0),
+        }
     }
 
     /// Stages and names, for the HDL.
@@ -202,6 +257,7 @@ impl Design {
             format: None,
             meaning: meaning.to_owned(),
         };
+        let has_index = !matches!(self.spec.block, Block::Image(_));
         let numbers = |direction: Direction| {
             let meanings = match direction {
                 Direction::In => self.input_meanings(),
@@ -209,7 +265,7 @@ impl Design {
             };
             let port = move |(place, ((name, format), meaning)): (usize, ((&str, Format), String))| {
                 let role = match direction {
-                    Direction::In if place == 0 => Role::Index,
+                    Direction::In if place == 0 && has_index => Role::Index,
                     Direction::In => Role::Operand,
                     Direction::Out => Role::Result,
                 };
@@ -242,6 +298,7 @@ impl Design {
         match self.block() {
             BlockDesign::Lobe(lobe) => lobe.input_meanings(),
             BlockDesign::Shader(shader) => shader.input_meanings(),
+            BlockDesign::Image(image) => image.input_meanings(),
         }
     }
 
@@ -250,6 +307,7 @@ impl Design {
         match self.block() {
             BlockDesign::Lobe(_) => vec!["the lobe, 0 to 1; 1.0 is exact".to_owned()],
             BlockDesign::Shader(shader) => shader.output_meanings(),
+            BlockDesign::Image(image) => image.output_meanings(),
         }
     }
 
@@ -270,18 +328,37 @@ impl Design {
         match self.block() {
             BlockDesign::Lobe(lobe) => vec![lobe.model().evaluate(inputs[0] as u32, inputs[1]).into()],
             BlockDesign::Shader(shader) => shader.model().evaluate(inputs),
+            BlockDesign::Image(image) => image.model().evaluate(inputs),
         }
     }
 
-    /// What the code of the first input port selects, for people.
+    /// An input of a core that has too many to run through them all: a random sample, random codes, or one that brings
+    /// it to its edges.
     #[must_use]
-    pub fn selected(&self, index: u32) -> String {
+    pub fn varied(&self, rng: &mut Rng) -> Vec<i64> {
+        match self.block() {
+            BlockDesign::Lobe(_) => sample::random_codes(&self.numbers(Direction::In), rng),
+            BlockDesign::Shader(shader) => edges::varied(shader, rng),
+            BlockDesign::Image(image) => image.varied(rng),
+        }
+    }
+
+    /// Whether all its inputs are too many to run through: it is no lobe alone.
+    #[must_use]
+    pub fn is_sampled(&self) -> bool {
+        !matches!(self.spec.block, Block::Lobe(_))
+    }
+
+    /// What the code of the first input port stands for, for people.
+    #[must_use]
+    pub fn selected(&self, index: i64) -> String {
         match self.block() {
             BlockDesign::Lobe(lobe) => {
                 let set = &lobe.interface.shininess;
-                format!("n = {}", set.value(set.row_of_index(index)))
+                format!("n = {}", set.value(set.row_of_index(index as u32)))
             }
-            BlockDesign::Shader(shader) => shader.material(index).name.clone(),
+            BlockDesign::Shader(shader) => shader.material(index as u32).name.clone(),
+            BlockDesign::Image(_) => self.numbers(Direction::In)[0].1.value(index.into()).to_string(),
         }
     }
 

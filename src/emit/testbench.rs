@@ -111,6 +111,11 @@ struct Bench<'a> {
 }
 
 impl Bench<'_> {
+    /// The memories that are written from files of which the core itself knows nothing.
+    fn written_files(&self) -> &[BenchWrite<'_>] {
+        if self.rom_files.is_empty() { &self.writes } else { &[] }
+    }
+
     /// The inputs and then the outputs.
     fn numbers(&self) -> impl Iterator<Item = &BenchPort<'_>> {
         self.inputs.iter().chain(&self.outputs)

@@ -242,7 +242,8 @@ impl Writer<'_> {
         if low < 0 {
             let own = self.fitted(arg, Format { int_bits: width as i32 - 1 - from.frac_bits, ..from });
             let when = |bound: i128, test: &str| {
-                format!("to_signed({bound}, {width}) when {name} {test} {bound} else\n        ")
+                let (value, than) = (number(bound, width, true), compared(bound, from));
+                format!("{value} when {name} {test} {than} else\n        ")
             };
             let below = if low > from.min_code() { when(low, "<") } else { String::new() };
             let above = if high < from.max_code() { when(high, ">") } else { String::new() };
@@ -253,7 +254,8 @@ impl Writer<'_> {
         if from.signed && low == 0 {
             text += &format!("(others => '0') when {name}({}) = '1' else\n        ", from.width() - 1);
         } else if low > 0 {
-            text += &format!("to_unsigned({low}, {width}) when {name} < {low} else\n        ");
+            let (value, than) = (number(low, width, false), compared(low, from));
+            text += &format!("{value} when {name} < {than} else\n        ");
         }
         if high < from.max_code() {
             if high.count_ones() == 1 {
@@ -266,7 +268,8 @@ impl Writer<'_> {
                 };
                 text += &format!("({bit} => '1', others => '0') when {test} else\n        ");
             } else {
-                text += &format!("to_unsigned({high}, {width}) when {name} > {high} else\n        ");
+                let (value, than) = (number(high, width, false), compared(high, from));
+                text += &format!("{value} when {name} > {than} else\n        ");
             }
         }
         let kept = width.min(magnitude);
@@ -274,6 +277,20 @@ impl Writer<'_> {
         let own = if from.signed { format!("unsigned({own})") } else { own };
         text + &if kept < width { format!("resize({own}, {width})") } else { own }
     }
+}
+
+/// A code as a vector. The functions of `numeric_std` take integers, which have 32 bits.
+fn number(code: i128, width: u32, signed: bool) -> String {
+    let kind = if signed { "signed" } else { "unsigned" };
+    if i32::try_from(code).is_ok() {
+        return format!("to_{kind}({code}, {width})");
+    }
+    format!("{kind}'(\"{:0width$b}\")", code & ((1 << width) - 1), width = width as usize)
+}
+
+/// A code as what a value of a format is compared with.
+fn compared(code: i128, format: Format) -> String {
+    if i32::try_from(code).is_ok() { code.to_string() } else { number(code, format.width(), format.signed) }
 }
 
 fn sign(format: Format) -> &'static str {

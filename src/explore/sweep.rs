@@ -203,6 +203,9 @@ fn check(key: &str, value: &Value) -> Result<(), Error> {
         Some(BlockKind::Shader) => {
             Err(Error::input("a sweep cannot go over shaders", "it goes over lobes; see method"))
         }
+        Some(BlockKind::Image) => {
+            Err(Error::input("a sweep cannot go over image-based blocks", "it goes over lobes; see method"))
+        }
     }
 }
 

@@ -151,6 +151,21 @@ impl Table {
         self.key == "shininess"
     }
 
+    /// The key of texels.
+    pub const TEXEL: &str = "texel";
+
+    /// Whether the memory holds data, coefficients or texels, and not a function that every core of its kind has.
+    #[must_use]
+    pub fn holds_data(&self) -> bool {
+        self.is_keyed_by_shininess() || self.holds_texels()
+    }
+
+    /// Whether the memory holds texels, of which any code may stand in the place of any other.
+    #[must_use]
+    pub fn holds_texels(&self) -> bool {
+        self.key == Self::TEXEL
+    }
+
     /// The same memory with every bit of every word inverted: no word is what it was.
     #[must_use]
     pub fn complemented(&self) -> Self {

@@ -6,13 +6,22 @@ use toml::Value;
 /// What a table says of a key besides its help and its flag.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Key {
-    /// The key in TOML; with hyphens its flag.
+    /// The key in TOML; with hyphens its flag, unless that has a name of its own.
     pub(crate) name: &'static str,
+    /// The name of its flag where that is another one, with underscores; empty otherwise.
+    pub(crate) flag: &'static str,
     /// What a method is said not to have that is given the key and has no use for it; empty for a key that any method
     /// may be given.
     pub(crate) called: &'static str,
     /// Where it applies; empty where its table or the methods that have it say so.
     pub(crate) applies: &'static str,
+}
+
+impl Key {
+    /// What its flag is called, without the hyphens in front.
+    pub(crate) fn flag(self) -> String {
+        if self.flag.is_empty() { self.name } else { self.flag }.replace('_', "-")
+    }
 }
 
 /// Fields for the keys of a table, each of which may be missing.
@@ -33,42 +42,50 @@ pub(crate) fn written<T: Serialize>(value: &T) -> Value {
 /// Makes a table of keys a struct of [`Fields`] that TOML and flags are read into.
 ///
 /// A key has its help, which ends with the default, what else clap is to know of its flag, and the kind of its value;
-/// then, where they are needed, what messages call it (`as`) and where it applies (`where`). A table within, if there
-/// is one, comes last, behind a `+`.
+/// then, where they are needed, what messages call it (`as`), where it applies (`where`), and what its flag is called
+/// (`=>`, which clap is to be told as well). Tables within come last, each behind a `+`.
 macro_rules! keys {
     (
         $(#[$of_fields:meta])* $Fields:ident:
-        $( $(#[$of_key:meta])* $key:ident: $Value:ty $(as $called:literal)? $(where $applies:literal)?, )*
-        $( + $(#[$of_table:meta])* $table:ident: $Table:ty )?
+        $(
+            $(#[$of_key:meta])* $key:ident: $Value:ty
+            $(as $called:literal)? $(where $applies:literal)? $(=> $flag:literal)?,
+        )*
+        $( + $(#[$of_table:meta])* $table:ident: $Table:ty, )*
     ) => {
         #[derive(clap::Args, Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
         #[serde(deny_unknown_fields)]
         $(#[$of_fields])*
         pub struct $Fields {
             $(
-                $(#[$of_key])*
                 #[arg(long)]
+                $(#[$of_key])*
                 #[serde(skip_serializing_if = "Option::is_none")]
                 pub $key: Option<$Value>,
             )*
-            $( $(#[$of_table])* pub $table: $Table, )?
+            $( $(#[$of_table])* pub $table: $Table, )*
         }
 
         impl $crate::method::keys::Fields for $Fields {
             fn or_each(self, other: Self) -> Self {
                 Self {
                     $( $key: self.$key.or(other.$key), )*
-                    $( $table: self.$table.or_each(other.$table), )?
+                    $( $table: self.$table.or_each(other.$table), )*
                 }
             }
 
             fn values(&self) -> Vec<($crate::method::keys::Key, Option<toml::Value>)> {
                 use $crate::method::keys::{Key, written};
                 let own = vec![$((
-                    Key { name: stringify!($key), called: concat!($($called)?), applies: concat!($($applies)?) },
+                    Key {
+                        name: stringify!($key),
+                        flag: concat!($($flag)?),
+                        called: concat!($($called)?),
+                        applies: concat!($($applies)?),
+                    },
                     self.$key.as_ref().map(written),
                 )),*];
-                own.into_iter() $( .chain(self.$table.values()) )? .collect()
+                own.into_iter() $( .chain(self.$table.values()) )* .collect()
             }
         }
     };

@@ -113,6 +113,23 @@ impl Model {
         Ok(())
     }
 
+    /// All parameters in the order of their family, each as [`Model::set`] reads it.
+    #[must_use]
+    pub fn parameters(&self) -> Vec<(String, String)> {
+        let own = self.family.parameters().iter().zip(&self.values).map(|(parameter, value)| {
+            let text = match (parameter.colour, value) {
+                (true, [r, g, b]) => format!("{r},{g},{b}"),
+                (false, [value, ..]) => value.to_string(),
+            };
+            (parameter.name.to_owned(), text)
+        });
+        let norm = match self.norm {
+            Norm::Published => "published",
+            Norm::Conserving => "conserving",
+        };
+        own.chain(self.family.has_norms().then(|| ("norm".to_owned(), norm.to_owned()))).collect()
+    }
+
     /// The value of a parameter; a number three times.
     ///
     /// # Panics
@@ -128,17 +145,7 @@ impl fmt::Display for Model {
     /// The name and all parameters, as they are given.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}", self.family.name())?;
-        for (parameter, value) in self.family.parameters().iter().zip(&self.values) {
-            match (parameter.colour, value) {
-                (true, [r, g, b]) => write!(f, " {}={r},{g},{b}", parameter.name)?,
-                (false, [value, ..]) => write!(f, " {}={value}", parameter.name)?,
-            }
-        }
-        match (self.family.has_norms(), self.norm) {
-            (false, _) => Ok(()),
-            (true, Norm::Published) => write!(f, " norm=published"),
-            (true, Norm::Conserving) => write!(f, " norm=conserving"),
-        }
+        self.parameters().iter().try_for_each(|(name, value)| write!(f, " {name}={value}"))
     }
 }
 

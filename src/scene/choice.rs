@@ -130,8 +130,9 @@ impl<'a> Search<'a> {
             "give a material that objects have a k_s above 0, or move a light or the camera"
         );
         let keys = keys.clone().or(scene.core.keys.clone());
-        if keys.block.is_some_and(|block| block != BlockKind::Lobe) {
-            return Err(Error::input("a scene's core is chosen among lobes", "leave block = \"shader\" out"));
+        if let Some(kind) = keys.block.filter(|&kind| kind != BlockKind::Lobe) {
+            let what = format!("a scene's core is chosen among lobes, and {} is asked for", kind.noun());
+            return Err(Error::input(what, "leave `block` out"));
         }
         refuse!(
             keys.shininess.is_some() || keys.material.is_some() || keys.shininess_fraction.is_some(),

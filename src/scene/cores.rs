@@ -39,11 +39,12 @@ pub(crate) struct PictureCore {
 impl PictureCore {
     /// The core of these keys: for the shininesses of the materials of the scene's objects, unless the keys name some.
     fn of(scene: &Scene, fields: SpecFields) -> Result<Self, Error> {
-        refuse!(
-            fields.block == Some(BlockKind::Shader),
-            "the core is a shader, and a picture's highlights need a lobe",
-            "leave block = \"shader\" and the other keys of a shader out"
-        );
+        if let Some(kind) = fields.block.filter(|&kind| kind != BlockKind::Lobe) {
+            return Err(Error::input(
+                format!("the core is {}, and a picture's highlights need a lobe", kind.noun()),
+                "leave `block` and its other keys out",
+            ));
+        }
         let own = fields.shininess.is_some() || fields.material.is_some();
         let shininess = if own { fields.shininess.clone() } else { Some(Shininess::List(scene.shininesses())) };
         Ok(Self { design: Design::new(SpecFields { shininess, ..fields }.resolve()?)?, directory: None })
@@ -170,8 +171,9 @@ impl Scene {
 pub(crate) fn name(design: &Design) -> String {
     // Those that need not be named.
     let mut spec = design.spec.clone();
-    let (Block::Lobe(lobe) | Block::Shader(lobe, _)) = &mut spec.block;
-    lobe.interface.shininess = Shininess::Range(1, 1000);
+    if let Block::Lobe(lobe) | Block::Shader(lobe, _) = &mut spec.block {
+        lobe.interface.shininess = Shininess::Range(1, 1000);
+    }
     Point::unmeasured(&Core::new(spec, Family::Ecp5)).name
 }
 

@@ -10,7 +10,7 @@ use crate::core::Design;
 use crate::fixed::exp2;
 use crate::lobe;
 use crate::platform::error::Error;
-use crate::spec::Operand;
+use crate::spec::{BlockKind, Operand};
 use crate::verify::cosim;
 
 /// Something that computes `x^n`.
@@ -103,12 +103,13 @@ impl<'a> CoreModel<'a> {
 
 /// Refuses a core that is no lobe.
 fn check_lobe(design: &Design) -> Result<(), Error> {
-    if design.spec.block.shader().is_none() {
+    let kind = design.spec.block.kind();
+    if kind == BlockKind::Lobe {
         return Ok(());
     }
     Err(Error::input(
-        format!("the core {} is a shader, and a picture's highlights need a lobe", design.spec.name),
-        "leave block = \"shader\" out",
+        format!("the core {} is {}, and a picture's highlights need a lobe", design.spec.name, kind.noun()),
+        "give a core without a `block`",
     ))
 }
 

@@ -10,7 +10,7 @@ use super::{Requirements, Scene};
 use crate::core::Design;
 use crate::explore::run::Costing;
 use crate::generate::Core;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::spec::{BlockKind, ShaderFields, SpecFields};
 
 /// What is found of a scene, with a core or without.
@@ -42,6 +42,11 @@ impl SceneInspection {
     ) -> Result<Self, Error> {
         // The lobe is chosen as if it were alone.
         let asked = keys.clone().or(scene.core.keys.clone());
+        refuse!(
+            asked.block == Some(BlockKind::Image),
+            "an image-based block is asked for, and a scene's core is a lobe or a shader",
+            "leave block = \"image\" out: `brdfgen generate --block image --reflectance ...` makes one without a scene"
+        );
         let alone = |keys: &SpecFields| SpecFields { block: None, shader: ShaderFields::default(), ..keys.clone() };
         let mut lobe_scene = scene.clone();
         lobe_scene.core.keys = alone(&scene.core.keys);

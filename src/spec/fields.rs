@@ -3,8 +3,9 @@
 use std::path::Path;
 
 use super::{
-    BlockKind, Coefficients, Divider, Form, GoldenInputs, InputRange, Inside, Language, Material, Memory, MethodName,
-    Operand, Pipeline, RomStyle, ShaderFields, Shininess, Tail, VhdlPorts,
+    BlockKind, Coefficients, Divider, Form, GoldenInputs, ImageFormName, InputRange, Inside, Language, Material,
+    Memory, MethodName, Operand, Pipeline, ReflectanceFields, RomStyle, ShaderFields, Shininess, Tail, TexelMemory,
+    VhdlPorts,
 };
 use crate::emit::rom::RomFormat;
 use crate::fit::Objective;
@@ -84,15 +85,62 @@ method_keys! { keys! {
     #[arg(value_name = "INPUTS")]
     golden_inputs: GoldenInputs,
 
+    /// What is stored of the reflectance [default: half]
+    #[arg(help_heading = "Image-based block")]
+    image_form: ImageFormName where "image-based blocks",
+
+    /// Slices of the form half, a power of two from 4 to 64 [default: 16]
+    #[arg(help_heading = "Image-based block", value_name = "COUNT")]
+    images: u32 where "image-based blocks",
+
+    /// Octaves of 1 - n.h that have columns of their own in the form bivariate, a power of two from 2 to 16 [default:
+    /// 8]
+    #[arg(help_heading = "Image-based block", value_name = "COUNT")]
+    octaves: u32 where "image-based blocks",
+
+    /// Texels along a side, a power of two from 8 to 512 [default: 32]
+    #[arg(help_heading = "Image-based block", value_name = "TEXELS")]
+    image_size: u32 where "image-based blocks",
+
+    /// Bits of a texel's channel, 4 to 10; texels are codes of square roots [default: 8]
+    #[arg(help_heading = "Image-based block", value_name = "BITS")]
+    texel_bits: u32 where "image-based blocks",
+
+    /// Bits of the weights that texels are blended with, 3 to 8 [default: 6 for half, 5 for bivariate]
+    #[arg(help_heading = "Image-based block", value_name = "BITS")]
+    weight_bits: u32 where "image-based blocks",
+
+    /// Bits of a vector's component, 10 to 22, of which two are before the point [default: 18]
+    #[arg(help_heading = "Image-based block", value_name = "BITS")]
+    vector_bits: u32 where "image-based blocks",
+
+    /// Bits of an output channel: 8, 10 or 12 [default: 8]
+    #[arg(help_heading = "Image-based block", value_name = "BITS")]
+    output_bits: u32 where "image-based blocks",
+
+    /// Lights that are taken in a clock, 1 to 8 [default: 1]
+    #[arg(help_heading = "Image-based block", value_name = "LIGHTS")]
+    lights_a_clock: u32 where "image-based blocks",
+
+    /// Where the texels lie [default: rom]
+    #[arg(help_heading = "Image-based block")]
+    texels: TexelMemory where "image-based blocks",
+
     /// A named material, NAME=SHININESS; repeat for more. `in_n` is their index
     #[arg(value_name = "NAME=SHININESS")]
     material: Vec<Material>,
 
     +
+    /// What reflects, for an image-based block.
+    #[command(flatten)]
+    #[serde(default, skip_serializing_if = "ReflectanceFields::is_empty")]
+    reflectance: ReflectanceFields,
+
+    +
     /// What a shader has beyond its lobe.
     #[command(flatten)]
     #[serde(default, skip_serializing_if = "ShaderFields::is_empty")]
-    shader: ShaderFields
+    shader: ShaderFields,
 } }
 
 /// The options of the methods among the fields, and back.

@@ -2,21 +2,21 @@
 
 use toml::Value;
 
-use super::{Memory, ShaderFields, SpecFields, TUSER_BITS};
+use super::{ImageFormName, Memory, ReflectanceFields, ShaderFields, SpecFields, TUSER_BITS};
 use crate::fit::Objective;
-use crate::method::keys::Fields;
+use crate::method::keys::{Fields, Key};
 
 /// The keys that say what a core is: they come first, whatever the defaults.
-const FIRST: [&str; 4] = ["block", "method", "shininess", "material"];
+const FIRST: [&str; 5] = ["block", "reflectance", "method", "shininess", "material"];
 /// The keys with semicolons in their values, which a shell would take for ends of the command.
-const QUOTED: [&str; 2] = ["golden_inputs", "light_colours"];
+const QUOTED: [&str; 3] = ["golden_inputs", "light_colours", "parameters"];
 
 impl SpecFields {
     /// The flags that give these fields where they differ from the defaults.
     pub(super) fn flags(&self) -> Vec<String> {
         let differing = self.values().into_iter().zip(self.defaults().values()).filter(|(own, default)| own != default);
-        let given = differing.filter_map(|((key, value), _)| Some((key.name, value?)));
-        let (first, rest): (Vec<_>, Vec<_>) = given.partition(|(key, _)| FIRST.contains(key));
+        let given = differing.filter_map(|((key, value), _)| Some((key, value?)));
+        let (first, rest): (Vec<_>, Vec<_>) = given.partition(|(key, _)| FIRST.contains(&key.flag().as_str()));
         first.into_iter().chain(rest).flat_map(|(key, value)| self.flags_of(key, &value)).collect()
     }
 
@@ -30,6 +30,8 @@ impl SpecFields {
             method: self.method,
             shininess: self.shininess.clone(),
             material: self.material.clone(),
+            image_form: self.image_form,
+            reflectance: ReflectanceFields { model: self.reflectance.model.clone(), ..ReflectanceFields::default() },
             shader: ShaderFields { model, front, ..ShaderFields::default() },
             ..Self::default()
         });
@@ -39,6 +41,8 @@ impl SpecFields {
             method: None,
             shininess: None,
             material: None,
+            image_form: plain.image_form.filter(|&form| form == ImageFormName::Half),
+            reflectance: ReflectanceFields { model: None, ..plain.reflectance },
             // A core has these only together with keys that are no defaults.
             objective: Some(Objective::default()),
             memory: Some(Memory::Auto),
@@ -49,16 +53,16 @@ impl SpecFields {
     }
 
     /// The flags of a key that has this value.
-    fn flags_of(&self, key: &str, value: &Value) -> Vec<String> {
-        let flag = format!("--{}", key.replace('_', "-"));
+    fn flags_of(&self, key: Key, value: &Value) -> Vec<String> {
+        let flag = format!("--{}", key.flag());
         match value {
             Value::Boolean(true) => vec![flag],
             Value::Boolean(false) => vec![flag + "=false"],
-            _ if key == "material" => {
+            _ if key.name == "material" => {
                 let materials = self.material.iter().flatten();
                 materials.map(|one| format!("{flag} {}={}", quoted(&one.name), one.shininess)).collect()
             }
-            _ if QUOTED.contains(&key) => vec![format!("{flag} '{}'", text(value))],
+            _ if QUOTED.contains(&key.name) => vec![format!("{flag} '{}'", text(value))],
             _ => vec![format!("{flag} {}", text(value))],
         }
     }
@@ -72,6 +76,10 @@ fn text(value: &Value) -> String {
         Value::Array(items) => {
             let between = if items.iter().any(Value::is_array) { ";" } else { "," };
             items.iter().map(text).collect::<Vec<_>>().join(between)
+        }
+        Value::Table(table) => {
+            let pairs = table.iter().map(|(key, value)| format!("{key}={}", text(value)));
+            pairs.collect::<Vec<_>>().join(";")
         }
         other => other.to_string(),
     }

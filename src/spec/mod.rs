@@ -6,8 +6,10 @@
 mod fields;
 mod flags;
 mod golden_inputs;
+mod image;
 mod name;
 mod reference;
+mod reflectance;
 mod resolve;
 
 use std::path::Path;
@@ -16,6 +18,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+pub use crate::block::image::{ImageSpec, TexelMemory};
 pub(crate) use crate::block::shader::unit;
 pub use crate::block::shader::{
     CHANNEL_BITS, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, Surface, VECTOR_FRACTION,
@@ -33,8 +36,10 @@ pub use crate::method::{
 pub use fields::SpecFields;
 pub(crate) use fields::{suggest, toml_error};
 pub use golden_inputs::GoldenInputs;
+pub use image::ImageFormName;
 pub(crate) use name::check_name;
 pub use reference::reference;
+pub use reflectance::{Parameters, ReflectanceFields};
 
 use crate::emit::rom::RomFormat;
 use crate::platform::error::Error;
@@ -120,7 +125,7 @@ impl VhdlPorts {
 pub struct CoreSpec {
     /// The name of the core, its module and its files.
     pub name: String,
-    /// What the core is: a lobe, or a shader around one.
+    /// What the core is.
     pub block: Block,
     /// Where the HDL finds the coefficients.
     pub rom: RomStyle,
@@ -171,11 +176,12 @@ impl CoreSpec {
     /// The place of a lobe's shininess among those of the core.
     ///
     /// # Errors
-    /// A shader, or a shininess that the core does not have.
+    /// Another block, or a shininess that the core does not have.
     pub fn row_of(&self, n: f64) -> Result<usize, Error> {
         let Block::Lobe(LobeSpec { interface, .. }) = &self.block else {
+            let has = if self.block.has_lobe() { "materials and " } else { "" };
             return Err(Error::input(
-                format!("the core {} is a shader, which has materials and no shininess", self.name),
+                format!("the core {} is {}, which has {has}no shininess", self.name, self.block.kind().noun()),
                 "ask a lobe",
             ));
         };

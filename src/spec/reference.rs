@@ -84,7 +84,7 @@ pub fn reference() -> String {
     let mut command = SpecFields::augment_args(Command::new(""));
     command.build();
     let row = |(key, _): (Key, _)| {
-        let arg = command.get_arguments().find(|arg| arg.get_id() == key.name).expect("every key is a flag");
+        let arg = command.get_arguments().find(|arg| arg.get_long() == Some(&key.flag())).expect("every key is a flag");
         KeyRow::new(key, arg)
     };
     let page = Page { rows: SpecFields::default().values().into_iter().map(row).collect() };

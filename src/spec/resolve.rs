@@ -3,7 +3,7 @@
 use super::{
     Block, BlockKind, CoreSpec, Cosine, Form, INPUT_FRACTION, InputRange, Interface, Language, LobeSpec, Material,
     OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, Shader, ShaderFields, Shininess,
-    SpecFields, TUSER_BITS, VhdlPorts, check_name,
+    SpecFields, TUSER_BITS, VhdlPorts, check_name, image,
 };
 use crate::emit::rom::RomFormat;
 use crate::method::{About, Configured, Options, within};
@@ -15,32 +15,21 @@ impl SpecFields {
     /// # Errors
     /// Names the value that is wrong and what is allowed.
     pub fn resolve(self) -> Result<CoreSpec, Error> {
-        let Some(method) = self.method else {
-            return Err(Error::input(
-                "no method is given",
-                "give --method quadratic, --method cubic or another, or a spec file",
-            ));
+        self.check_block()?;
+        let (block, default_name) = match self.block {
+            Some(BlockKind::Image) => {
+                let image = self.resolved_image()?;
+                let name = image::default_name(&image.image);
+                (Block::Image(image), name)
+            }
+            _ => self.resolved_around_lobe()?,
         };
-        let shader = self.resolved_shader()?;
-        let (operand, input_range) = self.resolved_operand(shader.as_ref())?;
-        let set = self.given_set(shader.as_ref())?;
-        let form = self.form.unwrap_or(Form::Stable);
-        let method = Configured::new(method, &Options { form: Some(form), ..self.options() })?;
-        let shininess = self.resolved_set(set, method.about(), shader.as_ref())?;
         if let Some(Pipeline::Depth(depth)) = self.pipeline {
             within("pipeline", depth, PIPELINE_DEPTH)?;
         }
-        // A channel's last bit is worth sixteen of the lobe's, and a step of the cosine moves a highlight of n = 256 by
-        // one.
-        let (input_fraction, output_fraction) =
-            shader.as_ref().map_or((16, 16), |shader| (shader.channel_bits + 8, shader.channel_bits + 4));
-        let input_fraction = within("input_fraction", self.input_fraction.unwrap_or(input_fraction), INPUT_FRACTION)?;
-        let output_fraction =
-            within("output_fraction", self.output_fraction.unwrap_or(output_fraction), OUTPUT_FRACTION)?;
-        let interface = Interface { shininess, input_fraction, output_fraction, operand, input_range };
-        method.check(&interface)?;
-        let axi_stream = self.resolved_axi_stream();
-        let name = self.name.unwrap_or_else(|| default_name(method.about(), form, shader.as_ref()));
+        let axi_stream = self.resolved_axi_stream()?;
+        let rom = self.resolved_rom(&block);
+        let name = self.name.unwrap_or(default_name);
         check_name(&name)?;
         let languages = resolved_languages(self.languages)?;
         let vhdl_ports = self.vhdl_ports.unwrap_or_default();
@@ -56,18 +45,49 @@ impl SpecFields {
         rom_formats.dedup();
         Ok(CoreSpec {
             name,
-            block: match shader {
-                None => Block::Lobe(LobeSpec { method, interface }),
-                Some(shader) => Block::Shader(LobeSpec { method, interface }, shader),
-            },
-            rom: self.rom.unwrap_or(RomStyle::Inline),
+            block,
+            rom,
             rom_formats,
             pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
             languages,
             vhdl_ports,
-            axi_stream: axi_stream?,
+            axi_stream,
             golden_inputs: self.golden_inputs.unwrap_or_default(),
         })
+    }
+
+    /// A lobe, alone or in a shader, and what its core is called whose spec has no name.
+    fn resolved_around_lobe(&self) -> Result<(Block, String), Error> {
+        let Some(method) = self.method else {
+            return Err(Error::input(
+                "no method is given",
+                "give --method quadratic, --method cubic or another, or a spec file",
+            ));
+        };
+        let shader = self.resolved_shader()?;
+        let (operand, input_range) = self.resolved_operand(shader.as_ref())?;
+        let set = self.given_set(shader.as_ref())?;
+        let form = self.form.unwrap_or(Form::Stable);
+        let method = Configured::new(method, &Options { form: Some(form), ..self.options() })?;
+        let shininess = self.resolved_set(set, method.about(), shader.as_ref())?;
+        // A channel's last bit is worth sixteen of the lobe's, and a step of the cosine moves a highlight of n = 256 by
+        // one.
+        let (input_fraction, output_fraction) =
+            shader.as_ref().map_or((16, 16), |shader| (shader.channel_bits + 8, shader.channel_bits + 4));
+        let input_fraction = within("input_fraction", self.input_fraction.unwrap_or(input_fraction), INPUT_FRACTION)?;
+        let output_fraction =
+            within("output_fraction", self.output_fraction.unwrap_or(output_fraction), OUTPUT_FRACTION)?;
+        let interface = Interface { shininess, input_fraction, output_fraction, operand, input_range };
+        method.check(&interface)?;
+        let name = default_name(method.about(), form, shader.as_ref());
+        let lobe = LobeSpec { method, interface };
+        Ok((
+            match shader {
+                None => Block::Lobe(lobe),
+                Some(shader) => Block::Shader(lobe, shader),
+            },
+            name,
+        ))
     }
 
     /// The shader around the lobe, if there is one.
@@ -83,6 +103,7 @@ impl SpecFields {
                 }
                 Ok(Some(shader))
             }
+            BlockKind::Image => unreachable!("it has no lobe"),
             BlockKind::Lobe if self.shader.is_empty() => Ok(None),
             BlockKind::Lobe => {
                 Err(Error::input("keys of a shader are given for a lobe", "use --block shader, or leave them out"))
@@ -193,6 +214,7 @@ impl SpecFields {
                 Self { operand: Some(operand), input_range, ..common }.with_lobe(lobe)
             }
             Block::Shader(lobe, _) => common.with_lobe(lobe),
+            Block::Image(image) => common.with_image(image, spec.rom),
         }
     }
 

@@ -11,10 +11,10 @@ module {{ axis.name }}_tb;
     localparam SHOWN   = 10; // faults printed; the others are only counted
 {%- for file in bench.rom_files %}
 
-    // The core reads its memory {{ file.memory }} from this file, relative to the current directory.
+    // The core reads its memory {{ file.memory }} from this file{% if !bench.writes.is_empty() %}, and its words are written to it{% endif %}, relative to the current directory.
     parameter {{ file.parameter }} = "{{ file.path }}";
 {%- endfor %}
-{%- for write in bench.writes %}
+{%- for write in bench.written_files() %}
 
     // The words that are written to the memory {{ write.memory }}, relative to the current directory.
     parameter {{ write.file.parameter }} = "{{ write.file.path }}";

@@ -9,10 +9,10 @@ use std.textio.all;
 entity {{ bench.name }}_tb is
     generic (
 {%- for file in bench.rom_files %}
-        -- The core reads its memory {{ file.memory }} from this file, relative to the current directory.
+        -- The core reads its memory {{ file.memory }} from this file{% if !bench.writes.is_empty() %}, and its words are written to it{% endif %}, relative to the current directory.
         {{ file.parameter }} : string := "{{ file.path }}";
 {%- endfor %}
-{%- for write in bench.writes %}
+{%- for write in bench.written_files() %}
         -- The words that are written to the memory {{ write.memory }}, relative to the current directory.
         {{ write.file.parameter }} : string := "{{ write.file.path }}";
 {%- endfor %}

@@ -50,16 +50,19 @@ module {{ texts.name }}
     // What is read from an address at the edge at which it is written is not defined: the attribute
     // spares the logic that would make it so.
     (* ramstyle = "no_rw_check" *) reg {{ memory.range }}{{ memory.name }} [0:{{ memory.depth - 1 }}];
+{%- if let Some(parameter) = memory.parameter %}
+    initial $readmemh({{ parameter }}, {{ memory.name }});
+{%- else %}
     initial begin
 {%- for (_, word) in memory.rows %}
         {{ memory.name }}[{{ loop.index0 }}] = {{ word }};
 {%- endfor %}
     end
+{%- endif %}
     always @(posedge clk) begin
         if ({{ write.enable.name }}) {{ memory.name }}[{{ write.address.name }}] <= {{ write.data.name }};
     end
-{%- endif %}
-{%- if let Some(parameter) = memory.parameter %}
+{%- else if let Some(parameter) = memory.parameter %}
     reg {{ memory.range }}{{ memory.name }} [0:{{ memory.depth - 1 }}];
     initial $readmemh({{ parameter }}, {{ memory.name }});
 {%- endif %}

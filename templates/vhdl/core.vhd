@@ -60,7 +60,7 @@ architecture rtl of {{ texts.name }} is
         return result;
     end function;
 
-    constant {{ memory.constant }} : {{ memory.name }}_t := read_{{ memory.name }}({{ generic }});
+    constant {{ memory.constant }}{% if memory.write.is_some() %}_WORDS{% endif %} : {{ memory.name }}_t := read_{{ memory.name }}({{ generic }});
 {%- else %}
 {%- for chunk in memory.chunks %}
     -- Bits {{ chunk.high }} downto {{ chunk.low }} of each word.
@@ -74,6 +74,9 @@ architecture rtl of {{ texts.name }} is
 {%- endfor %}
 {%- endif %}
 {%- if memory.write.is_some() %}
+{%- if memory.generic.is_some() %}
+    signal {{ memory.name }} : {{ memory.name }}_t := {{ memory.constant }}_WORDS;
+{%- else %}
     type {{ memory.name }}_t is array ({{ memory.depth - 1 }} downto 0) of
         std_logic_vector({{ memory.bits - 1 }} downto 0);
 
@@ -90,6 +93,7 @@ architecture rtl of {{ texts.name }} is
     end function;
 
     signal {{ memory.name }} : {{ memory.name }}_t := initial_{{ memory.name }};
+{%- endif %}
     -- What is read from an address at the edge at which it is written is not defined: the attribute
     -- spares the logic that would make it so.
 {%- if is_first_written(memory.name) %}

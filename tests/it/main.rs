@@ -12,6 +12,7 @@ mod exactness;
 mod explore;
 mod fit;
 mod formal;
+mod image;
 mod lint;
 mod lobes;
 mod log_exp;

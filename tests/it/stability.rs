@@ -10,7 +10,7 @@ use brdfgen::fixed::Rng;
 use brdfgen::spec::MethodName;
 use brdfgen::verify::stability::document::{self, Study};
 use brdfgen::verify::stability::inspect::Inspection;
-use brdfgen::verify::stability::shader::{Proof, ShaderInspection};
+use brdfgen::verify::stability::sampled::{Proof, SampledInspection};
 use brdfgen::verify::stability::study::{self, Axis, Extent};
 use rayon::prelude::*;
 
@@ -240,7 +240,7 @@ fn shader_design((core, shader): (&str, &str)) -> Design {
 fn shader(design: &Design) -> ShaderDesign<'_> {
     match design.block() {
         BlockDesign::Shader(shader) => shader,
-        BlockDesign::Lobe(_) => panic!("a shader"),
+        _ => panic!("a shader"),
     }
 }
 
@@ -252,7 +252,7 @@ fn prove(design: &Design, graph: &Graph) -> Proof {
 fn no_value_of_a_shader_overflows() {
     for text in SHADERS {
         let design = shader_design(text);
-        let found = ShaderInspection::of(shader(&design));
+        let found = SampledInspection::of(&design);
         assert_eq!(found.broken(), Vec::<String>::new(), "{text:?}");
         let parts = |name: &str| found.parts.iter().filter(|part| part.name.starts_with(name)).count();
         let lights = shader(&design).shader.lights as usize;

@@ -28,6 +28,7 @@ struct Imaging<'a, 'b> {
     normal: [NodeId; 3],
     /// Whether the normal is turned away from the viewer.
     hidden: NodeId,
+    joints: Joints,
 }
 
 /// Both addresses of a place in a direction whose texels lie in two memories by their parity, and the weight of the odd
@@ -36,6 +37,64 @@ struct Pair {
     /// In the memory of the even and of the odd ones.
     addresses: [NodeId; 2],
     odd: NodeId,
+}
+
+/// Values of a datapath that its checks go by.
+#[derive(Clone, Debug, Default)]
+pub struct Joints {
+    /// Of all lights' directions among the texels.
+    pub places: Vec<PlaceJoints>,
+    /// Of each light.
+    pub lights: Vec<LightJoints>,
+}
+
+/// The factors of what a light gives.
+#[derive(Clone, Copy, Debug)]
+pub struct LightJoints {
+    /// n·l times two to the power of the shift.
+    pub incidence: NodeId,
+    /// The squared blend of a channel.
+    pub squares: [NodeId; 3],
+}
+
+/// Where the parts of a datapath meet in which a light's texels are sought in one direction.
+#[derive(Clone, Copy, Debug)]
+pub struct PlaceJoints {
+    /// Where the normal lies among the texels, from the first to the last of them; in the form bivariate as 1 - n·h.
+    pub place: NodeId,
+    /// The addresses of the even and of the odd ones of both that are blended.
+    pub addresses: [NodeId; 2],
+    /// The weight of the odd one.
+    pub odd: NodeId,
+}
+
+impl PlaceJoints {
+    /// What is computed from the place.
+    #[must_use]
+    pub fn results(&self) -> [NodeId; 3] {
+        [self.addresses[0], self.addresses[1], self.odd]
+    }
+}
+
+impl Joints {
+    fn nodes(&mut self) -> impl Iterator<Item = &mut NodeId> {
+        let places = self.places.iter_mut().flat_map(|joints| {
+            let PlaceJoints { place, addresses, odd } = joints;
+            [place].into_iter().chain(addresses).chain([odd])
+        });
+        let lights = self.lights.iter_mut().flat_map(|joints| {
+            let LightJoints { incidence, squares } = joints;
+            [incidence].into_iter().chain(squares)
+        });
+        places.chain(lights)
+    }
+}
+
+/// A place among the texels in a direction: as it was found, the texel at or below it, and the weight of the next.
+struct Place {
+    place: NodeId,
+    texel: NodeId,
+    weight: NodeId,
 }
 
 fn bound(low: f64, high: f64, grid: i32) -> Bound {
@@ -74,10 +133,11 @@ impl Imaging<'_, '_> {
     /// viewer.
     fn incidence(&mut self, direction: [NodeId; 3], shift: Option<NodeId>, l: usize) -> NodeId {
         let ImageWidths { lit_int, lit, shift: most_shift, .. } = self.widths;
-        let dot = parts::dot(&mut self.b, &self.normal, &direction, &format!("nl{l}"), "n.l");
+        let bits = Some(self.widths.dot);
+        let dot = parts::dot(&mut self.b, &self.normal, &direction, bits, &format!("nl{l}"), "n.l");
+        let dot = self.b.floor(dot, lit + most_shift, &format!("nl{l}_cut"), "rounded down");
         let most = (1i128 << self.b.format(dot).frac_bits) - 1;
-        let dot = self.b.clamp(dot, 0, most, &format!("nl{l}_kept"), "n.l, kept in [0, 1)");
-        let mut dot = self.b.floor(dot, lit + most_shift, &format!("nl{l}_cut"), "rounded down");
+        let mut dot = self.b.clamp(dot, 0, most, &format!("nl{l}_kept"), "n.l, kept in [0, 1)");
         if let Some(shift) = shift {
             let most = i128::from(most_shift);
             let shift = if self.b.format(shift).max_code() > most {
@@ -103,7 +163,8 @@ impl Imaging<'_, '_> {
             let d = self.b.sub(self.normal[axis], half[axis], &format!("{name}_exact"), "a component of n - h");
             self.b.clamp(d, -most, most - 1, &name, "of unit vectors it is below 2")
         });
-        let sum = parts::dot(&mut self.b, &apart, &apart, &format!("dd{l}"), "|n - h|^2");
+        let bits = Some(self.widths.place);
+        let sum = parts::dot(&mut self.b, &apart, &apart, bits, &format!("dd{l}"), "|n - h|^2");
         let u = self.b.scale(sum, None, -1, &[-1], &format!("u{l}_exact"), "|n - h|^2 / 2");
         let bits = self.image.versine_bits(octaves) as i32;
         let u = self.b.floor(u, bits, &format!("u{l}_cut"), "rounded down");
@@ -112,7 +173,7 @@ impl Imaging<'_, '_> {
     }
 
     /// The number of the column at or below u and the weight of the next: u as a floating-point number.
-    fn octave_column(&mut self, u: NodeId, octaves: u32, l: usize) -> (NodeId, NodeId) {
+    fn octave_column(&mut self, u: NodeId, octaves: u32, l: usize) -> Place {
         let (m, w) = (self.image.octave_bits(octaves) as i32, self.image.weight_bits as i32);
         let mut y = u;
         let mut exponent: Option<NodeId> = None;
@@ -155,15 +216,17 @@ impl Imaging<'_, '_> {
         let column = self.b.add(exponent, within, &format!("column{l}"), "the column at or below u");
         let weight =
             self.b.cast(rest, Format::unsigned(-m, m + w), HighBits::Guarded, &format!("part{l}"), "u past it");
-        (column, self.b.scale(weight, None, m, &[m], &format!("weight{l}"), "the weight of the next column"))
+        let weight = self.b.scale(weight, None, m, &[m], &format!("weight{l}"), "the weight of the next column");
+        Place { place: u, texel: column, weight }
     }
 
     /// Where a product with the normal lies among the texels of a side, whose centres are at (i + 1/2)/size of -1 to 1:
     /// the texel at or below it and the weight of the next, to the nearest weight and between the outermost centres.
-    fn across(&mut self, axis: &[NodeId], name: &str, l: usize) -> (NodeId, NodeId) {
+    fn across(&mut self, axis: &[NodeId], name: &str, l: usize) -> Place {
         let w = self.image.weight_bits as i32;
         let (bits, size) = (self.image.size.ilog2() as i32, i128::from(self.image.size));
-        let dot = parts::dot(&mut self.b, &self.normal[..axis.len()], axis, &format!("{name}{l}"), "the turned normal");
+        let (normal, kept) = (&self.normal[..axis.len()], Some(self.widths.place));
+        let dot = parts::dot(&mut self.b, normal, axis, kept, &format!("{name}{l}"), "the turned normal");
         let by = bits - 1;
         let scaled = self.b.scale(dot, None, by, &[by], &format!("{name}{l}_scaled"), "in texels from the middle");
         let middle = ((size - 1) << w) + 1;
@@ -180,32 +243,34 @@ impl Imaging<'_, '_> {
         let part = Format::unsigned(0, w);
         let weight =
             self.b.cast(place, part, HighBits::Guarded, &format!("{name}{l}_weight"), "the weight of the next");
-        (texel, weight)
+        Place { place, texel, weight }
     }
 
     /// The addresses of a place among so many and the next in the memories of the even and of the odd ones.
     fn addresses(&mut self, place: NodeId, extent: u32, name: &str) -> [NodeId; 2] {
         let bits = extent.ilog2() as i32;
         let one = self.b.constant(1, Format::unsigned(1, 0), "one");
-        let next = self.b.add(place, one, &format!("{name}_next"), "the next");
+        let next = self.b.add(place, one, &format!("{name}_next_exact"), "the next");
+        // Beside the last one, which is odd, stands the even one before it.
+        let next = self.b.clamp(next, 0, i128::from(extent) - 1, &format!("{name}_next"), "at most the last");
         [(next, "even"), (place, "odd")].map(|(of, parity)| {
-            // Past the last one the first follows; no place of a normal is there, and no band of a record.
             let high = Format::unsigned(bits, -1);
-            let high = self.b.cast(of, high, HighBits::Guarded, &format!("{name}_{parity}_high"), "its leading bits");
+            let high = self.b.cast(of, high, HighBits::Unused, &format!("{name}_{parity}_high"), "its leading bits");
             self.b.scale(high, None, -1, &[-1], &format!("{name}_{parity}"), &format!("the {parity} one of both"))
         })
     }
 
-    /// Where a place and the next lie, and the weight of the odd one; `weight` is that of the next.
-    fn pair(&mut self, (place, weight): (NodeId, NodeId), extent: u32, name: &str) -> Pair {
-        let addresses = self.addresses(place, extent, name);
+    /// Where the texel of a place and the next lie, and the weight of the odd one.
+    fn pair(&mut self, Place { place, texel, weight }: Place, extent: u32, name: &str) -> Pair {
+        let addresses = self.addresses(texel, extent, name);
         let bits = self.image.weight_bits as i32;
         let one = self.b.constant(1 << bits, Format::unsigned(1, bits), "whole");
         let other = self.b.sub(one, weight, &format!("{name}_other"), "the weight of the place itself");
         self.b.narrow(other, vec![bound(exp2(-bits), 1.0, bits)]);
         let last = Format::unsigned(1, 0);
-        let is_odd = self.b.cast(place, last, HighBits::Guarded, &format!("{name}_is_odd"), "its last bit");
+        let is_odd = self.b.cast(texel, last, HighBits::Guarded, &format!("{name}_is_odd"), "its last bit");
         let odd = self.b.select(is_odd, [other, weight], |_| None, &format!("{name}_odd"), "the weight of the odd one");
+        self.joints.places.push(PlaceJoints { place, addresses, odd });
         Pair { addresses, odd }
     }
 
@@ -285,7 +350,8 @@ impl Imaging<'_, '_> {
         let addresses: Vec<NodeId> = parities.iter().map(|parities| self.address(&pairs, parities, l)).collect();
         let first = light * parities.len();
         let ImageWidths { lit, code, square, term, .. } = self.widths;
-        [0, 1, 2].map(|channel| {
+        let mut squares = [0; 3];
+        let terms = [0, 1, 2].map(|channel| {
             let c = CHANNELS[channel];
             let texel = |(number, parities): (usize, &Vec<usize>)| {
                 self.b.field(first + number, addresses[number], fields(light, parities)[channel])
@@ -295,27 +361,30 @@ impl Imaging<'_, '_> {
             let root = self.b.floor(root, code, &format!("root{l}_{c}"), "the blended code");
             let squared = self.b.mul(root, root, &format!("square{l}_{c}_exact"), "its square");
             let squared = self.b.floor(squared, square, &format!("square{l}_{c}"), "rounded down");
+            squares[channel] = squared;
             let factor = self.b.mul(nl, ports.gain[channel], &format!("gain{l}_{c}_exact"), "n.l times the gain");
             let factor = self.b.floor(factor, lit, &format!("gain{l}_{c}"), "rounded down");
             let product = self.b.mul(factor, squared, &format!("light{l}_{c}_exact"), "what the light gives");
             self.b.floor(product, term, &format!("light{l}_{c}"), "rounded down")
-        })
+        });
+        self.joints.lights.push(LightJoints { incidence: nl, squares });
+        terms
     }
 }
 
 impl ImageBlock {
-    /// The operations, or `None` if a value would be too wide for this crate.
+    /// The operations with their joints, or `None` if a value would be too wide for this crate.
     ///
     /// The inputs are n, and for each light its direction, the vectors of [`Image::frame`], the band, the blend, the
     /// shift where lights differ in it, and a gain a channel; the outputs are the codes of the three channels.
     #[must_use]
-    pub fn datapath(&self) -> Option<Datapath> {
-        let Self { image, widths, texels } = self;
+    pub fn datapath(&self) -> Option<(Datapath, Joints)> {
+        let Self { image, widths, texels, .. } = self;
         let lights = image.lights as usize;
         let tables = banks(image, texels);
         let case = Case { active: Interval::UNIT, shininess: 1.0, rows: vec![None; tables.len()] };
         let b = Builder::new(&tables, vec![case]);
-        let mut imaging = Imaging { b, image, widths: *widths, normal: [0; 3], hidden: 0 };
+        let mut imaging = Imaging { b, image, widths: *widths, normal: [0; 3], hidden: 0, joints: Joints::default() };
         let normal = imaging.vector("n", &AXES);
         imaging.normal = [normal[0], normal[1], normal[2]];
         let ports: Vec<LightPorts> = (1..=lights).map(|l| imaging.light_ports(l)).collect();
@@ -335,7 +404,8 @@ impl ImageBlock {
         let names = ["out_r", "out_g", "out_b"];
         let outputs: Vec<(&str, NodeId)> =
             (0..3).map(|c| (names[c], parts::channel_code(&mut imaging.b, sums[c], c, image.channel_bits))).collect();
-        let graph = imaging.b.finish(&outputs, [])?;
-        Some(Datapath { graph, tables, errors: Vec::new(), constants: Vec::new() })
+        let mut joints = imaging.joints;
+        let graph = imaging.b.finish(&outputs, joints.nodes())?;
+        Some((Datapath { graph, tables, errors: Vec::new(), constants: Vec::new() }, joints))
     }
 }

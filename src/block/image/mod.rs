@@ -10,23 +10,34 @@
 mod datapath;
 mod model;
 mod options;
+mod real;
 mod record;
 mod texels;
 
+pub use datapath::{Joints, LightJoints, PlaceJoints};
 pub use model::ImageModel;
-pub use options::{Image, ImageForm, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, WEIGHT_BITS};
+pub use options::{
+    Image, ImageForm, ImageSpec, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, TexelMemory, WEIGHT_BITS,
+};
+pub use real::{Places, RealLight, RealTexels};
 pub use record::LightRecord;
 pub use texels::OctaveAxis;
 
-use crate::platform::error::Error;
+use crate::fixed::exp2;
+use crate::platform::error::{Error, refuse};
 use crate::reflectance::Reflectance;
-use crate::reflectance::texels::Texels;
+use crate::reflectance::texels::{Samples, Texels};
+
+/// The most that a light may be shifted by.
+const MOST_SHIFT: i32 = 32;
 
 /// An image-based block of a reflectance: its texels, and the widths that follow.
 #[derive(Clone, Debug)]
 pub struct ImageBlock {
     image: Image,
     widths: ImageWidths,
+    /// What the texels are of, times the exposure.
+    samples: Samples,
     texels: Texels,
 }
 
@@ -34,11 +45,17 @@ impl ImageBlock {
     /// The block of a reflectance times an exposure.
     ///
     /// # Errors
-    /// What [`Image::check`] refuses.
+    /// What [`Image::check`] refuses, and an exposure with which a light would need a gain of more than 2^32.
     pub fn new(image: Image, reflectance: &dyn Reflectance, exposure: f64) -> Result<Self, Error> {
         image.check()?;
-        let texels = texels::sampled(&image, reflectance, exposure);
-        Ok(Self { widths: ImageWidths::new(&image, &texels), image, texels })
+        let (samples, texels) = texels::sampled(&image, reflectance, exposure);
+        let gain = |band: usize| record::gain(&image, texels.weight(band));
+        refuse!(
+            !(0..texels.caps().len()).all(|band| gain(band) < exp2(MOST_SHIFT)),
+            format!("exposure = {exposure} is too great: a light would need a gain of more than 2^{MOST_SHIFT}"),
+            "a smaller exposure; by default it is 0.6 over the 90th percentile of a lit sphere"
+        );
+        Ok(Self { widths: ImageWidths::new(&image, &texels), image, samples, texels })
     }
 
     /// What was asked for.

@@ -35,10 +35,11 @@ impl<'a> ImageModel<'a> {
         sums.map(|sum| code(sum).min(self.image.full_scale())).to_vec()
     }
 
-    /// The exact product of vectors of these codes.
-    fn product(&self, a: &[i64], b: &[i64]) -> Wide {
+    /// The scalar product of vectors of these codes, of products that are rounded down to so many fraction bits.
+    fn product(&self, a: &[i64], b: &[i64], bits: i32) -> Wide {
         let number = |code: i64| wide::from_code(code.into(), self.image.vector_fraction);
-        a.iter().zip(b).fold(Wide::ZERO, |sum, (&a, &b)| sum + number(a) * number(b))
+        let product = |a: i64, b: i64| wide::floor_to(number(a) * number(b), bits as u32);
+        a.iter().zip(b).fold(Wide::ZERO, |sum, (&a, &b)| sum + product(a, b))
     }
 
     /// The column of |n - h|²/2 as a floating-point number with a place behind the last.
@@ -46,7 +47,7 @@ impl<'a> ImageModel<'a> {
         let (weight_bits, octave_bits) = (self.image.weight_bits, self.image.octave_bits(octaves));
         let most = 1i64 << (self.image.vector_fraction + 1);
         let apart: Vec<i64> = normal.iter().zip(half).map(|(n, h)| (n - h).clamp(-most, most - 1)).collect();
-        let u = wide::floor_to(self.product(&apart, &apart) / 2, self.image.versine_bits(octaves));
+        let u = wide::floor_to(self.product(&apart, &apart, self.widths.place) / 2, self.image.versine_bits(octaves));
         let u = u.min(Wide::ONE - wide::from_code(1, octave_bits + 1));
         let exponent = (1..octaves).rev().find(|&e| u >= wide::from_code(1, octaves - e)).unwrap_or(0);
         let rest = match exponent {
@@ -69,7 +70,7 @@ impl<'a> ImageModel<'a> {
     fn across(&self, normal: &[i64], axis: &[i64]) -> Place {
         let bits = self.image.weight_bits;
         let last = Wide::from_num(self.image.size - 1);
-        let place = (self.product(normal, axis) * i128::from(self.image.size) + last) / 2;
+        let place = (self.product(normal, axis, self.widths.place) * i128::from(self.image.size) + last) / 2;
         let place = wide::floor_to(place + wide::from_code(1, bits + 1), bits).clamp(Wide::ZERO, last);
         let place = wide::to_code(place, bits) as usize;
         (place >> bits, self.weight(place))
@@ -81,8 +82,9 @@ impl<'a> ImageModel<'a> {
             return wide::from_code(code(self.image, self.texels, before, channel), self.image.texel_bits);
         };
         let extent = extents[0] as usize;
-        let [a, b] = [place, (place + 1) % extent]
-            .map(|place| self.blend(channel, rest, &extents[1..], before * extent + place));
+        // Beside the last one, which is odd, stands the one before it.
+        let next = if place + 1 < extent { place + 1 } else { place - 1 };
+        let [a, b] = [place, next].map(|place| self.blend(channel, rest, &extents[1..], before * extent + place));
         a + (b - a) * weight
     }
 
@@ -90,8 +92,9 @@ impl<'a> ImageModel<'a> {
     fn light(&self, normal: &[i64], light: &[i64]) -> [Wide; 3] {
         let f = self.image.vector_fraction;
         let floor = |value: Wide, bits: i32| wide::floor_to(value, bits as u32);
-        let last = wide::from_code(1, 2 * f);
-        let nl = self.product(normal, &light[..3]).clamp(Wide::ZERO, Wide::ONE - last);
+        let ImageWidths { dot, lit, shift: most_shift, .. } = self.widths;
+        let nl = floor(self.product(normal, &light[..3], dot), lit + most_shift);
+        let nl = nl.clamp(Wide::ZERO, Wide::ONE - wide::from_code(1, ((lit + most_shift) as u32).min(2 * f)));
         if normal[2] <= 0 {
             return [Wide::ZERO; 3];
         }
@@ -107,10 +110,10 @@ impl<'a> ImageModel<'a> {
         let t = if band.is_multiple_of(2) { odd } else { Wide::ONE - odd };
         let places = [vec![(band, t)], inner].concat();
         // n·l 2^shift, within its format.
-        let ImageWidths { shift: most_shift, lit_int, lit, gain: gain_bits, code, square, term, .. } = self.widths;
+        let ImageWidths { lit_int, gain: gain_bits, code, square, term, .. } = self.widths;
         let (shift, gains) = if most_shift == 0 { (0, &rest[2..]) } else { (rest[2], &rest[3..]) };
         let most = (Wide::ONE << lit_int) - wide::from_code(1, (lit as u32).min(2 * f));
-        let lit_up = floor(floor(nl, lit + most_shift) << (shift as i32).min(most_shift), lit).min(most);
+        let lit_up = floor(nl << (shift as i32).min(most_shift), lit).min(most);
         [0, 1, 2].map(|channel| {
             let code = floor(self.blend(channel, &places, &extents, 0), code);
             let gain = floor(lit_up * wide::from_code(gains[channel].into(), gain_bits as u32), lit);

@@ -2,13 +2,16 @@
 
 use std::ops::RangeInclusive;
 
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+
 use super::record;
 use crate::block::shader::{CHANNEL_BITS, LIGHTS, VECTOR_FRACTION};
 use crate::fixed::{Format, exp2};
 use crate::method::within;
 use crate::platform::error::{Error, refuse};
 use crate::reflectance::texels::Texels;
-use crate::reflectance::{bivariate, half};
+use crate::reflectance::{Model, bivariate, half};
 
 /// Texels along a side that are allowed, each a power of two.
 pub const SIZE: RangeInclusive<u32> = 8..=512;
@@ -57,13 +60,38 @@ pub struct Image {
     pub lights: u32,
 }
 
+/// Where the texels of an image-based block lie.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum TexelMemory {
+    /// In memories that are read from files at elaboration.
+    Rom,
+    /// In memories that come up so and have a write port each.
+    Writable,
+}
+
+/// An image-based block, resolved: what it is asked with, and what reflects.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImageSpec {
+    /// What it is asked with.
+    pub image: Image,
+    /// What reflects.
+    pub model: Model,
+    /// What its reflectance is multiplied by.
+    pub exposure: f64,
+}
+
 /// The widths of an image-based block: fraction bits each, unless said otherwise.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct ImageWidths {
     /// The greatest shift of a light: its gain is a fraction times two to the power of its shift.
     pub shift: i32,
     /// Integer bits of n·l 2^shift.
     pub lit_int: i32,
+    /// Of the products that n·l is the sum of.
+    pub dot: i32,
+    /// Of the products that a place among the texels is computed from.
+    pub place: i32,
     /// Of n·l 2^shift, and of its product with the gain.
     pub lit: i32,
     /// Of a light's gain, which is below 1.
@@ -125,10 +153,18 @@ impl ImageWidths {
         }
         let lit_int = (0..).find(|&bits| lit <= exp2(bits)).unwrap_or_default();
         let blends = image.extents().len() as i32;
+        let lit = (OPERAND - lit_int).max(channel + 3);
+        // Three roundings are below the last bit of what is kept.
+        let place = match image.form {
+            ImageForm::Bivariate { octaves } => image.versine_bits(octaves) as i32 + 1,
+            ImageForm::Half { .. } => weight + image.size.ilog2() as i32,
+        };
         Self {
             shift,
             lit_int,
-            lit: (OPERAND - lit_int).max(channel + 3),
+            dot: lit + shift + 2,
+            place: place + 2,
+            lit,
             gain: OPERAND,
             code: (image.texel_bits as i32 + blends * weight).min(OPERAND),
             square: OPERAND,
@@ -143,11 +179,11 @@ impl Image {
     /// # Errors
     /// A value that is not allowed, weights that are finer than what they are made of, too many texels.
     pub fn check(&self) -> Result<(), Error> {
-        power_of_two("size", self.size, SIZE)?;
+        power_of_two("image_size", self.size, SIZE)?;
         within("texel_bits", self.texel_bits, TEXEL_BITS)?;
         within("weight_bits", self.weight_bits, WEIGHT_BITS)?;
         within("vector_fraction", self.vector_fraction, VECTOR_FRACTION)?;
-        within("lights", self.lights, LIGHTS)?;
+        within("lights_a_clock", self.lights, LIGHTS)?;
         refuse!(
             !CHANNEL_BITS.contains(&self.channel_bits),
             format!("channel_bits = {} is not offered", self.channel_bits),
@@ -159,22 +195,22 @@ impl Image {
                 refuse!(
                     octaves > self.size,
                     format!("{octaves} octaves are more than the {} columns", self.size),
-                    "fewer octaves, or a greater size"
+                    "fewer octaves, or a greater image_size"
                 );
                 let (needed, there) = (self.versine_bits(octaves), 2 * self.vector_fraction + 1);
                 refuse!(
                     needed > there,
                     format!("1 - n.h is needed to 2^-{needed}, and is a multiple of 2^-{there}"),
-                    "a greater vector_fraction, or fewer octaves, columns or weight_bits"
+                    "more vector_bits, or fewer octaves, columns or weight_bits"
                 );
             }
-            ImageForm::Half { slices } => power_of_two("slices", slices, SLICES)?,
+            ImageForm::Half { slices } => power_of_two("images", slices, SLICES)?,
         }
         let texels = self.extents().iter().map(|&extent| u64::from(extent)).product::<u64>();
         refuse!(
             texels > MOST_TEXELS,
             format!("{texels} texels are too many"),
-            format!("at most {MOST_TEXELS}: a smaller size, or fewer slices")
+            format!("at most {MOST_TEXELS}: a smaller image_size, or fewer images")
         );
         Ok(())
     }

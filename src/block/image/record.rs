@@ -4,7 +4,7 @@ use super::{Image, ImageBlock, ImageForm};
 use crate::block::shader::unit as check_unit;
 use crate::fixed::exp2;
 use crate::platform::error::Error;
-use crate::reflectance::texels::pair;
+use crate::reflectance::texels::{Pair, pair};
 use crate::reflectance::vector::{Light, Vector, sine_cosine};
 
 /// The codes of a light's ports.
@@ -28,14 +28,14 @@ pub struct LightRecord {
 
 /// The gain of a light of intensity 1 where the cap is 1. A texel's code c is c 2^-b in the datapath, b its bits, and
 /// stands for c/(2^b - 1) of the root of the cap; full scale of a channel of b bits is (2^b - 1) 2^-b.
-fn unit(image: &Image) -> f64 {
+pub(super) fn unit(image: &Image) -> f64 {
     let steps = exp2(image.texel_bits as i32);
     let root = steps / (steps - 1.0);
     root * root * image.full_scale() as f64 * exp2(-(image.channel_bits as i32))
 }
 
 /// The vectors of a light that the normal is multiplied by, beside its direction.
-fn frame(image: &Image, light: Light) -> Vec<f64> {
+pub(super) fn frame(image: &Image, light: Light) -> Vec<f64> {
     match image.form {
         ImageForm::Bivariate { .. } => {
             // Behind the object the half vector vanishes, and nothing that is seen is lit.
@@ -52,6 +52,16 @@ fn frame(image: &Image, light: Light) -> Vec<f64> {
     }
 }
 
+/// The first of two neighbouring bands and the part of the next: past the last band, that one alone is the next of the
+/// one before.
+pub(super) fn bands(pair: Pair) -> (usize, f64) {
+    match pair.second {
+        Some(_) => (pair.first, pair.t),
+        None if pair.first == 0 => (0, 0.0),
+        None => (pair.first - 1, 1.0),
+    }
+}
+
 /// The gain of a light of intensity 1 whose bands have this weight together.
 pub(super) fn gain(image: &Image, weight: f64) -> f64 {
     weight * weight * unit(image)
@@ -59,7 +69,7 @@ pub(super) fn gain(image: &Image, weight: f64) -> f64 {
 
 /// The shift that makes a fraction of a gain.
 pub(super) fn shift(gain: f64) -> i32 {
-    (0..=1024).find(|&shift| gain < exp2(shift)).unwrap_or_default()
+    (0..=1023).find(|&shift| gain < exp2(shift)).unwrap_or_default()
 }
 
 impl ImageBlock {
@@ -69,17 +79,11 @@ impl ImageBlock {
     /// An intensity that is not from 0 to 1.
     pub fn record(&self, light: Light, intensity: [f64; 3]) -> Result<LightRecord, Error> {
         check_unit("intensity", &intensity)?;
-        let Self { image, widths, texels } = self;
+        let Self { image, widths, texels, .. } = self;
         let nearest = |value: f64, frac_bits: i32| libm::round(value * exp2(frac_bits)) as i64;
         let component = |value: f64| nearest(value, image.vector_fraction as i32);
         let direction = light.direction();
-        let pair = pair(&image.band_angles(), light.phi);
-        // Past the last band that one alone is the next of the one before.
-        let (band, t) = match pair.second {
-            Some(_) => (pair.first, pair.t),
-            None if pair.first == 0 => (0, 0.0),
-            None => (pair.first - 1, 1.0),
-        };
+        let (band, t) = bands(pair(&image.band_angles(), light.phi));
         let [own, next] = texels.weights([band, band + 1], t);
         let weight = own + next;
         let next = if weight > 0.0 { next / weight } else { 0.0 };

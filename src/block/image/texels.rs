@@ -2,8 +2,7 @@
 
 use super::{Image, ImageForm};
 use crate::block::parts::CHANNELS;
-use crate::fixed::{Field, Table, exp2, interned};
-use crate::method::polynomial::datapath::rounded_field;
+use crate::fixed::{Field, Format, Table, exp2, interned};
 use crate::reflectance::texels::{Samples, Scale, Texel, Texels};
 use crate::reflectance::{Reflectance, bivariate, half};
 
@@ -34,8 +33,8 @@ impl OctaveAxis {
     }
 }
 
-/// The texels of a reflectance: bands of the roots of its values, each with its cap.
-pub(super) fn sampled(image: &Image, reflectance: &dyn Reflectance, exposure: f64) -> Texels {
+/// Samples of a reflectance and the texels of them: bands of the roots of its values, each with its cap.
+pub(super) fn sampled(image: &Image, reflectance: &dyn Reflectance, exposure: f64) -> (Samples, Texels) {
     let size = image.size as usize;
     let (samples, scale): (Samples, Scale) = match image.form {
         ImageForm::Bivariate { octaves } => {
@@ -46,7 +45,8 @@ pub(super) fn sampled(image: &Image, reflectance: &dyn Reflectance, exposure: f6
         }
         ImageForm::Half { .. } => (half::samples(reflectance, &image.band_angles(), size, exposure), Scale::Layer),
     };
-    Texels::encode(&samples, Texel::Sqrt(image.texel_bits, None), scale)
+    let texels = Texels::encode(&samples, Texel::Sqrt(image.texel_bits, None), scale);
+    (samples, texels)
 }
 
 /// The code of a texel's channel.
@@ -93,12 +93,18 @@ pub(super) fn banks(image: &Image, texels: &Texels) -> Vec<Table> {
         let count: usize = extents.iter().map(|extent| extent / 2).product();
         let names = fields(0, parities);
         let field = |channel: usize| -> Field {
-            let real = |address| code(image, texels, place(address), channel) as f64 / steps;
-            let meaning = ["red", "green", "blue"][channel];
-            rounded_field(names[channel], meaning, image.texel_bits as i32, (0..count).map(real).collect())
+            let codes: Vec<i128> = (0..count).map(|address| code(image, texels, place(address), channel)).collect();
+            Field {
+                name: names[channel],
+                meaning: ["red", "green", "blue"][channel],
+                // Not as narrow as these texels would allow: others may be written.
+                format: Format::unsigned(0, image.texel_bits as i32),
+                reals: codes.iter().map(|&code| code as f64 / steps).collect(),
+                codes,
+            }
         };
         let keys = (0..count).map(|address| address as f64).collect();
-        Table::listed(memory(0, parities), "entry", keys, (0..3).map(field).collect())
+        Table::listed(memory(0, parities), Table::TEXEL, keys, (0..3).map(field).collect())
     };
     let parities = parities(extents.len());
     let first: Vec<Table> = parities.iter().map(bank).collect();

@@ -198,7 +198,7 @@ impl Shading<'_, '_> {
 
     /// A scalar product.
     fn dot(&mut self, a: [NodeId; 3], c: [NodeId; 3], name: &str, what: &str) -> NodeId {
-        parts::dot(&mut self.b, &a, &c, name, what)
+        parts::dot(&mut self.b, &a, &c, None, name, what)
     }
 
     /// N.L in [0, 1], rounded down, and whether it is 0 before that.

@@ -245,6 +245,15 @@ impl<'a> Builder<'a> {
             .enumerate()
             .find(|(_, field)| field.name == name)
             .expect("a field of this method");
+        // Any texels may be written.
+        let whole = Bound {
+            range: Interval::new(
+                field.format.value(field.format.min_code()),
+                field.format.value(field.format.max_code()),
+            ),
+            error: Interval::ZERO,
+            grid: field.format.frac_bits,
+        };
         let of_row = |row: usize| {
             let code = field.codes[row];
             let spare = if code == 0 { 1 << 20 } else { code.trailing_zeros() as i32 };
@@ -261,6 +270,7 @@ impl<'a> Builder<'a> {
         });
         let bounds = self.per_case(|case| match self.cases[case].rows[memory] {
             Some(row) => of_row(row),
+            None if tables[memory].holds_texels() => whole,
             None => any.expect("a memory has rows"),
         });
         let op = Op::Field { memory, field: index };

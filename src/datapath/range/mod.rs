@@ -18,7 +18,9 @@ use rayon::prelude::*;
 
 pub use narrow::Narrowed;
 use narrow::can_narrow;
-use relations::{Complement, Restoring, complement, is_guarded_by_sign, kept_where_less, restoring, room};
+use relations::{
+    Blend, Complement, Restoring, blend, complement, is_guarded_by_sign, kept_where_less, restoring, room,
+};
 use span::Extremes;
 pub use span::Span;
 use values::wrapped;
@@ -190,6 +192,7 @@ pub struct Analysis<'a> {
     /// Casts whose value is looked at only where it is not negative.
     guarded: Vec<bool>,
     complements: Vec<Option<Complement>>,
+    blends: Vec<Option<Blend>>,
     restoring: Vec<Option<Restoring>>,
     /// For each node that is the `2r` of a step of a restoring division, looked at only where it is less than d: the
     /// `2r - d`.
@@ -234,6 +237,10 @@ impl<'a> Analysis<'a> {
             let found = complement(graph, id)?;
             [found.product, found.x, found.p, found.floor].into_iter().all(|id| seen[id]).then_some(found)
         };
+        let blend = |id: NodeId| {
+            let found = blend(graph, id)?;
+            [found.a, found.c, found.apart, found.t, found.part].into_iter().all(|id| seen[id]).then_some(found)
+        };
         let kept = |id: NodeId| kept_where_less(graph, id).filter(|&trial| is_inside(trial));
         let restoring = |id: NodeId| {
             let found = restoring(graph, id)?;
@@ -244,6 +251,7 @@ impl<'a> Analysis<'a> {
             room: ids.clone().map(|id| with_codes(if seen[id] { room(graph, id) } else { Format::FLAG })).collect(),
             guarded: ids.clone().map(|id| is_inside(id) && is_guarded_by_sign(graph, id)).collect(),
             complements: ids.clone().map(|id| is_inside(id).then(|| complement(id)).flatten()).collect(),
+            blends: ids.clone().map(|id| is_inside(id).then(|| blend(id)).flatten()).collect(),
             restoring: ids.clone().map(|id| is_inside(id).then(|| restoring(id)).flatten()).collect(),
             kept: ids.clone().map(|id| is_inside(id).then(|| kept(id)).flatten()).collect(),
             nodes: ids.filter(|&id| seen[id]).collect(),

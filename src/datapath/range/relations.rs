@@ -15,6 +15,19 @@ pub(super) struct Complement {
     pub(super) added: Option<NodeId>,
 }
 
+/// `a + (c - a) t`, which plain intervals take for a sum of two values that have nothing to do with each other: with t
+/// in [0, 1] it lies between a and c.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Blend {
+    pub(super) a: NodeId,
+    pub(super) c: NodeId,
+    /// c - a.
+    pub(super) apart: NodeId,
+    pub(super) t: NodeId,
+    /// (c - a) t.
+    pub(super) part: NodeId,
+}
+
 /// A step of a restoring division: `2r - d`, of which the sign selects between `2r` and the difference. Plain intervals
 /// lose that what is selected is at most d, as r was.
 #[derive(Clone, Copy, Debug)]
@@ -117,6 +130,18 @@ pub(super) fn kept_where_less(graph: &Graph, id: NodeId) -> Option<NodeId> {
         found = Some(trial);
     }
     found
+}
+
+/// Whether a node is `a + (c - a) t`.
+pub(super) fn blend(graph: &Graph, id: NodeId) -> Option<Blend> {
+    let of = |id: NodeId| &graph.nodes[id];
+    let [a, part] = of(id).args[..] else { return None };
+    if of(id).op != Op::Add || of(part).op != Op::Mul {
+        return None;
+    }
+    let [apart, t] = of(part).args[..] else { return None };
+    let is_apart = of(apart).op == Op::Sub && of(apart).args[1] == a;
+    is_apart.then(|| Blend { a, c: of(apart).args[0], apart, t, part })
 }
 
 /// Whether a flag is the sign of a value.

@@ -107,8 +107,9 @@ impl Extremes {
     pub(super) fn of(table: &Table, field: usize) -> Self {
         let depth = table.depth();
         let mut nodes = vec![Span::point(0); 2 * depth];
+        let texel = table.holds_texels().then(|| Span::of(table.fields[field].format));
         for address in 0..depth {
-            nodes[depth + address] = Span::point(table.code_at(field, address));
+            nodes[depth + address] = texel.unwrap_or_else(|| Span::point(table.code_at(field, address)));
         }
         for place in (1..depth).rev() {
             nodes[place] = nodes[2 * place].hull(nodes[2 * place + 1]);

@@ -1,6 +1,6 @@
 //! What the nodes take in a block of inputs.
 
-use super::relations::{Complement, Restoring};
+use super::relations::{Blend, Complement, Restoring};
 use super::{Analysis, Block, Region, Span};
 use crate::datapath::graph::{Node, NodeId, Op};
 use crate::fixed::Format;
@@ -89,7 +89,12 @@ impl Analysis<'_> {
             Op::Clamp { low, high } => arg(0).map(|code| code.clamp(low, high)),
             Op::Add => {
                 let (a, b) = (aligned(0), aligned(1));
-                Span { low: a.low + b.low, high: a.high + b.high }
+                let plain = Span { low: a.low + b.low, high: a.high + b.high };
+                let between = self.blends[id].and_then(|blend| self.between(node, blend, block));
+                between.map_or(plain, |between| Span {
+                    low: plain.low.max(between.low),
+                    high: plain.high.min(between.high),
+                })
             }
             Op::Sub => {
                 let (a, b) = (aligned(0), aligned(1));
@@ -150,6 +155,14 @@ impl Analysis<'_> {
                 _ => arg(1).hull(Span::point(0)),
             },
         }
+    }
+
+    /// What lies between a and c, where nothing of `a + (c - a) t` is taken modulo a width and t is in [0, 1].
+    fn between(&self, node: &Node, Blend { a, c, apart, t, part }: Blend, block: &Block) -> Option<Span> {
+        let one = 1i128.checked_shl(self.graph.nodes[t].format.frac_bits.try_into().ok()?)?;
+        let untouched = |id: NodeId| block.exact[id].fits(self.graph.nodes[id].format);
+        let is_one = untouched(apart) && untouched(part) && Span { low: 0, high: one }.holds(block.codes[t]);
+        is_one.then(|| self.aligned(a, node.format, block).hull(self.aligned(c, node.format, block)))
     }
 
     /// `x + c - floor(x p) = x (1 - p) + c + (x p - floor(x p))`, where nothing of it is taken modulo a width; in units

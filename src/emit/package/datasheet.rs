@@ -2,30 +2,50 @@
 
 use askama::Template;
 
+use super::counted;
+use crate::block::image::{Image, ImageForm};
 use crate::block::shader::datapath::COLOURS;
-use crate::core::{Account, Design, LobeDesign, Measured, OtherForm, ShaderDesign, ShaderError, WritePort};
+use crate::core::{
+    Account, BlockDesign, Design, ImageDesign, ImageError, LobeDesign, Measured, OtherForm, ShaderDesign, ShaderError,
+    WritePort,
+};
 use crate::emit::{Axis, markdown, render};
 use crate::fixed::{Field, Table};
 use crate::platform::error::Error;
 use crate::spec::{
-    Block, Colour, CoreSpec, Cosine, Form, LightColours, LobeSpec, Material, RomStyle, Shader, Shininess, Tail,
+    Block, Colour, CoreSpec, Cosine, Form, ImageSpec, LightColours, LobeSpec, Material, RomStyle, Shader, Shininess,
+    Tail,
 };
 
 /// What the core is, in a line.
 pub(super) fn title(spec: &CoreSpec) -> String {
-    let Block::Shader(lobe, shader) = &spec.block else { return lobe_text(spec.block.lobe()) };
-    let plural = |count: usize| if count == 1 { "" } else { "s" };
-    let (lights, materials) = (shader.lights as usize, lobe.interface.shininess.rows());
-    format!(
-        "{} shader, {lights} light{}, {materials} material{}, {} bits a channel",
-        match shader.cosine {
-            Cosine::Mirror => "Phong",
-            Cosine::Half | Cosine::Sqrt => "Blinn",
-        },
-        plural(lights),
-        plural(materials),
-        shader.channel_bits
-    )
+    match &spec.block {
+        Block::Lobe(lobe) => lobe_text(lobe),
+        Block::Shader(lobe, shader) => {
+            let of = match shader.cosine {
+                Cosine::Mirror => "Phong",
+                Cosine::Half | Cosine::Sqrt => "Blinn",
+            };
+            format!(
+                "{of} shader, {}, {}, {} bits a channel",
+                counted(shader.lights, "light"),
+                counted(lobe.interface.shininess.rows() as u64, "material"),
+                shader.channel_bits
+            )
+        }
+        Block::Image(ImageSpec { image, model, .. }) => {
+            let (size, lights) = (image.size, counted(image.lights, "light"));
+            let form = match image.form {
+                ImageForm::Half { slices } => format!("half, {slices} slices of {size} x {size} texels"),
+                ImageForm::Bivariate { .. } => format!("bivariate, {size} x {size} texels"),
+            };
+            format!(
+                "image-based block of {} ({form}), {lights} a clock, {} bits a channel",
+                model.family().name(),
+                image.channel_bits
+            )
+        }
+    }
 }
 
 /// What the bound of the error is below, in words.
@@ -76,15 +96,19 @@ pub fn interval_text([low, high]: [f64; 2]) -> String {
 
 /// The error, a line each.
 pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
-    let proved = interval_text(design.lobe().budget.proved_ulps);
     match account {
         Account::Lobe { measured, .. } => {
+            let proved = interval_text(design.lobe().budget.proved_ulps);
             let proved = format!("Error against the real-valued method, in ulps of out_spec: proved within {proved}.");
             [proved].into_iter().chain(measured_lines(measured)).collect()
         }
         Account::Shader(error) => vec![
             format!("Error against the exact shader, in codes of a channel, over {} samples:", error.samples),
             format!("  {}, root mean square {:.3}.", interval_text(error.whole.codes), error.whole.rms),
+        ],
+        Account::Image(error) => vec![
+            format!("Pictures of a sphere against the exact reflectance, lit from {} angles:", error.angles),
+            format!("  {:.1} dB in the mean, {:.1} dB at the worst angle.", error.quality.mean, error.quality.worst),
         ],
     }
 }
@@ -158,7 +182,12 @@ impl FormRow {
     fn of(design: &Design) -> Self {
         let multipliers = design.graph().multipliers();
         Self {
-            form: form_text(design.lobe().method.form()),
+            form: match design.block() {
+                BlockDesign::Lobe(lobe) | BlockDesign::Shader(ShaderDesign { lobe, .. }) => {
+                    form_text(lobe.method.form())
+                }
+                BlockDesign::Image(_) => "",
+            },
             multipliers: multipliers.iter().map(|(a, b)| format!("{a}x{b}")).collect::<Vec<_>>().join(", "),
             multiplier_bits: multipliers.iter().map(|(a, b)| a * b).sum(),
             rom: if design.tables().is_empty() {
@@ -169,7 +198,10 @@ impl FormRow {
             },
             registers: design.register_bits(),
             latency: design.schedule.latency,
-            proved: interval_text(design.lobe().budget.proved_ulps),
+            proved: match design.block() {
+                BlockDesign::Lobe(lobe) => interval_text(lobe.budget.proved_ulps),
+                _ => String::new(),
+            },
         }
     }
 }
@@ -216,6 +248,7 @@ fn files(design: &Design) -> Vec<(String, &'static str)> {
         let what = match table.name {
             Table::COEFFICIENTS => "the coefficient ROM",
             COLOURS => "the materials' colours",
+            _ if table.key == Table::TEXEL => "texels",
             _ => "a function table",
         };
         for &format in &spec.rom_formats {
@@ -303,6 +336,51 @@ pub(super) fn shader_sheet(design: ShaderDesign<'_>, error: &ShaderError) -> Res
         dot_bits: shader.widths(lobe.interface).dot,
         error,
         rom_file: spec.rom == RomStyle::File,
+        cost: FormRow::of(&design),
+        axis: super::axis(&design),
+        files: files(&design),
+    })
+}
+
+#[derive(Template)]
+#[template(path = "package/image.md", escape = "none")]
+struct ImageSheet<'a> {
+    design: ImageDesign<'a>,
+    spec: &'a CoreSpec,
+    title: String,
+    command: String,
+    image: &'a Image,
+    model: String,
+    exposure: f64,
+    /// The codes of a texel's channel.
+    steps: u32,
+    bands: Vec<(usize, String, String)>,
+    error: &'a ImageError,
+    rom_file: bool,
+    loads: Vec<Load>,
+    cost: FormRow,
+    axis: Option<Axis>,
+    files: Vec<(String, &'static str)>,
+}
+
+/// The text of an image-based block's datasheet.
+pub(super) fn image_sheet(design: ImageDesign<'_>, error: &ImageError) -> Result<String, Error> {
+    let (spec, ImageSpec { image, model, exposure }) = (&design.spec, design.of);
+    let caps = design.block.texels().caps();
+    let band = |(number, (angle, cap)): (usize, (f64, &f64))| (number, format!("{angle:.2}"), format!("{cap:.5}"));
+    render(&ImageSheet {
+        design,
+        spec,
+        title: title(spec),
+        command: markdown::code(&spec.command()),
+        image,
+        model: model.to_string(),
+        exposure: *exposure,
+        steps: 1 << image.texel_bits,
+        bands: image.band_angles().into_iter().zip(caps).enumerate().map(band).collect(),
+        error,
+        rom_file: spec.rom == RomStyle::File,
+        loads: design.write_ports().into_iter().map(|port| Load::of(&design, port)).collect(),
         cost: FormRow::of(&design),
         axis: super::axis(&design),
         files: files(&design),

@@ -13,13 +13,13 @@ use serde_json::json;
 use sha2::{Digest, Sha256};
 
 use crate::core::golden::{self, Golden};
-use crate::core::{Account, BlockDesign, Design, Port, WritePort};
+use crate::core::{Account, BlockDesign, Design, Port, ShaderDesign, WritePort};
 use crate::datapath::widths::Budget;
 use crate::emit::rom::{self, RomFormat};
 use crate::emit::{self, Axis, RomFile, Texts};
 use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
-use crate::spec::{Block, CoreSpec, Language, RomStyle, hex};
+use crate::spec::{CoreSpec, Language, RomStyle, hex};
 
 /// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -149,10 +149,7 @@ fn texts_without_header(design: &Design) -> Texts {
         parameter: format!("{}_FILE", table.name.to_ascii_uppercase()),
         path: rom_path(design, table, read_format(spec)),
     };
-    let rom_files = match spec.rom {
-        RomStyle::File => design.tables().iter().map(rom_file).collect(),
-        RomStyle::Inline | RomStyle::Writable => Vec::new(),
-    };
+    let rom_files = if design.reads_files() { design.tables().iter().map(rom_file).collect() } else { Vec::new() };
     let with_file = |port: WritePort| {
         let file = rom_file(&design.tables()[port.memory]);
         (port, file)
@@ -244,6 +241,7 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
         (BlockDesign::Lobe(lobe), Account::Lobe { measured, other_form }) => {
             datasheet::datasheet(lobe, measured, other_form.as_ref())?
         }
+        (BlockDesign::Image(image), Account::Image(error)) => datasheet::image_sheet(image, error)?,
         _ => unreachable!("the account is the core's"),
     };
     add("README.md".to_owned(), sheet.into_bytes());
@@ -308,10 +306,13 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     let multipliers: Vec<_> = design.graph().multipliers().iter().map(|(a, b)| json!([a, b])).collect();
     let digests: serde_json::Map<String, serde_json::Value> =
         files.iter().map(|file| (file.path.clone(), json!(hex(&Sha256::digest(&file.bytes))))).collect();
-    let mut widths = json!(design.lobe().widths);
-    if let Block::Shader(lobe, shader) = &spec.block {
-        widths = json!({ "lobe": widths, "shader": shader.widths(&lobe.interface) });
-    }
+    let widths = match design.block() {
+        BlockDesign::Lobe(lobe) => json!(lobe.widths),
+        BlockDesign::Shader(ShaderDesign { lobe, shader, .. }) => {
+            json!({ "lobe": lobe.widths, "shader": shader.widths(lobe.interface) })
+        }
+        BlockDesign::Image(image) => json!(image.block.widths()),
+    };
     let mut manifest = json!({
         "generator": "brdfgen",
         "name": spec.name,
@@ -348,21 +349,25 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
 
 /// What the manifest says of the error, proved and measured.
 fn error_manifest(design: &Design, account: &Account) -> serde_json::Value {
-    let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } =
-        &design.lobe().budget;
-    let mut error = json!({
-        "proved_ulps": proved_ulps,
-        "proved_coefficient_ulps": coefficient_ulps,
-        "proved_arithmetic_ulps": arithmetic_ulps,
-        "worst_shininess": worst_shininess,
-        "contributions": contributions,
-    });
+    let of_lobe = || {
+        let Budget { contributions, proved_ulps, coefficient_ulps, arithmetic_ulps, worst_shininess } =
+            &design.lobe().budget;
+        json!({
+            "proved_ulps": proved_ulps,
+            "proved_coefficient_ulps": coefficient_ulps,
+            "proved_arithmetic_ulps": arithmetic_ulps,
+            "worst_shininess": worst_shininess,
+            "contributions": contributions,
+        })
+    };
     match account {
         Account::Lobe { measured, .. } => {
+            let mut error = of_lobe();
             error["measured"] = json!(measured);
             error
         }
-        Account::Shader(measured) => json!({ "lobe": error, "measured_codes": measured }),
+        Account::Shader(measured) => json!({ "lobe": of_lobe(), "measured_codes": measured }),
+        Account::Image(measured) => json!({ "measured_codes": measured }),
     }
 }
 

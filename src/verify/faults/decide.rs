@@ -1,7 +1,8 @@
 //! What becomes of mutants: what vectors do not detect is decided.
 //!
 //! A change of what is computed is decided by running inputs through the graph with the change in it: all of them,
-//! where the ports are narrow enough. Before that, and for a shader instead, a proof is sought in a part of the graph.
+//! where the ports are narrow enough. Before that, and for cores that are no lobes instead, a proof is sought in a part
+//! of the graph.
 //!
 //! A change of a pipeline register puts the value of one input in the place of another's. It is decided the same way,
 //! for the few values that a register that survives can hold.
@@ -15,8 +16,7 @@ use super::local::Local;
 use super::mutants::Mutant;
 use super::simulation::{FaultSimulation, blocks, held_in_register};
 use super::{MOST_VALUES, Outcome, inputs_text};
-use crate::core::edges::varied;
-use crate::core::{BlockDesign, Design, ShaderDesign};
+use crate::core::Design;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::fault::{Defect, Fault, Registered, Timing};
 use crate::datapath::graph::{Graph, NodeId};
@@ -24,7 +24,7 @@ use crate::fixed::Rng;
 
 /// Ports of more codes than these together are not run through all of them.
 const MOST_INPUTS: u64 = 1 << 34;
-/// Inputs of a shader, and those of one task.
+/// Inputs that are sampled, and those of one task.
 const SAMPLES: u64 = 1 << 20;
 const OF_TASK: u64 = 1 << 16;
 
@@ -58,8 +58,8 @@ pub fn decide(design: &Design, defects: &[&Defect]) -> Vec<Outcome> {
         (0..defects.len()).filter(open).filter_map(|place| Some((place, defects[place].fault()?))).collect();
     let faults: Vec<&Fault> = left.iter().map(|(_, fault)| *fault).collect();
     let inputs = Domain::whole(graph);
-    if let BlockDesign::Shader(shader) = design.block() {
-        for ((place, _), inputs) in left.iter().zip(sampled(shader, &faults)) {
+    if design.is_sampled() {
+        for ((place, _), inputs) in left.iter().zip(sampled(design, &faults)) {
             outcomes[*place] = Some(match inputs {
                 Some(inputs) => Outcome::Survived { input: inputs_text(design, &inputs) },
                 None => Outcome::Undecided { tried: format!("{SAMPLES} inputs and every part of the graph") },
@@ -82,13 +82,13 @@ pub fn decide(design: &Design, defects: &[&Defect]) -> Vec<Outcome> {
     outcomes.into_iter().map(|outcome| outcome.unwrap_or_else(open)).collect()
 }
 
-/// For each fault an input of a shader that shows it, if there is one among many samples.
-fn sampled(design: ShaderDesign<'_>, faults: &[&Fault]) -> Vec<Option<Vec<i64>>> {
+/// For each fault an input that shows it, if there is one among many samples.
+fn sampled(design: &Design, faults: &[&Fault]) -> Vec<Option<Vec<i64>>> {
     let simulation = FaultSimulation::new(design.graph(), design.tables());
     let tasks = SAMPLES / OF_TASK;
     let task = |task: u64| {
         let mut rng = Rng::new((4 << 40) + task);
-        simulation.first(faults, &mut *blocks((0..OF_TASK).map(|_| varied(design, &mut rng))))
+        simulation.first(faults, &mut *blocks((0..OF_TASK).map(|_| design.varied(&mut rng))))
     };
     let all: Vec<Vec<Option<Vec<i64>>>> = (0..tasks).into_par_iter().map(task).collect();
     (0..faults.len()).map(|fault| all.iter().find_map(|shown| shown[fault].clone())).collect()

@@ -39,7 +39,7 @@ impl<'a> Local<'a> {
         let analysis = Analysis::new(graph, tables);
         let rows: Vec<Vec<Span>> = design.regions().par_iter().map(|region| analysis.codes(region)).collect();
         let hull = |id: NodeId| rows.iter().map(|row| row[id]).reduce(Span::hull).expect("a row");
-        let most_bits = if design.spec.block.shader().is_some() { MOST_CUT_BITS } else { MOST_LOBE_CUT_BITS };
+        let most_bits = if design.is_sampled() { MOST_CUT_BITS } else { MOST_LOBE_CUT_BITS };
         Self { graph, tables, most_bits, spans: (0..graph.nodes.len()).map(hull).collect(), zeros: zeros(graph) }
     }
 

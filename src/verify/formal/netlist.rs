@@ -19,8 +19,7 @@ use super::abc::Answer;
 use super::circuit::{Circuit, Unfit};
 use super::equivalence::{Comparison, Results, Technique};
 use super::pipeline::{Pipeline, first_shown};
-use crate::core::edges::varied;
-use crate::core::{BlockDesign, Design, Direction};
+use crate::core::{Design, Direction};
 use crate::fixed::{Format, Rng};
 use crate::platform::error::Error;
 use crate::synth::yosys::Yosys;
@@ -33,7 +32,7 @@ use crate::verify::golden::{Golden, Vector};
 const SECONDS: u32 = 5;
 /// Random clocks of the control inputs.
 const CLOCKS: u32 = 1 << 20;
-/// Samples of a shader.
+/// Samples of a core that has too many inputs to run through.
 const SAMPLES: usize = 1 << 18;
 /// All inputs are run in the simulator, one after the other, where the ports have so many bits at most.
 const MOST_BITS: u32 = 22;
@@ -125,7 +124,7 @@ fn decided(
             None => Outcome::Equivalent { proof: format!("none of all 2^{bits} inputs, one a clock, shows it{words}") },
         });
     }
-    if design.spec.block.shader().is_some() {
+    if design.is_sampled() {
         if let Some(place) = mutants.first_of(mutant, samples)? {
             // It is one that is on its way through the core then.
             let first = place.saturating_sub(design.schedule.latency as usize + 1);
@@ -145,11 +144,10 @@ fn decided(
     Ok(Outcome::Undecided { tried: tried.join(" and ") })
 }
 
-/// Inputs of a shader as vectors: of random codes, hardly any sees a highlight.
+/// Inputs as vectors: of random codes, hardly any sees a highlight.
 fn samples(design: &Design) -> Vec<Vector> {
-    let BlockDesign::Shader(shader) = design.block() else { return Vec::new() };
     let mut rng = Rng::new(7 << 40);
-    let inputs: Vec<Vec<i64>> = (0..SAMPLES).map(|_| varied(shader, &mut rng)).collect();
+    let inputs: Vec<Vec<i64>> = (0..SAMPLES).map(|_| design.varied(&mut rng)).collect();
     let vector = |inputs: Vec<i64>| Vector { outputs: design.evaluate(&inputs), inputs, idle: 0, stall: 0 };
     inputs.into_par_iter().map(vector).collect()
 }

@@ -11,13 +11,13 @@
 //! Two pipelines of the same depth that are the same function with their registers as wires then show the same at every
 //! clock: the outputs are that function of the inputs that were taken as many enabled edges ago.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
 use super::aig::{Aig, Literal};
-use super::circuit::{Bit, Circuit, Part, Register, Unfit};
+use super::circuit::{Bit, Circuit, Part, Register, Unfit, Write};
 use crate::core::{Design, Direction, Role};
 use crate::fixed::Rng;
 use crate::verify::golden::{Golden, Vector};
@@ -179,15 +179,39 @@ impl Pipeline {
         ports.map(|(name, bits)| (name.as_str(), bits.as_slice())).collect()
     }
 
-    /// The reads of memories that have a write port, in the order of their stages: their places.
+    /// The reads of memories that have a write port, in the order of their stages and of the names of the ports that
+    /// they are written through: their places.
     pub(super) fn written_reads(&self) -> Vec<usize> {
         let circuit = &self.circuit;
         let is =
             |part: &Part| matches!(part, Part::Read { memory, .. } if !circuit.memories[*memory].writes.is_empty());
         let parts = circuit.parts.iter().enumerate();
         let mut reads: Vec<usize> = parts.filter(|(_, part)| is(part)).map(|(place, _)| place).collect();
-        reads.sort_by_key(|place| self.before.get(place));
+        let ports = |place: usize| match &circuit.parts[place] {
+            Part::Read { memory, .. } => self.ports_of(circuit.memories[*memory].writes.iter().flat_map(Write::bits)),
+            _ => BTreeSet::new(),
+        };
+        reads.sort_by_cached_key(|&place| (self.before.get(&place), ports(place)));
         reads
+    }
+
+    /// The names of the ports that bits come from through gates alone.
+    fn ports_of(&self, bits: impl Iterator<Item = Bit>) -> BTreeSet<&str> {
+        let circuit = &self.circuit;
+        let mut names = BTreeSet::new();
+        let mut seen = BTreeSet::new();
+        let mut left: Vec<Bit> = bits.collect();
+        while let Some(bit) = left.pop() {
+            let Bit::Net(net) = bit else { continue };
+            if !seen.insert(net) {
+                continue;
+            }
+            let own = circuit.inputs.iter().filter(|(_, nets)| nets.contains(&net));
+            names.extend(own.map(|(name, _)| name.as_str()));
+            let gates = circuit.parts.iter().filter(|part| matches!(part, Part::And { .. } | Part::Not { .. }));
+            left.extend(gates.filter(|part| part.drives().contains(&net)).flat_map(Part::reads));
+        }
+        names
     }
 
     /// Runs the circuit on the inputs of golden vectors and compares what it shows: whether what Yosys reads is the

@@ -2,11 +2,13 @@
 //!
 //! A golden file holds two things. Its *vectors* are a few thousand inputs with the expected outputs and with pauses
 //! between them, for test benches. Its *digests* stand for all inputs: for each shininess one number over the outputs
-//! for every code of the operand port. A shader has too many inputs for that: its digests are over a stream of samples
-//! a material.
+//! for every code of the operand port. Other cores have too many inputs for that: the digests of a shader are over a
+//! stream of samples a material, those of an image-based block over a few streams.
 
 mod choose;
 mod detection;
+mod image;
+mod samples;
 mod shader;
 
 use rayon::prelude::*;
@@ -66,13 +68,17 @@ impl Golden {
             }
             BlockDesign::Shader(shader) => {
                 let index = shader.lobe.interface.shininess.index_of_row(row);
-                RowDigest { index, digest: shader::digest(shader, index) }
+                RowDigest { index, digest: samples::digest(design, shader::stream(shader, index)) }
+            }
+            BlockDesign::Image(image) => {
+                RowDigest { index: row as u32, digest: samples::digest(design, image::stream(image, row as u32)) }
             }
         };
         let digests = rows.into_par_iter().map(digest_of).collect();
         let mut groups = match design.block() {
             BlockDesign::Lobe(lobe) => choose::vectors(lobe),
             BlockDesign::Shader(shader) => shader::vectors(shader),
+            BlockDesign::Image(image) => image::vectors(image),
         };
         if !design.spec.golden_inputs.0.is_empty() {
             groups.push((FROM_SPEC.to_owned(), asked_for(design, &design.spec.golden_inputs.0)));
@@ -226,7 +232,7 @@ pub fn differences(design: &Design, expected: &Golden, got: &Golden) -> Vec<Diff
                 };
                 found.push(Difference::Output {
                     inputs: ports.iter().zip(&a.inputs).map(code).collect(),
-                    selected: design.selected(a.inputs[0] as u32),
+                    selected: design.selected(a.inputs[0]),
                     expected: a.outputs.clone(),
                     got: b.outputs.clone(),
                 });

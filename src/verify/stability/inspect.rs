@@ -139,7 +139,7 @@ impl Inspection {
     /// Inspects a lobe's core.
     ///
     /// # Panics
-    /// For a shader, whose inputs are too many: see [`super::shader`].
+    /// For cores whose inputs are too many: see [`super::sampled`].
     #[must_use]
     pub fn of(design: LobeDesign<'_>) -> Self {
         let set = &design.interface.shininess;

@@ -5,7 +5,7 @@
 //!   ends are exact, nothing is above 1, how far the result falls where it should rise, the largest seam;
 //! - [`conditioning`]: the bits that the printed forms need, against those of the forms that are built;
 //! - [`quantisation`]: what the input's own rounding costs, and what the versine saves of it;
-//! - [`shader`]: a shader, part by part: no register overflows;
+//! - [`sampled`]: a shader or an image-based block, part by part: no register overflows;
 //! - [`study`]: the cores that are inspected;
 //! - [`document`]: the chapter and the tables.
 
@@ -13,7 +13,7 @@ pub mod conditioning;
 pub mod document;
 pub mod inspect;
 pub mod quantisation;
-pub mod shader;
+pub mod sampled;
 pub mod study;
 
 /// Shininesses at which forms degenerate, their neighbours, and very large ones. At 1 the coefficients are 0/0 in the

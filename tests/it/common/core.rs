@@ -105,7 +105,7 @@ impl OnDisk {
     pub fn as_verilog(&self) -> [PathBuf; 2] {
         let synthesized = self.beside("from_vhdl.v");
         let ghdl = Command::new("ghdl")
-            .current_dir(self.beside(""))
+            .current_dir(self.path())
             .args(["--synth", "--std=08", "--out=verilog"])
             .arg(self.rtl(Language::Vhdl))
             .args(["-e", &self.design.spec.name])
@@ -124,10 +124,12 @@ pub fn silent(directory: &Path, program: &str, arguments: &[&str], what: &str) {
     assert!(output.status.success() && text.trim().is_empty(), "{program} on {what}:\n{text}");
 }
 
-/// How many cells of a kind Yosys makes of Verilog for ECP5.
+/// How many cells of a kind Yosys makes of Verilog for ECP5; it runs in the directory above the source's, as a core's
+/// is.
 pub fn ecp5_cells(source: &Path, top: &str) -> impl Fn(&str) -> u32 {
     let script = format!("read_verilog {}; synth_ecp5 -top {top}; stat", source.display());
-    let output = Command::new("yosys").args(["-p", &script]).output().expect("yosys");
+    let directory = source.parent().and_then(Path::parent).expect("a directory");
+    let output = Command::new("yosys").current_dir(directory).args(["-p", &script]).output().expect("yosys");
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let report = text.rsplit("Printing statistics").next().unwrap_or_default().to_owned();

@@ -71,7 +71,7 @@ fn blocks() -> Vec<(Image, &'static str)> {
 fn the_operations_are_the_model() {
     for (image, reflectance) in blocks() {
         let block = block(image, reflectance);
-        let datapath = block.datapath().expect("a datapath");
+        let (datapath, _) = block.datapath().expect("a datapath");
         let graph = &datapath.graph;
         assert_eq!(block.widths().shift == 0, graph.nodes.iter().all(|node| node.name != "in_shift1"));
         let formats: Vec<_> = graph.inputs.iter().map(|&id| graph.nodes[id].format).collect();
@@ -145,12 +145,12 @@ fn what_is_no_block_is_refused() {
         (Image { form: ImageForm::Bivariate { octaves: 1 }, ..SMALL }, "octaves = 1"),
         (Image { form: ImageForm::Bivariate { octaves: 16 }, size: 8, ..SMALL }, "16 octaves are more than the 8"),
         (Image { form: ImageForm::Bivariate { octaves: 16 }, vector_fraction: 8, ..SMALL }, "needed to 2^-21"),
-        (Image { form: ImageForm::Half { slices: 2 }, ..SMALL }, "slices = 2"),
+        (Image { form: ImageForm::Half { slices: 2 }, ..SMALL }, "images = 2"),
         (Image { form: ImageForm::Half { slices: 64 }, size: 256, ..SMALL }, "4194304 texels are too many"),
         (Image { texel_bits: 11, ..SMALL }, "texel_bits = 11"),
         (Image { weight_bits: 2, ..SMALL }, "weight_bits = 2"),
         (Image { channel_bits: 9, ..SMALL }, "channel_bits = 9"),
-        (Image { lights: 9, ..SMALL }, "lights = 9"),
+        (Image { lights: 9, ..SMALL }, "lights_a_clock = 9"),
     ] {
         let Error::Input { what, allowed } = image.check().unwrap_err() else { panic!("{image:?}") };
         assert!(what.contains(words) && !allowed.is_empty(), "{what} | {allowed}");

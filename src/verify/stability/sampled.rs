@@ -1,13 +1,15 @@
-//! One shader: whether a value leaves its register.
+//! One core that has too many inputs to run or to halve: whether a value leaves its register.
 //!
-//! A shader has too many inputs to run or to halve: six ports of a vector's components at least. But it falls into
-//! parts whose joints are clamped to known ranges, and the range analysis goes over each part with its joints free, so
-//! that it covers every combination that the part before it could give, and more:
+//! But it falls into parts whose joints are clamped to known ranges, and the range analysis goes over each part with
+//! its joints free, so that it covers every combination that the part before it could give, and more. Of a shader:
 //!
 //! - the *front end* of a light, from the vectors' ports, every code of them, to N.L and the highlight's cosine;
 //! - where that takes a root, the *root*, from the two values that go into it;
 //! - the *lobe*, from its operand, row by row of the materials, as a lobe's core is analysed;
 //! - the *colours*, from N.L, the lobes' results and the lights' colours, row by row of the materials.
+//!
+//! Of an image-based block: from the ports to the places of the normal among the texels; from each place to the
+//! addresses and the weight; from these and the ports to the channels.
 //!
 //! What is found of a part's results is what the next part's ports take. Nodes that no part covers count as undecided.
 
@@ -15,9 +17,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::inspect::{MOST_BLOCKS, Signal, signal};
+use crate::block::image::PlaceJoints;
 use crate::block::shader::datapath::Joints;
-use crate::core::ShaderDesign;
-use crate::core::edges::varied;
+use crate::core::{BlockDesign, Design, ImageDesign, ShaderDesign};
 use crate::datapath::graph::{Graph, NodeId};
 use crate::datapath::range::{Analysis, Ranges, Region, Span, by_rows};
 use crate::fixed::{Rng, Table};
@@ -26,7 +28,7 @@ use crate::spec::Shininess;
 /// Inputs that are run with wide registers.
 const SAMPLES: u64 = 1 << 14;
 
-/// A part of a shader, as it was analysed.
+/// A part of a core, as it was analysed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Part {
     /// What it is.
@@ -35,7 +37,7 @@ pub struct Part {
     pub blocks: u64,
 }
 
-/// What the range analysis found of a shader.
+/// What the range analysis found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proof {
     /// The parts, in the order of the data.
@@ -54,7 +56,22 @@ struct Prover<'a> {
     proof: Proof,
 }
 
-impl Prover<'_> {
+impl<'a> Prover<'a> {
+    fn new(graph: &'a Graph, tables: &'a [Table]) -> Self {
+        let nodes = graph.nodes.len();
+        let proof = Proof { parts: Vec::new(), overflows: Vec::new(), ranges: Ranges::none(nodes) };
+        Self { graph, tables, is_covered: vec![false; nodes], proof }
+    }
+
+    /// What was found; nodes that no part covers count as undecided.
+    fn finish(self) -> Proof {
+        let Self { is_covered, mut proof, graph, .. } = self;
+        for id in (0..graph.nodes.len()).filter(|id| !is_covered[*id] && !graph.inputs.contains(id)) {
+            proof.ranges.undecided[id] = true;
+        }
+        proof
+    }
+
     fn part(&mut self, name: String, ports: &[NodeId], results: &[NodeId], regions: &[Region]) {
         let analysis = Analysis::of_part(self.graph, self.tables, ports, results);
         analysis.computed().for_each(|id| self.is_covered[id] = true);
@@ -78,13 +95,15 @@ impl Prover<'_> {
     }
 }
 
+fn outputs(graph: &Graph) -> Vec<NodeId> {
+    graph.outputs.iter().map(|&(_, id)| id).collect()
+}
+
 impl Proof {
     /// Analyses the graph of a shader with these materials and joints.
     #[must_use]
     pub fn of(materials: &Shininess, joints: &[Joints], graph: &Graph, tables: &[Table]) -> Self {
-        let nodes = graph.nodes.len();
-        let proof = Self { parts: Vec::new(), overflows: Vec::new(), ranges: Ranges::none(nodes) };
-        let mut prover = Prover { graph, tables, is_covered: vec![false; nodes], proof };
+        let mut prover = Prover::new(graph, tables);
         let material = graph.index();
         let whole = |id: NodeId| Span::of(graph.nodes[id].format);
         let rows =
@@ -109,13 +128,27 @@ impl Proof {
                 colour_spans.push(prover.span(joint));
             }
         }
-        let outputs: Vec<NodeId> = graph.outputs.iter().map(|&(_, id)| id).collect();
-        prover.part("colours".to_owned(), &colour_ports, &outputs, &rows(&colour_spans));
-        let Prover { is_covered, mut proof, .. } = prover;
-        for id in (0..nodes).filter(|id| !is_covered[*id] && !graph.inputs.contains(id)) {
-            proof.ranges.undecided[id] = true;
+        prover.part("colours".to_owned(), &colour_ports, &outputs(graph), &rows(&colour_spans));
+        prover.finish()
+    }
+
+    /// Analyses the graph of an image-based block with these joints.
+    #[must_use]
+    pub fn of_image(joints: &[PlaceJoints], graph: &Graph, tables: &[Table]) -> Self {
+        let mut prover = Prover::new(graph, tables);
+        let mut region: Region = graph.inputs.iter().map(|&id| Span::of(graph.nodes[id].format)).collect();
+        let mut ports = graph.inputs.clone();
+        let places: Vec<NodeId> = joints.iter().map(|joint| joint.place).collect();
+        prover.part("places of the normal".to_owned(), &ports, &places, std::slice::from_ref(&region));
+        for joint in joints {
+            let of_place = vec![prover.span(joint.place)];
+            let name = format!("texels at {}", graph.nodes[joint.place].name);
+            prover.part(name, &[joint.place], &joint.results(), &[of_place]);
+            ports.extend(joint.results());
+            region.extend(joint.results().map(|id| prover.span(id)));
         }
-        proof
+        prover.part("colours".to_owned(), &ports, &outputs(graph), &[region]);
+        prover.finish()
     }
 
     /// Whether it is proved that no value overflows.
@@ -125,13 +158,14 @@ impl Proof {
     }
 }
 
-/// What was found of a shader.
+/// What was found of a core.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct ShaderInspection {
+pub struct SampledInspection {
     /// The core's name.
     pub core: String,
-    /// The materials.
-    pub rows: usize,
+    /// The materials, where it is a shader.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rows: Option<usize>,
     /// The parts that were analysed.
     pub parts: Vec<Part>,
     /// Values that overflow where they are needed, with the inputs of the first.
@@ -148,16 +182,25 @@ pub struct ShaderInspection {
     pub widest: Signal,
 }
 
-impl ShaderInspection {
-    /// Inspects a shader's core.
+impl SampledInspection {
+    /// Inspects a core that is no lobe alone.
     #[must_use]
-    pub fn of(design: ShaderDesign<'_>) -> Self {
-        let (set, graph) = (&design.lobe.interface.shininess, design.graph());
-        let proof = Proof::of(set, design.joints, graph, design.tables());
+    pub fn of(design: &Design) -> Self {
+        let graph = design.graph();
+        let (rows, proof) = match design.block() {
+            BlockDesign::Shader(ShaderDesign { lobe, joints, .. }) => {
+                let set = &lobe.interface.shininess;
+                (Some(set.rows()), Proof::of(set, joints, graph, design.tables()))
+            }
+            BlockDesign::Image(ImageDesign { joints, .. }) => {
+                (None, Proof::of_image(&joints.places, graph, design.tables()))
+            }
+            BlockDesign::Lobe(_) => unreachable!("a lobe is run through all its inputs"),
+        };
         let wide = Analysis::new(graph, design.tables()).with_spare_bits(&proof.ranges);
         let differs = |place: u64| {
             let mut rng = Rng::new(place);
-            let codes: Vec<i128> = varied(design, &mut rng).into_iter().map(i128::from).collect();
+            let codes: Vec<i128> = design.varied(&mut rng).into_iter().map(i128::from).collect();
             let outputs = |graph: &Graph| -> Vec<i128> {
                 let values = graph.values(design.tables(), &codes);
                 graph.outputs.iter().map(|&(_, id)| values[id]).collect()
@@ -167,7 +210,7 @@ impl ShaderInspection {
         let names = (0..graph.nodes.len()).filter(|&id| proof.ranges.undecided[id]);
         Self {
             core: design.spec.name.clone(),
-            rows: set.rows(),
+            rows,
             undecided: names.map(|id| graph.nodes[id].name.clone()).collect(),
             samples: SAMPLES,
             wide_differences: (0..SAMPLES).into_par_iter().filter(|&place| differs(place)).count() as u64,

@@ -1,0 +1,1 @@
+rtl/image_bivariate.v

@@ -1,0 +1,1886 @@
+-- image_half: image-based block of ggx (half, 16 slices of 32 x 32 texels), 1 light a clock, 8 bits a channel
+--
+-- Made by: brdfgen generate core.toml
+-- Spec 18a0f1e3c8d74c73. Generated; the core is yours to use under any terms.
+--
+--   in_nx     Q1.16   x of the unit normal, the viewer at +z
+--   in_ny     Q1.16   y of the unit normal, the viewer at +z
+--   in_nz     Q1.16   z of the unit normal, the viewer at +z
+--   in_l1x    Q1.16   x of the unit vector to light 1
+--   in_l1y    Q1.16   y of the unit vector to light 1
+--   in_l1z    Q1.16   z of the unit vector to light 1
+--   in_u1x    Q1.16   x of row 1 of the turn to light 1's half vector
+--   in_u1y    Q1.16   y of row 1 of the turn to light 1's half vector
+--   in_u1z    Q1.16   z of row 1 of the turn to light 1's half vector
+--   in_v1x    Q1.16   x of row 2 of the turn to light 1's half vector
+--   in_v1y    Q1.16   y of row 2 of the turn to light 1's half vector
+--   in_band1  UQ4.0   slice of texels below light 1's angle
+--   in_blend1 UQ1.6   weight of the odd one of this slice and the next, at most 1
+--   in_shift1 UQ4.0   exponent of light 1's gain
+--   in_gain1r UQ0.18  red of light 1's gain
+--   in_gain1g UQ0.18  green of light 1's gain
+--   in_gain1b UQ0.18  blue of light 1's gain
+--   out_r     UQ8.0   red; 255 is full scale
+--   out_g     UQ8.0   green; 255 is full scale
+--   out_b     UQ8.0   blue; 255 is full scale
+--
+-- Latency 18 clocks, one result a clock.
+-- Pictures of a sphere against the exact reflectance, lit from 34 angles:
+--   49.8 dB in the mean, 44.6 dB at the worst angle.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use std.textio.all;
+
+entity image_half is
+    generic (
+        -- Path of the memory texels_1_even_even_even, in the format of Verilog's $readmemh.
+        TEXELS_1_EVEN_EVEN_EVEN_FILE : string := "rom/image_half_texels_1_even_even_even.mem";
+        -- Path of the memory texels_1_even_even_odd, in the format of Verilog's $readmemh.
+        TEXELS_1_EVEN_EVEN_ODD_FILE : string := "rom/image_half_texels_1_even_even_odd.mem";
+        -- Path of the memory texels_1_even_odd_even, in the format of Verilog's $readmemh.
+        TEXELS_1_EVEN_ODD_EVEN_FILE : string := "rom/image_half_texels_1_even_odd_even.mem";
+        -- Path of the memory texels_1_even_odd_odd, in the format of Verilog's $readmemh.
+        TEXELS_1_EVEN_ODD_ODD_FILE : string := "rom/image_half_texels_1_even_odd_odd.mem";
+        -- Path of the memory texels_1_odd_even_even, in the format of Verilog's $readmemh.
+        TEXELS_1_ODD_EVEN_EVEN_FILE : string := "rom/image_half_texels_1_odd_even_even.mem";
+        -- Path of the memory texels_1_odd_even_odd, in the format of Verilog's $readmemh.
+        TEXELS_1_ODD_EVEN_ODD_FILE : string := "rom/image_half_texels_1_odd_even_odd.mem";
+        -- Path of the memory texels_1_odd_odd_even, in the format of Verilog's $readmemh.
+        TEXELS_1_ODD_ODD_EVEN_FILE : string := "rom/image_half_texels_1_odd_odd_even.mem";
+        -- Path of the memory texels_1_odd_odd_odd, in the format of Verilog's $readmemh.
+        TEXELS_1_ODD_ODD_ODD_FILE : string := "rom/image_half_texels_1_odd_odd_odd.mem"
+    );
+    port (
+        -- clock; everything happens on its rising edge
+        clk       : in  std_logic;
+        -- synchronous reset, active high: clears the valid chain, whatever ce is
+        rst       : in  std_logic;
+        -- clock enable: 0 freezes the whole pipeline
+        ce        : in  std_logic;
+        -- the other inputs are to be taken
+        in_valid  : in  std_logic;
+        -- Q1.16: x of the unit normal, the viewer at +z
+        in_nx     : in  signed(17 downto 0);
+        -- Q1.16: y of the unit normal, the viewer at +z
+        in_ny     : in  signed(17 downto 0);
+        -- Q1.16: z of the unit normal, the viewer at +z
+        in_nz     : in  signed(17 downto 0);
+        -- Q1.16: x of the unit vector to light 1
+        in_l1x    : in  signed(17 downto 0);
+        -- Q1.16: y of the unit vector to light 1
+        in_l1y    : in  signed(17 downto 0);
+        -- Q1.16: z of the unit vector to light 1
+        in_l1z    : in  signed(17 downto 0);
+        -- Q1.16: x of row 1 of the turn to light 1's half vector
+        in_u1x    : in  signed(17 downto 0);
+        -- Q1.16: y of row 1 of the turn to light 1's half vector
+        in_u1y    : in  signed(17 downto 0);
+        -- Q1.16: z of row 1 of the turn to light 1's half vector
+        in_u1z    : in  signed(17 downto 0);
+        -- Q1.16: x of row 2 of the turn to light 1's half vector
+        in_v1x    : in  signed(17 downto 0);
+        -- Q1.16: y of row 2 of the turn to light 1's half vector
+        in_v1y    : in  signed(17 downto 0);
+        -- UQ4.0: slice of texels below light 1's angle
+        in_band1  : in  unsigned(3 downto 0);
+        -- UQ1.6: weight of the odd one of this slice and the next, at most 1
+        in_blend1 : in  unsigned(6 downto 0);
+        -- UQ4.0: exponent of light 1's gain
+        in_shift1 : in  unsigned(3 downto 0);
+        -- UQ0.18: red of light 1's gain
+        in_gain1r : in  unsigned(17 downto 0);
+        -- UQ0.18: green of light 1's gain
+        in_gain1g : in  unsigned(17 downto 0);
+        -- UQ0.18: blue of light 1's gain
+        in_gain1b : in  unsigned(17 downto 0);
+        -- the other outputs are a result: in_valid, 18 enabled clocks later
+        out_valid : out std_logic;
+        -- UQ8.0: red; 255 is full scale
+        out_r     : out unsigned(7 downto 0);
+        -- UQ8.0: green; 255 is full scale
+        out_g     : out unsigned(7 downto 0);
+        -- UQ8.0: blue; 255 is full scale
+        out_b     : out unsigned(7 downto 0)
+    );
+end entity image_half;
+
+architecture rtl of image_half is
+    -- ===== The memory texels_1_even_even_even
+    type texels_1_even_even_even_t is array (2047 downto 0) of
+        std_logic_vector(23 downto 0);
+
+    -- Reads one word a line; lines that begin with a slash are comments.
+    impure function read_texels_1_even_even_even(path : string) return texels_1_even_even_even_t is
+        file source     : text open read_mode is path;
+        variable row    : line;
+        variable word   : std_logic_vector(23 downto 0);
+        variable result : texels_1_even_even_even_t;
+        variable index  : natural := 0;
+    begin
+        while not endfile(source) loop
+            readline(source, row);
+            if row'length > 0 and row(row'left) /= '/' then
+                assert index < 2048 report path & " has too many words" severity failure;
+                hread(row, word);
+                result(index) := word(23 downto 0);
+                index := index + 1;
+            end if;
+        end loop;
+        assert index = 2048 report path & " has too few words" severity failure;
+        return result;
+    end function;
+
+    constant TEXELS_1_EVEN_EVEN_EVEN : texels_1_even_even_even_t := read_texels_1_even_even_even(TEXELS_1_EVEN_EVEN_EVEN_FILE);
+    signal texels_1_even_even_even_6 : std_logic_vector(23 downto 0) := (others => '0');
+
+    -- ===== The memory texels_1_even_even_odd
+    type texels_1_even_even_odd_t is array (2047 downto 0) of
+        std_logic_vector(23 downto 0);
+
+    -- Reads one word a line; lines that begin with a slash are comments.
+    impure function read_texels_1_even_even_odd(path : string) return texels_1_even_even_odd_t is
+        file source     : text open read_mode is path;
+        variable row    : line;
+        variable word   : std_logic_vector(23 downto 0);
+        variable result : texels_1_even_even_odd_t;
+        variable index  : natural := 0;
+    begin
+        while not endfile(source) loop
+            readline(source, row);
+            if row'length > 0 and row(row'left) /= '/' then
+                assert index < 2048 report path & " has too many words" severity failure;
+                hread(row, word);
+                result(index) := word(23 downto 0);
+                index := index + 1;
+            end if;
+        end loop;
+        assert index = 2048 report path & " has too few words" severity failure;
+        return result;
+    end function;
+
+    constant TEXELS_1_EVEN_EVEN_ODD : texels_1_even_even_odd_t := read_texels_1_even_even_odd(TEXELS_1_EVEN_EVEN_ODD_FILE);
+    signal texels_1_even_even_odd_6 : std_logic_vector(23 downto 0) := (others => '0');
+
+    -- ===== The memory texels_1_even_odd_even
+    type texels_1_even_odd_even_t is array (2047 downto 0) of
+        std_logic_vector(23 downto 0);
+
+    -- Reads one word a line; lines that begin with a slash are comments.
+    impure function read_texels_1_even_odd_even(path : string) return texels_1_even_odd_even_t is
+        file source     : text open read_mode is path;
+        variable row    : line;
+        variable word   : std_logic_vector(23 downto 0);
+        variable result : texels_1_even_odd_even_t;
+        variable index  : natural := 0;
+    begin
+        while not endfile(source) loop
+            readline(source, row);
+            if row'length > 0 and row(row'left) /= '/' then
+                assert index < 2048 report path & " has too many words" severity failure;
+                hread(row, word);
+                result(index) := word(23 downto 0);
+                index := index + 1;
+            end if;
+        end loop;
+        assert index = 2048 report path & " has too few words" severity failure;
+        return result;
+    end function;
+
+    constant TEXELS_1_EVEN_ODD_EVEN : texels_1_even_odd_even_t := read_texels_1_even_odd_even(TEXELS_1_EVEN_ODD_EVEN_FILE);
+    signal texels_1_even_odd_even_6 : std_logic_vector(23 downto 0) := (others => '0');
+
+    -- ===== The memory texels_1_even_odd_odd
+    type texels_1_even_odd_odd_t is array (2047 downto 0) of
+        std_logic_vector(23 downto 0);
+
+    -- Reads one word a line; lines that begin with a slash are comments.
+    impure function read_texels_1_even_odd_odd(path : string) return texels_1_even_odd_odd_t is
+        file source     : text open read_mode is path;
+        variable row    : line;
+        variable word   : std_logic_vector(23 downto 0);
+        variable result : texels_1_even_odd_odd_t;
+        variable index  : natural := 0;
+    begin
+        while not endfile(source) loop
+            readline(source, row);
+            if row'length > 0 and row(row'left) /= '/' then
+                assert index < 2048 report path & " has too many words" severity failure;
+                hread(row, word);
+                result(index) := word(23 downto 0);
+                index := index + 1;
+            end if;
+        end loop;
+        assert index = 2048 report path & " has too few words" severity failure;
+        return result;
+    end function;
+
+    constant TEXELS_1_EVEN_ODD_ODD : texels_1_even_odd_odd_t := read_texels_1_even_odd_odd(TEXELS_1_EVEN_ODD_ODD_FILE);
+    signal texels_1_even_odd_odd_6 : std_logic_vector(23 downto 0) := (others => '0');
+
+    -- ===== The memory texels_1_odd_even_even
+    type texels_1_odd_even_even_t is array (2047 downto 0) of
+        std_logic_vector(23 downto 0);
+
+    -- Reads one word a line; lines that begin with a slash are comments.
+    impure function read_texels_1_odd_even_even(path : string) return texels_1_odd_even_even_t is
+        file source     : text open read_mode is path;
+        variable row    : line;
+        variable word   : std_logic_vector(23 downto 0);
+        variable result : texels_1_odd_even_even_t;
+        variable index  : natural := 0;
+    begin
+        while not endfile(source) loop
+            readline(source, row);
+            if row'length > 0 and row(row'left) /= '/' then
+                assert index < 2048 report path & " has too many words" severity failure;
+                hread(row, word);
+                result(index) := word(23 downto 0);
+                index := index + 1;
+            end if;
+        end loop;
+        assert index = 2048 report path & " has too few words" severity failure;
+        return result;
+    end function;
+
+    constant TEXELS_1_ODD_EVEN_EVEN : texels_1_odd_even_even_t := read_texels_1_odd_even_even(TEXELS_1_ODD_EVEN_EVEN_FILE);
+    signal texels_1_odd_even_even_6 : std_logic_vector(23 downto 0) := (others => '0');
+
+    -- ===== The memory texels_1_odd_even_odd
+    type texels_1_odd_even_odd_t is array (2047 downto 0) of
+        std_logic_vector(23 downto 0);
+
+    -- Reads one word a line; lines that begin with a slash are comments.
+    impure function read_texels_1_odd_even_odd(path : string) return texels_1_odd_even_odd_t is
+        file source     : text open read_mode is path;
+        variable row    : line;
+        variable word   : std_logic_vector(23 downto 0);
+        variable result : texels_1_odd_even_odd_t;
+        variable index  : natural := 0;
+    begin
+        while not endfile(source) loop
+            readline(source, row);
+            if row'length > 0 and row(row'left) /= '/' then
+                assert index < 2048 report path & " has too many words" severity failure;
+                hread(row, word);
+                result(index) := word(23 downto 0);
+                index := index + 1;
+            end if;
+        end loop;
+        assert index = 2048 report path & " has too few words" severity failure;
+        return result;
+    end function;
+
+    constant TEXELS_1_ODD_EVEN_ODD : texels_1_odd_even_odd_t := read_texels_1_odd_even_odd(TEXELS_1_ODD_EVEN_ODD_FILE);
+    signal texels_1_odd_even_odd_6 : std_logic_vector(23 downto 0) := (others => '0');
+
+    -- ===== The memory texels_1_odd_odd_even
+    type texels_1_odd_odd_even_t is array (2047 downto 0) of
+        std_logic_vector(23 downto 0);
+
+    -- Reads one word a line; lines that begin with a slash are comments.
+    impure function read_texels_1_odd_odd_even(path : string) return texels_1_odd_odd_even_t is
+        file source     : text open read_mode is path;
+        variable row    : line;
+        variable word   : std_logic_vector(23 downto 0);
+        variable result : texels_1_odd_odd_even_t;
+        variable index  : natural := 0;
+    begin
+        while not endfile(source) loop
+            readline(source, row);
+            if row'length > 0 and row(row'left) /= '/' then
+                assert index < 2048 report path & " has too many words" severity failure;
+                hread(row, word);
+                result(index) := word(23 downto 0);
+                index := index + 1;
+            end if;
+        end loop;
+        assert index = 2048 report path & " has too few words" severity failure;
+        return result;
+    end function;
+
+    constant TEXELS_1_ODD_ODD_EVEN : texels_1_odd_odd_even_t := read_texels_1_odd_odd_even(TEXELS_1_ODD_ODD_EVEN_FILE);
+    signal texels_1_odd_odd_even_6 : std_logic_vector(23 downto 0) := (others => '0');
+
+    -- ===== The memory texels_1_odd_odd_odd
+    type texels_1_odd_odd_odd_t is array (2047 downto 0) of
+        std_logic_vector(23 downto 0);
+
+    -- Reads one word a line; lines that begin with a slash are comments.
+    impure function read_texels_1_odd_odd_odd(path : string) return texels_1_odd_odd_odd_t is
+        file source     : text open read_mode is path;
+        variable row    : line;
+        variable word   : std_logic_vector(23 downto 0);
+        variable result : texels_1_odd_odd_odd_t;
+        variable index  : natural := 0;
+    begin
+        while not endfile(source) loop
+            readline(source, row);
+            if row'length > 0 and row(row'left) /= '/' then
+                assert index < 2048 report path & " has too many words" severity failure;
+                hread(row, word);
+                result(index) := word(23 downto 0);
+                index := index + 1;
+            end if;
+        end loop;
+        assert index = 2048 report path & " has too few words" severity failure;
+        return result;
+    end function;
+
+    constant TEXELS_1_ODD_ODD_ODD : texels_1_odd_odd_odd_t := read_texels_1_odd_odd_odd(TEXELS_1_ODD_ODD_ODD_FILE);
+    signal texels_1_odd_odd_odd_6 : std_logic_vector(23 downto 0) := (others => '0');
+
+    signal valid : std_logic_vector(18 downto 1) := (others => '0');
+    signal nz_kept_0 : unsigned(16 downto 0) := (others => '0');
+    signal seen_0 : std_logic := '0';
+    signal hidden_0 : std_logic := '0';
+    signal nl1_x_exact_0 : signed(35 downto 0) := (others => '0');
+    signal nl1_x_0 : signed(26 downto 0) := (others => '0');
+    signal nl1_y_exact_0 : signed(35 downto 0) := (others => '0');
+    signal nl1_y_0 : signed(26 downto 0) := (others => '0');
+    signal nl1_z_exact_0 : signed(35 downto 0) := (others => '0');
+    signal nl1_z_0 : signed(26 downto 0) := (others => '0');
+    signal shift1_0 : unsigned(3 downto 0) := (others => '0');
+    signal blend1_0 : unsigned(6 downto 0) := (others => '0');
+    signal band1_next_exact_0 : unsigned(4 downto 0) := (others => '0');
+    signal band1_next_0 : unsigned(3 downto 0) := (others => '0');
+    signal band1_even_high_0 : unsigned(2 downto 0) := (others => '0');
+    signal band1_even_0 : unsigned(2 downto 0) := (others => '0');
+    signal band1_odd_high_0 : unsigned(2 downto 0) := (others => '0');
+    signal band1_odd_0 : unsigned(2 downto 0) := (others => '0');
+    signal v1_x_exact_0 : signed(35 downto 0) := (others => '0');
+    signal v1_x_0 : signed(16 downto 0) := (others => '0');
+    signal v1_y_exact_0 : signed(35 downto 0) := (others => '0');
+    signal v1_y_0 : signed(16 downto 0) := (others => '0');
+    signal u1_x_exact_0 : signed(35 downto 0) := (others => '0');
+    signal u1_x_0 : signed(16 downto 0) := (others => '0');
+    signal u1_y_exact_0 : signed(35 downto 0) := (others => '0');
+    signal u1_y_0 : signed(16 downto 0) := (others => '0');
+    signal u1_z_exact_0 : signed(35 downto 0) := (others => '0');
+    signal u1_z_0 : signed(16 downto 0) := (others => '0');
+    signal texels1_00_0 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_00_v2_0 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_01_0 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_01_v2_0 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_10_0 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_10_v2_0 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_11_0 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_11_v2_0 : unsigned(2 downto 0) := (others => '0');
+    signal blend1_signed_0 : signed(7 downto 0) := (others => '0');
+    signal in_gain1r_1 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_1 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_1 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_1 : std_logic := '0';
+    signal nl1_x_1 : signed(26 downto 0) := (others => '0');
+    signal nl1_y_1 : signed(26 downto 0) := (others => '0');
+    signal nl1_z_1 : signed(26 downto 0) := (others => '0');
+    signal shift1_1 : unsigned(3 downto 0) := (others => '0');
+    signal v1_x_1 : signed(16 downto 0) := (others => '0');
+    signal v1_y_1 : signed(16 downto 0) := (others => '0');
+    signal u1_x_1 : signed(16 downto 0) := (others => '0');
+    signal u1_y_1 : signed(16 downto 0) := (others => '0');
+    signal u1_z_1 : signed(16 downto 0) := (others => '0');
+    signal texels1_00_1 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_00_v2_1 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_01_1 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_01_v2_1 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_10_1 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_10_v2_1 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_11_1 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_11_v2_1 : unsigned(2 downto 0) := (others => '0');
+    signal blend1_signed_1 : signed(7 downto 0) := (others => '0');
+    signal nl1_xy_1 : signed(27 downto 0) := (others => '0');
+    signal nl1_xyz_1 : signed(27 downto 0) := (others => '0');
+    signal nl1_cut_1 : signed(25 downto 0) := (others => '0');
+    signal v1_xy_1 : signed(17 downto 0) := (others => '0');
+    signal v1_scaled_1 : signed(17 downto 0) := (others => '0');
+    signal v1_place_1 : signed(17 downto 0) := (others => '0');
+    signal v1_cut_1 : signed(14 downto 0) := (others => '0');
+    signal u1_xy_1 : signed(17 downto 0) := (others => '0');
+    signal u1_xyz_1 : signed(17 downto 0) := (others => '0');
+    signal u1_scaled_1 : signed(17 downto 0) := (others => '0');
+    signal in_gain1r_2 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_2 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_2 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_2 : std_logic := '0';
+    signal nl1_cut_2 : signed(25 downto 0) := (others => '0');
+    signal shift1_2 : unsigned(3 downto 0) := (others => '0');
+    signal v1_cut_2 : signed(14 downto 0) := (others => '0');
+    signal u1_scaled_2 : signed(17 downto 0) := (others => '0');
+    signal texels1_00_2 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_00_v2_2 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_01_2 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_01_v2_2 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_10_2 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_10_v2_2 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_11_2 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_11_v2_2 : unsigned(2 downto 0) := (others => '0');
+    signal blend1_signed_2 : signed(7 downto 0) := (others => '0');
+    signal nl1_kept_2 : unsigned(20 downto 0) := (others => '0');
+    signal nl1_up_2 : unsigned(30 downto 0) := (others => '0');
+    signal nl1_up_cut_2 : unsigned(20 downto 0) := (others => '0');
+    signal v1_kept_2 : unsigned(10 downto 0) := (others => '0');
+    signal v1_texel_2 : unsigned(4 downto 0) := (others => '0');
+    signal v1_weight_2 : unsigned(5 downto 0) := (others => '0');
+    signal v1_next_exact_2 : unsigned(5 downto 0) := (others => '0');
+    signal v1_odd_high_2 : unsigned(3 downto 0) := (others => '0');
+    signal v1_odd_2 : unsigned(3 downto 0) := (others => '0');
+    signal v1_other_2 : unsigned(6 downto 0) := (others => '0');
+    signal v1_is_odd_2 : std_logic := '0';
+    signal v1_weight_wide_2 : unsigned(6 downto 0) := (others => '0');
+    signal v1_odd_v2_2 : unsigned(6 downto 0) := (others => '0');
+    signal u1_place_2 : signed(17 downto 0) := (others => '0');
+    signal u1_cut_2 : signed(14 downto 0) := (others => '0');
+    signal u1_kept_2 : unsigned(10 downto 0) := (others => '0');
+    signal u1_texel_2 : unsigned(4 downto 0) := (others => '0');
+    signal u1_weight_2 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_high_2 : unsigned(3 downto 0) := (others => '0');
+    signal u1_odd_2 : unsigned(3 downto 0) := (others => '0');
+    signal u1_is_odd_2 : std_logic := '0';
+    signal u1_weight_wide_2 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_01_2 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_010_2 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_01_v2_2 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_011_2 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_11_2 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_110_2 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_11_v2_2 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_111_2 : unsigned(6 downto 0) := (others => '0');
+    signal v1_odd_signed_2 : signed(7 downto 0) := (others => '0');
+    signal in_gain1r_3 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_3 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_3 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_3 : std_logic := '0';
+    signal nl1_up_cut_3 : unsigned(20 downto 0) := (others => '0');
+    signal v1_next_exact_3 : unsigned(5 downto 0) := (others => '0');
+    signal u1_texel_3 : unsigned(4 downto 0) := (others => '0');
+    signal u1_weight_3 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_3 : unsigned(3 downto 0) := (others => '0');
+    signal u1_is_odd_3 : std_logic := '0';
+    signal u1_weight_wide_3 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_00_3 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_00_v2_3 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_010_3 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_011_3 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_10_3 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_10_v2_3 : unsigned(2 downto 0) := (others => '0');
+    signal texels1_110_3 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_111_3 : unsigned(6 downto 0) := (others => '0');
+    signal v1_odd_signed_3 : signed(7 downto 0) := (others => '0');
+    signal blend1_signed_3 : signed(7 downto 0) := (others => '0');
+    signal nl1_within_3 : unsigned(18 downto 0) := (others => '0');
+    signal nl1_3 : unsigned(18 downto 0) := (others => '0');
+    signal v1_next_3 : unsigned(4 downto 0) := (others => '0');
+    signal v1_even_high_3 : unsigned(3 downto 0) := (others => '0');
+    signal v1_even_3 : unsigned(3 downto 0) := (others => '0');
+    signal u1_next_exact_3 : unsigned(5 downto 0) := (others => '0');
+    signal u1_next_3 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_high_3 : unsigned(3 downto 0) := (others => '0');
+    signal u1_even_3 : unsigned(3 downto 0) := (others => '0');
+    signal u1_other_3 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_v2_3 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_00_3 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_000_3 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_00_v2_3 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_001_3 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_011_3 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_10_3 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_100_3 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_10_v2_3 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_101_3 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_111_3 : unsigned(10 downto 0) := (others => '0');
+    signal u1_odd_signed_3 : signed(7 downto 0) := (others => '0');
+    signal in_gain1r_4 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_4 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_4 : unsigned(17 downto 0) := (others => '0');
+    signal nl1_4 : unsigned(18 downto 0) := (others => '0');
+    signal u1_even_4 : unsigned(3 downto 0) := (others => '0');
+    signal u1_odd_4 : unsigned(3 downto 0) := (others => '0');
+    signal texels1_000_4 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_001_4 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_010_4 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_011_4 : unsigned(10 downto 0) := (others => '0');
+    signal texels1_100_4 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_101_4 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_110_4 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_111_4 : unsigned(10 downto 0) := (others => '0');
+    signal u1_odd_signed_4 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_signed_4 : signed(7 downto 0) := (others => '0');
+    signal blend1_signed_4 : signed(7 downto 0) := (others => '0');
+    signal texel1_000_4 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_001_4 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_010_4 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_100_4 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_101_4 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_110_4 : unsigned(10 downto 0) := (others => '0');
+    signal gain1_r_exact_4 : unsigned(36 downto 0) := (others => '0');
+    signal gain1_r_4 : unsigned(18 downto 0) := (others => '0');
+    signal gain1_g_exact_4 : unsigned(36 downto 0) := (others => '0');
+    signal gain1_g_4 : unsigned(18 downto 0) := (others => '0');
+    signal gain1_b_exact_4 : unsigned(36 downto 0) := (others => '0');
+    signal gain1_b_4 : unsigned(18 downto 0) := (others => '0');
+    signal texel1_000_5 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_001_5 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_010_5 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_011_5 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_100_5 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_101_5 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_110_5 : unsigned(10 downto 0) := (others => '0');
+    signal texel1_111_5 : unsigned(10 downto 0) := (others => '0');
+    signal u1_odd_signed_5 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_signed_5 : signed(7 downto 0) := (others => '0');
+    signal blend1_signed_5 : signed(7 downto 0) := (others => '0');
+    signal gain1_r_5 : unsigned(18 downto 0) := (others => '0');
+    signal gain1_g_5 : unsigned(18 downto 0) := (others => '0');
+    signal gain1_b_5 : unsigned(18 downto 0) := (others => '0');
+    signal u1_odd_signed_6 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_signed_6 : signed(7 downto 0) := (others => '0');
+    signal blend1_signed_6 : signed(7 downto 0) := (others => '0');
+    signal gain1_r_6 : unsigned(18 downto 0) := (others => '0');
+    signal gain1_g_6 : unsigned(18 downto 0) := (others => '0');
+    signal gain1_b_6 : unsigned(18 downto 0) := (others => '0');
+    signal texels_1_even_even_even_r_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_r_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_r_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_r_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_r_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_r_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_r_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_r_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_even_g_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_g_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_g_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_g_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_g_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_g_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_g_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_g_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_even_b_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_b_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_b_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_b_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_b_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_b_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_b_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_b_6 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_even_r_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_r_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_r_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_r_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_r_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_r_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_r_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_r_7 : unsigned(7 downto 0) := (others => '0');
+    signal u1_odd_signed_7 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_signed_7 : signed(7 downto 0) := (others => '0');
+    signal blend1_signed_7 : signed(7 downto 0) := (others => '0');
+    signal gain1_r_7 : unsigned(18 downto 0) := (others => '0');
+    signal texels_1_even_even_even_g_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_g_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_g_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_g_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_g_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_g_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_g_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_g_7 : unsigned(7 downto 0) := (others => '0');
+    signal gain1_g_7 : unsigned(18 downto 0) := (others => '0');
+    signal texels_1_even_even_even_b_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_b_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_b_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_b_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_b_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_b_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_b_7 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_b_7 : unsigned(7 downto 0) := (others => '0');
+    signal gain1_b_7 : unsigned(18 downto 0) := (others => '0');
+    signal texels_1_even_even_even_r_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_r_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_r_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_r_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_r_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_r_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_r_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_r_8 : unsigned(7 downto 0) := (others => '0');
+    signal u1_odd_signed_8 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_signed_8 : signed(7 downto 0) := (others => '0');
+    signal blend1_signed_8 : signed(7 downto 0) := (others => '0');
+    signal gain1_r_8 : unsigned(18 downto 0) := (others => '0');
+    signal texels_1_even_even_even_g_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_g_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_g_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_g_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_g_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_g_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_g_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_g_8 : unsigned(7 downto 0) := (others => '0');
+    signal gain1_g_8 : unsigned(18 downto 0) := (others => '0');
+    signal texels_1_even_even_even_b_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_b_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_b_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_b_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_b_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_b_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_b_8 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_b_8 : unsigned(7 downto 0) := (others => '0');
+    signal gain1_b_8 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_r_1_0_apart_8 : signed(8 downto 0) := (others => '0');
+    signal blend1_r_1_1_apart_8 : signed(8 downto 0) := (others => '0');
+    signal blend1_r_1_2_apart_8 : signed(8 downto 0) := (others => '0');
+    signal blend1_r_1_3_apart_8 : signed(8 downto 0) := (others => '0');
+    signal blend1_g_1_0_apart_8 : signed(8 downto 0) := (others => '0');
+    signal blend1_g_1_1_apart_8 : signed(8 downto 0) := (others => '0');
+    signal blend1_g_1_2_apart_8 : signed(8 downto 0) := (others => '0');
+    signal blend1_g_1_3_apart_8 : signed(8 downto 0) := (others => '0');
+    signal blend1_b_1_0_apart_8 : signed(8 downto 0) := (others => '0');
+    signal blend1_b_1_1_apart_8 : signed(8 downto 0) := (others => '0');
+    signal blend1_b_1_2_apart_8 : signed(8 downto 0) := (others => '0');
+    signal blend1_b_1_3_apart_8 : signed(8 downto 0) := (others => '0');
+    signal texels_1_even_even_even_r_9 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_r_9 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_r_9 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_r_9 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_apart_9 : signed(8 downto 0) := (others => '0');
+    signal u1_odd_signed_9 : signed(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_apart_9 : signed(8 downto 0) := (others => '0');
+    signal blend1_r_1_2_apart_9 : signed(8 downto 0) := (others => '0');
+    signal blend1_r_1_3_apart_9 : signed(8 downto 0) := (others => '0');
+    signal v1_odd_signed_9 : signed(7 downto 0) := (others => '0');
+    signal blend1_signed_9 : signed(7 downto 0) := (others => '0');
+    signal gain1_r_9 : unsigned(18 downto 0) := (others => '0');
+    signal texels_1_even_even_even_g_9 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_g_9 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_g_9 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_g_9 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_apart_9 : signed(8 downto 0) := (others => '0');
+    signal blend1_g_1_1_apart_9 : signed(8 downto 0) := (others => '0');
+    signal blend1_g_1_2_apart_9 : signed(8 downto 0) := (others => '0');
+    signal blend1_g_1_3_apart_9 : signed(8 downto 0) := (others => '0');
+    signal gain1_g_9 : unsigned(18 downto 0) := (others => '0');
+    signal texels_1_even_even_even_b_9 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_b_9 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_b_9 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_b_9 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_apart_9 : signed(8 downto 0) := (others => '0');
+    signal blend1_b_1_1_apart_9 : signed(8 downto 0) := (others => '0');
+    signal blend1_b_1_2_apart_9 : signed(8 downto 0) := (others => '0');
+    signal blend1_b_1_3_apart_9 : signed(8 downto 0) := (others => '0');
+    signal gain1_b_9 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_r_1_0_part_9 : signed(16 downto 0) := (others => '0');
+    signal blend1_r_1_1_part_9 : signed(16 downto 0) := (others => '0');
+    signal blend1_r_1_2_part_9 : signed(16 downto 0) := (others => '0');
+    signal blend1_r_1_3_part_9 : signed(16 downto 0) := (others => '0');
+    signal blend1_g_1_0_part_9 : signed(16 downto 0) := (others => '0');
+    signal blend1_g_1_1_part_9 : signed(16 downto 0) := (others => '0');
+    signal blend1_g_1_2_part_9 : signed(16 downto 0) := (others => '0');
+    signal blend1_g_1_3_part_9 : signed(16 downto 0) := (others => '0');
+    signal blend1_b_1_0_part_9 : signed(16 downto 0) := (others => '0');
+    signal blend1_b_1_1_part_9 : signed(16 downto 0) := (others => '0');
+    signal blend1_b_1_2_part_9 : signed(16 downto 0) := (others => '0');
+    signal blend1_b_1_3_part_9 : signed(16 downto 0) := (others => '0');
+    signal texels_1_even_even_even_r_10 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_r_10 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_r_10 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_r_10 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_part_10 : signed(16 downto 0) := (others => '0');
+    signal blend1_r_1_1_part_10 : signed(16 downto 0) := (others => '0');
+    signal blend1_r_1_2_part_10 : signed(16 downto 0) := (others => '0');
+    signal blend1_r_1_3_part_10 : signed(16 downto 0) := (others => '0');
+    signal v1_odd_signed_10 : signed(7 downto 0) := (others => '0');
+    signal blend1_signed_10 : signed(7 downto 0) := (others => '0');
+    signal gain1_r_10 : unsigned(18 downto 0) := (others => '0');
+    signal texels_1_even_even_even_g_10 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_g_10 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_g_10 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_g_10 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_part_10 : signed(16 downto 0) := (others => '0');
+    signal blend1_g_1_1_part_10 : signed(16 downto 0) := (others => '0');
+    signal blend1_g_1_2_part_10 : signed(16 downto 0) := (others => '0');
+    signal blend1_g_1_3_part_10 : signed(16 downto 0) := (others => '0');
+    signal gain1_g_10 : unsigned(18 downto 0) := (others => '0');
+    signal texels_1_even_even_even_b_10 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_b_10 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_b_10 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_b_10 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_part_10 : signed(16 downto 0) := (others => '0');
+    signal blend1_b_1_1_part_10 : signed(16 downto 0) := (others => '0');
+    signal blend1_b_1_2_part_10 : signed(16 downto 0) := (others => '0');
+    signal blend1_b_1_3_part_10 : signed(16 downto 0) := (others => '0');
+    signal gain1_b_10 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_r_1_0_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_1_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_2_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_3_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_apart_10 : signed(14 downto 0) := (others => '0');
+    signal blend1_r_2_1_apart_10 : signed(14 downto 0) := (others => '0');
+    signal blend1_g_1_0_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_1_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_2_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_3_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_apart_10 : signed(14 downto 0) := (others => '0');
+    signal blend1_g_2_1_apart_10 : signed(14 downto 0) := (others => '0');
+    signal blend1_b_1_0_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_1_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_2_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_3_10 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_apart_10 : signed(14 downto 0) := (others => '0');
+    signal blend1_b_2_1_apart_10 : signed(14 downto 0) := (others => '0');
+    signal blend1_r_1_0_11 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_2_11 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_apart_11 : signed(14 downto 0) := (others => '0');
+    signal v1_odd_signed_11 : signed(7 downto 0) := (others => '0');
+    signal blend1_r_2_1_apart_11 : signed(14 downto 0) := (others => '0');
+    signal blend1_signed_11 : signed(7 downto 0) := (others => '0');
+    signal gain1_r_11 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_g_1_0_11 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_2_11 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_apart_11 : signed(14 downto 0) := (others => '0');
+    signal blend1_g_2_1_apart_11 : signed(14 downto 0) := (others => '0');
+    signal gain1_g_11 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_b_1_0_11 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_2_11 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_apart_11 : signed(14 downto 0) := (others => '0');
+    signal blend1_b_2_1_apart_11 : signed(14 downto 0) := (others => '0');
+    signal gain1_b_11 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_r_2_0_part_11 : signed(22 downto 0) := (others => '0');
+    signal blend1_r_2_1_part_11 : signed(22 downto 0) := (others => '0');
+    signal blend1_g_2_0_part_11 : signed(22 downto 0) := (others => '0');
+    signal blend1_g_2_1_part_11 : signed(22 downto 0) := (others => '0');
+    signal blend1_b_2_0_part_11 : signed(22 downto 0) := (others => '0');
+    signal blend1_b_2_1_part_11 : signed(22 downto 0) := (others => '0');
+    signal blend1_r_1_0_12 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_2_12 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_part_12 : signed(22 downto 0) := (others => '0');
+    signal blend1_r_2_1_part_12 : signed(22 downto 0) := (others => '0');
+    signal blend1_signed_12 : signed(7 downto 0) := (others => '0');
+    signal gain1_r_12 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_g_1_0_12 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_2_12 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_part_12 : signed(22 downto 0) := (others => '0');
+    signal blend1_g_2_1_part_12 : signed(22 downto 0) := (others => '0');
+    signal gain1_g_12 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_b_1_0_12 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_2_12 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_part_12 : signed(22 downto 0) := (others => '0');
+    signal blend1_b_2_1_part_12 : signed(22 downto 0) := (others => '0');
+    signal gain1_b_12 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_r_2_0_12 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_r_2_1_12 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_r_3_0_apart_12 : signed(20 downto 0) := (others => '0');
+    signal blend1_g_2_0_12 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_g_2_1_12 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_g_3_0_apart_12 : signed(20 downto 0) := (others => '0');
+    signal blend1_b_2_0_12 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_b_2_1_12 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_b_3_0_apart_12 : signed(20 downto 0) := (others => '0');
+    signal blend1_r_2_0_13 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_r_3_0_apart_13 : signed(20 downto 0) := (others => '0');
+    signal blend1_signed_13 : signed(7 downto 0) := (others => '0');
+    signal gain1_r_13 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_g_2_0_13 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_g_3_0_apart_13 : signed(20 downto 0) := (others => '0');
+    signal gain1_g_13 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_b_2_0_13 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_b_3_0_apart_13 : signed(20 downto 0) := (others => '0');
+    signal gain1_b_13 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_r_3_0_part_13 : signed(28 downto 0) := (others => '0');
+    signal blend1_g_3_0_part_13 : signed(28 downto 0) := (others => '0');
+    signal blend1_b_3_0_part_13 : signed(28 downto 0) := (others => '0');
+    signal blend1_r_2_0_14 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_r_3_0_part_14 : signed(28 downto 0) := (others => '0');
+    signal gain1_r_14 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_g_2_0_14 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_g_3_0_part_14 : signed(28 downto 0) := (others => '0');
+    signal gain1_g_14 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_b_2_0_14 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_b_3_0_part_14 : signed(28 downto 0) := (others => '0');
+    signal gain1_b_14 : unsigned(18 downto 0) := (others => '0');
+    signal blend1_r_3_0_14 : unsigned(25 downto 0) := (others => '0');
+    signal root1_r_14 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_g_3_0_14 : unsigned(25 downto 0) := (others => '0');
+    signal root1_g_14 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_b_3_0_14 : unsigned(25 downto 0) := (others => '0');
+    signal root1_b_14 : unsigned(17 downto 0) := (others => '0');
+    signal root1_r_15 : unsigned(17 downto 0) := (others => '0');
+    signal gain1_r_15 : unsigned(18 downto 0) := (others => '0');
+    signal root1_g_15 : unsigned(17 downto 0) := (others => '0');
+    signal gain1_g_15 : unsigned(18 downto 0) := (others => '0');
+    signal root1_b_15 : unsigned(17 downto 0) := (others => '0');
+    signal gain1_b_15 : unsigned(18 downto 0) := (others => '0');
+    signal square1_r_exact_15 : unsigned(35 downto 0) := (others => '0');
+    signal square1_r_15 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_exact_15 : unsigned(35 downto 0) := (others => '0');
+    signal square1_g_15 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_exact_15 : unsigned(35 downto 0) := (others => '0');
+    signal square1_b_15 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_16 : unsigned(17 downto 0) := (others => '0');
+    signal gain1_r_16 : unsigned(18 downto 0) := (others => '0');
+    signal square1_g_16 : unsigned(17 downto 0) := (others => '0');
+    signal gain1_g_16 : unsigned(18 downto 0) := (others => '0');
+    signal square1_b_16 : unsigned(17 downto 0) := (others => '0');
+    signal gain1_b_16 : unsigned(18 downto 0) := (others => '0');
+    signal light1_r_exact_16 : unsigned(36 downto 0) := (others => '0');
+    signal light1_r_16 : unsigned(18 downto 0) := (others => '0');
+    signal light1_g_exact_16 : unsigned(36 downto 0) := (others => '0');
+    signal light1_g_16 : unsigned(18 downto 0) := (others => '0');
+    signal light1_b_exact_16 : unsigned(36 downto 0) := (others => '0');
+    signal light1_b_16 : unsigned(18 downto 0) := (others => '0');
+    signal light1_r_17 : unsigned(18 downto 0) := (others => '0');
+    signal light1_g_17 : unsigned(18 downto 0) := (others => '0');
+    signal light1_b_17 : unsigned(18 downto 0) := (others => '0');
+    signal sum_half_r_17 : unsigned(18 downto 0) := (others => '0');
+    signal cut_r_17 : unsigned(15 downto 0) := (others => '0');
+    signal kept_r_17 : unsigned(7 downto 0) := (others => '0');
+    signal code_r_17 : unsigned(7 downto 0) := (others => '0');
+    signal sum_half_g_17 : unsigned(18 downto 0) := (others => '0');
+    signal cut_g_17 : unsigned(15 downto 0) := (others => '0');
+    signal kept_g_17 : unsigned(7 downto 0) := (others => '0');
+    signal code_g_17 : unsigned(7 downto 0) := (others => '0');
+    signal sum_half_b_17 : unsigned(18 downto 0) := (others => '0');
+    signal cut_b_17 : unsigned(15 downto 0) := (others => '0');
+    signal kept_b_17 : unsigned(7 downto 0) := (others => '0');
+    signal code_b_17 : unsigned(7 downto 0) := (others => '0');
+    signal code_r_18 : unsigned(7 downto 0) := (others => '0');
+    signal code_g_18 : unsigned(7 downto 0) := (others => '0');
+    signal code_b_18 : unsigned(7 downto 0) := (others => '0');
+
+begin
+
+    -- ===== Valid chain
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if rst = '1' then
+                valid <= (others => '0');
+            elsif ce = '1' then
+                valid <= valid(17 downto 1) & in_valid;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 0: nz_kept, nl1_x_exact, nl1_y_exact, nl1_z_exact, shift1 and 8 more
+    -- UQ1.16: n.v, not below 0
+    nz_kept_0 <= (others => '0') when in_nz(17) = '1' else
+        unsigned(in_nz(16 downto 0));
+    -- UQ1.0: n.v > 0
+    seen_0 <= '1' when nz_kept_0 /= 0 else '0';
+    -- UQ1.0: the normal is turned away from the viewer
+    hidden_0 <= not seen_0;
+    -- Q3.32: n.l
+    nl1_x_exact_0 <= in_nx * in_l1x;
+    -- Q3.23: rounded down
+    nl1_x_0 <= nl1_x_exact_0(35 downto 9);
+    -- Q3.32: n.l
+    nl1_y_exact_0 <= in_ny * in_l1y;
+    -- Q3.23: rounded down
+    nl1_y_0 <= nl1_y_exact_0(35 downto 9);
+    -- Q3.32: n.l
+    nl1_z_exact_0 <= in_nz * in_l1z;
+    -- Q3.23: rounded down
+    nl1_z_0 <= nl1_z_exact_0(35 downto 9);
+    -- UQ4.0: at most the greatest
+    shift1_0 <= to_unsigned(10, 4) when in_shift1 > 10 else
+        in_shift1;
+    -- UQ1.6: the weight of the odd band, at most 1
+    blend1_0 <= (6 => '1', others => '0') when in_blend1(6) = '1' else
+        in_blend1;
+    -- UQ5.0: the next
+    band1_next_exact_0 <= resize(in_band1, 5) + to_unsigned(1, 5);
+    -- UQ4.0: at most the last
+    band1_next_0 <= to_unsigned(15, 4) when band1_next_exact_0 > 15 else
+        band1_next_exact_0(3 downto 0);
+    -- UQ4.-1: its leading bits
+    band1_even_high_0 <= band1_next_0(3 downto 1);
+    -- UQ3.0: the even one of both
+    band1_even_0 <= band1_even_high_0;
+    -- UQ4.-1: its leading bits
+    band1_odd_high_0 <= in_band1(3 downto 1);
+    -- UQ3.0: the odd one of both
+    band1_odd_0 <= band1_odd_high_0;
+    -- Q3.32: the turned normal
+    v1_x_exact_0 <= in_nx * in_v1x;
+    -- Q3.13: rounded down
+    v1_x_0 <= v1_x_exact_0(35 downto 19);
+    -- Q3.32: the turned normal
+    v1_y_exact_0 <= in_ny * in_v1y;
+    -- Q3.13: rounded down
+    v1_y_0 <= v1_y_exact_0(35 downto 19);
+    -- Q3.32: the turned normal
+    u1_x_exact_0 <= in_nx * in_u1x;
+    -- Q3.13: rounded down
+    u1_x_0 <= u1_x_exact_0(35 downto 19);
+    -- Q3.32: the turned normal
+    u1_y_exact_0 <= in_ny * in_u1y;
+    -- Q3.13: rounded down
+    u1_y_0 <= u1_y_exact_0(35 downto 19);
+    -- Q3.32: the turned normal
+    u1_z_exact_0 <= in_nz * in_u1z;
+    -- Q3.13: rounded down
+    u1_z_0 <= u1_z_exact_0(35 downto 19);
+    -- UQ7.-4: the first of them
+    texels1_00_0 <= band1_even_0;
+    -- UQ7.-4: the first of them
+    texels1_00_v2_0 <= band1_even_0;
+    -- UQ7.-4: the first of them
+    texels1_01_0 <= band1_even_0;
+    -- UQ7.-4: the first of them
+    texels1_01_v2_0 <= band1_even_0;
+    -- UQ7.-4: the first of them
+    texels1_10_0 <= band1_odd_0;
+    -- UQ7.-4: the first of them
+    texels1_10_v2_0 <= band1_odd_0;
+    -- UQ7.-4: the first of them
+    texels1_11_0 <= band1_odd_0;
+    -- UQ7.-4: the first of them
+    texels1_11_v2_0 <= band1_odd_0;
+    -- Q1.6: a sign bit for the signed product
+    blend1_signed_0 <= signed(resize(blend1_0, 8));
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                in_gain1r_1 <= in_gain1r;
+                in_gain1g_1 <= in_gain1g;
+                in_gain1b_1 <= in_gain1b;
+                hidden_1 <= hidden_0;
+                nl1_x_1 <= nl1_x_0;
+                nl1_y_1 <= nl1_y_0;
+                nl1_z_1 <= nl1_z_0;
+                shift1_1 <= shift1_0;
+                v1_x_1 <= v1_x_0;
+                v1_y_1 <= v1_y_0;
+                u1_x_1 <= u1_x_0;
+                u1_y_1 <= u1_y_0;
+                u1_z_1 <= u1_z_0;
+                texels1_00_1 <= texels1_00_0;
+                texels1_00_v2_1 <= texels1_00_v2_0;
+                texels1_01_1 <= texels1_01_0;
+                texels1_01_v2_1 <= texels1_01_v2_0;
+                texels1_10_1 <= texels1_10_0;
+                texels1_10_v2_1 <= texels1_10_v2_0;
+                texels1_11_1 <= texels1_11_0;
+                texels1_11_v2_1 <= texels1_11_v2_0;
+                blend1_signed_1 <= blend1_signed_0;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 1: nl1_xy, nl1_xyz, v1_xy, v1_place, u1_xy, u1_xyz
+    -- Q4.23: n.l
+    nl1_xy_1 <= resize(nl1_x_1, 28) + resize(nl1_y_1, 28);
+    -- Q4.23: n.l
+    nl1_xyz_1 <= nl1_xy_1 + resize(nl1_z_1, 28);
+    -- Q4.21: rounded down
+    nl1_cut_1 <= nl1_xyz_1(27 downto 2);
+    -- Q4.13: the turned normal
+    v1_xy_1 <= resize(v1_x_1, 18) + resize(v1_y_1, 18);
+    -- Q8.9: in texels from the middle
+    v1_scaled_1 <= v1_xy_1;
+    -- Q8.9: from the first, plus half a weight's last bit
+    v1_place_1 <= v1_scaled_1 + to_signed(7940, 18);
+    -- Q8.6: rounded to the nearest weight
+    v1_cut_1 <= v1_place_1(17 downto 3);
+    -- Q4.13: the turned normal
+    u1_xy_1 <= resize(u1_x_1, 18) + resize(u1_y_1, 18);
+    -- Q4.13: the turned normal
+    u1_xyz_1 <= u1_xy_1 + resize(u1_z_1, 18);
+    -- Q8.9: in texels from the middle
+    u1_scaled_1 <= u1_xyz_1;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                in_gain1r_2 <= in_gain1r_1;
+                in_gain1g_2 <= in_gain1g_1;
+                in_gain1b_2 <= in_gain1b_1;
+                hidden_2 <= hidden_1;
+                nl1_cut_2 <= nl1_cut_1;
+                shift1_2 <= shift1_1;
+                v1_cut_2 <= v1_cut_1;
+                u1_scaled_2 <= u1_scaled_1;
+                texels1_00_2 <= texels1_00_1;
+                texels1_00_v2_2 <= texels1_00_v2_1;
+                texels1_01_2 <= texels1_01_1;
+                texels1_01_v2_2 <= texels1_01_v2_1;
+                texels1_10_2 <= texels1_10_1;
+                texels1_10_v2_2 <= texels1_10_v2_1;
+                texels1_11_2 <= texels1_11_1;
+                texels1_11_v2_2 <= texels1_11_v2_1;
+                blend1_signed_2 <= blend1_signed_1;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 2: nl1_kept, nl1_up, v1_kept, v1_next_exact, v1_other, v1_odd and 6 more
+    -- UQ0.21: n.l, kept in [0, 1)
+    nl1_kept_2 <= (others => '0') when nl1_cut_2(25) = '1' else
+        to_unsigned(2097151, 21) when nl1_cut_2 > 2097151 else
+        unsigned(nl1_cut_2(20 downto 0));
+    -- UQ10.21: times 2^shift
+    nl1_up_2 <= shift_left(resize(nl1_kept_2, 31), to_integer(shift1_2));
+    -- UQ10.11: rounded down
+    nl1_up_cut_2 <= nl1_up_2(30 downto 10);
+    -- UQ5.6: between the outermost centres
+    v1_kept_2 <= (others => '0') when v1_cut_2(14) = '1' else
+        to_unsigned(1984, 11) when v1_cut_2 > 1984 else
+        unsigned(v1_cut_2(10 downto 0));
+    -- UQ5.0: the texel at or below it
+    v1_texel_2 <= v1_kept_2(10 downto 6);
+    -- UQ0.6: the weight of the next
+    v1_weight_2 <= v1_kept_2(5 downto 0);
+    -- UQ6.0: the next
+    v1_next_exact_2 <= resize(v1_texel_2, 6) + to_unsigned(1, 6);
+    -- UQ5.-1: its leading bits
+    v1_odd_high_2 <= v1_texel_2(4 downto 1);
+    -- UQ4.0: the odd one of both
+    v1_odd_2 <= v1_odd_high_2;
+    -- UQ1.6: the weight of the place itself
+    v1_other_2 <= to_unsigned(64, 7) - resize(v1_weight_2, 7);
+    -- UQ1.0: its last bit
+    v1_is_odd_2 <= v1_texel_2(0);
+    -- UQ1.6: in the wider of two formats
+    v1_weight_wide_2 <= resize(v1_weight_2, 7);
+    -- UQ1.6: the weight of the odd one
+    v1_odd_v2_2 <= v1_other_2 when v1_is_odd_2 = '1' else v1_weight_wide_2;
+    -- Q8.9: from the first, plus half a weight's last bit
+    u1_place_2 <= u1_scaled_2 + to_signed(7940, 18);
+    -- Q8.6: rounded to the nearest weight
+    u1_cut_2 <= u1_place_2(17 downto 3);
+    -- UQ5.6: between the outermost centres
+    u1_kept_2 <= (others => '0') when u1_cut_2(14) = '1' else
+        to_unsigned(1984, 11) when u1_cut_2 > 1984 else
+        unsigned(u1_cut_2(10 downto 0));
+    -- UQ5.0: the texel at or below it
+    u1_texel_2 <= u1_kept_2(10 downto 6);
+    -- UQ0.6: the weight of the next
+    u1_weight_2 <= u1_kept_2(5 downto 0);
+    -- UQ5.-1: its leading bits
+    u1_odd_high_2 <= u1_texel_2(4 downto 1);
+    -- UQ4.0: the odd one of both
+    u1_odd_2 <= u1_odd_high_2;
+    -- UQ1.0: its last bit
+    u1_is_odd_2 <= u1_texel_2(0);
+    -- UQ1.6: in the wider of two formats
+    u1_weight_wide_2 <= resize(u1_weight_2, 7);
+    -- UQ7.0: side by side
+    texel1_01_2 <= shift_left(resize(texels1_01_2, 7), 4) + resize(v1_odd_2, 7);
+    -- UQ11.-4: the first of them
+    texels1_010_2 <= texel1_01_2;
+    -- UQ7.0: side by side
+    texel1_01_v2_2 <= shift_left(resize(texels1_01_v2_2, 7), 4) + resize(v1_odd_2, 7);
+    -- UQ11.-4: the first of them
+    texels1_011_2 <= texel1_01_v2_2;
+    -- UQ7.0: side by side
+    texel1_11_2 <= shift_left(resize(texels1_11_2, 7), 4) + resize(v1_odd_2, 7);
+    -- UQ11.-4: the first of them
+    texels1_110_2 <= texel1_11_2;
+    -- UQ7.0: side by side
+    texel1_11_v2_2 <= shift_left(resize(texels1_11_v2_2, 7), 4) + resize(v1_odd_2, 7);
+    -- UQ11.-4: the first of them
+    texels1_111_2 <= texel1_11_v2_2;
+    -- Q1.6: a sign bit for the signed product
+    v1_odd_signed_2 <= signed(resize(v1_odd_v2_2, 8));
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                in_gain1r_3 <= in_gain1r_2;
+                in_gain1g_3 <= in_gain1g_2;
+                in_gain1b_3 <= in_gain1b_2;
+                hidden_3 <= hidden_2;
+                nl1_up_cut_3 <= nl1_up_cut_2;
+                v1_next_exact_3 <= v1_next_exact_2;
+                u1_texel_3 <= u1_texel_2;
+                u1_weight_3 <= u1_weight_2;
+                u1_odd_3 <= u1_odd_2;
+                u1_is_odd_3 <= u1_is_odd_2;
+                u1_weight_wide_3 <= u1_weight_wide_2;
+                texels1_00_3 <= texels1_00_2;
+                texels1_00_v2_3 <= texels1_00_v2_2;
+                texels1_010_3 <= texels1_010_2;
+                texels1_011_3 <= texels1_011_2;
+                texels1_10_3 <= texels1_10_2;
+                texels1_10_v2_3 <= texels1_10_v2_2;
+                texels1_110_3 <= texels1_110_2;
+                texels1_111_3 <= texels1_111_2;
+                v1_odd_signed_3 <= v1_odd_signed_2;
+                blend1_signed_3 <= blend1_signed_2;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 3: nl1_within, nl1, v1_next, u1_next_exact, u1_next, u1_other and 7 more
+    -- UQ8.11: kept in its format
+    nl1_within_3 <= to_unsigned(524287, 19) when nl1_up_cut_3 > 524287 else
+        nl1_up_cut_3(18 downto 0);
+    -- UQ8.11: n.l, 0 for a normal that is turned away
+    nl1_3 <= (others => '0') when hidden_3 = '1' else nl1_within_3;
+    -- UQ5.0: at most the last
+    v1_next_3 <= to_unsigned(31, 5) when v1_next_exact_3 > 31 else
+        v1_next_exact_3(4 downto 0);
+    -- UQ5.-1: its leading bits
+    v1_even_high_3 <= v1_next_3(4 downto 1);
+    -- UQ4.0: the even one of both
+    v1_even_3 <= v1_even_high_3;
+    -- UQ6.0: the next
+    u1_next_exact_3 <= resize(u1_texel_3, 6) + to_unsigned(1, 6);
+    -- UQ5.0: at most the last
+    u1_next_3 <= to_unsigned(31, 5) when u1_next_exact_3 > 31 else
+        u1_next_exact_3(4 downto 0);
+    -- UQ5.-1: its leading bits
+    u1_even_high_3 <= u1_next_3(4 downto 1);
+    -- UQ4.0: the even one of both
+    u1_even_3 <= u1_even_high_3;
+    -- UQ1.6: the weight of the place itself
+    u1_other_3 <= to_unsigned(64, 7) - resize(u1_weight_3, 7);
+    -- UQ1.6: the weight of the odd one
+    u1_odd_v2_3 <= u1_other_3 when u1_is_odd_3 = '1' else u1_weight_wide_3;
+    -- UQ7.0: side by side
+    texel1_00_3 <= shift_left(resize(texels1_00_3, 7), 4) + resize(v1_even_3, 7);
+    -- UQ11.-4: the first of them
+    texels1_000_3 <= texel1_00_3;
+    -- UQ7.0: side by side
+    texel1_00_v2_3 <= shift_left(resize(texels1_00_v2_3, 7), 4) + resize(v1_even_3, 7);
+    -- UQ11.-4: the first of them
+    texels1_001_3 <= texel1_00_v2_3;
+    -- UQ11.0: side by side
+    texel1_011_3 <= shift_left(resize(texels1_011_3, 11), 4) + resize(u1_odd_3, 11);
+    -- UQ7.0: side by side
+    texel1_10_3 <= shift_left(resize(texels1_10_3, 7), 4) + resize(v1_even_3, 7);
+    -- UQ11.-4: the first of them
+    texels1_100_3 <= texel1_10_3;
+    -- UQ7.0: side by side
+    texel1_10_v2_3 <= shift_left(resize(texels1_10_v2_3, 7), 4) + resize(v1_even_3, 7);
+    -- UQ11.-4: the first of them
+    texels1_101_3 <= texel1_10_v2_3;
+    -- UQ11.0: side by side
+    texel1_111_3 <= shift_left(resize(texels1_111_3, 11), 4) + resize(u1_odd_3, 11);
+    -- Q1.6: a sign bit for the signed product
+    u1_odd_signed_3 <= signed(resize(u1_odd_v2_3, 8));
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                in_gain1r_4 <= in_gain1r_3;
+                in_gain1g_4 <= in_gain1g_3;
+                in_gain1b_4 <= in_gain1b_3;
+                nl1_4 <= nl1_3;
+                u1_even_4 <= u1_even_3;
+                u1_odd_4 <= u1_odd_3;
+                texels1_000_4 <= texels1_000_3;
+                texels1_001_4 <= texels1_001_3;
+                texels1_010_4 <= texels1_010_3;
+                texel1_011_4 <= texel1_011_3;
+                texels1_100_4 <= texels1_100_3;
+                texels1_101_4 <= texels1_101_3;
+                texels1_110_4 <= texels1_110_3;
+                texel1_111_4 <= texel1_111_3;
+                u1_odd_signed_4 <= u1_odd_signed_3;
+                v1_odd_signed_4 <= v1_odd_signed_3;
+                blend1_signed_4 <= blend1_signed_3;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 4: texel1_000, texel1_001, texel1_010, texel1_100, texel1_101 and 4 more
+    -- UQ11.0: side by side
+    texel1_000_4 <= shift_left(resize(texels1_000_4, 11), 4) + resize(u1_even_4, 11);
+    -- UQ11.0: side by side
+    texel1_001_4 <= shift_left(resize(texels1_001_4, 11), 4) + resize(u1_odd_4, 11);
+    -- UQ11.0: side by side
+    texel1_010_4 <= shift_left(resize(texels1_010_4, 11), 4) + resize(u1_even_4, 11);
+    -- UQ11.0: side by side
+    texel1_100_4 <= shift_left(resize(texels1_100_4, 11), 4) + resize(u1_even_4, 11);
+    -- UQ11.0: side by side
+    texel1_101_4 <= shift_left(resize(texels1_101_4, 11), 4) + resize(u1_odd_4, 11);
+    -- UQ11.0: side by side
+    texel1_110_4 <= shift_left(resize(texels1_110_4, 11), 4) + resize(u1_even_4, 11);
+    -- UQ8.29: n.l times the gain
+    gain1_r_exact_4 <= nl1_4 * in_gain1r_4;
+    -- UQ8.11: rounded down
+    gain1_r_4 <= gain1_r_exact_4(36 downto 18);
+    -- UQ8.29: n.l times the gain
+    gain1_g_exact_4 <= nl1_4 * in_gain1g_4;
+    -- UQ8.11: rounded down
+    gain1_g_4 <= gain1_g_exact_4(36 downto 18);
+    -- UQ8.29: n.l times the gain
+    gain1_b_exact_4 <= nl1_4 * in_gain1b_4;
+    -- UQ8.11: rounded down
+    gain1_b_4 <= gain1_b_exact_4(36 downto 18);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texel1_000_5 <= texel1_000_4;
+                texel1_001_5 <= texel1_001_4;
+                texel1_010_5 <= texel1_010_4;
+                texel1_011_5 <= texel1_011_4;
+                texel1_100_5 <= texel1_100_4;
+                texel1_101_5 <= texel1_101_4;
+                texel1_110_5 <= texel1_110_4;
+                texel1_111_5 <= texel1_111_4;
+                u1_odd_signed_5 <= u1_odd_signed_4;
+                v1_odd_signed_5 <= v1_odd_signed_4;
+                blend1_signed_5 <= blend1_signed_4;
+                gain1_r_5 <= gain1_r_4;
+                gain1_g_5 <= gain1_g_4;
+                gain1_b_5 <= gain1_b_4;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 5: read texels_1_even_even_even, read texels_1_even_even_odd and 6 more
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_even_even_6 <= TEXELS_1_EVEN_EVEN_EVEN(to_integer(texel1_000_5));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_even_odd_6 <= TEXELS_1_EVEN_EVEN_ODD(to_integer(texel1_001_5));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_odd_even_6 <= TEXELS_1_EVEN_ODD_EVEN(to_integer(texel1_010_5));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_odd_odd_6 <= TEXELS_1_EVEN_ODD_ODD(to_integer(texel1_011_5));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_even_even_6 <= TEXELS_1_ODD_EVEN_EVEN(to_integer(texel1_100_5));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_even_odd_6 <= TEXELS_1_ODD_EVEN_ODD(to_integer(texel1_101_5));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_odd_even_6 <= TEXELS_1_ODD_ODD_EVEN(to_integer(texel1_110_5));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_odd_odd_6 <= TEXELS_1_ODD_ODD_ODD(to_integer(texel1_111_5));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                u1_odd_signed_6 <= u1_odd_signed_5;
+                v1_odd_signed_6 <= v1_odd_signed_5;
+                blend1_signed_6 <= blend1_signed_5;
+                gain1_r_6 <= gain1_r_5;
+                gain1_g_6 <= gain1_g_5;
+                gain1_b_6 <= gain1_b_5;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 6: registers only
+    -- UQ0.8: red
+    texels_1_even_even_even_r_6 <= unsigned(texels_1_even_even_even_6(23 downto 16));
+    -- UQ0.8: red
+    texels_1_even_even_odd_r_6 <= unsigned(texels_1_even_even_odd_6(23 downto 16));
+    -- UQ0.8: red
+    texels_1_even_odd_even_r_6 <= unsigned(texels_1_even_odd_even_6(23 downto 16));
+    -- UQ0.8: red
+    texels_1_even_odd_odd_r_6 <= unsigned(texels_1_even_odd_odd_6(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_even_even_r_6 <= unsigned(texels_1_odd_even_even_6(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_even_odd_r_6 <= unsigned(texels_1_odd_even_odd_6(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_odd_even_r_6 <= unsigned(texels_1_odd_odd_even_6(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_odd_odd_r_6 <= unsigned(texels_1_odd_odd_odd_6(23 downto 16));
+    -- UQ0.8: green
+    texels_1_even_even_even_g_6 <= unsigned(texels_1_even_even_even_6(15 downto 8));
+    -- UQ0.8: green
+    texels_1_even_even_odd_g_6 <= unsigned(texels_1_even_even_odd_6(15 downto 8));
+    -- UQ0.8: green
+    texels_1_even_odd_even_g_6 <= unsigned(texels_1_even_odd_even_6(15 downto 8));
+    -- UQ0.8: green
+    texels_1_even_odd_odd_g_6 <= unsigned(texels_1_even_odd_odd_6(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_even_even_g_6 <= unsigned(texels_1_odd_even_even_6(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_even_odd_g_6 <= unsigned(texels_1_odd_even_odd_6(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_odd_even_g_6 <= unsigned(texels_1_odd_odd_even_6(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_odd_odd_g_6 <= unsigned(texels_1_odd_odd_odd_6(15 downto 8));
+    -- UQ0.8: blue
+    texels_1_even_even_even_b_6 <= unsigned(texels_1_even_even_even_6(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_even_even_odd_b_6 <= unsigned(texels_1_even_even_odd_6(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_even_odd_even_b_6 <= unsigned(texels_1_even_odd_even_6(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_even_odd_odd_b_6 <= unsigned(texels_1_even_odd_odd_6(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_even_even_b_6 <= unsigned(texels_1_odd_even_even_6(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_even_odd_b_6 <= unsigned(texels_1_odd_even_odd_6(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_odd_even_b_6 <= unsigned(texels_1_odd_odd_even_6(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_odd_odd_b_6 <= unsigned(texels_1_odd_odd_odd_6(7 downto 0));
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_even_even_r_7 <= texels_1_even_even_even_r_6;
+                texels_1_even_even_odd_r_7 <= texels_1_even_even_odd_r_6;
+                texels_1_even_odd_even_r_7 <= texels_1_even_odd_even_r_6;
+                texels_1_even_odd_odd_r_7 <= texels_1_even_odd_odd_r_6;
+                texels_1_odd_even_even_r_7 <= texels_1_odd_even_even_r_6;
+                texels_1_odd_even_odd_r_7 <= texels_1_odd_even_odd_r_6;
+                texels_1_odd_odd_even_r_7 <= texels_1_odd_odd_even_r_6;
+                texels_1_odd_odd_odd_r_7 <= texels_1_odd_odd_odd_r_6;
+                u1_odd_signed_7 <= u1_odd_signed_6;
+                v1_odd_signed_7 <= v1_odd_signed_6;
+                blend1_signed_7 <= blend1_signed_6;
+                gain1_r_7 <= gain1_r_6;
+                texels_1_even_even_even_g_7 <= texels_1_even_even_even_g_6;
+                texels_1_even_even_odd_g_7 <= texels_1_even_even_odd_g_6;
+                texels_1_even_odd_even_g_7 <= texels_1_even_odd_even_g_6;
+                texels_1_even_odd_odd_g_7 <= texels_1_even_odd_odd_g_6;
+                texels_1_odd_even_even_g_7 <= texels_1_odd_even_even_g_6;
+                texels_1_odd_even_odd_g_7 <= texels_1_odd_even_odd_g_6;
+                texels_1_odd_odd_even_g_7 <= texels_1_odd_odd_even_g_6;
+                texels_1_odd_odd_odd_g_7 <= texels_1_odd_odd_odd_g_6;
+                gain1_g_7 <= gain1_g_6;
+                texels_1_even_even_even_b_7 <= texels_1_even_even_even_b_6;
+                texels_1_even_even_odd_b_7 <= texels_1_even_even_odd_b_6;
+                texels_1_even_odd_even_b_7 <= texels_1_even_odd_even_b_6;
+                texels_1_even_odd_odd_b_7 <= texels_1_even_odd_odd_b_6;
+                texels_1_odd_even_even_b_7 <= texels_1_odd_even_even_b_6;
+                texels_1_odd_even_odd_b_7 <= texels_1_odd_even_odd_b_6;
+                texels_1_odd_odd_even_b_7 <= texels_1_odd_odd_even_b_6;
+                texels_1_odd_odd_odd_b_7 <= texels_1_odd_odd_odd_b_6;
+                gain1_b_7 <= gain1_b_6;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 7: registers only
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_even_even_r_8 <= texels_1_even_even_even_r_7;
+                texels_1_even_even_odd_r_8 <= texels_1_even_even_odd_r_7;
+                texels_1_even_odd_even_r_8 <= texels_1_even_odd_even_r_7;
+                texels_1_even_odd_odd_r_8 <= texels_1_even_odd_odd_r_7;
+                texels_1_odd_even_even_r_8 <= texels_1_odd_even_even_r_7;
+                texels_1_odd_even_odd_r_8 <= texels_1_odd_even_odd_r_7;
+                texels_1_odd_odd_even_r_8 <= texels_1_odd_odd_even_r_7;
+                texels_1_odd_odd_odd_r_8 <= texels_1_odd_odd_odd_r_7;
+                u1_odd_signed_8 <= u1_odd_signed_7;
+                v1_odd_signed_8 <= v1_odd_signed_7;
+                blend1_signed_8 <= blend1_signed_7;
+                gain1_r_8 <= gain1_r_7;
+                texels_1_even_even_even_g_8 <= texels_1_even_even_even_g_7;
+                texels_1_even_even_odd_g_8 <= texels_1_even_even_odd_g_7;
+                texels_1_even_odd_even_g_8 <= texels_1_even_odd_even_g_7;
+                texels_1_even_odd_odd_g_8 <= texels_1_even_odd_odd_g_7;
+                texels_1_odd_even_even_g_8 <= texels_1_odd_even_even_g_7;
+                texels_1_odd_even_odd_g_8 <= texels_1_odd_even_odd_g_7;
+                texels_1_odd_odd_even_g_8 <= texels_1_odd_odd_even_g_7;
+                texels_1_odd_odd_odd_g_8 <= texels_1_odd_odd_odd_g_7;
+                gain1_g_8 <= gain1_g_7;
+                texels_1_even_even_even_b_8 <= texels_1_even_even_even_b_7;
+                texels_1_even_even_odd_b_8 <= texels_1_even_even_odd_b_7;
+                texels_1_even_odd_even_b_8 <= texels_1_even_odd_even_b_7;
+                texels_1_even_odd_odd_b_8 <= texels_1_even_odd_odd_b_7;
+                texels_1_odd_even_even_b_8 <= texels_1_odd_even_even_b_7;
+                texels_1_odd_even_odd_b_8 <= texels_1_odd_even_odd_b_7;
+                texels_1_odd_odd_even_b_8 <= texels_1_odd_odd_even_b_7;
+                texels_1_odd_odd_odd_b_8 <= texels_1_odd_odd_odd_b_7;
+                gain1_b_8 <= gain1_b_7;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 8: blend1_r_1_0_apart, blend1_r_1_1_apart, blend1_r_1_2_apart and 9 more
+    -- Q0.8: the difference
+    blend1_r_1_0_apart_8 <=
+        signed(resize(texels_1_even_even_odd_r_8, 9)) - signed(resize(texels_1_even_even_even_r_8, 9));
+    -- Q0.8: the difference
+    blend1_r_1_1_apart_8 <=
+        signed(resize(texels_1_even_odd_odd_r_8, 9)) - signed(resize(texels_1_even_odd_even_r_8, 9));
+    -- Q0.8: the difference
+    blend1_r_1_2_apart_8 <=
+        signed(resize(texels_1_odd_even_odd_r_8, 9)) - signed(resize(texels_1_odd_even_even_r_8, 9));
+    -- Q0.8: the difference
+    blend1_r_1_3_apart_8 <=
+        signed(resize(texels_1_odd_odd_odd_r_8, 9)) - signed(resize(texels_1_odd_odd_even_r_8, 9));
+    -- Q0.8: the difference
+    blend1_g_1_0_apart_8 <=
+        signed(resize(texels_1_even_even_odd_g_8, 9)) - signed(resize(texels_1_even_even_even_g_8, 9));
+    -- Q0.8: the difference
+    blend1_g_1_1_apart_8 <=
+        signed(resize(texels_1_even_odd_odd_g_8, 9)) - signed(resize(texels_1_even_odd_even_g_8, 9));
+    -- Q0.8: the difference
+    blend1_g_1_2_apart_8 <=
+        signed(resize(texels_1_odd_even_odd_g_8, 9)) - signed(resize(texels_1_odd_even_even_g_8, 9));
+    -- Q0.8: the difference
+    blend1_g_1_3_apart_8 <=
+        signed(resize(texels_1_odd_odd_odd_g_8, 9)) - signed(resize(texels_1_odd_odd_even_g_8, 9));
+    -- Q0.8: the difference
+    blend1_b_1_0_apart_8 <=
+        signed(resize(texels_1_even_even_odd_b_8, 9)) - signed(resize(texels_1_even_even_even_b_8, 9));
+    -- Q0.8: the difference
+    blend1_b_1_1_apart_8 <=
+        signed(resize(texels_1_even_odd_odd_b_8, 9)) - signed(resize(texels_1_even_odd_even_b_8, 9));
+    -- Q0.8: the difference
+    blend1_b_1_2_apart_8 <=
+        signed(resize(texels_1_odd_even_odd_b_8, 9)) - signed(resize(texels_1_odd_even_even_b_8, 9));
+    -- Q0.8: the difference
+    blend1_b_1_3_apart_8 <=
+        signed(resize(texels_1_odd_odd_odd_b_8, 9)) - signed(resize(texels_1_odd_odd_even_b_8, 9));
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_even_even_r_9 <= texels_1_even_even_even_r_8;
+                texels_1_even_odd_even_r_9 <= texels_1_even_odd_even_r_8;
+                texels_1_odd_even_even_r_9 <= texels_1_odd_even_even_r_8;
+                texels_1_odd_odd_even_r_9 <= texels_1_odd_odd_even_r_8;
+                blend1_r_1_0_apart_9 <= blend1_r_1_0_apart_8;
+                u1_odd_signed_9 <= u1_odd_signed_8;
+                blend1_r_1_1_apart_9 <= blend1_r_1_1_apart_8;
+                blend1_r_1_2_apart_9 <= blend1_r_1_2_apart_8;
+                blend1_r_1_3_apart_9 <= blend1_r_1_3_apart_8;
+                v1_odd_signed_9 <= v1_odd_signed_8;
+                blend1_signed_9 <= blend1_signed_8;
+                gain1_r_9 <= gain1_r_8;
+                texels_1_even_even_even_g_9 <= texels_1_even_even_even_g_8;
+                texels_1_even_odd_even_g_9 <= texels_1_even_odd_even_g_8;
+                texels_1_odd_even_even_g_9 <= texels_1_odd_even_even_g_8;
+                texels_1_odd_odd_even_g_9 <= texels_1_odd_odd_even_g_8;
+                blend1_g_1_0_apart_9 <= blend1_g_1_0_apart_8;
+                blend1_g_1_1_apart_9 <= blend1_g_1_1_apart_8;
+                blend1_g_1_2_apart_9 <= blend1_g_1_2_apart_8;
+                blend1_g_1_3_apart_9 <= blend1_g_1_3_apart_8;
+                gain1_g_9 <= gain1_g_8;
+                texels_1_even_even_even_b_9 <= texels_1_even_even_even_b_8;
+                texels_1_even_odd_even_b_9 <= texels_1_even_odd_even_b_8;
+                texels_1_odd_even_even_b_9 <= texels_1_odd_even_even_b_8;
+                texels_1_odd_odd_even_b_9 <= texels_1_odd_odd_even_b_8;
+                blend1_b_1_0_apart_9 <= blend1_b_1_0_apart_8;
+                blend1_b_1_1_apart_9 <= blend1_b_1_1_apart_8;
+                blend1_b_1_2_apart_9 <= blend1_b_1_2_apart_8;
+                blend1_b_1_3_apart_9 <= blend1_b_1_3_apart_8;
+                gain1_b_9 <= gain1_b_8;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 9: blend1_r_1_0_part, blend1_r_1_1_part, blend1_r_1_2_part and 9 more
+    -- Q2.14: its part
+    blend1_r_1_0_part_9 <= blend1_r_1_0_apart_9 * u1_odd_signed_9;
+    -- Q2.14: its part
+    blend1_r_1_1_part_9 <= blend1_r_1_1_apart_9 * u1_odd_signed_9;
+    -- Q2.14: its part
+    blend1_r_1_2_part_9 <= blend1_r_1_2_apart_9 * u1_odd_signed_9;
+    -- Q2.14: its part
+    blend1_r_1_3_part_9 <= blend1_r_1_3_apart_9 * u1_odd_signed_9;
+    -- Q2.14: its part
+    blend1_g_1_0_part_9 <= blend1_g_1_0_apart_9 * u1_odd_signed_9;
+    -- Q2.14: its part
+    blend1_g_1_1_part_9 <= blend1_g_1_1_apart_9 * u1_odd_signed_9;
+    -- Q2.14: its part
+    blend1_g_1_2_part_9 <= blend1_g_1_2_apart_9 * u1_odd_signed_9;
+    -- Q2.14: its part
+    blend1_g_1_3_part_9 <= blend1_g_1_3_apart_9 * u1_odd_signed_9;
+    -- Q2.14: its part
+    blend1_b_1_0_part_9 <= blend1_b_1_0_apart_9 * u1_odd_signed_9;
+    -- Q2.14: its part
+    blend1_b_1_1_part_9 <= blend1_b_1_1_apart_9 * u1_odd_signed_9;
+    -- Q2.14: its part
+    blend1_b_1_2_part_9 <= blend1_b_1_2_apart_9 * u1_odd_signed_9;
+    -- Q2.14: its part
+    blend1_b_1_3_part_9 <= blend1_b_1_3_apart_9 * u1_odd_signed_9;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_even_even_r_10 <= texels_1_even_even_even_r_9;
+                texels_1_even_odd_even_r_10 <= texels_1_even_odd_even_r_9;
+                texels_1_odd_even_even_r_10 <= texels_1_odd_even_even_r_9;
+                texels_1_odd_odd_even_r_10 <= texels_1_odd_odd_even_r_9;
+                blend1_r_1_0_part_10 <= blend1_r_1_0_part_9;
+                blend1_r_1_1_part_10 <= blend1_r_1_1_part_9;
+                blend1_r_1_2_part_10 <= blend1_r_1_2_part_9;
+                blend1_r_1_3_part_10 <= blend1_r_1_3_part_9;
+                v1_odd_signed_10 <= v1_odd_signed_9;
+                blend1_signed_10 <= blend1_signed_9;
+                gain1_r_10 <= gain1_r_9;
+                texels_1_even_even_even_g_10 <= texels_1_even_even_even_g_9;
+                texels_1_even_odd_even_g_10 <= texels_1_even_odd_even_g_9;
+                texels_1_odd_even_even_g_10 <= texels_1_odd_even_even_g_9;
+                texels_1_odd_odd_even_g_10 <= texels_1_odd_odd_even_g_9;
+                blend1_g_1_0_part_10 <= blend1_g_1_0_part_9;
+                blend1_g_1_1_part_10 <= blend1_g_1_1_part_9;
+                blend1_g_1_2_part_10 <= blend1_g_1_2_part_9;
+                blend1_g_1_3_part_10 <= blend1_g_1_3_part_9;
+                gain1_g_10 <= gain1_g_9;
+                texels_1_even_even_even_b_10 <= texels_1_even_even_even_b_9;
+                texels_1_even_odd_even_b_10 <= texels_1_even_odd_even_b_9;
+                texels_1_odd_even_even_b_10 <= texels_1_odd_even_even_b_9;
+                texels_1_odd_odd_even_b_10 <= texels_1_odd_odd_even_b_9;
+                blend1_b_1_0_part_10 <= blend1_b_1_0_part_9;
+                blend1_b_1_1_part_10 <= blend1_b_1_1_part_9;
+                blend1_b_1_2_part_10 <= blend1_b_1_2_part_9;
+                blend1_b_1_3_part_10 <= blend1_b_1_3_part_9;
+                gain1_b_10 <= gain1_b_9;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 10: blend1_r_1_0, blend1_r_1_1, blend1_r_1_2, blend1_r_1_3 and 14 more
+    -- UQ0.14: two neighbours
+    blend1_r_1_0_10 <=
+        shift_left(resize(texels_1_even_even_even_r_10, 14), 6) + unsigned(blend1_r_1_0_part_10(13 downto 0));
+    -- UQ0.14: two neighbours
+    blend1_r_1_1_10 <=
+        shift_left(resize(texels_1_even_odd_even_r_10, 14), 6) + unsigned(blend1_r_1_1_part_10(13 downto 0));
+    -- UQ0.14: two neighbours
+    blend1_r_1_2_10 <=
+        shift_left(resize(texels_1_odd_even_even_r_10, 14), 6) + unsigned(blend1_r_1_2_part_10(13 downto 0));
+    -- UQ0.14: two neighbours
+    blend1_r_1_3_10 <=
+        shift_left(resize(texels_1_odd_odd_even_r_10, 14), 6) + unsigned(blend1_r_1_3_part_10(13 downto 0));
+    -- Q0.14: the difference
+    blend1_r_2_0_apart_10 <=
+        signed(resize(blend1_r_1_1_10, 15)) - signed(resize(blend1_r_1_0_10, 15));
+    -- Q0.14: the difference
+    blend1_r_2_1_apart_10 <=
+        signed(resize(blend1_r_1_3_10, 15)) - signed(resize(blend1_r_1_2_10, 15));
+    -- UQ0.14: two neighbours
+    blend1_g_1_0_10 <=
+        shift_left(resize(texels_1_even_even_even_g_10, 14), 6) + unsigned(blend1_g_1_0_part_10(13 downto 0));
+    -- UQ0.14: two neighbours
+    blend1_g_1_1_10 <=
+        shift_left(resize(texels_1_even_odd_even_g_10, 14), 6) + unsigned(blend1_g_1_1_part_10(13 downto 0));
+    -- UQ0.14: two neighbours
+    blend1_g_1_2_10 <=
+        shift_left(resize(texels_1_odd_even_even_g_10, 14), 6) + unsigned(blend1_g_1_2_part_10(13 downto 0));
+    -- UQ0.14: two neighbours
+    blend1_g_1_3_10 <=
+        shift_left(resize(texels_1_odd_odd_even_g_10, 14), 6) + unsigned(blend1_g_1_3_part_10(13 downto 0));
+    -- Q0.14: the difference
+    blend1_g_2_0_apart_10 <=
+        signed(resize(blend1_g_1_1_10, 15)) - signed(resize(blend1_g_1_0_10, 15));
+    -- Q0.14: the difference
+    blend1_g_2_1_apart_10 <=
+        signed(resize(blend1_g_1_3_10, 15)) - signed(resize(blend1_g_1_2_10, 15));
+    -- UQ0.14: two neighbours
+    blend1_b_1_0_10 <=
+        shift_left(resize(texels_1_even_even_even_b_10, 14), 6) + unsigned(blend1_b_1_0_part_10(13 downto 0));
+    -- UQ0.14: two neighbours
+    blend1_b_1_1_10 <=
+        shift_left(resize(texels_1_even_odd_even_b_10, 14), 6) + unsigned(blend1_b_1_1_part_10(13 downto 0));
+    -- UQ0.14: two neighbours
+    blend1_b_1_2_10 <=
+        shift_left(resize(texels_1_odd_even_even_b_10, 14), 6) + unsigned(blend1_b_1_2_part_10(13 downto 0));
+    -- UQ0.14: two neighbours
+    blend1_b_1_3_10 <=
+        shift_left(resize(texels_1_odd_odd_even_b_10, 14), 6) + unsigned(blend1_b_1_3_part_10(13 downto 0));
+    -- Q0.14: the difference
+    blend1_b_2_0_apart_10 <=
+        signed(resize(blend1_b_1_1_10, 15)) - signed(resize(blend1_b_1_0_10, 15));
+    -- Q0.14: the difference
+    blend1_b_2_1_apart_10 <=
+        signed(resize(blend1_b_1_3_10, 15)) - signed(resize(blend1_b_1_2_10, 15));
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                blend1_r_1_0_11 <= blend1_r_1_0_10;
+                blend1_r_1_2_11 <= blend1_r_1_2_10;
+                blend1_r_2_0_apart_11 <= blend1_r_2_0_apart_10;
+                v1_odd_signed_11 <= v1_odd_signed_10;
+                blend1_r_2_1_apart_11 <= blend1_r_2_1_apart_10;
+                blend1_signed_11 <= blend1_signed_10;
+                gain1_r_11 <= gain1_r_10;
+                blend1_g_1_0_11 <= blend1_g_1_0_10;
+                blend1_g_1_2_11 <= blend1_g_1_2_10;
+                blend1_g_2_0_apart_11 <= blend1_g_2_0_apart_10;
+                blend1_g_2_1_apart_11 <= blend1_g_2_1_apart_10;
+                gain1_g_11 <= gain1_g_10;
+                blend1_b_1_0_11 <= blend1_b_1_0_10;
+                blend1_b_1_2_11 <= blend1_b_1_2_10;
+                blend1_b_2_0_apart_11 <= blend1_b_2_0_apart_10;
+                blend1_b_2_1_apart_11 <= blend1_b_2_1_apart_10;
+                gain1_b_11 <= gain1_b_10;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 11: blend1_r_2_0_part, blend1_r_2_1_part, blend1_g_2_0_part and 3 more
+    -- Q2.20: its part
+    blend1_r_2_0_part_11 <= blend1_r_2_0_apart_11 * v1_odd_signed_11;
+    -- Q2.20: its part
+    blend1_r_2_1_part_11 <= blend1_r_2_1_apart_11 * v1_odd_signed_11;
+    -- Q2.20: its part
+    blend1_g_2_0_part_11 <= blend1_g_2_0_apart_11 * v1_odd_signed_11;
+    -- Q2.20: its part
+    blend1_g_2_1_part_11 <= blend1_g_2_1_apart_11 * v1_odd_signed_11;
+    -- Q2.20: its part
+    blend1_b_2_0_part_11 <= blend1_b_2_0_apart_11 * v1_odd_signed_11;
+    -- Q2.20: its part
+    blend1_b_2_1_part_11 <= blend1_b_2_1_apart_11 * v1_odd_signed_11;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                blend1_r_1_0_12 <= blend1_r_1_0_11;
+                blend1_r_1_2_12 <= blend1_r_1_2_11;
+                blend1_r_2_0_part_12 <= blend1_r_2_0_part_11;
+                blend1_r_2_1_part_12 <= blend1_r_2_1_part_11;
+                blend1_signed_12 <= blend1_signed_11;
+                gain1_r_12 <= gain1_r_11;
+                blend1_g_1_0_12 <= blend1_g_1_0_11;
+                blend1_g_1_2_12 <= blend1_g_1_2_11;
+                blend1_g_2_0_part_12 <= blend1_g_2_0_part_11;
+                blend1_g_2_1_part_12 <= blend1_g_2_1_part_11;
+                gain1_g_12 <= gain1_g_11;
+                blend1_b_1_0_12 <= blend1_b_1_0_11;
+                blend1_b_1_2_12 <= blend1_b_1_2_11;
+                blend1_b_2_0_part_12 <= blend1_b_2_0_part_11;
+                blend1_b_2_1_part_12 <= blend1_b_2_1_part_11;
+                gain1_b_12 <= gain1_b_11;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 12: blend1_r_2_0, blend1_r_2_1, blend1_r_3_0_apart and 6 more
+    -- UQ0.20: two neighbours
+    blend1_r_2_0_12 <=
+        shift_left(resize(blend1_r_1_0_12, 20), 6) + unsigned(blend1_r_2_0_part_12(19 downto 0));
+    -- UQ0.20: two neighbours
+    blend1_r_2_1_12 <=
+        shift_left(resize(blend1_r_1_2_12, 20), 6) + unsigned(blend1_r_2_1_part_12(19 downto 0));
+    -- Q0.20: the difference
+    blend1_r_3_0_apart_12 <=
+        signed(resize(blend1_r_2_1_12, 21)) - signed(resize(blend1_r_2_0_12, 21));
+    -- UQ0.20: two neighbours
+    blend1_g_2_0_12 <=
+        shift_left(resize(blend1_g_1_0_12, 20), 6) + unsigned(blend1_g_2_0_part_12(19 downto 0));
+    -- UQ0.20: two neighbours
+    blend1_g_2_1_12 <=
+        shift_left(resize(blend1_g_1_2_12, 20), 6) + unsigned(blend1_g_2_1_part_12(19 downto 0));
+    -- Q0.20: the difference
+    blend1_g_3_0_apart_12 <=
+        signed(resize(blend1_g_2_1_12, 21)) - signed(resize(blend1_g_2_0_12, 21));
+    -- UQ0.20: two neighbours
+    blend1_b_2_0_12 <=
+        shift_left(resize(blend1_b_1_0_12, 20), 6) + unsigned(blend1_b_2_0_part_12(19 downto 0));
+    -- UQ0.20: two neighbours
+    blend1_b_2_1_12 <=
+        shift_left(resize(blend1_b_1_2_12, 20), 6) + unsigned(blend1_b_2_1_part_12(19 downto 0));
+    -- Q0.20: the difference
+    blend1_b_3_0_apart_12 <=
+        signed(resize(blend1_b_2_1_12, 21)) - signed(resize(blend1_b_2_0_12, 21));
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                blend1_r_2_0_13 <= blend1_r_2_0_12;
+                blend1_r_3_0_apart_13 <= blend1_r_3_0_apart_12;
+                blend1_signed_13 <= blend1_signed_12;
+                gain1_r_13 <= gain1_r_12;
+                blend1_g_2_0_13 <= blend1_g_2_0_12;
+                blend1_g_3_0_apart_13 <= blend1_g_3_0_apart_12;
+                gain1_g_13 <= gain1_g_12;
+                blend1_b_2_0_13 <= blend1_b_2_0_12;
+                blend1_b_3_0_apart_13 <= blend1_b_3_0_apart_12;
+                gain1_b_13 <= gain1_b_12;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 13: blend1_r_3_0_part, blend1_g_3_0_part, blend1_b_3_0_part
+    -- Q2.26: its part
+    blend1_r_3_0_part_13 <= blend1_r_3_0_apart_13 * blend1_signed_13;
+    -- Q2.26: its part
+    blend1_g_3_0_part_13 <= blend1_g_3_0_apart_13 * blend1_signed_13;
+    -- Q2.26: its part
+    blend1_b_3_0_part_13 <= blend1_b_3_0_apart_13 * blend1_signed_13;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                blend1_r_2_0_14 <= blend1_r_2_0_13;
+                blend1_r_3_0_part_14 <= blend1_r_3_0_part_13;
+                gain1_r_14 <= gain1_r_13;
+                blend1_g_2_0_14 <= blend1_g_2_0_13;
+                blend1_g_3_0_part_14 <= blend1_g_3_0_part_13;
+                gain1_g_14 <= gain1_g_13;
+                blend1_b_2_0_14 <= blend1_b_2_0_13;
+                blend1_b_3_0_part_14 <= blend1_b_3_0_part_13;
+                gain1_b_14 <= gain1_b_13;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 14: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
+    -- UQ0.26: two bands
+    blend1_r_3_0_14 <=
+        shift_left(resize(blend1_r_2_0_14, 26), 6) + unsigned(blend1_r_3_0_part_14(25 downto 0));
+    -- UQ0.18: the blended code
+    root1_r_14 <= blend1_r_3_0_14(25 downto 8);
+    -- UQ0.26: two bands
+    blend1_g_3_0_14 <=
+        shift_left(resize(blend1_g_2_0_14, 26), 6) + unsigned(blend1_g_3_0_part_14(25 downto 0));
+    -- UQ0.18: the blended code
+    root1_g_14 <= blend1_g_3_0_14(25 downto 8);
+    -- UQ0.26: two bands
+    blend1_b_3_0_14 <=
+        shift_left(resize(blend1_b_2_0_14, 26), 6) + unsigned(blend1_b_3_0_part_14(25 downto 0));
+    -- UQ0.18: the blended code
+    root1_b_14 <= blend1_b_3_0_14(25 downto 8);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                root1_r_15 <= root1_r_14;
+                gain1_r_15 <= gain1_r_14;
+                root1_g_15 <= root1_g_14;
+                gain1_g_15 <= gain1_g_14;
+                root1_b_15 <= root1_b_14;
+                gain1_b_15 <= gain1_b_14;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 15: square1_r_exact, square1_g_exact, square1_b_exact
+    -- UQ0.36: its square
+    square1_r_exact_15 <= root1_r_15 * root1_r_15;
+    -- UQ0.18: rounded down
+    square1_r_15 <= square1_r_exact_15(35 downto 18);
+    -- UQ0.36: its square
+    square1_g_exact_15 <= root1_g_15 * root1_g_15;
+    -- UQ0.18: rounded down
+    square1_g_15 <= square1_g_exact_15(35 downto 18);
+    -- UQ0.36: its square
+    square1_b_exact_15 <= root1_b_15 * root1_b_15;
+    -- UQ0.18: rounded down
+    square1_b_15 <= square1_b_exact_15(35 downto 18);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                square1_r_16 <= square1_r_15;
+                gain1_r_16 <= gain1_r_15;
+                square1_g_16 <= square1_g_15;
+                gain1_g_16 <= gain1_g_15;
+                square1_b_16 <= square1_b_15;
+                gain1_b_16 <= gain1_b_15;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 16: light1_r_exact, light1_g_exact, light1_b_exact
+    -- UQ8.29: what the light gives
+    light1_r_exact_16 <= gain1_r_16 * square1_r_16;
+    -- UQ8.11: rounded down
+    light1_r_16 <= light1_r_exact_16(36 downto 18);
+    -- UQ8.29: what the light gives
+    light1_g_exact_16 <= gain1_g_16 * square1_g_16;
+    -- UQ8.11: rounded down
+    light1_g_16 <= light1_g_exact_16(36 downto 18);
+    -- UQ8.29: what the light gives
+    light1_b_exact_16 <= gain1_b_16 * square1_b_16;
+    -- UQ8.11: rounded down
+    light1_b_16 <= light1_b_exact_16(36 downto 18);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                light1_r_17 <= light1_r_16;
+                light1_g_17 <= light1_g_16;
+                light1_b_17 <= light1_b_16;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 17: sum_half_r, kept_r, sum_half_g, kept_g, sum_half_b, kept_b
+    -- UQ8.11: plus half a code
+    sum_half_r_17 <= light1_r_17 + to_unsigned(4, 19);
+    -- UQ8.8: rounded to the nearest code
+    cut_r_17 <= sum_half_r_17(18 downto 3);
+    -- UQ0.8: at most full scale
+    kept_r_17 <= to_unsigned(255, 8) when cut_r_17 > 255 else
+        cut_r_17(7 downto 0);
+    -- UQ8.0: as a whole number
+    code_r_17 <= kept_r_17;
+    -- UQ8.11: plus half a code
+    sum_half_g_17 <= light1_g_17 + to_unsigned(4, 19);
+    -- UQ8.8: rounded to the nearest code
+    cut_g_17 <= sum_half_g_17(18 downto 3);
+    -- UQ0.8: at most full scale
+    kept_g_17 <= to_unsigned(255, 8) when cut_g_17 > 255 else
+        cut_g_17(7 downto 0);
+    -- UQ8.0: as a whole number
+    code_g_17 <= kept_g_17;
+    -- UQ8.11: plus half a code
+    sum_half_b_17 <= light1_b_17 + to_unsigned(4, 19);
+    -- UQ8.8: rounded to the nearest code
+    cut_b_17 <= sum_half_b_17(18 downto 3);
+    -- UQ0.8: at most full scale
+    kept_b_17 <= to_unsigned(255, 8) when cut_b_17 > 255 else
+        cut_b_17(7 downto 0);
+    -- UQ8.0: as a whole number
+    code_b_17 <= kept_b_17;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                code_r_18 <= code_r_17;
+                code_g_18 <= code_g_17;
+                code_b_18 <= code_b_17;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(18);
+    out_r     <= code_r_18;
+    out_g     <= code_g_18;
+    out_b     <= code_b_18;
+
+end architecture rtl;

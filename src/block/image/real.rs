@@ -1,0 +1,160 @@
+//! The image-based block in real numbers, step by step towards what the hardware has.
+
+use super::{ImageBlock, ImageForm, LightRecord, record};
+use crate::fixed::exp2;
+use crate::reflectance::Rgb;
+use crate::reflectance::texels::pair;
+use crate::reflectance::vector::{Light, Vector};
+
+/// A light as the block is told of it, in real numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RealLight {
+    direction: Vector,
+    frame: Vec<f64>,
+    band: usize,
+    /// The part of the next band in the blend.
+    next: f64,
+    /// What the squared blend, of texels from 0 to 1, and n·l are multiplied by.
+    gain: Rgb,
+}
+
+/// Which texels are blended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RealTexels {
+    /// The roots of the reflectance where the texels lie.
+    Exact,
+    /// Their codes.
+    Stored,
+}
+
+/// Where texels are looked up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Places {
+    /// Where the normal leads to.
+    Exact,
+    /// At the multiples of a weight's last bit that the hardware has.
+    Rounded,
+}
+
+/// A place between two texels: the first, and the weight of the next.
+type Place = (usize, f64);
+
+impl ImageBlock {
+    /// A light of an intensity a channel, not rounded.
+    #[must_use]
+    pub fn real_light(&self, light: Light, intensity: Rgb) -> RealLight {
+        let pair = pair(&self.image.band_angles(), light.phi);
+        let (band, t) = record::bands(pair);
+        let [own, next] = self.texels.weights([band, band + 1], t);
+        let weight = own + next;
+        RealLight {
+            direction: light.direction(),
+            frame: record::frame(&self.image, light),
+            band,
+            next: if weight > 0.0 { next / weight } else { 0.0 },
+            gain: if light.phi < 180.0 { intensity.map(|part| part * weight * weight) } else { [0.0; 3] },
+        }
+    }
+
+    /// What a light's record stands for.
+    #[must_use]
+    pub fn light_of(&self, record: &LightRecord) -> RealLight {
+        let vector = exp2(-(self.image.vector_fraction as i32));
+        let [x, y, z] = record.direction.map(|code| code as f64 * vector);
+        let odd = record.blend as f64 * exp2(-(self.image.weight_bits as i32));
+        let gain = exp2(record.shift.unwrap_or(0) as i32 - self.widths.gain) / record::unit(&self.image);
+        RealLight {
+            direction: Vector::new(x, y, z),
+            frame: record.frame.iter().map(|&code| code as f64 * vector).collect(),
+            band: record.band as usize,
+            next: if record.band % 2 == 0 { odd } else { 1.0 - odd },
+            gain: record.gain.map(|code| code as f64 * gain),
+        }
+    }
+
+    /// A scalar product that a place follows from.
+    fn product(&self, a: &[f64], b: &[f64], places: Places) -> f64 {
+        let products = a.iter().zip(b).map(|(a, b)| a * b);
+        match places {
+            Places::Exact => products.sum(),
+            Places::Rounded => {
+                let steps = exp2(self.widths.place);
+                products.map(|product| (product * steps).floor() / steps).sum()
+            }
+        }
+    }
+
+    /// A place, counted from the first centre, as it is looked up: rounded down, with `half` to the nearest.
+    fn place(&self, exact: f64, places: Places, half: f64) -> Place {
+        let last = f64::from(self.image.size - 1);
+        let steps = exp2(self.image.weight_bits as i32);
+        let place = match places {
+            Places::Exact => exact,
+            Places::Rounded => (exact * steps + half).floor() / steps,
+        };
+        let place = place.clamp(0.0, last);
+        let first = place.floor().min(last - 1.0);
+        (first as usize, place - first)
+    }
+
+    /// Where the normal lies in a band, the outermost direction first.
+    fn places(&self, n: &[f64; 3], frame: &[f64], places: Places) -> Vec<Place> {
+        let size = f64::from(self.image.size);
+        match self.image.form {
+            ImageForm::Bivariate { octaves } => {
+                let apart: Vec<f64> = n.iter().zip(frame).map(|(n, h)| n - h).collect();
+                let steps = exp2(self.image.octave_bits(octaves) as i32);
+                let u = (self.product(&apart, &apart, places) / 2.0).min(1.0 - 0.5 / steps);
+                let exponent = if u > 0.0 { (libm::ilogb(u) + octaves as i32).max(0) } else { 0 };
+                let rest = match exponent {
+                    0 => u * exp2(octaves as i32 - 1),
+                    _ => u * exp2(octaves as i32 - exponent) - 1.0,
+                };
+                vec![self.place((f64::from(exponent) + rest) * steps, places, 0.0)]
+            }
+            ImageForm::Half { .. } => {
+                let across = |axis: &[f64]| {
+                    let place = (self.product(&n[..axis.len()], axis, places) * size + size - 1.0) / 2.0;
+                    self.place(place, places, 0.5)
+                };
+                vec![across(&frame[3..5]), across(&frame[..3])]
+            }
+        }
+    }
+
+    /// A texel's channel, from 0 to 1: the root of the reflectance over its band's cap.
+    fn root(&self, texels: RealTexels, place: usize, channel: usize) -> f64 {
+        match texels {
+            RealTexels::Stored => f64::from(self.texels.codes()[place][channel]),
+            RealTexels::Exact => {
+                let caps = self.texels.caps();
+                let cap = caps[place / (self.samples.data.len() / caps.len())];
+                let sample = f64::from(self.samples.data[place][channel]);
+                if cap > 0.0 { libm::sqrt((sample / cap).clamp(0.0, 1.0)) } else { 0.0 }
+            }
+        }
+    }
+
+    fn blend(&self, texels: RealTexels, channel: usize, places: &[Place], before: usize) -> f64 {
+        let Some((&(place, weight), rest)) = places.split_first() else { return self.root(texels, before, channel) };
+        let extents = self.image.extents();
+        let extent = extents[extents.len() - places.len()] as usize;
+        let at = |place: usize| self.blend(texels, channel, rest, before * extent + place);
+        if weight == 0.0 { at(place) } else { at(place) * (1.0 - weight) + at(place + 1) * weight }
+    }
+
+    /// What a light gives to the channels, 1 at full scale and not clamped.
+    #[must_use]
+    pub fn real(&self, n: Vector, light: &RealLight, texels: RealTexels, places: Places) -> Rgb {
+        let incidence = n.dot(&light.direction).max(0.0);
+        if n.z <= 0.0 || incidence == 0.0 {
+            return [0.0; 3];
+        }
+        let inner = self.places(&[n.x, n.y, n.z], &light.frame, places);
+        let all = [vec![(light.band, light.next)], inner].concat();
+        [0, 1, 2].map(|channel| {
+            let root = self.blend(texels, channel, &all, 0);
+            light.gain[channel] * root * root * incidence
+        })
+    }
+}

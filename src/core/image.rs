@@ -1,0 +1,201 @@
+//! The image-based block that a core is, and where its error comes from.
+
+use std::ops::Deref;
+
+use rayon::prelude::*;
+use serde::Serialize;
+
+use super::{Design, Part};
+use crate::block::image::{ImageBlock, ImageForm, ImageModel, ImageSpec, Joints, Places, RealTexels};
+use crate::fixed::exp2;
+use crate::reflectance::measure::{self, Quality, Sphere};
+use crate::reflectance::{Light, Reflectance, Rgb, Vector};
+
+/// An image-based block; what is the whole core's is reached through it.
+#[derive(Clone, Copy, Debug)]
+pub struct ImageDesign<'a> {
+    design: &'a Design,
+    /// What was asked for of it.
+    pub of: &'a ImageSpec,
+    /// Its texels and widths.
+    pub block: &'a ImageBlock,
+    /// The joints of its datapath.
+    pub joints: &'a Joints,
+}
+
+impl Deref for ImageDesign<'_> {
+    type Target = Design;
+
+    fn deref(&self) -> &Design {
+        self.design
+    }
+}
+
+impl<'a> ImageDesign<'a> {
+    pub(super) fn new(design: &'a Design, of: &'a ImageSpec, block: &'a ImageBlock, joints: &'a Joints) -> Self {
+        Self { design, of, block, joints }
+    }
+
+    /// The core that it is.
+    #[must_use]
+    pub fn core(self) -> &'a Design {
+        self.design
+    }
+
+    /// The bit-exact reference.
+    #[must_use]
+    pub fn model(self) -> ImageModel<'a> {
+        self.block.model()
+    }
+
+    /// The codes of a unit vector.
+    #[must_use]
+    pub fn vector(self, v: Vector) -> [i64; 3] {
+        let one = exp2(self.of.image.vector_fraction as i32);
+        [v.x, v.y, v.z].map(|component| libm::round(component * one) as i64)
+    }
+
+    /// What each input port that carries numbers is for, in the order in which the ports are made.
+    pub(super) fn input_meanings(self) -> Vec<String> {
+        let image = &self.of.image;
+        let axes = ["x", "y", "z"];
+        let mut meanings = axes.map(|axis| format!("{axis} of the unit normal, the viewer at +z")).to_vec();
+        for light in 1..=image.lights {
+            meanings.extend(axes.map(|axis| format!("{axis} of the unit vector to light {light}")));
+            meanings.extend(match image.form {
+                ImageForm::Bivariate { .. } => {
+                    axes.map(|axis| format!("{axis} of light {light}'s half vector")).to_vec()
+                }
+                ImageForm::Half { .. } => {
+                    let row = |row, axis| format!("{axis} of row {row} of the turn to light {light}'s half vector");
+                    [(1, "x"), (1, "y"), (1, "z"), (2, "x"), (2, "y")].map(|(number, axis)| row(number, axis)).to_vec()
+                }
+            });
+            let band = match image.form {
+                ImageForm::Bivariate { .. } => "row",
+                ImageForm::Half { .. } => "slice",
+            };
+            meanings.push(format!("{band} of texels below light {light}'s angle"));
+            meanings.push(format!("weight of the odd one of this {band} and the next, at most 1"));
+            if self.block.widths().shift > 0 {
+                meanings.push(format!("exponent of light {light}'s gain"));
+            }
+            meanings.extend(["red", "green", "blue"].map(|colour| format!("{colour} of light {light}'s gain")));
+        }
+        meanings
+    }
+
+    /// What each output port that carries numbers is for, in order.
+    pub(super) fn output_meanings(self) -> Vec<String> {
+        let full = self.of.image.full_scale();
+        ["red", "green", "blue"].map(|channel| format!("{channel}; {full} is full scale")).to_vec()
+    }
+
+    /// The inputs of a normal and of a light each; lights that are missing give nothing.
+    #[must_use]
+    pub fn inputs(self, n: Vector, lights: &[(Light, Rgb)]) -> Vec<i64> {
+        let missing = (Light::new(0.0, 0.0), [0.0; 3]);
+        let all = lights.iter().copied().chain(std::iter::repeat(missing));
+        let records = all.take(self.of.image.lights as usize).flat_map(|(light, intensity)| {
+            self.block.record(light, intensity).expect("an intensity from 0 to 1").codes()
+        });
+        self.vector(n).into_iter().chain(records).collect()
+    }
+}
+
+/// The error account of an image-based block.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct ImageError {
+    /// The angles of the light that pictures of a sphere are drawn at.
+    pub angles: usize,
+    /// The samples measured: the pictures' pixels.
+    pub samples: u64,
+    /// The pictures' signal-to-noise ratios against exact ones.
+    pub quality: Quality,
+    /// The parts, each switched from exact to what the hardware does with all before it switched already; they add up,
+    /// sample by sample, to the whole.
+    pub parts: Vec<Part>,
+    /// `hardware - exact`.
+    pub whole: Part,
+}
+
+const PARTS: [(&str, &str); 5] = [
+    ("method", "texels in place of the reflectance, blended"),
+    ("texels", "rounded to codes of their roots"),
+    ("ports", "the normal and the light's record rounded to their ports"),
+    ("weights", "the places between texels rounded to the weights' last bit"),
+    ("arithmetic", "the roundings behind them, the output's among them"),
+];
+
+/// The degrees between two angles of the light.
+const STEP: f64 = 5.0;
+/// Pixels along a side of a picture.
+const SIZE: usize = 48;
+/// The degrees of azimuth that a light stands at for each of its polar angle: none of the frame's axes is favoured.
+const TURN: f64 = 3.0;
+
+/// Least, greatest, squares.
+type Sums = [f64; 3];
+
+impl ImageError {
+    /// Measures a block with one light of intensity 1 over pictures of a sphere.
+    #[must_use]
+    pub fn of(design: ImageDesign<'_>) -> Self {
+        let sphere = Sphere::new(SIZE);
+        let full = design.of.image.full_scale() as f64;
+        let model = design.model();
+        let ImageSpec { model: reflectance, exposure, .. } = design.of;
+        let of_angle = |&phi: &f64| {
+            let light = Light::new(phi, TURN * phi);
+            let record = design.block.record(light, [1.0; 3]).expect("an intensity of 1");
+            let real = design.block.real_light(light, [1.0; 3]);
+            let rounded = design.block.light_of(&record);
+            let mut sums = [[f64::INFINITY, f64::NEG_INFINITY, 0.0]; PARTS.len() + 1];
+            let mut pictures = [Vec::new(), Vec::new()];
+            let mut inputs = design.inputs(Vector::z(), &[(light, [1.0; 3])]);
+            for &n in &sphere.normals {
+                let codes = design.vector(n);
+                let lsb = exp2(-(design.of.image.vector_fraction as i32));
+                let near = Vector::new(codes[0] as f64 * lsb, codes[1] as f64 * lsb, codes[2] as f64 * lsb);
+                inputs[..3].copy_from_slice(&codes);
+                let hardware = model.evaluate(&inputs);
+                let shown = |value: Rgb| value.map(|channel| (channel * full).clamp(0.0, full));
+                let stages = [
+                    shown(reflectance.radiance(light, n, *exposure)),
+                    shown(design.block.real(n, &real, RealTexels::Exact, Places::Exact)),
+                    shown(design.block.real(n, &real, RealTexels::Stored, Places::Exact)),
+                    shown(design.block.real(near, &rounded, RealTexels::Stored, Places::Exact)),
+                    shown(design.block.real(near, &rounded, RealTexels::Stored, Places::Rounded)),
+                    [0, 1, 2].map(|channel| hardware[channel] as f64),
+                ];
+                for channel in [0, 1, 2] {
+                    for (part, sum) in sums.iter_mut().enumerate() {
+                        let (from, to) = if part < PARTS.len() { (part, part + 1) } else { (0, PARTS.len()) };
+                        let error = stages[to][channel] - stages[from][channel];
+                        *sum = [sum[0].min(error), sum[1].max(error), sum[2] + error * error];
+                    }
+                }
+                pictures[0].push(stages[0].map(|code| (code / full) as f32));
+                pictures[1].push(stages[PARTS.len()].map(|code| (code / full) as f32));
+            }
+            (sums, (phi, measure::psnr(&pictures[0], &pictures[1])))
+        };
+        let angles = measure::angles(STEP);
+        let by_angle: Vec<([Sums; PARTS.len() + 1], (f64, f64))> = angles.par_iter().map(of_angle).collect();
+        let samples = (angles.len() * sphere.normals.len()) as u64;
+        // In order, so that the sums are the same on every machine.
+        let part = |index: usize, (name, meaning): (&'static str, &'static str)| {
+            let each = by_angle.iter().map(|(sums, _)| sums[index]);
+            let total = each.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1]), a[2] + b[2]]);
+            let [low, high, square] = total.unwrap_or_default();
+            Part { name, meaning, codes: [low, high], rms: libm::sqrt(square / (3 * samples) as f64) }
+        };
+        Self {
+            angles: angles.len(),
+            samples,
+            quality: Quality::of(by_angle.iter().map(|(_, ratio)| *ratio).collect()),
+            parts: PARTS.into_iter().enumerate().map(|(index, texts)| part(index, texts)).collect(),
+            whole: part(PARTS.len(), ("whole", "hardware - exact")),
+        }
+    }
+}

@@ -1,0 +1,154 @@
+//! The keys of an image-based block: what they say, and back.
+
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+
+use super::{Block, BlockKind, ReflectanceFields, RomStyle, ShaderFields, SpecFields};
+use crate::block::image::{Image, ImageForm, ImageSpec, TexelMemory};
+use crate::block::shader::{CHANNEL_BITS, VECTOR_FRACTION};
+use crate::method::keys::Fields;
+use crate::method::within;
+use crate::platform::error::{Error, refuse};
+
+/// What is stored of a reflectance, by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum ImageFormName {
+    /// Slices about the half vector, one for each angle of the light.
+    Half,
+    /// The mean over the azimuth about the half vector: a row for each angle of the light.
+    Bivariate,
+}
+
+/// Where its keys apply, as their table says it.
+const APPLIES: &str = "image-based blocks";
+/// The keys that any core may have.
+const OF_ALL: [&str; 9] = [
+    "name",
+    "block",
+    "rom_formats",
+    "pipeline",
+    "languages",
+    "vhdl_ports",
+    "axi_stream",
+    "tuser_bits",
+    "golden_inputs",
+];
+/// The bits before the point of a vector's component, its sign included.
+const BEFORE_POINT: u32 = 2;
+
+impl SpecFields {
+    /// Refuses a key that its block has no use for.
+    pub(super) fn check_block(&self) -> Result<(), Error> {
+        let is_image = self.block == Some(BlockKind::Image);
+        let given = self.values().into_iter().filter(|(_, value)| value.is_some()).map(|(key, _)| key);
+        let misplaced = given.into_iter().find(|key| {
+            let of_image = key.applies == APPLIES;
+            if is_image { !of_image && !OF_ALL.contains(&key.name) } else { of_image }
+        });
+        match misplaced {
+            None => Ok(()),
+            Some(key) if key.name == "rom" => Err(Error::input(
+                "rom is given for an image-based block",
+                "its memories hold texels: texels = \"rom\" or \"writable\"",
+            )),
+            Some(key) if is_image => Err(Error::input(
+                format!("{} is given for an image-based block", key.flag().replace('-', "_")),
+                "leave it out: the block has neither a lobe nor materials",
+            )),
+            Some(key) => Err(Error::input(
+                format!("{} is given, which is for image-based blocks", key.flag().replace('-', "_")),
+                "use --block image, or leave it out",
+            )),
+        }
+    }
+
+    /// The image-based block.
+    pub(super) fn resolved_image(&self) -> Result<ImageSpec, Error> {
+        let form = self.resolved_form()?;
+        let vector = BEFORE_POINT + VECTOR_FRACTION.start()..=BEFORE_POINT + VECTOR_FRACTION.end();
+        let vector_bits = within("vector_bits", self.vector_bits.unwrap_or(18), vector)?;
+        let channel_bits = self.output_bits.unwrap_or(8);
+        refuse!(
+            !CHANNEL_BITS.contains(&channel_bits),
+            format!("output_bits = {channel_bits} is not offered"),
+            "8, 10 or 12"
+        );
+        let default_weight_bits = match form {
+            ImageForm::Half { .. } => 6,
+            ImageForm::Bivariate { .. } => 5,
+        };
+        let image = Image {
+            form,
+            size: self.image_size.unwrap_or(32),
+            texel_bits: self.texel_bits.unwrap_or(8),
+            weight_bits: self.weight_bits.unwrap_or(default_weight_bits),
+            vector_fraction: vector_bits - BEFORE_POINT,
+            channel_bits,
+            lights: self.lights_a_clock.unwrap_or(1),
+        };
+        image.check()?;
+        let (model, exposure) = self.reflectance.resolve()?;
+        Ok(ImageSpec { image, model, exposure })
+    }
+
+    fn resolved_form(&self) -> Result<ImageForm, Error> {
+        Ok(match self.image_form.unwrap_or(ImageFormName::Half) {
+            ImageFormName::Half => {
+                refuse!(self.octaves.is_some(), "octaves are given for slices", "they are of --image-form bivariate");
+                ImageForm::Half { slices: self.images.unwrap_or(16) }
+            }
+            ImageFormName::Bivariate => {
+                refuse!(
+                    self.images.is_some(),
+                    "images are given for the form bivariate",
+                    "it has as many rows as columns: give image_size, or use --image-form half"
+                );
+                ImageForm::Bivariate { octaves: self.octaves.unwrap_or(8) }
+            }
+        })
+    }
+
+    /// Where the words of the block's memories come from: the texels of an image-based block are never in the source.
+    pub(super) fn resolved_rom(&self, block: &Block) -> RomStyle {
+        match (block, self.texels) {
+            (Block::Image(_), Some(TexelMemory::Writable)) => RomStyle::Writable,
+            (Block::Image(_), _) => RomStyle::File,
+            _ => self.rom.unwrap_or(RomStyle::Inline),
+        }
+    }
+
+    /// With what an image-based block is given.
+    pub(super) fn with_image(self, ImageSpec { image, model, exposure }: &ImageSpec, rom: RomStyle) -> Self {
+        let (form, images, octaves) = match image.form {
+            ImageForm::Half { slices } => (ImageFormName::Half, Some(slices), None),
+            ImageForm::Bivariate { octaves } => (ImageFormName::Bivariate, None, Some(octaves)),
+        };
+        Self {
+            block: Some(BlockKind::Image),
+            rom: None,
+            shader: ShaderFields::default(),
+            image_form: Some(form),
+            images,
+            octaves,
+            image_size: Some(image.size),
+            texel_bits: Some(image.texel_bits),
+            weight_bits: Some(image.weight_bits),
+            vector_bits: Some(image.vector_fraction + BEFORE_POINT),
+            output_bits: Some(image.channel_bits),
+            lights_a_clock: Some(image.lights),
+            texels: Some(if rom == RomStyle::Writable { TexelMemory::Writable } else { TexelMemory::Rom }),
+            reflectance: ReflectanceFields::of(model, *exposure),
+            ..self
+        }
+    }
+}
+
+/// What an image-based block is called whose spec has no name.
+pub(super) fn default_name(image: &Image) -> String {
+    let form = match image.form {
+        ImageForm::Half { .. } => "half",
+        ImageForm::Bivariate { .. } => "bivariate",
+    };
+    format!("image_{form}")
+}

@@ -1,0 +1,144 @@
+//! Which inputs of an image-based block become vectors, and its digests.
+
+use rayon::prelude::*;
+
+use super::Vector;
+use super::samples::{self, RANDOM, corners, detecting};
+use crate::core::sample::random_codes;
+use crate::core::{Direction, ImageDesign};
+use crate::fixed::Rng;
+use crate::reflectance::{Light, Vector as Direction3};
+
+/// Tasks that seek inputs which detect mutants.
+const TASKS: u64 = 16;
+/// Samples among which those are sought that detect a flipped bit of all texels of a memory.
+const CANDIDATES: usize = 96;
+
+/// The vectors of an image-based block, in groups with a heading.
+pub(super) fn vectors(design: ImageDesign<'_>) -> Vec<(String, Vec<Vector>)> {
+    let mut rng = Rng::new(0);
+    let ports = design.numbers(Direction::In);
+    let image = &design.of.image;
+    let mut groups: Vec<(&str, Vec<Vec<i64>>)> = Vec::new();
+    groups.push(("corners of the port codes", corners(&ports, 1 << image.vector_fraction, None)));
+    groups
+        .push(("normals along the axes and between them, lights at and between the bands' angles", along_axes(design)));
+    groups.push(("all texels", all_texels(design)));
+    groups.push(("n.v a power of two", {
+        let light = (Light::new(90.0, 45.0), [1.0; 3]);
+        let codes = design.inputs(Direction3::new(0.6, 0.6, 0.5), &vec![light; image.lights as usize]);
+        let with = |code: i64| {
+            let mut codes = codes.clone();
+            codes[2] = code;
+            codes
+        };
+        (0..=image.vector_fraction).map(|bit| with(1 << bit)).chain([with(0), with(-1)]).collect()
+    }));
+    groups.push(("powers of two in each channel", (0..3).flat_map(|channel| design.powers(channel)).collect()));
+    groups.push(("the greatest gain with every shift", greatest_gains(design)));
+    if image.lights > 1 {
+        let alone = |light: usize| {
+            let mut lights = vec![(Light::new(30.0, 40.0), [0.0; 3]); image.lights as usize];
+            lights[light].1 = [1.0, 0.7, 0.4];
+            design.inputs(Direction3::new(0.3, 0.1, 0.9).normalize(), &lights)
+        };
+        groups.push(("each light alone", (0..image.lights as usize).map(alone).collect()));
+    }
+    let candidates: Vec<Vec<i64>> = {
+        let mut rng = Rng::new(1 << 40);
+        (0..CANDIDATES).map(|_| design.random(&mut rng)).collect()
+    };
+    groups.push(("texels told from texels with any bit flipped", detecting(design.core(), &candidates)));
+    groups.push(("random codes", (0..RANDOM).map(|_| random_codes(&ports, &mut rng)).collect()));
+    groups.push(("random samples", (0..RANDOM).map(|_| design.random(&mut rng)).collect()));
+    samples::vectors(design.core(), groups, TASKS, &mut rng)
+}
+
+/// Normals along the axes, halfway between them and along the half vector, with the lights one behind the other at the
+/// bands' angles and between these.
+fn along_axes(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
+    let image = &design.of.image;
+    let bands = image.band_angles();
+    let between = [0.5 * (bands[0] + bands[1]), 179.0, 180.0];
+    let angles: Vec<f64> = bands.iter().copied().step_by(bands.len().div_ceil(20)).chain(between).collect();
+    let mut result = Vec::new();
+    for place in 0..angles.len() {
+        let light = |number: usize| Light::new(angles[(place + number) % angles.len()], 45.0 * (place + number) as f64);
+        let lights: Vec<_> = (0..image.lights as usize).map(|number| (light(number), [1.0, 0.5, 0.25])).collect();
+        let half = (lights[0].0.direction() + Direction3::z()).try_normalize(1e-9).unwrap_or(Direction3::x());
+        let x = Direction3::x();
+        let normals = [
+            half,
+            Direction3::z(),
+            x,
+            -Direction3::y(),
+            (Direction3::z() + x).normalize(),
+            (Direction3::z() - x + Direction3::y()).normalize(),
+            lights[0].0.direction(),
+            -Direction3::z(),
+        ];
+        result.extend(normals.map(|n| design.inputs(n, &lights)));
+    }
+    result
+}
+
+/// Between all texels, each once, as far as these are not too many, where every channel is about to take its next code
+/// and where it just has: a bit that is wrong in any of them shows in one of both.
+fn all_texels(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
+    let image = &design.of.image;
+    let extents = image.extents();
+    let parts = 1u64 << image.weight_bits;
+    let cells: u64 = extents.iter().map(|&extent| u64::from(extent / 2)).product();
+    let places = |number: u64| {
+        let mut rest = number;
+        let mut places = vec![0; extents.len()];
+        for (place, &extent) in places.iter_mut().zip(&extents).rev() {
+            *place = 2 * (rest % u64::from(extent / 2)) * parts + parts / 2;
+            rest /= u64::from(extent / 2);
+        }
+        places
+    };
+    // Of a million texels some of all columns, for which the step is odd: no file holds so many vectors.
+    let step = cells.div_ceil(MOST_CELLS) as usize | 1;
+    let numbers: Vec<u64> = (0..cells).step_by(step).collect();
+    numbers.par_iter().flat_map_iter(|&number| design.at_steps(&places(number))).collect()
+}
+
+/// Lights in front of a normal that is turned to the viewer, with the greatest gain and every shift, at texels of all
+/// bands.
+fn greatest_gains(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
+    let ports = design.numbers(Direction::In);
+    let extents = design.of.image.extents();
+    let parts = 1u64 << design.of.image.weight_bits;
+    let shifts = ports.iter().find(|(name, _)| *name == "in_shift1").map_or(1, |(_, format)| 1i64 << format.width());
+    let bands = u64::from(extents[0]);
+    let codes = |shift: i64, band: u64| {
+        let middle = if extents.len() == 2 { 0 } else { u64::from(extents[1] / 2) };
+        let inner = extents[1..].iter().map(|_| middle * parts);
+        let mut codes = design.at_texels(&std::iter::once(band * parts).chain(inner).collect::<Vec<u64>>());
+        for (code, (name, format)) in codes.iter_mut().zip(&ports) {
+            if *name == "in_l1z" || name.starts_with("in_gain1") {
+                *code = format.max_code() as i64;
+            } else if *name == "in_shift1" {
+                *code = shift;
+            }
+        }
+        codes
+    };
+    let bands = || (0..bands).step_by(bands.div_ceil(4) as usize);
+    (0..shifts)
+        .flat_map(|shift| bands().map(move |band| (shift, band)))
+        .map(|(shift, band)| codes(shift, band))
+        .collect()
+}
+
+/// The most places between texels.
+const MOST_CELLS: u64 = 1 << 11;
+
+/// The inputs of a stream: samples and random codes in turn.
+pub(super) fn stream(design: ImageDesign<'_>, stream: u32) -> impl Iterator<Item = Vec<i64>> {
+    let mut rng = Rng::new((2 << 40) + u64::from(stream));
+    let ports = design.core().numbers(Direction::In);
+    (0..crate::core::golden::STREAM)
+        .map(move |sample| if sample % 2 == 0 { design.random(&mut rng) } else { random_codes(&ports, &mut rng) })
+}
