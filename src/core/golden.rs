@@ -273,9 +273,7 @@ pub fn complemented(design: &Design, golden: &Golden) -> Vec<Vector> {
     // For each code of the first port those that differ, or all if none does.
     let mut of_index: BTreeMap<i64, (bool, Vec<Vector>)> = BTreeMap::new();
     for vector in golden.vectors() {
-        let inputs: Vec<i128> = vector.inputs.iter().copied().map(i128::from).collect();
-        let values = graph.values(&tables, &inputs);
-        let outputs: Vec<i64> = graph.outputs.iter().map(|&(_, id)| values[id] as i64).collect();
+        let outputs = graph.results(&tables, &vector.inputs);
         let differs = outputs != vector.outputs;
         let (known, vectors) = of_index.entry(vector.inputs[0]).or_default();
         if differs && !*known {

@@ -3,7 +3,7 @@
 use super::edges::inverse;
 use super::sample::{cross, normalised, plus, random_codes, random_direction};
 use super::{Direction, ImageDesign};
-use crate::block::image::{ImageForm, LightJoints};
+use crate::block::image::{Image, ImageForm, LightJoints};
 use crate::fixed::{Rng, exp2};
 use crate::reflectance::{Light, Rgb, Vector};
 
@@ -116,18 +116,8 @@ impl ImageDesign<'_> {
         let (image, widths, texels) = (&self.of.image, self.block.widths(), self.block.texels());
         let codes = texels.codes();
         let brightest = (0..codes.len()).rev().max_by(|&a, &b| codes[a][channel].total_cmp(&codes[b][channel]));
-        let mut rest = brightest.unwrap_or(0) as u64;
-        let mut places: Vec<u64> = image
-            .extents()
-            .iter()
-            .rev()
-            .map(|&extent| {
-                let place = rest % u64::from(extent);
-                rest /= u64::from(extent);
-                place << image.weight_bits
-            })
-            .collect();
-        places.reverse();
+        let texel = Image::places(brightest.unwrap_or(0) as u64, &image.extents());
+        let places: Vec<u64> = texel.into_iter().map(|place| place << image.weight_bits).collect();
         let (mut codes, gain) = self.towards_texels(&places);
         let one = 1i64 << image.vector_fraction;
         // The z of the light's direction.

@@ -148,6 +148,14 @@ impl Graph {
         self.inputs.iter().position(|&input| input == id).expect("every input node is a port")
     }
 
+    /// The codes at the output ports for codes at the input ports, with these memories.
+    #[must_use]
+    pub fn results(&self, tables: &[Table], codes: &[i64]) -> Vec<i64> {
+        let inputs: Vec<i128> = codes.iter().copied().map(i128::from).collect();
+        let values = self.values(tables, &inputs);
+        self.outputs.iter().map(|&(_, id)| values[id] as i64).collect()
+    }
+
     /// The node of a lobe's `in_n`.
     #[must_use]
     pub fn index(&self) -> NodeId {

@@ -188,12 +188,6 @@ impl Table {
         self.placed_fields().map(code).collect()
     }
 
-    /// This memory under another name.
-    #[must_use]
-    pub fn renamed(self, name: &'static str) -> Self {
-        Self { name, ..self }
-    }
-
     /// The number of logical rows.
     #[must_use]
     pub fn rows(&self) -> usize {

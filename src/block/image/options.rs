@@ -240,6 +240,24 @@ impl Image {
         }
     }
 
+    /// The place in each direction, the outermost first, of what comes so many behind the first where so many places
+    /// lie in each direction and those of the innermost come one behind the other.
+    #[must_use]
+    pub fn places(number: u64, counts: &[u32]) -> Vec<u64> {
+        let mut rest = number;
+        let mut places: Vec<u64> = counts
+            .iter()
+            .rev()
+            .map(|&count| {
+                let place = rest % u64::from(count);
+                rest /= u64::from(count);
+                place
+            })
+            .collect();
+        places.reverse();
+        places
+    }
+
     /// How many texels lie in each direction, the outermost first: the bands, and what is in one of them.
     #[must_use]
     pub fn extents(&self) -> Vec<u32> {

@@ -110,7 +110,7 @@ pub(super) fn banks(image: &Image, texels: &Texels) -> Vec<Table> {
     let first: Vec<Table> = parities.iter().map(bank).collect();
     let of_light = |light: usize| {
         first.iter().zip(&parities).map(move |(table, parities)| {
-            let mut table = table.clone().renamed(memory(light, parities));
+            let mut table = table.clone().named(memory(light, parities));
             table.fields.iter_mut().zip(fields(light, parities)).for_each(|(field, name)| field.name = name);
             table
         })

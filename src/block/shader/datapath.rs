@@ -129,7 +129,7 @@ fn lobe_memories(lobe: &Datapath, lights: usize, tables: &mut Vec<Table>) -> Vec
                 if light == 0 || !follows_operand(&lobe.graph, memory) {
                     return memory;
                 }
-                tables.push(table.clone().renamed(interned(format!("{}_{}", table.name, light + 1))));
+                tables.push(table.clone().named(interned(format!("{}_{}", table.name, light + 1))));
                 tables.len() - 1
             };
             lobe.tables.iter().enumerate().map(of).collect()

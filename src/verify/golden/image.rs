@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::Vector;
 use super::samples::{self, RANDOM, corners, detecting};
+use crate::block::image::Image;
 use crate::core::sample::random_codes;
 use crate::core::{Direction, ImageDesign};
 use crate::fixed::Rng;
@@ -86,17 +87,11 @@ fn along_axes(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
 /// and where it just has: a bit that is wrong in any of them shows in one of both.
 fn all_texels(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
     let image = &design.of.image;
-    let extents = image.extents();
+    let counts: Vec<u32> = image.extents().into_iter().map(|extent| extent / 2).collect();
     let parts = 1u64 << image.weight_bits;
-    let cells: u64 = extents.iter().map(|&extent| u64::from(extent / 2)).product();
-    let places = |number: u64| {
-        let mut rest = number;
-        let mut places = vec![0; extents.len()];
-        for (place, &extent) in places.iter_mut().zip(&extents).rev() {
-            *place = 2 * (rest % u64::from(extent / 2)) * parts + parts / 2;
-            rest /= u64::from(extent / 2);
-        }
-        places
+    let cells: u64 = counts.iter().copied().map(u64::from).product();
+    let places = |number: u64| -> Vec<u64> {
+        Image::places(number, &counts).into_iter().map(|cell| 2 * cell * parts + parts / 2).collect()
     };
     // Of a million texels some of all columns, for which the step is odd: no file holds so many vectors.
     let step = cells.div_ceil(MOST_CELLS) as usize | 1;

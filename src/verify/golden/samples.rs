@@ -80,7 +80,7 @@ pub(super) fn corners(ports: &[(&str, Format)], one: i64, index: Option<&dyn Fn(
 /// data, as far as any of them does.
 pub(super) fn detecting(design: &Design, candidates: &[Vec<i64>]) -> Vec<Vec<i64>> {
     let outputs = |tables: &[Table]| -> Vec<Vec<i64>> {
-        candidates.iter().map(|codes| through_graph(design, tables, codes)).collect()
+        candidates.iter().map(|codes| design.graph().results(tables, codes)).collect()
     };
     let right = outputs(design.tables());
     let mut detects: Vec<Vec<bool>> = Vec::new();
@@ -101,19 +101,12 @@ pub(super) fn detecting(design: &Design, candidates: &[Vec<i64>]) -> Vec<Vec<i64
     super::greedy(candidates.len(), &detects).into_iter().map(|place| candidates[place].clone()).collect()
 }
 
-/// The outputs by the datapath's graph.
-fn through_graph(design: &Design, tables: &[Table], codes: &[i64]) -> Vec<i64> {
-    let inputs: Vec<i128> = codes.iter().copied().map(i128::from).collect();
-    let values = design.graph().values(tables, &inputs);
-    design.graph().outputs.iter().map(|&(_, node)| values[node] as i64).collect()
-}
-
 /// The digest of a stream of inputs.
 pub(super) fn digest(design: &Design, stream: impl Iterator<Item = Vec<i64>>) -> u64 {
     let mut hash = OutputHash::default();
     for codes in stream {
         let outputs: Vec<u32> =
-            through_graph(design, design.tables(), &codes).into_iter().map(|code| code as u32).collect();
+            design.graph().results(design.tables(), &codes).into_iter().map(|code| code as u32).collect();
         hash.update(&outputs);
     }
     hash.digest()
