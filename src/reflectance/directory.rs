@@ -26,6 +26,9 @@ struct Index {
     size: usize,
     texel: String,
     exposure: f64,
+    /// The octaves of 1 - n·h that the columns of `bivariate` lie along; without them they lie along √θh.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    octaves: Option<u32>,
     /// How the paper's images are looked up.
     #[serde(skip_serializing_if = "Option::is_none")]
     border: Option<String>,
@@ -50,6 +53,17 @@ struct Entry {
 /// # Errors
 /// A picture that is too large for its format.
 pub fn files(form: &Form) -> Result<Vec<(String, Vec<u8>)>, Error> {
+    let mut files = images(form, None)?;
+    files.push(manifest(&files));
+    Ok(files)
+}
+
+/// The images of a form and their index, the last of them. The columns of `bivariate` lie along so many octaves of
+/// 1 - n·h, or along √θh.
+///
+/// # Errors
+/// As [`files`].
+pub fn images(form: &Form, octaves: Option<u32>) -> Result<Vec<(String, Vec<u8>)>, Error> {
     let Form { spec, exposure, texels } = form;
     let mut files = Vec::new();
     let mut entries = Vec::new();
@@ -84,13 +98,13 @@ pub fn files(form: &Form) -> Result<Vec<(String, Vec<u8>)>, Error> {
         size: spec.size,
         texel: spec.texel.to_string(),
         exposure: *exposure,
+        octaves,
         border: paper.then(|| spec.options.border.to_string()),
         behind: paper.then(|| spec.options.behind.to_string()),
         image: entries,
     };
     let text = toml::to_string(&index).expect("plain values");
     files.push((INDEX.to_owned(), format!("{MARK}: {spec}\n{text}").into_bytes()));
-    files.push(manifest(&files));
     Ok(files)
 }
 
@@ -109,6 +123,7 @@ fn manifest(files: &[(String, Vec<u8>)]) -> (String, Vec<u8>) {
 pub struct Listed {
     spec: FormSpec,
     exposure: f64,
+    octaves: Option<u32>,
     files: Vec<String>,
     caps: Vec<f64>,
 }
@@ -143,6 +158,9 @@ pub fn parse(text: &str, name: &str) -> Result<Listed, Error> {
     if matches!(kind, FormKind::Bivariate | FormKind::Matcap) && index.image.len() != 1 {
         return Err(wrong(format!("{} images of the form `{}`", index.image.len(), kind.name()), "that form has one"));
     }
+    if index.octaves.is_some() && kind != FormKind::Bivariate {
+        return Err(wrong(format!("octaves of the form `{}`", kind.name()), "they are of the form `bivariate`"));
+    }
     let bands = if kind.scale() == Scale::Row { index.size } else { 1 };
     let mut caps = Vec::new();
     for Entry { file, caps: own, .. } in &index.image {
@@ -162,14 +180,30 @@ pub fn parse(text: &str, name: &str) -> Result<Listed, Error> {
         caps.extend(own);
     }
     let files = index.image.into_iter().map(|entry| entry.file).collect();
-    Ok(Listed { spec, exposure: index.exposure, files, caps })
+    Ok(Listed { spec, exposure: index.exposure, octaves: index.octaves, files, caps })
 }
 
 /// Reads a directory of sphere images.
 ///
 /// # Errors
-/// As [`parse`]; a file that is missing, no picture, of another size or depth than the index says.
+/// As [`read_with_octaves`]; images whose columns lie along octaves, as only a core looks them up.
 pub fn read(directory: &Path) -> Result<Form, Error> {
+    let (form, octaves) = read_with_octaves(directory)?;
+    refuse!(
+        octaves.is_some(),
+        format!("the columns of {} lie along octaves of 1 - n.h", directory.display()),
+        "only an image-based core is made of such samples (generate --block image --reflectance-file); those of \
+         `brdfgen reflectance images` lie along the root of θh"
+    );
+    Ok(form)
+}
+
+/// Reads a directory of sphere images, and how many octaves of 1 - n·h the columns of `bivariate` lie along; none
+/// where it is √θh.
+///
+/// # Errors
+/// As [`parse`]; a file that is missing, no picture, of another size or depth than the index says.
+pub fn read_with_octaves(directory: &Path) -> Result<(Form, Option<u32>), Error> {
     let path = directory.join(INDEX);
     refuse!(
         !path.is_file(),
@@ -178,7 +212,7 @@ pub fn read(directory: &Path) -> Result<Form, Error> {
     );
     let text = input::read_text(&path, "an index of sphere images is a TOML file")?;
     let name = path.display().to_string();
-    let Listed { spec, exposure, files, caps } = parse(&text, &name)?;
+    let Listed { spec, exposure, octaves, files, caps } = parse(&text, &name)?;
     let mut codes = Vec::with_capacity(files.len() * spec.size * spec.size);
     for file in &files {
         let path = directory.join(file);
@@ -198,7 +232,7 @@ pub fn read(directory: &Path) -> Result<Form, Error> {
         codes.extend(image);
     }
     let texels = Texels::from_codes(spec.size, spec.size, spec.texel, spec.kind.scale(), caps, &codes);
-    Ok(Form { spec, exposure, texels })
+    Ok((Form { spec, exposure, texels }, octaves))
 }
 
 /// The codes of an image's file as parts of the largest one, rows from the top, and the pixels a row.

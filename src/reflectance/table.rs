@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use clap::ValueEnum;
 use libm::sqrt;
 use rayon::prelude::*;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 
 use super::vector::{Angles, Vector};
 use super::{Reflectance, Rgb};
@@ -21,7 +21,7 @@ pub const PHI_D: usize = 180;
 pub const PHI_D_WHOLE: usize = 360;
 
 /// How a value between the cells' centres is found.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Lookup {
     /// Interpolated

@@ -229,6 +229,19 @@ impl Texels {
         self.codes.len() as f64 * f64::from(self.texel.bits()) / 8192.0
     }
 
+    /// What the codes stand for: of floating-point texels the samples that they were made of.
+    #[must_use]
+    pub fn samples(&self) -> Samples {
+        let band = self.width * if self.scale == Scale::Row { 1 } else { self.height };
+        let sample = |(place, code): (usize, &[f32; 4])| {
+            let cap = self.caps[place / band];
+            let value = self.value([0, 1, 2].map(|c| f64::from(code[c])));
+            value.map(|part| (cap * part) as f32)
+        };
+        let data = self.codes.iter().enumerate().map(sample).collect();
+        Samples { width: self.width, height: self.height, data }
+    }
+
     /// What a blend of codes stands for.
     #[must_use]
     #[inline]
