@@ -1,6 +1,6 @@
 //! `brdfgen generate`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::json;
@@ -9,13 +9,15 @@ use super::choose::{self, ConstraintFlags};
 use super::scene::{self, SceneFlags};
 use super::source::Source;
 use super::{Verdict, progress, say, say_json, warn};
-use crate::core::{Account, Design, Direction, Part};
+use crate::core::{Account, BlockDesign, Design, Direction, Part};
 use crate::emit::package::{self, File, Stale};
 use crate::explore::choose::Constraints;
 use crate::explore::{MaxError, Objective};
 use crate::generate::Core;
 use crate::platform::error::Error;
-use crate::spec::CoreSpec;
+use crate::reflectance;
+use crate::reflectance::measure::Quality;
+use crate::spec::{CoreSpec, REFLECTANCE_DIRECTORY};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -155,6 +157,15 @@ fn keeps(constraints: &Constraints, promised: u32, core: &Core) -> bool {
     !constraints.limits.iter().any(|&(objective, most)| objective == Objective::Latency && latency > most)
 }
 
+/// How the core's pictures meet those of the table that it is made of, if it is: its directory knows the samples only.
+fn table_quality(arguments: &Arguments, design: &Design) -> Result<Option<Quality>, Error> {
+    let BlockDesign::Image(image) = design.block() else { return Ok(None) };
+    let fields = arguments.source.fields()?.reflectance;
+    let Some(file) = fields.file.filter(|file| !Path::new(file).is_dir()) else { return Ok(None) };
+    let source = reflectance::Source::open(Path::new(&file), fields.lookup.unwrap_or_default())?;
+    Ok(source.reflectance().map(|table| image.quality(table)))
+}
+
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     let of_scene = arguments.source.scene()?;
     let constraints = constraints(&arguments, of_scene.is_some())?;
@@ -177,12 +188,16 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
 
     // A core's own directory is made anew from its own core.toml.
     let results = arguments.constraints.paths();
-    let paths = results.joined(arguments.source.paths()).renewing(&arguments.out.join("core.toml"));
+    let paths = results.joined(arguments.source.paths());
+    let own = |path: &&str| *path == "core.toml" || Path::new(path).starts_with(REFLECTANCE_DIRECTORY);
+    let renewed = core.files.iter().map(|file| file.path.as_str()).filter(own);
+    let paths = renewed.fold(paths, |paths, path| paths.renewing(&arguments.out.join(path)));
     paths.writes_in("--out", &arguments.out, core.files.iter().map(|file| file.path.as_str())).check()?;
     if !asked.is_none_or(|(constraints, promised)| keeps(constraints, promised, &core)) {
         return Ok(Verdict::Differs);
     }
 
+    let of_table = table_quality(&arguments, &core.design)?;
     // Checked before it is written: a core that fails leaves no directory behind.
     let outcome = core.simulate()?;
     if outcome.passed() {
@@ -203,6 +218,9 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             "cosim": outcome,
             "passed": passed,
         });
+        if let Some(quality) = &of_table {
+            answer["measured_against_table"] = json!(quality);
+        }
         if design.spec.block.has_lobe() {
             answer["proved_ulps"] = json!(design.lobe().budget.proved_ulps);
         }
@@ -213,6 +231,9 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         return Ok(Verdict::of(passed));
     }
     describe(design, account).iter().for_each(say);
+    if let Some(Quality { mean, worst, worst_phi, .. }) = of_table {
+        say(format!("against the table itself: {mean:.1} dB in the mean, {worst:.1} dB at {worst_phi} degrees"));
+    }
     super::cosim::say_outcome(&outcome);
     if outcome.passed() {
         say(format!("{} files in {}", files.len(), arguments.out.display()));
@@ -270,12 +291,14 @@ fn describe(design: &Design, account: &Account) -> Vec<String> {
         }
         Account::Image(error) => {
             let (mean, worst) = (error.quality.mean, error.quality.worst);
+            let against = if error.of_samples { " against the stored samples" } else { "" };
             lines.push(format!(
-                "pictures of a sphere, lit from {} angles: {mean:.1} dB in the mean, {worst:.1} dB at {} degrees",
+                "pictures of a sphere{against}, lit from {} angles: {mean:.1} dB in the mean, {worst:.1} dB at {} \
+                 degrees",
                 error.angles, error.quality.worst_phi
             ));
-            let samples = error.samples;
-            lines.push(format!("error against the exact reflectance in codes of a channel, over {samples} samples:"));
+            let (samples, exact) = (error.samples, error.exact());
+            lines.push(format!("error against {exact} in codes of a channel, over {samples} samples:"));
             lines.extend(error.parts.iter().chain([&error.whole]).map(part_line));
         }
     }

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::{Design, Part};
-use crate::block::image::{ImageBlock, ImageForm, ImageModel, ImageSpec, Joints, Places, RealTexels};
+use crate::block::image::{ImageBlock, ImageForm, ImageModel, ImageSource, ImageSpec, Joints, Places, RealTexels};
 use crate::fixed::exp2;
 use crate::reflectance::measure::{self, Quality, Sphere};
 use crate::reflectance::{Light, Reflectance, Rgb, Vector};
@@ -101,15 +101,38 @@ impl<'a> ImageDesign<'a> {
         });
         self.vector(n).into_iter().chain(records).collect()
     }
+
+    /// How well the core's pictures of a sphere, with one light of intensity 1, meet those of a reflectance.
+    #[must_use]
+    pub fn quality(self, reflectance: &dyn Reflectance) -> Quality {
+        let sphere = Sphere::new(SIZE);
+        let full = self.of.image.full_scale() as f64;
+        let of_angle = |&phi: &f64| {
+            let light = turned(phi);
+            let mut inputs = self.inputs(Vector::z(), &[(light, [1.0; 3])]);
+            let shown = |&n: &Vector| {
+                inputs[..3].copy_from_slice(&self.vector(n));
+                let codes = self.model().evaluate(&inputs);
+                [0, 1, 2].map(|channel| (codes[channel] as f64 / full) as f32)
+            };
+            let own: Vec<[f32; 3]> = sphere.normals.iter().map(shown).collect();
+            (phi, measure::psnr(&sphere.exact(reflectance, light, self.of.exposure), &own))
+        };
+        Quality::of(measure::angles(STEP).par_iter().map(of_angle).collect())
+    }
 }
 
-/// The error account of an image-based block.
+/// The error account of an image-based block: against the reflectance of its model or, of a block that is made of a
+/// file, against the stored samples of it, interpolated exactly.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ImageError {
     /// The angles of the light that pictures of a sphere are drawn at.
     pub angles: usize,
     /// The samples measured: the pictures' pixels.
     pub samples: u64,
+    /// Whether it is the stored samples that all is measured against.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub of_samples: bool,
     /// The pictures' signal-to-noise ratios against exact ones.
     pub quality: Quality,
     /// The parts, each switched from exact to what the hardware does with all before it switched already; they add up,
@@ -134,19 +157,30 @@ const SIZE: usize = 48;
 /// The degrees of azimuth that a light stands at for each of its polar angle: none of the frame's axes is favoured.
 const TURN: f64 = 3.0;
 
+/// The light at a polar angle.
+fn turned(phi: f64) -> Light {
+    Light::new(phi, TURN * phi)
+}
+
 /// Least, greatest, squares.
 type Sums = [f64; 3];
 
 impl ImageError {
+    /// What all is measured against, in words.
+    #[must_use]
+    pub fn exact(&self) -> &'static str {
+        if self.of_samples { "the stored samples" } else { "the exact reflectance" }
+    }
+
     /// Measures a block with one light of intensity 1 over pictures of a sphere.
     #[must_use]
     pub fn of(design: ImageDesign<'_>) -> Self {
         let sphere = Sphere::new(SIZE);
         let full = design.of.image.full_scale() as f64;
         let model = design.model();
-        let ImageSpec { model: reflectance, exposure, .. } = design.of;
+        let ImageSpec { source, exposure, .. } = design.of;
         let of_angle = |&phi: &f64| {
-            let light = Light::new(phi, TURN * phi);
+            let light = turned(phi);
             let record = design.block.record(light, [1.0; 3]).expect("an intensity of 1");
             let real = design.block.real_light(light, [1.0; 3]);
             let rounded = design.block.light_of(&record);
@@ -160,9 +194,14 @@ impl ImageError {
                 inputs[..3].copy_from_slice(&codes);
                 let hardware = model.evaluate(&inputs);
                 let shown = |value: Rgb| value.map(|channel| (channel * full).clamp(0.0, full));
+                let interpolated = design.block.real(n, &real, RealTexels::Exact, Places::Exact);
+                let exact = match source {
+                    ImageSource::Model(model) => model.radiance(light, n, *exposure),
+                    ImageSource::Samples(_) => interpolated,
+                };
                 let stages = [
-                    shown(reflectance.radiance(light, n, *exposure)),
-                    shown(design.block.real(n, &real, RealTexels::Exact, Places::Exact)),
+                    shown(exact),
+                    shown(interpolated),
                     shown(design.block.real(n, &real, RealTexels::Stored, Places::Exact)),
                     shown(design.block.real(near, &rounded, RealTexels::Stored, Places::Exact)),
                     shown(design.block.real(near, &rounded, RealTexels::Stored, Places::Rounded)),
@@ -190,11 +229,19 @@ impl ImageError {
             let [low, high, square] = total.unwrap_or_default();
             Part { name, meaning, codes: [low, high], rms: libm::sqrt(square / (3 * samples) as f64) }
         };
+        // Samples of a file are what there is to be met.
+        let of_samples = source.model().is_none();
         Self {
             angles: angles.len(),
             samples,
+            of_samples,
             quality: Quality::of(by_angle.iter().map(|(_, ratio)| *ratio).collect()),
-            parts: PARTS.into_iter().enumerate().map(|(index, texts)| part(index, texts)).collect(),
+            parts: PARTS
+                .into_iter()
+                .enumerate()
+                .skip(of_samples.into())
+                .map(|(index, texts)| part(index, texts))
+                .collect(),
             whole: part(PARTS.len(), ("whole", "hardware - exact")),
         }
     }

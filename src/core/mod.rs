@@ -36,7 +36,7 @@ use crate::datapath::range::{Region, regions};
 use crate::datapath::schedule::{Schedule, schedule};
 use crate::fixed::{Format, Rng, Table};
 use crate::platform::error::Error;
-use crate::spec::{Block, CoreSpec, ImageSpec, RomStyle, hex};
+use crate::spec::{Block, CoreSpec, RomStyle, hex};
 use lobe::{MadeLobe, regions_of};
 
 /// The measured error of a core.
@@ -106,8 +106,8 @@ impl Made {
                 let (datapath, joints) = built.ok_or_else(|| too_wide("shader"))?;
                 Ok((datapath, Self::Shader(made, joints)))
             }
-            Block::Image(ImageSpec { image, model, exposure }) => {
-                let block = ImageBlock::new(image.clone(), model, *exposure)?;
+            Block::Image(image) => {
+                let block = ImageBlock::of(image)?;
                 let (datapath, joints) = block.datapath().ok_or_else(|| too_wide("block"))?;
                 Ok((datapath, Self::Image(block, joints)))
             }

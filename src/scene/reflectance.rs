@@ -18,8 +18,8 @@ use crate::emit::package::counted;
 use crate::platform::error::{Error, refuse};
 use crate::reflectance::classical::{self, Classical, Cosine};
 use crate::reflectance::vector::{self, Light};
-use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Model, Record, Reflectance, Source, Vector, measure};
-use crate::spec::{Colour, Model as Highlight, suggest};
+use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Record, Reflectance, Source, Vector, measure};
+use crate::spec::{Colour, Model as Highlight, Named, Parameters, Written, check_exposure, suggest};
 
 /// How a material with a reflectance is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -67,36 +67,13 @@ impl std::fmt::Debug for Measured {
     }
 }
 
-/// A value of a key that is read as it is written elsewhere, as in `images = 6` or `images = [0, 45, 90]`.
-#[derive(Deserialize)]
-#[serde(untagged, expecting = "a number, a text, or a list of numbers")]
-enum Written {
-    Whole(i64),
-    Number(f64),
-    Text(String),
-    List(Vec<f64>),
-}
-
-impl Written {
-    fn text(&self) -> String {
-        match self {
-            Self::Whole(number) => number.to_string(),
-            Self::Number(number) => number.to_string(),
-            Self::Text(text) => text.clone(),
-            // One angle alone is no count.
-            Self::List(list) if list.len() == 1 => format!("{},", list[0]),
-            Self::List(list) => list.iter().map(f64::to_string).collect::<Vec<_>>().join(","),
-        }
-    }
-}
-
 /// The table `[material.reflectance]` as written.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct ReflectanceFields {
     file: Option<String>,
     model: Option<String>,
-    parameters: Option<std::collections::BTreeMap<String, Written>>,
+    parameters: Option<Parameters>,
     lookup: Option<Lookup>,
     exposure: Option<f64>,
     pub(super) shading: Option<Shading>,
@@ -112,28 +89,19 @@ pub(super) struct ReflectanceFields {
 impl ReflectanceFields {
     /// The reflectance; its file lies where its path leads from `directory`.
     pub(super) fn resolve(self, shading: Shading, directory: &Path) -> Result<Measured, Error> {
-        let (name, source) = match (&self.file, &self.model) {
-            (Some(_), Some(_)) => return Err(Error::input("both file and model are given", "give one of the two")),
-            (None, None) => {
+        let named = Named::of(self.file.as_deref(), self.model.as_deref(), self.parameters.as_ref())?;
+        let (name, source) = match named {
+            None => {
                 let allowed =
                     "give file: a MERL table, a directory of sphere images or a matcap; or model: the name of one";
                 return Err(Error::input("neither file nor model is given", allowed));
             }
-            (Some(file), None) => {
-                refuse!(self.parameters.is_some(), "a file has no parameters", "they are a model's");
-                (file.clone(), Source::open(&directory.join(file), self.lookup.unwrap_or_default())?)
+            Some(Named::File(file)) => {
+                (file.to_owned(), Source::open(&directory.join(file), self.lookup.unwrap_or_default())?)
             }
-            (None, Some(model)) => {
-                let mut model = Model::named(model)?;
-                for (key, value) in self.parameters.iter().flatten() {
-                    model.set(key, &value.text())?;
-                }
-                (model.to_string(), Source::Model(model))
-            }
+            Some(Named::Model(model)) => (model.to_string(), Source::Model(model)),
         };
-        if let Some(exposure) = self.exposure.filter(|exposure| !(*exposure > 0.0 && exposure.is_finite())) {
-            return Err(Error::input(format!("exposure = {exposure} is out of range"), "a number above 0"));
-        }
+        check_exposure(self.exposure)?;
         let keys = [
             ("images", &self.images),
             ("size", &self.size),

@@ -160,7 +160,8 @@ macro_rules! options {
 method_keys! { options! {} }
 
 impl SpecFields {
-    /// Reads a TOML file, or the one in a generated core's directory.
+    /// Reads a TOML file, or the one in a generated core's directory. The path of a reflectance's file starts from
+    /// where that file is.
     ///
     /// # Errors
     /// An unreadable file, text that is not TOML, an unknown key (with the nearest known one) or a value
@@ -169,7 +170,9 @@ impl SpecFields {
         let inside = path.join("core.toml");
         let path = if path.is_dir() { &inside } else { path };
         let text = input::read_text(path, "a spec is a TOML file")?;
-        Self::parse(&text, &path.display().to_string())
+        let fields = Self::parse(&text, &path.display().to_string())?;
+        let directory = path.parent().unwrap_or(Path::new(""));
+        Ok(Self { reflectance: fields.reflectance.within(directory)?, ..fields })
     }
 
     /// Reads TOML text; `file` names it in messages.
@@ -187,7 +190,11 @@ impl SpecFields {
     pub fn or(self, other: Self) -> Self {
         // The two ways to give the set exclude each other, so one given here hides both of the other's.
         let is_set = self.shininess.is_some() || self.material.is_some();
-        self.or_each(if is_set { Self { shininess: None, material: None, ..other } } else { other })
+        let mut other = if is_set { Self { shininess: None, material: None, ..other } } else { other };
+        if self.reflectance.replaces(&other.reflectance) {
+            other.reflectance = ReflectanceFields::default();
+        }
+        self.or_each(other)
     }
 
     /// The fields as TOML text.

@@ -7,7 +7,7 @@ use crate::fit::Objective;
 use crate::method::keys::{Fields, Key};
 
 /// The keys that say what a core is: they come first, whatever the defaults.
-const FIRST: [&str; 5] = ["block", "reflectance", "method", "shininess", "material"];
+const FIRST: [&str; 6] = ["block", "reflectance", "reflectance-file", "method", "shininess", "material"];
 /// The keys with semicolons in their values, which a shell would take for ends of the command.
 const QUOTED: [&str; 3] = ["golden_inputs", "light_colours", "parameters"];
 
@@ -25,24 +25,28 @@ impl SpecFields {
     fn defaults(&self) -> Self {
         let of = |fields: Self| fields.resolve().map(|spec| Self::from_spec(&spec)).unwrap_or_default();
         let (model, front) = (self.shader.model, self.shader.front);
+        let any = self.reflectance.stand_in();
         let plain = of(Self {
             block: self.block,
             method: self.method,
             shininess: self.shininess.clone(),
             material: self.material.clone(),
             image_form: self.image_form,
-            reflectance: ReflectanceFields { model: self.reflectance.model.clone(), ..ReflectanceFields::default() },
+            reflectance: any.clone(),
             shader: ShaderFields { model, front, ..ShaderFields::default() },
             ..Self::default()
         });
         Self {
-            name: of(Self { name: None, ..self.clone() }).name,
+            name: of(Self { name: None, reflectance: any, ..self.clone() }).name,
             block: None,
             method: None,
             shininess: None,
             material: None,
             image_form: plain.image_form.filter(|&form| form == ImageFormName::Half),
-            reflectance: ReflectanceFields { model: None, ..plain.reflectance },
+            reflectance: match self.reflectance.file {
+                Some(_) => ReflectanceFields::default(),
+                None => ReflectanceFields { model: None, ..plain.reflectance },
+            },
             // A core has these only together with keys that are no defaults.
             objective: Some(Objective::default()),
             memory: Some(Memory::Auto),

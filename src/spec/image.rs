@@ -88,8 +88,8 @@ impl SpecFields {
             lights: self.lights_a_clock.unwrap_or(1),
         };
         image.check()?;
-        let (model, exposure) = self.reflectance.resolve()?;
-        Ok(ImageSpec { image, model, exposure })
+        let (source, exposure) = self.reflectance.resolve(&image)?;
+        Ok(ImageSpec { image, source, exposure })
     }
 
     fn resolved_form(&self) -> Result<ImageForm, Error> {
@@ -119,7 +119,7 @@ impl SpecFields {
     }
 
     /// With what an image-based block is given.
-    pub(super) fn with_image(self, ImageSpec { image, model, exposure }: &ImageSpec, rom: RomStyle) -> Self {
+    pub(super) fn with_image(self, ImageSpec { image, source, exposure }: &ImageSpec, rom: RomStyle) -> Self {
         let (form, images, octaves) = match image.form {
             ImageForm::Half { slices } => (ImageFormName::Half, Some(slices), None),
             ImageForm::Bivariate { octaves } => (ImageFormName::Bivariate, None, Some(octaves)),
@@ -138,7 +138,7 @@ impl SpecFields {
             output_bits: Some(image.channel_bits),
             lights_a_clock: Some(image.lights),
             texels: Some(if rom == RomStyle::Writable { TexelMemory::Writable } else { TexelMemory::Rom }),
-            reflectance: ReflectanceFields::of(model, *exposure),
+            reflectance: ReflectanceFields::of(source, *exposure),
             ..self
         }
     }

@@ -18,7 +18,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-pub use crate::block::image::{ImageSpec, TexelMemory};
+pub use crate::block::image::{ImageSource, ImageSpec, TexelMemory};
 pub(crate) use crate::block::shader::unit;
 pub use crate::block::shader::{
     CHANNEL_BITS, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, Surface, VECTOR_FRACTION,
@@ -39,7 +39,8 @@ pub use golden_inputs::GoldenInputs;
 pub use image::ImageFormName;
 pub(crate) use name::check_name;
 pub use reference::reference;
-pub use reflectance::{Parameters, ReflectanceFields};
+pub use reflectance::{DIRECTORY as REFLECTANCE_DIRECTORY, Parameters, ReflectanceFields};
+pub(crate) use reflectance::{Named, Written, check_exposure};
 
 use crate::emit::rom::RomFormat;
 use crate::platform::error::Error;
@@ -192,26 +193,28 @@ impl CoreSpec {
         })
     }
 
-    /// The flags that differ from the defaults, each with its value: `--key value`. No flag gives a material's colours.
+    /// The flags that differ from the defaults, each with its value: `--key value`. No flag gives a material's colours,
+    /// and the file of a reflectance is the core's own directory.
     #[must_use]
     pub fn flags(&self) -> Vec<String> {
         SpecFields::from_spec(self).flags()
     }
 
     /// The command that generates this core: the flags that differ from the defaults, or `core.toml` itself
-    /// where they would fill more than a line.
+    /// where they would fill more than a line or a part of the core is made of its own files.
     #[must_use]
     pub fn command(&self) -> String {
         let command = format!("brdfgen generate {}", self.flags().join(" "));
         // No flag gives a material's colours.
-        let coloured = match &self.block {
+        let beyond_flags = match &self.block {
             Block::Shader(
                 LobeSpec { interface: Interface { shininess: Shininess::Materials(materials), .. }, .. },
                 _,
             ) => materials.iter().any(|material| !material.is_plain()),
+            Block::Image(image) => image.source.model().is_none(),
             _ => false,
         };
-        if command.len() <= 88 && !coloured { command } else { "brdfgen generate core.toml".to_owned() }
+        if command.len() <= 88 && !beyond_flags { command } else { "brdfgen generate core.toml".to_owned() }
     }
 }
 

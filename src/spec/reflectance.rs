@@ -1,13 +1,18 @@
 //! What reflects, as a spec of an image-based block writes it.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 use std::str::FromStr;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use crate::block::image::{Image, ImageFile, ImageSamples, ImageSource};
 use crate::method::keys::keys;
 use crate::platform::error::{Error, refuse};
-use crate::reflectance::{Model, measure};
+use crate::reflectance::{Lookup, Model, measure};
+
+/// The directory of a core that holds the samples of its reflectance, where they came from a file.
+pub const DIRECTORY: &str = "reflectance";
 
 /// Parameters of a reflectance model: their names, each with its value as [`Model::set`] reads it.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -22,8 +27,20 @@ keys! {
     #[arg(id = "reflectance", long = "reflectance", value_name = "MODEL")]
     model: String where "image-based blocks" => "reflectance",
 
-    /// The exposure E that radiance is multiplied by [default: 0.6 over the 90th percentile of the sphere lit from 45
-    /// degrees]
+    /// A file in place of a model: a MERL table, or a directory of sphere images that fits the block. In a spec file
+    /// its path starts from there
+    #[arg(id = "reflectance_file", long = "reflectance-file", value_name = "PATH")]
+    file: String where "image-based blocks" => "reflectance_file",
+
+    /// How a table is looked up [default: trilinear]
+    lookup: Lookup where "image-based blocks",
+
+    /// The digest that the samples of a file must have, as a core's own spec says it
+    #[arg(id = "reflectance_digest", long = "reflectance-digest", value_name = "DIGEST")]
+    digest: String where "image-based blocks" => "reflectance_digest",
+
+    /// The exposure E that radiance is multiplied by [default: that of images their own, or 0.6 over the 90th
+    /// percentile of the sphere lit from 45 degrees]
     #[arg(value_name = "E")]
     exposure: f64 where "image-based blocks",
 
@@ -39,34 +56,110 @@ impl ReflectanceFields {
         *self == Self::default()
     }
 
-    /// The model with its parameters, and the exposure.
-    pub(super) fn resolve(&self) -> Result<(Model, f64), Error> {
-        let Some(name) = &self.model else {
-            return Err(Error::input(
+    /// What a block is made of, and the exposure.
+    pub(super) fn resolve(&self, image: &Image) -> Result<(ImageSource, f64), Error> {
+        let named = Named::of(self.file.as_deref(), self.model.as_deref(), self.parameters.as_ref())?;
+        check_exposure(self.exposure)?;
+        match named {
+            None => Err(Error::input(
                 "no reflectance is given",
-                "give --reflectance ggx or another model, or a table [reflectance] with its `model` in a spec file",
-            ));
-        };
-        let mut model = Model::named(name)?;
-        for (key, value) in self.parameters.iter().flat_map(|parameters| &parameters.0) {
-            model.set(key, value)?;
+                "give --reflectance ggx or another model, --reflectance-file with a table or images, or a table \
+                 [reflectance] with its `model` or `file` in a spec file",
+            )),
+            Some(Named::Model(model)) => {
+                let of_file = [("lookup", self.lookup.is_some()), ("digest", self.digest.is_some())];
+                if let Some((key, _)) = of_file.into_iter().find(|(_, given)| *given) {
+                    return Err(Error::input(format!("{key} is given for a model"), "leave it out: it is for a file"));
+                }
+                let exposure = self.exposure.unwrap_or_else(|| measure::exposure(&model));
+                Ok((ImageSource::Model(model), exposure))
+            }
+            Some(Named::File(file)) => {
+                let (lookup, exposure, digest) = (self.lookup, self.exposure, self.digest.as_deref());
+                let file = ImageFile { path: Path::new(file), lookup, exposure, digest };
+                let (samples, exposure) = ImageSamples::open(image, &file)?;
+                Ok((ImageSource::Samples(samples), exposure))
+            }
         }
-        let exposure = self.exposure.unwrap_or_else(|| measure::exposure(&model));
-        refuse!(
-            !(exposure > 0.0 && exposure.is_finite()),
-            format!("exposure = {exposure} is out of range"),
-            "a number above 0"
-        );
-        Ok((model, exposure))
     }
 
-    /// The fields of a resolved reflectance, all given.
-    pub(super) fn of(model: &Model, exposure: f64) -> Self {
-        Self {
-            model: Some(model.family().name().to_owned()),
-            exposure: Some(exposure),
-            parameters: Some(Parameters(model.parameters().into_iter().collect())),
+    /// The fields of a resolved reflectance, all given: a file is the core's own.
+    pub(super) fn of(source: &ImageSource, exposure: f64) -> Self {
+        let fields = Self { exposure: Some(exposure), ..Self::default() };
+        match source {
+            ImageSource::Model(model) => Self {
+                model: Some(model.family().name().to_owned()),
+                parameters: Some(Parameters(model.parameters().into_iter().collect())),
+                ..fields
+            },
+            ImageSource::Samples(samples) => {
+                Self { file: Some(DIRECTORY.to_owned()), digest: Some(samples.digest().to_owned()), ..fields }
+            }
         }
+    }
+
+    /// The model alone, or what takes the place of a file where it does not matter what reflects.
+    pub(super) fn stand_in(&self) -> Self {
+        let any = self.file.as_ref().map(|_| "lambert".to_owned());
+        Self { model: any.or_else(|| self.model.clone()), ..Self::default() }
+    }
+
+    /// Whether these fields name a reflectance of which the other's say nothing: a file, or a model in place of one.
+    pub(super) fn replaces(&self, other: &Self) -> bool {
+        self.file.is_some() || self.model.is_some() && other.file.is_some()
+    }
+
+    /// With a file's path from where `directory` is.
+    pub(super) fn within(self, directory: &Path) -> Result<Self, Error> {
+        let Some(file) = self.file else { return Ok(self) };
+        let path = directory.join(file).into_os_string().into_string().map_err(|path| {
+            Error::input(format!("the path {} is no UTF-8", Path::new(&path).display()), "a path of Unicode characters")
+        })?;
+        Ok(Self { file: Some(path), ..self })
+    }
+}
+
+/// What a table `[reflectance]` names.
+pub(crate) enum Named<'a> {
+    /// A file's path.
+    File(&'a str),
+    /// A model with its parameters.
+    Model(Model),
+}
+
+impl<'a> Named<'a> {
+    /// What these keys name, if anything.
+    ///
+    /// # Errors
+    /// A file and a model, a file with parameters, an unknown model or parameter.
+    pub(crate) fn of(
+        file: Option<&'a str>,
+        model: Option<&str>,
+        parameters: Option<&Parameters>,
+    ) -> Result<Option<Self>, Error> {
+        match (file, model) {
+            (Some(_), Some(_)) => Err(Error::input("both file and model are given", "give one of the two")),
+            (None, None) => Ok(None),
+            (Some(file), None) => {
+                refuse!(parameters.is_some(), "a file has no parameters", "they are a model's");
+                Ok(Some(Self::File(file)))
+            }
+            (None, Some(name)) => {
+                let mut model = Model::named(name)?;
+                for (key, value) in parameters.iter().flat_map(|parameters| &parameters.0) {
+                    model.set(key, value)?;
+                }
+                Ok(Some(Self::Model(model)))
+            }
+        }
+    }
+}
+
+/// Refuses an exposure that is none.
+pub(crate) fn check_exposure(exposure: Option<f64>) -> Result<(), Error> {
+    match exposure.filter(|exposure| !(*exposure > 0.0 && exposure.is_finite())) {
+        Some(exposure) => Err(Error::input(format!("exposure = {exposure} is out of range"), "a number above 0")),
+        None => Ok(()),
     }
 }
 
@@ -90,32 +183,36 @@ impl FromStr for Parameters {
     }
 }
 
-/// A parameter as TOML has it.
+/// A value in TOML that is read as it is written elsewhere, as a parameter or as in `images = 6` or
+/// `images = [0, 45, 90]`.
 #[derive(Serialize, Deserialize)]
-#[serde(untagged, expecting = "a parameter is a number, a list of three, or a word")]
-enum Written {
+#[serde(untagged, expecting = "a number, a text, or a list of numbers")]
+pub(crate) enum Written {
     Whole(i64),
     Number(f64),
-    Colour(Vec<f64>),
-    Word(String),
+    List(Vec<f64>),
+    Text(String),
 }
 
 impl Written {
     fn of(text: &str) -> Self {
         let numbers: Result<Vec<f64>, _> = text.split(',').map(|part| part.trim().parse()).collect();
         match numbers {
-            Err(_) => Self::Word(text.to_owned()),
+            Err(_) => Self::Text(text.to_owned()),
             Ok(numbers) if numbers.len() == 1 => Self::Number(numbers[0]),
-            Ok(numbers) => Self::Colour(numbers),
+            Ok(numbers) => Self::List(numbers),
         }
     }
 
-    fn text(self) -> String {
+    /// The value as a flag has it.
+    pub(crate) fn text(&self) -> String {
         match self {
             Self::Whole(number) => number.to_string(),
             Self::Number(number) => number.to_string(),
-            Self::Colour(numbers) => numbers.iter().map(f64::to_string).collect::<Vec<_>>().join(","),
-            Self::Word(word) => word,
+            Self::Text(text) => text.clone(),
+            // One angle alone is no count.
+            Self::List(list) if list.len() == 1 => format!("{},", list[0]),
+            Self::List(list) => list.iter().map(f64::to_string).collect::<Vec<_>>().join(","),
         }
     }
 }

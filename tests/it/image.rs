@@ -196,6 +196,7 @@ fn pictures_through_the_core_are_as_good_as_its_account_says() {
     for (spec, mean, worst) in [(SPECS[0], 44.0, 34.5), ("reflectance = { model = 'ggx' }", 49.0, 42.0)] {
         let design = design(&text(spec));
         let image = image(&design);
+        let model = image.of.source.model().expect("a model");
         let Account::Image(account) = Account::of(&design) else { panic!("an image's account") };
         assert!(account.quality.mean > mean && account.quality.worst > worst, "{:?}", account.quality);
         let parts = &account.parts;
@@ -211,7 +212,7 @@ fn pictures_through_the_core_are_as_good_as_its_account_says() {
             let out = image.model().evaluate(&image.inputs(*n, &[(light, [1.0; 3])]));
             [0, 1, 2].map(|c| (out[c] as f64 / full) as f32)
         };
-        let exact = sphere.exact(&image.of.model, light, image.of.exposure);
+        let exact = sphere.exact(model, light, image.of.exposure);
         let ratio = measure::psnr(&exact, &sphere.normals.iter().map(shown).collect::<Vec<_>>());
         assert!(ratio > 40.0, "{ratio}");
         // Behind the surface, and where nothing is to be seen, it is black.
@@ -219,7 +220,7 @@ fn pictures_through_the_core_are_as_good_as_its_account_says() {
         assert_eq!(black(-Vector::z(), 10.0), [0; 3]);
         assert_eq!(black(Vector::new(-0.8, 0.0, 0.6), 90.0), [0; 3]);
         assert_eq!(black(Vector::z(), 180.0), [0; 3]);
-        let l_is_v = image.of.model.radiance(Light::new(0.0, 0.0), Vector::z(), image.of.exposure);
+        let l_is_v = model.radiance(Light::new(0.0, 0.0), Vector::z(), image.of.exposure);
         let middle = image.model().evaluate(&image.inputs(Vector::z(), &[(Light::new(0.0, 77.0), [1.0; 3])]));
         for channel in [0, 1, 2] {
             let exact = (l_is_v[channel] * full).min(full);

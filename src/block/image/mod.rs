@@ -12,15 +12,17 @@ mod model;
 mod options;
 mod real;
 mod record;
+mod stored;
 mod texels;
 
 pub use datapath::{Joints, LightJoints, PlaceJoints};
 pub use model::ImageModel;
 pub use options::{
-    Image, ImageForm, ImageSpec, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, TexelMemory, WEIGHT_BITS,
+    Image, ImageForm, ImageSource, ImageSpec, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, TexelMemory, WEIGHT_BITS,
 };
 pub use real::{Places, RealLight, RealTexels};
 pub use record::LightRecord;
+pub use stored::{ImageFile, ImageSamples};
 pub use texels::OctaveAxis;
 
 use crate::fixed::exp2;
@@ -48,7 +50,26 @@ impl ImageBlock {
     /// What [`Image::check`] refuses, and an exposure with which a light would need a gain of more than 2^32.
     pub fn new(image: Image, reflectance: &dyn Reflectance, exposure: f64) -> Result<Self, Error> {
         image.check()?;
-        let (samples, texels) = texels::sampled(&image, reflectance, exposure);
+        let samples = texels::samples(&image, reflectance, exposure);
+        Self::of_samples(image, samples, exposure)
+    }
+
+    /// The block that a spec asks for.
+    ///
+    /// # Errors
+    /// As [`ImageBlock::new`].
+    pub fn of(ImageSpec { image, source, exposure }: &ImageSpec) -> Result<Self, Error> {
+        match source {
+            ImageSource::Model(model) => Self::new(image.clone(), model, *exposure),
+            ImageSource::Samples(stored) => {
+                image.check()?;
+                Self::of_samples(image.clone(), stored.samples().clone(), *exposure)
+            }
+        }
+    }
+
+    fn of_samples(image: Image, samples: Samples, exposure: f64) -> Result<Self, Error> {
+        let texels = texels::encoded(&image, &samples);
         let gain = |band: usize| record::gain(&image, texels.weight(band));
         refuse!(
             !(0..texels.caps().len()).all(|band| gain(band) < exp2(MOST_SHIFT)),

@@ -1,11 +1,12 @@
 //! What an image-based block is asked with, and the widths that follow.
 
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
-use super::record;
+use super::{ImageSamples, record};
 use crate::block::shader::{CHANNEL_BITS, LIGHTS, VECTOR_FRACTION};
 use crate::fixed::{Format, exp2};
 use crate::method::within;
@@ -76,9 +77,29 @@ pub struct ImageSpec {
     /// What it is asked with.
     pub image: Image,
     /// What reflects.
-    pub model: Model,
+    pub source: ImageSource,
     /// What its reflectance is multiplied by.
     pub exposure: f64,
+}
+
+/// What the texels of an image-based block are made of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ImageSource {
+    /// A model.
+    Model(Model),
+    /// Samples of a file's reflectance, times the exposure.
+    Samples(Arc<ImageSamples>),
+}
+
+impl ImageSource {
+    /// The model, if it is one.
+    #[must_use]
+    pub fn model(&self) -> Option<&Model> {
+        match self {
+            Self::Model(model) => Some(model),
+            Self::Samples(_) => None,
+        }
+    }
 }
 
 /// The widths of an image-based block: fraction bits each, unless said otherwise.

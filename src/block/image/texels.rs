@@ -33,20 +33,27 @@ impl OctaveAxis {
     }
 }
 
-/// Samples of a reflectance and the texels of them: bands of the roots of its values, each with its cap.
-pub(super) fn sampled(image: &Image, reflectance: &dyn Reflectance, exposure: f64) -> (Samples, Texels) {
+/// Samples of a reflectance times an exposure, where the texels lie.
+pub(super) fn samples(image: &Image, reflectance: &dyn Reflectance, exposure: f64) -> Samples {
     let size = image.size as usize;
-    let (samples, scale): (Samples, Scale) = match image.form {
+    match image.form {
         ImageForm::Bivariate { octaves } => {
             let axis = OctaveAxis { size: image.size, octave_bits: image.octave_bits(octaves) };
             let angle = |column| libm::acos(1.0 - axis.versine(column));
             let angles: Vec<f64> = (0..image.size).map(angle).collect();
-            (bivariate::samples_at(reflectance, &angles, size, exposure), Scale::Row)
+            bivariate::samples_at(reflectance, &angles, size, exposure)
         }
-        ImageForm::Half { .. } => (half::samples(reflectance, &image.band_angles(), size, exposure), Scale::Layer),
+        ImageForm::Half { .. } => half::samples(reflectance, &image.band_angles(), size, exposure),
+    }
+}
+
+/// The texels of samples: bands of the roots of their values, each with its cap.
+pub(super) fn encoded(image: &Image, samples: &Samples) -> Texels {
+    let scale = match image.form {
+        ImageForm::Bivariate { .. } => Scale::Row,
+        ImageForm::Half { .. } => Scale::Layer,
     };
-    let texels = Texels::encode(&samples, Texel::Sqrt(image.texel_bits, None), scale);
-    (samples, texels)
+    Texels::encode(samples, Texel::Sqrt(image.texel_bits, None), scale)
 }
 
 /// The code of a texel's channel.

@@ -12,9 +12,10 @@ use crate::core::{
 use crate::emit::{Axis, markdown, render};
 use crate::fixed::{Field, Table};
 use crate::platform::error::Error;
+use crate::reflectance::directory;
 use crate::spec::{
-    Block, Colour, CoreSpec, Cosine, Form, ImageSpec, LightColours, LobeSpec, Material, RomStyle, Shader, Shininess,
-    Tail,
+    Block, Colour, CoreSpec, Cosine, Form, ImageSource, ImageSpec, LightColours, LobeSpec, Material,
+    REFLECTANCE_DIRECTORY, RomStyle, Shader, Shininess, Tail,
 };
 
 /// What the core is, in a line.
@@ -33,7 +34,7 @@ pub(super) fn title(spec: &CoreSpec) -> String {
                 shader.channel_bits
             )
         }
-        Block::Image(ImageSpec { image, model, .. }) => {
+        Block::Image(ImageSpec { image, source, .. }) => {
             let (size, lights) = (image.size, counted(image.lights, "light"));
             let form = match image.form {
                 ImageForm::Half { slices } => format!("half, {slices} slices of {size} x {size} texels"),
@@ -41,7 +42,7 @@ pub(super) fn title(spec: &CoreSpec) -> String {
             };
             format!(
                 "image-based block of {} ({form}), {lights} a clock, {} bits a channel",
-                model.family().name(),
+                source.model().map_or("a measured reflectance", |model| model.family().name()),
                 image.channel_bits
             )
         }
@@ -107,7 +108,7 @@ pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
             format!("  {}, root mean square {:.3}.", interval_text(error.whole.codes), error.whole.rms),
         ],
         Account::Image(error) => vec![
-            format!("Pictures of a sphere against the exact reflectance, lit from {} angles:", error.angles),
+            format!("Pictures of a sphere against {}, lit from {} angles:", error.exact(), error.angles),
             format!("  {:.1} dB in the mean, {:.1} dB at the worst angle.", error.quality.mean, error.quality.worst),
         ],
     }
@@ -256,6 +257,10 @@ fn files(design: &Design) -> Vec<(String, &'static str)> {
         }
     }
     files.push((super::golden_path(design), "golden vectors and digests"));
+    if let Block::Image(ImageSpec { source: ImageSource::Samples(_), .. }) = &spec.block {
+        let index = format!("{REFLECTANCE_DIRECTORY}/{}", directory::INDEX);
+        files.push((index, "the samples that the texels are made of, with their images beside it"));
+    }
     files.push(("files.f".to_owned(), "the source, for a simulator's -f option"));
     files
 }
@@ -350,7 +355,7 @@ struct ImageSheet<'a> {
     title: String,
     command: String,
     image: &'a Image,
-    model: String,
+    model: Option<String>,
     exposure: f64,
     /// The codes of a texel's channel.
     steps: u32,
@@ -365,7 +370,7 @@ struct ImageSheet<'a> {
 
 /// The text of an image-based block's datasheet.
 pub(super) fn image_sheet(design: ImageDesign<'_>, error: &ImageError) -> Result<String, Error> {
-    let (spec, ImageSpec { image, model, exposure }) = (&design.spec, design.of);
+    let (spec, ImageSpec { image, source, exposure }) = (&design.spec, design.of);
     let caps = design.block.texels().caps();
     let band = |(number, (angle, cap)): (usize, (f64, &f64))| (number, format!("{angle:.2}"), format!("{cap:.5}"));
     render(&ImageSheet {
@@ -374,7 +379,7 @@ pub(super) fn image_sheet(design: ImageDesign<'_>, error: &ImageError) -> Result
         title: title(spec),
         command: markdown::code(&spec.command()),
         image,
-        model: model.to_string(),
+        model: source.model().map(ToString::to_string),
         exposure: *exposure,
         steps: 1 << image.texel_bits,
         bands: image.band_angles().into_iter().zip(caps).enumerate().map(band).collect(),

@@ -19,7 +19,7 @@ use crate::emit::rom::{self, RomFormat};
 use crate::emit::{self, Axis, RomFile, Texts};
 use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
-use crate::spec::{CoreSpec, Language, RomStyle, hex};
+use crate::spec::{Block, CoreSpec, ImageSource, ImageSpec, Language, REFLECTANCE_DIRECTORY, RomStyle, hex};
 
 /// A file of a core: its path in the core's directory, with forward slashes, and its bytes.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -270,6 +270,10 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     let list: String = listed.into_iter().flat_map(sources).map(|path| path + "\n").collect();
     add("files.f".to_owned(), list.into_bytes());
 
+    if let Block::Image(ImageSpec { image, source: ImageSource::Samples(samples), exposure }) = &spec.block {
+        let inside = |(name, bytes)| File { path: format!("{REFLECTANCE_DIRECTORY}/{name}"), bytes };
+        files.extend(samples.files(image, *exposure)?.into_iter().map(inside));
+    }
     files.extend(others);
     let manifest = manifest(design, account, &files);
     files.push(File { path: "manifest.json".to_owned(), bytes: (manifest + "\n").into_bytes() });

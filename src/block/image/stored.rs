@@ -1,0 +1,205 @@
+//! The samples of a reflectance that came from a file: what a block is made of where no model is given, and what its
+//! core keeps, so that it can be made again without the file.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use sha2::{Digest, Sha256};
+
+use super::{Image, ImageForm, SIZE, SLICES, texels};
+use crate::platform::error::{Error, refuse};
+use crate::reflectance::texels::Samples;
+use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Source, Texel, directory, half, measure};
+
+/// A file that is to be made a block of.
+#[derive(Clone, Copy, Debug)]
+pub struct ImageFile<'a> {
+    /// A MERL table, or a directory of sphere images.
+    pub path: &'a Path,
+    /// How a table is looked up.
+    pub lookup: Option<Lookup>,
+    /// The exposure, above 0; otherwise a table's as [`measure::exposure`] has it, and that of images their own.
+    pub exposure: Option<f64>,
+    /// The digest that the file's samples are to have.
+    pub digest: Option<&'a str>,
+}
+
+/// Samples of a reflectance times an exposure, in 32 bits each, where a block's texels lie.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ImageSamples {
+    samples: Samples,
+    digest: String,
+}
+
+impl ImageSamples {
+    /// The samples for a block, and their exposure.
+    ///
+    /// # Errors
+    /// A file that cannot be read or is none of the two; images that do not fit the block, with those that would;
+    /// samples of another digest than is asked for, or too large for 32 bits.
+    pub fn open(image: &Image, file: &ImageFile<'_>) -> Result<(Arc<Self>, f64), Error> {
+        let name = file.path.display().to_string();
+        refuse!(
+            !file.path.exists(),
+            format!("there is no file or directory {name}"),
+            "a MERL table, or a directory of sphere images; in a spec file its path starts from there, and what a core \
+             is made of lies beside its core.toml"
+        );
+        let (stored, exposure) = if file.path.is_dir() {
+            let (form, octaves) = directory::read_with_octaves(file.path)?;
+            refuse!(
+                file.lookup.is_some(),
+                format!("lookup is given, and {name} holds images"),
+                "leave it out: it is for tables"
+            );
+            check_fit(image, &form, octaves, &name)?;
+            (Self::new(image, form.texels.samples(), form.exposure)?, form.exposure)
+        } else {
+            let Source::Table(table) = Source::open(file.path, file.lookup.unwrap_or_default())? else {
+                return Err(Error::input(
+                    format!("{name} is a matcap, which no image-based block is made of"),
+                    "give a MERL table, or a directory of slices as `brdfgen reflectance images` writes it",
+                ));
+            };
+            let exposure = file.exposure.unwrap_or_else(|| measure::exposure(&table));
+            (Self::new(image, texels::samples(image, &table, exposure), exposure)?, exposure)
+        };
+        if let Some(digest) = file.digest.filter(|digest| *digest != stored.digest) {
+            return Err(Error::input(
+                format!("the samples of {name} have the digest {}, and not {digest}", stored.digest),
+                "the files were changed since the core was made: restore them, or leave `digest` out to make another",
+            ));
+        }
+        match file.exposure.filter(|asked| *asked != exposure) {
+            None => Ok((Arc::new(stored), exposure)),
+            Some(asked) => {
+                let mut samples = stored.samples;
+                let factor = asked / exposure;
+                samples.data.iter_mut().flatten().for_each(|value| *value = (f64::from(*value) * factor) as f32);
+                Ok((Arc::new(Self::new(image, samples, asked)?), asked))
+            }
+        }
+    }
+
+    fn new(image: &Image, mut samples: Samples, exposure: f64) -> Result<Self, Error> {
+        refuse!(
+            !samples.data.iter().flatten().all(|value| value.is_finite()),
+            format!("a sample is too large for 32 bits at the exposure {exposure}"),
+            "a smaller exposure"
+        );
+        // No reflectance is negative, but a picture may be; and no zero has a sign, so that equal samples have one
+        // digest.
+        let plain = |value: &mut f32| *value = if *value > 0.0 { *value } else { 0.0 };
+        samples.data.iter_mut().flatten().for_each(plain);
+        let FormSpec { kind, angles, size, .. } = form_spec(image);
+        let header = format!("{} {angles:?} {size} {:?} {exposure:?}", kind.name(), octaves(image));
+        let mut hash = Sha256::new_with_prefix(header);
+        samples.data.iter().flatten().for_each(|value| hash.update(value.to_le_bytes()));
+        let digest = hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect();
+        Ok(Self { samples, digest })
+    }
+
+    /// The samples: a layer for each band of slices, or one whose rows are the bands.
+    #[must_use]
+    pub fn samples(&self) -> &Samples {
+        &self.samples
+    }
+
+    /// The SHA-256 of the samples, what they are of and their exposure, in hexadecimal digits.
+    #[must_use]
+    pub fn digest(&self) -> &str {
+        &self.digest
+    }
+
+    /// The files of a directory from which [`ImageSamples::open`] reads the same samples: images with 32 bits a channel
+    /// and their index.
+    ///
+    /// # Errors
+    /// As [`directory::images`].
+    pub fn files(&self, image: &Image, exposure: f64) -> Result<Vec<(String, Vec<u8>)>, Error> {
+        directory::images(&form_spec(image).encode(&self.samples, exposure), octaves(image))
+    }
+}
+
+/// The octaves that columns lie along.
+fn octaves(image: &Image) -> Option<u32> {
+    match image.form {
+        ImageForm::Bivariate { octaves } => Some(octaves),
+        ImageForm::Half { .. } => None,
+    }
+}
+
+/// What a block's samples are as a form.
+fn form_spec(image: &Image) -> FormSpec {
+    let (kind, images) = match image.form {
+        ImageForm::Bivariate { .. } => (FormKind::Bivariate, 1),
+        ImageForm::Half { slices } => (FormKind::Half, slices as usize),
+    };
+    FormSpec::sized(kind, images, image.size as usize, Texel::Float)
+}
+
+/// Whether angles are the same in degrees.
+fn are_near(one: &[f64], other: &[f64]) -> bool {
+    one.len() == other.len() && one.iter().zip(other).all(|(a, b)| (a - b).abs() < 1e-6)
+}
+
+/// Refuses images that are not where a block's texels lie.
+fn check_fit(image: &Image, form: &Form, there: Option<u32>, name: &str) -> Result<(), Error> {
+    let (needed, own) = (form_spec(image), &form.spec);
+    let fits = own.kind == needed.kind && own.size == needed.size && are_near(&own.angles, &needed.angles);
+    if fits && there == octaves(image) {
+        return Ok(());
+    }
+    let what = format!("{name} holds {}", described(own, there));
+    let remedy = match (flags(own, there), image.form) {
+        (Some(flags), _) => format!("give {flags} for what is there"),
+        (None, ImageForm::Half { slices }) => format!(
+            "make them with `brdfgen reflectance images TABLE --form half --images {slices} --size {} --texel float`",
+            image.size
+        ),
+        (None, ImageForm::Bivariate { .. }) => "give the table that they were made of".to_owned(),
+    };
+    Err(Error::input(what, format!("this block takes {}: {remedy}", described(&needed, octaves(image)))))
+}
+
+/// What images are, in words.
+fn described(spec: &FormSpec, octaves: Option<u32>) -> String {
+    let FormSpec { kind, angles, size, .. } = spec;
+    let count = angles.len();
+    match (kind, octaves) {
+        (FormKind::Half, _) if are_near(angles, &half::angles(count)) => {
+            format!("{count} slices of {size} × {size} texels, evenly from 0 to {} degrees", half::LAST)
+        }
+        (FormKind::Half, _) => {
+            let listed: Vec<String> = angles.iter().map(|angle| ((angle * 1e3).round() / 1e3).to_string()).collect();
+            format!("{count} slices of {size} × {size} texels at {} degrees", listed.join(", "))
+        }
+        (FormKind::Bivariate, Some(octaves)) => {
+            format!("{size} × {size} texels of the form bivariate, their columns along {octaves} octaves of 1 - n.h")
+        }
+        (FormKind::Bivariate, None) => {
+            format!("{size} × {size} texels of the form bivariate, their columns along the root of θh")
+        }
+        (FormKind::Paper | FormKind::Matcap, _) => {
+            format!("{count} images of {size} × {size} texels of the form {}", kind.name())
+        }
+    }
+}
+
+/// The flags of a block that images would fit, if there is one.
+fn flags(spec: &FormSpec, octaves: Option<u32>) -> Option<String> {
+    let FormSpec { kind, angles, size, .. } = spec;
+    let count = u32::try_from(angles.len()).ok()?;
+    let size = u32::try_from(*size).ok().filter(|size| SIZE.contains(size) && size.is_power_of_two())?;
+    match (kind, octaves) {
+        (FormKind::Half, _) => {
+            let is_even = are_near(angles, &half::angles(angles.len()));
+            let fits = is_even && SLICES.contains(&count) && count.is_power_of_two();
+            fits.then(|| format!("--image-form half --images {count} --image-size {size}"))
+        }
+        (FormKind::Bivariate, Some(octaves)) => {
+            Some(format!("--image-form bivariate --octaves {octaves} --image-size {size}"))
+        }
+        _ => None,
+    }
+}
