@@ -13,6 +13,7 @@ mod explore;
 mod fit;
 mod formal;
 mod image;
+mod image_files;
 mod lint;
 mod lobes;
 mod log_exp;
