@@ -1,1 +1,2 @@
 rtl/image_bivariate.v
+rtl/image_bivariate_lights.v

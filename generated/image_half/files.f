@@ -1,1 +1,2 @@
 rtl/image_half.v
+rtl/image_half_lights.v

@@ -1,6 +1,7 @@
 //! What a core is: a lobe alone, or what is built around one.
 
 pub mod image;
+pub mod lights;
 mod parts;
 pub mod shader;
 

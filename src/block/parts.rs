@@ -1,12 +1,18 @@
 //! What the blocks around and beside a lobe are built of.
 
-use crate::datapath::builder::Builder;
+use crate::datapath::builder::{Builder, HighBits};
 use crate::datapath::graph::NodeId;
+use crate::fixed::Format;
 
 /// The components of vectors in names.
 pub(super) const AXES: [char; 3] = ['x', 'y', 'z'];
 /// Red, green and blue in names.
 pub(super) const CHANNELS: [char; 3] = ['r', 'g', 'b'];
+
+/// The outputs of a core that takes lights in sequence.
+pub(super) const SUMS: [&str; 3] = ["out_sum_r", "out_sum_g", "out_sum_b"];
+/// The same of the ambient light.
+pub(super) const AMBIENTS: [&str; 3] = ["out_ambient_r", "out_ambient_g", "out_ambient_b"];
 
 /// A scalar product of vectors of two or three components: exact, or the sum of products that are rounded down to so
 /// many fraction bits.
@@ -25,6 +31,16 @@ pub(super) fn dot(b: &mut Builder, a: &[NodeId], c: &[NodeId], bits: Option<i32>
         sum = b.add(sum, product, &format!("{name}_{axes}"), what);
     }
     sum
+}
+
+/// What the lights of a clock give to a channel: a sum of so many fraction bits, kept at 1.0.
+pub(super) fn channel_sum(b: &mut Builder, sum: NodeId, channel: usize, bits: i32) -> NodeId {
+    let c = CHANNELS[channel];
+    let int_bits = b.format(sum).int_bits;
+    let format = Format::unsigned(int_bits.max(1), bits);
+    let sum = b.cast(sum, format, HighBits::Unused, &format!("sum_wide_{c}"), "with all bits of a sum");
+    // Without a bit before the point it is below 1.0.
+    if int_bits < 1 { sum } else { b.clamp_to_unit(sum, &format!("sum_{c}"), "kept at 1.0") }
 }
 
 /// The nearest code of a channel to a sum in which full scale is the greatest code, `1 - 2^-bits`; at most full scale.

@@ -88,7 +88,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         for sim in sims {
             let spinner = progress::spinner(format!("{sim:?}").to_lowercase());
             outcomes.push(cosim::golden(sim, &job)?);
-            outcomes.extend(cosim::axis(sim, &job)?);
+            outcomes.extend(cosim::around(sim, &job)?);
             spinner.finish_and_clear();
         }
     }

@@ -38,7 +38,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         Step::Ended(proof) => spinner.suspend(|| say_proof(proof)),
     };
     let mut proofs = formal::equivalence(design, directory, golden, arguments.solver_limit, &tell)?;
-    proofs.extend(formal::stream(design, directory, &tell)?);
+    proofs.extend(formal::around(design, directory, &tell)?);
     spinner.finish_and_clear();
     let all = |passes: &dyn Fn(formal::ProofStatus) -> bool| proofs.iter().all(|proof| passes(proof.verdict));
     if arguments.json {

@@ -9,8 +9,8 @@ use serde_json::{Map, json};
 use super::source::{Source, read_scene};
 use super::{Verdict, say, say_json, write_to};
 use crate::core::sample::dot;
-use crate::core::{BlockDesign, Direction};
-use crate::emit::package::counted;
+use crate::core::{BlockDesign, Design, Direction};
+use crate::emit::package::{self, counted};
 use crate::platform::error::{Error, refuse};
 use crate::reflectance::{Light, Rgb, Vector};
 use crate::scene::{self, LightKind};
@@ -41,6 +41,10 @@ struct LightsArguments {
     /// The table as CSV: a row a light, a column a port; `-` is standard output [default: `-`, and nothing with --json]
     #[arg(long, value_name = "FILE.csv")]
     csv: Option<PathBuf>,
+
+    /// The words of the core's table of lights, a hexadecimal number a line from the word 0 on, as $readmemh takes them
+    #[arg(long, value_name = "FILE.mem")]
+    mem: Option<PathBuf>,
 
     /// Print the result as JSON
     #[arg(long)]
@@ -101,6 +105,24 @@ fn of_scene(path: &Path) -> Result<Vec<GivenLight>, Error> {
     Ok(lights)
 }
 
+/// The words of a core's table of lights for these records, as text.
+fn words(design: &Design, records: &[Vec<i64>]) -> Result<String, Error> {
+    let Some(table) = package::light_table(design) else {
+        return Err(Error::input(
+            format!("the core {} has no table of lights", design.spec.name),
+            "leave --mem out, or generate the core with light_source = \"table\"",
+        ));
+    };
+    let a_word = table.record.lanes.len() / records[0].len();
+    let most = a_word * table.depth as usize;
+    refuse!(
+        records.len() > most,
+        format!("{} lights are more than the {most} of the table of {}", records.len(), design.spec.name),
+        "fewer lights, or a core with a greater most_lights"
+    );
+    Ok(records.chunks(a_word).map(|of_word| table.word(&of_word.concat()) + "\n").collect())
+}
+
 fn lights(arguments: &LightsArguments) -> Result<Verdict, Error> {
     let design = arguments.source.design()?;
     let BlockDesign::Image(image) = design.block() else {
@@ -128,10 +150,19 @@ fn lights(arguments: &LightsArguments) -> Result<Verdict, Error> {
         };
         say_json(&given.iter().zip(&records).map(row).collect::<Vec<_>>());
     }
-    let Some(path) = arguments.csv.clone().or_else(|| (!arguments.json).then(|| PathBuf::from("-"))) else {
+    arguments
+        .source
+        .paths()
+        .may_write("--csv", arguments.csv.as_ref())
+        .may_write("--mem", arguments.mem.as_ref())
+        .check()?;
+    if let Some(path) = &arguments.mem {
+        write_to(path, words(&design, &records)?.as_bytes())?;
+    }
+    let quiet = arguments.json || arguments.mem.is_some();
+    let Some(path) = arguments.csv.clone().or_else(|| (!quiet).then(|| PathBuf::from("-"))) else {
         return Ok(Verdict::Done);
     };
-    arguments.source.paths().writes("--csv", &path).check()?;
     let mut text = format!("{}\n", ports.join(","));
     for record in &records {
         text += &(record.iter().map(i64::to_string).collect::<Vec<_>>().join(",") + "\n");

@@ -89,7 +89,7 @@ impl ShaderError {
                 let real = |table: &Table, name: &str, row: usize| table.field(name).reals[row];
                 let stored = |table: &Table, name: &str, row: usize| table.field(name).value(row);
                 let channels = |sample: &Sample, lights: &[(f64, f64)]| sample.channels(design, lights, real);
-                let hardware = model.evaluate(&codes);
+                let hardware = design.sample_of(&[model.evaluate(&codes)]);
                 let stages = [
                     channels(&sample, &lights(&sample, &power)),
                     channels(&sample, &lights(&sample, &method)),

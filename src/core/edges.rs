@@ -69,6 +69,11 @@ pub(super) fn inverse(odd: i64, bits: u32) -> i64 {
     inverse & ((1 << bits) - 1)
 }
 
+/// How many ports of a shader, its first ones, are no light's.
+pub(super) fn ports_of_sample(shader: &Shader) -> usize {
+    if shader.cosine == Cosine::Half { 4 } else { 7 }
+}
+
 /// The ports of a shader, as places in its codes.
 struct Ports {
     normal: usize,
@@ -79,7 +84,7 @@ struct Ports {
 impl Ports {
     fn of(shader: &Shader, light: usize, ports: usize) -> Self {
         let viewer = (shader.cosine != Cosine::Half).then_some(4);
-        let first = if viewer.is_some() { 7 } else { 4 };
+        let first = ports_of_sample(shader);
         Self { normal: 1, viewer, light: first + light * (ports - first) / shader.lights as usize }
     }
 }

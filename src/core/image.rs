@@ -5,6 +5,7 @@ use std::ops::Deref;
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::lights::sum_meanings;
 use super::{Design, Part};
 use crate::block::image::{ImageBlock, ImageForm, ImageModel, ImageSource, ImageSpec, Joints, Places, RealTexels};
 use crate::fixed::exp2;
@@ -87,8 +88,7 @@ impl<'a> ImageDesign<'a> {
 
     /// What each output port that carries numbers is for, in order.
     pub(super) fn output_meanings(self) -> Vec<String> {
-        let full = self.of.image.full_scale();
-        ["red", "green", "blue"].map(|channel| format!("{channel}; {full} is full scale")).to_vec()
+        sum_meanings(&self.block.sums())
     }
 
     /// The inputs of a normal and of a light each; lights that are missing give nothing.
@@ -112,7 +112,7 @@ impl<'a> ImageDesign<'a> {
             let mut inputs = self.inputs(Vector::z(), &[(light, [1.0; 3])]);
             let shown = |&n: &Vector| {
                 inputs[..3].copy_from_slice(&self.vector(n));
-                let codes = self.model().evaluate(&inputs);
+                let codes = self.block.sums().codes([self.model().evaluate(&inputs).as_slice()]);
                 [0, 1, 2].map(|channel| (codes[channel] as f64 / full) as f32)
             };
             let own: Vec<[f32; 3]> = sphere.normals.iter().map(shown).collect();
@@ -177,14 +177,14 @@ impl ImageError {
     pub fn of(design: ImageDesign<'_>) -> Self {
         let sphere = Sphere::new(SIZE);
         let full = design.of.image.full_scale() as f64;
-        let model = design.model();
+        let (model, sums) = (design.model(), design.block.sums());
         let ImageSpec { source, exposure, .. } = design.of;
         let of_angle = |&phi: &f64| {
             let light = turned(phi);
             let record = design.block.record(light, [1.0; 3]).expect("an intensity of 1");
             let real = design.block.real_light(light, [1.0; 3]);
             let rounded = design.block.light_of(&record);
-            let mut sums = [[f64::INFINITY, f64::NEG_INFINITY, 0.0]; PARTS.len() + 1];
+            let mut errors = [[f64::INFINITY, f64::NEG_INFINITY, 0.0]; PARTS.len() + 1];
             let mut pictures = [Vec::new(), Vec::new()];
             let mut inputs = design.inputs(Vector::z(), &[(light, [1.0; 3])]);
             for &n in &sphere.normals {
@@ -192,7 +192,7 @@ impl ImageError {
                 let lsb = exp2(-(design.of.image.vector_fraction as i32));
                 let near = Vector::new(codes[0] as f64 * lsb, codes[1] as f64 * lsb, codes[2] as f64 * lsb);
                 inputs[..3].copy_from_slice(&codes);
-                let hardware = model.evaluate(&inputs);
+                let hardware = sums.codes([model.evaluate(&inputs).as_slice()]);
                 let shown = |value: Rgb| value.map(|channel| (channel * full).clamp(0.0, full));
                 let interpolated = design.block.real(n, &real, RealTexels::Exact, Places::Exact);
                 let exact = match source {
@@ -208,7 +208,7 @@ impl ImageError {
                     [0, 1, 2].map(|channel| hardware[channel] as f64),
                 ];
                 for channel in [0, 1, 2] {
-                    for (part, sum) in sums.iter_mut().enumerate() {
+                    for (part, sum) in errors.iter_mut().enumerate() {
                         let (from, to) = if part < PARTS.len() { (part, part + 1) } else { (0, PARTS.len()) };
                         let error = stages[to][channel] - stages[from][channel];
                         *sum = [sum[0].min(error), sum[1].max(error), sum[2] + error * error];
@@ -217,14 +217,14 @@ impl ImageError {
                 pictures[0].push(stages[0].map(|code| (code / full) as f32));
                 pictures[1].push(stages[PARTS.len()].map(|code| (code / full) as f32));
             }
-            (sums, (phi, measure::psnr(&pictures[0], &pictures[1])))
+            (errors, (phi, measure::psnr(&pictures[0], &pictures[1])))
         };
         let angles = measure::angles(STEP);
         let by_angle: Vec<([Sums; PARTS.len() + 1], (f64, f64))> = angles.par_iter().map(of_angle).collect();
         let samples = (angles.len() * sphere.normals.len()) as u64;
-        // In order, so that the sums are the same on every machine.
+        // In order, so that the figures are the same on every machine.
         let part = |index: usize, (name, meaning): (&'static str, &'static str)| {
-            let each = by_angle.iter().map(|(sums, _)| sums[index]);
+            let each = by_angle.iter().map(|(errors, _)| errors[index]);
             let total = each.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1]), a[2] + b[2]]);
             let [low, high, square] = total.unwrap_or_default();
             Part { name, meaning, codes: [low, high], rms: libm::sqrt(square / (3 * samples) as f64) }

@@ -199,7 +199,7 @@ impl ImageDesign<'_> {
             }
             model.evaluate(codes)
         };
-        let full = self.of.image.full_scale();
+        let full = 1i64 << widths.term;
         let least = -widths.gain / 2;
         let mut exponents = [None; 3];
         for exponent in (least..=widths.shift).rev() {

@@ -7,6 +7,7 @@ pub mod golden;
 mod image;
 mod image_inputs;
 pub mod layout;
+mod lights;
 mod lobe;
 mod measure;
 mod port;

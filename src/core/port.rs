@@ -77,6 +77,10 @@ pub enum Role {
     Enable,
     /// Whether the inputs are to be taken.
     InValid,
+    /// Whether the inputs are a sample's last.
+    InLast,
+    /// Whether the inputs are taken if they are to be.
+    InReady,
     /// What selects the shininess or the material.
     Index,
     /// What the result is computed from.
@@ -114,7 +118,7 @@ impl Role {
     /// Which way its ports lead.
     #[must_use]
     pub fn direction(self) -> Direction {
-        if matches!(self, Self::OutValid | Self::Result) { Direction::Out } else { Direction::In }
+        if matches!(self, Self::InReady | Self::OutValid | Self::Result) { Direction::Out } else { Direction::In }
     }
 }
 

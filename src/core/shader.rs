@@ -2,6 +2,7 @@
 
 use std::ops::Deref;
 
+use super::lights::{code_meanings, sum_meanings};
 use super::{Design, LobeDesign};
 use crate::block::shader::ShaderModel;
 use crate::block::shader::datapath::Joints;
@@ -83,7 +84,9 @@ impl<'a> ShaderDesign<'a> {
 
     /// What each output port that carries numbers is for, in order.
     pub(super) fn output_meanings(self) -> Vec<String> {
-        let full = self.shader.full_scale();
-        ["red", "green", "blue"].map(|channel| format!("{channel}; {full} is full scale")).to_vec()
+        match self.shader.sums(self.lobe.interface) {
+            Some(sums) => sum_meanings(&sums),
+            None => code_meanings(self.shader.channel_bits),
+        }
     }
 }

@@ -76,9 +76,9 @@ impl Lane {
         format!("{vector}({} downto 0)", self.bits - 1)
     }
 
-    /// Its bits of s_axis_tdata, of the type of its port, in VHDL.
-    fn of_tdata(&self, texts: &Texts) -> String {
-        texts.vhdl_ports.from_bits(self.sign(), &format!("s_axis_tdata({})", self.downto()))
+    /// Its bits of a word, of the type of its port, in VHDL.
+    pub(super) fn of_bits(&self, word: &str, texts: &Texts) -> String {
+        texts.vhdl_ports.from_bits(self.sign(), &format!("{word}({})", self.downto()))
     }
 }
 
@@ -92,7 +92,7 @@ pub struct Packing {
 }
 
 impl Packing {
-    fn of<'a>(ports: impl Iterator<Item = &'a Port>) -> Self {
+    pub(super) fn of<'a>(ports: impl Iterator<Item = &'a Port>) -> Self {
         let mut bits = 0;
         let lane = |(port, format): (&Port, Format)| {
             let low = bits;
@@ -154,22 +154,26 @@ pub struct Axis {
     pub tuser_bits: u32,
     /// The core's latency, and the wrapper's, in clocks at which nothing waits.
     pub latency: u32,
+    /// Whether what it is around takes the lights of a sample in sequence: `tlast` ends a sample, and a result is a
+    /// packet of its own.
+    pub sequenced: bool,
 }
 
 impl Axis {
-    /// The wrapper of a core, without a header.
+    /// The wrapper `name` around what has these texts, without a header.
     #[must_use]
-    pub fn of(texts: &Texts, latency: u32, tuser_bits: u32) -> Self {
+    pub fn of(name: String, texts: &Texts, latency: u32, tuser_bits: u32) -> Self {
         let writes = texts.ports.iter().filter(|port| port.role == Role::Write).cloned().collect();
         let numbers = |direction: Direction| Packing::of(texts.ports.iter().filter(|port| port.carries(direction)));
         Self {
-            name: format!("{}_axis", texts.name),
+            name,
             header: Vec::new(),
             inputs: numbers(Direction::In),
             outputs: numbers(Direction::Out),
             writes,
             tuser_bits,
             latency,
+            sequenced: texts.ports.iter().any(|port| port.role == Role::InLast),
         }
     }
 
@@ -184,13 +188,22 @@ impl Axis {
             is_write: false,
         };
         let (input, output) = (Direction::In, Direction::Out);
+        let [tlast, shown_tlast, shown_tuser] = if self.sequenced {
+            [
+                "with the lights of this beat the sample ends",
+                "1: a beat is a sample",
+                "as it came with the sample's last beat",
+            ]
+        } else {
+            ["goes with the beat", "as it came with the beat", "as it came with the beat"]
+        };
         let mut ports = vec![
             port("aclk", input, None, "clock; everything happens on its rising edge"),
             port("aresetn", input, None, "synchronous reset, active low: every beat under way is dropped"),
             port("s_axis_tdata", input, Some(self.inputs.tdata_bits()), "the core's inputs, packed"),
             port("s_axis_tvalid", input, None, "a beat is offered"),
             port("s_axis_tready", output, None, "the beat is taken; from a register"),
-            port("s_axis_tlast", input, None, "goes with the beat"),
+            port("s_axis_tlast", input, None, tlast),
             port("s_axis_tuser", input, Some(self.tuser_bits), "goes with the beat"),
         ];
         let write = |write: &Port| AxisPort {
@@ -205,8 +218,8 @@ impl Axis {
             port("m_axis_tdata", output, Some(self.outputs.tdata_bits()), "the core's outputs, packed"),
             port("m_axis_tvalid", output, None, "a beat is there; it stays until it is taken"),
             port("m_axis_tready", input, None, "the beat is taken"),
-            port("m_axis_tlast", output, None, "as it came with the beat"),
-            port("m_axis_tuser", output, Some(self.tuser_bits), "as it came with the beat"),
+            port("m_axis_tlast", output, None, shown_tlast),
+            port("m_axis_tuser", output, Some(self.tuser_bits), shown_tuser),
         ]);
         ports
     }

@@ -5,16 +5,20 @@
 //! arithmetic is decided here: formats and operations come from the datapath.
 
 mod axis;
+mod light_table;
 pub(crate) mod markdown;
 mod names;
 pub mod package;
 pub mod rom;
+mod sequencer;
 mod testbench;
 mod verilog;
 mod vhdl;
 
 pub use axis::{Axis, AxisPort, Lane, Packing};
-pub use testbench::test_bench;
+pub use light_table::LightTable;
+pub use sequencer::{Connected, Sequencer};
+pub use testbench::{Wrapper, test_bench};
 
 use crate::core::{Direction, Layout, Port, Role, WritePort};
 use crate::platform::error::Error;

@@ -2,7 +2,8 @@
 
 use askama::Template;
 
-use super::{Axis, Direction, Layout, Port, RomFile, Texts, WritePort, names, render};
+use super::{Axis, Direction, Lane, Layout, LightTable, Port, RomFile, Sequencer, Texts, WritePort, names, render};
+use crate::block::lights::Sums;
 use crate::core::golden::Vector;
 use crate::platform::error::Error;
 use crate::spec::{Language, VhdlPorts};
@@ -71,6 +72,51 @@ impl<'a> BenchWrite<'a> {
     }
 }
 
+/// A table of lights, as the benches see it.
+struct BenchTable<'a> {
+    depth: u32,
+    address_bits: u32,
+    word_bits: u32,
+    lanes: &'a [Lane],
+    /// Enabled clocks from a sample to its codes, besides one for each word.
+    behind: u32,
+}
+
+impl<'a> BenchTable<'a> {
+    fn of(table: &'a LightTable) -> Self {
+        let (depth, address_bits, word_bits) = (table.depth, table.address_bits, table.word_bits());
+        Self { depth, address_bits, word_bits, lanes: &table.record.lanes, behind: table.latency() - 1 }
+    }
+
+    /// The parts of a word that a random number fills each.
+    fn parts(&self) -> Vec<RandomPart> {
+        RandomPart::of(self.word_bits)
+    }
+
+    /// Bits of an integer beside an address.
+    fn spare(&self) -> u32 {
+        32 - self.address_bits
+    }
+
+    /// Bits of the number of words of a sample, at most half the table's.
+    fn length_bits(&self) -> u32 {
+        (self.address_bits - 1).min(3)
+    }
+}
+
+/// What a bench is of.
+#[derive(Clone, Copy, Debug)]
+pub enum Wrapper<'a> {
+    /// The core.
+    None,
+    /// Its sequencer.
+    Sequencer(&'a Sequencer),
+    /// Its table of lights.
+    Table(&'a LightTable),
+    /// Its wrapper with AXI4-Stream interfaces, around the sequencer if it has one.
+    Axis(&'a Axis, Option<&'a Sequencer>),
+}
+
 /// Bits of a vector that a random number of 32 bits fills, or its low bits do.
 pub(super) struct RandomPart {
     pub(super) high: u32,
@@ -102,7 +148,14 @@ struct Bench<'a> {
     golden: &'a str,
     vhdl_ports: VhdlPorts,
     inputs: Vec<BenchPort<'a>>,
+    /// The outputs of the vectors.
     outputs: Vec<BenchPort<'a>>,
+    /// The outputs of what is tested: the same, or what its sequencer makes of them.
+    results: Vec<BenchPort<'a>>,
+    /// What of a vector the sequencer adds up, if there is one.
+    sums: Option<Sums>,
+    /// The table of lights, if there is one.
+    table: Option<BenchTable<'a>>,
     /// Whether it waits before a vector as long as the file says.
     waits: bool,
     /// Characters that a line with a vector has at most, its end included.
@@ -121,6 +174,49 @@ impl Bench<'_> {
         self.inputs.iter().chain(&self.outputs)
     }
 
+    /// The inputs and what is compared.
+    fn shown(&self) -> impl Iterator<Item = &BenchPort<'_>> {
+        self.inputs.iter().chain(&self.results)
+    }
+
+    /// All of them, once each.
+    fn words(&self) -> impl Iterator<Item = &BenchPort<'_>> {
+        self.numbers().chain(self.results.iter().filter(|_| self.sums.is_some()))
+    }
+
+    /// The inputs of a vector that what is tested has.
+    fn driven_inputs(&self) -> impl Iterator<Item = &BenchPort<'_>> {
+        let in_word = |port: &&BenchPort| {
+            self.table.as_ref().is_some_and(|table| table.lanes.iter().any(|lane| lane.port.name == port.name))
+        };
+        self.inputs.iter().filter(move |port| !in_word(port))
+    }
+
+    /// Whether a sample is of several vectors, as it is of a sequencer whose lights come from ports.
+    fn counts_lights(&self) -> bool {
+        self.sums.is_some() && self.table.is_none()
+    }
+
+    /// So many vectors, of which a sequencer's sample has some and another one.
+    fn lights(&self, number: &'static str) -> &'static str {
+        if self.counts_lights() { number } else { "1" }
+    }
+
+    /// The channels of a sequencer.
+    fn channels(&self) -> [char; 3] {
+        ['r', 'g', 'b']
+    }
+
+    /// Half a code, in units of a sum's last bit.
+    fn half_code(&self) -> u64 {
+        self.sums.map_or(0, |sums| 1 << (sums.frac_bits - sums.channel_bits - 1))
+    }
+
+    /// The greatest code of a channel.
+    fn full_scale(&self) -> u64 {
+        self.sums.map_or(0, |sums| (1 << sums.channel_bits) - 1)
+    }
+
     /// The type of a port of the core in VHDL.
     fn vector(&self, sign: &'static str) -> &'static str {
         self.vhdl_ports.vector(sign)
@@ -133,7 +229,7 @@ impl Bench<'_> {
 
     /// A name, followed by spaces up to the length of the longest port's.
     fn padded(&self, name: &str) -> String {
-        let width = self.numbers().map(|port| port.name.len()).fold("out_valid".len(), usize::max);
+        let width = self.words().map(|port| port.name.len()).fold("out_valid".len(), usize::max);
         format!("{name:<width$}")
     }
 
@@ -187,7 +283,6 @@ fn literals(language: Language, ports: &[&BenchPort], vector: &Vector) -> String
 
 /// The test bench of a core in a language; `golden` is the path of its vectors, relative to the core's directory. For a
 /// core whose memories can be written, `complemented` are some vectors with the outputs for the words' complements.
-/// With `axis`, it is the bench of the core's wrapper.
 ///
 /// # Errors
 /// If the template cannot be filled in.
@@ -197,8 +292,26 @@ pub fn test_bench(
     texts: &Texts,
     golden: &str,
     complemented: &[Vector],
-    axis: Option<&Axis>,
+    wrapper: Wrapper,
 ) -> Result<String, Error> {
+    let (sequencer, table, axis) = match wrapper {
+        Wrapper::None => (None, None, None),
+        Wrapper::Sequencer(sequencer) => (Some(sequencer), None, None),
+        Wrapper::Table(table) => (Some(&table.sequencer), Some(table), None),
+        Wrapper::Axis(axis, sequencer) => (sequencer, None, Some(axis)),
+    };
+    let (name, header) = match (table, sequencer) {
+        (Some(LightTable { name, header, .. }), _) | (None, Some(Sequencer { name, header, .. })) => (name, header),
+        (None, None) => (&texts.name, &texts.header),
+    };
+    let latency = match (table, sequencer) {
+        // As long as a sample may be under way, and the clock at which it is looked at.
+        (Some(table), _) => table.depth + table.latency(),
+        (None, Some(sequencer)) => sequencer.latency,
+        (None, None) => layout.schedule.latency,
+    };
+    let whole = sequencer.map_or(&texts.ports, |sequencer| &sequencer.ports);
+    let results = whole.iter().filter(|port| port.carries(Direction::Out)).filter_map(BenchPort::of).collect();
     let numbers = |direction: Direction| -> Vec<BenchPort> {
         texts.ports.iter().filter(|port| port.carries(direction)).filter_map(BenchPort::of).collect()
     };
@@ -208,8 +321,8 @@ pub fn test_bench(
     let write = |write| BenchWrite::of(write, layout);
     let digits: u32 = inputs.iter().chain(&outputs).map(|port| 1 + port.digits).sum();
     let bench = &Bench {
-        name: &texts.name,
-        header: &texts.header,
+        name,
+        header,
         rom_files: &texts.rom_files,
         writes: texts.writes.iter().map(write).collect(),
         complemented,
@@ -217,10 +330,13 @@ pub fn test_bench(
         vhdl_ports: texts.vhdl_ports,
         inputs,
         outputs,
+        results,
+        sums: sequencer.map(|sequencer| sequencer.sums),
+        table: table.map(BenchTable::of),
         // The letter, the codes, two numbers of nine digits, the end of the line, and one to notice that it is longer.
         line_bytes: (1 + digits + 20 + 2 + 1).next_multiple_of(8),
         waits: axis.is_none(),
-        latency: layout.schedule.latency,
+        latency,
     };
     let text = match (language, axis) {
         (Language::Verilog, None) => render(&VerilogBench { bench }),

@@ -255,7 +255,8 @@ impl Writer<'_> {
     }
 }
 
-fn declaration(port: &Port) -> Declaration {
+/// A port in the text of a module.
+pub(super) fn declaration(port: &Port) -> Declaration {
     let direction = match port.role.direction() {
         Direction::In => "input  wire",
         Direction::Out => "output wire",

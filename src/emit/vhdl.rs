@@ -307,7 +307,8 @@ fn initial(is_flag: bool) -> &'static str {
     if is_flag { "'0'" } else { "(others => '0')" }
 }
 
-fn declaration(port: &Port, name_width: usize, ports: VhdlPorts) -> Declaration {
+/// A port in the text of an entity.
+pub(super) fn declaration(port: &Port, name_width: usize, ports: VhdlPorts) -> Declaration {
     let vector = |format: Format| format!("{}({} downto 0)", ports.vector(sign(format)), format.width() - 1);
     let kind = port.format.map_or("std_logic".to_owned(), vector);
     let declaration = format!("{:<name_width$} : {:<3} {kind}", port.name, port.role.direction().word());

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::{
-    BlockKind, Coefficients, Divider, Form, GoldenInputs, ImageFormName, InputRange, Inside, Language, Material,
-    Memory, MethodName, Operand, Pipeline, ReflectanceFields, RomStyle, ShaderFields, Shininess, Tail, TexelMemory,
-    VhdlPorts,
+    BlockKind, Coefficients, Divider, Form, GoldenInputs, ImageFormName, InputRange, Inside, Language, LightSource,
+    Material, Memory, MethodName, Operand, Pipeline, ReflectanceFields, RomStyle, ShaderFields, Shininess, Tail,
+    TexelMemory, VhdlPorts,
 };
 use crate::emit::rom::RomFormat;
 use crate::fit::Objective;
@@ -118,9 +118,18 @@ method_keys! { keys! {
     #[arg(help_heading = "Image-based block", value_name = "BITS")]
     output_bits: u32 where "image-based blocks",
 
-    /// Lights that are taken in a clock, 1 to 8 [default: 1]
-    #[arg(help_heading = "Image-based block", value_name = "LIGHTS")]
-    lights_a_clock: u32 where "image-based blocks",
+    /// Take the lights of a sample in sequence, so many a clock, 1 to 8, until in_last [default: 1 in image-based
+    /// blocks]
+    #[arg(value_name = "LIGHTS")]
+    lights_a_clock: u32 where "shaders and image-based blocks",
+
+    /// Lights in sequence that the roundings of a sample are sized for, 1 to 1024; more may come [default: 64]
+    #[arg(value_name = "LIGHTS")]
+    most_lights: u32 where "shaders and image-based blocks",
+
+    /// Where lights in sequence come from: ports, or a table of most_lights in the core that is written [default: port]
+    #[arg(value_name = "port|table")]
+    light_source: LightSource where "shaders and image-based blocks",
 
     /// Where the texels lie [default: rom]
     #[arg(help_heading = "Image-based block")]

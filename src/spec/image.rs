@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Block, BlockKind, ReflectanceFields, RomStyle, ShaderFields, SpecFields};
 use crate::block::image::{Image, ImageForm, ImageSpec, TexelMemory};
+use crate::block::lights::DEFAULT_MOST_LIGHTS;
 use crate::block::shader::{CHANNEL_BITS, VECTOR_FRACTION};
 use crate::method::keys::Fields;
 use crate::method::within;
@@ -22,6 +23,8 @@ pub enum ImageFormName {
 
 /// Where its keys apply, as their table says it.
 const APPLIES: &str = "image-based blocks";
+/// Where the keys of lights in sequence apply.
+const APPLIES_TO_LIGHTS: &str = "shaders and image-based blocks";
 /// The keys that any core may have.
 const OF_ALL: [&str; 9] = [
     "name",
@@ -41,8 +44,12 @@ impl SpecFields {
     /// Refuses a key that its block has no use for.
     pub(super) fn check_block(&self) -> Result<(), Error> {
         let is_image = self.block == Some(BlockKind::Image);
+        let has_lights = self.block.is_some_and(|block| block != BlockKind::Lobe);
         let given = self.values().into_iter().filter(|(_, value)| value.is_some()).map(|(key, _)| key);
         let misplaced = given.into_iter().find(|key| {
+            if key.applies == APPLIES_TO_LIGHTS {
+                return !has_lights;
+            }
             let of_image = key.applies == APPLIES;
             if is_image { !of_image && !OF_ALL.contains(&key.name) } else { of_image }
         });
@@ -57,7 +64,7 @@ impl SpecFields {
                 "leave it out: the block has neither a lobe nor materials",
             )),
             Some(key) => Err(Error::input(
-                format!("{} is given, which is for image-based blocks", key.flag().replace('-', "_")),
+                format!("{} is given, which is for {}", key.flag().replace('-', "_"), key.applies),
                 "use --block image, or leave it out",
             )),
         }
@@ -86,6 +93,7 @@ impl SpecFields {
             vector_fraction: vector_bits - BEFORE_POINT,
             channel_bits,
             lights: self.lights_a_clock.unwrap_or(1),
+            most_lights: self.most_lights.unwrap_or(DEFAULT_MOST_LIGHTS),
         };
         image.check()?;
         let (source, exposure) = self.reflectance.resolve(&image)?;
@@ -137,6 +145,7 @@ impl SpecFields {
             vector_bits: Some(image.vector_fraction + BEFORE_POINT),
             output_bits: Some(image.channel_bits),
             lights_a_clock: Some(image.lights),
+            most_lights: Some(image.most_lights),
             texels: Some(if rom == RomStyle::Writable { TexelMemory::Writable } else { TexelMemory::Rom }),
             reflectance: ReflectanceFields::of(source, *exposure),
             ..self

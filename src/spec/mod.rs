@@ -19,6 +19,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 pub use crate::block::image::{ImageSource, ImageSpec, TexelMemory};
+pub use crate::block::lights::LightSource;
 pub(crate) use crate::block::shader::unit;
 pub use crate::block::shader::{
     CHANNEL_BITS, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, Surface, VECTOR_FRACTION,
@@ -140,6 +141,8 @@ pub struct CoreSpec {
     pub vhdl_ports: VhdlPorts,
     /// The bits of `tuser`, 1 to 64, if a wrapper with AXI4-Stream interfaces is written around the core.
     pub axi_stream: Option<u32>,
+    /// Where lights in sequence come from, if they do.
+    pub light_source: LightSource,
     /// Inputs that the golden vectors hold besides those that are chosen for them.
     pub golden_inputs: GoldenInputs,
 }

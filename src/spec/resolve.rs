@@ -1,13 +1,13 @@
 //! From what was written to a core's spec, with every default and every check, and back.
 
 use super::{
-    Block, BlockKind, CoreSpec, Cosine, Form, INPUT_FRACTION, InputRange, Interface, Language, LobeSpec, Material,
-    OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, Shader, ShaderFields, Shininess,
-    SpecFields, TUSER_BITS, VhdlPorts, check_name, image,
+    Block, BlockKind, CoreSpec, Cosine, Form, INPUT_FRACTION, InputRange, Interface, Language, LightSource, LobeSpec,
+    Material, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, Shader, ShaderFields,
+    Shininess, SpecFields, TUSER_BITS, VhdlPorts, check_name, image,
 };
 use crate::emit::rom::RomFormat;
 use crate::method::{About, Configured, Options, within};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 
 impl SpecFields {
     /// Fills in the defaults and checks every value.
@@ -28,6 +28,7 @@ impl SpecFields {
             within("pipeline", depth, PIPELINE_DEPTH)?;
         }
         let axi_stream = self.resolved_axi_stream()?;
+        let light_source = self.resolved_light_source(&block)?;
         let rom = self.resolved_rom(&block);
         let name = self.name.unwrap_or(default_name);
         check_name(&name)?;
@@ -52,6 +53,7 @@ impl SpecFields {
             languages,
             vhdl_ports,
             axi_stream,
+            light_source,
             golden_inputs: self.golden_inputs.unwrap_or_default(),
         })
     }
@@ -94,7 +96,7 @@ impl SpecFields {
     fn resolved_shader(&self) -> Result<Option<Shader>, Error> {
         match self.block.unwrap_or_default() {
             BlockKind::Shader => {
-                let shader = self.shader.clone().resolve()?;
+                let shader = self.shader.clone().resolve(self.lights_a_clock, self.most_lights)?;
                 if self.rom == Some(RomStyle::Writable) {
                     return Err(Error::input(
                         "a shader's memories cannot be written",
@@ -188,6 +190,22 @@ impl SpecFields {
         }
     }
 
+    /// Where lights in sequence come from.
+    fn resolved_light_source(&self, block: &Block) -> Result<LightSource, Error> {
+        let source = self.light_source.unwrap_or_default();
+        refuse!(
+            self.light_source.is_some() && block.shader().is_some_and(|shader| shader.most_lights.is_none()),
+            "light_source is given for a shader that takes all lights of a sample at once",
+            "give lights_a_clock as well, or leave light_source out"
+        );
+        refuse!(
+            source == LightSource::Table && self.axi_stream == Some(true),
+            "axi_stream is given for a core with a table of lights",
+            "light_source = \"port\", whose lights are the beats of the stream"
+        );
+        Ok(source)
+    }
+
     /// The fields of a resolved spec, all given.
     #[must_use]
     pub fn from_spec(spec: &CoreSpec) -> Self {
@@ -203,7 +221,10 @@ impl SpecFields {
             vhdl_ports: Some(spec.vhdl_ports).filter(|&ports| ports != VhdlPorts::default()),
             axi_stream: spec.axi_stream.map(|_| true),
             tuser_bits: spec.axi_stream,
+            light_source: Some(spec.light_source).filter(|&source| source != LightSource::default()),
             golden_inputs: Some(spec.golden_inputs.clone()).filter(|inputs| !inputs.0.is_empty()),
+            lights_a_clock: shader.filter(|shader| shader.most_lights.is_some()).map(|shader| shader.lights),
+            most_lights: shader.and_then(|shader| shader.most_lights),
             shader: shader.map(ShaderFields::from_shader).unwrap_or_default(),
             ..Self::default()
         };

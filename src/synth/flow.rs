@@ -4,7 +4,7 @@ use askama::Template;
 
 use super::{CORE, Netlist, Options};
 use crate::core::{Design, Direction, Role};
-use crate::emit::package::File;
+use crate::emit::package::{self, File};
 use crate::target::{Family, Pack};
 
 /// What nextpnr reads.
@@ -33,7 +33,7 @@ impl Flow {
         let description = family.description();
         if let Some(placement) = &description.placement {
             if placement.shell {
-                flow.shell = Some(format!("{}_shell", design.spec.name));
+                flow.shell = Some(format!("{}_shell", package::whole_name(design)));
                 flow.files.push(file(SHELL, &shell_text(design)));
             }
             flow.files.extend(placement.files.iter().map(|(path, text)| file(path, text)));
@@ -94,7 +94,7 @@ struct Shell<'a> {
 fn shell_text(design: &Design) -> String {
     let (mut inputs_width, mut outputs_width) = (0, 0);
     let mut ports = Vec::new();
-    for port in design.ports().into_iter().filter(|port| port.role != Role::Clock) {
+    for port in design.whole_ports().into_iter().filter(|port| port.role != Role::Clock) {
         let bits = port.format.map_or(1, |format| format.width());
         let (chain, width) = match port.role.direction() {
             Direction::In => ("in_chain", &mut inputs_width),
@@ -103,6 +103,6 @@ fn shell_text(design: &Design) -> String {
         ports.push(ShellPort { name: port.name, chain, high: *width + bits - 1, low: *width });
         *width += bits;
     }
-    let shell = Shell { name: &design.spec.name, inputs_width, outputs_width, ports };
+    let shell = Shell { name: &package::whole_name(design), inputs_width, outputs_width, ports };
     shell.render().expect("a template without conditions")
 }

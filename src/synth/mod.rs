@@ -267,7 +267,7 @@ pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Resul
         }
     }
     let timing = (!placed.is_empty()).then(|| Timing::of(options.target_mhz, placed));
-    let latency_clocks = design.schedule.latency;
+    let latency_clocks = design.whole_latency();
     let synthesis = Synthesis {
         family,
         device: family.device.to_owned(),
@@ -281,8 +281,9 @@ pub fn run(design: &Design, options: &Options, progress: &dyn Fn(Step)) -> Resul
     Ok(Run { synthesis, cached: work.ran == 0 })
 }
 
-/// The netlist of the core alone as Verilog: the one whose cells [`synthesise`] counts, with the registers in the
-/// blocks where they are moved. Its module has the core's name and ports.
+/// The netlist of the core alone, its sequencer included, as Verilog: the one whose cells [`synthesise`] counts, with
+/// the registers in the blocks where they are moved. Its module has the name and the ports of the sequencer, or of the
+/// core where it has none.
 ///
 /// # Errors
 /// Options out of range, no Yosys, or one that does not read the core.
@@ -292,7 +293,7 @@ pub fn netlist(design: &Design, options: &Options) -> Result<Vec<u8>, Error> {
     let mut work = Work::new(design, options, &yosys, None)?;
     let file = work.netlist(Netlist::Core)?;
     let directory = work.directory()?;
-    let name = &design.spec.name;
+    let name = &work.name;
     // Without the library's cells, which Yosys would write as empty modules.
     let value = read_netlist(&directory.join(file))?;
     let core = serde_json::json!({ "modules": { name: value["modules"][name] } });
@@ -311,7 +312,7 @@ fn files(design: &Design, language: Language) -> Result<Vec<package::File>, Erro
             let scratch = tool::scratch()?;
             write_all(scratch.path(), &files)?;
             let source = scratch.path().join(files.pop().expect("the HDL").path);
-            as_verilog(&design.spec.name, scratch.path(), &source)?
+            as_verilog(&package::whole_name(design), scratch.path(), &source)?
         }
     };
     files.push(package::File { path: CORE.to_owned(), bytes });
@@ -327,6 +328,8 @@ fn write_all(directory: &Path, files: &[package::File]) -> Result<(), Error> {
 
 /// A core's way through the programs.
 struct Work<'a> {
+    /// The module at the top.
+    name: String,
     files: Vec<package::File>,
     design: &'a Design,
     options: &'a Options,
@@ -350,7 +353,16 @@ enum Netlist {
 impl<'a> Work<'a> {
     fn new(design: &'a Design, options: &'a Options, yosys: &'a Yosys, cache: Option<PathBuf>) -> Result<Self, Error> {
         let files = files(design, options.language)?;
-        Ok(Self { files, design, options, yosys, directory: None, cache: Cache::new(cache), ran: 0 })
+        Ok(Self {
+            name: package::whole_name(design),
+            files,
+            design,
+            options,
+            yosys,
+            directory: None,
+            cache: Cache::new(cache),
+            ran: 0,
+        })
     }
 
     fn flow(&self) -> Flow {
@@ -359,9 +371,8 @@ impl<'a> Work<'a> {
 
     /// What is kept in the cache is kept by the digest of everything that it depends on: this is a netlist's.
     fn netlist_key(&self, netlist: Netlist) -> String {
-        let name = &self.design.spec.name;
         let flow = self.flow();
-        let script = flow.script(name, netlist);
+        let script = flow.script(&self.name, netlist);
         let pack = format!("{} {}", flow.pack.is_some(), target::PACK_REVISION);
         let mut parts: Vec<&[u8]> = vec![self.yosys.version.as_bytes(), script.as_bytes(), pack.as_bytes()];
         for file in self.files.iter().chain(&flow.files) {
@@ -389,11 +400,11 @@ impl<'a> Work<'a> {
         let directory = self.directory()?;
         let path = directory.join(file);
         if !path.exists() {
-            self.yosys.run(&directory, &flow.script(&self.design.spec.name, netlist))?;
+            self.yosys.run(&directory, &flow.script(&self.name, netlist))?;
             self.ran += 1;
             if let Some(pack) = flow.pack {
                 let mut value = read_netlist(&path)?;
-                (pack.run)(&mut value, &self.design.spec.name)?;
+                (pack.run)(&mut value, &self.name)?;
                 let text = serde_json::to_string(&value).expect("JSON of plain values");
                 package::write_file(&path, text.as_bytes())?;
             }
@@ -409,7 +420,7 @@ impl<'a> Work<'a> {
         }
         let file = self.netlist(Netlist::Core)?;
         let value = read_netlist(&self.directory()?.join(file))?;
-        let cells = yosys::count(&value, &self.design.spec.name)?;
+        let cells = yosys::count(&value, &self.name)?;
         self.cache.put(&key, &cells)?;
         Ok(cells)
     }

@@ -46,7 +46,9 @@ module stream (
     wire [LATENCY:1] valid;
     wire ready;
     wire skid_valid;
+{%- if !axis.sequenced %}
     wire [LATENCY:1] last;
+{%- endif %}
     wire [USER*LATENCY-1:0] user;
     wire [{{ axis.beat_bits() - 1 }}:0] skid;
 {%- for lane in axis.inputs.lanes.iter().chain(axis.outputs.lanes.iter()) %}
@@ -54,7 +56,12 @@ module stream (
 {%- endfor %}
 
     // ===== What is seen
+{%- if axis.sequenced %}
+    // Of the beats that are taken those count that end a sample.
+    wire accept = aresetn & s_tvalid & s_tready & s_tlast;
+{%- else %}
     wire accept = aresetn & s_tvalid & s_tready;
+{%- endif %}
     wire take   = aresetn & m_tvalid & m_tready;
     wire [USER+{{ axis.outputs.tdata_bits() }}:0] shown = {m_tuser, m_tlast, m_tdata};
     wire [{{ axis.outputs.bits - 1 }}:0] result = { {%- for lane in axis.outputs.lanes.iter().rev() %}{{ lane.port.name }}{% if !loop.last %}, {% endif %}{% endfor -%} };
@@ -158,6 +165,9 @@ module stream (
         state_of_the_count: assert (under_way == count);
         state_of_the_picked_beat: assert (
             picked == |place & (place & (place - 1'b1)) == 0 & (place & ~{skid_valid, valid}) == 0);
+{%- if axis.sequenced %}
+        if (picked) state_of_the_end: assert (picked_last);
+{%- endif %}
         if (picked) begin
             state_of_the_order: assert (ahead == beyond);
             state_of_the_wait: assert (waited + {7'd0, ~ready} <= position);
@@ -167,7 +177,7 @@ module stream (
                 state_of_the_result: assert (place[LATENCY] & result == picked_result);
             for (i = 1; i <= LATENCY; i = i + 1)
                 if (place[i])
-                    assert (last[i] == picked_last & user[USER*(i-1) +: USER] == picked_user);
+                    assert ({% if !axis.sequenced %}last[i] == picked_last & {% endif %}user[USER*(i-1) +: USER] == picked_user);
         end
 
         // ===== And what does happen

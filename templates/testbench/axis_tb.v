@@ -75,12 +75,21 @@ module {{ axis.name }}_tb;
     localparam PLACES = LATENCY + 2;
     reg [BEAT-1:0] due        [0:PLACES-1];
     integer        due_number [0:PLACES-1]; // 0: not a vector of the file
+{%- if bench.sums.is_some() %}
+    integer        due_lights [0:PLACES-1]; // vectors of the sample
+{%- endif %}
     integer        oldest    = 0;
     integer        under_way = 0;
 
     // What is offered now, beside the source's signals themselves, and what the sink will say.
     reg [{{ axis.outputs.tdata_bits() - 1 }}:0] expected = 0;
     integer     number     = 0;
+{%- if bench.sums.is_some() %}
+    reg         in_last    = 1'b0; // the sample ends
+{%- for port in bench.results %}
+    reg {{ bench.ranged(port.range) }} expected_{{ port.name }} = 0;
+{%- endfor %}
+{%- endif %}
     reg         sink_ready = 1'b0;
 
     // How often, of eight clocks, the source offers a beat and the sink takes one.
@@ -189,7 +198,13 @@ module {{ axis.name }}_tb;
             quiet  = quiet + 1;
             if (taken && under_way != 0)
                 take;
+{%- if bench.sums.is_some() %}
+            if (accepted && number == 1)
+                first_in = clocks;
             if (accepted)
+                quiet = 0;
+{%- endif %}
+            if (accepted{% if bench.sums.is_some() %} && s_axis_tlast{% endif %})
                 accept;
             if (!aresetn) begin
                 known     = 1'b1;
@@ -208,7 +223,7 @@ module {{ axis.name }}_tb;
     task take;
         begin
             if (due_number[oldest] > 0) begin
-                compared = compared + 1;
+                compared = compared + {{ bench.lights("due_lights[oldest]") }};
                 last_out = clocks;
             end
 {%- if !bench.writes.is_empty() %}
@@ -228,10 +243,15 @@ module {{ axis.name }}_tb;
             if (under_way < PLACES) begin
                 due[(oldest + under_way) % PLACES]        = {s_axis_tuser, s_axis_tlast, expected};
                 due_number[(oldest + under_way) % PLACES] = number;
+{%- if bench.sums.is_some() %}
+                due_lights[(oldest + under_way) % PLACES] = lights;
+{%- endif %}
                 under_way = under_way + 1;
             end
+{%- if bench.sums.is_none() %}
             if (number == 1)
                 first_in = clocks;
+{%- endif %}
             quiet = 0;
         end
     endtask
@@ -272,13 +292,12 @@ module {{ axis.name }}_tb;
         end
     endtask
 
-    // Offers the codes until they are accepted; before it, as many idle clocks as the source's
-    // rate gives. What no port takes of tdata is random, and so are tlast and tuser.
+{% include "testbench/lights.v" %}
+
+    // Offers the vector that was read last until it is accepted; before it, as many idle clocks as
+    // the source's rate gives. What no port takes of tdata is random, and so {% if bench.sums.is_some() %}is tuser{% else %}are tlast and tuser{% endif %}.
     task send;
         input integer of_number;
-{%- for port in bench.numbers() %}
-        input {{ bench.ranged(port.range) }} of_{{ port.name }};
-{%- endfor %}
         begin
             draw;
             while ({1'b0, lfsr[31:29]} >= source_rate) begin
@@ -287,11 +306,18 @@ module {{ axis.name }}_tb;
             end
             present_garbage(1'b1);
 {%- for lane in axis.inputs.lanes %}
-            s_axis_tdata[{{ lane.range() }}] = of_{{ lane.port.name }};
+            s_axis_tdata[{{ lane.range() }}] = file_{{ lane.port.name }};
 {%- endfor %}
             expected = 0;
+{%- if bench.sums.is_some() %}
+            choose_last;
+            if (of_number < 0)
+                in_last = 1'b1;
+            add_lights;
+            s_axis_tlast = in_last;
+{%- endif %}
 {%- for lane in axis.outputs.lanes %}
-            expected[{{ lane.range() }}] = of_{{ lane.port.name }};
+            expected[{{ lane.range() }}] = {% if bench.sums.is_some() %}expected{% else %}file{% endif %}_{{ lane.port.name }};
 {%- endfor %}
             number   = of_number;
             accepted = 1'b0;
@@ -299,13 +325,6 @@ module {{ axis.name }}_tb;
                 clock;
             s_axis_tvalid = 1'b0;
         end
-    endtask
-
-    task send_vector;
-        send(
-            vectors{% for port in bench.numbers() %},
-            file_{{ port.name }}{% endfor %}
-        );
     endtask
 
     // Nothing is under way any more, and nothing more comes.
@@ -375,8 +394,11 @@ module {{ axis.name }}_tb;
         input {{ bench.ranged(port.range) }} of_{{ port.name }};
 {%- endfor %}
         begin
+{%- for port in bench.numbers() %}
+            file_{{ port.name }} = of_{{ port.name }};
+{%- endfor %}
             complements = complements + 1;
-            send(-complements{% for port in bench.numbers() %}, of_{{ port.name }}{% endfor %});
+            send(-complements);
         end
     endtask
 {%- endif %}
@@ -415,7 +437,7 @@ module {{ axis.name }}_tb;
                 while (have_vector && !failed) begin
                     if (stalls)
                         choose_rates;
-                    send_vector;
+                    send(vectors);
                     read_vector;
                 end
                 $fclose(file);

@@ -26,7 +26,7 @@ architecture bench of {{ axis.name }}_tb is
     constant NAME    : string   := "{{ axis.name }}";
     constant LATENCY : positive := {{ axis.latency }};
     constant SHOWN   : positive := 10; -- faults printed; the others are only counted
-{% for port in bench.numbers() %}
+{% for port in bench.words() %}
     subtype {{ port.name }}_word is std_logic_vector({{ port.bits - 1 }} downto 0);
 {%- endfor %}
 
@@ -95,6 +95,9 @@ begin
         type entry is record
             beat   : beat_word;
             number : integer; -- 0: not a vector of the file
+{%- if bench.sums.is_some() %}
+            lights : natural; -- vectors of the sample
+{%- endif %}
         end record;
         type ring is array (0 to PLACES - 1) of entry;
         variable due       : ring;
@@ -106,6 +109,13 @@ begin
         variable expected   : output_word := (others => '0');
         variable number     : integer := 0;
         variable sink_ready : boolean := false;
+{%- if bench.sums.is_some() %}
+        variable ends       : boolean := false; -- the sample ends
+{%- for port in bench.results %}
+        variable expected_{{ port.name }} : {{ port.name }}_word := (others => '0');
+{%- endfor %}
+{%- endif %}
+{%- include "testbench/lights_state.vhd" %}
 
         -- How often, of eight clocks, the source offers a beat and the sink takes one.
         variable source_rate : natural := 8;
@@ -227,7 +237,7 @@ begin
         procedure take is
         begin
             if due(oldest).number > 0 then
-                compared := compared + 1;
+                compared := compared + {{ bench.lights("due(oldest).lights") }};
                 last_out := clocks;
             end if;
 {%- if !bench.writes.is_empty() %}
@@ -249,11 +259,16 @@ begin
                 place             := (oldest + under_way) mod PLACES;
                 due(place).beat   := s_axis_tuser & s_axis_tlast & expected;
                 due(place).number := number;
+{%- if bench.sums.is_some() %}
+                due(place).lights := lights;
+{%- endif %}
                 under_way         := under_way + 1;
             end if;
+{%- if bench.sums.is_none() %}
             if number = 1 then
                 first_in := clocks;
             end if;
+{%- endif %}
             quiet := 0;
         end procedure;
 
@@ -283,7 +298,17 @@ begin
             if taken and under_way /= 0 then
                 take;
             end if;
+{%- if bench.sums.is_some() %}
+            if accepted and number = 1 then
+                first_in := clocks;
+            end if;
             if accepted then
+                quiet := 0;
+            end if;
+            if accepted and s_axis_tlast = '1' then
+{%- else %}
+            if accepted then
+{%- endif %}
                 accept_beat;
             end if;
             if aresetn = '0' then
@@ -332,14 +357,13 @@ begin
             clock;
         end procedure;
 
-        -- Offers the codes until they are accepted; before it, as many idle clocks as the
-        -- source's rate gives. What no port takes of tdata is random, and so are tlast and tuser.
-        procedure send(
-            of_number : integer;
-{%- for port in bench.numbers() %}
-            of_{{ port.name }} : {{ port.name }}_word{% if !loop.last %};{% endif %}
-{%- endfor %}
-        ) is
+{% include "testbench/lights.vhd" %}
+
+        -- Offers the vector that was read last until it is accepted; before it, as many idle
+        -- clocks as the source's rate gives. What no port takes of tdata is random, and so {% if bench.sums.is_some() %}is
+        -- tuser{% else %}are
+        -- tlast and tuser{% endif %}.
+        procedure send(of_number : integer) is
         begin
             draw;
             while to_integer(unsigned(lfsr(31 downto 29))) >= source_rate loop
@@ -348,11 +372,17 @@ begin
             end loop;
             present_garbage('1');
 {%- for lane in axis.inputs.lanes %}
-            s_axis_tdata({{ lane.downto() }}) <= of_{{ lane.port.name }};
+            s_axis_tdata({{ lane.downto() }}) <= file_{{ lane.port.name }};
 {%- endfor %}
             expected := (others => '0');
+{%- if bench.sums.is_some() %}
+            draw;
+            ends := of_number < 0 or chosen_last;
+            add_lights(ends);
+            s_axis_tlast <= '1' when ends else '0';
+{%- endif %}
 {%- for lane in axis.outputs.lanes %}
-            expected({{ lane.downto() }}) := of_{{ lane.port.name }};
+            expected({{ lane.downto() }}) := {% if bench.sums.is_some() %}expected{% else %}file{% endif %}_{{ lane.port.name }};
 {%- endfor %}
             number := of_number;
             loop
@@ -423,8 +453,11 @@ begin
 {%- endfor %}
         ) is
         begin
+{%- for port in bench.numbers() %}
+            file_{{ port.name }} := of_{{ port.name }};
+{%- endfor %}
             complements_sent := complements_sent + 1;
-            send(-complements_sent{% for port in bench.numbers() %}, of_{{ port.name }}{% endfor %});
+            send(-complements_sent);
         end procedure;
 {%- endif %}
 
@@ -463,10 +496,7 @@ begin
                 if stalls then
                     choose_rates;
                 end if;
-                send(
-                    vectors{% for port in bench.numbers() %},
-                    file_{{ port.name }}{% endfor %}
-                );
+                send(vectors);
                 read_vector;
             end loop;
             file_close(vector_file);

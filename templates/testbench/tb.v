@@ -27,6 +27,16 @@ module {{ bench.name }}_tb;
     reg  {{ bench.ranged("") }} {{ bench.padded("rst") }} = 1'b0;
     reg  {{ bench.ranged("") }} {{ bench.padded("ce") }} = 1'b0;
     reg  {{ bench.ranged("") }} {{ bench.padded("in_valid") }} = 1'b0;
+{%- if let Some(table) = bench.table %}
+    wire {{ bench.ranged("") }} in_ready;
+    reg  [{{ table.address_bits - 1 }}:0] in_begin = 0;
+    reg  [{{ table.address_bits - 1 }}:0] in_end = 0;
+    reg  lights_en = 1'b0;
+    reg  [{{ table.address_bits - 1 }}:0] lights_addr = 0;
+    reg  [{{ table.word_bits - 1 }}:0] lights_data = 0;
+{%- else if bench.sums.is_some() %}
+    reg  {{ bench.ranged("") }} {{ bench.padded("in_last") }} = 1'b0;
+{%- endif %}
 {%- for port in bench.inputs %}
     reg  {{ bench.ranged(port.range) }} {{ bench.padded(port.name) }} = 0;
 {%- endfor %}
@@ -36,7 +46,7 @@ module {{ bench.name }}_tb;
     reg  [{{ write.data_bits - 1 }}:0] {{ write.data }} = 0;
 {%- endfor %}
     wire {{ bench.ranged("") }} out_valid;
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
     wire {{ bench.ranged(port.range) }} {{ port.name }};
 {%- endfor %}
 
@@ -49,7 +59,17 @@ module {{ bench.name }}_tb;
         .rst(rst),
         .ce(ce),
         .in_valid(in_valid),
-{%- for port in bench.inputs %}
+{%- if bench.table.is_some() %}
+        .in_ready(in_ready),
+        .in_begin(in_begin),
+        .in_end(in_end),
+        .lights_en(lights_en),
+        .lights_addr(lights_addr),
+        .lights_data(lights_data),
+{%- else if bench.sums.is_some() %}
+        .in_last(in_last),
+{%- endif %}
+{%- for port in bench.driven_inputs() %}
         .{{ port.name }}({{ port.name }}),
 {%- endfor %}
 {%- for write in bench.writes %}
@@ -58,7 +78,7 @@ module {{ bench.name }}_tb;
         .{{ write.data }}({{ write.data }}),
 {%- endfor %}
         .out_valid(out_valid),
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
         .{{ port.name }}({{ port.name }}){% if !loop.last %},{% endif %}
 {%- endfor %}
     );
@@ -71,16 +91,31 @@ module {{ bench.name }}_tb;
     // enabled clock overwrites it with what the core takes then.
     reg {{ bench.ranged("") }} ref_{{ bench.padded("known") }} [0:LATENCY-1]; // 0: from before the core was driven
     reg {{ bench.ranged("") }} ref_{{ bench.padded("valid") }} [0:LATENCY-1];
-{%- for port in bench.numbers() %}
+{%- for port in bench.shown() %}
     reg {{ bench.ranged(port.range) }} ref_{{ bench.padded(port.name) }} [0:LATENCY-1];
 {%- endfor %}
     integer ref_number [0:LATENCY-1]; // 0: not a vector of the file
+{%- if bench.counts_lights() %}
+    integer ref_lights [0:LATENCY-1]; // vectors of the sample that ends with it
+{%- endif %}
     integer slot = 0;
     integer entry;
+{%- if let Some(table) = bench.table %}
+
+    // A sample of so many words comes out so many enabled clocks and these later.
+    localparam BEHIND = {{ table.behind }};
+    integer remaining = 0; // words of the sample that are still to be read
+    integer words;         // of the sample that is presented
+    integer begins_at;     // where they are in the table
+    integer written;
+    reg     in_last   = 1'b0;
+    reg     accepted  = 1'b0;
+    reg     half      = 1'b0; // the half of the table that is written next
+{%- endif %}
 
     // What is presented at the inputs now, beside the inputs themselves.
     integer number = 0;
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
     reg {{ bench.ranged(port.range) }} expected_{{ bench.padded(port.name) }} = 0;
 {%- endfor %}
 
@@ -108,7 +143,10 @@ module {{ bench.name }}_tb;
             ref_known[entry] = 1'b0;
             ref_valid[entry] = 1'b0;
             ref_number[entry] = 0;
-{%- for port in bench.numbers() %}
+{%- if bench.counts_lights() %}
+            ref_lights[entry] = 0;
+{%- endif %}
+{%- for port in bench.shown() %}
             ref_{{ port.name }}[entry] = 0;
 {%- endfor %}
         end
@@ -119,17 +157,21 @@ module {{ bench.name }}_tb;
     task check_outputs;
         begin
             wrong = out_valid !== ref_valid[slot];
+{%- if bench.table.is_some() %}
+            if (in_ready !== (remaining <= 1))
+                wrong = 1'b1;
+{%- endif %}
             if (ref_number[slot] != 0) begin
 {%- if bench.writes.is_empty() %}
                 if (!looked)
-                    compared = compared + 1;
+                    compared = compared + {{ bench.lights("ref_lights[slot]") }};
 {%- else %}
                 if (!looked && ref_number[slot] > 0)
-                    compared = compared + 1;
+                    compared = compared + {{ bench.lights("ref_lights[slot]") }};
                 if (!looked && ref_number[slot] < 0)
                     complements_compared = complements_compared + 1;
 {%- endif %}
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
                 if ({{ port.name }} !== ref_{{ port.name }}[slot])
                     wrong = 1'b1;
 {%- endfor %}
@@ -160,12 +202,12 @@ module {{ bench.name }}_tb;
 {%- for port in bench.inputs %}
                 $write("{{ port.name }} %h{% if loop.last %}: expected{% else %}, {% endif %}", ref_{{ port.name }}[slot]);
 {%- endfor %}
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
                 $write(" %h", ref_{{ port.name }}[slot]);
 {%- endfor %}
                 $write(", got");
                 if (out_valid === 1'b1) begin
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
                     $write(" %h", {{ port.name }});
 {%- endfor %}
                     $display("");
@@ -186,18 +228,47 @@ module {{ bench.name }}_tb;
             check_outputs;
             clk    = 1'b1;
             clocks = clocks + 1;
+{%- if let Some(table) = bench.table %}
+            if (ce) begin
+                ref_known[slot]  = 1'b1;
+                ref_valid[slot]  = 1'b0;
+                ref_number[slot] = 0;
+                accepted = in_valid && remaining <= 1;
+                if (remaining > 0)
+                    remaining = remaining - 1;
+                if (accepted && !rst) begin
+                    remaining = { {{- table.spare() }}'d0, in_end - in_begin} + 1;
+                    entry = (slot + remaining + BEHIND) % LATENCY;
+                    ref_valid[entry]  = 1'b1;
+                    ref_number[entry] = number;
+{%- for port in bench.inputs %}
+                    ref_{{ port.name }}[entry] = {{ port.name }};
+{%- endfor %}
+{%- for port in bench.results %}
+                    ref_{{ port.name }}[entry] = expected_{{ port.name }};
+{%- endfor %}
+                end
+                slot = (slot == LATENCY - 1) ? 0 : slot + 1;
+            end
+            if (rst)
+                remaining = 0;
+{%- else %}
             if (ce) begin
                 ref_known[slot] = 1'b1;
-                ref_valid[slot] = in_valid;
+                ref_valid[slot] = in_valid{% if bench.sums.is_some() %} & in_last{% endif %};
                 ref_number[slot] = number;
+{%- if bench.counts_lights() %}
+                ref_lights[slot] = lights;
+{%- endif %}
 {%- for port in bench.inputs %}
                 ref_{{ port.name }}[slot] = {{ port.name }};
 {%- endfor %}
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
                 ref_{{ port.name }}[slot] = expected_{{ port.name }};
 {%- endfor %}
                 slot = (slot == LATENCY - 1) ? 0 : slot + 1;
             end
+{%- endif %}
             if (rst)
                 for (entry = 0; entry < LATENCY; entry = entry + 1) begin
                     ref_known[entry]  = 1'b1;
@@ -238,6 +309,20 @@ module {{ bench.name }}_tb;
 {%- endfor %}
 {%- endfor %}
             in_valid = valid;
+{%- if let Some(table) = bench.table %}
+            draw;
+            in_begin = lfsr[{{ table.address_bits - 1 }}:0];
+            in_end = lfsr[{{ table.address_bits + 15 }}:16];
+            lights_en = 1'b0;
+            draw;
+            lights_addr = lfsr[{{ table.address_bits - 1 }}:0];
+{%- for part in table.parts() %}
+            lights_data[{{ part.high }}:{{ part.low }}] = lfsr[{{ part.top() }}:0];
+{%- endfor %}
+{%- else if bench.sums.is_some() %}
+            draw;
+            in_last = lfsr[31];
+{%- endif %}
             number = 0;
         end
     endtask
@@ -272,6 +357,73 @@ module {{ bench.name }}_tb;
             clock;
         end
     endtask
+{%- if bench.sums.is_some() %}
+{% include "testbench/lights.v" %}
+{%- if let Some(table) = bench.table %}
+
+    // Writes the light of the vector that was read last to so many words of one half of the table,
+    // while the sample before may still read the other, and presents it until it is taken: a sample
+    // of that light so many times.
+    task feed_sample;
+        input integer of_number;
+        begin
+            begins_at = half ? {{ table.depth / 2 }} : 0;
+            half      = ~half;
+            words     = 1;
+{%- if table.length_bits() > 0 %}
+            draw;
+            if ((vectors / 32) % 2 == 1)
+                words = { {{- 32 - table.length_bits() }}'d0, lfsr[{{ table.length_bits() - 1 }}:0]} + 1;
+{%- endif %}
+            for (written = begins_at; written < begins_at + words; written = written + 1) begin
+                random_stalls;
+                present_garbage(1'b0);
+                draw;
+                ce = lfsr[31];
+                lights_en   = 1'b1;
+                lights_addr = written[{{ table.address_bits - 1 }}:0];
+{%- for lane in table.lanes %}
+                lights_data[{{ lane.range() }}] = file_{{ lane.port.name }};
+{%- endfor %}
+                clock;
+                ce = 1'b1;
+            end
+            random_stalls;
+            present_garbage(1'b1);
+            in_begin = begins_at[{{ table.address_bits - 1 }}:0];
+            written  = written - 1;
+            in_end   = written[{{ table.address_bits - 1 }}:0];
+            opened   = 1'b0;
+            repeat (words) begin
+                in_last = 1'b0;
+                add_lights;
+            end
+{%- for port in bench.inputs %}
+            {{ port.name }} = file_{{ port.name }};
+{%- endfor %}
+            number   = of_number;
+            accepted = 1'b0;
+            while (!accepted && !failed)
+                clock;
+            in_valid = 1'b0;
+        end
+    endtask
+{%- else %}
+
+    // What was read last, and what is to come out for it.
+    task present_lights;
+        input integer of_number;
+        begin
+            in_valid = 1'b1;
+{%- for port in bench.inputs %}
+            {{ port.name }} = file_{{ port.name }};
+{%- endfor %}
+            add_lights;
+            number = in_last ? of_number : 0;
+        end
+    endtask
+{%- endif %}
+{%- endif %}
 
     // The vector that was read last, with the clocks the file asks for before it and random ones.
     task feed_vector;
@@ -286,6 +438,12 @@ module {{ bench.name }}_tb;
             repeat (file_stall)
                 stalled_clock;
             random_stalls;
+{%- if bench.table.is_some() %}
+            feed_sample(vectors);
+{%- else if bench.sums.is_some() %}
+            choose_last;
+            present_lights(vectors);
+{%- else %}
             in_valid = 1'b1;
 {%- for port in bench.inputs %}
             {{ port.name }} = file_{{ port.name }};
@@ -294,7 +452,10 @@ module {{ bench.name }}_tb;
             expected_{{ port.name }} = file_{{ port.name }};
 {%- endfor %}
             number = vectors;
+{%- endif %}
+{%- if bench.table.is_none() %}
             clock;
+{%- endif %}
         end
     endtask
 
@@ -357,6 +518,19 @@ module {{ bench.name }}_tb;
         begin
             idle_clock;
             random_stalls;
+{%- if bench.sums.is_some() %}
+{%- for port in bench.numbers() %}
+            file_{{ port.name }} = of_{{ port.name }};
+{%- endfor %}
+            complements = complements + 1;
+{%- if bench.table.is_some() %}
+            feed_sample(-complements);
+{%- else %}
+            in_last = 1'b1;
+            present_lights(-complements);
+            clock;
+{%- endif %}
+{%- else %}
             in_valid = 1'b1;
 {%- for port in bench.inputs %}
             {{ port.name }} = of_{{ port.name }};
@@ -367,6 +541,7 @@ module {{ bench.name }}_tb;
             complements = complements + 1;
             number = -complements;
             clock;
+{%- endif %}
         end
     endtask
 

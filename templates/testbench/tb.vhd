@@ -26,7 +26,7 @@ architecture bench of {{ bench.name }}_tb is
     constant NAME    : string   := "{{ bench.name }}";
     constant LATENCY : positive := {{ bench.latency }};
     constant SHOWN   : positive := 10; -- mismatches printed; the others are only counted
-{% for port in bench.numbers() %}
+{% for port in bench.words() %}
     subtype {{ port.name }}_word is std_logic_vector({{ port.bits - 1 }} downto 0);
 {%- endfor %}
 
@@ -34,6 +34,16 @@ architecture bench of {{ bench.name }}_tb is
     signal {{ bench.padded("rst") }} : std_logic := '0';
     signal {{ bench.padded("ce") }} : std_logic := '0';
     signal {{ bench.padded("in_valid") }} : std_logic := '0';
+{%- if let Some(table) = bench.table %}
+    signal {{ bench.padded("in_ready") }} : std_logic;
+    signal {{ bench.padded("in_begin") }} : std_logic_vector({{ table.address_bits - 1 }} downto 0) := (others => '0');
+    signal {{ bench.padded("in_end") }} : std_logic_vector({{ table.address_bits - 1 }} downto 0) := (others => '0');
+    signal {{ bench.padded("lights_en") }} : std_logic := '0';
+    signal {{ bench.padded("lights_addr") }} : std_logic_vector({{ table.address_bits - 1 }} downto 0) := (others => '0');
+    signal {{ bench.padded("lights_data") }} : std_logic_vector({{ table.word_bits - 1 }} downto 0) := (others => '0');
+{%- else if bench.sums.is_some() %}
+    signal {{ bench.padded("in_last") }} : std_logic := '0';
+{%- endif %}
 {%- for port in bench.inputs %}
     signal {{ bench.padded(port.name) }} : {{ port.name }}_word := (others => '0');
 {%- endfor %}
@@ -43,7 +53,7 @@ architecture bench of {{ bench.name }}_tb is
     signal {{ write.data }} : std_logic_vector({{ write.data_bits - 1 }} downto 0) := (others => '0');
 {%- endfor %}
     signal {{ bench.padded("out_valid") }} : std_logic;
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
     signal {{ bench.padded(port.name) }} : {{ bench.vector(port.sign()) }}({{ port.bits - 1 }} downto 0);
 {%- endfor %}
 
@@ -62,7 +72,17 @@ begin
             {{ bench.padded("rst") }} => rst,
             {{ bench.padded("ce") }} => ce,
             {{ bench.padded("in_valid") }} => in_valid,
-{%- for port in bench.inputs %}
+{%- if bench.table.is_some() %}
+            {{ bench.padded("in_ready") }} => in_ready,
+            {{ bench.padded("in_begin") }} => {{ bench.driven("unsigned", "in_begin") }},
+            {{ bench.padded("in_end") }} => {{ bench.driven("unsigned", "in_end") }},
+            {{ bench.padded("lights_en") }} => lights_en,
+            {{ bench.padded("lights_addr") }} => {{ bench.driven("unsigned", "lights_addr") }},
+            {{ bench.padded("lights_data") }} => {{ bench.driven("unsigned", "lights_data") }},
+{%- else if bench.sums.is_some() %}
+            {{ bench.padded("in_last") }} => in_last,
+{%- endif %}
+{%- for port in bench.driven_inputs() %}
             {{ bench.padded(port.name) }} => {{ bench.driven(port.sign(), port.name) }},
 {%- endfor %}
 {%- for write in bench.writes %}
@@ -71,7 +91,7 @@ begin
             {{ write.data }} => {{ bench.driven("unsigned", write.data) }},
 {%- endfor %}
             {{ bench.padded("out_valid") }} => out_valid,
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
             {{ bench.padded(port.name) }} => {{ port.name }}{% if !loop.last %},{% endif %}
 {%- endfor %}
         );
@@ -85,7 +105,10 @@ begin
             {{ bench.padded("known") }} : boolean; -- false: from before the core was driven
             {{ bench.padded("valid") }} : std_logic;
             {{ bench.padded("number") }} : {% if bench.writes.is_empty() %}natural{% else %}integer{% endif %}; -- 0: not a vector of the file
-{%- for port in bench.numbers() %}
+{%- if bench.counts_lights() %}
+            {{ bench.padded("lights") }} : natural; -- vectors of the sample that ends with it
+{%- endif %}
+{%- for port in bench.shown() %}
             {{ bench.padded(port.name) }} : {{ port.name }}_word;
 {%- endfor %}
         end record;
@@ -95,17 +118,31 @@ begin
             {{ bench.padded("known") }} => false,
             {{ bench.padded("valid") }} => '0',
             {{ bench.padded("number") }} => 0,
-{%- for port in bench.numbers() %}
+{%- if bench.counts_lights() %}
+            {{ bench.padded("lights") }} => 0,
+{%- endif %}
+{%- for port in bench.shown() %}
             {{ bench.padded(port.name) }} => (others => '0'){% if !loop.last %},{% endif %}
 {%- endfor %}
         ));
         variable slot : natural range 0 to LATENCY - 1 := 0;
+{%- if let Some(table) = bench.table %}
+
+        -- A sample of so many words comes out so many enabled clocks and these later.
+        constant BEHIND    : natural := {{ table.behind }};
+        variable remaining : natural := 0; -- words of the sample that are still to be read
+        variable place     : natural;
+        variable accepted  : boolean := false;
+        variable half      : boolean := false; -- the half of the table that is written next
+{%- endif %}
 
         -- What is presented at the inputs now, beside the inputs themselves.
         variable number : {% if bench.writes.is_empty() %}natural{% else %}integer{% endif %} := 0;
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
         variable expected_{{ bench.padded(port.name) }} : {{ port.name }}_word := (others => '0');
 {%- endfor %}
+
+{%- include "testbench/lights_state.vhd" %}
 
         variable looked     : boolean := false; -- the entry at the outputs has been looked at,
         variable reported   : boolean := false; -- and found wrong: a held fault is counted once
@@ -169,7 +206,7 @@ begin
             if out_valid /= '1' then
                 return "out_valid " & to_string(out_valid);
             end if;
-            return {% for port in bench.outputs %}{% if !loop.first %}
+            return {% for port in bench.results %}{% if !loop.first %}
                 & " " & {% endif %}hex(std_logic_vector({{ port.name }})){% endfor %};
         end function;
 
@@ -192,7 +229,7 @@ begin
                     & "{% if loop.first %}:{% else %},{% endif %} {{ port.name }} " & hex(want.{{ port.name }})
 {%- endfor %}
                     & ": expected"
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
                     & " " & hex(want.{{ port.name }})
 {%- endfor %}
                     & ", got " & shown_outputs);
@@ -205,20 +242,25 @@ begin
             variable wrong : boolean;
         begin
             wrong := out_valid /= due(slot).valid;
+{%- if bench.table.is_some() %}
+            if (in_ready = '1') /= (remaining <= 1) then
+                wrong := true;
+            end if;
+{%- endif %}
             if due(slot).number /= 0 then
 {%- if bench.writes.is_empty() %}
                 if not looked then
-                    compared := compared + 1;
+                    compared := compared + {{ bench.lights("due(slot).lights") }};
                 end if;
 {%- else %}
                 if not looked and due(slot).number > 0 then
-                    compared := compared + 1;
+                    compared := compared + {{ bench.lights("due(slot).lights") }};
                 end if;
                 if not looked and due(slot).number < 0 then
                     complements_compared := complements_compared + 1;
                 end if;
 {%- endif %}
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
                 if std_logic_vector({{ port.name }}) /= due(slot).{{ port.name }} then
                     wrong := true;
                 end if;
@@ -244,18 +286,49 @@ begin
             check_outputs;
             clk    <= '1';
             clocks := clocks + 1;
+{%- if bench.table.is_some() %}
+            if ce = '1' then
+                due(slot).known  := true;
+                due(slot).valid  := '0';
+                due(slot).number := 0;
+                accepted := in_valid = '1' and remaining <= 1;
+                if remaining > 0 then
+                    remaining := remaining - 1;
+                end if;
+                if accepted and rst = '0' then
+                    remaining := to_integer(unsigned(in_end) - unsigned(in_begin)) + 1;
+                    place := (slot + remaining + BEHIND) mod LATENCY;
+                    due(place).valid  := '1';
+                    due(place).number := number;
+{%- for port in bench.inputs %}
+                    due(place).{{ port.name }} := {{ port.name }};
+{%- endfor %}
+{%- for port in bench.results %}
+                    due(place).{{ port.name }} := expected_{{ port.name }};
+{%- endfor %}
+                end if;
+                slot := (slot + 1) mod LATENCY;
+            end if;
+            if rst = '1' then
+                remaining := 0;
+            end if;
+{%- else %}
             if ce = '1' then
                 due(slot).known := true;
-                due(slot).valid := in_valid;
+                due(slot).valid := in_valid{% if bench.sums.is_some() %} and in_last{% endif %};
                 due(slot).number := number;
+{%- if bench.counts_lights() %}
+                due(slot).lights := lights;
+{%- endif %}
 {%- for port in bench.inputs %}
                 due(slot).{{ port.name }} := {{ port.name }};
 {%- endfor %}
-{%- for port in bench.outputs %}
+{%- for port in bench.results %}
                 due(slot).{{ port.name }} := expected_{{ port.name }};
 {%- endfor %}
                 slot := (slot + 1) mod LATENCY;
             end if;
+{%- endif %}
             if rst = '1' then
                 for i in due'range loop
                     due(i).known  := true;
@@ -295,6 +368,20 @@ begin
 {%- endfor %}
 {%- endfor %}
             in_valid <= valid;
+{%- if let Some(table) = bench.table %}
+            draw;
+            in_begin <= lfsr({{ table.address_bits - 1 }} downto 0);
+            in_end <= lfsr({{ table.address_bits + 15 }} downto 16);
+            lights_en <= '0';
+            draw;
+            lights_addr <= lfsr({{ table.address_bits - 1 }} downto 0);
+{%- for part in table.parts() %}
+            lights_data({{ part.high }} downto {{ part.low }}) <= lfsr({{ part.top() }} downto 0);
+{%- endfor %}
+{%- else if bench.sums.is_some() %}
+            draw;
+            in_last <= lfsr(31);
+{%- endif %}
             number := 0;
         end procedure;
 
@@ -325,6 +412,77 @@ begin
             present_garbage('0');
             clock;
         end procedure;
+{%- if bench.sums.is_some() %}
+{% include "testbench/lights.vhd" %}
+{%- if let Some(table) = bench.table %}
+
+        -- Writes the light of the vector that was read last to so many words of one half of the
+        -- table, while the sample before may still read the other, and presents it until it is
+        -- taken: a sample of that light so many times.
+        procedure feed_sample(of_number : integer) is
+            variable begins_at : natural := 0;
+            variable words     : positive := 1;
+        begin
+            if half then
+                begins_at := {{ table.depth / 2 }};
+            end if;
+            half := not half;
+{%- if table.length_bits() > 0 %}
+            draw;
+            if (vectors / 32) mod 2 = 1 then
+                words := to_integer(unsigned(lfsr({{ table.length_bits() - 1 }} downto 0))) + 1;
+            end if;
+{%- endif %}
+            for written in begins_at to begins_at + words - 1 loop
+                random_stalls;
+                present_garbage('0');
+                draw;
+                ce <= lfsr(31);
+                lights_en   <= '1';
+                lights_addr <= std_logic_vector(to_unsigned(written, {{ table.address_bits }}));
+{%- for lane in table.lanes %}
+                lights_data({{ lane.downto() }}) <= file_{{ lane.port.name }};
+{%- endfor %}
+                clock;
+                ce <= '1';
+            end loop;
+            random_stalls;
+            present_garbage('1');
+            in_begin <= std_logic_vector(to_unsigned(begins_at, {{ table.address_bits }}));
+            in_end   <= std_logic_vector(to_unsigned(begins_at + words - 1, {{ table.address_bits }}));
+            opened   := false;
+            for i in 1 to words loop
+                add_lights(false);
+            end loop;
+{%- for port in bench.inputs %}
+            {{ port.name }} <= file_{{ port.name }};
+{%- endfor %}
+            number   := of_number;
+            accepted := false;
+            while not accepted loop
+                clock;
+            end loop;
+            in_valid <= '0';
+        end procedure;
+{%- else %}
+
+        -- What was read last, and what is to come out for it.
+        procedure present_lights(of_number : integer; last : boolean) is
+        begin
+            in_valid <= '1';
+            in_last  <= '1' when last else '0';
+{%- for port in bench.inputs %}
+            {{ port.name }} <= file_{{ port.name }};
+{%- endfor %}
+            add_lights(last);
+            if last then
+                number := of_number;
+            else
+                number := 0;
+            end if;
+        end procedure;
+{%- endif %}
+{%- endif %}
 
         -- The vector that was read last, with the clocks the file asks for before it and random
         -- ones.
@@ -342,6 +500,12 @@ begin
                 stalled_clock;
             end loop;
             random_stalls;
+{%- if bench.table.is_some() %}
+            feed_sample(vectors);
+{%- else if bench.sums.is_some() %}
+            draw;
+            present_lights(vectors, chosen_last);
+{%- else %}
             in_valid <= '1';
 {%- for port in bench.inputs %}
             {{ port.name }} <= file_{{ port.name }};
@@ -350,7 +514,10 @@ begin
             expected_{{ port.name }} := file_{{ port.name }};
 {%- endfor %}
             number := vectors;
+{%- endif %}
+{%- if bench.table.is_none() %}
             clock;
+{%- endif %}
         end procedure;
 
         -- A full pipeline is reset by one clock: nothing that was taken before may come out.
@@ -412,6 +579,18 @@ begin
         begin
             idle_clock;
             random_stalls;
+{%- if bench.sums.is_some() %}
+{%- for port in bench.numbers() %}
+            file_{{ port.name }} := of_{{ port.name }};
+{%- endfor %}
+            complements_fed := complements_fed + 1;
+{%- if bench.table.is_some() %}
+            feed_sample(-complements_fed);
+{%- else %}
+            present_lights(-complements_fed, true);
+            clock;
+{%- endif %}
+{%- else %}
             in_valid <= '1';
 {%- for port in bench.inputs %}
             {{ port.name }} <= of_{{ port.name }};
@@ -422,6 +601,7 @@ begin
             complements_fed := complements_fed + 1;
             number := -complements_fed;
             clock;
+{%- endif %}
         end procedure;
 
         procedure feed_complements is

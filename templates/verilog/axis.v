@@ -40,6 +40,9 @@ module {{ axis.name }}
         .{{ axis.padded("rst") }} (~aresetn),
         .{{ axis.padded("ce") }} (ready),
         .{{ axis.padded("in_valid") }} (s_axis_tvalid),
+{%- if axis.sequenced %}
+        .{{ axis.padded("in_last") }} (s_axis_tlast),
+{%- endif %}
 {%- for lane in axis.inputs.lanes %}
         .{{ axis.padded(lane.port.name) }} (s_axis_tdata[{{ lane.range() }}]),
 {%- endfor %}
@@ -52,8 +55,10 @@ module {{ axis.name }}
 {%- endfor %}
     );
 
-    // ===== tlast and tuser, in step with the core's valid chain
+{% if axis.sequenced %}    // ===== tuser, in step with the core's valid chain
+{%- else %}    // ===== tlast and tuser, in step with the core's valid chain
     reg [{{ axis.latency }}:1] last;
+{%- endif %}
     reg [{{ axis.user_bits() - 1 }}:0] user;
     always @(posedge aclk) begin
         if (ready) begin
@@ -61,7 +66,9 @@ module {{ axis.name }}
             last <= s_axis_tlast;
             user <= s_axis_tuser;
 {%- else %}
+{%- if !axis.sequenced %}
             last <= {last[{{ axis.latency - 1 }}:1], s_axis_tlast};
+{%- endif %}
             user <= {user[{{ axis.user_low() - 1 }}:0], s_axis_tuser};
 {%- endif %}
         end
@@ -72,7 +79,7 @@ module {{ axis.name }}
     // whatever the sink does: a beat that the sink leaves waits in the skid register.
     wire [{{ axis.beat_bits() - 1 }}:0] beat = {
         user[{{ axis.oldest_user() }}],
-        last[{{ axis.latency }}],
+        {% if axis.sequenced %}1'b1{% else %}last[{{ axis.latency }}]{% endif %},
 {%- for lane in axis.outputs.lanes.iter().rev() %}
         {{ lane.port.name }}{% if !loop.last %},{% endif %}
 {%- endfor %}

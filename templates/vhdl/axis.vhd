@@ -36,8 +36,9 @@ architecture rtl of {{ axis.name }} is
 {%- for lane in axis.outputs.lanes %}
     signal {{ "{:<10}"|format(lane.port.name) }} : {{ lane.kind(texts) }} := (others => '0');
 {%- endfor %}
-
+{% if !axis.sequenced %}
     signal last       : std_logic_vector({{ axis.latency }} downto 1) := (others => '0');
+{%- endif %}
     signal user       : std_logic_vector({{ axis.user_bits() - 1 }} downto 0) := (others => '0');
 
     signal beat       : std_logic_vector({{ axis.beat_bits() - 1 }} downto 0) := (others => '0');
@@ -65,8 +66,11 @@ begin
             {{ axis.padded("rst") }} => rst,
             {{ axis.padded("ce") }} => ready,
             {{ axis.padded("in_valid") }} => s_axis_tvalid,
+{%- if axis.sequenced %}
+            {{ axis.padded("in_last") }} => s_axis_tlast,
+{%- endif %}
 {%- for lane in axis.inputs.lanes %}
-            {{ axis.padded(lane.port.name) }} => {{ lane.of_tdata(texts) }},
+            {{ axis.padded(lane.port.name) }} => {{ lane.of_bits("s_axis_tdata", texts) }},
 {%- endfor %}
 {%- for port in axis.writes %}
             {{ axis.padded(port.name) }} => {{ port.name }},
@@ -77,7 +81,7 @@ begin
 {%- endfor %}
         );
 
-    -- ===== tlast and tuser, in step with the core's valid chain
+    -- ===== {% if !axis.sequenced %}tlast and {% endif %}tuser, in step with the core's valid chain
     process (aclk) is
     begin
         if rising_edge(aclk) then
@@ -86,7 +90,9 @@ begin
                 last(1) <= s_axis_tlast;
                 user    <= s_axis_tuser;
 {%- else %}
+{%- if !axis.sequenced %}
                 last <= last({{ axis.latency - 1 }} downto 1) & s_axis_tlast;
+{%- endif %}
                 user <= user({{ axis.user_low() - 1 }} downto 0) & s_axis_tuser;
 {%- endif %}
             end if;
@@ -97,7 +103,7 @@ begin
     -- The beat at the end of the pipeline. While ready is 1 the pipeline moves on at every clock,
     -- whatever the sink does: a beat that the sink leaves waits in the skid register.
     beat <= user({{ axis.user_bits() - 1 }} downto {{ axis.user_low() }})
-            & last({{ axis.latency }})
+            & {% if axis.sequenced %}'1'{% else %}last({{ axis.latency }}){% endif %}
 {%- for lane in axis.outputs.lanes.iter().rev() %}
             & std_logic_vector({{ lane.port.name }}){% if loop.last %};{% endif %}
 {%- endfor %}

@@ -42,11 +42,11 @@ fn every_wrapper_passes_its_benches_lints_clean_and_is_proved() {
         let directory = core.on_disk();
         let path = directory.path();
         for sim in [Sim::Icarus, Sim::Ghdl] {
-            let outcome = cosim::axis(sim, &directory.job()).expect("it runs").expect("there is a wrapper");
+            let outcome = cosim::around(sim, &directory.job()).expect("it runs").pop().expect("there is a wrapper");
             assert!(outcome.passed(), "{spec}\n{outcome:?}");
             assert_eq!(outcome.vectors, core.golden.vectors().len() as u64);
         }
-        assert_eq!(cosim::axis(Sim::Builtin, &directory.job()).expect("an answer"), None);
+        assert!(cosim::around(Sim::Builtin, &directory.job()).expect("an answer").is_empty());
 
         let name = &core.design.spec.name;
         let verilog = [format!("rtl/{name}.v"), format!("rtl/{name}_axis.v"), format!("tb/{name}_axis_tb.v")];
@@ -69,7 +69,7 @@ fn every_wrapper_passes_its_benches_lints_clean_and_is_proved() {
             assert_eq!(long, None, "{file} of {spec}");
         }
 
-        let proofs = formal::stream(&core.design, path, &|_| {}).expect("it runs");
+        let proofs = formal::around(&core.design, path, &|_| {}).expect("it runs");
         assert_eq!(proofs.len(), 2);
         assert!(proofs.iter().all(|proof| proof.verdict == ProofStatus::Proved), "{spec}\n{proofs:?}");
     });
@@ -209,7 +209,7 @@ fn the_wrappers_outputs_are_known_from_reset_on() {
 fn the_wrapper_passes_in_verilator() {
     let core = Generated::new(SPECS[2]);
     let directory = core.on_disk();
-    let outcome = cosim::axis(Sim::Verilator, &directory.job()).expect("it runs").expect("there is a wrapper");
+    let outcome = cosim::around(Sim::Verilator, &directory.job()).expect("it runs").pop().expect("there is a wrapper");
     assert!(outcome.passed(), "{outcome:?}");
 }
 
@@ -262,7 +262,7 @@ fn benches_find_broken_wrappers() {
     {
         faults.par_iter().for_each(|&fault| {
             let directory = broken(&core, language, fault);
-            let outcome = cosim::axis(sim, &directory.job()).expect("it runs").expect("there is a wrapper");
+            let outcome = cosim::around(sim, &directory.job()).expect("it runs").pop().expect("there is a wrapper");
             assert!(!outcome.passed() && !outcome.first[0].contains("compile"), "{language}, {}: {outcome:?}", fault.0);
         });
     }
@@ -275,7 +275,7 @@ fn proofs_find_broken_wrappers() {
         faults.par_iter().for_each(|&fault| {
             let directory = broken(&core, language, fault);
             let path = directory.path();
-            let proofs = formal::stream(&core.design, path, &|_| {});
+            let proofs = formal::around(&core.design, path, &|_| {});
             // GHDL leaves out what has no use, so that the claims cannot be connected to it.
             let Ok(proofs) = proofs else {
                 assert!(language == Language::Vhdl && fault.0 == "skid register dropped", "{}: {proofs:?}", fault.0);

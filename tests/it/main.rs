@@ -14,6 +14,7 @@ mod fit;
 mod formal;
 mod image;
 mod image_files;
+mod lights;
 mod lint;
 mod lobes;
 mod log_exp;

@@ -1,7 +1,7 @@
 // image_half: image-based block of ggx (half, 16 slices of 32 x 32 texels), 1 light a clock, 8 bits a channel
 //
 // Made by: brdfgen generate core.toml
-// Spec 18a0f1e3c8d74c73. Generated; the core is yours to use under any terms.
+// Spec 2d84489c342361ed. Generated; the core is yours to use under any terms.
 //
 //   in_nx     Q1.16   x of the unit normal, the viewer at +z
 //   in_ny     Q1.16   y of the unit normal, the viewer at +z
@@ -20,13 +20,13 @@
 //   in_gain1r UQ0.18  red of light 1's gain
 //   in_gain1g UQ0.18  green of light 1's gain
 //   in_gain1b UQ0.18  blue of light 1's gain
-//   out_r     UQ8.0   red; 255 is full scale
-//   out_g     UQ8.0   green; 255 is full scale
-//   out_b     UQ8.0   blue; 255 is full scale
+//   out_sum_r UQ1.17  red of these lights, at most 1.0
+//   out_sum_g UQ1.17  green of these lights, at most 1.0
+//   out_sum_b UQ1.17  blue of these lights, at most 1.0
 //
-// Latency 18 clocks, one result a clock.
+// Latency 19 clocks, one result a clock.
 // Pictures of a sphere against the exact reflectance, lit from 34 angles:
-//   49.8 dB in the mean, 44.6 dB at the worst angle.
+//   49.9 dB in the mean, 44.7 dB at the worst angle.
 
 `timescale 1ns / 1ps
 `default_nettype none
@@ -91,24 +91,24 @@ module image_half #(
     input  wire [17:0] in_gain1g,
     // UQ0.18: blue of light 1's gain
     input  wire [17:0] in_gain1b,
-    // the other outputs are a result: in_valid, 18 enabled clocks later
+    // the other outputs are a result: in_valid, 19 enabled clocks later
     output wire        out_valid,
-    // UQ8.0: red; 255 is full scale
-    output wire [7:0] out_r,
-    // UQ8.0: green; 255 is full scale
-    output wire [7:0] out_g,
-    // UQ8.0: blue; 255 is full scale
-    output wire [7:0] out_b
+    // UQ1.17: red of these lights, at most 1.0
+    output wire [17:0] out_sum_r,
+    // UQ1.17: green of these lights, at most 1.0
+    output wire [17:0] out_sum_g,
+    // UQ1.17: blue of these lights, at most 1.0
+    output wire [17:0] out_sum_b
 );
 
     // ===== Valid chain
-    reg [18:1] valid;
-    initial valid = 18'd0;
+    reg [19:1] valid;
+    initial valid = 19'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 18'd0;
+            valid <= 19'd0;
         end else if (ce) begin
-            valid <= {valid[17:1], in_valid};
+            valid <= {valid[18:1], in_valid};
         end
     end
 
@@ -491,7 +491,7 @@ module image_half #(
         end
     end
 
-    // ===== Stage 4: texel1_000, texel1_001, texel1_010, texel1_100, texel1_101 and 4 more
+    // ===== Stage 4: texel1_000, texel1_001, texel1_010, texel1_100, texel1_101 and 1 more
     // UQ11.0: side by side
     wire [10:0] texel1_000_4 = {texels1_000_4, 4'd0} + {7'd0, u1_even_4};
     // UQ11.0: side by side
@@ -504,18 +504,10 @@ module image_half #(
     wire [10:0] texel1_101_4 = {texels1_101_4, 4'd0} + {7'd0, u1_odd_4};
     // UQ11.0: side by side
     wire [10:0] texel1_110_4 = {texels1_110_4, 4'd0} + {7'd0, u1_even_4};
-    // UQ8.29: n.l times the gain
-    wire [36:0] gain1_r_exact_4 = nl1_4 * in_gain1r_4;
-    // UQ8.11: rounded down
-    wire [18:0] gain1_r_4 = gain1_r_exact_4[36:18];
-    // UQ8.29: n.l times the gain
-    wire [36:0] gain1_g_exact_4 = nl1_4 * in_gain1g_4;
-    // UQ8.11: rounded down
-    wire [18:0] gain1_g_4 = gain1_g_exact_4[36:18];
-    // UQ8.29: n.l times the gain
-    wire [36:0] gain1_b_exact_4 = nl1_4 * in_gain1b_4;
-    // UQ8.11: rounded down
-    wire [18:0] gain1_b_4 = gain1_b_exact_4[36:18];
+    reg [17:0] in_gain1r_5;
+    reg [17:0] in_gain1g_5;
+    reg [17:0] in_gain1b_5;
+    reg [18:0] nl1_5;
     reg [10:0] texel1_000_5;
     reg [10:0] texel1_001_5;
     reg [10:0] texel1_010_5;
@@ -527,11 +519,12 @@ module image_half #(
     reg [7:0] u1_odd_signed_5;
     reg [7:0] v1_odd_signed_5;
     reg [7:0] blend1_signed_5;
-    reg [18:0] gain1_r_5;
-    reg [18:0] gain1_g_5;
-    reg [18:0] gain1_b_5;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_5 <= in_gain1r_4;
+            in_gain1g_5 <= in_gain1g_4;
+            in_gain1b_5 <= in_gain1b_4;
+            nl1_5 <= nl1_4;
             texel1_000_5 <= texel1_000_4;
             texel1_001_5 <= texel1_001_4;
             texel1_010_5 <= texel1_010_4;
@@ -543,9 +536,6 @@ module image_half #(
             u1_odd_signed_5 <= u1_odd_signed_4;
             v1_odd_signed_5 <= v1_odd_signed_4;
             blend1_signed_5 <= blend1_signed_4;
-            gain1_r_5 <= gain1_r_4;
-            gain1_g_5 <= gain1_g_4;
-            gain1_b_5 <= gain1_b_4;
         end
     end
 
@@ -606,20 +596,22 @@ module image_half #(
     always @(posedge clk) begin
         if (ce) texels_1_odd_odd_odd_6 <= texels_1_odd_odd_odd[texel1_111_5];
     end
+    reg [17:0] in_gain1r_6;
+    reg [17:0] in_gain1g_6;
+    reg [17:0] in_gain1b_6;
+    reg [18:0] nl1_6;
     reg [7:0] u1_odd_signed_6;
     reg [7:0] v1_odd_signed_6;
     reg [7:0] blend1_signed_6;
-    reg [18:0] gain1_r_6;
-    reg [18:0] gain1_g_6;
-    reg [18:0] gain1_b_6;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_6 <= in_gain1r_5;
+            in_gain1g_6 <= in_gain1g_5;
+            in_gain1b_6 <= in_gain1b_5;
+            nl1_6 <= nl1_5;
             u1_odd_signed_6 <= u1_odd_signed_5;
             v1_odd_signed_6 <= v1_odd_signed_5;
             blend1_signed_6 <= blend1_signed_5;
-            gain1_r_6 <= gain1_r_5;
-            gain1_g_6 <= gain1_g_5;
-            gain1_b_6 <= gain1_b_5;
         end
     end
 
@@ -672,6 +664,10 @@ module image_half #(
     wire [7:0] texels_1_odd_odd_even_b_6 = texels_1_odd_odd_even_6[7:0];
     // UQ0.8: blue
     wire [7:0] texels_1_odd_odd_odd_b_6 = texels_1_odd_odd_odd_6[7:0];
+    reg [17:0] in_gain1r_7;
+    reg [17:0] in_gain1g_7;
+    reg [17:0] in_gain1b_7;
+    reg [18:0] nl1_7;
     reg [7:0] texels_1_even_even_even_r_7;
     reg [7:0] texels_1_even_even_odd_r_7;
     reg [7:0] texels_1_even_odd_even_r_7;
@@ -683,7 +679,6 @@ module image_half #(
     reg [7:0] u1_odd_signed_7;
     reg [7:0] v1_odd_signed_7;
     reg [7:0] blend1_signed_7;
-    reg [18:0] gain1_r_7;
     reg [7:0] texels_1_even_even_even_g_7;
     reg [7:0] texels_1_even_even_odd_g_7;
     reg [7:0] texels_1_even_odd_even_g_7;
@@ -692,7 +687,6 @@ module image_half #(
     reg [7:0] texels_1_odd_even_odd_g_7;
     reg [7:0] texels_1_odd_odd_even_g_7;
     reg [7:0] texels_1_odd_odd_odd_g_7;
-    reg [18:0] gain1_g_7;
     reg [7:0] texels_1_even_even_even_b_7;
     reg [7:0] texels_1_even_even_odd_b_7;
     reg [7:0] texels_1_even_odd_even_b_7;
@@ -701,9 +695,12 @@ module image_half #(
     reg [7:0] texels_1_odd_even_odd_b_7;
     reg [7:0] texels_1_odd_odd_even_b_7;
     reg [7:0] texels_1_odd_odd_odd_b_7;
-    reg [18:0] gain1_b_7;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_7 <= in_gain1r_6;
+            in_gain1g_7 <= in_gain1g_6;
+            in_gain1b_7 <= in_gain1b_6;
+            nl1_7 <= nl1_6;
             texels_1_even_even_even_r_7 <= texels_1_even_even_even_r_6;
             texels_1_even_even_odd_r_7 <= texels_1_even_even_odd_r_6;
             texels_1_even_odd_even_r_7 <= texels_1_even_odd_even_r_6;
@@ -715,7 +712,6 @@ module image_half #(
             u1_odd_signed_7 <= u1_odd_signed_6;
             v1_odd_signed_7 <= v1_odd_signed_6;
             blend1_signed_7 <= blend1_signed_6;
-            gain1_r_7 <= gain1_r_6;
             texels_1_even_even_even_g_7 <= texels_1_even_even_even_g_6;
             texels_1_even_even_odd_g_7 <= texels_1_even_even_odd_g_6;
             texels_1_even_odd_even_g_7 <= texels_1_even_odd_even_g_6;
@@ -724,7 +720,6 @@ module image_half #(
             texels_1_odd_even_odd_g_7 <= texels_1_odd_even_odd_g_6;
             texels_1_odd_odd_even_g_7 <= texels_1_odd_odd_even_g_6;
             texels_1_odd_odd_odd_g_7 <= texels_1_odd_odd_odd_g_6;
-            gain1_g_7 <= gain1_g_6;
             texels_1_even_even_even_b_7 <= texels_1_even_even_even_b_6;
             texels_1_even_even_odd_b_7 <= texels_1_even_even_odd_b_6;
             texels_1_even_odd_even_b_7 <= texels_1_even_odd_even_b_6;
@@ -733,11 +728,14 @@ module image_half #(
             texels_1_odd_even_odd_b_7 <= texels_1_odd_even_odd_b_6;
             texels_1_odd_odd_even_b_7 <= texels_1_odd_odd_even_b_6;
             texels_1_odd_odd_odd_b_7 <= texels_1_odd_odd_odd_b_6;
-            gain1_b_7 <= gain1_b_6;
         end
     end
 
     // ===== Stage 7: registers only
+    reg [17:0] in_gain1r_8;
+    reg [17:0] in_gain1g_8;
+    reg [17:0] in_gain1b_8;
+    reg [18:0] nl1_8;
     reg [7:0] texels_1_even_even_even_r_8;
     reg [7:0] texels_1_even_even_odd_r_8;
     reg [7:0] texels_1_even_odd_even_r_8;
@@ -749,7 +747,6 @@ module image_half #(
     reg [7:0] u1_odd_signed_8;
     reg [7:0] v1_odd_signed_8;
     reg [7:0] blend1_signed_8;
-    reg [18:0] gain1_r_8;
     reg [7:0] texels_1_even_even_even_g_8;
     reg [7:0] texels_1_even_even_odd_g_8;
     reg [7:0] texels_1_even_odd_even_g_8;
@@ -758,7 +755,6 @@ module image_half #(
     reg [7:0] texels_1_odd_even_odd_g_8;
     reg [7:0] texels_1_odd_odd_even_g_8;
     reg [7:0] texels_1_odd_odd_odd_g_8;
-    reg [18:0] gain1_g_8;
     reg [7:0] texels_1_even_even_even_b_8;
     reg [7:0] texels_1_even_even_odd_b_8;
     reg [7:0] texels_1_even_odd_even_b_8;
@@ -767,9 +763,12 @@ module image_half #(
     reg [7:0] texels_1_odd_even_odd_b_8;
     reg [7:0] texels_1_odd_odd_even_b_8;
     reg [7:0] texels_1_odd_odd_odd_b_8;
-    reg [18:0] gain1_b_8;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_8 <= in_gain1r_7;
+            in_gain1g_8 <= in_gain1g_7;
+            in_gain1b_8 <= in_gain1b_7;
+            nl1_8 <= nl1_7;
             texels_1_even_even_even_r_8 <= texels_1_even_even_even_r_7;
             texels_1_even_even_odd_r_8 <= texels_1_even_even_odd_r_7;
             texels_1_even_odd_even_r_8 <= texels_1_even_odd_even_r_7;
@@ -781,7 +780,6 @@ module image_half #(
             u1_odd_signed_8 <= u1_odd_signed_7;
             v1_odd_signed_8 <= v1_odd_signed_7;
             blend1_signed_8 <= blend1_signed_7;
-            gain1_r_8 <= gain1_r_7;
             texels_1_even_even_even_g_8 <= texels_1_even_even_even_g_7;
             texels_1_even_even_odd_g_8 <= texels_1_even_even_odd_g_7;
             texels_1_even_odd_even_g_8 <= texels_1_even_odd_even_g_7;
@@ -790,7 +788,6 @@ module image_half #(
             texels_1_odd_even_odd_g_8 <= texels_1_odd_even_odd_g_7;
             texels_1_odd_odd_even_g_8 <= texels_1_odd_odd_even_g_7;
             texels_1_odd_odd_odd_g_8 <= texels_1_odd_odd_odd_g_7;
-            gain1_g_8 <= gain1_g_7;
             texels_1_even_even_even_b_8 <= texels_1_even_even_even_b_7;
             texels_1_even_even_odd_b_8 <= texels_1_even_even_odd_b_7;
             texels_1_even_odd_even_b_8 <= texels_1_even_odd_even_b_7;
@@ -799,7 +796,6 @@ module image_half #(
             texels_1_odd_even_odd_b_8 <= texels_1_odd_even_odd_b_7;
             texels_1_odd_odd_even_b_8 <= texels_1_odd_odd_even_b_7;
             texels_1_odd_odd_odd_b_8 <= texels_1_odd_odd_odd_b_7;
-            gain1_b_8 <= gain1_b_7;
         end
     end
 
@@ -840,6 +836,10 @@ module image_half #(
     // Q0.8: the difference
     wire [8:0] blend1_b_1_3_apart_8 =
         {1'd0, texels_1_odd_odd_odd_b_8} - {1'd0, texels_1_odd_odd_even_b_8};
+    reg [17:0] in_gain1r_9;
+    reg [17:0] in_gain1g_9;
+    reg [17:0] in_gain1b_9;
+    reg [18:0] nl1_9;
     reg [7:0] texels_1_even_even_even_r_9;
     reg [7:0] texels_1_even_odd_even_r_9;
     reg [7:0] texels_1_odd_even_even_r_9;
@@ -851,7 +851,6 @@ module image_half #(
     reg [8:0] blend1_r_1_3_apart_9;
     reg [7:0] v1_odd_signed_9;
     reg [7:0] blend1_signed_9;
-    reg [18:0] gain1_r_9;
     reg [7:0] texels_1_even_even_even_g_9;
     reg [7:0] texels_1_even_odd_even_g_9;
     reg [7:0] texels_1_odd_even_even_g_9;
@@ -860,7 +859,6 @@ module image_half #(
     reg [8:0] blend1_g_1_1_apart_9;
     reg [8:0] blend1_g_1_2_apart_9;
     reg [8:0] blend1_g_1_3_apart_9;
-    reg [18:0] gain1_g_9;
     reg [7:0] texels_1_even_even_even_b_9;
     reg [7:0] texels_1_even_odd_even_b_9;
     reg [7:0] texels_1_odd_even_even_b_9;
@@ -869,9 +867,12 @@ module image_half #(
     reg [8:0] blend1_b_1_1_apart_9;
     reg [8:0] blend1_b_1_2_apart_9;
     reg [8:0] blend1_b_1_3_apart_9;
-    reg [18:0] gain1_b_9;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_9 <= in_gain1r_8;
+            in_gain1g_9 <= in_gain1g_8;
+            in_gain1b_9 <= in_gain1b_8;
+            nl1_9 <= nl1_8;
             texels_1_even_even_even_r_9 <= texels_1_even_even_even_r_8;
             texels_1_even_odd_even_r_9 <= texels_1_even_odd_even_r_8;
             texels_1_odd_even_even_r_9 <= texels_1_odd_even_even_r_8;
@@ -883,7 +884,6 @@ module image_half #(
             blend1_r_1_3_apart_9 <= blend1_r_1_3_apart_8;
             v1_odd_signed_9 <= v1_odd_signed_8;
             blend1_signed_9 <= blend1_signed_8;
-            gain1_r_9 <= gain1_r_8;
             texels_1_even_even_even_g_9 <= texels_1_even_even_even_g_8;
             texels_1_even_odd_even_g_9 <= texels_1_even_odd_even_g_8;
             texels_1_odd_even_even_g_9 <= texels_1_odd_even_even_g_8;
@@ -892,7 +892,6 @@ module image_half #(
             blend1_g_1_1_apart_9 <= blend1_g_1_1_apart_8;
             blend1_g_1_2_apart_9 <= blend1_g_1_2_apart_8;
             blend1_g_1_3_apart_9 <= blend1_g_1_3_apart_8;
-            gain1_g_9 <= gain1_g_8;
             texels_1_even_even_even_b_9 <= texels_1_even_even_even_b_8;
             texels_1_even_odd_even_b_9 <= texels_1_even_odd_even_b_8;
             texels_1_odd_even_even_b_9 <= texels_1_odd_even_even_b_8;
@@ -901,7 +900,6 @@ module image_half #(
             blend1_b_1_1_apart_9 <= blend1_b_1_1_apart_8;
             blend1_b_1_2_apart_9 <= blend1_b_1_2_apart_8;
             blend1_b_1_3_apart_9 <= blend1_b_1_3_apart_8;
-            gain1_b_9 <= gain1_b_8;
         end
     end
 
@@ -930,6 +928,10 @@ module image_half #(
     wire [16:0] blend1_b_1_2_part_9 = $signed(blend1_b_1_2_apart_9) * $signed(u1_odd_signed_9);
     // Q2.14: its part
     wire [16:0] blend1_b_1_3_part_9 = $signed(blend1_b_1_3_apart_9) * $signed(u1_odd_signed_9);
+    reg [17:0] in_gain1r_10;
+    reg [17:0] in_gain1g_10;
+    reg [17:0] in_gain1b_10;
+    reg [18:0] nl1_10;
     reg [7:0] texels_1_even_even_even_r_10;
     reg [7:0] texels_1_even_odd_even_r_10;
     reg [7:0] texels_1_odd_even_even_r_10;
@@ -940,7 +942,6 @@ module image_half #(
     reg [16:0] blend1_r_1_3_part_10;
     reg [7:0] v1_odd_signed_10;
     reg [7:0] blend1_signed_10;
-    reg [18:0] gain1_r_10;
     reg [7:0] texels_1_even_even_even_g_10;
     reg [7:0] texels_1_even_odd_even_g_10;
     reg [7:0] texels_1_odd_even_even_g_10;
@@ -949,7 +950,6 @@ module image_half #(
     reg [16:0] blend1_g_1_1_part_10;
     reg [16:0] blend1_g_1_2_part_10;
     reg [16:0] blend1_g_1_3_part_10;
-    reg [18:0] gain1_g_10;
     reg [7:0] texels_1_even_even_even_b_10;
     reg [7:0] texels_1_even_odd_even_b_10;
     reg [7:0] texels_1_odd_even_even_b_10;
@@ -958,9 +958,12 @@ module image_half #(
     reg [16:0] blend1_b_1_1_part_10;
     reg [16:0] blend1_b_1_2_part_10;
     reg [16:0] blend1_b_1_3_part_10;
-    reg [18:0] gain1_b_10;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_10 <= in_gain1r_9;
+            in_gain1g_10 <= in_gain1g_9;
+            in_gain1b_10 <= in_gain1b_9;
+            nl1_10 <= nl1_9;
             texels_1_even_even_even_r_10 <= texels_1_even_even_even_r_9;
             texels_1_even_odd_even_r_10 <= texels_1_even_odd_even_r_9;
             texels_1_odd_even_even_r_10 <= texels_1_odd_even_even_r_9;
@@ -971,7 +974,6 @@ module image_half #(
             blend1_r_1_3_part_10 <= blend1_r_1_3_part_9;
             v1_odd_signed_10 <= v1_odd_signed_9;
             blend1_signed_10 <= blend1_signed_9;
-            gain1_r_10 <= gain1_r_9;
             texels_1_even_even_even_g_10 <= texels_1_even_even_even_g_9;
             texels_1_even_odd_even_g_10 <= texels_1_even_odd_even_g_9;
             texels_1_odd_even_even_g_10 <= texels_1_odd_even_even_g_9;
@@ -980,7 +982,6 @@ module image_half #(
             blend1_g_1_1_part_10 <= blend1_g_1_1_part_9;
             blend1_g_1_2_part_10 <= blend1_g_1_2_part_9;
             blend1_g_1_3_part_10 <= blend1_g_1_3_part_9;
-            gain1_g_10 <= gain1_g_9;
             texels_1_even_even_even_b_10 <= texels_1_even_even_even_b_9;
             texels_1_even_odd_even_b_10 <= texels_1_even_odd_even_b_9;
             texels_1_odd_even_even_b_10 <= texels_1_odd_even_even_b_9;
@@ -989,7 +990,6 @@ module image_half #(
             blend1_b_1_1_part_10 <= blend1_b_1_1_part_9;
             blend1_b_1_2_part_10 <= blend1_b_1_2_part_9;
             blend1_b_1_3_part_10 <= blend1_b_1_3_part_9;
-            gain1_b_10 <= gain1_b_9;
         end
     end
 
@@ -1030,42 +1030,44 @@ module image_half #(
     wire [14:0] blend1_b_2_0_apart_10 = {1'd0, blend1_b_1_1_10} - {1'd0, blend1_b_1_0_10};
     // Q0.14: the difference
     wire [14:0] blend1_b_2_1_apart_10 = {1'd0, blend1_b_1_3_10} - {1'd0, blend1_b_1_2_10};
+    reg [17:0] in_gain1r_11;
+    reg [17:0] in_gain1g_11;
+    reg [17:0] in_gain1b_11;
+    reg [18:0] nl1_11;
     reg [13:0] blend1_r_1_0_11;
     reg [13:0] blend1_r_1_2_11;
     reg [14:0] blend1_r_2_0_apart_11;
     reg [7:0] v1_odd_signed_11;
     reg [14:0] blend1_r_2_1_apart_11;
     reg [7:0] blend1_signed_11;
-    reg [18:0] gain1_r_11;
     reg [13:0] blend1_g_1_0_11;
     reg [13:0] blend1_g_1_2_11;
     reg [14:0] blend1_g_2_0_apart_11;
     reg [14:0] blend1_g_2_1_apart_11;
-    reg [18:0] gain1_g_11;
     reg [13:0] blend1_b_1_0_11;
     reg [13:0] blend1_b_1_2_11;
     reg [14:0] blend1_b_2_0_apart_11;
     reg [14:0] blend1_b_2_1_apart_11;
-    reg [18:0] gain1_b_11;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_11 <= in_gain1r_10;
+            in_gain1g_11 <= in_gain1g_10;
+            in_gain1b_11 <= in_gain1b_10;
+            nl1_11 <= nl1_10;
             blend1_r_1_0_11 <= blend1_r_1_0_10;
             blend1_r_1_2_11 <= blend1_r_1_2_10;
             blend1_r_2_0_apart_11 <= blend1_r_2_0_apart_10;
             v1_odd_signed_11 <= v1_odd_signed_10;
             blend1_r_2_1_apart_11 <= blend1_r_2_1_apart_10;
             blend1_signed_11 <= blend1_signed_10;
-            gain1_r_11 <= gain1_r_10;
             blend1_g_1_0_11 <= blend1_g_1_0_10;
             blend1_g_1_2_11 <= blend1_g_1_2_10;
             blend1_g_2_0_apart_11 <= blend1_g_2_0_apart_10;
             blend1_g_2_1_apart_11 <= blend1_g_2_1_apart_10;
-            gain1_g_11 <= gain1_g_10;
             blend1_b_1_0_11 <= blend1_b_1_0_10;
             blend1_b_1_2_11 <= blend1_b_1_2_10;
             blend1_b_2_0_apart_11 <= blend1_b_2_0_apart_10;
             blend1_b_2_1_apart_11 <= blend1_b_2_1_apart_10;
-            gain1_b_11 <= gain1_b_10;
         end
     end
 
@@ -1082,40 +1084,42 @@ module image_half #(
     wire [22:0] blend1_b_2_0_part_11 = $signed(blend1_b_2_0_apart_11) * $signed(v1_odd_signed_11);
     // Q2.20: its part
     wire [22:0] blend1_b_2_1_part_11 = $signed(blend1_b_2_1_apart_11) * $signed(v1_odd_signed_11);
+    reg [17:0] in_gain1r_12;
+    reg [17:0] in_gain1g_12;
+    reg [17:0] in_gain1b_12;
+    reg [18:0] nl1_12;
     reg [13:0] blend1_r_1_0_12;
     reg [13:0] blend1_r_1_2_12;
     reg [22:0] blend1_r_2_0_part_12;
     reg [22:0] blend1_r_2_1_part_12;
     reg [7:0] blend1_signed_12;
-    reg [18:0] gain1_r_12;
     reg [13:0] blend1_g_1_0_12;
     reg [13:0] blend1_g_1_2_12;
     reg [22:0] blend1_g_2_0_part_12;
     reg [22:0] blend1_g_2_1_part_12;
-    reg [18:0] gain1_g_12;
     reg [13:0] blend1_b_1_0_12;
     reg [13:0] blend1_b_1_2_12;
     reg [22:0] blend1_b_2_0_part_12;
     reg [22:0] blend1_b_2_1_part_12;
-    reg [18:0] gain1_b_12;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_12 <= in_gain1r_11;
+            in_gain1g_12 <= in_gain1g_11;
+            in_gain1b_12 <= in_gain1b_11;
+            nl1_12 <= nl1_11;
             blend1_r_1_0_12 <= blend1_r_1_0_11;
             blend1_r_1_2_12 <= blend1_r_1_2_11;
             blend1_r_2_0_part_12 <= blend1_r_2_0_part_11;
             blend1_r_2_1_part_12 <= blend1_r_2_1_part_11;
             blend1_signed_12 <= blend1_signed_11;
-            gain1_r_12 <= gain1_r_11;
             blend1_g_1_0_12 <= blend1_g_1_0_11;
             blend1_g_1_2_12 <= blend1_g_1_2_11;
             blend1_g_2_0_part_12 <= blend1_g_2_0_part_11;
             blend1_g_2_1_part_12 <= blend1_g_2_1_part_11;
-            gain1_g_12 <= gain1_g_11;
             blend1_b_1_0_12 <= blend1_b_1_0_11;
             blend1_b_1_2_12 <= blend1_b_1_2_11;
             blend1_b_2_0_part_12 <= blend1_b_2_0_part_11;
             blend1_b_2_1_part_12 <= blend1_b_2_1_part_11;
-            gain1_b_12 <= gain1_b_11;
         end
     end
 
@@ -1138,28 +1142,30 @@ module image_half #(
     wire [19:0] blend1_b_2_1_12 = {blend1_b_1_2_12, 6'd0} + blend1_b_2_1_part_12[19:0];
     // Q0.20: the difference
     wire [20:0] blend1_b_3_0_apart_12 = {1'd0, blend1_b_2_1_12} - {1'd0, blend1_b_2_0_12};
+    reg [17:0] in_gain1r_13;
+    reg [17:0] in_gain1g_13;
+    reg [17:0] in_gain1b_13;
+    reg [18:0] nl1_13;
     reg [19:0] blend1_r_2_0_13;
     reg [20:0] blend1_r_3_0_apart_13;
     reg [7:0] blend1_signed_13;
-    reg [18:0] gain1_r_13;
     reg [19:0] blend1_g_2_0_13;
     reg [20:0] blend1_g_3_0_apart_13;
-    reg [18:0] gain1_g_13;
     reg [19:0] blend1_b_2_0_13;
     reg [20:0] blend1_b_3_0_apart_13;
-    reg [18:0] gain1_b_13;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_13 <= in_gain1r_12;
+            in_gain1g_13 <= in_gain1g_12;
+            in_gain1b_13 <= in_gain1b_12;
+            nl1_13 <= nl1_12;
             blend1_r_2_0_13 <= blend1_r_2_0_12;
             blend1_r_3_0_apart_13 <= blend1_r_3_0_apart_12;
             blend1_signed_13 <= blend1_signed_12;
-            gain1_r_13 <= gain1_r_12;
             blend1_g_2_0_13 <= blend1_g_2_0_12;
             blend1_g_3_0_apart_13 <= blend1_g_3_0_apart_12;
-            gain1_g_13 <= gain1_g_12;
             blend1_b_2_0_13 <= blend1_b_2_0_12;
             blend1_b_3_0_apart_13 <= blend1_b_3_0_apart_12;
-            gain1_b_13 <= gain1_b_12;
         end
     end
 
@@ -1170,26 +1176,28 @@ module image_half #(
     wire [28:0] blend1_g_3_0_part_13 = $signed(blend1_g_3_0_apart_13) * $signed(blend1_signed_13);
     // Q2.26: its part
     wire [28:0] blend1_b_3_0_part_13 = $signed(blend1_b_3_0_apart_13) * $signed(blend1_signed_13);
+    reg [17:0] in_gain1r_14;
+    reg [17:0] in_gain1g_14;
+    reg [17:0] in_gain1b_14;
+    reg [18:0] nl1_14;
     reg [19:0] blend1_r_2_0_14;
     reg [28:0] blend1_r_3_0_part_14;
-    reg [18:0] gain1_r_14;
     reg [19:0] blend1_g_2_0_14;
     reg [28:0] blend1_g_3_0_part_14;
-    reg [18:0] gain1_g_14;
     reg [19:0] blend1_b_2_0_14;
     reg [28:0] blend1_b_3_0_part_14;
-    reg [18:0] gain1_b_14;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_14 <= in_gain1r_13;
+            in_gain1g_14 <= in_gain1g_13;
+            in_gain1b_14 <= in_gain1b_13;
+            nl1_14 <= nl1_13;
             blend1_r_2_0_14 <= blend1_r_2_0_13;
             blend1_r_3_0_part_14 <= blend1_r_3_0_part_13;
-            gain1_r_14 <= gain1_r_13;
             blend1_g_2_0_14 <= blend1_g_2_0_13;
             blend1_g_3_0_part_14 <= blend1_g_3_0_part_13;
-            gain1_g_14 <= gain1_g_13;
             blend1_b_2_0_14 <= blend1_b_2_0_13;
             blend1_b_3_0_part_14 <= blend1_b_3_0_part_13;
-            gain1_b_14 <= gain1_b_13;
         end
     end
 
@@ -1206,20 +1214,22 @@ module image_half #(
     wire [25:0] blend1_b_3_0_14 = {blend1_b_2_0_14, 6'd0} + blend1_b_3_0_part_14[25:0];
     // UQ0.18: the blended code
     wire [17:0] root1_b_14 = blend1_b_3_0_14[25:8];
+    reg [17:0] in_gain1r_15;
+    reg [17:0] in_gain1g_15;
+    reg [17:0] in_gain1b_15;
+    reg [18:0] nl1_15;
     reg [17:0] root1_r_15;
-    reg [18:0] gain1_r_15;
     reg [17:0] root1_g_15;
-    reg [18:0] gain1_g_15;
     reg [17:0] root1_b_15;
-    reg [18:0] gain1_b_15;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_15 <= in_gain1r_14;
+            in_gain1g_15 <= in_gain1g_14;
+            in_gain1b_15 <= in_gain1b_14;
+            nl1_15 <= nl1_14;
             root1_r_15 <= root1_r_14;
-            gain1_r_15 <= gain1_r_14;
             root1_g_15 <= root1_g_14;
-            gain1_g_15 <= gain1_g_14;
             root1_b_15 <= root1_b_14;
-            gain1_b_15 <= gain1_b_14;
         end
     end
 
@@ -1236,87 +1246,101 @@ module image_half #(
     wire [35:0] square1_b_exact_15 = root1_b_15 * root1_b_15;
     // UQ0.18: rounded down
     wire [17:0] square1_b_15 = square1_b_exact_15[35:18];
+    reg [17:0] in_gain1r_16;
+    reg [17:0] in_gain1g_16;
+    reg [17:0] in_gain1b_16;
+    reg [18:0] nl1_16;
     reg [17:0] square1_r_16;
-    reg [18:0] gain1_r_16;
     reg [17:0] square1_g_16;
-    reg [18:0] gain1_g_16;
     reg [17:0] square1_b_16;
-    reg [18:0] gain1_b_16;
     always @(posedge clk) begin
         if (ce) begin
+            in_gain1r_16 <= in_gain1r_15;
+            in_gain1g_16 <= in_gain1g_15;
+            in_gain1b_16 <= in_gain1b_15;
+            nl1_16 <= nl1_15;
             square1_r_16 <= square1_r_15;
-            gain1_r_16 <= gain1_r_15;
             square1_g_16 <= square1_g_15;
-            gain1_g_16 <= gain1_g_15;
             square1_b_16 <= square1_b_15;
-            gain1_b_16 <= gain1_b_15;
         end
     end
 
-    // ===== Stage 16: light1_r_exact, light1_g_exact, light1_b_exact
-    // UQ8.29: what the light gives
-    wire [36:0] light1_r_exact_16 = gain1_r_16 * square1_r_16;
+    // ===== Stage 16: lit1_r_exact, lit1_g_exact, lit1_b_exact
+    // UQ8.29: n.l times the square
+    wire [36:0] lit1_r_exact_16 = nl1_16 * square1_r_16;
     // UQ8.11: rounded down
-    wire [18:0] light1_r_16 = light1_r_exact_16[36:18];
-    // UQ8.29: what the light gives
-    wire [36:0] light1_g_exact_16 = gain1_g_16 * square1_g_16;
+    wire [18:0] lit1_r_16 = lit1_r_exact_16[36:18];
+    // UQ8.29: n.l times the square
+    wire [36:0] lit1_g_exact_16 = nl1_16 * square1_g_16;
     // UQ8.11: rounded down
-    wire [18:0] light1_g_16 = light1_g_exact_16[36:18];
-    // UQ8.29: what the light gives
-    wire [36:0] light1_b_exact_16 = gain1_b_16 * square1_b_16;
+    wire [18:0] lit1_g_16 = lit1_g_exact_16[36:18];
+    // UQ8.29: n.l times the square
+    wire [36:0] lit1_b_exact_16 = nl1_16 * square1_b_16;
     // UQ8.11: rounded down
-    wire [18:0] light1_b_16 = light1_b_exact_16[36:18];
-    reg [18:0] light1_r_17;
-    reg [18:0] light1_g_17;
-    reg [18:0] light1_b_17;
+    wire [18:0] lit1_b_16 = lit1_b_exact_16[36:18];
+    reg [17:0] in_gain1r_17;
+    reg [17:0] in_gain1g_17;
+    reg [17:0] in_gain1b_17;
+    reg [18:0] lit1_r_17;
+    reg [18:0] lit1_g_17;
+    reg [18:0] lit1_b_17;
     always @(posedge clk) begin
         if (ce) begin
-            light1_r_17 <= light1_r_16;
-            light1_g_17 <= light1_g_16;
-            light1_b_17 <= light1_b_16;
+            in_gain1r_17 <= in_gain1r_16;
+            in_gain1g_17 <= in_gain1g_16;
+            in_gain1b_17 <= in_gain1b_16;
+            lit1_r_17 <= lit1_r_16;
+            lit1_g_17 <= lit1_g_16;
+            lit1_b_17 <= lit1_b_16;
         end
     end
 
-    // ===== Stage 17: sum_half_r, kept_r, sum_half_g, kept_g, sum_half_b, kept_b
-    // UQ8.11: plus half a code
-    wire [18:0] sum_half_r_17 = light1_r_17 + 19'h00004;
-    // UQ8.8: rounded to the nearest code
-    wire [15:0] cut_r_17 = sum_half_r_17[18:3];
-    // UQ0.8: at most full scale
-    wire [7:0] kept_r_17 = (cut_r_17 > 16'h00ff) ? 8'hff : cut_r_17[7:0];
-    // UQ8.0: as a whole number
-    wire [7:0] code_r_17 = kept_r_17;
-    // UQ8.11: plus half a code
-    wire [18:0] sum_half_g_17 = light1_g_17 + 19'h00004;
-    // UQ8.8: rounded to the nearest code
-    wire [15:0] cut_g_17 = sum_half_g_17[18:3];
-    // UQ0.8: at most full scale
-    wire [7:0] kept_g_17 = (cut_g_17 > 16'h00ff) ? 8'hff : cut_g_17[7:0];
-    // UQ8.0: as a whole number
-    wire [7:0] code_g_17 = kept_g_17;
-    // UQ8.11: plus half a code
-    wire [18:0] sum_half_b_17 = light1_b_17 + 19'h00004;
-    // UQ8.8: rounded to the nearest code
-    wire [15:0] cut_b_17 = sum_half_b_17[18:3];
-    // UQ0.8: at most full scale
-    wire [7:0] kept_b_17 = (cut_b_17 > 16'h00ff) ? 8'hff : cut_b_17[7:0];
-    // UQ8.0: as a whole number
-    wire [7:0] code_b_17 = kept_b_17;
-    reg [7:0] code_r_18;
-    reg [7:0] code_g_18;
-    reg [7:0] code_b_18;
+    // ===== Stage 17: light1_r_exact, light1_g_exact, light1_b_exact
+    // UQ8.29: times the gain
+    wire [36:0] light1_r_exact_17 = lit1_r_17 * in_gain1r_17;
+    // UQ8.17: rounded down
+    wire [24:0] light1_r_17 = light1_r_exact_17[36:12];
+    // UQ8.29: times the gain
+    wire [36:0] light1_g_exact_17 = lit1_g_17 * in_gain1g_17;
+    // UQ8.17: rounded down
+    wire [24:0] light1_g_17 = light1_g_exact_17[36:12];
+    // UQ8.29: times the gain
+    wire [36:0] light1_b_exact_17 = lit1_b_17 * in_gain1b_17;
+    // UQ8.17: rounded down
+    wire [24:0] light1_b_17 = light1_b_exact_17[36:12];
+    reg [24:0] light1_r_18;
+    reg [24:0] light1_g_18;
+    reg [24:0] light1_b_18;
     always @(posedge clk) begin
         if (ce) begin
-            code_r_18 <= code_r_17;
-            code_g_18 <= code_g_17;
-            code_b_18 <= code_b_17;
+            light1_r_18 <= light1_r_17;
+            light1_g_18 <= light1_g_17;
+            light1_b_18 <= light1_b_17;
         end
     end
 
-    assign out_valid = valid[18];
-    assign out_r     = code_r_18;
-    assign out_g     = code_g_18;
-    assign out_b     = code_b_18;
+    // ===== Stage 18: sum_r, sum_g, sum_b
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_r_18 = (|light1_r_18[24:17]) ? 18'h20000 : light1_r_18[17:0];
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_g_18 = (|light1_g_18[24:17]) ? 18'h20000 : light1_g_18[17:0];
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_b_18 = (|light1_b_18[24:17]) ? 18'h20000 : light1_b_18[17:0];
+    reg [17:0] sum_r_19;
+    reg [17:0] sum_g_19;
+    reg [17:0] sum_b_19;
+    always @(posedge clk) begin
+        if (ce) begin
+            sum_r_19 <= sum_r_18;
+            sum_g_19 <= sum_g_18;
+            sum_b_19 <= sum_b_18;
+        end
+    end
+
+    assign out_valid = valid[19];
+    assign out_sum_r = sum_r_19;
+    assign out_sum_g = sum_g_19;
+    assign out_sum_b = sum_b_19;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
@@ -1344,8 +1368,8 @@ module image_half #(
                     blend1_r_3_0_part_14[28:26],
                     blend1_r_3_0_14[7:0],
                     square1_r_exact_15[17:0],
-                    gain1_r_exact_4[17:0],
-                    light1_r_exact_16[17:0],
+                    lit1_r_exact_16[17:0],
+                    light1_r_exact_17[11:0],
                     blend1_g_1_0_part_10[16:14],
                     blend1_g_1_1_part_10[16:14],
                     blend1_g_1_2_part_10[16:14],
@@ -1355,8 +1379,8 @@ module image_half #(
                     blend1_g_3_0_part_14[28:26],
                     blend1_g_3_0_14[7:0],
                     square1_g_exact_15[17:0],
-                    gain1_g_exact_4[17:0],
-                    light1_g_exact_16[17:0],
+                    lit1_g_exact_16[17:0],
+                    light1_g_exact_17[11:0],
                     blend1_b_1_0_part_10[16:14],
                     blend1_b_1_1_part_10[16:14],
                     blend1_b_1_2_part_10[16:14],
@@ -1366,11 +1390,8 @@ module image_half #(
                     blend1_b_3_0_part_14[28:26],
                     blend1_b_3_0_14[7:0],
                     square1_b_exact_15[17:0],
-                    gain1_b_exact_4[17:0],
-                    light1_b_exact_16[17:0],
-                    sum_half_r_17[2:0],
-                    sum_half_g_17[2:0],
-                    sum_half_b_17[2:0]};
+                    lit1_b_exact_16[17:0],
+                    light1_b_exact_17[11:0]};
 
 endmodule
 

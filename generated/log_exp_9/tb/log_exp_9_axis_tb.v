@@ -270,13 +270,12 @@ module log_exp_9_axis_tb;
         end
     endtask
 
-    // Offers the codes until they are accepted; before it, as many idle clocks as the source's
-    // rate gives. What no port takes of tdata is random, and so are tlast and tuser.
+
+
+    // Offers the vector that was read last until it is accepted; before it, as many idle clocks as
+    // the source's rate gives. What no port takes of tdata is random, and so are tlast and tuser.
     task send;
         input integer of_number;
-        input [7:0]  of_in_n;
-        input [15:0] of_in_cos;
-        input [14:0] of_out_spec;
         begin
             draw;
             while ({1'b0, lfsr[31:29]} >= source_rate) begin
@@ -284,25 +283,16 @@ module log_exp_9_axis_tb;
                 draw;
             end
             present_garbage(1'b1);
-            s_axis_tdata[7:0] = of_in_n;
-            s_axis_tdata[23:8] = of_in_cos;
+            s_axis_tdata[7:0] = file_in_n;
+            s_axis_tdata[23:8] = file_in_cos;
             expected = 0;
-            expected[14:0] = of_out_spec;
+            expected[14:0] = file_out_spec;
             number   = of_number;
             accepted = 1'b0;
             while (!accepted && !failed)
                 clock;
             s_axis_tvalid = 1'b0;
         end
-    endtask
-
-    task send_vector;
-        send(
-            vectors,
-            file_in_n,
-            file_in_cos,
-            file_out_spec
-        );
     endtask
 
     // Nothing is under way any more, and nothing more comes.
@@ -528,7 +518,7 @@ module log_exp_9_axis_tb;
                 while (have_vector && !failed) begin
                     if (stalls)
                         choose_rates;
-                    send_vector;
+                    send(vectors);
                     read_vector;
                 end
                 $fclose(file);

@@ -344,14 +344,12 @@ begin
             clock;
         end procedure;
 
-        -- Offers the codes until they are accepted; before it, as many idle clocks as the
-        -- source's rate gives. What no port takes of tdata is random, and so are tlast and tuser.
-        procedure send(
-            of_number : integer;
-            of_in_n : in_n_word;
-            of_in_cos : in_cos_word;
-            of_out_spec : out_spec_word
-        ) is
+
+
+        -- Offers the vector that was read last until it is accepted; before it, as many idle
+        -- clocks as the source's rate gives. What no port takes of tdata is random, and so are
+        -- tlast and tuser.
+        procedure send(of_number : integer) is
         begin
             draw;
             while to_integer(unsigned(lfsr(31 downto 29))) >= source_rate loop
@@ -359,10 +357,10 @@ begin
                 draw;
             end loop;
             present_garbage('1');
-            s_axis_tdata(7 downto 0) <= of_in_n;
-            s_axis_tdata(23 downto 8) <= of_in_cos;
+            s_axis_tdata(7 downto 0) <= file_in_n;
+            s_axis_tdata(23 downto 8) <= file_in_cos;
             expected := (others => '0');
-            expected(14 downto 0) := of_out_spec;
+            expected(14 downto 0) := file_out_spec;
             number := of_number;
             loop
                 clock;
@@ -558,12 +556,7 @@ begin
                 if stalls then
                     choose_rates;
                 end if;
-                send(
-                    vectors,
-                    file_in_n,
-                    file_in_cos,
-                    file_out_spec
-                );
+                send(vectors);
                 read_vector;
             end loop;
             file_close(vector_file);

@@ -302,26 +302,12 @@ module shader_axis_tb;
         end
     endtask
 
-    // Offers the codes until they are accepted; before it, as many idle clocks as the source's
-    // rate gives. What no port takes of tdata is random, and so are tlast and tuser.
+
+
+    // Offers the vector that was read last until it is accepted; before it, as many idle clocks as
+    // the source's rate gives. What no port takes of tdata is random, and so are tlast and tuser.
     task send;
         input integer of_number;
-        input [1:0]  of_in_material;
-        input [17:0] of_in_nx;
-        input [17:0] of_in_ny;
-        input [17:0] of_in_nz;
-        input [17:0] of_in_vx;
-        input [17:0] of_in_vy;
-        input [17:0] of_in_vz;
-        input [17:0] of_in_l1x;
-        input [17:0] of_in_l1y;
-        input [17:0] of_in_l1z;
-        input [17:0] of_in_l2x;
-        input [17:0] of_in_l2y;
-        input [17:0] of_in_l2z;
-        input [7:0]  of_out_r;
-        input [7:0]  of_out_g;
-        input [7:0]  of_out_b;
         begin
             draw;
             while ({1'b0, lfsr[31:29]} >= source_rate) begin
@@ -329,51 +315,29 @@ module shader_axis_tb;
                 draw;
             end
             present_garbage(1'b1);
-            s_axis_tdata[1:0] = of_in_material;
-            s_axis_tdata[19:2] = of_in_nx;
-            s_axis_tdata[37:20] = of_in_ny;
-            s_axis_tdata[55:38] = of_in_nz;
-            s_axis_tdata[73:56] = of_in_vx;
-            s_axis_tdata[91:74] = of_in_vy;
-            s_axis_tdata[109:92] = of_in_vz;
-            s_axis_tdata[127:110] = of_in_l1x;
-            s_axis_tdata[145:128] = of_in_l1y;
-            s_axis_tdata[163:146] = of_in_l1z;
-            s_axis_tdata[181:164] = of_in_l2x;
-            s_axis_tdata[199:182] = of_in_l2y;
-            s_axis_tdata[217:200] = of_in_l2z;
+            s_axis_tdata[1:0] = file_in_material;
+            s_axis_tdata[19:2] = file_in_nx;
+            s_axis_tdata[37:20] = file_in_ny;
+            s_axis_tdata[55:38] = file_in_nz;
+            s_axis_tdata[73:56] = file_in_vx;
+            s_axis_tdata[91:74] = file_in_vy;
+            s_axis_tdata[109:92] = file_in_vz;
+            s_axis_tdata[127:110] = file_in_l1x;
+            s_axis_tdata[145:128] = file_in_l1y;
+            s_axis_tdata[163:146] = file_in_l1z;
+            s_axis_tdata[181:164] = file_in_l2x;
+            s_axis_tdata[199:182] = file_in_l2y;
+            s_axis_tdata[217:200] = file_in_l2z;
             expected = 0;
-            expected[7:0] = of_out_r;
-            expected[15:8] = of_out_g;
-            expected[23:16] = of_out_b;
+            expected[7:0] = file_out_r;
+            expected[15:8] = file_out_g;
+            expected[23:16] = file_out_b;
             number   = of_number;
             accepted = 1'b0;
             while (!accepted && !failed)
                 clock;
             s_axis_tvalid = 1'b0;
         end
-    endtask
-
-    task send_vector;
-        send(
-            vectors,
-            file_in_material,
-            file_in_nx,
-            file_in_ny,
-            file_in_nz,
-            file_in_vx,
-            file_in_vy,
-            file_in_vz,
-            file_in_l1x,
-            file_in_l1y,
-            file_in_l1z,
-            file_in_l2x,
-            file_in_l2y,
-            file_in_l2z,
-            file_out_r,
-            file_out_g,
-            file_out_b
-        );
     endtask
 
     // Nothing is under way any more, and nothing more comes.
@@ -625,7 +589,7 @@ module shader_axis_tb;
                 while (have_vector && !failed) begin
                     if (stalls)
                         choose_rates;
-                    send_vector;
+                    send(vectors);
                     read_vector;
                 end
                 $fclose(file);

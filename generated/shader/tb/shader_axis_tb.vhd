@@ -389,27 +389,12 @@ begin
             clock;
         end procedure;
 
-        -- Offers the codes until they are accepted; before it, as many idle clocks as the
-        -- source's rate gives. What no port takes of tdata is random, and so are tlast and tuser.
-        procedure send(
-            of_number : integer;
-            of_in_material : in_material_word;
-            of_in_nx : in_nx_word;
-            of_in_ny : in_ny_word;
-            of_in_nz : in_nz_word;
-            of_in_vx : in_vx_word;
-            of_in_vy : in_vy_word;
-            of_in_vz : in_vz_word;
-            of_in_l1x : in_l1x_word;
-            of_in_l1y : in_l1y_word;
-            of_in_l1z : in_l1z_word;
-            of_in_l2x : in_l2x_word;
-            of_in_l2y : in_l2y_word;
-            of_in_l2z : in_l2z_word;
-            of_out_r : out_r_word;
-            of_out_g : out_g_word;
-            of_out_b : out_b_word
-        ) is
+
+
+        -- Offers the vector that was read last until it is accepted; before it, as many idle
+        -- clocks as the source's rate gives. What no port takes of tdata is random, and so are
+        -- tlast and tuser.
+        procedure send(of_number : integer) is
         begin
             draw;
             while to_integer(unsigned(lfsr(31 downto 29))) >= source_rate loop
@@ -417,23 +402,23 @@ begin
                 draw;
             end loop;
             present_garbage('1');
-            s_axis_tdata(1 downto 0) <= of_in_material;
-            s_axis_tdata(19 downto 2) <= of_in_nx;
-            s_axis_tdata(37 downto 20) <= of_in_ny;
-            s_axis_tdata(55 downto 38) <= of_in_nz;
-            s_axis_tdata(73 downto 56) <= of_in_vx;
-            s_axis_tdata(91 downto 74) <= of_in_vy;
-            s_axis_tdata(109 downto 92) <= of_in_vz;
-            s_axis_tdata(127 downto 110) <= of_in_l1x;
-            s_axis_tdata(145 downto 128) <= of_in_l1y;
-            s_axis_tdata(163 downto 146) <= of_in_l1z;
-            s_axis_tdata(181 downto 164) <= of_in_l2x;
-            s_axis_tdata(199 downto 182) <= of_in_l2y;
-            s_axis_tdata(217 downto 200) <= of_in_l2z;
+            s_axis_tdata(1 downto 0) <= file_in_material;
+            s_axis_tdata(19 downto 2) <= file_in_nx;
+            s_axis_tdata(37 downto 20) <= file_in_ny;
+            s_axis_tdata(55 downto 38) <= file_in_nz;
+            s_axis_tdata(73 downto 56) <= file_in_vx;
+            s_axis_tdata(91 downto 74) <= file_in_vy;
+            s_axis_tdata(109 downto 92) <= file_in_vz;
+            s_axis_tdata(127 downto 110) <= file_in_l1x;
+            s_axis_tdata(145 downto 128) <= file_in_l1y;
+            s_axis_tdata(163 downto 146) <= file_in_l1z;
+            s_axis_tdata(181 downto 164) <= file_in_l2x;
+            s_axis_tdata(199 downto 182) <= file_in_l2y;
+            s_axis_tdata(217 downto 200) <= file_in_l2z;
             expected := (others => '0');
-            expected(7 downto 0) := of_out_r;
-            expected(15 downto 8) := of_out_g;
-            expected(23 downto 16) := of_out_b;
+            expected(7 downto 0) := file_out_r;
+            expected(15 downto 8) := file_out_g;
+            expected(23 downto 16) := file_out_b;
             number := of_number;
             loop
                 clock;
@@ -642,25 +627,7 @@ begin
                 if stalls then
                     choose_rates;
                 end if;
-                send(
-                    vectors,
-                    file_in_material,
-                    file_in_nx,
-                    file_in_ny,
-                    file_in_nz,
-                    file_in_vx,
-                    file_in_vy,
-                    file_in_vz,
-                    file_in_l1x,
-                    file_in_l1y,
-                    file_in_l1z,
-                    file_in_l2x,
-                    file_in_l2y,
-                    file_in_l2z,
-                    file_out_r,
-                    file_out_g,
-                    file_out_b
-                );
+                send(vectors);
                 read_vector;
             end loop;
             file_close(vector_file);

@@ -362,9 +362,11 @@ impl Imaging<'_, '_> {
             let squared = self.b.mul(root, root, &format!("square{l}_{c}_exact"), "its square");
             let squared = self.b.floor(squared, square, &format!("square{l}_{c}"), "rounded down");
             squares[channel] = squared;
-            let factor = self.b.mul(nl, ports.gain[channel], &format!("gain{l}_{c}_exact"), "n.l times the gain");
-            let factor = self.b.floor(factor, lit, &format!("gain{l}_{c}"), "rounded down");
-            let product = self.b.mul(factor, squared, &format!("light{l}_{c}_exact"), "what the light gives");
+            // The gain last: what is rounded down before it is the less the dimmer the light, so that the roundings of
+            // many dim lights are those of one that is as bright as all of them.
+            let factor = self.b.mul(nl, squared, &format!("lit{l}_{c}_exact"), "n.l times the square");
+            let factor = self.b.floor(factor, lit, &format!("lit{l}_{c}"), "rounded down");
+            let product = self.b.mul(factor, ports.gain[channel], &format!("light{l}_{c}_exact"), "times the gain");
             self.b.floor(product, term, &format!("light{l}_{c}"), "rounded down")
         });
         self.joints.lights.push(LightJoints { incidence: nl, squares });
@@ -376,7 +378,7 @@ impl ImageBlock {
     /// The operations with their joints, or `None` if a value would be too wide for this crate.
     ///
     /// The inputs are n, and for each light its direction, the vectors of [`Image::frame`], the band, the blend, the
-    /// shift where lights differ in it, and a gain a channel; the outputs are the codes of the three channels.
+    /// shift where lights differ in it, and a gain a channel; the outputs are the sums of the three channels.
     #[must_use]
     pub fn datapath(&self) -> Option<(Datapath, Joints)> {
         let Self { image, widths, texels, .. } = self;
@@ -401,9 +403,8 @@ impl ImageBlock {
             });
         }
         let sums = sums?;
-        let names = ["out_r", "out_g", "out_b"];
         let outputs: Vec<(&str, NodeId)> =
-            (0..3).map(|c| (names[c], parts::channel_code(&mut imaging.b, sums[c], c, image.channel_bits))).collect();
+            (0..3).map(|c| (parts::SUMS[c], parts::channel_sum(&mut imaging.b, sums[c], c, widths.term))).collect();
         let mut joints = imaging.joints;
         let graph = imaging.b.finish(&outputs, joints.nodes())?;
         Some((Datapath { graph, tables, errors: Vec::new(), constants: Vec::new() }, joints))

@@ -25,6 +25,7 @@ pub use record::LightRecord;
 pub use stored::{ImageFile, ImageSamples};
 pub use texels::OctaveAxis;
 
+use crate::block::lights::Sums;
 use crate::fixed::exp2;
 use crate::platform::error::{Error, refuse};
 use crate::reflectance::Reflectance;
@@ -95,6 +96,12 @@ impl ImageBlock {
     #[must_use]
     pub fn texels(&self) -> &Texels {
         &self.texels
+    }
+
+    /// What comes out of its core, and is made codes of.
+    #[must_use]
+    pub fn sums(&self) -> Sums {
+        self.image.sums(&self.widths)
     }
 
     /// The bit-exact reference.

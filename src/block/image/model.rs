@@ -21,7 +21,7 @@ impl<'a> ImageModel<'a> {
         Self { image, widths, texels }
     }
 
-    /// The codes of `out_r`, `out_g` and `out_b` for the codes of the input ports in their order.
+    /// The codes of `out_sum_r`, `out_sum_g` and `out_sum_b` for the codes of the input ports in their order.
     #[must_use]
     pub fn evaluate(&self, inputs: &[i64]) -> Vec<i64> {
         let (normal, lights) = inputs.split_at(3);
@@ -30,9 +30,7 @@ impl<'a> ImageModel<'a> {
             let terms = self.light(normal, light);
             (0..3).for_each(|c| sums[c] += terms[c]);
         }
-        let bits = self.image.channel_bits;
-        let code = |sum: Wide| wide::to_code(sum + wide::from_code(1, bits + 1), bits) as i64;
-        sums.map(|sum| code(sum).min(self.image.full_scale())).to_vec()
+        sums.map(|sum| wide::to_code(sum.min(Wide::ONE), self.widths.term as u32) as i64).to_vec()
     }
 
     /// The scalar product of vectors of these codes, of products that are rounded down to so many fraction bits.
@@ -116,8 +114,8 @@ impl<'a> ImageModel<'a> {
         let lit_up = floor(nl << (shift as i32).min(most_shift), lit).min(most);
         [0, 1, 2].map(|channel| {
             let code = floor(self.blend(channel, &places, &extents, 0), code);
-            let gain = floor(lit_up * wide::from_code(gains[channel].into(), gain_bits as u32), lit);
-            floor(gain * floor(code * code, square), term)
+            let reflected = floor(lit_up * floor(code * code, square), lit);
+            floor(reflected * wide::from_code(gains[channel].into(), gain_bits as u32), term)
         })
     }
 }

@@ -7,6 +7,7 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 use super::{ImageSamples, record};
+use crate::block::lights::{MOST_LIGHTS, Sums};
 use crate::block::shader::{CHANNEL_BITS, LIGHTS, VECTOR_FRACTION};
 use crate::fixed::{Format, exp2};
 use crate::method::within;
@@ -57,8 +58,10 @@ pub struct Image {
     pub vector_fraction: u32,
     /// Bits of an output channel.
     pub channel_bits: u32,
-    /// Lights, all of a sample at once.
+    /// Lights that are taken in a clock.
     pub lights: u32,
+    /// Lights of a sample that the roundings are sized for; more may come.
+    pub most_lights: u32,
 }
 
 /// Where the texels of an image-based block lie.
@@ -113,7 +116,7 @@ pub struct ImageWidths {
     pub dot: i32,
     /// Of the products that a place among the texels is computed from.
     pub place: i32,
-    /// Of n·l 2^shift, and of its product with the gain.
+    /// Of n·l 2^shift, and of its product with the square.
     pub lit: i32,
     /// Of a light's gain, which is below 1.
     pub gain: i32,
@@ -189,7 +192,7 @@ impl ImageWidths {
             gain: OPERAND,
             code: (image.texel_bits as i32 + blends * weight).min(OPERAND),
             square: OPERAND,
-            term: channel + 3 + libm::ilogb(f64::from(2 * image.lights - 1)),
+            term: Sums::term_bits(image.channel_bits, image.most_lights.max(image.lights)),
         }
     }
 }
@@ -205,6 +208,7 @@ impl Image {
         within("weight_bits", self.weight_bits, WEIGHT_BITS)?;
         within("vector_fraction", self.vector_fraction, VECTOR_FRACTION)?;
         within("lights_a_clock", self.lights, LIGHTS)?;
+        within("most_lights", self.most_lights, MOST_LIGHTS)?;
         refuse!(
             !CHANNEL_BITS.contains(&self.channel_bits),
             format!("channel_bits = {} is not offered", self.channel_bits),
@@ -240,6 +244,11 @@ impl Image {
     #[must_use]
     pub fn full_scale(&self) -> i64 {
         (1 << self.channel_bits) - 1
+    }
+
+    /// What comes out of the core of these widths.
+    pub(super) fn sums(&self, widths: &ImageWidths) -> Sums {
+        Sums { frac_bits: widths.term as u32, ambient: None, channel_bits: self.channel_bits }
     }
 
     /// The binary logarithm of the columns an octave.

@@ -359,20 +359,42 @@ impl Shading<'_, '_> {
         }
     }
 
+    /// A channel of the ambient light.
+    fn ambient(&mut self, channel: usize) -> NodeId {
+        self.b.field(self.colours, self.material, colour_names(self.shader, channel, 0)[0])
+    }
+
     /// The code of a channel, from what the lights give to it.
-    fn code(&mut self, lights: Option<NodeId>, channel: usize) -> NodeId {
-        let (c, b) = (CHANNELS[channel], &mut self.b);
-        let ambient = b.field(self.colours, self.material, colour_names(self.shader, channel, 0)[0]);
-        let sum =
-            lights.map_or(ambient, |lights| b.add(lights, ambient, &format!("sum_{c}"), "with the ambient light"));
-        parts::channel_code(b, sum, channel, self.shader.channel_bits)
+    fn code(&mut self, lights: NodeId, channel: usize) -> NodeId {
+        let ambient = self.ambient(channel);
+        let name = format!("sum_{}", CHANNELS[channel]);
+        let sum = self.b.add(lights, ambient, &name, "with the ambient light");
+        parts::channel_code(&mut self.b, sum, channel, self.shader.channel_bits)
+    }
+
+    /// The outputs, from what the lights give to each channel.
+    fn outputs(&mut self, lights: [NodeId; 3]) -> Vec<(&'static str, NodeId)> {
+        if self.shader.most_lights.is_none() {
+            let names = ["out_r", "out_g", "out_b"];
+            return (0..3).map(|channel| (names[channel], self.code(lights[channel], channel))).collect();
+        }
+        let ShaderWidths { term, k, .. } = self.widths;
+        let sums = [0, 1, 2].map(|c| (parts::SUMS[c], parts::channel_sum(&mut self.b, lights[c], c, term)));
+        let ambients = [0, 1, 2].map(|channel| {
+            let ambient = self.ambient(channel);
+            let (format, name) = (Format::unsigned(0, k), format!("ambient_wide_{}", CHANNELS[channel]));
+            let ambient = self.b.cast(ambient, format, HighBits::Unused, &name, "with all bits of a colour");
+            (parts::AMBIENTS[channel], ambient)
+        });
+        [sums, ambients].concat()
     }
 }
 
 /// The shader around `lobe`, with each light's joints, or `None` if a value would be too wide for this crate.
 ///
 /// The inputs are `in_material`, N, V where it is used, and for each light L, H where it is given, and its colour where
-/// that comes from ports. The outputs are the codes of the three channels.
+/// that comes from ports. The outputs are the codes of the three channels, or where lights come in sequence their sums
+/// and the ambient light.
 #[must_use]
 pub fn build(interface: &Interface, shader: &Shader, lobe: &Datapath) -> Option<(Datapath, Vec<Joints>)> {
     let widths = shader.widths(interface);
@@ -409,9 +431,7 @@ pub fn build(interface: &Interface, shader: &Shader, lobe: &Datapath) -> Option<
         }
         joints.push(Joints { root, operand, lobe, dark, psi });
     }
-    let names = ["out_r", "out_g", "out_b"];
-    let outputs: Vec<(&str, NodeId)> =
-        (0..3).map(|channel| (names[channel], shading.code(sums[channel], channel))).collect();
+    let outputs = shading.outputs(sums.map(|sum| sum.expect("there are lights")));
     let graph = shading.b.finish(&outputs, joints.iter_mut().flat_map(Joints::nodes))?;
     Some((Datapath { graph, tables, errors: lobe.errors.clone(), constants: lobe.constants.clone() }, joints))
 }

@@ -39,15 +39,17 @@ impl<'a> ShaderModel<'a> {
         Self { lobe, interface, shader, widths: shader.widths(interface), tables }
     }
 
-    /// The codes of `out_r`, `out_g` and `out_b` for the codes of the input ports in their order.
+    /// The codes of `out_r`, `out_g` and `out_b` for the codes of the input ports in their order; where lights come in
+    /// sequence, of `out_sum_r` and so on, and of `out_ambient_r` and so on.
     #[must_use]
     pub fn evaluate(&self, inputs: &[i64]) -> Vec<i64> {
         let (index, cosines, colours) = self.taken_apart(inputs);
         let row = self.interface.shininess.row_of_index(index);
         let bits = self.shader.channel_bits;
         let highlights: Vec<Wide> = cosines.iter().map(|light| self.highlight(index, light)).collect();
-        let channel = |channel: usize| {
-            let mut sum = self.colour(row, "ambient", channel, None);
+        let ambient = |channel: usize| self.colour(row, "ambient", channel, None);
+        let of_lights = |channel: usize| {
+            let mut sum = Wide::ZERO;
             for (light, (cosines, &highlight)) in cosines.iter().zip(&highlights).enumerate() {
                 let diffuse = self.term(self.colour(row, "diffuse", channel, Some(light)) * cosines.diffuse);
                 let specular = self.term(self.colour(row, "specular", channel, Some(light)) * highlight);
@@ -56,10 +58,19 @@ impl<'a> ShaderModel<'a> {
                     Some(colours) => self.term((diffuse + specular) * colours[light][channel]),
                 };
             }
+            sum
+        };
+        if self.shader.most_lights.is_some() {
+            let ShaderWidths { term, k, .. } = self.widths;
+            let sums = (0..3).map(|channel| wide::to_code(of_lights(channel).min(Wide::ONE), term as u32) as i64);
+            return sums.chain((0..3).map(|channel| wide::to_code(ambient(channel), k as u32) as i64)).collect();
+        }
+        let code = |channel: usize| {
+            let sum = ambient(channel) + of_lights(channel);
             let nearest = wide::to_code(sum + wide::from_code(1, bits + 1), bits) as i64;
             nearest.min(self.shader.full_scale())
         };
-        (0..3).map(channel).collect()
+        (0..3).map(code).collect()
     }
 
     /// The cosines of each light.

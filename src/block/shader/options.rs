@@ -5,9 +5,10 @@ use std::str::FromStr;
 use clap::ValueEnum;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use crate::block::lights::{DEFAULT_MOST_LIGHTS, MOST_LIGHTS, Sums};
 use crate::method::keys::keys;
 use crate::method::{Colour, Interface, Material, Shininess, within};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 
 /// Bits of an output channel that are allowed.
 pub const CHANNEL_BITS: [u32; 3] = [8, 10, 12];
@@ -67,7 +68,7 @@ keys! {
     /// How blinn gets at its half vector [default: half]
     front: Front where "the model blinn",
 
-    /// Lights, 1 to 8, all of a sample at once [default: 1]
+    /// Lights, 1 to 8, all of a sample at once; for more, lights_a_clock [default: 1]
     lights: u32,
 
     /// Bits of an output channel: 8, 10 or 12 [default: 8]
@@ -82,7 +83,7 @@ keys! {
     #[arg(value_name = "R,G,B", value_delimiter = ',')]
     ambient_light: Vec<f64>,
 
-    /// Colours of the lights, R,G,B;R,G,B;... or ports [default: white]
+    /// Colours of the lights, R,G,B;R,G,B;... or ports [default: white; ports with lights_a_clock]
     #[arg(value_name = "COLOURS|ports")]
     light_colours: LightColours,
 }
@@ -92,8 +93,10 @@ keys! {
 pub struct Shader {
     /// How the cosine of the highlight is computed.
     pub cosine: Cosine,
-    /// The number of lights.
+    /// The number of lights that are taken in a clock; all of a sample unless they come in sequence.
     pub lights: u32,
+    /// Where they come in sequence, the lights of a sample that the roundings are sized for; more may come.
+    pub most_lights: Option<u32>,
     /// The bits of an output channel.
     pub channel_bits: u32,
     /// The fraction bits of the vectors' components, which are signed Q1.f.
@@ -209,11 +212,11 @@ impl ShaderFields {
         *self == Self::default()
     }
 
-    /// Fills in the defaults and checks every value.
+    /// Fills in the defaults and checks every value. `lights_a_clock` and `most_lights` are of lights in sequence.
     ///
     /// # Errors
     /// Names the value that is wrong and what is allowed.
-    pub fn resolve(self) -> Result<Shader, Error> {
+    pub fn resolve(self, lights_a_clock: Option<u32>, most_lights: Option<u32>) -> Result<Shader, Error> {
         let cosine = match (self.model.unwrap_or(Model::Phong), self.front) {
             (Model::Phong, None) => Cosine::Mirror,
             (Model::Phong, Some(_)) => {
@@ -222,7 +225,26 @@ impl ShaderFields {
             (Model::Blinn, None | Some(Front::Half)) => Cosine::Half,
             (Model::Blinn, Some(Front::Sqrt)) => Cosine::Sqrt,
         };
-        let lights = within("lights", self.lights.unwrap_or(1), LIGHTS)?;
+        let (lights, most_lights) = match (lights_a_clock, self.lights) {
+            (Some(_), Some(_)) => {
+                return Err(Error::input(
+                    "both lights and lights_a_clock are given",
+                    "lights for all of a sample at once, or lights_a_clock for any number in sequence",
+                ));
+            }
+            (Some(lights), None) => {
+                let most = within("most_lights", most_lights.unwrap_or(DEFAULT_MOST_LIGHTS), MOST_LIGHTS)?;
+                (within("lights_a_clock", lights, LIGHTS)?, Some(most))
+            }
+            (None, lights) => {
+                refuse!(
+                    most_lights.is_some(),
+                    "most_lights is given for a shader that takes all lights of a sample at once",
+                    "give lights_a_clock as well, or leave most_lights out"
+                );
+                (within("lights", lights.unwrap_or(1), LIGHTS)?, None)
+            }
+        };
         let channel_bits = self.channel_bits.unwrap_or(8);
         if !CHANNEL_BITS.contains(&channel_bits) {
             return Err(Error::input(format!("channel_bits = {channel_bits} is not offered"), "8, 10 or 12"));
@@ -232,7 +254,10 @@ impl ShaderFields {
         let ambient_light: Colour = ambient.try_into().map_err(|given: Vec<f64>| {
             Error::input(format!("ambient_light has {} numbers", given.len()), "red, green and blue, each from 0 to 1")
         })?;
-        let light_colours = self.light_colours.unwrap_or_else(|| LightColours::Fixed(vec![[1.0; 3]; lights as usize]));
+        let light_colours = self.light_colours.unwrap_or_else(|| match most_lights {
+            Some(_) => LightColours::Ports,
+            None => LightColours::Fixed(vec![[1.0; 3]; lights as usize]),
+        });
         if let LightColours::Fixed(colours) = &light_colours {
             if colours.len() != lights as usize {
                 return Err(Error::input(
@@ -243,7 +268,7 @@ impl ShaderFields {
             colours.iter().try_for_each(|colour| unit("light_colours", colour))?;
         }
         let vector_fraction = within("vector_fraction", self.vector_fraction.unwrap_or(16), VECTOR_FRACTION)?;
-        Ok(Shader { cosine, lights, channel_bits, vector_fraction, ambient_light, light_colours })
+        Ok(Shader { cosine, lights, most_lights, channel_bits, vector_fraction, ambient_light, light_colours })
     }
 
     /// The fields of a resolved shader, all given.
@@ -257,7 +282,7 @@ impl ShaderFields {
         Self {
             model: Some(model),
             front,
-            lights: Some(shader.lights),
+            lights: Some(shader.lights).filter(|_| shader.most_lights.is_none()),
             channel_bits: Some(shader.channel_bits),
             vector_fraction: Some(shader.vector_fraction),
             ambient_light: Some(shader.ambient_light.to_vec()),
@@ -274,16 +299,24 @@ impl Shader {
         let x = interface.input_fraction as i32;
         let finer = if self.cosine == Cosine::Sqrt { 6 } else { 2 };
         let dot = (x + finer).min(2 * f);
-        let each = if self.light_colours == LightColours::Ports { 3 } else { 2 };
-        let terms = each * self.lights as i32;
+        let each = if self.light_colours == LightColours::Ports { 3 } else { 2u32 };
+        let terms = each * self.lights.max(self.most_lights.unwrap_or_default());
         ShaderWidths {
             dot,
             x,
             cos: dot.min(bits + 4),
             k: bits + 4,
-            term: bits + 3 + libm::ilogb(f64::from(2 * terms - 1)),
+            term: Sums::term_bits(self.channel_bits, terms),
             root: x + 2,
         }
+    }
+
+    /// What comes out of the core where lights come in sequence, and is made codes of.
+    #[must_use]
+    pub fn sums(&self, interface: &Interface) -> Option<Sums> {
+        let ShaderWidths { term, k, .. } = self.widths(interface);
+        let channel_bits = self.channel_bits;
+        self.most_lights.map(|_| Sums { frac_bits: term as u32, ambient: Some(k as u32), channel_bits })
     }
 
     /// The materials' surfaces, in the order of the set.

@@ -9,7 +9,7 @@ use crate::core::{
     Account, BlockDesign, Design, ImageDesign, ImageError, LobeDesign, Measured, OtherForm, ShaderDesign, ShaderError,
     WritePort,
 };
-use crate::emit::{Axis, markdown, render};
+use crate::emit::{Axis, LightTable, Sequencer, markdown, render};
 use crate::fixed::{Field, Table};
 use crate::platform::error::Error;
 use crate::reflectance::directory;
@@ -27,9 +27,10 @@ pub(super) fn title(spec: &CoreSpec) -> String {
                 Cosine::Mirror => "Phong",
                 Cosine::Half | Cosine::Sqrt => "Blinn",
             };
+            let lights = counted(shader.lights, "light");
             format!(
-                "{of} shader, {}, {}, {} bits a channel",
-                counted(shader.lights, "light"),
+                "{of} shader, {lights}{}, {}, {} bits a channel",
+                if shader.most_lights.is_some() { " a clock" } else { "" },
                 counted(lobe.interface.shininess.rows() as u64, "material"),
                 shader.channel_bits
             )
@@ -240,6 +241,14 @@ fn files(design: &Design) -> Vec<(String, &'static str)> {
     for &language in &spec.languages {
         files.push((super::rtl_path(design, language), "the core"));
         files.push((super::bench_path(design, language), "its self-checking test bench; run it in this directory"));
+        if design.sums().is_some() {
+            files.push((super::sequencer_path(design, language), "its sequencer"));
+            files.push((super::sequencer_bench_path(design, language), "the sequencer's test bench, likewise"));
+        }
+        if design.light_table().is_some() {
+            files.push((super::table_path(design, language), "its table of lights"));
+            files.push((super::table_bench_path(design, language), "the table's test bench, likewise"));
+        }
         if spec.axi_stream.is_some() {
             files.push((super::axis_path(design, language), "its wrapper with AXI4-Stream interfaces"));
             files.push((super::axis_bench_path(design, language), "the wrapper's test bench, likewise"));
@@ -281,6 +290,10 @@ struct ShaderSheet<'a> {
     error: &'a ShaderError,
     rom_file: bool,
     cost: FormRow,
+    sequencer: Option<Sequencer>,
+    table: Option<LightTable>,
+    /// Lights that its roundings are sized for.
+    most_lights: u32,
     axis: Option<Axis>,
     files: Vec<(String, &'static str)>,
 }
@@ -326,6 +339,7 @@ pub(super) fn shader_sheet(design: ShaderDesign<'_>, error: &ShaderError) -> Res
         shader,
         materials: design.materials(),
         light_colours: match &shader.light_colours {
+            LightColours::Ports if shader.most_lights.is_some() => "in sequence, their colours from ports".to_owned(),
             LightColours::Ports => format!("{}, their colours from ports", shader.lights),
             LightColours::Fixed(colours) => {
                 let texts: Vec<String> = colours.iter().map(|&colour| colour_text(colour)).collect();
@@ -342,6 +356,9 @@ pub(super) fn shader_sheet(design: ShaderDesign<'_>, error: &ShaderError) -> Res
         error,
         rom_file: spec.rom == RomStyle::File,
         cost: FormRow::of(&design),
+        sequencer: super::sequencer(&design),
+        table: super::light_table(&design),
+        most_lights: shader.most_lights.unwrap_or_default(),
         axis: super::axis(&design),
         files: files(&design),
     })
@@ -364,6 +381,10 @@ struct ImageSheet<'a> {
     rom_file: bool,
     loads: Vec<Load>,
     cost: FormRow,
+    sequencer: Option<Sequencer>,
+    table: Option<LightTable>,
+    /// Lights that its roundings are sized for.
+    most_lights: u32,
     axis: Option<Axis>,
     files: Vec<(String, &'static str)>,
 }
@@ -387,6 +408,9 @@ pub(super) fn image_sheet(design: ImageDesign<'_>, error: &ImageError) -> Result
         rom_file: spec.rom == RomStyle::File,
         loads: design.write_ports().into_iter().map(|port| Load::of(&design, port)).collect(),
         cost: FormRow::of(&design),
+        sequencer: super::sequencer(&design),
+        table: super::light_table(&design),
+        most_lights: image.most_lights,
         axis: super::axis(&design),
         files: files(&design),
     })

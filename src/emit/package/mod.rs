@@ -16,7 +16,7 @@ use crate::core::golden::{self, Golden};
 use crate::core::{Account, BlockDesign, Design, Port, ShaderDesign, WritePort};
 use crate::datapath::widths::Budget;
 use crate::emit::rom::{self, RomFormat};
-use crate::emit::{self, Axis, RomFile, Texts};
+use crate::emit::{self, Axis, Lane, LightTable, RomFile, Sequencer, Texts, Wrapper};
 use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
 use crate::spec::{Block, CoreSpec, ImageSource, ImageSpec, Language, REFLECTANCE_DIRECTORY, RomStyle, hex};
@@ -70,6 +70,30 @@ pub fn bench_path(design: &Design, language: Language) -> String {
     format!("tb/{}_tb.{}", design.spec.name, extension(language))
 }
 
+/// The path of the core's sequencer in its directory, if it has one.
+#[must_use]
+pub fn sequencer_path(design: &Design, language: Language) -> String {
+    format!("rtl/{}_lights.{}", design.spec.name, extension(language))
+}
+
+/// The path of the sequencer's test bench in the core's directory, if it has one.
+#[must_use]
+pub fn sequencer_bench_path(design: &Design, language: Language) -> String {
+    format!("tb/{}_lights_tb.{}", design.spec.name, extension(language))
+}
+
+/// The path of the core's table of lights in its directory, if it has one.
+#[must_use]
+pub fn table_path(design: &Design, language: Language) -> String {
+    format!("rtl/{}_table.{}", design.spec.name, extension(language))
+}
+
+/// The path of the table's test bench in the core's directory, if it has one.
+#[must_use]
+pub fn table_bench_path(design: &Design, language: Language) -> String {
+    format!("tb/{}_table_tb.{}", design.spec.name, extension(language))
+}
+
 /// The path of the wrapper with AXI4-Stream interfaces in the core's directory, if it has one.
 #[must_use]
 pub fn axis_path(design: &Design, language: Language) -> String {
@@ -89,8 +113,19 @@ fn extension(language: Language) -> &'static str {
     }
 }
 
+/// The paths of the HDL in a language in the core's directory, what is used before what uses it: the core, and if it
+/// has them its sequencer, its table of lights, and its wrapper with AXI4-Stream interfaces.
+#[must_use]
+pub fn rtl_paths(design: &Design, language: Language) -> Vec<String> {
+    let sequencer = design.sums().map(|_| sequencer_path(design, language));
+    let axis = design.spec.axi_stream.map(|_| axis_path(design, language));
+    let table = design.light_table().map(|_| table_path(design, language));
+    std::iter::once(rtl_path(design, language)).chain(sequencer).chain(table).chain(axis).collect()
+}
+
 /// What tools that read a core in one language need: the files of its memories, where it reads them from such, and last
-/// the HDL itself, without the comment at its head; nothing is measured for it.
+/// one with the HDL itself and that of its sequencer and table of lights, without the comments at their heads; nothing
+/// is measured for it.
 ///
 /// # Errors
 /// A core that cannot be written in the language.
@@ -100,7 +135,14 @@ pub fn sources(design: &Design, language: Language) -> Result<Vec<File>, Error> 
     if spec.rom != RomStyle::Inline {
         files.extend(design.tables().iter().map(|table| rom_file(design, table, read_format(spec))));
     }
-    let source = emit::backend(language).emit(&design.layout(), &texts_without_header(design))?;
+    let texts = texts_without_header(design);
+    let mut source = emit::backend(language).emit(&design.layout(), &texts)?;
+    if let Some(sequencer) = sequencer(design) {
+        source += &sequencer.without_header().emit(language, &texts)?;
+    }
+    if let Some(table) = light_table(design) {
+        source += &table.without_header().emit(language, &texts)?;
+    }
     files.push(File { path: rtl_path(design, language), bytes: source.into_bytes() });
     Ok(files)
 }
@@ -165,11 +207,84 @@ fn texts_without_header(design: &Design) -> Texts {
     }
 }
 
+/// The name of what a user of the core instantiates: its table of lights, its sequencer, or itself.
+#[must_use]
+pub fn whole_name(design: &Design) -> String {
+    let name = light_table(design).map(|table| table.name).or_else(|| Some(sequencer(design)?.name));
+    name.unwrap_or_else(|| design.spec.name.clone())
+}
+
+/// The texts of the same.
+fn whole_texts(design: &Design) -> Texts {
+    Texts { name: whole_name(design), ports: design.whole_ports(), ..texts_without_header(design) }
+}
+
+/// The core's sequencer, if it takes the lights of a sample in sequence.
+#[must_use]
+pub fn sequencer(design: &Design) -> Option<Sequencer> {
+    let sums = design.sums()?;
+    let (spec, ports) = (&design.spec, design.sequencer_ports());
+    let latencies = [design.schedule.latency, design.sequenced_latency()];
+    let core = texts_without_header(design);
+    let mut sequencer = Sequencer::new(&core, ports, sums, latencies);
+    let width = sequencer.ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
+    let line = |port: &Port| format!("  {:<width$} {:<7} {}", port.name, port.format_text(), port.meaning);
+    sequencer.header = vec![
+        format!("{}: the lights of a sample in sequence through the core {}", sequencer.name, spec.name),
+        String::new(),
+        format!("Made by: {}", spec.command()),
+        format!("Spec {}. Generated; the sequencer is yours to use under any terms.", spec.digest()),
+        String::new(),
+    ];
+    let own = sequencer.ports.iter().filter(|port| !core.ports.iter().any(|of_core| of_core.name == port.name));
+    let own: Vec<String> = own.map(line).collect();
+    sequencer.header.extend(own);
+    sequencer.header.extend([
+        String::new(),
+        format!(
+            "A sample is any number of clocks' lights, the last with in_last. Latency {} clocks from",
+            latencies[1]
+        ),
+        "there; lights at every clock, and no pause between samples.".to_owned(),
+    ]);
+    Some(sequencer)
+}
+
+/// The core's table of lights, if the spec asks for one.
+#[must_use]
+pub fn light_table(design: &Design) -> Option<LightTable> {
+    let depth = design.light_table()?;
+    let spec = &design.spec;
+    let core = texts_without_header(design);
+    let mut table = LightTable::new(&core, design.table_ports(depth), sequencer(design)?, depth);
+    table.header = vec![
+        format!("{}: a table of lights for the core {}", table.name, spec.name),
+        String::new(),
+        format!("Made by: {}", spec.command()),
+        format!("Spec {}. Generated; the table is yours to use under any terms.", spec.digest()),
+        String::new(),
+        format!("lights_data, {} bits:", table.word_bits()),
+    ];
+    let lane = |lane: &Lane| (format!("[{}]", lane.range()), lane.port.name.clone(), lane.port.format_text());
+    let rows: Vec<_> = table.record.lanes.iter().map(lane).collect();
+    let width = rows.iter().map(|(range, ..)| range.len()).max().unwrap_or(0);
+    let name = rows.iter().map(|(_, name, _)| name.len()).max().unwrap_or(0);
+    let line = |(range, port, format): &(String, String, String)| format!("  {range:<width$} {port:<name$} {format}");
+    table.header.extend(rows.iter().map(line));
+    table.header.extend([
+        String::new(),
+        "A sample takes an enabled clock for each word from in_begin to in_end; the next one follows".to_owned(),
+        "at once.".to_owned(),
+    ]);
+    Some(table)
+}
+
 /// The core's wrapper with AXI4-Stream interfaces, if the spec asks for one.
 #[must_use]
 pub fn axis(design: &Design) -> Option<Axis> {
     let spec = &design.spec;
-    let axis = Axis::of(&texts_without_header(design), design.schedule.latency, spec.axi_stream?);
+    let texts = whole_texts(design);
+    let axis = Axis::of(format!("{}_axis", spec.name), &texts, design.whole_latency(), spec.axi_stream?);
     let mut header = vec![
         format!("{}: AXI4-Stream interfaces for the core {}", axis.name, spec.name),
         String::new(),
@@ -195,9 +310,14 @@ pub fn axis(design: &Design) -> Option<Axis> {
         };
         header.extend(rows.iter().map(line));
     }
+    let last = if axis.sequenced {
+        "s_axis_tlast ends a sample; m_axis_tuser is that of its last beat."
+    } else {
+        "tlast and tuser stay with their beat."
+    };
     header.extend([
         String::new(),
-        "tlast and tuser stay with their beat. tkeep and tstrb are not needed: a beat is always whole.".to_owned(),
+        format!("{last} tkeep and tstrb are not needed: a beat is always whole."),
         format!(
             "Latency {} clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and",
             axis.latency
@@ -231,7 +351,7 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     let texts = texts(design, account);
     let golden_path = golden_path(design);
     let complemented = golden::complemented(design, golden);
-    let axis = axis(design);
+    let (sequencer, table, axis) = (sequencer(design), light_table(design), axis(design));
     let mut files = Vec::new();
     let mut add = |path: String, bytes: Vec<u8>| files.push(File { path, bytes });
 
@@ -247,11 +367,19 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     add("README.md".to_owned(), sheet.into_bytes());
     for &language in &spec.languages {
         add(rtl_path(design, language), emit::backend(language).emit(&layout, &texts)?.into_bytes());
-        let bench = |axis| emit::test_bench(language, &layout, &texts, &golden_path, &complemented, axis);
-        add(bench_path(design, language), bench(None)?.into_bytes());
+        let bench = |wrapper| emit::test_bench(language, &layout, &texts, &golden_path, &complemented, wrapper);
+        add(bench_path(design, language), bench(Wrapper::None)?.into_bytes());
+        if let Some(sequencer) = &sequencer {
+            add(sequencer_path(design, language), sequencer.emit(language, &texts)?.into_bytes());
+            add(sequencer_bench_path(design, language), bench(Wrapper::Sequencer(sequencer))?.into_bytes());
+        }
+        if let Some(table) = &table {
+            add(table_path(design, language), table.emit(language, &texts)?.into_bytes());
+            add(table_bench_path(design, language), bench(Wrapper::Table(table))?.into_bytes());
+        }
         if let Some(axis) = &axis {
-            add(axis_path(design, language), axis.emit(language, &texts)?.into_bytes());
-            add(axis_bench_path(design, language), bench(Some(axis))?.into_bytes());
+            add(axis_path(design, language), axis.emit(language, &whole_texts(design))?.into_bytes());
+            add(axis_bench_path(design, language), bench(Wrapper::Axis(axis, sequencer.as_ref()))?.into_bytes());
         }
     }
     for table in design.tables() {
@@ -263,10 +391,7 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     add(golden_path, golden.to_text(design).into_bytes());
     // The option is a Verilog one: a simulator that takes the list takes one language.
     let listed = spec.languages.iter().find(|&&language| language == Language::Verilog).or(spec.languages.first());
-    let sources = |&language: &Language| {
-        let axis = spec.axi_stream.map(|_| axis_path(design, language));
-        std::iter::once(rtl_path(design, language)).chain(axis)
-    };
+    let sources = |&language: &Language| rtl_paths(design, language);
     let list: String = listed.into_iter().flat_map(sources).map(|path| path + "\n").collect();
     add("files.f".to_owned(), list.into_bytes());
 
@@ -280,19 +405,39 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     Ok(files)
 }
 
+fn port_manifest(port: &Port) -> serde_json::Value {
+    let format = port.format.unwrap_or(Format::FLAG);
+    json!({
+        "name": port.name,
+        "direction": port.role.direction().word(),
+        "format": format.to_string(),
+        "bits": format.width(),
+        "meaning": port.meaning,
+    })
+}
+
+fn sequencer_manifest(sequencer: &Sequencer) -> serde_json::Value {
+    let ports: Vec<_> = sequencer.ports.iter().map(port_manifest).collect();
+    json!({ "name": sequencer.name, "latency": sequencer.latency, "ports": ports })
+}
+
+fn light_table_manifest(table: &LightTable) -> serde_json::Value {
+    let ports: Vec<_> = table.ports.iter().map(port_manifest).collect();
+    let lane = |lane: &Lane| json!({ "name": lane.port.name, "low_bit": lane.low, "bits": lane.bits });
+    let word: Vec<_> = table.record.lanes.iter().map(lane).collect();
+    json!({
+        "name": table.name,
+        "latency": table.latency(),
+        "ports": ports,
+        "depth": table.depth,
+        "word_bits": table.word_bits(),
+        "word": word,
+    })
+}
+
 fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     let spec = &design.spec;
-    let port = |port: &crate::core::Port| {
-        let format = port.format.unwrap_or(Format::FLAG);
-        json!({
-            "name": port.name,
-            "direction": port.role.direction().word(),
-            "format": format.to_string(),
-            "bits": format.width(),
-            "meaning": port.meaning,
-        })
-    };
-    let ports: Vec<_> = design.ports().iter().map(port).collect();
+    let ports: Vec<_> = design.ports().iter().map(port_manifest).collect();
     let memory = |table: &Table| {
         let field = |(low, field): (u32, &crate::fixed::Field)| {
             json!({
@@ -344,6 +489,12 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     let loads: Vec<_> = design.write_ports().into_iter().map(load).collect();
     if !loads.is_empty() {
         manifest["loading"] = json!({ "datapath": design.datapath_digest(), "memories": loads });
+    }
+    if let Some(sequencer) = sequencer(design) {
+        manifest["sequencer"] = sequencer_manifest(&sequencer);
+    }
+    if let Some(table) = light_table(design) {
+        manifest["light_table"] = light_table_manifest(&table);
     }
     if let Some(axis) = axis(design) {
         manifest["axi_stream"] = axis_manifest(&axis);

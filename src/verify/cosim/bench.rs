@@ -3,6 +3,7 @@
 use std::process::Output;
 
 use super::{Job, LISTED, Outcome};
+use crate::core::Design;
 use crate::emit::package;
 use crate::platform::error::Error;
 use crate::platform::tool::{Tool, tail};
@@ -14,15 +15,39 @@ use crate::spec::Language;
 pub enum Part {
     /// The core.
     Core,
+    /// Its sequencer.
+    Lights,
+    /// Its table of lights.
+    Table,
     /// Its wrapper with AXI4-Stream interfaces.
     Axis,
 }
 
 impl Part {
+    /// What there is of a core.
+    pub fn of(design: &Design) -> Vec<Self> {
+        let lights = design.sums().map(|_| Self::Lights);
+        let table = design.light_table().map(|_| Self::Table);
+        let axis = design.spec.axi_stream.map(|_| Self::Axis);
+        std::iter::once(Self::Core).chain(lights).chain(table).chain(axis).collect()
+    }
+
+    /// What it is, and its bench.
+    pub(super) fn nouns(self) -> [&'static str; 2] {
+        match self {
+            Self::Core => ["the core", "the core's bench"],
+            Self::Lights => ["the sequencer", "the sequencer's bench"],
+            Self::Table => ["the table of lights", "the table's bench"],
+            Self::Axis => ["the AXI4-Stream wrapper", "the wrapper's bench"],
+        }
+    }
+
     /// What is compared, as [`Outcome::mode`] says it.
     fn mode(self) -> &'static str {
         match self {
             Self::Core => "golden vectors",
+            Self::Lights => "golden vectors in sequence",
+            Self::Table => "golden vectors through the table of lights",
             Self::Axis => "golden vectors through AXI4-Stream",
         }
     }
@@ -31,6 +56,8 @@ impl Part {
     pub(super) fn name(self, job: &Job) -> String {
         match self {
             Self::Core => job.design.spec.name.clone(),
+            Self::Lights => format!("{}_lights", job.design.spec.name),
+            Self::Table => format!("{}_table", job.design.spec.name),
             Self::Axis => format!("{}_axis", job.design.spec.name),
         }
     }
@@ -42,13 +69,16 @@ impl Part {
 
     /// The core and the bench, relative to the core's directory.
     pub(super) fn sources(self, job: &Job, language: Language) -> Vec<String> {
-        let core = package::rtl_path(job.design, language);
-        match self {
-            Self::Core => vec![core, package::bench_path(job.design, language)],
-            Self::Axis => {
-                vec![core, package::axis_path(job.design, language), package::axis_bench_path(job.design, language)]
-            }
-        }
+        let mut sources = package::rtl_paths(job.design, language);
+        let own = Self::of(job.design).iter().position(|&part| part == self).map_or(1, |place| place + 1);
+        sources.truncate(own);
+        sources.push(match self {
+            Self::Core => package::bench_path(job.design, language),
+            Self::Lights => package::sequencer_bench_path(job.design, language),
+            Self::Table => package::table_bench_path(job.design, language),
+            Self::Axis => package::axis_bench_path(job.design, language),
+        });
+        sources
     }
 }
 

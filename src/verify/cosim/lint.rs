@@ -144,13 +144,8 @@ pub struct Lint {
 
 /// What there is of a core in a language, each with all that it uses.
 fn units(job: &Job, language: Language) -> Vec<Unit> {
-    let has_axis = job.design.spec.axi_stream.is_some();
-    let parts = [
-        (Part::Core, ["the core", "the core's bench"]),
-        (Part::Axis, ["the AXI4-Stream wrapper", "the wrapper's bench"]),
-    ];
-    let parts = parts.into_iter().filter(|&(part, _)| part == Part::Core || has_axis);
-    let unit = |(part, [core, bench]): (Part, [&'static str; 2])| {
+    let unit = |part: Part| {
+        let [core, bench] = part.nouns();
         let sources = part.sources(job, language);
         let own = sources[..sources.len() - 1].to_vec();
         [
@@ -158,7 +153,7 @@ fn units(job: &Job, language: Language) -> Vec<Unit> {
             Unit { what: bench, sources, top: part.top(job), is_bench: true },
         ]
     };
-    parts.flat_map(unit).collect()
+    Part::of(job.design).into_iter().flat_map(unit).collect()
 }
 
 /// Reads the text of a core in a directory with every tool that reads one of its languages; `progress` is told which is

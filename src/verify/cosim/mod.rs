@@ -165,16 +165,17 @@ pub fn golden(sim: Sim, job: &Job) -> Result<Outcome, Error> {
     run(sim, job, Part::Core)
 }
 
-/// Runs the golden vectors through the core's wrapper with AXI4-Stream interfaces, with stalls of both sides. `None` if
-/// the core has no wrapper, and of the built-in simulator, which steps the datapath and not the wrapper's HDL.
+/// Runs the golden vectors through what is around the core, with pauses: its sequencer, and its wrapper with
+/// AXI4-Stream interfaces with stalls of both sides. Nothing of a core without them, and of the built-in simulator,
+/// which steps the datapath and not their HDL.
 ///
 /// # Errors
 /// As [`golden`].
-pub fn axis(sim: Sim, job: &Job) -> Result<Option<Outcome>, Error> {
-    if job.design.spec.axi_stream.is_none() || sim.language().is_none() {
-        return Ok(None);
+pub fn around(sim: Sim, job: &Job) -> Result<Vec<Outcome>, Error> {
+    if sim.language().is_none() {
+        return Ok(Vec::new());
     }
-    run(sim, job, Part::Axis).map(Some)
+    Part::of(job.design).into_iter().skip(1).map(|part| run(sim, job, part)).collect()
 }
 
 fn run(sim: Sim, job: &Job, part: Part) -> Result<Outcome, Error> {

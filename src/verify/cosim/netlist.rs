@@ -9,8 +9,8 @@ use crate::platform::tool;
 use crate::spec::Language;
 use crate::target::Models;
 
-/// Runs the golden vectors through a netlist of a family's cells as Verilog, whose module has the core's name and
-/// ports, such as [`crate::synth::netlist`] makes, by the core's own bench in Icarus Verilog. A cell, or a setting of
+/// Runs the golden vectors through a netlist of a family's cells as Verilog such as [`crate::synth::netlist`] makes, by
+/// the core's own bench, or that of its sequencer, in Icarus Verilog. A cell, or a setting of
 /// one, without a model fails.
 ///
 /// # Errors
@@ -24,9 +24,11 @@ pub fn netlist(job: &Job, models: &Models, verilog: &[u8]) -> Result<Outcome, Er
         package::write_file(&scratch.path().join(name), bytes)?;
         sources.push(name.to_owned());
     }
-    sources.push(package::bench_path(job.design, Language::Verilog));
+    // Of what the netlist is: the outermost but for AXI4-Stream.
+    let part = Part::of(job.design).into_iter().rfind(|&part| part != Part::Axis).unwrap_or(Part::Core);
+    sources.extend(part.sources(job, Language::Verilog).pop());
     // Icarus only warns of a parameter that a module does not have.
-    let mut outcome = icarus::simulate(&scratch, &sources, &["warning: parameter "], job, Part::Core)?;
+    let mut outcome = icarus::simulate(&scratch, &sources, &["warning: parameter "], job, part)?;
     outcome.mode = models.mode;
     outcome.seconds = start.elapsed().as_secs_f64();
     Ok(outcome)

@@ -2,12 +2,13 @@
 
 mod abc;
 mod aig;
+mod around;
 mod circuit;
 mod equivalence;
+mod induction;
 mod injected;
 pub mod netlist;
 mod pipeline;
-mod stream;
 
 use std::path::Path;
 use std::time::Instant;
@@ -24,10 +25,10 @@ use crate::verify::faults::{Outcome, Tally};
 use crate::verify::golden::Golden;
 #[cfg(feature = "kernel")]
 use crate::verify::kernel;
+pub use around::around;
 use circuit::Circuit;
 use equivalence::{Compared, Comparison, Technique};
 use pipeline::Pipeline;
-pub use stream::stream;
 
 /// What came of a proof.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

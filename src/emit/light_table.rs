@@ -1,0 +1,140 @@
+//! The table of lights in front of a sequencer: records that a host writes, of which every sample goes through a range.
+//!
+//! A sample names the first and the last word of its lights, so that a host writes the next frame's lights to one part
+//! of the table while samples still read another, and a new range takes effect with the sample that names it.
+
+use askama::Template;
+use num_bigint::BigUint;
+
+use super::axis::Packing;
+use super::{Connected, Declaration, Port, Sequencer, Texts, names, render, verilog, vhdl};
+use crate::core::{Direction, Role};
+use crate::platform::error::Error;
+use crate::spec::Language;
+
+/// A table of lights and the sequencer behind it.
+#[derive(Clone, Debug)]
+pub struct LightTable {
+    /// Its name: that of the core and `_table`.
+    pub name: String,
+    /// The lines of the header comment, without a comment marker.
+    pub header: Vec<String>,
+    /// Its ports, in the order of their declaration.
+    pub ports: Vec<Port>,
+    /// The sequencer behind it.
+    pub sequencer: Sequencer,
+    /// The words.
+    pub depth: u32,
+    /// Bits of a word's address.
+    pub address_bits: u32,
+    /// The place of each port of the sequencer's lights in a word.
+    pub record: Packing,
+    /// The ports of a sample that are no light's.
+    pub sample: Vec<Connected>,
+    /// The write ports of other memories.
+    passed: Vec<String>,
+}
+
+impl LightTable {
+    /// The table with these ports in front of a sequencer, without a header.
+    #[must_use]
+    pub fn new(core: &Texts, ports: Vec<Port>, sequencer: Sequencer, depth: u32) -> Self {
+        let is_own = |port: &&Port| ports.iter().any(|own| own.name == port.name);
+        let inputs = || core.ports.iter().filter(|port| port.carries(Direction::In));
+        let passed = core.ports.iter().filter(|port| port.role == Role::Write);
+        Self {
+            name: format!("{}_table", core.name),
+            header: Vec::new(),
+            depth,
+            address_bits: depth.ilog2(),
+            record: Packing::of(inputs().filter(|port| !is_own(port))),
+            sample: inputs().filter(is_own).map(Connected::of).collect(),
+            passed: passed.map(|port| port.name.clone()).collect(),
+            sequencer,
+            ports,
+        }
+    }
+
+    /// Bits of a word.
+    #[must_use]
+    pub fn word_bits(&self) -> u32 {
+        self.record.bits
+    }
+
+    /// A word with these codes at the first of its ports, and 0 at the others, in hexadecimal.
+    #[must_use]
+    pub fn word(&self, codes: &[i64]) -> String {
+        let placed = self.record.lanes.iter().zip(codes).filter_map(|(lane, &code)| {
+            let bits = lane.port.format?.bits(code.into());
+            Some(BigUint::from(bits) << lane.low)
+        });
+        let digits = self.word_bits().div_ceil(4) as usize;
+        format!("{:0digits$x}", placed.fold(BigUint::ZERO, |word, field| word | field))
+    }
+
+    /// Enabled clocks from a sample of one word to its codes.
+    #[must_use]
+    pub fn latency(&self) -> u32 {
+        self.sequencer.latency + 2
+    }
+
+    /// A name of the sequencer's ports, followed by spaces up to the length of the longest.
+    fn padded(&self, name: &str) -> String {
+        let lanes = self.record.lanes.iter().map(|lane| lane.port.name.len());
+        let width = lanes.chain(self.passed.iter().map(String::len)).fold("out_valid".len(), usize::max);
+        format!("{name:<width$}")
+    }
+
+    /// The address that is written, as a number in VHDL.
+    fn vhdl_address(&self, core: &Texts) -> &'static str {
+        if core.vhdl_ports.vector("unsigned") == "unsigned" { "lights_addr" } else { "unsigned(lights_addr)" }
+    }
+
+    /// Its inputs but for clock, reset, enable and valid.
+    #[must_use]
+    pub fn inputs(&self) -> Vec<Connected> {
+        let own = |port: &&Port| port.role.name().is_none() && port.role.direction() == Direction::In;
+        self.ports.iter().filter(own).map(Connected::of).collect()
+    }
+
+    /// The same without a header.
+    #[must_use]
+    pub fn without_header(self) -> Self {
+        Self { header: Vec::new(), ..self }
+    }
+
+    /// The text of the table in a language; `core` are the core's.
+    ///
+    /// # Errors
+    /// If the template cannot be filled in.
+    pub fn emit(&self, language: Language, core: &Texts) -> Result<String, Error> {
+        let text = match language {
+            Language::Verilog => {
+                let ports = self.ports.iter().map(verilog::declaration).collect();
+                render(&VerilogTable { table: self, core, ports })
+            }
+            Language::Vhdl => {
+                let width = self.ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
+                let ports = self.ports.iter().map(|port| vhdl::declaration(port, width, core.vhdl_ports)).collect();
+                render(&VhdlTable { table: self, core, ports })
+            }
+        };
+        names::checked(language, &core.name, text?)
+    }
+}
+
+#[derive(Template)]
+#[template(path = "verilog/table.v", escape = "none")]
+struct VerilogTable<'a> {
+    table: &'a LightTable,
+    core: &'a Texts,
+    ports: Vec<Declaration>,
+}
+
+#[derive(Template)]
+#[template(path = "vhdl/table.vhd", escape = "none")]
+struct VhdlTable<'a> {
+    table: &'a LightTable,
+    core: &'a Texts,
+    ports: Vec<Declaration>,
+}

@@ -1,0 +1,119 @@
+// What the sequencer {{ sequencer.name }} promises, whatever comes at its inputs.
+//
+// Beside it stands what it is to do: the lights that are taken, as many clocks later as the core
+// needs, and their sum without a bound. The wires under "the sequencer's state" are connected to
+// the signals of the same names in the sequencer and its core.
+
+module lights (
+    input wire clk,
+    input wire rst,
+    input wire ce,
+    input wire in_valid,
+    input wire in_last,
+{%- for port in sequencer.driven() %}
+    input wire {{ port.range() }}{{ port.name }}{% if !loop.last %},{% endif %}
+{%- endfor %}
+);
+
+    localparam CORE    = {{ sequencer.core_latency }};
+    localparam LATENCY = {{ sequencer.latency }};
+
+    wire out_valid;
+{%- for c in channels %}
+    wire [{{ bits - 1 }}:0] out_{{ c }};
+{%- endfor %}
+    {{ sequencer.name }} dut (
+        .clk(clk),
+        .rst(rst),
+        .ce(ce),
+        .in_valid(in_valid),
+        .in_last(in_last),
+{%- for port in sequencer.driven() %}
+        .{{ port.name }}({{ port.name }}),
+{%- endfor %}
+        .out_valid(out_valid){% for c in channels %},
+        .out_{{ c }}(out_{{ c }}){% endfor %}
+    );
+
+    // ===== The sequencer's state
+    wire [LATENCY:1] valid;
+    wire begins;
+    wire [CORE:1] core_valid;
+{%- for port in sequencer.driven() %}
+    wire {{ port.range() }}core_{{ port.name }};
+{%- endfor %}
+{%- for port in sequencer.core_outputs() %}
+    wire {{ port.range() }}{{ port.name }};
+{%- endfor %}
+{%- for c in channels %}
+    wire [{{ f }}:0] total_{{ c }};
+{%- endfor %}
+
+    // ===== What it is to do
+    reg started = 1'b0;
+    reg [CORE:1] taken;
+    reg [CORE:1] last;
+    reg first; // the next lights out of the core begin a sample
+    reg ended; // the sum is that of a whole sample
+    reg shown;
+{%- for c in channels %}
+    // Kept below where it would leave its bits, far above full scale.
+    reg [39:0] exact_{{ c }};
+    wire [39:0] next_{{ c }} = (first ? {{ starts[loop.index0] }} : exact_{{ c }}) + out_sum_{{ c }};
+    wire [39:0] near_{{ c }} = (exact_{{ c }} + 40'd{{ half }}) >> {{ f - bits }};
+    reg [{{ bits - 1 }}:0] code_{{ c }};
+{%- endfor %}
+
+    always @(posedge clk) begin
+        started <= 1'b1;
+        if (rst) begin
+            taken <= 0;
+            first <= 1'b1;
+            ended <= 1'b0;
+            shown <= 1'b0;
+        end else if (ce) begin
+            taken <= {taken, in_valid};
+            ended <= taken[CORE] & last[CORE];
+            shown <= ended;
+            if (taken[CORE]) first <= last[CORE];
+        end
+        if (ce) begin
+            last <= {last, in_last};
+            if (taken[CORE]) begin
+{%- for c in channels %}
+                exact_{{ c }} <= next_{{ c }}[39] ? 40'h4000000000 : next_{{ c }};
+{%- endfor %}
+            end
+{%- for c in channels %}
+            code_{{ c }} <= near_{{ c }} > {{ full }} ? {{ full }} : near_{{ c }};
+{%- endfor %}
+        end
+    end
+
+    always @* if (~started) assume (rst);
+
+    always @* if (started) begin
+        // ===== What is promised
+        a_sample_comes_when_it_has_ended: assert (out_valid == shown);
+{%- for c in channels %}
+        if (out_valid) sum_of_its_lights_{{ c }}: assert (out_{{ c }} == code_{{ c }});
+{%- endfor %}
+{%- for port in sequencer.driven() %}
+        passes_{{ port.name }}: assert (core_{{ port.name }} == {{ port.name }});
+{%- endfor %}
+
+        // ===== What it follows from, clock by clock
+        state_of_the_core: assert (core_valid == taken);
+        state_of_the_chain: assert (valid == {shown, ended, taken & last});
+        state_of_the_beginning: assert (begins == first);
+{%- for c in channels %}
+        if (~first | ended) state_of_the_sum_{{ c }}: assert (
+            total_{{ c }} == (exact_{{ c }} > 40'd{{ one }} ? 40'd{{ one }} : exact_{{ c }}));
+{%- endfor %}
+
+        // ===== And what does happen
+        cover (out_valid & ~first);
+        cover (out_valid & ended);
+    end
+
+endmodule

@@ -1,0 +1,109 @@
+{%- for line in sequencer.header %}
+{%- if line.is_empty() %}
+//
+{%- else %}
+// {{ line }}
+{%- endif %}
+{%- endfor %}
+
+`timescale 1ns / 1ps
+`default_nettype none
+
+module {{ sequencer.name }}
+{%- if !core.rom_files.is_empty() %} #(
+{%- for file in core.rom_files %}
+    // Path of the memory {{ file.memory }}, read by $readmemh.
+    parameter {{ file.parameter }} = "{{ file.path }}"{% if !loop.last %},{% endif %}
+{%- endfor %}
+)
+{%- endif %} (
+{%- for port in ports %}
+    // {{ port.comment }}
+    {{ port.declaration }}{% if !loop.last %},{% endif %}
+{%- endfor %}
+);
+
+    // ===== The core: what the lights of a clock give
+    wire sum_valid;
+{%- for port in sequencer.core_outputs() %}
+    wire [{{ port.high() }}:0] {{ port.name }};
+{%- endfor %}
+    {{ core.name }}{% if !core.rom_files.is_empty() %} #(
+{%- for file in core.rom_files %}
+        .{{ file.parameter }}({{ file.parameter }}){% if !loop.last %},{% endif %}
+{%- endfor %}
+    ){% endif %} core (
+        .{{ sequencer.padded("clk") }} (clk),
+        .{{ sequencer.padded("rst") }} (rst),
+        .{{ sequencer.padded("ce") }} (ce),
+        .{{ sequencer.padded("in_valid") }} (in_valid),
+{%- for port in sequencer.driven() %}
+        .{{ sequencer.padded(port.name) }} ({{ port.name }}),
+{%- endfor %}
+        .{{ sequencer.padded("out_valid") }} (sum_valid),
+{%- for port in sequencer.core_outputs() %}
+        .{{ sequencer.padded(port.name) }} ({{ port.name }}){% if !loop.last %},{% endif %}
+{%- endfor %}
+    );
+
+    // ===== Valid chain of whole samples: a bit where one's last lights are, in step with the core
+    reg [{{ sequencer.latency }}:1] valid;
+    initial valid = {{ sequencer.latency }}'d0;
+    always @(posedge clk) begin
+        if (rst) begin
+            valid <= {{ sequencer.latency }}'d0;
+        end else if (ce) begin
+            valid <= {valid[{{ sequencer.latency - 1 }}:1], in_valid & in_last};
+        end
+    end
+
+    // Whether the next lights out of the core are the first of their sample.
+    reg begins;
+    initial begins = 1'b1;
+    always @(posedge clk) begin
+        if (rst) begin
+            begins <= 1'b1;
+        end else if (ce & sum_valid) begin
+            begins <= valid[{{ sequencer.core_latency }}];
+        end
+    end
+
+    // ===== Stage {{ sequencer.core_latency + 1 }}: the sum of a sample's lights, UQ1.{{ f }} and kept at 1.0
+{%- for channel in channels %}
+    reg [{{ f }}:0] total_{{ channel.c }};
+    wire [{{ f + 1 }}:0] sum_{{ channel.c }} = {1'b0, begins ? {{ channel.start }} : total_{{ channel.c }}} + {1'b0, out_sum_{{ channel.c }}};
+    wire over_{{ channel.c }} = |sum_{{ channel.c }}[{{ f + 1 }}:{{ f }}];
+{%- endfor %}
+    always @(posedge clk) begin
+        if (ce & sum_valid) begin
+{%- for channel in channels %}
+            total_{{ channel.c }} <= over_{{ channel.c }} ? {{ sequencer.one() }} : sum_{{ channel.c }}[{{ f }}:0];
+{%- endfor %}
+        end
+    end
+
+    // ===== Stage {{ sequencer.latency }}: the nearest code, at most full scale
+{%- for channel in channels %}
+    wire [{{ f }}:0] near_{{ channel.c }} = total_{{ channel.c }} + {{ sequencer.half() }};
+    reg [{{ bits - 1 }}:0] code_{{ channel.c }};
+{%- endfor %}
+    always @(posedge clk) begin
+        if (ce) begin
+{%- for channel in channels %}
+            code_{{ channel.c }} <= near_{{ channel.c }}[{{ f }}] ? {{ bits }}'h{{ sequencer.full() }} : near_{{ channel.c }}[{{ f - 1 }}:{{ f - bits }}];
+{%- endfor %}
+        end
+    end
+
+    assign out_valid = valid[{{ sequencer.latency }}];
+{%- for channel in channels %}
+    assign out_{{ channel.c }} = code_{{ channel.c }};
+{%- endfor %}
+
+    // Bits that the rounding drops.
+    wire unused = &{1'b0
+{%- for channel in channels %}, near_{{ channel.c }}[{{ f - bits - 1 }}:0]{% endfor %}};
+
+endmodule
+
+`default_nettype wire

@@ -1,0 +1,321 @@
+//! Lights in sequence: the sequencers around image-based blocks and shaders pass their benches and are proved, broken
+//! ones are found by both, linters are silent.
+//!
+//! Needs iverilog, verilator, ghdl, yosys and Yices; `test.sh` installs them.
+
+use brdfgen::block::image::{LightRecord, Places, RealTexels};
+use brdfgen::block::lights::Sums;
+use brdfgen::core::{BlockDesign, Direction};
+use brdfgen::emit::package;
+use brdfgen::fixed::exp2;
+use brdfgen::reflectance::{Light, Reflectance, Vector};
+use brdfgen::spec::{ImageSource, Language, SpecFields};
+use brdfgen::verify::cosim::{self, Outcome, Sim};
+use brdfgen::verify::formal::{self, ProofStatus};
+use num_bigint::BigUint;
+use proptest::prelude::*;
+use rayon::prelude::*;
+
+use crate::common::Scratch;
+use crate::common::core::{Generated, OnDisk, design, silent};
+
+const SHADER: &str = "block = 'shader'\nmethod = 'schlick'\noutput_fraction = 10\ninput_fraction = 8\nmaterial = [{ \
+                      name = 'a', shininess = 9 }, { name = 'b', shininess = 30 }]\n";
+
+/// Both blocks; one light a clock and more; few lights and many; texels that are written; ports of bits; colours at
+/// ports and in the ROM; behind AXI4-Stream.
+fn specs() -> Vec<String> {
+    vec![
+        "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\naxi_stream = true\ntuser_bits = 3\n\
+         reflectance = { model = 'ggx' }"
+            .to_owned(),
+        "block = 'image'\nimages = 4\nimage_size = 8\ntexels = 'writable'\nlights_a_clock = 2\nmost_lights = 1024\n\
+         output_bits = 12\npipeline = 1\naxi_stream = true\nreflectance = { model = 'gold-paint' }"
+            .to_owned(),
+        "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\nmost_lights = 1\nvhdl_ports = \
+         'std-logic'\nreflectance = { model = 'lambert' }"
+            .to_owned(),
+        format!("{SHADER}lights_a_clock = 1\npipeline = 2\naxi_stream = true\n"),
+        "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\nlight_source = 'table'\n\
+         reflectance = { model = 'ggx' }"
+            .to_owned(),
+        "block = 'image'\nimages = 4\nimage_size = 8\ntexels = 'writable'\nlights_a_clock = 2\nmost_lights = 5\n\
+         light_source = 'table'\nvhdl_ports = 'std-logic'\nreflectance = { model = 'gold-paint' }"
+            .to_owned(),
+        format!("{SHADER}lights_a_clock = 1\nmost_lights = 1\nlight_source = 'table'\n"),
+        format!(
+            "{SHADER}lights_a_clock = 3\nmost_lights = 1\nvhdl_ports = 'std-logic'\n[shader]\nmodel = 'blinn'\n\
+                 channel_bits = 12\nlight_colours = [[1, 0, 0], [0, 1, 0], [0.2, 0.1, 1]]"
+        ),
+    ]
+}
+
+/// What is around the core, in a simulator.
+fn around(core: &OnDisk, sim: Sim) -> Vec<Outcome> {
+    cosim::around(sim, &core.job()).expect("it runs")
+}
+
+#[test]
+fn every_sequencer_passes_its_bench_lints_clean_and_is_proved() {
+    specs().par_iter().for_each(|spec| {
+        let generated = Generated::new(spec);
+        let core = generated.on_disk();
+        let count = core.golden.vectors().len() as u64;
+        let (path, name, design) = (core.path(), &core.design.spec.name, &core.design);
+        let parts = 1 + usize::from(design.spec.axi_stream.is_some() || design.light_table().is_some());
+        assert_eq!(
+            design.sums().map(|_| package::rtl_paths(design, Language::Verilog).len()),
+            Some(parts + 1),
+            "{spec}"
+        );
+        for sim in [Sim::Builtin, Sim::Icarus, Sim::Ghdl] {
+            assert!(core.run(sim).passed(), "{spec}");
+            let outcomes = around(&core, sim);
+            assert_eq!(outcomes.len(), if sim == Sim::Builtin { 0 } else { parts }, "{spec}");
+            for outcome in outcomes {
+                assert!(outcome.passed() && outcome.vectors == count, "{spec}\n{outcome:?}");
+            }
+        }
+        let work = core.beside("work");
+        std::fs::create_dir(&work).expect("a directory");
+        let workdir = format!("--workdir={}", work.display());
+        let out = work.join("out").display().to_string();
+        let [verilog, vhdl] = [Language::Verilog, Language::Vhdl].map(|language| package::rtl_paths(design, language));
+        let with = |before: &[&str], files: &[String]| -> Vec<String> {
+            before.iter().map(|&word| word.to_owned()).chain(files.iter().cloned()).collect()
+        };
+        let (own, top) = (format!("{name}_lights"), package::whole_name(design));
+        let quiet = |program: &str, words: Vec<String>| {
+            silent(path, program, &words.iter().map(String::as_str).collect::<Vec<_>>(), spec);
+        };
+        let whole = verilog.len() - usize::from(design.spec.axi_stream.is_some());
+        quiet("verilator", with(&["--lint-only", "-Wall", "--top-module", &top], &verilog[..whole]));
+        quiet("iverilog", with(&["-Wall", "-g2005", "-o", &out], &verilog));
+        quiet("ghdl", with(&["-a", "--std=08", &workdir], &vhdl));
+        let benches = [&own, &top].map(|top| [format!("tb/{top}_tb.v"), format!("tb/{top}_tb.vhd")]).concat();
+        for file in verilog[1..whole].iter().chain(&vhdl[1..whole]).chain(&benches) {
+            let text = generated.text(file);
+            assert!(text.is_ascii() && text.ends_with('\n') && !text.contains(['\t', '\r']), "{file} of {spec}");
+            // The names of memories in comments may be long, and so may lines of benches.
+            let is_long = |line: &&str| line.len() > 100 && !line.trim_start().starts_with(['/', '-']);
+            let wrong = text.lines().find(|line| line.ends_with(' ') || (is_long(line) && file.starts_with("rtl/")));
+            assert_eq!(wrong, None, "{file} of {spec}");
+        }
+        // With many memories and multipliers that takes minutes, and what is proved is the same but for the ports.
+        if design.tables().len() > 8 {
+            return;
+        }
+        let proofs = formal::around(design, path, &|_| {}).expect("it runs");
+        assert_eq!(proofs.len(), 2 * parts, "{spec}");
+        assert!(proofs.iter().all(|proof| proof.verdict == ProofStatus::Proved), "{spec}\n{proofs:?}");
+    });
+}
+
+/// A fault in a sequencer: what it is, in which language, what is changed to what.
+type Fault = (&'static str, Language, &'static str, &'static str);
+
+const FAULTS: [Fault; 10] = [
+    ("the first lights are added to the last sample", Language::Verilog, "begins ? {", "1'b0 ? {"),
+    ("a sum beyond 1.0 wraps", Language::Verilog, "wire over_g = |sum_g[16:15]", "wire over_g = 1'b0 & |sum_g[16:15]"),
+    ("the rounding", Language::Verilog, "near_b = total_b + 16'd64", "near_b = total_b + 16'd63"),
+    ("full scale", Language::Verilog, "code_r <= near_r[15] ? 8'hff", "code_r <= near_r[15] ? 8'hfe"),
+    ("the end a clock late", Language::Verilog, "begins <= valid[", "begins <= valid[1 +"),
+    ("a reset in the middle of a sample", Language::Verilog, "begins <= 1'b1;\n        end else", "end else"),
+    ("lights that are none", Language::Vhdl, "if ce = '1' and sum_valid = '1'", "if ce = '1'"),
+    (
+        "the enable",
+        Language::Vhdl,
+        "            if ce = '1' then\n                if near",
+        "            if true then\n                if near",
+    ),
+    (
+        "the ambient light",
+        Language::Vhdl,
+        "start_r <= '0' & unsigned(out_ambient_r)",
+        "start_r <= '0' & not unsigned(out_ambient_r)",
+    ),
+    ("an end without lights", Language::Vhdl, "& (in_valid and in_last)", "& in_last"),
+];
+
+const TABLE_FAULTS: [Fault; 6] = [
+    ("a word too few", Language::Verilog, "wire ends = word == until_word", "wire ends = word + 1'b1 == until_word"),
+    ("the sample's inputs change", Language::Verilog, "read_in_nz <= now_in_nz", "read_in_nz <= in_nz"),
+    ("a sample that is none", Language::Verilog, "busy <= in_valid", "busy <= 1'b1"),
+    ("ready a clock late", Language::Vhdl, "free <= not busy or ends", "free <= not busy"),
+    ("a word twice", Language::Vhdl, "word <= word + 1", "word <= word"),
+    ("the reset", Language::Vhdl, "                busy  <= '0';\n", ""),
+];
+
+#[test]
+fn broken_tables_fail_their_bench_and_their_proof() {
+    let generated = Generated::new(&format!("{SHADER}lights_a_clock = 1\nmost_lights = 16\nlight_source = 'table'\n"));
+    let with = |language: Language, what: &str, from: &str, to: &str| {
+        let core = generated.on_disk();
+        let file = package::table_path(&core.design, language);
+        let text = generated.text(&file);
+        assert!(text.contains(from), "{what}: `{from}` in\n{text}");
+        std::fs::write(core.path().join(&file), text.replacen(from, to, 1)).expect("written");
+        core
+    };
+    let by_bench = |core: &OnDisk, language: Language, what: &str| {
+        let sim = if language == Language::Verilog { Sim::Icarus } else { Sim::Ghdl };
+        let outcomes = around(core, sim);
+        assert!(outcomes[0].passed() && !outcomes[1].passed(), "{what} goes unnoticed by the bench: {outcomes:?}");
+    };
+    TABLE_FAULTS.par_iter().for_each(|&(what, language, from, to)| {
+        let core = with(language, what, from, to);
+        by_bench(&core, language, what);
+        let proofs = formal::around(&core.design, core.path(), &|_| {}).expect("it runs");
+        let found = proofs.iter().any(|proof| proof.verdict == ProofStatus::Refuted);
+        assert!(found, "{what} goes unnoticed by the proof: {proofs:?}");
+    });
+    // What the memory holds is for the bench alone.
+    for (language, from, to) in [
+        (Language::Verilog, "records[lights_addr] <= lights_data", "records[lights_addr ^ 1'b1] <= lights_data"),
+        (Language::Verilog, ".in_l1r    (record[", ".in_l1r    (~record["),
+        (Language::Vhdl, "if lights_en = '1' then", "if lights_en = '1' and ce = '1' then"),
+    ] {
+        by_bench(&with(language, "the memory", from, to), language, "the memory");
+    }
+}
+
+#[test]
+fn broken_sequencers_fail_their_bench_and_their_proof() {
+    let generated = Generated::new(&format!("{SHADER}lights_a_clock = 1\nmost_lights = 4\n"));
+    FAULTS.par_iter().for_each(|&(what, language, from, to)| {
+        let core = generated.on_disk();
+        let file = package::sequencer_path(&core.design, language);
+        let text = generated.text(&file);
+        assert_eq!(text.matches(from).count(), if from.contains("? {") { 3 } else { 1 }, "{what}: `{from}` in\n{text}");
+        std::fs::write(core.path().join(&file), text.replacen(from, to, 1)).expect("written");
+        let sim = if language == Language::Verilog { Sim::Icarus } else { Sim::Ghdl };
+        let outcome = &around(&core, sim)[0];
+        assert!(!outcome.passed(), "{what} goes unnoticed by the bench: {outcome:?}");
+        let proofs = formal::around(&core.design, core.path(), &|_| {}).expect("it runs");
+        let found = proofs.iter().any(|proof| proof.verdict == ProofStatus::Refuted);
+        assert!(found, "{what} goes unnoticed by the proof: {proofs:?}");
+    });
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    /// A sum that is kept at 1.0 at every step, as in hardware, gives the codes of one that has no bound.
+    #[test]
+    fn a_sum_may_be_kept_at_one_at_every_step(
+        clocks in proptest::collection::vec(proptest::collection::vec(0i64..=1 << 14, 3), 1..20),
+        ambient in proptest::collection::vec(0i64..1 << 12, 3),
+        small in any::<bool>(),
+    ) {
+        let sums = Sums { frac_bits: 14, ambient: Some(12), channel_bits: 8 };
+        let clocks: Vec<Vec<i64>> = clocks
+            .iter()
+            .map(|lights| lights.iter().map(|&sum| if small { sum >> 4 } else { sum }).chain(ambient.clone()).collect())
+            .collect();
+        let kept = |channel: usize| {
+            let total = clocks.iter().fold(ambient[channel] << 2, |sum, lights| (sum + lights[channel]).min(1 << 14));
+            ((total + 32) >> 6).min(255)
+        };
+        prop_assert_eq!(sums.codes(clocks.iter().map(Vec::as_slice)), [0, 1, 2].map(kept));
+    }
+}
+
+/// Samples of 64 lights, as a sky has them, each about a 64th as bright as full scale: the roundings of all of them
+/// together stay below half a code, and the codes near the exact reflectance's.
+#[test]
+fn sixty_four_lights_are_as_exact_as_one() {
+    for spec in ["image_form = 'bivariate'", "images = 16"] {
+        let design = design(&format!("block = 'image'\n{spec}\nreflectance = {{ model = 'gold-paint' }}"));
+        let BlockDesign::Image(image) = design.block() else { panic!("an image-based block") };
+        let ImageSource::Model(model) = &image.of.source else { panic!("a model") };
+        let lights: Vec<Light> = (0..64).map(|l| Light::new(2.0 * f64::from(l % 40), 137.5 * f64::from(l))).collect();
+        let intensity = [1.0 / 64.0; 3];
+        let full = image.of.image.full_scale() as f64;
+        let mut worst: f64 = 0.0;
+        let records: Vec<_> =
+            lights.iter().map(|&light| image.block.record(light, intensity).expect("an intensity")).collect();
+        let unit = exp2(-(image.of.image.vector_fraction as i32));
+        for step in 0..50 {
+            let (height, turn) = (1.0 - 0.9 * f64::from(step) / 50.0, 2.4 * f64::from(step));
+            let across = (1.0 - height * height).sqrt();
+            let n = Vector::new(across * turn.cos(), across * turn.sin(), height);
+            let normal = image.vector(n);
+            let of_light = |record: &LightRecord| design.evaluate(&[&normal[..], &record.codes()].concat());
+            let codes = design.sample_of(&records.iter().map(of_light).collect::<Vec<_>>());
+            let near = Vector::new(normal[0] as f64 * unit, normal[1] as f64 * unit, normal[2] as f64 * unit);
+            let (mut exact, mut stored) = ([0.0; 3], [0.0; 3]);
+            for (&light, record) in lights.iter().zip(&records) {
+                let of = model.radiance(light, n, image.of.exposure);
+                let real = image.block.light_of(record);
+                let by_texels = image.block.real(near, &real, RealTexels::Stored, Places::Rounded);
+                for channel in [0, 1, 2] {
+                    exact[channel] += full * of[channel] / 64.0;
+                    stored[channel] += full * by_texels[channel];
+                }
+            }
+            for channel in [0, 1, 2] {
+                let code = codes[channel] as f64;
+                worst = worst.max((code - stored[channel].min(full)).abs());
+                assert!((code - exact[channel].min(full)).abs() < 6.0, "{n:?}: {codes:?}");
+            }
+        }
+        // Half a code is that of the output itself.
+        assert!(worst < 1.0, "{worst}");
+    }
+}
+
+/// The words for a host: each light's codes where the ports' places in `lights_data` are, two lights a word.
+#[test]
+fn words_of_the_table_hold_the_records() {
+    let dir = Scratch::new();
+    let core = "--block image --images 4 --image-size 8 --reflectance ggx --light-source table --lights-a-clock 2 \
+                --most-lights 4 --out core";
+    dir.run(&format!("generate {core}")).succeeds();
+    let run = "image lights core --light 60,20 --light 10,0,1,0.5,0 --light 120,90 --mem lights.mem --json";
+    let json = dir.run(run).succeeds().json();
+    let manifest: serde_json::Value = serde_json::from_str(&dir.text("core/manifest.json")).expect("JSON");
+    let table = &manifest["light_table"];
+    let text = dir.text("lights.mem");
+    let words: Vec<BigUint> =
+        text.lines().map(|line| BigUint::parse_bytes(line.as_bytes(), 16).expect("hexadecimal")).collect();
+    assert_eq!(words.len(), 2);
+    assert_eq!(table["depth"], 2);
+    for field in table["word"].as_array().expect("fields") {
+        let name = field["name"].as_str().expect("a name");
+        let (low, bits) = (field["low_bit"].as_u64().expect("a bit"), field["bits"].as_u64().expect("bits"));
+        for (word, first) in words.iter().zip([0, 2]) {
+            let code = (word >> low) & ((BigUint::from(1u8) << bits) - 1u8);
+            let light = first + usize::from(name.contains('2'));
+            let expected = json.get(light).map_or(0, |light| light["codes"][name.replace('2', "1")].as_i64().unwrap());
+            let expected = BigUint::from((expected as u64) & ((1 << bits) - 1));
+            assert_eq!(code, expected, "{name} of light {light}");
+        }
+    }
+    let five = "image lights core --light 1,0 --light 2,0 --light 3,0 --light 4,0 --light 5,0 --mem lights.mem";
+    dir.refused(five, &["5 lights are more than the 4 of the table"]);
+}
+
+#[test]
+fn the_keys_of_lights_are_refused_where_there_is_no_sequencer() {
+    let refused = |spec: &str, words: &str| {
+        let error = SpecFields::parse(spec, "spec").and_then(SpecFields::resolve).unwrap_err().to_string();
+        assert!(error.contains(words), "{spec}: {error}");
+    };
+    refused("method = 'quadratic'\nshininess = '1..=9'\nlights_a_clock = 1", "lights_a_clock is given");
+    refused("method = 'quadratic'\nshininess = '1..=9'\nmost_lights = 1", "most_lights is given");
+    refused(&format!("{SHADER}most_lights = 3"), "most_lights is given for a shader that takes all lights");
+    refused(&format!("{SHADER}light_source = 'table'"), "light_source is given for a shader that takes all lights");
+    refused(
+        &format!("{SHADER}lights_a_clock = 1\nlight_source = 'table'\naxi_stream = true"),
+        "axi_stream is given for a core with a table of lights",
+    );
+    refused(&format!("{SHADER}lights_a_clock = 0"), "lights_a_clock = 0 is out of range");
+    refused(&format!("{SHADER}lights_a_clock = 1\n[shader]\nlights = 1"), "both lights and lights_a_clock are given");
+    let own = design(&format!("{SHADER}lights_a_clock = 2")).spec;
+    assert_eq!(own.to_toml().parse::<brdfgen::Spec>().expect("core.toml"), own);
+    assert!(design(SHADER).sums().is_none());
+    let ports = design(&format!("{SHADER}lights_a_clock = 2")).whole_ports();
+    let outputs: Vec<&str> =
+        ports.iter().filter(|port| port.carries(Direction::Out)).map(|port| port.name.as_str()).collect();
+    assert_eq!(outputs, ["out_r", "out_g", "out_b"]);
+}
