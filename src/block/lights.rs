@@ -59,8 +59,19 @@ impl Sums {
                 }
             }
         }
-        let dropped = self.frac_bits - self.channel_bits;
-        let code = |total: i64| (total + (1 << (dropped - 1))) >> dropped;
-        totals.map(|total| code(total).min((1 << self.channel_bits) - 1)).to_vec()
+        let code = |total: i64| (total + self.half_code()) >> (self.frac_bits - self.channel_bits);
+        totals.map(|total| code(total).min(self.full_scale())).to_vec()
+    }
+
+    /// Half a code, in units of a sum's last bit.
+    #[must_use]
+    pub fn half_code(&self) -> i64 {
+        1 << (self.frac_bits - self.channel_bits - 1)
+    }
+
+    /// The greatest code of a channel.
+    #[must_use]
+    pub fn full_scale(&self) -> i64 {
+        (1 << self.channel_bits) - 1
     }
 }

@@ -12,6 +12,9 @@ use crate::method::{Coefficients, Configured, Interface};
 use image::ImageSpec;
 use shader::Shader;
 
+/// Red, green and blue in names.
+pub const CHANNELS: [char; 3] = ['r', 'g', 'b'];
+
 /// What a core is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]

@@ -1,13 +1,12 @@
 //! What the blocks around and beside a lobe are built of.
 
+use super::CHANNELS;
 use crate::datapath::builder::{Builder, HighBits};
 use crate::datapath::graph::NodeId;
 use crate::fixed::Format;
 
 /// The components of vectors in names.
 pub(super) const AXES: [char; 3] = ['x', 'y', 'z'];
-/// Red, green and blue in names.
-pub(super) const CHANNELS: [char; 3] = ['r', 'g', 'b'];
 
 /// The outputs of a core that takes lights in sequence.
 pub(super) const SUMS: [&str; 3] = ["out_sum_r", "out_sum_g", "out_sum_b"];

@@ -9,7 +9,7 @@ use serde_json::{Map, json};
 use super::source::{Source, read_scene};
 use super::{Verdict, say, say_json, write_to};
 use crate::core::sample::dot;
-use crate::core::{BlockDesign, Design, Direction};
+use crate::core::{BlockDesign, Design};
 use crate::emit::package::{self, counted};
 use crate::platform::error::{Error, refuse};
 use crate::reflectance::{Light, Rgb, Vector};
@@ -139,9 +139,8 @@ fn lights(arguments: &LightsArguments) -> Result<Verdict, Error> {
         .iter()
         .map(|light| image.block.record(light.at, light.intensity).map(|record| record.codes()))
         .collect::<Result<Vec<_>, Error>>()?;
-    // The ports of the first light, behind those of the normal.
-    let ports: Vec<&str> =
-        design.numbers(Direction::In)[3..][..records[0].len()].iter().map(|&(name, _)| name).collect();
+    // Those of the first light.
+    let ports = &design.light_inputs()[..records[0].len()];
     if arguments.json {
         let row = |(light, record): (&GivenLight, &Vec<i64>)| {
             let codes: Map<String, serde_json::Value> =

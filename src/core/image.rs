@@ -102,6 +102,12 @@ impl<'a> ImageDesign<'a> {
         self.vector(n).into_iter().chain(records).collect()
     }
 
+    /// The codes of the channels of a sample whose lights are those of one clock.
+    #[must_use]
+    pub fn shown(self, inputs: &[i64]) -> Vec<i64> {
+        self.block.sums().codes([self.model().evaluate(inputs).as_slice()])
+    }
+
     /// How well the core's pictures of a sphere, with one light of intensity 1, meet those of a reflectance.
     #[must_use]
     pub fn quality(self, reflectance: &dyn Reflectance) -> Quality {
@@ -112,7 +118,7 @@ impl<'a> ImageDesign<'a> {
             let mut inputs = self.inputs(Vector::z(), &[(light, [1.0; 3])]);
             let shown = |&n: &Vector| {
                 inputs[..3].copy_from_slice(&self.vector(n));
-                let codes = self.block.sums().codes([self.model().evaluate(&inputs).as_slice()]);
+                let codes = self.shown(&inputs);
                 [0, 1, 2].map(|channel| (codes[channel] as f64 / full) as f32)
             };
             let own: Vec<[f32; 3]> = sphere.normals.iter().map(shown).collect();
@@ -177,7 +183,6 @@ impl ImageError {
     pub fn of(design: ImageDesign<'_>) -> Self {
         let sphere = Sphere::new(SIZE);
         let full = design.of.image.full_scale() as f64;
-        let (model, sums) = (design.model(), design.block.sums());
         let ImageSpec { source, exposure, .. } = design.of;
         let of_angle = |&phi: &f64| {
             let light = turned(phi);
@@ -192,7 +197,7 @@ impl ImageError {
                 let lsb = exp2(-(design.of.image.vector_fraction as i32));
                 let near = Vector::new(codes[0] as f64 * lsb, codes[1] as f64 * lsb, codes[2] as f64 * lsb);
                 inputs[..3].copy_from_slice(&codes);
-                let hardware = sums.codes([model.evaluate(&inputs).as_slice()]);
+                let hardware = design.shown(&inputs);
                 let shown = |value: Rgb| value.map(|channel| (channel * full).clamp(0.0, full));
                 let interpolated = design.block.real(n, &real, RealTexels::Exact, Places::Exact);
                 let exact = match source {

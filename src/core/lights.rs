@@ -1,6 +1,7 @@
 //! The core in a design that takes lights in sequence, and the sequencer around it.
 
 use super::{BlockDesign, Design, Direction, Port, Role, edges};
+use crate::block::CHANNELS;
 use crate::block::lights::Sums;
 use crate::fixed::Format;
 use crate::spec::{Block, LightSource};
@@ -121,7 +122,8 @@ impl Design {
     }
 
     /// The ports of the core that carry what it is told of lights.
-    fn light_inputs(&self) -> Vec<&str> {
+    #[must_use]
+    pub fn light_inputs(&self) -> Vec<&str> {
         let of_sample = match self.block() {
             BlockDesign::Lobe(_) => 0,
             BlockDesign::Shader(shader) => edges::ports_of_sample(shader.shader),
@@ -161,7 +163,7 @@ impl Design {
         let format = Some(Format::unsigned(sums.channel_bits as i32, 0));
         let code =
             |(c, meaning): (char, String)| Port { name: format!("out_{c}"), role: Role::Result, format, meaning };
-        ports.extend(['r', 'g', 'b'].into_iter().zip(code_meanings(sums.channel_bits)).map(code));
+        ports.extend(CHANNELS.into_iter().zip(code_meanings(sums.channel_bits)).map(code));
         ports
     }
 

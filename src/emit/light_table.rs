@@ -25,6 +25,8 @@ pub struct LightTable {
     pub sequencer: Sequencer,
     /// The words.
     pub depth: u32,
+    /// Enabled clocks from a sample of one word to its codes.
+    pub latency: u32,
     /// Bits of a word's address.
     pub address_bits: u32,
     /// The place of each port of the sequencer's lights in a word.
@@ -36,16 +38,17 @@ pub struct LightTable {
 }
 
 impl LightTable {
-    /// The table with these ports in front of a sequencer, without a header.
+    /// The table with these ports, of so many words, in front of a sequencer, without a header.
     #[must_use]
-    pub fn new(core: &Texts, ports: Vec<Port>, sequencer: Sequencer, depth: u32) -> Self {
+    pub fn new(name: String, core: &Texts, ports: Vec<Port>, sequencer: Sequencer, [depth, latency]: [u32; 2]) -> Self {
         let is_own = |port: &&Port| ports.iter().any(|own| own.name == port.name);
         let inputs = || core.ports.iter().filter(|port| port.carries(Direction::In));
         let passed = core.ports.iter().filter(|port| port.role == Role::Write);
         Self {
-            name: format!("{}_table", core.name),
+            name,
             header: Vec::new(),
             depth,
+            latency,
             address_bits: depth.ilog2(),
             record: Packing::of(inputs().filter(|port| !is_own(port))),
             sample: inputs().filter(is_own).map(Connected::of).collect(),
@@ -72,12 +75,6 @@ impl LightTable {
         format!("{:0digits$x}", placed.fold(BigUint::ZERO, |word, field| word | field))
     }
 
-    /// Enabled clocks from a sample of one word to its codes.
-    #[must_use]
-    pub fn latency(&self) -> u32 {
-        self.sequencer.latency + 2
-    }
-
     /// A name of the sequencer's ports, followed by spaces up to the length of the longest.
     fn padded(&self, name: &str) -> String {
         let lanes = self.record.lanes.iter().map(|lane| lane.port.name.len());
@@ -97,12 +94,6 @@ impl LightTable {
         self.ports.iter().filter(own).map(Connected::of).collect()
     }
 
-    /// The same without a header.
-    #[must_use]
-    pub fn without_header(self) -> Self {
-        Self { header: Vec::new(), ..self }
-    }
-
     /// The text of the table in a language; `core` are the core's.
     ///
     /// # Errors
@@ -110,12 +101,11 @@ impl LightTable {
     pub fn emit(&self, language: Language, core: &Texts) -> Result<String, Error> {
         let text = match language {
             Language::Verilog => {
-                let ports = self.ports.iter().map(verilog::declaration).collect();
+                let ports = verilog::declarations(&self.ports);
                 render(&VerilogTable { table: self, core, ports })
             }
             Language::Vhdl => {
-                let width = self.ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
-                let ports = self.ports.iter().map(|port| vhdl::declaration(port, width, core.vhdl_ports)).collect();
+                let ports = vhdl::declarations(&self.ports, core.vhdl_ports);
                 render(&VhdlTable { table: self, core, ports })
             }
         };

@@ -7,6 +7,7 @@
 use askama::Template;
 
 use super::{Declaration, Port, Texts, names, render, verilog, vhdl};
+use crate::block::CHANNELS;
 use crate::block::lights::Sums;
 use crate::core::Direction;
 use crate::fixed::Format;
@@ -80,12 +81,12 @@ struct Channel {
 impl Sequencer {
     /// The sequencer with these ports around a core with those, without a header.
     #[must_use]
-    pub fn new(core: &Texts, ports: Vec<Port>, sums: Sums, [core_latency, latency]: [u32; 2]) -> Self {
+    pub fn new(name: String, core: &Texts, ports: Vec<Port>, sums: Sums, [core_latency, latency]: [u32; 2]) -> Self {
         let outputs = core.ports.iter().filter(|port| port.carries(Direction::Out));
         // Write ports as well.
         let inputs = core.ports.iter().filter(|port| port.role.name().is_none() && !port.carries(Direction::Out));
         Self {
-            name: format!("{}_lights", core.name),
+            name,
             header: Vec::new(),
             ports,
             sums,
@@ -94,12 +95,6 @@ impl Sequencer {
             inputs: inputs.map(Connected::of).collect(),
             outputs: outputs.map(Connected::of).collect(),
         }
-    }
-
-    /// The same without a header.
-    #[must_use]
-    pub fn without_header(self) -> Self {
-        Self { header: Vec::new(), ..self }
     }
 
     /// The ports of the core that are its own, but for clock, reset, enable and valid.
@@ -116,7 +111,7 @@ impl Sequencer {
 
     fn channels(&self, core: &Texts) -> [Channel; 3] {
         let Sums { frac_bits, ambient, .. } = self.sums;
-        ['r', 'g', 'b'].map(|c| {
+        CHANNELS.map(|c| {
             let (start, vhdl_start) = match ambient.map(|bits| frac_bits - bits) {
                 None => (format!("{}'d0", frac_bits + 1), "(others => '0')".to_owned()),
                 Some(0) => (format!("{{1'b0, out_ambient_{c}}}"), format!("'0' & unsigned(out_ambient_{c})")),
@@ -138,26 +133,6 @@ impl Sequencer {
         format!("{{1'b1, {}'d0}}", self.sums.frac_bits)
     }
 
-    /// The place of the bit that is worth half a code.
-    fn half_place(&self) -> u32 {
-        self.sums.frac_bits - self.sums.channel_bits - 1
-    }
-
-    /// Half a code in Verilog.
-    fn half(&self) -> String {
-        format!("{}'d{}", self.sums.frac_bits + 1, 1u64 << self.half_place())
-    }
-
-    /// The same in VHDL.
-    fn vhdl_half(&self) -> String {
-        (1u64 << self.half_place()).to_string()
-    }
-
-    /// The code of full scale, in hexadecimal.
-    fn full(&self) -> String {
-        format!("{:x}", (1u32 << self.sums.channel_bits) - 1)
-    }
-
     /// A name of the core's ports, followed by spaces up to the length of the longest.
     fn padded(&self, name: &str) -> String {
         let width =
@@ -173,12 +148,11 @@ impl Sequencer {
         let (f, bits, channels) = (self.sums.frac_bits, self.sums.channel_bits, self.channels(core));
         let text = match language {
             Language::Verilog => {
-                let ports = self.ports.iter().map(verilog::declaration).collect();
+                let ports = verilog::declarations(&self.ports);
                 render(&VerilogSequencer { sequencer: self, core, ports, channels, f, bits })
             }
             Language::Vhdl => {
-                let width = self.ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
-                let ports = self.ports.iter().map(|port| vhdl::declaration(port, width, core.vhdl_ports)).collect();
+                let ports = vhdl::declarations(&self.ports, core.vhdl_ports);
                 render(&VhdlSequencer { sequencer: self, core, ports, channels, f, bits })
             }
         };

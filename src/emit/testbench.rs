@@ -3,6 +3,7 @@
 use askama::Template;
 
 use super::{Axis, Direction, Lane, Layout, LightTable, Port, RomFile, Sequencer, Texts, WritePort, names, render};
+use crate::block::CHANNELS;
 use crate::block::lights::Sums;
 use crate::core::golden::Vector;
 use crate::platform::error::Error;
@@ -85,7 +86,7 @@ struct BenchTable<'a> {
 impl<'a> BenchTable<'a> {
     fn of(table: &'a LightTable) -> Self {
         let (depth, address_bits, word_bits) = (table.depth, table.address_bits, table.word_bits());
-        Self { depth, address_bits, word_bits, lanes: &table.record.lanes, behind: table.latency() - 1 }
+        Self { depth, address_bits, word_bits, lanes: &table.record.lanes, behind: table.latency - 1 }
     }
 
     /// The parts of a word that a random number fills each.
@@ -202,21 +203,6 @@ impl Bench<'_> {
         if self.counts_lights() { number } else { "1" }
     }
 
-    /// The channels of a sequencer.
-    fn channels(&self) -> [char; 3] {
-        ['r', 'g', 'b']
-    }
-
-    /// Half a code, in units of a sum's last bit.
-    fn half_code(&self) -> u64 {
-        self.sums.map_or(0, |sums| 1 << (sums.frac_bits - sums.channel_bits - 1))
-    }
-
-    /// The greatest code of a channel.
-    fn full_scale(&self) -> u64 {
-        self.sums.map_or(0, |sums| (1 << sums.channel_bits) - 1)
-    }
-
     /// The type of a port of the core in VHDL.
     fn vector(&self, sign: &'static str) -> &'static str {
         self.vhdl_ports.vector(sign)
@@ -306,7 +292,7 @@ pub fn test_bench(
     };
     let latency = match (table, sequencer) {
         // As long as a sample may be under way, and the clock at which it is looked at.
-        (Some(table), _) => table.depth + table.latency(),
+        (Some(table), _) => table.depth + table.latency,
         (None, Some(sequencer)) => sequencer.latency,
         (None, None) => layout.schedule.latency,
     };

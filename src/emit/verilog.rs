@@ -255,8 +255,12 @@ impl Writer<'_> {
     }
 }
 
-/// A port in the text of a module.
-pub(super) fn declaration(port: &Port) -> Declaration {
+/// Ports in the text of a module.
+pub(super) fn declarations(ports: &[Port]) -> Vec<Declaration> {
+    ports.iter().map(declaration).collect()
+}
+
+fn declaration(port: &Port) -> Declaration {
     let direction = match port.role.direction() {
         Direction::In => "input  wire",
         Direction::Out => "output wire",
@@ -331,7 +335,7 @@ impl Backend for Verilog {
         }
         let text = render(&Core {
             texts,
-            ports: texts.ports.iter().map(declaration).collect(),
+            ports: declarations(&texts.ports),
             latency: layout.schedule.latency,
             stages,
             out_valid: layout.padded_output("out_valid"),

@@ -307,12 +307,16 @@ fn initial(is_flag: bool) -> &'static str {
     if is_flag { "'0'" } else { "(others => '0')" }
 }
 
-/// A port in the text of an entity.
-pub(super) fn declaration(port: &Port, name_width: usize, ports: VhdlPorts) -> Declaration {
-    let vector = |format: Format| format!("{}({} downto 0)", ports.vector(sign(format)), format.width() - 1);
-    let kind = port.format.map_or("std_logic".to_owned(), vector);
-    let declaration = format!("{:<name_width$} : {:<3} {kind}", port.name, port.role.direction().word());
-    Declaration { comment: port.comment(), declaration }
+/// Ports of these types in the text of an entity.
+pub(super) fn declarations(ports: &[Port], types: VhdlPorts) -> Vec<Declaration> {
+    let name_width = ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
+    let vector = |format: Format| format!("{}({} downto 0)", types.vector(sign(format)), format.width() - 1);
+    let declaration = |port: &Port| {
+        let kind = port.format.map_or("std_logic".to_owned(), vector);
+        let declaration = format!("{:<name_width$} : {:<3} {kind}", port.name, port.role.direction().word());
+        Declaration { comment: port.comment(), declaration }
+    };
+    ports.iter().map(declaration).collect()
 }
 
 /// The memories that are read in a stage.
@@ -404,10 +408,9 @@ impl Backend for Vhdl {
             let memories = memories(layout, texts, index);
             stages.push(Stage { index, heading: layout.heading(index), memories, assignments, registers });
         }
-        let name_width = texts.ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
         let text = render(&Core {
             texts,
-            ports: texts.ports.iter().map(|port| declaration(port, name_width, texts.vhdl_ports)).collect(),
+            ports: declarations(&texts.ports, texts.vhdl_ports),
             inputs,
             latency,
             signals,

@@ -4,7 +4,7 @@ use askama::Template;
 
 use super::{CORE, Netlist, Options};
 use crate::core::{Design, Direction, Role};
-use crate::emit::package::{self, File};
+use crate::emit::package::{File, Part};
 use crate::target::{Family, Pack};
 
 /// What nextpnr reads.
@@ -33,7 +33,7 @@ impl Flow {
         let description = family.description();
         if let Some(placement) = &description.placement {
             if placement.shell {
-                flow.shell = Some(format!("{}_shell", package::whole_name(design)));
+                flow.shell = Some(format!("{}_shell", Part::whole(design).name(design)));
                 flow.files.push(file(SHELL, &shell_text(design)));
             }
             flow.files.extend(placement.files.iter().map(|(path, text)| file(path, text)));
@@ -103,6 +103,6 @@ fn shell_text(design: &Design) -> String {
         ports.push(ShellPort { name: port.name, chain, high: *width + bits - 1, low: *width });
         *width += bits;
     }
-    let shell = Shell { name: &package::whole_name(design), inputs_width, outputs_width, ports };
+    let shell = Shell { name: &Part::whole(design).name(design), inputs_width, outputs_width, ports };
     shell.render().expect("a template without conditions")
 }

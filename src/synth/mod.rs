@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::core::Design;
-use crate::emit::package;
+use crate::emit::package::{self, Part};
 use crate::platform::error::{Error, refuse};
 use crate::platform::tool::{self, YOSYS};
 use crate::platform::transient::Folder;
@@ -312,7 +312,7 @@ fn files(design: &Design, language: Language) -> Result<Vec<package::File>, Erro
             let scratch = tool::scratch()?;
             write_all(scratch.path(), &files)?;
             let source = scratch.path().join(files.pop().expect("the HDL").path);
-            as_verilog(&package::whole_name(design), scratch.path(), &source)?
+            as_verilog(&Part::whole(design).name(design), scratch.path(), &source)?
         }
     };
     files.push(package::File { path: CORE.to_owned(), bytes });
@@ -354,7 +354,7 @@ impl<'a> Work<'a> {
     fn new(design: &'a Design, options: &'a Options, yosys: &'a Yosys, cache: Option<PathBuf>) -> Result<Self, Error> {
         let files = files(design, options.language)?;
         Ok(Self {
-            name: package::whole_name(design),
+            name: Part::whole(design).name(design),
             files,
             design,
             options,

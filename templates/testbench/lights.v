@@ -4,7 +4,7 @@
     // for it. It has no bound here: the core may keep it at 1.0 at every step.
     reg     opened = 1'b0; // there are lights before it,
     integer lights = 0;    // and so many up to it
-{%- for c in bench.channels() %}
+{%- for c in CHANNELS %}
     reg [47:0] total_{{ c }} = 48'd0;
     reg [47:0] near_{{ c }};
 {%- endfor %}
@@ -13,7 +13,7 @@
         begin
             if (!opened) begin
                 lights = 0;
-{%- for c in bench.channels() %}
+{%- for c in CHANNELS %}
                 total_{{ c }} = 48'd0;
 {%- if let Some(ambient) = sums.ambient %}
                 total_{{ c }}[{{ ambient - 1 }}:0] = file_out_ambient_{{ c }};
@@ -23,10 +23,10 @@
             end
             lights = lights + 1;
             opened = !in_last;
-{%- for c in bench.channels() %}
+{%- for c in CHANNELS %}
             total_{{ c }} = total_{{ c }} + { {{- 47 - sums.frac_bits }}'d0, file_out_sum_{{ c }}};
-            near_{{ c }} = (total_{{ c }} + 48'd{{ bench.half_code() }}) >> {{ sums.frac_bits - sums.channel_bits }};
-            expected_out_{{ c }} = (near_{{ c }} > 48'd{{ bench.full_scale() }}) ? {{ sums.channel_bits }}'d{{ bench.full_scale() }} : near_{{ c }}[{{ sums.channel_bits - 1 }}:0];
+            near_{{ c }} = (total_{{ c }} + 48'd{{ sums.half_code() }}) >> {{ sums.frac_bits - sums.channel_bits }};
+            expected_out_{{ c }} = (near_{{ c }} > 48'd{{ sums.full_scale() }}) ? {{ sums.channel_bits }}'d{{ sums.full_scale() }} : near_{{ c }}[{{ sums.channel_bits - 1 }}:0];
 {%- endfor %}
         end
     endtask

@@ -3,12 +3,12 @@
         -- The sum of a sample's lights up to the vector that was read last, and what is to come
         -- out for it. It has no bound here: the core may keep it at 1.0 at every step.
         procedure add_lights(last : boolean) is
-            constant FULL : unsigned(47 downto 0) := to_unsigned({{ bench.full_scale() }}, 48);
+            constant FULL : unsigned(47 downto 0) := to_unsigned({{ sums.full_scale() }}, 48);
             variable near : unsigned(47 downto 0);
         begin
             if not opened then
                 lights := 0;
-{%- for c in bench.channels() %}
+{%- for c in CHANNELS %}
                 total_{{ c }} := (others => '0');
 {%- if let Some(ambient) = sums.ambient %}
                 total_{{ c }} := shift_left(resize(unsigned(file_out_ambient_{{ c }}), 48), {{ sums.frac_bits - ambient }});
@@ -17,9 +17,9 @@
             end if;
             lights := lights + 1;
             opened := not last;
-{%- for c in bench.channels() %}
+{%- for c in CHANNELS %}
             total_{{ c }} := total_{{ c }} + unsigned(file_out_sum_{{ c }});
-            near := shift_right(total_{{ c }} + {{ bench.half_code() }}, {{ sums.frac_bits - sums.channel_bits }});
+            near := shift_right(total_{{ c }} + {{ sums.half_code() }}, {{ sums.frac_bits - sums.channel_bits }});
             if near > FULL then
                 near := FULL;
             end if;

@@ -1,22 +1,12 @@
-{%- for line in axis.header %}
-{%- if line.is_empty() %}
-//
-{%- else %}
-// {{ line }}
-{%- endif %}
-{%- endfor %}
+{%- let header = &axis.header %}
+{%- let rom_files = &texts.rom_files %}
+{%- include "verilog/header.v" %}
 
 `timescale 1ns / 1ps
 `default_nettype none
 
 module {{ axis.name }}
-{%- if !texts.rom_files.is_empty() %} #(
-{%- for file in texts.rom_files %}
-    // Path of the memory {{ file.memory }}, read by $readmemh.
-    parameter {{ file.parameter }} = "{{ file.path }}"{% if !loop.last %},{% endif %}
-{%- endfor %}
-)
-{%- endif %} (
+{%- include "verilog/parameters.v" %} (
 {%- for (comment, declaration) in ports %}
     // {{ comment }}
     {{ declaration }}{% if !loop.last %},{% endif %}
@@ -31,11 +21,7 @@ module {{ axis.name }}
 {%- for lane in axis.outputs.lanes %}
     wire [{{ lane.bits - 1 }}:0] {{ lane.port.name }};
 {%- endfor %}
-    {{ texts.name }}{% if !texts.rom_files.is_empty() %} #(
-{%- for file in texts.rom_files %}
-        .{{ file.parameter }}({{ file.parameter }}){% if !loop.last %},{% endif %}
-{%- endfor %}
-    ){% endif %} core (
+    {{ texts.name }}{% include "verilog/parameter_map.v" %} core (
         .{{ axis.padded("clk") }} (aclk),
         .{{ axis.padded("rst") }} (~aresetn),
         .{{ axis.padded("ce") }} (ready),

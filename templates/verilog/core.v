@@ -1,22 +1,12 @@
-{%- for line in texts.header %}
-{%- if line.is_empty() %}
-//
-{%- else %}
-// {{ line }}
-{%- endif %}
-{%- endfor %}
+{%- let header = &texts.header %}
+{%- let rom_files = &texts.rom_files %}
+{%- include "verilog/header.v" %}
 
 `timescale 1ns / 1ps
 `default_nettype none
 
 module {{ texts.name }}
-{%- if !texts.rom_files.is_empty() %} #(
-{%- for file in texts.rom_files %}
-    // Path of the memory {{ file.memory }}, read by $readmemh.
-    parameter {{ file.parameter }} = "{{ file.path }}"{% if !loop.last %},{% endif %}
-{%- endfor %}
-)
-{%- endif %} (
+{%- include "verilog/parameters.v" %} (
 {%- for port in ports %}
     // {{ port.comment }}
     {{ port.declaration }}{% if !loop.last %},{% endif %}

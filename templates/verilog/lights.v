@@ -1,22 +1,12 @@
-{%- for line in sequencer.header %}
-{%- if line.is_empty() %}
-//
-{%- else %}
-// {{ line }}
-{%- endif %}
-{%- endfor %}
+{%- let header = &sequencer.header %}
+{%- let rom_files = &core.rom_files %}
+{%- include "verilog/header.v" %}
 
 `timescale 1ns / 1ps
 `default_nettype none
 
 module {{ sequencer.name }}
-{%- if !core.rom_files.is_empty() %} #(
-{%- for file in core.rom_files %}
-    // Path of the memory {{ file.memory }}, read by $readmemh.
-    parameter {{ file.parameter }} = "{{ file.path }}"{% if !loop.last %},{% endif %}
-{%- endfor %}
-)
-{%- endif %} (
+{%- include "verilog/parameters.v" %} (
 {%- for port in ports %}
     // {{ port.comment }}
     {{ port.declaration }}{% if !loop.last %},{% endif %}
@@ -28,11 +18,7 @@ module {{ sequencer.name }}
 {%- for port in sequencer.core_outputs() %}
     wire [{{ port.high() }}:0] {{ port.name }};
 {%- endfor %}
-    {{ core.name }}{% if !core.rom_files.is_empty() %} #(
-{%- for file in core.rom_files %}
-        .{{ file.parameter }}({{ file.parameter }}){% if !loop.last %},{% endif %}
-{%- endfor %}
-    ){% endif %} core (
+    {{ core.name }}{% include "verilog/parameter_map.v" %} core (
         .{{ sequencer.padded("clk") }} (clk),
         .{{ sequencer.padded("rst") }} (rst),
         .{{ sequencer.padded("ce") }} (ce),
@@ -84,13 +70,13 @@ module {{ sequencer.name }}
 
     // ===== Stage {{ sequencer.latency }}: the nearest code, at most full scale
 {%- for channel in channels %}
-    wire [{{ f }}:0] near_{{ channel.c }} = total_{{ channel.c }} + {{ sequencer.half() }};
+    wire [{{ f }}:0] near_{{ channel.c }} = total_{{ channel.c }} + {{ f + 1 }}'d{{ sequencer.sums.half_code() }};
     reg [{{ bits - 1 }}:0] code_{{ channel.c }};
 {%- endfor %}
     always @(posedge clk) begin
         if (ce) begin
 {%- for channel in channels %}
-            code_{{ channel.c }} <= near_{{ channel.c }}[{{ f }}] ? {{ bits }}'h{{ sequencer.full() }} : near_{{ channel.c }}[{{ f - 1 }}:{{ f - bits }}];
+            code_{{ channel.c }} <= near_{{ channel.c }}[{{ f }}] ? {{ bits }}'h{{ "{:x}"|format(sequencer.sums.full_scale()) }} : near_{{ channel.c }}[{{ f - 1 }}:{{ f - bits }}];
 {%- endfor %}
         end
     end

@@ -1,22 +1,12 @@
-{%- for line in table.header %}
-{%- if line.is_empty() %}
-//
-{%- else %}
-// {{ line }}
-{%- endif %}
-{%- endfor %}
+{%- let header = &table.header %}
+{%- let rom_files = &core.rom_files %}
+{%- include "verilog/header.v" %}
 
 `timescale 1ns / 1ps
 `default_nettype none
 
 module {{ table.name }}
-{%- if !core.rom_files.is_empty() %} #(
-{%- for file in core.rom_files %}
-    // Path of the memory {{ file.memory }}, read by $readmemh.
-    parameter {{ file.parameter }} = "{{ file.path }}"{% if !loop.last %},{% endif %}
-{%- endfor %}
-)
-{%- endif %} (
+{%- include "verilog/parameters.v" %} (
 {%- for port in ports %}
     // {{ port.comment }}
     {{ port.declaration }}{% if !loop.last %},{% endif %}
@@ -88,11 +78,7 @@ module {{ table.name }}
     end
 
     // ===== The sequencer
-    {{ table.sequencer.name }}{% if !core.rom_files.is_empty() %} #(
-{%- for file in core.rom_files %}
-        .{{ file.parameter }}({{ file.parameter }}){% if !loop.last %},{% endif %}
-{%- endfor %}
-    ){% endif %} sequencer (
+    {{ table.sequencer.name }}{% include "verilog/parameter_map.v" %} sequencer (
         .{{ table.padded("clk") }} (clk),
         .{{ table.padded("rst") }} (rst),
         .{{ table.padded("ce") }} (ce),

@@ -1,24 +1,13 @@
-{%- for line in axis.header %}
-{%- if line.is_empty() %}
---
-{%- else %}
--- {{ line }}
-{%- endif %}
-{%- endfor %}
+{%- let header = &axis.header %}
+{%- let rom_files = &texts.rom_files %}
+{%- include "vhdl/header.vhd" %}
 
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 entity {{ axis.name }} is
-{%- if !texts.rom_files.is_empty() %}
-    generic (
-{%- for file in texts.rom_files %}
-        -- Path of the memory {{ file.memory }}, in the format of Verilog's $readmemh.
-        {{ file.parameter }} : string := "{{ file.path }}"{% if !loop.last %};{% endif %}
-{%- endfor %}
-    );
-{%- endif %}
+{%- include "vhdl/generics.vhd" %}
     port (
 {%- for (comment, declaration) in ports %}
         -- {{ comment }}
@@ -54,13 +43,7 @@ begin
     rst <= not aresetn;
 
     core : entity work.{{ texts.name }}
-{%- if !texts.rom_files.is_empty() %}
-        generic map (
-{%- for file in texts.rom_files %}
-            {{ file.parameter }} => {{ file.parameter }}{% if !loop.last %},{% endif %}
-{%- endfor %}
-        )
-{%- endif %}
+{%- include "vhdl/generic_map.vhd" %}
         port map (
             {{ axis.padded("clk") }} => aclk,
             {{ axis.padded("rst") }} => rst,

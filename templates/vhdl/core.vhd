@@ -1,10 +1,6 @@
-{%- for line in texts.header %}
-{%- if line.is_empty() %}
---
-{%- else %}
--- {{ line }}
-{%- endif %}
-{%- endfor %}
+{%- let header = &texts.header %}
+{%- let rom_files = &texts.rom_files %}
+{%- include "vhdl/header.vhd" %}
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -14,14 +10,7 @@ use std.textio.all;
 {%- endif %}
 
 entity {{ texts.name }} is
-{%- if !texts.rom_files.is_empty() %}
-    generic (
-{%- for file in texts.rom_files %}
-        -- Path of the memory {{ file.memory }}, in the format of Verilog's $readmemh.
-        {{ file.parameter }} : string := "{{ file.path }}"{% if !loop.last %};{% endif %}
-{%- endfor %}
-    );
-{%- endif %}
+{%- include "vhdl/generics.vhd" %}
     port (
 {%- for port in ports %}
         -- {{ port.comment }}

@@ -1,24 +1,13 @@
-{%- for line in sequencer.header %}
-{%- if line.is_empty() %}
---
-{%- else %}
--- {{ line }}
-{%- endif %}
-{%- endfor %}
+{%- let header = &sequencer.header %}
+{%- let rom_files = &core.rom_files %}
+{%- include "vhdl/header.vhd" %}
 
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 entity {{ sequencer.name }} is
-{%- if !core.rom_files.is_empty() %}
-    generic (
-{%- for file in core.rom_files %}
-        -- Path of the memory {{ file.memory }}, in the format of Verilog's $readmemh.
-        {{ file.parameter }} : string := "{{ file.path }}"{% if !loop.last %};{% endif %}
-{%- endfor %}
-    );
-{%- endif %}
+{%- include "vhdl/generics.vhd" %}
     port (
 {%- for port in ports %}
         -- {{ port.comment }}
@@ -49,13 +38,7 @@ begin
 
     -- ===== The core: what the lights of a clock give
     core : entity work.{{ core.name }}
-{%- if !core.rom_files.is_empty() %}
-        generic map (
-{%- for file in core.rom_files %}
-            {{ file.parameter }} => {{ file.parameter }}{% if !loop.last %},{% endif %}
-{%- endfor %}
-        )
-{%- endif %}
+{%- include "vhdl/generic_map.vhd" %}
         port map (
             {{ sequencer.padded("clk") }} => clk,
             {{ sequencer.padded("rst") }} => rst,
@@ -108,7 +91,7 @@ begin
 
     -- ===== Stage {{ sequencer.latency }}: the nearest code, at most full scale
 {%- for channel in channels %}
-    near_{{ channel.c }} <= total_{{ channel.c }} + {{ sequencer.vhdl_half() }};
+    near_{{ channel.c }} <= total_{{ channel.c }} + {{ sequencer.sums.half_code() }};
 {%- endfor %}
     process (clk) is
     begin

@@ -1,24 +1,13 @@
-{%- for line in table.header %}
-{%- if line.is_empty() %}
---
-{%- else %}
--- {{ line }}
-{%- endif %}
-{%- endfor %}
+{%- let header = &table.header %}
+{%- let rom_files = &core.rom_files %}
+{%- include "vhdl/header.vhd" %}
 
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 entity {{ table.name }} is
-{%- if !core.rom_files.is_empty() %}
-    generic (
-{%- for file in core.rom_files %}
-        -- Path of the memory {{ file.memory }}, in the format of Verilog's $readmemh.
-        {{ file.parameter }} : string := "{{ file.path }}"{% if !loop.last %};{% endif %}
-{%- endfor %}
-    );
-{%- endif %}
+{%- include "vhdl/generics.vhd" %}
     port (
 {%- for port in ports %}
         -- {{ port.comment }}
@@ -113,13 +102,7 @@ begin
 
     -- ===== The sequencer
     sequencer : entity work.{{ table.sequencer.name }}
-{%- if !core.rom_files.is_empty() %}
-        generic map (
-{%- for file in core.rom_files %}
-            {{ file.parameter }} => {{ file.parameter }}{% if !loop.last %},{% endif %}
-{%- endfor %}
-        )
-{%- endif %}
+{%- include "vhdl/generic_map.vhd" %}
         port map (
             {{ table.padded("clk") }} => clk,
             {{ table.padded("rst") }} => rst,

@@ -5,7 +5,7 @@
 
 use std::process::Command;
 
-use brdfgen::emit::package;
+use brdfgen::emit::package::{self, Part};
 use brdfgen::spec::Language;
 use brdfgen::verify::cosim::{self, Sim};
 use brdfgen::verify::formal::{self, ProofStatus};
@@ -16,7 +16,7 @@ use crate::common::core::{Generated, OnDisk, silent};
 /// The directory of a core with a fault in the wrapper.
 fn broken(core: &Generated, language: Language, (what, from, to): Fault) -> OnDisk {
     let directory = core.on_disk();
-    let file = package::axis_path(&core.design, language);
+    let file = Part::Axis.rtl_path(&core.design, language);
     let text = core.text(&file);
     assert_eq!(text.matches(from).count(), 1, "{what}: `{from}` in\n{text}");
     std::fs::write(directory.path().join(file), text.replace(from, to)).expect("written");

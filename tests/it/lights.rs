@@ -6,7 +6,7 @@
 use brdfgen::block::image::{LightRecord, Places, RealTexels};
 use brdfgen::block::lights::Sums;
 use brdfgen::core::{BlockDesign, Direction};
-use brdfgen::emit::package;
+use brdfgen::emit::package::Part;
 use brdfgen::fixed::exp2;
 use brdfgen::reflectance::{Light, Reflectance, Vector};
 use brdfgen::spec::{ImageSource, Language, SpecFields};
@@ -61,13 +61,9 @@ fn every_sequencer_passes_its_bench_lints_clean_and_is_proved() {
         let generated = Generated::new(spec);
         let core = generated.on_disk();
         let count = core.golden.vectors().len() as u64;
-        let (path, name, design) = (core.path(), &core.design.spec.name, &core.design);
+        let (path, design) = (core.path(), &core.design);
         let parts = 1 + usize::from(design.spec.axi_stream.is_some() || design.light_table().is_some());
-        assert_eq!(
-            design.sums().map(|_| package::rtl_paths(design, Language::Verilog).len()),
-            Some(parts + 1),
-            "{spec}"
-        );
+        assert_eq!(design.sums().map(|_| Part::of(design).len()), Some(parts + 1), "{spec}");
         for sim in [Sim::Builtin, Sim::Icarus, Sim::Ghdl] {
             assert!(core.run(sim).passed(), "{spec}");
             let outcomes = around(&core, sim);
@@ -80,11 +76,13 @@ fn every_sequencer_passes_its_bench_lints_clean_and_is_proved() {
         std::fs::create_dir(&work).expect("a directory");
         let workdir = format!("--workdir={}", work.display());
         let out = work.join("out").display().to_string();
-        let [verilog, vhdl] = [Language::Verilog, Language::Vhdl].map(|language| package::rtl_paths(design, language));
+        let [verilog, vhdl] = [Language::Verilog, Language::Vhdl].map(|language| -> Vec<String> {
+            Part::of(design).into_iter().map(|part| part.rtl_path(design, language)).collect()
+        });
         let with = |before: &[&str], files: &[String]| -> Vec<String> {
             before.iter().map(|&word| word.to_owned()).chain(files.iter().cloned()).collect()
         };
-        let (own, top) = (format!("{name}_lights"), package::whole_name(design));
+        let (own, top) = (Part::Lights.name(design), Part::whole(design).name(design));
         let quiet = |program: &str, words: Vec<String>| {
             silent(path, program, &words.iter().map(String::as_str).collect::<Vec<_>>(), spec);
         };
@@ -151,7 +149,7 @@ fn broken_tables_fail_their_bench_and_their_proof() {
     let generated = Generated::new(&format!("{SHADER}lights_a_clock = 1\nmost_lights = 16\nlight_source = 'table'\n"));
     let with = |language: Language, what: &str, from: &str, to: &str| {
         let core = generated.on_disk();
-        let file = package::table_path(&core.design, language);
+        let file = Part::Table.rtl_path(&core.design, language);
         let text = generated.text(&file);
         assert!(text.contains(from), "{what}: `{from}` in\n{text}");
         std::fs::write(core.path().join(&file), text.replacen(from, to, 1)).expect("written");
@@ -184,7 +182,7 @@ fn broken_sequencers_fail_their_bench_and_their_proof() {
     let generated = Generated::new(&format!("{SHADER}lights_a_clock = 1\nmost_lights = 4\n"));
     FAULTS.par_iter().for_each(|&(what, language, from, to)| {
         let core = generated.on_disk();
-        let file = package::sequencer_path(&core.design, language);
+        let file = Part::Lights.rtl_path(&core.design, language);
         let text = generated.text(&file);
         assert_eq!(text.matches(from).count(), if from.contains("? {") { 3 } else { 1 }, "{what}: `{from}` in\n{text}");
         std::fs::write(core.path().join(&file), text.replacen(from, to, 1)).expect("written");

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use brdfgen::core::{Account, Design};
-use brdfgen::emit::package;
+use brdfgen::emit::package::{self, Part};
 use brdfgen::spec::{Language, MethodName, SpecFields};
 use brdfgen::verify::golden::Golden;
 use clap::ValueEnum;
@@ -37,16 +37,11 @@ impl Core {
         self.scratch.path().join("core")
     }
 
-    /// The core's files and its bench's, and the wrapper's, each with the name of the bench.
+    /// The files of each part of the core and of its bench, with the name of the bench.
     fn benches(&self, language: Language) -> Vec<(String, Vec<String>)> {
-        let (design, name) = (&self.design, &self.design.spec.name);
-        let core = package::rtl_path(design, language);
-        let mut benches = vec![(format!("{name}_tb"), vec![core.clone(), package::bench_path(design, language)])];
-        if design.spec.axi_stream.is_some() {
-            let files = vec![core, package::axis_path(design, language), package::axis_bench_path(design, language)];
-            benches.push((format!("{name}_axis_tb"), files));
-        }
-        benches
+        let design = &self.design;
+        let bench = |part: Part| (part.bench_name(design), part.paths_with_bench(design, language));
+        Part::of(design).into_iter().map(bench).collect()
     }
 }
 

@@ -286,10 +286,9 @@ fn make(spec: &CoreSpec, whole: bool) -> Result<Made, Error> {
 /// What a compiler says of a core, its wrapper and their benches.
 fn complaint(design: &Design, language: Language, directory: &Path) -> Option<String> {
     let name = &design.spec.name;
-    let wrapper = design.spec.axi_stream.map(|_| package::axis_path(design, language));
-    let rtl: Vec<String> = std::iter::once(package::rtl_path(design, language)).chain(wrapper).collect();
-    let wrapper_bench = design.spec.axi_stream.map(|_| package::axis_bench_path(design, language));
-    let benches: Vec<String> = std::iter::once(package::bench_path(design, language)).chain(wrapper_bench).collect();
+    let parts = package::Part::of(design);
+    let rtl: Vec<String> = parts.iter().map(|part| part.rtl_path(design, language)).collect();
+    let benches: Vec<String> = parts.iter().map(|part| part.bench_path(design, language)).collect();
     let run = |program: &str, arguments: &[&str], files: &[String]| {
         let mut command = Command::new(program);
         command.current_dir(directory).args(arguments).args(files);

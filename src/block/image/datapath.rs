@@ -2,7 +2,8 @@
 
 use super::texels::{banks, fields, parities};
 use super::{Image, ImageBlock, ImageForm, ImageWidths};
-use crate::block::parts::{self, AXES, CHANNELS};
+use crate::block::CHANNELS;
+use crate::block::parts::{self, AXES};
 use crate::datapath::Datapath;
 use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;

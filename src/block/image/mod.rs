@@ -101,7 +101,7 @@ impl ImageBlock {
     /// What comes out of its core, and is made codes of.
     #[must_use]
     pub fn sums(&self) -> Sums {
-        self.image.sums(&self.widths)
+        Sums { frac_bits: self.widths.term as u32, ambient: None, channel_bits: self.image.channel_bits }
     }
 
     /// The bit-exact reference.

@@ -246,11 +246,6 @@ impl Image {
         (1 << self.channel_bits) - 1
     }
 
-    /// What comes out of the core of these widths.
-    pub(super) fn sums(&self, widths: &ImageWidths) -> Sums {
-        Sums { frac_bits: widths.term as u32, ambient: None, channel_bits: self.channel_bits }
-    }
-
     /// The binary logarithm of the columns an octave.
     pub(super) fn octave_bits(&self, octaves: u32) -> u32 {
         (self.size / octaves).ilog2()

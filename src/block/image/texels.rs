@@ -1,7 +1,7 @@
 //! The texels of an image-based block and the memories that they lie in.
 
 use super::{Image, ImageForm};
-use crate::block::parts::CHANNELS;
+use crate::block::CHANNELS;
 use crate::fixed::{Field, Format, Table, exp2, interned};
 use crate::reflectance::texels::{Samples, Scale, Texel, Texels};
 use crate::reflectance::{Reflectance, bivariate, half};

@@ -5,7 +5,8 @@
 //! result.
 
 use super::{Cosine, LightColours, Shader, ShaderWidths};
-use crate::block::parts::{self, AXES, CHANNELS};
+use crate::block::CHANNELS;
+use crate::block::parts::{self, AXES};
 use crate::datapath::Datapath;
 use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::{Graph, NodeId, Op};

@@ -2,7 +2,7 @@
 
 use askama::Template;
 
-use super::counted;
+use super::{Part, counted};
 use crate::block::image::{Image, ImageForm};
 use crate::block::shader::datapath::COLOURS;
 use crate::core::{
@@ -239,19 +239,15 @@ fn files(design: &Design) -> Vec<(String, &'static str)> {
         ("manifest.json".to_owned(), "this datasheet for programs, with a digest of every file"),
     ];
     for &language in &spec.languages {
-        files.push((super::rtl_path(design, language), "the core"));
-        files.push((super::bench_path(design, language), "its self-checking test bench; run it in this directory"));
-        if design.sums().is_some() {
-            files.push((super::sequencer_path(design, language), "its sequencer"));
-            files.push((super::sequencer_bench_path(design, language), "the sequencer's test bench, likewise"));
-        }
-        if design.light_table().is_some() {
-            files.push((super::table_path(design, language), "its table of lights"));
-            files.push((super::table_bench_path(design, language), "the table's test bench, likewise"));
-        }
-        if spec.axi_stream.is_some() {
-            files.push((super::axis_path(design, language), "its wrapper with AXI4-Stream interfaces"));
-            files.push((super::axis_bench_path(design, language), "the wrapper's test bench, likewise"));
+        for part in Part::of(design) {
+            let [text, bench] = match part {
+                Part::Core => ["the core", "its self-checking test bench; run it in this directory"],
+                Part::Lights => ["its sequencer", "the sequencer's test bench, likewise"],
+                Part::Table => ["its table of lights", "the table's test bench, likewise"],
+                Part::Axis => ["its wrapper with AXI4-Stream interfaces", "the wrapper's test bench, likewise"],
+            };
+            files.push((part.rtl_path(design, language), text));
+            files.push((part.bench_path(design, language), bench));
         }
     }
     for table in design.tables() {

@@ -2,12 +2,15 @@
 
 mod datasheet;
 mod directory;
+mod part;
 
 pub use datasheet::{interval_text, percent_text};
 pub use directory::{
     GENERATED_MARK, Kind, Stale, check_target, check_target_of, core_files, stale, write_directory, write_directory_of,
     write_file,
 };
+
+pub use part::Part;
 
 use serde_json::json;
 use sha2::{Digest, Sha256};
@@ -54,7 +57,7 @@ pub fn rom_file(design: &Design, table: &Table, format: RomFormat) -> File {
 /// The path of the HDL in the core's directory.
 #[must_use]
 pub fn rtl_path(design: &Design, language: Language) -> String {
-    format!("rtl/{}.{}", design.spec.name, extension(language))
+    Part::Core.rtl_path(design, language)
 }
 
 /// The format of the files that a core's HDL reads: the one without comments, as Vivado's synthesis wants them (UG901),
@@ -67,43 +70,7 @@ pub fn read_format(spec: &CoreSpec) -> RomFormat {
 /// The path of the test bench in the core's directory.
 #[must_use]
 pub fn bench_path(design: &Design, language: Language) -> String {
-    format!("tb/{}_tb.{}", design.spec.name, extension(language))
-}
-
-/// The path of the core's sequencer in its directory, if it has one.
-#[must_use]
-pub fn sequencer_path(design: &Design, language: Language) -> String {
-    format!("rtl/{}_lights.{}", design.spec.name, extension(language))
-}
-
-/// The path of the sequencer's test bench in the core's directory, if it has one.
-#[must_use]
-pub fn sequencer_bench_path(design: &Design, language: Language) -> String {
-    format!("tb/{}_lights_tb.{}", design.spec.name, extension(language))
-}
-
-/// The path of the core's table of lights in its directory, if it has one.
-#[must_use]
-pub fn table_path(design: &Design, language: Language) -> String {
-    format!("rtl/{}_table.{}", design.spec.name, extension(language))
-}
-
-/// The path of the table's test bench in the core's directory, if it has one.
-#[must_use]
-pub fn table_bench_path(design: &Design, language: Language) -> String {
-    format!("tb/{}_table_tb.{}", design.spec.name, extension(language))
-}
-
-/// The path of the wrapper with AXI4-Stream interfaces in the core's directory, if it has one.
-#[must_use]
-pub fn axis_path(design: &Design, language: Language) -> String {
-    format!("rtl/{}_axis.{}", design.spec.name, extension(language))
-}
-
-/// The path of the wrapper's test bench in the core's directory, if it has one.
-#[must_use]
-pub fn axis_bench_path(design: &Design, language: Language) -> String {
-    format!("tb/{}_axis_tb.{}", design.spec.name, extension(language))
+    Part::Core.bench_path(design, language)
 }
 
 fn extension(language: Language) -> &'static str {
@@ -111,16 +78,6 @@ fn extension(language: Language) -> &'static str {
         Language::Verilog => "v",
         Language::Vhdl => "vhd",
     }
-}
-
-/// The paths of the HDL in a language in the core's directory, what is used before what uses it: the core, and if it
-/// has them its sequencer, its table of lights, and its wrapper with AXI4-Stream interfaces.
-#[must_use]
-pub fn rtl_paths(design: &Design, language: Language) -> Vec<String> {
-    let sequencer = design.sums().map(|_| sequencer_path(design, language));
-    let axis = design.spec.axi_stream.map(|_| axis_path(design, language));
-    let table = design.light_table().map(|_| table_path(design, language));
-    std::iter::once(rtl_path(design, language)).chain(sequencer).chain(table).chain(axis).collect()
 }
 
 /// What tools that read a core in one language need: the files of its memories, where it reads them from such, and last
@@ -138,10 +95,10 @@ pub fn sources(design: &Design, language: Language) -> Result<Vec<File>, Error> 
     let texts = texts_without_header(design);
     let mut source = emit::backend(language).emit(&design.layout(), &texts)?;
     if let Some(sequencer) = sequencer(design) {
-        source += &sequencer.without_header().emit(language, &texts)?;
+        source += &sequencer.emit(language, &texts)?;
     }
     if let Some(table) = light_table(design) {
-        source += &table.without_header().emit(language, &texts)?;
+        source += &table.emit(language, &texts)?;
     }
     files.push(File { path: rtl_path(design, language), bytes: source.into_bytes() });
     Ok(files)
@@ -164,13 +121,8 @@ pub fn texts(design: &Design, account: &Account) -> Texts {
     let spec = &design.spec;
     let ports = design.ports();
     let name_width = ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
-    let mut header = vec![
-        format!("{}: {}", spec.name, datasheet::title(spec)),
-        String::new(),
-        format!("Made by: {}", spec.command()),
-        format!("Spec {}. Generated; the core is yours to use under any terms.", spec.digest()),
-        String::new(),
-    ];
+    let mut header = head(spec, &spec.name, &datasheet::title(spec), "core");
+    header.push(String::new());
     header.extend(
         ports
             .iter()
@@ -207,108 +159,107 @@ fn texts_without_header(design: &Design) -> Texts {
     }
 }
 
-/// The name of what a user of the core instantiates: its table of lights, its sequencer, or itself.
-#[must_use]
-pub fn whole_name(design: &Design) -> String {
-    let name = light_table(design).map(|table| table.name).or_else(|| Some(sequencer(design)?.name));
-    name.unwrap_or_else(|| design.spec.name.clone())
-}
-
-/// The texts of the same.
+/// The texts of what a user of the core instantiates: its table of lights, its sequencer, or itself.
 fn whole_texts(design: &Design) -> Texts {
-    Texts { name: whole_name(design), ports: design.whole_ports(), ..texts_without_header(design) }
+    let name = Part::whole(design).name(design);
+    Texts { name, ports: design.whole_ports(), ..texts_without_header(design) }
 }
 
-/// The core's sequencer, if it takes the lights of a sample in sequence.
+/// The first lines of the comment at the head of a text; `what` it is, and what it is called.
+fn head(spec: &CoreSpec, name: &str, what: &str, called: &str) -> Vec<String> {
+    vec![
+        format!("{name}: {what}"),
+        String::new(),
+        format!("Made by: {}", spec.command()),
+        format!("Spec {}. Generated; the {called} is yours to use under any terms.", spec.digest()),
+    ]
+}
+
+/// The core's sequencer without a header, if it takes the lights of a sample in sequence.
 #[must_use]
 pub fn sequencer(design: &Design) -> Option<Sequencer> {
     let sums = design.sums()?;
-    let (spec, ports) = (&design.spec, design.sequencer_ports());
     let latencies = [design.schedule.latency, design.sequenced_latency()];
-    let core = texts_without_header(design);
-    let mut sequencer = Sequencer::new(&core, ports, sums, latencies);
+    let name = Part::Lights.name(design);
+    Some(Sequencer::new(name, &texts_without_header(design), design.sequencer_ports(), sums, latencies))
+}
+
+fn sequencer_header(design: &Design, sequencer: &Sequencer) -> Vec<String> {
+    let what = format!("the lights of a sample in sequence through the core {}", design.spec.name);
+    let mut header = head(&design.spec, &sequencer.name, &what, "sequencer");
+    header.push(String::new());
+    let of_core = design.ports();
     let width = sequencer.ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
     let line = |port: &Port| format!("  {:<width$} {:<7} {}", port.name, port.format_text(), port.meaning);
-    sequencer.header = vec![
-        format!("{}: the lights of a sample in sequence through the core {}", sequencer.name, spec.name),
-        String::new(),
-        format!("Made by: {}", spec.command()),
-        format!("Spec {}. Generated; the sequencer is yours to use under any terms.", spec.digest()),
-        String::new(),
-    ];
-    let own = sequencer.ports.iter().filter(|port| !core.ports.iter().any(|of_core| of_core.name == port.name));
-    let own: Vec<String> = own.map(line).collect();
-    sequencer.header.extend(own);
-    sequencer.header.extend([
+    let own = sequencer.ports.iter().filter(|port| !of_core.iter().any(|of_core| of_core.name == port.name));
+    header.extend(own.map(line));
+    header.extend([
         String::new(),
         format!(
             "A sample is any number of clocks' lights, the last with in_last. Latency {} clocks from",
-            latencies[1]
+            sequencer.latency
         ),
         "there; lights at every clock, and no pause between samples.".to_owned(),
     ]);
-    Some(sequencer)
+    header
 }
 
-/// The core's table of lights, if the spec asks for one.
+/// The core's table of lights without a header, if the spec asks for one.
 #[must_use]
 pub fn light_table(design: &Design) -> Option<LightTable> {
     let depth = design.light_table()?;
-    let spec = &design.spec;
-    let core = texts_without_header(design);
-    let mut table = LightTable::new(&core, design.table_ports(depth), sequencer(design)?, depth);
-    table.header = vec![
-        format!("{}: a table of lights for the core {}", table.name, spec.name),
-        String::new(),
-        format!("Made by: {}", spec.command()),
-        format!("Spec {}. Generated; the table is yours to use under any terms.", spec.digest()),
-        String::new(),
-        format!("lights_data, {} bits:", table.word_bits()),
-    ];
-    let lane = |lane: &Lane| (format!("[{}]", lane.range()), lane.port.name.clone(), lane.port.format_text());
-    let rows: Vec<_> = table.record.lanes.iter().map(lane).collect();
-    let width = rows.iter().map(|(range, ..)| range.len()).max().unwrap_or(0);
-    let name = rows.iter().map(|(_, name, _)| name.len()).max().unwrap_or(0);
-    let line = |(range, port, format): &(String, String, String)| format!("  {range:<width$} {port:<name$} {format}");
-    table.header.extend(rows.iter().map(line));
-    table.header.extend([
+    let (name, latency) = (Part::Table.name(design), design.whole_latency());
+    let (core, ports) = (texts_without_header(design), design.table_ports(depth));
+    Some(LightTable::new(name, &core, ports, sequencer(design)?, [depth, latency]))
+}
+
+fn light_table_header(design: &Design, table: &LightTable) -> Vec<String> {
+    let what = format!("a table of lights for the core {}", design.spec.name);
+    let mut header = head(&design.spec, &table.name, &what, "table");
+    header.extend([String::new(), format!("lights_data, {} bits:", table.word_bits())]);
+    header.extend(lines_of_rows(&table.record.lanes.iter().map(|lane| lane_row(lane, "")).collect::<Vec<_>>()));
+    header.extend([
         String::new(),
         "A sample takes an enabled clock for each word from in_begin to in_end; the next one follows".to_owned(),
         "at once.".to_owned(),
     ]);
-    Some(table)
+    header
 }
 
-/// The core's wrapper with AXI4-Stream interfaces, if the spec asks for one.
+/// What a header says of a port's place in a word: its bits, name and format, and `meaning`.
+fn lane_row(lane: &Lane, meaning: &str) -> [String; 4] {
+    [format!("[{}]", lane.range()), lane.port.name.clone(), lane.port.format_text(), meaning.to_owned()]
+}
+
+/// Such rows as the lines of a table.
+fn lines_of_rows(rows: &[[String; 4]]) -> Vec<String> {
+    let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
+    let (range, name, format) = (width(0), width(1), width(2));
+    let line = |row: &[String; 4]| {
+        format!("  {:<range$} {:<name$} {:<format$} {}", row[0], row[1], row[2], row[3]).trim_end().to_owned()
+    };
+    rows.iter().map(line).collect()
+}
+
+/// The core's wrapper with AXI4-Stream interfaces without a header, if the spec asks for one.
 #[must_use]
 pub fn axis(design: &Design) -> Option<Axis> {
-    let spec = &design.spec;
-    let texts = whole_texts(design);
-    let axis = Axis::of(format!("{}_axis", spec.name), &texts, design.whole_latency(), spec.axi_stream?);
-    let mut header = vec![
-        format!("{}: AXI4-Stream interfaces for the core {}", axis.name, spec.name),
-        String::new(),
-        format!("Made by: {}", spec.command()),
-        format!("Spec {}. Generated; the wrapper is yours to use under any terms.", spec.digest()),
-    ];
+    let (name, tuser_bits) = (Part::Axis.name(design), design.spec.axi_stream?);
+    Some(Axis::of(name, &whole_texts(design), design.whole_latency(), tuser_bits))
+}
+
+fn axis_header(design: &Design, axis: &Axis) -> Vec<String> {
+    let what = format!("AXI4-Stream interfaces for the core {}", design.spec.name);
+    let mut header = head(&design.spec, &axis.name, &what, "wrapper");
     for (name, packing, padding) in
         [("s_axis_tdata", &axis.inputs, "of no meaning"), ("m_axis_tdata", &axis.outputs, "0")]
     {
         header.extend([String::new(), format!("{name}, {} bytes:", packing.tdata_bits() / 8)]);
-        let mut rows: Vec<[String; 4]> = Vec::new();
-        for lane in &packing.lanes {
-            let Port { name, meaning, .. } = &lane.port;
-            rows.push([format!("[{}]", lane.range()), name.clone(), lane.port.format_text(), meaning.clone()]);
-        }
+        let mut rows: Vec<[String; 4]> = packing.lanes.iter().map(|lane| lane_row(lane, &lane.port.meaning)).collect();
         if packing.padding() > 0 {
             rows.push([format!("[{}]", packing.padding_range()), padding.to_owned(), String::new(), String::new()]);
         }
-        let width = |column: usize| rows.iter().map(|row| row[column].len()).max().unwrap_or(0);
-        let (range, name, format) = (width(0), width(1), width(2));
-        let line = |row: &[String; 4]| {
-            format!("  {:<range$} {:<name$} {:<format$} {}", row[0], row[1], row[2], row[3]).trim_end().to_owned()
-        };
-        header.extend(rows.iter().map(line));
+        header.extend(lines_of_rows(&rows));
     }
     let last = if axis.sequenced {
         "s_axis_tlast ends a sample; m_axis_tuser is that of its last beat."
@@ -324,7 +275,7 @@ pub fn axis(design: &Design) -> Option<Axis> {
         ),
         "m_axis_tready leads to registers only.".to_owned(),
     ]);
-    Some(Axis { header, ..axis })
+    header
 }
 
 /// The text of `core.toml`.
@@ -351,7 +302,10 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     let texts = texts(design, account);
     let golden_path = golden_path(design);
     let complemented = golden::complemented(design, golden);
-    let (sequencer, table, axis) = (sequencer(design), light_table(design), axis(design));
+    let (mut sequencer, mut table, mut axis) = (sequencer(design), light_table(design), axis(design));
+    sequencer.iter_mut().for_each(|sequencer| sequencer.header = sequencer_header(design, sequencer));
+    table.iter_mut().for_each(|table| table.header = light_table_header(design, table));
+    axis.iter_mut().for_each(|axis| axis.header = axis_header(design, axis));
     let mut files = Vec::new();
     let mut add = |path: String, bytes: Vec<u8>| files.push(File { path, bytes });
 
@@ -366,20 +320,22 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     };
     add("README.md".to_owned(), sheet.into_bytes());
     for &language in &spec.languages {
-        add(rtl_path(design, language), emit::backend(language).emit(&layout, &texts)?.into_bytes());
-        let bench = |wrapper| emit::test_bench(language, &layout, &texts, &golden_path, &complemented, wrapper);
-        add(bench_path(design, language), bench(Wrapper::None)?.into_bytes());
+        let mut add_part = |part: Part, text: String, wrapper| -> Result<(), Error> {
+            let bench = emit::test_bench(language, &layout, &texts, &golden_path, &complemented, wrapper)?;
+            add(part.rtl_path(design, language), text.into_bytes());
+            add(part.bench_path(design, language), bench.into_bytes());
+            Ok(())
+        };
+        add_part(Part::Core, emit::backend(language).emit(&layout, &texts)?, Wrapper::None)?;
         if let Some(sequencer) = &sequencer {
-            add(sequencer_path(design, language), sequencer.emit(language, &texts)?.into_bytes());
-            add(sequencer_bench_path(design, language), bench(Wrapper::Sequencer(sequencer))?.into_bytes());
+            add_part(Part::Lights, sequencer.emit(language, &texts)?, Wrapper::Sequencer(sequencer))?;
         }
         if let Some(table) = &table {
-            add(table_path(design, language), table.emit(language, &texts)?.into_bytes());
-            add(table_bench_path(design, language), bench(Wrapper::Table(table))?.into_bytes());
+            add_part(Part::Table, table.emit(language, &texts)?, Wrapper::Table(table))?;
         }
         if let Some(axis) = &axis {
-            add(axis_path(design, language), axis.emit(language, &whole_texts(design))?.into_bytes());
-            add(axis_bench_path(design, language), bench(Wrapper::Axis(axis, sequencer.as_ref()))?.into_bytes());
+            let text = axis.emit(language, &whole_texts(design))?;
+            add_part(Part::Axis, text, Wrapper::Axis(axis, sequencer.as_ref()))?;
         }
     }
     for table in design.tables() {
@@ -391,8 +347,9 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     add(golden_path, golden.to_text(design).into_bytes());
     // The option is a Verilog one: a simulator that takes the list takes one language.
     let listed = spec.languages.iter().find(|&&language| language == Language::Verilog).or(spec.languages.first());
-    let sources = |&language: &Language| rtl_paths(design, language);
-    let list: String = listed.into_iter().flat_map(sources).map(|path| path + "\n").collect();
+    let parts = Part::of(design);
+    let sources = |&language: &Language| parts.iter().map(move |part| part.rtl_path(design, language) + "\n");
+    let list: String = listed.into_iter().flat_map(sources).collect();
     add("files.f".to_owned(), list.into_bytes());
 
     if let Block::Image(ImageSpec { image, source: ImageSource::Samples(samples), exposure }) = &spec.block {
@@ -427,7 +384,7 @@ fn light_table_manifest(table: &LightTable) -> serde_json::Value {
     let word: Vec<_> = table.record.lanes.iter().map(lane).collect();
     json!({
         "name": table.name,
-        "latency": table.latency(),
+        "latency": table.latency,
         "ports": ports,
         "depth": table.depth,
         "word_bits": table.word_bits(),

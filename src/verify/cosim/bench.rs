@@ -3,82 +3,18 @@
 use std::process::Output;
 
 use super::{Job, LISTED, Outcome};
-use crate::core::Design;
-use crate::emit::package;
+use crate::emit::package::Part;
 use crate::platform::error::Error;
 use crate::platform::tool::{Tool, tail};
 use crate::platform::transient::Folder;
-use crate::spec::Language;
 
-/// What of a core's directory is run, each by its own bench.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Part {
-    /// The core.
-    Core,
-    /// Its sequencer.
-    Lights,
-    /// Its table of lights.
-    Table,
-    /// Its wrapper with AXI4-Stream interfaces.
-    Axis,
-}
-
-impl Part {
-    /// What there is of a core.
-    pub fn of(design: &Design) -> Vec<Self> {
-        let lights = design.sums().map(|_| Self::Lights);
-        let table = design.light_table().map(|_| Self::Table);
-        let axis = design.spec.axi_stream.map(|_| Self::Axis);
-        std::iter::once(Self::Core).chain(lights).chain(table).chain(axis).collect()
-    }
-
-    /// What it is, and its bench.
-    pub(super) fn nouns(self) -> [&'static str; 2] {
-        match self {
-            Self::Core => ["the core", "the core's bench"],
-            Self::Lights => ["the sequencer", "the sequencer's bench"],
-            Self::Table => ["the table of lights", "the table's bench"],
-            Self::Axis => ["the AXI4-Stream wrapper", "the wrapper's bench"],
-        }
-    }
-
-    /// What is compared, as [`Outcome::mode`] says it.
-    fn mode(self) -> &'static str {
-        match self {
-            Self::Core => "golden vectors",
-            Self::Lights => "golden vectors in sequence",
-            Self::Table => "golden vectors through the table of lights",
-            Self::Axis => "golden vectors through AXI4-Stream",
-        }
-    }
-
-    /// The name of what it runs.
-    pub(super) fn name(self, job: &Job) -> String {
-        match self {
-            Self::Core => job.design.spec.name.clone(),
-            Self::Lights => format!("{}_lights", job.design.spec.name),
-            Self::Table => format!("{}_table", job.design.spec.name),
-            Self::Axis => format!("{}_axis", job.design.spec.name),
-        }
-    }
-
-    /// The name of its own top.
-    pub(super) fn top(self, job: &Job) -> String {
-        format!("{}_tb", self.name(job))
-    }
-
-    /// The core and the bench, relative to the core's directory.
-    pub(super) fn sources(self, job: &Job, language: Language) -> Vec<String> {
-        let mut sources = package::rtl_paths(job.design, language);
-        let own = Self::of(job.design).iter().position(|&part| part == self).map_or(1, |place| place + 1);
-        sources.truncate(own);
-        sources.push(match self {
-            Self::Core => package::bench_path(job.design, language),
-            Self::Lights => package::sequencer_bench_path(job.design, language),
-            Self::Table => package::table_bench_path(job.design, language),
-            Self::Axis => package::axis_bench_path(job.design, language),
-        });
-        sources
+/// What is compared where a part of a core is run by its own bench, as [`Outcome::mode`] says it.
+fn mode(part: Part) -> &'static str {
+    match part {
+        Part::Core => "golden vectors",
+        Part::Lights => "golden vectors in sequence",
+        Part::Table => "golden vectors through the table of lights",
+        Part::Axis => "golden vectors through AXI4-Stream",
     }
 }
 
@@ -103,7 +39,7 @@ pub(super) fn copied(job: &Job, scratch: Folder) -> Result<Folder, Error> {
 
 /// An outcome without a vector compared.
 pub(super) fn failure(simulator: &str, job: &Job, part: Part, first: Vec<String>) -> Outcome {
-    Outcome { first, ..Outcome::none(simulator, part.mode(), job.golden.vectors().len() as u64) }
+    Outcome { first, ..Outcome::none(simulator, mode(part), job.golden.vectors().len() as u64) }
 }
 
 /// The failed outcome of a compilation that did not succeed.
@@ -116,7 +52,7 @@ pub(super) fn compiled(simulator: &str, tool: Tool, output: &Output, job: &Job, 
 
 /// Reads the bench's last line; without a whole one, or with another status than the line says, it failed.
 pub(super) fn judge(simulator: &str, output: &Output, job: &Job, part: Part) -> Outcome {
-    let name = part.name(job);
+    let name = part.name(job.design);
     let text = format!("{}\n{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     let marker = format!("brdfgen: {name}: ");
     let verdict = text.lines().rev().find_map(|line| line.split_once(&marker).map(|(_, rest)| rest.trim().to_owned()));

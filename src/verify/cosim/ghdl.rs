@@ -21,9 +21,9 @@ impl Simulator for Ghdl {
     fn run(&self, job: &Job, part: Part) -> Result<Outcome, Error> {
         // A compiling back end leaves an executable in the current directory.
         let scratch = bench::copied(job, tool::scratch()?)?;
-        let top = part.top(job);
+        let top = part.bench_name(job.design);
         let mut analyse = GHDL.command(scratch.path());
-        analyse.args(["-a", "--std=08"]).args(part.sources(job, Language::Vhdl));
+        analyse.args(["-a", "--std=08"]).args(part.paths_with_bench(job.design, Language::Vhdl));
         if let Some(failed) = bench::compiled(self.name(), GHDL, &GHDL.output(&mut analyse)?, job, part) {
             return Ok(failed);
         }

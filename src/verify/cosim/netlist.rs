@@ -24,9 +24,8 @@ pub fn netlist(job: &Job, models: &Models, verilog: &[u8]) -> Result<Outcome, Er
         package::write_file(&scratch.path().join(name), bytes)?;
         sources.push(name.to_owned());
     }
-    // Of what the netlist is: the outermost but for AXI4-Stream.
-    let part = Part::of(job.design).into_iter().rfind(|&part| part != Part::Axis).unwrap_or(Part::Core);
-    sources.extend(part.sources(job, Language::Verilog).pop());
+    let part = Part::whole(job.design);
+    sources.push(part.bench_path(job.design, Language::Verilog));
     // Icarus only warns of a parameter that a module does not have.
     let mut outcome = icarus::simulate(&scratch, &sources, &["warning: parameter "], job, part)?;
     outcome.mode = models.mode;

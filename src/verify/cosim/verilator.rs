@@ -23,10 +23,10 @@ impl Simulator for Verilator {
         let scratch = bench::copied(job, tool::scratch_for_make()?)?;
         let mut compile = VERILATOR.command(scratch.path());
         compile.args(["--binary", "--timing", "-Wno-fatal", "-O3", "-j", "2", "--Mdir", "obj_dir"]);
-        compile.args(["--top-module", &part.top(job), "-o", "bench"]);
+        compile.args(["--top-module", &part.bench_name(job.design), "-o", "bench"]);
         // A bench runs for a fraction of a second: its compiler's optimisation takes longer than it saves.
         compile.args(["-MAKEFLAGS", "OPT_FAST=-O0 OPT_GLOBAL=-O0 OPT_SLOW=-O0"]);
-        compile.args(part.sources(job, Language::Verilog));
+        compile.args(part.paths_with_bench(job.design, Language::Verilog));
         if let Some(failed) = bench::compiled(self.name(), VERILATOR, &VERILATOR.output(&mut compile)?, job, part) {
             return Ok(failed);
         }

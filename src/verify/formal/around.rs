@@ -15,8 +15,10 @@ use askama::Template;
 
 use super::induction::{Claims, prove};
 use super::{Proof, Step, tried};
+use crate::block::CHANNELS;
 use crate::core::Design;
-use crate::emit::{Axis, Connected, LightTable, Sequencer, package, render};
+use crate::emit::package::{self, Part};
+use crate::emit::{Axis, Connected, LightTable, Sequencer, render};
 use crate::platform::error::Error;
 use crate::spec::Language;
 
@@ -37,9 +39,9 @@ struct SequencerClaims<'a> {
     f: u32,
     bits: u32,
     /// Half a code and 1.0, in units of a sum's last bit; the greatest code.
-    half: u64,
-    one: u64,
-    full: u64,
+    half: i64,
+    one: i64,
+    full: i64,
 }
 
 #[derive(Template)]
@@ -51,9 +53,6 @@ struct TableClaims<'a> {
     channels: [char; 3],
     bits: u32,
 }
-
-/// The channels in names.
-const CHANNELS: [char; 3] = ['r', 'g', 'b'];
 
 /// Proves what is promised of a core's sequencer, its table of lights and its wrapper, once for each of its languages;
 /// of a core without them there is nothing to prove.
@@ -71,12 +70,11 @@ pub fn around(design: &Design, directory: &Path, progress: &dyn Fn(Step)) -> Res
         all.push(("reads the lights of every sample in order, and takes the next with the last", of_table(&table)?));
     }
     if let Some(axis) = package::axis(design) {
-        let texts = package::rtl_paths(design, Language::Verilog).len();
-        all.push(("keeps every beat, in order and unchanged, at full throughput", of_axis(&axis, texts)?));
+        all.push(("keeps every beat, in order and unchanged, at full throughput", of_axis(&axis)?));
     }
     let proved = |(promise, claims): &(&str, Claims)| {
         let of_language = |&language: &Language| {
-            let claim = format!("{} in {language} {promise}", claims.about);
+            let claim = format!("{} in {language} {promise}", claims.part.name(design));
             tried(claim, progress, || prove(design, claims, directory, language))
         };
         design.spec.languages.iter().map(of_language).collect::<Result<Vec<_>, _>>()
@@ -84,7 +82,7 @@ pub fn around(design: &Design, directory: &Path, progress: &dyn Fn(Step)) -> Res
     Ok(all.iter().map(proved).collect::<Result<Vec<_>, _>>()?.concat())
 }
 
-fn of_axis(axis: &Axis, texts: usize) -> Result<Claims, Error> {
+fn of_axis(axis: &Axis) -> Result<Claims, Error> {
     let own = ["ready", "skid_valid", "last", "user", "skid"].into_iter();
     let own = own.filter(|&name| name != "last" || !axis.sequenced);
     let own = own.map(|name| (name.to_owned(), format!("dut.{name}")));
@@ -94,8 +92,7 @@ fn of_axis(axis: &Axis, texts: usize) -> Result<Claims, Error> {
     Ok(Claims {
         module: "stream",
         text: render(&AxisClaims { axis })?,
-        about: axis.name.clone(),
-        texts,
+        part: Part::Axis,
         connections: own.chain(of_core).collect(),
         // Beats that leave the skid register, and a full wrapper that is reset, take a walk through the pipeline.
         walk: axis.latency + 8,
@@ -115,29 +112,27 @@ fn of_table(table: &LightTable) -> Result<Claims, Error> {
     Ok(Claims {
         module: "lights_table",
         text: render(&text)?,
-        about: table.name.clone(),
-        texts: 3,
+        part: Part::Table,
         connections: own.into_iter().chain(read).chain(table.sample.iter().flat_map(of_sample)).collect(),
-        walk: table.latency() + 8,
+        walk: table.latency + 8,
     })
 }
 
 fn of_sequencer(sequencer: &Sequencer) -> Result<Claims, Error> {
-    let channels = CHANNELS;
-    let (f, bits) = (sequencer.sums.frac_bits, sequencer.sums.channel_bits);
-    let start = |c: char| match sequencer.sums.ambient {
+    let (channels, sums) = (CHANNELS, sequencer.sums);
+    let start = |c: char| match sums.ambient {
         None => "40'd0".to_owned(),
-        Some(ambient) => format!("({{40'd0, out_ambient_{c}}} << {})", f - ambient),
+        Some(ambient) => format!("({{40'd0, out_ambient_{c}}} << {})", sums.frac_bits - ambient),
     };
     let text = SequencerClaims {
         sequencer,
         channels,
         starts: channels.map(start),
-        f,
-        bits,
-        half: 1 << (f - bits - 1),
-        one: 1 << f,
-        full: (1 << bits) - 1,
+        f: sums.frac_bits,
+        bits: sums.channel_bits,
+        half: sums.half_code(),
+        one: 1 << sums.frac_bits,
+        full: sums.full_scale(),
     };
     let own = ["valid", "begins"].map(str::to_owned).into_iter().chain(channels.map(|c| format!("total_{c}")));
     let own = own.map(|name| (name.clone(), format!("dut.{name}")));
@@ -148,8 +143,7 @@ fn of_sequencer(sequencer: &Sequencer) -> Result<Claims, Error> {
     Ok(Claims {
         module: "lights",
         text: render(&text)?,
-        about: sequencer.name.clone(),
-        texts: 2,
+        part: Part::Lights,
         connections: own.chain(outputs).chain(inputs).chain(core).collect(),
         walk: sequencer.latency + 4,
     })

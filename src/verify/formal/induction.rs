@@ -10,7 +10,7 @@ use std::process::Command;
 
 use super::ProofStatus;
 use crate::core::Design;
-use crate::emit::package;
+use crate::emit::package::{self, Part};
 use crate::platform::error::Error;
 use crate::platform::tool::{self, YICES, YOSYS, YOSYS_SMTBMC};
 use crate::spec::Language;
@@ -22,10 +22,8 @@ pub(super) struct Claims {
     pub(super) module: &'static str,
     /// Its text.
     pub(super) text: String,
-    /// What they are about: the name of a module or entity.
-    pub(super) about: String,
-    /// How many of the core's texts it takes: it is the last of them.
-    pub(super) texts: usize,
+    /// What they are about.
+    pub(super) part: Part,
     /// The wires of the module that are connected, each to a signal of the text.
     pub(super) connections: Vec<(String, String)>,
     /// Clocks in which what comes in has left.
@@ -63,13 +61,13 @@ pub(super) fn prove(
         std::fs::read(&path).map_err(|error| Error::io("cannot read", &path, error))
     };
     let mut texts = Vec::new();
-    for path in package::rtl_paths(design, language).into_iter().take(claims.texts) {
+    for path in claims.part.rtl_paths(design, language) {
         texts.extend(read(path)?);
     }
     if language == Language::Vhdl {
         // A file of all: GHDL's synthesis is given one.
         put("text.vhd", &texts)?;
-        texts = synth::as_verilog(&claims.about, directory, &scratch.path().join("text.vhd"))?;
+        texts = synth::as_verilog(&claims.part.name(design), directory, &scratch.path().join("text.vhd"))?;
     } else if design.reads_files() {
         for table in design.tables() {
             let path = package::rom_path(design, table, package::read_format(&design.spec));

@@ -1,0 +1,7 @@
+{%- for line in header %}
+{%- if line.is_empty() %}
+//
+{%- else %}
+// {{ line }}
+{%- endif %}
+{%- endfor %}

@@ -1,0 +1,7 @@
+{%- if !rom_files.is_empty() %}
+        generic map (
+{%- for file in rom_files %}
+            {{ file.parameter }} => {{ file.parameter }}{% if !loop.last %},{% endif %}
+{%- endfor %}
+        )
+{%- endif %}
