@@ -62,12 +62,14 @@ impl<'a> ImageDesign<'a> {
         let axes = ["x", "y", "z"];
         let mut meanings = axes.map(|axis| format!("{axis} of the unit normal, the viewer at +z")).to_vec();
         for light in 1..=image.lights {
-            meanings.extend(axes.map(|axis| format!("{axis} of the unit vector to light {light}")));
+            if image.has_incidence() {
+                meanings.extend(axes.map(|axis| format!("{axis} of the unit vector to light {light}")));
+            }
             meanings.extend(match image.form {
                 ImageForm::Bivariate { .. } => {
                     axes.map(|axis| format!("{axis} of light {light}'s half vector")).to_vec()
                 }
-                ImageForm::Half { .. } => {
+                ImageForm::Half { .. } | ImageForm::Paper { .. } => {
                     let row = |row, axis| format!("{axis} of row {row} of the turn to light {light}'s half vector");
                     [(1, "x"), (1, "y"), (1, "z"), (2, "x"), (2, "y")].map(|(number, axis)| row(number, axis)).to_vec()
                 }
@@ -75,9 +77,16 @@ impl<'a> ImageDesign<'a> {
             let band = match image.form {
                 ImageForm::Bivariate { .. } => "row",
                 ImageForm::Half { .. } => "slice",
+                ImageForm::Paper { .. } => "image",
             };
             meanings.push(format!("{band} of texels below light {light}'s angle"));
             meanings.push(format!("weight of the odd one of this {band} and the next, at most 1"));
+            if image.has_turns() {
+                let half =
+                    |parity| format!("half of the way from light {light} to its {parity} image, in right angles");
+                meanings.extend(["even", "odd"].map(half));
+                meanings.push(format!("1 where a single image is looked up for light {light}"));
+            }
             if self.block.widths().shift > 0 {
                 meanings.push(format!("exponent of light {light}'s gain"));
             }

@@ -29,6 +29,8 @@ fn opposite(odd: i64, bits: u32) -> i64 {
 
 /// The places of a light's ports among its own.
 struct LightPlaces {
+    /// Of the z of its direction.
+    z: Option<usize>,
     frame: usize,
     band: usize,
     blend: usize,
@@ -38,10 +40,19 @@ struct LightPlaces {
 
 impl ImageDesign<'_> {
     fn light_places(self) -> LightPlaces {
-        let frame = 3;
+        let z = self.of.image.has_incidence().then_some(2);
+        let frame = z.map_or(0, |z| z + 1);
         let band = frame + self.of.image.frame().iter().map(|(_, axes)| axes.len()).sum::<usize>();
-        let shift = (self.block.widths().shift > 0).then_some(band + 2);
-        LightPlaces { frame, band, blend: band + 1, shift, gain: band + 2 + usize::from(shift.is_some()) }
+        let shift = band + 2 + if self.of.image.has_turns() { 3 } else { 0 };
+        let has_shift = self.block.widths().shift > 0;
+        LightPlaces {
+            z,
+            frame,
+            band,
+            blend: band + 1,
+            shift: has_shift.then_some(shift),
+            gain: shift + usize::from(has_shift),
+        }
     }
 
     /// A random sample: any normal that is seen, half of the lights anywhere and the others where the normal is near
@@ -120,8 +131,7 @@ impl ImageDesign<'_> {
         let places: Vec<u64> = texel.into_iter().map(|place| place << image.weight_bits).collect();
         let (mut codes, gain) = self.towards_texels(&places);
         let one = 1i64 << image.vector_fraction;
-        // The z of the light's direction.
-        codes[5] = 2 * one - 1;
+        self.light_places().z.iter().for_each(|&place| codes[3 + place] = 2 * one - 1);
         self.light_places().shift.iter().for_each(|&place| codes[3 + place] = widths.shift.into());
         let powers = -(image.channel_bits as i32) - 2..=widths.lit_int;
         powers.map(|power| self.with_power(codes.clone(), [0, gain, channel], power)).collect()
@@ -134,7 +144,7 @@ impl ImageDesign<'_> {
         let values = self.graph().values(self.tables(), &inputs);
         let LightJoints { incidence, squares } = self.joints.lights[light];
         let of = |id: usize| self.graph().nodes[id].format.value(values[id]);
-        let factor = of(incidence) * of(squares[channel]) * exp2(-self.block.widths().gain);
+        let factor = incidence.map_or(1.0, of) * of(squares[channel]) * exp2(-self.block.widths().gain);
         // A little more, for what is rounded down on the way.
         let code = exp2(power) * (1.0 + exp2(-8)) / factor;
         let most = (1i64 << self.block.widths().gain) - 1;
@@ -145,7 +155,7 @@ impl ImageDesign<'_> {
     /// Codes that lead to a place, without a gain, and the place of the gain.
     fn towards_texels(self, places: &[u64]) -> (Vec<i64>, usize) {
         let image = &self.of.image;
-        let LightPlaces { frame, band, blend, gain, .. } = self.light_places();
+        let LightPlaces { z, frame, band, blend, gain, .. } = self.light_places();
         let vector = exp2(image.vector_fraction as i32);
         let size = f64::from(image.size);
         let parts = 1u64 << image.weight_bits;
@@ -154,7 +164,7 @@ impl ImageDesign<'_> {
         let mut light = vec![0; gain + 3];
         // The normal is halfway to the rim, the light at the viewer.
         let mut normal = [0.0, 0.0, 0.5];
-        light[2] = number(1.0);
+        z.iter().for_each(|&z| light[z] = number(1.0));
         match image.form {
             ImageForm::Bivariate { octaves } => {
                 let octave_bits = (image.size / octaves).ilog2() as i32;
@@ -170,7 +180,8 @@ impl ImageDesign<'_> {
                 light[frame] = (libm::sqrt(2.0 * u) * vector).ceil() as i64;
                 light[frame + 2] = number(normal[2]);
             }
-            ImageForm::Half { .. } => {
+            // Without a turn both images of the form paper are looked up at one place.
+            ImageForm::Half { .. } | ImageForm::Paper { .. } => {
                 let across = |place: u64| (2.0 * part(place) + 1.0) / size - 1.0;
                 (normal[0], normal[1]) = (across(places[2]), across(places[1]));
                 (light[frame], light[frame + 4]) = (number(1.0), number(1.0));
@@ -218,10 +229,17 @@ impl ImageDesign<'_> {
         let image = &self.of.image;
         let widths = self.block.widths();
         // The axis of the normal, the port among a light's, and what is kept.
-        let mut products = vec![(0, 0, widths.dot), (1, 1, widths.dot), (2, 2, widths.dot)];
-        if matches!(image.form, ImageForm::Half { .. }) {
-            products.extend([(0, 3), (1, 4), (2, 5), (0, 6), (1, 7)].map(|(axis, port)| (axis, port, widths.place)));
+        let mut products = Vec::new();
+        if image.has_incidence() {
+            products.extend([0, 1, 2].map(|axis| (axis, axis, widths.dot)));
         }
+        let frame = self.light_places().frame;
+        let rows: &[(usize, usize)] = match image.form {
+            ImageForm::Bivariate { .. } => &[],
+            ImageForm::Half { .. } => &[(0, 0), (1, 1), (2, 2), (0, 3), (1, 4)],
+            ImageForm::Paper { .. } => &[(0, 0), (1, 1), (2, 2), (0, 3), (1, 4), (0, 4), (1, 3)],
+        };
+        products.extend(rows.iter().map(|&(axis, port)| (axis, frame + port, widths.place)));
         let (axis, port, kept) = products[rng.below(products.len() as u64) as usize];
         let each = (codes.len() - 3) / image.lights as usize;
         let port = 3 + rng.below(image.lights.into()) as usize * each + port;
@@ -242,14 +260,21 @@ impl ImageDesign<'_> {
         let frac = |id: usize| self.graph().nodes[id].format.frac_bits;
         let each = (codes.len() - 3) / self.joints.lights.len();
         let port = 3 + light * each + self.light_places().gain + channel;
-        let (lit, square) = (values[incidence] as i64, values[squares[channel]] as i64);
+        let square = values[squares[channel]] as i64;
         let dropped = |of: i32, kept: i32| (of - kept).clamp(0, 40) as u32;
-        // The least gain that gives a product with n·l.
-        let least = |product: i64, of_gain: u32| ((product << of_gain) + lit - 1).checked_div(lit).unwrap_or(0);
-        let of_gain = dropped(frac(incidence) + widths.gain, widths.lit);
-        codes[port] = match rng.below(3) {
-            0 => opposite(lit | 1, of_gain),
-            1 => least(opposite(square | 1, dropped(widths.lit + frac(squares[channel]), widths.term)), of_gain),
+        codes[port] = match (rng.below(3), incidence) {
+            (0 | 1, None) => opposite(square | 1, dropped(frac(squares[channel]) + widths.gain, widths.term)),
+            (kind @ (0 | 1), Some(incidence)) => {
+                let lit = values[incidence] as i64;
+                let of_gain = dropped(frac(incidence) + widths.gain, widths.lit);
+                if kind == 0 {
+                    opposite(lit | 1, of_gain)
+                } else {
+                    // The least gain that gives a product with n·l.
+                    let product = opposite(square | 1, dropped(widths.lit + frac(squares[channel]), widths.term));
+                    ((product << of_gain) + lit - 1).checked_div(lit).unwrap_or(0)
+                }
+            }
             _ => {
                 let power = widths.lit_int - rng.below(24) as i32;
                 self.with_power(codes.to_vec(), [light, port - channel, channel], power)[port]

@@ -34,7 +34,7 @@ use crate::datapath::Datapath;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
 use crate::datapath::range::{Region, regions};
-use crate::datapath::schedule::{Schedule, schedule};
+use crate::datapath::schedule::{Adders, Schedule, schedule};
 use crate::fixed::{Format, Rng, Table};
 use crate::platform::error::Error;
 use crate::spec::{Block, CoreSpec, RomStyle, hex};
@@ -135,7 +135,8 @@ impl Design {
     /// writable ROM of a method that has none.
     pub fn new(spec: CoreSpec) -> Result<Self, Error> {
         let (datapath, made) = Made::new(&spec)?;
-        let schedule = schedule(&datapath.graph, spec.pipeline)?;
+        let adders = if matches!(spec.block, Block::Image(_)) { Adders::One } else { Adders::Two };
+        let schedule = schedule(&datapath.graph, spec.pipeline, adders)?;
         let design = Self { datapath, schedule, made, spec };
         design.spec.golden_inputs.check(&design.numbers(Direction::In))?;
         if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {

@@ -116,15 +116,27 @@ impl Rules {
     }
 }
 
+/// How many additions may follow each other in a stage of the fastest pipeline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Adders {
+    /// One: between two DSP blocks, which are slow to give a result and to take one, two wide ones are too long.
+    One,
+    /// Two.
+    Two,
+}
+
 /// Rough delays in units of a multiplier's, the same for every family: they rank, they do not time.
-fn delay(op: Op) -> f64 {
+fn delay(op: Op, adders: Adders) -> f64 {
     match op {
         Op::Input | Op::Constant(_) | Op::Cast | Op::Scale => 0.0,
         Op::Mul => 1.0,
         Op::Field { .. } => 0.9,
         Op::ShiftLeft | Op::ShiftRight => 0.6,
         Op::Clamp { .. } => 0.3,
-        Op::Add | Op::Sub | Op::Greater => 0.5,
+        Op::Add | Op::Sub | Op::Greater => match adders {
+            Adders::One => 0.6,
+            Adders::Two => 0.5,
+        },
         Op::NonZero => 0.2,
         Op::Or | Op::ZeroIf | Op::Not | Op::Select => 0.1,
     }
@@ -134,17 +146,18 @@ fn delay(op: Op) -> f64 {
 ///
 /// # Errors
 /// Never with [`Pipeline::Auto`]; with a depth, if registers cannot be placed to give it.
-pub fn schedule(graph: &Graph, pipeline: Pipeline) -> Result<Schedule, Error> {
+pub fn schedule(graph: &Graph, pipeline: Pipeline, adders: Adders) -> Result<Schedule, Error> {
+    let place = |rules: Rules, extra: &[u32]| place(graph, rules, adders, extra);
     let no_extra = vec![0; graph.nodes.len()];
-    let Pipeline::Depth(depth) = pipeline else { return Ok(place(graph, RULES[0], &no_extra)) };
-    let fits = RULES.iter().map(|&rules| place(graph, rules, &no_extra)).find(|s| s.latency <= depth);
+    let Pipeline::Depth(depth) = pipeline else { return Ok(place(RULES[0], &no_extra)) };
+    let fits = RULES.iter().map(|&rules| place(rules, &no_extra)).find(|s| s.latency <= depth);
     let Some(fastest) = fits else {
         return Err(Error::input(format!("a pipeline of {depth} is too shallow"), "use a deeper pipeline, or auto"));
     };
     if fastest.latency == depth {
         return Ok(fastest);
     }
-    let rules = RULES.into_iter().find(|&rules| place(graph, rules, &no_extra).latency <= depth).unwrap_or(RULES[0]);
+    let rules = RULES.into_iter().find(|&rules| place(rules, &no_extra).latency <= depth).unwrap_or(RULES[0]);
     // Registers to spare go behind the multipliers, in turn, where DSP blocks can take them in.
     let multipliers: Vec<NodeId> = (0..graph.nodes.len()).filter(|&id| graph.nodes[id].op == Op::Mul).collect();
     let mut extra = no_extra;
@@ -154,7 +167,7 @@ pub fn schedule(graph: &Graph, pipeline: Pipeline) -> Result<Schedule, Error> {
             break;
         }
         extra[id] += 1;
-        let longer = place(graph, rules, &extra);
+        let longer = place(rules, &extra);
         if longer.latency <= depth {
             schedule = longer;
         } else {
@@ -195,12 +208,12 @@ fn read_late(graph: &Graph, rules: Rules, stage: &mut [u32]) {
 }
 
 /// As early as possible under the rules, with `extra` registers behind each node.
-fn place(graph: &Graph, rules: Rules, extra: &[u32]) -> Schedule {
+fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32]) -> Schedule {
     let count = graph.nodes.len();
     let mut stage = vec![0u32; count];
     let mut done = vec![0.0f64; count];
     for (id, node) in graph.nodes.iter().enumerate() {
-        let time = delay(node.op);
+        let time = delay(node.op, adders);
         for &arg in &node.args {
             let from = &graph.nodes[arg];
             let registers = extra[arg]

@@ -30,6 +30,9 @@ pub enum Border {
     Shrink(f64),
     /// The rim's colour goes on outside of the sphere.
     Extend,
+    /// The same along x only: each row goes on with the colours of its ends, so that a turned normal behind the rim is
+    /// on its side of the row.
+    ExtendX,
 }
 
 impl FromStr for Border {
@@ -39,9 +42,12 @@ impl FromStr for Border {
         let factor = text.strip_prefix("shrink:").and_then(|factor| factor.parse().ok());
         match (text, factor) {
             ("extend", _) => Ok(Self::Extend),
+            ("extend-x", _) => Ok(Self::ExtendX),
             ("shrink", _) => Ok(Self::Shrink(0.995)),
             (_, Some(factor)) if (0.5..=1.0).contains(&factor) => Ok(Self::Shrink(factor)),
-            _ => Err(format!("`{text}` is no border: `shrink:0.995` with a factor from 0.5 to 1, or `extend`")),
+            _ => Err(format!(
+                "`{text}` is no border: `shrink:0.995` with a factor from 0.5 to 1, `extend` or `extend-x`"
+            )),
         }
     }
 }
@@ -51,6 +57,7 @@ impl fmt::Display for Border {
         match self {
             Self::Shrink(factor) => write!(f, "shrink:{factor}"),
             Self::Extend => write!(f, "extend"),
+            Self::ExtendX => write!(f, "extend-x"),
         }
     }
 }
@@ -126,7 +133,7 @@ impl Options {
     fn factor(&self) -> f64 {
         match self.border {
             Border::Shrink(factor) => factor,
-            Border::Extend => 1.0,
+            Border::Extend | Border::ExtendX => 1.0,
         }
     }
 }
@@ -136,15 +143,19 @@ impl Options {
 pub fn samples(reflectance: &dyn Reflectance, angles: &[f64], size: usize, border: Border, exposure: f64) -> Samples {
     let at = |place: usize| 2.0 * (place as f64 + 0.5) / size as f64 - 1.0;
     let row = |row: usize| {
-        let (light, y) = (Light::new(angles[row / size], 0.0), at(row % size));
+        let (light, of_row) = (Light::new(angles[row / size], 0.0), at(row % size));
         (0..size).map(move |column| {
-            let (mut x, mut y) = (at(column), y);
+            let (mut x, mut y) = (at(column), of_row);
             let r = sqrt(x * x + y * y);
             if r >= 1.0 {
-                if matches!(border, Border::Shrink(_)) {
-                    return [0.0; 3];
+                match border {
+                    Border::Shrink(_) => return [0.0; 3],
+                    Border::Extend => (x, y) = (x * RIM / r, y * RIM / r),
+                    Border::ExtendX => {
+                        y = y.clamp(-RIM, RIM);
+                        x = sqrt(RIM * RIM - y * y).copysign(x);
+                    }
                 }
-                (x, y) = (x * RIM / r, y * RIM / r);
             }
             let z = sqrt((1.0 - x * x - y * y).max(0.0));
             reflectance.radiance(light, Vector::new(x, y, z), exposure).map(|value| value as f32)

@@ -89,9 +89,14 @@ method_keys! { keys! {
     #[arg(help_heading = "Image-based block")]
     image_form: ImageFormName where "image-based blocks",
 
-    /// Slices of the form half, a power of two from 4 to 64 [default: 16]
+    /// Slices of the form half, a power of two from 4 to 64, or images of the form paper, 1 to 32, at steps of
+    /// 180/COUNT degrees [default: 16 slices, 6 images]
     #[arg(help_heading = "Image-based block", value_name = "COUNT")]
     images: u32 where "image-based blocks",
+
+    /// Angles of the light in degrees that the images of the form paper are lit from, ascending, ANGLE,ANGLE
+    #[arg(help_heading = "Image-based block", value_name = "ANGLES", value_delimiter = ',')]
+    angles: Vec<f64> where "image-based blocks",
 
     /// Octaves of 1 - n.h that have columns of their own in the form bivariate, a power of two from 2 to 16 [default:
     /// 8]
@@ -106,7 +111,7 @@ method_keys! { keys! {
     #[arg(help_heading = "Image-based block", value_name = "BITS")]
     texel_bits: u32 where "image-based blocks",
 
-    /// Bits of the weights that texels are blended with, 3 to 8 [default: 6 for half, 5 for bivariate]
+    /// Bits of the weights that texels are blended with, 3 to 8 [default: 5 for bivariate, else 6]
     #[arg(help_heading = "Image-based block", value_name = "BITS")]
     weight_bits: u32 where "image-based blocks",
 

@@ -4,12 +4,13 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 use super::{Block, BlockKind, ReflectanceFields, RomStyle, ShaderFields, SpecFields};
-use crate::block::image::{Image, ImageForm, ImageSpec, TexelMemory};
+use crate::block::image::{IMAGES, Image, ImageForm, ImageSpec, TexelMemory};
 use crate::block::lights::DEFAULT_MOST_LIGHTS;
 use crate::block::shader::{CHANNEL_BITS, VECTOR_FRACTION};
 use crate::method::keys::Fields;
 use crate::method::within;
 use crate::platform::error::{Error, refuse};
+use crate::reflectance::form::FormKind;
 
 /// What is stored of a reflectance, by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
@@ -19,6 +20,8 @@ pub enum ImageFormName {
     Half,
     /// The mean over the azimuth about the half vector: a row for each angle of the light.
     Bivariate,
+    /// Pictures of the unit sphere, lit from a few angles.
+    Paper,
 }
 
 /// Where its keys apply, as their table says it.
@@ -82,7 +85,7 @@ impl SpecFields {
             "8, 10 or 12"
         );
         let default_weight_bits = match form {
-            ImageForm::Half { .. } => 6,
+            ImageForm::Half { .. } | ImageForm::Paper { .. } => 6,
             ImageForm::Bivariate { .. } => 5,
         };
         let image = Image {
@@ -101,11 +104,19 @@ impl SpecFields {
     }
 
     fn resolved_form(&self) -> Result<ImageForm, Error> {
-        Ok(match self.image_form.unwrap_or(ImageFormName::Half) {
-            ImageFormName::Half => {
-                refuse!(self.octaves.is_some(), "octaves are given for slices", "they are of --image-form bivariate");
-                ImageForm::Half { slices: self.images.unwrap_or(16) }
-            }
+        let name = self.image_form.unwrap_or(ImageFormName::Half);
+        refuse!(
+            self.octaves.is_some() && name != ImageFormName::Bivariate,
+            format!("octaves are given for {}", if name == ImageFormName::Half { "slices" } else { "sphere images" }),
+            "they are of --image-form bivariate"
+        );
+        refuse!(
+            self.angles.is_some() && name != ImageFormName::Paper,
+            "angles are given for a form whose angles are fixed",
+            "leave them out, or use --image-form paper"
+        );
+        Ok(match name {
+            ImageFormName::Half => ImageForm::Half { slices: self.images.unwrap_or(16) },
             ImageFormName::Bivariate => {
                 refuse!(
                     self.images.is_some(),
@@ -113,6 +124,19 @@ impl SpecFields {
                     "it has as many rows as columns: give image_size, or use --image-form half"
                 );
                 ImageForm::Bivariate { octaves: self.octaves.unwrap_or(8) }
+            }
+            ImageFormName::Paper => {
+                let angles = match (&self.angles, self.images) {
+                    (Some(_), Some(_)) => {
+                        return Err(Error::input(
+                            "images and angles are given",
+                            "give angles, or how many images there are",
+                        ));
+                    }
+                    (Some(angles), None) => angles.clone(),
+                    (None, images) => FormKind::Paper.angles(within("images", images.unwrap_or(6), IMAGES)? as usize),
+                };
+                ImageForm::Paper { angles }
             }
         })
     }
@@ -128,9 +152,19 @@ impl SpecFields {
 
     /// With what an image-based block is given.
     pub(super) fn with_image(self, ImageSpec { image, source, exposure }: &ImageSpec, rom: RomStyle) -> Self {
-        let (form, images, octaves) = match image.form {
-            ImageForm::Half { slices } => (ImageFormName::Half, Some(slices), None),
-            ImageForm::Bivariate { octaves } => (ImageFormName::Bivariate, None, Some(octaves)),
+        let mut octaves = None;
+        let mut angles = None;
+        let (form, images) = match &image.form {
+            ImageForm::Half { slices } => (ImageFormName::Half, Some(*slices)),
+            ImageForm::Bivariate { octaves: count } => {
+                octaves = Some(*count);
+                (ImageFormName::Bivariate, None)
+            }
+            ImageForm::Paper { angles: listed } => {
+                let even = FormKind::Paper.angles(listed.len()) == *listed;
+                angles = (!even).then(|| listed.clone());
+                (ImageFormName::Paper, even.then_some(listed.len() as u32))
+            }
         };
         Self {
             block: Some(BlockKind::Image),
@@ -138,6 +172,7 @@ impl SpecFields {
             shader: ShaderFields::default(),
             image_form: Some(form),
             images,
+            angles,
             octaves,
             image_size: Some(image.size),
             texel_bits: Some(image.texel_bits),
@@ -158,6 +193,7 @@ pub(super) fn default_name(image: &Image) -> String {
     let form = match image.form {
         ImageForm::Half { .. } => "half",
         ImageForm::Bivariate { .. } => "bivariate",
+        ImageForm::Paper { .. } => "paper",
     };
     format!("image_{form}")
 }

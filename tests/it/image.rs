@@ -20,8 +20,8 @@ use rayon::prelude::*;
 use crate::common::Scratch;
 use crate::common::core::{Generated, design, ecp5_cells, resolved, silent};
 
-/// Both forms, the ends of the ranges, texels in files and writable, several lights, pipelines, AXI4-Stream.
-const SPECS: [&str; 6] = [
+/// All forms, the ends of the ranges, texels in files and writable, several lights, pipelines, AXI4-Stream.
+const SPECS: [&str; 8] = [
     "image_form = 'bivariate'\nreflectance = { model = 'ggx' }",
     "images = 4\nimage_size = 8\ntexels = 'writable'\nlights_a_clock = 2\nreflectance = { model = 'gold-paint' }",
     "image_form = 'bivariate'\nimage_size = 8\noctaves = 2\ntexel_bits = 4\nweight_bits = 3\nvector_bits = 10\n\
@@ -34,6 +34,10 @@ const SPECS: [&str; 6] = [
     "images = 4\nimage_size = 8\nlights_a_clock = 3\noutput_bits = 10\n\
      rom_formats = ['hex', 'coe', 'mif', 'vhdl', 'c', 'csv', 'bin']\naxi_stream = true\n\
      reflectance = { model = 'ward' }",
+    "image_form = 'paper'\nimage_size = 8\nimages = 4\nweight_bits = 4\nlights_a_clock = 2\ntexels = 'writable'\n\
+     reflectance = { model = 'ggx' }",
+    "image_form = 'paper'\nimage_size = 16\nangles = [20, 90, 130.5]\npipeline = 2\naxi_stream = true\n\
+     reflectance = { model = 'blinnphong' }",
 ];
 
 fn text(spec: &str) -> String {
@@ -65,10 +69,10 @@ fn every_image_core_passes_in_every_simulator_and_lints_clean() {
         silent(path, "verilator", &["--lint-only", "-Wall", &verilog], spec);
         silent(path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog, &format!("tb/{name}_tb.v")], spec);
         silent(path, "ghdl", &["-a", "--std=08", &workdir, &vhdl, &format!("tb/{name}_tb.vhd")], spec);
-        // No memory is a table of cases, and each is read from its file.
+        // No texels are a table of cases, and each is read from its file.
         for (language, reads) in [(Language::Verilog, "initial $readmemh"), (Language::Vhdl, "readline(")] {
             let text = generated.text(&package::rtl_path(&core.design, language));
-            let memories = core.design.tables().len();
+            let memories = core.design.tables().iter().filter(|memory| memory.holds_texels()).count();
             assert_eq!(text.matches(reads).count(), memories, "{spec}");
             assert!(text.lines().count() < 6000, "{spec}");
         }
@@ -127,6 +131,12 @@ fn what_is_no_image_core_is_refused() {
         ("image_size = 1024", "image_size = 1024 is out of range"),
         ("image_form = 'bivariate'\nimages = 16", "images are given for the form bivariate"),
         ("octaves = 8", "octaves are given for slices"),
+        ("angles = [0, 90]", "angles are given for a form whose angles are fixed"),
+        ("image_form = 'paper'\noctaves = 8", "octaves are given for sphere images"),
+        ("image_form = 'paper'\nimages = 4\nangles = [0, 90]", "images and angles are given"),
+        ("image_form = 'paper'\nimages = 33", "images = 33 is out of range"),
+        ("image_form = 'paper'\nangles = [0, 90, 60]", "do not ascend"),
+        ("image_form = 'paper'\nimages = 1", "no image is between 0 and 180 degrees"),
         ("vector_bits = 9", "vector_bits = 9 is out of range"),
         ("output_bits = 9", "output_bits = 9 is not offered"),
         ("lights_a_clock = 9", "lights_a_clock = 9 is out of range"),
@@ -195,7 +205,11 @@ fn commands_take_or_refuse_an_image_core() {
 /// The account keeps the targets, its parts are in order, and the model shows a sphere that is lit.
 #[test]
 fn pictures_through_the_core_are_as_good_as_its_account_says() {
-    for (spec, mean, worst) in [(SPECS[0], 44.0, 34.5), ("reflectance = { model = 'ggx' }", 49.0, 42.0)] {
+    for (spec, mean, worst) in [
+        (SPECS[0], 44.0, 34.5),
+        ("reflectance = { model = 'ggx' }", 49.0, 42.0),
+        ("image_form = 'paper'\nimage_size = 64\nreflectance = { model = 'ggx' }", 38.5, 27.0),
+    ] {
         let design = design(&text(spec));
         let image = image(&design);
         let model = image.of.source.model().expect("a model");
@@ -219,7 +233,7 @@ fn pictures_through_the_core_are_as_good_as_its_account_says() {
         };
         let exact = sphere.exact(model, light, image.of.exposure);
         let ratio = measure::psnr(&exact, &sphere.normals.iter().map(shown).collect::<Vec<_>>());
-        assert!(ratio > 40.0, "{ratio}");
+        assert!(ratio > mean - 4.0, "{ratio}");
         // Behind the surface, and where nothing is to be seen, it is black.
         let black = |n: Vector, phi: f64| sample(n, Light::new(phi, 0.0));
         assert_eq!(black(-Vector::z(), 10.0), [0; 3]);
@@ -237,15 +251,16 @@ fn pictures_through_the_core_are_as_good_as_its_account_says() {
 /// The record that the codes of a light's ports are.
 fn record_of(image: &ImageDesign<'_>, codes: &[i64]) -> LightRecord {
     let frame = image.of.image.frame().iter().map(|(_, axes)| axes.len()).sum::<usize>();
-    let (direction, rest) = codes.split_at(3);
+    let (direction, rest) = codes.split_at(if image.of.image.has_incidence() { 3 } else { 0 });
     let (frame, rest) = rest.split_at(frame);
     let gain = &rest[rest.len() - 3..];
     LightRecord {
-        direction: [direction[0], direction[1], direction[2]],
+        direction: direction.try_into().ok(),
         frame: frame.to_vec(),
         band: rest[0],
         blend: rest[1],
-        shift: (rest.len() == 6).then(|| rest[2]),
+        turns: image.of.image.has_turns().then(|| [rest[2], rest[3], rest[4]]),
+        shift: (image.block.widths().shift > 0).then(|| rest[rest.len() - 4]),
         gain: [gain[0], gain[1], gain[2]],
     }
 }
@@ -257,6 +272,7 @@ fn every_address_and_every_weight() {
     for spec in [
         "image_form = 'bivariate'\nimage_size = 8\noctaves = 4\nweight_bits = 4\nreflectance = { model = 'ggx' }",
         "images = 4\nimage_size = 8\nweight_bits = 3\nreflectance = { model = 'gold-paint' }",
+        "image_form = 'paper'\nimages = 4\nimage_size = 8\nweight_bits = 3\nreflectance = { model = 'gold-paint' }",
     ] {
         let design = design(&text(spec));
         let image = image(&design);
@@ -415,7 +431,8 @@ fn written_texels_make_the_core_of_another_reflectance() {
 /// angles, past the last one, and behind the object.
 #[test]
 fn records_are_as_the_datasheet_says() {
-    for spec in [SPECS[0], "reflectance = { model = 'gold-paint' }"] {
+    let paper = "image_form = 'paper'\nimage_size = 8\nreflectance = { model = 'gold-paint' }";
+    for spec in [SPECS[0], "reflectance = { model = 'gold-paint' }", paper] {
         let design = design(&text(spec));
         let image = image(&design);
         let asked = &image.of.image;
@@ -431,7 +448,8 @@ fn records_are_as_the_datasheet_says() {
             let [(ps, pc), (gs, gc)] = [phi, gamma].map(|angle: f64| angle.to_radians().sin_cos());
             let l = [ps * gc, ps * gs, pc];
             let off = |code: i64, value: f64| assert!((code - component(value)).abs() <= 1, "{phi}: {code} {value}");
-            (0..3).for_each(|axis| off(record.direction[axis], l[axis]));
+            assert_eq!(record.direction.is_none(), spec == paper);
+            record.direction.iter().flatten().zip(l).for_each(|(&code, value)| off(code, value));
             let frame = if asked.frame().len() == 1 {
                 let length = (l[0] * l[0] + l[1] * l[1] + (l[2] + 1.0).powi(2)).sqrt();
                 if phi == 180.0 {
@@ -445,6 +463,15 @@ fn records_are_as_the_datasheet_says() {
             };
             record.frame.iter().zip(&frame).for_each(|(&code, &value)| off(code, value));
             let band = (0..last).rev().find(|&band| angles[band] <= phi).unwrap_or(0);
+            if let Some([even, odd, alone]) = record.turns {
+                let is_alone = phi >= angles[last];
+                assert_eq!(alone, i64::from(is_alone), "{phi}");
+                for (number, half) in [(band, [even, odd]), (band + 1, [odd, even])] {
+                    if !is_alone || number == last {
+                        assert_eq!(half[band % 2], near((angles[number] - phi) / 180.0, 14), "{phi}");
+                    }
+                }
+            }
             let t = ((phi - angles[band]) / (angles[band + 1] - angles[band])).min(1.0);
             let [w1, w2] = [(1.0 - t) * caps[band].sqrt(), t * caps[band + 1].sqrt()];
             let odd = if band % 2 == 0 { w2 } else { w1 } / (w1 + w2);
@@ -470,7 +497,7 @@ fn records_are_as_the_datasheet_says() {
 #[test]
 fn both_languages_are_proved_the_same() {
     let scratch = Scratch::new();
-    for spec in [SPECS[1], SPECS[2]] {
+    for spec in [SPECS[1], SPECS[2], SPECS[6]] {
         scratch.write("spec.toml", text(&format!("name = 'lit'\n{spec}")));
         scratch.run("generate spec.toml --out core").succeeds();
         let run = scratch.run("formal core").succeeds().says(&["PROVED Verilog = VHDL"]);

@@ -1,7 +1,7 @@
 //! The operations of the image-based block.
 
 use super::texels::{banks, fields, parities};
-use super::{Image, ImageBlock, ImageForm, ImageWidths};
+use super::{Image, ImageBlock, ImageForm, ImageWidths, OctaveAxis, turn};
 use crate::block::CHANNELS;
 use crate::block::parts::{self, AXES};
 use crate::datapath::Datapath;
@@ -10,31 +10,45 @@ use crate::datapath::graph::NodeId;
 use crate::fixed::{Format, Interval, exp2};
 
 /// The ports of a light.
-struct LightPorts {
-    direction: [NodeId; 3],
+pub(super) struct LightPorts {
+    /// None where the texels hold n·l.
+    direction: Option<[NodeId; 3]>,
     /// The vectors of [`Image::frame`].
-    frame: Vec<Vec<NodeId>>,
+    pub(super) frame: Vec<Vec<NodeId>>,
     band: NodeId,
     blend: NodeId,
+    /// Of the form paper.
+    pub(super) turns: Option<TurnPorts>,
     /// None where all lights have one.
     shift: Option<NodeId>,
     gain: [NodeId; 3],
 }
 
+/// The ports of a light that turn the normal.
+pub(super) struct TurnPorts {
+    /// Half of the way to the image with an even number and to that with an odd one.
+    pub(super) halves: [NodeId; 2],
+    /// Whether a single image is looked up.
+    pub(super) alone: NodeId,
+}
+
 /// The graph under construction.
-struct Imaging<'a, 'b> {
-    b: Builder<'b>,
-    image: &'a Image,
-    widths: ImageWidths,
-    normal: [NodeId; 3],
+pub(super) struct Imaging<'a, 'b> {
+    pub(super) b: Builder<'b>,
+    pub(super) image: &'a Image,
+    pub(super) widths: ImageWidths,
+    pub(super) normal: [NodeId; 3],
     /// Whether the normal is turned away from the viewer.
     hidden: NodeId,
+    /// The number of the first memory that holds a function and not texels.
+    pub(super) functions: usize,
     joints: Joints,
 }
 
 /// Both addresses of a place in a direction whose texels lie in two memories by their parity, and the weight of the odd
 /// one.
-struct Pair {
+#[derive(Clone, Copy)]
+pub(super) struct Pair {
     /// In the memory of the even and of the odd ones.
     addresses: [NodeId; 2],
     odd: NodeId,
@@ -52,9 +66,9 @@ pub struct Joints {
 /// The factors of what a light gives.
 #[derive(Clone, Copy, Debug)]
 pub struct LightJoints {
-    /// n·l times two to the power of the shift.
-    pub incidence: NodeId,
-    /// The squared blend of a channel.
+    /// n·l times two to the power of the shift; none where the texels hold n·l.
+    pub incidence: Option<NodeId>,
+    /// The squared blend of a channel; where the texels hold n·l, times two to the power of the shift.
     pub squares: [NodeId; 3],
 }
 
@@ -85,17 +99,18 @@ impl Joints {
         });
         let lights = self.lights.iter_mut().flat_map(|joints| {
             let LightJoints { incidence, squares } = joints;
-            [incidence].into_iter().chain(squares)
+            incidence.iter_mut().chain(squares)
         });
         places.chain(lights)
     }
 }
 
 /// A place among the texels in a direction: as it was found, the texel at or below it, and the weight of the next.
-struct Place {
+#[derive(Clone, Copy)]
+pub(super) struct Place {
     place: NodeId,
-    texel: NodeId,
-    weight: NodeId,
+    pub(super) texel: NodeId,
+    pub(super) weight: NodeId,
 }
 
 fn bound(low: f64, high: f64, grid: i32) -> Bound {
@@ -110,14 +125,21 @@ impl Imaging<'_, '_> {
 
     fn light_ports(&mut self, l: usize) -> LightPorts {
         let shift_bits = self.widths.shift_bits();
-        let direction = self.vector(&format!("l{l}"), &AXES);
+        let direction = self.image.has_incidence().then(|| {
+            let direction = self.vector(&format!("l{l}"), &AXES);
+            [direction[0], direction[1], direction[2]]
+        });
         let frame = self.image.frame().iter().map(|(name, axes)| self.vector(&format!("{name}{l}"), axes)).collect();
-        let band_bits = self.image.extents()[0].ilog2() as i32;
+        let band_bits = Image::place_bits(self.image.extents()[0]) as i32;
         LightPorts {
-            direction: [direction[0], direction[1], direction[2]],
+            direction,
             frame,
             band: self.b.port(Format::unsigned(band_bits, 0), &format!("in_band{l}")),
             blend: self.b.port(Format::unsigned(1, self.image.weight_bits as i32), &format!("in_blend{l}")),
+            turns: self.image.has_turns().then(|| TurnPorts {
+                halves: ["even", "odd"].map(|parity| self.b.port(turn::HALF_TURN, &format!("in_turn{l}_{parity}"))),
+                alone: self.b.port(Format::unsigned(1, 0), &format!("in_alone{l}")),
+            }),
             shift: (shift_bits > 0).then(|| self.b.port(Format::unsigned(shift_bits, 0), &format!("in_shift{l}"))),
             gain: CHANNELS.map(|c| self.b.port(Format::unsigned(0, self.widths.gain), &format!("in_gain{l}{c}"))),
         }
@@ -130,29 +152,39 @@ impl Imaging<'_, '_> {
         self.b.not(seen.expect("n.v has bits"), "hidden", "the normal is turned away from the viewer")
     }
 
+    /// The exponent of a light's gain, kept at the greatest.
+    fn shift(&mut self, port: Option<NodeId>, l: usize) -> Option<NodeId> {
+        let most = i128::from(self.widths.shift);
+        port.map(|shift| {
+            if self.b.format(shift).max_code() > most {
+                self.b.clamp(shift, 0, most, &format!("shift{l}"), "at most the greatest")
+            } else {
+                shift
+            }
+        })
+    }
+
+    /// A factor below 1, with so many fraction bits, times 2^shift, rounded down and kept in the format of n·l.
+    fn shifted(&mut self, factor: NodeId, bits: i32, shift: Option<NodeId>, name: &str) -> NodeId {
+        let ImageWidths { lit_int, lit, shift: most_shift, .. } = self.widths;
+        let Some(shift) = shift else { return factor };
+        let up = self.b.scale(factor, Some(shift), 0, &[most_shift], &format!("{name}_up"), "times 2^shift");
+        self.b.assume(up, vec![bound(0.0, exp2(most_shift) - exp2(most_shift - bits), bits)]);
+        let cut = self.b.floor(up, lit, &format!("{name}_up_cut"), "rounded down");
+        let most = (1i128 << (lit_int + self.b.format(cut).frac_bits)) - 1;
+        self.b.clamp(cut, 0, most, &format!("{name}_within"), "kept in its format")
+    }
+
     /// n·l from 0 times 2^shift, rounded down and kept in its format; 0 where the normal is turned away from the
     /// viewer.
     fn incidence(&mut self, direction: [NodeId; 3], shift: Option<NodeId>, l: usize) -> NodeId {
-        let ImageWidths { lit_int, lit, shift: most_shift, .. } = self.widths;
+        let ImageWidths { lit, shift: most_shift, .. } = self.widths;
         let bits = Some(self.widths.dot);
         let dot = parts::dot(&mut self.b, &self.normal, &direction, bits, &format!("nl{l}"), "n.l");
         let dot = self.b.floor(dot, lit + most_shift, &format!("nl{l}_cut"), "rounded down");
         let most = (1i128 << self.b.format(dot).frac_bits) - 1;
-        let mut dot = self.b.clamp(dot, 0, most, &format!("nl{l}_kept"), "n.l, kept in [0, 1)");
-        if let Some(shift) = shift {
-            let most = i128::from(most_shift);
-            let shift = if self.b.format(shift).max_code() > most {
-                self.b.clamp(shift, 0, most, &format!("shift{l}"), "at most the greatest")
-            } else {
-                shift
-            };
-            let shifts = [most_shift];
-            let up = self.b.scale(dot, Some(shift), 0, &shifts, &format!("nl{l}_up"), "times 2^shift");
-            self.b.assume(up, vec![bound(0.0, exp2(most_shift) - exp2(-lit), lit + most_shift)]);
-            let cut = self.b.floor(up, lit, &format!("nl{l}_up_cut"), "rounded down");
-            let most = (1i128 << (lit_int + self.b.format(cut).frac_bits)) - 1;
-            dot = self.b.clamp(cut, 0, most, &format!("nl{l}_within"), "kept in its format");
-        }
+        let dot = self.b.clamp(dot, 0, most, &format!("nl{l}_kept"), "n.l, kept in [0, 1)");
+        let dot = self.shifted(dot, lit + most_shift, shift, &format!("nl{l}"));
         self.b.zero_if(Some(self.hidden), dot, &format!("nl{l}"), "n.l, 0 for a normal that is turned away")
     }
 
@@ -173,21 +205,24 @@ impl Imaging<'_, '_> {
         self.b.clamp(u, 0, most, &format!("u{l}"), "the versine u = |n - h|^2 / 2, at most the last column's")
     }
 
-    /// The number of the column at or below u and the weight of the next: u as a floating-point number.
-    fn octave_column(&mut self, u: NodeId, octaves: u32, l: usize) -> Place {
-        let (m, w) = (self.image.octave_bits(octaves) as i32, self.image.weight_bits as i32);
+    /// The number of the column at or below u and the weight of the next, of w bits: u, of which names begin with
+    /// `of`, as a floating-point number.
+    pub(super) fn octave_column(&mut self, u: NodeId, axis: OctaveAxis, w: i32, of: &str, l: usize) -> Place {
+        let (octaves, m) = (axis.size >> axis.octave_bits, axis.octave_bits as i32);
         let mut y = u;
         let mut exponent: Option<NodeId> = None;
         let mut flags = Vec::new();
         for amount in (0..octaves.ilog2()).rev().map(|bit| 1i32 << bit) {
             let name = |what: &str| format!("{what}{l}_{amount}");
             let frac_bits = self.b.format(y).frac_bits;
-            let high = self.b.reaches(y, -amount, &name("high"), &format!("the first {amount} bits of u"));
+            let high = self.b.reaches(y, -amount, &name("high"), &format!("the first {amount} bits of {of}"));
             let high = high.expect("u has these bits");
             let low = Format::unsigned(-amount, frac_bits);
-            let low = self.b.cast(y, low, HighBits::Guarded, &name("u_low"), "without them");
-            let up = self.b.scale(low, None, amount, &[amount], &name("u_up"), &format!("u 2^{amount}"));
-            y = self.b.select(high, [y, up], |_| None, &name("u"), &format!("u, times 2^{amount} if it is so small"));
+            let low = self.b.cast(y, low, HighBits::Guarded, &name(&format!("{of}_low")), "without them");
+            let up =
+                self.b.scale(low, None, amount, &[amount], &name(&format!("{of}_up")), &format!("{of} 2^{amount}"));
+            let what = format!("{of}, times 2^{amount} if it is so small");
+            y = self.b.select(high, [y, up], |_| None, &name(of), &what);
             // Where a single bit is looked at it keeps its weight.
             let bit = amount.ilog2() as i32 + self.b.format(high).frac_bits;
             let place = self.b.scale(high, None, bit, &[bit], &name("place"), "a bit of the exponent");
@@ -198,10 +233,10 @@ impl Imaging<'_, '_> {
             flags.push(Some(high));
         }
         let normal = self.b.any(&flags, &format!("normal{l}"), "the exponent is not 0").expect("there are octaves");
-        let twice = self.b.scale(y, None, 1, &[1], &format!("u{l}_twice"), "2 u");
+        let twice = self.b.scale(y, None, 1, &[1], &format!("{of}{l}_twice"), &format!("2 {of}"));
         let frac_bits = self.b.format(twice).frac_bits;
         let rest = Format::unsigned(0, frac_bits);
-        let rest = self.b.cast(twice, rest, HighBits::Guarded, &format!("u{l}_rest"), "2 u - 1");
+        let rest = self.b.cast(twice, rest, HighBits::Guarded, &format!("{of}{l}_rest"), &format!("2 {of} - 1"));
         let rest = self.b.select(normal, [rest, y], |_| None, &format!("rest{l}"), "the place in the octave");
         let rest = self.b.floor(rest, m + w, &format!("rest{l}_cut"), "rounded down to the weights' last bit");
         let within = self.b.cast(
@@ -214,42 +249,60 @@ impl Imaging<'_, '_> {
         let within = self.b.scale(within, None, m, &[m], &format!("step{l}_number"), "its number");
         let exponent = exponent.expect("there are octaves");
         let exponent = self.b.scale(exponent, None, m, &[m], &format!("octave{l}"), "the octave's first column");
-        let column = self.b.add(exponent, within, &format!("column{l}"), "the column at or below u");
-        let weight =
-            self.b.cast(rest, Format::unsigned(-m, m + w), HighBits::Guarded, &format!("part{l}"), "u past it");
+        let column = self.b.add(exponent, within, &format!("column{l}"), &format!("the column at or below {of}"));
+        let weight = self.b.cast(
+            rest,
+            Format::unsigned(-m, m + w),
+            HighBits::Guarded,
+            &format!("part{l}"),
+            &format!("{of} past it"),
+        );
         let weight = self.b.scale(weight, None, m, &[m], &format!("weight{l}"), "the weight of the next column");
         Place { place: u, texel: column, weight }
     }
 
-    /// Where a product with the normal lies among the texels of a side, whose centres are at (i + 1/2)/size of -1 to 1:
-    /// the texel at or below it and the weight of the next, to the nearest weight and between the outermost centres.
-    fn across(&mut self, axis: &[NodeId], name: &str, l: usize) -> Place {
+    /// A product with the normal.
+    pub(super) fn across(&mut self, axis: &[NodeId], name: &str, l: usize) -> NodeId {
+        let (normal, kept) = (&self.normal[..axis.len()], Some(self.widths.place));
+        parts::dot(&mut self.b, normal, axis, kept, &format!("{name}{l}"), "the turned normal")
+    }
+
+    /// Where a component of the turned normal lies among the texels of a side, whose centres are at (i + 1/2)/size of
+    /// -1 to 1, from the first: to the nearest weight and between the outermost centres.
+    pub(super) fn along(&mut self, component: NodeId, name: &str) -> NodeId {
         let w = self.image.weight_bits as i32;
         let (bits, size) = (self.image.size.ilog2() as i32, i128::from(self.image.size));
-        let (normal, kept) = (&self.normal[..axis.len()], Some(self.widths.place));
-        let dot = parts::dot(&mut self.b, normal, axis, kept, &format!("{name}{l}"), "the turned normal");
         let by = bits - 1;
-        let scaled = self.b.scale(dot, None, by, &[by], &format!("{name}{l}_scaled"), "in texels from the middle");
+        let scaled = self.b.scale(component, None, by, &[by], &format!("{name}_scaled"), "in texels from the middle");
         let middle = ((size - 1) << w) + 1;
         let format = Format::unsigned(bits, w + 1);
         let middle = self.b.constant(middle, format, &format!("middle_{w}"));
         let place =
-            self.b.add(scaled, middle, &format!("{name}{l}_place"), "from the first, plus half a weight's last bit");
-        let place = self.b.floor(place, w, &format!("{name}{l}_cut"), "rounded to the nearest weight");
-        let place =
-            self.b.clamp(place, 0, (size - 1) << w, &format!("{name}{l}_kept"), "between the outermost centres");
+            self.b.add(scaled, middle, &format!("{name}_place"), "from the first, plus half a weight's last bit");
+        let place = self.b.floor(place, w, &format!("{name}_cut"), "rounded to the nearest weight");
+        self.b.clamp(place, 0, (size - 1) << w, &format!("{name}_kept"), "between the outermost centres")
+    }
+
+    /// A place along a side: the texel at or below it and the weight of the next.
+    pub(super) fn split(&mut self, place: NodeId, name: &str) -> Place {
+        let bits = self.image.size.ilog2() as i32;
         let whole = Format::unsigned(bits, 0);
-        let texel =
-            self.b.cast(place, whole, HighBits::Unused, &format!("{name}{l}_texel"), "the texel at or below it");
-        let part = Format::unsigned(0, w);
-        let weight =
-            self.b.cast(place, part, HighBits::Guarded, &format!("{name}{l}_weight"), "the weight of the next");
+        let texel = self.b.cast(place, whole, HighBits::Unused, &format!("{name}_texel"), "the texel at or below it");
+        let part = Format::unsigned(0, self.image.weight_bits as i32);
+        let weight = self.b.cast(place, part, HighBits::Guarded, &format!("{name}_weight"), "the weight of the next");
         Place { place, texel, weight }
+    }
+
+    /// The texels of a side that a component of the turned normal leads to.
+    fn side(&mut self, component: NodeId, name: &str) -> Pair {
+        let place = self.along(component, name);
+        let place = self.split(place, name);
+        self.pair(place, self.image.size, name)
     }
 
     /// The addresses of a place among so many and the next in the memories of the even and of the odd ones.
     fn addresses(&mut self, place: NodeId, extent: u32, name: &str) -> [NodeId; 2] {
-        let bits = extent.ilog2() as i32;
+        let bits = Image::place_bits(extent) as i32;
         let one = self.b.constant(1, Format::unsigned(1, 0), "one");
         let next = self.b.add(place, one, &format!("{name}_next_exact"), "the next");
         // Beside the last one, which is odd, stands the even one before it.
@@ -262,7 +315,7 @@ impl Imaging<'_, '_> {
     }
 
     /// Where the texel of a place and the next lie, and the weight of the odd one.
-    fn pair(&mut self, Place { place, texel, weight }: Place, extent: u32, name: &str) -> Pair {
+    pub(super) fn pair(&mut self, Place { place, texel, weight }: Place, extent: u32, name: &str) -> Pair {
         let addresses = self.addresses(texel, extent, name);
         let bits = self.image.weight_bits as i32;
         let one = self.b.constant(1 << bits, Format::unsigned(1, bits), "whole");
@@ -275,23 +328,36 @@ impl Imaging<'_, '_> {
         Pair { addresses, odd }
     }
 
-    /// Where the texels of a light and a normal lie in each direction, the outermost first.
-    fn pairs(&mut self, ports: &LightPorts, l: usize) -> Vec<Pair> {
+    /// Where the texels of a light and a normal lie in each direction, the outermost first, in the band with an even
+    /// number and in that with an odd one.
+    fn pairs(&mut self, ports: &LightPorts, l: usize) -> Vec<[Pair; 2]> {
         let extents = self.image.extents();
         let odd = self.b.at_most(ports.blend, 0, &format!("blend{l}"), "the weight of the odd band, at most 1");
-        let addresses = self.addresses(ports.band, extents[0], &format!("band{l}"));
-        let mut pairs = vec![Pair { addresses, odd }];
+        let band = if extents[0].is_power_of_two() {
+            ports.band
+        } else {
+            let last = i128::from(extents[0]) - 1;
+            self.b.clamp(ports.band, 0, last, &format!("band{l}_kept"), "at most the last")
+        };
+        let addresses = self.addresses(band, extents[0], &format!("band{l}"));
+        let mut pairs = vec![[Pair { addresses, odd }; 2]];
         match self.image.form {
             ImageForm::Bivariate { octaves } => {
                 let u = self.versine(&ports.frame[0], octaves, l);
-                let column = self.octave_column(u, octaves, l);
-                pairs.push(self.pair(column, extents[1], &format!("column{l}")));
+                let axis = OctaveAxis { size: self.image.size, octave_bits: self.image.octave_bits(octaves) };
+                let column = self.octave_column(u, axis, self.image.weight_bits as i32, "u", l);
+                pairs.push([self.pair(column, extents[1], &format!("column{l}")); 2]);
             }
             ImageForm::Half { .. } => {
                 for (place, name) in [(1, "v"), (0, "u")] {
-                    let texel = self.across(&ports.frame[place], name, l);
-                    pairs.push(self.pair(texel, self.image.size, &format!("{name}{l}")));
+                    let component = self.across(&ports.frame[place], name, l);
+                    pairs.push([self.side(component, &format!("{name}{l}")); 2]);
                 }
+            }
+            ImageForm::Paper { .. } => {
+                let y = self.across(&ports.frame[1], "v", l);
+                pairs.push([self.side(y, &format!("v{l}")); 2]);
+                pairs.push(self.turned(ports, y, l));
             }
         }
         pairs
@@ -310,15 +376,15 @@ impl Imaging<'_, '_> {
     }
 
     /// The address of the texel of these parities of its places.
-    fn address(&mut self, pairs: &[Pair], parities: &[usize], l: usize) -> NodeId {
+    fn address(&mut self, pairs: &[[Pair; 2]], parities: &[usize], l: usize) -> NodeId {
         let extents = self.image.extents();
         let mut address = None;
         for ((pair, &parity), (extent, place)) in pairs.iter().zip(parities).zip(extents.iter().zip(1..)) {
-            let own = pair.addresses[parity];
+            let own = pair[parities[0]].addresses[parity];
             address = Some(match address {
                 None => own,
                 Some(before) => {
-                    let bits = extent.ilog2() as i32 - 1;
+                    let bits = Image::place_bits(*extent) as i32 - 1;
                     let known: String = parities[..place].iter().map(usize::to_string).collect();
                     let first = format!("texels{l}_{known}");
                     let first = self.b.scale(before, None, bits, &[bits], &first, "the first of them");
@@ -330,11 +396,14 @@ impl Imaging<'_, '_> {
     }
 
     /// The blend of texels in all directions, the innermost first; `texels` are in the order of [`parities`].
-    fn blended(&mut self, texels: Vec<NodeId>, pairs: &[Pair], name: &str) -> NodeId {
+    fn blended(&mut self, texels: Vec<NodeId>, pairs: &[[Pair; 2]], name: &str) -> NodeId {
         let mut left = texels;
         for (pair, place) in pairs.iter().rev().zip(1..) {
             let what = if left.len() == 2 { "two bands" } else { "two neighbours" };
+            let of_odd = left.len() / 4;
             let two = |(number, two): (usize, &[NodeId])| {
+                // The texels of the odd band are the second half.
+                let pair = pair[usize::from(of_odd > 0 && number >= of_odd)];
                 self.blend([two[0], two[1]], pair.odd, &format!("{name}_{place}_{number}"), what)
             };
             left = left.chunks(2).enumerate().map(two).collect();
@@ -345,7 +414,8 @@ impl Imaging<'_, '_> {
     /// What a light gives to the channels.
     fn light(&mut self, light: usize, ports: &LightPorts) -> [NodeId; 3] {
         let l = light + 1;
-        let nl = self.incidence(ports.direction, ports.shift, l);
+        let shift = self.shift(ports.shift, l);
+        let incidence = ports.direction.map(|direction| self.incidence(direction, shift, l));
         let pairs = self.pairs(ports, l);
         let parities = parities(pairs.len());
         let addresses: Vec<NodeId> = parities.iter().map(|parities| self.address(&pairs, parities, l)).collect();
@@ -362,15 +432,27 @@ impl Imaging<'_, '_> {
             let root = self.b.floor(root, code, &format!("root{l}_{c}"), "the blended code");
             let squared = self.b.mul(root, root, &format!("square{l}_{c}_exact"), "its square");
             let squared = self.b.floor(squared, square, &format!("square{l}_{c}"), "rounded down");
-            squares[channel] = squared;
             // The gain last: what is rounded down before it is the less the dimmer the light, so that the roundings of
             // many dim lights are those of one that is as bright as all of them.
-            let factor = self.b.mul(nl, squared, &format!("lit{l}_{c}_exact"), "n.l times the square");
-            let factor = self.b.floor(factor, lit, &format!("lit{l}_{c}"), "rounded down");
+            let factor = if let Some(nl) = incidence {
+                squares[channel] = squared;
+                let factor = self.b.mul(nl, squared, &format!("lit{l}_{c}_exact"), "n.l times the square");
+                self.b.floor(factor, lit, &format!("lit{l}_{c}"), "rounded down")
+            } else {
+                let name = format!("square{l}_{c}");
+                let seen = self.b.zero_if(
+                    Some(self.hidden),
+                    squared,
+                    &format!("{name}_seen"),
+                    "0 for a normal that is turned away",
+                );
+                squares[channel] = self.shifted(seen, square, shift, &name);
+                squares[channel]
+            };
             let product = self.b.mul(factor, ports.gain[channel], &format!("light{l}_{c}_exact"), "times the gain");
             self.b.floor(product, term, &format!("light{l}_{c}"), "rounded down")
         });
-        self.joints.lights.push(LightJoints { incidence: nl, squares });
+        self.joints.lights.push(LightJoints { incidence, squares });
         terms
     }
 }
@@ -384,10 +466,15 @@ impl ImageBlock {
     pub fn datapath(&self) -> Option<(Datapath, Joints)> {
         let Self { image, widths, texels, .. } = self;
         let lights = image.lights as usize;
-        let tables = banks(image, texels);
+        let mut tables = banks(image, texels);
+        let functions = tables.len();
+        if image.has_turns() {
+            tables.extend((0..lights).flat_map(turn::tables));
+        }
         let case = Case { active: Interval::UNIT, shininess: 1.0, rows: vec![None; tables.len()] };
         let b = Builder::new(&tables, vec![case]);
-        let mut imaging = Imaging { b, image, widths: *widths, normal: [0; 3], hidden: 0, joints: Joints::default() };
+        let joints = Joints::default();
+        let mut imaging = Imaging { b, image, widths: *widths, normal: [0; 3], hidden: 0, functions, joints };
         let normal = imaging.vector("n", &AXES);
         imaging.normal = [normal[0], normal[1], normal[2]];
         let ports: Vec<LightPorts> = (1..=lights).map(|l| imaging.light_ports(l)).collect();

@@ -14,11 +14,14 @@ mod real;
 mod record;
 mod stored;
 mod texels;
+mod turn;
+mod turned;
 
 pub use datapath::{Joints, LightJoints, PlaceJoints};
 pub use model::ImageModel;
 pub use options::{
-    Image, ImageForm, ImageSource, ImageSpec, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, TexelMemory, WEIGHT_BITS,
+    IMAGES, Image, ImageForm, ImageSource, ImageSpec, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, TexelMemory,
+    WEIGHT_BITS,
 };
 pub use real::{Places, RealLight, RealTexels};
 pub use record::LightRecord;
@@ -26,7 +29,7 @@ pub use stored::{ImageFile, ImageSamples};
 pub use texels::OctaveAxis;
 
 use crate::block::lights::Sums;
-use crate::fixed::exp2;
+use crate::fixed::{Table, exp2};
 use crate::platform::error::{Error, refuse};
 use crate::reflectance::Reflectance;
 use crate::reflectance::texels::{Samples, Texels};
@@ -42,6 +45,8 @@ pub struct ImageBlock {
     /// What the texels are of, times the exposure.
     samples: Samples,
     texels: Texels,
+    /// The tables of functions that the model goes by: reciprocal roots and sines. Of the form paper.
+    functions: Option<Box<[Table; 2]>>,
 }
 
 impl ImageBlock {
@@ -70,6 +75,7 @@ impl ImageBlock {
     }
 
     fn of_samples(image: Image, samples: Samples, exposure: f64) -> Result<Self, Error> {
+        let samples = texels::of_all_bands(&image, samples);
         let texels = texels::encoded(&image, &samples);
         let gain = |band: usize| record::gain(&image, texels.weight(band));
         refuse!(
@@ -77,7 +83,8 @@ impl ImageBlock {
             format!("exposure = {exposure} is too great: a light would need a gain of more than 2^{MOST_SHIFT}"),
             "a smaller exposure; by default it is 0.6 over the 90th percentile of a lit sphere"
         );
-        Ok(Self { widths: ImageWidths::new(&image, &texels), image, samples, texels })
+        let functions = image.has_turns().then(|| Box::new([turn::reciprocal_roots(0), turn::sines(0, "even")]));
+        Ok(Self { widths: ImageWidths::new(&image, &texels), image, samples, texels, functions })
     }
 
     /// What was asked for.
@@ -107,6 +114,6 @@ impl ImageBlock {
     /// The bit-exact reference.
     #[must_use]
     pub fn model(&self) -> ImageModel<'_> {
-        ImageModel::new(&self.image, self.widths, &self.texels)
+        ImageModel::new(&self.image, self.widths, &self.texels, self.functions.as_deref())
     }
 }

@@ -1,7 +1,9 @@
 //! The image-based block in bits, from its formula.
 
 use super::texels::code;
-use super::{Image, ImageForm, ImageWidths};
+use super::turn::{ANGLE, ROOT, ROOT_AXIS, ROOT_OPERAND, ROOT_WEIGHT, SINE, STEPS, TILT};
+use super::{Image, ImageForm, ImageWidths, OctaveAxis};
+use crate::fixed::Table;
 use crate::fixed::wide::{self, Wide};
 use crate::reflectance::texels::Texels;
 
@@ -11,14 +13,21 @@ pub struct ImageModel<'a> {
     image: &'a Image,
     widths: ImageWidths,
     texels: &'a Texels,
+    /// Reciprocal roots and sines; of the form paper.
+    functions: Option<&'a [Table; 2]>,
 }
 
 /// A place between two texels: the number of the first, and the weight of the next.
-type Place = (usize, Wide);
+pub(super) type Place = (usize, Wide);
 
 impl<'a> ImageModel<'a> {
-    pub(super) fn new(image: &'a Image, widths: ImageWidths, texels: &'a Texels) -> Self {
-        Self { image, widths, texels }
+    pub(super) fn new(
+        image: &'a Image,
+        widths: ImageWidths,
+        texels: &'a Texels,
+        functions: Option<&'a [Table; 2]>,
+    ) -> Self {
+        Self { image, widths, texels, functions }
     }
 
     /// The codes of `out_sum_r`, `out_sum_g` and `out_sum_b` for the codes of the input ports in their order.
@@ -40,49 +49,103 @@ impl<'a> ImageModel<'a> {
         a.iter().zip(b).fold(Wide::ZERO, |sum, (&a, &b)| sum + product(a, b))
     }
 
-    /// The column of |n - h|²/2 as a floating-point number with a place behind the last.
-    fn octave_column(&self, normal: &[i64], half: &[i64], octaves: u32) -> Place {
-        let (weight_bits, octave_bits) = (self.image.weight_bits, self.image.octave_bits(octaves));
+    /// u = |n - h|²/2, at most that of the last column.
+    fn versine(&self, normal: &[i64], half: &[i64], octaves: u32) -> Wide {
         let most = 1i64 << (self.image.vector_fraction + 1);
         let apart: Vec<i64> = normal.iter().zip(half).map(|(n, h)| (n - h).clamp(-most, most - 1)).collect();
         let u = wide::floor_to(self.product(&apart, &apart, self.widths.place) / 2, self.image.versine_bits(octaves));
-        let u = u.min(Wide::ONE - wide::from_code(1, octave_bits + 1));
+        u.min(Wide::ONE - wide::from_code(1, self.image.octave_bits(octaves) + 1))
+    }
+
+    /// The column of u as a floating-point number with a place of so many bits behind the last.
+    fn octave_column(u: Wide, axis: OctaveAxis, weight_bits: u32) -> Place {
+        let (octaves, octave_bits) = (axis.size >> axis.octave_bits, axis.octave_bits);
         let exponent = (1..octaves).rev().find(|&e| u >= wide::from_code(1, octaves - e)).unwrap_or(0);
         let rest = match exponent {
             0 => u << (octaves - 1),
             e => (u << (octaves - e)) - Wide::ONE,
         };
         let within = wide::to_code(rest, octave_bits + weight_bits) as usize;
-        let place = within + ((exponent as usize) << (octave_bits + weight_bits));
-        (place >> weight_bits, self.weight(place))
+        split(within + ((exponent as usize) << (octave_bits + weight_bits)), weight_bits)
     }
 
-    /// The weight that the last bits of a place are.
-    fn weight(&self, place: usize) -> Wide {
-        let bits = self.image.weight_bits;
-        wide::from_code((place & ((1 << bits) - 1)) as i128, bits)
-    }
-
-    /// Where a vector lies along an axis of a slice, whose texels have their centres at (i + 1/2)/size of -1 to 1: to
-    /// the nearest weight, between the outermost centres.
-    fn across(&self, normal: &[i64], axis: &[i64]) -> Place {
+    /// Where a component lies along a side of a slice or image, whose texels have their centres at (i + 1/2)/size of -1
+    /// to 1: to the nearest weight, between the outermost centres.
+    fn along(&self, component: Wide) -> Place {
         let bits = self.image.weight_bits;
         let last = Wide::from_num(self.image.size - 1);
-        let place = (self.product(normal, axis, self.widths.place) * i128::from(self.image.size) + last) / 2;
+        let place = (component * i128::from(self.image.size) + last) / 2;
         let place = wide::floor_to(place + wide::from_code(1, bits + 1), bits).clamp(Wide::ZERO, last);
-        let place = wide::to_code(place, bits) as usize;
-        (place >> bits, self.weight(place))
+        split(wide::to_code(place, bits) as usize, bits)
     }
 
-    /// The blend of the texels about a place in all directions.
-    fn blend(&self, channel: usize, places: &[Place], extents: &[u32], before: usize) -> Wide {
-        let Some((&(place, weight), rest)) = places.split_first() else {
+    /// The value at a place of a function table between two of its rows: fields of the row, and of the way to the next.
+    fn between(table: &Table, (row, weight): Place, field: usize) -> Wide {
+        let value = |field: usize| {
+            let frac_bits = table.fields[field].format.frac_bits as u32;
+            wide::from_code(table.fields[field].codes[row], frac_bits)
+        };
+        let (at, way) = (value(field), value(field + 1));
+        if table.fields[field + 1].name.contains("fall") { at - way * weight } else { at + way * weight }
+    }
+
+    /// Where the normal lies along x in an image with an even number and in one with an odd number, and along y in
+    /// both: of the form paper.
+    pub(super) fn turned(&self, normal: &[i64], frame: &[i64], turns: &[i64]) -> ([Place; 2], Place) {
+        let [roots, sines] = self.functions.expect("tables of the form paper");
+        let floor = |value: Wide, bits: i32| wide::floor_to(value, bits as u32);
+        let (across, turn) = frame.split_at(3);
+        let bits = self.widths.place;
+        let one = |a: i64, b: i64| self.product(&[a], &[b], bits);
+        let (x, y) = (one(normal[0], turn[1]) - one(normal[1], turn[0]), self.product(&normal[..2], turn, bits));
+        let z = wide::from_code(normal[2].into(), self.image.vector_fraction);
+        let tilt = if turns[2] == 0 {
+            let unit = y.clamp(-Wide::ONE, Wide::ONE);
+            let rest = floor(Wide::ONE - unit * unit, ROOT_OPERAND);
+            let rest = rest.min(Wide::ONE - wide::from_code(1, ROOT_OPERAND as u32));
+            let root = Self::between(roots, Self::octave_column(rest, ROOT_AXIS, ROOT_WEIGHT), 0);
+            let distance = self.product(normal, across, bits).abs().min(Wide::ONE);
+            floor(distance * floor(root, ROOT), TILT).min(Wide::ONE)
+        } else {
+            Wide::ONE / 2
+        };
+        let last = Wide::from_num(self.image.size - 1);
+        let place = |half: i64| {
+            let angle = wide::from_code(half.into(), ANGLE as u32);
+            let angle = angle + floor(angle * tilt, ANGLE);
+            let angle = angle.clamp(-Wide::ONE, Wide::ONE - wide::from_code(1, ANGLE as u32));
+            let from = wide::to_code(angle + Wide::ONE, ANGLE as u32) as usize;
+            let row = split(from, (ANGLE - STEPS) as u32);
+            let [sine, cosine] = [0, 2].map(|field| floor(Self::between(sines, row, field), SINE));
+            let of = |a: Wide, b: Wide| floor(a * b, bits);
+            if of(x, sine) > of(z, cosine) {
+                let end = if half < 0 { Wide::ZERO } else { last };
+                return split(wide::to_code(end, self.image.weight_bits) as usize, self.image.weight_bits);
+            }
+            self.along(of(x, cosine) + of(z, sine))
+        };
+        ([place(turns[0]), place(turns[1])], self.along(y))
+    }
+
+    /// The blend of the texels about a place in all directions: each direction's in a band with an even number and in
+    /// one with an odd number, of which the outermost is followed already where it is told.
+    fn blend(
+        &self,
+        channel: usize,
+        places: &[[Place; 2]],
+        extents: &[u32],
+        before: usize,
+        band: Option<usize>,
+    ) -> Wide {
+        let Some((of_bands, rest)) = places.split_first() else {
             return wide::from_code(code(self.image, self.texels, before, channel), self.image.texel_bits);
         };
+        let (place, weight) = of_bands[band.unwrap_or(0) % 2];
         let extent = extents[0] as usize;
         // Beside the last one, which is odd, stands the one before it.
         let next = if place + 1 < extent { place + 1 } else { place - 1 };
-        let [a, b] = [place, next].map(|place| self.blend(channel, rest, &extents[1..], before * extent + place));
+        let [a, b] = [place, next]
+            .map(|place| self.blend(channel, rest, &extents[1..], before * extent + place, band.or(Some(place))));
         a + (b - a) * weight
     }
 
@@ -90,32 +153,60 @@ impl<'a> ImageModel<'a> {
     fn light(&self, normal: &[i64], light: &[i64]) -> [Wide; 3] {
         let f = self.image.vector_fraction;
         let floor = |value: Wide, bits: i32| wide::floor_to(value, bits as u32);
-        let ImageWidths { dot, lit, shift: most_shift, .. } = self.widths;
-        let nl = floor(self.product(normal, &light[..3], dot), lit + most_shift);
-        let nl = nl.clamp(Wide::ZERO, Wide::ONE - wide::from_code(1, ((lit + most_shift) as u32).min(2 * f)));
+        let ImageWidths { shift: most_shift, lit_int, dot, place, lit, gain: gain_bits, code, square, term } =
+            self.widths;
         if normal[2] <= 0 {
             return [Wide::ZERO; 3];
         }
+        let (direction, rest) = light.split_at(if self.image.has_incidence() { 3 } else { 0 });
+        let frame_ports = self.image.frame().iter().map(|(_, axes)| axes.len()).sum();
+        let (frame, rest) = rest.split_at(frame_ports);
+        let ([band, blend], rest) = rest.split_first_chunk().expect("a band and a blend");
+        let (turns, rest) = rest.split_at(if self.image.has_turns() { 3 } else { 0 });
         let extents = self.image.extents();
-        let (inner, rest): (Vec<Place>, &[i64]) = match self.image.form {
-            ImageForm::Bivariate { octaves } => (vec![self.octave_column(normal, &light[3..6], octaves)], &light[6..]),
+        let inner: Vec<[Place; 2]> = match self.image.form {
+            ImageForm::Bivariate { octaves } => {
+                let axis = OctaveAxis { size: self.image.size, octave_bits: self.image.octave_bits(octaves) };
+                let u = self.versine(normal, frame, octaves);
+                vec![[Self::octave_column(u, axis, self.image.weight_bits); 2]]
+            }
             ImageForm::Half { .. } => {
-                (vec![self.across(&normal[..2], &light[6..8]), self.across(normal, &light[3..6])], &light[8..])
+                [self.product(&normal[..2], &frame[3..], place), self.product(normal, &frame[..3], place)]
+                    .map(|component| [self.along(component); 2])
+                    .to_vec()
+            }
+            ImageForm::Paper { .. } => {
+                let (xs, y) = self.turned(normal, frame, turns);
+                vec![[y; 2], xs]
             }
         };
-        let band = (rest[0] as usize) % extents[0] as usize;
-        let odd = wide::from_code(rest[1].into(), self.image.weight_bits).min(Wide::ONE);
+        let band = (*band as usize).min(extents[0] as usize - 1);
+        let odd = wide::from_code((*blend).into(), self.image.weight_bits).min(Wide::ONE);
         let t = if band.is_multiple_of(2) { odd } else { Wide::ONE - odd };
-        let places = [vec![(band, t)], inner].concat();
-        // n·l 2^shift, within its format.
-        let ImageWidths { lit_int, gain: gain_bits, code, square, term, .. } = self.widths;
-        let (shift, gains) = if most_shift == 0 { (0, &rest[2..]) } else { (rest[2], &rest[3..]) };
+        let places = [vec![[(band, t); 2]], inner].concat();
+        let (shift, gains) = if most_shift == 0 { (0, rest) } else { (rest[0], &rest[1..]) };
+        let shift = (shift as i32).min(most_shift);
+        // What is shifted comes within its format.
         let most = (Wide::ONE << lit_int) - wide::from_code(1, (lit as u32).min(2 * f));
-        let lit_up = floor(nl << (shift as i32).min(most_shift), lit).min(most);
+        let lit_up = self.image.has_incidence().then(|| {
+            let nl = floor(self.product(normal, direction, dot), lit + most_shift);
+            let nl = nl.clamp(Wide::ZERO, Wide::ONE - wide::from_code(1, ((lit + most_shift) as u32).min(2 * f)));
+            floor(nl << shift, lit).min(most)
+        });
         [0, 1, 2].map(|channel| {
-            let code = floor(self.blend(channel, &places, &extents, 0), code);
-            let reflected = floor(lit_up * floor(code * code, square), lit);
+            let code = floor(self.blend(channel, &places, &extents, 0, None), code);
+            let squared = floor(code * code, square);
+            let reflected = match lit_up {
+                Some(nl) => floor(nl * squared, lit),
+                None => floor(squared << shift, lit).min((Wide::ONE << lit_int) - wide::from_code(1, lit as u32)),
+            };
             floor(reflected * wide::from_code(gains[channel].into(), gain_bits as u32), term)
         })
     }
+}
+
+/// A place in parts of a weight's last bit: what is at or below it, and the weight of the next.
+fn split(place: usize, weight_bits: u32) -> Place {
+    let part = place & ((1 << weight_bits) - 1);
+    (place >> weight_bits, wide::from_code(part as i128, weight_bits))
 }

@@ -21,6 +21,10 @@ pub const SIZE: RangeInclusive<u32> = 8..=512;
 pub const OCTAVES: RangeInclusive<u32> = 2..=16;
 /// Slices that are allowed, each a power of two.
 pub const SLICES: RangeInclusive<u32> = 4..=64;
+/// Sphere images of the form paper that are allowed.
+pub const IMAGES: RangeInclusive<u32> = 1..=32;
+/// The greatest angle between neighbouring sphere images, from the first to 0 degrees less and from the last to 180.
+const MOST_APART: f64 = 90.0;
 /// Bits of a texel's channel that are allowed.
 pub const TEXEL_BITS: RangeInclusive<u32> = 4..=10;
 /// Fraction bits of the weights that are allowed.
@@ -29,7 +33,7 @@ pub const WEIGHT_BITS: RangeInclusive<u32> = 3..=8;
 const MOST_TEXELS: u64 = 1 << 20;
 
 /// What is stored of the reflectance, and how a light finds it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum ImageForm {
     /// Over θh and θd: a row of texels for each θd, the columns along 1 - n·h.
     Bivariate {
@@ -40,6 +44,13 @@ pub enum ImageForm {
     Half {
         /// How many.
         slices: u32,
+    },
+    /// Pictures of the unit sphere, lit from a few angles; IB equations 1 to 4. What is outside of the sphere has the
+    /// rim's colour beside it:
+    /// [`ExtendX`](crate::reflectance::paper::Border::ExtendX).
+    Paper {
+        /// The light's polar angles of the images in degrees, ascending.
+        angles: Vec<f64>,
     },
 }
 
@@ -157,7 +168,8 @@ impl ImageWidths {
     pub(super) fn new(image: &Image, texels: &Texels) -> Self {
         let (weight, channel) = (image.weight_bits as i32, image.channel_bits as i32);
         // n·l of a normal that a light and the viewer see.
-        let incidence = |phi: f64| if phi > 90.0 { libm::sin(phi.to_radians()) } else { 1.0 };
+        let in_texels = !image.has_incidence();
+        let incidence = |phi: f64| if phi > 90.0 && !in_texels { libm::sin(phi.to_radians()) } else { 1.0 };
         let (mut shift, mut lit) = (0, 1.0f64);
         let mut take = |phi: f64, of_light: i32| {
             (shift, lit) = (shift.max(of_light), lit.max(incidence(phi) * exp2(of_light)));
@@ -181,7 +193,7 @@ impl ImageWidths {
         // Three roundings are below the last bit of what is kept.
         let place = match image.form {
             ImageForm::Bivariate { octaves } => image.versine_bits(octaves) as i32 + 1,
-            ImageForm::Half { .. } => weight + image.size.ilog2() as i32,
+            ImageForm::Half { .. } | ImageForm::Paper { .. } => weight + image.size.ilog2() as i32,
         };
         Self {
             shift,
@@ -195,6 +207,24 @@ impl ImageWidths {
             term: Sums::term_bits(image.channel_bits, image.most_lights.max(image.lights)),
         }
     }
+}
+
+/// Whether sphere images can be lit from these angles.
+fn check_angles(angles: &[f64]) -> Result<(), Error> {
+    within("images", angles.len() as u32, IMAGES)?;
+    refuse!(
+        !(angles.iter().all(|angle| (0.0..=180.0).contains(angle)) && angles.is_sorted_by(|a, b| a < b)),
+        format!("the angles {angles:?} of the images do not ascend from 0 to 180 degrees"),
+        "angles in degrees, each once, the least first"
+    );
+    let all = [&[0.0], angles, &[180.0]].concat();
+    if let Some(two) = all.windows(2).find(|two| two[1] - two[0] > MOST_APART) {
+        return Err(Error::input(
+            format!("no image is between {} and {} degrees", two[0], two[1]),
+            format!("images at most {MOST_APART} degrees apart, the first and the last as near to 0 and 180 degrees"),
+        ));
+    }
+    Ok(())
 }
 
 impl Image {
@@ -214,8 +244,8 @@ impl Image {
             format!("channel_bits = {} is not offered", self.channel_bits),
             "8, 10 or 12"
         );
-        match self.form {
-            ImageForm::Bivariate { octaves } => {
+        match &self.form {
+            &ImageForm::Bivariate { octaves } => {
                 power_of_two("octaves", octaves, OCTAVES)?;
                 refuse!(
                     octaves > self.size,
@@ -229,7 +259,8 @@ impl Image {
                     "more vector_bits, or fewer octaves, columns or weight_bits"
                 );
             }
-            ImageForm::Half { slices } => power_of_two("images", slices, SLICES)?,
+            &ImageForm::Half { slices } => power_of_two("images", slices, SLICES)?,
+            ImageForm::Paper { angles } => check_angles(angles)?,
         }
         let texels = self.extents().iter().map(|&extent| u64::from(extent)).product::<u64>();
         refuse!(
@@ -259,10 +290,25 @@ impl Image {
     /// The light's polar angles in degrees that the bands of texels are of: rows, or slices.
     #[must_use]
     pub fn band_angles(&self) -> Vec<f64> {
-        match self.form {
+        match &self.form {
             ImageForm::Bivariate { .. } => bivariate::angles(self.size as usize),
-            ImageForm::Half { slices } => half::angles(slices as usize),
+            ImageForm::Half { slices } => half::angles(*slices as usize),
+            // Memories go by pairs: of an odd number of images the last is there twice.
+            ImageForm::Paper { angles } if angles.len() % 2 == 1 => [&angles[..], &angles[angles.len() - 1..]].concat(),
+            ImageForm::Paper { angles } => angles.clone(),
         }
+    }
+
+    /// Whether the normal is turned to each of two images by itself.
+    #[must_use]
+    pub fn has_turns(&self) -> bool {
+        matches!(self.form, ImageForm::Paper { .. })
+    }
+
+    /// Whether n·l is multiplied with what the texels give; else they hold it.
+    #[must_use]
+    pub fn has_incidence(&self) -> bool {
+        !matches!(self.form, ImageForm::Paper { .. })
     }
 
     /// The place in each direction, the outermost first, of what comes so many behind the first where so many places
@@ -289,7 +335,13 @@ impl Image {
         match self.form {
             ImageForm::Bivariate { .. } => vec![self.size; 2],
             ImageForm::Half { slices } => vec![slices, self.size, self.size],
+            ImageForm::Paper { .. } => vec![self.band_angles().len() as u32, self.size, self.size],
         }
+    }
+
+    /// The bits of a place that so many lie in a direction of.
+    pub(super) fn place_bits(extent: u32) -> u32 {
+        extent.next_power_of_two().ilog2()
     }
 
     /// The vectors of a light that the normal is multiplied by, beside its direction: their names and those of their
@@ -298,7 +350,7 @@ impl Image {
     pub fn frame(&self) -> &'static [(&'static str, &'static [char])] {
         match self.form {
             ImageForm::Bivariate { .. } => &[("h", &['x', 'y', 'z'])],
-            ImageForm::Half { .. } => &[("u", &['x', 'y', 'z']), ("v", &['x', 'y'])],
+            ImageForm::Half { .. } | ImageForm::Paper { .. } => &[("u", &['x', 'y', 'z']), ("v", &['x', 'y'])],
         }
     }
 

@@ -1,6 +1,9 @@
 //! The image-based block in real numbers, step by step towards what the hardware has.
 
-use super::{ImageBlock, ImageForm, LightRecord, record};
+use std::f64::consts::FRAC_PI_2;
+
+use super::record::Turns;
+use super::{ImageBlock, ImageForm, LightRecord, record, turn};
 use crate::fixed::exp2;
 use crate::reflectance::Rgb;
 use crate::reflectance::texels::pair;
@@ -11,6 +14,7 @@ use crate::reflectance::vector::{Light, Vector};
 pub struct RealLight {
     direction: Vector,
     frame: Vec<f64>,
+    turns: Option<Turns>,
     band: usize,
     /// The part of the next band in the blend.
     next: f64,
@@ -50,6 +54,7 @@ impl ImageBlock {
         RealLight {
             direction: light.direction(),
             frame: record::frame(&self.image, light),
+            turns: record::turns(&self.image, light.phi),
             band,
             next: if weight > 0.0 { next / weight } else { 0.0 },
             gain: if light.phi < 180.0 { intensity.map(|part| part * weight * weight) } else { [0.0; 3] },
@@ -60,12 +65,14 @@ impl ImageBlock {
     #[must_use]
     pub fn light_of(&self, record: &LightRecord) -> RealLight {
         let vector = exp2(-(self.image.vector_fraction as i32));
-        let [x, y, z] = record.direction.map(|code| code as f64 * vector);
+        let [x, y, z] = record.direction.unwrap_or_default().map(|code| code as f64 * vector);
+        let angle = |code: i64| code as f64 * exp2(-turn::ANGLE);
         let odd = record.blend as f64 * exp2(-(self.image.weight_bits as i32));
         let gain = exp2(record.shift.unwrap_or(0) as i32 - self.widths.gain) / record::unit(&self.image);
         RealLight {
             direction: Vector::new(x, y, z),
             frame: record.frame.iter().map(|&code| code as f64 * vector).collect(),
+            turns: record.turns.map(|[even, odd, alone]| Turns { halves: [even, odd].map(angle), alone: alone != 0 }),
             band: record.band as usize,
             next: if record.band % 2 == 0 { odd } else { 1.0 - odd },
             gain: record.gain.map(|code| code as f64 * gain),
@@ -97,8 +104,27 @@ impl ImageBlock {
         (first as usize, place - first)
     }
 
-    /// Where the normal lies in a band, the outermost direction first.
-    fn places(&self, n: &[f64; 3], frame: &[f64], places: Places) -> Vec<Place> {
+    /// Where the normal lies along x in both images of the form paper, and along y, exactly.
+    fn turned(&self, [nx, ny, nz]: [f64; 3], frame: &[f64], turns: &Turns) -> ([f64; 2], f64) {
+        let (across, turn) = frame.split_at(3);
+        let (x, y) = (nx * turn[1] - ny * turn[0], nx * turn[0] + ny * turn[1]);
+        let length = libm::hypot(x, nz);
+        let distance = (nx * across[0] + ny * across[1] + nz * across[2]).abs();
+        // Where the normal has no part in the plane of light and viewer no turn moves it.
+        let tilt = if length > 0.0 { (distance / length).min(1.0) } else { 1.0 };
+        let tilt = if turns.alone { 0.5 } else { tilt };
+        let x = turns.halves.map(|half| {
+            let angle = (half + half * tilt) * FRAC_PI_2;
+            let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+            if x * sine > nz * cosine { f64::INFINITY.copysign(half) } else { x * cosine + nz * sine }
+        });
+        (x, y)
+    }
+
+    /// Where the normal lies in a band with an even number and in one with an odd number, the outermost direction
+    /// first.
+    fn places(&self, n: &[f64; 3], light: &RealLight, places: Places) -> Vec<[Place; 2]> {
+        let frame = &light.frame;
         let size = f64::from(self.image.size);
         match self.image.form {
             ImageForm::Bivariate { octaves } => {
@@ -110,14 +136,28 @@ impl ImageBlock {
                     0 => u * exp2(octaves as i32 - 1),
                     _ => u * exp2(octaves as i32 - exponent) - 1.0,
                 };
-                vec![self.place((f64::from(exponent) + rest) * steps, places, 0.0)]
+                vec![[self.place((f64::from(exponent) + rest) * steps, places, 0.0); 2]]
             }
             ImageForm::Half { .. } => {
                 let across = |axis: &[f64]| {
                     let place = (self.product(&n[..axis.len()], axis, places) * size + size - 1.0) / 2.0;
-                    self.place(place, places, 0.5)
+                    [self.place(place, places, 0.5); 2]
                 };
                 vec![across(&frame[3..5]), across(&frame[..3])]
+            }
+            ImageForm::Paper { .. } => {
+                let turns = light.turns.as_ref().expect("the turns of the form paper");
+                if places == Places::Rounded {
+                    let codes = |values: &[f64], bits: i32| -> Vec<i64> {
+                        values.iter().map(|value| libm::round(value * exp2(bits)) as i64).collect()
+                    };
+                    let vector = self.image.vector_fraction as i32;
+                    let turns = [codes(&turns.halves, turn::ANGLE), vec![turns.alone.into()]].concat();
+                    let (xs, y) = self.model().turned(&codes(n, vector), &codes(frame, vector), &turns);
+                    return [[y; 2], xs].map(|two| two.map(|(place, weight)| (place, weight.to_num()))).to_vec();
+                }
+                let (xs, y) = self.turned(*n, frame, turns);
+                [[y; 2], xs].map(|two| two.map(|x| self.place((x * size + size - 1.0) / 2.0, places, 0.5))).to_vec()
             }
         }
     }
@@ -135,25 +175,33 @@ impl ImageBlock {
         }
     }
 
-    fn blend(&self, texels: RealTexels, channel: usize, places: &[Place], before: usize) -> f64 {
-        let Some((&(place, weight), rest)) = places.split_first() else { return self.root(texels, before, channel) };
+    fn blend(
+        &self,
+        texels: RealTexels,
+        channel: usize,
+        places: &[[Place; 2]],
+        before: usize,
+        band: Option<usize>,
+    ) -> f64 {
+        let Some((of_bands, rest)) = places.split_first() else { return self.root(texels, before, channel) };
+        let (place, weight) = of_bands[band.unwrap_or(0) % 2];
         let extents = self.image.extents();
         let extent = extents[extents.len() - places.len()] as usize;
-        let at = |place: usize| self.blend(texels, channel, rest, before * extent + place);
+        let at = |place: usize| self.blend(texels, channel, rest, before * extent + place, band.or(Some(place)));
         if weight == 0.0 { at(place) } else { at(place) * (1.0 - weight) + at(place + 1) * weight }
     }
 
     /// What a light gives to the channels, 1 at full scale and not clamped.
     #[must_use]
     pub fn real(&self, n: Vector, light: &RealLight, texels: RealTexels, places: Places) -> Rgb {
-        let incidence = n.dot(&light.direction).max(0.0);
+        let incidence = if self.image.has_incidence() { n.dot(&light.direction).max(0.0) } else { 1.0 };
         if n.z <= 0.0 || incidence == 0.0 {
             return [0.0; 3];
         }
-        let inner = self.places(&[n.x, n.y, n.z], &light.frame, places);
-        let all = [vec![(light.band, light.next)], inner].concat();
+        let inner = self.places(&[n.x, n.y, n.z], light, places);
+        let all = [vec![[(light.band, light.next); 2]], inner].concat();
         [0, 1, 2].map(|channel| {
-            let root = self.blend(texels, channel, &all, 0);
+            let root = self.blend(texels, channel, &all, 0, None);
             light.gain[channel] * root * root * incidence
         })
     }

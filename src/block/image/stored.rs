@@ -8,6 +8,7 @@ use sha2::{Digest, Sha256};
 
 use super::{Image, ImageForm, SIZE, SLICES, texels};
 use crate::platform::error::{Error, refuse};
+use crate::reflectance::paper::{Border, Options};
 use crate::reflectance::texels::Samples;
 use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Source, Texel, directory, half, measure};
 
@@ -125,7 +126,7 @@ impl ImageSamples {
 fn octaves(image: &Image) -> Option<u32> {
     match image.form {
         ImageForm::Bivariate { octaves } => Some(octaves),
-        ImageForm::Half { .. } => None,
+        ImageForm::Half { .. } | ImageForm::Paper { .. } => None,
     }
 }
 
@@ -134,8 +135,16 @@ fn form_spec(image: &Image) -> FormSpec {
     let (kind, images) = match image.form {
         ImageForm::Bivariate { .. } => (FormKind::Bivariate, 1),
         ImageForm::Half { slices } => (FormKind::Half, slices as usize),
+        ImageForm::Paper { .. } => (FormKind::Paper, 1),
     };
-    FormSpec::sized(kind, images, image.size as usize, Texel::Float)
+    let spec = FormSpec::sized(kind, images, image.size as usize, Texel::Float);
+    match &image.form {
+        ImageForm::Paper { angles } => {
+            let options = Options { border: Border::ExtendX, ..Options::default() };
+            FormSpec { angles: angles.clone(), options, ..spec }
+        }
+        _ => spec,
+    }
 }
 
 /// Whether angles are the same in degrees.
@@ -146,20 +155,34 @@ fn are_near(one: &[f64], other: &[f64]) -> bool {
 /// Refuses images that are not where a block's texels lie.
 fn check_fit(image: &Image, form: &Form, there: Option<u32>, name: &str) -> Result<(), Error> {
     let (needed, own) = (form_spec(image), &form.spec);
-    let fits = own.kind == needed.kind && own.size == needed.size && are_near(&own.angles, &needed.angles);
+    let has_border = own.kind != FormKind::Paper || own.options.border == needed.options.border;
+    let fits =
+        own.kind == needed.kind && own.size == needed.size && are_near(&own.angles, &needed.angles) && has_border;
     if fits && there == octaves(image) {
         return Ok(());
     }
     let what = format!("{name} holds {}", described(own, there));
-    let remedy = match (flags(own, there), image.form) {
+    let remedy = match (flags(image, own, there), &image.form) {
         (Some(flags), _) => format!("give {flags} for what is there"),
         (None, ImageForm::Half { slices }) => format!(
             "make them with `brdfgen reflectance images TABLE --form half --images {slices} --size {} --texel float`",
             image.size
         ),
+        (None, ImageForm::Paper { angles }) => format!(
+            "make them with `brdfgen reflectance images TABLE --form paper --angles {} --size {} --border {} --texel \
+             float`",
+            listed(angles, ","),
+            image.size,
+            needed.options.border
+        ),
         (None, ImageForm::Bivariate { .. }) => "give the table that they were made of".to_owned(),
     };
     Err(Error::input(what, format!("this block takes {}: {remedy}", described(&needed, octaves(image)))))
+}
+
+/// Angles in degrees, to a thousandth.
+fn listed(angles: &[f64], between: &str) -> String {
+    angles.iter().map(|angle| ((angle * 1e3).round() / 1e3).to_string()).collect::<Vec<_>>().join(between)
 }
 
 /// What images are, in words.
@@ -171,8 +194,7 @@ fn described(spec: &FormSpec, octaves: Option<u32>) -> String {
             format!("{count} slices of {size} × {size} texels, evenly from 0 to {} degrees", half::LAST)
         }
         (FormKind::Half, _) => {
-            let listed: Vec<String> = angles.iter().map(|angle| ((angle * 1e3).round() / 1e3).to_string()).collect();
-            format!("{count} slices of {size} × {size} texels at {} degrees", listed.join(", "))
+            format!("{count} slices of {size} × {size} texels at {} degrees", listed(angles, ", "))
         }
         (FormKind::Bivariate, Some(octaves)) => {
             format!("{size} × {size} texels of the form bivariate, their columns along {octaves} octaves of 1 - n.h")
@@ -180,14 +202,17 @@ fn described(spec: &FormSpec, octaves: Option<u32>) -> String {
         (FormKind::Bivariate, None) => {
             format!("{size} × {size} texels of the form bivariate, their columns along the root of θh")
         }
-        (FormKind::Paper | FormKind::Matcap, _) => {
-            format!("{count} images of {size} × {size} texels of the form {}", kind.name())
-        }
+        (FormKind::Paper, _) => format!(
+            "{count} sphere images of {size} × {size} texels lit from {} degrees, with the border {}",
+            listed(angles, ", "),
+            spec.options.border
+        ),
+        (FormKind::Matcap, _) => format!("a matcap of {size} × {size} texels"),
     }
 }
 
 /// The flags of a block that images would fit, if there is one.
-fn flags(spec: &FormSpec, octaves: Option<u32>) -> Option<String> {
+fn flags(image: &Image, spec: &FormSpec, octaves: Option<u32>) -> Option<String> {
     let FormSpec { kind, angles, size, .. } = spec;
     let count = u32::try_from(angles.len()).ok()?;
     let size = u32::try_from(*size).ok().filter(|size| SIZE.contains(size) && size.is_power_of_two())?;
@@ -196,6 +221,11 @@ fn flags(spec: &FormSpec, octaves: Option<u32>) -> Option<String> {
             let is_even = are_near(angles, &half::angles(angles.len()));
             let fits = is_even && SLICES.contains(&count) && count.is_power_of_two();
             fits.then(|| format!("--image-form half --images {count} --image-size {size}"))
+        }
+        (FormKind::Paper, _) => {
+            let image = Image { form: ImageForm::Paper { angles: angles.clone() }, size, ..image.clone() };
+            let fits = spec.options.border == Border::ExtendX && image.check().is_ok();
+            fits.then(|| format!("--image-form paper --angles {} --image-size {size}", listed(angles, ",")))
         }
         (FormKind::Bivariate, Some(octaves)) => {
             Some(format!("--image-form bivariate --octaves {octaves} --image-size {size}"))

@@ -3,6 +3,7 @@
 use super::{Image, ImageForm};
 use crate::block::CHANNELS;
 use crate::fixed::{Field, Format, Table, exp2, interned};
+use crate::reflectance::paper::{self, Border};
 use crate::reflectance::texels::{Samples, Scale, Texel, Texels};
 use crate::reflectance::{Reflectance, bivariate, half};
 
@@ -36,22 +37,33 @@ impl OctaveAxis {
 /// Samples of a reflectance times an exposure, where the texels lie.
 pub(super) fn samples(image: &Image, reflectance: &dyn Reflectance, exposure: f64) -> Samples {
     let size = image.size as usize;
-    match image.form {
-        ImageForm::Bivariate { octaves } => {
+    match &image.form {
+        &ImageForm::Bivariate { octaves } => {
             let axis = OctaveAxis { size: image.size, octave_bits: image.octave_bits(octaves) };
             let angle = |column| libm::acos(1.0 - axis.versine(column));
             let angles: Vec<f64> = (0..image.size).map(angle).collect();
             bivariate::samples_at(reflectance, &angles, size, exposure)
         }
         ImageForm::Half { .. } => half::samples(reflectance, &image.band_angles(), size, exposure),
+        ImageForm::Paper { angles } => paper::samples(reflectance, angles, size, Border::ExtendX, exposure),
     }
+}
+
+/// Samples of all bands: an image that is there twice, [`Image::band_angles`], is sampled once.
+pub(super) fn of_all_bands(image: &Image, mut samples: Samples) -> Samples {
+    if let ImageForm::Paper { angles } = &image.form {
+        let layer = samples.width * samples.height;
+        let missing = image.band_angles().len() - angles.len();
+        samples.data.extend_from_within(samples.data.len() - missing * layer..);
+    }
+    samples
 }
 
 /// The texels of samples: bands of the roots of their values, each with its cap.
 pub(super) fn encoded(image: &Image, samples: &Samples) -> Texels {
     let scale = match image.form {
         ImageForm::Bivariate { .. } => Scale::Row,
-        ImageForm::Half { .. } => Scale::Layer,
+        ImageForm::Half { .. } | ImageForm::Paper { .. } => Scale::Layer,
     };
     Texels::encode(samples, Texel::Sqrt(image.texel_bits, None), scale)
 }

@@ -37,9 +37,12 @@ pub(super) fn title(spec: &CoreSpec) -> String {
         }
         Block::Image(ImageSpec { image, source, .. }) => {
             let (size, lights) = (image.size, counted(image.lights, "light"));
-            let form = match image.form {
+            let form = match &image.form {
                 ImageForm::Half { slices } => format!("half, {slices} slices of {size} x {size} texels"),
                 ImageForm::Bivariate { .. } => format!("bivariate, {size} x {size} texels"),
+                ImageForm::Paper { angles } => {
+                    format!("paper, {} of {size} x {size} texels", counted(angles.len() as u64, "sphere image"))
+                }
             };
             format!(
                 "image-based block of {} ({form}), {lights} a clock, {} bits a channel",
@@ -373,6 +376,7 @@ struct ImageSheet<'a> {
     /// The codes of a texel's channel.
     steps: u32,
     bands: Vec<(usize, String, String)>,
+    texel_memories: Vec<&'a Table>,
     error: &'a ImageError,
     rom_file: bool,
     loads: Vec<Load>,
@@ -400,6 +404,7 @@ pub(super) fn image_sheet(design: ImageDesign<'_>, error: &ImageError) -> Result
         exposure: *exposure,
         steps: 1 << image.texel_bits,
         bands: image.band_angles().into_iter().zip(caps).enumerate().map(band).collect(),
+        texel_memories: design.core().tables().iter().filter(|memory| memory.holds_texels()).collect(),
         error,
         rom_file: spec.rom == RomStyle::File,
         loads: design.write_ports().into_iter().map(|port| Load::of(&design, port)).collect(),

@@ -4,8 +4,9 @@ use brdfgen::block::image::{Image, ImageBlock, ImageForm, OctaveAxis};
 use brdfgen::datapath::Datapath;
 use brdfgen::fixed::{Rng, exp2};
 use brdfgen::platform::error::Error;
-use brdfgen::reflectance::measure::{self, Sphere};
-use brdfgen::reflectance::{Light, Model};
+use brdfgen::reflectance::measure::{self, Judge, Sphere};
+use brdfgen::reflectance::paper::{Border, Options};
+use brdfgen::reflectance::{FormKind, FormSpec, Light, Model, Texel};
 
 const SMALL: Image = Image {
     form: ImageForm::Bivariate { octaves: 8 },
@@ -46,6 +47,14 @@ fn an_axis_ascends_by_octaves() {
     }
 }
 
+/// A block of the form paper.
+fn paper(angles: &[f64], size: u32) -> Image {
+    Image { form: ImageForm::Paper { angles: angles.to_vec() }, size, ..HALF }
+}
+
+/// The paper's set of six images.
+const SIX: [f64; 6] = [0.0, 30.0, 60.0, 90.0, 120.0, 150.0];
+
 /// Blocks at the ends of what is allowed.
 fn blocks() -> Vec<(Image, &'static str)> {
     let bivariate = |octaves, size| Image { form: ImageForm::Bivariate { octaves }, size, ..SMALL };
@@ -63,6 +72,14 @@ fn blocks() -> Vec<(Image, &'static str)> {
         (Image { texel_bits: 10, weight_bits: 8, lights: 2, ..half(4, 8) }, "ggx"),
         (Image { weight_bits: 3, vector_fraction: 8, ..half(8, 32) }, "lambert"),
         (half(64, 8), "blinnphong"),
+        (paper(&SIX, 64), "ggx"),
+        // The last image is there twice.
+        (
+            Image { texel_bits: 10, weight_bits: 8, lights: 2, vector_fraction: 20, ..paper(&[45.0, 90.0, 135.0], 8) },
+            "ggx",
+        ),
+        (Image { weight_bits: 3, vector_fraction: 8, ..paper(&[90.0], 16) }, "lambert"),
+        (Image { channel_bits: 12, ..paper(&[0.0, 90.0, 180.0], 32) }, "blinnphong"),
     ]
 }
 
@@ -139,6 +156,20 @@ fn pictures_are_as_good_as_they_should_be() {
     }
 }
 
+/// The form paper in bits is as good as in floating-point numbers of the same texels.
+#[test]
+fn the_form_paper_is_as_good_as_in_floating_point() {
+    let model = Model::named("ggx").unwrap();
+    let exposure = measure::exposure(&model);
+    let options = Options { border: Border::ExtendX, ..Options::default() };
+    let spec = FormSpec { options, ..FormSpec::sized(FormKind::Paper, 6, 64, Texel::Sqrt(8, None)) };
+    let judge = Judge::new(&model, exposure, &measure::angles(5.0), 96);
+    let float = judge.quality(&spec.build(&model, exposure).unwrap());
+    let (mean, worst) = quality(&block(paper(&SIX, 64), "ggx"), "ggx", 96);
+    println!("floating point {:.2} {:.2}, bits {mean:.2} {worst:.2} dB", float.mean, float.worst);
+    assert!(mean > float.mean - 0.5 && worst > float.worst - 0.5);
+}
+
 #[test]
 fn what_is_no_block_is_refused() {
     for (image, words) in [
@@ -149,6 +180,11 @@ fn what_is_no_block_is_refused() {
         (Image { form: ImageForm::Bivariate { octaves: 16 }, vector_fraction: 8, ..SMALL }, "needed to 2^-21"),
         (Image { form: ImageForm::Half { slices: 2 }, ..SMALL }, "images = 2"),
         (Image { form: ImageForm::Half { slices: 64 }, size: 256, ..SMALL }, "4194304 texels are too many"),
+        (paper(&[], 64), "images = 0"),
+        (paper(&[0.0, 60.0, 30.0], 64), "do not ascend"),
+        (paper(&[-1.0, 60.0], 64), "do not ascend"),
+        (paper(&[0.0, 80.0], 64), "between 80 and 180 degrees"),
+        (paper(&[95.0], 64), "between 0 and 95 degrees"),
         (Image { texel_bits: 11, ..SMALL }, "texel_bits = 11"),
         (Image { weight_bits: 2, ..SMALL }, "weight_bits = 2"),
         (Image { channel_bits: 9, ..SMALL }, "channel_bits = 9"),
