@@ -5,6 +5,7 @@
 //! arithmetic is decided here: formats and operations come from the datapath.
 
 mod axis;
+mod c;
 mod light_table;
 pub(crate) mod markdown;
 mod names;
@@ -16,6 +17,7 @@ mod verilog;
 mod vhdl;
 
 pub use axis::{Axis, AxisPort, Lane, Packing};
+pub use c::LightFunction;
 pub use light_table::LightTable;
 pub use sequencer::{Connected, Sequencer};
 pub use testbench::{Wrapper, test_bench};

@@ -3,12 +3,13 @@
 //! A number is an integer (its *code*) times the weight of its last bit. [`Format`] says how wide the integer is and
 //! where the binary point lies; [`Interval`] bounds real values and errors with outward rounding; [`Table`] holds the
 //! words of a memory; [`Rng`] draws reproducible random numbers; [`wide`] holds the arithmetic of the reference model
-//! on the crate `fixed`.
+//! on the crate `fixed`, [`turn`] sines in integers.
 
 mod format;
 mod interval;
 mod rng;
 mod table;
+pub mod turn;
 pub mod wide;
 mod widths;
 

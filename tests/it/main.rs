@@ -14,6 +14,7 @@ mod fit;
 mod formal;
 mod image;
 mod image_files;
+mod light_function;
 mod lights;
 mod lint;
 mod lobes;

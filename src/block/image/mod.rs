@@ -24,7 +24,7 @@ pub use options::{
     WEIGHT_BITS,
 };
 pub use real::{Places, RealLight, RealTexels};
-pub use record::LightRecord;
+pub use record::{FixedLight, LightRecord, RecordBand, RecordTable};
 pub use stored::{ImageFile, ImageSamples};
 pub use texels::OctaveAxis;
 
@@ -47,6 +47,7 @@ pub struct ImageBlock {
     texels: Texels,
     /// The tables of functions that the model goes by: reciprocal roots and sines. Of the form paper.
     functions: Option<Box<[Table; 2]>>,
+    records: RecordTable,
 }
 
 impl ImageBlock {
@@ -84,7 +85,9 @@ impl ImageBlock {
             "a smaller exposure; by default it is 0.6 over the 90th percentile of a lit sphere"
         );
         let functions = image.has_turns().then(|| Box::new([turn::reciprocal_roots(0), turn::sines(0, "even")]));
-        Ok(Self { widths: ImageWidths::new(&image, &texels), image, samples, texels, functions })
+        let widths = ImageWidths::new(&image, &texels);
+        let records = RecordTable::new(&image, &widths, &texels);
+        Ok(Self { image, widths, samples, texels, functions, records })
     }
 
     /// What was asked for.

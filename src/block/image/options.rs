@@ -6,7 +6,7 @@ use std::sync::Arc;
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
-use super::{ImageSamples, record};
+use super::{ImageSamples, record, turn};
 use crate::block::lights::{MOST_LIGHTS, Sums};
 use crate::block::shader::{CHANNEL_BITS, LIGHTS, VECTOR_FRACTION};
 use crate::fixed::{Format, exp2};
@@ -303,6 +303,12 @@ impl Image {
     #[must_use]
     pub fn has_turns(&self) -> bool {
         matches!(self.form, ImageForm::Paper { .. })
+    }
+
+    /// Fraction bits of the ports that turn it, whose unit is a right angle.
+    #[must_use]
+    pub fn turn_bits(&self) -> u32 {
+        turn::ANGLE as u32
     }
 
     /// Whether n·l is multiplied with what the texels give; else they hold it.

@@ -1,11 +1,116 @@
 //! What a core is told of a light.
+//!
+//! A record is made in integers alone, from a light in fixed-point numbers and a table with a row a band, so that a
+//! driver without floating point computes the same one: `model/NAME_light.c` is this file in C99. What is kept on the way
+//! is so fine that a code is the nearest to its exact value but for one in millions.
 
-use super::{Image, ImageBlock, ImageForm, turn};
+use super::turn::{ANGLE, MOST_HALF};
+use super::{Image, ImageBlock, ImageForm, ImageWidths};
 use crate::block::shader::unit as check_unit;
-use crate::fixed::exp2;
+use crate::fixed::{exp2, turn};
 use crate::platform::error::Error;
-use crate::reflectance::texels::{Pair, pair};
+use crate::reflectance::texels::{Pair, Texels, pair};
 use crate::reflectance::vector::{Light, Vector, sine_cosine};
+
+/// A light in fixed-point numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FixedLight {
+    /// The polar angle from the viewer's direction, in 2^-64 turns: 180 degrees are 2^63, and what is more is taken for
+    /// that.
+    pub phi: u64,
+    /// The azimuth, in 2^-64 turns.
+    pub gamma: u64,
+    /// The intensity a channel, of which 2^63 are 1; what is more is taken for that.
+    pub intensity: [u64; 3],
+}
+
+impl FixedLight {
+    /// A light of an intensity a channel.
+    ///
+    /// # Errors
+    /// An intensity that is not from 0 to 1.
+    pub fn new(light: Light, intensity: [f64; 3]) -> Result<Self, Error> {
+        check_unit("intensity", &intensity)?;
+        let intensity = intensity.map(|part| (part * exp2(63)) as u64);
+        Ok(Self { phi: turn::of_degrees(light.phi), gamma: turn::of_degrees(light.gamma), intensity })
+    }
+}
+
+/// What records are made with, beside the form: a row a band, and where the binary points lie.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RecordTable {
+    /// The bands, ascending.
+    pub bands: Vec<RecordBand>,
+    /// Fraction bits of the roots, of which each is below 2^48.
+    pub root_bits: u32,
+    /// Fraction bits of a gain, which is below 2^62.
+    pub gain_bits: u32,
+}
+
+/// A band, as records are made with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RecordBand {
+    /// Its angle, in 2^-64 turns.
+    pub angle: u64,
+    /// 2^116 over what lies between its angle and the next one's, rounded down; the last has none.
+    pub reciprocal: u64,
+    /// The root of the gain of a light of intensity 1 at its angle.
+    pub root: u64,
+}
+
+impl RecordTable {
+    /// Fraction bits of a reciprocal: [`RecordBand::reciprocal`] times an angle is a number of 2^-116, of which
+    /// [`turn::FRACTION`] bits are kept.
+    pub const RECIPROCAL_BITS: u32 = 116;
+
+    /// The table for these texels.
+    pub(super) fn new(image: &Image, widths: &ImageWidths, texels: &Texels) -> Self {
+        // No gain reaches 2^shift.
+        let root_int = widths.shift.unsigned_abs().div_ceil(2);
+        let (root_bits, gain_bits) = (48 - root_int, turn::FRACTION - 2 * root_int);
+        let angles: Vec<u64> = image.band_angles().into_iter().map(turn::of_degrees).collect();
+        let band = |(number, &angle): (usize, &u64)| {
+            let root = texels.weight(number) * libm::sqrt(unit(image));
+            let apart = angles.get(number + 1).map(|next| u128::from(next - angle));
+            // An image that is there twice has no light between.
+            let reciprocal =
+                apart.map_or(0, |apart| (1u128 << Self::RECIPROCAL_BITS).checked_div(apart).unwrap_or_default());
+            debug_assert!(reciprocal < 1 << 64, "bands are more than a fifth of an arc minute apart");
+            RecordBand { angle, reciprocal: reciprocal as u64, root: libm::round(root * exp2(root_bits as i32)) as u64 }
+        };
+        Self { bands: angles.iter().enumerate().map(band).collect(), root_bits, gain_bits }
+    }
+
+    /// The first of the two bands that are blended, and the part of the next, of which [`turn::ONE`] are 1: 0 before the
+    /// first band, 1 past the last.
+    fn place(&self, phi: u64) -> (usize, u64) {
+        let last = self.bands.len() - 1;
+        let above = self.bands.partition_point(|band| band.angle <= phi);
+        let first = above.saturating_sub(1).min(last - 1);
+        let RecordBand { angle, reciprocal, .. } = self.bands[first];
+        let part = match above {
+            0 => 0,
+            _ if above > last => turn::ONE,
+            _ => turn::product(phi - angle, reciprocal, Self::RECIPROCAL_BITS - turn::FRACTION),
+        };
+        (first, part)
+    }
+
+    /// The ports that turn the normal to the images of the form paper: [`LightRecord::turns`] at this angle, `band` the
+    /// first of both.
+    fn turns(&self, phi: u64, band: usize) -> [i64; 3] {
+        let half = |band: usize| {
+            let angle = self.bands[band].angle;
+            let magnitude = (angle.abs_diff(phi) + (1 << (62 - ANGLE))) >> (63 - ANGLE);
+            // One of an image without a weight may be more.
+            let code = magnitude.min(MOST_HALF) as i64;
+            if angle < phi { -code } else { code }
+        };
+        let [even, odd] = if band.is_multiple_of(2) { [band, band + 1] } else { [band + 1, band] }.map(half);
+        let (first, last) = (self.bands[0].angle, self.bands[self.bands.len() - 1].angle);
+        [even, odd, (phi < first || phi >= last).into()]
+    }
+}
 
 /// The codes of a light's ports.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -97,41 +202,88 @@ pub(super) fn shift(gain: f64) -> i32 {
     (0..=1023).find(|&shift| gain < exp2(shift)).unwrap_or_default()
 }
 
+/// The codes of a light's vectors beside its direction, and what else depends on the form: the one place for both.
+fn frame_codes(image: &Image, phi: u64, gamma: u64) -> Vec<i64> {
+    let [gamma_sine, gamma_cosine] = turn::sine_cosine(gamma);
+    let [half_sine, half_cosine] = turn::sine_cosine(phi / 2);
+    let components = match image.form {
+        ImageForm::Bivariate { .. } if phi == turn::HALF => vec![0, 0, turn::ONE as i64],
+        ImageForm::Bivariate { .. } => {
+            vec![turn::times(half_sine, gamma_cosine), turn::times(half_sine, gamma_sine), half_cosine]
+        }
+        ImageForm::Half { .. } | ImageForm::Paper { .. } => vec![
+            turn::times(gamma_cosine, half_cosine),
+            turn::times(gamma_sine, half_cosine),
+            -half_sine,
+            -gamma_sine,
+            gamma_cosine,
+        ],
+    };
+    components.into_iter().map(|component| turn::code(component, image.vector_fraction)).collect()
+}
+
 impl ImageBlock {
     /// The record of a light of an intensity a channel.
     ///
     /// # Errors
     /// An intensity that is not from 0 to 1.
     pub fn record(&self, light: Light, intensity: [f64; 3]) -> Result<LightRecord, Error> {
-        check_unit("intensity", &intensity)?;
-        let Self { image, widths, texels, .. } = self;
-        let nearest = |value: f64, frac_bits: i32| libm::round(value * exp2(frac_bits)) as i64;
-        let component = |value: f64| nearest(value, image.vector_fraction as i32);
-        let direction = light.direction();
-        let (band, t) = bands(pair(&image.band_angles(), light.phi));
-        let [own, next] = texels.weights([band, band + 1], t);
+        FixedLight::new(light, intensity).map(|light| self.fixed_record(&light))
+    }
+
+    /// The record of a light in fixed-point numbers.
+    #[must_use]
+    pub fn fixed_record(&self, light: &FixedLight) -> LightRecord {
+        let Self { image, widths, records, .. } = self;
+        let phi = light.phi.min(turn::HALF);
+        let component = |sine: i64| turn::code(sine, image.vector_fraction);
+        let [sine, cosine] = turn::sine_cosine(phi);
+        let [gamma_sine, gamma_cosine] = turn::sine_cosine(light.gamma);
+        let direction = [turn::times(sine, gamma_cosine), turn::times(sine, gamma_sine), cosine];
+        let (band, t) = records.place(phi);
+        let own = turn::product(turn::ONE - t, records.bands[band].root, turn::FRACTION);
+        let next = turn::product(t, records.bands[band + 1].root, turn::FRACTION);
         let weight = own + next;
-        let next = if weight > 0.0 { next / weight } else { 0.0 };
         // The odd band is the next one of an even band, and an odd band itself.
-        let odd = if band.is_multiple_of(2) { next } else { 1.0 - next };
+        let odd = if band.is_multiple_of(2) { next } else { own };
+        let blend = match weight {
+            // Without a weight the band itself.
+            0 => {
+                if band.is_multiple_of(2) {
+                    0
+                } else {
+                    1 << image.weight_bits
+                }
+            }
+            _ => ((odd << (image.weight_bits + 1)) + weight) / (2 * weight),
+        };
         // Behind the object nothing that is seen is lit.
-        let gain = if light.phi < 180.0 { gain(image, weight) } else { 0.0 };
-        let gains = intensity.map(|intensity| gain * intensity);
-        let shift = shift(gains.into_iter().fold(0.0, f64::max)).min(widths.shift);
+        let gain = match phi {
+            turn::HALF => 0,
+            _ => turn::product(weight, weight, 2 * records.root_bits - records.gain_bits),
+        };
+        let gains = light.intensity.map(|intensity| turn::product(gain, intensity.min(turn::HALF), 63));
+        let greatest = gains.into_iter().fold(0, u64::max);
+        let shift = (0..widths.shift).find(|&shift| greatest >> (records.gain_bits + shift as u32) == 0);
+        let shift = shift.unwrap_or(widths.shift);
+        let dropped = records.gain_bits + shift as u32 - widths.gain as u32;
         let most = (1i64 << widths.gain) - 1;
-        Ok(LightRecord {
-            direction: image.has_incidence().then(|| [direction.x, direction.y, direction.z].map(component)),
-            frame: frame(image, light).into_iter().map(component).collect(),
+        LightRecord {
+            direction: image.has_incidence().then(|| direction.map(component)),
+            frame: frame_codes(image, phi, light.gamma),
             band: band as i64,
-            blend: nearest(odd, image.weight_bits as i32),
-            turns: turns(image, light.phi).map(|Turns { halves, alone }| {
-                let [even, odd] = halves.map(|half| nearest(half, turn::ANGLE));
-                [even, odd, alone.into()]
-            }),
+            blend: blend as i64,
+            turns: image.has_turns().then(|| records.turns(phi, band)),
             shift: (widths.shift > 0).then_some(shift.into()),
             // A gain just below a power of two is rounded up to it.
-            gain: gains.map(|gain| nearest(gain, widths.gain - shift).min(most)),
-        })
+            gain: gains.map(|gain| (((gain + (1 << (dropped - 1))) >> dropped) as i64).min(most)),
+        }
+    }
+
+    /// What records are made with.
+    #[must_use]
+    pub fn record_table(&self) -> &RecordTable {
+        &self.records
     }
 }
 

@@ -36,6 +36,9 @@ const ROOT_INT: i32 = 6;
 /// The format of half of an image's angle less the light's: less than a right angle.
 pub(super) const HALF_TURN: Format = Format::signed(0, ANGLE);
 
+/// Half of the greatest turn, as a code: half of a right angle.
+pub(super) const MOST_HALF: u64 = 1 << (ANGLE - 1);
+
 /// The tables of a light, which are read at once: see [`tables`].
 pub(super) const TABLES: usize = 3;
 

@@ -9,7 +9,7 @@ use crate::core::{
     Account, BlockDesign, Design, ImageDesign, ImageError, LobeDesign, Measured, OtherForm, ShaderDesign, ShaderError,
     WritePort,
 };
-use crate::emit::{Axis, LightTable, Sequencer, markdown, render};
+use crate::emit::{Axis, LightFunction, LightTable, Sequencer, markdown, render};
 use crate::fixed::{Field, Table};
 use crate::platform::error::Error;
 use crate::reflectance::directory;
@@ -263,6 +263,11 @@ fn files(design: &Design) -> Vec<(String, &'static str)> {
         for &format in &spec.rom_formats {
             files.push((super::rom_path(design, table, format), what));
         }
+    }
+    if let Block::Image(_) = &spec.block {
+        let [header, source] = LightFunction::paths(&spec.name);
+        files.push((header, "light records for drivers: the C function's header"));
+        files.push((source, "its source, C99"));
     }
     files.push((super::golden_path(design), "golden vectors and digests"));
     if let Block::Image(ImageSpec { source: ImageSource::Samples(_), .. }) = &spec.block {

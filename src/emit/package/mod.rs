@@ -19,7 +19,7 @@ use crate::core::golden::{self, Golden};
 use crate::core::{Account, BlockDesign, Design, Port, ShaderDesign, WritePort};
 use crate::datapath::widths::Budget;
 use crate::emit::rom::{self, RomFormat};
-use crate::emit::{self, Axis, Lane, LightTable, RomFile, Sequencer, Texts, Wrapper};
+use crate::emit::{self, Axis, Lane, LightFunction, LightTable, RomFile, Sequencer, Texts, Wrapper};
 use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
 use crate::spec::{Block, CoreSpec, ImageSource, ImageSpec, Language, REFLECTANCE_DIRECTORY, RomStyle, hex};
@@ -337,6 +337,14 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
             let text = axis.emit(language, &whole_texts(design))?;
             add_part(Part::Axis, text, Wrapper::Axis(axis, sequencer.as_ref()))?;
         }
+    }
+    if let BlockDesign::Image(image) = design.block() {
+        let mut function = LightFunction::of(image);
+        let what = format!("the records of lights for the core {}", spec.name);
+        function.header = head(spec, &format!("{}_light", spec.name), &what, "function");
+        LightFunction::paths(&spec.name).into_iter().zip(function.emit()?).for_each(|(path, text)| {
+            add(path, text.into_bytes());
+        });
     }
     for table in design.tables() {
         for &format in &spec.rom_formats {
