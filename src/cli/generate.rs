@@ -97,7 +97,10 @@ fn check(arguments: &Arguments, core: &Core) -> Verdict {
 /// What is asked of a core that is to be chosen, if one is.
 fn constraints(arguments: &Arguments, is_scene: bool) -> Result<Option<Constraints>, Error> {
     if !is_scene && !arguments.scene.is_empty() {
-        return Err(Error::input("--margin and --synth are for scenes", "give a scene file, or leave them out"));
+        return Err(Error::input(
+            "--margin, --synth and --for-material are for scenes",
+            "give a scene file, or leave them out",
+        ));
     }
     if is_scene && (arguments.max_error.is_some() || !arguments.constraints.is_empty()) {
         return Err(Error::input(
@@ -197,7 +200,8 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         return Ok(Verdict::Differs);
     }
 
-    let of_table = table_quality(&arguments, &core.design)?;
+    // A scene's choice has said what its pictures make of it.
+    let of_table = if of_scene.is_some() { None } else { table_quality(&arguments, &core.design)? };
     // Checked before it is written: a core that fails leaves no directory behind.
     let outcome = core.simulate()?;
     if outcome.passed() {

@@ -15,11 +15,12 @@ use crate::platform::error::{Error, refuse};
 use crate::platform::paths::Paths;
 use crate::scene::cores::{self, PictureCore, Through};
 use crate::scene::drawing::{self, Drawing, Drawn, Only, Own, scene_text};
+use crate::scene::image_core;
 use crate::scene::reflectance::{Compared, Looks};
 use crate::scene::require::MARGIN;
 use crate::scene::sheet::{self, Cell, Panel, Sheet};
 use crate::scene::{Difference, Exact, Frame, Highlights, Scene, Tracer};
-use crate::spec::{Colour, SpecFields};
+use crate::spec::{BlockKind, Colour, SpecFields};
 use crate::target::Family;
 
 /// The cores that `--compare` shows where it is not told which.
@@ -52,8 +53,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "FILE.exr", conflicts_with = "compare")]
     exr: Option<PathBuf>,
 
-    /// How the core's highlights are computed: by its bit-exact model, or by the core itself, compiled by Verilator and
-    /// given every sample of the picture
+    /// How the core's part of the picture is computed: by its bit-exact model, or by the core itself, compiled by
+    /// Verilator and given every sample of the picture; an image-based core with its sequencer
     #[arg(long, value_enum, default_value = "model")]
     through: Through,
 
@@ -82,8 +83,9 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, requires = "compare")]
     family: Option<Family>,
 
-    /// The core: a spec file, or the directory of a generated core; flags win over it. Without it and without --method:
-    /// the cheapest core that keeps the scene's budget
+    /// The core: a spec file, or the directory of a generated core; flags win over it. A lobe draws the highlights, an
+    /// image-based block the materials that it is made of. Without it, --method and --block image: the cheapest lobe
+    /// that keeps the scene's budget, or where materials have a reflectance none
     #[arg(long, value_name = "SPEC", conflicts_with = "compare")]
     core: Option<PathBuf>,
 
@@ -157,27 +159,35 @@ fn draw(arguments: &Arguments, scene: &Scene, piped: bool) -> Result<Verdict, Er
     let measured = scene.is_measured();
     let mut clock = Instant::now();
     // A scene without measured materials looks the same in both.
-    let looks = if measured { vec![scene.exact_looks()?, scene.own_looks()?] } else { Vec::new() };
-    let (frame, bases) = trace(scene, &looks);
+    let through = core.as_ref().map_or(&[][..], |core| &core.materials);
+    let looks = if measured { vec![scene.exact_looks()?, scene.own_looks_but(through)?] } else { Vec::new() };
+    let tracer = Tracer::new(scene);
+    let (frame, bases) = trace(&tracer, scene, &looks);
     let mut seconds = Seconds { trace: Seconds::since(&mut clock), exact: 0.0, core: None, files: 0.0 };
     let [exact_base, own_base] = [0, 1].map(|looks| bases.get(looks).unwrap_or(&frame.base));
     let lobes = Exact.of(scene, &frame)?;
     let exact = Drawn::of(scene, &frame, exact_base, &lobes);
     seconds.exact = Seconds::since(&mut clock);
     let own = if core.is_some() || measured && (arguments.only != Only::Exact || arguments.exr.is_some()) {
-        let lobes = match &core {
-            Some(core) => highlights(core, arguments.through, scene, &frame)?,
-            None => lobes,
+        let own = match &core {
+            Some(core) if core.is_image() => {
+                let base = imaged(core, arguments.through, scene, (&tracer, &frame), own_base)?;
+                Drawn::of(scene, &frame, &base, &lobes)
+            }
+            Some(core) => {
+                let lobes = highlights(core, arguments.through, scene, &frame)?;
+                Drawn::of(scene, &frame, own_base, &lobes)
+            }
+            None => Drawn::of(scene, &frame, own_base, &lobes),
         };
-        let own = Own::of(&frame, &exact, Drawn::of(scene, &frame, own_base, &lobes));
+        let own = Own::of(&frame, &exact, own);
         seconds.core = core.is_some().then(|| Seconds::since(&mut clock));
         Some(own)
     } else {
         None
     };
 
-    let design = core.as_ref().map(|core| &core.design);
-    let drawing = Drawing::of(scene, &frame, exact.picture, design, own)?;
+    let drawing = Drawing::of(scene, &frame, exact.picture, core.as_ref(), own)?;
     let (bytes, panels) = drawing.png(arguments.only);
     // Both files are made before one is written.
     let exr = match &arguments.exr {
@@ -210,7 +220,7 @@ fn json_of(
             "name": design.spec.name,
             "digest": design.spec.digest(),
             "flags": design.spec.flags().join(" "),
-            "latency": design.schedule.latency,
+            "latency": design.whole_latency(),
             "through": arguments.through,
             "difference": own.difference,
         })
@@ -268,7 +278,7 @@ fn compare_cores(arguments: &Arguments, scene: &Scene, compared: &[String], pipe
         .collect::<Result<_, _>>()?;
     let family = arguments.family.unwrap_or(scene.core.family);
     let costing = costing(arguments.synth)?;
-    let (frame, _) = trace(scene, &[]);
+    let (frame, _) = trace(&Tracer::new(scene), scene, &[]);
     let exact = frame.picture(scene, &Exact.of(scene, &frame)?);
     let bar = progress::bar("cores", cores.len() as u64);
     let mut cells = Vec::new();
@@ -336,7 +346,7 @@ fn compare_forms(arguments: &Arguments, scene: &Scene, compared: &[String], pipe
         bar.inc(1);
     }
     bar.finish_and_clear();
-    let (frame, bases) = trace(scene, &looks);
+    let (frame, bases) = trace(&Tracer::new(scene), scene, &looks);
     let lobes = Exact.of(scene, &frame)?;
     let mut drawn = bases.iter().map(|base| Drawn::of(scene, &frame, base, &lobes));
     let exact = drawn.next().expect("the exact look is the first");
@@ -348,7 +358,7 @@ fn compare_forms(arguments: &Arguments, scene: &Scene, compared: &[String], pipe
         list.push(json!({ "name": looks.name, "kib": kib, "psnr": own.psnr, "difference": own.difference }));
         cells.push(own.cell_of_form(looks));
     }
-    let materials = drawing::materials_of(scene)?;
+    let materials = drawing::materials_of(scene, None)?;
     let of_materials = materials.iter().map(|material| format!("{}: {}", material.name, material.reflectance));
     let lines: Vec<String> = [scene_text(scene, &frame)].into_iter().chain(of_materials).collect();
     let Sheet { pixels, panels } = sheet::contact(&frame, &exact.picture, &cells, &scene.name, &lines);
@@ -399,17 +409,12 @@ fn check_writable(path: &Path) -> Result<(), Error> {
 fn core_of(arguments: &Arguments, scene: &Scene) -> Result<Option<PictureCore>, Error> {
     let keys = arguments.fields.clone();
     let is_named = arguments.core.is_some() || keys != SpecFields::default();
-    refuse!(
-        is_named && !scene.has_highlights(),
-        "a core is given, and all objects of the scene are drawn by a reflectance",
-        "leave the core out, or give the materials shading = \"classical\""
-    );
     if arguments.only == Only::Exact && arguments.exr.is_none() || scene.is_measured() && !is_named {
         return Ok(None);
     }
     let core = match &arguments.core {
         Some(path) => PictureCore::of_file(scene, path, keys)?,
-        None if keys.method.is_some() => PictureCore::of_keys(scene, keys)?,
+        None if keys.method.is_some() || keys.block == Some(BlockKind::Image) => PictureCore::of_keys(scene, keys)?,
         None => {
             let bar = progress::bar("rendering", 1);
             let (margin, costing) = (arguments.margin.unwrap_or(MARGIN), costing(arguments.synth)?);
@@ -422,11 +427,29 @@ fn core_of(arguments: &Arguments, scene: &Scene) -> Result<Option<PictureCore>, 
 }
 
 /// The picture before its highlights, and with its measured materials in each of these looks.
-fn trace(scene: &Scene, looks: &[Looks]) -> (Frame, Vec<Vec<Colour>>) {
+fn trace(tracer: &Tracer, scene: &Scene, looks: &[Looks]) -> (Frame, Vec<Vec<Colour>>) {
     let bar = progress::bar("rows traced", scene.height.into());
-    let traced = Frame::with_looks(&Tracer::new(scene), scene, looks, &|| bar.inc(1));
+    let traced = Frame::with_looks(tracer, scene, looks, &|| bar.inc(1));
     bar.finish_and_clear();
     traced
+}
+
+/// The picture before its highlights with the materials of an image-based core drawn through it.
+fn imaged(
+    core: &PictureCore,
+    through: Through,
+    scene: &Scene,
+    (tracer, frame): (&Tracer, &Frame),
+    base: &[Colour],
+) -> Result<Vec<Colour>, Error> {
+    let samples = frame.material.iter().filter(|material| core.materials.contains(&usize::from(**material))).count();
+    let bar = match through {
+        Through::Model => progress::bar("rows through the core's model", scene.height.into()),
+        Through::Verilator => progress::bar("samples through the compiled core", samples as u64),
+    };
+    let codes = core.imaged(through, scene, tracer, &|done| bar.set_position(done))?;
+    bar.finish_and_clear();
+    Ok(image_core::added(base, &codes, scene.channel_bits))
 }
 
 /// The core's highlights.

@@ -16,11 +16,12 @@ use crate::generate::Core;
 use crate::platform::error::Error;
 use crate::scene::choice::{RunnerUp, SceneChoice, SceneCore};
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
+use crate::scene::image_choice::{ImageCandidate, ImageChoice, ImageSearch};
 use crate::scene::require::{MARGIN, PictureError};
 use crate::scene::shade::Shaded;
 use crate::scene::survey::Counts;
 use crate::scene::{Budget, Requirements, Scene, SceneInspection};
-use crate::spec::SpecFields;
+use crate::spec::{BlockKind, SpecFields};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -63,12 +64,16 @@ pub(super) struct SceneFlags {
     /// Costs by synthesis instead of the cost model
     #[arg(long)]
     synth: bool,
+
+    /// With --block image: the material with a reflectance that the core is for, where the scene has several
+    #[arg(long, value_name = "NAME")]
+    for_material: Option<String>,
 }
 
 impl SceneFlags {
     /// Whether none of them is given.
     pub(super) fn is_empty(&self) -> bool {
-        self.margin.is_none() && !self.synth
+        self.margin.is_none() && !self.synth && self.for_material.is_none()
     }
 }
 
@@ -89,6 +94,15 @@ pub(super) fn inspect(scene: &Scene, flags: &SceneFlags, keys: &SpecFields) -> R
 pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let Command::Inspect(arguments) = &arguments.command;
     let scene = read_scene(&arguments.scene)?;
+    if is_image(&scene, &arguments.keys) {
+        let choice = choose_image(&scene, &arguments.flags, &arguments.keys)?;
+        if arguments.json {
+            say_json(&choice.json(&scene));
+        } else {
+            image_text(&scene, &choice).iter().for_each(say);
+        }
+        return Ok(Verdict::of(choice.chosen.is_some()));
+    }
     let inspection = inspect(&scene, &arguments.flags, &arguments.keys)?;
     let findings = inspection.findings(&scene);
     if arguments.json {
@@ -105,6 +119,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
 
 /// The core that a scene needs; none where no core keeps the budget. Says what was chosen unless `quiet`.
 pub(super) fn make(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: bool) -> Result<Option<Core>, Error> {
+    if is_image(scene, keys) {
+        return make_image(scene, flags, keys, quiet);
+    }
     let inspection = inspect(scene, flags, keys)?;
     let lines = choice_text(scene, &inspection);
     if !inspection.is_kept() {
@@ -121,6 +138,80 @@ pub(super) fn make(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: 
     let core = inspection.generate(scene);
     spinner.finish_and_clear();
     core
+}
+
+/// Whether an image-based core is asked for.
+fn is_image(scene: &Scene, keys: &SpecFields) -> bool {
+    keys.block.or(scene.core.keys.block) == Some(BlockKind::Image)
+}
+
+/// The image-based core that a material of the scene needs.
+fn choose_image(scene: &Scene, flags: &SceneFlags, keys: &SpecFields) -> Result<ImageChoice, Error> {
+    let (margin, costing) = (flags.margin.unwrap_or(MARGIN), costing(flags.synth)?);
+    let search = ImageSearch::new(scene, flags.for_material.as_deref(), margin, &costing, keys)?;
+    let bar = progress::bar("candidates", 1);
+    let choice = search.choose(&progress::steps(&bar))?;
+    bar.finish_and_clear();
+    Ok(choice)
+}
+
+/// As [`make`], of an image-based core.
+fn make_image(scene: &Scene, flags: &SceneFlags, keys: &SpecFields, quiet: bool) -> Result<Option<Core>, Error> {
+    let choice = choose_image(scene, flags, keys)?;
+    let lines = image_text(scene, &choice);
+    if choice.chosen.is_none() {
+        if quiet {
+            say_json(&choice.json(scene));
+        }
+        lines.iter().for_each(warn);
+        return Ok(None);
+    }
+    if !quiet {
+        lines.iter().for_each(say);
+    }
+    let spinner = progress::spinner(format!("generating the core of {}", scene.name));
+    let core = choice.generate(scene);
+    spinner.finish_and_clear();
+    core
+}
+
+/// The image-based candidates, what each costs and misses, and the choice.
+fn image_text(scene: &Scene, choice: &ImageChoice) -> Vec<String> {
+    let [width, height] = choice.size;
+    let mut lines = vec![
+        format!("{}: {} ({})", scene.name, choice.material, choice.reflectance),
+        format!("budget: {}; candidates in a picture of {width} by {height}", budget_text(&scene.budget)),
+        String::new(),
+    ];
+    let row = |one: &ImageCandidate| {
+        let Cost { lut, dsp, bram, mhz, .. } = one.cost;
+        let mhz = mhz.map_or_else(|| "-".to_owned(), |mhz| format!("{mhz:.0}"));
+        let psnr = |psnr: Option<f64>| psnr.map_or_else(|| "-".to_owned(), |psnr| format!("{psnr:.1}"));
+        let counts = [lut, dsp, bram].map(|count| count.to_string());
+        let errors = [one.error.max_steps.to_string(), psnr(one.error.psnr), psnr(one.psnr)];
+        let figures = counts.into_iter().chain([mhz, one.memory_bits.to_string()]).chain(errors);
+        [one.title(), one.verdict()].into_iter().chain(figures).collect()
+    };
+    let heading =
+        ["candidate", "budget", "LUT", "DSP", "BRAM", "MHz", "memory bits", "steps", "PSNR in dB", "of the objects"];
+    lines.extend(table(&heading, &choice.candidates.iter().map(row).collect::<Vec<_>>(), 2));
+    lines.push(format!("costs for {}{}", scene.core.family.name, choice.source()));
+    match choice.chosen().zip(choice.verified) {
+        None => lines.push(format!("no image-based core keeps {}", budget_text(&scene.budget))),
+        Some((chosen, [base, moved])) => lines.push(format!(
+            "chosen: {}; {}; whole picture {}; moved {}",
+            chosen.name,
+            cost_text(&chosen.cost),
+            picture_text(&base),
+            picture_text(&moved)
+        )),
+    }
+    lines.extend(choice.cheaper_shader().map(|_| {
+        "the fitted cos^n shader keeps the budget at less: shading = \"classical\" in the scene, and no --block image, \
+         makes its core"
+            .to_owned()
+    }));
+    lines
 }
 
 /// A table of columns with a heading each; all but the first `left` are set flush right.

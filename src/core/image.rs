@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use super::lights::sum_meanings;
 use super::{Design, Part};
+use crate::block::image::quality::{SIZE, STEP, turned};
 use crate::block::image::{ImageBlock, ImageForm, ImageModel, ImageSource, ImageSpec, Joints, Places, RealTexels};
 use crate::fixed::exp2;
 use crate::reflectance::measure::{self, Quality, Sphere};
@@ -52,8 +53,7 @@ impl<'a> ImageDesign<'a> {
     /// The codes of a unit vector.
     #[must_use]
     pub fn vector(self, v: Vector) -> [i64; 3] {
-        let one = exp2(self.of.image.vector_fraction as i32);
-        [v.x, v.y, v.z].map(|component| libm::round(component * one) as i64)
+        self.block.vector(v)
     }
 
     /// What each input port that carries numbers is for, in the order in which the ports are made.
@@ -103,37 +103,19 @@ impl<'a> ImageDesign<'a> {
     /// The inputs of a normal and of a light each; lights that are missing give nothing.
     #[must_use]
     pub fn inputs(self, n: Vector, lights: &[(Light, Rgb)]) -> Vec<i64> {
-        let missing = (Light::new(0.0, 0.0), [0.0; 3]);
-        let all = lights.iter().copied().chain(std::iter::repeat(missing));
-        let records = all.take(self.of.image.lights as usize).flat_map(|(light, intensity)| {
-            self.block.record(light, intensity).expect("an intensity from 0 to 1").codes()
-        });
-        self.vector(n).into_iter().chain(records).collect()
+        self.block.inputs(n, lights)
     }
 
     /// The codes of the channels of a sample whose lights are those of one clock.
     #[must_use]
     pub fn shown(self, inputs: &[i64]) -> Vec<i64> {
-        self.block.sums().codes([self.model().evaluate(inputs).as_slice()])
+        self.block.shown(inputs)
     }
 
     /// How well the core's pictures of a sphere, with one light of intensity 1, meet those of a reflectance.
     #[must_use]
     pub fn quality(self, reflectance: &dyn Reflectance) -> Quality {
-        let sphere = Sphere::new(SIZE);
-        let full = self.of.image.full_scale() as f64;
-        let of_angle = |&phi: &f64| {
-            let light = turned(phi);
-            let mut inputs = self.inputs(Vector::z(), &[(light, [1.0; 3])]);
-            let shown = |&n: &Vector| {
-                inputs[..3].copy_from_slice(&self.vector(n));
-                let codes = self.shown(&inputs);
-                [0, 1, 2].map(|channel| (codes[channel] as f64 / full) as f32)
-            };
-            let own: Vec<[f32; 3]> = sphere.normals.iter().map(shown).collect();
-            (phi, measure::psnr(&sphere.exact(reflectance, light, self.of.exposure), &own))
-        };
-        Quality::of(measure::angles(STEP).par_iter().map(of_angle).collect())
+        self.block.quality(reflectance, self.of.exposure)
     }
 }
 
@@ -164,18 +146,6 @@ const PARTS: [(&str, &str); 5] = [
     ("weights", "the places between texels rounded to the weights' last bit"),
     ("arithmetic", "the roundings behind them, the output's among them"),
 ];
-
-/// The degrees between two angles of the light.
-const STEP: f64 = 5.0;
-/// Pixels along a side of a picture.
-const SIZE: usize = 48;
-/// The degrees of azimuth that a light stands at for each of its polar angle: none of the frame's axes is favoured.
-const TURN: f64 = 3.0;
-
-/// The light at a polar angle.
-fn turned(phi: f64) -> Light {
-    Light::new(phi, TURN * phi)
-}
 
 /// Least, greatest, squares.
 type Sums = [f64; 3];

@@ -23,6 +23,7 @@ pub mod sweep;
 
 pub use choose::{Choice, Constraints, MaxError};
 pub use estimate::Model;
+pub(crate) use pareto::dominates;
 pub use pareto::{Objective, pareto};
 pub use point::{Cost, Estimate, Point};
 pub use results::Results;

@@ -114,6 +114,30 @@ pub struct Cost {
 }
 
 impl Cost {
+    /// What the tools made of a core of so many clocks.
+    #[must_use]
+    pub fn measured(synthesis: &Synthesis, latency: u32) -> Self {
+        let resources = &synthesis.resources;
+        Self {
+            lut: resources.lut_total,
+            ff: resources.ff,
+            dsp: resources.dsp,
+            bram: resources.bram,
+            latency,
+            mhz: synthesis.timing.as_ref().map(|timing| timing.median_mhz),
+            no_mhz: synthesis.no_clock(),
+            estimated: false,
+        }
+    }
+
+    /// What a cost model says of a core of so many clocks.
+    #[must_use]
+    pub fn estimated(estimate: &Estimate, latency: u32) -> Self {
+        let &Estimate { lut, ff, dsp, bram, mhz, .. } = estimate;
+        let no_mhz = mhz.is_none().then_some("too few of the cores that the cost model is fitted to were placed");
+        Self { lut, ff, dsp, bram, latency, mhz, no_mhz, estimated: true }
+    }
+
     /// The frequency as text, with so many digits behind the point, or why there is none.
     #[must_use]
     pub fn mhz_text(&self, digits: usize) -> String {
@@ -222,24 +246,11 @@ impl Point {
     /// What the core takes: as measured, or else as estimated; none of a point that failed.
     #[must_use]
     pub fn cost(&self) -> Option<Cost> {
-        let latency = self.latency;
-        if let (Some(synthesis), None) = (&self.synthesis, &self.failure) {
-            let resources = &synthesis.resources;
-            return Some(Cost {
-                lut: resources.lut_total,
-                ff: resources.ff,
-                dsp: resources.dsp,
-                bram: resources.bram,
-                latency,
-                mhz: synthesis.timing.as_ref().map(|timing| timing.median_mhz),
-                no_mhz: synthesis.no_clock(),
-                estimated: false,
-            });
-        }
-        let estimate = self.estimate.as_ref().filter(|_| self.failure.is_none())?;
-        let &Estimate { lut, ff, dsp, bram, mhz, .. } = estimate;
-        let no_mhz = mhz.is_none().then_some("too few of the cores that the cost model is fitted to were placed");
-        Some(Cost { lut, ff, dsp, bram, latency, mhz, no_mhz, estimated: true })
+        let measured = self.synthesis.as_ref().filter(|_| self.failure.is_none());
+        let estimate = || self.estimate.as_ref().filter(|_| self.failure.is_none());
+        measured
+            .map(|synthesis| Cost::measured(synthesis, self.latency))
+            .or_else(|| estimate().map(|estimate| Cost::estimated(estimate, self.latency)))
     }
 
     /// The tools whose figures these are.

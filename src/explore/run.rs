@@ -128,17 +128,11 @@ impl Costing {
     /// # Errors
     /// A family without a cost model, or a tool that is missing or fails.
     pub fn cost(&self, design: &Design, family: Family) -> Result<Cost, Error> {
-        let latency = design.schedule.latency;
-        let unmeasured = Point { latency, ..Point::unmeasured(&Core::new(design.spec.clone(), family)) };
-        let point = match self {
-            Self::Estimate(model) => {
-                Point { estimate: Some(model.estimate(family, &Shape::of(design))?), ..unmeasured }
-            }
-            Self::Synthesis(flow) => {
-                Point { synthesis: Some(synth::synthesise(design, &flow.options(family))?), ..unmeasured }
-            }
-        };
-        Ok(point.cost().expect("a point with a cost"))
+        let latency = design.whole_latency();
+        Ok(match self {
+            Self::Estimate(model) => Cost::estimated(&model.estimate(family, &Shape::of(design))?, latency),
+            Self::Synthesis(flow) => Cost::measured(&synth::synthesise(design, &flow.options(family))?, latency),
+        })
     }
 
     /// The point of a core. What is wrong with the core is in it; what is wrong with the machine is an error.

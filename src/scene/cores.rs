@@ -1,21 +1,25 @@
-//! The cores that a scene's picture is drawn through: named by keys or by a file, or chosen for the scene.
+//! The cores that a scene's picture is drawn through, lobes and image-based blocks: named by keys or by a file, or
+//! chosen for the scene.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use clap::ValueEnum;
 use serde::Serialize;
 
 use super::choice::Search;
-use super::{Compiled, CoreModel, Frame, Highlights, Requirements, Scene};
-use crate::core::Design;
-use crate::emit::package::{self, counted};
+use super::image_core::{self, Points};
+use super::{Compiled, CoreModel, Frame, Highlights, Requirements, Scene, Tracer};
+use crate::core::{BlockDesign, Design};
+use crate::emit::package::{self, Part, counted};
 use crate::explore::run::Costing;
 use crate::explore::sweep::Core;
 use crate::explore::{Cost, Point};
 use crate::platform::error::{Error, refuse};
 use crate::platform::{input, tool};
-use crate::spec::{Block, BlockKind, Language, Shininess, SpecFields};
+use crate::spec::{Block, BlockKind, Shininess, SpecFields};
 use crate::target::Family;
+use crate::verify::cosim;
 
 /// What computes a core's highlights.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum, Serialize)]
@@ -34,24 +38,54 @@ pub(crate) struct PictureCore {
     pub(crate) design: Design,
     /// Where it is on disk, if it is taken from there as it is.
     directory: Option<PathBuf>,
+    /// The materials that are drawn through an image-based core, as places in [`Scene::materials`].
+    pub(crate) materials: Vec<usize>,
 }
 
 impl PictureCore {
-    /// The core of these keys: for the shininesses of the materials of the scene's objects, unless the keys name some.
+    /// The core of these keys: a lobe for the shininesses of the materials of the scene's objects, or an image-based
+    /// block of the reflectance of its material, unless the keys name some.
     fn of(scene: &Scene, fields: SpecFields) -> Result<Self, Error> {
-        if let Some(kind) = fields.block.filter(|&kind| kind != BlockKind::Lobe) {
-            return Err(Error::input(
+        match fields.block {
+            Some(BlockKind::Image) => Self::of_image(scene, fields),
+            Some(kind @ BlockKind::Shader) => Err(Error::input(
                 format!("the core is {}, and a picture's highlights need a lobe", kind.noun()),
                 "leave `block` and its other keys out",
-            ));
+            )),
+            Some(BlockKind::Lobe) | None => {
+                refuse!(
+                    !scene.has_highlights(),
+                    "the core is a lobe, and all objects of the scene are drawn by a reflectance",
+                    "give an image-based core, leave the core out, or give the materials shading = \"classical\""
+                );
+                let own = fields.shininess.is_some() || fields.material.is_some();
+                let shininess = if own { fields.shininess.clone() } else { Some(Shininess::List(scene.shininesses())) };
+                let design = Design::new(SpecFields { shininess, ..fields }.resolve()?)?;
+                Ok(Self { design, directory: None, materials: Vec::new() })
+            }
         }
-        let own = fields.shininess.is_some() || fields.material.is_some();
-        let shininess = if own { fields.shininess.clone() } else { Some(Shininess::List(scene.shininesses())) };
-        Ok(Self { design: Design::new(SpecFields { shininess, ..fields }.resolve()?)?, directory: None })
+    }
+
+    fn of_image(scene: &Scene, fields: SpecFields) -> Result<Self, Error> {
+        let mut all = scene.measured_places();
+        let fields = match (fields.reflectance.is_empty(), all.next(), all.next()) {
+            (true, Some(only), None) => {
+                let reflectance = scene.reflectance(only).map(|measured| measured.block.clone()).unwrap_or_default();
+                SpecFields { reflectance, output_bits: fields.output_bits.or(Some(scene.channel_bits)), ..fields }
+            }
+            _ => fields,
+        };
+        let design = Design::new(fields.resolve()?)?;
+        let BlockDesign::Image(image) = design.block() else { unreachable!("an image-based block was asked for") };
+        let materials = image_core::materials(scene, image)?;
+        Ok(Self { materials, design, directory: None })
     }
 
     /// The core of keys with a method, and where one is missing that of the scene's `[core]` that any core may have.
     pub(crate) fn of_keys(scene: &Scene, keys: SpecFields) -> Result<Self, Error> {
+        if keys.block == Some(BlockKind::Image) {
+            return Self::of(scene, keys);
+        }
         let own = scene.core.keys.clone();
         let own = SpecFields {
             input_fraction: own.input_fraction,
@@ -115,7 +149,54 @@ impl PictureCore {
                 "allow more in its [budget], or name a core with --core or --method: its picture is drawn in any case",
             )
         })?;
-        Ok(Self { design: Design::new(chosen.spec()?.resolve()?)?, directory: None })
+        Ok(Self { design: Design::new(chosen.spec()?.resolve()?)?, directory: None, materials: Vec::new() })
+    }
+
+    /// Whether it is an image-based block.
+    pub(crate) fn is_image(&self) -> bool {
+        self.design.spec.block.kind() == BlockKind::Image
+    }
+
+    /// The pixels of the materials that an image-based core is made of, with the core's codes. `done` is told how many
+    /// rows the model has had, or samples the compiled core.
+    ///
+    /// # Panics
+    /// On another core.
+    pub(crate) fn imaged(
+        &self,
+        through: Through,
+        scene: &Scene,
+        tracer: &Tracer,
+        done: &(dyn Fn(u64) + Sync),
+    ) -> Result<Vec<(usize, [u16; 3])>, Error> {
+        let points = Points::of(scene, tracer, &self.materials);
+        if through == Through::Model {
+            let rows = AtomicU64::new(0);
+            return Ok(points.through(&self.design, &|| done(rows.fetch_add(1, Ordering::Relaxed) + 1)));
+        }
+        let scratch = tool::scratch()?;
+        let (directory, paths) = self.compilable(scratch.path(), Part::Lights)?;
+        let sources: Vec<PathBuf> = paths.into_iter().map(|path| directory.join(path)).collect();
+        let mut pixels = Vec::new();
+        let samples = points.iter().map(|point| {
+            pixels.push(point.pixel);
+            point.clocks(&self.design)
+        });
+        let codes = cosim::sequence(&self.design, directory, &sources, samples, done)?;
+        Ok(pixels.into_iter().zip(codes).collect())
+    }
+
+    /// Where a part of the core lies to be compiled, in its own directory or written to another one, and the paths of
+    /// its text and of those that it uses.
+    fn compilable<'a>(&'a self, scratch: &'a Path, part: Part) -> Result<(&'a Path, Vec<String>), Error> {
+        let (design, language) = (&self.design, self.design.spec.compiled_language());
+        if let Some(directory) = &self.directory {
+            return Ok((directory, part.rtl_paths(design, language)));
+        }
+        for file in package::sources(design, language)? {
+            package::write_file(&scratch.join(&file.path), &file.bytes)?;
+        }
+        Ok((scratch, vec![package::rtl_path(design, language)]))
     }
 
     /// The core's highlights. `done` is told how many samples the compiled core has had.
@@ -130,17 +211,7 @@ impl PictureCore {
             return CoreModel::new(&self.design)?.of(scene, frame);
         }
         let scratch = tool::scratch()?;
-        let directory = match &self.directory {
-            Some(directory) => directory,
-            None => {
-                let languages = &self.design.spec.languages;
-                let language = if languages.contains(&Language::Verilog) { Language::Verilog } else { Language::Vhdl };
-                for file in package::sources(&self.design, language)? {
-                    package::write_file(&scratch.path().join(&file.path), &file.bytes)?;
-                }
-                scratch.path()
-            }
-        };
+        let (directory, _) = self.compilable(scratch.path(), Part::Core)?;
         Compiled::new(&self.design, directory, done)?.of(scene, frame)
     }
 }
@@ -171,21 +242,20 @@ impl Scene {
 pub(crate) fn name(design: &Design) -> String {
     // Those that need not be named.
     let mut spec = design.spec.clone();
-    if let Block::Lobe(lobe) | Block::Shader(lobe, _) = &mut spec.block {
-        lobe.interface.shininess = Shininess::Range(1, 1000);
+    match &mut spec.block {
+        Block::Image(of) => return of.image.to_string(),
+        Block::Lobe(lobe) | Block::Shader(lobe, _) => lobe.interface.shininess = Shininess::Range(1, 1000),
     }
     Point::unmeasured(&Core::new(spec, Family::Ecp5)).name
 }
 
 /// A core in a line.
 pub(crate) fn text(design: &Design) -> String {
-    format!(
-        "core {}: {}, n = {}, {} clocks",
-        design.spec.name,
-        name(design),
-        design.lobe().interface.shininess.to_string().replace(',', ", "),
-        design.schedule.latency
-    )
+    let what = match &design.spec.block {
+        Block::Image(_) => package::title(&design.spec),
+        _ => format!("{}, n = {}", name(design), design.lobe().interface.shininess.to_string().replace(',', ", "),),
+    };
+    format!("core {}: {what}, {} clocks", design.spec.name, design.whole_latency())
 }
 
 /// A core's cost in two lines.

@@ -18,7 +18,7 @@ use crate::platform::error::Error;
 use crate::spec::{InputRange, Operand, SpecFields};
 
 /// The names of the files.
-pub const FILES: [&str; 2] = ["scene.md", "scene.json"];
+pub const FILES: [&str; 3] = ["scene.md", "scene.json", "scene.png"];
 
 /// All that is known of a scene's core.
 #[derive(Clone, Copy)]

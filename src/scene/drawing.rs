@@ -3,11 +3,12 @@
 use clap::ValueEnum;
 use serde::Serialize;
 
-use super::reflectance::{self, Looks, Measured, Shading, Viewer};
+use super::cores::PictureCore;
+use super::reflectance::{self, Looks, Shading, Viewer};
 use super::require::PictureError;
 use super::sheet::{self, Cell, Panel, Sheet};
 use super::{Difference, Frame, Picture, Scene, cores, picture};
-use crate::core::Design;
+use crate::core::{BlockDesign, Design};
 use crate::emit::package::counted;
 use crate::explore::Cost;
 use crate::method::word;
@@ -43,6 +44,7 @@ impl Drawn {
 }
 
 /// A picture beside the exact one.
+#[derive(Debug)]
 pub(crate) struct Own {
     /// The picture.
     pub(crate) picture: Picture,
@@ -94,7 +96,7 @@ impl<'a> Drawing<'a> {
         scene: &'a Scene,
         frame: &'a Frame,
         exact: Picture,
-        design: Option<&'a Design>,
+        core: Option<&'a PictureCore>,
         own: Option<Own>,
     ) -> Result<Self, Error> {
         let measured = scene.is_measured();
@@ -108,7 +110,8 @@ impl<'a> Drawing<'a> {
         if let (true, Some(own)) = (measured, &own) {
             verdict = format!("{}; {verdict}", linear_text(own.psnr));
         }
-        let materials = if measured { materials_of(scene)? } else { Vec::new() };
+        let materials = if measured { materials_of(scene, core)? } else { Vec::new() };
+        let design = core.map(|core| &core.design);
         Ok(Self { scene, frame, exact, design, own, materials, missed, verdict })
     }
 
@@ -120,7 +123,8 @@ impl<'a> Drawing<'a> {
                 let drawn = self.materials.iter().map(MaterialText::to_string);
                 let lines: Vec<String> =
                     [scene_text(self.scene, self.frame)].into_iter().chain(core).chain(drawn).collect();
-                let what = if self.scene.is_measured() { "through images" } else { "core" };
+                let is_core = self.design.is_some_and(|design| !design.spec.block.has_lobe());
+                let what = if self.scene.is_measured() && !is_core { "through images" } else { "core" };
                 let pictures = [&self.exact, &own.picture];
                 let Sheet { pixels, panels } = sheet::triptych(
                     self.frame,
@@ -174,21 +178,32 @@ impl std::fmt::Display for MaterialText {
     }
 }
 
-/// How the scene's measured materials are drawn.
-pub(crate) fn materials_of(scene: &Scene) -> Result<Vec<MaterialText>, Error> {
-    let text = |(name, measured): (&str, &std::sync::Arc<Measured>)| {
-        let form = (measured.shading == Shading::ImageBased).then(|| measured.form()).transpose()?;
+/// How the scene's measured materials are drawn: those of an image-based core through it.
+pub(crate) fn materials_of(scene: &Scene, core: Option<&PictureCore>) -> Result<Vec<MaterialText>, Error> {
+    let text = |place: usize| {
+        let measured = scene.reflectance(place).expect("a material with a reflectance");
+        let through = core.filter(|core| core.materials.contains(&place)).map(|core| &core.design);
+        let (form, kib) = match through.map(|design| (design, design.block())) {
+            Some((design, BlockDesign::Image(image))) => {
+                (Some(format!("the core {}", design.spec.name)), Some(image.block.texels().kib()))
+            }
+            _ if measured.shading == Shading::ImageBased => {
+                let form = measured.form()?;
+                (Some(form.spec.to_string()), Some(form.kib()))
+            }
+            _ => (None, None),
+        };
         Ok(MaterialText {
-            name: name.to_owned(),
+            name: scene.materials[place].name.clone(),
             reflectance: measured.name.clone(),
             shading: measured.shading,
-            form: form.map(|form| form.spec.to_string()),
-            kib: form.map(|form| form.kib()),
+            form,
+            kib,
             viewer: measured.viewer,
             exposure: measured.exposure,
         })
     };
-    scene.measured().map(text).collect()
+    scene.measured_places().map(text).collect()
 }
 
 /// A core's cell of a contact sheet, and whether it keeps the scene's budget.

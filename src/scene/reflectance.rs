@@ -18,8 +18,10 @@ use crate::emit::package::counted;
 use crate::platform::error::{Error, refuse};
 use crate::reflectance::classical::{self, Classical, Cosine};
 use crate::reflectance::vector::{self, Light};
-use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Record, Reflectance, Source, Vector, measure};
-use crate::spec::{Colour, Model as Highlight, Named, Parameters, Written, check_exposure, suggest};
+use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Model, Record, Reflectance, Source, Vector, measure};
+use crate::spec::{
+    Colour, Model as Highlight, Named, Parameters, ReflectanceFields as BlockFields, Written, check_exposure, suggest,
+};
 
 /// How a material with a reflectance is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -56,6 +58,8 @@ pub struct Measured {
     pub viewer: Viewer,
     /// The exposure E that radiance is multiplied by.
     pub exposure: f64,
+    /// The keys of a block that is made of it: its file from where the program runs, its exposure.
+    pub(super) block: BlockFields,
     /// None of sphere images, which are the form.
     source: Option<Source>,
     form: OnceLock<Arc<Form>>,
@@ -102,6 +106,7 @@ impl ReflectanceFields {
             Some(Named::Model(model)) => (model.to_string(), Source::Model(model)),
         };
         check_exposure(self.exposure)?;
+        let of_file = BlockFields { file: self.file.clone(), lookup: self.lookup, ..BlockFields::default() };
         let keys = [
             ("images", &self.images),
             ("size", &self.size),
@@ -130,7 +135,8 @@ impl ReflectanceFields {
                     "leave it out, or make the images anew with --exposure"
                 );
                 let (spec, exposure, form) = (form.spec.clone(), form.exposure, Arc::new(form).into());
-                Ok(Measured { name, shading, spec, viewer, exposure, source: None, form })
+                let block = of_file.within(directory)?;
+                Ok(Measured { name, shading, spec, viewer, exposure, block, source: None, form })
             }
             Source::Table(_) | Source::Model(_) => {
                 let mut spec = FormSpec::of(made(self.form.as_deref().unwrap_or(FormKind::Half.name()), None)?);
@@ -140,8 +146,12 @@ impl ReflectanceFields {
                 spec.check()?;
                 let reflectance = source.reflectance().expect("images alone have none");
                 let exposure = self.exposure.unwrap_or_else(|| measure::exposure(reflectance));
+                let block = match &source {
+                    Source::Model(model) => BlockFields::of_model(model, exposure),
+                    _ => BlockFields { exposure: Some(exposure), ..of_file.within(directory)? },
+                };
                 let (source, form) = (Some(source), OnceLock::new());
-                Ok(Measured { name, shading, spec, viewer, exposure, source, form })
+                Ok(Measured { name, shading, spec, viewer, exposure, block, source, form })
             }
         }
     }
@@ -160,6 +170,15 @@ impl Measured {
     #[must_use]
     pub fn reflectance(&self) -> Option<&dyn Reflectance> {
         self.source.as_ref()?.reflectance()
+    }
+
+    /// The model, if its reflectance is one.
+    #[must_use]
+    pub fn model(&self) -> Option<&Model> {
+        match &self.source {
+            Some(Source::Model(model)) => Some(model),
+            _ => None,
+        }
     }
 
     /// What stands in place of it as its keys have it; made when it is first asked for.
@@ -288,17 +307,21 @@ impl Scene {
         self.objects.iter().any(|object| self.reflectance(object.material).is_none())
     }
 
+    /// The materials with a reflectance that objects have, by their places in [`Scene::materials`].
+    pub fn measured_places(&self) -> impl Iterator<Item = usize> {
+        let used = |place: &usize| self.objects.iter().any(|object| object.material == *place);
+        (0..self.materials.len()).filter(used).filter(|&place| self.reflectance(place).is_some())
+    }
+
     /// The reflectances that objects have, each once, with their materials' names.
     pub fn measured(&self) -> impl Iterator<Item = (&str, &Arc<Measured>)> {
-        let used = |place: &usize| self.objects.iter().any(|object| object.material == *place);
-        (0..self.materials.len())
-            .filter(used)
-            .filter_map(|place| Some((self.materials[place].name.as_str(), self.reflectance(place)?)))
+        self.measured_places().filter_map(|place| Some((self.materials[place].name.as_str(), self.reflectance(place)?)))
     }
 
     fn looks(
         &self,
         name: String,
+        left: &[usize],
         look: impl Fn(&Arc<Measured>) -> Result<(Look, Option<f64>), Error>,
     ) -> Result<Looks, Error> {
         let mut kib = Some(0.0);
@@ -307,7 +330,7 @@ impl Scene {
             kib = kib.zip(own).map(|(sum, own)| sum + own);
             Ok(look)
         };
-        let used = |place: usize| self.objects.iter().any(|object| object.material == place);
+        let used = |place: usize| !left.contains(&place) && self.objects.iter().any(|object| object.material == place);
         let of = self.reflectances.iter().enumerate();
         let of = of
             .map(|(place, measured)| measured.as_ref().filter(|_| used(place)).map(&mut one).transpose())
@@ -320,7 +343,12 @@ impl Scene {
     /// # Errors
     /// None.
     pub fn exact_looks(&self) -> Result<Looks, Error> {
-        self.looks("exact".to_owned(), |measured| Ok((Look::Exact(Arc::clone(measured)), None)))
+        self.exact_looks_but(&[])
+    }
+
+    /// The same without some of them, by their places, which are drawn in another way.
+    pub(super) fn exact_looks_but(&self, left: &[usize]) -> Result<Looks, Error> {
+        self.looks("exact".to_owned(), left, |measured| Ok((Look::Exact(Arc::clone(measured)), None)))
     }
 
     /// All materials as the scene says.
@@ -328,7 +356,12 @@ impl Scene {
     /// # Errors
     /// As [`Measured::form`].
     pub fn own_looks(&self) -> Result<Looks, Error> {
-        self.looks("image-based".to_owned(), |measured| match measured.shading {
+        self.own_looks_but(&[])
+    }
+
+    /// The same without some of them, by their places, which are drawn in another way.
+    pub(crate) fn own_looks_but(&self, left: &[usize]) -> Result<Looks, Error> {
+        self.looks("image-based".to_owned(), left, |measured| match measured.shading {
             Shading::ImageBased => {
                 let form = measured.form()?;
                 Ok((Look::Form(Arc::clone(form), measured.viewer), Some(form.kib())))
@@ -344,13 +377,13 @@ impl Scene {
     pub fn compared_looks(&self, compared: &Compared) -> Result<Looks, Error> {
         match compared {
             Compared::Fit(lobes) => {
-                self.looks(format!("fitted cos^n, {}", counted(*lobes as u64, "lobe")), |measured| {
+                self.looks(format!("fitted cos^n, {}", counted(*lobes as u64, "lobe")), &[], |measured| {
                     let fitted = measured.fitted(self.model, *lobes)?;
                     let kib = fitted.kib();
                     Ok((Look::Classical(fitted), Some(kib)))
                 })
             }
-            Compared::Form(spec) => self.looks(spec.to_string(), |measured| {
+            Compared::Form(spec) => self.looks(spec.to_string(), &[], |measured| {
                 let reflectance = measured.reflectance().ok_or_else(|| {
                     Error::input(
                         format!("{} holds sphere images, and no reflectance to make others of", measured.name),
@@ -392,6 +425,16 @@ impl Axes {
     }
 }
 
+impl Viewer {
+    /// A light and a normal as this viewer sees them: turned so that it is at +Z.
+    fn seen(self, axes: &Axes, l: Vector, v: Vector, n: Vector) -> (Light, Vector) {
+        match self {
+            Self::Pixel => vector::seen_from(l, v, n),
+            Self::Axis => (Light::towards(axes.turned(l)), axes.turned(n)),
+        }
+    }
+}
+
 /// A point as its looks are given it.
 pub(super) struct Sight {
     n: Vector,
@@ -409,6 +452,14 @@ impl Sight {
         };
         let lights = scene.lights.iter().enumerate().filter_map(light).collect();
         Self { n: facing(Vector::from(hit.normal), v), v, lights }
+    }
+
+    /// The normal and the lights that shine there, with their colours, as a viewer sees them.
+    pub(super) fn as_seen(&self, axes: &Axes, viewer: Viewer) -> (Vector, Vec<(Light, Colour)>) {
+        let &Self { n, v, .. } = self;
+        // The normal is the same whatever the light.
+        let (_, normal) = viewer.seen(axes, v, v, n);
+        (normal, self.lights.iter().map(|(l, colour)| (viewer.seen(axes, *l, v, n).0, *colour)).collect())
     }
 
     /// The sum over the lights of their colours times a radiance.
@@ -448,12 +499,9 @@ impl Look {
             // The picture of a sphere has its light in it.
             return form.at(Light::new(0.0, 0.0), axes.turned(n));
         }
-        sight.sum(|l| match viewer {
-            Viewer::Pixel => {
-                let (light, n) = vector::seen_from(l, v, n);
-                form.at(light, n)
-            }
-            Viewer::Axis => form.at(Light::towards(axes.turned(l)), axes.turned(n)),
+        sight.sum(|l| {
+            let (light, n) = viewer.seen(axes, l, v, n);
+            form.at(light, n)
         })
     }
 }

@@ -276,13 +276,23 @@ impl PictureError {
     }
 }
 
+/// Refuses a margin that is not allowed.
+pub(super) fn check_margin(margin_degrees: f64) -> Result<(), Error> {
+    refuse!(
+        !(0.0..=MAX_MARGIN).contains(&margin_degrees),
+        format!("a margin of {margin_degrees} degrees is out of range"),
+        format!("a margin is a real number from 0 to {MAX_MARGIN}")
+    );
+    Ok(())
+}
+
 fn exact(scene: &Scene, frame: &Frame) -> Vec<f64> {
     Exact.of(scene, frame).expect("the exact lobe needs no tools")
 }
 
 /// The size of the moved pictures: as the base's, made smaller to at most [`MOVED_WIDTH`] pixels a row and so many
 /// samples in all of them.
-fn moved_size(scene: &Scene, moves: usize) -> [u32; 2] {
+pub(super) fn moved_size(scene: &Scene, moves: usize) -> [u32; 2] {
     let samples = moves as f64 * scene.lights.len() as f64 * f64::from(scene.width) * f64::from(scene.height);
     let narrow = f64::from(MOVED_WIDTH) / f64::from(scene.width);
     let few = libm::sqrt(MOVED_SAMPLES as f64 / samples.max(1.0));
@@ -297,11 +307,7 @@ impl Requirements {
     /// # Errors
     /// A margin that is not allowed, a scene without a highlight.
     pub fn of(scene: &Scene, margin_degrees: f64, done: &(dyn Fn(usize, usize) + Sync)) -> Result<Self, Error> {
-        refuse!(
-            !(0.0..=MAX_MARGIN).contains(&margin_degrees),
-            format!("a margin of {margin_degrees} degrees is out of range"),
-            format!("a margin is a real number from 0 to {MAX_MARGIN}")
-        );
+        check_margin(margin_degrees)?;
         refuse!(
             !scene.has_highlights(),
             "all objects of the scene are drawn by a reflectance, and none asks for a lobe",

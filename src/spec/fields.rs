@@ -111,6 +111,11 @@ method_keys! { keys! {
     #[arg(help_heading = "Image-based block", value_name = "BITS")]
     texel_bits: u32 where "image-based blocks",
 
+    /// The least mean PSNR in dB of the block's pictures of a sphere against the reflectance, for 34 angles of a light:
+    /// images, image_size and texel_bits that are not given are the smallest that reach it
+    #[arg(help_heading = "Image-based block", value_name = "DB")]
+    min_psnr: f64 where "image-based blocks",
+
     /// Bits of the weights that texels are blended with, 3 to 8 [default: 5 for bivariate, else 6]
     #[arg(help_heading = "Image-based block", value_name = "BITS")]
     weight_bits: u32 where "image-based blocks",

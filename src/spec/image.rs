@@ -73,8 +73,18 @@ impl SpecFields {
         }
     }
 
-    /// The image-based block.
+    /// The image-based block: with `min_psnr` the smallest that reaches it.
     pub(super) fn resolved_image(&self) -> Result<ImageSpec, Error> {
+        let image = match self.min_psnr {
+            None => self.image()?,
+            Some(least) => self.smallest_image(least)?,
+        };
+        let (source, exposure) = self.reflectance.resolve(&image)?;
+        Ok(ImageSpec { image, source, exposure })
+    }
+
+    /// What the block is asked with.
+    pub(super) fn image(&self) -> Result<Image, Error> {
         let form = self.resolved_form()?;
         let vector = BEFORE_POINT + VECTOR_FRACTION.start()..=BEFORE_POINT + VECTOR_FRACTION.end();
         let vector_bits = within("vector_bits", self.vector_bits.unwrap_or(18), vector)?;
@@ -99,8 +109,7 @@ impl SpecFields {
             most_lights: self.most_lights.unwrap_or(DEFAULT_MOST_LIGHTS),
         };
         image.check()?;
-        let (source, exposure) = self.reflectance.resolve(&image)?;
-        Ok(ImageSpec { image, source, exposure })
+        Ok(image)
     }
 
     fn resolved_form(&self) -> Result<ImageForm, Error> {

@@ -7,6 +7,7 @@ mod fields;
 mod flags;
 mod golden_inputs;
 mod image;
+mod image_size;
 mod name;
 mod reference;
 mod reflectance;
@@ -157,6 +158,12 @@ impl FromStr for CoreSpec {
 }
 
 impl CoreSpec {
+    /// The language of the core's text that is compiled to a program: Verilog, or VHDL where it has no Verilog.
+    #[must_use]
+    pub(crate) fn compiled_language(&self) -> Language {
+        if self.languages.contains(&Language::Verilog) { Language::Verilog } else { Language::Vhdl }
+    }
+
     /// Reads a TOML file, or the one in a generated core's directory.
     ///
     /// # Errors

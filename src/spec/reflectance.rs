@@ -9,7 +9,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use crate::block::image::{Image, ImageFile, ImageSamples, ImageSource};
 use crate::method::keys::keys;
 use crate::platform::error::{Error, refuse};
-use crate::reflectance::{Lookup, Model, measure};
+use crate::reflectance::{Lookup, Model, Source, measure};
 
 /// The directory of a core that holds the samples of its reflectance, where they came from a file.
 pub const DIRECTORY: &str = "reflectance";
@@ -61,11 +61,7 @@ impl ReflectanceFields {
         let named = Named::of(self.file.as_deref(), self.model.as_deref(), self.parameters.as_ref())?;
         check_exposure(self.exposure)?;
         match named {
-            None => Err(Error::input(
-                "no reflectance is given",
-                "give --reflectance ggx or another model, --reflectance-file with a table or images, or a table \
-                 [reflectance] with its `model` or `file` in a spec file",
-            )),
+            None => Err(Self::missing()),
             Some(Named::Model(model)) => {
                 let of_file = [("lookup", self.lookup.is_some()), ("digest", self.digest.is_some())];
                 if let Some((key, _)) = of_file.into_iter().find(|(_, given)| *given) {
@@ -83,18 +79,56 @@ impl ReflectanceFields {
         }
     }
 
+    /// The reflectance itself and its exposure.
+    ///
+    /// # Errors
+    /// As [`ReflectanceFields::resolve`]; a directory of images, which is none.
+    pub(super) fn source(&self) -> Result<(Source, f64), Error> {
+        let named = Named::of(self.file.as_deref(), self.model.as_deref(), self.parameters.as_ref())?;
+        check_exposure(self.exposure)?;
+        let source = match named {
+            Some(Named::Model(model)) => Source::Model(model),
+            Some(Named::File(file)) => Source::open(Path::new(file), self.lookup.unwrap_or_default())?,
+            None => return Err(Self::missing()),
+        };
+        let Some(reflectance) = source.reflectance() else {
+            return Err(Error::input(
+                "min_psnr is given for images, whose form and size are theirs",
+                "leave it out, or give the table or the model that they were made of",
+            ));
+        };
+        let exposure = self.exposure.unwrap_or_else(|| measure::exposure(reflectance));
+        Ok((source, exposure))
+    }
+
+    fn missing() -> Error {
+        Error::input(
+            "no reflectance is given",
+            "give --reflectance ggx or another model, --reflectance-file with a table or images, or a table \
+             [reflectance] with its `model` or `file` in a spec file",
+        )
+    }
+
+    /// The fields of a model with an exposure, all given.
+    pub(crate) fn of_model(model: &Model, exposure: f64) -> Self {
+        Self {
+            model: Some(model.family().name().to_owned()),
+            parameters: Some(Parameters(model.parameters().into_iter().collect())),
+            exposure: Some(exposure),
+            ..Self::default()
+        }
+    }
+
     /// The fields of a resolved reflectance, all given: a file is the core's own.
     pub(super) fn of(source: &ImageSource, exposure: f64) -> Self {
-        let fields = Self { exposure: Some(exposure), ..Self::default() };
         match source {
-            ImageSource::Model(model) => Self {
-                model: Some(model.family().name().to_owned()),
-                parameters: Some(Parameters(model.parameters().into_iter().collect())),
-                ..fields
+            ImageSource::Model(model) => Self::of_model(model, exposure),
+            ImageSource::Samples(samples) => Self {
+                file: Some(DIRECTORY.to_owned()),
+                digest: Some(samples.digest().to_owned()),
+                exposure: Some(exposure),
+                ..Self::default()
             },
-            ImageSource::Samples(samples) => {
-                Self { file: Some(DIRECTORY.to_owned()), digest: Some(samples.digest().to_owned()), ..fields }
-            }
         }
     }
 
@@ -110,7 +144,7 @@ impl ReflectanceFields {
     }
 
     /// With a file's path from where `directory` is.
-    pub(super) fn within(self, directory: &Path) -> Result<Self, Error> {
+    pub(crate) fn within(self, directory: &Path) -> Result<Self, Error> {
         let Some(file) = self.file else { return Ok(self) };
         let path = directory.join(file).into_os_string().into_string().map_err(|path| {
             Error::input(format!("the path {} is no UTF-8", Path::new(&path).display()), "a path of Unicode characters")

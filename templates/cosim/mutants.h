@@ -6,14 +6,7 @@
 static const int INPUT_BITS[] = {
 {%- for (_, format) in inputs %}{% if !loop.first %}, {% endif %}{{ format.width() }}{% endfor -%}
 };
-static void present(Vcore& core, const uint32_t* codes) {
-{%- for (name, format) in inputs %}
-    core.{{ name }} = codes[{{ loop.index0 }}] & {{ format|mask }};
-{%- endfor %}
-{%- for port in design.write_ports() %}
-    core.{{ port.enable.name }} = 0;
-{%- endfor %}
-}
+{% include "cosim/present.h" %}
 static bool shows(const Vcore& core, const uint32_t* codes) {
     return true
 {%- for (name, format) in outputs %}

@@ -27,6 +27,7 @@ mod reflectance;
 mod report;
 mod rooms;
 mod scene_file;
+mod scene_image;
 mod scene_reflectance;
 mod scene_render;
 mod scene_require;

@@ -287,7 +287,7 @@ fn a_scene_becomes_a_core_with_its_documents_the_same_on_any_number_of_threads()
     scratch.refused("generate hidden.toml --max-error 1% --out other", &["a scene says itself"]);
     scratch.refused(
         "generate --method cubic --shininess 5 --margin 3 --out other",
-        &["--margin and --synth are for scenes"],
+        &["--margin, --synth and --for-material are for scenes"],
     );
     scratch.refused("generate hidden.toml --margin 90 --out other", &["a margin of 90 degrees is out of range"]);
 }

@@ -10,6 +10,7 @@
 mod datapath;
 mod model;
 mod options;
+pub mod quality;
 mod real;
 mod record;
 mod stored;
@@ -106,6 +107,18 @@ impl ImageBlock {
     #[must_use]
     pub fn texels(&self) -> &Texels {
         &self.texels
+    }
+
+    /// What its texels are of, times the exposure: before they are coded.
+    #[must_use]
+    pub fn samples(&self) -> &Samples {
+        &self.samples
+    }
+
+    /// Whether it is the block of a reflectance times an exposure: its texels are of the same samples.
+    #[must_use]
+    pub fn is_of(&self, reflectance: &dyn Reflectance, exposure: f64) -> bool {
+        texels::samples(&self.image, reflectance, exposure) == self.samples
     }
 
     /// What comes out of its core, and is made codes of.

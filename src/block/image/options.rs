@@ -25,6 +25,8 @@ pub const SLICES: RangeInclusive<u32> = 4..=64;
 pub const IMAGES: RangeInclusive<u32> = 1..=32;
 /// The greatest angle between neighbouring sphere images, from the first to 0 degrees less and from the last to 180.
 const MOST_APART: f64 = 90.0;
+/// The least angle between neighbouring sphere images: the reciprocal that light records are made with fits 64 bits.
+const LEAST_APART: f64 = 0.1;
 /// Bits of a texel's channel that are allowed.
 pub const TEXEL_BITS: RangeInclusive<u32> = 4..=10;
 /// Fraction bits of the weights that are allowed.
@@ -217,6 +219,12 @@ fn check_angles(angles: &[f64]) -> Result<(), Error> {
         format!("the angles {angles:?} of the images do not ascend from 0 to 180 degrees"),
         "angles in degrees, each once, the least first"
     );
+    if let Some(two) = angles.windows(2).find(|two| two[1] - two[0] < LEAST_APART) {
+        return Err(Error::input(
+            format!("the angles {} and {} of images are too near to each other", two[0], two[1]),
+            format!("images at least {LEAST_APART} degrees apart"),
+        ));
+    }
     let all = [&[0.0], angles, &[180.0]].concat();
     if let Some(two) = all.windows(2).find(|two| two[1] - two[0] > MOST_APART) {
         return Err(Error::input(

@@ -9,6 +9,7 @@ use super::{Image, ImageBlock, ImageForm, ImageWidths};
 use crate::block::shader::unit as check_unit;
 use crate::fixed::{exp2, turn};
 use crate::platform::error::Error;
+use crate::reflectance::Rgb;
 use crate::reflectance::texels::{Pair, Texels, pair};
 use crate::reflectance::vector::{Light, Vector, sine_cosine};
 
@@ -284,6 +285,41 @@ impl ImageBlock {
     #[must_use]
     pub fn record_table(&self) -> &RecordTable {
         &self.records
+    }
+}
+
+impl ImageBlock {
+    /// The codes of a unit vector.
+    #[must_use]
+    pub fn vector(&self, v: Vector) -> [i64; 3] {
+        let one = exp2(self.image.vector_fraction as i32);
+        [v.x, v.y, v.z].map(|component| libm::round(component * one) as i64)
+    }
+
+    /// The inputs of a clock: of a normal, and of the lights of that clock, of which those that are missing give
+    /// nothing.
+    ///
+    /// # Panics
+    /// On an intensity that is not from 0 to 1.
+    #[must_use]
+    pub fn inputs(&self, n: Vector, lights: &[(Light, Rgb)]) -> Vec<i64> {
+        let missing = (Light::new(0.0, 0.0), [0.0; 3]);
+        let all = lights.iter().copied().chain(std::iter::repeat(missing));
+        let records = all
+            .take(self.image.lights as usize)
+            .flat_map(|(light, intensity)| self.record(light, intensity).expect("an intensity from 0 to 1").codes());
+        self.vector(n).into_iter().chain(records).collect()
+    }
+
+    /// The inputs of a sample, clock by clock: one clock at least, however many lights there are.
+    ///
+    /// # Panics
+    /// As [`ImageBlock::inputs`].
+    #[must_use]
+    pub fn clocks(&self, n: Vector, lights: &[(Light, Rgb)]) -> Vec<Vec<i64>> {
+        let a_clock = self.image.lights as usize;
+        let clocks = lights.len().div_ceil(a_clock).max(1);
+        (0..clocks).map(|clock| self.inputs(n, lights.get(clock * a_clock..).unwrap_or_default())).collect()
     }
 }
 

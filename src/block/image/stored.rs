@@ -10,7 +10,7 @@ use super::{Image, ImageForm, SIZE, SLICES, texels};
 use crate::platform::error::{Error, refuse};
 use crate::reflectance::paper::{Border, Options};
 use crate::reflectance::texels::Samples;
-use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Source, Texel, directory, half, measure};
+use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Reflectance, Source, Texel, directory, half, measure};
 
 /// A file that is to be made a block of.
 #[derive(Clone, Copy, Debug)]
@@ -82,6 +82,14 @@ impl ImageSamples {
         }
     }
 
+    /// The samples of a reflectance for a block, times an exposure.
+    ///
+    /// # Errors
+    /// Samples that are too large for 32 bits.
+    pub fn of(image: &Image, reflectance: &dyn Reflectance, exposure: f64) -> Result<Arc<Self>, Error> {
+        Self::new(image, texels::samples(image, reflectance, exposure), exposure).map(Arc::new)
+    }
+
     fn new(image: &Image, mut samples: Samples, exposure: f64) -> Result<Self, Error> {
         refuse!(
             !samples.data.iter().flatten().all(|value| value.is_finite()),
@@ -119,6 +127,15 @@ impl ImageSamples {
     /// As [`directory::images`].
     pub fn files(&self, image: &Image, exposure: f64) -> Result<Vec<(String, Vec<u8>)>, Error> {
         directory::images(&form_spec(image).encode(&self.samples, exposure), octaves(image))
+    }
+}
+
+impl std::fmt::Display for Image {
+    /// The form with its images, size and bits of a texel's channel.
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let FormSpec { kind, angles, size, .. } = form_spec(self);
+        let images = if angles.len() > 1 { format!("{}×", angles.len()) } else { String::new() };
+        write!(f, "{} {images}{size}², {} bits", kind.name(), self.texel_bits)
     }
 }
 

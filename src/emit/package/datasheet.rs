@@ -19,7 +19,7 @@ use crate::spec::{
 };
 
 /// What the core is, in a line.
-pub(super) fn title(spec: &CoreSpec) -> String {
+pub(crate) fn title(spec: &CoreSpec) -> String {
     match &spec.block {
         Block::Lobe(lobe) => lobe_text(lobe),
         Block::Shader(lobe, shader) => {

@@ -12,7 +12,7 @@ use crate::platform::error::Error;
 use crate::scene::reflectance::{Measured, ReflectanceFields, Shading};
 use crate::spec::{Colour, Material, Model, Shininess};
 
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct MaterialFields {
     name: String,
@@ -82,6 +82,16 @@ pub(super) fn all(
         materials.push(material);
     }
     Ok((materials, reflectances))
+}
+
+/// The diffuse and cos^n material, of one highlight and without ambient light, that is nearest to a reflectance.
+///
+/// # Errors
+/// Sphere images, which have no reflectance.
+pub(in crate::scene) fn fitted(name: &str, measured: &Measured, model: Model) -> Result<Material, Error> {
+    let mut fields = MaterialFields { name: name.to_owned(), ..MaterialFields::default() };
+    fields.fit(measured, model)?;
+    fields.resolve(0)
 }
 
 impl MaterialFields {

@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use toml::de::{DeTable, Deserializer};
 
 use self::fields::SceneFields;
+pub(super) use self::material::fitted;
 use super::mesh::Mesh;
 use super::reflectance::Measured;
 use crate::core::sample::{Vector, normalised};

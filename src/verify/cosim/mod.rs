@@ -12,6 +12,7 @@ mod icarus;
 mod lint;
 mod mutants;
 mod netlist;
+mod sequence;
 mod stream;
 mod verilator;
 
@@ -20,6 +21,7 @@ pub use exhaustive::exhaustive;
 pub use lint::{Lint, LintStatus, lint};
 pub(crate) use mutants::{AtRandom, Mutants};
 pub use netlist::netlist;
+pub use sequence::sequence;
 pub use stream::stream;
 
 use std::path::Path;

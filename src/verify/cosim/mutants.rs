@@ -222,14 +222,14 @@ impl<'a> Header<'a> {
 }
 
 /// How the template writes a format.
-mod filters {
+pub(super) mod filters {
     use askama::{Result, Values, filter_fn};
 
     use crate::fixed::Format;
 
     /// Its bits of a word.
     #[filter_fn]
-    pub(super) fn mask(format: &Format, _: &dyn Values) -> Result<String> {
+    pub(in super::super) fn mask(format: &Format, _: &dyn Values) -> Result<String> {
         Ok(format!("{:#x}u", u32::MAX >> (32 - format.width())))
     }
 }

@@ -7,7 +7,6 @@ use super::compiled::{CORE, Compiled, Record};
 use crate::core::LobeDesign;
 use crate::platform::error::Error;
 use crate::platform::tool::tail;
-use crate::spec::Language;
 
 /// The results of the core in a directory for inputs, one a clock and in this order: each a code of `in_n` and one of
 /// the operand, both within their ports. The core is its Verilog, or its VHDL where it has no Verilog. `progress` is
@@ -22,8 +21,7 @@ pub fn stream(
     inputs: &[(u32, i32)],
     progress: &dyn Fn(u64),
 ) -> Result<Vec<u32>, Error> {
-    let verilog = lobe.spec.languages.contains(&Language::Verilog);
-    let core = Compiled::of(lobe, directory, if verilog { Language::Verilog } else { Language::Vhdl })?;
+    let core = Compiled::of(lobe, directory, lobe.spec.compiled_language())?;
     let mut results = Vec::with_capacity(inputs.len());
     let receive = |pipe: &mut dyn Read| {
         let mut bytes = vec![0u8; 1 << 16];

@@ -183,6 +183,7 @@ fn what_is_no_block_is_refused() {
         (paper(&[], 64), "images = 0"),
         (paper(&[0.0, 60.0, 30.0], 64), "do not ascend"),
         (paper(&[-1.0, 60.0], 64), "do not ascend"),
+        (paper(&[0.0, 60.0, 60.05, 120.0], 64), "60 and 60.05"),
         (paper(&[0.0, 80.0], 64), "between 80 and 180 degrees"),
         (paper(&[95.0], 64), "between 0 and 95 degrees"),
         (Image { texel_bits: 11, ..SMALL }, "texel_bits = 11"),

@@ -1,0 +1,101 @@
+//! The sizes of an image-based block that follow from what its pictures may miss.
+
+use super::SpecFields;
+use crate::block::image::{Image, ImageBlock, SIZE, SLICES, TEXEL_BITS};
+use crate::platform::error::{Error, refuse};
+
+/// The greatest size that is sought: larger ones take more memory than most devices have.
+const LARGEST: u32 = 128;
+
+/// The powers of two in a range.
+fn powers(first: u32, last: u32) -> Vec<u32> {
+    (first.ilog2()..=last.ilog2()).map(|power| 1 << power).collect()
+}
+
+/// The bits of a block's texels.
+fn texel_bits(image: &Image) -> u64 {
+    image.extents().iter().map(|&extent| u64::from(extent)).product::<u64>() * 3 * u64::from(image.texel_bits)
+}
+
+impl SpecFields {
+    /// The blocks with the most bits of a texel that are sought of each number of images and size, those of the fewest
+    /// texels first.
+    fn shapes(&self) -> Result<Vec<Image>, Error> {
+        let given = |key: Option<u32>, all: Vec<u32>| key.map_or(all, |key| vec![key]);
+        // A form without a number of images takes none.
+        let images = given(self.images, powers(*SLICES.start(), *SLICES.end())).into_iter().map(Some);
+        let images: Vec<Option<u32>> = images.chain(self.images.is_none().then_some(None)).collect();
+        let sizes = given(self.image_size, powers(*SIZE.start(), LARGEST));
+        let bits = Some(self.texel_bits.unwrap_or(*TEXEL_BITS.end()));
+        let (mut shapes, mut refused) = (Vec::<Image>::new(), None);
+        for images in images {
+            for &size in &sizes {
+                let own = Self { images, image_size: Some(size), texel_bits: bits, ..self.clone() };
+                match own.image() {
+                    Ok(image) if !shapes.contains(&image) => shapes.push(image),
+                    Ok(_) => {}
+                    Err(error) => refused = Some(error),
+                }
+            }
+        }
+        shapes.sort_by_key(texel_bits);
+        match refused {
+            Some(error) if shapes.is_empty() => Err(error),
+            _ => Ok(shapes),
+        }
+    }
+
+    /// The block with the fewest bits of texels whose pictures of a sphere have a mean ratio of at least so many dB
+    /// against the reflectance itself, as [`ImageBlock::quality`] measures it. A number of images and a size whose
+    /// pictures miss it with the most bits a texel are passed over.
+    ///
+    /// # Errors
+    /// A ratio that is not above 0 or that no block reaches, a reflectance that cannot be read, keys that no block has.
+    pub(super) fn smallest_image(&self, least: f64) -> Result<Image, Error> {
+        refuse!(
+            !(least > 0.0 && least.is_finite()),
+            format!("min_psnr = {least} is out of range"),
+            "a number of dB above 0, as in 45.0"
+        );
+        let (source, exposure) = self.reflectance.source()?;
+        let reflectance = source.reflectance().expect("a source of images is refused");
+        let mean = |image: &Image| -> Result<f64, Error> {
+            Ok(ImageBlock::new(image.clone(), reflectance, exposure)?.quality(reflectance, exposure).mean)
+        };
+        let (mut best, mut nearest): (Option<Image>, Option<(f64, Image)>) = (None, None);
+        for shape in self.shapes()? {
+            let fewest = self.texel_bits.unwrap_or(*TEXEL_BITS.start());
+            let with = |bits: u32| Image { texel_bits: bits, ..shape.clone() };
+            // With the fewest bits it is no smaller than what there is.
+            if best.as_ref().is_some_and(|best| texel_bits(&with(fewest)) >= texel_bits(best)) {
+                continue;
+            }
+            let reached = mean(&shape)?;
+            if reached < least {
+                if nearest.as_ref().is_none_or(|(nearest, _)| reached > *nearest) {
+                    nearest = Some((reached, shape));
+                }
+                continue;
+            }
+            for bits in fewest..=shape.texel_bits {
+                let image = with(bits);
+                if best.as_ref().is_some_and(|best| texel_bits(&image) >= texel_bits(best)) {
+                    break;
+                }
+                if bits == shape.texel_bits || mean(&image)? >= least {
+                    best = Some(image);
+                    break;
+                }
+            }
+        }
+        best.ok_or_else(|| {
+            let nearest = nearest
+                .map_or_else(String::new, |(reached, image)| format!(": the nearest, {image}, has {reached:.1} dB"));
+            Error::input(
+                format!("no image-based block of these keys reaches min_psnr = {least}{nearest}"),
+                "a lower min_psnr, another image_form, or fewer keys that narrow it (images, image_size, texel_bits, \
+                 weight_bits, vector_bits, output_bits)",
+            )
+        })
+    }
+}
