@@ -13,7 +13,7 @@ use crate::explore::Cost;
 use crate::explore::choose::NearMiss;
 use crate::explore::run::{Costing, Flow};
 use crate::generate::Core;
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::scene::choice::{RunnerUp, SceneChoice, SceneCore};
 use crate::scene::document::{Findings, budget_text, keys_text, psnr_text, saving_text};
 use crate::scene::image_choice::{ImageCandidate, ImageChoice, ImageSearch};
@@ -84,6 +84,11 @@ pub(super) fn costing(synthesis: bool) -> Result<Costing, Error> {
 
 /// Inspects a scene.
 pub(super) fn inspect(scene: &Scene, flags: &SceneFlags, keys: &SpecFields) -> Result<SceneInspection, Error> {
+    refuse!(
+        flags.for_material.is_some(),
+        "--for-material is given, and the core is a lobe, which serves all classical materials",
+        "use --block image, or leave it out"
+    );
     let bar = progress::bar("rendering", 1);
     let (margin, costing) = (flags.margin.unwrap_or(MARGIN), costing(flags.synth)?);
     let inspection = SceneInspection::of(scene, margin, &costing, keys, &progress::steps(&bar))?;

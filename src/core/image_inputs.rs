@@ -99,7 +99,65 @@ impl ImageDesign<'_> {
     /// The same, where every channel is about to take its next code, and where it just has.
     #[must_use]
     pub fn at_steps(self, places: &[u64]) -> [Vec<i64>; 2] {
-        let mut past = self.at_texels(places);
+        self.steps_of(self.at_texels(places))
+    }
+
+    /// Of the form paper a turn by an angle from -1 to 1 right angles to the image of this number, beside the place
+    /// where its texels differ most in a row, where every channel is about to take its next code and where it just has.
+    /// `rest` is 1 - y², and with it the row of the table of reciprocal roots; without one y is where that place is.
+    #[must_use]
+    pub fn at_turn(self, angle: f64, band: usize, rest: Option<f64>) -> [Vec<i64>; 2] {
+        let image = &self.of.image;
+        let size = image.size as usize;
+        let at = |place: f64| (2.0 * place + 1.0) / size as f64 - 1.0;
+        let y = rest.map(|rest| libm::sqrt(1.0 - rest));
+        let layer = self.block.texels().layer(band);
+        let rows = match y {
+            Some(y) => {
+                let row = (((y + 1.0) * size as f64 - 1.0) / 2.0) as usize;
+                row.min(size - 1)..row.min(size - 1) + 1
+            }
+            None => 0..size,
+        };
+        let differ = |place: usize| {
+            let [a, b] = [place, place + 1].map(|place| layer[place]);
+            (0..3).map(|c| (a[c] - b[c]).abs()).sum::<f32>()
+        };
+        let places = rows.flat_map(|row| (0..size - 1).map(move |column| row * size + column));
+        let best = places.max_by(|&a, &b| differ(a).total_cmp(&differ(b))).unwrap_or(0);
+        let y = y.unwrap_or_else(|| at((best / size) as f64));
+        // Where the place cannot be turned to from what is seen, its mirror image is.
+        let x = at((best % size) as f64 + 0.4);
+        let (sine, cosine) = libm::sincos(angle * std::f64::consts::FRAC_PI_2);
+        let x = if cosine < 0.6 { x.abs().copysign(sine) } else { x };
+        let normal = [x * cosine - 1.1 * sine, y, x * sine + 1.1 * cosine];
+        let LightPlaces { frame, band: of_band, blend, gain, .. } = self.light_places();
+        let number = |value: f64| libm::round(value * exp2(image.vector_fraction as i32)) as i64;
+        let mut light = vec![0; gain + 3];
+        (light[frame + 4], light[of_band]) = (number(1.0), (band & !1) as i64);
+        light[blend] = ((band & 1) as i64) << image.weight_bits;
+        let turn = exp2(image.turn_bits() as i32);
+        // Half of the sine of αh is 1/2 where an image is alone, and elsewhere what the product with u over the root of
+        // 1 - y² is made.
+        let half = angle / 1.5;
+        light[blend + 1 + (band & 1)] = (half * turn).ceil() as i64;
+        match rest {
+            None => light[blend + 3] = 1,
+            Some(rest) => light[frame + 2] = number(0.5 * libm::sqrt(rest) / normal[2]),
+        }
+        let missing = self.inputs(Vector::z(), &[]);
+        let one = normal.map(number).into_iter().chain(light);
+        let mut codes: Vec<i64> = one.chain(missing[3 + gain + 3..].iter().copied()).collect();
+        let ports = self.numbers(Direction::In);
+        codes.iter_mut().zip(&ports).for_each(|(code, (_, format))| {
+            *code = (*code).clamp(format.min_code() as i64, format.max_code() as i64);
+        });
+        self.tune_gain(&mut codes, 3 + gain);
+        self.steps_of(codes)
+    }
+
+    /// Inputs with lower gains, at which every channel is about to take its next code, and where it just has.
+    fn steps_of(self, mut past: Vec<i64>) -> [Vec<i64>; 2] {
         let gain = self.light_places().gain + 3;
         let model = self.model();
         let reached = model.evaluate(&past);

@@ -67,6 +67,14 @@ impl PictureCore {
     }
 
     fn of_image(scene: &Scene, fields: SpecFields) -> Result<Self, Error> {
+        refuse!(
+            !scene.is_measured(),
+            format!(
+                "the core is an image-based block, and the scene {} has no material with a reflectance",
+                scene.name
+            ),
+            "give a material that an object has a table [material.reflectance], or draw the scene through a lobe"
+        );
         let mut all = scene.measured_places();
         let fields = match (fields.reflectance.is_empty(), all.next(), all.next()) {
             (true, Some(only), None) => {

@@ -149,14 +149,6 @@ fn unlike(image: ImageDesign<'_>, measured: &Measured) -> Option<String> {
 /// None of them, or channels of other bits than the scene's.
 pub(crate) fn materials(scene: &Scene, image: ImageDesign<'_>) -> Result<Vec<usize>, Error> {
     let (name, bits) = (&image.spec.name, image.of.image.channel_bits);
-    refuse!(
-        !scene.is_measured(),
-        format!(
-            "the core {name} is an image-based block, and the scene {} has no material with a reflectance",
-            scene.name
-        ),
-        "give a material that an object has a table [material.reflectance], or draw the scene through a lobe"
-    );
     let (mut fitting, mut others) = (Vec::new(), Vec::new());
     for place in scene.measured_places() {
         let Some(measured) = scene.reflectance(place) else { continue };

@@ -193,10 +193,10 @@ fn commands_take_or_refuse_an_image_core() {
         ("cosim core --exhaustive", "an image-based block has too many"),
         ("eval core -n 5 -x 0.5", "this core is an image-based block"),
         ("generate core --max-error 1% --out other", "chosen by its error"),
-        (&format!("generate {sphere} --block image --out other"), "an image-based block is asked for"),
-        (&format!("scene inspect {sphere} --block image"), "an image-based block is asked for"),
+        (&format!("generate {sphere} --block image --out other"), "no object of the scene sphere has a material"),
+        (&format!("scene inspect {sphere} --block image"), "no object of the scene sphere has a material"),
         (&format!("render {sphere} --core core --out p.png"), "the core is an image-based block"),
-        (&format!("render {sphere} --block image --out p.png"), "a scene's core is chosen among lobes"),
+        (&format!("render {sphere} --block image --out p.png"), "the core is an image-based block"),
     ] {
         scratch.refused(line, &[words]);
     }

@@ -78,8 +78,9 @@ fn compiled(core: &OnDisk, compiler: &str) {
     let name = &core.design.spec.name;
     let main = format!(
         "#include <stdio.h>\n#include \"model/{name}_light.h\"\nint main(void)\n{{\n    uint64_t in[5];\n    \
-         while (fread(in, sizeof in, 1, stdin) == 1) {{\n        struct {name}_light_record record = {name}_light(in[0], \
-         in[1], in + 2);\n        fwrite(&record, sizeof record, 1, stdout);\n    }}\n    return 0;\n}}\n"
+         while (fread(in, sizeof in, 1, stdin) == 1) {{\n        struct {name}_light_record record = \
+         {name}_light(in[0], in[1], in + 2);\n        fwrite(&record, sizeof record, 1, stdout);\n    }}\n    \
+         return 0;\n}}\n"
     );
     std::fs::write(core.path().join("main.c"), main).expect("written");
     let output = Command::new(compiler)

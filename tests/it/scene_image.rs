@@ -65,7 +65,7 @@ fn a_picture_through_a_core_is_that_of_its_sums() {
         let axes = scene.camera.axes().map(Vector::from);
         let turned = |a: Vector| Vector::new(a.dot(&axes[0]), a.dot(&axes[1]), -a.dot(&axes[2]));
         let ways = (0..scene.height).flat_map(|row| scene.camera.row(scene.width, scene.height, row));
-        let (mut same, mut lit) = (0, 0);
+        let (mut same, mut checked, mut lit) = (0, 0, 0);
         for (pixel, way) in own.iter().zip(ways) {
             let Some((n, v, lights)) = geometry(&scene, way) else {
                 assert_eq!(*pixel, [0; 3]);
@@ -88,9 +88,10 @@ fn a_picture_through_a_core_is_that_of_its_sums() {
             // A normal's last bit may be another here.
             assert!((0..3).all(|c| (pixel[c] - wanted[c]).abs() <= 1), "{viewer}: {pixel:?} {wanted:?}");
             same += usize::from(*pixel == wanted);
+            checked += 1;
             lit += usize::from(wanted[0] > 20);
         }
-        assert!(lit > 300 && same * 100 > lit * 99, "{viewer}: {same} of {lit}");
+        assert!(lit > 150 && same * 100 > checked * 99, "{viewer}: {same} of {checked}, {lit} lit");
     }
 }
 
@@ -165,7 +166,7 @@ fn a_core_that_does_not_fit_the_scene_is_refused() {
         (format!("render plain.toml {SMALL} --reflectance ggx {out}"), &["no material with a reflectance"]),
         (format!("render both.toml {SMALL} {out}"), &["no reflectance is given"]),
         (format!("render own.toml --method cubic {out}"), &["the core is a lobe", "give an image-based core"]),
-        (format!("render own.toml --block shader {out}"), &["a shader"]),
+        (format!("render own.toml --block shader {out}"), &["none asks for a lobe"]),
     ];
     for (line, words) in &cases {
         scratch.refused(line, words);
@@ -231,6 +232,7 @@ fn what_no_core_can_be_chosen_for_is_said() {
         "generate --block image --reflectance ggx --for-material x --out o",
         &["--for-material are for scenes"],
     );
+    scratch.refused("scene inspect own.toml --for-material own", &["--for-material is given", "--block image"]);
     let miss = scratch.run(&format!("generate own.toml {image} --out o")).ends_with(1);
     assert!(miss.stderr.contains("no image-based core keeps a PSNR of at least 99 dB"), "{}", miss.stderr);
     assert!(!scratch.path("o").exists());

@@ -142,8 +142,8 @@ static int64_t times(int64_t a, int64_t b)
     return (a < 0) == (b < 0) ? (int64_t)magnitude : -(int64_t)magnitude;
 }
 
-/* Sine and cosine of an angle: of the nearest step of the table, turned by what is left, whose own are
- * the first terms of their series. */
+/* Sine and cosine of an angle: of the nearest step of the table, turned by what is left, whose own
+ * are the first terms of their series. */
 static void sine_cosine(uint64_t angle, int64_t *sine, int64_t *cosine)
 {
     uint64_t part = angle & (ONE - 1);
@@ -196,7 +196,8 @@ static uint64_t least(uint64_t a, uint64_t b)
     return a < b ? a : b;
 }
 
-struct image_bivariate_light_record image_bivariate_light(uint64_t phi, uint64_t gamma, const uint64_t intensity[3])
+struct image_bivariate_light_record
+image_bivariate_light(uint64_t phi, uint64_t gamma, const uint64_t intensity[3])
 {
     struct image_bivariate_light_record record;
     int64_t sine, cosine, half_sine, half_cosine, gamma_sine, gamma_cosine;

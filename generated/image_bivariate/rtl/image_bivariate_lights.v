@@ -8,7 +8,7 @@
 //   out_g     UQ8.0   green; 255 is full scale
 //   out_b     UQ8.0   blue; 255 is full scale
 //
-// A sample is any number of clocks' lights, the last with in_last. Latency 21 clocks from
+// A sample is any number of clocks' lights, the last with in_last. Latency 25 clocks from
 // there; lights at every clock, and no pause between samples.
 
 `timescale 1ns / 1ps
@@ -64,7 +64,7 @@ module image_bivariate_lights #(
     input  wire [17:0] in_gain1g,
     // UQ0.18: blue of light 1's gain
     input  wire [17:0] in_gain1b,
-    // the other outputs are a sample: 21 enabled clocks behind its in_last
+    // the other outputs are a sample: 25 enabled clocks behind its in_last
     output wire        out_valid,
     // UQ8.0: red; 255 is full scale
     output wire [7:0] out_r,
@@ -111,13 +111,13 @@ module image_bivariate_lights #(
     );
 
     // ===== Valid chain of whole samples: a bit where one's last lights are, in step with the core
-    reg [21:1] valid;
-    initial valid = 21'd0;
+    reg [25:1] valid;
+    initial valid = 25'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 21'd0;
+            valid <= 25'd0;
         end else if (ce) begin
-            valid <= {valid[20:1], in_valid & in_last};
+            valid <= {valid[24:1], in_valid & in_last};
         end
     end
 
@@ -128,11 +128,11 @@ module image_bivariate_lights #(
         if (rst) begin
             begins <= 1'b1;
         end else if (ce & sum_valid) begin
-            begins <= valid[19];
+            begins <= valid[23];
         end
     end
 
-    // ===== Stage 20: the sum of a sample's lights, UQ1.17 and kept at 1.0
+    // ===== Stage 24: the sum of a sample's lights, UQ1.17 and kept at 1.0
     reg [17:0] total_r;
     wire [18:0] sum_r = {1'b0, begins ? 18'd0 : total_r} + {1'b0, out_sum_r};
     wire over_r = |sum_r[18:17];
@@ -150,7 +150,7 @@ module image_bivariate_lights #(
         end
     end
 
-    // ===== Stage 21: the nearest code, at most full scale
+    // ===== Stage 25: the nearest code, at most full scale
     wire [17:0] near_r = total_r + 18'd256;
     reg [7:0] code_r;
     wire [17:0] near_g = total_g + 18'd256;
@@ -165,7 +165,7 @@ module image_bivariate_lights #(
         end
     end
 
-    assign out_valid = valid[21];
+    assign out_valid = valid[25];
     assign out_r = code_r;
     assign out_g = code_g;
     assign out_b = code_b;

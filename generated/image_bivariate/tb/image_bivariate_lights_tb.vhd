@@ -8,7 +8,7 @@
 --   out_g     UQ8.0   green; 255 is full scale
 --   out_b     UQ8.0   blue; 255 is full scale
 --
--- A sample is any number of clocks' lights, the last with in_last. Latency 21 clocks from
+-- A sample is any number of clocks' lights, the last with in_last. Latency 25 clocks from
 -- there; lights at every clock, and no pause between samples.
 
 library ieee;
@@ -34,7 +34,7 @@ end entity;
 architecture bench of image_bivariate_lights_tb is
 
     constant NAME    : string   := "image_bivariate_lights";
-    constant LATENCY : positive := 21;
+    constant LATENCY : positive := 25;
     constant SHOWN   : positive := 10; -- mismatches printed; the others are only counted
 
     subtype in_nx_word is std_logic_vector(17 downto 0);

@@ -14,8 +14,9 @@
 extern "C" {
 #endif
 
-/* An angle in degrees with 16 fraction bits, from 0 up to 511 degrees, in 2^-64 turns: 60 degrees are
- * IMAGE_HALF_DEGREES(60 * 65536), and IMAGE_HALF_DEGREES(180 * 65536) is half a turn exactly.
+/* An angle in degrees with 16 fraction bits, from 0 up to 511 degrees, in 2^-64 turns: 60 degrees
+ * are IMAGE_HALF_DEGREES(60 * 65536), and
+ * IMAGE_HALF_DEGREES(180 * 65536) is half a turn exactly.
  * What is negated, or beyond a turn, wraps as angles do. */
 #define IMAGE_HALF_DEGREES(degrees) ((((uint64_t)(degrees) << 39) / 45) << 6)
 
@@ -36,14 +37,15 @@ struct image_half_light_record {
 
 /* The record of a light.
  *
- * phi: the polar angle from the viewer's direction (+z), in 2^-64 turns. 180 degrees are 2^63; more is
- *     taken for that, where no normal that is seen is lit. A light exactly at a band's angle, rounded
- *     down to 2^-64 turns, has that band alone.
+ * phi: the polar angle from the viewer's direction (+z), in 2^-64 turns. 180 degrees are 2^63; more
+ *     is taken for that, where no normal that is seen is lit. The bands' angles are kept rounded down
+ *     to 2^-64 turns; a light there has that band alone.
  * gamma: the azimuth about +z from +x to +y, in 2^-64 turns; any value.
  * intensity: red, green and blue, each from 0 to 1, of which 2^63 are 1; more is taken for that.
  *
- * Needs no memory, no floating point and no library. */
-struct image_half_light_record image_half_light(uint64_t phi, uint64_t gamma, const uint64_t intensity[3]);
+ * Needs no memory, no floating point and no library but the compiler's own division of 64 bits. */
+struct image_half_light_record
+image_half_light(uint64_t phi, uint64_t gamma, const uint64_t intensity[3]);
 
 #ifdef __cplusplus
 }

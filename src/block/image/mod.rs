@@ -1,7 +1,8 @@
 //! The image-based block: texels of a reflectance, looked up for every light of a sample and multiplied by n·l.
 //!
 //! What is stored are codes of `√(f/cap)`: over θh and θd, a row of texels and a cap for each θd
-//! ([`ImageForm::Bivariate`]), or slices about the half vector, one for each angle of the light ([`ImageForm::Half`]).
+//! ([`ImageForm::Bivariate`]), or slices about the half vector, one for each angle of the light ([`ImageForm::Half`]); or
+//! codes of roots of the radiance of the unit sphere, lit from a few angles, [`ImageForm::Paper`], which hold n·l.
 //! A directional light has one θd for all normals, so that a light record names one of these *bands*, its blend with
 //! the next, and a gain a channel: the light's intensity, both caps and the exposure, with an exponent. Of a sample are
 //! left a scalar product, an address, the blend of neighbouring texels, its square and two products; texels lie in

@@ -69,7 +69,8 @@ pub(super) struct FormArguments {
     #[arg(long)]
     pub(super) texel: Option<Texel>,
 
-    /// What keeps the black around a sphere out of the paper's form: shrink:FACTOR or extend [default: shrink:0.995]
+    /// What keeps the black around a sphere out of the paper's form: shrink:FACTOR, extend or extend-x [default:
+    /// shrink:0.995]
     #[arg(long)]
     pub(super) border: Option<Border>,
 

@@ -7,7 +7,7 @@ use super::samples::{self, RANDOM, corners, detecting};
 use crate::block::image::Image;
 use crate::core::sample::random_codes;
 use crate::core::{Direction, ImageDesign};
-use crate::fixed::Rng;
+use crate::fixed::{Rng, Table};
 use crate::reflectance::{Light, Vector as Direction3};
 
 /// Tasks that seek inputs which detect mutants.
@@ -25,6 +25,9 @@ pub(super) fn vectors(design: ImageDesign<'_>) -> Vec<(String, Vec<Vector>)> {
     groups
         .push(("normals along the axes and between them, lights at and between the bands' angles", along_axes(design)));
     groups.push(("all texels", all_texels(design)));
+    if image.has_turns() {
+        groups.push(("turns by all angles", all_turns(design)));
+    }
     groups.push(("n.v a power of two", {
         let light = (Light::new(90.0, 45.0), [1.0; 3]);
         let codes = design.inputs(Direction3::new(0.6, 0.6, 0.5), &vec![light; image.lights as usize]);
@@ -99,6 +102,29 @@ fn all_texels(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
     numbers.par_iter().flat_map_iter(|&number| design.at_steps(&places(number))).collect()
 }
 
+/// Turns to an image with an even number and one with an odd one by the angles of all rows of the tables of sines, and
+/// with all rows of the table of reciprocal roots.
+fn all_turns(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
+    let rows = |name: &str| {
+        let of = |table: &&Table| table.name.starts_with(name);
+        design.tables().iter().find(of).map(|table| table.keys.clone()).unwrap_or_default()
+    };
+    let within = |keys: &[f64], row: usize| {
+        let next = keys.get(row + 1).copied().unwrap_or(1.0);
+        // Not at the same part of the way in each.
+        keys[row] + (next - keys[row]) * (0.3 + 0.6 * ((row * 5) % 8) as f64 / 8.0)
+    };
+    let (angles, rests) = (rows("sines"), rows("roots"));
+    let by_angle = (0..angles.len()).map(|row| (within(&angles, row), None));
+    let by_rest = (0..rests.len()).map(|row| (0.6, Some(within(&rests, row))));
+    let all: Vec<(f64, Option<f64>)> = by_angle.chain(by_rest).collect();
+    let last = design.of.image.band_angles().len() / 2;
+    let turn = |(number, &(angle, rest)): (usize, &(f64, Option<f64>))| {
+        [0, 1].map(|parity| design.at_turn(angle, 2 * (number % last) + parity, rest)).concat()
+    };
+    all.par_iter().enumerate().flat_map_iter(turn).collect()
+}
+
 /// Lights in front of a normal that is turned to the viewer, with the greatest gain and every shift, at texels of all
 /// bands.
 fn greatest_gains(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
@@ -128,7 +154,7 @@ fn greatest_gains(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
 }
 
 /// The most places between texels.
-const MOST_CELLS: u64 = 1 << 11;
+const MOST_CELLS: u64 = 1 << 12;
 
 /// The inputs of a stream: samples and random codes in turn.
 pub(super) fn stream(design: ImageDesign<'_>, stream: u32) -> impl Iterator<Item = Vec<i64>> {
