@@ -24,6 +24,8 @@ pub enum LightSource {
     Port,
     /// From a table in the core that is written through a port.
     Table,
+    /// From a table in the core that holds what the spec gives.
+    Rom,
 }
 
 /// What comes out of a core that takes lights in sequence: `out_sum_r`, `out_sum_g` and `out_sum_b`, UQ1 with these

@@ -107,9 +107,9 @@ fn of_scene(path: &Path) -> Result<Vec<GivenLight>, Error> {
 
 /// The words of a core's table of lights for these records, as text.
 fn words(design: &Design, records: &[Vec<i64>]) -> Result<String, Error> {
-    let Some(table) = package::light_table(design) else {
+    let Some(table) = package::light_table(design).filter(|table| table.words.is_none()) else {
         return Err(Error::input(
-            format!("the core {} has no table of lights", design.spec.name),
+            format!("the core {} has no table of lights that is written", design.spec.name),
             "leave --mem out, or generate the core with light_source = \"table\"",
         ));
     };

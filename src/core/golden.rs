@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::{BlockDesign, Design, Direction};
 use crate::datapath::simulate::Inputs;
-use crate::fixed::{Format, Table};
+use crate::fixed::{Format, Rng, Table};
 use crate::platform::error::Error;
 use crate::spec::Block;
 
@@ -68,6 +68,9 @@ const MOST_OUTPUTS: u64 = 1 << 30;
 /// The same for the samples of a shader's streams.
 const MOST_SAMPLES: u64 = 1 << 20;
 
+/// The stream of random numbers that samples through a table of lights are drawn from.
+const SAMPLES: u64 = 1 << 40;
+
 /// The streams of an image-based block.
 const IMAGE_STREAMS: usize = 4;
 
@@ -106,9 +109,9 @@ impl Golden {
     pub fn to_text(&self, design: &Design) -> String {
         let digits = |format: Format| format.width().div_ceil(4) as usize;
         let (inputs, outputs) = (design.numbers(Direction::In), design.numbers(Direction::Out));
-        let ports: Vec<String> = inputs
+        let numbers = [&inputs[..], &outputs].concat();
+        let ports: Vec<String> = numbers
             .iter()
-            .chain(&outputs)
             .map(|(name, format)| format!("{name} ({format}{})", if format.signed { ", two's complement" } else { "" }))
             .collect();
         let count: usize = self.groups.iter().map(|(_, vectors)| vectors.len()).sum();
@@ -125,14 +128,7 @@ impl Golden {
         );
         for (heading, vectors) in &self.groups {
             let _ = writeln!(text, "# {heading}");
-            for vector in vectors {
-                text.push('v');
-                let codes = vector.inputs.iter().chain(&vector.outputs);
-                for (&(_, format), &code) in inputs.iter().chain(&outputs).zip(codes) {
-                    let _ = write!(text, " {:0digits$x}", format.bits(code.into()), digits = digits(format));
-                }
-                let _ = writeln!(text, " {} {}", vector.idle, vector.stall);
-            }
+            vectors.iter().for_each(|vector| text += &line(vector, &numbers));
         }
         let (index, index_format) = inputs[0];
         let ni = digits(index_format);
@@ -149,6 +145,93 @@ impl Golden {
         }
         text
     }
+}
+
+/// What goes through a table of lights that is not written: the words that a sample is of, its other inputs, and its
+/// codes.
+///
+/// For each golden vector there is one with the same normal and the same pauses: of a word or a few, the first of all
+/// words.
+#[must_use]
+pub fn samples(design: &Design, golden: &Golden) -> Vec<Vector> {
+    let Some(words) = design.light_words() else { return Vec::new() };
+    let mut rng = Rng::new(SAMPLES);
+    let depth = words.len() as u64;
+    let of_sample = design.numbers(Direction::In).len() - design.light_inputs().len();
+    let sample = |(number, vector): (usize, &Vector)| {
+        let begin = rng.below(depth);
+        let more = match (number, rng.below(3)) {
+            (0, _) => depth - 1,
+            (_, 0) => rng.below(depth.min(8)),
+            _ => 0,
+        };
+        let ends = [begin, (begin + more) % depth].map(|word| word as i64);
+        let inputs = [&ends[..], &vector.inputs[..of_sample]].concat();
+        let outputs = sample_codes(design, &words, &inputs, |inputs| design.evaluate(inputs));
+        Vector { inputs, outputs, ..*vector }
+    };
+    golden.vectors().into_iter().enumerate().map(sample).collect()
+}
+
+/// The codes of a sample through a table of these words, by what the core gives at each of its own.
+fn sample_codes(design: &Design, words: &[Vec<i64>], inputs: &[i64], core: impl Fn(&[i64]) -> Vec<i64>) -> Vec<i64> {
+    let depth = words.len();
+    let [begin, end] = [inputs[0] as usize, inputs[1] as usize];
+    let count = (end + depth - begin) % depth + 1;
+    let clocks = (0..count).map(|word| core(&[&inputs[2..], &words[(begin + word) % depth]].concat()));
+    design.sample_of(&clocks.collect::<Vec<_>>())
+}
+
+/// Some of these samples with the codes that come of [`complemented_tables`], as [`complemented`] has it for vectors.
+#[must_use]
+pub fn complemented_samples(design: &Design, samples: &[Vector]) -> Vec<Vector> {
+    if design.write_ports().is_empty() {
+        return Vec::new();
+    }
+    let (tables, graph) = (complemented_tables(design), design.graph());
+    let words = design.light_words().unwrap_or_default();
+    let other = |sample: &Vector| {
+        let outputs = sample_codes(design, &words, &sample.inputs, |inputs| graph.results(&tables, inputs));
+        Vector { inputs: sample.inputs.clone(), outputs, idle: 0, stall: 0 }
+    };
+    let step = samples.len().div_ceil(MOST_COMPLEMENTED * 8).max(1);
+    let both = samples.iter().step_by(step).map(|sample| (sample, other(sample)));
+    both.filter(|(sample, other)| sample.outputs != other.outputs)
+        .map(|(_, other)| other)
+        .take(MOST_COMPLEMENTED)
+        .collect()
+}
+
+/// The text of a file with such samples, which the benches read as they do golden vectors.
+#[must_use]
+pub fn samples_text(design: &Design, samples: &[Vector]) -> String {
+    let ports = design.whole_ports();
+    let numbers = ports
+        .iter()
+        .filter_map(|port| Some((port, port.format?)))
+        .filter(|(port, _)| port.carries(Direction::In) || port.carries(Direction::Out));
+    let numbers: Vec<(&str, Format)> = numbers.map(|(port, format)| (port.name.as_str(), format)).collect();
+    let names: Vec<&str> = numbers.iter().map(|(name, _)| *name).collect();
+    let mut text = format!(
+        "# brdfgen samples through the table of lights\n# core {}\n# spec {}\n# v {} in hexadecimal; in decimal: idle, \
+         stall\nc {}\n",
+        design.spec.name,
+        design.spec.digest(),
+        names.join(", "),
+        samples.len(),
+    );
+    samples.iter().for_each(|sample| text += &line(sample, &numbers));
+    text
+}
+
+/// The line of a vector with these ports.
+fn line(vector: &Vector, ports: &[(&str, Format)]) -> String {
+    let mut line = String::from("v");
+    for (&(_, format), &code) in ports.iter().zip(vector.inputs.iter().chain(&vector.outputs)) {
+        let _ = write!(line, " {:0digits$x}", format.bits(code.into()), digits = format.width().div_ceil(4) as usize);
+    }
+    let _ = writeln!(line, " {} {}", vector.idle, vector.stall);
+    line
 }
 
 /// The codes that hexadecimal words are at these ports, as numbers.

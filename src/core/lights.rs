@@ -45,8 +45,41 @@ impl Design {
             Block::Shader(_, shader) => (shader.lights, shader.most_lights?),
             Block::Image(of) => (of.image.lights, of.image.most_lights),
         };
-        let words = most.div_ceil(a_clock).next_power_of_two().max(2);
-        (self.spec.light_source == LightSource::Table).then_some(words)
+        let lights = match self.spec.light_source {
+            LightSource::Port => return None,
+            LightSource::Table => most,
+            LightSource::Rom => self.spec.light_records.0.len() as u32,
+        };
+        Some(lights.div_ceil(a_clock).next_power_of_two().max(2))
+    }
+
+    /// What the words of the table of lights hold if it is not written: the codes of a clock's lights each, of those
+    /// that are missing 0.
+    #[must_use]
+    pub fn light_words(&self) -> Option<Vec<Vec<i64>>> {
+        let depth = self.light_table().filter(|_| self.spec.light_source == LightSource::Rom)? as usize;
+        let codes = self.light_inputs().len();
+        let a_word = codes / self.light_ports().len();
+        let mut words: Vec<Vec<i64>> = self.spec.light_records.0.chunks(a_word).map(<[_]>::concat).collect();
+        words.resize(depth, Vec::new());
+        words.iter_mut().for_each(|word| word.resize(codes, 0));
+        Some(words)
+    }
+
+    /// The ports of the core that carry what it is told of the first light of a clock, and their formats; none of a
+    /// core without a sequencer.
+    #[must_use]
+    pub fn light_ports(&self) -> Vec<(&str, Format)> {
+        let a_clock = match &self.spec.block {
+            Block::Lobe(_) => return Vec::new(),
+            Block::Shader(_, shader) => shader.lights,
+            Block::Image(of) => of.image.lights,
+        };
+        let all = self.light_inputs();
+        let mut ports = self.numbers(Direction::In);
+        ports.retain(|(name, _)| all.contains(name));
+        ports.truncate(all.len() / a_clock as usize);
+        ports
     }
 
     /// The latency of the core, or of the sequencer around it from the last light of a sample on.
@@ -100,16 +133,29 @@ impl Design {
                     port("in_end", Role::Operand, address, "word with its last; the table goes on at 0 behind its end"),
                 ]),
                 Role::OutValid => {
-                    ports.extend([
-                        port("lights_en", Role::Write, None, "write enable of the table, whatever ce and rst are"),
-                        port("lights_addr", Role::Write, address, "address of the word that is written"),
-                        port(
-                            "lights_data",
-                            Role::Write,
-                            Some(Format::unsigned(word as i32, 0)),
-                            "a clock's lights; layout in the datasheet",
-                        ),
-                    ]);
+                    let is_written = self.spec.light_source == LightSource::Table;
+                    ports.extend(
+                        is_written
+                            .then(|| {
+                                [
+                                    port(
+                                        "lights_en",
+                                        Role::Write,
+                                        None,
+                                        "write enable of the table, whatever ce and rst are",
+                                    ),
+                                    port("lights_addr", Role::Write, address, "address of the word that is written"),
+                                    port(
+                                        "lights_data",
+                                        Role::Write,
+                                        Some(Format::unsigned(word as i32, 0)),
+                                        "a clock's lights; layout in the datasheet",
+                                    ),
+                                ]
+                            })
+                            .into_iter()
+                            .flatten(),
+                    );
                     let meaning = format!(
                         "the other outputs are a sample: of w words, {latency} + w enabled clocks after it was taken"
                     );

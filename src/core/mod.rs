@@ -138,7 +138,8 @@ impl Design {
         let adders = if matches!(spec.block, Block::Image(_)) { Adders::One } else { Adders::Two };
         let schedule = schedule(&datapath.graph, spec.pipeline, adders)?;
         let design = Self { datapath, schedule, made, spec };
-        design.spec.golden_inputs.check(&design.numbers(Direction::In))?;
+        design.spec.golden_inputs.check("golden_inputs", &design.numbers(Direction::In))?;
+        design.spec.light_records.check("light_records", &design.light_ports())?;
         if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {
             return Err(Error::input(
                 format!("the core {} has no coefficient memory that could be written", design.spec.name),

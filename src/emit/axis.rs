@@ -28,6 +28,7 @@
 //! is not ready.
 
 use askama::Template;
+use num_bigint::BigUint;
 
 use super::testbench::RandomPart;
 use super::{Direction, Port, Role, Texts, names, render};
@@ -101,6 +102,15 @@ impl Packing {
         };
         let lanes = ports.filter_map(|port| Some((port, port.format?))).map(lane).collect();
         Self { lanes, bits }
+    }
+
+    /// These codes where the ports lie, those of the first ports if there are fewer.
+    pub(super) fn word(&self, codes: &[i64]) -> BigUint {
+        let placed = self.lanes.iter().zip(codes).filter_map(|(lane, &code)| {
+            let bits = lane.port.format?.bits(code.into());
+            Some(BigUint::from(bits) << lane.low)
+        });
+        placed.fold(BigUint::ZERO, |word, field| word | field)
     }
 
     /// The bits of `tdata`: whole bytes.

@@ -79,6 +79,8 @@ struct BenchTable<'a> {
     address_bits: u32,
     word_bits: u32,
     lanes: &'a [Lane],
+    /// Whether it is written; else it holds what it comes up with.
+    is_written: bool,
     /// Enabled clocks from a sample to its codes, besides one for each word.
     behind: u32,
 }
@@ -86,7 +88,8 @@ struct BenchTable<'a> {
 impl<'a> BenchTable<'a> {
     fn of(table: &'a LightTable) -> Self {
         let (depth, address_bits, word_bits) = (table.depth, table.address_bits, table.word_bits());
-        Self { depth, address_bits, word_bits, lanes: &table.record.lanes, behind: table.latency - 1 }
+        let (lanes, is_written) = (&table.record.lanes[..], table.words.is_none());
+        Self { depth, address_bits, word_bits, lanes, is_written, behind: table.latency - 1 }
     }
 
     /// The parts of a word that a random number fills each.
@@ -193,6 +196,11 @@ impl Bench<'_> {
         self.inputs.iter().filter(move |port| !in_word(port))
     }
 
+    /// The table of lights, if the bench writes it.
+    fn written_table(&self) -> Option<&BenchTable<'_>> {
+        self.table.as_ref().filter(|table| table.is_written)
+    }
+
     /// Whether a sample is of several vectors, as it is of a sequencer whose lights come from ports.
     fn counts_lights(&self) -> bool {
         self.sums.is_some() && self.table.is_none()
@@ -283,7 +291,8 @@ pub fn test_bench(
     let (sequencer, table, axis) = match wrapper {
         Wrapper::None => (None, None, None),
         Wrapper::Sequencer(sequencer) => (Some(sequencer), None, None),
-        Wrapper::Table(table) => (Some(&table.sequencer), Some(table), None),
+        // What goes through one that is not written is compared as it is.
+        Wrapper::Table(table) => (Some(&table.sequencer).filter(|_| table.words.is_none()), Some(table), None),
         Wrapper::Axis(axis, sequencer) => (sequencer, None, Some(axis)),
     };
     let (name, header) = match (table, sequencer) {
@@ -296,10 +305,11 @@ pub fn test_bench(
         (None, Some(sequencer)) => sequencer.latency,
         (None, None) => layout.schedule.latency,
     };
-    let whole = sequencer.map_or(&texts.ports, |sequencer| &sequencer.ports);
+    let own = table.filter(|table| table.words.is_some()).map_or(&texts.ports, |table| &table.ports);
+    let whole = sequencer.map_or(own, |sequencer| &sequencer.ports);
     let results = whole.iter().filter(|port| port.carries(Direction::Out)).filter_map(BenchPort::of).collect();
     let numbers = |direction: Direction| -> Vec<BenchPort> {
-        texts.ports.iter().filter(|port| port.carries(direction)).filter_map(BenchPort::of).collect()
+        own.iter().filter(|port| port.carries(direction)).filter_map(BenchPort::of).collect()
     };
     let (inputs, outputs) = (numbers(Direction::In), numbers(Direction::Out));
     let numbers: Vec<&BenchPort> = inputs.iter().chain(&outputs).collect();

@@ -20,7 +20,7 @@ pub const HALF: u64 = 1 << 63;
 const STEPS: usize = 64;
 /// Bits of an angle below a step.
 pub const STEP_BITS: u32 = 56;
-/// Fraction bits of [`half_pi`].
+/// Fraction bits of [`HALF_PI`].
 pub const HALF_PI_BITS: u32 = 60;
 
 /// The sine of every step from 0 to a quarter turn.

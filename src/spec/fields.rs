@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::{
-    BlockKind, Coefficients, Divider, Form, GoldenInputs, ImageFormName, InputRange, Inside, Language, LightSource,
-    Material, Memory, MethodName, Operand, Pipeline, ReflectanceFields, RomStyle, ShaderFields, Shininess, Tail,
-    TexelMemory, VhdlPorts,
+    BlockKind, Coefficients, Divider, Form, ImageFormName, InputRange, Inside, Language, LightSource, Material, Memory,
+    MethodName, Operand, Pipeline, PortCodes, ReflectanceFields, RomStyle, ShaderFields, Shininess, Tail, TexelMemory,
+    VhdlPorts,
 };
 use crate::emit::rom::RomFormat;
 use crate::fit::Objective;
@@ -83,7 +83,7 @@ method_keys! { keys! {
     /// Inputs for the golden vectors besides those that are chosen: the codes of the input ports in order,
     /// CODE,CODE;CODE,CODE
     #[arg(value_name = "INPUTS")]
-    golden_inputs: GoldenInputs,
+    golden_inputs: PortCodes,
 
     /// What is stored of the reflectance [default: half]
     #[arg(help_heading = "Image-based block")]
@@ -137,9 +137,15 @@ method_keys! { keys! {
     #[arg(value_name = "LIGHTS")]
     most_lights: u32 where "shaders and image-based blocks",
 
-    /// Where lights in sequence come from: ports, or a table of most_lights in the core that is written [default: port]
-    #[arg(value_name = "port|table")]
+    /// Where lights in sequence come from: ports, a table of most_lights in the core that is written, or one that is
+    /// not, with light_records [default: port]
+    #[arg(value_name = "port|table|rom")]
     light_source: LightSource where "shaders and image-based blocks",
+
+    /// The lights of light_source = rom, in order: the codes of a light's ports, CODE,CODE;CODE,CODE, as `brdfgen image
+    /// lights` has them
+    #[arg(value_name = "RECORDS")]
+    light_records: PortCodes where "shaders and image-based blocks",
 
     /// Where the texels lie [default: rom]
     #[arg(help_heading = "Image-based block")]

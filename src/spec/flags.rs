@@ -9,7 +9,7 @@ use crate::method::keys::{Fields, Key};
 /// The keys that say what a core is: they come first, whatever the defaults.
 const FIRST: [&str; 6] = ["block", "reflectance", "reflectance-file", "method", "shininess", "material"];
 /// The keys with semicolons in their values, which a shell would take for ends of the command.
-const QUOTED: [&str; 3] = ["golden_inputs", "light_colours", "parameters"];
+const QUOTED: [&str; 4] = ["golden_inputs", "light_records", "light_colours", "parameters"];
 
 impl SpecFields {
     /// The flags that give these fields where they differ from the defaults.

@@ -5,10 +5,10 @@
 
 mod fields;
 mod flags;
-mod golden_inputs;
 mod image;
 mod image_size;
 mod name;
+mod port_codes;
 mod reference;
 mod reflectance;
 mod resolve;
@@ -37,9 +37,9 @@ pub use crate::method::{
 };
 pub use fields::SpecFields;
 pub(crate) use fields::{suggest, toml_error};
-pub use golden_inputs::GoldenInputs;
 pub use image::ImageFormName;
 pub(crate) use name::check_name;
+pub use port_codes::PortCodes;
 pub use reference::reference;
 pub use reflectance::{DIRECTORY as REFLECTANCE_DIRECTORY, Parameters, ReflectanceFields};
 pub(crate) use reflectance::{Named, Written, check_exposure};
@@ -144,8 +144,10 @@ pub struct CoreSpec {
     pub axi_stream: Option<u32>,
     /// Where lights in sequence come from, if they do.
     pub light_source: LightSource,
+    /// The codes of the lights of a table that is not written, of one light's ports each.
+    pub light_records: PortCodes,
     /// Inputs that the golden vectors hold besides those that are chosen for them.
-    pub golden_inputs: GoldenInputs,
+    pub golden_inputs: PortCodes,
 }
 
 impl FromStr for CoreSpec {

@@ -54,6 +54,7 @@ impl SpecFields {
             vhdl_ports,
             axi_stream,
             light_source,
+            light_records: self.light_records.unwrap_or_default(),
             golden_inputs: self.golden_inputs.unwrap_or_default(),
         })
     }
@@ -199,9 +200,20 @@ impl SpecFields {
             "give lights_a_clock as well, or leave light_source out"
         );
         refuse!(
-            source == LightSource::Table && self.axi_stream == Some(true),
+            source != LightSource::Port && self.axi_stream == Some(true),
             "axi_stream is given for a core with a table of lights",
             "light_source = \"port\", whose lights are the beats of the stream"
+        );
+        let given = self.light_records.as_ref().is_some_and(|records| !records.0.is_empty());
+        refuse!(
+            given && source != LightSource::Rom,
+            "light_records are given for a core whose lights are not a ROM's",
+            "give light_source = \"rom\" as well, or leave light_records out"
+        );
+        refuse!(
+            source == LightSource::Rom && !given,
+            "light_source = \"rom\" is given without lights",
+            "light_records, the codes of a light's ports each, as `brdfgen image lights` writes them"
         );
         Ok(source)
     }
@@ -222,6 +234,7 @@ impl SpecFields {
             axi_stream: spec.axi_stream.map(|_| true),
             tuser_bits: spec.axi_stream,
             light_source: Some(spec.light_source).filter(|&source| source != LightSource::default()),
+            light_records: Some(spec.light_records.clone()).filter(|records| !records.0.is_empty()),
             golden_inputs: Some(spec.golden_inputs.clone()).filter(|inputs| !inputs.0.is_empty()),
             lights_a_clock: shader.filter(|shader| shader.most_lights.is_some()).map(|shader| shader.lights),
             most_lights: shader.and_then(|shader| shader.most_lights),

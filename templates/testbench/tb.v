@@ -27,8 +27,10 @@ module {{ bench.name }}_tb;
     reg  {{ bench.ranged("") }} {{ bench.padded("rst") }} = 1'b0;
     reg  {{ bench.ranged("") }} {{ bench.padded("ce") }} = 1'b0;
     reg  {{ bench.ranged("") }} {{ bench.padded("in_valid") }} = 1'b0;
-{%- if let Some(table) = bench.table %}
+{%- if bench.table.is_some() %}
     wire {{ bench.ranged("") }} in_ready;
+{%- endif %}
+{%- if let Some(table) = bench.written_table() %}
     reg  [{{ table.address_bits - 1 }}:0] in_begin = 0;
     reg  [{{ table.address_bits - 1 }}:0] in_end = 0;
     reg  lights_en = 1'b0;
@@ -61,6 +63,8 @@ module {{ bench.name }}_tb;
         .in_valid(in_valid),
 {%- if bench.table.is_some() %}
         .in_ready(in_ready),
+{%- endif %}
+{%- if bench.written_table().is_some() %}
         .in_begin(in_begin),
         .in_end(in_end),
         .lights_en(lights_en),
@@ -105,12 +109,14 @@ module {{ bench.name }}_tb;
     // A sample of so many words comes out so many enabled clocks and these later.
     localparam BEHIND = {{ table.behind }};
     integer remaining = 0; // words of the sample that are still to be read
+    reg     accepted  = 1'b0;
+{%- if table.is_written %}
     integer words;         // of the sample that is presented
     integer begins_at;     // where they are in the table
     integer written;
     reg     in_last   = 1'b0;
-    reg     accepted  = 1'b0;
     reg     half      = 1'b0; // the half of the table that is written next
+{%- endif %}
 {%- endif %}
 
     // What is presented at the inputs now, beside the inputs themselves.
@@ -309,7 +315,7 @@ module {{ bench.name }}_tb;
 {%- endfor %}
 {%- endfor %}
             in_valid = valid;
-{%- if let Some(table) = bench.table %}
+{%- if let Some(table) = bench.written_table() %}
             draw;
             in_begin = lfsr[{{ table.address_bits - 1 }}:0];
             in_end = lfsr[{{ table.address_bits + 15 }}:16];
@@ -425,6 +431,19 @@ module {{ bench.name }}_tb;
 {%- endif %}
 {%- endif %}
 
+{%- if bench.table.is_some() && bench.written_table().is_none() %}
+
+    // Presents a sample until it is taken.
+    task be_taken;
+        begin
+            accepted = 1'b0;
+            while (!accepted && !failed)
+                clock;
+            in_valid = 1'b0;
+        end
+    endtask
+{%- endif %}
+
     // The vector that was read last, with the clocks the file asks for before it and random ones.
     task feed_vector;
         begin
@@ -438,7 +457,7 @@ module {{ bench.name }}_tb;
             repeat (file_stall)
                 stalled_clock;
             random_stalls;
-{%- if bench.table.is_some() %}
+{%- if bench.written_table().is_some() %}
             feed_sample(vectors);
 {%- else if bench.sums.is_some() %}
             choose_last;
@@ -455,6 +474,8 @@ module {{ bench.name }}_tb;
 {%- endif %}
 {%- if bench.table.is_none() %}
             clock;
+{%- else if bench.written_table().is_none() %}
+            be_taken;
 {%- endif %}
         end
     endtask
@@ -540,7 +561,11 @@ module {{ bench.name }}_tb;
 {%- endfor %}
             complements = complements + 1;
             number = -complements;
+{%- if bench.table.is_some() %}
+            be_taken;
+{%- else %}
             clock;
+{%- endif %}
 {%- endif %}
         end
     endtask

@@ -34,8 +34,10 @@ architecture bench of {{ bench.name }}_tb is
     signal {{ bench.padded("rst") }} : std_logic := '0';
     signal {{ bench.padded("ce") }} : std_logic := '0';
     signal {{ bench.padded("in_valid") }} : std_logic := '0';
-{%- if let Some(table) = bench.table %}
+{%- if bench.table.is_some() %}
     signal {{ bench.padded("in_ready") }} : std_logic;
+{%- endif %}
+{%- if let Some(table) = bench.written_table() %}
     signal {{ bench.padded("in_begin") }} : std_logic_vector({{ table.address_bits - 1 }} downto 0) := (others => '0');
     signal {{ bench.padded("in_end") }} : std_logic_vector({{ table.address_bits - 1 }} downto 0) := (others => '0');
     signal {{ bench.padded("lights_en") }} : std_logic := '0';
@@ -74,6 +76,8 @@ begin
             {{ bench.padded("in_valid") }} => in_valid,
 {%- if bench.table.is_some() %}
             {{ bench.padded("in_ready") }} => in_ready,
+{%- endif %}
+{%- if bench.written_table().is_some() %}
             {{ bench.padded("in_begin") }} => {{ bench.driven("unsigned", "in_begin") }},
             {{ bench.padded("in_end") }} => {{ bench.driven("unsigned", "in_end") }},
             {{ bench.padded("lights_en") }} => lights_en,
@@ -133,7 +137,9 @@ begin
         variable remaining : natural := 0; -- words of the sample that are still to be read
         variable place     : natural;
         variable accepted  : boolean := false;
+{%- if table.is_written %}
         variable half      : boolean := false; -- the half of the table that is written next
+{%- endif %}
 {%- endif %}
 
         -- What is presented at the inputs now, beside the inputs themselves.
@@ -368,7 +374,7 @@ begin
 {%- endfor %}
 {%- endfor %}
             in_valid <= valid;
-{%- if let Some(table) = bench.table %}
+{%- if let Some(table) = bench.written_table() %}
             draw;
             in_begin <= lfsr({{ table.address_bits - 1 }} downto 0);
             in_end <= lfsr({{ table.address_bits + 15 }} downto 16);
@@ -484,6 +490,19 @@ begin
 {%- endif %}
 {%- endif %}
 
+{%- if bench.table.is_some() && bench.written_table().is_none() %}
+
+        -- Presents a sample until it is taken.
+        procedure be_taken is
+        begin
+            accepted := false;
+            while not accepted loop
+                clock;
+            end loop;
+            in_valid <= '0';
+        end procedure;
+{%- endif %}
+
         -- The vector that was read last, with the clocks the file asks for before it and random
         -- ones.
         procedure feed_vector is
@@ -500,7 +519,7 @@ begin
                 stalled_clock;
             end loop;
             random_stalls;
-{%- if bench.table.is_some() %}
+{%- if bench.written_table().is_some() %}
             feed_sample(vectors);
 {%- else if bench.sums.is_some() %}
             draw;
@@ -517,6 +536,8 @@ begin
 {%- endif %}
 {%- if bench.table.is_none() %}
             clock;
+{%- else if bench.written_table().is_none() %}
+            be_taken;
 {%- endif %}
         end procedure;
 
@@ -600,7 +621,11 @@ begin
 {%- endfor %}
             complements_fed := complements_fed + 1;
             number := -complements_fed;
+{%- if bench.table.is_some() %}
+            be_taken;
+{%- else %}
             clock;
+{%- endif %}
 {%- endif %}
         end procedure;
 

@@ -12,7 +12,7 @@ module {{ table.name }}
     {{ port.declaration }}{% if !loop.last %},{% endif %}
 {%- endfor %}
 );
-
+{% if words.is_empty() %}
     // ===== The table: black lights until it is written
     reg [{{ table.word_bits() - 1 }}:0] records [0:{{ table.depth - 1 }}];
     integer i;
@@ -22,6 +22,19 @@ module {{ table.name }}
     always @(posedge clk) begin
         if (lights_en) records[lights_addr] <= lights_data;
     end
+{%- else %}
+    // ===== The table, a word with the last of its lights first
+    reg [{{ table.word_bits() - 1 }}:0] records [0:{{ table.depth - 1 }}];
+    initial begin
+{%- for word in words %}
+        records[{{ loop.index0 }}] = {
+{%- for light in word %}
+            {{ light }}{% if !loop.last %},{% endif %}
+{%- endfor %}
+        };
+{%- endfor %}
+    end
+{%- endif %}
 
     // ===== The sample whose lights are read
     reg busy;

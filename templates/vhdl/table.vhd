@@ -18,9 +18,20 @@ end entity {{ table.name }};
 
 architecture rtl of {{ table.name }} is
 
-    -- The table: black lights until it is written.
+    -- The table{% if words.is_empty() %}: black lights until it is written{% else %}, a word with the last of its lights first{% endif %}.
     type records_t is array (0 to {{ table.depth - 1 }}) of std_logic_vector({{ table.word_bits() - 1 }} downto 0);
+{%- if words.is_empty() %}
     signal records : records_t := (others => (others => '0'));
+{%- else %}
+    constant records : records_t := (
+{%- for word in words %}
+        {{ loop.index0 }} =>
+{%- for light in word %}
+            {{ light }}{% if !loop.last %} &{% endif %}
+{%- endfor %}{% if !loop.last %},{% endif %}
+{%- endfor %}
+    );
+{%- endif %}
 
     -- The sample whose lights are read.
     signal busy  : std_logic := '0';
@@ -41,7 +52,7 @@ architecture rtl of {{ table.name }} is
 {%- endfor %}
 
 begin
-
+{% if words.is_empty() %}
     -- ===== The table
     process (clk) is
     begin
@@ -51,7 +62,7 @@ begin
             end if;
         end if;
     end process;
-
+{% endif %}
     -- ===== The sample whose lights are read
     ends <= '1' when word = until_word else '0';
     free <= not busy or ends;

@@ -144,7 +144,8 @@ fn a_changed_table_of_the_c_function_shows() {
         // To 24 bits of it, as many as the finest port has.
         let changed = number ^ (1 << (63 - number.leading_zeros() - 20));
         let [from, to] = [number, changed].map(|number| format!("{number:012x})"));
-        assert_eq!(text.matches(&from).count(), 1, "{from}");
+        // Bands that are as far apart have one reciprocal.
+        assert!(text.contains(&from), "{from}");
         let core = generated.on_disk();
         std::fs::write(core.path().join(&path), text.replace(&from, &to)).expect("written");
         compiled(&core, "gcc");

@@ -5,9 +5,9 @@
 
 use brdfgen::block::image::{LightRecord, Places, RealTexels};
 use brdfgen::block::lights::Sums;
-use brdfgen::core::{BlockDesign, Direction};
+use brdfgen::core::{BlockDesign, Design, Direction};
 use brdfgen::emit::package::Part;
-use brdfgen::fixed::exp2;
+use brdfgen::fixed::{Rng, exp2};
 use brdfgen::reflectance::{Light, Reflectance, Vector};
 use brdfgen::spec::{ImageSource, Language, SpecFields};
 use brdfgen::verify::cosim::{self, Outcome, Sim};
@@ -17,7 +17,7 @@ use proptest::prelude::*;
 use rayon::prelude::*;
 
 use crate::common::Scratch;
-use crate::common::core::{Generated, OnDisk, design, silent};
+use crate::common::core::{Generated, OnDisk, design, resolved, silent};
 
 const SHADER: &str = "block = 'shader'\nmethod = 'schlick'\noutput_fraction = 10\ninput_fraction = 8\nmaterial = [{ \
                       name = 'a', shininess = 9 }, { name = 'b', shininess = 30 }]\n";
@@ -43,11 +43,26 @@ fn specs() -> Vec<String> {
          light_source = 'table'\nvhdl_ports = 'std-logic'\nreflectance = { model = 'gold-paint' }"
             .to_owned(),
         format!("{SHADER}lights_a_clock = 1\nmost_lights = 1\nlight_source = 'table'\n"),
+        with_rom(&format!("{SHADER}lights_a_clock = 1\n"), 3),
+        with_rom(
+            "block = 'image'\nimages = 4\nimage_size = 8\ntexels = 'writable'\nlights_a_clock = 2\n\
+             vhdl_ports = 'std-logic'\nreflectance = { model = 'gold-paint' }\n",
+            5,
+        ),
         format!(
             "{SHADER}lights_a_clock = 3\nmost_lights = 1\nvhdl_ports = 'std-logic'\n[shader]\nmodel = 'blinn'\n\
                  channel_bits = 12\nlight_colours = [[1, 0, 0], [0, 1, 0], [0.2, 0.1, 1]]"
         ),
     ]
+}
+
+/// The spec with so many lights in a ROM.
+fn with_rom(spec: &str, lights: usize) -> String {
+    let (design, mut rng) = (design(spec), Rng::new(7));
+    let (ports, own) = (design.numbers(Direction::In).len(), design.light_ports().len());
+    let first = ports - design.light_inputs().len();
+    let records: Vec<Vec<i64>> = (0..lights).map(|_| design.varied(&mut rng)[first..first + own].to_vec()).collect();
+    format!("{spec}light_source = 'rom'\nlight_records = {records:?}\n")
 }
 
 /// What is around the core, in a simulator.
@@ -175,6 +190,38 @@ fn broken_tables_fail_their_bench_and_their_proof() {
     ] {
         by_bench(&with(language, "the memory", from, to), language, "the memory");
     }
+}
+
+/// A light of every word, in each language; and what samples come of.
+#[test]
+fn a_changed_rom_of_lights_fails_its_bench() {
+    let generated = Generated::new(&with_rom(&format!("{SHADER}lights_a_clock = 1\n"), 3));
+    for (language, sim, mark) in [(Language::Verilog, Sim::Icarus, "'h"), (Language::Vhdl, Sim::Ghdl, "x\"")] {
+        let file = Part::Table.rtl_path(&generated.design, language);
+        let text = generated.text(&file);
+        assert!(!text.contains("lights_"), "it has no write port:\n{text}");
+        let start = text.find("records").expect("the words");
+        let literals: Vec<usize> = text[start..].match_indices(mark).map(|(at, _)| start + at + mark.len()).collect();
+        for &at in &literals[..3] {
+            // The blue of the light is in the leading bits; the bits below them are red's and the directions'.
+            let digit = if &text[at + 1..at + 2] == "0" { "f" } else { "0" };
+            let core = generated.on_disk();
+            std::fs::write(core.path().join(&file), format!("{}{digit}{}", &text[..at + 1], &text[at + 2..]))
+                .expect("written");
+            let outcomes = around(&core, sim);
+            assert!(outcomes[0].passed() && !outcomes[1].passed(), "{language} at {at}: {outcomes:?}");
+        }
+    }
+    let core = generated.on_disk();
+    let file = core.path().join("golden").join(format!("{}.vec", Part::Table.name(&core.design)));
+    let text = std::fs::read_to_string(&file).expect("samples");
+    let last = text.lines().rfind(|line| line.starts_with('v')).expect("a sample");
+    let mut fields: Vec<&str> = last.split(' ').collect();
+    let blue = fields.len() - 3;
+    fields[blue] = if fields[blue] == "00" { "01" } else { "00" };
+    let changed = fields.join(" ");
+    std::fs::write(&file, text.replace(last, &changed)).expect("written");
+    assert_eq!(around(&core, Sim::Icarus)[1].mismatches, 1, "{last}");
 }
 
 #[test]
@@ -307,10 +354,23 @@ fn the_keys_of_lights_are_refused_where_there_is_no_sequencer() {
         &format!("{SHADER}lights_a_clock = 1\nlight_source = 'table'\naxi_stream = true"),
         "axi_stream is given for a core with a table of lights",
     );
+    refused(&format!("{SHADER}lights_a_clock = 1\nlight_source = 'rom'"), "given without lights");
+    refused(&format!("{SHADER}lights_a_clock = 1\nlight_records = [[1]]"), "whose lights are not a ROM's");
+    refused("method = 'quadratic'\nshininess = '1..=9'\nlight_records = [[1]]", "light_records is given");
+    for (record, words) in [
+        ("[[1, 2]]", "number 1 of light_records has 2 codes"),
+        ("[[0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 256]]", "number 2 of light_records has the code 256 for in_l1b"),
+    ] {
+        let spec = format!("{SHADER}lights_a_clock = 1\nlight_source = 'rom'\nlight_records = {record}");
+        let error = Design::new(resolved(&spec)).expect_err("no core").to_string();
+        assert!(error.contains(words), "{error}");
+    }
     refused(&format!("{SHADER}lights_a_clock = 0"), "lights_a_clock = 0 is out of range");
     refused(&format!("{SHADER}lights_a_clock = 1\n[shader]\nlights = 1"), "both lights and lights_a_clock are given");
-    let own = design(&format!("{SHADER}lights_a_clock = 2")).spec;
-    assert_eq!(own.to_toml().parse::<brdfgen::Spec>().expect("core.toml"), own);
+    for spec in [format!("{SHADER}lights_a_clock = 2\n"), with_rom(&format!("{SHADER}lights_a_clock = 2\n"), 3)] {
+        let own = design(&spec).spec;
+        assert_eq!(own.to_toml().parse::<brdfgen::Spec>().expect("core.toml"), own);
+    }
     assert!(design(SHADER).sums().is_none());
     let ports = design(&format!("{SHADER}lights_a_clock = 2")).whole_ports();
     let outputs: Vec<&str> =

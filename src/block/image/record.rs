@@ -1,8 +1,8 @@
 //! What a core is told of a light.
 //!
 //! A record is made in integers alone, from a light in fixed-point numbers and a table with a row a band, so that a
-//! driver without floating point computes the same one: `model/NAME_light.c` is this file in C99. What is kept on the way
-//! is so fine that a code is the nearest to its exact value but for one in millions.
+//! driver without floating point computes the same one: `model/NAME_light.c` is this file in C99. What is kept on the
+//! way is so fine that a code is the nearest to its exact value but for one in millions.
 
 use super::turn::{ANGLE, MOST_HALF};
 use super::{Image, ImageBlock, ImageForm, ImageWidths};
@@ -82,8 +82,8 @@ impl RecordTable {
         Self { bands: angles.iter().enumerate().map(band).collect(), root_bits, gain_bits }
     }
 
-    /// The first of the two bands that are blended, and the part of the next, of which [`turn::ONE`] are 1: 0 before the
-    /// first band, 1 past the last.
+    /// The first of the two bands that are blended, and the part of the next, of which [`turn::ONE`] are 1: 0 before
+    /// the first band, 1 past the last.
     fn place(&self, phi: u64) -> (usize, u64) {
         let last = self.bands.len() - 1;
         let above = self.bands.partition_point(|band| band.angle <= phi);

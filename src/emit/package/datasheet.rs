@@ -270,6 +270,9 @@ fn files(design: &Design) -> Vec<(String, &'static str)> {
         files.push((source, "its source, C99"));
     }
     files.push((super::golden_path(design), "golden vectors and digests"));
+    if design.light_words().is_some() {
+        files.push((super::samples_path(design), "samples through the table of lights"));
+    }
     if let Block::Image(ImageSpec { source: ImageSource::Samples(_), .. }) = &spec.block {
         let index = format!("{REFLECTANCE_DIRECTORY}/{}", directory::INDEX);
         files.push((index, "the samples that the texels are made of, with their images beside it"));

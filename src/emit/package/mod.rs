@@ -40,6 +40,12 @@ pub fn golden_path(design: &Design) -> String {
     format!("golden/{}.vec", design.spec.name)
 }
 
+/// The path of the samples through a table of lights that is not written, in the core's directory.
+#[must_use]
+pub fn samples_path(design: &Design) -> String {
+    format!("golden/{}.vec", Part::Table.name(design))
+}
+
 /// The path of a memory's file in the core's directory.
 #[must_use]
 pub fn rom_path(design: &Design, table: &Table, format: RomFormat) -> String {
@@ -211,13 +217,15 @@ pub fn light_table(design: &Design) -> Option<LightTable> {
     let depth = design.light_table()?;
     let (name, latency) = (Part::Table.name(design), design.whole_latency());
     let (core, ports) = (texts_without_header(design), design.table_ports(depth));
-    Some(LightTable::new(name, &core, ports, sequencer(design)?, [depth, latency]))
+    let words = design.light_words().map(|words| (words, design.light_inputs().len() / design.light_ports().len()));
+    Some(LightTable::new(name, &core, ports, sequencer(design)?, [depth, latency], words))
 }
 
 fn light_table_header(design: &Design, table: &LightTable) -> Vec<String> {
     let what = format!("a table of lights for the core {}", design.spec.name);
     let mut header = head(&design.spec, &table.name, &what, "table");
-    header.extend([String::new(), format!("lights_data, {} bits:", table.word_bits())]);
+    let word = if table.words.is_none() { "lights_data" } else { "A word" };
+    header.extend([String::new(), format!("{word}, {} bits:", table.word_bits())]);
     header.extend(lines_of_rows(&table.record.lanes.iter().map(|lane| lane_row(lane, "")).collect::<Vec<_>>()));
     header.extend([
         String::new(),
@@ -303,6 +311,8 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     let texts = texts(design, account);
     let golden_path = golden_path(design);
     let complemented = golden::complemented(design, golden);
+    let (samples, samples_path) = (golden::samples(design, golden), samples_path(design));
+    let complemented_samples = golden::complemented_samples(design, &samples);
     let (mut sequencer, mut table, mut axis) = (sequencer(design), light_table(design), axis(design));
     sequencer.iter_mut().for_each(|sequencer| sequencer.header = sequencer_header(design, sequencer));
     table.iter_mut().for_each(|table| table.header = light_table_header(design, table));
@@ -322,7 +332,11 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     add("README.md".to_owned(), sheet.into_bytes());
     for &language in &spec.languages {
         let mut add_part = |part: Part, text: String, wrapper| -> Result<(), Error> {
-            let bench = emit::test_bench(language, &layout, &texts, &golden_path, &complemented, wrapper)?;
+            let (golden, complemented) = match wrapper {
+                Wrapper::Table(table) if table.words.is_some() => (&samples_path, &complemented_samples),
+                _ => (&golden_path, &complemented),
+            };
+            let bench = emit::test_bench(language, &layout, &texts, golden, complemented, wrapper)?;
             add(part.rtl_path(design, language), text.into_bytes());
             add(part.bench_path(design, language), bench.into_bytes());
             Ok(())
@@ -354,6 +368,9 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
         }
     }
     add(golden_path, golden.to_text(design).into_bytes());
+    if !samples.is_empty() {
+        add(samples_path, golden::samples_text(design, &samples).into_bytes());
+    }
     // The option is a Verilog one: a simulator that takes the list takes one language.
     let listed = spec.languages.iter().find(|&&language| language == Language::Verilog).or(spec.languages.first());
     let parts = Part::of(design);
@@ -396,6 +413,7 @@ fn light_table_manifest(table: &LightTable) -> serde_json::Value {
         "latency": table.latency,
         "ports": ports,
         "depth": table.depth,
+        "written": table.words.is_none(),
         "word_bits": table.word_bits(),
         "word": word,
     })

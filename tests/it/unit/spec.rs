@@ -80,7 +80,7 @@ fn golden_inputs_are_written_only_where_there_are_any() {
     assert_ne!(spec.digest(), plain.digest());
     assert_eq!(spec.flags().last().unwrap(), "--golden-inputs '4,57395;7,-3'");
     for wrong in ["4,", "", "4;;5", "0x4,5", "9223372036854775808,1"] {
-        assert!(wrong.parse::<GoldenInputs>().unwrap_err().contains("is no code"), "{wrong}");
+        assert!(wrong.parse::<PortCodes>().unwrap_err().contains("is no code"), "{wrong}");
     }
 }
 
