@@ -161,8 +161,9 @@ impl ImageDesign<'_> {
         let gain = self.light_places().gain + 3;
         let model = self.model();
         let reached = model.evaluate(&past);
-        // The least gains for which the channels are as bright.
-        let mut low = [0i64; 3];
+        // The least gains for which the channels are as bright; of a dark one, whose texels show if they become
+        // brighter, the greatest.
+        let mut low = [0, 1, 2].map(|c| if reached[c] == 0 { past[gain + c] } else { 0 });
         let mut high = [past[gain], past[gain + 1], past[gain + 2]];
         while (0..3).any(|c| low[c] + 1 < high[c]) {
             let middle = [0, 1, 2].map(|c| (low[c] + high[c] + 1) / 2);

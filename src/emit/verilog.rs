@@ -207,7 +207,8 @@ impl Writer<'_> {
                 }
                 let wider = self.format(arg(0)).width().max(self.format(arg(1)).width());
                 let frac = self.format(arg(0)).frac_bits;
-                format!("{} > {}", self.fitted(arg(0), frac, wider), self.fitted(arg(1), frac, wider))
+                let [a, b] = [arg(0), arg(1)].map(|id| self.fitted(id, frac, wider));
+                if self.format(arg(0)).signed { format!("$signed({a}) > $signed({b})") } else { format!("{a} > {b}") }
             }
             Op::Or => format!("{} | {}", self.name(arg(0)), self.name(arg(1))),
             Op::Not => format!("~{}", self.name(arg(0))),

@@ -170,7 +170,15 @@ fn what_does_not_fit_is_refused() {
             "uneven",
             ["4 slices of 8 × 8 texels at 0, 40, 80, 120 degrees", takes, "--form half --images 4 --size 8"],
         ),
-        (SMALL, "paper", ["4 images of 8 × 8 texels of the form paper", takes, "reflectance images"]),
+        (
+            SMALL,
+            "paper",
+            [
+                "4 sphere images of 8 × 8 texels lit from 0, 45, 90, 135 degrees, with the border shrink",
+                takes,
+                "reflectance images",
+            ],
+        ),
         (SMALL, "core/reflectance", ["along 4 octaves", takes, "--image-form bivariate --octaves 4 --image-size 8"]),
         (SMALL, "cut.binary", ["17496006 bytes", "cut short", "34992012 bytes"]),
         (SMALL, "core.csv", ["core.csv has 3 bytes", "MERL", "table"]),

@@ -42,7 +42,7 @@ pub(super) struct Imaging<'a, 'b> {
     hidden: NodeId,
     /// The number of the first memory that holds a function and not texels.
     pub(super) functions: usize,
-    joints: Joints,
+    pub(super) joints: Joints,
 }
 
 /// Both addresses of a place in a direction whose texels lie in two memories by their parity, and the weight of the odd
@@ -57,10 +57,21 @@ pub(super) struct Pair {
 /// Values of a datapath that its checks go by.
 #[derive(Clone, Debug, Default)]
 pub struct Joints {
+    /// Of all lights' reciprocal roots, in the form paper.
+    pub roots: Vec<RootJoints>,
     /// Of all lights' directions among the texels.
     pub places: Vec<PlaceJoints>,
     /// Of each light.
     pub lights: Vec<LightJoints>,
+}
+
+/// Where the row of a reciprocal root is found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RootJoints {
+    /// 1 - y².
+    pub rest: NodeId,
+    /// The row, and the weight of the next.
+    pub row: [NodeId; 2],
 }
 
 /// The factors of what a light gives.
@@ -101,7 +112,8 @@ impl Joints {
             let LightJoints { incidence, squares } = joints;
             incidence.iter_mut().chain(squares)
         });
-        places.chain(lights)
+        let roots = self.roots.iter_mut().flat_map(|RootJoints { rest, row }| [rest].into_iter().chain(row));
+        roots.chain(places).chain(lights)
     }
 }
 

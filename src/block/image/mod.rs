@@ -1,12 +1,14 @@
 //! The image-based block: texels of a reflectance, looked up for every light of a sample and multiplied by n·l.
 //!
 //! What is stored are codes of `√(f/cap)`: over θh and θd, a row of texels and a cap for each θd
-//! ([`ImageForm::Bivariate`]), or slices about the half vector, one for each angle of the light ([`ImageForm::Half`]); or
-//! codes of roots of the radiance of the unit sphere, lit from a few angles, [`ImageForm::Paper`], which hold n·l.
+//! ([`ImageForm::Bivariate`]), or slices about the half vector, one for each angle of the light
+//! ([`ImageForm::Half`]); or the same of the radiance of the unit sphere, lit from a few angles
+//! ([`ImageForm::Paper`]), which holds n·l.
 //! A directional light has one θd for all normals, so that a light record names one of these *bands*, its blend with
 //! the next, and a gain a channel: the light's intensity, both caps and the exposure, with an exponent. Of a sample are
-//! left a scalar product, an address, the blend of neighbouring texels, its square and two products; texels lie in
-//! memories by the parities of their places, and all that are blended are read in one clock.
+//! left a scalar product, an address, the blend of neighbouring texels, its square and two products; in the form paper
+//! a turn to each of both images in place of n·l. Texels lie in memories by the parities of their places, and all that
+//! are blended are read in one clock.
 
 mod datapath;
 mod model;
@@ -19,7 +21,7 @@ mod texels;
 mod turn;
 mod turned;
 
-pub use datapath::{Joints, LightJoints, PlaceJoints};
+pub use datapath::{Joints, LightJoints, PlaceJoints, RootJoints};
 pub use model::ImageModel;
 pub use options::{
     IMAGES, Image, ImageForm, ImageSource, ImageSpec, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, TexelMemory,

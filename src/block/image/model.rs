@@ -79,14 +79,14 @@ impl<'a> ImageModel<'a> {
         split(wide::to_code(place, bits) as usize, bits)
     }
 
-    /// The value at a place of a function table between two of its rows: fields of the row, and of the way to the next.
-    fn between(table: &Table, (row, weight): Place, field: usize) -> Wide {
+    /// A field of a function table at the row of a place, and its part of the way to the next row, which is the field
+    /// behind it.
+    fn between(table: &Table, (row, weight): Place, field: usize) -> [Wide; 2] {
         let value = |field: usize| {
             let frac_bits = table.fields[field].format.frac_bits as u32;
             wide::from_code(table.fields[field].codes[row], frac_bits)
         };
-        let (at, way) = (value(field), value(field + 1));
-        if table.fields[field + 1].name.contains("fall") { at - way * weight } else { at + way * weight }
+        [value(field), value(field + 1) * weight]
     }
 
     /// Where the normal lies along x in an image with an even number and in one with an odd number, and along y in
@@ -103,9 +103,9 @@ impl<'a> ImageModel<'a> {
             let unit = y.clamp(-Wide::ONE, Wide::ONE);
             let rest = floor(Wide::ONE - unit * unit, ROOT_OPERAND);
             let rest = rest.min(Wide::ONE - wide::from_code(1, ROOT_OPERAND as u32));
-            let root = Self::between(roots, Self::octave_column(rest, ROOT_AXIS, ROOT_WEIGHT), 0);
+            let [root, fall] = Self::between(roots, Self::octave_column(rest, ROOT_AXIS, ROOT_WEIGHT), 0);
             let distance = self.product(normal, across, bits).abs().min(Wide::ONE);
-            floor(distance * floor(root, ROOT), TILT).min(Wide::ONE)
+            floor(distance * floor(root - fall, ROOT), TILT).min(Wide::ONE)
         } else {
             Wide::ONE / 2
         };
@@ -116,7 +116,10 @@ impl<'a> ImageModel<'a> {
             let angle = angle.clamp(-Wide::ONE, Wide::ONE - wide::from_code(1, ANGLE as u32));
             let from = wide::to_code(angle + Wide::ONE, ANGLE as u32) as usize;
             let row = split(from, (ANGLE - STEPS) as u32);
-            let [sine, cosine] = [0, 2].map(|field| floor(Self::between(sines, row, field), SINE));
+            let [sine, cosine] = [0, 2].map(|field| {
+                let [at, rise] = Self::between(sines, row, field);
+                floor(at + rise, SINE)
+            });
             let of = |a: Wide, b: Wide| floor(a * b, bits);
             if of(x, sine) > of(z, cosine) {
                 let end = if half < 0 { Wide::ZERO } else { last };

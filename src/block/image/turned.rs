@@ -1,9 +1,9 @@
 //! The operations that turn the normal to the images of the form paper; see [`super::turn`].
 
-use super::datapath::{Imaging, LightPorts, Pair};
+use super::datapath::{Imaging, LightPorts, Pair, RootJoints};
 use super::turn::{ANGLE, HALF_TURN, ROOT, ROOT_AXIS, ROOT_OPERAND, ROOT_WEIGHT, SINE, STEPS, TABLES, TILT};
 use crate::datapath::builder::HighBits;
-use crate::datapath::graph::NodeId;
+use crate::datapath::graph::{NodeId, Op};
 use crate::fixed::Format;
 
 /// A normal that is turned back by γ: its component across y and that towards the viewer.
@@ -34,8 +34,10 @@ impl Imaging<'_, '_> {
         let x = self.b.sub(first, second, &format!("x{l}"), "the component across y of the normal, turned back");
         let tilt = self.tilt(&ports.frame[0], y, l);
         let half = self.b.constant(1 << (TILT - 1), Format::unsigned(1, TILT), "half_tilt");
+        // A flag of its own: in VHDL a port is a vector.
+        let alone = self.b.flag(Op::NonZero, &[turns.alone], &format!("alone{l}"), "whether one image is alone");
         let tilt = self.b.select(
-            turns.alone,
+            alone,
             [half, tilt],
             |_| None,
             &format!("tilt{l}"),
@@ -62,6 +64,7 @@ impl Imaging<'_, '_> {
         let rest = self.b.floor(rest, ROOT_OPERAND, &format!("rr{l}_cut"), "rounded down");
         let rest = self.b.clamp(rest, 0, (1 << ROOT_OPERAND) - 1, &format!("rr{l}"), "r^2, below 1");
         let row = self.octave_column(rest, ROOT_AXIS, ROOT_WEIGHT as i32, "rr", l);
+        self.joints.roots.push(RootJoints { rest, row: [row.texel, row.weight] });
         let [root, fall] = self.fields(0, row.texel, l);
         let part = self.b.mul(fall, row.weight, &format!("fall_part{l}"), "its part");
         let root = self.b.sub(root, part, &format!("root_at{l}"), "1/r");

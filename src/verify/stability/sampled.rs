@@ -17,7 +17,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::inspect::{MOST_BLOCKS, Signal, signal};
-use crate::block::image::PlaceJoints;
+use crate::block::image::{Joints as ImageJoints, RootJoints};
 use crate::block::shader::datapath::Joints;
 use crate::core::{BlockDesign, Design, ImageDesign, ShaderDesign};
 use crate::datapath::graph::{Graph, NodeId};
@@ -134,13 +134,24 @@ impl Proof {
 
     /// Analyses the graph of an image-based block with these joints.
     #[must_use]
-    pub fn of_image(joints: &[PlaceJoints], graph: &Graph, tables: &[Table]) -> Self {
+    pub fn of_image(joints: &ImageJoints, graph: &Graph, tables: &[Table]) -> Self {
         let mut prover = Prover::new(graph, tables);
         let mut region: Region = graph.inputs.iter().map(|&id| Span::of(graph.nodes[id].format)).collect();
         let mut ports = graph.inputs.clone();
-        let places: Vec<NodeId> = joints.iter().map(|joint| joint.place).collect();
+        let rests: Vec<NodeId> = joints.roots.iter().map(|joint| joint.rest).collect();
+        if !rests.is_empty() {
+            prover.part("operands of the roots".to_owned(), &ports, &rests, std::slice::from_ref(&region));
+        }
+        for RootJoints { rest, row } in &joints.roots {
+            let of_rest = vec![prover.span(*rest)];
+            let name = format!("row of the root of {}", graph.nodes[*rest].name);
+            prover.part(name, &[*rest], row, &[of_rest]);
+            ports.extend(row);
+            region.extend(row.map(|id| prover.span(id)));
+        }
+        let places: Vec<NodeId> = joints.places.iter().map(|joint| joint.place).collect();
         prover.part("places of the normal".to_owned(), &ports, &places, std::slice::from_ref(&region));
-        for joint in joints {
+        for joint in &joints.places {
             let of_place = vec![prover.span(joint.place)];
             let name = format!("texels at {}", graph.nodes[joint.place].name);
             prover.part(name, &[joint.place], &joint.results(), &[of_place]);
@@ -192,9 +203,7 @@ impl SampledInspection {
                 let set = &lobe.interface.shininess;
                 (Some(set.rows()), Proof::of(set, joints, graph, design.tables()))
             }
-            BlockDesign::Image(ImageDesign { joints, .. }) => {
-                (None, Proof::of_image(&joints.places, graph, design.tables()))
-            }
+            BlockDesign::Image(ImageDesign { joints, .. }) => (None, Proof::of_image(joints, graph, design.tables())),
             BlockDesign::Lobe(_) => unreachable!("a lobe is run through all its inputs"),
         };
         let wide = Analysis::new(graph, design.tables()).with_spare_bits(&proof.ranges);

@@ -1,0 +1,2 @@
+rtl/image_paper.v
+rtl/image_paper_lights.v

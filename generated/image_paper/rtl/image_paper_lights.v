@@ -1,0 +1,205 @@
+// image_paper_lights: the lights of a sample in sequence through the core image_paper
+//
+// Made by: brdfgen generate core.toml
+// Spec 71ec3f2865dce46b. Generated; the sequencer is yours to use under any terms.
+//
+//   in_last       1 bit   with the lights of this clock the sample ends
+//   out_r         UQ8.0   red; 255 is full scale
+//   out_g         UQ8.0   green; 255 is full scale
+//   out_b         UQ8.0   blue; 255 is full scale
+//
+// A sample is any number of clocks' lights, the last with in_last. Latency 46 clocks from
+// there; lights at every clock, and no pause between samples.
+
+`timescale 1ns / 1ps
+`default_nettype none
+
+module image_paper_lights #(
+    // Path of the memory texels_1_even_even_even, read by $readmemh.
+    parameter TEXELS_1_EVEN_EVEN_EVEN_FILE = "rom/image_paper_texels_1_even_even_even.mem",
+    // Path of the memory texels_1_even_even_odd, read by $readmemh.
+    parameter TEXELS_1_EVEN_EVEN_ODD_FILE = "rom/image_paper_texels_1_even_even_odd.mem",
+    // Path of the memory texels_1_even_odd_even, read by $readmemh.
+    parameter TEXELS_1_EVEN_ODD_EVEN_FILE = "rom/image_paper_texels_1_even_odd_even.mem",
+    // Path of the memory texels_1_even_odd_odd, read by $readmemh.
+    parameter TEXELS_1_EVEN_ODD_ODD_FILE = "rom/image_paper_texels_1_even_odd_odd.mem",
+    // Path of the memory texels_1_odd_even_even, read by $readmemh.
+    parameter TEXELS_1_ODD_EVEN_EVEN_FILE = "rom/image_paper_texels_1_odd_even_even.mem",
+    // Path of the memory texels_1_odd_even_odd, read by $readmemh.
+    parameter TEXELS_1_ODD_EVEN_ODD_FILE = "rom/image_paper_texels_1_odd_even_odd.mem",
+    // Path of the memory texels_1_odd_odd_even, read by $readmemh.
+    parameter TEXELS_1_ODD_ODD_EVEN_FILE = "rom/image_paper_texels_1_odd_odd_even.mem",
+    // Path of the memory texels_1_odd_odd_odd, read by $readmemh.
+    parameter TEXELS_1_ODD_ODD_ODD_FILE = "rom/image_paper_texels_1_odd_odd_odd.mem",
+    // Path of the memory roots_1, read by $readmemh.
+    parameter ROOTS_1_FILE = "rom/image_paper_roots_1.mem",
+    // Path of the memory sines_1_even, read by $readmemh.
+    parameter SINES_1_EVEN_FILE = "rom/image_paper_sines_1_even.mem",
+    // Path of the memory sines_1_odd, read by $readmemh.
+    parameter SINES_1_ODD_FILE = "rom/image_paper_sines_1_odd.mem"
+) (
+    // clock; everything happens on its rising edge
+    input  wire        clk,
+    // synchronous reset, active high: drops all that is under way, whatever ce is
+    input  wire        rst,
+    // clock enable: 0 freezes the whole pipeline
+    input  wire        ce,
+    // the other inputs are to be taken
+    input  wire        in_valid,
+    // with the lights of this clock the sample ends
+    input  wire        in_last,
+    // Q1.16: x of the unit normal, the viewer at +z
+    input  wire [17:0] in_nx,
+    // Q1.16: y of the unit normal, the viewer at +z
+    input  wire [17:0] in_ny,
+    // Q1.16: z of the unit normal, the viewer at +z
+    input  wire [17:0] in_nz,
+    // Q1.16: x of row 1 of the turn to light 1's half vector
+    input  wire [17:0] in_u1x,
+    // Q1.16: y of row 1 of the turn to light 1's half vector
+    input  wire [17:0] in_u1y,
+    // Q1.16: z of row 1 of the turn to light 1's half vector
+    input  wire [17:0] in_u1z,
+    // Q1.16: x of row 2 of the turn to light 1's half vector
+    input  wire [17:0] in_v1x,
+    // Q1.16: y of row 2 of the turn to light 1's half vector
+    input  wire [17:0] in_v1y,
+    // UQ3.0: image of texels below light 1's angle
+    input  wire [2:0] in_band1,
+    // UQ1.6: weight of the odd one of this image and the next, at most 1
+    input  wire [6:0] in_blend1,
+    // Q0.14: half of the way from light 1 to its even image, in right angles
+    input  wire [14:0] in_turn1_even,
+    // Q0.14: half of the way from light 1 to its odd image, in right angles
+    input  wire [14:0] in_turn1_odd,
+    // UQ1.0: 1 where a single image is looked up for light 1
+    input  wire in_alone1,
+    // UQ3.0: exponent of light 1's gain
+    input  wire [2:0] in_shift1,
+    // UQ0.18: red of light 1's gain
+    input  wire [17:0] in_gain1r,
+    // UQ0.18: green of light 1's gain
+    input  wire [17:0] in_gain1g,
+    // UQ0.18: blue of light 1's gain
+    input  wire [17:0] in_gain1b,
+    // the other outputs are a sample: 46 enabled clocks behind its in_last
+    output wire        out_valid,
+    // UQ8.0: red; 255 is full scale
+    output wire [7:0] out_r,
+    // UQ8.0: green; 255 is full scale
+    output wire [7:0] out_g,
+    // UQ8.0: blue; 255 is full scale
+    output wire [7:0] out_b
+);
+
+    // ===== The core: what the lights of a clock give
+    wire sum_valid;
+    wire [17:0] out_sum_r;
+    wire [17:0] out_sum_g;
+    wire [17:0] out_sum_b;
+    image_paper #(
+        .TEXELS_1_EVEN_EVEN_EVEN_FILE(TEXELS_1_EVEN_EVEN_EVEN_FILE),
+        .TEXELS_1_EVEN_EVEN_ODD_FILE(TEXELS_1_EVEN_EVEN_ODD_FILE),
+        .TEXELS_1_EVEN_ODD_EVEN_FILE(TEXELS_1_EVEN_ODD_EVEN_FILE),
+        .TEXELS_1_EVEN_ODD_ODD_FILE(TEXELS_1_EVEN_ODD_ODD_FILE),
+        .TEXELS_1_ODD_EVEN_EVEN_FILE(TEXELS_1_ODD_EVEN_EVEN_FILE),
+        .TEXELS_1_ODD_EVEN_ODD_FILE(TEXELS_1_ODD_EVEN_ODD_FILE),
+        .TEXELS_1_ODD_ODD_EVEN_FILE(TEXELS_1_ODD_ODD_EVEN_FILE),
+        .TEXELS_1_ODD_ODD_ODD_FILE(TEXELS_1_ODD_ODD_ODD_FILE),
+        .ROOTS_1_FILE(ROOTS_1_FILE),
+        .SINES_1_EVEN_FILE(SINES_1_EVEN_FILE),
+        .SINES_1_ODD_FILE(SINES_1_ODD_FILE)
+    ) core (
+        .clk           (clk),
+        .rst           (rst),
+        .ce            (ce),
+        .in_valid      (in_valid),
+        .in_nx         (in_nx),
+        .in_ny         (in_ny),
+        .in_nz         (in_nz),
+        .in_u1x        (in_u1x),
+        .in_u1y        (in_u1y),
+        .in_u1z        (in_u1z),
+        .in_v1x        (in_v1x),
+        .in_v1y        (in_v1y),
+        .in_band1      (in_band1),
+        .in_blend1     (in_blend1),
+        .in_turn1_even (in_turn1_even),
+        .in_turn1_odd  (in_turn1_odd),
+        .in_alone1     (in_alone1),
+        .in_shift1     (in_shift1),
+        .in_gain1r     (in_gain1r),
+        .in_gain1g     (in_gain1g),
+        .in_gain1b     (in_gain1b),
+        .out_valid     (sum_valid),
+        .out_sum_r     (out_sum_r),
+        .out_sum_g     (out_sum_g),
+        .out_sum_b     (out_sum_b)
+    );
+
+    // ===== Valid chain of whole samples: a bit where one's last lights are, in step with the core
+    reg [46:1] valid;
+    initial valid = 46'd0;
+    always @(posedge clk) begin
+        if (rst) begin
+            valid <= 46'd0;
+        end else if (ce) begin
+            valid <= {valid[45:1], in_valid & in_last};
+        end
+    end
+
+    // Whether the next lights out of the core are the first of their sample.
+    reg begins;
+    initial begins = 1'b1;
+    always @(posedge clk) begin
+        if (rst) begin
+            begins <= 1'b1;
+        end else if (ce & sum_valid) begin
+            begins <= valid[44];
+        end
+    end
+
+    // ===== Stage 45: the sum of a sample's lights, UQ1.17 and kept at 1.0
+    reg [17:0] total_r;
+    wire [18:0] sum_r = {1'b0, begins ? 18'd0 : total_r} + {1'b0, out_sum_r};
+    wire over_r = |sum_r[18:17];
+    reg [17:0] total_g;
+    wire [18:0] sum_g = {1'b0, begins ? 18'd0 : total_g} + {1'b0, out_sum_g};
+    wire over_g = |sum_g[18:17];
+    reg [17:0] total_b;
+    wire [18:0] sum_b = {1'b0, begins ? 18'd0 : total_b} + {1'b0, out_sum_b};
+    wire over_b = |sum_b[18:17];
+    always @(posedge clk) begin
+        if (ce & sum_valid) begin
+            total_r <= over_r ? {1'b1, 17'd0} : sum_r[17:0];
+            total_g <= over_g ? {1'b1, 17'd0} : sum_g[17:0];
+            total_b <= over_b ? {1'b1, 17'd0} : sum_b[17:0];
+        end
+    end
+
+    // ===== Stage 46: the nearest code, at most full scale
+    wire [17:0] near_r = total_r + 18'd256;
+    reg [7:0] code_r;
+    wire [17:0] near_g = total_g + 18'd256;
+    reg [7:0] code_g;
+    wire [17:0] near_b = total_b + 18'd256;
+    reg [7:0] code_b;
+    always @(posedge clk) begin
+        if (ce) begin
+            code_r <= near_r[17] ? 8'hff : near_r[16:9];
+            code_g <= near_g[17] ? 8'hff : near_g[16:9];
+            code_b <= near_b[17] ? 8'hff : near_b[16:9];
+        end
+    end
+
+    assign out_valid = valid[46];
+    assign out_r = code_r;
+    assign out_g = code_g;
+    assign out_b = code_b;
+
+    // Bits that the rounding drops.
+    wire unused = &{1'b0, near_r[8:0], near_g[8:0], near_b[8:0]};
+
+endmodule
+
+`default_nettype wire

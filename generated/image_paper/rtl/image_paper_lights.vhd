@@ -1,0 +1,248 @@
+-- image_paper_lights: the lights of a sample in sequence through the core image_paper
+--
+-- Made by: brdfgen generate core.toml
+-- Spec 71ec3f2865dce46b. Generated; the sequencer is yours to use under any terms.
+--
+--   in_last       1 bit   with the lights of this clock the sample ends
+--   out_r         UQ8.0   red; 255 is full scale
+--   out_g         UQ8.0   green; 255 is full scale
+--   out_b         UQ8.0   blue; 255 is full scale
+--
+-- A sample is any number of clocks' lights, the last with in_last. Latency 46 clocks from
+-- there; lights at every clock, and no pause between samples.
+
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity image_paper_lights is
+    generic (
+        -- Path of the memory texels_1_even_even_even, in the format of Verilog's $readmemh.
+        TEXELS_1_EVEN_EVEN_EVEN_FILE : string := "rom/image_paper_texels_1_even_even_even.mem";
+        -- Path of the memory texels_1_even_even_odd, in the format of Verilog's $readmemh.
+        TEXELS_1_EVEN_EVEN_ODD_FILE : string := "rom/image_paper_texels_1_even_even_odd.mem";
+        -- Path of the memory texels_1_even_odd_even, in the format of Verilog's $readmemh.
+        TEXELS_1_EVEN_ODD_EVEN_FILE : string := "rom/image_paper_texels_1_even_odd_even.mem";
+        -- Path of the memory texels_1_even_odd_odd, in the format of Verilog's $readmemh.
+        TEXELS_1_EVEN_ODD_ODD_FILE : string := "rom/image_paper_texels_1_even_odd_odd.mem";
+        -- Path of the memory texels_1_odd_even_even, in the format of Verilog's $readmemh.
+        TEXELS_1_ODD_EVEN_EVEN_FILE : string := "rom/image_paper_texels_1_odd_even_even.mem";
+        -- Path of the memory texels_1_odd_even_odd, in the format of Verilog's $readmemh.
+        TEXELS_1_ODD_EVEN_ODD_FILE : string := "rom/image_paper_texels_1_odd_even_odd.mem";
+        -- Path of the memory texels_1_odd_odd_even, in the format of Verilog's $readmemh.
+        TEXELS_1_ODD_ODD_EVEN_FILE : string := "rom/image_paper_texels_1_odd_odd_even.mem";
+        -- Path of the memory texels_1_odd_odd_odd, in the format of Verilog's $readmemh.
+        TEXELS_1_ODD_ODD_ODD_FILE : string := "rom/image_paper_texels_1_odd_odd_odd.mem";
+        -- Path of the memory roots_1, in the format of Verilog's $readmemh.
+        ROOTS_1_FILE : string := "rom/image_paper_roots_1.mem";
+        -- Path of the memory sines_1_even, in the format of Verilog's $readmemh.
+        SINES_1_EVEN_FILE : string := "rom/image_paper_sines_1_even.mem";
+        -- Path of the memory sines_1_odd, in the format of Verilog's $readmemh.
+        SINES_1_ODD_FILE : string := "rom/image_paper_sines_1_odd.mem"
+    );
+    port (
+        -- clock; everything happens on its rising edge
+        clk           : in  std_logic;
+        -- synchronous reset, active high: drops all that is under way, whatever ce is
+        rst           : in  std_logic;
+        -- clock enable: 0 freezes the whole pipeline
+        ce            : in  std_logic;
+        -- the other inputs are to be taken
+        in_valid      : in  std_logic;
+        -- with the lights of this clock the sample ends
+        in_last       : in  std_logic;
+        -- Q1.16: x of the unit normal, the viewer at +z
+        in_nx         : in  signed(17 downto 0);
+        -- Q1.16: y of the unit normal, the viewer at +z
+        in_ny         : in  signed(17 downto 0);
+        -- Q1.16: z of the unit normal, the viewer at +z
+        in_nz         : in  signed(17 downto 0);
+        -- Q1.16: x of row 1 of the turn to light 1's half vector
+        in_u1x        : in  signed(17 downto 0);
+        -- Q1.16: y of row 1 of the turn to light 1's half vector
+        in_u1y        : in  signed(17 downto 0);
+        -- Q1.16: z of row 1 of the turn to light 1's half vector
+        in_u1z        : in  signed(17 downto 0);
+        -- Q1.16: x of row 2 of the turn to light 1's half vector
+        in_v1x        : in  signed(17 downto 0);
+        -- Q1.16: y of row 2 of the turn to light 1's half vector
+        in_v1y        : in  signed(17 downto 0);
+        -- UQ3.0: image of texels below light 1's angle
+        in_band1      : in  unsigned(2 downto 0);
+        -- UQ1.6: weight of the odd one of this image and the next, at most 1
+        in_blend1     : in  unsigned(6 downto 0);
+        -- Q0.14: half of the way from light 1 to its even image, in right angles
+        in_turn1_even : in  signed(14 downto 0);
+        -- Q0.14: half of the way from light 1 to its odd image, in right angles
+        in_turn1_odd  : in  signed(14 downto 0);
+        -- UQ1.0: 1 where a single image is looked up for light 1
+        in_alone1     : in  unsigned(0 downto 0);
+        -- UQ3.0: exponent of light 1's gain
+        in_shift1     : in  unsigned(2 downto 0);
+        -- UQ0.18: red of light 1's gain
+        in_gain1r     : in  unsigned(17 downto 0);
+        -- UQ0.18: green of light 1's gain
+        in_gain1g     : in  unsigned(17 downto 0);
+        -- UQ0.18: blue of light 1's gain
+        in_gain1b     : in  unsigned(17 downto 0);
+        -- the other outputs are a sample: 46 enabled clocks behind its in_last
+        out_valid     : out std_logic;
+        -- UQ8.0: red; 255 is full scale
+        out_r         : out unsigned(7 downto 0);
+        -- UQ8.0: green; 255 is full scale
+        out_g         : out unsigned(7 downto 0);
+        -- UQ8.0: blue; 255 is full scale
+        out_b         : out unsigned(7 downto 0)
+    );
+end entity image_paper_lights;
+
+architecture rtl of image_paper_lights is
+
+    -- Valid chain of whole samples: a bit where one's last lights are, in step with the core.
+    signal valid     : std_logic_vector(46 downto 1) := (others => '0');
+    -- Whether the next lights out of the core are the first of their sample.
+    signal begins    : std_logic := '1';
+    signal sum_valid : std_logic := '0';
+    signal out_sum_r : unsigned(17 downto 0) := (others => '0');
+    signal out_sum_g : unsigned(17 downto 0) := (others => '0');
+    signal out_sum_b : unsigned(17 downto 0) := (others => '0');
+    signal start_r : unsigned(17 downto 0) := (others => '0');
+    signal sum_r   : unsigned(18 downto 0) := (others => '0');
+    signal total_r : unsigned(17 downto 0) := (others => '0');
+    signal near_r  : unsigned(17 downto 0) := (others => '0');
+    signal code_r  : unsigned(7 downto 0) := (others => '0');
+    signal start_g : unsigned(17 downto 0) := (others => '0');
+    signal sum_g   : unsigned(18 downto 0) := (others => '0');
+    signal total_g : unsigned(17 downto 0) := (others => '0');
+    signal near_g  : unsigned(17 downto 0) := (others => '0');
+    signal code_g  : unsigned(7 downto 0) := (others => '0');
+    signal start_b : unsigned(17 downto 0) := (others => '0');
+    signal sum_b   : unsigned(18 downto 0) := (others => '0');
+    signal total_b : unsigned(17 downto 0) := (others => '0');
+    signal near_b  : unsigned(17 downto 0) := (others => '0');
+    signal code_b  : unsigned(7 downto 0) := (others => '0');
+
+begin
+
+    -- ===== The core: what the lights of a clock give
+    core : entity work.image_paper
+        generic map (
+            TEXELS_1_EVEN_EVEN_EVEN_FILE => TEXELS_1_EVEN_EVEN_EVEN_FILE,
+            TEXELS_1_EVEN_EVEN_ODD_FILE => TEXELS_1_EVEN_EVEN_ODD_FILE,
+            TEXELS_1_EVEN_ODD_EVEN_FILE => TEXELS_1_EVEN_ODD_EVEN_FILE,
+            TEXELS_1_EVEN_ODD_ODD_FILE => TEXELS_1_EVEN_ODD_ODD_FILE,
+            TEXELS_1_ODD_EVEN_EVEN_FILE => TEXELS_1_ODD_EVEN_EVEN_FILE,
+            TEXELS_1_ODD_EVEN_ODD_FILE => TEXELS_1_ODD_EVEN_ODD_FILE,
+            TEXELS_1_ODD_ODD_EVEN_FILE => TEXELS_1_ODD_ODD_EVEN_FILE,
+            TEXELS_1_ODD_ODD_ODD_FILE => TEXELS_1_ODD_ODD_ODD_FILE,
+            ROOTS_1_FILE => ROOTS_1_FILE,
+            SINES_1_EVEN_FILE => SINES_1_EVEN_FILE,
+            SINES_1_ODD_FILE => SINES_1_ODD_FILE
+        )
+        port map (
+            clk           => clk,
+            rst           => rst,
+            ce            => ce,
+            in_valid      => in_valid,
+            in_nx         => in_nx,
+            in_ny         => in_ny,
+            in_nz         => in_nz,
+            in_u1x        => in_u1x,
+            in_u1y        => in_u1y,
+            in_u1z        => in_u1z,
+            in_v1x        => in_v1x,
+            in_v1y        => in_v1y,
+            in_band1      => in_band1,
+            in_blend1     => in_blend1,
+            in_turn1_even => in_turn1_even,
+            in_turn1_odd  => in_turn1_odd,
+            in_alone1     => in_alone1,
+            in_shift1     => in_shift1,
+            in_gain1r     => in_gain1r,
+            in_gain1g     => in_gain1g,
+            in_gain1b     => in_gain1b,
+            out_valid     => sum_valid,
+            out_sum_r     => out_sum_r,
+            out_sum_g     => out_sum_g,
+            out_sum_b     => out_sum_b
+        );
+
+    -- ===== Valid chain
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if rst = '1' then
+                valid  <= (others => '0');
+                begins <= '1';
+            elsif ce = '1' then
+                valid <= valid(45 downto 1) & (in_valid and in_last);
+                if sum_valid = '1' then
+                    begins <= valid(44);
+                end if;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 45: the sum of a sample's lights, UQ1.17 and kept at 1.0
+    start_r <= (others => '0') when begins = '1' else total_r;
+    sum_r   <= resize(start_r, 19) + unsigned(out_sum_r);
+    start_g <= (others => '0') when begins = '1' else total_g;
+    sum_g   <= resize(start_g, 19) + unsigned(out_sum_g);
+    start_b <= (others => '0') when begins = '1' else total_b;
+    sum_b   <= resize(start_b, 19) + unsigned(out_sum_b);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' and sum_valid = '1' then
+                if sum_r(18 downto 17) /= "00" then
+                    total_r <= (17 => '1', others => '0');
+                else
+                    total_r <= sum_r(17 downto 0);
+                end if;
+                if sum_g(18 downto 17) /= "00" then
+                    total_g <= (17 => '1', others => '0');
+                else
+                    total_g <= sum_g(17 downto 0);
+                end if;
+                if sum_b(18 downto 17) /= "00" then
+                    total_b <= (17 => '1', others => '0');
+                else
+                    total_b <= sum_b(17 downto 0);
+                end if;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 46: the nearest code, at most full scale
+    near_r <= total_r + 256;
+    near_g <= total_g + 256;
+    near_b <= total_b + 256;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                if near_r(17) = '1' then
+                    code_r <= (others => '1');
+                else
+                    code_r <= near_r(16 downto 9);
+                end if;
+                if near_g(17) = '1' then
+                    code_g <= (others => '1');
+                else
+                    code_g <= near_g(16 downto 9);
+                end if;
+                if near_b(17) = '1' then
+                    code_b <= (others => '1');
+                else
+                    code_b <= near_b(16 downto 9);
+                end if;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(46);
+    out_r     <= code_r;
+    out_g     <= code_g;
+    out_b     <= code_b;
+
+end architecture rtl;
