@@ -132,22 +132,19 @@ impl ImageDesign<'_> {
         let x = if cosine < 0.6 { x.abs().copysign(sine) } else { x };
         let normal = [x * cosine - 1.1 * sine, y, x * sine + 1.1 * cosine];
         let LightPlaces { frame, band: of_band, blend, gain, .. } = self.light_places();
-        let number = |value: f64| libm::round(value * exp2(image.vector_fraction as i32)) as i64;
+        let number = |value: f64| self.component(value);
         let mut light = vec![0; gain + 3];
         (light[frame + 4], light[of_band]) = (number(1.0), (band & !1) as i64);
         light[blend] = ((band & 1) as i64) << image.weight_bits;
-        let turn = exp2(image.turn_bits() as i32);
-        // Half of the sine of αh is 1/2 where an image is alone, and elsewhere what the product with u over the root of
-        // 1 - y² is made.
+        let turn = exp2(Image::TURN_BITS as i32);
+        // sin αh is 1/2 where an image is alone, and elsewhere the product with u is half of the root of 1 - y².
         let half = angle / 1.5;
         light[blend + 1 + (band & 1)] = (half * turn).ceil() as i64;
         match rest {
             None => light[blend + 3] = 1,
             Some(rest) => light[frame + 2] = number(0.5 * libm::sqrt(rest) / normal[2]),
         }
-        let missing = self.inputs(Vector::z(), &[]);
-        let one = normal.map(number).into_iter().chain(light);
-        let mut codes: Vec<i64> = one.chain(missing[3 + gain + 3..].iter().copied()).collect();
+        let mut codes = self.first_light(normal, light);
         let ports = self.numbers(Direction::In);
         codes.iter_mut().zip(&ports).for_each(|(code, (_, format))| {
             *code = (*code).clamp(format.min_code() as i64, format.max_code() as i64);
@@ -211,6 +208,18 @@ impl ImageDesign<'_> {
         codes
     }
 
+    /// The code of a vector's component.
+    fn component(self, value: f64) -> i64 {
+        libm::round(value * exp2(self.of.image.vector_fraction as i32)) as i64
+    }
+
+    /// The codes of a normal and of the first light, beside which the others give nothing.
+    fn first_light(self, normal: [f64; 3], light: Vec<i64>) -> Vec<i64> {
+        let missing = self.inputs(Vector::z(), &[]).split_off(3 + light.len());
+        let normal = normal.map(|value| self.component(value));
+        normal.into_iter().chain(light).chain(missing).collect()
+    }
+
     /// Codes that lead to a place, without a gain, and the place of the gain.
     fn towards_texels(self, places: &[u64]) -> (Vec<i64>, usize) {
         let image = &self.of.image;
@@ -219,7 +228,7 @@ impl ImageDesign<'_> {
         let size = f64::from(image.size);
         let parts = 1u64 << image.weight_bits;
         let part = |place: u64| place as f64 / parts as f64;
-        let number = |value: f64| libm::round(value * vector) as i64;
+        let number = |value: f64| self.component(value);
         let mut light = vec![0; gain + 3];
         // The normal is halfway to the rim, the light at the viewer.
         let mut normal = [0.0, 0.0, 0.5];
@@ -249,9 +258,7 @@ impl ImageDesign<'_> {
         light[band] = (places[0] / parts) as i64;
         let weight = (places[0] % parts) as i64;
         light[blend] = if light[band] % 2 == 0 { weight } else { parts as i64 - weight };
-        let missing = self.inputs(Vector::z(), &[]);
-        let one = normal.map(number).into_iter().chain(light);
-        (one.chain(missing[3 + gain + 3..].iter().copied()).collect(), 3 + gain)
+        (self.first_light(normal, light), 3 + gain)
     }
 
     /// Gives each channel a gain, of which one at `gain` is red's, such that it is above half of full scale, if it can

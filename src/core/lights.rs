@@ -133,29 +133,15 @@ impl Design {
                     port("in_end", Role::Operand, address, "word with its last; the table goes on at 0 behind its end"),
                 ]),
                 Role::OutValid => {
-                    let is_written = self.spec.light_source == LightSource::Table;
-                    ports.extend(
-                        is_written
-                            .then(|| {
-                                [
-                                    port(
-                                        "lights_en",
-                                        Role::Write,
-                                        None,
-                                        "write enable of the table, whatever ce and rst are",
-                                    ),
-                                    port("lights_addr", Role::Write, address, "address of the word that is written"),
-                                    port(
-                                        "lights_data",
-                                        Role::Write,
-                                        Some(Format::unsigned(word as i32, 0)),
-                                        "a clock's lights; layout in the datasheet",
-                                    ),
-                                ]
-                            })
-                            .into_iter()
-                            .flatten(),
-                    );
+                    if self.spec.light_source == LightSource::Table {
+                        let data = Some(Format::unsigned(word as i32, 0));
+                        let enable = "write enable of the table, whatever ce and rst are";
+                        ports.extend([
+                            port("lights_en", Role::Write, None, enable),
+                            port("lights_addr", Role::Write, address, "address of the word that is written"),
+                            port("lights_data", Role::Write, data, "a clock's lights; layout in the datasheet"),
+                        ]);
+                    }
                     let meaning = format!(
                         "the other outputs are a sample: of w words, {latency} + w enabled clocks after it was taken"
                     );

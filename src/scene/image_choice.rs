@@ -175,37 +175,16 @@ impl<'a> ImageSearch<'a> {
     fn specs(&self) -> Result<Vec<CoreSpec>, Error> {
         let forms: Vec<ImageFormName> =
             self.keys.image_form.map_or_else(|| ImageFormName::value_variants().to_vec(), |form| vec![form]);
-        let given = |key: Option<u32>, all: &[u32]| key.map_or_else(|| all.to_vec(), |key| vec![key]);
-        let sizes = given(self.keys.image_size, &SIZES);
-        let bits = given(self.keys.texel_bits, &TEXEL_BITS);
-        let (mut specs, mut refused) = (Vec::new(), None);
-        for form in forms {
-            // A form without a number of images takes none.
-            let images: Vec<Option<u32>> = given(self.keys.images, &IMAGES)
-                .into_iter()
-                .map(Some)
-                .chain(self.keys.images.is_none().then_some(None))
-                .collect();
-            let mut of_form: Vec<CoreSpec> = Vec::new();
-            for &images in &images {
-                for &size in &sizes {
-                    for &bits in &bits {
-                        let own = SpecFields {
-                            image_form: Some(form),
-                            images,
-                            image_size: Some(size),
-                            texel_bits: Some(bits),
-                            ..self.common()
-                        };
-                        match self.keys.clone().or(own).resolve() {
-                            Ok(spec) if of_form.iter().all(|other| other.block != spec.block) => of_form.push(spec),
-                            Ok(_) => {}
-                            Err(error) => refused = Some(error),
-                        }
-                    }
-                }
+        let keys = self.keys.clone().or(self.common());
+        let of_form =
+            |form| SpecFields { image_form: Some(form), ..keys.clone() }.with_image_sizes(&IMAGES, &SIZES, &TEXEL_BITS);
+        let (mut specs, mut refused) = (Vec::<CoreSpec>::new(), None);
+        for own in forms.into_iter().flat_map(of_form) {
+            match own.resolve() {
+                Ok(spec) if specs.iter().all(|other| other.block != spec.block) => specs.push(spec),
+                Ok(_) => {}
+                Err(error) => refused = Some(error),
             }
-            specs.extend(of_form);
         }
         match refused {
             Some(error) if specs.is_empty() => Err(error),
@@ -328,9 +307,12 @@ impl<'a> ImageSearch<'a> {
         candidates.push(self.candidate(&view, self.shader()?)?);
         step();
         let rank = |cost: &Cost| (scene.core.objective.order().map(|one| one.of(cost)), cost.ff);
-        candidates.sort_by(|a, b| rank(&a.cost).cmp(&rank(&b.cost)).then_with(|| a.name.cmp(&b.name)));
+        let sort = |candidates: &mut [ImageCandidate]| {
+            candidates.sort_by(|a, b| rank(&a.cost).cmp(&rank(&b.cost)).then_with(|| a.name.cmp(&b.name)));
+        };
+        sort(&mut candidates);
         self.synthesise(&mut candidates, progress)?;
-        candidates.sort_by(|a, b| rank(&a.cost).cmp(&rank(&b.cost)).then_with(|| a.name.cmp(&b.name)));
+        sort(&mut candidates);
         let chosen = self.verify(&tracer, &mut candidates, progress)?;
         let measured = scene.reflectance(self.material).expect("a material with a reflectance");
         Ok(ImageChoice {

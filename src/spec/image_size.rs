@@ -18,24 +18,33 @@ fn texel_bits(image: &Image) -> u64 {
 }
 
 impl SpecFields {
+    /// The keys with each of these numbers of images, and with none, sizes and bits of a texel, where they say none of
+    /// their own. A form with a number of images refuses some of them, as one without does.
+    pub(crate) fn with_image_sizes(&self, images: &[u32], sizes: &[u32], texel_bits: &[u32]) -> Vec<Self> {
+        let given = |key: Option<u32>, all: &[u32]| key.map_or_else(|| all.to_vec(), |key| vec![key]);
+        let counts = given(self.images, images).into_iter().map(Some);
+        let counts = counts.chain(self.images.is_none().then_some(None));
+        let (sizes, bits) = (given(self.image_size, sizes), given(self.texel_bits, texel_bits));
+        let mut all = Vec::new();
+        for images in counts {
+            for &size in &sizes {
+                let of_size = Self { images, image_size: Some(size), ..self.clone() };
+                all.extend(bits.iter().map(|&bits| Self { texel_bits: Some(bits), ..of_size.clone() }));
+            }
+        }
+        all
+    }
+
     /// The blocks with the most bits of a texel that are sought of each number of images and size, those of the fewest
     /// texels first.
     fn shapes(&self) -> Result<Vec<Image>, Error> {
-        let given = |key: Option<u32>, all: Vec<u32>| key.map_or(all, |key| vec![key]);
-        // A form without a number of images takes none.
-        let images = given(self.images, powers(*SLICES.start(), *SLICES.end())).into_iter().map(Some);
-        let images: Vec<Option<u32>> = images.chain(self.images.is_none().then_some(None)).collect();
-        let sizes = given(self.image_size, powers(*SIZE.start(), LARGEST));
-        let bits = Some(self.texel_bits.unwrap_or(*TEXEL_BITS.end()));
+        let (images, sizes) = (powers(*SLICES.start(), *SLICES.end()), powers(*SIZE.start(), LARGEST));
         let (mut shapes, mut refused) = (Vec::<Image>::new(), None);
-        for images in images {
-            for &size in &sizes {
-                let own = Self { images, image_size: Some(size), texel_bits: bits, ..self.clone() };
-                match own.image() {
-                    Ok(image) if !shapes.contains(&image) => shapes.push(image),
-                    Ok(_) => {}
-                    Err(error) => refused = Some(error),
-                }
+        for own in self.with_image_sizes(&images, &sizes, &[*TEXEL_BITS.end()]) {
+            match own.image() {
+                Ok(image) if !shapes.contains(&image) => shapes.push(image),
+                Ok(_) => {}
+                Err(error) => refused = Some(error),
             }
         }
         shapes.sort_by_key(texel_bits);

@@ -314,10 +314,7 @@ impl Image {
     }
 
     /// Fraction bits of the ports that turn it, whose unit is a right angle.
-    #[must_use]
-    pub fn turn_bits(&self) -> u32 {
-        turn::ANGLE as u32
-    }
+    pub const TURN_BITS: u32 = turn::ANGLE as u32;
 
     /// Whether n·l is multiplied with what the texels give; else they hold it.
     #[must_use]

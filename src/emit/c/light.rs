@@ -6,7 +6,7 @@
 use askama::Template;
 
 use crate::block::CHANNELS;
-use crate::block::image::{ImageForm, RecordTable};
+use crate::block::image::{Image, ImageForm, RecordTable};
 use crate::core::{Direction, ImageDesign};
 use crate::emit::render;
 use crate::fixed::{Format, turn};
@@ -92,7 +92,7 @@ impl<'a> LightFunction<'a> {
             upper: design.spec.name.to_ascii_uppercase(),
             form: image.form.clone(),
             has_direction: image.has_incidence(),
-            angle_bits: image.turn_bits(),
+            angle_bits: Image::TURN_BITS,
             fields: fields(design),
             table: design.block.record_table(),
             vector_fraction: image.vector_fraction,
