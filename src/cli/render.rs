@@ -53,8 +53,9 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "FILE.exr", conflicts_with = "compare")]
     exr: Option<PathBuf>,
 
-    /// How the core's part of the picture is computed: by its bit-exact model, or by the core itself, compiled by
-    /// Verilator and given every sample of the picture; an image-based core with its sequencer
+    /// How the core's part of the picture is computed: by its bit-exact model, or by the core itself
+    ///
+    /// Verilator compiles the core, an image-based one with its sequencer, and it is given every sample of the picture.
     #[arg(long, value_enum, default_value = "model")]
     through: Through,
 
@@ -63,9 +64,10 @@ pub(super) struct Arguments {
     size: Option<Size>,
 
     /// Make a contact sheet of several cores: methods, each with keys if need be, as in `cubic,log-exp:accuracy=9`,
-    /// spec files or core directories [default: quadratic, cubic, cubic-min-zero minimax, schlick, power-4, log-exp of
-    /// accuracy 5 and 9]. Of a scene with measured materials, of several forms: `paper`, `half`, `bivariate`, each with
-    /// keys as in `half:images=8:size=64`, and `fit` [default: paper of 4 and of 6 images, half, bivariate, fit]
+    /// spec files or core directories; of a scene with measured materials, forms as in `half:images=8:size=64` and `fit`
+    ///
+    /// By default: quadratic, cubic, cubic-min-zero minimax, schlick, power-4, log-exp of accuracy 5 and 9; of a scene
+    /// with measured materials paper of 4 and of 6 images, half, bivariate, fit.
     #[arg(long, value_name = "CORES", num_args = 0..=1, require_equals = true, value_delimiter = ',')]
     #[arg(default_missing_value = "", conflicts_with = "method")]
     compare: Option<Vec<String>>,
