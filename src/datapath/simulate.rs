@@ -1,5 +1,7 @@
 //! The pipeline, clock by clock.
 
+use std::collections::HashMap;
+
 use num_bigint::BigUint;
 
 use super::fault::{Change, Defect, Fault, Registered, Timing};
@@ -46,8 +48,9 @@ pub struct Simulation<'a> {
     graph: &'a Graph,
     schedule: &'a Schedule,
     tables: &'a [Table],
-    /// `contents[memory][address]`: the codes of the word's fields.
-    contents: Vec<Vec<Vec<i128>>>,
+    /// Words that are others than the tables say, by memory and address: the codes of their fields. Memories are large,
+    /// and simulations many.
+    written: HashMap<(usize, usize), Vec<i128>>,
     /// `registers[id][i]`: node `id`'s value as seen in stage `schedule.stage[id] + 1 + i`.
     registers: Vec<Vec<i128>>,
     valid: Vec<bool>,
@@ -60,12 +63,8 @@ impl<'a> Simulation<'a> {
     pub fn new(graph: &'a Graph, schedule: &'a Schedule, tables: &'a [Table]) -> Self {
         let registers =
             (0..graph.nodes.len()).map(|id| vec![0; (schedule.last_use[id] - schedule.stage[id]) as usize]).collect();
-        let word =
-            |table: &Table, address| (0..table.fields.len()).map(|field| table.code_at(field, address)).collect();
-        let words = |table: &Table| (0..table.depth()).map(|address| word(table, address)).collect();
-        let contents = tables.iter().map(words).collect();
         let valid = vec![false; schedule.latency as usize];
-        Self { graph, schedule, tables, contents, registers, valid, defect: None }
+        Self { graph, schedule, tables, written: HashMap::new(), registers, valid, defect: None }
     }
 
     /// The same core with something wrong in it.
@@ -88,8 +87,11 @@ impl<'a> Simulation<'a> {
             // A memory that is written loses it.
             Defect::Value(Fault { node, change: Change::Word { address, bit } }) => {
                 if let Op::Field { memory, field } = self.graph.nodes[*node].op {
-                    let code = &mut self.contents[memory][*address][field];
-                    *code = self.graph.nodes[*node].format.wrap(*code ^ (1 << bit));
+                    let table = &self.tables[memory];
+                    let mut word: Vec<i128> =
+                        (0..table.fields.len()).map(|field| table.code_at(field, *address)).collect();
+                    word[field] = self.graph.nodes[*node].format.wrap(word[field] ^ (1 << bit));
+                    self.written.insert((memory, *address), word);
                 }
             }
             _ => {}
@@ -135,7 +137,9 @@ impl<'a> Simulation<'a> {
     pub fn clock_writing(&mut self, inputs: &Inputs, writes: &[Write]) -> Outputs {
         let outputs = self.advance(inputs);
         for Write { memory, address, word } in writes {
-            self.contents[*memory][*address] = self.tables[*memory].codes_of(word);
+            let table = &self.tables[*memory];
+            assert!(*address < table.depth(), "no address {address} in memory {memory}");
+            self.written.insert((*memory, *address), table.codes_of(word));
         }
         outputs
     }
@@ -200,9 +204,13 @@ impl<'a> Simulation<'a> {
                 Op::Input => inputs.codes.get(self.graph.port(id)).copied().unwrap_or_default(),
                 // A fault in the address may leave it wider than the memory is deep.
                 Op::Field { memory, field } => {
-                    let contents = &self.contents[memory];
+                    let table = &self.tables[memory];
                     let address = args[0] as i64 + fault.map_or(0, Fault::words_on);
-                    contents[address as usize & (contents.len() - 1)][field]
+                    let address = address as usize & (table.depth() - 1);
+                    match self.written.get(&(memory, address)) {
+                        Some(word) => word[field],
+                        None => table.code_at(field, address),
+                    }
                 }
                 _ => self.graph.apply_node(node, &args),
             };

@@ -3,6 +3,7 @@
 //! - [`mutants()`]: the mutants of a core: of its operations, its memories' words, its pipeline registers and its valid
 //!   chain;
 //! - [`simulation`]: many faults of a graph on many inputs at a time;
+//! - `registers`: mistakes in pipeline registers on many inputs at a time;
 //! - [`decide()`]: what is found out of a mutant that vectors do not detect: an input that would, or a proof that there
 //!   is none;
 //! - `local`: such proofs from a part of the graph; `domain`: all inputs of a graph or of a part of it;
@@ -17,12 +18,14 @@ mod domain;
 mod local;
 mod mutants;
 mod outcome;
+mod registers;
 pub mod simulation;
 
 pub use decide::{decide, outcomes};
 pub(crate) use mutants::defects;
 pub use mutants::{Kind, Mutant, mutants};
 pub use outcome::{Outcome, Tally};
+pub(crate) use registers::RegisterSimulation;
 
 use crate::core::{Design, Direction};
 

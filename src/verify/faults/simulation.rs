@@ -114,6 +114,11 @@ impl<'a> FaultSimulation<'a> {
         Self { graph, looked_up, reads_port, leads_to_port, read, narrow: is_narrow(graph) }
     }
 
+    /// Whether 64 bits are enough for every operation.
+    pub(super) fn is_narrow(&self) -> bool {
+        self.narrow
+    }
+
     /// Looks, in every block of inputs, for every fault of which there is still something to be found out.
     pub fn run(&self, faults: &[&Fault], next: &mut Next, detected: &mut Detected) {
         if self.narrow {
@@ -304,7 +309,7 @@ impl<'a, L: Lane> Columns<'a, L> {
                 _ => {
                     let node = if here.is_some() { &self.operations[place.unwrap_or_default()] } else { own };
                     let words_on = here.map_or(0, Fault::words_on);
-                    operate(simulation, id, node, words_on, &self.values[..id], &mut result);
+                    operate(simulation, id, node, |arg| node.args[arg], words_on, &self.values[..id], &mut result);
                 }
             }
             let differs = result != self.values[id];
@@ -337,23 +342,25 @@ impl<'a, L: Lane> Columns<'a, L> {
     }
 }
 
-/// A node's column, by the operation that it has or another in its place; a field is read so many words on.
+/// A node's column, by the operation that it has or another in its place, of the columns that `column` says of its
+/// arguments; a field is read so many words on.
 #[inline(always)]
-fn operate<L: Lane>(
+pub(super) fn operate<L: Lane>(
     simulation: &FaultSimulation,
     id: NodeId,
     node: &Node,
+    column: impl Fn(usize) -> NodeId,
     words_on: i64,
     columns: &[[L; LANES]],
     result: &mut [L; LANES],
 ) {
     // A fault may be in a constant: it has a column like any other node.
-    let arg = |index: usize| Arg::Column(node.args[index]);
+    let arg = |index: usize| Arg::Column(column(index));
     match node.op {
         Op::Constant(code) => result.fill(L::from_code(code)),
         Op::Field { .. } => {
             let codes = &simulation.looked_up[id];
-            for (value, address) in result.iter_mut().zip(&columns[node.args[0]]) {
+            for (value, address) in result.iter_mut().zip(&columns[column(0)]) {
                 // A fault in the address may leave it wider than the memory is deep.
                 *value = L::from_code(codes[(address.to_code() as i64 + words_on) as usize & (codes.len() - 1)]);
             }

@@ -4,6 +4,7 @@
 //! behind the other, of which one has in this register what changes the other's result, and with clocks without `ce`
 //! between them.
 
+use std::cell::Cell;
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
@@ -12,9 +13,9 @@ use super::{Vector, greedy};
 use crate::core::{Design, Direction};
 use crate::datapath::fault::{Change, Defect, Fault, Timing};
 use crate::datapath::graph::NodeId;
-use crate::datapath::simulate::{Inputs, Outputs, Simulation};
+use crate::datapath::simulate::{Inputs, Simulation};
 use crate::verify::faults::simulation::{Block, FaultSimulation, Next, blocks, held_in_register};
-use crate::verify::faults::{MOST_VALUES, defects};
+use crate::verify::faults::{MOST_VALUES, RegisterSimulation, defects};
 
 /// A task's candidates, block by block.
 pub(super) type Candidates<'a> = Box<Next<'a>>;
@@ -87,8 +88,8 @@ pub(super) fn pausing<'a>(
 ) -> Vec<Vector> {
     let registers: Vec<Defect> =
         defects(design).filter(|defect| matches!(defect, Defect::Timing(Timing::Register { .. }))).collect();
-    let clocks = Clocks::of(design, known);
-    let mut open: Vec<&Defect> = registers.par_iter().filter(|defect| !clocks.detect(design, defect)).collect();
+    let simulation = RegisterSimulation::new(design);
+    let mut open = Clocks::of(design, known).undetected(&simulation, registers.iter().collect());
     let mut chosen = Vec::new();
     if open.is_empty() {
         return chosen;
@@ -111,7 +112,7 @@ pub(super) fn pausing<'a>(
         };
         let clocks = Clocks::of(design, &pattern.iter().collect::<Vec<_>>());
         let before = open.len();
-        open.retain(|defect| !clocks.detect(design, defect));
+        open = clocks.undetected(&simulation, open);
         if open.len() < before {
             chosen.extend(pattern);
         } else {
@@ -164,8 +165,20 @@ fn pair(
     register: usize,
 ) -> Option<[Vec<i64>; 2]> {
     let (graph, faults) = held_in_register(design, node, register, values.keys().copied());
-    let shown = FaultSimulation::new(&graph, design.tables())
-        .first(&faults.iter().collect::<Vec<_>>(), &mut *blocks(inputs.iter()));
+    let faults: Vec<&Fault> = faults.iter().collect();
+    let mut shown = vec![None; faults.len()];
+    // The first of the values that shows counts: if the first of all does, no other is looked for any further.
+    let is_decided = Cell::new(false);
+    let mut block = blocks(inputs.iter());
+    FaultSimulation::new(&graph, design.tables()).run(
+        &faults,
+        &mut |next| !is_decided.get() && block(next),
+        &mut |place, lanes, block| {
+            shown[place] = Some(block.inputs(lanes.trailing_zeros() as usize));
+            is_decided.set(is_decided.get() || place == 0);
+            false
+        },
+    );
     shown.into_iter().zip(values.values()).find_map(|(shown, &other)| Some([shown?, inputs[other].clone()]))
 }
 
@@ -184,28 +197,86 @@ fn pattern(design: &Design, [one, other]: &[Vec<i64>; 2]) -> Vec<Vector> {
 }
 
 /// The levels at the ports, clock by clock, while vectors run.
-struct Clocks {
+struct Clocks<'a> {
+    design: &'a Design,
     inputs: Vec<Inputs>,
-    right: Vec<Outputs>,
 }
 
-impl Clocks {
-    fn of(design: &Design, vectors: &[&Vector]) -> Self {
+impl<'a> Clocks<'a> {
+    fn of(design: &'a Design, vectors: &[&Vector]) -> Self {
         let ports = design.numbers(Direction::In);
         let mut inputs: Vec<Inputs> = vectors.iter().flat_map(|vector| vector.clocks(&ports)).collect();
         inputs.extend((0..design.schedule.latency).map(|_| Inputs { ce: true, ..Inputs::default() }));
-        let mut core = Simulation::new(design.graph(), &design.schedule, design.tables());
-        let right = inputs.iter().map(|inputs| core.clock(inputs)).collect();
-        Self { inputs, right }
+        Self { design, inputs }
     }
 
-    /// Whether a core with a defect does something else.
-    fn detect(&self, design: &Design, defect: &Defect) -> bool {
-        let mut core = Simulation::new(design.graph(), &design.schedule, design.tables()).with(defect);
-        let same = |(inputs, right): (&Inputs, &Outputs)| {
-            let got = core.clock(inputs);
-            got.out_valid == right.out_valid && (!got.out_valid || got.codes == right.codes)
+    /// Those of some defects of registers with which the core does nothing else.
+    fn undetected<'d>(&self, simulation: &RegisterSimulation, defects: Vec<&'d Defect>) -> Vec<&'d Defect> {
+        let shown = simulation.shown(&self.inputs, &defects);
+        let is_open = |(defect, shown): &(&Defect, Option<bool>)| !shown.unwrap_or_else(|| self.detect(defect));
+        defects.into_iter().zip(shown).filter(is_open).map(|(defect, _)| defect).collect()
+    }
+
+    /// Whether a core with a defect does something else, clock by clock.
+    fn detect(&self, defect: &Defect) -> bool {
+        let design = self.design;
+        let core = || Simulation::new(design.graph(), &design.schedule, design.tables());
+        let (mut right, mut wrong) = (core(), core().with(defect));
+        let differs = |inputs: &Inputs| {
+            let (right, got) = (right.clock(inputs), wrong.clock(inputs));
+            got.out_valid != right.out_valid || got.out_valid && got.codes != right.codes
         };
-        !self.inputs.iter().zip(&self.right).all(same)
+        self.inputs.iter().any(differs)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::datapath::graph::Op;
+    use crate::fixed::Rng;
+    use crate::spec::SpecFields;
+
+    /// Cores without a register in front of their output, with one and with several.
+    const SPECS: [&str; 4] = [
+        "method = \"quadratic\"\nshininess = \"1..=15\"\ninput_fraction = 8\noutput_fraction = 8\n",
+        "method = \"quadratic\"\nshininess = \"1..=15\"\npipeline = 1\n",
+        "method = \"schlick\"\nshininess = \"1..=15\"\ninput_fraction = 8\noutput_fraction = 8\npipeline = 9\n",
+        "block = \"image\"\nimage_form = \"bivariate\"\nimage_size = 8\nreflectance = { model = \"lambert\" }\n",
+    ];
+
+    /// Both simulations find the same mistakes in registers, for vectors with pauses of all kinds.
+    #[test]
+    fn what_shows_is_what_a_pipeline_shows() {
+        let (mut shown, mut hidden, mut covered) = (0, 0, 0);
+        for text in SPECS {
+            let fields = SpecFields::parse(text, "core.toml").expect("keys");
+            let design = fields.resolve().and_then(Design::new).expect("a core");
+            let simulation = RegisterSimulation::new(&design);
+            let registers: Vec<Defect> =
+                defects(&design).filter(|defect| matches!(defect, Defect::Timing(Timing::Register { .. }))).collect();
+            let mut rng = Rng::new(7);
+            for count in [1, 3, 70] {
+                let vectors: Vec<Vector> = (0..count)
+                    .map(|_| {
+                        let inputs = design.varied(&mut rng);
+                        let [idle, stall] = [rng.below(3), rng.below(3)].map(|clocks| clocks as u32);
+                        Vector { outputs: design.evaluate(&inputs), inputs, idle, stall }
+                    })
+                    .collect();
+                let clocks = Clocks::of(&design, &vectors.iter().collect::<Vec<_>>());
+                let found = simulation.shown(&clocks.inputs, &registers.iter().collect::<Vec<_>>());
+                for (defect, found) in registers.iter().zip(found) {
+                    let shows = clocks.detect(defect);
+                    assert!(found.is_none_or(|found| found == shows), "{text}: {defect:?} shows: {shows}");
+                    covered += usize::from(found.is_some());
+                    *if shows { &mut shown } else { &mut hidden } += 1;
+                }
+            }
+            let is_port =
+                |defect: &Defect| node_of(defect).is_some_and(|node| design.graph().nodes[node].op == Op::Input);
+            assert!(registers.iter().any(is_port) || design.schedule.latency == 1, "{text}");
+        }
+        assert!(shown > 500 && hidden > 500 && covered > shown, "{shown} {hidden} {covered}");
     }
 }

@@ -1,0 +1,254 @@
+//! Mistakes in pipeline registers on many inputs at a time.
+//!
+//! Such a mistake puts the value of one clock in the place of another's and does nothing else: behind a register that
+//! is left out everything sees the next enabled clock's value, behind a doubled one that of the clock before, and
+//! behind one that runs free the next one's where the clock was disabled while the value was in it. So no pipeline has
+//! to be simulated: what reads the node from behind the register on is computed again with the other value.
+
+use multiversion::multiversion;
+use rayon::prelude::*;
+
+use super::simulation::{FaultSimulation, operate};
+use crate::core::Design;
+use crate::datapath::evaluate::{LANES, Lane};
+use crate::datapath::fault::{Defect, Registered, Timing};
+use crate::datapath::graph::{NodeId, Op};
+use crate::datapath::simulate::Inputs;
+
+/// What is taken in at an enabled clock.
+#[derive(Clone, Debug)]
+struct Taken {
+    codes: Vec<i64>,
+    valid: bool,
+    /// The codes at the ports while the clock was disabled before, if it was.
+    paused: Option<Vec<i64>>,
+}
+
+/// A register with a mistake.
+#[derive(Clone, Copy, Debug)]
+struct Mistake {
+    node: NodeId,
+    register: usize,
+    what: Registered,
+}
+
+/// Finds out which mistakes in registers a sequence of levels at the ports shows.
+#[derive(Clone, Debug)]
+pub(crate) struct RegisterSimulation<'a> {
+    design: &'a Design,
+    simulation: FaultSimulation<'a>,
+}
+
+impl<'a> RegisterSimulation<'a> {
+    /// Prepares a design.
+    #[must_use]
+    pub(crate) fn new(design: &'a Design) -> Self {
+        Self { design, simulation: FaultSimulation::new(design.graph(), design.tables()) }
+    }
+
+    /// The mistake of a defect that this simulation covers: one in a register, but for the only register of an output
+    /// being left out, which then changes with the ports.
+    fn mistake(&self, defect: &Defect) -> Option<Mistake> {
+        let &Defect::Timing(Timing::Register { node, register, what }) = defect else { return None };
+        let schedule = &self.design.schedule;
+        let is_seen = self.design.graph().is_output(node) && schedule.latency - schedule.stage[node] == 1;
+        (what != Registered::Missing || !is_seen).then_some(Mistake { node, register, what })
+    }
+
+    /// Of each defect whether an output shows it while levels are at the ports clock by clock, from when the core comes
+    /// up and without a reset; `None` of a defect that is not covered.
+    #[must_use]
+    pub(crate) fn shown(&self, inputs: &[Inputs], defects: &[&Defect]) -> Vec<Option<bool>> {
+        let mistakes: Vec<Option<Mistake>> = defects.iter().map(|defect| self.mistake(defect)).collect();
+        let covered: Vec<Mistake> = mistakes.iter().flatten().copied().collect();
+        let taken = self.taken(inputs);
+        let each = covered.len().div_ceil(4 * rayon::current_num_threads()).max(1);
+        let of_some = |some: &[Mistake]| {
+            if self.simulation.is_narrow() { run_narrow(self, &taken, some) } else { run::<i128>(self, &taken, some) }
+        };
+        let mut shown = covered.par_chunks(each).flat_map_iter(of_some).collect::<Vec<bool>>().into_iter();
+        mistakes.into_iter().map(|mistake| mistake.and_then(|_| shown.next())).collect()
+    }
+
+    fn taken(&self, inputs: &[Inputs]) -> Vec<Taken> {
+        let ports = self.design.graph().inputs.len();
+        let code = |inputs: &Inputs, port: usize| inputs.codes.get(port).copied().unwrap_or_default() as i64;
+        let (mut taken, mut paused) = (Vec::new(), None);
+        for inputs in inputs {
+            let codes = (0..ports).map(|port| code(inputs, port)).collect();
+            if inputs.ce {
+                taken.push(Taken { codes, valid: inputs.in_valid, paused: paused.take() });
+            } else {
+                paused = Some(codes);
+            }
+        }
+        taken
+    }
+}
+
+#[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
+fn run_narrow(registers: &RegisterSimulation, taken: &[Taken], mistakes: &[Mistake]) -> Vec<bool> {
+    run::<i64>(registers, taken, mistakes)
+}
+
+/// The clocks of a block that count: beside the first and the last stand their neighbours.
+const COUNTED: usize = LANES - 2;
+
+#[inline(always)]
+fn run<L: Lane>(registers: &RegisterSimulation, taken: &[Taken], mistakes: &[Mistake]) -> Vec<bool> {
+    let mut shown = vec![false; mistakes.len()];
+    let mut open: Vec<usize> = (0..mistakes.len()).collect();
+    let mut block = Block::<L>::new(registers, taken);
+    for first in (0..taken.len()).step_by(COUNTED) {
+        if open.is_empty() {
+            break;
+        }
+        block.take(first);
+        open.retain(|&place| {
+            shown[place] = block.shows(mistakes[place]);
+            !shown[place]
+        });
+    }
+    shown
+}
+
+/// The values of all nodes at some clocks.
+struct Block<'a, L> {
+    registers: &'a RegisterSimulation<'a>,
+    taken: &'a [Taken],
+    /// The place of the first clock that counts; it is in the second lane.
+    first: usize,
+    /// The clocks whose results count, a bit each.
+    counted: u64,
+    /// A column for each node, and one that stands for a node behind the register with the mistake.
+    values: Vec<[L; LANES]>,
+    /// The same of the nodes of the first stage while the clock is disabled before.
+    paused: Vec<[L; LANES]>,
+    /// What the mistake has changed, with the values without it.
+    kept: Vec<(NodeId, [L; LANES])>,
+    differs: Vec<bool>,
+}
+
+impl<'a, L: Lane> Block<'a, L> {
+    fn new(registers: &'a RegisterSimulation, taken: &'a [Taken]) -> Self {
+        let nodes = &registers.design.graph().nodes;
+        let columns = nodes.iter().map(|node| match node.op {
+            Op::Constant(code) => [L::from_code(node.format.wrap(code)); LANES],
+            _ => [L::zero(); LANES],
+        });
+        let values: Vec<_> = columns.chain([[L::zero(); LANES]]).collect();
+        let paused = values.clone();
+        Self {
+            registers,
+            taken,
+            first: 0,
+            counted: 0,
+            values,
+            paused,
+            kept: Vec::new(),
+            differs: vec![false; nodes.len()],
+        }
+    }
+
+    /// The clock in a lane, if there is one.
+    fn clock(&self, lane: usize) -> Option<&'a Taken> {
+        (self.first + lane).checked_sub(1).and_then(|place| self.taken.get(place))
+    }
+
+    /// Goes on to the clocks from a place on.
+    #[inline(always)]
+    fn take(&mut self, first: usize) {
+        let (graph, stage) = (self.registers.design.graph(), &self.registers.design.schedule.stage);
+        self.first = first;
+        self.counted = 0;
+        for lane in 0..LANES {
+            let clock = self.clock(lane);
+            let counts = (1..=COUNTED).contains(&lane) && clock.is_some_and(|clock| clock.valid);
+            self.counted |= u64::from(counts) << lane;
+            for (port, &node) in graph.inputs.iter().enumerate() {
+                let code = |codes: Option<&Vec<i64>>| L::from_code(codes.map_or(0, |codes| codes[port]).into());
+                self.values[node][lane] = code(clock.map(|clock| &clock.codes));
+                self.paused[node][lane] = code(clock.and_then(|clock| clock.paused.as_ref()));
+            }
+        }
+        for (id, node) in graph.nodes.iter().enumerate() {
+            if matches!(node.op, Op::Input | Op::Constant(_)) {
+                continue;
+            }
+            let simulation = &self.registers.simulation;
+            let mut result = [L::zero(); LANES];
+            operate(simulation, id, node, |arg| node.args[arg], 0, &self.values, &mut result);
+            self.values[id] = result;
+            if stage[id] == 0 {
+                operate(simulation, id, node, |arg| node.args[arg], 0, &self.paused, &mut result);
+                self.paused[id] = result;
+            }
+        }
+    }
+
+    /// The node's values as they are seen from behind the register on.
+    #[inline(always)]
+    fn seen(&self, Mistake { node, register, what }: Mistake) -> [L; LANES] {
+        let own = &self.values[node];
+        let mut seen = *own;
+        let stage = self.registers.design.schedule.stage[node] as usize;
+        for lane in 1..=COUNTED {
+            match what {
+                Registered::Missing => seen[lane] = own[lane + 1],
+                // Registers come up with 0.
+                Registered::Doubled if self.first + lane == 1 => seen[lane] = L::zero(),
+                Registered::Doubled => seen[lane] = own[lane - 1],
+                Registered::FreeRunning => {
+                    // While it was in the register, this one was about to be taken.
+                    let next = self.clock(lane + stage + register + 1);
+                    if next.is_some_and(|next| next.paused.is_some()) {
+                        let at_ports = stage + register == 0;
+                        seen[lane] = if at_ports { self.paused[node][lane + 1] } else { own[lane + 1] };
+                    }
+                }
+            }
+        }
+        seen
+    }
+
+    /// Whether a result that counts is another with the mistake.
+    #[inline(always)]
+    fn shows(&mut self, mistake: Mistake) -> bool {
+        let Mistake { node, register, .. } = mistake;
+        let (graph, stage) = (self.registers.design.graph(), &self.registers.design.schedule.stage);
+        let seen = self.seen(mistake);
+        if seen == self.values[node] {
+            return false;
+        }
+        // The column behind those of the nodes.
+        let behind = graph.nodes.len();
+        self.values[behind] = seen;
+        for (id, own) in graph.nodes.iter().enumerate().skip(node + 1) {
+            let is_behind = stage[id] > stage[node] + register as u32;
+            let changes = |&arg: &NodeId| self.differs[arg] || is_behind && arg == node;
+            if !own.args.iter().any(changes) {
+                continue;
+            }
+            let mut result = self.values[id];
+            let arg = |arg: usize| if is_behind && own.args[arg] == node { behind } else { own.args[arg] };
+            operate(&self.registers.simulation, id, own, arg, 0, &self.values, &mut result);
+            if result != self.values[id] {
+                self.kept.push((id, std::mem::replace(&mut self.values[id], result)));
+                self.differs[id] = true;
+            }
+        }
+        let unlike = |a: &[L; LANES], b: &[L; LANES]| {
+            a.iter().zip(b).enumerate().fold(0u64, |lanes, (lane, (a, b))| lanes | u64::from(a != b) << lane)
+        };
+        // An output is read from behind its last register.
+        let mut lanes = if graph.is_output(node) { unlike(&seen, &self.values[node]) } else { 0 };
+        for (id, right) in self.kept.drain(..) {
+            if graph.is_output(id) {
+                lanes |= unlike(&right, &self.values[id]);
+            }
+            self.values[id] = right;
+            self.differs[id] = false;
+        }
+        lanes & self.counted != 0
+    }
+}
