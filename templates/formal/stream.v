@@ -83,6 +83,13 @@ module stream (
     reg [LATENCY+1:1] place;
     wire chosen = accept & pick & ~picked;
 
+    // ===== The beats in front of each stage, a byte each; of all that are under way in the lowest
+    // Counted stage by stage, so that each number follows from the one beside it: of sums over all
+    // stages no solver finds soon that they stay the same when everything moves on.
+    reg [8*LATENCY-1:0] in_front;
+    wire [8*LATENCY+7:0] beyond = {in_front, under_way};
+    integer i;
+
     always @(posedge clk) begin
         started <= 1'b1;
         was_reset <= ~aresetn;
@@ -94,6 +101,7 @@ module stream (
             under_way <= 8'd0;
             picked <= 1'b0;
             place <= 0;
+            in_front <= 0;
         end else begin
             under_way <= under_way + {7'd0, accept} - {7'd0, take};
             if (chosen) begin
@@ -112,30 +120,19 @@ module stream (
                     picked_result <= result;
                 end
             end
+            for (i = 1; i <= LATENCY; i = i + 1)
+                in_front[8*(i-1) +: 8] <=
+                    (ready ? beyond[8*(i-1) +: 8] : beyond[8*i +: 8]) - {7'd0, take};
             if (ready) place <= {place[LATENCY:1], chosen} & {m_tvalid & ~m_tready, {LATENCY{1'b1}}};
             else if (m_tready) place[LATENCY+1] <= 1'b0;
         end
     end
 
-    integer i;
-    reg [7:0] count;    // the beats in the wrapper,
-    reg [7:0] beyond;   // and those in front of the picked one
-    reg [7:0] position; // the number of its stage
-    reg passed;
+    reg [7:0] position; // the number of the picked beat's stage
     always @* begin
-        count = {7'd0, skid_valid};
-        beyond = {7'd0, skid_valid & ~place[LATENCY+1]};
         position = 8'd0;
-        passed = 1'b0;
-        for (i = 1; i <= LATENCY; i = i + 1) begin
-            count = count + {7'd0, valid[i]};
-            if (passed) beyond = beyond + {7'd0, valid[i]};
-            if (place[i]) begin
-                passed = 1'b1;
-                position = i;
-            end
-        end
-        if (place[LATENCY+1]) position = LATENCY + 1;
+        for (i = 1; i <= LATENCY + 1; i = i + 1)
+            if (place[i]) position = i;
     end
 
     always @* if (~started) assume (~aresetn);
@@ -162,14 +159,19 @@ module stream (
 
         // ===== What it follows from, clock by clock
         state_of_the_skid_register: assert (~(ready & skid_valid) & (ready | skid_valid | valid == 0));
-        state_of_the_count: assert (under_way == count);
+        state_of_the_count: assert (beyond[8*LATENCY +: 8] == skid_valid);
+        for (i = 1; i <= LATENCY; i = i + 1) begin
+            assert (beyond[8*(i-1) +: 8] == beyond[8*i +: 8] + {7'd0, valid[i]});
+            assert (beyond[8*(i-1) +: 8] <= LATENCY + 2 - i);
+            if (~m_tvalid) assert (beyond[8*(i-1) +: 8] <= LATENCY - i);
+        end
         state_of_the_picked_beat: assert (
             picked == |place & (place & (place - 1'b1)) == 0 & (place & ~{skid_valid, valid}) == 0);
 {%- if axis.sequenced %}
         if (picked) state_of_the_end: assert (picked_last);
 {%- endif %}
         if (picked) begin
-            state_of_the_order: assert (ahead == beyond);
+            if (place[LATENCY+1]) state_of_the_order: assert (ahead == 8'd0);
             state_of_the_wait: assert (waited + {7'd0, ~ready} <= position);
             if (place[LATENCY+1])
                 state_of_the_skidded_beat: assert (has_result & skid == {picked_user, picked_last, picked_result});
@@ -177,7 +179,8 @@ module stream (
                 state_of_the_result: assert (place[LATENCY] & result == picked_result);
             for (i = 1; i <= LATENCY; i = i + 1)
                 if (place[i])
-                    assert ({% if !axis.sequenced %}last[i] == picked_last & {% endif %}user[USER*(i-1) +: USER] == picked_user);
+                    assert (ahead == beyond[8*i +: 8] & user[USER*(i-1) +: USER] == picked_user
+{%- if !axis.sequenced %} & last[i] == picked_last{% endif %});
         end
 
         // ===== And what does happen
