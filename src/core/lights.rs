@@ -10,6 +10,9 @@ use crate::spec::{Block, LightSource};
 const COLOURS: [&str; 3] = ["red", "green", "blue"];
 /// Stages of the sequencer behind the core: the sum of a sample's lights, and its rounding.
 const STAGES: u32 = 2;
+/// The ports of a sample's first and last word in a table of lights.
+pub(crate) const FIRST_WORD: &str = "in_begin";
+pub(crate) const LAST_WORD: &str = "in_end";
 /// Stages of the table in front of the sequencer: the sample that is taken, and its lights that are read.
 const TABLE_STAGES: u32 = 2;
 
@@ -129,8 +132,13 @@ impl Design {
             match of_sequencer.role {
                 Role::InLast => ports.extend([
                     port("in_ready", Role::InReady, None, "a sample is taken if it is valid, at an enabled clock"),
-                    port("in_begin", Role::Operand, address, "word of the table with the sample's first lights"),
-                    port("in_end", Role::Operand, address, "word with its last; the table goes on at 0 behind its end"),
+                    port(FIRST_WORD, Role::Operand, address, "word of the table with the sample's first lights"),
+                    port(
+                        LAST_WORD,
+                        Role::Operand,
+                        address,
+                        "word with its last; the table goes on at 0 behind its end",
+                    ),
                 ]),
                 Role::OutValid => {
                     if self.spec.light_source == LightSource::Table {

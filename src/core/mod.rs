@@ -21,6 +21,7 @@ pub use image::{ImageDesign, ImageError};
 pub use measure::{Measured, Sweep};
 
 pub use layout::Layout;
+pub(crate) use lights::{FIRST_WORD, LAST_WORD};
 pub use lobe::{LobeDesign, OtherForm};
 pub use port::{Direction, Port, Role, WritePort};
 pub use shader::ShaderDesign;

@@ -26,12 +26,20 @@
 //! The enable is 1 at every clock that follows one at which the sink was ready or nothing was at the pipeline's end. So
 //! one beat a clock passes, no stall leaves a bubble behind, and bubbles at the pipeline's end give way while the sink
 //! is not ready.
+//!
+//! # Tables of lights
+//!
+//! A sample stays in front of a table of lights for as many clocks as it has words, so that `s_axis_tready` is low until
+//! the last of them is read: it is the enable and what the table says, both from registers. `tlast` and `tuser` need no
+//! queue, as samples leave in the order in which they came, each a latency behind its last word: in front they stay with
+//! the sample, and from there on they go with each of its words.
 
 use askama::Template;
 use num_bigint::BigUint;
 
 use super::testbench::RandomPart;
 use super::{Direction, Port, Role, Texts, names, render};
+use crate::core::{FIRST_WORD, LAST_WORD};
 use crate::fixed::Format;
 use crate::platform::error::Error;
 use crate::spec::Language;
@@ -162,11 +170,14 @@ pub struct Axis {
     pub writes: Vec<Port>,
     /// The bits of `tuser`.
     pub tuser_bits: u32,
-    /// The core's latency, and the wrapper's, in clocks at which nothing waits.
+    /// The core's latency, and the wrapper's, in clocks at which nothing waits; of a sample of one word.
     pub latency: u32,
     /// Whether what it is around takes the lights of a sample in sequence: `tlast` ends a sample, and a result is a
     /// packet of its own.
     pub sequenced: bool,
+    /// The places of a sample's first and last word where it is around a table of lights: a beat is a sample, and the
+    /// table says when it takes one.
+    pub words: Option<[Lane; 2]>,
 }
 
 impl Axis {
@@ -175,16 +186,25 @@ impl Axis {
     pub fn of(name: String, texts: &Texts, latency: u32, tuser_bits: u32) -> Self {
         let writes = texts.ports.iter().filter(|port| port.role == Role::Write).cloned().collect();
         let numbers = |direction: Direction| Packing::of(texts.ports.iter().filter(|port| port.carries(direction)));
+        let inputs = numbers(Direction::In);
+        let lane = |name: &str| inputs.lanes.iter().find(|lane| lane.port.name == name).cloned();
         Self {
             name,
             header: Vec::new(),
-            inputs: numbers(Direction::In),
+            words: lane(FIRST_WORD).zip(lane(LAST_WORD)).map(Into::into),
+            inputs,
             outputs: numbers(Direction::Out),
             writes,
             tuser_bits,
             latency,
             sequenced: texts.ports.iter().any(|port| port.role == Role::InLast),
         }
+    }
+
+    /// Whether a beat is a sample that a table of lights takes.
+    #[must_use]
+    pub fn takes_samples(&self) -> bool {
+        self.words.is_some()
     }
 
     /// The ports, in the order of their declaration.
@@ -207,12 +227,17 @@ impl Axis {
         } else {
             ["goes with the beat", "as it came with the beat", "as it came with the beat"]
         };
+        let tready = if self.takes_samples() {
+            "the beat is taken; from registers"
+        } else {
+            "the beat is taken; from a register"
+        };
         let mut ports = vec![
             port("aclk", input, None, "clock; everything happens on its rising edge"),
             port("aresetn", input, None, "synchronous reset, active low: every beat under way is dropped"),
             port("s_axis_tdata", input, Some(self.inputs.tdata_bits()), "the core's inputs, packed"),
             port("s_axis_tvalid", input, None, "a beat is offered"),
-            port("s_axis_tready", output, None, "the beat is taken; from a register"),
+            port("s_axis_tready", output, None, tready),
             port("s_axis_tlast", input, None, tlast),
             port("s_axis_tuser", input, Some(self.tuser_bits), "goes with the beat"),
         ];
@@ -250,6 +275,11 @@ impl Axis {
         self.tuser_bits * (self.latency - 1)
     }
 
+    /// The bits of the first stage among them, in Verilog.
+    fn newest_user(&self) -> String {
+        range(0, self.tuser_bits)
+    }
+
     /// The bits of the last stage among them, in Verilog.
     fn oldest_user(&self) -> String {
         range(self.user_low(), self.tuser_bits)
@@ -269,6 +299,22 @@ impl Axis {
     /// The bits of a beat with the padding of tdata.
     pub(super) fn wide_beat_bits(&self) -> u32 {
         self.outputs.tdata_bits() + 1 + self.tuser_bits
+    }
+
+    /// The words of the sample that is offered, in Verilog; only of a wrapper whose beats are samples.
+    pub(super) fn words_of_beat(&self) -> String {
+        self.words.as_ref().map_or(String::new(), |[first, last]| {
+            let [first_bits, last_bits] = [first, last].map(|lane| format!("s_axis_tdata[{}]", lane.range()));
+            format!("{{{}'d0, {last_bits} - {first_bits}}} + 1", 32 - first.bits)
+        })
+    }
+
+    /// The same in VHDL.
+    pub(super) fn vhdl_words_of_beat(&self) -> String {
+        self.words.as_ref().map_or(String::new(), |lanes| {
+            let [first, last] = lanes.each_ref().map(|lane| format!("unsigned(s_axis_tdata({}))", lane.downto()));
+            format!("to_integer({last} - {first}) + 1")
+        })
     }
 
     /// The parts of s_axis_tdata that a random number fills each.

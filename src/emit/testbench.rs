@@ -6,6 +6,7 @@ use super::{Axis, Direction, Lane, Layout, LightTable, Port, RomFile, Sequencer,
 use crate::block::CHANNELS;
 use crate::block::lights::Sums;
 use crate::core::golden::Vector;
+use crate::core::{FIRST_WORD, LAST_WORD};
 use crate::platform::error::Error;
 use crate::spec::{Language, VhdlPorts};
 
@@ -117,8 +118,8 @@ pub enum Wrapper<'a> {
     Sequencer(&'a Sequencer),
     /// Its table of lights.
     Table(&'a LightTable),
-    /// Its wrapper with AXI4-Stream interfaces, around the sequencer if it has one.
-    Axis(&'a Axis, Option<&'a Sequencer>),
+    /// Its wrapper with AXI4-Stream interfaces, around the sequencer or the table of lights if it has one.
+    Axis(&'a Axis, Option<&'a Sequencer>, Option<&'a LightTable>),
 }
 
 /// Bits of a vector that a random number of 32 bits fills, or its low bits do.
@@ -211,6 +212,37 @@ impl Bench<'_> {
         if self.counts_lights() { number } else { "1" }
     }
 
+    /// Clocks without a beat after which a wrapper is stuck: all words of the table may be a sample's.
+    fn patience(&self) -> u32 {
+        2000 + self.table.as_ref().map_or(0, |table| table.depth)
+    }
+
+    /// Whether what is offered in a lane is where the bench has written the sample's lights, and not in the vector: then
+    /// the number of the word.
+    fn written_word(&self, lane: &Lane) -> Option<[&'static str; 2]> {
+        match lane.port.name.as_str() {
+            _ if self.written_table().is_none() => None,
+            FIRST_WORD => Some(["begins_at", "begins_at"]),
+            LAST_WORD => Some(["written", "begins_at + words - 1"]),
+            _ => None,
+        }
+    }
+
+    /// What is offered in a lane for the vector that was read last, in Verilog.
+    fn offered(&self, lane: &Lane) -> String {
+        let of_table = self.written_word(lane).map(|[word, _]| format!("{word}[{}:0]", lane.bits - 1));
+        of_table.unwrap_or_else(|| format!("file_{}", lane.port.name))
+    }
+
+    /// The same in VHDL.
+    fn vhdl_offered(&self, lane: &Lane) -> String {
+        let of_table = self.written_word(lane);
+        of_table.map_or_else(
+            || format!("file_{}", lane.port.name),
+            |[_, word]| format!("std_logic_vector(to_unsigned({word}, {}))", lane.bits),
+        )
+    }
+
     /// The type of a port of the core in VHDL.
     fn vector(&self, sign: &'static str) -> &'static str {
         self.vhdl_ports.vector(sign)
@@ -291,10 +323,11 @@ pub fn test_bench(
     let (sequencer, table, axis) = match wrapper {
         Wrapper::None => (None, None, None),
         Wrapper::Sequencer(sequencer) => (Some(sequencer), None, None),
-        // What goes through one that is not written is compared as it is.
-        Wrapper::Table(table) => (Some(&table.sequencer).filter(|_| table.words.is_none()), Some(table), None),
-        Wrapper::Axis(axis, sequencer) => (sequencer, None, Some(axis)),
+        Wrapper::Table(table) => (Some(&table.sequencer), Some(table), None),
+        Wrapper::Axis(axis, sequencer, table) => (sequencer, table, Some(axis)),
     };
+    // What goes through a table that is not written is compared as it is.
+    let sequencer = sequencer.filter(|_| table.is_none_or(|table| table.words.is_none()));
     let (name, header) = match (table, sequencer) {
         (Some(LightTable { name, header, .. }), _) | (None, Some(Sequencer { name, header, .. })) => (name, header),
         (None, None) => (&texts.name, &texts.header),

@@ -199,11 +199,6 @@ impl SpecFields {
             "light_source is given for a shader that takes all lights of a sample at once",
             "give lights_a_clock as well, or leave light_source out"
         );
-        refuse!(
-            source != LightSource::Port && self.axi_stream == Some(true),
-            "axi_stream is given for a core with a table of lights",
-            "light_source = \"port\", whose lights are the beats of the stream"
-        );
         let given = self.light_records.as_ref().is_some_and(|records| !records.0.is_empty());
         refuse!(
             given && source != LightSource::Rom,

@@ -20,6 +20,7 @@ module stream (
 
     localparam LATENCY = {{ axis.latency }};
     localparam USER    = {{ axis.tuser_bits }};
+    localparam WAIT    = {% if let Some([first, last]) = axis.words %}{{ first.bits + 9 }}{% else %}8{% endif %};
 
     wire s_tready, m_tvalid, m_tlast;
     wire [{{ axis.outputs.tdata_bits() - 1 }}:0] m_tdata;
@@ -43,7 +44,19 @@ module stream (
     );
 
     // ===== The wrapper's state
+{%- if let Some([first, last]) = axis.words %}
+    localparam BITS = {{ first.bits }};
+    // The table's stages in front of the sequencer's.
+    wire busy;
+    wire read_valid;
+    wire read_last;
+    wire [BITS-1:0] word;
+    wire [BITS-1:0] until_word;
+    wire [LATENCY:3] sequencer_valid;
+    wire [LATENCY:1] valid = {sequencer_valid, read_valid & read_last, busy};
+{%- else %}
     wire [LATENCY:1] valid;
+{%- endif %}
     wire ready;
     wire skid_valid;
 {%- if !axis.sequenced %}
@@ -69,6 +82,15 @@ module stream (
     reg was_reset, was_full, was_waiting, sink_was_ready;
     reg [USER+{{ axis.outputs.tdata_bits() }}:0] was_shown;
     reg [7:0] under_way;
+{%- if let Some([first, last]) = axis.words %}
+    // The words of the sample in front that are still to be read, and those of the offered one
+    // besides its first.
+    reg [BITS:0] left;
+    wire [BITS-1:0] more = s_tdata[{{ last.range() }}] - s_tdata[{{ first.range() }}];
+    wire free = left <= 1;
+{%- else %}
+    wire free = 1'b1;
+{%- endif %}
     wire full = under_way == LATENCY + 1;
 
     // ===== The picked beat
@@ -78,7 +100,9 @@ module stream (
     reg has_result; // the core has shown its result, which is
     reg [{{ axis.outputs.bits - 1 }}:0] picked_result;
     reg [7:0] ahead;
-    reg [7:0] waited; // clocks at which the sink was ready since it was accepted
+    // Clocks at which the sink was ready since it was accepted, and those for its words.
+    reg [WAIT-1:0] waited;
+    reg [WAIT-1:0] taken_by_words;
     // The stage that it is in, a bit each; the last stands for the skid register.
     reg [LATENCY+1:1] place;
     wire chosen = accept & pick & ~picked;
@@ -102,7 +126,13 @@ module stream (
             picked <= 1'b0;
             place <= 0;
             in_front <= 0;
+{%- if axis.takes_samples() %}
+            left <= 0;
+{%- endif %}
         end else begin
+{%- if axis.takes_samples() %}
+            if (ready) left <= accept ? {1'b0, more} + 1'b1 : left == 0 ? 0 : left - 1'b1;
+{%- endif %}
             under_way <= under_way + {7'd0, accept} - {7'd0, take};
             if (chosen) begin
                 picked <= 1'b1;
@@ -110,11 +140,12 @@ module stream (
                 picked_user <= s_tuser;
                 has_result <= 1'b0;
                 ahead <= under_way - {7'd0, take};
-                waited <= 8'd0;
+                waited <= 0;
+                taken_by_words <= {% if axis.takes_samples() %}more{% else %}0{% endif %};
             end else if (picked) begin
                 if (take & ahead == 8'd0) picked <= 1'b0;
                 if (take) ahead <= ahead - 8'd1;
-                if (m_tready) waited <= waited + 8'd1;
+                if (m_tready) waited <= waited + 1'b1;
                 if (place[LATENCY]) begin
                     has_result <= 1'b1;
                     picked_result <= result;
@@ -122,8 +153,15 @@ module stream (
             end
             for (i = 1; i <= LATENCY; i = i + 1)
                 in_front[8*(i-1) +: 8] <=
-                    (ready ? beyond[8*(i-1) +: 8] : beyond[8*i +: 8]) - {7'd0, take};
+                    (ready & (i != 1 | free) ? beyond[8*(i-1) +: 8] : beyond[8*i +: 8]) - {7'd0, take};
+{%- if axis.takes_samples() %}
+            // In front it stays until the last of its words is read.
+            if (ready)
+                place <= {place[LATENCY:2], place[1] & free, chosen | place[1] & ~free}
+                    & {m_tvalid & ~m_tready, {LATENCY{1'b1}}};
+{%- else %}
             if (ready) place <= {place[LATENCY:1], chosen} & {m_tvalid & ~m_tready, {LATENCY{1'b1}}};
+{%- endif %}
             else if (m_tready) place[LATENCY+1] <= 1'b0;
         end
     end
@@ -148,9 +186,9 @@ module stream (
             tdata_stays_with_its_beat: assert (m_tdata == (has_result ? picked_result : result));
         end
         // So none is lost: it is there when the sink has been ready as often as there are places.
-        if (picked) a_beat_comes_in_time: assert (waited <= LATENCY + 1);
-        // Full throughput.
-        if (sink_was_ready) the_source_waits_for_the_sink_only: assert (s_tready);
+        if (picked) a_beat_comes_in_time: assert (waited <= LATENCY + 1 + taken_by_words);
+        // Full throughput{% if axis.takes_samples() %}: the next sample is taken with the last word of the one before{% endif %}.
+        if (sink_was_ready) the_source_waits_for_the_sink_only: assert (s_tready == free);
         if (under_way >= LATENCY) a_full_pipeline_gives_a_beat: assert (m_tvalid);
         // The core's operands are in their places.
 {%- for lane in axis.inputs.lanes %}
@@ -165,6 +203,12 @@ module stream (
             assert (beyond[8*(i-1) +: 8] <= LATENCY + 2 - i);
             if (~m_tvalid) assert (beyond[8*(i-1) +: 8] <= LATENCY - i);
         end
+{%- if axis.takes_samples() %}
+        state_of_the_source: assert (s_tready == (ready & free));
+        state_of_the_sample: assert (busy == (left != 0));
+        if (left != 0)
+            state_of_its_words: assert (until_word == word + left[BITS-1:0] - 1'b1 & left <= {1'b1, {BITS{1'b0}}});
+{%- endif %}
         state_of_the_picked_beat: assert (
             picked == |place & (place & (place - 1'b1)) == 0 & (place & ~{skid_valid, valid}) == 0);
 {%- if axis.sequenced %}
@@ -172,7 +216,9 @@ module stream (
 {%- endif %}
         if (picked) begin
             if (place[LATENCY+1]) state_of_the_order: assert (ahead == 8'd0);
-            state_of_the_wait: assert (waited + {7'd0, ~ready} <= position);
+            state_of_the_wait: assert (
+                waited + { {(WAIT-1){1'b0}}, ~ready}
+{%- if axis.takes_samples() %} + (place[1] ? left - 1'b1 : 0){% endif %} <= position + taken_by_words);
             if (place[LATENCY+1])
                 state_of_the_skidded_beat: assert (has_result & skid == {picked_user, picked_last, picked_result});
             else if (has_result)
@@ -187,6 +233,10 @@ module stream (
         cover (take & picked & ahead == 8'd0 & place[LATENCY+1]);
         cover (take & picked & ahead == 8'd0 & place[LATENCY]);
         cover (was_reset & was_full);
+{%- if axis.takes_samples() %}
+        cover (take & picked & ahead == 8'd0 & taken_by_words != 0);
+        cover (accept & place[1] & left == 1 & taken_by_words != 0);
+{%- endif %}
     end
 
 endmodule

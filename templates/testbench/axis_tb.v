@@ -35,6 +35,11 @@ module {{ axis.name }}_tb;
     reg  [{{ write.address_bits - 1 }}:0] {{ write.address }} = 0;
     reg  [{{ write.data_bits - 1 }}:0] {{ write.data }} = 0;
 {%- endfor %}
+{%- if let Some(table) = bench.written_table() %}
+    reg  lights_en = 1'b0;
+    reg  [{{ table.address_bits - 1 }}:0] lights_addr = 0;
+    reg  [{{ table.word_bits - 1 }}:0] lights_data = 0;
+{%- endif %}
     wire [{{ axis.outputs.tdata_bits() - 1 }}:0] m_axis_tdata;
     wire m_axis_tvalid;
     reg  m_axis_tready = 1'b0;
@@ -58,6 +63,11 @@ module {{ axis.name }}_tb;
         .{{ write.address }}({{ write.address }}),
         .{{ write.data }}({{ write.data }}),
 {%- endfor %}
+{%- if bench.written_table().is_some() %}
+        .lights_en(lights_en),
+        .lights_addr(lights_addr),
+        .lights_data(lights_data),
+{%- endif %}
         .m_axis_tdata(m_axis_tdata),
         .m_axis_tvalid(m_axis_tvalid),
         .m_axis_tready(m_axis_tready),
@@ -75,8 +85,11 @@ module {{ axis.name }}_tb;
     localparam PLACES = LATENCY + 2;
     reg [BEAT-1:0] due        [0:PLACES-1];
     integer        due_number [0:PLACES-1]; // 0: not a vector of the file
-{%- if bench.sums.is_some() %}
+{%- if bench.counts_lights() %}
     integer        due_lights [0:PLACES-1]; // vectors of the sample
+{%- endif %}
+{%- if bench.table.is_some() %}
+    integer        due_clock  [0:PLACES-1]; // when it is taken if nothing waits
 {%- endif %}
     integer        oldest    = 0;
     integer        under_way = 0;
@@ -85,12 +98,26 @@ module {{ axis.name }}_tb;
     reg [{{ axis.outputs.tdata_bits() - 1 }}:0] expected = 0;
     integer     number     = 0;
 {%- if bench.sums.is_some() %}
+{%- if bench.counts_lights() %}
     reg         in_last    = 1'b0; // the sample ends
+{%- endif %}
 {%- for port in bench.results %}
     reg {{ bench.ranged(port.range) }} expected_{{ port.name }} = 0;
 {%- endfor %}
 {%- endif %}
     reg         sink_ready = 1'b0;
+{%- if bench.table.is_some() %}
+
+    // The sample whose words are read.
+    integer remaining = 0;    // words that are still to be read
+    reg     moves     = 1'b0; // nothing waits: a word is read at this clock
+    reg     timed     = 1'b0; // nothing ever waits: samples come when they must
+{%- endif %}
+{%- if bench.written_table().is_some() %}
+
+    // The sample that is offered next.
+{% include "testbench/sample_state.v" %}
+{%- endif %}
 
     // How often, of eight clocks, the source offers a beat and the sink takes one.
     reg [3:0]   source_rate = 4'd8;
@@ -108,8 +135,10 @@ module {{ axis.name }}_tb;
     integer        mismatches   = 0;
     integer        clocks       = 0;
     integer        quiet        = 0; // clocks since a beat was accepted or taken
+{%- if bench.table.is_none() %}
     integer        first_in     = 0; // the clock at which the first vector was accepted,
     integer        last_out     = 0; // and that at which the last was taken
+{%- endif %}
 {%- if !bench.writes.is_empty() %}
 
     // ---------------------------------------------------------------------- loading
@@ -145,10 +174,17 @@ module {{ axis.name }}_tb;
                 fault("a beat went before it was taken");
             else if (held && shown !== held_beat)
                 fault("a beat changed before it was taken");
+{%- if bench.table.is_some() %}
+            // Full throughput: the source never waits for more than the sink and the last word of
+            // the sample before, and a full pipeline has a beat to give at every clock.
+            if (was_ready && s_axis_tready !== (remaining <= 1))
+                fault("s_axis_tready is not as the words and the sink have it");
+{%- else %}
             // Full throughput: the source never waits for more than the sink, and a full
             // pipeline has a beat to give at every clock.
             if (was_ready && s_axis_tready !== 1'b1)
                 fault("s_axis_tready is low, and the sink was ready");
+{%- endif %}
             if (under_way >= LATENCY && m_axis_tvalid !== 1'b1)
                 fault("a full pipeline gives no beat");
             if (m_axis_tvalid === 1'b1) begin
@@ -198,21 +234,31 @@ module {{ axis.name }}_tb;
             quiet  = quiet + 1;
             if (taken && under_way != 0)
                 take;
-{%- if bench.sums.is_some() %}
+{%- if bench.table.is_some() %}
+            if (moves && remaining != 0)
+                remaining = remaining - 1;
+            if (accepted)
+                remaining = {{ axis.words_of_beat() }};
+            moves = aresetn && !held;
+{%- endif %}
+{%- if bench.counts_lights() %}
             if (accepted && number == 1)
                 first_in = clocks;
             if (accepted)
                 quiet = 0;
 {%- endif %}
-            if (accepted{% if bench.sums.is_some() %} && s_axis_tlast{% endif %})
+            if (accepted{% if bench.counts_lights() %} && s_axis_tlast{% endif %})
                 accept;
             if (!aresetn) begin
                 known     = 1'b1;
                 under_way = 0;
+{%- if bench.table.is_some() %}
+                remaining = 0;
+{%- endif %}
             end
             #5;
             aclk = 1'b0;
-            if (quiet > 2000) begin
+            if (quiet > {{ bench.patience() }}) begin
                 $display("brdfgen: %0s: clock %0d: nothing moves any more", NAME, clocks);
                 failed = 1'b1;
                 conclude;
@@ -224,8 +270,14 @@ module {{ axis.name }}_tb;
         begin
             if (due_number[oldest] > 0) begin
                 compared = compared + {{ bench.lights("due_lights[oldest]") }};
+{%- if bench.table.is_none() %}
                 last_out = clocks;
+{%- endif %}
             end
+{%- if bench.table.is_some() %}
+            if (timed && clocks != due_clock[oldest])
+                fault("a sample comes at another clock than its words have it");
+{%- endif %}
 {%- if !bench.writes.is_empty() %}
             if (due_number[oldest] < 0)
                 complements_compared = complements_compared + 1;
@@ -243,12 +295,15 @@ module {{ axis.name }}_tb;
             if (under_way < PLACES) begin
                 due[(oldest + under_way) % PLACES]        = {s_axis_tuser, s_axis_tlast, expected};
                 due_number[(oldest + under_way) % PLACES] = number;
-{%- if bench.sums.is_some() %}
+{%- if bench.counts_lights() %}
                 due_lights[(oldest + under_way) % PLACES] = lights;
+{%- endif %}
+{%- if bench.table.is_some() %}
+                due_clock[(oldest + under_way) % PLACES]  = clocks + LATENCY - 1 + remaining;
 {%- endif %}
                 under_way = under_way + 1;
             end
-{%- if bench.sums.is_none() %}
+{%- if bench.table.is_none() && !bench.counts_lights() %}
             if (number == 1)
                 first_in = clocks;
 {%- endif %}
@@ -280,6 +335,14 @@ module {{ axis.name }}_tb;
             {{ write.data }}[{{ part.high }}:{{ part.low }}] = lfsr[{{ part.top() }}:0];
 {%- endfor %}
 {%- endfor %}
+{%- if let Some(table) = bench.written_table() %}
+            lights_en = 1'b0;
+            draw;
+            lights_addr = lfsr[{{ table.address_bits - 1 }}:0];
+{%- for part in table.parts() %}
+            lights_data[{{ part.high }}:{{ part.low }}] = lfsr[{{ part.top() }}:0];
+{%- endfor %}
+{%- endif %}
             s_axis_tvalid = valid;
             number = 0;
         end
@@ -293,9 +356,13 @@ module {{ axis.name }}_tb;
     endtask
 
 {% include "testbench/lights.v" %}
+{%- include "testbench/sample.v" %}
 
     // Offers the vector that was read last until it is accepted; before it, as many idle clocks as
-    // the source's rate gives. What no port takes of tdata is random, and so {% if bench.sums.is_some() %}is tuser{% else %}are tlast and tuser{% endif %}.
+    // the source's rate gives. What no port takes of tdata is random, and so {% if bench.counts_lights() %}is tuser{% else %}are tlast and tuser{% endif %}.
+{%- if bench.written_table().is_some() %}
+    // Its light is written before, while the sample before may still be read.
+{%- endif %}
     task send;
         input integer of_number;
         begin
@@ -304,12 +371,24 @@ module {{ axis.name }}_tb;
                 idle_clock;
                 draw;
             end
+{%- if bench.written_table().is_some() %}
+            choose_words;
+            for (written = begins_at; written < begins_at + words; written = written + 1) begin
+                present_garbage(1'b0);
+                present_light;
+                clock;
+            end
+            written = written - 1;
+{%- endif %}
             present_garbage(1'b1);
 {%- for lane in axis.inputs.lanes %}
-            s_axis_tdata[{{ lane.range() }}] = file_{{ lane.port.name }};
+            s_axis_tdata[{{ lane.range() }}] = {{ bench.offered(lane) }};
 {%- endfor %}
             expected = 0;
-{%- if bench.sums.is_some() %}
+{%- if bench.written_table().is_some() %}
+            add_words;
+{%- endif %}
+{%- if bench.counts_lights() %}
             choose_last;
             if (of_number < 0)
                 in_last = 1'b1;
@@ -427,6 +506,9 @@ module {{ axis.name }}_tb;
             count       = 0;
             vectors     = 0;
             compared    = 0;
+{%- if bench.table.is_some() %}
+            timed       = ~stalls;
+{%- endif %}
             file = $fopen(path, "r");
             if (file == 0) begin
                 $display("brdfgen: %0s: cannot open %0s", NAME, path);
@@ -446,11 +528,13 @@ module {{ axis.name }}_tb;
                     $display("brdfgen: %0s: the file announces %0d vectors", NAME, count);
                     failed = 1'b1;
                 end
+{%- if bench.table.is_none() %}
                 if (!failed && !stalls && last_out - first_in != count - 1 + LATENCY) begin
                     $display("brdfgen: %0s: %0d vectors took %0d clocks without a stall, not %0d",
                              NAME, count, last_out - first_in, count - 1 + LATENCY);
                     failed = 1'b1;
                 end
+{%- endif %}
             end
         end
     endtask

@@ -48,6 +48,11 @@ architecture bench of {{ axis.name }}_tb is
     signal {{ write.address }} : std_logic_vector({{ write.address_bits - 1 }} downto 0) := (others => '0');
     signal {{ write.data }} : std_logic_vector({{ write.data_bits - 1 }} downto 0) := (others => '0');
 {%- endfor %}
+{%- if let Some(table) = bench.written_table() %}
+    signal lights_en : std_logic := '0';
+    signal lights_addr : std_logic_vector({{ table.address_bits - 1 }} downto 0) := (others => '0');
+    signal lights_data : std_logic_vector({{ table.word_bits - 1 }} downto 0) := (others => '0');
+{%- endif %}
     signal m_axis_tdata  : output_word;
     signal m_axis_tvalid : std_logic;
     signal m_axis_tready : std_logic := '0';
@@ -78,6 +83,11 @@ begin
             {{ write.address }} => {{ bench.driven("unsigned", write.address) }},
             {{ write.data }} => {{ bench.driven("unsigned", write.data) }},
 {%- endfor %}
+{%- if bench.written_table().is_some() %}
+            lights_en => lights_en,
+            lights_addr => {{ bench.driven("unsigned", "lights_addr") }},
+            lights_data => {{ bench.driven("unsigned", "lights_data") }},
+{%- endif %}
             m_axis_tdata  => m_axis_tdata,
             m_axis_tvalid => m_axis_tvalid,
             m_axis_tready => m_axis_tready,
@@ -95,8 +105,11 @@ begin
         type entry is record
             beat   : beat_word;
             number : integer; -- 0: not a vector of the file
-{%- if bench.sums.is_some() %}
+{%- if bench.counts_lights() %}
             lights : natural; -- vectors of the sample
+{%- endif %}
+{%- if bench.table.is_some() %}
+            clock  : natural; -- when it is taken if nothing waits
 {%- endif %}
         end record;
         type ring is array (0 to PLACES - 1) of entry;
@@ -110,12 +123,26 @@ begin
         variable number     : integer := 0;
         variable sink_ready : boolean := false;
 {%- if bench.sums.is_some() %}
+{%- if bench.counts_lights() %}
         variable ends       : boolean := false; -- the sample ends
+{%- endif %}
 {%- for port in bench.results %}
         variable expected_{{ port.name }} : {{ port.name }}_word := (others => '0');
 {%- endfor %}
 {%- endif %}
 {%- include "testbench/lights_state.vhd" %}
+{%- if bench.table.is_some() %}
+
+        -- The sample whose words are read.
+        variable remaining : natural := 0;     -- words that are still to be read
+        variable moves     : boolean := false; -- nothing waits: a word is read at this clock
+        variable timed     : boolean := false; -- nothing ever waits: samples come when they must
+{%- endif %}
+{%- if bench.written_table().is_some() %}
+
+        -- The sample that is offered next.
+{% include "testbench/sample_state.vhd" %}
+{%- endif %}
 
         -- How often, of eight clocks, the source offers a beat and the sink takes one.
         variable source_rate : natural := 8;
@@ -133,8 +160,10 @@ begin
         variable mismatches   : natural := 0;
         variable clocks       : natural := 0;
         variable quiet        : natural := 0; -- clocks since a beat was accepted or taken
+{%- if bench.table.is_none() %}
         variable first_in     : natural := 0; -- the clock at which the first vector was accepted,
         variable last_out     : natural := 0; -- and that at which the last was taken
+{%- endif %}
 {%- if !bench.writes.is_empty() %}
 
         -- ------------------------------------------------------------------ loading
@@ -216,11 +245,19 @@ begin
             elsif held and beat /= held_beat then
                 fault("a beat changed before it was taken");
             end if;
+{%- if bench.table.is_some() %}
+            -- Full throughput: the source never waits for more than the sink and the last word of
+            -- the sample before, and a full pipeline has a beat to give at every clock.
+            if was_ready and (s_axis_tready = '1') /= (remaining <= 1) then
+                fault("s_axis_tready is not as the words and the sink have it");
+            end if;
+{%- else %}
             -- Full throughput: the source never waits for more than the sink, and a full
             -- pipeline has a beat to give at every clock.
             if was_ready and s_axis_tready /= '1' then
                 fault("s_axis_tready is low, and the sink was ready");
             end if;
+{%- endif %}
             if under_way >= LATENCY and m_axis_tvalid /= '1' then
                 fault("a full pipeline gives no beat");
             end if;
@@ -238,8 +275,15 @@ begin
         begin
             if due(oldest).number > 0 then
                 compared := compared + {{ bench.lights("due(oldest).lights") }};
+{%- if bench.table.is_none() %}
                 last_out := clocks;
+{%- endif %}
             end if;
+{%- if bench.table.is_some() %}
+            if timed and clocks /= due(oldest).clock then
+                fault("a sample comes at another clock than its words have it");
+            end if;
+{%- endif %}
 {%- if !bench.writes.is_empty() %}
             if due(oldest).number < 0 then
                 complements_compared := complements_compared + 1;
@@ -259,12 +303,15 @@ begin
                 place             := (oldest + under_way) mod PLACES;
                 due(place).beat   := s_axis_tuser & s_axis_tlast & expected;
                 due(place).number := number;
-{%- if bench.sums.is_some() %}
+{%- if bench.counts_lights() %}
                 due(place).lights := lights;
+{%- endif %}
+{%- if bench.table.is_some() %}
+                due(place).clock  := clocks + LATENCY - 1 + remaining;
 {%- endif %}
                 under_way         := under_way + 1;
             end if;
-{%- if bench.sums.is_none() %}
+{%- if bench.table.is_none() && !bench.counts_lights() %}
             if number = 1 then
                 first_in := clocks;
             end if;
@@ -298,7 +345,16 @@ begin
             if taken and under_way /= 0 then
                 take;
             end if;
-{%- if bench.sums.is_some() %}
+{%- if bench.table.is_some() %}
+            if moves and remaining /= 0 then
+                remaining := remaining - 1;
+            end if;
+            if accepted then
+                remaining := {{ axis.vhdl_words_of_beat() }};
+            end if;
+            moves := aresetn = '1' and not held;
+{%- endif %}
+{%- if bench.counts_lights() %}
             if accepted and number = 1 then
                 first_in := clocks;
             end if;
@@ -314,10 +370,13 @@ begin
             if aresetn = '0' then
                 known     := true;
                 under_way := 0;
+{%- if bench.table.is_some() %}
+                remaining := 0;
+{%- endif %}
             end if;
             wait for 5 ns;
             aclk <= '0';
-            if quiet > 2000 then
+            if quiet > {{ bench.patience() }} then
                 say("clock " & to_string(clocks) & ": nothing moves any more");
                 failed := true;
                 conclude;
@@ -347,6 +406,14 @@ begin
             {{ write.data }}({{ part.high }} downto {{ part.low }}) <= lfsr({{ part.top() }} downto 0);
 {%- endfor %}
 {%- endfor %}
+{%- if let Some(table) = bench.written_table() %}
+            lights_en <= '0';
+            draw;
+            lights_addr <= lfsr({{ table.address_bits - 1 }} downto 0);
+{%- for part in table.parts() %}
+            lights_data({{ part.high }} downto {{ part.low }}) <= lfsr({{ part.top() }} downto 0);
+{%- endfor %}
+{%- endif %}
             s_axis_tvalid <= valid;
             number := 0;
         end procedure;
@@ -358,11 +425,13 @@ begin
         end procedure;
 
 {% include "testbench/lights.vhd" %}
+{%- include "testbench/sample.vhd" %}
 
         -- Offers the vector that was read last until it is accepted; before it, as many idle
-        -- clocks as the source's rate gives. What no port takes of tdata is random, and so {% if bench.sums.is_some() %}is
+        -- clocks as the source's rate gives. What no port takes of tdata is random, and so {% if bench.counts_lights() %}is
         -- tuser{% else %}are
-        -- tlast and tuser{% endif %}.
+        -- tlast and tuser{% endif %}.{% if bench.written_table().is_some() %} Its light is written before, while the sample before may still
+        -- be read.{% endif %}
         procedure send(of_number : integer) is
         begin
             draw;
@@ -370,12 +439,23 @@ begin
                 idle_clock;
                 draw;
             end loop;
+{%- if bench.written_table().is_some() %}
+            choose_words;
+            for written in begins_at to begins_at + words - 1 loop
+                present_garbage('0');
+                present_light(written);
+                clock;
+            end loop;
+{%- endif %}
             present_garbage('1');
 {%- for lane in axis.inputs.lanes %}
-            s_axis_tdata({{ lane.downto() }}) <= file_{{ lane.port.name }};
+            s_axis_tdata({{ lane.downto() }}) <= {{ bench.vhdl_offered(lane) }};
 {%- endfor %}
             expected := (others => '0');
-{%- if bench.sums.is_some() %}
+{%- if bench.written_table().is_some() %}
+            add_words;
+{%- endif %}
+{%- if bench.counts_lights() %}
             draw;
             ends := of_number < 0 or chosen_last;
             add_lights(ends);
@@ -485,6 +565,9 @@ begin
             count       := 0;
             vectors     := 0;
             compared    := 0;
+{%- if bench.table.is_some() %}
+            timed       := not stalls;
+{%- endif %}
             file_open(status, vector_file, GOLDEN, read_mode);
             if status /= open_ok then
                 say("cannot open " & GOLDEN);
@@ -505,11 +588,13 @@ begin
                 say("the file announces " & to_string(count) & " vectors");
                 failed := true;
             end if;
+{%- if bench.table.is_none() %}
             if not failed and not stalls and last_out - first_in /= count - 1 + LATENCY then
                 say(to_string(count) & " vectors took " & to_string(last_out - first_in)
                     & " clocks without a stall, not " & to_string(count - 1 + LATENCY));
                 failed := true;
             end if;
+{%- endif %}
             if failed then
                 conclude;
             end if;

@@ -111,11 +111,7 @@ module {{ bench.name }}_tb;
     integer remaining = 0; // words of the sample that are still to be read
     reg     accepted  = 1'b0;
 {%- if table.is_written %}
-    integer words;         // of the sample that is presented
-    integer begins_at;     // where they are in the table
-    integer written;
-    reg     in_last   = 1'b0;
-    reg     half      = 1'b0; // the half of the table that is written next
+{% include "testbench/sample_state.v" %}
 {%- endif %}
 {%- endif %}
 
@@ -365,32 +361,21 @@ module {{ bench.name }}_tb;
     endtask
 {%- if bench.sums.is_some() %}
 {% include "testbench/lights.v" %}
+{%- include "testbench/sample.v" %}
 {%- if let Some(table) = bench.table %}
 
-    // Writes the light of the vector that was read last to so many words of one half of the table,
-    // while the sample before may still read the other, and presents it until it is taken: a sample
-    // of that light so many times.
+    // Writes the light of the vector that was read last to the words of a sample, and presents that
+    // until it is taken.
     task feed_sample;
         input integer of_number;
         begin
-            begins_at = half ? {{ table.depth / 2 }} : 0;
-            half      = ~half;
-            words     = 1;
-{%- if table.length_bits() > 0 %}
-            draw;
-            if ((vectors / 32) % 2 == 1)
-                words = { {{- 32 - table.length_bits() }}'d0, lfsr[{{ table.length_bits() - 1 }}:0]} + 1;
-{%- endif %}
+            choose_words;
             for (written = begins_at; written < begins_at + words; written = written + 1) begin
                 random_stalls;
                 present_garbage(1'b0);
                 draw;
                 ce = lfsr[31];
-                lights_en   = 1'b1;
-                lights_addr = written[{{ table.address_bits - 1 }}:0];
-{%- for lane in table.lanes %}
-                lights_data[{{ lane.range() }}] = file_{{ lane.port.name }};
-{%- endfor %}
+                present_light;
                 clock;
                 ce = 1'b1;
             end
@@ -399,11 +384,7 @@ module {{ bench.name }}_tb;
             in_begin = begins_at[{{ table.address_bits - 1 }}:0];
             written  = written - 1;
             in_end   = written[{{ table.address_bits - 1 }}:0];
-            opened   = 1'b0;
-            repeat (words) begin
-                in_last = 1'b0;
-                add_lights;
-            end
+            add_words;
 {%- for port in bench.inputs %}
             {{ port.name }} = file_{{ port.name }};
 {%- endfor %}

@@ -138,7 +138,7 @@ begin
         variable place     : natural;
         variable accepted  : boolean := false;
 {%- if table.is_written %}
-        variable half      : boolean := false; -- the half of the table that is written next
+{% include "testbench/sample_state.vhd" %}
 {%- endif %}
 {%- endif %}
 
@@ -420,35 +420,20 @@ begin
         end procedure;
 {%- if bench.sums.is_some() %}
 {% include "testbench/lights.vhd" %}
+{%- include "testbench/sample.vhd" %}
 {%- if let Some(table) = bench.table %}
 
-        -- Writes the light of the vector that was read last to so many words of one half of the
-        -- table, while the sample before may still read the other, and presents it until it is
-        -- taken: a sample of that light so many times.
+        -- Writes the light of the vector that was read last to the words of a sample, and presents
+        -- that until it is taken.
         procedure feed_sample(of_number : integer) is
-            variable begins_at : natural := 0;
-            variable words     : positive := 1;
         begin
-            if half then
-                begins_at := {{ table.depth / 2 }};
-            end if;
-            half := not half;
-{%- if table.length_bits() > 0 %}
-            draw;
-            if (vectors / 32) mod 2 = 1 then
-                words := to_integer(unsigned(lfsr({{ table.length_bits() - 1 }} downto 0))) + 1;
-            end if;
-{%- endif %}
+            choose_words;
             for written in begins_at to begins_at + words - 1 loop
                 random_stalls;
                 present_garbage('0');
                 draw;
                 ce <= lfsr(31);
-                lights_en   <= '1';
-                lights_addr <= std_logic_vector(to_unsigned(written, {{ table.address_bits }}));
-{%- for lane in table.lanes %}
-                lights_data({{ lane.downto() }}) <= file_{{ lane.port.name }};
-{%- endfor %}
+                present_light(written);
                 clock;
                 ce <= '1';
             end loop;
@@ -456,10 +441,7 @@ begin
             present_garbage('1');
             in_begin <= std_logic_vector(to_unsigned(begins_at, {{ table.address_bits }}));
             in_end   <= std_logic_vector(to_unsigned(begins_at + words - 1, {{ table.address_bits }}));
-            opened   := false;
-            for i in 1 to words loop
-                add_lights(false);
-            end loop;
+            add_words;
 {%- for port in bench.inputs %}
             {{ port.name }} <= file_{{ port.name }};
 {%- endfor %}

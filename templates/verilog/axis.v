@@ -14,9 +14,13 @@ module {{ axis.name }}
 );
 
     // ===== The core
-    // The enable of the whole pipeline and the source's tready: a register.
+    // The enable of the whole pipeline{% if !axis.takes_samples() %} and the source's tready{% endif %}: a register.
     reg ready;
     initial ready = 1'b0;
+{%- if axis.takes_samples() %}
+    // Whether the table takes a sample: it reads the last word of the one before, or none.
+    wire in_ready;
+{%- endif %}
     wire out_valid;
 {%- for lane in axis.outputs.lanes %}
     wire [{{ lane.bits - 1 }}:0] {{ lane.port.name }};
@@ -26,6 +30,9 @@ module {{ axis.name }}
         .{{ axis.padded("rst") }} (~aresetn),
         .{{ axis.padded("ce") }} (ready),
         .{{ axis.padded("in_valid") }} (s_axis_tvalid),
+{%- if axis.takes_samples() %}
+        .{{ axis.padded("in_ready") }} (in_ready),
+{%- endif %}
 {%- if axis.sequenced %}
         .{{ axis.padded("in_last") }} (s_axis_tlast),
 {%- endif %}
@@ -43,6 +50,9 @@ module {{ axis.name }}
 
 {% if axis.sequenced %}    // ===== tuser, in step with the core's valid chain
 {%- else %}    // ===== tlast and tuser, in step with the core's valid chain
+{%- if axis.takes_samples() %}
+    // In front they are those of the sample whose words are read, and go on with each word.
+{%- endif %}
     reg [{{ axis.latency }}:1] last;
 {%- endif %}
     reg [{{ axis.user_bits() - 1 }}:0] user;
@@ -53,9 +63,9 @@ module {{ axis.name }}
             user <= s_axis_tuser;
 {%- else %}
 {%- if !axis.sequenced %}
-            last <= {last[{{ axis.latency - 1 }}:1], s_axis_tlast};
+            last <= {last[{{ axis.latency - 1 }}:1], {% if axis.takes_samples() %}in_ready ? s_axis_tlast : last[1]{% else %}s_axis_tlast{% endif %}};
 {%- endif %}
-            user <= {user[{{ axis.user_low() - 1 }}:0], s_axis_tuser};
+            user <= {user[{{ axis.user_low() - 1 }}:0], {% if axis.takes_samples() %}in_ready ? s_axis_tuser : user[{{ axis.newest_user() }}]{% else %}s_axis_tuser{% endif %}};
 {%- endif %}
         end
     end
@@ -91,7 +101,7 @@ module {{ axis.name }}
     // 0 while there is no beat: until one has passed them, the core's registers are unknown.
     wire [{{ axis.beat_bits() - 1 }}:0] shown =
         skid_valid ? skid : out_valid ? beat : {{ axis.beat_bits() }}'d0;
-    assign s_axis_tready = ready;
+    assign s_axis_tready = ready{% if axis.takes_samples() %} & in_ready{% endif %};
     assign m_axis_tvalid = skid_valid | out_valid;
     assign m_axis_tdata = {% if axis.outputs.padding() > 0 %}{ {{- axis.outputs.padding() }}'d0, shown[{{ axis.outputs.bits - 1 }}:0]}{% else %}shown[{{ axis.outputs.bits - 1 }}:0]{% endif %};
     assign m_axis_tlast = shown[{{ axis.outputs.bits }}];

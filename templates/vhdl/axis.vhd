@@ -18,8 +18,12 @@ end entity {{ axis.name }};
 
 architecture rtl of {{ axis.name }} is
 
-    -- The enable of the whole pipeline and the source's tready: a register.
+    -- The enable of the whole pipeline{% if !axis.takes_samples() %} and the source's tready{% endif %}: a register.
     signal ready      : std_logic := '0';
+{%- if axis.takes_samples() %}
+    -- Whether the table takes a sample: it reads the last word of the one before, or none.
+    signal in_ready   : std_logic := '0';
+{%- endif %}
     signal rst        : std_logic := '0';
     signal out_valid  : std_logic := '0';
 {%- for lane in axis.outputs.lanes %}
@@ -49,6 +53,9 @@ begin
             {{ axis.padded("rst") }} => rst,
             {{ axis.padded("ce") }} => ready,
             {{ axis.padded("in_valid") }} => s_axis_tvalid,
+{%- if axis.takes_samples() %}
+            {{ axis.padded("in_ready") }} => in_ready,
+{%- endif %}
 {%- if axis.sequenced %}
             {{ axis.padded("in_last") }} => s_axis_tlast,
 {%- endif %}
@@ -65,6 +72,9 @@ begin
         );
 
     -- ===== {% if !axis.sequenced %}tlast and {% endif %}tuser, in step with the core's valid chain
+{%- if axis.takes_samples() %}
+    -- In front they are those of the sample whose words are read, and go on with each word.
+{%- endif %}
     process (aclk) is
     begin
         if rising_edge(aclk) then
@@ -74,9 +84,21 @@ begin
                 user    <= s_axis_tuser;
 {%- else %}
 {%- if !axis.sequenced %}
+{%- if axis.takes_samples() %}
+                last({{ axis.latency }} downto 2) <= last({{ axis.latency - 1 }} downto 1);
+{%- else %}
                 last <= last({{ axis.latency - 1 }} downto 1) & s_axis_tlast;
 {%- endif %}
+{%- endif %}
+{%- if axis.takes_samples() %}
+                user({{ axis.user_bits() - 1 }} downto {{ axis.tuser_bits }}) <= user({{ axis.user_low() - 1 }} downto 0);
+                if in_ready = '1' then
+                    last(1) <= s_axis_tlast;
+                    user({{ axis.tuser_bits - 1 }} downto 0) <= s_axis_tuser;
+                end if;
+{%- else %}
                 user <= user({{ axis.user_low() - 1 }} downto 0) & s_axis_tuser;
+{%- endif %}
 {%- endif %}
             end if;
         end if;
@@ -118,7 +140,7 @@ begin
     shown <= skid when skid_valid = '1' else
              beat when out_valid = '1' else
              (others => '0');
-    s_axis_tready <= ready;
+    s_axis_tready <= ready{% if axis.takes_samples() %} and in_ready{% endif %};
     m_axis_tvalid <= valid;
     m_axis_tdata  <= {% if axis.outputs.padding() > 0 %}({{ axis.outputs.padding() - 1 }} downto 0 => '0') & {% endif %}shown({{ axis.outputs.bits - 1 }} downto 0);
     m_axis_tlast  <= shown({{ axis.outputs.bits }});

@@ -156,10 +156,13 @@ end architecture;
 #[test]
 fn the_wrappers_outputs_are_known_from_reset_on() {
     // Many stages and one; `tuser` of many bits and of few; a memory that can be written.
+    // A sample of one word each through a table of lights.
+    let samples = "axi_stream = true\nblock = 'shader'\nmethod = 'schlick'\noutput_fraction = 10\ninput_fraction = 8\n\
+                   material = [{ name = 'a', shininess = 9 }]\nlights_a_clock = 1\nlight_source = 'table'";
     let small = SMALL.replace("= 10", "= 7").replace("1..=64", "1..=8");
     let written =
         small.replace("tuser_bits = 3", "tuser_bits = 64\nrom = 'writable'").replace("pipeline = 4", "pipeline = 1");
-    [small.as_str(), SPECS[3], &written].par_iter().for_each(|spec| {
+    [small.as_str(), SPECS[3], &written, samples].par_iter().for_each(|spec| {
         let core = Generated::new(spec);
         let directory = core.on_disk();
         let path = directory.path();
@@ -176,7 +179,7 @@ fn the_wrappers_outputs_are_known_from_reset_on() {
                 .replace("OUT", &axis.outputs.tdata_bits().to_string())
                 .replace("IN", &axis.inputs.tdata_bits().to_string())
         };
-        let said = |program: &str, arguments: &[&str]| {
+        let said = |program: &str, arguments: &[String]| {
             let output = Command::new(program).current_dir(path).args(arguments).output().expect(program);
             let text =
                 format!("{}{}", String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
@@ -192,16 +195,20 @@ fn the_wrappers_outputs_are_known_from_reset_on() {
 
         let verilog = watch(VERILOG_WATCH, [".PORT(1'b0), ", ".PORT(0), ", ".PORT(0),"]);
         std::fs::write(path.join("watch.v"), verilog).expect("written");
-        let (core_file, wrapper) = (format!("rtl/{name}.v"), format!("rtl/{name}_axis.v"));
+        let texts = |language| Part::Axis.rtl_paths(&core.design, language);
+        let with = |before: &[&str], language: Language, watch: &str| {
+            let all = before.iter().map(|&word| word.to_owned()).chain(texts(language));
+            all.chain([watch.to_owned()]).collect::<Vec<_>>()
+        };
         let out = directory.beside("watch.vvp").display().to_string();
-        said("iverilog", &["-g2005", "-o", &out, "-s", "watch", &core_file, &wrapper, "watch.v"]);
-        known(&said("vvp", &["-n", &out]));
+        said("iverilog", &with(&["-g2005", "-o", &out, "-s", "watch"], Language::Verilog, "watch.v"));
+        known(&said("vvp", &["-n".to_owned(), out]));
 
         let vhdl = watch(VHDL_WATCH, ["PORT => '0', ", "PORT => (others => '0'), ", "PORT => (others => '0'),"]);
         std::fs::write(path.join("watch.vhd"), vhdl).expect("written");
-        said("ghdl", &["-a", "--std=08", &format!("{core_file}hd"), &format!("{wrapper}hd"), "watch.vhd"]);
+        said("ghdl", &with(&["-a", "--std=08"], Language::Vhdl, "watch.vhd"));
         // What is unknown at the inputs is not the wrapper's.
-        known(&said("ghdl", &["--elab-run", "--std=08", "watch", "--ieee-asserts=disable"]));
+        known(&said("ghdl", &["--elab-run", "--std=08", "watch", "--ieee-asserts=disable"].map(str::to_owned)));
     });
 }
 

@@ -37,16 +37,20 @@ fn specs() -> Vec<String> {
             .to_owned(),
         format!("{SHADER}lights_a_clock = 1\npipeline = 2\naxi_stream = true\n"),
         "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\nlight_source = 'table'\n\
-         reflectance = { model = 'ggx' }"
+         axi_stream = true\nreflectance = { model = 'ggx' }"
             .to_owned(),
         "block = 'image'\nimages = 4\nimage_size = 8\ntexels = 'writable'\nlights_a_clock = 2\nmost_lights = 5\n\
-         light_source = 'table'\nvhdl_ports = 'std-logic'\nreflectance = { model = 'gold-paint' }"
+         light_source = 'table'\nvhdl_ports = 'std-logic'\naxi_stream = true\ntuser_bits = 40\n\
+         reflectance = { model = 'gold-paint' }"
             .to_owned(),
-        format!("{SHADER}lights_a_clock = 1\nmost_lights = 1\nlight_source = 'table'\n"),
-        with_rom(&format!("{SHADER}lights_a_clock = 1\n"), 3),
+        format!("{SHADER}lights_a_clock = 1\nmost_lights = 1\nlight_source = 'table'\naxi_stream = true\n"),
+        format!("{SHADER}lights_a_clock = 1\nlight_source = 'table'\npipeline = 1\n"),
+        with_rom(&format!("{SHADER}lights_a_clock = 1\naxi_stream = true\ntuser_bits = 2\n"), 3),
+        with_rom(&format!("{SHADER}lights_a_clock = 2\nvhdl_ports = 'std-logic'\n"), 3),
         with_rom(
             "block = 'image'\nimages = 4\nimage_size = 8\ntexels = 'writable'\nlights_a_clock = 2\n\
-             vhdl_ports = 'std-logic'\nreflectance = { model = 'gold-paint' }\n",
+             vhdl_ports = 'std-logic'\naxi_stream = true\ntuser_bits = 64\n\
+             reflectance = { model = 'gold-paint' }\n",
             5,
         ),
         format!(
@@ -77,7 +81,8 @@ fn every_sequencer_passes_its_bench_lints_clean_and_is_proved() {
         let core = generated.on_disk();
         let count = core.golden.vectors().len() as u64;
         let (path, design) = (core.path(), &core.design);
-        let parts = 1 + usize::from(design.spec.axi_stream.is_some() || design.light_table().is_some());
+        let [streams, has_table] = [design.spec.axi_stream.is_some(), design.light_table().is_some()];
+        let parts = 1 + usize::from(streams) + usize::from(has_table);
         assert_eq!(design.sums().map(|_| Part::of(design).len()), Some(parts + 1), "{spec}");
         for sim in [Sim::Builtin, Sim::Icarus, Sim::Ghdl] {
             assert!(core.run(sim).passed(), "{spec}");
@@ -97,16 +102,18 @@ fn every_sequencer_passes_its_bench_lints_clean_and_is_proved() {
         let with = |before: &[&str], files: &[String]| -> Vec<String> {
             before.iter().map(|&word| word.to_owned()).chain(files.iter().cloned()).collect()
         };
-        let (own, top) = (Part::Lights.name(design), Part::whole(design).name(design));
+        let tops: Vec<String> = Part::of(design)[1..].iter().map(|part| part.name(design)).collect();
         let quiet = |program: &str, words: Vec<String>| {
             silent(path, program, &words.iter().map(String::as_str).collect::<Vec<_>>(), spec);
         };
-        let whole = verilog.len() - usize::from(design.spec.axi_stream.is_some());
-        quiet("verilator", with(&["--lint-only", "-Wall", "--top-module", &top], &verilog[..whole]));
+        for (part, top) in tops.iter().enumerate() {
+            quiet("verilator", with(&["--lint-only", "-Wall", "--top-module", top], &verilog[..part + 2]));
+        }
         quiet("iverilog", with(&["-Wall", "-g2005", "-o", &out], &verilog));
         quiet("ghdl", with(&["-a", "--std=08", &workdir], &vhdl));
-        let benches = [&own, &top].map(|top| [format!("tb/{top}_tb.v"), format!("tb/{top}_tb.vhd")]).concat();
-        for file in verilog[1..whole].iter().chain(&vhdl[1..whole]).chain(&benches) {
+        let benches: Vec<String> =
+            tops.iter().flat_map(|top| [format!("tb/{top}_tb.v"), format!("tb/{top}_tb.vhd")]).collect();
+        for file in verilog[1..].iter().chain(&vhdl[1..]).chain(&benches) {
             let text = generated.text(file);
             assert!(text.is_ascii() && text.ends_with('\n') && !text.contains(['\t', '\r']), "{file} of {spec}");
             // The names of memories in comments may be long, and so may lines of benches.
@@ -159,28 +166,44 @@ const TABLE_FAULTS: [Fault; 6] = [
     ("the reset", Language::Vhdl, "                busy  <= '0';\n", ""),
 ];
 
+/// A core on disk with a fault in a part of it.
+fn with_fault(generated: &Generated, part: Part, (what, language, from, to): Fault) -> OnDisk {
+    let core = generated.on_disk();
+    let file = part.rtl_path(&core.design, language);
+    let text = generated.text(&file);
+    assert!(text.contains(from), "{what}: `{from}` in\n{text}");
+    std::fs::write(core.path().join(&file), text.replacen(from, to, 1)).expect("written");
+    core
+}
+
+/// The bench of the outermost part finds the fault, and those of the others none.
+fn found_by_bench(core: &OnDisk, language: Language, what: &str) {
+    let sim = if language == Language::Verilog { Sim::Icarus } else { Sim::Ghdl };
+    let outcomes = around(core, sim);
+    let passed: Vec<bool> = outcomes.iter().map(Outcome::passed).collect();
+    let (last, others) = passed.split_last().expect("there is something around the core");
+    assert!(others.iter().all(|&passed| passed) && !last, "{what} goes unnoticed by the bench: {outcomes:?}");
+    assert!(!outcomes[others.len()].first[0].contains("compile"), "{what}: {outcomes:?}");
+}
+
+/// So does the proof.
+fn found_by_proof(core: &OnDisk, part: Part, language: Language, what: &str) {
+    let proofs = formal::around(&core.design, core.path(), &|_| {}).expect("it runs");
+    let broken = format!("{} in {language} ", part.name(&core.design));
+    for proof in &proofs {
+        let expected = if proof.claim.starts_with(&broken) { ProofStatus::Refuted } else { ProofStatus::Proved };
+        assert_eq!(proof.verdict, expected, "{what}: {proof:?}");
+    }
+}
+
 #[test]
 fn broken_tables_fail_their_bench_and_their_proof() {
     let generated = Generated::new(&format!("{SHADER}lights_a_clock = 1\nmost_lights = 16\nlight_source = 'table'\n"));
-    let with = |language: Language, what: &str, from: &str, to: &str| {
-        let core = generated.on_disk();
-        let file = Part::Table.rtl_path(&core.design, language);
-        let text = generated.text(&file);
-        assert!(text.contains(from), "{what}: `{from}` in\n{text}");
-        std::fs::write(core.path().join(&file), text.replacen(from, to, 1)).expect("written");
-        core
-    };
-    let by_bench = |core: &OnDisk, language: Language, what: &str| {
-        let sim = if language == Language::Verilog { Sim::Icarus } else { Sim::Ghdl };
-        let outcomes = around(core, sim);
-        assert!(outcomes[0].passed() && !outcomes[1].passed(), "{what} goes unnoticed by the bench: {outcomes:?}");
-    };
-    TABLE_FAULTS.par_iter().for_each(|&(what, language, from, to)| {
-        let core = with(language, what, from, to);
-        by_bench(&core, language, what);
-        let proofs = formal::around(&core.design, core.path(), &|_| {}).expect("it runs");
-        let found = proofs.iter().any(|proof| proof.verdict == ProofStatus::Refuted);
-        assert!(found, "{what} goes unnoticed by the proof: {proofs:?}");
+    TABLE_FAULTS.par_iter().for_each(|&fault| {
+        let (what, language, ..) = fault;
+        let core = with_fault(&generated, Part::Table, fault);
+        found_by_bench(&core, language, what);
+        found_by_proof(&core, Part::Table, language, what);
     });
     // What the memory holds is for the bench alone.
     for (language, from, to) in [
@@ -188,8 +211,81 @@ fn broken_tables_fail_their_bench_and_their_proof() {
         (Language::Verilog, ".in_l1r    (record[", ".in_l1r    (~record["),
         (Language::Vhdl, "if lights_en = '1' then", "if lights_en = '1' and ce = '1' then"),
     ] {
-        by_bench(&with(language, "the memory", from, to), language, "the memory");
+        let core = with_fault(&generated, Part::Table, ("the memory", language, from, to));
+        found_by_bench(&core, language, "the memory");
     }
+}
+
+const STREAM_FAULTS: [Fault; 13] = [
+    ("tuser of a later sample", Language::Verilog, "in_ready ? s_axis_tuser : user[2:0]", "s_axis_tuser"),
+    ("tlast of a later sample", Language::Verilog, "in_ready ? s_axis_tlast : last[1]", "s_axis_tlast"),
+    ("tuser dropped by a stall", Language::Verilog, "if (ready) begin\n            last", "begin\n            last"),
+    ("tready while words are read", Language::Verilog, "s_axis_tready = ready & in_ready", "s_axis_tready = ready"),
+    ("tready while the sink waits", Language::Verilog, "s_axis_tready = ready & in_ready", "s_axis_tready = in_ready"),
+    ("tready stuck at 1", Language::Verilog, "s_axis_tready = ready & in_ready", "s_axis_tready = 1'b1"),
+    ("tready stuck at 0", Language::Verilog, "s_axis_tready = ready & in_ready", "s_axis_tready = 1'b0"),
+    ("a bubble behind a beat", Language::Verilog, "= ready & in_ready", "= ready & in_ready & ~m_axis_tvalid"),
+    ("a word from the wrong place", Language::Verilog, "(s_axis_tdata[7:4])", "(s_axis_tdata[8:5])"),
+    ("tlast and tuser of a later sample", Language::Vhdl, "if in_ready = '1' then", "if true then"),
+    ("tready while words are read", Language::Vhdl, "s_axis_tready <= ready and in_ready", "s_axis_tready <= ready"),
+    ("tready while the sink waits", Language::Vhdl, "s_axis_tready <= ready and in_ready", "s_axis_tready <= in_ready"),
+    ("tready stuck at 0", Language::Vhdl, "s_axis_tready <= ready and in_ready", "s_axis_tready <= '0'"),
+];
+
+#[test]
+fn broken_streams_of_samples_fail_their_bench_and_their_proof() {
+    // In a language each, so that nothing is run and proved for the other.
+    let [verilog, vhdl] = ["verilog", "vhdl"].map(|language| {
+        Generated::new(&format!(
+            "{SHADER}lights_a_clock = 1\nmost_lights = 16\nlight_source = 'table'\naxi_stream = true\n\
+             tuser_bits = 3\npipeline = 4\nlanguages = ['{language}']\n"
+        ))
+    });
+    let of = |language: Language| if language == Language::Verilog { &verilog } else { &vhdl };
+    STREAM_FAULTS.par_iter().for_each(|&fault| {
+        let (what, language, ..) = fault;
+        let core = with_fault(of(language), Part::Axis, fault);
+        found_by_bench(&core, language, what);
+        found_by_proof(&core, Part::Axis, language, what);
+    });
+    // What the memory holds is for the bench alone.
+    for (language, from, to) in [
+        (Language::Verilog, "(lights_addr)", "(~lights_addr)"),
+        (Language::Vhdl, "lights_en   => lights_en", "lights_en   => ready"),
+    ] {
+        let core = with_fault(of(language), Part::Axis, ("the write port", language, from, to));
+        found_by_bench(&core, language, "the write port");
+    }
+}
+
+/// What a user is told of a stream of samples, and what stands beside the stream.
+#[test]
+fn a_stream_of_samples_says_what_a_beat_is() {
+    let core = Generated::new(&format!(
+        "{SHADER}lights_a_clock = 1\nmost_lights = 16\nlight_source = 'table'\naxi_stream = true\n"
+    ));
+    assert_eq!(core.text("files.f"), "rtl/shader.v\nrtl/shader_lights.v\nrtl/shader_table.v\nrtl/shader_axis.v\n");
+    let sheet = core.text("README.md");
+    for line in [
+        "a beat of `s_axis` is a sample, with the first and the last word of its lights",
+        "| `lights_en` | in | 1 | write enable of the table, whatever the stream does |",
+        "| 3:0 | `in_begin`, UQ4.0 |",
+        "| 7:4 | `in_end`, UQ4.0 |",
+        "A sample of w words takes w clocks",
+    ] {
+        assert!(sheet.contains(line), "{line}\n{sheet}");
+    }
+    let manifest: serde_json::Value = serde_json::from_str(&core.text("manifest.json")).expect("JSON");
+    let ports = manifest["axi_stream"]["ports"].as_array().expect("ports");
+    let names: Vec<&str> = ports.iter().filter_map(|port| port["name"].as_str()).collect();
+    assert_eq!(names[7..10], ["lights_en", "lights_addr", "lights_data"]);
+    for path in ["rtl/shader_axis.v", "rtl/shader_axis.vhd"] {
+        let text = core.text(path);
+        assert!(text.contains("tlast and tuser stay with their sample."), "{text}");
+        assert!(text.contains("the beat is taken; from registers"), "{text}");
+    }
+    let rom = Generated::new(&with_rom(&format!("{SHADER}lights_a_clock = 1\naxi_stream = true\n"), 3));
+    assert!(!rom.text("rtl/shader_axis.v").contains("lights_"), "it has no write port");
 }
 
 /// A light of every word, in each language; and what samples come of.
@@ -350,10 +446,6 @@ fn the_keys_of_lights_are_refused_where_there_is_no_sequencer() {
     refused("method = 'quadratic'\nshininess = '1..=9'\nmost_lights = 1", "most_lights is given");
     refused(&format!("{SHADER}most_lights = 3"), "most_lights is given for a shader that takes all lights");
     refused(&format!("{SHADER}light_source = 'table'"), "light_source is given for a shader that takes all lights");
-    refused(
-        &format!("{SHADER}lights_a_clock = 1\nlight_source = 'table'\naxi_stream = true"),
-        "axi_stream is given for a core with a table of lights",
-    );
     refused(&format!("{SHADER}lights_a_clock = 1\nlight_source = 'rom'"), "given without lights");
     refused(&format!("{SHADER}lights_a_clock = 1\nlight_records = [[1]]"), "whose lights are not a ROM's");
     refused("method = 'quadratic'\nshininess = '1..=9'\nlight_records = [[1]]", "light_records is given");

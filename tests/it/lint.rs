@@ -86,6 +86,8 @@ const SPECS: &[&str] = &[
      true\nvhdl_ports = 'std-logic'",
     "block = 'shader'\nmethod = 'segmented-2'\nmaterial = [{ name = 'a', shininess = 9 }, \
      { name = 'b', shininess = 30 }]\npipeline = 1\naxi_stream = true\ntuser_bits = 5\n[shader]\nlights = 2",
+    "block = 'shader'\nmethod = 'schlick'\noutput_fraction = 10\ninput_fraction = 8\nmaterial = [{ name = 'a', \
+     shininess = 9 }]\naxi_stream = true\ntuser_bits = 33\nlights_a_clock = 1\nlight_source = 'table'",
 ];
 
 /// More of them.
@@ -101,6 +103,9 @@ const MORE: &[&str] = &[
     "block = 'shader'\nmethod = 'quadratic'\nmaterial = [{ name = 'a', shininess = 9 }]\naxi_stream = true\nvhdl_ports \
      = 'std-logic'\n\
      [shader]\nmodel = 'blinn'\nchannel_bits = 10\nlight_colours = 'ports'",
+    "block = 'shader'\nmethod = 'schlick'\noutput_fraction = 10\ninput_fraction = 8\nmaterial = [{ name = 'a', \
+     shininess = 9 }]\naxi_stream = true\nvhdl_ports = 'std-logic'\nlights_a_clock = 1\nlight_source = 'rom'\n\
+     light_records = [[1, 2, 3, 4, 5, 6], [9, 8, 7, 6, 5, 4], [0, 0, 1, 1, 1, 1]]",
 ];
 
 /// The C++ compiler needs a minute for a bench with Verilator's default flags, and many for one of a wrapper: these of

@@ -272,18 +272,30 @@ fn axis_header(design: &Design, axis: &Axis) -> Vec<String> {
     }
     let last = if axis.sequenced {
         "s_axis_tlast ends a sample; m_axis_tuser is that of its last beat."
+    } else if axis.takes_samples() {
+        "tlast and tuser stay with their sample."
     } else {
         "tlast and tuser stay with their beat."
     };
-    header.extend([
-        String::new(),
-        format!("{last} tkeep and tstrb are not needed: a beat is always whole."),
-        format!(
-            "Latency {} clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and",
-            axis.latency
-        ),
-        "m_axis_tready leads to registers only.".to_owned(),
-    ]);
+    let latency = axis.latency;
+    let pace = if axis.takes_samples() {
+        [
+            format!(
+                "A sample of w words takes w clocks, and comes {} + w clocks after it was taken, also",
+                latency - 1
+            ),
+            "behind a stall. s_axis_tready is from registers, and m_axis_tready leads to registers only.".to_owned(),
+        ]
+    } else {
+        [
+            format!(
+                "Latency {latency} clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and"
+            ),
+            "m_axis_tready leads to registers only.".to_owned(),
+        ]
+    };
+    header.extend([String::new(), format!("{last} tkeep and tstrb are not needed: a beat is always whole.")]);
+    header.extend(pace);
     header
 }
 
@@ -333,7 +345,9 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     for &language in &spec.languages {
         let mut add_part = |part: Part, text: String, wrapper| -> Result<(), Error> {
             let (golden, complemented) = match wrapper {
-                Wrapper::Table(table) if table.words.is_some() => (&samples_path, &complemented_samples),
+                Wrapper::Table(table) | Wrapper::Axis(_, _, Some(table)) if table.words.is_some() => {
+                    (&samples_path, &complemented_samples)
+                }
                 _ => (&golden_path, &complemented),
             };
             let bench = emit::test_bench(language, &layout, &texts, golden, complemented, wrapper)?;
@@ -350,7 +364,7 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
         }
         if let Some(axis) = &axis {
             let text = axis.emit(language, &whole_texts(design))?;
-            add_part(Part::Axis, text, Wrapper::Axis(axis, sequencer.as_ref()))?;
+            add_part(Part::Axis, text, Wrapper::Axis(axis, sequencer.as_ref(), table.as_ref()))?;
         }
     }
     if let BlockDesign::Image(image) = design.block() {

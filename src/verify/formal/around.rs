@@ -3,7 +3,8 @@
 //! - Of the wrapper with AXI4-Stream interfaces, `templates/formal/stream.v`: no beat is lost, doubled, made up or
 //!   reordered, `tlast`, `tuser` and `tdata` stay with their beat, a beat that waits stays as it is, the source waits
 //!   for the sink only, a full pipeline gives a beat at every clock, and a reset drops everything; where lights come in
-//!   sequence that is said of the beats that end a sample.
+//!   sequence that is said of the beats that end a sample, and where they come from a table the source waits for the
+//!   words of the sample before as well, and for no clock more.
 //! - Of the sequencer, `templates/formal/lights.v`: a sample comes out where it has ended, as the sum of its lights,
 //!   rounded once.
 //! - Of the table of lights, `templates/formal/table.v`: every sample goes through its words in order, its inputs with
@@ -86,9 +87,23 @@ fn of_axis(axis: &Axis) -> Result<Claims, Error> {
     let own = ["ready", "skid_valid", "last", "user", "skid"].into_iter();
     let own = own.filter(|&name| name != "last" || !axis.sequenced);
     let own = own.map(|name| (name.to_owned(), format!("dut.{name}")));
-    let lanes = axis.inputs.lanes.iter().chain(&axis.outputs.lanes).map(|lane| lane.port.name.clone());
-    let of_core =
-        std::iter::once("valid".to_owned()).chain(lanes).map(|name| (name.clone(), format!("dut.core.{name}")));
+    let lanes = axis.inputs.lanes.iter().chain(&axis.outputs.lanes).map(|lane| lane.port.name.as_str());
+    let of_core = lanes.map(|name| (name, name));
+    // What tells of a beat at each stage.
+    let valid: &[_] = if axis.takes_samples() {
+        &[
+            ("busy", "busy"),
+            ("word", "word"),
+            ("until_word", "until_word"),
+            ("read_valid", "valid"),
+            ("read_last", "last"),
+            ("sequencer_valid", "sequencer.valid"),
+        ]
+    } else {
+        &[("valid", "valid")]
+    };
+    let of_core = of_core.chain(valid.iter().copied());
+    let of_core = of_core.map(|(wire, name)| (wire.to_owned(), format!("dut.core.{name}")));
     Ok(Claims {
         module: "stream",
         text: render(&AxisClaims { axis })?,
