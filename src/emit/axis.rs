@@ -29,10 +29,10 @@
 //!
 //! # Tables of lights
 //!
-//! A sample stays in front of a table of lights for as many clocks as it has words, so that `s_axis_tready` is low until
-//! the last of them is read: it is the enable and what the table says, both from registers. `tlast` and `tuser` need no
-//! queue, as samples leave in the order in which they came, each a latency behind its last word: in front they stay with
-//! the sample, and from there on they go with each of its words.
+//! A sample stays in front of a table of lights for as many clocks as it has words, so that `s_axis_tready` is low
+//! until the last of them is read: it is the enable and what the table says, both from registers. `tlast` and `tuser`
+//! need no queue, as samples leave in the order in which they came, each a latency behind its last word: in front they
+//! stay with the sample, and from there on they go with each of its words.
 
 use askama::Template;
 use num_bigint::BigUint;

@@ -217,8 +217,8 @@ impl Bench<'_> {
         2000 + self.table.as_ref().map_or(0, |table| table.depth)
     }
 
-    /// Whether what is offered in a lane is where the bench has written the sample's lights, and not in the vector: then
-    /// the number of the word.
+    /// Whether what is offered in a lane is where the bench has written the sample's lights, and not in the vector:
+    /// then the number of the word in Verilog and in VHDL.
     fn written_word(&self, lane: &Lane) -> Option<[&'static str; 2]> {
         match lane.port.name.as_str() {
             _ if self.written_table().is_none() => None,
