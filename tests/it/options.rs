@@ -112,8 +112,6 @@ fn shader_choices() -> Vec<Choice> {
             "shader = { lights = 8, light_colours = 'ports' }",
             "shader = { lights = 2, light_colours = [[0, 0, 0], [1, 0.5, 0.001]] }",
             "shader = { lights = 1, light_colours = 'ports' }",
-            "lights_a_clock = 1\nmost_lights = 1",
-            "lights_a_clock = 2\nmost_lights = 1024\nlight_source = 'table'",
         ],
     ));
     choices.extend(more_choices());
@@ -287,6 +285,7 @@ fn make(spec: &CoreSpec, whole: bool) -> Result<Made, Error> {
 
 /// What a compiler says of a core, its wrapper and their benches.
 fn complaint(design: &Design, language: Language, directory: &Path) -> Option<String> {
+    let name = &design.spec.name;
     let parts = package::Part::of(design);
     let rtl: Vec<String> = parts.iter().map(|part| part.rtl_path(design, language)).collect();
     let benches: Vec<String> = parts.iter().map(|part| part.bench_path(design, language)).collect();
@@ -303,9 +302,12 @@ fn complaint(design: &Design, language: Language, directory: &Path) -> Option<St
         Language::Verilog => run("iverilog", &["-g2005", "-Wall", "-o", "core.vvp"], &rtl)
             .or_else(|| run("iverilog", &["-g2005", "-o", "bench.vvp"], &[rtl, benches].concat())),
         Language::Vhdl => {
-            let tops = parts.iter().map(|part| part.bench_name(design));
+            let tops: Vec<String> = match design.spec.axi_stream {
+                Some(_) => vec![format!("{name}_tb"), format!("{name}_axis_tb")],
+                None => vec![format!("{name}_tb")],
+            };
             run("ghdl", &["-a", "--std=08"], &[rtl, benches].concat())
-                .or_else(|| tops.clone().find_map(|top| run("ghdl", &["-e", "--std=08"], &[top])))
+                .or_else(|| tops.into_iter().find_map(|top| run("ghdl", &["-e", "--std=08"], &[top])))
         }
     }
 }
