@@ -135,7 +135,7 @@ impl ConstraintFlags {
     ) -> Result<Constraints, Error> {
         if keys.block == Some(BlockKind::Image) {
             let what = "only a core with a lobe is chosen by its error, and an image-based block is asked for";
-            return Err(Error::input(what, "give --min-psnr in place of --max-error"));
+            return Err(Error::input(what, "give --max-picture-error or --min-psnr in place of --max-error"));
         }
         if let Some(mhz) = self.min_mhz.filter(|mhz| !(mhz.is_finite() && *mhz > 0.0)) {
             return Err(Error::input(format!("a frequency of {mhz} MHz is not allowed"), "more than 0 is"));

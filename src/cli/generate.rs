@@ -40,11 +40,11 @@ pub(super) struct Arguments {
 
     /// Choose the cheapest core whose |result - x^n| is at most this (0.01, 1% or 2^-7), as `choose` does; other keys
     /// of the core that are given narrow the choice
-    #[arg(long, value_name = "ERROR", help_heading = "Choice")]
+    #[arg(id = "lobe_error", long = "max-error", value_name = "ERROR", help_heading = "Choice")]
     max_error: Option<MaxError>,
 
     /// What of the chosen core is to be least, as `choose --objective` [default: lut]
-    #[arg(long, value_enum, value_name = "COST", help_heading = "Choice", requires = "max_error")]
+    #[arg(long, value_enum, value_name = "COST", help_heading = "Choice", requires = "lobe_error")]
     goal: Option<Objective>,
 
     #[command(flatten)]

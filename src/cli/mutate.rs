@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
     let mutants: Vec<Mutant> = all.into_iter().step_by(step).collect();
     let bar = progress::bar("mutants", mutants.len() as u64);
     let vectors = Vectors::of(design, golden);
-    let outcomes = faults::outcomes(design, &mutants, &|defect| {
+    let outcomes = faults::outcomes(design, &mutants, &golden.vectors(), &|defect| {
         let detected = vectors.detect(defect);
         bar.inc(1);
         detected

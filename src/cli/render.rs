@@ -64,7 +64,7 @@ pub(super) struct Arguments {
     size: Option<Size>,
 
     /// Make a contact sheet of several cores: methods, each with keys if need be, as in `cubic,log-exp:accuracy=9`,
-    /// spec files or core directories; of a scene with measured materials, forms as in `half:images=8:size=64` and `fit`
+    /// spec files or core directories; of a scene with measured materials forms, as in `half:images=8`, and `fit`
     ///
     /// By default: quadratic, cubic, cubic-min-zero minimax, schlick, power-4, log-exp of accuracy 5 and 9; of a scene
     /// with measured materials paper of 4 and of 6 images, half, bivariate, fit.

@@ -39,6 +39,18 @@ impl Vector {
     }
 }
 
+/// The levels at the input ports clock by clock while vectors run, until all results are out.
+pub(crate) fn clocks(design: &Design, vectors: &[&Vector]) -> Vec<Inputs> {
+    let ports = design.numbers(Direction::In);
+    let taken = vectors.iter().flat_map(|vector| vector.clocks(&ports));
+    taken.chain(idle(design)).collect()
+}
+
+/// Clocks without an operand, as many as a result takes.
+pub(crate) fn idle(design: &Design) -> impl Iterator<Item = Inputs> {
+    std::iter::repeat_n(Inputs { ce: true, ..Inputs::default() }, design.schedule.latency as usize)
+}
+
 /// The digest of one shininess.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct RowDigest {

@@ -203,7 +203,7 @@ impl ImageDesign<'_> {
         let factor = incidence.map_or(1.0, of) * of(squares[channel]) * exp2(-self.block.widths().gain);
         // A little more, for what is rounded down on the way.
         let code = exp2(power) * (1.0 + exp2(-8)) / factor;
-        let most = (1i64 << self.block.widths().gain) - 1;
+        let most = self.block.widths().gain_format().max_code() as i64;
         codes[gain + channel] = if code.is_finite() { (code.ceil() as i64).clamp(0, most) } else { 0 };
         codes
     }
@@ -272,7 +272,7 @@ impl ImageDesign<'_> {
             let most = exponents.into_iter().fold(0, i32::max);
             shift.iter().for_each(|&place| codes[place] = most.into());
             for (code, exponent) in codes[gain..gain + 3].iter_mut().zip(exponents) {
-                *code = ((1i64 << widths.gain) - 1) >> (most - exponent).min(widths.gain);
+                *code = widths.gain_format().max_code() as i64 >> (most - exponent).min(widths.gain);
             }
             model.evaluate(codes)
         };

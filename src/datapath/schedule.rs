@@ -132,9 +132,11 @@ fn delay(op: Op, adders: Adders) -> f64 {
         Op::Mul => 1.0,
         Op::Field { .. } => 0.9,
         Op::ShiftLeft | Op::ShiftRight => 0.6,
+        // Past a power of two the high bits tell; elsewhere numbers are compared.
+        Op::Clamp { high, .. } if adders == Adders::One && ![high, high + 1].map(i128::count_ones).contains(&1) => 0.6,
         Op::Clamp { .. } => 0.3,
         Op::Add | Op::Sub | Op::Greater => match adders {
-            Adders::One => 0.6,
+            Adders::One => 0.75,
             Adders::Two => 0.5,
         },
         Op::NonZero => 0.2,

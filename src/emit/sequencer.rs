@@ -128,11 +128,6 @@ impl Sequencer {
         })
     }
 
-    /// 1.0 in Verilog.
-    fn one(&self) -> String {
-        format!("{{1'b1, {}'d0}}", self.sums.frac_bits)
-    }
-
     /// A name of the core's ports, followed by spaces up to the length of the longest.
     fn padded(&self, name: &str) -> String {
         let width =

@@ -222,16 +222,27 @@ impl Writer<'_> {
 
     fn clamp(&self, arg: NodeId, low: i128, high: i128, width: u32) -> String {
         let (from, name) = (self.format(arg), self.name(arg));
+        let magnitude = from.width() - u32::from(from.signed);
+        // Past a power of two the high bits tell.
+        let leading = |power: i128| slice(&name, from.width(), magnitude - 1, power.trailing_zeros());
+        let power = [high, high + 1].into_iter().find(|power| power.count_ones() == 1);
         if low < 0 {
-            let of = |test: &str, bound: i128| {
-                let (tested, result) = (literal(bound, from.width()), literal(bound, width));
-                format!("($signed({name}) {test} $signed({tested})) ? {result} :\n        ")
+            let sign = format!("{name}[{}]", from.width() - 1);
+            let of = |test: String, bound: i128| format!("({test}) ? {} :\n        ", literal(bound, width));
+            let compared =
+                |test: &str, bound| format!("$signed({name}) {test} $signed({})", literal(bound, from.width()));
+            let below = match low {
+                _ if low <= from.min_code() => String::new(),
+                _ if (-low).count_ones() == 1 => of(format!("{sign} & ~&{}", leading(-low)), low),
+                _ => of(compared("<", low), low),
             };
-            let below = if low > from.min_code() { of("<", low) } else { String::new() };
-            let above = if high < from.max_code() { of(">", high) } else { String::new() };
+            let above = match power {
+                _ if high >= from.max_code() => String::new(),
+                Some(power) => of(format!("~{sign} & |{}", leading(power)), high),
+                None => of(compared(">", high), high),
+            };
             return below + &above + &self.fitted(arg, from.frac_bits, width);
         }
-        let magnitude = from.width() - u32::from(from.signed);
         let own = slice(&name, from.width(), width.min(magnitude) - 1, 0);
         let own = if magnitude < width { format!("{{{}, {own}}}", zeros(width - magnitude)) } else { own };
         let mut text = String::new();
@@ -244,11 +255,9 @@ impl Writer<'_> {
             text += &format!("({name} < {}) ? {} : ", literal(low, from.width()), literal(low, width));
         }
         if high < from.max_code() {
-            let test = if high.count_ones() == 1 {
-                // From a power of two on, the high bits tell.
-                format!("|{}", slice(&name, from.width(), magnitude - 1, high.trailing_zeros()))
-            } else {
-                format!("{name} > {}", literal(high, from.width()))
+            let test = match power {
+                Some(power) => format!("|{}", leading(power)),
+                None => format!("{name} > {}", literal(high, from.width())),
             };
             text += &format!("({test}) ? {} : ", literal(high, width));
         }

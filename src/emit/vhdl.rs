@@ -239,17 +239,29 @@ impl Writer<'_> {
 
     fn clamp(&self, arg: NodeId, low: i128, high: i128, width: u32) -> String {
         let (from, name) = (self.format(arg), self.name(arg));
+        let magnitude = from.width() - u32::from(from.signed);
+        // Past a power of two the high bits tell.
+        let leading = |power: i128| match power.trailing_zeros() {
+            bit if bit + 1 == magnitude => format!("{name}({bit}) = '1'"),
+            bit => format!("unsigned({name}({} downto {bit})) /= 0", magnitude - 1),
+        };
+        let power = [high, high + 1].into_iter().find(|power| power.count_ones() == 1);
         if low < 0 {
             let own = self.fitted(arg, Format { int_bits: width as i32 - 1 - from.frac_bits, ..from });
-            let when = |bound: i128, test: &str| {
-                let (value, than) = (number(bound, width, true), compared(bound, from));
-                format!("{value} when {name} {test} {than} else\n        ")
+            let leading = |power: i128| format!("{name}({} downto {})", from.width() - 1, power.trailing_zeros());
+            let when = |bound: i128, test: String| format!("{} when {test} else\n        ", number(bound, width, true));
+            let below = match low {
+                _ if low <= from.min_code() => String::new(),
+                _ if (-low).count_ones() == 1 => when(low, format!("{} < -1", leading(-low))),
+                _ => when(low, format!("{name} < {}", compared(low, from))),
             };
-            let below = if low > from.min_code() { when(low, "<") } else { String::new() };
-            let above = if high < from.max_code() { when(high, ">") } else { String::new() };
+            let above = match power {
+                _ if high >= from.max_code() => String::new(),
+                Some(power) => when(high, format!("{} > 0", leading(power))),
+                None => when(high, format!("{name} > {}", compared(high, from))),
+            };
             return below + &above + &own;
         }
-        let magnitude = from.width() - u32::from(from.signed);
         let mut text = String::new();
         if from.signed && low == 0 {
             text += &format!("(others => '0') when {name}({}) = '1' else\n        ", from.width() - 1);
@@ -258,19 +270,15 @@ impl Writer<'_> {
             text += &format!("{value} when {name} < {than} else\n        ");
         }
         if high < from.max_code() {
-            if high.count_ones() == 1 {
-                // From a power of two on, the high bits tell.
-                let bit = high.trailing_zeros();
-                let test = if bit + 1 == magnitude {
-                    format!("{name}({bit}) = '1'")
-                } else {
-                    format!("unsigned({name}({} downto {bit})) /= 0", magnitude - 1)
-                };
-                text += &format!("({bit} => '1', others => '0') when {test} else\n        ");
-            } else {
-                let (value, than) = (number(high, width, false), compared(high, from));
-                text += &format!("{value} when {name} > {than} else\n        ");
-            }
+            let value = match high {
+                _ if high.count_ones() == 1 => format!("({} => '1', others => '0')", high.trailing_zeros()),
+                _ => number(high, width, false),
+            };
+            let test = match power {
+                Some(power) => leading(power),
+                None => format!("{name} > {}", compared(high, from)),
+            };
+            text += &format!("{value} when {test} else\n        ");
         }
         let kept = width.min(magnitude);
         let own = if kept == from.width() { name } else { format!("{name}({} downto 0)", kept - 1) };

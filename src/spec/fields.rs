@@ -116,7 +116,12 @@ method_keys! { keys! {
     #[arg(help_heading = "Image-based block", value_name = "DB")]
     min_psnr: f64 where "image-based blocks",
 
-    /// Bits of the weights that texels are blended with, 3 to 8 [default: 5 for bivariate, else 6]
+    /// The greatest error of a channel, in parts of full scale, in these pictures: as min_psnr, and with it if both are
+    /// given
+    #[arg(help_heading = "Image-based block", value_name = "ERROR", long = "max-picture-error")]
+    max_error: f64 where "image-based blocks" => "max-picture-error",
+
+    /// Bits of the weights that texels are blended with, 3 to 8 [default: 6 for paper, else 5]
     #[arg(help_heading = "Image-based block", value_name = "BITS")]
     weight_bits: u32 where "image-based blocks",
 

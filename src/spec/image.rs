@@ -3,6 +3,7 @@
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
+use super::image_size::PictureBudget;
 use super::{Block, BlockKind, ReflectanceFields, RomStyle, ShaderFields, SpecFields};
 use crate::block::image::{IMAGES, Image, ImageForm, ImageSpec, TexelMemory};
 use crate::block::lights::DEFAULT_MOST_LIGHTS;
@@ -73,12 +74,10 @@ impl SpecFields {
         }
     }
 
-    /// The image-based block: with `min_psnr` the smallest that reaches it.
+    /// The image-based block: with `min_psnr` or `max_error` the smallest that keeps them.
     pub(super) fn resolved_image(&self) -> Result<ImageSpec, Error> {
-        let image = match self.min_psnr {
-            None => self.image()?,
-            Some(least) => self.smallest_image(least)?,
-        };
+        let budget = PictureBudget { min_psnr: self.min_psnr, max_error: self.max_error };
+        let image = if budget.is_empty() { self.image()? } else { self.smallest_image(budget)? };
         let (source, exposure) = self.reflectance.resolve(&image)?;
         Ok(ImageSpec { image, source, exposure })
     }
@@ -95,8 +94,8 @@ impl SpecFields {
             "8, 10 or 12"
         );
         let default_weight_bits = match form {
-            ImageForm::Half { .. } | ImageForm::Paper { .. } => 6,
-            ImageForm::Bivariate { .. } => 5,
+            ImageForm::Paper { .. } => 6,
+            ImageForm::Half { .. } | ImageForm::Bivariate { .. } => 5,
         };
         let image = Image {
             form,

@@ -1,8 +1,9 @@
 //! The sizes of an image-based block that follow from what its pictures may miss.
 
 use super::SpecFields;
+use crate::block::image::quality::PictureError;
 use crate::block::image::{Image, ImageBlock, SIZE, SLICES, TEXEL_BITS};
-use crate::platform::error::{Error, refuse};
+use crate::platform::error::Error;
 
 /// The greatest size that is sought: larger ones take more memory than most devices have.
 const LARGEST: u32 = 128;
@@ -15,6 +16,47 @@ fn powers(first: u32, last: u32) -> Vec<u32> {
 /// The bits of a block's texels.
 fn texel_bits(image: &Image) -> u64 {
     image.extents().iter().map(|&extent| u64::from(extent)).product::<u64>() * 3 * u64::from(image.texel_bits)
+}
+
+/// What the pictures of a block may miss.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PictureBudget {
+    /// Their least mean ratio in dB.
+    pub(super) min_psnr: Option<f64>,
+    /// The greatest error of a channel, in parts of full scale.
+    pub(super) max_error: Option<f64>,
+}
+
+impl PictureBudget {
+    pub(super) fn is_empty(&self) -> bool {
+        self.min_psnr.is_none() && self.max_error.is_none()
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        if let Some(least) = self.min_psnr.filter(|least| !(*least > 0.0 && least.is_finite())) {
+            let what = format!("min_psnr = {least} is out of range");
+            return Err(Error::input(what, "a number of dB above 0, as in 45.0"));
+        }
+        match self.max_error.filter(|most| !(*most > 0.0 && *most < 1.0)) {
+            Some(most) => Err(Error::input(format!("max_error = {most} is out of range"), "above 0 and below 1")),
+            None => Ok(()),
+        }
+    }
+
+    /// How far from being kept it is: below 1 where it is not.
+    fn kept(&self, PictureError { quality, greatest }: &PictureError) -> f64 {
+        let ratio = self.min_psnr.map_or(f64::INFINITY, |least| quality.mean / least);
+        ratio.min(self.max_error.map_or(f64::INFINITY, |most| most / greatest))
+    }
+}
+
+impl std::fmt::Display for PictureBudget {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let both = if self.min_psnr.is_some() && self.max_error.is_some() { " and " } else { "" };
+        let psnr = self.min_psnr.map_or_else(String::new, |least| format!("min_psnr = {least}"));
+        let error = self.max_error.map_or_else(String::new, |most| format!("max_error = {most}"));
+        write!(f, "{psnr}{both}{error}")
+    }
 }
 
 impl SpecFields {
@@ -54,24 +96,20 @@ impl SpecFields {
         }
     }
 
-    /// The block with the fewest bits of texels whose pictures of a sphere have a mean ratio of at least so many dB
-    /// against the reflectance itself, as [`ImageBlock::quality`] measures it. A number of images and a size whose
-    /// pictures miss it with the most bits a texel are passed over.
+    /// The block with the fewest bits of texels whose pictures of a sphere keep a budget against the reflectance
+    /// itself, as [`ImageBlock::picture_error`] measures them. A number of images and a size whose pictures miss it
+    /// with the most bits a texel are passed over.
     ///
     /// # Errors
-    /// A ratio that is not above 0 or that no block reaches, a reflectance that cannot be read, keys that no block has.
-    pub(super) fn smallest_image(&self, least: f64) -> Result<Image, Error> {
-        refuse!(
-            !(least > 0.0 && least.is_finite()),
-            format!("min_psnr = {least} is out of range"),
-            "a number of dB above 0, as in 45.0"
-        );
+    /// A budget that is out of range or that no block keeps, a reflectance that cannot be read, keys that no block has.
+    pub(super) fn smallest_image(&self, budget: PictureBudget) -> Result<Image, Error> {
+        budget.check()?;
         let (source, exposure) = self.reflectance.source()?;
         let reflectance = source.reflectance().expect("a source of images is refused");
-        let mean = |image: &Image| -> Result<f64, Error> {
-            Ok(ImageBlock::new(image.clone(), reflectance, exposure)?.quality(reflectance, exposure).mean)
+        let measured = |image: &Image| -> Result<PictureError, Error> {
+            Ok(ImageBlock::new(image.clone(), reflectance, exposure)?.picture_error(reflectance, exposure))
         };
-        let (mut best, mut nearest): (Option<Image>, Option<(f64, Image)>) = (None, None);
+        let (mut best, mut nearest): (Option<Image>, Option<(PictureError, Image)>) = (None, None);
         for shape in self.shapes()? {
             let fewest = self.texel_bits.unwrap_or(*TEXEL_BITS.start());
             let with = |bits: u32| Image { texel_bits: bits, ..shape.clone() };
@@ -79,9 +117,9 @@ impl SpecFields {
             if best.as_ref().is_some_and(|best| texel_bits(&with(fewest)) >= texel_bits(best)) {
                 continue;
             }
-            let reached = mean(&shape)?;
-            if reached < least {
-                if nearest.as_ref().is_none_or(|(nearest, _)| reached > *nearest) {
+            let reached = measured(&shape)?;
+            if budget.kept(&reached) < 1.0 {
+                if nearest.as_ref().is_none_or(|(nearest, _)| budget.kept(&reached) > budget.kept(nearest)) {
                     nearest = Some((reached, shape));
                 }
                 continue;
@@ -91,19 +129,20 @@ impl SpecFields {
                 if best.as_ref().is_some_and(|best| texel_bits(&image) >= texel_bits(best)) {
                     break;
                 }
-                if bits == shape.texel_bits || mean(&image)? >= least {
+                if bits == shape.texel_bits || budget.kept(&measured(&image)?) >= 1.0 {
                     best = Some(image);
                     break;
                 }
             }
         }
         best.ok_or_else(|| {
-            let nearest = nearest
-                .map_or_else(String::new, |(reached, image)| format!(": the nearest, {image}, has {reached:.1} dB"));
+            let nearest = nearest.map_or_else(String::new, |(PictureError { quality, greatest }, image)| {
+                format!(": the nearest, {image}, has {:.1} dB and errors up to {greatest:.3}", quality.mean)
+            });
             Error::input(
-                format!("no image-based block of these keys reaches min_psnr = {least}{nearest}"),
-                "a lower min_psnr, another image_form, or fewer keys that narrow it (images, image_size, texel_bits, \
-                 weight_bits, vector_bits, output_bits)",
+                format!("no image-based block of these keys keeps {budget}{nearest}"),
+                "a lower min_psnr or a greater max_error, another image_form, or fewer keys that narrow it (images, \
+                 image_size, texel_bits, weight_bits, vector_bits, output_bits)",
             )
         })
     }

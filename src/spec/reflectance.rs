@@ -93,7 +93,7 @@ impl ReflectanceFields {
         };
         let Some(reflectance) = source.reflectance() else {
             return Err(Error::input(
-                "min_psnr is given for images, whose form and size are theirs",
+                "min_psnr or max_error is given for images, whose form and size are theirs",
                 "leave it out, or give the table or the model that they were made of",
             ));
         };

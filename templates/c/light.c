@@ -183,7 +183,7 @@ struct {{ c.name }}_light_record
     else
         record.blend = (int32_t)(((odd << {{ c.weight_bits + 1 }}) + weight) / (2 * weight));
 
-    /* The gains, and the shift that makes fractions of them. Behind the object nothing is lit. */
+    /* The gains, and the shift that makes codes of their port of them. Behind the object nothing is lit. */
     gain = phi == HALF_TURN ? 0 : product(weight, weight, {{ 2 * c.table.root_bits - c.table.gain_bits }});
     for (channel = 0; channel < 3; ++channel) {
         gains[channel] = product(gain, least(intensity[channel], HALF_TURN), 63);
@@ -191,7 +191,7 @@ struct {{ c.name }}_light_record
             greatest = gains[channel];
     }
 {%- if c.most_shift > 0 %}
-    while (shift < {{ c.most_shift }} && greatest >> ({{ c.table.gain_bits }} + shift) != 0)
+    while (shift < {{ c.most_shift }} && greatest >> ({{ c.table.gain_bits + c.gain_width - c.gain_bits }} + shift) != 0)
         ++shift;
     record.shift = (int32_t)shift;
 {%- endif %}

@@ -46,7 +46,8 @@ module lights (
     wire {{ port.range() }}{{ port.name }};
 {%- endfor %}
 {%- for c in channels %}
-    wire [{{ f }}:0] total_{{ c }};
+    wire [{{ f - 1 }}:0] total_{{ c }};
+    wire full_{{ c }};
 {%- endfor %}
 
     // ===== What it is to do
@@ -108,7 +109,7 @@ module lights (
         state_of_the_beginning: assert (begins == first);
 {%- for c in channels %}
         if (~first | ended) state_of_the_sum_{{ c }}: assert (
-            total_{{ c }} == (exact_{{ c }} > 40'd{{ one }} ? 40'd{{ one }} : exact_{{ c }}));
+            full_{{ c }} == (exact_{{ c }} >= 40'd{{ one }}) & (full_{{ c }} | total_{{ c }} == exact_{{ c }}));
 {%- endfor %}
 
         // ===== And what does happen

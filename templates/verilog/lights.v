@@ -54,29 +54,32 @@ module {{ sequencer.name }}
         end
     end
 
-    // ===== Stage {{ sequencer.core_latency + 1 }}: the sum of a sample's lights, UQ1.{{ f }} and kept at 1.0
+    // ===== Stage {{ sequencer.core_latency + 1 }}: the sum of a sample's lights below 1.0, and whether it has reached that
 {%- for channel in channels %}
-    reg [{{ f }}:0] total_{{ channel.c }};
-    wire [{{ f + 1 }}:0] sum_{{ channel.c }} = {1'b0, begins ? {{ channel.start }} : total_{{ channel.c }}} + {1'b0, out_sum_{{ channel.c }}};
+    reg [{{ f - 1 }}:0] total_{{ channel.c }};
+    reg full_{{ channel.c }};
+    wire [{{ f }}:0] start_{{ channel.c }} = begins ? {{ channel.start }} : {1'b0, total_{{ channel.c }}};
+    wire [{{ f + 1 }}:0] sum_{{ channel.c }} = {1'b0, start_{{ channel.c }}} + {1'b0, out_sum_{{ channel.c }}};
     wire over_{{ channel.c }} = |sum_{{ channel.c }}[{{ f + 1 }}:{{ f }}];
 {%- endfor %}
     always @(posedge clk) begin
         if (ce & sum_valid) begin
 {%- for channel in channels %}
-            total_{{ channel.c }} <= over_{{ channel.c }} ? {{ sequencer.one() }} : sum_{{ channel.c }}[{{ f }}:0];
+            total_{{ channel.c }} <= sum_{{ channel.c }}[{{ f - 1 }}:0];
+            full_{{ channel.c }}  <= over_{{ channel.c }} | (full_{{ channel.c }} & ~begins);
 {%- endfor %}
         end
     end
 
     // ===== Stage {{ sequencer.latency }}: the nearest code, at most full scale
 {%- for channel in channels %}
-    wire [{{ f }}:0] near_{{ channel.c }} = total_{{ channel.c }} + {{ f + 1 }}'d{{ sequencer.sums.half_code() }};
+    wire [{{ f }}:0] near_{{ channel.c }} = {1'b0, total_{{ channel.c }}} + {{ f + 1 }}'d{{ sequencer.sums.half_code() }};
     reg [{{ bits - 1 }}:0] code_{{ channel.c }};
 {%- endfor %}
     always @(posedge clk) begin
         if (ce) begin
 {%- for channel in channels %}
-            code_{{ channel.c }} <= near_{{ channel.c }}[{{ f }}] ? {{ bits }}'h{{ "{:x}"|format(sequencer.sums.full_scale()) }} : near_{{ channel.c }}[{{ f - 1 }}:{{ f - bits }}];
+            code_{{ channel.c }} <= (full_{{ channel.c }} | near_{{ channel.c }}[{{ f }}]) ? {{ bits }}'h{{ "{:x}"|format(sequencer.sums.full_scale()) }} : near_{{ channel.c }}[{{ f - 1 }}:{{ f - bits }}];
 {%- endfor %}
         end
     end

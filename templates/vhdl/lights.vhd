@@ -29,7 +29,8 @@ architecture rtl of {{ sequencer.name }} is
 {%- for channel in channels %}
     signal start_{{ channel.c }} : unsigned({{ f }} downto 0) := (others => '0');
     signal sum_{{ channel.c }}   : unsigned({{ f + 1 }} downto 0) := (others => '0');
-    signal total_{{ channel.c }} : unsigned({{ f }} downto 0) := (others => '0');
+    signal total_{{ channel.c }} : unsigned({{ f - 1 }} downto 0) := (others => '0');
+    signal full_{{ channel.c }}  : std_logic := '0';
     signal near_{{ channel.c }}  : unsigned({{ f }} downto 0) := (others => '0');
     signal code_{{ channel.c }}  : unsigned({{ bits - 1 }} downto 0) := (others => '0');
 {%- endfor %}
@@ -69,9 +70,10 @@ begin
         end if;
     end process;
 
-    -- ===== Stage {{ sequencer.core_latency + 1 }}: the sum of a sample's lights, UQ1.{{ f }} and kept at 1.0
+    -- ===== Stage {{ sequencer.core_latency + 1 }}: the sum of a sample's lights below 1.0, and whether it has reached that
 {%- for channel in channels %}
-    start_{{ channel.c }} <= {{ channel.vhdl_start }} when begins = '1' else total_{{ channel.c }};
+    start_{{ channel.c }} <= {{ channel.vhdl_start }} when begins = '1' else
+        '0' & total_{{ channel.c }};
     sum_{{ channel.c }}   <= resize(start_{{ channel.c }}, {{ f + 2 }}) + unsigned(out_sum_{{ channel.c }});
 {%- endfor %}
     process (clk) is
@@ -79,10 +81,11 @@ begin
         if rising_edge(clk) then
             if ce = '1' and sum_valid = '1' then
 {%- for channel in channels %}
+                total_{{ channel.c }} <= sum_{{ channel.c }}({{ f - 1 }} downto 0);
                 if sum_{{ channel.c }}({{ f + 1 }} downto {{ f }}) /= "00" then
-                    total_{{ channel.c }} <= ({{ f }} => '1', others => '0');
-                else
-                    total_{{ channel.c }} <= sum_{{ channel.c }}({{ f }} downto 0);
+                    full_{{ channel.c }} <= '1';
+                elsif begins = '1' then
+                    full_{{ channel.c }} <= '0';
                 end if;
 {%- endfor %}
             end if;
@@ -91,14 +94,14 @@ begin
 
     -- ===== Stage {{ sequencer.latency }}: the nearest code, at most full scale
 {%- for channel in channels %}
-    near_{{ channel.c }} <= total_{{ channel.c }} + {{ sequencer.sums.half_code() }};
+    near_{{ channel.c }} <= ('0' & total_{{ channel.c }}) + {{ sequencer.sums.half_code() }};
 {%- endfor %}
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
 {%- for channel in channels %}
-                if near_{{ channel.c }}({{ f }}) = '1' then
+                if full_{{ channel.c }} = '1' or near_{{ channel.c }}({{ f }}) = '1' then
                     code_{{ channel.c }} <= (others => '1');
                 else
                     code_{{ channel.c }} <= near_{{ channel.c }}({{ f - 1 }} downto {{ f - bits }});

@@ -173,7 +173,7 @@ fn exact(block: &ImageBlock, image: &Image, light: Light, intensity: [f64; 3]) -
     let gains = intensity.map(|intensity| intensity * (own + next).powi(2) * unit);
     let widths = block.widths();
     let greatest = gains.into_iter().fold(0.0, f64::max);
-    let shift = (0..widths.shift).find(|&shift| greatest < exp2(shift)).unwrap_or(widths.shift);
+    let shift = (0..widths.shift).find(|&shift| greatest < 2.0 * exp2(shift)).unwrap_or(widths.shift);
     let odd = if band % 2 == 0 { next } else { own };
     let direction = image.has_incidence().then_some([direction.x, direction.y, direction.z]);
     let vectors = direction.into_iter().flatten().chain(frame);
@@ -185,7 +185,7 @@ fn exact(block: &ImageBlock, image: &Image, light: Light, intensity: [f64; 3]) -
         codes.push(f64::from(u8::from(light.phi >= angles[angles.len() - 1])));
     }
     codes.extend((widths.shift > 0).then_some(f64::from(shift)));
-    codes.extend(gains.map(|gain| (gain * exp2(widths.gain - shift)).min(exp2(widths.gain) - 1.0)));
+    codes.extend(gains.map(|gain| (gain * exp2(widths.gain - shift)).min(2.0 * exp2(widths.gain) - 1.0)));
     codes
 }
 

@@ -39,17 +39,17 @@ fn specs() -> Vec<String> {
         "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\nlight_source = 'table'\n\
          axi_stream = true\nreflectance = { model = 'ggx' }"
             .to_owned(),
-        "block = 'image'\nimages = 4\nimage_size = 8\ntexels = 'writable'\nlights_a_clock = 2\nmost_lights = 5\n\
-         light_source = 'table'\nvhdl_ports = 'std-logic'\naxi_stream = true\ntuser_bits = 40\n\
-         reflectance = { model = 'gold-paint' }"
+        "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\ntexels = 'writable'\n\
+         lights_a_clock = 2\nmost_lights = 5\nlight_source = 'table'\nvhdl_ports = 'std-logic'\n\
+         axi_stream = true\ntuser_bits = 40\nreflectance = { model = 'gold-paint' }"
             .to_owned(),
         format!("{SHADER}lights_a_clock = 1\nmost_lights = 1\nlight_source = 'table'\naxi_stream = true\n"),
         format!("{SHADER}lights_a_clock = 1\nlight_source = 'table'\npipeline = 1\n"),
         with_rom(&format!("{SHADER}lights_a_clock = 1\naxi_stream = true\ntuser_bits = 2\n"), 3),
         with_rom(&format!("{SHADER}lights_a_clock = 2\nvhdl_ports = 'std-logic'\n"), 3),
         with_rom(
-            "block = 'image'\nimages = 4\nimage_size = 8\ntexels = 'writable'\nlights_a_clock = 2\n\
-             vhdl_ports = 'std-logic'\naxi_stream = true\ntuser_bits = 64\n\
+            "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\ntexels = 'writable'\n\
+             lights_a_clock = 2\nvhdl_ports = 'std-logic'\naxi_stream = true\ntuser_bits = 64\n\
              reflectance = { model = 'gold-paint' }\n",
             5,
         ),
@@ -137,16 +137,16 @@ type Fault = (&'static str, Language, &'static str, &'static str);
 const FAULTS: [Fault; 10] = [
     ("the first lights are added to the last sample", Language::Verilog, "begins ? {", "1'b0 ? {"),
     ("a sum beyond 1.0 wraps", Language::Verilog, "wire over_g = |sum_g[16:15]", "wire over_g = 1'b0 & |sum_g[16:15]"),
-    ("the rounding", Language::Verilog, "near_b = total_b + 16'd64", "near_b = total_b + 16'd63"),
-    ("full scale", Language::Verilog, "code_r <= near_r[15] ? 8'hff", "code_r <= near_r[15] ? 8'hfe"),
+    ("the rounding", Language::Verilog, "near_b = {1'b0, total_b} + 16'd64", "near_b = {1'b0, total_b} + 16'd63"),
+    ("full scale", Language::Verilog, "near_r[15]) ? 8'hff", "near_r[15]) ? 8'hfe"),
     ("the end a clock late", Language::Verilog, "begins <= valid[", "begins <= valid[1 +"),
     ("a reset in the middle of a sample", Language::Verilog, "begins <= 1'b1;\n        end else", "end else"),
     ("lights that are none", Language::Vhdl, "if ce = '1' and sum_valid = '1'", "if ce = '1'"),
     (
         "the enable",
         Language::Vhdl,
-        "            if ce = '1' then\n                if near",
-        "            if true then\n                if near",
+        "            if ce = '1' then\n                if full",
+        "            if true then\n                if full",
     ),
     (
         "the ambient light",

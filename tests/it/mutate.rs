@@ -21,7 +21,7 @@ const SMALL: &str = "method = \"quadratic\"\nshininess = \"1..=15\"\ninput_fract
 
 fn outcomes_of(design: &Design, golden: &Golden, mutants: &[Mutant]) -> Vec<Outcome> {
     let vectors = Vectors::of(design, golden);
-    outcomes(design, mutants, &|defect| vectors.detect(defect))
+    outcomes(design, mutants, &golden.vectors(), &|defect| vectors.detect(defect))
 }
 
 /// Without most vectors: the corners of the ports' codes only.

@@ -6,6 +6,7 @@
 use std::path::Path;
 use std::time::Duration;
 
+use brdfgen::block::image::quality::PictureError;
 use brdfgen::core::{BlockDesign, Design};
 use brdfgen::reflectance::vector::seen_from;
 use brdfgen::reflectance::{Light, Vector};
@@ -239,7 +240,7 @@ fn what_no_core_can_be_chosen_for_is_said() {
 }
 
 #[test]
-fn sizes_follow_from_the_least_ratio() {
+fn sizes_follow_from_what_pictures_may_miss() {
     let own = |keys: &str| {
         let text = format!("block = 'image'\n{keys}\n[reflectance]\nmodel = 'ggx'\nparameters = {{ alpha = 0.5 }}\n");
         SpecFields::parse(&text, "own").unwrap().resolve().map_err(|error| error.to_string())
@@ -249,20 +250,37 @@ fn sizes_follow_from_the_least_ratio() {
     let Block::Image(ImageSpec { image, .. }) = &spec.block else { panic!("an image-based block") };
     let bits = |size: u32, bits: u32| size * size * bits;
     // It reaches the ratio, and none that is smaller does.
-    let mean = |size: u32, bits: u32| {
+    let error = |size: u32, bits: u32| {
         let keys = format!("{form}\nimage_size = {size}\ntexel_bits = {bits}");
         let design = Design::new(own(&keys).unwrap()).unwrap();
         let BlockDesign::Image(image) = design.block() else { panic!("an image-based block") };
         let Block::Image(ImageSpec { source: ImageSource::Model(model), .. }) = &design.spec.block else {
             panic!("a model")
         };
-        image.quality(model).mean
+        image.block.picture_error(model, image.of.exposure)
     };
-    assert!(mean(image.size, image.texel_bits) >= 44.0);
-    for size in [8, 16, 32, 64] {
-        for texel_bits in 4..=10 {
-            if bits(size, texel_bits) < bits(image.size, image.texel_bits) {
-                assert!(mean(size, texel_bits) < 44.0, "{size} {texel_bits}");
+    assert!(error(image.size, image.texel_bits).quality.mean >= 44.0);
+    let PictureError { quality: reached, greatest } = error(16, 10);
+    let budgets = [(44.0, 1.0), (0.0, greatest), (reached.mean, greatest)];
+    let keys = [
+        "min_psnr = 44.0".to_owned(),
+        format!("max_error = {greatest:?}"),
+        format!("min_psnr = {:?}\nmax_error = {greatest:?}", reached.mean),
+    ];
+    for ((least, most), keys) in budgets.into_iter().zip(keys) {
+        let spec = own(&format!("{form}\n{keys}")).unwrap();
+        let Block::Image(ImageSpec { image, .. }) = &spec.block else { panic!("an image-based block") };
+        let keeps = |size, bits| {
+            let PictureError { quality, greatest } = error(size, bits);
+            quality.mean >= least && greatest <= most
+        };
+        assert!(keeps(image.size, image.texel_bits), "{keys}: {image}");
+        for size in [8, 16, 32, 64] {
+            for texel_bits in 4..=10 {
+                if bits(size, texel_bits) < bits(image.size, image.texel_bits) {
+                    // More bits may by chance miss what fewer keep: such a size is passed over.
+                    assert!(!keeps(size, texel_bits) || !keeps(size, 10), "{keys}: {image}, {size} {texel_bits}");
+                }
             }
         }
     }
@@ -270,7 +288,11 @@ fn sizes_follow_from_the_least_ratio() {
     let spec = own(&format!("{form}\nmin_psnr = 30.0\nimage_size = 32")).unwrap();
     let text = SpecFields::from_spec(&spec);
     assert_eq!((text.image_size, text.texel_bits, text.min_psnr), (Some(32), Some(4), None));
-    let nearest = own(&format!("{form}\nmin_psnr = 90.0\nimage_size = 8")).unwrap_err();
-    assert!(nearest.contains("reaches min_psnr = 90") && nearest.contains("bivariate 8², 10 bits, has"), "{nearest}");
+    let nearest = own(&format!("{form}\nmin_psnr = 90.0\nmax_error = 0.5\nimage_size = 8")).unwrap_err();
+    assert!(
+        nearest.contains("keeps min_psnr = 90 and max_error = 0.5") && nearest.contains("bivariate 8², 10 bits, has"),
+        "{nearest}"
+    );
     assert!(own("min_psnr = -1.0").unwrap_err().contains("out of range"));
+    assert!(own("max_error = 1.0").unwrap_err().contains("max_error = 1 is out of range"));
 }

@@ -246,7 +246,7 @@ const FAULTS: &[Fault] = &[
     ("N.V for N.L", Language::Verilog, "nl1_x_0 =", "in_l1x", "in_vx"),
     ("a sign lost", Language::Verilog, "x1_exact_", " - ", " + "),
     ("light from behind", Language::Verilog, "spec1_", "dark1_", "~dark1_"),
-    ("no saturation", Language::Verilog, "kept_g_", " > ", " < "),
+    ("no saturation", Language::Verilog, "kept_g_", "(|", "(1'b0 & |"),
     ("another material", Language::Verilog, "case (in_material", "in_material", "~in_material"),
     ("a light lost", Language::Verilog, " lights2_b_", " + ", " & "),
     ("channels swapped", Language::Verilog, "assign out_r", "code_r", "code_g"),

@@ -2,7 +2,7 @@
  * image_bivariate_light: the records of lights for the core image_bivariate
  *
  * Made by: brdfgen generate core.toml
- * Spec b18a9704e4315ab5. Generated; the function is yours to use under any terms.
+ * Spec 83baf58a1b491c61. Generated; the function is yours to use under any terms.
  */
 
 #include "image_bivariate_light.h"
@@ -240,17 +240,17 @@ image_bivariate_light(uint64_t phi, uint64_t gamma, const uint64_t intensity[3])
     else
         record.blend = (int32_t)(((odd << 6) + weight) / (2 * weight));
 
-    /* The gains, and the shift that makes fractions of them. Behind the object nothing is lit. */
+    /* The gains, and the shift that makes codes of their port of them. Behind the object nothing is lit. */
     gain = phi == HALF_TURN ? 0 : product(weight, weight, 34);
     for (channel = 0; channel < 3; ++channel) {
         gains[channel] = product(gain, least(intensity[channel], HALF_TURN), 63);
         if (gains[channel] > greatest)
             greatest = gains[channel];
     }
-    while (shift < 10 && greatest >> (52 + shift) != 0)
+    while (shift < 9 && greatest >> (53 + shift) != 0)
         ++shift;
     record.shift = (int32_t)shift;
-    dropped = 34 + shift;
+    dropped = 35 + shift;
     for (channel = 0; channel < 3; ++channel) {
         uint64_t code = (gains[channel] + (UINT64_C(1) << (dropped - 1))) >> dropped;
         record.gain[channel] = (int32_t)least(code, UINT64_C(262143));

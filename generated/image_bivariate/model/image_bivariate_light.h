@@ -2,7 +2,7 @@
  * image_bivariate_light: the records of lights for the core image_bivariate
  *
  * Made by: brdfgen generate core.toml
- * Spec b18a9704e4315ab5. Generated; the function is yours to use under any terms.
+ * Spec 83baf58a1b491c61. Generated; the function is yours to use under any terms.
  */
 
 #ifndef IMAGE_BIVARIATE_LIGHT_H
@@ -31,7 +31,7 @@ struct image_bivariate_light_record {
     int32_t band; /* in_band1: UQ5.0 */
     int32_t blend; /* in_blend1: UQ1.5 */
     int32_t shift; /* in_shift1: UQ4.0 */
-    int32_t gain[3]; /* in_gain1r, in_gain1g, in_gain1b: UQ0.18 */
+    int32_t gain[3]; /* in_gain1r, in_gain1g, in_gain1b: UQ1.17 */
 };
 
 /* The record of a light.

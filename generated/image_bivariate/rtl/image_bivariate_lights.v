@@ -1,14 +1,14 @@
 // image_bivariate_lights: the lights of a sample in sequence through the core image_bivariate
 //
 // Made by: brdfgen generate core.toml
-// Spec b18a9704e4315ab5. Generated; the sequencer is yours to use under any terms.
+// Spec 83baf58a1b491c61. Generated; the sequencer is yours to use under any terms.
 //
 //   in_last   1 bit   with the lights of this clock the sample ends
 //   out_r     UQ8.0   red; 255 is full scale
 //   out_g     UQ8.0   green; 255 is full scale
 //   out_b     UQ8.0   blue; 255 is full scale
 //
-// A sample is any number of clocks' lights, the last with in_last. Latency 25 clocks from
+// A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
 // there; lights at every clock, and no pause between samples.
 
 `timescale 1ns / 1ps
@@ -58,13 +58,13 @@ module image_bivariate_lights #(
     input  wire [5:0] in_blend1,
     // UQ4.0: exponent of light 1's gain
     input  wire [3:0] in_shift1,
-    // UQ0.18: red of light 1's gain
+    // UQ1.17: red of light 1's gain
     input  wire [17:0] in_gain1r,
-    // UQ0.18: green of light 1's gain
+    // UQ1.17: green of light 1's gain
     input  wire [17:0] in_gain1g,
-    // UQ0.18: blue of light 1's gain
+    // UQ1.17: blue of light 1's gain
     input  wire [17:0] in_gain1b,
-    // the other outputs are a sample: 25 enabled clocks behind its in_last
+    // the other outputs are a sample: 27 enabled clocks behind its in_last
     output wire        out_valid,
     // UQ8.0: red; 255 is full scale
     output wire [7:0] out_r,
@@ -111,13 +111,13 @@ module image_bivariate_lights #(
     );
 
     // ===== Valid chain of whole samples: a bit where one's last lights are, in step with the core
-    reg [25:1] valid;
-    initial valid = 25'd0;
+    reg [27:1] valid;
+    initial valid = 27'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 25'd0;
+            valid <= 27'd0;
         end else if (ce) begin
-            valid <= {valid[24:1], in_valid & in_last};
+            valid <= {valid[26:1], in_valid & in_last};
         end
     end
 
@@ -128,44 +128,53 @@ module image_bivariate_lights #(
         if (rst) begin
             begins <= 1'b1;
         end else if (ce & sum_valid) begin
-            begins <= valid[23];
+            begins <= valid[25];
         end
     end
 
-    // ===== Stage 24: the sum of a sample's lights, UQ1.17 and kept at 1.0
-    reg [17:0] total_r;
-    wire [18:0] sum_r = {1'b0, begins ? 18'd0 : total_r} + {1'b0, out_sum_r};
+    // ===== Stage 26: the sum of a sample's lights below 1.0, and whether it has reached that
+    reg [16:0] total_r;
+    reg full_r;
+    wire [17:0] start_r = begins ? 18'd0 : {1'b0, total_r};
+    wire [18:0] sum_r = {1'b0, start_r} + {1'b0, out_sum_r};
     wire over_r = |sum_r[18:17];
-    reg [17:0] total_g;
-    wire [18:0] sum_g = {1'b0, begins ? 18'd0 : total_g} + {1'b0, out_sum_g};
+    reg [16:0] total_g;
+    reg full_g;
+    wire [17:0] start_g = begins ? 18'd0 : {1'b0, total_g};
+    wire [18:0] sum_g = {1'b0, start_g} + {1'b0, out_sum_g};
     wire over_g = |sum_g[18:17];
-    reg [17:0] total_b;
-    wire [18:0] sum_b = {1'b0, begins ? 18'd0 : total_b} + {1'b0, out_sum_b};
+    reg [16:0] total_b;
+    reg full_b;
+    wire [17:0] start_b = begins ? 18'd0 : {1'b0, total_b};
+    wire [18:0] sum_b = {1'b0, start_b} + {1'b0, out_sum_b};
     wire over_b = |sum_b[18:17];
     always @(posedge clk) begin
         if (ce & sum_valid) begin
-            total_r <= over_r ? {1'b1, 17'd0} : sum_r[17:0];
-            total_g <= over_g ? {1'b1, 17'd0} : sum_g[17:0];
-            total_b <= over_b ? {1'b1, 17'd0} : sum_b[17:0];
+            total_r <= sum_r[16:0];
+            full_r  <= over_r | (full_r & ~begins);
+            total_g <= sum_g[16:0];
+            full_g  <= over_g | (full_g & ~begins);
+            total_b <= sum_b[16:0];
+            full_b  <= over_b | (full_b & ~begins);
         end
     end
 
-    // ===== Stage 25: the nearest code, at most full scale
-    wire [17:0] near_r = total_r + 18'd256;
+    // ===== Stage 27: the nearest code, at most full scale
+    wire [17:0] near_r = {1'b0, total_r} + 18'd256;
     reg [7:0] code_r;
-    wire [17:0] near_g = total_g + 18'd256;
+    wire [17:0] near_g = {1'b0, total_g} + 18'd256;
     reg [7:0] code_g;
-    wire [17:0] near_b = total_b + 18'd256;
+    wire [17:0] near_b = {1'b0, total_b} + 18'd256;
     reg [7:0] code_b;
     always @(posedge clk) begin
         if (ce) begin
-            code_r <= near_r[17] ? 8'hff : near_r[16:9];
-            code_g <= near_g[17] ? 8'hff : near_g[16:9];
-            code_b <= near_b[17] ? 8'hff : near_b[16:9];
+            code_r <= (full_r | near_r[17]) ? 8'hff : near_r[16:9];
+            code_g <= (full_g | near_g[17]) ? 8'hff : near_g[16:9];
+            code_b <= (full_b | near_b[17]) ? 8'hff : near_b[16:9];
         end
     end
 
-    assign out_valid = valid[25];
+    assign out_valid = valid[27];
     assign out_r = code_r;
     assign out_g = code_g;
     assign out_b = code_b;

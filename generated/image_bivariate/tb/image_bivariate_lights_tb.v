@@ -1,14 +1,14 @@
 // image_bivariate_lights: the lights of a sample in sequence through the core image_bivariate
 //
 // Made by: brdfgen generate core.toml
-// Spec b18a9704e4315ab5. Generated; the sequencer is yours to use under any terms.
+// Spec 83baf58a1b491c61. Generated; the sequencer is yours to use under any terms.
 //
 //   in_last   1 bit   with the lights of this clock the sample ends
 //   out_r     UQ8.0   red; 255 is full scale
 //   out_g     UQ8.0   green; 255 is full scale
 //   out_b     UQ8.0   blue; 255 is full scale
 //
-// A sample is any number of clocks' lights, the last with in_last. Latency 25 clocks from
+// A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
 // there; lights at every clock, and no pause between samples.
 
 `default_nettype none
@@ -19,7 +19,7 @@ module image_bivariate_lights_tb;
 /* verilator lint_on DECLFILENAME */
 
     localparam NAME    = "image_bivariate_lights";
-    localparam LATENCY = 25;
+    localparam LATENCY = 27;
     localparam SHOWN   = 10; // mismatches printed; the others are only counted
 
     // The core reads its memory texels_1_even_even from this file, relative to the current directory.

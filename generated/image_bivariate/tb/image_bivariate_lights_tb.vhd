@@ -1,14 +1,14 @@
 -- image_bivariate_lights: the lights of a sample in sequence through the core image_bivariate
 --
 -- Made by: brdfgen generate core.toml
--- Spec b18a9704e4315ab5. Generated; the sequencer is yours to use under any terms.
+-- Spec 83baf58a1b491c61. Generated; the sequencer is yours to use under any terms.
 --
 --   in_last   1 bit   with the lights of this clock the sample ends
 --   out_r     UQ8.0   red; 255 is full scale
 --   out_g     UQ8.0   green; 255 is full scale
 --   out_b     UQ8.0   blue; 255 is full scale
 --
--- A sample is any number of clocks' lights, the last with in_last. Latency 25 clocks from
+-- A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
 -- there; lights at every clock, and no pause between samples.
 
 library ieee;
@@ -34,7 +34,7 @@ end entity;
 architecture bench of image_bivariate_lights_tb is
 
     constant NAME    : string   := "image_bivariate_lights";
-    constant LATENCY : positive := 25;
+    constant LATENCY : positive := 27;
     constant SHOWN   : positive := 10; -- mismatches printed; the others are only counted
 
     subtype in_nx_word is std_logic_vector(17 downto 0);

@@ -2,7 +2,7 @@
  * image_half_light: the records of lights for the core image_half
  *
  * Made by: brdfgen generate core.toml
- * Spec 2d84489c342361ed. Generated; the function is yours to use under any terms.
+ * Spec 0ea215276951d7d2. Generated; the function is yours to use under any terms.
  */
 
 #include "image_half_light.h"
@@ -218,21 +218,21 @@ image_half_light(uint64_t phi, uint64_t gamma, const uint64_t intensity[3])
     odd = band % 2 == 0 ? next : own;
     record.band = (int32_t)band;
     if (weight == 0)
-        record.blend = band % 2 == 0 ? 0 : INT32_C(1) << 6;
+        record.blend = band % 2 == 0 ? 0 : INT32_C(1) << 5;
     else
-        record.blend = (int32_t)(((odd << 7) + weight) / (2 * weight));
+        record.blend = (int32_t)(((odd << 6) + weight) / (2 * weight));
 
-    /* The gains, and the shift that makes fractions of them. Behind the object nothing is lit. */
+    /* The gains, and the shift that makes codes of their port of them. Behind the object nothing is lit. */
     gain = phi == HALF_TURN ? 0 : product(weight, weight, 34);
     for (channel = 0; channel < 3; ++channel) {
         gains[channel] = product(gain, least(intensity[channel], HALF_TURN), 63);
         if (gains[channel] > greatest)
             greatest = gains[channel];
     }
-    while (shift < 10 && greatest >> (52 + shift) != 0)
+    while (shift < 9 && greatest >> (53 + shift) != 0)
         ++shift;
     record.shift = (int32_t)shift;
-    dropped = 34 + shift;
+    dropped = 35 + shift;
     for (channel = 0; channel < 3; ++channel) {
         uint64_t code = (gains[channel] + (UINT64_C(1) << (dropped - 1))) >> dropped;
         record.gain[channel] = (int32_t)least(code, UINT64_C(262143));

@@ -2,7 +2,7 @@
  * image_half_light: the records of lights for the core image_half
  *
  * Made by: brdfgen generate core.toml
- * Spec 2d84489c342361ed. Generated; the function is yours to use under any terms.
+ * Spec 0ea215276951d7d2. Generated; the function is yours to use under any terms.
  */
 
 #ifndef IMAGE_HALF_LIGHT_H
@@ -30,9 +30,9 @@ struct image_half_light_record {
     int32_t u[3]; /* in_u1x, in_u1y, in_u1z: Q1.16 */
     int32_t v[2]; /* in_v1x, in_v1y: Q1.16 */
     int32_t band; /* in_band1: UQ4.0 */
-    int32_t blend; /* in_blend1: UQ1.6 */
+    int32_t blend; /* in_blend1: UQ1.5 */
     int32_t shift; /* in_shift1: UQ4.0 */
-    int32_t gain[3]; /* in_gain1r, in_gain1g, in_gain1b: UQ0.18 */
+    int32_t gain[3]; /* in_gain1r, in_gain1g, in_gain1b: UQ1.17 */
 };
 
 /* The record of a light.

@@ -1,14 +1,14 @@
 -- image_half_lights: the lights of a sample in sequence through the core image_half
 --
 -- Made by: brdfgen generate core.toml
--- Spec 2d84489c342361ed. Generated; the sequencer is yours to use under any terms.
+-- Spec 0ea215276951d7d2. Generated; the sequencer is yours to use under any terms.
 --
 --   in_last   1 bit   with the lights of this clock the sample ends
 --   out_r     UQ8.0   red; 255 is full scale
 --   out_g     UQ8.0   green; 255 is full scale
 --   out_b     UQ8.0   blue; 255 is full scale
 --
--- A sample is any number of clocks' lights, the last with in_last. Latency 24 clocks from
+-- A sample is any number of clocks' lights, the last with in_last. Latency 26 clocks from
 -- there; lights at every clock, and no pause between samples.
 
 library ieee;
@@ -69,17 +69,17 @@ entity image_half_lights is
         in_v1y    : in  signed(17 downto 0);
         -- UQ4.0: slice of texels below light 1's angle
         in_band1  : in  unsigned(3 downto 0);
-        -- UQ1.6: weight of the odd one of this slice and the next, at most 1
-        in_blend1 : in  unsigned(6 downto 0);
+        -- UQ1.5: weight of the odd one of this slice and the next, at most 1
+        in_blend1 : in  unsigned(5 downto 0);
         -- UQ4.0: exponent of light 1's gain
         in_shift1 : in  unsigned(3 downto 0);
-        -- UQ0.18: red of light 1's gain
+        -- UQ1.17: red of light 1's gain
         in_gain1r : in  unsigned(17 downto 0);
-        -- UQ0.18: green of light 1's gain
+        -- UQ1.17: green of light 1's gain
         in_gain1g : in  unsigned(17 downto 0);
-        -- UQ0.18: blue of light 1's gain
+        -- UQ1.17: blue of light 1's gain
         in_gain1b : in  unsigned(17 downto 0);
-        -- the other outputs are a sample: 24 enabled clocks behind its in_last
+        -- the other outputs are a sample: 26 enabled clocks behind its in_last
         out_valid : out std_logic;
         -- UQ8.0: red; 255 is full scale
         out_r     : out unsigned(7 downto 0);
@@ -93,7 +93,7 @@ end entity image_half_lights;
 architecture rtl of image_half_lights is
 
     -- Valid chain of whole samples: a bit where one's last lights are, in step with the core.
-    signal valid     : std_logic_vector(24 downto 1) := (others => '0');
+    signal valid     : std_logic_vector(26 downto 1) := (others => '0');
     -- Whether the next lights out of the core are the first of their sample.
     signal begins    : std_logic := '1';
     signal sum_valid : std_logic := '0';
@@ -102,17 +102,20 @@ architecture rtl of image_half_lights is
     signal out_sum_b : unsigned(17 downto 0) := (others => '0');
     signal start_r : unsigned(17 downto 0) := (others => '0');
     signal sum_r   : unsigned(18 downto 0) := (others => '0');
-    signal total_r : unsigned(17 downto 0) := (others => '0');
+    signal total_r : unsigned(16 downto 0) := (others => '0');
+    signal full_r  : std_logic := '0';
     signal near_r  : unsigned(17 downto 0) := (others => '0');
     signal code_r  : unsigned(7 downto 0) := (others => '0');
     signal start_g : unsigned(17 downto 0) := (others => '0');
     signal sum_g   : unsigned(18 downto 0) := (others => '0');
-    signal total_g : unsigned(17 downto 0) := (others => '0');
+    signal total_g : unsigned(16 downto 0) := (others => '0');
+    signal full_g  : std_logic := '0';
     signal near_g  : unsigned(17 downto 0) := (others => '0');
     signal code_g  : unsigned(7 downto 0) := (others => '0');
     signal start_b : unsigned(17 downto 0) := (others => '0');
     signal sum_b   : unsigned(18 downto 0) := (others => '0');
-    signal total_b : unsigned(17 downto 0) := (others => '0');
+    signal total_b : unsigned(16 downto 0) := (others => '0');
+    signal full_b  : std_logic := '0';
     signal near_b  : unsigned(17 downto 0) := (others => '0');
     signal code_b  : unsigned(7 downto 0) := (others => '0');
 
@@ -166,63 +169,69 @@ begin
                 valid  <= (others => '0');
                 begins <= '1';
             elsif ce = '1' then
-                valid <= valid(23 downto 1) & (in_valid and in_last);
+                valid <= valid(25 downto 1) & (in_valid and in_last);
                 if sum_valid = '1' then
-                    begins <= valid(22);
+                    begins <= valid(24);
                 end if;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 23: the sum of a sample's lights, UQ1.17 and kept at 1.0
-    start_r <= (others => '0') when begins = '1' else total_r;
+    -- ===== Stage 25: the sum of a sample's lights below 1.0, and whether it has reached that
+    start_r <= (others => '0') when begins = '1' else
+        '0' & total_r;
     sum_r   <= resize(start_r, 19) + unsigned(out_sum_r);
-    start_g <= (others => '0') when begins = '1' else total_g;
+    start_g <= (others => '0') when begins = '1' else
+        '0' & total_g;
     sum_g   <= resize(start_g, 19) + unsigned(out_sum_g);
-    start_b <= (others => '0') when begins = '1' else total_b;
+    start_b <= (others => '0') when begins = '1' else
+        '0' & total_b;
     sum_b   <= resize(start_b, 19) + unsigned(out_sum_b);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' and sum_valid = '1' then
+                total_r <= sum_r(16 downto 0);
                 if sum_r(18 downto 17) /= "00" then
-                    total_r <= (17 => '1', others => '0');
-                else
-                    total_r <= sum_r(17 downto 0);
+                    full_r <= '1';
+                elsif begins = '1' then
+                    full_r <= '0';
                 end if;
+                total_g <= sum_g(16 downto 0);
                 if sum_g(18 downto 17) /= "00" then
-                    total_g <= (17 => '1', others => '0');
-                else
-                    total_g <= sum_g(17 downto 0);
+                    full_g <= '1';
+                elsif begins = '1' then
+                    full_g <= '0';
                 end if;
+                total_b <= sum_b(16 downto 0);
                 if sum_b(18 downto 17) /= "00" then
-                    total_b <= (17 => '1', others => '0');
-                else
-                    total_b <= sum_b(17 downto 0);
+                    full_b <= '1';
+                elsif begins = '1' then
+                    full_b <= '0';
                 end if;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 24: the nearest code, at most full scale
-    near_r <= total_r + 256;
-    near_g <= total_g + 256;
-    near_b <= total_b + 256;
+    -- ===== Stage 26: the nearest code, at most full scale
+    near_r <= ('0' & total_r) + 256;
+    near_g <= ('0' & total_g) + 256;
+    near_b <= ('0' & total_b) + 256;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                if near_r(17) = '1' then
+                if full_r = '1' or near_r(17) = '1' then
                     code_r <= (others => '1');
                 else
                     code_r <= near_r(16 downto 9);
                 end if;
-                if near_g(17) = '1' then
+                if full_g = '1' or near_g(17) = '1' then
                     code_g <= (others => '1');
                 else
                     code_g <= near_g(16 downto 9);
                 end if;
-                if near_b(17) = '1' then
+                if full_b = '1' or near_b(17) = '1' then
                     code_b <= (others => '1');
                 else
                     code_b <= near_b(16 downto 9);
@@ -231,7 +240,7 @@ begin
         end if;
     end process;
 
-    out_valid <= valid(24);
+    out_valid <= valid(26);
     out_r     <= code_r;
     out_g     <= code_g;
     out_b     <= code_b;

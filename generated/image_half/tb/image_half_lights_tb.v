@@ -1,14 +1,14 @@
 // image_half_lights: the lights of a sample in sequence through the core image_half
 //
 // Made by: brdfgen generate core.toml
-// Spec 2d84489c342361ed. Generated; the sequencer is yours to use under any terms.
+// Spec 0ea215276951d7d2. Generated; the sequencer is yours to use under any terms.
 //
 //   in_last   1 bit   with the lights of this clock the sample ends
 //   out_r     UQ8.0   red; 255 is full scale
 //   out_g     UQ8.0   green; 255 is full scale
 //   out_b     UQ8.0   blue; 255 is full scale
 //
-// A sample is any number of clocks' lights, the last with in_last. Latency 24 clocks from
+// A sample is any number of clocks' lights, the last with in_last. Latency 26 clocks from
 // there; lights at every clock, and no pause between samples.
 
 `default_nettype none
@@ -19,7 +19,7 @@ module image_half_lights_tb;
 /* verilator lint_on DECLFILENAME */
 
     localparam NAME    = "image_half_lights";
-    localparam LATENCY = 24;
+    localparam LATENCY = 26;
     localparam SHOWN   = 10; // mismatches printed; the others are only counted
 
     // The core reads its memory texels_1_even_even_even from this file, relative to the current directory.
@@ -64,7 +64,7 @@ module image_half_lights_tb;
     reg  [17:0] in_v1x    = 0;
     reg  [17:0] in_v1y    = 0;
     reg  [3:0]  in_band1  = 0;
-    reg  [6:0]  in_blend1 = 0;
+    reg  [5:0]  in_blend1 = 0;
     reg  [3:0]  in_shift1 = 0;
     reg  [17:0] in_gain1r = 0;
     reg  [17:0] in_gain1g = 0;
@@ -147,7 +147,7 @@ module image_half_lights_tb;
     reg [17:0] file_in_v1x;
     reg [17:0] file_in_v1y;
     reg [3:0]  file_in_band1;
-    reg [6:0]  file_in_blend1;
+    reg [5:0]  file_in_blend1;
     reg [3:0]  file_in_shift1;
     reg [17:0] file_in_gain1r;
     reg [17:0] file_in_gain1g;
@@ -189,7 +189,7 @@ module image_half_lights_tb;
     reg [17:0] ref_in_v1x    [0:LATENCY-1];
     reg [17:0] ref_in_v1y    [0:LATENCY-1];
     reg [3:0]  ref_in_band1  [0:LATENCY-1];
-    reg [6:0]  ref_in_blend1 [0:LATENCY-1];
+    reg [5:0]  ref_in_blend1 [0:LATENCY-1];
     reg [3:0]  ref_in_shift1 [0:LATENCY-1];
     reg [17:0] ref_in_gain1r [0:LATENCY-1];
     reg [17:0] ref_in_gain1g [0:LATENCY-1];
@@ -397,7 +397,7 @@ module image_half_lights_tb;
             draw;
             in_band1 = lfsr[3:0];
             draw;
-            in_blend1 = lfsr[6:0];
+            in_blend1 = lfsr[5:0];
             draw;
             in_shift1 = lfsr[3:0];
             draw;
@@ -692,8 +692,8 @@ module image_half_lights_tb;
             file_in_v1y = field[17:0];
             read_hex(4);
             file_in_band1 = field[3:0];
-            read_hex(7);
-            file_in_blend1 = field[6:0];
+            read_hex(6);
+            file_in_blend1 = field[5:0];
             read_hex(4);
             file_in_shift1 = field[3:0];
             read_hex(18);

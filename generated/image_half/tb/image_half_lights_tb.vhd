@@ -1,14 +1,14 @@
 -- image_half_lights: the lights of a sample in sequence through the core image_half
 --
 -- Made by: brdfgen generate core.toml
--- Spec 2d84489c342361ed. Generated; the sequencer is yours to use under any terms.
+-- Spec 0ea215276951d7d2. Generated; the sequencer is yours to use under any terms.
 --
 --   in_last   1 bit   with the lights of this clock the sample ends
 --   out_r     UQ8.0   red; 255 is full scale
 --   out_g     UQ8.0   green; 255 is full scale
 --   out_b     UQ8.0   blue; 255 is full scale
 --
--- A sample is any number of clocks' lights, the last with in_last. Latency 24 clocks from
+-- A sample is any number of clocks' lights, the last with in_last. Latency 26 clocks from
 -- there; lights at every clock, and no pause between samples.
 
 library ieee;
@@ -42,7 +42,7 @@ end entity;
 architecture bench of image_half_lights_tb is
 
     constant NAME    : string   := "image_half_lights";
-    constant LATENCY : positive := 24;
+    constant LATENCY : positive := 26;
     constant SHOWN   : positive := 10; -- mismatches printed; the others are only counted
 
     subtype in_nx_word is std_logic_vector(17 downto 0);
@@ -57,7 +57,7 @@ architecture bench of image_half_lights_tb is
     subtype in_v1x_word is std_logic_vector(17 downto 0);
     subtype in_v1y_word is std_logic_vector(17 downto 0);
     subtype in_band1_word is std_logic_vector(3 downto 0);
-    subtype in_blend1_word is std_logic_vector(6 downto 0);
+    subtype in_blend1_word is std_logic_vector(5 downto 0);
     subtype in_shift1_word is std_logic_vector(3 downto 0);
     subtype in_gain1r_word is std_logic_vector(17 downto 0);
     subtype in_gain1g_word is std_logic_vector(17 downto 0);
@@ -487,7 +487,7 @@ begin
             draw;
             in_band1 <= lfsr(3 downto 0);
             draw;
-            in_blend1 <= lfsr(6 downto 0);
+            in_blend1 <= lfsr(5 downto 0);
             draw;
             in_shift1 <= lfsr(3 downto 0);
             draw;

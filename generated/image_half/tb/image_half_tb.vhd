@@ -1,7 +1,7 @@
 -- image_half: image-based block of ggx (half, 16 slices of 32 x 32 texels), 1 light a clock, 8 bits a channel
 --
 -- Made by: brdfgen generate core.toml
--- Spec 2d84489c342361ed. Generated; the core is yours to use under any terms.
+-- Spec 0ea215276951d7d2. Generated; the core is yours to use under any terms.
 --
 --   in_nx     Q1.16   x of the unit normal, the viewer at +z
 --   in_ny     Q1.16   y of the unit normal, the viewer at +z
@@ -15,18 +15,18 @@
 --   in_v1x    Q1.16   x of row 2 of the turn to light 1's half vector
 --   in_v1y    Q1.16   y of row 2 of the turn to light 1's half vector
 --   in_band1  UQ4.0   slice of texels below light 1's angle
---   in_blend1 UQ1.6   weight of the odd one of this slice and the next, at most 1
+--   in_blend1 UQ1.5   weight of the odd one of this slice and the next, at most 1
 --   in_shift1 UQ4.0   exponent of light 1's gain
---   in_gain1r UQ0.18  red of light 1's gain
---   in_gain1g UQ0.18  green of light 1's gain
---   in_gain1b UQ0.18  blue of light 1's gain
+--   in_gain1r UQ1.17  red of light 1's gain
+--   in_gain1g UQ1.17  green of light 1's gain
+--   in_gain1b UQ1.17  blue of light 1's gain
 --   out_sum_r UQ1.17  red of these lights, at most 1.0
 --   out_sum_g UQ1.17  green of these lights, at most 1.0
 --   out_sum_b UQ1.17  blue of these lights, at most 1.0
 --
--- Latency 22 clocks, one result a clock.
+-- Latency 24 clocks, one result a clock.
 -- Pictures of a sphere against the exact reflectance, lit from 34 angles:
---   49.9 dB in the mean, 44.7 dB at the worst angle.
+--   49.9 dB in the mean, 44.4 dB at the worst angle.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -59,7 +59,7 @@ end entity;
 architecture bench of image_half_tb is
 
     constant NAME    : string   := "image_half";
-    constant LATENCY : positive := 22;
+    constant LATENCY : positive := 24;
     constant SHOWN   : positive := 10; -- mismatches printed; the others are only counted
 
     subtype in_nx_word is std_logic_vector(17 downto 0);
@@ -74,7 +74,7 @@ architecture bench of image_half_tb is
     subtype in_v1x_word is std_logic_vector(17 downto 0);
     subtype in_v1y_word is std_logic_vector(17 downto 0);
     subtype in_band1_word is std_logic_vector(3 downto 0);
-    subtype in_blend1_word is std_logic_vector(6 downto 0);
+    subtype in_blend1_word is std_logic_vector(5 downto 0);
     subtype in_shift1_word is std_logic_vector(3 downto 0);
     subtype in_gain1r_word is std_logic_vector(17 downto 0);
     subtype in_gain1g_word is std_logic_vector(17 downto 0);
@@ -489,7 +489,7 @@ begin
             draw;
             in_band1 <= lfsr(3 downto 0);
             draw;
-            in_blend1 <= lfsr(6 downto 0);
+            in_blend1 <= lfsr(5 downto 0);
             draw;
             in_shift1 <= lfsr(3 downto 0);
             draw;

@@ -2,7 +2,7 @@
  * image_paper_light: the records of lights for the core image_paper
  *
  * Made by: brdfgen generate core.toml
- * Spec 71ec3f2865dce46b. Generated; the function is yours to use under any terms.
+ * Spec 44362361f4937b8e. Generated; the function is yours to use under any terms.
  */
 
 #include "image_paper_light.h"
@@ -221,17 +221,17 @@ image_paper_light(uint64_t phi, uint64_t gamma, const uint64_t intensity[3])
     else
         record.blend = (int32_t)(((odd << 7) + weight) / (2 * weight));
 
-    /* The gains, and the shift that makes fractions of them. Behind the object nothing is lit. */
+    /* The gains, and the shift that makes codes of their port of them. Behind the object nothing is lit. */
     gain = phi == HALF_TURN ? 0 : product(weight, weight, 34);
     for (channel = 0; channel < 3; ++channel) {
         gains[channel] = product(gain, least(intensity[channel], HALF_TURN), 63);
         if (gains[channel] > greatest)
             greatest = gains[channel];
     }
-    while (shift < 5 && greatest >> (56 + shift) != 0)
+    while (shift < 4 && greatest >> (57 + shift) != 0)
         ++shift;
     record.shift = (int32_t)shift;
-    dropped = 38 + shift;
+    dropped = 39 + shift;
     for (channel = 0; channel < 3; ++channel) {
         uint64_t code = (gains[channel] + (UINT64_C(1) << (dropped - 1))) >> dropped;
         record.gain[channel] = (int32_t)least(code, UINT64_C(262143));

@@ -2,7 +2,7 @@
  * image_paper_light: the records of lights for the core image_paper
  *
  * Made by: brdfgen generate core.toml
- * Spec 71ec3f2865dce46b. Generated; the function is yours to use under any terms.
+ * Spec 44362361f4937b8e. Generated; the function is yours to use under any terms.
  */
 
 #ifndef IMAGE_PAPER_LIGHT_H
@@ -34,7 +34,7 @@ struct image_paper_light_record {
     int32_t turn_odd; /* in_turn1_odd: Q0.14 */
     int32_t alone; /* in_alone1: UQ1.0 */
     int32_t shift; /* in_shift1: UQ3.0 */
-    int32_t gain[3]; /* in_gain1r, in_gain1g, in_gain1b: UQ0.18 */
+    int32_t gain[3]; /* in_gain1r, in_gain1g, in_gain1b: UQ1.17 */
 };
 
 /* The record of a light.

@@ -1,7 +1,7 @@
 // image_paper: image-based block of ggx (paper, 6 sphere images of 64 x 64 texels), 1 light a clock, 8 bits a channel
 //
 // Made by: brdfgen generate core.toml
-// Spec 71ec3f2865dce46b. Generated; the core is yours to use under any terms.
+// Spec 44362361f4937b8e. Generated; the core is yours to use under any terms.
 //
 //   in_nx         Q1.16   x of the unit normal, the viewer at +z
 //   in_ny         Q1.16   y of the unit normal, the viewer at +z
@@ -17,14 +17,14 @@
 //   in_turn1_odd  Q0.14   half of the way from light 1 to its odd image, in right angles
 //   in_alone1     UQ1.0   1 where a single image is looked up for light 1
 //   in_shift1     UQ3.0   exponent of light 1's gain
-//   in_gain1r     UQ0.18  red of light 1's gain
-//   in_gain1g     UQ0.18  green of light 1's gain
-//   in_gain1b     UQ0.18  blue of light 1's gain
+//   in_gain1r     UQ1.17  red of light 1's gain
+//   in_gain1g     UQ1.17  green of light 1's gain
+//   in_gain1b     UQ1.17  blue of light 1's gain
 //   out_sum_r     UQ1.17  red of these lights, at most 1.0
 //   out_sum_g     UQ1.17  green of these lights, at most 1.0
 //   out_sum_b     UQ1.17  blue of these lights, at most 1.0
 //
-// Latency 44 clocks, one result a clock.
+// Latency 48 clocks, one result a clock.
 // Pictures of a sphere against the exact reflectance, lit from 34 angles:
 //   41.6 dB in the mean, 27.1 dB at the worst angle.
 
@@ -91,13 +91,13 @@ module image_paper #(
     input  wire in_alone1,
     // UQ3.0: exponent of light 1's gain
     input  wire [2:0] in_shift1,
-    // UQ0.18: red of light 1's gain
+    // UQ1.17: red of light 1's gain
     input  wire [17:0] in_gain1r,
-    // UQ0.18: green of light 1's gain
+    // UQ1.17: green of light 1's gain
     input  wire [17:0] in_gain1g,
-    // UQ0.18: blue of light 1's gain
+    // UQ1.17: blue of light 1's gain
     input  wire [17:0] in_gain1b,
-    // the other outputs are a result: in_valid, 44 enabled clocks later
+    // the other outputs are a result: in_valid, 48 enabled clocks later
     output wire        out_valid,
     // UQ1.17: red of these lights, at most 1.0
     output wire [17:0] out_sum_r,
@@ -108,17 +108,17 @@ module image_paper #(
 );
 
     // ===== Valid chain
-    reg [44:1] valid;
-    initial valid = 44'd0;
+    reg [48:1] valid;
+    initial valid = 48'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 44'd0;
+            valid <= 48'd0;
         end else if (ce) begin
-            valid <= {valid[43:1], in_valid};
+            valid <= {valid[47:1], in_valid};
         end
     end
 
-    // ===== Stage 0: nz_kept, shift1, blend1, band1_kept, band1_next_exact and 11 more
+    // ===== Stage 0: nz_kept, shift1, blend1, band1_kept, v1_x_exact and 10 more
     // UQ1.16: n.v, not below 0
     wire [16:0] nz_kept_0 = in_nz[17] ? 17'h00000 : in_nz[16:0];
     // UQ1.0: n.v > 0
@@ -126,13 +126,11 @@ module image_paper #(
     // UQ1.0: the normal is turned away from the viewer
     wire hidden_0 = ~seen_0;
     // UQ3.0: at most the greatest
-    wire [2:0] shift1_0 = (in_shift1 > 3'h5) ? 3'h5 : in_shift1;
+    wire [2:0] shift1_0 = (|in_shift1[2]) ? 3'h4 : in_shift1;
     // UQ1.6: the weight of the odd band, at most 1
     wire [6:0] blend1_0 = (|in_blend1[6]) ? 7'h40 : in_blend1;
     // UQ3.0: at most the last
     wire [2:0] band1_kept_0 = (in_band1 > 3'h5) ? 3'h5 : in_band1;
-    // UQ3.0: the next
-    wire [2:0] band1_next_exact_0 = band1_kept_0 + 3'h1;
     // UQ3.-1: its leading bits
     wire [1:0] band1_odd_high_0 = band1_kept_0[2:1];
     // UQ2.0: the odd one of both
@@ -193,7 +191,7 @@ module image_paper #(
     reg [17:0] in_gain1b_1;
     reg hidden_1;
     reg [2:0] shift1_1;
-    reg [2:0] band1_next_exact_1;
+    reg [2:0] band1_kept_1;
     reg [17:0] v1_x_1;
     reg [17:0] v1_y_1;
     reg [17:0] x1_x_1;
@@ -219,7 +217,7 @@ module image_paper #(
             in_gain1b_1 <= in_gain1b;
             hidden_1 <= hidden_0;
             shift1_1 <= shift1_0;
-            band1_next_exact_1 <= band1_next_exact_0;
+            band1_kept_1 <= band1_kept_0;
             v1_x_1 <= v1_x_0;
             v1_y_1 <= v1_y_0;
             x1_x_1 <= x1_x_0;
@@ -238,13 +236,9 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 1: band1_next, v1_xy, x1, u1_xy, v1_unit
-    // UQ3.0: at most the last
-    wire [2:0] band1_next_1 = (band1_next_exact_1 > 3'h5) ? 3'h5 : band1_next_exact_1;
-    // UQ3.-1: its leading bits
-    wire [1:0] band1_even_high_1 = band1_next_1[2:1];
-    // UQ2.0: the even one of both
-    wire [1:0] band1_even_1 = band1_even_high_1;
+    // ===== Stage 1: band1_next_exact, v1_xy, x1, u1_xy
+    // UQ3.0: the next
+    wire [2:0] band1_next_exact_1 = band1_kept_1 + 3'h1;
     // Q4.14: the turned normal
     wire [18:0] v1_xy_1 = {{1{v1_x_1[17]}}, v1_x_1} + {{1{v1_y_1[17]}}, v1_y_1};
     // Q9.9: in texels from the middle
@@ -253,18 +247,6 @@ module image_paper #(
     wire [18:0] x1_1 = {{1{x1_x_1[17]}}, x1_x_1} - {{1{x1_y_1[17]}}, x1_y_1};
     // Q4.14: the turned normal
     wire [18:0] u1_xy_1 = {{1{u1_x_1[17]}}, u1_x_1} + {{1{u1_y_1[17]}}, u1_y_1};
-    // Q1.14: y of a unit vector
-    wire [15:0] v1_unit_1 = ($signed(v1_xy_1) < $signed(19'h7c000)) ? 16'hc000 :
-        ($signed(v1_xy_1) > $signed(19'h04000)) ? 16'h4000 :
-        v1_xy_1[15:0];
-    // UQ7.-5: the first of them
-    wire [1:0] texels1_00_1 = band1_even_1;
-    // UQ7.-5: the first of them
-    wire [1:0] texels1_00_v2_1 = band1_even_1;
-    // UQ7.-5: the first of them
-    wire [1:0] texels1_01_1 = band1_even_1;
-    // UQ7.-5: the first of them
-    wire [1:0] texels1_01_v2_1 = band1_even_1;
     reg [17:0] in_nz_2;
     reg [14:0] in_turn1_even_2;
     reg [14:0] in_turn1_odd_2;
@@ -273,18 +255,15 @@ module image_paper #(
     reg [17:0] in_gain1b_2;
     reg hidden_2;
     reg [2:0] shift1_2;
+    reg [2:0] band1_next_exact_2;
+    reg [18:0] v1_xy_2;
     reg [18:0] v1_scaled_2;
     reg [18:0] x1_2;
     reg [17:0] u1_z_2;
     reg [18:0] u1_xy_2;
-    reg [15:0] v1_unit_2;
     reg alone1_2;
     reg [11:0] end1_even_2;
     reg [11:0] end1_odd_2;
-    reg [1:0] texels1_00_2;
-    reg [1:0] texels1_00_v2_2;
-    reg [1:0] texels1_01_2;
-    reg [1:0] texels1_01_v2_2;
     reg [1:0] texels1_10_2;
     reg [1:0] texels1_10_v2_2;
     reg [1:0] texels1_11_2;
@@ -300,18 +279,15 @@ module image_paper #(
             in_gain1b_2 <= in_gain1b_1;
             hidden_2 <= hidden_1;
             shift1_2 <= shift1_1;
+            band1_next_exact_2 <= band1_next_exact_1;
+            v1_xy_2 <= v1_xy_1;
             v1_scaled_2 <= v1_scaled_1;
             x1_2 <= x1_1;
             u1_z_2 <= u1_z_1;
             u1_xy_2 <= u1_xy_1;
-            v1_unit_2 <= v1_unit_1;
             alone1_2 <= alone1_1;
             end1_even_2 <= end1_even_1;
             end1_odd_2 <= end1_odd_1;
-            texels1_00_2 <= texels1_00_1;
-            texels1_00_v2_2 <= texels1_00_v2_1;
-            texels1_01_2 <= texels1_01_1;
-            texels1_01_v2_2 <= texels1_01_v2_1;
             texels1_10_2 <= texels1_10_1;
             texels1_10_v2_2 <= texels1_10_v2_1;
             texels1_11_2 <= texels1_11_1;
@@ -320,30 +296,31 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 2: v1_place, v1_kept, u1_xyz, v1_square
+    // ===== Stage 2: band1_next, v1_place, u1_xyz, v1_unit
+    // UQ3.0: at most the last
+    wire [2:0] band1_next_2 = (band1_next_exact_2 > 3'h5) ? 3'h5 : band1_next_exact_2;
+    // UQ3.-1: its leading bits
+    wire [1:0] band1_even_high_2 = band1_next_2[2:1];
+    // UQ2.0: the even one of both
+    wire [1:0] band1_even_2 = band1_even_high_2;
     // Q9.9: from the first, plus half a weight's last bit
     wire [18:0] v1_place_2 = v1_scaled_2 + 19'h03f04;
     // Q9.6: rounded to the nearest weight
     wire [15:0] v1_cut_2 = v1_place_2[18:3];
-    // UQ6.6: between the outermost centres
-    wire [11:0] v1_kept_2 =
-        v1_cut_2[15] ? 12'h000 : (v1_cut_2 > 16'h0fc0) ? 12'hfc0 : v1_cut_2[11:0];
-    // UQ6.0: the texel at or below it
-    wire [5:0] v1_texel_2 = v1_kept_2[11:6];
-    // UQ0.6: the weight of the next
-    wire [5:0] v1_weight_2 = v1_kept_2[5:0];
-    // UQ6.-1: its leading bits
-    wire [4:0] v1_odd_high_2 = v1_texel_2[5:1];
-    // UQ5.0: the odd one of both
-    wire [4:0] v1_odd_2 = v1_odd_high_2;
-    // UQ1.0: its last bit
-    wire v1_is_odd_2 = v1_texel_2[0];
-    // UQ1.6: in the wider of two formats
-    wire [6:0] v1_weight_wide_2 = {1'd0, v1_weight_2};
     // Q4.14: the turned normal
     wire [18:0] u1_xyz_2 = u1_xy_2 + {{1{u1_z_2[17]}}, u1_z_2};
-    // Q3.28: y^2
-    wire [31:0] v1_square_2 = $signed(v1_unit_2) * $signed(v1_unit_2);
+    // Q1.14: y of a unit vector
+    wire [15:0] v1_unit_2 = (v1_xy_2[18] & ~&v1_xy_2[17:14]) ? 16'hc000 :
+        (~v1_xy_2[18] & |v1_xy_2[17:14]) ? 16'h4000 :
+        v1_xy_2[15:0];
+    // UQ7.-5: the first of them
+    wire [1:0] texels1_00_2 = band1_even_2;
+    // UQ7.-5: the first of them
+    wire [1:0] texels1_00_v2_2 = band1_even_2;
+    // UQ7.-5: the first of them
+    wire [1:0] texels1_01_2 = band1_even_2;
+    // UQ7.-5: the first of them
+    wire [1:0] texels1_01_v2_2 = band1_even_2;
     reg [17:0] in_nz_3;
     reg [14:0] in_turn1_even_3;
     reg [14:0] in_turn1_odd_3;
@@ -352,14 +329,10 @@ module image_paper #(
     reg [17:0] in_gain1b_3;
     reg hidden_3;
     reg [2:0] shift1_3;
-    reg [5:0] v1_texel_3;
-    reg [5:0] v1_weight_3;
-    reg [4:0] v1_odd_3;
-    reg v1_is_odd_3;
-    reg [6:0] v1_weight_wide_3;
+    reg [15:0] v1_cut_3;
     reg [18:0] x1_3;
     reg [18:0] u1_xyz_3;
-    reg [31:0] v1_square_3;
+    reg [15:0] v1_unit_3;
     reg alone1_3;
     reg [11:0] end1_even_3;
     reg [11:0] end1_odd_3;
@@ -382,14 +355,10 @@ module image_paper #(
             in_gain1b_3 <= in_gain1b_2;
             hidden_3 <= hidden_2;
             shift1_3 <= shift1_2;
-            v1_texel_3 <= v1_texel_2;
-            v1_weight_3 <= v1_weight_2;
-            v1_odd_3 <= v1_odd_2;
-            v1_is_odd_3 <= v1_is_odd_2;
-            v1_weight_wide_3 <= v1_weight_wide_2;
+            v1_cut_3 <= v1_cut_2;
             x1_3 <= x1_2;
             u1_xyz_3 <= u1_xyz_2;
-            v1_square_3 <= v1_square_2;
+            v1_unit_3 <= v1_unit_2;
             alone1_3 <= alone1_2;
             end1_even_3 <= end1_even_2;
             end1_odd_3 <= end1_odd_2;
@@ -405,62 +374,30 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 3: v1_next_exact, v1_next, v1_other, v1_odd, u1_below and 9 more
-    // UQ7.0: the next
-    wire [6:0] v1_next_exact_3 = {1'd0, v1_texel_3} + 7'h01;
-    // UQ6.0: at most the last
-    wire [5:0] v1_next_3 = (v1_next_exact_3 > 7'h3f) ? 6'h3f : v1_next_exact_3[5:0];
+    // ===== Stage 3: v1_kept, u1_below, u1_minus, u1_either, v1_square
+    // UQ6.6: between the outermost centres
+    wire [11:0] v1_kept_3 =
+        v1_cut_3[15] ? 12'h000 : (v1_cut_3 > 16'h0fc0) ? 12'hfc0 : v1_cut_3[11:0];
+    // UQ6.0: the texel at or below it
+    wire [5:0] v1_texel_3 = v1_kept_3[11:6];
+    // UQ0.6: the weight of the next
+    wire [5:0] v1_weight_3 = v1_kept_3[5:0];
     // UQ6.-1: its leading bits
-    wire [4:0] v1_even_high_3 = v1_next_3[5:1];
-    // UQ5.0: the even one of both
-    wire [4:0] v1_even_3 = v1_even_high_3;
-    // UQ1.6: the weight of the place itself
-    wire [6:0] v1_other_3 = 7'h40 - {1'd0, v1_weight_3};
-    // UQ1.6: the weight of the odd one
-    wire [6:0] v1_odd_v2_3 = v1_is_odd_3 ? v1_other_3 : v1_weight_wide_3;
+    wire [4:0] v1_odd_high_3 = v1_texel_3[5:1];
+    // UQ5.0: the odd one of both
+    wire [4:0] v1_odd_3 = v1_odd_high_3;
+    // UQ1.0: its last bit
+    wire v1_is_odd_3 = v1_texel_3[0];
+    // UQ1.6: in the wider of two formats
+    wire [6:0] v1_weight_wide_3 = {1'd0, v1_weight_3};
     // UQ1.0: whether it is below 0
     wire u1_below_3 = $signed(19'h00000) > $signed(u1_xyz_3);
     // Q4.14: its opposite
     wire [18:0] u1_minus_3 = 19'h00000 - u1_xyz_3;
     // Q4.14: on either side of h
     wire [18:0] u1_either_3 = u1_below_3 ? u1_minus_3 : u1_xyz_3;
-    // UQ1.14: of a unit vector it is at most 1
-    wire [14:0] u1_kept_3 =
-        u1_either_3[18] ? 15'h0000 : (|u1_either_3[17:14]) ? 15'h4000 : u1_either_3[14:0];
-    // UQ2.28: r^2 = 1 - y^2
-    wire [29:0] rr1_exact_3 = 30'h10000000 - v1_square_3[29:0];
-    // UQ2.16: rounded down
-    wire [17:0] rr1_cut_3 = rr1_exact_3[29:12];
-    // UQ0.16: r^2, below 1
-    wire [15:0] rr1_3 = (rr1_cut_3 > 18'h0ffff) ? 16'hffff : rr1_cut_3[15:0];
-    // UQ0.4: the first 4 bits of rr
-    wire [3:0] high1_4_bits_3 = rr1_3[15:12];
-    // UQ-4.16: without them
-    wire [11:0] rr_low1_4_3 = rr1_3[11:0];
-    // UQ0.12: rr 2^4
-    wire [11:0] rr_up1_4_3 = rr_low1_4_3;
-    // UQ0.16: in the wider of two formats
-    wire [15:0] rr_up1_4_wide_3 = {rr_up1_4_3, 4'd0};
-    // Q1.14: a sign bit for the signed product
-    wire [15:0] u1_kept_signed_3 = {1'd0, u1_kept_3};
-    // UQ7.0: side by side
-    wire [6:0] texel1_01_3 = {texels1_01_3, 5'd0} + {2'd0, v1_odd_3};
-    // UQ12.-5: the first of them
-    wire [6:0] texels1_010_3 = texel1_01_3;
-    // UQ7.0: side by side
-    wire [6:0] texel1_01_v2_3 = {texels1_01_v2_3, 5'd0} + {2'd0, v1_odd_3};
-    // UQ12.-5: the first of them
-    wire [6:0] texels1_011_3 = texel1_01_v2_3;
-    // UQ7.0: side by side
-    wire [6:0] texel1_11_3 = {texels1_11_3, 5'd0} + {2'd0, v1_odd_3};
-    // UQ12.-5: the first of them
-    wire [6:0] texels1_110_3 = texel1_11_3;
-    // UQ7.0: side by side
-    wire [6:0] texel1_11_v2_3 = {texels1_11_v2_3, 5'd0} + {2'd0, v1_odd_3};
-    // UQ12.-5: the first of them
-    wire [6:0] texels1_111_3 = texel1_11_v2_3;
-    // Q1.6: a sign bit for the signed product
-    wire [7:0] v1_odd_signed_3 = {1'd0, v1_odd_v2_3};
+    // Q3.28: y^2
+    wire [31:0] v1_square_3 = $signed(v1_unit_3) * $signed(v1_unit_3);
     reg [17:0] in_nz_4;
     reg [14:0] in_turn1_even_4;
     reg [14:0] in_turn1_odd_4;
@@ -469,24 +406,25 @@ module image_paper #(
     reg [17:0] in_gain1b_4;
     reg hidden_4;
     reg [2:0] shift1_4;
-    reg [4:0] v1_even_4;
+    reg [5:0] v1_texel_4;
+    reg [5:0] v1_weight_4;
+    reg [4:0] v1_odd_4;
+    reg v1_is_odd_4;
+    reg [6:0] v1_weight_wide_4;
     reg [18:0] x1_4;
-    reg [15:0] rr1_4;
-    reg [3:0] high1_4_bits_4;
-    reg [15:0] rr_up1_4_wide_4;
-    reg [15:0] u1_kept_signed_4;
+    reg [18:0] u1_either_4;
+    reg [31:0] v1_square_4;
     reg alone1_4;
     reg [11:0] end1_even_4;
     reg [11:0] end1_odd_4;
     reg [1:0] texels1_00_4;
     reg [1:0] texels1_00_v2_4;
-    reg [6:0] texels1_010_4;
-    reg [6:0] texels1_011_4;
+    reg [1:0] texels1_01_4;
+    reg [1:0] texels1_01_v2_4;
     reg [1:0] texels1_10_4;
     reg [1:0] texels1_10_v2_4;
-    reg [6:0] texels1_110_4;
-    reg [6:0] texels1_111_4;
-    reg [7:0] v1_odd_signed_4;
+    reg [1:0] texels1_11_4;
+    reg [1:0] texels1_11_v2_4;
     reg [7:0] blend1_signed_4;
     always @(posedge clk) begin
         if (ce) begin
@@ -498,99 +436,87 @@ module image_paper #(
             in_gain1b_4 <= in_gain1b_3;
             hidden_4 <= hidden_3;
             shift1_4 <= shift1_3;
-            v1_even_4 <= v1_even_3;
+            v1_texel_4 <= v1_texel_3;
+            v1_weight_4 <= v1_weight_3;
+            v1_odd_4 <= v1_odd_3;
+            v1_is_odd_4 <= v1_is_odd_3;
+            v1_weight_wide_4 <= v1_weight_wide_3;
             x1_4 <= x1_3;
-            rr1_4 <= rr1_3;
-            high1_4_bits_4 <= high1_4_bits_3;
-            rr_up1_4_wide_4 <= rr_up1_4_wide_3;
-            u1_kept_signed_4 <= u1_kept_signed_3;
+            u1_either_4 <= u1_either_3;
+            v1_square_4 <= v1_square_3;
             alone1_4 <= alone1_3;
             end1_even_4 <= end1_even_3;
             end1_odd_4 <= end1_odd_3;
             texels1_00_4 <= texels1_00_3;
             texels1_00_v2_4 <= texels1_00_v2_3;
-            texels1_010_4 <= texels1_010_3;
-            texels1_011_4 <= texels1_011_3;
+            texels1_01_4 <= texels1_01_3;
+            texels1_01_v2_4 <= texels1_01_v2_3;
             texels1_10_4 <= texels1_10_3;
             texels1_10_v2_4 <= texels1_10_v2_3;
-            texels1_110_4 <= texels1_110_3;
-            texels1_111_4 <= texels1_111_3;
-            v1_odd_signed_4 <= v1_odd_signed_3;
+            texels1_11_4 <= texels1_11_3;
+            texels1_11_v2_4 <= texels1_11_v2_3;
             blend1_signed_4 <= blend1_signed_3;
         end
     end
 
-    // ===== Stage 4: rr1_4, rr1_2, rr1_1, rest1, texel1_00, texel1_00 and 2 more
-    // UQ1.0: the first 4 bits of rr
-    wire high1_4_4 = |high1_4_bits_4;
-    // UQ0.16: rr, times 2^4 if it is so small
-    wire [15:0] rr1_4_4 = high1_4_4 ? rr1_4 : rr_up1_4_wide_4;
-    // UQ3.-2: a bit of the exponent
-    wire place1_4_4 = high1_4_4;
-    // UQ0.2: the first 2 bits of rr
-    wire [1:0] high1_2_bits_4 = rr1_4_4[15:14];
-    // UQ1.0: the first 2 bits of rr
-    wire high1_2_4 = |high1_2_bits_4;
-    // UQ-2.16: without them
-    wire [13:0] rr_low1_2_4 = rr1_4_4[13:0];
-    // UQ0.14: rr 2^2
-    wire [13:0] rr_up1_2_4 = rr_low1_2_4;
-    // UQ0.16: in the wider of two formats
-    wire [15:0] rr_up1_2_wide_4 = {rr_up1_2_4, 2'd0};
-    // UQ0.16: rr, times 2^2 if it is so small
-    wire [15:0] rr1_2_4 = high1_2_4 ? rr1_4_4 : rr_up1_2_wide_4;
-    // UQ2.-1: a bit of the exponent
-    wire place1_2_4 = high1_2_4;
-    // UQ0.1: the first 1 bits of rr
-    wire high1_1_bits_4 = rr1_2_4[15];
-    // UQ-1.16: without them
-    wire [14:0] rr_low1_1_4 = rr1_2_4[14:0];
-    // UQ0.15: rr 2^1
-    wire [14:0] rr_up1_1_4 = rr_low1_1_4;
-    // UQ0.16: in the wider of two formats
-    wire [15:0] rr_up1_1_wide_4 = {rr_up1_1_4, 1'd0};
-    // UQ0.16: rr, times 2^1 if it is so small
-    wire [15:0] rr1_1_4 = high1_1_bits_4 ? rr1_2_4 : rr_up1_1_wide_4;
-    // UQ1.0: a bit of the exponent
-    wire place1_1_4 = high1_1_bits_4;
-    // UQ1.0: the exponent is not 0
-    wire normal1_of_2_4 = high1_4_4 | high1_2_4;
-    // UQ1.0: the exponent is not 0
-    wire normal1_4 = normal1_of_2_4 | high1_1_bits_4;
-    // UQ1.15: 2 rr
-    wire [15:0] rr1_twice_4 = rr1_1_4;
-    // UQ0.15: 2 rr - 1
-    wire [14:0] rr1_rest_4 = rr1_twice_4[14:0];
-    // UQ0.16: in the wider of two formats
-    wire [15:0] rr1_rest_wide_4 = {rr1_rest_4, 1'd0};
-    // UQ0.16: the place in the octave
-    wire [15:0] rest1_4 = normal1_4 ? rr1_rest_wide_4 : rr1_1_4;
-    // UQ0.9: rounded down to the weights' last bit
-    wire [8:0] rest1_cut_4 = rest1_4[15:7];
-    // UQ0.4: the column in the octave
-    wire [3:0] step1_4 = rest1_cut_4[8:5];
-    // UQ4.0: its number
-    wire [3:0] step1_number_4 = step1_4;
-    // UQ-4.9: rr past it
-    wire [4:0] part1_4 = rest1_cut_4[4:0];
-    // UQ0.5: the weight of the next column
-    wire [4:0] weight1_4 = part1_4;
+    // ===== Stage 4: v1_next_exact, v1_other, v1_odd, u1_kept, rr1_exact and 4 more
+    // UQ7.0: the next
+    wire [6:0] v1_next_exact_4 = {1'd0, v1_texel_4} + 7'h01;
+    // UQ1.6: the weight of the place itself
+    wire [6:0] v1_other_4 = 7'h40 - {1'd0, v1_weight_4};
+    // UQ1.6: the weight of the odd one
+    wire [6:0] v1_odd_v2_4 = v1_is_odd_4 ? v1_other_4 : v1_weight_wide_4;
+    // UQ1.14: of a unit vector it is at most 1
+    wire [14:0] u1_kept_4 =
+        u1_either_4[18] ? 15'h0000 : (|u1_either_4[17:14]) ? 15'h4000 : u1_either_4[14:0];
+    // UQ2.28: r^2 = 1 - y^2
+    wire [29:0] rr1_exact_4 = 30'h10000000 - v1_square_4[29:0];
+    // UQ2.16: rounded down
+    wire [17:0] rr1_cut_4 = rr1_exact_4[29:12];
+    // Q1.14: a sign bit for the signed product
+    wire [15:0] u1_kept_signed_4 = {1'd0, u1_kept_4};
     // UQ7.0: side by side
-    wire [6:0] texel1_00_4 = {texels1_00_4, 5'd0} + {2'd0, v1_even_4};
+    wire [6:0] texel1_01_4 = {texels1_01_4, 5'd0} + {2'd0, v1_odd_4};
     // UQ12.-5: the first of them
-    wire [6:0] texels1_000_4 = texel1_00_4;
+    wire [6:0] texels1_010_4 = texel1_01_4;
     // UQ7.0: side by side
-    wire [6:0] texel1_00_v2_4 = {texels1_00_v2_4, 5'd0} + {2'd0, v1_even_4};
+    wire [6:0] texel1_01_v2_4 = {texels1_01_v2_4, 5'd0} + {2'd0, v1_odd_4};
     // UQ12.-5: the first of them
-    wire [6:0] texels1_001_4 = texel1_00_v2_4;
+    wire [6:0] texels1_011_4 = texel1_01_v2_4;
     // UQ7.0: side by side
-    wire [6:0] texel1_10_4 = {texels1_10_4, 5'd0} + {2'd0, v1_even_4};
+    wire [6:0] texel1_11_4 = {texels1_11_4, 5'd0} + {2'd0, v1_odd_4};
     // UQ12.-5: the first of them
-    wire [6:0] texels1_100_4 = texel1_10_4;
+    wire [6:0] texels1_110_4 = texel1_11_4;
     // UQ7.0: side by side
-    wire [6:0] texel1_10_v2_4 = {texels1_10_v2_4, 5'd0} + {2'd0, v1_even_4};
+    wire [6:0] texel1_11_v2_4 = {texels1_11_v2_4, 5'd0} + {2'd0, v1_odd_4};
     // UQ12.-5: the first of them
-    wire [6:0] texels1_101_4 = texel1_10_v2_4;
+    wire [6:0] texels1_111_4 = texel1_11_v2_4;
+    // UQ1.0: a bit of the weight
+    wire v1_odd_whole_4 = v1_odd_v2_4[6];
+    // UQ-5.6: a bit of the weight
+    wire v1_odd_bit_0_4 = v1_odd_v2_4[0];
+    // UQ-4.5: a bit of the weight
+    wire v1_odd_bit_1_4 = v1_odd_v2_4[1];
+    // UQ-3.4: a bit of the weight
+    wire v1_odd_bit_2_4 = v1_odd_v2_4[2];
+    // UQ-2.3: a bit of the weight
+    wire v1_odd_bit_3_4 = v1_odd_v2_4[3];
+    // UQ-1.2: a bit of the weight
+    wire v1_odd_bit_4_4 = v1_odd_v2_4[4];
+    // UQ0.1: a bit of the weight
+    wire v1_odd_bit_5_4 = v1_odd_v2_4[5];
+    // UQ1.0: 1 where the weight is 1
+    wire v1_odd_of_0_4 = v1_odd_bit_0_4 | v1_odd_whole_4;
+    // UQ1.0: 1 where the weight is 1
+    wire v1_odd_of_1_4 = v1_odd_bit_1_4 | v1_odd_whole_4;
+    // UQ1.0: 1 where the weight is 1
+    wire v1_odd_of_2_4 = v1_odd_bit_2_4 | v1_odd_whole_4;
+    // UQ1.0: 1 where the weight is 1
+    wire v1_odd_of_3_4 = v1_odd_bit_3_4 | v1_odd_whole_4;
+    // UQ1.0: 1 where the weight is 1
+    wire v1_odd_of_4_4 = v1_odd_bit_4_4 | v1_odd_whole_4;
+    // UQ1.0: 1 where the weight is 1
+    wire v1_odd_of_5_4 = v1_odd_bit_5_4 | v1_odd_whole_4;
     reg [17:0] in_nz_5;
     reg [14:0] in_turn1_even_5;
     reg [14:0] in_turn1_odd_5;
@@ -599,25 +525,28 @@ module image_paper #(
     reg [17:0] in_gain1b_5;
     reg hidden_5;
     reg [2:0] shift1_5;
+    reg [6:0] v1_next_exact_5;
     reg [18:0] x1_5;
-    reg place1_4_5;
-    reg place1_2_5;
-    reg place1_1_5;
-    reg [3:0] step1_number_5;
-    reg [4:0] weight1_5;
+    reg [17:0] rr1_cut_5;
     reg [15:0] u1_kept_signed_5;
     reg alone1_5;
     reg [11:0] end1_even_5;
     reg [11:0] end1_odd_5;
-    reg [6:0] texels1_000_5;
-    reg [6:0] texels1_001_5;
+    reg [1:0] texels1_00_5;
+    reg [1:0] texels1_00_v2_5;
     reg [6:0] texels1_010_5;
     reg [6:0] texels1_011_5;
-    reg [6:0] texels1_100_5;
-    reg [6:0] texels1_101_5;
+    reg [1:0] texels1_10_5;
+    reg [1:0] texels1_10_v2_5;
     reg [6:0] texels1_110_5;
     reg [6:0] texels1_111_5;
-    reg [7:0] v1_odd_signed_5;
+    reg v1_odd_whole_5;
+    reg v1_odd_of_0_5;
+    reg v1_odd_of_1_5;
+    reg v1_odd_of_2_5;
+    reg v1_odd_of_3_5;
+    reg v1_odd_of_4_5;
+    reg v1_odd_of_5_5;
     reg [7:0] blend1_signed_5;
     always @(posedge clk) begin
         if (ce) begin
@@ -629,32 +558,91 @@ module image_paper #(
             in_gain1b_5 <= in_gain1b_4;
             hidden_5 <= hidden_4;
             shift1_5 <= shift1_4;
+            v1_next_exact_5 <= v1_next_exact_4;
             x1_5 <= x1_4;
-            place1_4_5 <= place1_4_4;
-            place1_2_5 <= place1_2_4;
-            place1_1_5 <= place1_1_4;
-            step1_number_5 <= step1_number_4;
-            weight1_5 <= weight1_4;
+            rr1_cut_5 <= rr1_cut_4;
             u1_kept_signed_5 <= u1_kept_signed_4;
             alone1_5 <= alone1_4;
             end1_even_5 <= end1_even_4;
             end1_odd_5 <= end1_odd_4;
-            texels1_000_5 <= texels1_000_4;
-            texels1_001_5 <= texels1_001_4;
+            texels1_00_5 <= texels1_00_4;
+            texels1_00_v2_5 <= texels1_00_v2_4;
             texels1_010_5 <= texels1_010_4;
             texels1_011_5 <= texels1_011_4;
-            texels1_100_5 <= texels1_100_4;
-            texels1_101_5 <= texels1_101_4;
+            texels1_10_5 <= texels1_10_4;
+            texels1_10_v2_5 <= texels1_10_v2_4;
             texels1_110_5 <= texels1_110_4;
             texels1_111_5 <= texels1_111_4;
-            v1_odd_signed_5 <= v1_odd_signed_4;
+            v1_odd_whole_5 <= v1_odd_whole_4;
+            v1_odd_of_0_5 <= v1_odd_of_0_4;
+            v1_odd_of_1_5 <= v1_odd_of_1_4;
+            v1_odd_of_2_5 <= v1_odd_of_2_4;
+            v1_odd_of_3_5 <= v1_odd_of_3_4;
+            v1_odd_of_4_5 <= v1_odd_of_4_4;
+            v1_odd_of_5_5 <= v1_odd_of_5_4;
             blend1_signed_5 <= blend1_signed_4;
         end
     end
 
-    // ===== Stage 5: exponent1_2
-    // UQ3.-1: the exponent's bits so far
-    wire [1:0] exponent1_2_5 = {place1_4_5, 1'd0} + {1'd0, place1_2_5};
+    // ===== Stage 5: v1_next, rr1, rr1_4, rr1_2, rr1_1
+    // UQ6.0: at most the last
+    wire [5:0] v1_next_5 = (|v1_next_exact_5[6]) ? 6'h3f : v1_next_exact_5[5:0];
+    // UQ6.-1: its leading bits
+    wire [4:0] v1_even_high_5 = v1_next_5[5:1];
+    // UQ5.0: the even one of both
+    wire [4:0] v1_even_5 = v1_even_high_5;
+    // UQ0.16: r^2, below 1
+    wire [15:0] rr1_5 = (|rr1_cut_5[17:16]) ? 16'hffff : rr1_cut_5[15:0];
+    // UQ0.4: the first 4 bits of rr
+    wire [3:0] high1_4_bits_5 = rr1_5[15:12];
+    // UQ1.0: the first 4 bits of rr
+    wire high1_4_5 = |high1_4_bits_5;
+    // UQ-4.16: without them
+    wire [11:0] rr_low1_4_5 = rr1_5[11:0];
+    // UQ0.12: rr 2^4
+    wire [11:0] rr_up1_4_5 = rr_low1_4_5;
+    // UQ0.16: in the wider of two formats
+    wire [15:0] rr_up1_4_wide_5 = {rr_up1_4_5, 4'd0};
+    // UQ0.16: rr, times 2^4 if it is so small
+    wire [15:0] rr1_4_5 = high1_4_5 ? rr1_5 : rr_up1_4_wide_5;
+    // UQ3.-2: a bit of the exponent
+    wire place1_4_5 = high1_4_5;
+    // UQ0.2: the first 2 bits of rr
+    wire [1:0] high1_2_bits_5 = rr1_4_5[15:14];
+    // UQ1.0: the first 2 bits of rr
+    wire high1_2_5 = |high1_2_bits_5;
+    // UQ-2.16: without them
+    wire [13:0] rr_low1_2_5 = rr1_4_5[13:0];
+    // UQ0.14: rr 2^2
+    wire [13:0] rr_up1_2_5 = rr_low1_2_5;
+    // UQ0.16: in the wider of two formats
+    wire [15:0] rr_up1_2_wide_5 = {rr_up1_2_5, 2'd0};
+    // UQ0.16: rr, times 2^2 if it is so small
+    wire [15:0] rr1_2_5 = high1_2_5 ? rr1_4_5 : rr_up1_2_wide_5;
+    // UQ2.-1: a bit of the exponent
+    wire place1_2_5 = high1_2_5;
+    // UQ0.1: the first 1 bits of rr
+    wire high1_1_bits_5 = rr1_2_5[15];
+    // UQ-1.16: without them
+    wire [14:0] rr_low1_1_5 = rr1_2_5[14:0];
+    // UQ0.15: rr 2^1
+    wire [14:0] rr_up1_1_5 = rr_low1_1_5;
+    // UQ0.16: in the wider of two formats
+    wire [15:0] rr_up1_1_wide_5 = {rr_up1_1_5, 1'd0};
+    // UQ0.16: rr, times 2^1 if it is so small
+    wire [15:0] rr1_1_5 = high1_1_bits_5 ? rr1_2_5 : rr_up1_1_wide_5;
+    // UQ1.0: a bit of the exponent
+    wire place1_1_5 = high1_1_bits_5;
+    // UQ1.0: the exponent is not 0
+    wire normal1_of_2_5 = high1_4_5 | high1_2_5;
+    // UQ1.0: the exponent is not 0
+    wire normal1_5 = normal1_of_2_5 | high1_1_bits_5;
+    // UQ1.15: 2 rr
+    wire [15:0] rr1_twice_5 = rr1_1_5;
+    // UQ0.15: 2 rr - 1
+    wire [14:0] rr1_rest_5 = rr1_twice_5[14:0];
+    // UQ0.16: in the wider of two formats
+    wire [15:0] rr1_rest_wide_5 = {rr1_rest_5, 1'd0};
     reg [17:0] in_nz_6;
     reg [14:0] in_turn1_even_6;
     reg [14:0] in_turn1_odd_6;
@@ -663,24 +651,33 @@ module image_paper #(
     reg [17:0] in_gain1b_6;
     reg hidden_6;
     reg [2:0] shift1_6;
+    reg [4:0] v1_even_6;
     reg [18:0] x1_6;
-    reg [1:0] exponent1_2_6;
+    reg place1_4_6;
+    reg place1_2_6;
+    reg [15:0] rr1_1_6;
     reg place1_1_6;
-    reg [3:0] step1_number_6;
-    reg [4:0] weight1_6;
+    reg normal1_6;
+    reg [15:0] rr1_rest_wide_6;
     reg [15:0] u1_kept_signed_6;
     reg alone1_6;
     reg [11:0] end1_even_6;
     reg [11:0] end1_odd_6;
-    reg [6:0] texels1_000_6;
-    reg [6:0] texels1_001_6;
+    reg [1:0] texels1_00_6;
+    reg [1:0] texels1_00_v2_6;
     reg [6:0] texels1_010_6;
     reg [6:0] texels1_011_6;
-    reg [6:0] texels1_100_6;
-    reg [6:0] texels1_101_6;
+    reg [1:0] texels1_10_6;
+    reg [1:0] texels1_10_v2_6;
     reg [6:0] texels1_110_6;
     reg [6:0] texels1_111_6;
-    reg [7:0] v1_odd_signed_6;
+    reg v1_odd_whole_6;
+    reg v1_odd_of_0_6;
+    reg v1_odd_of_1_6;
+    reg v1_odd_of_2_6;
+    reg v1_odd_of_3_6;
+    reg v1_odd_of_4_6;
+    reg v1_odd_of_5_6;
     reg [7:0] blend1_signed_6;
     always @(posedge clk) begin
         if (ce) begin
@@ -692,33 +689,68 @@ module image_paper #(
             in_gain1b_6 <= in_gain1b_5;
             hidden_6 <= hidden_5;
             shift1_6 <= shift1_5;
+            v1_even_6 <= v1_even_5;
             x1_6 <= x1_5;
-            exponent1_2_6 <= exponent1_2_5;
+            place1_4_6 <= place1_4_5;
+            place1_2_6 <= place1_2_5;
+            rr1_1_6 <= rr1_1_5;
             place1_1_6 <= place1_1_5;
-            step1_number_6 <= step1_number_5;
-            weight1_6 <= weight1_5;
+            normal1_6 <= normal1_5;
+            rr1_rest_wide_6 <= rr1_rest_wide_5;
             u1_kept_signed_6 <= u1_kept_signed_5;
             alone1_6 <= alone1_5;
             end1_even_6 <= end1_even_5;
             end1_odd_6 <= end1_odd_5;
-            texels1_000_6 <= texels1_000_5;
-            texels1_001_6 <= texels1_001_5;
+            texels1_00_6 <= texels1_00_5;
+            texels1_00_v2_6 <= texels1_00_v2_5;
             texels1_010_6 <= texels1_010_5;
             texels1_011_6 <= texels1_011_5;
-            texels1_100_6 <= texels1_100_5;
-            texels1_101_6 <= texels1_101_5;
+            texels1_10_6 <= texels1_10_5;
+            texels1_10_v2_6 <= texels1_10_v2_5;
             texels1_110_6 <= texels1_110_5;
             texels1_111_6 <= texels1_111_5;
-            v1_odd_signed_6 <= v1_odd_signed_5;
+            v1_odd_whole_6 <= v1_odd_whole_5;
+            v1_odd_of_0_6 <= v1_odd_of_0_5;
+            v1_odd_of_1_6 <= v1_odd_of_1_5;
+            v1_odd_of_2_6 <= v1_odd_of_2_5;
+            v1_odd_of_3_6 <= v1_odd_of_3_5;
+            v1_odd_of_4_6 <= v1_odd_of_4_5;
+            v1_odd_of_5_6 <= v1_odd_of_5_5;
             blend1_signed_6 <= blend1_signed_5;
         end
     end
 
-    // ===== Stage 6: exponent1_1
-    // UQ3.0: the exponent's bits so far
-    wire [2:0] exponent1_1_6 = {exponent1_2_6, 1'd0} + {2'd0, place1_1_6};
-    // UQ7.-4: the octave's first column
-    wire [2:0] octave1_6 = exponent1_1_6;
+    // ===== Stage 6: exponent1_2, rest1, texel1_00, texel1_00, texel1_10 and 1 more
+    // UQ3.-1: the exponent's bits so far
+    wire [1:0] exponent1_2_6 = {place1_4_6, 1'd0} + {1'd0, place1_2_6};
+    // UQ0.16: the place in the octave
+    wire [15:0] rest1_6 = normal1_6 ? rr1_rest_wide_6 : rr1_1_6;
+    // UQ0.9: rounded down to the weights' last bit
+    wire [8:0] rest1_cut_6 = rest1_6[15:7];
+    // UQ0.4: the column in the octave
+    wire [3:0] step1_6 = rest1_cut_6[8:5];
+    // UQ4.0: its number
+    wire [3:0] step1_number_6 = step1_6;
+    // UQ-4.9: rr past it
+    wire [4:0] part1_6 = rest1_cut_6[4:0];
+    // UQ0.5: the weight of the next column
+    wire [4:0] weight1_6 = part1_6;
+    // UQ7.0: side by side
+    wire [6:0] texel1_00_6 = {texels1_00_6, 5'd0} + {2'd0, v1_even_6};
+    // UQ12.-5: the first of them
+    wire [6:0] texels1_000_6 = texel1_00_6;
+    // UQ7.0: side by side
+    wire [6:0] texel1_00_v2_6 = {texels1_00_v2_6, 5'd0} + {2'd0, v1_even_6};
+    // UQ12.-5: the first of them
+    wire [6:0] texels1_001_6 = texel1_00_v2_6;
+    // UQ7.0: side by side
+    wire [6:0] texel1_10_6 = {texels1_10_6, 5'd0} + {2'd0, v1_even_6};
+    // UQ12.-5: the first of them
+    wire [6:0] texels1_100_6 = texel1_10_6;
+    // UQ7.0: side by side
+    wire [6:0] texel1_10_v2_6 = {texels1_10_v2_6, 5'd0} + {2'd0, v1_even_6};
+    // UQ12.-5: the first of them
+    wire [6:0] texels1_101_6 = texel1_10_v2_6;
     reg [17:0] in_nz_7;
     reg [14:0] in_turn1_even_7;
     reg [14:0] in_turn1_odd_7;
@@ -728,8 +760,9 @@ module image_paper #(
     reg hidden_7;
     reg [2:0] shift1_7;
     reg [18:0] x1_7;
+    reg [1:0] exponent1_2_7;
+    reg place1_1_7;
     reg [3:0] step1_number_7;
-    reg [2:0] octave1_7;
     reg [4:0] weight1_7;
     reg [15:0] u1_kept_signed_7;
     reg alone1_7;
@@ -743,7 +776,13 @@ module image_paper #(
     reg [6:0] texels1_101_7;
     reg [6:0] texels1_110_7;
     reg [6:0] texels1_111_7;
-    reg [7:0] v1_odd_signed_7;
+    reg v1_odd_whole_7;
+    reg v1_odd_of_0_7;
+    reg v1_odd_of_1_7;
+    reg v1_odd_of_2_7;
+    reg v1_odd_of_3_7;
+    reg v1_odd_of_4_7;
+    reg v1_odd_of_5_7;
     reg [7:0] blend1_signed_7;
     always @(posedge clk) begin
         if (ce) begin
@@ -756,8 +795,9 @@ module image_paper #(
             hidden_7 <= hidden_6;
             shift1_7 <= shift1_6;
             x1_7 <= x1_6;
+            exponent1_2_7 <= exponent1_2_6;
+            place1_1_7 <= place1_1_6;
             step1_number_7 <= step1_number_6;
-            octave1_7 <= octave1_6;
             weight1_7 <= weight1_6;
             u1_kept_signed_7 <= u1_kept_signed_6;
             alone1_7 <= alone1_6;
@@ -771,14 +811,22 @@ module image_paper #(
             texels1_101_7 <= texels1_101_6;
             texels1_110_7 <= texels1_110_6;
             texels1_111_7 <= texels1_111_6;
-            v1_odd_signed_7 <= v1_odd_signed_6;
+            v1_odd_whole_7 <= v1_odd_whole_6;
+            v1_odd_of_0_7 <= v1_odd_of_0_6;
+            v1_odd_of_1_7 <= v1_odd_of_1_6;
+            v1_odd_of_2_7 <= v1_odd_of_2_6;
+            v1_odd_of_3_7 <= v1_odd_of_3_6;
+            v1_odd_of_4_7 <= v1_odd_of_4_6;
+            v1_odd_of_5_7 <= v1_odd_of_5_6;
             blend1_signed_7 <= blend1_signed_6;
         end
     end
 
-    // ===== Stage 7: column1
-    // UQ7.0: the column at or below rr
-    wire [6:0] column1_7 = {octave1_7, 4'd0} + {3'd0, step1_number_7};
+    // ===== Stage 7: exponent1_1
+    // UQ3.0: the exponent's bits so far
+    wire [2:0] exponent1_1_7 = {exponent1_2_7, 1'd0} + {2'd0, place1_1_7};
+    // UQ7.-4: the octave's first column
+    wire [2:0] octave1_7 = exponent1_1_7;
     reg [17:0] in_nz_8;
     reg [14:0] in_turn1_even_8;
     reg [14:0] in_turn1_odd_8;
@@ -788,7 +836,8 @@ module image_paper #(
     reg hidden_8;
     reg [2:0] shift1_8;
     reg [18:0] x1_8;
-    reg [6:0] column1_8;
+    reg [3:0] step1_number_8;
+    reg [2:0] octave1_8;
     reg [4:0] weight1_8;
     reg [15:0] u1_kept_signed_8;
     reg alone1_8;
@@ -802,7 +851,13 @@ module image_paper #(
     reg [6:0] texels1_101_8;
     reg [6:0] texels1_110_8;
     reg [6:0] texels1_111_8;
-    reg [7:0] v1_odd_signed_8;
+    reg v1_odd_whole_8;
+    reg v1_odd_of_0_8;
+    reg v1_odd_of_1_8;
+    reg v1_odd_of_2_8;
+    reg v1_odd_of_3_8;
+    reg v1_odd_of_4_8;
+    reg v1_odd_of_5_8;
     reg [7:0] blend1_signed_8;
     always @(posedge clk) begin
         if (ce) begin
@@ -815,7 +870,8 @@ module image_paper #(
             hidden_8 <= hidden_7;
             shift1_8 <= shift1_7;
             x1_8 <= x1_7;
-            column1_8 <= column1_7;
+            step1_number_8 <= step1_number_7;
+            octave1_8 <= octave1_7;
             weight1_8 <= weight1_7;
             u1_kept_signed_8 <= u1_kept_signed_7;
             alone1_8 <= alone1_7;
@@ -829,19 +885,20 @@ module image_paper #(
             texels1_101_8 <= texels1_101_7;
             texels1_110_8 <= texels1_110_7;
             texels1_111_8 <= texels1_111_7;
-            v1_odd_signed_8 <= v1_odd_signed_7;
+            v1_odd_whole_8 <= v1_odd_whole_7;
+            v1_odd_of_0_8 <= v1_odd_of_0_7;
+            v1_odd_of_1_8 <= v1_odd_of_1_7;
+            v1_odd_of_2_8 <= v1_odd_of_2_7;
+            v1_odd_of_3_8 <= v1_odd_of_3_7;
+            v1_odd_of_4_8 <= v1_odd_of_4_7;
+            v1_odd_of_5_8 <= v1_odd_of_5_7;
             blend1_signed_8 <= blend1_signed_7;
         end
     end
 
-    // ===== Stage 8: read roots_1
-    // The word of the memory roots_1, of 128 words.
-    reg [30:0] roots_1_9;
-    reg [30:0] roots_1 [0:127];
-    initial $readmemh(ROOTS_1_FILE, roots_1);
-    always @(posedge clk) begin
-        if (ce) roots_1_9 <= roots_1[column1_8];
-    end
+    // ===== Stage 8: column1
+    // UQ7.0: the column at or below rr
+    wire [6:0] column1_8 = {octave1_8, 4'd0} + {3'd0, step1_number_8};
     reg [17:0] in_nz_9;
     reg [14:0] in_turn1_even_9;
     reg [14:0] in_turn1_odd_9;
@@ -851,6 +908,7 @@ module image_paper #(
     reg hidden_9;
     reg [2:0] shift1_9;
     reg [18:0] x1_9;
+    reg [6:0] column1_9;
     reg [4:0] weight1_9;
     reg [15:0] u1_kept_signed_9;
     reg alone1_9;
@@ -864,7 +922,13 @@ module image_paper #(
     reg [6:0] texels1_101_9;
     reg [6:0] texels1_110_9;
     reg [6:0] texels1_111_9;
-    reg [7:0] v1_odd_signed_9;
+    reg v1_odd_whole_9;
+    reg v1_odd_of_0_9;
+    reg v1_odd_of_1_9;
+    reg v1_odd_of_2_9;
+    reg v1_odd_of_3_9;
+    reg v1_odd_of_4_9;
+    reg v1_odd_of_5_9;
     reg [7:0] blend1_signed_9;
     always @(posedge clk) begin
         if (ce) begin
@@ -877,6 +941,7 @@ module image_paper #(
             hidden_9 <= hidden_8;
             shift1_9 <= shift1_8;
             x1_9 <= x1_8;
+            column1_9 <= column1_8;
             weight1_9 <= weight1_8;
             u1_kept_signed_9 <= u1_kept_signed_8;
             alone1_9 <= alone1_8;
@@ -890,16 +955,25 @@ module image_paper #(
             texels1_101_9 <= texels1_101_8;
             texels1_110_9 <= texels1_110_8;
             texels1_111_9 <= texels1_111_8;
-            v1_odd_signed_9 <= v1_odd_signed_8;
+            v1_odd_whole_9 <= v1_odd_whole_8;
+            v1_odd_of_0_9 <= v1_odd_of_0_8;
+            v1_odd_of_1_9 <= v1_odd_of_1_8;
+            v1_odd_of_2_9 <= v1_odd_of_2_8;
+            v1_odd_of_3_9 <= v1_odd_of_3_8;
+            v1_odd_of_4_9 <= v1_odd_of_4_8;
+            v1_odd_of_5_9 <= v1_odd_of_5_8;
             blend1_signed_9 <= blend1_signed_8;
         end
     end
 
-    // ===== Stage 9: registers only
-    // UQ6.10: 1/sqrt(1 - y^2)
-    wire [15:0] root_1_9 = roots_1_9[30:15];
-    // UQ5.10: what it falls by to the next row
-    wire [14:0] fall_1_9 = roots_1_9[14:0];
+    // ===== Stage 9: read roots_1
+    // The word of the memory roots_1, of 128 words.
+    reg [30:0] roots_1_10;
+    reg [30:0] roots_1 [0:127];
+    initial $readmemh(ROOTS_1_FILE, roots_1);
+    always @(posedge clk) begin
+        if (ce) roots_1_10 <= roots_1[column1_9];
+    end
     reg [17:0] in_nz_10;
     reg [14:0] in_turn1_even_10;
     reg [14:0] in_turn1_odd_10;
@@ -910,8 +984,6 @@ module image_paper #(
     reg [2:0] shift1_10;
     reg [18:0] x1_10;
     reg [4:0] weight1_10;
-    reg [15:0] root_1_10;
-    reg [14:0] fall_1_10;
     reg [15:0] u1_kept_signed_10;
     reg alone1_10;
     reg [11:0] end1_even_10;
@@ -924,7 +996,13 @@ module image_paper #(
     reg [6:0] texels1_101_10;
     reg [6:0] texels1_110_10;
     reg [6:0] texels1_111_10;
-    reg [7:0] v1_odd_signed_10;
+    reg v1_odd_whole_10;
+    reg v1_odd_of_0_10;
+    reg v1_odd_of_1_10;
+    reg v1_odd_of_2_10;
+    reg v1_odd_of_3_10;
+    reg v1_odd_of_4_10;
+    reg v1_odd_of_5_10;
     reg [7:0] blend1_signed_10;
     always @(posedge clk) begin
         if (ce) begin
@@ -938,8 +1016,6 @@ module image_paper #(
             shift1_10 <= shift1_9;
             x1_10 <= x1_9;
             weight1_10 <= weight1_9;
-            root_1_10 <= root_1_9;
-            fall_1_10 <= fall_1_9;
             u1_kept_signed_10 <= u1_kept_signed_9;
             alone1_10 <= alone1_9;
             end1_even_10 <= end1_even_9;
@@ -952,12 +1028,22 @@ module image_paper #(
             texels1_101_10 <= texels1_101_9;
             texels1_110_10 <= texels1_110_9;
             texels1_111_10 <= texels1_111_9;
-            v1_odd_signed_10 <= v1_odd_signed_9;
+            v1_odd_whole_10 <= v1_odd_whole_9;
+            v1_odd_of_0_10 <= v1_odd_of_0_9;
+            v1_odd_of_1_10 <= v1_odd_of_1_9;
+            v1_odd_of_2_10 <= v1_odd_of_2_9;
+            v1_odd_of_3_10 <= v1_odd_of_3_9;
+            v1_odd_of_4_10 <= v1_odd_of_4_9;
+            v1_odd_of_5_10 <= v1_odd_of_5_9;
             blend1_signed_10 <= blend1_signed_9;
         end
     end
 
     // ===== Stage 10: registers only
+    // UQ6.10: 1/sqrt(1 - y^2)
+    wire [15:0] root_1_10 = roots_1_10[30:15];
+    // UQ5.10: what it falls by to the next row
+    wire [14:0] fall_1_10 = roots_1_10[14:0];
     reg [17:0] in_nz_11;
     reg [14:0] in_turn1_even_11;
     reg [14:0] in_turn1_odd_11;
@@ -982,7 +1068,13 @@ module image_paper #(
     reg [6:0] texels1_101_11;
     reg [6:0] texels1_110_11;
     reg [6:0] texels1_111_11;
-    reg [7:0] v1_odd_signed_11;
+    reg v1_odd_whole_11;
+    reg v1_odd_of_0_11;
+    reg v1_odd_of_1_11;
+    reg v1_odd_of_2_11;
+    reg v1_odd_of_3_11;
+    reg v1_odd_of_4_11;
+    reg v1_odd_of_5_11;
     reg [7:0] blend1_signed_11;
     always @(posedge clk) begin
         if (ce) begin
@@ -1010,14 +1102,18 @@ module image_paper #(
             texels1_101_11 <= texels1_101_10;
             texels1_110_11 <= texels1_110_10;
             texels1_111_11 <= texels1_111_10;
-            v1_odd_signed_11 <= v1_odd_signed_10;
+            v1_odd_whole_11 <= v1_odd_whole_10;
+            v1_odd_of_0_11 <= v1_odd_of_0_10;
+            v1_odd_of_1_11 <= v1_odd_of_1_10;
+            v1_odd_of_2_11 <= v1_odd_of_2_10;
+            v1_odd_of_3_11 <= v1_odd_of_3_10;
+            v1_odd_of_4_11 <= v1_odd_of_4_10;
+            v1_odd_of_5_11 <= v1_odd_of_5_10;
             blend1_signed_11 <= blend1_signed_10;
         end
     end
 
-    // ===== Stage 11: fall_part1
-    // UQ5.15: its part
-    wire [19:0] fall_part1_11 = fall_1_11 * weight1_11;
+    // ===== Stage 11: registers only
     reg [17:0] in_nz_12;
     reg [14:0] in_turn1_even_12;
     reg [14:0] in_turn1_odd_12;
@@ -1027,8 +1123,9 @@ module image_paper #(
     reg hidden_12;
     reg [2:0] shift1_12;
     reg [18:0] x1_12;
+    reg [4:0] weight1_12;
     reg [15:0] root_1_12;
-    reg [19:0] fall_part1_12;
+    reg [14:0] fall_1_12;
     reg [15:0] u1_kept_signed_12;
     reg alone1_12;
     reg [11:0] end1_even_12;
@@ -1041,7 +1138,13 @@ module image_paper #(
     reg [6:0] texels1_101_12;
     reg [6:0] texels1_110_12;
     reg [6:0] texels1_111_12;
-    reg [7:0] v1_odd_signed_12;
+    reg v1_odd_whole_12;
+    reg v1_odd_of_0_12;
+    reg v1_odd_of_1_12;
+    reg v1_odd_of_2_12;
+    reg v1_odd_of_3_12;
+    reg v1_odd_of_4_12;
+    reg v1_odd_of_5_12;
     reg [7:0] blend1_signed_12;
     always @(posedge clk) begin
         if (ce) begin
@@ -1054,8 +1157,9 @@ module image_paper #(
             hidden_12 <= hidden_11;
             shift1_12 <= shift1_11;
             x1_12 <= x1_11;
+            weight1_12 <= weight1_11;
             root_1_12 <= root_1_11;
-            fall_part1_12 <= fall_part1_11;
+            fall_1_12 <= fall_1_11;
             u1_kept_signed_12 <= u1_kept_signed_11;
             alone1_12 <= alone1_11;
             end1_even_12 <= end1_even_11;
@@ -1068,16 +1172,20 @@ module image_paper #(
             texels1_101_12 <= texels1_101_11;
             texels1_110_12 <= texels1_110_11;
             texels1_111_12 <= texels1_111_11;
-            v1_odd_signed_12 <= v1_odd_signed_11;
+            v1_odd_whole_12 <= v1_odd_whole_11;
+            v1_odd_of_0_12 <= v1_odd_of_0_11;
+            v1_odd_of_1_12 <= v1_odd_of_1_11;
+            v1_odd_of_2_12 <= v1_odd_of_2_11;
+            v1_odd_of_3_12 <= v1_odd_of_3_11;
+            v1_odd_of_4_12 <= v1_odd_of_4_11;
+            v1_odd_of_5_12 <= v1_odd_of_5_11;
             blend1_signed_12 <= blend1_signed_11;
         end
     end
 
-    // ===== Stage 12: root_at1
-    // Q6.15: 1/r
-    wire [21:0] root_at1_12 = {1'd0, root_1_12, 5'd0} - {2'd0, fall_part1_12};
-    // Q6.10: rounded down
-    wire [16:0] root_cut1_12 = root_at1_12[21:5];
+    // ===== Stage 12: fall_part1
+    // UQ5.15: its part
+    wire [19:0] fall_part1_12 = fall_1_12 * weight1_12;
     reg [17:0] in_nz_13;
     reg [14:0] in_turn1_even_13;
     reg [14:0] in_turn1_odd_13;
@@ -1087,7 +1195,8 @@ module image_paper #(
     reg hidden_13;
     reg [2:0] shift1_13;
     reg [18:0] x1_13;
-    reg [16:0] root_cut1_13;
+    reg [15:0] root_1_13;
+    reg [19:0] fall_part1_13;
     reg [15:0] u1_kept_signed_13;
     reg alone1_13;
     reg [11:0] end1_even_13;
@@ -1100,7 +1209,13 @@ module image_paper #(
     reg [6:0] texels1_101_13;
     reg [6:0] texels1_110_13;
     reg [6:0] texels1_111_13;
-    reg [7:0] v1_odd_signed_13;
+    reg v1_odd_whole_13;
+    reg v1_odd_of_0_13;
+    reg v1_odd_of_1_13;
+    reg v1_odd_of_2_13;
+    reg v1_odd_of_3_13;
+    reg v1_odd_of_4_13;
+    reg v1_odd_of_5_13;
     reg [7:0] blend1_signed_13;
     always @(posedge clk) begin
         if (ce) begin
@@ -1113,7 +1228,8 @@ module image_paper #(
             hidden_13 <= hidden_12;
             shift1_13 <= shift1_12;
             x1_13 <= x1_12;
-            root_cut1_13 <= root_cut1_12;
+            root_1_13 <= root_1_12;
+            fall_part1_13 <= fall_part1_12;
             u1_kept_signed_13 <= u1_kept_signed_12;
             alone1_13 <= alone1_12;
             end1_even_13 <= end1_even_12;
@@ -1126,16 +1242,22 @@ module image_paper #(
             texels1_101_13 <= texels1_101_12;
             texels1_110_13 <= texels1_110_12;
             texels1_111_13 <= texels1_111_12;
-            v1_odd_signed_13 <= v1_odd_signed_12;
+            v1_odd_whole_13 <= v1_odd_whole_12;
+            v1_odd_of_0_13 <= v1_odd_of_0_12;
+            v1_odd_of_1_13 <= v1_odd_of_1_12;
+            v1_odd_of_2_13 <= v1_odd_of_2_12;
+            v1_odd_of_3_13 <= v1_odd_of_3_12;
+            v1_odd_of_4_13 <= v1_odd_of_4_12;
+            v1_odd_of_5_13 <= v1_odd_of_5_12;
             blend1_signed_13 <= blend1_signed_12;
         end
     end
 
-    // ===== Stage 13: tilt1_exact
-    // Q8.24: the sine of the angle to h
-    wire [32:0] tilt1_exact_13 = $signed(u1_kept_signed_13) * $signed(root_cut1_13);
-    // Q6.12: rounded down
-    wire [18:0] tilt1_cut_13 = tilt1_exact_13[30:12];
+    // ===== Stage 13: root_at1
+    // Q6.15: 1/r
+    wire [21:0] root_at1_13 = {1'd0, root_1_13, 5'd0} - {2'd0, fall_part1_13};
+    // Q6.10: rounded down
+    wire [16:0] root_cut1_13 = root_at1_13[21:5];
     reg [17:0] in_nz_14;
     reg [14:0] in_turn1_even_14;
     reg [14:0] in_turn1_odd_14;
@@ -1145,7 +1267,8 @@ module image_paper #(
     reg hidden_14;
     reg [2:0] shift1_14;
     reg [18:0] x1_14;
-    reg [18:0] tilt1_cut_14;
+    reg [16:0] root_cut1_14;
+    reg [15:0] u1_kept_signed_14;
     reg alone1_14;
     reg [11:0] end1_even_14;
     reg [11:0] end1_odd_14;
@@ -1157,7 +1280,13 @@ module image_paper #(
     reg [6:0] texels1_101_14;
     reg [6:0] texels1_110_14;
     reg [6:0] texels1_111_14;
-    reg [7:0] v1_odd_signed_14;
+    reg v1_odd_whole_14;
+    reg v1_odd_of_0_14;
+    reg v1_odd_of_1_14;
+    reg v1_odd_of_2_14;
+    reg v1_odd_of_3_14;
+    reg v1_odd_of_4_14;
+    reg v1_odd_of_5_14;
     reg [7:0] blend1_signed_14;
     always @(posedge clk) begin
         if (ce) begin
@@ -1170,7 +1299,8 @@ module image_paper #(
             hidden_14 <= hidden_13;
             shift1_14 <= shift1_13;
             x1_14 <= x1_13;
-            tilt1_cut_14 <= tilt1_cut_13;
+            root_cut1_14 <= root_cut1_13;
+            u1_kept_signed_14 <= u1_kept_signed_13;
             alone1_14 <= alone1_13;
             end1_even_14 <= end1_even_13;
             end1_odd_14 <= end1_odd_13;
@@ -1182,19 +1312,22 @@ module image_paper #(
             texels1_101_14 <= texels1_101_13;
             texels1_110_14 <= texels1_110_13;
             texels1_111_14 <= texels1_111_13;
-            v1_odd_signed_14 <= v1_odd_signed_13;
+            v1_odd_whole_14 <= v1_odd_whole_13;
+            v1_odd_of_0_14 <= v1_odd_of_0_13;
+            v1_odd_of_1_14 <= v1_odd_of_1_13;
+            v1_odd_of_2_14 <= v1_odd_of_2_13;
+            v1_odd_of_3_14 <= v1_odd_of_3_13;
+            v1_odd_of_4_14 <= v1_odd_of_4_13;
+            v1_odd_of_5_14 <= v1_odd_of_5_13;
             blend1_signed_14 <= blend1_signed_13;
         end
     end
 
-    // ===== Stage 14: tilt1_kept, tilt1
-    // UQ1.12: at most 1
-    wire [12:0] tilt1_kept_14 =
-        tilt1_cut_14[18] ? 13'h0000 : (|tilt1_cut_14[17:12]) ? 13'h1000 : tilt1_cut_14[12:0];
-    // UQ1.12: the sine of the angle to h; 1/2, which makes k = 3/4, where one image is alone
-    wire [12:0] tilt1_14 = alone1_14 ? 13'h0800 : tilt1_kept_14;
-    // Q1.12: a sign bit for the signed product
-    wire [13:0] tilt1_signed_14 = {1'd0, tilt1_14};
+    // ===== Stage 14: tilt1_exact
+    // Q8.24: the sine of the angle to h
+    wire [32:0] tilt1_exact_14 = $signed(u1_kept_signed_14) * $signed(root_cut1_14);
+    // Q6.12: rounded down
+    wire [18:0] tilt1_cut_14 = tilt1_exact_14[30:12];
     reg [17:0] in_nz_15;
     reg [14:0] in_turn1_even_15;
     reg [14:0] in_turn1_odd_15;
@@ -1204,7 +1337,8 @@ module image_paper #(
     reg hidden_15;
     reg [2:0] shift1_15;
     reg [18:0] x1_15;
-    reg [13:0] tilt1_signed_15;
+    reg [18:0] tilt1_cut_15;
+    reg alone1_15;
     reg [11:0] end1_even_15;
     reg [11:0] end1_odd_15;
     reg [6:0] texels1_000_15;
@@ -1215,7 +1349,13 @@ module image_paper #(
     reg [6:0] texels1_101_15;
     reg [6:0] texels1_110_15;
     reg [6:0] texels1_111_15;
-    reg [7:0] v1_odd_signed_15;
+    reg v1_odd_whole_15;
+    reg v1_odd_of_0_15;
+    reg v1_odd_of_1_15;
+    reg v1_odd_of_2_15;
+    reg v1_odd_of_3_15;
+    reg v1_odd_of_4_15;
+    reg v1_odd_of_5_15;
     reg [7:0] blend1_signed_15;
     always @(posedge clk) begin
         if (ce) begin
@@ -1228,7 +1368,8 @@ module image_paper #(
             hidden_15 <= hidden_14;
             shift1_15 <= shift1_14;
             x1_15 <= x1_14;
-            tilt1_signed_15 <= tilt1_signed_14;
+            tilt1_cut_15 <= tilt1_cut_14;
+            alone1_15 <= alone1_14;
             end1_even_15 <= end1_even_14;
             end1_odd_15 <= end1_odd_14;
             texels1_000_15 <= texels1_000_14;
@@ -1239,20 +1380,25 @@ module image_paper #(
             texels1_101_15 <= texels1_101_14;
             texels1_110_15 <= texels1_110_14;
             texels1_111_15 <= texels1_111_14;
-            v1_odd_signed_15 <= v1_odd_signed_14;
+            v1_odd_whole_15 <= v1_odd_whole_14;
+            v1_odd_of_0_15 <= v1_odd_of_0_14;
+            v1_odd_of_1_15 <= v1_odd_of_1_14;
+            v1_odd_of_2_15 <= v1_odd_of_2_14;
+            v1_odd_of_3_15 <= v1_odd_of_3_14;
+            v1_odd_of_4_15 <= v1_odd_of_4_14;
+            v1_odd_of_5_15 <= v1_odd_of_5_14;
             blend1_signed_15 <= blend1_signed_14;
         end
     end
 
-    // ===== Stage 15: turn_more_exact1_even, turn_more_exact1_odd
-    // Q2.26: its part by the tilt
-    wire [28:0] turn_more_exact1_even_15 = $signed(in_turn1_even_15) * $signed(tilt1_signed_15);
-    // Q0.14: rounded down
-    wire [14:0] turn_more1_even_15 = turn_more_exact1_even_15[26:12];
-    // Q2.26: its part by the tilt
-    wire [28:0] turn_more_exact1_odd_15 = $signed(in_turn1_odd_15) * $signed(tilt1_signed_15);
-    // Q0.14: rounded down
-    wire [14:0] turn_more1_odd_15 = turn_more_exact1_odd_15[26:12];
+    // ===== Stage 15: tilt1_kept, tilt1
+    // UQ1.12: at most 1
+    wire [12:0] tilt1_kept_15 =
+        tilt1_cut_15[18] ? 13'h0000 : (|tilt1_cut_15[17:12]) ? 13'h1000 : tilt1_cut_15[12:0];
+    // UQ1.12: the sine of the angle to h; 1/2, which makes k = 3/4, where one image is alone
+    wire [12:0] tilt1_15 = alone1_15 ? 13'h0800 : tilt1_kept_15;
+    // Q1.12: a sign bit for the signed product
+    wire [13:0] tilt1_signed_15 = {1'd0, tilt1_15};
     reg [17:0] in_nz_16;
     reg [14:0] in_turn1_even_16;
     reg [14:0] in_turn1_odd_16;
@@ -1262,9 +1408,8 @@ module image_paper #(
     reg hidden_16;
     reg [2:0] shift1_16;
     reg [18:0] x1_16;
-    reg [14:0] turn_more1_even_16;
+    reg [13:0] tilt1_signed_16;
     reg [11:0] end1_even_16;
-    reg [14:0] turn_more1_odd_16;
     reg [11:0] end1_odd_16;
     reg [6:0] texels1_000_16;
     reg [6:0] texels1_001_16;
@@ -1274,7 +1419,13 @@ module image_paper #(
     reg [6:0] texels1_101_16;
     reg [6:0] texels1_110_16;
     reg [6:0] texels1_111_16;
-    reg [7:0] v1_odd_signed_16;
+    reg v1_odd_whole_16;
+    reg v1_odd_of_0_16;
+    reg v1_odd_of_1_16;
+    reg v1_odd_of_2_16;
+    reg v1_odd_of_3_16;
+    reg v1_odd_of_4_16;
+    reg v1_odd_of_5_16;
     reg [7:0] blend1_signed_16;
     always @(posedge clk) begin
         if (ce) begin
@@ -1287,9 +1438,8 @@ module image_paper #(
             hidden_16 <= hidden_15;
             shift1_16 <= shift1_15;
             x1_16 <= x1_15;
-            turn_more1_even_16 <= turn_more1_even_15;
+            tilt1_signed_16 <= tilt1_signed_15;
             end1_even_16 <= end1_even_15;
-            turn_more1_odd_16 <= turn_more1_odd_15;
             end1_odd_16 <= end1_odd_15;
             texels1_000_16 <= texels1_000_15;
             texels1_001_16 <= texels1_001_15;
@@ -1299,36 +1449,38 @@ module image_paper #(
             texels1_101_16 <= texels1_101_15;
             texels1_110_16 <= texels1_110_15;
             texels1_111_16 <= texels1_111_15;
-            v1_odd_signed_16 <= v1_odd_signed_15;
+            v1_odd_whole_16 <= v1_odd_whole_15;
+            v1_odd_of_0_16 <= v1_odd_of_0_15;
+            v1_odd_of_1_16 <= v1_odd_of_1_15;
+            v1_odd_of_2_16 <= v1_odd_of_2_15;
+            v1_odd_of_3_16 <= v1_odd_of_3_15;
+            v1_odd_of_4_16 <= v1_odd_of_4_15;
+            v1_odd_of_5_16 <= v1_odd_of_5_15;
             blend1_signed_16 <= blend1_signed_15;
         end
     end
 
-    // ===== Stage 16: turn_exact1_even, turn1_even, turn_exact1_odd, turn1_odd
-    // Q1.14: the turn k (phi_i - phi), in right angles
-    wire [15:0] turn_exact1_even_16 =
-        {{1{in_turn1_even_16[14]}}, in_turn1_even_16} + {{1{turn_more1_even_16[14]}}, turn_more1_even_16};
-    // Q0.14: less than a right angle
-    wire [14:0] turn1_even_16 = ($signed(turn_exact1_even_16) < $signed(16'hc000)) ? 15'h4000 :
-        ($signed(turn_exact1_even_16) > $signed(16'h3fff)) ? 15'h3fff :
-        turn_exact1_even_16[14:0];
-    // Q1.14: the turn k (phi_i - phi), in right angles
-    wire [15:0] turn_exact1_odd_16 =
-        {{1{in_turn1_odd_16[14]}}, in_turn1_odd_16} + {{1{turn_more1_odd_16[14]}}, turn_more1_odd_16};
-    // Q0.14: less than a right angle
-    wire [14:0] turn1_odd_16 = ($signed(turn_exact1_odd_16) < $signed(16'hc000)) ? 15'h4000 :
-        ($signed(turn_exact1_odd_16) > $signed(16'h3fff)) ? 15'h3fff :
-        turn_exact1_odd_16[14:0];
+    // ===== Stage 16: turn_more_exact1_even, turn_more_exact1_odd
+    // Q2.26: its part by the tilt
+    wire [28:0] turn_more_exact1_even_16 = $signed(in_turn1_even_16) * $signed(tilt1_signed_16);
+    // Q0.14: rounded down
+    wire [14:0] turn_more1_even_16 = turn_more_exact1_even_16[26:12];
+    // Q2.26: its part by the tilt
+    wire [28:0] turn_more_exact1_odd_16 = $signed(in_turn1_odd_16) * $signed(tilt1_signed_16);
+    // Q0.14: rounded down
+    wire [14:0] turn_more1_odd_16 = turn_more_exact1_odd_16[26:12];
     reg [17:0] in_nz_17;
+    reg [14:0] in_turn1_even_17;
+    reg [14:0] in_turn1_odd_17;
     reg [17:0] in_gain1r_17;
     reg [17:0] in_gain1g_17;
     reg [17:0] in_gain1b_17;
     reg hidden_17;
     reg [2:0] shift1_17;
     reg [18:0] x1_17;
-    reg [14:0] turn1_even_17;
+    reg [14:0] turn_more1_even_17;
     reg [11:0] end1_even_17;
-    reg [14:0] turn1_odd_17;
+    reg [14:0] turn_more1_odd_17;
     reg [11:0] end1_odd_17;
     reg [6:0] texels1_000_17;
     reg [6:0] texels1_001_17;
@@ -1338,20 +1490,28 @@ module image_paper #(
     reg [6:0] texels1_101_17;
     reg [6:0] texels1_110_17;
     reg [6:0] texels1_111_17;
-    reg [7:0] v1_odd_signed_17;
+    reg v1_odd_whole_17;
+    reg v1_odd_of_0_17;
+    reg v1_odd_of_1_17;
+    reg v1_odd_of_2_17;
+    reg v1_odd_of_3_17;
+    reg v1_odd_of_4_17;
+    reg v1_odd_of_5_17;
     reg [7:0] blend1_signed_17;
     always @(posedge clk) begin
         if (ce) begin
             in_nz_17 <= in_nz_16;
+            in_turn1_even_17 <= in_turn1_even_16;
+            in_turn1_odd_17 <= in_turn1_odd_16;
             in_gain1r_17 <= in_gain1r_16;
             in_gain1g_17 <= in_gain1g_16;
             in_gain1b_17 <= in_gain1b_16;
             hidden_17 <= hidden_16;
             shift1_17 <= shift1_16;
             x1_17 <= x1_16;
-            turn1_even_17 <= turn1_even_16;
+            turn_more1_even_17 <= turn_more1_even_16;
             end1_even_17 <= end1_even_16;
-            turn1_odd_17 <= turn1_odd_16;
+            turn_more1_odd_17 <= turn_more1_odd_16;
             end1_odd_17 <= end1_odd_16;
             texels1_000_17 <= texels1_000_16;
             texels1_001_17 <= texels1_001_16;
@@ -1361,36 +1521,24 @@ module image_paper #(
             texels1_101_17 <= texels1_101_16;
             texels1_110_17 <= texels1_110_16;
             texels1_111_17 <= texels1_111_16;
-            v1_odd_signed_17 <= v1_odd_signed_16;
+            v1_odd_whole_17 <= v1_odd_whole_16;
+            v1_odd_of_0_17 <= v1_odd_of_0_16;
+            v1_odd_of_1_17 <= v1_odd_of_1_16;
+            v1_odd_of_2_17 <= v1_odd_of_2_16;
+            v1_odd_of_3_17 <= v1_odd_of_3_16;
+            v1_odd_of_4_17 <= v1_odd_of_4_16;
+            v1_odd_of_5_17 <= v1_odd_of_5_16;
             blend1_signed_17 <= blend1_signed_16;
         end
     end
 
-    // ===== Stage 17: turn_up1_even, turn_up1_odd
-    // UQ1.14: from minus a right angle
-    wire [14:0] turn_up1_even_17 = turn1_even_17 + 15'h4000;
-    // UQ1.6: the table's row
-    wire [6:0] step1_even_17 = turn_up1_even_17[14:8];
-    // UQ7.0: its number
-    wire [6:0] step_number1_even_17 = step1_even_17;
-    // UQ-6.14: the angle past it
-    wire [7:0] past1_even_17 = turn_up1_even_17[7:0];
-    // UQ0.8: as a part of the way to the next
-    wire [7:0] past_part1_even_17 = past1_even_17;
-    // Q0.8: a sign bit for the signed product
-    wire [8:0] past_part1_even_signed_17 = {1'd0, past_part1_even_17};
-    // UQ1.14: from minus a right angle
-    wire [14:0] turn_up1_odd_17 = turn1_odd_17 + 15'h4000;
-    // UQ1.6: the table's row
-    wire [6:0] step1_odd_17 = turn_up1_odd_17[14:8];
-    // UQ7.0: its number
-    wire [6:0] step_number1_odd_17 = step1_odd_17;
-    // UQ-6.14: the angle past it
-    wire [7:0] past1_odd_17 = turn_up1_odd_17[7:0];
-    // UQ0.8: as a part of the way to the next
-    wire [7:0] past_part1_odd_17 = past1_odd_17;
-    // Q0.8: a sign bit for the signed product
-    wire [8:0] past_part1_odd_signed_17 = {1'd0, past_part1_odd_17};
+    // ===== Stage 17: turn_exact1_even, turn_exact1_odd
+    // Q1.14: the turn k (phi_i - phi), in right angles
+    wire [15:0] turn_exact1_even_17 =
+        {{1{in_turn1_even_17[14]}}, in_turn1_even_17} + {{1{turn_more1_even_17[14]}}, turn_more1_even_17};
+    // Q1.14: the turn k (phi_i - phi), in right angles
+    wire [15:0] turn_exact1_odd_17 =
+        {{1{in_turn1_odd_17[14]}}, in_turn1_odd_17} + {{1{turn_more1_odd_17[14]}}, turn_more1_odd_17};
     reg [17:0] in_nz_18;
     reg [17:0] in_gain1r_18;
     reg [17:0] in_gain1g_18;
@@ -1398,13 +1546,9 @@ module image_paper #(
     reg hidden_18;
     reg [2:0] shift1_18;
     reg [18:0] x1_18;
-    reg [6:0] step_number1_even_18;
-    reg [7:0] past_part1_even_18;
-    reg [8:0] past_part1_even_signed_18;
+    reg [15:0] turn_exact1_even_18;
     reg [11:0] end1_even_18;
-    reg [6:0] step_number1_odd_18;
-    reg [7:0] past_part1_odd_18;
-    reg [8:0] past_part1_odd_signed_18;
+    reg [15:0] turn_exact1_odd_18;
     reg [11:0] end1_odd_18;
     reg [6:0] texels1_000_18;
     reg [6:0] texels1_001_18;
@@ -1414,7 +1558,13 @@ module image_paper #(
     reg [6:0] texels1_101_18;
     reg [6:0] texels1_110_18;
     reg [6:0] texels1_111_18;
-    reg [7:0] v1_odd_signed_18;
+    reg v1_odd_whole_18;
+    reg v1_odd_of_0_18;
+    reg v1_odd_of_1_18;
+    reg v1_odd_of_2_18;
+    reg v1_odd_of_3_18;
+    reg v1_odd_of_4_18;
+    reg v1_odd_of_5_18;
     reg [7:0] blend1_signed_18;
     always @(posedge clk) begin
         if (ce) begin
@@ -1425,13 +1575,9 @@ module image_paper #(
             hidden_18 <= hidden_17;
             shift1_18 <= shift1_17;
             x1_18 <= x1_17;
-            step_number1_even_18 <= step_number1_even_17;
-            past_part1_even_18 <= past_part1_even_17;
-            past_part1_even_signed_18 <= past_part1_even_signed_17;
+            turn_exact1_even_18 <= turn_exact1_even_17;
             end1_even_18 <= end1_even_17;
-            step_number1_odd_18 <= step_number1_odd_17;
-            past_part1_odd_18 <= past_part1_odd_17;
-            past_part1_odd_signed_18 <= past_part1_odd_signed_17;
+            turn_exact1_odd_18 <= turn_exact1_odd_17;
             end1_odd_18 <= end1_odd_17;
             texels1_000_18 <= texels1_000_17;
             texels1_001_18 <= texels1_001_17;
@@ -1441,26 +1587,26 @@ module image_paper #(
             texels1_101_18 <= texels1_101_17;
             texels1_110_18 <= texels1_110_17;
             texels1_111_18 <= texels1_111_17;
-            v1_odd_signed_18 <= v1_odd_signed_17;
+            v1_odd_whole_18 <= v1_odd_whole_17;
+            v1_odd_of_0_18 <= v1_odd_of_0_17;
+            v1_odd_of_1_18 <= v1_odd_of_1_17;
+            v1_odd_of_2_18 <= v1_odd_of_2_17;
+            v1_odd_of_3_18 <= v1_odd_of_3_17;
+            v1_odd_of_4_18 <= v1_odd_of_4_17;
+            v1_odd_of_5_18 <= v1_odd_of_5_17;
             blend1_signed_18 <= blend1_signed_17;
         end
     end
 
-    // ===== Stage 18: read sines_1_even, read sines_1_odd
-    // The word of the memory sines_1_even, of 128 words.
-    reg [52:0] sines_1_even_19;
-    // The word of the memory sines_1_odd, of 128 words.
-    reg [52:0] sines_1_odd_19;
-    reg [52:0] sines_1_even [0:127];
-    initial $readmemh(SINES_1_EVEN_FILE, sines_1_even);
-    always @(posedge clk) begin
-        if (ce) sines_1_even_19 <= sines_1_even[step_number1_even_18];
-    end
-    reg [52:0] sines_1_odd [0:127];
-    initial $readmemh(SINES_1_ODD_FILE, sines_1_odd);
-    always @(posedge clk) begin
-        if (ce) sines_1_odd_19 <= sines_1_odd[step_number1_odd_18];
-    end
+    // ===== Stage 18: turn1_even, turn1_odd
+    // Q0.14: less than a right angle
+    wire [14:0] turn1_even_18 = (turn_exact1_even_18[15] & ~&turn_exact1_even_18[14]) ? 15'h4000 :
+        (~turn_exact1_even_18[15] & |turn_exact1_even_18[14]) ? 15'h3fff :
+        turn_exact1_even_18[14:0];
+    // Q0.14: less than a right angle
+    wire [14:0] turn1_odd_18 = (turn_exact1_odd_18[15] & ~&turn_exact1_odd_18[14]) ? 15'h4000 :
+        (~turn_exact1_odd_18[15] & |turn_exact1_odd_18[14]) ? 15'h3fff :
+        turn_exact1_odd_18[14:0];
     reg [17:0] in_nz_19;
     reg [17:0] in_gain1r_19;
     reg [17:0] in_gain1g_19;
@@ -1468,11 +1614,9 @@ module image_paper #(
     reg hidden_19;
     reg [2:0] shift1_19;
     reg [18:0] x1_19;
-    reg [7:0] past_part1_even_19;
-    reg [8:0] past_part1_even_signed_19;
+    reg [14:0] turn1_even_19;
     reg [11:0] end1_even_19;
-    reg [7:0] past_part1_odd_19;
-    reg [8:0] past_part1_odd_signed_19;
+    reg [14:0] turn1_odd_19;
     reg [11:0] end1_odd_19;
     reg [6:0] texels1_000_19;
     reg [6:0] texels1_001_19;
@@ -1482,7 +1626,13 @@ module image_paper #(
     reg [6:0] texels1_101_19;
     reg [6:0] texels1_110_19;
     reg [6:0] texels1_111_19;
-    reg [7:0] v1_odd_signed_19;
+    reg v1_odd_whole_19;
+    reg v1_odd_of_0_19;
+    reg v1_odd_of_1_19;
+    reg v1_odd_of_2_19;
+    reg v1_odd_of_3_19;
+    reg v1_odd_of_4_19;
+    reg v1_odd_of_5_19;
     reg [7:0] blend1_signed_19;
     always @(posedge clk) begin
         if (ce) begin
@@ -1493,11 +1643,9 @@ module image_paper #(
             hidden_19 <= hidden_18;
             shift1_19 <= shift1_18;
             x1_19 <= x1_18;
-            past_part1_even_19 <= past_part1_even_18;
-            past_part1_even_signed_19 <= past_part1_even_signed_18;
+            turn1_even_19 <= turn1_even_18;
             end1_even_19 <= end1_even_18;
-            past_part1_odd_19 <= past_part1_odd_18;
-            past_part1_odd_signed_19 <= past_part1_odd_signed_18;
+            turn1_odd_19 <= turn1_odd_18;
             end1_odd_19 <= end1_odd_18;
             texels1_000_19 <= texels1_000_18;
             texels1_001_19 <= texels1_001_18;
@@ -1507,28 +1655,42 @@ module image_paper #(
             texels1_101_19 <= texels1_101_18;
             texels1_110_19 <= texels1_110_18;
             texels1_111_19 <= texels1_111_18;
-            v1_odd_signed_19 <= v1_odd_signed_18;
+            v1_odd_whole_19 <= v1_odd_whole_18;
+            v1_odd_of_0_19 <= v1_odd_of_0_18;
+            v1_odd_of_1_19 <= v1_odd_of_1_18;
+            v1_odd_of_2_19 <= v1_odd_of_2_18;
+            v1_odd_of_3_19 <= v1_odd_of_3_18;
+            v1_odd_of_4_19 <= v1_odd_of_4_18;
+            v1_odd_of_5_19 <= v1_odd_of_5_18;
             blend1_signed_19 <= blend1_signed_18;
         end
     end
 
-    // ===== Stage 19: registers only
-    // Q0.14: the sine
-    wire [14:0] sine_1_even_19 = sines_1_even_19[52:38];
-    // UQ-5.16: what it rises by to the next row
-    wire [10:0] sine_rise_1_even_19 = sines_1_even_19[37:27];
-    // UQ1.14: the cosine
-    wire [14:0] cosine_1_even_19 = sines_1_even_19[26:12];
-    // Q-5.16: what it rises by to the next row
-    wire [11:0] cosine_rise_1_even_19 = sines_1_even_19[11:0];
-    // Q0.14: the sine
-    wire [14:0] sine_1_odd_19 = sines_1_odd_19[52:38];
-    // UQ-5.16: what it rises by to the next row
-    wire [10:0] sine_rise_1_odd_19 = sines_1_odd_19[37:27];
-    // UQ1.14: the cosine
-    wire [14:0] cosine_1_odd_19 = sines_1_odd_19[26:12];
-    // Q-5.16: what it rises by to the next row
-    wire [11:0] cosine_rise_1_odd_19 = sines_1_odd_19[11:0];
+    // ===== Stage 19: turn_up1_even, turn_up1_odd
+    // UQ1.14: from minus a right angle
+    wire [14:0] turn_up1_even_19 = turn1_even_19 + 15'h4000;
+    // UQ1.6: the table's row
+    wire [6:0] step1_even_19 = turn_up1_even_19[14:8];
+    // UQ7.0: its number
+    wire [6:0] step_number1_even_19 = step1_even_19;
+    // UQ-6.14: the angle past it
+    wire [7:0] past1_even_19 = turn_up1_even_19[7:0];
+    // UQ0.8: as a part of the way to the next
+    wire [7:0] past_part1_even_19 = past1_even_19;
+    // Q0.8: a sign bit for the signed product
+    wire [8:0] past_part1_even_signed_19 = {1'd0, past_part1_even_19};
+    // UQ1.14: from minus a right angle
+    wire [14:0] turn_up1_odd_19 = turn1_odd_19 + 15'h4000;
+    // UQ1.6: the table's row
+    wire [6:0] step1_odd_19 = turn_up1_odd_19[14:8];
+    // UQ7.0: its number
+    wire [6:0] step_number1_odd_19 = step1_odd_19;
+    // UQ-6.14: the angle past it
+    wire [7:0] past1_odd_19 = turn_up1_odd_19[7:0];
+    // UQ0.8: as a part of the way to the next
+    wire [7:0] past_part1_odd_19 = past1_odd_19;
+    // Q0.8: a sign bit for the signed product
+    wire [8:0] past_part1_odd_signed_19 = {1'd0, past_part1_odd_19};
     reg [17:0] in_nz_20;
     reg [17:0] in_gain1r_20;
     reg [17:0] in_gain1g_20;
@@ -1536,18 +1698,12 @@ module image_paper #(
     reg hidden_20;
     reg [2:0] shift1_20;
     reg [18:0] x1_20;
+    reg [6:0] step_number1_even_20;
     reg [7:0] past_part1_even_20;
-    reg [14:0] sine_1_even_20;
-    reg [10:0] sine_rise_1_even_20;
-    reg [14:0] cosine_1_even_20;
-    reg [11:0] cosine_rise_1_even_20;
     reg [8:0] past_part1_even_signed_20;
     reg [11:0] end1_even_20;
+    reg [6:0] step_number1_odd_20;
     reg [7:0] past_part1_odd_20;
-    reg [14:0] sine_1_odd_20;
-    reg [10:0] sine_rise_1_odd_20;
-    reg [14:0] cosine_1_odd_20;
-    reg [11:0] cosine_rise_1_odd_20;
     reg [8:0] past_part1_odd_signed_20;
     reg [11:0] end1_odd_20;
     reg [6:0] texels1_000_20;
@@ -1558,7 +1714,13 @@ module image_paper #(
     reg [6:0] texels1_101_20;
     reg [6:0] texels1_110_20;
     reg [6:0] texels1_111_20;
-    reg [7:0] v1_odd_signed_20;
+    reg v1_odd_whole_20;
+    reg v1_odd_of_0_20;
+    reg v1_odd_of_1_20;
+    reg v1_odd_of_2_20;
+    reg v1_odd_of_3_20;
+    reg v1_odd_of_4_20;
+    reg v1_odd_of_5_20;
     reg [7:0] blend1_signed_20;
     always @(posedge clk) begin
         if (ce) begin
@@ -1569,18 +1731,12 @@ module image_paper #(
             hidden_20 <= hidden_19;
             shift1_20 <= shift1_19;
             x1_20 <= x1_19;
+            step_number1_even_20 <= step_number1_even_19;
             past_part1_even_20 <= past_part1_even_19;
-            sine_1_even_20 <= sine_1_even_19;
-            sine_rise_1_even_20 <= sine_rise_1_even_19;
-            cosine_1_even_20 <= cosine_1_even_19;
-            cosine_rise_1_even_20 <= cosine_rise_1_even_19;
             past_part1_even_signed_20 <= past_part1_even_signed_19;
             end1_even_20 <= end1_even_19;
+            step_number1_odd_20 <= step_number1_odd_19;
             past_part1_odd_20 <= past_part1_odd_19;
-            sine_1_odd_20 <= sine_1_odd_19;
-            sine_rise_1_odd_20 <= sine_rise_1_odd_19;
-            cosine_1_odd_20 <= cosine_1_odd_19;
-            cosine_rise_1_odd_20 <= cosine_rise_1_odd_19;
             past_part1_odd_signed_20 <= past_part1_odd_signed_19;
             end1_odd_20 <= end1_odd_19;
             texels1_000_20 <= texels1_000_19;
@@ -1591,12 +1747,32 @@ module image_paper #(
             texels1_101_20 <= texels1_101_19;
             texels1_110_20 <= texels1_110_19;
             texels1_111_20 <= texels1_111_19;
-            v1_odd_signed_20 <= v1_odd_signed_19;
+            v1_odd_whole_20 <= v1_odd_whole_19;
+            v1_odd_of_0_20 <= v1_odd_of_0_19;
+            v1_odd_of_1_20 <= v1_odd_of_1_19;
+            v1_odd_of_2_20 <= v1_odd_of_2_19;
+            v1_odd_of_3_20 <= v1_odd_of_3_19;
+            v1_odd_of_4_20 <= v1_odd_of_4_19;
+            v1_odd_of_5_20 <= v1_odd_of_5_19;
             blend1_signed_20 <= blend1_signed_19;
         end
     end
 
-    // ===== Stage 20: registers only
+    // ===== Stage 20: read sines_1_even, read sines_1_odd
+    // The word of the memory sines_1_even, of 128 words.
+    reg [52:0] sines_1_even_21;
+    // The word of the memory sines_1_odd, of 128 words.
+    reg [52:0] sines_1_odd_21;
+    reg [52:0] sines_1_even [0:127];
+    initial $readmemh(SINES_1_EVEN_FILE, sines_1_even);
+    always @(posedge clk) begin
+        if (ce) sines_1_even_21 <= sines_1_even[step_number1_even_20];
+    end
+    reg [52:0] sines_1_odd [0:127];
+    initial $readmemh(SINES_1_ODD_FILE, sines_1_odd);
+    always @(posedge clk) begin
+        if (ce) sines_1_odd_21 <= sines_1_odd[step_number1_odd_20];
+    end
     reg [17:0] in_nz_21;
     reg [17:0] in_gain1r_21;
     reg [17:0] in_gain1g_21;
@@ -1605,17 +1781,9 @@ module image_paper #(
     reg [2:0] shift1_21;
     reg [18:0] x1_21;
     reg [7:0] past_part1_even_21;
-    reg [14:0] sine_1_even_21;
-    reg [10:0] sine_rise_1_even_21;
-    reg [14:0] cosine_1_even_21;
-    reg [11:0] cosine_rise_1_even_21;
     reg [8:0] past_part1_even_signed_21;
     reg [11:0] end1_even_21;
     reg [7:0] past_part1_odd_21;
-    reg [14:0] sine_1_odd_21;
-    reg [10:0] sine_rise_1_odd_21;
-    reg [14:0] cosine_1_odd_21;
-    reg [11:0] cosine_rise_1_odd_21;
     reg [8:0] past_part1_odd_signed_21;
     reg [11:0] end1_odd_21;
     reg [6:0] texels1_000_21;
@@ -1626,7 +1794,13 @@ module image_paper #(
     reg [6:0] texels1_101_21;
     reg [6:0] texels1_110_21;
     reg [6:0] texels1_111_21;
-    reg [7:0] v1_odd_signed_21;
+    reg v1_odd_whole_21;
+    reg v1_odd_of_0_21;
+    reg v1_odd_of_1_21;
+    reg v1_odd_of_2_21;
+    reg v1_odd_of_3_21;
+    reg v1_odd_of_4_21;
+    reg v1_odd_of_5_21;
     reg [7:0] blend1_signed_21;
     always @(posedge clk) begin
         if (ce) begin
@@ -1638,17 +1812,9 @@ module image_paper #(
             shift1_21 <= shift1_20;
             x1_21 <= x1_20;
             past_part1_even_21 <= past_part1_even_20;
-            sine_1_even_21 <= sine_1_even_20;
-            sine_rise_1_even_21 <= sine_rise_1_even_20;
-            cosine_1_even_21 <= cosine_1_even_20;
-            cosine_rise_1_even_21 <= cosine_rise_1_even_20;
             past_part1_even_signed_21 <= past_part1_even_signed_20;
             end1_even_21 <= end1_even_20;
             past_part1_odd_21 <= past_part1_odd_20;
-            sine_1_odd_21 <= sine_1_odd_20;
-            sine_rise_1_odd_21 <= sine_rise_1_odd_20;
-            cosine_1_odd_21 <= cosine_1_odd_20;
-            cosine_rise_1_odd_21 <= cosine_rise_1_odd_20;
             past_part1_odd_signed_21 <= past_part1_odd_signed_20;
             end1_odd_21 <= end1_odd_20;
             texels1_000_21 <= texels1_000_20;
@@ -1659,22 +1825,34 @@ module image_paper #(
             texels1_101_21 <= texels1_101_20;
             texels1_110_21 <= texels1_110_20;
             texels1_111_21 <= texels1_111_20;
-            v1_odd_signed_21 <= v1_odd_signed_20;
+            v1_odd_whole_21 <= v1_odd_whole_20;
+            v1_odd_of_0_21 <= v1_odd_of_0_20;
+            v1_odd_of_1_21 <= v1_odd_of_1_20;
+            v1_odd_of_2_21 <= v1_odd_of_2_20;
+            v1_odd_of_3_21 <= v1_odd_of_3_20;
+            v1_odd_of_4_21 <= v1_odd_of_4_20;
+            v1_odd_of_5_21 <= v1_odd_of_5_20;
             blend1_signed_21 <= blend1_signed_20;
         end
     end
 
-    // ===== Stage 21: sin_part1_even, cos_part1_even, sin_part1_odd and 1 more
-    // UQ-5.24: its part of the rise
-    wire [18:0] sin_part1_even_21 = sine_rise_1_even_21 * past_part1_even_21;
-    // Q-4.24: its part of the rise
-    wire [20:0] cos_part1_even_21 =
-        $signed(cosine_rise_1_even_21) * $signed(past_part1_even_signed_21);
-    // UQ-5.24: its part of the rise
-    wire [18:0] sin_part1_odd_21 = sine_rise_1_odd_21 * past_part1_odd_21;
-    // Q-4.24: its part of the rise
-    wire [20:0] cos_part1_odd_21 =
-        $signed(cosine_rise_1_odd_21) * $signed(past_part1_odd_signed_21);
+    // ===== Stage 21: registers only
+    // Q0.14: the sine
+    wire [14:0] sine_1_even_21 = sines_1_even_21[52:38];
+    // UQ-5.16: what it rises by to the next row
+    wire [10:0] sine_rise_1_even_21 = sines_1_even_21[37:27];
+    // UQ1.14: the cosine
+    wire [14:0] cosine_1_even_21 = sines_1_even_21[26:12];
+    // Q-5.16: what it rises by to the next row
+    wire [11:0] cosine_rise_1_even_21 = sines_1_even_21[11:0];
+    // Q0.14: the sine
+    wire [14:0] sine_1_odd_21 = sines_1_odd_21[52:38];
+    // UQ-5.16: what it rises by to the next row
+    wire [10:0] sine_rise_1_odd_21 = sines_1_odd_21[37:27];
+    // UQ1.14: the cosine
+    wire [14:0] cosine_1_odd_21 = sines_1_odd_21[26:12];
+    // Q-5.16: what it rises by to the next row
+    wire [11:0] cosine_rise_1_odd_21 = sines_1_odd_21[11:0];
     reg [17:0] in_nz_22;
     reg [17:0] in_gain1r_22;
     reg [17:0] in_gain1g_22;
@@ -1682,15 +1860,19 @@ module image_paper #(
     reg hidden_22;
     reg [2:0] shift1_22;
     reg [18:0] x1_22;
+    reg [7:0] past_part1_even_22;
     reg [14:0] sine_1_even_22;
+    reg [10:0] sine_rise_1_even_22;
     reg [14:0] cosine_1_even_22;
-    reg [18:0] sin_part1_even_22;
-    reg [20:0] cos_part1_even_22;
+    reg [11:0] cosine_rise_1_even_22;
+    reg [8:0] past_part1_even_signed_22;
     reg [11:0] end1_even_22;
+    reg [7:0] past_part1_odd_22;
     reg [14:0] sine_1_odd_22;
+    reg [10:0] sine_rise_1_odd_22;
     reg [14:0] cosine_1_odd_22;
-    reg [18:0] sin_part1_odd_22;
-    reg [20:0] cos_part1_odd_22;
+    reg [11:0] cosine_rise_1_odd_22;
+    reg [8:0] past_part1_odd_signed_22;
     reg [11:0] end1_odd_22;
     reg [6:0] texels1_000_22;
     reg [6:0] texels1_001_22;
@@ -1700,7 +1882,13 @@ module image_paper #(
     reg [6:0] texels1_101_22;
     reg [6:0] texels1_110_22;
     reg [6:0] texels1_111_22;
-    reg [7:0] v1_odd_signed_22;
+    reg v1_odd_whole_22;
+    reg v1_odd_of_0_22;
+    reg v1_odd_of_1_22;
+    reg v1_odd_of_2_22;
+    reg v1_odd_of_3_22;
+    reg v1_odd_of_4_22;
+    reg v1_odd_of_5_22;
     reg [7:0] blend1_signed_22;
     always @(posedge clk) begin
         if (ce) begin
@@ -1711,15 +1899,19 @@ module image_paper #(
             hidden_22 <= hidden_21;
             shift1_22 <= shift1_21;
             x1_22 <= x1_21;
+            past_part1_even_22 <= past_part1_even_21;
             sine_1_even_22 <= sine_1_even_21;
+            sine_rise_1_even_22 <= sine_rise_1_even_21;
             cosine_1_even_22 <= cosine_1_even_21;
-            sin_part1_even_22 <= sin_part1_even_21;
-            cos_part1_even_22 <= cos_part1_even_21;
+            cosine_rise_1_even_22 <= cosine_rise_1_even_21;
+            past_part1_even_signed_22 <= past_part1_even_signed_21;
             end1_even_22 <= end1_even_21;
+            past_part1_odd_22 <= past_part1_odd_21;
             sine_1_odd_22 <= sine_1_odd_21;
+            sine_rise_1_odd_22 <= sine_rise_1_odd_21;
             cosine_1_odd_22 <= cosine_1_odd_21;
-            sin_part1_odd_22 <= sin_part1_odd_21;
-            cos_part1_odd_22 <= cos_part1_odd_21;
+            cosine_rise_1_odd_22 <= cosine_rise_1_odd_21;
+            past_part1_odd_signed_22 <= past_part1_odd_signed_21;
             end1_odd_22 <= end1_odd_21;
             texels1_000_22 <= texels1_000_21;
             texels1_001_22 <= texels1_001_21;
@@ -1729,32 +1921,18 @@ module image_paper #(
             texels1_101_22 <= texels1_101_21;
             texels1_110_22 <= texels1_110_21;
             texels1_111_22 <= texels1_111_21;
-            v1_odd_signed_22 <= v1_odd_signed_21;
+            v1_odd_whole_22 <= v1_odd_whole_21;
+            v1_odd_of_0_22 <= v1_odd_of_0_21;
+            v1_odd_of_1_22 <= v1_odd_of_1_21;
+            v1_odd_of_2_22 <= v1_odd_of_2_21;
+            v1_odd_of_3_22 <= v1_odd_of_3_21;
+            v1_odd_of_4_22 <= v1_odd_of_4_21;
+            v1_odd_of_5_22 <= v1_odd_of_5_21;
             blend1_signed_22 <= blend1_signed_21;
         end
     end
 
-    // ===== Stage 22: sin_exact1_even, cos_exact1_even, sin_exact1_odd and 1 more
-    // Q1.24: between two rows
-    wire [25:0] sin_exact1_even_22 =
-        {{1{sine_1_even_22[14]}}, sine_1_even_22, 10'd0} + {7'd0, sin_part1_even_22};
-    // Q1.14: rounded down
-    wire [15:0] sin1_even_22 = sin_exact1_even_22[25:10];
-    // Q1.24: between two rows
-    wire [25:0] cos_exact1_even_22 =
-        {1'd0, cosine_1_even_22, 10'd0} + {{5{cos_part1_even_22[20]}}, cos_part1_even_22};
-    // Q1.14: rounded down
-    wire [15:0] cos1_even_22 = cos_exact1_even_22[25:10];
-    // Q1.24: between two rows
-    wire [25:0] sin_exact1_odd_22 =
-        {{1{sine_1_odd_22[14]}}, sine_1_odd_22, 10'd0} + {7'd0, sin_part1_odd_22};
-    // Q1.14: rounded down
-    wire [15:0] sin1_odd_22 = sin_exact1_odd_22[25:10];
-    // Q1.24: between two rows
-    wire [25:0] cos_exact1_odd_22 =
-        {1'd0, cosine_1_odd_22, 10'd0} + {{5{cos_part1_odd_22[20]}}, cos_part1_odd_22};
-    // Q1.14: rounded down
-    wire [15:0] cos1_odd_22 = cos_exact1_odd_22[25:10];
+    // ===== Stage 22: registers only
     reg [17:0] in_nz_23;
     reg [17:0] in_gain1r_23;
     reg [17:0] in_gain1g_23;
@@ -1762,11 +1940,19 @@ module image_paper #(
     reg hidden_23;
     reg [2:0] shift1_23;
     reg [18:0] x1_23;
-    reg [15:0] sin1_even_23;
-    reg [15:0] cos1_even_23;
+    reg [7:0] past_part1_even_23;
+    reg [14:0] sine_1_even_23;
+    reg [10:0] sine_rise_1_even_23;
+    reg [14:0] cosine_1_even_23;
+    reg [11:0] cosine_rise_1_even_23;
+    reg [8:0] past_part1_even_signed_23;
     reg [11:0] end1_even_23;
-    reg [15:0] sin1_odd_23;
-    reg [15:0] cos1_odd_23;
+    reg [7:0] past_part1_odd_23;
+    reg [14:0] sine_1_odd_23;
+    reg [10:0] sine_rise_1_odd_23;
+    reg [14:0] cosine_1_odd_23;
+    reg [11:0] cosine_rise_1_odd_23;
+    reg [8:0] past_part1_odd_signed_23;
     reg [11:0] end1_odd_23;
     reg [6:0] texels1_000_23;
     reg [6:0] texels1_001_23;
@@ -1776,7 +1962,13 @@ module image_paper #(
     reg [6:0] texels1_101_23;
     reg [6:0] texels1_110_23;
     reg [6:0] texels1_111_23;
-    reg [7:0] v1_odd_signed_23;
+    reg v1_odd_whole_23;
+    reg v1_odd_of_0_23;
+    reg v1_odd_of_1_23;
+    reg v1_odd_of_2_23;
+    reg v1_odd_of_3_23;
+    reg v1_odd_of_4_23;
+    reg v1_odd_of_5_23;
     reg [7:0] blend1_signed_23;
     always @(posedge clk) begin
         if (ce) begin
@@ -1787,11 +1979,19 @@ module image_paper #(
             hidden_23 <= hidden_22;
             shift1_23 <= shift1_22;
             x1_23 <= x1_22;
-            sin1_even_23 <= sin1_even_22;
-            cos1_even_23 <= cos1_even_22;
+            past_part1_even_23 <= past_part1_even_22;
+            sine_1_even_23 <= sine_1_even_22;
+            sine_rise_1_even_23 <= sine_rise_1_even_22;
+            cosine_1_even_23 <= cosine_1_even_22;
+            cosine_rise_1_even_23 <= cosine_rise_1_even_22;
+            past_part1_even_signed_23 <= past_part1_even_signed_22;
             end1_even_23 <= end1_even_22;
-            sin1_odd_23 <= sin1_odd_22;
-            cos1_odd_23 <= cos1_odd_22;
+            past_part1_odd_23 <= past_part1_odd_22;
+            sine_1_odd_23 <= sine_1_odd_22;
+            sine_rise_1_odd_23 <= sine_rise_1_odd_22;
+            cosine_1_odd_23 <= cosine_1_odd_22;
+            cosine_rise_1_odd_23 <= cosine_rise_1_odd_22;
+            past_part1_odd_signed_23 <= past_part1_odd_signed_22;
             end1_odd_23 <= end1_odd_22;
             texels1_000_23 <= texels1_000_22;
             texels1_001_23 <= texels1_001_22;
@@ -1801,58 +2001,44 @@ module image_paper #(
             texels1_101_23 <= texels1_101_22;
             texels1_110_23 <= texels1_110_22;
             texels1_111_23 <= texels1_111_22;
-            v1_odd_signed_23 <= v1_odd_signed_22;
+            v1_odd_whole_23 <= v1_odd_whole_22;
+            v1_odd_of_0_23 <= v1_odd_of_0_22;
+            v1_odd_of_1_23 <= v1_odd_of_1_22;
+            v1_odd_of_2_23 <= v1_odd_of_2_22;
+            v1_odd_of_3_23 <= v1_odd_of_3_22;
+            v1_odd_of_4_23 <= v1_odd_of_4_22;
+            v1_odd_of_5_23 <= v1_odd_of_5_22;
             blend1_signed_23 <= blend1_signed_22;
         end
     end
 
-    // ===== Stage 23: xc1_even_exact, zs1_even_exact, zc1_even_exact and 5 more
-    // Q6.28: x cos
-    wire [34:0] xc1_even_exact_23 = $signed(x1_23) * $signed(cos1_even_23);
-    // Q4.14: rounded down
-    wire [18:0] xc1_even_23 = xc1_even_exact_23[32:14];
-    // Q3.30: z sin
-    wire [33:0] zs1_even_exact_23 = $signed(in_nz_23) * $signed(sin1_even_23);
-    // Q2.14: rounded down
-    wire [16:0] zs1_even_23 = zs1_even_exact_23[32:16];
-    // Q3.30: z cos
-    wire [33:0] zc1_even_exact_23 = $signed(in_nz_23) * $signed(cos1_even_23);
-    // Q2.14: rounded down
-    wire [16:0] zc1_even_23 = zc1_even_exact_23[32:16];
-    // Q6.28: x sin
-    wire [34:0] xs1_even_exact_23 = $signed(x1_23) * $signed(sin1_even_23);
-    // Q4.14: rounded down
-    wire [18:0] xs1_even_23 = xs1_even_exact_23[32:14];
-    // Q6.28: x cos
-    wire [34:0] xc1_odd_exact_23 = $signed(x1_23) * $signed(cos1_odd_23);
-    // Q4.14: rounded down
-    wire [18:0] xc1_odd_23 = xc1_odd_exact_23[32:14];
-    // Q3.30: z sin
-    wire [33:0] zs1_odd_exact_23 = $signed(in_nz_23) * $signed(sin1_odd_23);
-    // Q2.14: rounded down
-    wire [16:0] zs1_odd_23 = zs1_odd_exact_23[32:16];
-    // Q3.30: z cos
-    wire [33:0] zc1_odd_exact_23 = $signed(in_nz_23) * $signed(cos1_odd_23);
-    // Q2.14: rounded down
-    wire [16:0] zc1_odd_23 = zc1_odd_exact_23[32:16];
-    // Q6.28: x sin
-    wire [34:0] xs1_odd_exact_23 = $signed(x1_23) * $signed(sin1_odd_23);
-    // Q4.14: rounded down
-    wire [18:0] xs1_odd_23 = xs1_odd_exact_23[32:14];
+    // ===== Stage 23: sin_part1_even, cos_part1_even, sin_part1_odd and 1 more
+    // UQ-5.24: its part of the rise
+    wire [18:0] sin_part1_even_23 = sine_rise_1_even_23 * past_part1_even_23;
+    // Q-4.24: its part of the rise
+    wire [20:0] cos_part1_even_23 =
+        $signed(cosine_rise_1_even_23) * $signed(past_part1_even_signed_23);
+    // UQ-5.24: its part of the rise
+    wire [18:0] sin_part1_odd_23 = sine_rise_1_odd_23 * past_part1_odd_23;
+    // Q-4.24: its part of the rise
+    wire [20:0] cos_part1_odd_23 =
+        $signed(cosine_rise_1_odd_23) * $signed(past_part1_odd_signed_23);
+    reg [17:0] in_nz_24;
     reg [17:0] in_gain1r_24;
     reg [17:0] in_gain1g_24;
     reg [17:0] in_gain1b_24;
     reg hidden_24;
     reg [2:0] shift1_24;
-    reg [18:0] xc1_even_24;
-    reg [16:0] zs1_even_24;
-    reg [16:0] zc1_even_24;
-    reg [18:0] xs1_even_24;
+    reg [18:0] x1_24;
+    reg [14:0] sine_1_even_24;
+    reg [14:0] cosine_1_even_24;
+    reg [18:0] sin_part1_even_24;
+    reg [20:0] cos_part1_even_24;
     reg [11:0] end1_even_24;
-    reg [18:0] xc1_odd_24;
-    reg [16:0] zs1_odd_24;
-    reg [16:0] zc1_odd_24;
-    reg [18:0] xs1_odd_24;
+    reg [14:0] sine_1_odd_24;
+    reg [14:0] cosine_1_odd_24;
+    reg [18:0] sin_part1_odd_24;
+    reg [20:0] cos_part1_odd_24;
     reg [11:0] end1_odd_24;
     reg [6:0] texels1_000_24;
     reg [6:0] texels1_001_24;
@@ -1862,24 +2048,32 @@ module image_paper #(
     reg [6:0] texels1_101_24;
     reg [6:0] texels1_110_24;
     reg [6:0] texels1_111_24;
-    reg [7:0] v1_odd_signed_24;
+    reg v1_odd_whole_24;
+    reg v1_odd_of_0_24;
+    reg v1_odd_of_1_24;
+    reg v1_odd_of_2_24;
+    reg v1_odd_of_3_24;
+    reg v1_odd_of_4_24;
+    reg v1_odd_of_5_24;
     reg [7:0] blend1_signed_24;
     always @(posedge clk) begin
         if (ce) begin
+            in_nz_24 <= in_nz_23;
             in_gain1r_24 <= in_gain1r_23;
             in_gain1g_24 <= in_gain1g_23;
             in_gain1b_24 <= in_gain1b_23;
             hidden_24 <= hidden_23;
             shift1_24 <= shift1_23;
-            xc1_even_24 <= xc1_even_23;
-            zs1_even_24 <= zs1_even_23;
-            zc1_even_24 <= zc1_even_23;
-            xs1_even_24 <= xs1_even_23;
+            x1_24 <= x1_23;
+            sine_1_even_24 <= sine_1_even_23;
+            cosine_1_even_24 <= cosine_1_even_23;
+            sin_part1_even_24 <= sin_part1_even_23;
+            cos_part1_even_24 <= cos_part1_even_23;
             end1_even_24 <= end1_even_23;
-            xc1_odd_24 <= xc1_odd_23;
-            zs1_odd_24 <= zs1_odd_23;
-            zc1_odd_24 <= zc1_odd_23;
-            xs1_odd_24 <= xs1_odd_23;
+            sine_1_odd_24 <= sine_1_odd_23;
+            cosine_1_odd_24 <= cosine_1_odd_23;
+            sin_part1_odd_24 <= sin_part1_odd_23;
+            cos_part1_odd_24 <= cos_part1_odd_23;
             end1_odd_24 <= end1_odd_23;
             texels1_000_24 <= texels1_000_23;
             texels1_001_24 <= texels1_001_23;
@@ -1889,34 +2083,50 @@ module image_paper #(
             texels1_101_24 <= texels1_101_23;
             texels1_110_24 <= texels1_110_23;
             texels1_111_24 <= texels1_111_23;
-            v1_odd_signed_24 <= v1_odd_signed_23;
+            v1_odd_whole_24 <= v1_odd_whole_23;
+            v1_odd_of_0_24 <= v1_odd_of_0_23;
+            v1_odd_of_1_24 <= v1_odd_of_1_23;
+            v1_odd_of_2_24 <= v1_odd_of_2_23;
+            v1_odd_of_3_24 <= v1_odd_of_3_23;
+            v1_odd_of_4_24 <= v1_odd_of_4_23;
+            v1_odd_of_5_24 <= v1_odd_of_5_23;
             blend1_signed_24 <= blend1_signed_23;
         end
     end
 
-    // ===== Stage 24: across1_even, behind1_even, across1_odd, behind1_odd
-    // Q4.14: x of the turned normal
-    wire [18:0] across1_even_24 = xc1_even_24 + {{2{zs1_even_24[16]}}, zs1_even_24};
-    // UQ1.0: whether it is behind the rim, z < 0
-    wire behind1_even_24 = $signed(xs1_even_24) > $signed({{2{zc1_even_24[16]}}, zc1_even_24});
-    // Q9.9: in texels from the middle
-    wire [18:0] u1_even_scaled_24 = across1_even_24;
-    // Q4.14: x of the turned normal
-    wire [18:0] across1_odd_24 = xc1_odd_24 + {{2{zs1_odd_24[16]}}, zs1_odd_24};
-    // UQ1.0: whether it is behind the rim, z < 0
-    wire behind1_odd_24 = $signed(xs1_odd_24) > $signed({{2{zc1_odd_24[16]}}, zc1_odd_24});
-    // Q9.9: in texels from the middle
-    wire [18:0] u1_odd_scaled_24 = across1_odd_24;
+    // ===== Stage 24: sin_exact1_even, cos_exact1_even, sin_exact1_odd and 1 more
+    // Q1.24: between two rows
+    wire [25:0] sin_exact1_even_24 =
+        {{1{sine_1_even_24[14]}}, sine_1_even_24, 10'd0} + {7'd0, sin_part1_even_24};
+    // Q1.14: rounded down
+    wire [15:0] sin1_even_24 = sin_exact1_even_24[25:10];
+    // Q1.24: between two rows
+    wire [25:0] cos_exact1_even_24 =
+        {1'd0, cosine_1_even_24, 10'd0} + {{5{cos_part1_even_24[20]}}, cos_part1_even_24};
+    // Q1.14: rounded down
+    wire [15:0] cos1_even_24 = cos_exact1_even_24[25:10];
+    // Q1.24: between two rows
+    wire [25:0] sin_exact1_odd_24 =
+        {{1{sine_1_odd_24[14]}}, sine_1_odd_24, 10'd0} + {7'd0, sin_part1_odd_24};
+    // Q1.14: rounded down
+    wire [15:0] sin1_odd_24 = sin_exact1_odd_24[25:10];
+    // Q1.24: between two rows
+    wire [25:0] cos_exact1_odd_24 =
+        {1'd0, cosine_1_odd_24, 10'd0} + {{5{cos_part1_odd_24[20]}}, cos_part1_odd_24};
+    // Q1.14: rounded down
+    wire [15:0] cos1_odd_24 = cos_exact1_odd_24[25:10];
+    reg [17:0] in_nz_25;
     reg [17:0] in_gain1r_25;
     reg [17:0] in_gain1g_25;
     reg [17:0] in_gain1b_25;
     reg hidden_25;
     reg [2:0] shift1_25;
-    reg behind1_even_25;
-    reg [18:0] u1_even_scaled_25;
+    reg [18:0] x1_25;
+    reg [15:0] sin1_even_25;
+    reg [15:0] cos1_even_25;
     reg [11:0] end1_even_25;
-    reg behind1_odd_25;
-    reg [18:0] u1_odd_scaled_25;
+    reg [15:0] sin1_odd_25;
+    reg [15:0] cos1_odd_25;
     reg [11:0] end1_odd_25;
     reg [6:0] texels1_000_25;
     reg [6:0] texels1_001_25;
@@ -1926,20 +2136,28 @@ module image_paper #(
     reg [6:0] texels1_101_25;
     reg [6:0] texels1_110_25;
     reg [6:0] texels1_111_25;
-    reg [7:0] v1_odd_signed_25;
+    reg v1_odd_whole_25;
+    reg v1_odd_of_0_25;
+    reg v1_odd_of_1_25;
+    reg v1_odd_of_2_25;
+    reg v1_odd_of_3_25;
+    reg v1_odd_of_4_25;
+    reg v1_odd_of_5_25;
     reg [7:0] blend1_signed_25;
     always @(posedge clk) begin
         if (ce) begin
+            in_nz_25 <= in_nz_24;
             in_gain1r_25 <= in_gain1r_24;
             in_gain1g_25 <= in_gain1g_24;
             in_gain1b_25 <= in_gain1b_24;
             hidden_25 <= hidden_24;
             shift1_25 <= shift1_24;
-            behind1_even_25 <= behind1_even_24;
-            u1_even_scaled_25 <= u1_even_scaled_24;
+            x1_25 <= x1_24;
+            sin1_even_25 <= sin1_even_24;
+            cos1_even_25 <= cos1_even_24;
             end1_even_25 <= end1_even_24;
-            behind1_odd_25 <= behind1_odd_24;
-            u1_odd_scaled_25 <= u1_odd_scaled_24;
+            sin1_odd_25 <= sin1_odd_24;
+            cos1_odd_25 <= cos1_odd_24;
             end1_odd_25 <= end1_odd_24;
             texels1_000_25 <= texels1_000_24;
             texels1_001_25 <= texels1_001_24;
@@ -1949,69 +2167,65 @@ module image_paper #(
             texels1_101_25 <= texels1_101_24;
             texels1_110_25 <= texels1_110_24;
             texels1_111_25 <= texels1_111_24;
-            v1_odd_signed_25 <= v1_odd_signed_24;
+            v1_odd_whole_25 <= v1_odd_whole_24;
+            v1_odd_of_0_25 <= v1_odd_of_0_24;
+            v1_odd_of_1_25 <= v1_odd_of_1_24;
+            v1_odd_of_2_25 <= v1_odd_of_2_24;
+            v1_odd_of_3_25 <= v1_odd_of_3_24;
+            v1_odd_of_4_25 <= v1_odd_of_4_24;
+            v1_odd_of_5_25 <= v1_odd_of_5_24;
             blend1_signed_25 <= blend1_signed_24;
         end
     end
 
-    // ===== Stage 25: u1_even_place, u1_even_kept, u_at1_even, u1_odd_place and 2 more
-    // Q9.9: from the first, plus half a weight's last bit
-    wire [18:0] u1_even_place_25 = u1_even_scaled_25 + 19'h03f04;
-    // Q9.6: rounded to the nearest weight
-    wire [15:0] u1_even_cut_25 = u1_even_place_25[18:3];
-    // UQ6.6: between the outermost centres
-    wire [11:0] u1_even_kept_25 =
-        u1_even_cut_25[15] ? 12'h000 : (u1_even_cut_25 > 16'h0fc0) ? 12'hfc0 : u1_even_cut_25[11:0];
-    // UQ6.6: that end from behind the rim
-    wire [11:0] u_at1_even_25 = behind1_even_25 ? end1_even_25 : u1_even_kept_25;
-    // UQ6.0: the texel at or below it
-    wire [5:0] u1_even_texel_25 = u_at1_even_25[11:6];
-    // UQ0.6: the weight of the next
-    wire [5:0] u1_even_weight_25 = u_at1_even_25[5:0];
-    // UQ6.-1: its leading bits
-    wire [4:0] u1_even_odd_high_25 = u1_even_texel_25[5:1];
-    // UQ5.0: the odd one of both
-    wire [4:0] u1_even_odd_25 = u1_even_odd_high_25;
-    // UQ1.0: its last bit
-    wire u1_even_is_odd_25 = u1_even_texel_25[0];
-    // UQ1.6: in the wider of two formats
-    wire [6:0] u1_even_weight_wide_25 = {1'd0, u1_even_weight_25};
-    // Q9.9: from the first, plus half a weight's last bit
-    wire [18:0] u1_odd_place_25 = u1_odd_scaled_25 + 19'h03f04;
-    // Q9.6: rounded to the nearest weight
-    wire [15:0] u1_odd_cut_25 = u1_odd_place_25[18:3];
-    // UQ6.6: between the outermost centres
-    wire [11:0] u1_odd_kept_25 =
-        u1_odd_cut_25[15] ? 12'h000 : (u1_odd_cut_25 > 16'h0fc0) ? 12'hfc0 : u1_odd_cut_25[11:0];
-    // UQ6.6: that end from behind the rim
-    wire [11:0] u_at1_odd_25 = behind1_odd_25 ? end1_odd_25 : u1_odd_kept_25;
-    // UQ6.0: the texel at or below it
-    wire [5:0] u1_odd_texel_25 = u_at1_odd_25[11:6];
-    // UQ0.6: the weight of the next
-    wire [5:0] u1_odd_weight_25 = u_at1_odd_25[5:0];
-    // UQ6.-1: its leading bits
-    wire [4:0] u1_odd_odd_high_25 = u1_odd_texel_25[5:1];
-    // UQ5.0: the odd one of both
-    wire [4:0] u1_odd_odd_25 = u1_odd_odd_high_25;
-    // UQ1.0: its last bit
-    wire u1_odd_is_odd_25 = u1_odd_texel_25[0];
-    // UQ1.6: in the wider of two formats
-    wire [6:0] u1_odd_weight_wide_25 = {1'd0, u1_odd_weight_25};
+    // ===== Stage 25: xc1_even_exact, zs1_even_exact, zc1_even_exact and 5 more
+    // Q6.28: x cos
+    wire [34:0] xc1_even_exact_25 = $signed(x1_25) * $signed(cos1_even_25);
+    // Q4.14: rounded down
+    wire [18:0] xc1_even_25 = xc1_even_exact_25[32:14];
+    // Q3.30: z sin
+    wire [33:0] zs1_even_exact_25 = $signed(in_nz_25) * $signed(sin1_even_25);
+    // Q2.14: rounded down
+    wire [16:0] zs1_even_25 = zs1_even_exact_25[32:16];
+    // Q3.30: z cos
+    wire [33:0] zc1_even_exact_25 = $signed(in_nz_25) * $signed(cos1_even_25);
+    // Q2.14: rounded down
+    wire [16:0] zc1_even_25 = zc1_even_exact_25[32:16];
+    // Q6.28: x sin
+    wire [34:0] xs1_even_exact_25 = $signed(x1_25) * $signed(sin1_even_25);
+    // Q4.14: rounded down
+    wire [18:0] xs1_even_25 = xs1_even_exact_25[32:14];
+    // Q6.28: x cos
+    wire [34:0] xc1_odd_exact_25 = $signed(x1_25) * $signed(cos1_odd_25);
+    // Q4.14: rounded down
+    wire [18:0] xc1_odd_25 = xc1_odd_exact_25[32:14];
+    // Q3.30: z sin
+    wire [33:0] zs1_odd_exact_25 = $signed(in_nz_25) * $signed(sin1_odd_25);
+    // Q2.14: rounded down
+    wire [16:0] zs1_odd_25 = zs1_odd_exact_25[32:16];
+    // Q3.30: z cos
+    wire [33:0] zc1_odd_exact_25 = $signed(in_nz_25) * $signed(cos1_odd_25);
+    // Q2.14: rounded down
+    wire [16:0] zc1_odd_25 = zc1_odd_exact_25[32:16];
+    // Q6.28: x sin
+    wire [34:0] xs1_odd_exact_25 = $signed(x1_25) * $signed(sin1_odd_25);
+    // Q4.14: rounded down
+    wire [18:0] xs1_odd_25 = xs1_odd_exact_25[32:14];
     reg [17:0] in_gain1r_26;
     reg [17:0] in_gain1g_26;
     reg [17:0] in_gain1b_26;
     reg hidden_26;
     reg [2:0] shift1_26;
-    reg [5:0] u1_even_texel_26;
-    reg [5:0] u1_even_weight_26;
-    reg [4:0] u1_even_odd_26;
-    reg u1_even_is_odd_26;
-    reg [6:0] u1_even_weight_wide_26;
-    reg [5:0] u1_odd_texel_26;
-    reg [5:0] u1_odd_weight_26;
-    reg [4:0] u1_odd_odd_26;
-    reg u1_odd_is_odd_26;
-    reg [6:0] u1_odd_weight_wide_26;
+    reg [18:0] xc1_even_26;
+    reg [16:0] zs1_even_26;
+    reg [16:0] zc1_even_26;
+    reg [18:0] xs1_even_26;
+    reg [11:0] end1_even_26;
+    reg [18:0] xc1_odd_26;
+    reg [16:0] zs1_odd_26;
+    reg [16:0] zc1_odd_26;
+    reg [18:0] xs1_odd_26;
+    reg [11:0] end1_odd_26;
     reg [6:0] texels1_000_26;
     reg [6:0] texels1_001_26;
     reg [6:0] texels1_010_26;
@@ -2020,7 +2234,13 @@ module image_paper #(
     reg [6:0] texels1_101_26;
     reg [6:0] texels1_110_26;
     reg [6:0] texels1_111_26;
-    reg [7:0] v1_odd_signed_26;
+    reg v1_odd_whole_26;
+    reg v1_odd_of_0_26;
+    reg v1_odd_of_1_26;
+    reg v1_odd_of_2_26;
+    reg v1_odd_of_3_26;
+    reg v1_odd_of_4_26;
+    reg v1_odd_of_5_26;
     reg [7:0] blend1_signed_26;
     always @(posedge clk) begin
         if (ce) begin
@@ -2029,16 +2249,16 @@ module image_paper #(
             in_gain1b_26 <= in_gain1b_25;
             hidden_26 <= hidden_25;
             shift1_26 <= shift1_25;
-            u1_even_texel_26 <= u1_even_texel_25;
-            u1_even_weight_26 <= u1_even_weight_25;
-            u1_even_odd_26 <= u1_even_odd_25;
-            u1_even_is_odd_26 <= u1_even_is_odd_25;
-            u1_even_weight_wide_26 <= u1_even_weight_wide_25;
-            u1_odd_texel_26 <= u1_odd_texel_25;
-            u1_odd_weight_26 <= u1_odd_weight_25;
-            u1_odd_odd_26 <= u1_odd_odd_25;
-            u1_odd_is_odd_26 <= u1_odd_is_odd_25;
-            u1_odd_weight_wide_26 <= u1_odd_weight_wide_25;
+            xc1_even_26 <= xc1_even_25;
+            zs1_even_26 <= zs1_even_25;
+            zc1_even_26 <= zc1_even_25;
+            xs1_even_26 <= xs1_even_25;
+            end1_even_26 <= end1_even_25;
+            xc1_odd_26 <= xc1_odd_25;
+            zs1_odd_26 <= zs1_odd_25;
+            zc1_odd_26 <= zc1_odd_25;
+            xs1_odd_26 <= xs1_odd_25;
+            end1_odd_26 <= end1_odd_25;
             texels1_000_26 <= texels1_000_25;
             texels1_001_26 <= texels1_001_25;
             texels1_010_26 <= texels1_010_25;
@@ -2047,67 +2267,56 @@ module image_paper #(
             texels1_101_26 <= texels1_101_25;
             texels1_110_26 <= texels1_110_25;
             texels1_111_26 <= texels1_111_25;
-            v1_odd_signed_26 <= v1_odd_signed_25;
+            v1_odd_whole_26 <= v1_odd_whole_25;
+            v1_odd_of_0_26 <= v1_odd_of_0_25;
+            v1_odd_of_1_26 <= v1_odd_of_1_25;
+            v1_odd_of_2_26 <= v1_odd_of_2_25;
+            v1_odd_of_3_26 <= v1_odd_of_3_25;
+            v1_odd_of_4_26 <= v1_odd_of_4_25;
+            v1_odd_of_5_26 <= v1_odd_of_5_25;
             blend1_signed_26 <= blend1_signed_25;
         end
     end
 
-    // ===== Stage 26: u1_even_next_exact, u1_even_next, u1_even_other and 9 more
-    // UQ7.0: the next
-    wire [6:0] u1_even_next_exact_26 = {1'd0, u1_even_texel_26} + 7'h01;
-    // UQ6.0: at most the last
-    wire [5:0] u1_even_next_26 =
-        (u1_even_next_exact_26 > 7'h3f) ? 6'h3f : u1_even_next_exact_26[5:0];
-    // UQ6.-1: its leading bits
-    wire [4:0] u1_even_even_high_26 = u1_even_next_26[5:1];
-    // UQ5.0: the even one of both
-    wire [4:0] u1_even_even_26 = u1_even_even_high_26;
-    // UQ1.6: the weight of the place itself
-    wire [6:0] u1_even_other_26 = 7'h40 - {1'd0, u1_even_weight_26};
-    // UQ1.6: the weight of the odd one
-    wire [6:0] u1_even_odd_v2_26 = u1_even_is_odd_26 ? u1_even_other_26 : u1_even_weight_wide_26;
-    // UQ7.0: the next
-    wire [6:0] u1_odd_next_exact_26 = {1'd0, u1_odd_texel_26} + 7'h01;
-    // UQ6.0: at most the last
-    wire [5:0] u1_odd_next_26 = (u1_odd_next_exact_26 > 7'h3f) ? 6'h3f : u1_odd_next_exact_26[5:0];
-    // UQ6.-1: its leading bits
-    wire [4:0] u1_odd_even_high_26 = u1_odd_next_26[5:1];
-    // UQ5.0: the even one of both
-    wire [4:0] u1_odd_even_26 = u1_odd_even_high_26;
-    // UQ1.6: the weight of the place itself
-    wire [6:0] u1_odd_other_26 = 7'h40 - {1'd0, u1_odd_weight_26};
-    // UQ1.6: the weight of the odd one
-    wire [6:0] u1_odd_odd_v2_26 = u1_odd_is_odd_26 ? u1_odd_other_26 : u1_odd_weight_wide_26;
-    // UQ12.0: side by side
-    wire [11:0] texel1_001_26 = {texels1_001_26, 5'd0} + {7'd0, u1_even_odd_26};
-    // UQ12.0: side by side
-    wire [11:0] texel1_011_26 = {texels1_011_26, 5'd0} + {7'd0, u1_even_odd_26};
-    // UQ12.0: side by side
-    wire [11:0] texel1_101_26 = {texels1_101_26, 5'd0} + {7'd0, u1_odd_odd_26};
-    // UQ12.0: side by side
-    wire [11:0] texel1_111_26 = {texels1_111_26, 5'd0} + {7'd0, u1_odd_odd_26};
-    // Q1.6: a sign bit for the signed product
-    wire [7:0] u1_even_odd_signed_26 = {1'd0, u1_even_odd_v2_26};
-    // Q1.6: a sign bit for the signed product
-    wire [7:0] u1_odd_odd_signed_26 = {1'd0, u1_odd_odd_v2_26};
+    // ===== Stage 26: across1_even, behind1_even, across1_odd, behind1_odd
+    // Q4.14: x of the turned normal
+    wire [18:0] across1_even_26 = xc1_even_26 + {{2{zs1_even_26[16]}}, zs1_even_26};
+    // UQ1.0: whether it is behind the rim, z < 0
+    wire behind1_even_26 = $signed(xs1_even_26) > $signed({{2{zc1_even_26[16]}}, zc1_even_26});
+    // Q9.9: in texels from the middle
+    wire [18:0] u1_even_scaled_26 = across1_even_26;
+    // Q4.14: x of the turned normal
+    wire [18:0] across1_odd_26 = xc1_odd_26 + {{2{zs1_odd_26[16]}}, zs1_odd_26};
+    // UQ1.0: whether it is behind the rim, z < 0
+    wire behind1_odd_26 = $signed(xs1_odd_26) > $signed({{2{zc1_odd_26[16]}}, zc1_odd_26});
+    // Q9.9: in texels from the middle
+    wire [18:0] u1_odd_scaled_26 = across1_odd_26;
     reg [17:0] in_gain1r_27;
     reg [17:0] in_gain1g_27;
     reg [17:0] in_gain1b_27;
     reg hidden_27;
     reg [2:0] shift1_27;
-    reg [4:0] u1_even_even_27;
-    reg [4:0] u1_odd_even_27;
+    reg behind1_even_27;
+    reg [18:0] u1_even_scaled_27;
+    reg [11:0] end1_even_27;
+    reg behind1_odd_27;
+    reg [18:0] u1_odd_scaled_27;
+    reg [11:0] end1_odd_27;
     reg [6:0] texels1_000_27;
-    reg [11:0] texel1_001_27;
+    reg [6:0] texels1_001_27;
     reg [6:0] texels1_010_27;
-    reg [11:0] texel1_011_27;
+    reg [6:0] texels1_011_27;
     reg [6:0] texels1_100_27;
-    reg [11:0] texel1_101_27;
+    reg [6:0] texels1_101_27;
     reg [6:0] texels1_110_27;
-    reg [11:0] texel1_111_27;
-    reg [7:0] u1_even_odd_signed_27;
-    reg [7:0] u1_odd_odd_signed_27;
-    reg [7:0] v1_odd_signed_27;
+    reg [6:0] texels1_111_27;
+    reg v1_odd_whole_27;
+    reg v1_odd_of_0_27;
+    reg v1_odd_of_1_27;
+    reg v1_odd_of_2_27;
+    reg v1_odd_of_3_27;
+    reg v1_odd_of_4_27;
+    reg v1_odd_of_5_27;
     reg [7:0] blend1_signed_27;
     always @(posedge clk) begin
         if (ce) begin
@@ -2116,48 +2325,66 @@ module image_paper #(
             in_gain1b_27 <= in_gain1b_26;
             hidden_27 <= hidden_26;
             shift1_27 <= shift1_26;
-            u1_even_even_27 <= u1_even_even_26;
-            u1_odd_even_27 <= u1_odd_even_26;
+            behind1_even_27 <= behind1_even_26;
+            u1_even_scaled_27 <= u1_even_scaled_26;
+            end1_even_27 <= end1_even_26;
+            behind1_odd_27 <= behind1_odd_26;
+            u1_odd_scaled_27 <= u1_odd_scaled_26;
+            end1_odd_27 <= end1_odd_26;
             texels1_000_27 <= texels1_000_26;
-            texel1_001_27 <= texel1_001_26;
+            texels1_001_27 <= texels1_001_26;
             texels1_010_27 <= texels1_010_26;
-            texel1_011_27 <= texel1_011_26;
+            texels1_011_27 <= texels1_011_26;
             texels1_100_27 <= texels1_100_26;
-            texel1_101_27 <= texel1_101_26;
+            texels1_101_27 <= texels1_101_26;
             texels1_110_27 <= texels1_110_26;
-            texel1_111_27 <= texel1_111_26;
-            u1_even_odd_signed_27 <= u1_even_odd_signed_26;
-            u1_odd_odd_signed_27 <= u1_odd_odd_signed_26;
-            v1_odd_signed_27 <= v1_odd_signed_26;
+            texels1_111_27 <= texels1_111_26;
+            v1_odd_whole_27 <= v1_odd_whole_26;
+            v1_odd_of_0_27 <= v1_odd_of_0_26;
+            v1_odd_of_1_27 <= v1_odd_of_1_26;
+            v1_odd_of_2_27 <= v1_odd_of_2_26;
+            v1_odd_of_3_27 <= v1_odd_of_3_26;
+            v1_odd_of_4_27 <= v1_odd_of_4_26;
+            v1_odd_of_5_27 <= v1_odd_of_5_26;
             blend1_signed_27 <= blend1_signed_26;
         end
     end
 
-    // ===== Stage 27: texel1_000, texel1_010, texel1_100, texel1_110
-    // UQ12.0: side by side
-    wire [11:0] texel1_000_27 = {texels1_000_27, 5'd0} + {7'd0, u1_even_even_27};
-    // UQ12.0: side by side
-    wire [11:0] texel1_010_27 = {texels1_010_27, 5'd0} + {7'd0, u1_even_even_27};
-    // UQ12.0: side by side
-    wire [11:0] texel1_100_27 = {texels1_100_27, 5'd0} + {7'd0, u1_odd_even_27};
-    // UQ12.0: side by side
-    wire [11:0] texel1_110_27 = {texels1_110_27, 5'd0} + {7'd0, u1_odd_even_27};
+    // ===== Stage 27: u1_even_place, u1_odd_place
+    // Q9.9: from the first, plus half a weight's last bit
+    wire [18:0] u1_even_place_27 = u1_even_scaled_27 + 19'h03f04;
+    // Q9.6: rounded to the nearest weight
+    wire [15:0] u1_even_cut_27 = u1_even_place_27[18:3];
+    // Q9.9: from the first, plus half a weight's last bit
+    wire [18:0] u1_odd_place_27 = u1_odd_scaled_27 + 19'h03f04;
+    // Q9.6: rounded to the nearest weight
+    wire [15:0] u1_odd_cut_27 = u1_odd_place_27[18:3];
     reg [17:0] in_gain1r_28;
     reg [17:0] in_gain1g_28;
     reg [17:0] in_gain1b_28;
     reg hidden_28;
     reg [2:0] shift1_28;
-    reg [11:0] texel1_000_28;
-    reg [11:0] texel1_001_28;
-    reg [11:0] texel1_010_28;
-    reg [11:0] texel1_011_28;
-    reg [11:0] texel1_100_28;
-    reg [11:0] texel1_101_28;
-    reg [11:0] texel1_110_28;
-    reg [11:0] texel1_111_28;
-    reg [7:0] u1_even_odd_signed_28;
-    reg [7:0] u1_odd_odd_signed_28;
-    reg [7:0] v1_odd_signed_28;
+    reg behind1_even_28;
+    reg [15:0] u1_even_cut_28;
+    reg [11:0] end1_even_28;
+    reg behind1_odd_28;
+    reg [15:0] u1_odd_cut_28;
+    reg [11:0] end1_odd_28;
+    reg [6:0] texels1_000_28;
+    reg [6:0] texels1_001_28;
+    reg [6:0] texels1_010_28;
+    reg [6:0] texels1_011_28;
+    reg [6:0] texels1_100_28;
+    reg [6:0] texels1_101_28;
+    reg [6:0] texels1_110_28;
+    reg [6:0] texels1_111_28;
+    reg v1_odd_whole_28;
+    reg v1_odd_of_0_28;
+    reg v1_odd_of_1_28;
+    reg v1_odd_of_2_28;
+    reg v1_odd_of_3_28;
+    reg v1_odd_of_4_28;
+    reg v1_odd_of_5_28;
     reg [7:0] blend1_signed_28;
     always @(posedge clk) begin
         if (ce) begin
@@ -2166,86 +2393,96 @@ module image_paper #(
             in_gain1b_28 <= in_gain1b_27;
             hidden_28 <= hidden_27;
             shift1_28 <= shift1_27;
-            texel1_000_28 <= texel1_000_27;
-            texel1_001_28 <= texel1_001_27;
-            texel1_010_28 <= texel1_010_27;
-            texel1_011_28 <= texel1_011_27;
-            texel1_100_28 <= texel1_100_27;
-            texel1_101_28 <= texel1_101_27;
-            texel1_110_28 <= texel1_110_27;
-            texel1_111_28 <= texel1_111_27;
-            u1_even_odd_signed_28 <= u1_even_odd_signed_27;
-            u1_odd_odd_signed_28 <= u1_odd_odd_signed_27;
-            v1_odd_signed_28 <= v1_odd_signed_27;
+            behind1_even_28 <= behind1_even_27;
+            u1_even_cut_28 <= u1_even_cut_27;
+            end1_even_28 <= end1_even_27;
+            behind1_odd_28 <= behind1_odd_27;
+            u1_odd_cut_28 <= u1_odd_cut_27;
+            end1_odd_28 <= end1_odd_27;
+            texels1_000_28 <= texels1_000_27;
+            texels1_001_28 <= texels1_001_27;
+            texels1_010_28 <= texels1_010_27;
+            texels1_011_28 <= texels1_011_27;
+            texels1_100_28 <= texels1_100_27;
+            texels1_101_28 <= texels1_101_27;
+            texels1_110_28 <= texels1_110_27;
+            texels1_111_28 <= texels1_111_27;
+            v1_odd_whole_28 <= v1_odd_whole_27;
+            v1_odd_of_0_28 <= v1_odd_of_0_27;
+            v1_odd_of_1_28 <= v1_odd_of_1_27;
+            v1_odd_of_2_28 <= v1_odd_of_2_27;
+            v1_odd_of_3_28 <= v1_odd_of_3_27;
+            v1_odd_of_4_28 <= v1_odd_of_4_27;
+            v1_odd_of_5_28 <= v1_odd_of_5_27;
             blend1_signed_28 <= blend1_signed_27;
         end
     end
 
-    // ===== Stage 28: read texels_1_even_even_even, read texels_1_even_even_odd and 6 more
-    // The word of the memory texels_1_even_even_even, of 4096 words.
-    reg [23:0] texels_1_even_even_even_29;
-    // The word of the memory texels_1_even_even_odd, of 4096 words.
-    reg [23:0] texels_1_even_even_odd_29;
-    // The word of the memory texels_1_even_odd_even, of 4096 words.
-    reg [23:0] texels_1_even_odd_even_29;
-    // The word of the memory texels_1_even_odd_odd, of 4096 words.
-    reg [23:0] texels_1_even_odd_odd_29;
-    // The word of the memory texels_1_odd_even_even, of 4096 words.
-    reg [23:0] texels_1_odd_even_even_29;
-    // The word of the memory texels_1_odd_even_odd, of 4096 words.
-    reg [23:0] texels_1_odd_even_odd_29;
-    // The word of the memory texels_1_odd_odd_even, of 4096 words.
-    reg [23:0] texels_1_odd_odd_even_29;
-    // The word of the memory texels_1_odd_odd_odd, of 4096 words.
-    reg [23:0] texels_1_odd_odd_odd_29;
-    reg [23:0] texels_1_even_even_even [0:4095];
-    initial $readmemh(TEXELS_1_EVEN_EVEN_EVEN_FILE, texels_1_even_even_even);
-    always @(posedge clk) begin
-        if (ce) texels_1_even_even_even_29 <= texels_1_even_even_even[texel1_000_28];
-    end
-    reg [23:0] texels_1_even_even_odd [0:4095];
-    initial $readmemh(TEXELS_1_EVEN_EVEN_ODD_FILE, texels_1_even_even_odd);
-    always @(posedge clk) begin
-        if (ce) texels_1_even_even_odd_29 <= texels_1_even_even_odd[texel1_001_28];
-    end
-    reg [23:0] texels_1_even_odd_even [0:4095];
-    initial $readmemh(TEXELS_1_EVEN_ODD_EVEN_FILE, texels_1_even_odd_even);
-    always @(posedge clk) begin
-        if (ce) texels_1_even_odd_even_29 <= texels_1_even_odd_even[texel1_010_28];
-    end
-    reg [23:0] texels_1_even_odd_odd [0:4095];
-    initial $readmemh(TEXELS_1_EVEN_ODD_ODD_FILE, texels_1_even_odd_odd);
-    always @(posedge clk) begin
-        if (ce) texels_1_even_odd_odd_29 <= texels_1_even_odd_odd[texel1_011_28];
-    end
-    reg [23:0] texels_1_odd_even_even [0:4095];
-    initial $readmemh(TEXELS_1_ODD_EVEN_EVEN_FILE, texels_1_odd_even_even);
-    always @(posedge clk) begin
-        if (ce) texels_1_odd_even_even_29 <= texels_1_odd_even_even[texel1_100_28];
-    end
-    reg [23:0] texels_1_odd_even_odd [0:4095];
-    initial $readmemh(TEXELS_1_ODD_EVEN_ODD_FILE, texels_1_odd_even_odd);
-    always @(posedge clk) begin
-        if (ce) texels_1_odd_even_odd_29 <= texels_1_odd_even_odd[texel1_101_28];
-    end
-    reg [23:0] texels_1_odd_odd_even [0:4095];
-    initial $readmemh(TEXELS_1_ODD_ODD_EVEN_FILE, texels_1_odd_odd_even);
-    always @(posedge clk) begin
-        if (ce) texels_1_odd_odd_even_29 <= texels_1_odd_odd_even[texel1_110_28];
-    end
-    reg [23:0] texels_1_odd_odd_odd [0:4095];
-    initial $readmemh(TEXELS_1_ODD_ODD_ODD_FILE, texels_1_odd_odd_odd);
-    always @(posedge clk) begin
-        if (ce) texels_1_odd_odd_odd_29 <= texels_1_odd_odd_odd[texel1_111_28];
-    end
+    // ===== Stage 28: u1_even_kept, u_at1_even, u1_odd_kept, u_at1_odd
+    // UQ6.6: between the outermost centres
+    wire [11:0] u1_even_kept_28 =
+        u1_even_cut_28[15] ? 12'h000 : (u1_even_cut_28 > 16'h0fc0) ? 12'hfc0 : u1_even_cut_28[11:0];
+    // UQ6.6: that end from behind the rim
+    wire [11:0] u_at1_even_28 = behind1_even_28 ? end1_even_28 : u1_even_kept_28;
+    // UQ6.0: the texel at or below it
+    wire [5:0] u1_even_texel_28 = u_at1_even_28[11:6];
+    // UQ0.6: the weight of the next
+    wire [5:0] u1_even_weight_28 = u_at1_even_28[5:0];
+    // UQ6.-1: its leading bits
+    wire [4:0] u1_even_odd_high_28 = u1_even_texel_28[5:1];
+    // UQ5.0: the odd one of both
+    wire [4:0] u1_even_odd_28 = u1_even_odd_high_28;
+    // UQ1.0: its last bit
+    wire u1_even_is_odd_28 = u1_even_texel_28[0];
+    // UQ1.6: in the wider of two formats
+    wire [6:0] u1_even_weight_wide_28 = {1'd0, u1_even_weight_28};
+    // UQ6.6: between the outermost centres
+    wire [11:0] u1_odd_kept_28 =
+        u1_odd_cut_28[15] ? 12'h000 : (u1_odd_cut_28 > 16'h0fc0) ? 12'hfc0 : u1_odd_cut_28[11:0];
+    // UQ6.6: that end from behind the rim
+    wire [11:0] u_at1_odd_28 = behind1_odd_28 ? end1_odd_28 : u1_odd_kept_28;
+    // UQ6.0: the texel at or below it
+    wire [5:0] u1_odd_texel_28 = u_at1_odd_28[11:6];
+    // UQ0.6: the weight of the next
+    wire [5:0] u1_odd_weight_28 = u_at1_odd_28[5:0];
+    // UQ6.-1: its leading bits
+    wire [4:0] u1_odd_odd_high_28 = u1_odd_texel_28[5:1];
+    // UQ5.0: the odd one of both
+    wire [4:0] u1_odd_odd_28 = u1_odd_odd_high_28;
+    // UQ1.0: its last bit
+    wire u1_odd_is_odd_28 = u1_odd_texel_28[0];
+    // UQ1.6: in the wider of two formats
+    wire [6:0] u1_odd_weight_wide_28 = {1'd0, u1_odd_weight_28};
     reg [17:0] in_gain1r_29;
     reg [17:0] in_gain1g_29;
     reg [17:0] in_gain1b_29;
     reg hidden_29;
     reg [2:0] shift1_29;
-    reg [7:0] u1_even_odd_signed_29;
-    reg [7:0] u1_odd_odd_signed_29;
-    reg [7:0] v1_odd_signed_29;
+    reg [5:0] u1_even_texel_29;
+    reg [5:0] u1_even_weight_29;
+    reg [4:0] u1_even_odd_29;
+    reg u1_even_is_odd_29;
+    reg [6:0] u1_even_weight_wide_29;
+    reg [5:0] u1_odd_texel_29;
+    reg [5:0] u1_odd_weight_29;
+    reg [4:0] u1_odd_odd_29;
+    reg u1_odd_is_odd_29;
+    reg [6:0] u1_odd_weight_wide_29;
+    reg [6:0] texels1_000_29;
+    reg [6:0] texels1_001_29;
+    reg [6:0] texels1_010_29;
+    reg [6:0] texels1_011_29;
+    reg [6:0] texels1_100_29;
+    reg [6:0] texels1_101_29;
+    reg [6:0] texels1_110_29;
+    reg [6:0] texels1_111_29;
+    reg v1_odd_whole_29;
+    reg v1_odd_of_0_29;
+    reg v1_odd_of_1_29;
+    reg v1_odd_of_2_29;
+    reg v1_odd_of_3_29;
+    reg v1_odd_of_4_29;
+    reg v1_odd_of_5_29;
     reg [7:0] blend1_signed_29;
     always @(posedge clk) begin
         if (ce) begin
@@ -2254,95 +2491,145 @@ module image_paper #(
             in_gain1b_29 <= in_gain1b_28;
             hidden_29 <= hidden_28;
             shift1_29 <= shift1_28;
-            u1_even_odd_signed_29 <= u1_even_odd_signed_28;
-            u1_odd_odd_signed_29 <= u1_odd_odd_signed_28;
-            v1_odd_signed_29 <= v1_odd_signed_28;
+            u1_even_texel_29 <= u1_even_texel_28;
+            u1_even_weight_29 <= u1_even_weight_28;
+            u1_even_odd_29 <= u1_even_odd_28;
+            u1_even_is_odd_29 <= u1_even_is_odd_28;
+            u1_even_weight_wide_29 <= u1_even_weight_wide_28;
+            u1_odd_texel_29 <= u1_odd_texel_28;
+            u1_odd_weight_29 <= u1_odd_weight_28;
+            u1_odd_odd_29 <= u1_odd_odd_28;
+            u1_odd_is_odd_29 <= u1_odd_is_odd_28;
+            u1_odd_weight_wide_29 <= u1_odd_weight_wide_28;
+            texels1_000_29 <= texels1_000_28;
+            texels1_001_29 <= texels1_001_28;
+            texels1_010_29 <= texels1_010_28;
+            texels1_011_29 <= texels1_011_28;
+            texels1_100_29 <= texels1_100_28;
+            texels1_101_29 <= texels1_101_28;
+            texels1_110_29 <= texels1_110_28;
+            texels1_111_29 <= texels1_111_28;
+            v1_odd_whole_29 <= v1_odd_whole_28;
+            v1_odd_of_0_29 <= v1_odd_of_0_28;
+            v1_odd_of_1_29 <= v1_odd_of_1_28;
+            v1_odd_of_2_29 <= v1_odd_of_2_28;
+            v1_odd_of_3_29 <= v1_odd_of_3_28;
+            v1_odd_of_4_29 <= v1_odd_of_4_28;
+            v1_odd_of_5_29 <= v1_odd_of_5_28;
             blend1_signed_29 <= blend1_signed_28;
         end
     end
 
-    // ===== Stage 29: registers only
-    // UQ0.8: red
-    wire [7:0] texels_1_even_even_even_r_29 = texels_1_even_even_even_29[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_even_even_odd_r_29 = texels_1_even_even_odd_29[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_even_odd_even_r_29 = texels_1_even_odd_even_29[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_even_odd_odd_r_29 = texels_1_even_odd_odd_29[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_odd_even_even_r_29 = texels_1_odd_even_even_29[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_odd_even_odd_r_29 = texels_1_odd_even_odd_29[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_odd_odd_even_r_29 = texels_1_odd_odd_even_29[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_odd_odd_odd_r_29 = texels_1_odd_odd_odd_29[23:16];
-    // UQ0.8: green
-    wire [7:0] texels_1_even_even_even_g_29 = texels_1_even_even_even_29[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_even_even_odd_g_29 = texels_1_even_even_odd_29[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_even_odd_even_g_29 = texels_1_even_odd_even_29[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_even_odd_odd_g_29 = texels_1_even_odd_odd_29[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_odd_even_even_g_29 = texels_1_odd_even_even_29[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_odd_even_odd_g_29 = texels_1_odd_even_odd_29[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_odd_odd_even_g_29 = texels_1_odd_odd_even_29[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_odd_odd_odd_g_29 = texels_1_odd_odd_odd_29[15:8];
-    // UQ0.8: blue
-    wire [7:0] texels_1_even_even_even_b_29 = texels_1_even_even_even_29[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_even_even_odd_b_29 = texels_1_even_even_odd_29[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_even_odd_even_b_29 = texels_1_even_odd_even_29[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_even_odd_odd_b_29 = texels_1_even_odd_odd_29[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_odd_even_even_b_29 = texels_1_odd_even_even_29[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_odd_even_odd_b_29 = texels_1_odd_even_odd_29[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_odd_odd_even_b_29 = texels_1_odd_odd_even_29[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_odd_odd_odd_b_29 = texels_1_odd_odd_odd_29[7:0];
+    // ===== Stage 29: u1_even_next_exact, u1_even_other, u1_even_odd and 7 more
+    // UQ7.0: the next
+    wire [6:0] u1_even_next_exact_29 = {1'd0, u1_even_texel_29} + 7'h01;
+    // UQ1.6: the weight of the place itself
+    wire [6:0] u1_even_other_29 = 7'h40 - {1'd0, u1_even_weight_29};
+    // UQ1.6: the weight of the odd one
+    wire [6:0] u1_even_odd_v2_29 = u1_even_is_odd_29 ? u1_even_other_29 : u1_even_weight_wide_29;
+    // UQ7.0: the next
+    wire [6:0] u1_odd_next_exact_29 = {1'd0, u1_odd_texel_29} + 7'h01;
+    // UQ1.6: the weight of the place itself
+    wire [6:0] u1_odd_other_29 = 7'h40 - {1'd0, u1_odd_weight_29};
+    // UQ1.6: the weight of the odd one
+    wire [6:0] u1_odd_odd_v2_29 = u1_odd_is_odd_29 ? u1_odd_other_29 : u1_odd_weight_wide_29;
+    // UQ12.0: side by side
+    wire [11:0] texel1_001_29 = {texels1_001_29, 5'd0} + {7'd0, u1_even_odd_29};
+    // UQ12.0: side by side
+    wire [11:0] texel1_011_29 = {texels1_011_29, 5'd0} + {7'd0, u1_even_odd_29};
+    // UQ12.0: side by side
+    wire [11:0] texel1_101_29 = {texels1_101_29, 5'd0} + {7'd0, u1_odd_odd_29};
+    // UQ12.0: side by side
+    wire [11:0] texel1_111_29 = {texels1_111_29, 5'd0} + {7'd0, u1_odd_odd_29};
+    // UQ1.0: a bit of the weight
+    wire u1_even_odd_whole_29 = u1_even_odd_v2_29[6];
+    // UQ-5.6: a bit of the weight
+    wire u1_even_odd_bit_0_29 = u1_even_odd_v2_29[0];
+    // UQ-4.5: a bit of the weight
+    wire u1_even_odd_bit_1_29 = u1_even_odd_v2_29[1];
+    // UQ-3.4: a bit of the weight
+    wire u1_even_odd_bit_2_29 = u1_even_odd_v2_29[2];
+    // UQ-2.3: a bit of the weight
+    wire u1_even_odd_bit_3_29 = u1_even_odd_v2_29[3];
+    // UQ-1.2: a bit of the weight
+    wire u1_even_odd_bit_4_29 = u1_even_odd_v2_29[4];
+    // UQ0.1: a bit of the weight
+    wire u1_even_odd_bit_5_29 = u1_even_odd_v2_29[5];
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_0_29 = u1_even_odd_bit_0_29 | u1_even_odd_whole_29;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_1_29 = u1_even_odd_bit_1_29 | u1_even_odd_whole_29;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_2_29 = u1_even_odd_bit_2_29 | u1_even_odd_whole_29;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_3_29 = u1_even_odd_bit_3_29 | u1_even_odd_whole_29;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_4_29 = u1_even_odd_bit_4_29 | u1_even_odd_whole_29;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_5_29 = u1_even_odd_bit_5_29 | u1_even_odd_whole_29;
+    // UQ1.0: a bit of the weight
+    wire u1_odd_odd_whole_29 = u1_odd_odd_v2_29[6];
+    // UQ-5.6: a bit of the weight
+    wire u1_odd_odd_bit_0_29 = u1_odd_odd_v2_29[0];
+    // UQ-4.5: a bit of the weight
+    wire u1_odd_odd_bit_1_29 = u1_odd_odd_v2_29[1];
+    // UQ-3.4: a bit of the weight
+    wire u1_odd_odd_bit_2_29 = u1_odd_odd_v2_29[2];
+    // UQ-2.3: a bit of the weight
+    wire u1_odd_odd_bit_3_29 = u1_odd_odd_v2_29[3];
+    // UQ-1.2: a bit of the weight
+    wire u1_odd_odd_bit_4_29 = u1_odd_odd_v2_29[4];
+    // UQ0.1: a bit of the weight
+    wire u1_odd_odd_bit_5_29 = u1_odd_odd_v2_29[5];
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_0_29 = u1_odd_odd_bit_0_29 | u1_odd_odd_whole_29;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_1_29 = u1_odd_odd_bit_1_29 | u1_odd_odd_whole_29;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_2_29 = u1_odd_odd_bit_2_29 | u1_odd_odd_whole_29;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_3_29 = u1_odd_odd_bit_3_29 | u1_odd_odd_whole_29;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_4_29 = u1_odd_odd_bit_4_29 | u1_odd_odd_whole_29;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_5_29 = u1_odd_odd_bit_5_29 | u1_odd_odd_whole_29;
     reg [17:0] in_gain1r_30;
     reg [17:0] in_gain1g_30;
     reg [17:0] in_gain1b_30;
     reg hidden_30;
     reg [2:0] shift1_30;
-    reg [7:0] texels_1_even_even_even_r_30;
-    reg [7:0] texels_1_even_even_odd_r_30;
-    reg [7:0] texels_1_even_odd_even_r_30;
-    reg [7:0] texels_1_even_odd_odd_r_30;
-    reg [7:0] texels_1_odd_even_even_r_30;
-    reg [7:0] texels_1_odd_even_odd_r_30;
-    reg [7:0] texels_1_odd_odd_even_r_30;
-    reg [7:0] texels_1_odd_odd_odd_r_30;
-    reg [7:0] u1_even_odd_signed_30;
-    reg [7:0] u1_odd_odd_signed_30;
-    reg [7:0] v1_odd_signed_30;
+    reg [6:0] u1_even_next_exact_30;
+    reg [6:0] u1_odd_next_exact_30;
+    reg [6:0] texels1_000_30;
+    reg [11:0] texel1_001_30;
+    reg [6:0] texels1_010_30;
+    reg [11:0] texel1_011_30;
+    reg [6:0] texels1_100_30;
+    reg [11:0] texel1_101_30;
+    reg [6:0] texels1_110_30;
+    reg [11:0] texel1_111_30;
+    reg u1_even_odd_whole_30;
+    reg u1_even_odd_of_0_30;
+    reg u1_even_odd_of_1_30;
+    reg u1_even_odd_of_2_30;
+    reg u1_even_odd_of_3_30;
+    reg u1_even_odd_of_4_30;
+    reg u1_even_odd_of_5_30;
+    reg u1_odd_odd_whole_30;
+    reg u1_odd_odd_of_0_30;
+    reg u1_odd_odd_of_1_30;
+    reg u1_odd_odd_of_2_30;
+    reg u1_odd_odd_of_3_30;
+    reg u1_odd_odd_of_4_30;
+    reg u1_odd_odd_of_5_30;
+    reg v1_odd_whole_30;
+    reg v1_odd_of_0_30;
+    reg v1_odd_of_1_30;
+    reg v1_odd_of_2_30;
+    reg v1_odd_of_3_30;
+    reg v1_odd_of_4_30;
+    reg v1_odd_of_5_30;
     reg [7:0] blend1_signed_30;
-    reg [7:0] texels_1_even_even_even_g_30;
-    reg [7:0] texels_1_even_even_odd_g_30;
-    reg [7:0] texels_1_even_odd_even_g_30;
-    reg [7:0] texels_1_even_odd_odd_g_30;
-    reg [7:0] texels_1_odd_even_even_g_30;
-    reg [7:0] texels_1_odd_even_odd_g_30;
-    reg [7:0] texels_1_odd_odd_even_g_30;
-    reg [7:0] texels_1_odd_odd_odd_g_30;
-    reg [7:0] texels_1_even_even_even_b_30;
-    reg [7:0] texels_1_even_even_odd_b_30;
-    reg [7:0] texels_1_even_odd_even_b_30;
-    reg [7:0] texels_1_even_odd_odd_b_30;
-    reg [7:0] texels_1_odd_even_even_b_30;
-    reg [7:0] texels_1_odd_even_odd_b_30;
-    reg [7:0] texels_1_odd_odd_even_b_30;
-    reg [7:0] texels_1_odd_odd_odd_b_30;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_30 <= in_gain1r_29;
@@ -2350,71 +2637,91 @@ module image_paper #(
             in_gain1b_30 <= in_gain1b_29;
             hidden_30 <= hidden_29;
             shift1_30 <= shift1_29;
-            texels_1_even_even_even_r_30 <= texels_1_even_even_even_r_29;
-            texels_1_even_even_odd_r_30 <= texels_1_even_even_odd_r_29;
-            texels_1_even_odd_even_r_30 <= texels_1_even_odd_even_r_29;
-            texels_1_even_odd_odd_r_30 <= texels_1_even_odd_odd_r_29;
-            texels_1_odd_even_even_r_30 <= texels_1_odd_even_even_r_29;
-            texels_1_odd_even_odd_r_30 <= texels_1_odd_even_odd_r_29;
-            texels_1_odd_odd_even_r_30 <= texels_1_odd_odd_even_r_29;
-            texels_1_odd_odd_odd_r_30 <= texels_1_odd_odd_odd_r_29;
-            u1_even_odd_signed_30 <= u1_even_odd_signed_29;
-            u1_odd_odd_signed_30 <= u1_odd_odd_signed_29;
-            v1_odd_signed_30 <= v1_odd_signed_29;
+            u1_even_next_exact_30 <= u1_even_next_exact_29;
+            u1_odd_next_exact_30 <= u1_odd_next_exact_29;
+            texels1_000_30 <= texels1_000_29;
+            texel1_001_30 <= texel1_001_29;
+            texels1_010_30 <= texels1_010_29;
+            texel1_011_30 <= texel1_011_29;
+            texels1_100_30 <= texels1_100_29;
+            texel1_101_30 <= texel1_101_29;
+            texels1_110_30 <= texels1_110_29;
+            texel1_111_30 <= texel1_111_29;
+            u1_even_odd_whole_30 <= u1_even_odd_whole_29;
+            u1_even_odd_of_0_30 <= u1_even_odd_of_0_29;
+            u1_even_odd_of_1_30 <= u1_even_odd_of_1_29;
+            u1_even_odd_of_2_30 <= u1_even_odd_of_2_29;
+            u1_even_odd_of_3_30 <= u1_even_odd_of_3_29;
+            u1_even_odd_of_4_30 <= u1_even_odd_of_4_29;
+            u1_even_odd_of_5_30 <= u1_even_odd_of_5_29;
+            u1_odd_odd_whole_30 <= u1_odd_odd_whole_29;
+            u1_odd_odd_of_0_30 <= u1_odd_odd_of_0_29;
+            u1_odd_odd_of_1_30 <= u1_odd_odd_of_1_29;
+            u1_odd_odd_of_2_30 <= u1_odd_odd_of_2_29;
+            u1_odd_odd_of_3_30 <= u1_odd_odd_of_3_29;
+            u1_odd_odd_of_4_30 <= u1_odd_odd_of_4_29;
+            u1_odd_odd_of_5_30 <= u1_odd_odd_of_5_29;
+            v1_odd_whole_30 <= v1_odd_whole_29;
+            v1_odd_of_0_30 <= v1_odd_of_0_29;
+            v1_odd_of_1_30 <= v1_odd_of_1_29;
+            v1_odd_of_2_30 <= v1_odd_of_2_29;
+            v1_odd_of_3_30 <= v1_odd_of_3_29;
+            v1_odd_of_4_30 <= v1_odd_of_4_29;
+            v1_odd_of_5_30 <= v1_odd_of_5_29;
             blend1_signed_30 <= blend1_signed_29;
-            texels_1_even_even_even_g_30 <= texels_1_even_even_even_g_29;
-            texels_1_even_even_odd_g_30 <= texels_1_even_even_odd_g_29;
-            texels_1_even_odd_even_g_30 <= texels_1_even_odd_even_g_29;
-            texels_1_even_odd_odd_g_30 <= texels_1_even_odd_odd_g_29;
-            texels_1_odd_even_even_g_30 <= texels_1_odd_even_even_g_29;
-            texels_1_odd_even_odd_g_30 <= texels_1_odd_even_odd_g_29;
-            texels_1_odd_odd_even_g_30 <= texels_1_odd_odd_even_g_29;
-            texels_1_odd_odd_odd_g_30 <= texels_1_odd_odd_odd_g_29;
-            texels_1_even_even_even_b_30 <= texels_1_even_even_even_b_29;
-            texels_1_even_even_odd_b_30 <= texels_1_even_even_odd_b_29;
-            texels_1_even_odd_even_b_30 <= texels_1_even_odd_even_b_29;
-            texels_1_even_odd_odd_b_30 <= texels_1_even_odd_odd_b_29;
-            texels_1_odd_even_even_b_30 <= texels_1_odd_even_even_b_29;
-            texels_1_odd_even_odd_b_30 <= texels_1_odd_even_odd_b_29;
-            texels_1_odd_odd_even_b_30 <= texels_1_odd_odd_even_b_29;
-            texels_1_odd_odd_odd_b_30 <= texels_1_odd_odd_odd_b_29;
         end
     end
 
-    // ===== Stage 30: registers only
+    // ===== Stage 30: u1_even_next, u1_odd_next
+    // UQ6.0: at most the last
+    wire [5:0] u1_even_next_30 = (|u1_even_next_exact_30[6]) ? 6'h3f : u1_even_next_exact_30[5:0];
+    // UQ6.-1: its leading bits
+    wire [4:0] u1_even_even_high_30 = u1_even_next_30[5:1];
+    // UQ5.0: the even one of both
+    wire [4:0] u1_even_even_30 = u1_even_even_high_30;
+    // UQ6.0: at most the last
+    wire [5:0] u1_odd_next_30 = (|u1_odd_next_exact_30[6]) ? 6'h3f : u1_odd_next_exact_30[5:0];
+    // UQ6.-1: its leading bits
+    wire [4:0] u1_odd_even_high_30 = u1_odd_next_30[5:1];
+    // UQ5.0: the even one of both
+    wire [4:0] u1_odd_even_30 = u1_odd_even_high_30;
     reg [17:0] in_gain1r_31;
     reg [17:0] in_gain1g_31;
     reg [17:0] in_gain1b_31;
     reg hidden_31;
     reg [2:0] shift1_31;
-    reg [7:0] texels_1_even_even_even_r_31;
-    reg [7:0] texels_1_even_even_odd_r_31;
-    reg [7:0] texels_1_even_odd_even_r_31;
-    reg [7:0] texels_1_even_odd_odd_r_31;
-    reg [7:0] texels_1_odd_even_even_r_31;
-    reg [7:0] texels_1_odd_even_odd_r_31;
-    reg [7:0] texels_1_odd_odd_even_r_31;
-    reg [7:0] texels_1_odd_odd_odd_r_31;
-    reg [7:0] u1_even_odd_signed_31;
-    reg [7:0] u1_odd_odd_signed_31;
-    reg [7:0] v1_odd_signed_31;
+    reg [4:0] u1_even_even_31;
+    reg [4:0] u1_odd_even_31;
+    reg [6:0] texels1_000_31;
+    reg [11:0] texel1_001_31;
+    reg [6:0] texels1_010_31;
+    reg [11:0] texel1_011_31;
+    reg [6:0] texels1_100_31;
+    reg [11:0] texel1_101_31;
+    reg [6:0] texels1_110_31;
+    reg [11:0] texel1_111_31;
+    reg u1_even_odd_whole_31;
+    reg u1_even_odd_of_0_31;
+    reg u1_even_odd_of_1_31;
+    reg u1_even_odd_of_2_31;
+    reg u1_even_odd_of_3_31;
+    reg u1_even_odd_of_4_31;
+    reg u1_even_odd_of_5_31;
+    reg u1_odd_odd_whole_31;
+    reg u1_odd_odd_of_0_31;
+    reg u1_odd_odd_of_1_31;
+    reg u1_odd_odd_of_2_31;
+    reg u1_odd_odd_of_3_31;
+    reg u1_odd_odd_of_4_31;
+    reg u1_odd_odd_of_5_31;
+    reg v1_odd_whole_31;
+    reg v1_odd_of_0_31;
+    reg v1_odd_of_1_31;
+    reg v1_odd_of_2_31;
+    reg v1_odd_of_3_31;
+    reg v1_odd_of_4_31;
+    reg v1_odd_of_5_31;
     reg [7:0] blend1_signed_31;
-    reg [7:0] texels_1_even_even_even_g_31;
-    reg [7:0] texels_1_even_even_odd_g_31;
-    reg [7:0] texels_1_even_odd_even_g_31;
-    reg [7:0] texels_1_even_odd_odd_g_31;
-    reg [7:0] texels_1_odd_even_even_g_31;
-    reg [7:0] texels_1_odd_even_odd_g_31;
-    reg [7:0] texels_1_odd_odd_even_g_31;
-    reg [7:0] texels_1_odd_odd_odd_g_31;
-    reg [7:0] texels_1_even_even_even_b_31;
-    reg [7:0] texels_1_even_even_odd_b_31;
-    reg [7:0] texels_1_even_odd_even_b_31;
-    reg [7:0] texels_1_even_odd_odd_b_31;
-    reg [7:0] texels_1_odd_even_even_b_31;
-    reg [7:0] texels_1_odd_even_odd_b_31;
-    reg [7:0] texels_1_odd_odd_even_b_31;
-    reg [7:0] texels_1_odd_odd_odd_b_31;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_31 <= in_gain1r_30;
@@ -2422,107 +2729,85 @@ module image_paper #(
             in_gain1b_31 <= in_gain1b_30;
             hidden_31 <= hidden_30;
             shift1_31 <= shift1_30;
-            texels_1_even_even_even_r_31 <= texels_1_even_even_even_r_30;
-            texels_1_even_even_odd_r_31 <= texels_1_even_even_odd_r_30;
-            texels_1_even_odd_even_r_31 <= texels_1_even_odd_even_r_30;
-            texels_1_even_odd_odd_r_31 <= texels_1_even_odd_odd_r_30;
-            texels_1_odd_even_even_r_31 <= texels_1_odd_even_even_r_30;
-            texels_1_odd_even_odd_r_31 <= texels_1_odd_even_odd_r_30;
-            texels_1_odd_odd_even_r_31 <= texels_1_odd_odd_even_r_30;
-            texels_1_odd_odd_odd_r_31 <= texels_1_odd_odd_odd_r_30;
-            u1_even_odd_signed_31 <= u1_even_odd_signed_30;
-            u1_odd_odd_signed_31 <= u1_odd_odd_signed_30;
-            v1_odd_signed_31 <= v1_odd_signed_30;
+            u1_even_even_31 <= u1_even_even_30;
+            u1_odd_even_31 <= u1_odd_even_30;
+            texels1_000_31 <= texels1_000_30;
+            texel1_001_31 <= texel1_001_30;
+            texels1_010_31 <= texels1_010_30;
+            texel1_011_31 <= texel1_011_30;
+            texels1_100_31 <= texels1_100_30;
+            texel1_101_31 <= texel1_101_30;
+            texels1_110_31 <= texels1_110_30;
+            texel1_111_31 <= texel1_111_30;
+            u1_even_odd_whole_31 <= u1_even_odd_whole_30;
+            u1_even_odd_of_0_31 <= u1_even_odd_of_0_30;
+            u1_even_odd_of_1_31 <= u1_even_odd_of_1_30;
+            u1_even_odd_of_2_31 <= u1_even_odd_of_2_30;
+            u1_even_odd_of_3_31 <= u1_even_odd_of_3_30;
+            u1_even_odd_of_4_31 <= u1_even_odd_of_4_30;
+            u1_even_odd_of_5_31 <= u1_even_odd_of_5_30;
+            u1_odd_odd_whole_31 <= u1_odd_odd_whole_30;
+            u1_odd_odd_of_0_31 <= u1_odd_odd_of_0_30;
+            u1_odd_odd_of_1_31 <= u1_odd_odd_of_1_30;
+            u1_odd_odd_of_2_31 <= u1_odd_odd_of_2_30;
+            u1_odd_odd_of_3_31 <= u1_odd_odd_of_3_30;
+            u1_odd_odd_of_4_31 <= u1_odd_odd_of_4_30;
+            u1_odd_odd_of_5_31 <= u1_odd_odd_of_5_30;
+            v1_odd_whole_31 <= v1_odd_whole_30;
+            v1_odd_of_0_31 <= v1_odd_of_0_30;
+            v1_odd_of_1_31 <= v1_odd_of_1_30;
+            v1_odd_of_2_31 <= v1_odd_of_2_30;
+            v1_odd_of_3_31 <= v1_odd_of_3_30;
+            v1_odd_of_4_31 <= v1_odd_of_4_30;
+            v1_odd_of_5_31 <= v1_odd_of_5_30;
             blend1_signed_31 <= blend1_signed_30;
-            texels_1_even_even_even_g_31 <= texels_1_even_even_even_g_30;
-            texels_1_even_even_odd_g_31 <= texels_1_even_even_odd_g_30;
-            texels_1_even_odd_even_g_31 <= texels_1_even_odd_even_g_30;
-            texels_1_even_odd_odd_g_31 <= texels_1_even_odd_odd_g_30;
-            texels_1_odd_even_even_g_31 <= texels_1_odd_even_even_g_30;
-            texels_1_odd_even_odd_g_31 <= texels_1_odd_even_odd_g_30;
-            texels_1_odd_odd_even_g_31 <= texels_1_odd_odd_even_g_30;
-            texels_1_odd_odd_odd_g_31 <= texels_1_odd_odd_odd_g_30;
-            texels_1_even_even_even_b_31 <= texels_1_even_even_even_b_30;
-            texels_1_even_even_odd_b_31 <= texels_1_even_even_odd_b_30;
-            texels_1_even_odd_even_b_31 <= texels_1_even_odd_even_b_30;
-            texels_1_even_odd_odd_b_31 <= texels_1_even_odd_odd_b_30;
-            texels_1_odd_even_even_b_31 <= texels_1_odd_even_even_b_30;
-            texels_1_odd_even_odd_b_31 <= texels_1_odd_even_odd_b_30;
-            texels_1_odd_odd_even_b_31 <= texels_1_odd_odd_even_b_30;
-            texels_1_odd_odd_odd_b_31 <= texels_1_odd_odd_odd_b_30;
         end
     end
 
-    // ===== Stage 31: blend1_r_1_0_apart, blend1_r_1_1_apart, blend1_r_1_2_apart and 9 more
-    // Q0.8: the difference
-    wire [8:0] blend1_r_1_0_apart_31 =
-        {1'd0, texels_1_even_even_odd_r_31} - {1'd0, texels_1_even_even_even_r_31};
-    // Q0.8: the difference
-    wire [8:0] blend1_r_1_1_apart_31 =
-        {1'd0, texels_1_even_odd_odd_r_31} - {1'd0, texels_1_even_odd_even_r_31};
-    // Q0.8: the difference
-    wire [8:0] blend1_r_1_2_apart_31 =
-        {1'd0, texels_1_odd_even_odd_r_31} - {1'd0, texels_1_odd_even_even_r_31};
-    // Q0.8: the difference
-    wire [8:0] blend1_r_1_3_apart_31 =
-        {1'd0, texels_1_odd_odd_odd_r_31} - {1'd0, texels_1_odd_odd_even_r_31};
-    // Q0.8: the difference
-    wire [8:0] blend1_g_1_0_apart_31 =
-        {1'd0, texels_1_even_even_odd_g_31} - {1'd0, texels_1_even_even_even_g_31};
-    // Q0.8: the difference
-    wire [8:0] blend1_g_1_1_apart_31 =
-        {1'd0, texels_1_even_odd_odd_g_31} - {1'd0, texels_1_even_odd_even_g_31};
-    // Q0.8: the difference
-    wire [8:0] blend1_g_1_2_apart_31 =
-        {1'd0, texels_1_odd_even_odd_g_31} - {1'd0, texels_1_odd_even_even_g_31};
-    // Q0.8: the difference
-    wire [8:0] blend1_g_1_3_apart_31 =
-        {1'd0, texels_1_odd_odd_odd_g_31} - {1'd0, texels_1_odd_odd_even_g_31};
-    // Q0.8: the difference
-    wire [8:0] blend1_b_1_0_apart_31 =
-        {1'd0, texels_1_even_even_odd_b_31} - {1'd0, texels_1_even_even_even_b_31};
-    // Q0.8: the difference
-    wire [8:0] blend1_b_1_1_apart_31 =
-        {1'd0, texels_1_even_odd_odd_b_31} - {1'd0, texels_1_even_odd_even_b_31};
-    // Q0.8: the difference
-    wire [8:0] blend1_b_1_2_apart_31 =
-        {1'd0, texels_1_odd_even_odd_b_31} - {1'd0, texels_1_odd_even_even_b_31};
-    // Q0.8: the difference
-    wire [8:0] blend1_b_1_3_apart_31 =
-        {1'd0, texels_1_odd_odd_odd_b_31} - {1'd0, texels_1_odd_odd_even_b_31};
+    // ===== Stage 31: texel1_000, texel1_010, texel1_100, texel1_110
+    // UQ12.0: side by side
+    wire [11:0] texel1_000_31 = {texels1_000_31, 5'd0} + {7'd0, u1_even_even_31};
+    // UQ12.0: side by side
+    wire [11:0] texel1_010_31 = {texels1_010_31, 5'd0} + {7'd0, u1_even_even_31};
+    // UQ12.0: side by side
+    wire [11:0] texel1_100_31 = {texels1_100_31, 5'd0} + {7'd0, u1_odd_even_31};
+    // UQ12.0: side by side
+    wire [11:0] texel1_110_31 = {texels1_110_31, 5'd0} + {7'd0, u1_odd_even_31};
     reg [17:0] in_gain1r_32;
     reg [17:0] in_gain1g_32;
     reg [17:0] in_gain1b_32;
     reg hidden_32;
     reg [2:0] shift1_32;
-    reg [7:0] texels_1_even_even_even_r_32;
-    reg [7:0] texels_1_even_odd_even_r_32;
-    reg [7:0] texels_1_odd_even_even_r_32;
-    reg [7:0] texels_1_odd_odd_even_r_32;
-    reg [8:0] blend1_r_1_0_apart_32;
-    reg [7:0] u1_even_odd_signed_32;
-    reg [8:0] blend1_r_1_1_apart_32;
-    reg [8:0] blend1_r_1_2_apart_32;
-    reg [7:0] u1_odd_odd_signed_32;
-    reg [8:0] blend1_r_1_3_apart_32;
-    reg [7:0] v1_odd_signed_32;
+    reg [11:0] texel1_000_32;
+    reg [11:0] texel1_001_32;
+    reg [11:0] texel1_010_32;
+    reg [11:0] texel1_011_32;
+    reg [11:0] texel1_100_32;
+    reg [11:0] texel1_101_32;
+    reg [11:0] texel1_110_32;
+    reg [11:0] texel1_111_32;
+    reg u1_even_odd_whole_32;
+    reg u1_even_odd_of_0_32;
+    reg u1_even_odd_of_1_32;
+    reg u1_even_odd_of_2_32;
+    reg u1_even_odd_of_3_32;
+    reg u1_even_odd_of_4_32;
+    reg u1_even_odd_of_5_32;
+    reg u1_odd_odd_whole_32;
+    reg u1_odd_odd_of_0_32;
+    reg u1_odd_odd_of_1_32;
+    reg u1_odd_odd_of_2_32;
+    reg u1_odd_odd_of_3_32;
+    reg u1_odd_odd_of_4_32;
+    reg u1_odd_odd_of_5_32;
+    reg v1_odd_whole_32;
+    reg v1_odd_of_0_32;
+    reg v1_odd_of_1_32;
+    reg v1_odd_of_2_32;
+    reg v1_odd_of_3_32;
+    reg v1_odd_of_4_32;
+    reg v1_odd_of_5_32;
     reg [7:0] blend1_signed_32;
-    reg [7:0] texels_1_even_even_even_g_32;
-    reg [7:0] texels_1_even_odd_even_g_32;
-    reg [7:0] texels_1_odd_even_even_g_32;
-    reg [7:0] texels_1_odd_odd_even_g_32;
-    reg [8:0] blend1_g_1_0_apart_32;
-    reg [8:0] blend1_g_1_1_apart_32;
-    reg [8:0] blend1_g_1_2_apart_32;
-    reg [8:0] blend1_g_1_3_apart_32;
-    reg [7:0] texels_1_even_even_even_b_32;
-    reg [7:0] texels_1_even_odd_even_b_32;
-    reg [7:0] texels_1_odd_even_even_b_32;
-    reg [7:0] texels_1_odd_odd_even_b_32;
-    reg [8:0] blend1_b_1_0_apart_32;
-    reg [8:0] blend1_b_1_1_apart_32;
-    reg [8:0] blend1_b_1_2_apart_32;
-    reg [8:0] blend1_b_1_3_apart_32;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_32 <= in_gain1r_31;
@@ -2530,105 +2815,123 @@ module image_paper #(
             in_gain1b_32 <= in_gain1b_31;
             hidden_32 <= hidden_31;
             shift1_32 <= shift1_31;
-            texels_1_even_even_even_r_32 <= texels_1_even_even_even_r_31;
-            texels_1_even_odd_even_r_32 <= texels_1_even_odd_even_r_31;
-            texels_1_odd_even_even_r_32 <= texels_1_odd_even_even_r_31;
-            texels_1_odd_odd_even_r_32 <= texels_1_odd_odd_even_r_31;
-            blend1_r_1_0_apart_32 <= blend1_r_1_0_apart_31;
-            u1_even_odd_signed_32 <= u1_even_odd_signed_31;
-            blend1_r_1_1_apart_32 <= blend1_r_1_1_apart_31;
-            blend1_r_1_2_apart_32 <= blend1_r_1_2_apart_31;
-            u1_odd_odd_signed_32 <= u1_odd_odd_signed_31;
-            blend1_r_1_3_apart_32 <= blend1_r_1_3_apart_31;
-            v1_odd_signed_32 <= v1_odd_signed_31;
+            texel1_000_32 <= texel1_000_31;
+            texel1_001_32 <= texel1_001_31;
+            texel1_010_32 <= texel1_010_31;
+            texel1_011_32 <= texel1_011_31;
+            texel1_100_32 <= texel1_100_31;
+            texel1_101_32 <= texel1_101_31;
+            texel1_110_32 <= texel1_110_31;
+            texel1_111_32 <= texel1_111_31;
+            u1_even_odd_whole_32 <= u1_even_odd_whole_31;
+            u1_even_odd_of_0_32 <= u1_even_odd_of_0_31;
+            u1_even_odd_of_1_32 <= u1_even_odd_of_1_31;
+            u1_even_odd_of_2_32 <= u1_even_odd_of_2_31;
+            u1_even_odd_of_3_32 <= u1_even_odd_of_3_31;
+            u1_even_odd_of_4_32 <= u1_even_odd_of_4_31;
+            u1_even_odd_of_5_32 <= u1_even_odd_of_5_31;
+            u1_odd_odd_whole_32 <= u1_odd_odd_whole_31;
+            u1_odd_odd_of_0_32 <= u1_odd_odd_of_0_31;
+            u1_odd_odd_of_1_32 <= u1_odd_odd_of_1_31;
+            u1_odd_odd_of_2_32 <= u1_odd_odd_of_2_31;
+            u1_odd_odd_of_3_32 <= u1_odd_odd_of_3_31;
+            u1_odd_odd_of_4_32 <= u1_odd_odd_of_4_31;
+            u1_odd_odd_of_5_32 <= u1_odd_odd_of_5_31;
+            v1_odd_whole_32 <= v1_odd_whole_31;
+            v1_odd_of_0_32 <= v1_odd_of_0_31;
+            v1_odd_of_1_32 <= v1_odd_of_1_31;
+            v1_odd_of_2_32 <= v1_odd_of_2_31;
+            v1_odd_of_3_32 <= v1_odd_of_3_31;
+            v1_odd_of_4_32 <= v1_odd_of_4_31;
+            v1_odd_of_5_32 <= v1_odd_of_5_31;
             blend1_signed_32 <= blend1_signed_31;
-            texels_1_even_even_even_g_32 <= texels_1_even_even_even_g_31;
-            texels_1_even_odd_even_g_32 <= texels_1_even_odd_even_g_31;
-            texels_1_odd_even_even_g_32 <= texels_1_odd_even_even_g_31;
-            texels_1_odd_odd_even_g_32 <= texels_1_odd_odd_even_g_31;
-            blend1_g_1_0_apart_32 <= blend1_g_1_0_apart_31;
-            blend1_g_1_1_apart_32 <= blend1_g_1_1_apart_31;
-            blend1_g_1_2_apart_32 <= blend1_g_1_2_apart_31;
-            blend1_g_1_3_apart_32 <= blend1_g_1_3_apart_31;
-            texels_1_even_even_even_b_32 <= texels_1_even_even_even_b_31;
-            texels_1_even_odd_even_b_32 <= texels_1_even_odd_even_b_31;
-            texels_1_odd_even_even_b_32 <= texels_1_odd_even_even_b_31;
-            texels_1_odd_odd_even_b_32 <= texels_1_odd_odd_even_b_31;
-            blend1_b_1_0_apart_32 <= blend1_b_1_0_apart_31;
-            blend1_b_1_1_apart_32 <= blend1_b_1_1_apart_31;
-            blend1_b_1_2_apart_32 <= blend1_b_1_2_apart_31;
-            blend1_b_1_3_apart_32 <= blend1_b_1_3_apart_31;
         end
     end
 
-    // ===== Stage 32: blend1_r_1_0_part, blend1_r_1_1_part, blend1_r_1_2_part and 9 more
-    // Q2.14: its part
-    wire [16:0] blend1_r_1_0_part_32 =
-        $signed(blend1_r_1_0_apart_32) * $signed(u1_even_odd_signed_32);
-    // Q2.14: its part
-    wire [16:0] blend1_r_1_1_part_32 =
-        $signed(blend1_r_1_1_apart_32) * $signed(u1_even_odd_signed_32);
-    // Q2.14: its part
-    wire [16:0] blend1_r_1_2_part_32 =
-        $signed(blend1_r_1_2_apart_32) * $signed(u1_odd_odd_signed_32);
-    // Q2.14: its part
-    wire [16:0] blend1_r_1_3_part_32 =
-        $signed(blend1_r_1_3_apart_32) * $signed(u1_odd_odd_signed_32);
-    // Q2.14: its part
-    wire [16:0] blend1_g_1_0_part_32 =
-        $signed(blend1_g_1_0_apart_32) * $signed(u1_even_odd_signed_32);
-    // Q2.14: its part
-    wire [16:0] blend1_g_1_1_part_32 =
-        $signed(blend1_g_1_1_apart_32) * $signed(u1_even_odd_signed_32);
-    // Q2.14: its part
-    wire [16:0] blend1_g_1_2_part_32 =
-        $signed(blend1_g_1_2_apart_32) * $signed(u1_odd_odd_signed_32);
-    // Q2.14: its part
-    wire [16:0] blend1_g_1_3_part_32 =
-        $signed(blend1_g_1_3_apart_32) * $signed(u1_odd_odd_signed_32);
-    // Q2.14: its part
-    wire [16:0] blend1_b_1_0_part_32 =
-        $signed(blend1_b_1_0_apart_32) * $signed(u1_even_odd_signed_32);
-    // Q2.14: its part
-    wire [16:0] blend1_b_1_1_part_32 =
-        $signed(blend1_b_1_1_apart_32) * $signed(u1_even_odd_signed_32);
-    // Q2.14: its part
-    wire [16:0] blend1_b_1_2_part_32 =
-        $signed(blend1_b_1_2_apart_32) * $signed(u1_odd_odd_signed_32);
-    // Q2.14: its part
-    wire [16:0] blend1_b_1_3_part_32 =
-        $signed(blend1_b_1_3_apart_32) * $signed(u1_odd_odd_signed_32);
+    // ===== Stage 32: read texels_1_even_even_even, read texels_1_even_even_odd and 6 more
+    // The word of the memory texels_1_even_even_even, of 4096 words.
+    reg [23:0] texels_1_even_even_even_33;
+    // The word of the memory texels_1_even_even_odd, of 4096 words.
+    reg [23:0] texels_1_even_even_odd_33;
+    // The word of the memory texels_1_even_odd_even, of 4096 words.
+    reg [23:0] texels_1_even_odd_even_33;
+    // The word of the memory texels_1_even_odd_odd, of 4096 words.
+    reg [23:0] texels_1_even_odd_odd_33;
+    // The word of the memory texels_1_odd_even_even, of 4096 words.
+    reg [23:0] texels_1_odd_even_even_33;
+    // The word of the memory texels_1_odd_even_odd, of 4096 words.
+    reg [23:0] texels_1_odd_even_odd_33;
+    // The word of the memory texels_1_odd_odd_even, of 4096 words.
+    reg [23:0] texels_1_odd_odd_even_33;
+    // The word of the memory texels_1_odd_odd_odd, of 4096 words.
+    reg [23:0] texels_1_odd_odd_odd_33;
+    reg [23:0] texels_1_even_even_even [0:4095];
+    initial $readmemh(TEXELS_1_EVEN_EVEN_EVEN_FILE, texels_1_even_even_even);
+    always @(posedge clk) begin
+        if (ce) texels_1_even_even_even_33 <= texels_1_even_even_even[texel1_000_32];
+    end
+    reg [23:0] texels_1_even_even_odd [0:4095];
+    initial $readmemh(TEXELS_1_EVEN_EVEN_ODD_FILE, texels_1_even_even_odd);
+    always @(posedge clk) begin
+        if (ce) texels_1_even_even_odd_33 <= texels_1_even_even_odd[texel1_001_32];
+    end
+    reg [23:0] texels_1_even_odd_even [0:4095];
+    initial $readmemh(TEXELS_1_EVEN_ODD_EVEN_FILE, texels_1_even_odd_even);
+    always @(posedge clk) begin
+        if (ce) texels_1_even_odd_even_33 <= texels_1_even_odd_even[texel1_010_32];
+    end
+    reg [23:0] texels_1_even_odd_odd [0:4095];
+    initial $readmemh(TEXELS_1_EVEN_ODD_ODD_FILE, texels_1_even_odd_odd);
+    always @(posedge clk) begin
+        if (ce) texels_1_even_odd_odd_33 <= texels_1_even_odd_odd[texel1_011_32];
+    end
+    reg [23:0] texels_1_odd_even_even [0:4095];
+    initial $readmemh(TEXELS_1_ODD_EVEN_EVEN_FILE, texels_1_odd_even_even);
+    always @(posedge clk) begin
+        if (ce) texels_1_odd_even_even_33 <= texels_1_odd_even_even[texel1_100_32];
+    end
+    reg [23:0] texels_1_odd_even_odd [0:4095];
+    initial $readmemh(TEXELS_1_ODD_EVEN_ODD_FILE, texels_1_odd_even_odd);
+    always @(posedge clk) begin
+        if (ce) texels_1_odd_even_odd_33 <= texels_1_odd_even_odd[texel1_101_32];
+    end
+    reg [23:0] texels_1_odd_odd_even [0:4095];
+    initial $readmemh(TEXELS_1_ODD_ODD_EVEN_FILE, texels_1_odd_odd_even);
+    always @(posedge clk) begin
+        if (ce) texels_1_odd_odd_even_33 <= texels_1_odd_odd_even[texel1_110_32];
+    end
+    reg [23:0] texels_1_odd_odd_odd [0:4095];
+    initial $readmemh(TEXELS_1_ODD_ODD_ODD_FILE, texels_1_odd_odd_odd);
+    always @(posedge clk) begin
+        if (ce) texels_1_odd_odd_odd_33 <= texels_1_odd_odd_odd[texel1_111_32];
+    end
     reg [17:0] in_gain1r_33;
     reg [17:0] in_gain1g_33;
     reg [17:0] in_gain1b_33;
     reg hidden_33;
     reg [2:0] shift1_33;
-    reg [7:0] texels_1_even_even_even_r_33;
-    reg [7:0] texels_1_even_odd_even_r_33;
-    reg [7:0] texels_1_odd_even_even_r_33;
-    reg [7:0] texels_1_odd_odd_even_r_33;
-    reg [16:0] blend1_r_1_0_part_33;
-    reg [16:0] blend1_r_1_1_part_33;
-    reg [16:0] blend1_r_1_2_part_33;
-    reg [16:0] blend1_r_1_3_part_33;
-    reg [7:0] v1_odd_signed_33;
+    reg u1_even_odd_whole_33;
+    reg u1_even_odd_of_0_33;
+    reg u1_even_odd_of_1_33;
+    reg u1_even_odd_of_2_33;
+    reg u1_even_odd_of_3_33;
+    reg u1_even_odd_of_4_33;
+    reg u1_even_odd_of_5_33;
+    reg u1_odd_odd_whole_33;
+    reg u1_odd_odd_of_0_33;
+    reg u1_odd_odd_of_1_33;
+    reg u1_odd_odd_of_2_33;
+    reg u1_odd_odd_of_3_33;
+    reg u1_odd_odd_of_4_33;
+    reg u1_odd_odd_of_5_33;
+    reg v1_odd_whole_33;
+    reg v1_odd_of_0_33;
+    reg v1_odd_of_1_33;
+    reg v1_odd_of_2_33;
+    reg v1_odd_of_3_33;
+    reg v1_odd_of_4_33;
+    reg v1_odd_of_5_33;
     reg [7:0] blend1_signed_33;
-    reg [7:0] texels_1_even_even_even_g_33;
-    reg [7:0] texels_1_even_odd_even_g_33;
-    reg [7:0] texels_1_odd_even_even_g_33;
-    reg [7:0] texels_1_odd_odd_even_g_33;
-    reg [16:0] blend1_g_1_0_part_33;
-    reg [16:0] blend1_g_1_1_part_33;
-    reg [16:0] blend1_g_1_2_part_33;
-    reg [16:0] blend1_g_1_3_part_33;
-    reg [7:0] texels_1_even_even_even_b_33;
-    reg [7:0] texels_1_even_odd_even_b_33;
-    reg [7:0] texels_1_odd_even_even_b_33;
-    reg [7:0] texels_1_odd_odd_even_b_33;
-    reg [16:0] blend1_b_1_0_part_33;
-    reg [16:0] blend1_b_1_1_part_33;
-    reg [16:0] blend1_b_1_2_part_33;
-    reg [16:0] blend1_b_1_3_part_33;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_33 <= in_gain1r_32;
@@ -2636,79 +2939,131 @@ module image_paper #(
             in_gain1b_33 <= in_gain1b_32;
             hidden_33 <= hidden_32;
             shift1_33 <= shift1_32;
-            texels_1_even_even_even_r_33 <= texels_1_even_even_even_r_32;
-            texels_1_even_odd_even_r_33 <= texels_1_even_odd_even_r_32;
-            texels_1_odd_even_even_r_33 <= texels_1_odd_even_even_r_32;
-            texels_1_odd_odd_even_r_33 <= texels_1_odd_odd_even_r_32;
-            blend1_r_1_0_part_33 <= blend1_r_1_0_part_32;
-            blend1_r_1_1_part_33 <= blend1_r_1_1_part_32;
-            blend1_r_1_2_part_33 <= blend1_r_1_2_part_32;
-            blend1_r_1_3_part_33 <= blend1_r_1_3_part_32;
-            v1_odd_signed_33 <= v1_odd_signed_32;
+            u1_even_odd_whole_33 <= u1_even_odd_whole_32;
+            u1_even_odd_of_0_33 <= u1_even_odd_of_0_32;
+            u1_even_odd_of_1_33 <= u1_even_odd_of_1_32;
+            u1_even_odd_of_2_33 <= u1_even_odd_of_2_32;
+            u1_even_odd_of_3_33 <= u1_even_odd_of_3_32;
+            u1_even_odd_of_4_33 <= u1_even_odd_of_4_32;
+            u1_even_odd_of_5_33 <= u1_even_odd_of_5_32;
+            u1_odd_odd_whole_33 <= u1_odd_odd_whole_32;
+            u1_odd_odd_of_0_33 <= u1_odd_odd_of_0_32;
+            u1_odd_odd_of_1_33 <= u1_odd_odd_of_1_32;
+            u1_odd_odd_of_2_33 <= u1_odd_odd_of_2_32;
+            u1_odd_odd_of_3_33 <= u1_odd_odd_of_3_32;
+            u1_odd_odd_of_4_33 <= u1_odd_odd_of_4_32;
+            u1_odd_odd_of_5_33 <= u1_odd_odd_of_5_32;
+            v1_odd_whole_33 <= v1_odd_whole_32;
+            v1_odd_of_0_33 <= v1_odd_of_0_32;
+            v1_odd_of_1_33 <= v1_odd_of_1_32;
+            v1_odd_of_2_33 <= v1_odd_of_2_32;
+            v1_odd_of_3_33 <= v1_odd_of_3_32;
+            v1_odd_of_4_33 <= v1_odd_of_4_32;
+            v1_odd_of_5_33 <= v1_odd_of_5_32;
             blend1_signed_33 <= blend1_signed_32;
-            texels_1_even_even_even_g_33 <= texels_1_even_even_even_g_32;
-            texels_1_even_odd_even_g_33 <= texels_1_even_odd_even_g_32;
-            texels_1_odd_even_even_g_33 <= texels_1_odd_even_even_g_32;
-            texels_1_odd_odd_even_g_33 <= texels_1_odd_odd_even_g_32;
-            blend1_g_1_0_part_33 <= blend1_g_1_0_part_32;
-            blend1_g_1_1_part_33 <= blend1_g_1_1_part_32;
-            blend1_g_1_2_part_33 <= blend1_g_1_2_part_32;
-            blend1_g_1_3_part_33 <= blend1_g_1_3_part_32;
-            texels_1_even_even_even_b_33 <= texels_1_even_even_even_b_32;
-            texels_1_even_odd_even_b_33 <= texels_1_even_odd_even_b_32;
-            texels_1_odd_even_even_b_33 <= texels_1_odd_even_even_b_32;
-            texels_1_odd_odd_even_b_33 <= texels_1_odd_odd_even_b_32;
-            blend1_b_1_0_part_33 <= blend1_b_1_0_part_32;
-            blend1_b_1_1_part_33 <= blend1_b_1_1_part_32;
-            blend1_b_1_2_part_33 <= blend1_b_1_2_part_32;
-            blend1_b_1_3_part_33 <= blend1_b_1_3_part_32;
         end
     end
 
-    // ===== Stage 33: blend1_r_1_0, blend1_r_1_1, blend1_r_1_2, blend1_r_1_3 and 8 more
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_r_1_0_33 = {texels_1_even_even_even_r_33, 6'd0} + blend1_r_1_0_part_33[13:0];
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_r_1_1_33 = {texels_1_even_odd_even_r_33, 6'd0} + blend1_r_1_1_part_33[13:0];
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_r_1_2_33 = {texels_1_odd_even_even_r_33, 6'd0} + blend1_r_1_2_part_33[13:0];
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_r_1_3_33 = {texels_1_odd_odd_even_r_33, 6'd0} + blend1_r_1_3_part_33[13:0];
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_g_1_0_33 = {texels_1_even_even_even_g_33, 6'd0} + blend1_g_1_0_part_33[13:0];
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_g_1_1_33 = {texels_1_even_odd_even_g_33, 6'd0} + blend1_g_1_1_part_33[13:0];
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_g_1_2_33 = {texels_1_odd_even_even_g_33, 6'd0} + blend1_g_1_2_part_33[13:0];
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_g_1_3_33 = {texels_1_odd_odd_even_g_33, 6'd0} + blend1_g_1_3_part_33[13:0];
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_b_1_0_33 = {texels_1_even_even_even_b_33, 6'd0} + blend1_b_1_0_part_33[13:0];
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_b_1_1_33 = {texels_1_even_odd_even_b_33, 6'd0} + blend1_b_1_1_part_33[13:0];
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_b_1_2_33 = {texels_1_odd_even_even_b_33, 6'd0} + blend1_b_1_2_part_33[13:0];
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_b_1_3_33 = {texels_1_odd_odd_even_b_33, 6'd0} + blend1_b_1_3_part_33[13:0];
+    // ===== Stage 33: registers only
+    // UQ0.8: red
+    wire [7:0] texels_1_even_even_even_r_33 = texels_1_even_even_even_33[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_even_even_odd_r_33 = texels_1_even_even_odd_33[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_even_odd_even_r_33 = texels_1_even_odd_even_33[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_even_odd_odd_r_33 = texels_1_even_odd_odd_33[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_odd_even_even_r_33 = texels_1_odd_even_even_33[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_odd_even_odd_r_33 = texels_1_odd_even_odd_33[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_odd_odd_even_r_33 = texels_1_odd_odd_even_33[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_odd_odd_odd_r_33 = texels_1_odd_odd_odd_33[23:16];
+    // UQ0.8: green
+    wire [7:0] texels_1_even_even_even_g_33 = texels_1_even_even_even_33[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_even_even_odd_g_33 = texels_1_even_even_odd_33[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_even_odd_even_g_33 = texels_1_even_odd_even_33[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_even_odd_odd_g_33 = texels_1_even_odd_odd_33[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_odd_even_even_g_33 = texels_1_odd_even_even_33[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_odd_even_odd_g_33 = texels_1_odd_even_odd_33[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_odd_odd_even_g_33 = texels_1_odd_odd_even_33[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_odd_odd_odd_g_33 = texels_1_odd_odd_odd_33[15:8];
+    // UQ0.8: blue
+    wire [7:0] texels_1_even_even_even_b_33 = texels_1_even_even_even_33[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_even_even_odd_b_33 = texels_1_even_even_odd_33[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_even_odd_even_b_33 = texels_1_even_odd_even_33[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_even_odd_odd_b_33 = texels_1_even_odd_odd_33[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_odd_even_even_b_33 = texels_1_odd_even_even_33[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_odd_even_odd_b_33 = texels_1_odd_even_odd_33[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_odd_odd_even_b_33 = texels_1_odd_odd_even_33[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_odd_odd_odd_b_33 = texels_1_odd_odd_odd_33[7:0];
     reg [17:0] in_gain1r_34;
     reg [17:0] in_gain1g_34;
     reg [17:0] in_gain1b_34;
     reg hidden_34;
     reg [2:0] shift1_34;
-    reg [13:0] blend1_r_1_0_34;
-    reg [13:0] blend1_r_1_1_34;
-    reg [13:0] blend1_r_1_2_34;
-    reg [13:0] blend1_r_1_3_34;
-    reg [7:0] v1_odd_signed_34;
+    reg [7:0] texels_1_even_even_even_r_34;
+    reg [7:0] texels_1_even_even_odd_r_34;
+    reg [7:0] texels_1_even_odd_even_r_34;
+    reg [7:0] texels_1_even_odd_odd_r_34;
+    reg [7:0] texels_1_odd_even_even_r_34;
+    reg [7:0] texels_1_odd_even_odd_r_34;
+    reg [7:0] texels_1_odd_odd_even_r_34;
+    reg [7:0] texels_1_odd_odd_odd_r_34;
+    reg u1_even_odd_whole_34;
+    reg u1_even_odd_of_0_34;
+    reg u1_even_odd_of_1_34;
+    reg u1_even_odd_of_2_34;
+    reg u1_even_odd_of_3_34;
+    reg u1_even_odd_of_4_34;
+    reg u1_even_odd_of_5_34;
+    reg u1_odd_odd_whole_34;
+    reg u1_odd_odd_of_0_34;
+    reg u1_odd_odd_of_1_34;
+    reg u1_odd_odd_of_2_34;
+    reg u1_odd_odd_of_3_34;
+    reg u1_odd_odd_of_4_34;
+    reg u1_odd_odd_of_5_34;
+    reg v1_odd_whole_34;
+    reg v1_odd_of_0_34;
+    reg v1_odd_of_1_34;
+    reg v1_odd_of_2_34;
+    reg v1_odd_of_3_34;
+    reg v1_odd_of_4_34;
+    reg v1_odd_of_5_34;
     reg [7:0] blend1_signed_34;
-    reg [13:0] blend1_g_1_0_34;
-    reg [13:0] blend1_g_1_1_34;
-    reg [13:0] blend1_g_1_2_34;
-    reg [13:0] blend1_g_1_3_34;
-    reg [13:0] blend1_b_1_0_34;
-    reg [13:0] blend1_b_1_1_34;
-    reg [13:0] blend1_b_1_2_34;
-    reg [13:0] blend1_b_1_3_34;
+    reg [7:0] texels_1_even_even_even_g_34;
+    reg [7:0] texels_1_even_even_odd_g_34;
+    reg [7:0] texels_1_even_odd_even_g_34;
+    reg [7:0] texels_1_even_odd_odd_g_34;
+    reg [7:0] texels_1_odd_even_even_g_34;
+    reg [7:0] texels_1_odd_even_odd_g_34;
+    reg [7:0] texels_1_odd_odd_even_g_34;
+    reg [7:0] texels_1_odd_odd_odd_g_34;
+    reg [7:0] texels_1_even_even_even_b_34;
+    reg [7:0] texels_1_even_even_odd_b_34;
+    reg [7:0] texels_1_even_odd_even_b_34;
+    reg [7:0] texels_1_even_odd_odd_b_34;
+    reg [7:0] texels_1_odd_even_even_b_34;
+    reg [7:0] texels_1_odd_even_odd_b_34;
+    reg [7:0] texels_1_odd_odd_even_b_34;
+    reg [7:0] texels_1_odd_odd_odd_b_34;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_34 <= in_gain1r_33;
@@ -2716,55 +3071,107 @@ module image_paper #(
             in_gain1b_34 <= in_gain1b_33;
             hidden_34 <= hidden_33;
             shift1_34 <= shift1_33;
-            blend1_r_1_0_34 <= blend1_r_1_0_33;
-            blend1_r_1_1_34 <= blend1_r_1_1_33;
-            blend1_r_1_2_34 <= blend1_r_1_2_33;
-            blend1_r_1_3_34 <= blend1_r_1_3_33;
-            v1_odd_signed_34 <= v1_odd_signed_33;
+            texels_1_even_even_even_r_34 <= texels_1_even_even_even_r_33;
+            texels_1_even_even_odd_r_34 <= texels_1_even_even_odd_r_33;
+            texels_1_even_odd_even_r_34 <= texels_1_even_odd_even_r_33;
+            texels_1_even_odd_odd_r_34 <= texels_1_even_odd_odd_r_33;
+            texels_1_odd_even_even_r_34 <= texels_1_odd_even_even_r_33;
+            texels_1_odd_even_odd_r_34 <= texels_1_odd_even_odd_r_33;
+            texels_1_odd_odd_even_r_34 <= texels_1_odd_odd_even_r_33;
+            texels_1_odd_odd_odd_r_34 <= texels_1_odd_odd_odd_r_33;
+            u1_even_odd_whole_34 <= u1_even_odd_whole_33;
+            u1_even_odd_of_0_34 <= u1_even_odd_of_0_33;
+            u1_even_odd_of_1_34 <= u1_even_odd_of_1_33;
+            u1_even_odd_of_2_34 <= u1_even_odd_of_2_33;
+            u1_even_odd_of_3_34 <= u1_even_odd_of_3_33;
+            u1_even_odd_of_4_34 <= u1_even_odd_of_4_33;
+            u1_even_odd_of_5_34 <= u1_even_odd_of_5_33;
+            u1_odd_odd_whole_34 <= u1_odd_odd_whole_33;
+            u1_odd_odd_of_0_34 <= u1_odd_odd_of_0_33;
+            u1_odd_odd_of_1_34 <= u1_odd_odd_of_1_33;
+            u1_odd_odd_of_2_34 <= u1_odd_odd_of_2_33;
+            u1_odd_odd_of_3_34 <= u1_odd_odd_of_3_33;
+            u1_odd_odd_of_4_34 <= u1_odd_odd_of_4_33;
+            u1_odd_odd_of_5_34 <= u1_odd_odd_of_5_33;
+            v1_odd_whole_34 <= v1_odd_whole_33;
+            v1_odd_of_0_34 <= v1_odd_of_0_33;
+            v1_odd_of_1_34 <= v1_odd_of_1_33;
+            v1_odd_of_2_34 <= v1_odd_of_2_33;
+            v1_odd_of_3_34 <= v1_odd_of_3_33;
+            v1_odd_of_4_34 <= v1_odd_of_4_33;
+            v1_odd_of_5_34 <= v1_odd_of_5_33;
             blend1_signed_34 <= blend1_signed_33;
-            blend1_g_1_0_34 <= blend1_g_1_0_33;
-            blend1_g_1_1_34 <= blend1_g_1_1_33;
-            blend1_g_1_2_34 <= blend1_g_1_2_33;
-            blend1_g_1_3_34 <= blend1_g_1_3_33;
-            blend1_b_1_0_34 <= blend1_b_1_0_33;
-            blend1_b_1_1_34 <= blend1_b_1_1_33;
-            blend1_b_1_2_34 <= blend1_b_1_2_33;
-            blend1_b_1_3_34 <= blend1_b_1_3_33;
+            texels_1_even_even_even_g_34 <= texels_1_even_even_even_g_33;
+            texels_1_even_even_odd_g_34 <= texels_1_even_even_odd_g_33;
+            texels_1_even_odd_even_g_34 <= texels_1_even_odd_even_g_33;
+            texels_1_even_odd_odd_g_34 <= texels_1_even_odd_odd_g_33;
+            texels_1_odd_even_even_g_34 <= texels_1_odd_even_even_g_33;
+            texels_1_odd_even_odd_g_34 <= texels_1_odd_even_odd_g_33;
+            texels_1_odd_odd_even_g_34 <= texels_1_odd_odd_even_g_33;
+            texels_1_odd_odd_odd_g_34 <= texels_1_odd_odd_odd_g_33;
+            texels_1_even_even_even_b_34 <= texels_1_even_even_even_b_33;
+            texels_1_even_even_odd_b_34 <= texels_1_even_even_odd_b_33;
+            texels_1_even_odd_even_b_34 <= texels_1_even_odd_even_b_33;
+            texels_1_even_odd_odd_b_34 <= texels_1_even_odd_odd_b_33;
+            texels_1_odd_even_even_b_34 <= texels_1_odd_even_even_b_33;
+            texels_1_odd_even_odd_b_34 <= texels_1_odd_even_odd_b_33;
+            texels_1_odd_odd_even_b_34 <= texels_1_odd_odd_even_b_33;
+            texels_1_odd_odd_odd_b_34 <= texels_1_odd_odd_odd_b_33;
         end
     end
 
-    // ===== Stage 34: blend1_r_2_0_apart, blend1_r_2_1_apart, blend1_g_2_0_apart and 3 more
-    // Q0.14: the difference
-    wire [14:0] blend1_r_2_0_apart_34 = {1'd0, blend1_r_1_1_34} - {1'd0, blend1_r_1_0_34};
-    // Q0.14: the difference
-    wire [14:0] blend1_r_2_1_apart_34 = {1'd0, blend1_r_1_3_34} - {1'd0, blend1_r_1_2_34};
-    // Q0.14: the difference
-    wire [14:0] blend1_g_2_0_apart_34 = {1'd0, blend1_g_1_1_34} - {1'd0, blend1_g_1_0_34};
-    // Q0.14: the difference
-    wire [14:0] blend1_g_2_1_apart_34 = {1'd0, blend1_g_1_3_34} - {1'd0, blend1_g_1_2_34};
-    // Q0.14: the difference
-    wire [14:0] blend1_b_2_0_apart_34 = {1'd0, blend1_b_1_1_34} - {1'd0, blend1_b_1_0_34};
-    // Q0.14: the difference
-    wire [14:0] blend1_b_2_1_apart_34 = {1'd0, blend1_b_1_3_34} - {1'd0, blend1_b_1_2_34};
+    // ===== Stage 34: registers only
     reg [17:0] in_gain1r_35;
     reg [17:0] in_gain1g_35;
     reg [17:0] in_gain1b_35;
     reg hidden_35;
     reg [2:0] shift1_35;
-    reg [13:0] blend1_r_1_0_35;
-    reg [13:0] blend1_r_1_2_35;
-    reg [14:0] blend1_r_2_0_apart_35;
-    reg [7:0] v1_odd_signed_35;
-    reg [14:0] blend1_r_2_1_apart_35;
+    reg [7:0] texels_1_even_even_even_r_35;
+    reg [7:0] texels_1_even_even_odd_r_35;
+    reg [7:0] texels_1_even_odd_even_r_35;
+    reg [7:0] texels_1_even_odd_odd_r_35;
+    reg [7:0] texels_1_odd_even_even_r_35;
+    reg [7:0] texels_1_odd_even_odd_r_35;
+    reg [7:0] texels_1_odd_odd_even_r_35;
+    reg [7:0] texels_1_odd_odd_odd_r_35;
+    reg u1_even_odd_whole_35;
+    reg u1_even_odd_of_0_35;
+    reg u1_even_odd_of_1_35;
+    reg u1_even_odd_of_2_35;
+    reg u1_even_odd_of_3_35;
+    reg u1_even_odd_of_4_35;
+    reg u1_even_odd_of_5_35;
+    reg u1_odd_odd_whole_35;
+    reg u1_odd_odd_of_0_35;
+    reg u1_odd_odd_of_1_35;
+    reg u1_odd_odd_of_2_35;
+    reg u1_odd_odd_of_3_35;
+    reg u1_odd_odd_of_4_35;
+    reg u1_odd_odd_of_5_35;
+    reg v1_odd_whole_35;
+    reg v1_odd_of_0_35;
+    reg v1_odd_of_1_35;
+    reg v1_odd_of_2_35;
+    reg v1_odd_of_3_35;
+    reg v1_odd_of_4_35;
+    reg v1_odd_of_5_35;
     reg [7:0] blend1_signed_35;
-    reg [13:0] blend1_g_1_0_35;
-    reg [13:0] blend1_g_1_2_35;
-    reg [14:0] blend1_g_2_0_apart_35;
-    reg [14:0] blend1_g_2_1_apart_35;
-    reg [13:0] blend1_b_1_0_35;
-    reg [13:0] blend1_b_1_2_35;
-    reg [14:0] blend1_b_2_0_apart_35;
-    reg [14:0] blend1_b_2_1_apart_35;
+    reg [7:0] texels_1_even_even_even_g_35;
+    reg [7:0] texels_1_even_even_odd_g_35;
+    reg [7:0] texels_1_even_odd_even_g_35;
+    reg [7:0] texels_1_even_odd_odd_g_35;
+    reg [7:0] texels_1_odd_even_even_g_35;
+    reg [7:0] texels_1_odd_even_odd_g_35;
+    reg [7:0] texels_1_odd_odd_even_g_35;
+    reg [7:0] texels_1_odd_odd_odd_g_35;
+    reg [7:0] texels_1_even_even_even_b_35;
+    reg [7:0] texels_1_even_even_odd_b_35;
+    reg [7:0] texels_1_even_odd_even_b_35;
+    reg [7:0] texels_1_even_odd_odd_b_35;
+    reg [7:0] texels_1_odd_even_even_b_35;
+    reg [7:0] texels_1_odd_even_odd_b_35;
+    reg [7:0] texels_1_odd_odd_even_b_35;
+    reg [7:0] texels_1_odd_odd_odd_b_35;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_35 <= in_gain1r_34;
@@ -2772,54 +3179,645 @@ module image_paper #(
             in_gain1b_35 <= in_gain1b_34;
             hidden_35 <= hidden_34;
             shift1_35 <= shift1_34;
-            blend1_r_1_0_35 <= blend1_r_1_0_34;
-            blend1_r_1_2_35 <= blend1_r_1_2_34;
-            blend1_r_2_0_apart_35 <= blend1_r_2_0_apart_34;
-            v1_odd_signed_35 <= v1_odd_signed_34;
-            blend1_r_2_1_apart_35 <= blend1_r_2_1_apart_34;
+            texels_1_even_even_even_r_35 <= texels_1_even_even_even_r_34;
+            texels_1_even_even_odd_r_35 <= texels_1_even_even_odd_r_34;
+            texels_1_even_odd_even_r_35 <= texels_1_even_odd_even_r_34;
+            texels_1_even_odd_odd_r_35 <= texels_1_even_odd_odd_r_34;
+            texels_1_odd_even_even_r_35 <= texels_1_odd_even_even_r_34;
+            texels_1_odd_even_odd_r_35 <= texels_1_odd_even_odd_r_34;
+            texels_1_odd_odd_even_r_35 <= texels_1_odd_odd_even_r_34;
+            texels_1_odd_odd_odd_r_35 <= texels_1_odd_odd_odd_r_34;
+            u1_even_odd_whole_35 <= u1_even_odd_whole_34;
+            u1_even_odd_of_0_35 <= u1_even_odd_of_0_34;
+            u1_even_odd_of_1_35 <= u1_even_odd_of_1_34;
+            u1_even_odd_of_2_35 <= u1_even_odd_of_2_34;
+            u1_even_odd_of_3_35 <= u1_even_odd_of_3_34;
+            u1_even_odd_of_4_35 <= u1_even_odd_of_4_34;
+            u1_even_odd_of_5_35 <= u1_even_odd_of_5_34;
+            u1_odd_odd_whole_35 <= u1_odd_odd_whole_34;
+            u1_odd_odd_of_0_35 <= u1_odd_odd_of_0_34;
+            u1_odd_odd_of_1_35 <= u1_odd_odd_of_1_34;
+            u1_odd_odd_of_2_35 <= u1_odd_odd_of_2_34;
+            u1_odd_odd_of_3_35 <= u1_odd_odd_of_3_34;
+            u1_odd_odd_of_4_35 <= u1_odd_odd_of_4_34;
+            u1_odd_odd_of_5_35 <= u1_odd_odd_of_5_34;
+            v1_odd_whole_35 <= v1_odd_whole_34;
+            v1_odd_of_0_35 <= v1_odd_of_0_34;
+            v1_odd_of_1_35 <= v1_odd_of_1_34;
+            v1_odd_of_2_35 <= v1_odd_of_2_34;
+            v1_odd_of_3_35 <= v1_odd_of_3_34;
+            v1_odd_of_4_35 <= v1_odd_of_4_34;
+            v1_odd_of_5_35 <= v1_odd_of_5_34;
             blend1_signed_35 <= blend1_signed_34;
-            blend1_g_1_0_35 <= blend1_g_1_0_34;
-            blend1_g_1_2_35 <= blend1_g_1_2_34;
-            blend1_g_2_0_apart_35 <= blend1_g_2_0_apart_34;
-            blend1_g_2_1_apart_35 <= blend1_g_2_1_apart_34;
-            blend1_b_1_0_35 <= blend1_b_1_0_34;
-            blend1_b_1_2_35 <= blend1_b_1_2_34;
-            blend1_b_2_0_apart_35 <= blend1_b_2_0_apart_34;
-            blend1_b_2_1_apart_35 <= blend1_b_2_1_apart_34;
+            texels_1_even_even_even_g_35 <= texels_1_even_even_even_g_34;
+            texels_1_even_even_odd_g_35 <= texels_1_even_even_odd_g_34;
+            texels_1_even_odd_even_g_35 <= texels_1_even_odd_even_g_34;
+            texels_1_even_odd_odd_g_35 <= texels_1_even_odd_odd_g_34;
+            texels_1_odd_even_even_g_35 <= texels_1_odd_even_even_g_34;
+            texels_1_odd_even_odd_g_35 <= texels_1_odd_even_odd_g_34;
+            texels_1_odd_odd_even_g_35 <= texels_1_odd_odd_even_g_34;
+            texels_1_odd_odd_odd_g_35 <= texels_1_odd_odd_odd_g_34;
+            texels_1_even_even_even_b_35 <= texels_1_even_even_even_b_34;
+            texels_1_even_even_odd_b_35 <= texels_1_even_even_odd_b_34;
+            texels_1_even_odd_even_b_35 <= texels_1_even_odd_even_b_34;
+            texels_1_even_odd_odd_b_35 <= texels_1_even_odd_odd_b_34;
+            texels_1_odd_even_even_b_35 <= texels_1_odd_even_even_b_34;
+            texels_1_odd_even_odd_b_35 <= texels_1_odd_even_odd_b_34;
+            texels_1_odd_odd_even_b_35 <= texels_1_odd_odd_even_b_34;
+            texels_1_odd_odd_odd_b_35 <= texels_1_odd_odd_odd_b_34;
         end
     end
 
-    // ===== Stage 35: blend1_r_2_0_part, blend1_r_2_1_part, blend1_g_2_0_part and 3 more
-    // Q2.20: its part
-    wire [22:0] blend1_r_2_0_part_35 = $signed(blend1_r_2_0_apart_35) * $signed(v1_odd_signed_35);
-    // Q2.20: its part
-    wire [22:0] blend1_r_2_1_part_35 = $signed(blend1_r_2_1_apart_35) * $signed(v1_odd_signed_35);
-    // Q2.20: its part
-    wire [22:0] blend1_g_2_0_part_35 = $signed(blend1_g_2_0_apart_35) * $signed(v1_odd_signed_35);
-    // Q2.20: its part
-    wire [22:0] blend1_g_2_1_part_35 = $signed(blend1_g_2_1_apart_35) * $signed(v1_odd_signed_35);
-    // Q2.20: its part
-    wire [22:0] blend1_b_2_0_part_35 = $signed(blend1_b_2_0_apart_35) * $signed(v1_odd_signed_35);
-    // Q2.20: its part
-    wire [22:0] blend1_b_2_1_part_35 = $signed(blend1_b_2_1_apart_35) * $signed(v1_odd_signed_35);
+    // ===== Stage 35: blend1_r_1_0_either_whole, blend1_r_1_0_either_0 and 118 more
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_whole_35 =
+        u1_even_odd_whole_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_0_by_whole_35 = blend1_r_1_0_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_0_35 =
+        u1_even_odd_of_0_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_0_by_0_35 = blend1_r_1_0_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_1_35 =
+        u1_even_odd_of_1_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_r_1_0_by_1_35 = blend1_r_1_0_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_2_35 =
+        u1_even_odd_of_2_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_r_1_0_by_2_35 = blend1_r_1_0_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_3_35 =
+        u1_even_odd_of_3_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_r_1_0_by_3_35 = blend1_r_1_0_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_4_35 =
+        u1_even_odd_of_4_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_r_1_0_by_4_35 = blend1_r_1_0_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_5_35 =
+        u1_even_odd_of_5_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_r_1_0_by_5_35 = blend1_r_1_0_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_r_1_0_sum_1_0_35 =
+        {1'd0, blend1_r_1_0_by_whole_35} + {1'd0, blend1_r_1_0_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_r_1_0_sum_1_1_35 =
+        {2'd0, blend1_r_1_0_by_1_35} + {1'd0, blend1_r_1_0_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_r_1_0_sum_1_2_35 =
+        {2'd0, blend1_r_1_0_by_3_35} + {1'd0, blend1_r_1_0_by_4_35, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_whole_35 =
+        u1_even_odd_whole_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_1_by_whole_35 = blend1_r_1_1_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_0_35 =
+        u1_even_odd_of_0_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_1_by_0_35 = blend1_r_1_1_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_1_35 =
+        u1_even_odd_of_1_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_r_1_1_by_1_35 = blend1_r_1_1_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_2_35 =
+        u1_even_odd_of_2_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_r_1_1_by_2_35 = blend1_r_1_1_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_3_35 =
+        u1_even_odd_of_3_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_r_1_1_by_3_35 = blend1_r_1_1_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_4_35 =
+        u1_even_odd_of_4_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_r_1_1_by_4_35 = blend1_r_1_1_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_5_35 =
+        u1_even_odd_of_5_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_r_1_1_by_5_35 = blend1_r_1_1_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_r_1_1_sum_1_0_35 =
+        {1'd0, blend1_r_1_1_by_whole_35} + {1'd0, blend1_r_1_1_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_r_1_1_sum_1_1_35 =
+        {2'd0, blend1_r_1_1_by_1_35} + {1'd0, blend1_r_1_1_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_r_1_1_sum_1_2_35 =
+        {2'd0, blend1_r_1_1_by_3_35} + {1'd0, blend1_r_1_1_by_4_35, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_whole_35 =
+        u1_odd_odd_whole_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_2_by_whole_35 = blend1_r_1_2_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_0_35 =
+        u1_odd_odd_of_0_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_2_by_0_35 = blend1_r_1_2_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_1_35 =
+        u1_odd_odd_of_1_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_r_1_2_by_1_35 = blend1_r_1_2_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_2_35 =
+        u1_odd_odd_of_2_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_r_1_2_by_2_35 = blend1_r_1_2_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_3_35 =
+        u1_odd_odd_of_3_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_r_1_2_by_3_35 = blend1_r_1_2_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_4_35 =
+        u1_odd_odd_of_4_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_r_1_2_by_4_35 = blend1_r_1_2_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_5_35 =
+        u1_odd_odd_of_5_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_r_1_2_by_5_35 = blend1_r_1_2_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_r_1_2_sum_1_0_35 =
+        {1'd0, blend1_r_1_2_by_whole_35} + {1'd0, blend1_r_1_2_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_r_1_2_sum_1_1_35 =
+        {2'd0, blend1_r_1_2_by_1_35} + {1'd0, blend1_r_1_2_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_r_1_2_sum_1_2_35 =
+        {2'd0, blend1_r_1_2_by_3_35} + {1'd0, blend1_r_1_2_by_4_35, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_whole_35 =
+        u1_odd_odd_whole_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_3_by_whole_35 = blend1_r_1_3_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_0_35 =
+        u1_odd_odd_of_0_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_3_by_0_35 = blend1_r_1_3_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_1_35 =
+        u1_odd_odd_of_1_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_r_1_3_by_1_35 = blend1_r_1_3_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_2_35 =
+        u1_odd_odd_of_2_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_r_1_3_by_2_35 = blend1_r_1_3_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_3_35 =
+        u1_odd_odd_of_3_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_r_1_3_by_3_35 = blend1_r_1_3_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_4_35 =
+        u1_odd_odd_of_4_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_r_1_3_by_4_35 = blend1_r_1_3_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_5_35 =
+        u1_odd_odd_of_5_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_r_1_3_by_5_35 = blend1_r_1_3_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_r_1_3_sum_1_0_35 =
+        {1'd0, blend1_r_1_3_by_whole_35} + {1'd0, blend1_r_1_3_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_r_1_3_sum_1_1_35 =
+        {2'd0, blend1_r_1_3_by_1_35} + {1'd0, blend1_r_1_3_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_r_1_3_sum_1_2_35 =
+        {2'd0, blend1_r_1_3_by_3_35} + {1'd0, blend1_r_1_3_by_4_35, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_whole_35 =
+        u1_even_odd_whole_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_0_by_whole_35 = blend1_g_1_0_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_0_35 =
+        u1_even_odd_of_0_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_0_by_0_35 = blend1_g_1_0_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_1_35 =
+        u1_even_odd_of_1_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_g_1_0_by_1_35 = blend1_g_1_0_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_2_35 =
+        u1_even_odd_of_2_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_g_1_0_by_2_35 = blend1_g_1_0_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_3_35 =
+        u1_even_odd_of_3_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_g_1_0_by_3_35 = blend1_g_1_0_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_4_35 =
+        u1_even_odd_of_4_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_g_1_0_by_4_35 = blend1_g_1_0_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_5_35 =
+        u1_even_odd_of_5_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_g_1_0_by_5_35 = blend1_g_1_0_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_g_1_0_sum_1_0_35 =
+        {1'd0, blend1_g_1_0_by_whole_35} + {1'd0, blend1_g_1_0_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_g_1_0_sum_1_1_35 =
+        {2'd0, blend1_g_1_0_by_1_35} + {1'd0, blend1_g_1_0_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_g_1_0_sum_1_2_35 =
+        {2'd0, blend1_g_1_0_by_3_35} + {1'd0, blend1_g_1_0_by_4_35, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_whole_35 =
+        u1_even_odd_whole_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_1_by_whole_35 = blend1_g_1_1_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_0_35 =
+        u1_even_odd_of_0_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_1_by_0_35 = blend1_g_1_1_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_1_35 =
+        u1_even_odd_of_1_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_g_1_1_by_1_35 = blend1_g_1_1_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_2_35 =
+        u1_even_odd_of_2_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_g_1_1_by_2_35 = blend1_g_1_1_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_3_35 =
+        u1_even_odd_of_3_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_g_1_1_by_3_35 = blend1_g_1_1_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_4_35 =
+        u1_even_odd_of_4_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_g_1_1_by_4_35 = blend1_g_1_1_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_5_35 =
+        u1_even_odd_of_5_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_g_1_1_by_5_35 = blend1_g_1_1_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_g_1_1_sum_1_0_35 =
+        {1'd0, blend1_g_1_1_by_whole_35} + {1'd0, blend1_g_1_1_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_g_1_1_sum_1_1_35 =
+        {2'd0, blend1_g_1_1_by_1_35} + {1'd0, blend1_g_1_1_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_g_1_1_sum_1_2_35 =
+        {2'd0, blend1_g_1_1_by_3_35} + {1'd0, blend1_g_1_1_by_4_35, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_whole_35 =
+        u1_odd_odd_whole_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_2_by_whole_35 = blend1_g_1_2_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_0_35 =
+        u1_odd_odd_of_0_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_2_by_0_35 = blend1_g_1_2_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_1_35 =
+        u1_odd_odd_of_1_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_g_1_2_by_1_35 = blend1_g_1_2_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_2_35 =
+        u1_odd_odd_of_2_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_g_1_2_by_2_35 = blend1_g_1_2_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_3_35 =
+        u1_odd_odd_of_3_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_g_1_2_by_3_35 = blend1_g_1_2_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_4_35 =
+        u1_odd_odd_of_4_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_g_1_2_by_4_35 = blend1_g_1_2_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_5_35 =
+        u1_odd_odd_of_5_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_g_1_2_by_5_35 = blend1_g_1_2_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_g_1_2_sum_1_0_35 =
+        {1'd0, blend1_g_1_2_by_whole_35} + {1'd0, blend1_g_1_2_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_g_1_2_sum_1_1_35 =
+        {2'd0, blend1_g_1_2_by_1_35} + {1'd0, blend1_g_1_2_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_g_1_2_sum_1_2_35 =
+        {2'd0, blend1_g_1_2_by_3_35} + {1'd0, blend1_g_1_2_by_4_35, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_whole_35 =
+        u1_odd_odd_whole_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_3_by_whole_35 = blend1_g_1_3_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_0_35 =
+        u1_odd_odd_of_0_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_3_by_0_35 = blend1_g_1_3_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_1_35 =
+        u1_odd_odd_of_1_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_g_1_3_by_1_35 = blend1_g_1_3_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_2_35 =
+        u1_odd_odd_of_2_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_g_1_3_by_2_35 = blend1_g_1_3_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_3_35 =
+        u1_odd_odd_of_3_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_g_1_3_by_3_35 = blend1_g_1_3_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_4_35 =
+        u1_odd_odd_of_4_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_g_1_3_by_4_35 = blend1_g_1_3_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_5_35 =
+        u1_odd_odd_of_5_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_g_1_3_by_5_35 = blend1_g_1_3_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_g_1_3_sum_1_0_35 =
+        {1'd0, blend1_g_1_3_by_whole_35} + {1'd0, blend1_g_1_3_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_g_1_3_sum_1_1_35 =
+        {2'd0, blend1_g_1_3_by_1_35} + {1'd0, blend1_g_1_3_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_g_1_3_sum_1_2_35 =
+        {2'd0, blend1_g_1_3_by_3_35} + {1'd0, blend1_g_1_3_by_4_35, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_whole_35 =
+        u1_even_odd_whole_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_0_by_whole_35 = blend1_b_1_0_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_0_35 =
+        u1_even_odd_of_0_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_0_by_0_35 = blend1_b_1_0_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_1_35 =
+        u1_even_odd_of_1_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_b_1_0_by_1_35 = blend1_b_1_0_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_2_35 =
+        u1_even_odd_of_2_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_b_1_0_by_2_35 = blend1_b_1_0_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_3_35 =
+        u1_even_odd_of_3_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_b_1_0_by_3_35 = blend1_b_1_0_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_4_35 =
+        u1_even_odd_of_4_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_b_1_0_by_4_35 = blend1_b_1_0_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_5_35 =
+        u1_even_odd_of_5_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_b_1_0_by_5_35 = blend1_b_1_0_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_b_1_0_sum_1_0_35 =
+        {1'd0, blend1_b_1_0_by_whole_35} + {1'd0, blend1_b_1_0_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_b_1_0_sum_1_1_35 =
+        {2'd0, blend1_b_1_0_by_1_35} + {1'd0, blend1_b_1_0_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_b_1_0_sum_1_2_35 =
+        {2'd0, blend1_b_1_0_by_3_35} + {1'd0, blend1_b_1_0_by_4_35, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_whole_35 =
+        u1_even_odd_whole_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_1_by_whole_35 = blend1_b_1_1_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_0_35 =
+        u1_even_odd_of_0_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_1_by_0_35 = blend1_b_1_1_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_1_35 =
+        u1_even_odd_of_1_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_b_1_1_by_1_35 = blend1_b_1_1_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_2_35 =
+        u1_even_odd_of_2_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_b_1_1_by_2_35 = blend1_b_1_1_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_3_35 =
+        u1_even_odd_of_3_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_b_1_1_by_3_35 = blend1_b_1_1_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_4_35 =
+        u1_even_odd_of_4_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_b_1_1_by_4_35 = blend1_b_1_1_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_5_35 =
+        u1_even_odd_of_5_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_b_1_1_by_5_35 = blend1_b_1_1_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_b_1_1_sum_1_0_35 =
+        {1'd0, blend1_b_1_1_by_whole_35} + {1'd0, blend1_b_1_1_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_b_1_1_sum_1_1_35 =
+        {2'd0, blend1_b_1_1_by_1_35} + {1'd0, blend1_b_1_1_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_b_1_1_sum_1_2_35 =
+        {2'd0, blend1_b_1_1_by_3_35} + {1'd0, blend1_b_1_1_by_4_35, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_whole_35 =
+        u1_odd_odd_whole_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_2_by_whole_35 = blend1_b_1_2_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_0_35 =
+        u1_odd_odd_of_0_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_2_by_0_35 = blend1_b_1_2_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_1_35 =
+        u1_odd_odd_of_1_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_b_1_2_by_1_35 = blend1_b_1_2_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_2_35 =
+        u1_odd_odd_of_2_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_b_1_2_by_2_35 = blend1_b_1_2_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_3_35 =
+        u1_odd_odd_of_3_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_b_1_2_by_3_35 = blend1_b_1_2_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_4_35 =
+        u1_odd_odd_of_4_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_b_1_2_by_4_35 = blend1_b_1_2_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_5_35 =
+        u1_odd_odd_of_5_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_b_1_2_by_5_35 = blend1_b_1_2_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_b_1_2_sum_1_0_35 =
+        {1'd0, blend1_b_1_2_by_whole_35} + {1'd0, blend1_b_1_2_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_b_1_2_sum_1_1_35 =
+        {2'd0, blend1_b_1_2_by_1_35} + {1'd0, blend1_b_1_2_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_b_1_2_sum_1_2_35 =
+        {2'd0, blend1_b_1_2_by_3_35} + {1'd0, blend1_b_1_2_by_4_35, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_whole_35 =
+        u1_odd_odd_whole_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_3_by_whole_35 = blend1_b_1_3_either_whole_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_0_35 =
+        u1_odd_odd_of_0_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_3_by_0_35 = blend1_b_1_3_either_0_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_1_35 =
+        u1_odd_odd_of_1_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_b_1_3_by_1_35 = blend1_b_1_3_either_1_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_2_35 =
+        u1_odd_odd_of_2_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_b_1_3_by_2_35 = blend1_b_1_3_either_2_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_3_35 =
+        u1_odd_odd_of_3_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_b_1_3_by_3_35 = blend1_b_1_3_either_3_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_4_35 =
+        u1_odd_odd_of_4_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_b_1_3_by_4_35 = blend1_b_1_3_either_4_35;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_5_35 =
+        u1_odd_odd_of_5_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_b_1_3_by_5_35 = blend1_b_1_3_either_5_35;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_b_1_3_sum_1_0_35 =
+        {1'd0, blend1_b_1_3_by_whole_35} + {1'd0, blend1_b_1_3_by_0_35};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_b_1_3_sum_1_1_35 =
+        {2'd0, blend1_b_1_3_by_1_35} + {1'd0, blend1_b_1_3_by_2_35, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_b_1_3_sum_1_2_35 =
+        {2'd0, blend1_b_1_3_by_3_35} + {1'd0, blend1_b_1_3_by_4_35, 1'd0};
     reg [17:0] in_gain1r_36;
     reg [17:0] in_gain1g_36;
     reg [17:0] in_gain1b_36;
     reg hidden_36;
     reg [2:0] shift1_36;
-    reg [13:0] blend1_r_1_0_36;
-    reg [13:0] blend1_r_1_2_36;
-    reg [22:0] blend1_r_2_0_part_36;
-    reg [22:0] blend1_r_2_1_part_36;
+    reg [7:0] blend1_r_1_0_by_5_36;
+    reg [8:0] blend1_r_1_0_sum_1_0_36;
+    reg [9:0] blend1_r_1_0_sum_1_1_36;
+    reg [9:0] blend1_r_1_0_sum_1_2_36;
+    reg [7:0] blend1_r_1_1_by_5_36;
+    reg [8:0] blend1_r_1_1_sum_1_0_36;
+    reg [9:0] blend1_r_1_1_sum_1_1_36;
+    reg [9:0] blend1_r_1_1_sum_1_2_36;
+    reg [7:0] blend1_r_1_2_by_5_36;
+    reg [8:0] blend1_r_1_2_sum_1_0_36;
+    reg [9:0] blend1_r_1_2_sum_1_1_36;
+    reg [9:0] blend1_r_1_2_sum_1_2_36;
+    reg [7:0] blend1_r_1_3_by_5_36;
+    reg [8:0] blend1_r_1_3_sum_1_0_36;
+    reg [9:0] blend1_r_1_3_sum_1_1_36;
+    reg [9:0] blend1_r_1_3_sum_1_2_36;
+    reg v1_odd_whole_36;
+    reg v1_odd_of_0_36;
+    reg v1_odd_of_1_36;
+    reg v1_odd_of_2_36;
+    reg v1_odd_of_3_36;
+    reg v1_odd_of_4_36;
+    reg v1_odd_of_5_36;
     reg [7:0] blend1_signed_36;
-    reg [13:0] blend1_g_1_0_36;
-    reg [13:0] blend1_g_1_2_36;
-    reg [22:0] blend1_g_2_0_part_36;
-    reg [22:0] blend1_g_2_1_part_36;
-    reg [13:0] blend1_b_1_0_36;
-    reg [13:0] blend1_b_1_2_36;
-    reg [22:0] blend1_b_2_0_part_36;
-    reg [22:0] blend1_b_2_1_part_36;
+    reg [7:0] blend1_g_1_0_by_5_36;
+    reg [8:0] blend1_g_1_0_sum_1_0_36;
+    reg [9:0] blend1_g_1_0_sum_1_1_36;
+    reg [9:0] blend1_g_1_0_sum_1_2_36;
+    reg [7:0] blend1_g_1_1_by_5_36;
+    reg [8:0] blend1_g_1_1_sum_1_0_36;
+    reg [9:0] blend1_g_1_1_sum_1_1_36;
+    reg [9:0] blend1_g_1_1_sum_1_2_36;
+    reg [7:0] blend1_g_1_2_by_5_36;
+    reg [8:0] blend1_g_1_2_sum_1_0_36;
+    reg [9:0] blend1_g_1_2_sum_1_1_36;
+    reg [9:0] blend1_g_1_2_sum_1_2_36;
+    reg [7:0] blend1_g_1_3_by_5_36;
+    reg [8:0] blend1_g_1_3_sum_1_0_36;
+    reg [9:0] blend1_g_1_3_sum_1_1_36;
+    reg [9:0] blend1_g_1_3_sum_1_2_36;
+    reg [7:0] blend1_b_1_0_by_5_36;
+    reg [8:0] blend1_b_1_0_sum_1_0_36;
+    reg [9:0] blend1_b_1_0_sum_1_1_36;
+    reg [9:0] blend1_b_1_0_sum_1_2_36;
+    reg [7:0] blend1_b_1_1_by_5_36;
+    reg [8:0] blend1_b_1_1_sum_1_0_36;
+    reg [9:0] blend1_b_1_1_sum_1_1_36;
+    reg [9:0] blend1_b_1_1_sum_1_2_36;
+    reg [7:0] blend1_b_1_2_by_5_36;
+    reg [8:0] blend1_b_1_2_sum_1_0_36;
+    reg [9:0] blend1_b_1_2_sum_1_1_36;
+    reg [9:0] blend1_b_1_2_sum_1_2_36;
+    reg [7:0] blend1_b_1_3_by_5_36;
+    reg [8:0] blend1_b_1_3_sum_1_0_36;
+    reg [9:0] blend1_b_1_3_sum_1_1_36;
+    reg [9:0] blend1_b_1_3_sum_1_2_36;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_36 <= in_gain1r_35;
@@ -2827,47 +3825,175 @@ module image_paper #(
             in_gain1b_36 <= in_gain1b_35;
             hidden_36 <= hidden_35;
             shift1_36 <= shift1_35;
-            blend1_r_1_0_36 <= blend1_r_1_0_35;
-            blend1_r_1_2_36 <= blend1_r_1_2_35;
-            blend1_r_2_0_part_36 <= blend1_r_2_0_part_35;
-            blend1_r_2_1_part_36 <= blend1_r_2_1_part_35;
+            blend1_r_1_0_by_5_36 <= blend1_r_1_0_by_5_35;
+            blend1_r_1_0_sum_1_0_36 <= blend1_r_1_0_sum_1_0_35;
+            blend1_r_1_0_sum_1_1_36 <= blend1_r_1_0_sum_1_1_35;
+            blend1_r_1_0_sum_1_2_36 <= blend1_r_1_0_sum_1_2_35;
+            blend1_r_1_1_by_5_36 <= blend1_r_1_1_by_5_35;
+            blend1_r_1_1_sum_1_0_36 <= blend1_r_1_1_sum_1_0_35;
+            blend1_r_1_1_sum_1_1_36 <= blend1_r_1_1_sum_1_1_35;
+            blend1_r_1_1_sum_1_2_36 <= blend1_r_1_1_sum_1_2_35;
+            blend1_r_1_2_by_5_36 <= blend1_r_1_2_by_5_35;
+            blend1_r_1_2_sum_1_0_36 <= blend1_r_1_2_sum_1_0_35;
+            blend1_r_1_2_sum_1_1_36 <= blend1_r_1_2_sum_1_1_35;
+            blend1_r_1_2_sum_1_2_36 <= blend1_r_1_2_sum_1_2_35;
+            blend1_r_1_3_by_5_36 <= blend1_r_1_3_by_5_35;
+            blend1_r_1_3_sum_1_0_36 <= blend1_r_1_3_sum_1_0_35;
+            blend1_r_1_3_sum_1_1_36 <= blend1_r_1_3_sum_1_1_35;
+            blend1_r_1_3_sum_1_2_36 <= blend1_r_1_3_sum_1_2_35;
+            v1_odd_whole_36 <= v1_odd_whole_35;
+            v1_odd_of_0_36 <= v1_odd_of_0_35;
+            v1_odd_of_1_36 <= v1_odd_of_1_35;
+            v1_odd_of_2_36 <= v1_odd_of_2_35;
+            v1_odd_of_3_36 <= v1_odd_of_3_35;
+            v1_odd_of_4_36 <= v1_odd_of_4_35;
+            v1_odd_of_5_36 <= v1_odd_of_5_35;
             blend1_signed_36 <= blend1_signed_35;
-            blend1_g_1_0_36 <= blend1_g_1_0_35;
-            blend1_g_1_2_36 <= blend1_g_1_2_35;
-            blend1_g_2_0_part_36 <= blend1_g_2_0_part_35;
-            blend1_g_2_1_part_36 <= blend1_g_2_1_part_35;
-            blend1_b_1_0_36 <= blend1_b_1_0_35;
-            blend1_b_1_2_36 <= blend1_b_1_2_35;
-            blend1_b_2_0_part_36 <= blend1_b_2_0_part_35;
-            blend1_b_2_1_part_36 <= blend1_b_2_1_part_35;
+            blend1_g_1_0_by_5_36 <= blend1_g_1_0_by_5_35;
+            blend1_g_1_0_sum_1_0_36 <= blend1_g_1_0_sum_1_0_35;
+            blend1_g_1_0_sum_1_1_36 <= blend1_g_1_0_sum_1_1_35;
+            blend1_g_1_0_sum_1_2_36 <= blend1_g_1_0_sum_1_2_35;
+            blend1_g_1_1_by_5_36 <= blend1_g_1_1_by_5_35;
+            blend1_g_1_1_sum_1_0_36 <= blend1_g_1_1_sum_1_0_35;
+            blend1_g_1_1_sum_1_1_36 <= blend1_g_1_1_sum_1_1_35;
+            blend1_g_1_1_sum_1_2_36 <= blend1_g_1_1_sum_1_2_35;
+            blend1_g_1_2_by_5_36 <= blend1_g_1_2_by_5_35;
+            blend1_g_1_2_sum_1_0_36 <= blend1_g_1_2_sum_1_0_35;
+            blend1_g_1_2_sum_1_1_36 <= blend1_g_1_2_sum_1_1_35;
+            blend1_g_1_2_sum_1_2_36 <= blend1_g_1_2_sum_1_2_35;
+            blend1_g_1_3_by_5_36 <= blend1_g_1_3_by_5_35;
+            blend1_g_1_3_sum_1_0_36 <= blend1_g_1_3_sum_1_0_35;
+            blend1_g_1_3_sum_1_1_36 <= blend1_g_1_3_sum_1_1_35;
+            blend1_g_1_3_sum_1_2_36 <= blend1_g_1_3_sum_1_2_35;
+            blend1_b_1_0_by_5_36 <= blend1_b_1_0_by_5_35;
+            blend1_b_1_0_sum_1_0_36 <= blend1_b_1_0_sum_1_0_35;
+            blend1_b_1_0_sum_1_1_36 <= blend1_b_1_0_sum_1_1_35;
+            blend1_b_1_0_sum_1_2_36 <= blend1_b_1_0_sum_1_2_35;
+            blend1_b_1_1_by_5_36 <= blend1_b_1_1_by_5_35;
+            blend1_b_1_1_sum_1_0_36 <= blend1_b_1_1_sum_1_0_35;
+            blend1_b_1_1_sum_1_1_36 <= blend1_b_1_1_sum_1_1_35;
+            blend1_b_1_1_sum_1_2_36 <= blend1_b_1_1_sum_1_2_35;
+            blend1_b_1_2_by_5_36 <= blend1_b_1_2_by_5_35;
+            blend1_b_1_2_sum_1_0_36 <= blend1_b_1_2_sum_1_0_35;
+            blend1_b_1_2_sum_1_1_36 <= blend1_b_1_2_sum_1_1_35;
+            blend1_b_1_2_sum_1_2_36 <= blend1_b_1_2_sum_1_2_35;
+            blend1_b_1_3_by_5_36 <= blend1_b_1_3_by_5_35;
+            blend1_b_1_3_sum_1_0_36 <= blend1_b_1_3_sum_1_0_35;
+            blend1_b_1_3_sum_1_1_36 <= blend1_b_1_3_sum_1_1_35;
+            blend1_b_1_3_sum_1_2_36 <= blend1_b_1_3_sum_1_2_35;
         end
     end
 
-    // ===== Stage 36: blend1_r_2_0, blend1_r_2_1, blend1_g_2_0, blend1_g_2_1 and 2 more
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_r_2_0_36 = {blend1_r_1_0_36, 6'd0} + blend1_r_2_0_part_36[19:0];
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_r_2_1_36 = {blend1_r_1_2_36, 6'd0} + blend1_r_2_1_part_36[19:0];
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_g_2_0_36 = {blend1_g_1_0_36, 6'd0} + blend1_g_2_0_part_36[19:0];
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_g_2_1_36 = {blend1_g_1_2_36, 6'd0} + blend1_g_2_1_part_36[19:0];
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_b_2_0_36 = {blend1_b_1_0_36, 6'd0} + blend1_b_2_0_part_36[19:0];
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_b_2_1_36 = {blend1_b_1_2_36, 6'd0} + blend1_b_2_1_part_36[19:0];
+    // ===== Stage 36: blend1_r_1_0_sum_2_0, blend1_r_1_0_sum_2_1 and 22 more
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_r_1_0_sum_2_0_36 =
+        {2'd0, blend1_r_1_0_sum_1_0_36} + {blend1_r_1_0_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_r_1_0_sum_2_1_36 =
+        {1'd0, blend1_r_1_0_sum_1_2_36} + {1'd0, blend1_r_1_0_by_5_36, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_r_1_1_sum_2_0_36 =
+        {2'd0, blend1_r_1_1_sum_1_0_36} + {blend1_r_1_1_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_r_1_1_sum_2_1_36 =
+        {1'd0, blend1_r_1_1_sum_1_2_36} + {1'd0, blend1_r_1_1_by_5_36, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_r_1_2_sum_2_0_36 =
+        {2'd0, blend1_r_1_2_sum_1_0_36} + {blend1_r_1_2_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_r_1_2_sum_2_1_36 =
+        {1'd0, blend1_r_1_2_sum_1_2_36} + {1'd0, blend1_r_1_2_by_5_36, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_r_1_3_sum_2_0_36 =
+        {2'd0, blend1_r_1_3_sum_1_0_36} + {blend1_r_1_3_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_r_1_3_sum_2_1_36 =
+        {1'd0, blend1_r_1_3_sum_1_2_36} + {1'd0, blend1_r_1_3_by_5_36, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_g_1_0_sum_2_0_36 =
+        {2'd0, blend1_g_1_0_sum_1_0_36} + {blend1_g_1_0_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_g_1_0_sum_2_1_36 =
+        {1'd0, blend1_g_1_0_sum_1_2_36} + {1'd0, blend1_g_1_0_by_5_36, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_g_1_1_sum_2_0_36 =
+        {2'd0, blend1_g_1_1_sum_1_0_36} + {blend1_g_1_1_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_g_1_1_sum_2_1_36 =
+        {1'd0, blend1_g_1_1_sum_1_2_36} + {1'd0, blend1_g_1_1_by_5_36, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_g_1_2_sum_2_0_36 =
+        {2'd0, blend1_g_1_2_sum_1_0_36} + {blend1_g_1_2_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_g_1_2_sum_2_1_36 =
+        {1'd0, blend1_g_1_2_sum_1_2_36} + {1'd0, blend1_g_1_2_by_5_36, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_g_1_3_sum_2_0_36 =
+        {2'd0, blend1_g_1_3_sum_1_0_36} + {blend1_g_1_3_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_g_1_3_sum_2_1_36 =
+        {1'd0, blend1_g_1_3_sum_1_2_36} + {1'd0, blend1_g_1_3_by_5_36, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_b_1_0_sum_2_0_36 =
+        {2'd0, blend1_b_1_0_sum_1_0_36} + {blend1_b_1_0_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_b_1_0_sum_2_1_36 =
+        {1'd0, blend1_b_1_0_sum_1_2_36} + {1'd0, blend1_b_1_0_by_5_36, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_b_1_1_sum_2_0_36 =
+        {2'd0, blend1_b_1_1_sum_1_0_36} + {blend1_b_1_1_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_b_1_1_sum_2_1_36 =
+        {1'd0, blend1_b_1_1_sum_1_2_36} + {1'd0, blend1_b_1_1_by_5_36, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_b_1_2_sum_2_0_36 =
+        {2'd0, blend1_b_1_2_sum_1_0_36} + {blend1_b_1_2_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_b_1_2_sum_2_1_36 =
+        {1'd0, blend1_b_1_2_sum_1_2_36} + {1'd0, blend1_b_1_2_by_5_36, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_b_1_3_sum_2_0_36 =
+        {2'd0, blend1_b_1_3_sum_1_0_36} + {blend1_b_1_3_sum_1_1_36, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_b_1_3_sum_2_1_36 =
+        {1'd0, blend1_b_1_3_sum_1_2_36} + {1'd0, blend1_b_1_3_by_5_36, 2'd0};
     reg [17:0] in_gain1r_37;
     reg [17:0] in_gain1g_37;
     reg [17:0] in_gain1b_37;
     reg hidden_37;
     reg [2:0] shift1_37;
-    reg [19:0] blend1_r_2_0_37;
-    reg [19:0] blend1_r_2_1_37;
+    reg [10:0] blend1_r_1_0_sum_2_0_37;
+    reg [10:0] blend1_r_1_0_sum_2_1_37;
+    reg [10:0] blend1_r_1_1_sum_2_0_37;
+    reg [10:0] blend1_r_1_1_sum_2_1_37;
+    reg [10:0] blend1_r_1_2_sum_2_0_37;
+    reg [10:0] blend1_r_1_2_sum_2_1_37;
+    reg [10:0] blend1_r_1_3_sum_2_0_37;
+    reg [10:0] blend1_r_1_3_sum_2_1_37;
+    reg v1_odd_whole_37;
+    reg v1_odd_of_0_37;
+    reg v1_odd_of_1_37;
+    reg v1_odd_of_2_37;
+    reg v1_odd_of_3_37;
+    reg v1_odd_of_4_37;
+    reg v1_odd_of_5_37;
     reg [7:0] blend1_signed_37;
-    reg [19:0] blend1_g_2_0_37;
-    reg [19:0] blend1_g_2_1_37;
-    reg [19:0] blend1_b_2_0_37;
-    reg [19:0] blend1_b_2_1_37;
+    reg [10:0] blend1_g_1_0_sum_2_0_37;
+    reg [10:0] blend1_g_1_0_sum_2_1_37;
+    reg [10:0] blend1_g_1_1_sum_2_0_37;
+    reg [10:0] blend1_g_1_1_sum_2_1_37;
+    reg [10:0] blend1_g_1_2_sum_2_0_37;
+    reg [10:0] blend1_g_1_2_sum_2_1_37;
+    reg [10:0] blend1_g_1_3_sum_2_0_37;
+    reg [10:0] blend1_g_1_3_sum_2_1_37;
+    reg [10:0] blend1_b_1_0_sum_2_0_37;
+    reg [10:0] blend1_b_1_0_sum_2_1_37;
+    reg [10:0] blend1_b_1_1_sum_2_0_37;
+    reg [10:0] blend1_b_1_1_sum_2_1_37;
+    reg [10:0] blend1_b_1_2_sum_2_0_37;
+    reg [10:0] blend1_b_1_2_sum_2_1_37;
+    reg [10:0] blend1_b_1_3_sum_2_0_37;
+    reg [10:0] blend1_b_1_3_sum_2_1_37;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_37 <= in_gain1r_36;
@@ -2875,35 +4001,282 @@ module image_paper #(
             in_gain1b_37 <= in_gain1b_36;
             hidden_37 <= hidden_36;
             shift1_37 <= shift1_36;
-            blend1_r_2_0_37 <= blend1_r_2_0_36;
-            blend1_r_2_1_37 <= blend1_r_2_1_36;
+            blend1_r_1_0_sum_2_0_37 <= blend1_r_1_0_sum_2_0_36;
+            blend1_r_1_0_sum_2_1_37 <= blend1_r_1_0_sum_2_1_36;
+            blend1_r_1_1_sum_2_0_37 <= blend1_r_1_1_sum_2_0_36;
+            blend1_r_1_1_sum_2_1_37 <= blend1_r_1_1_sum_2_1_36;
+            blend1_r_1_2_sum_2_0_37 <= blend1_r_1_2_sum_2_0_36;
+            blend1_r_1_2_sum_2_1_37 <= blend1_r_1_2_sum_2_1_36;
+            blend1_r_1_3_sum_2_0_37 <= blend1_r_1_3_sum_2_0_36;
+            blend1_r_1_3_sum_2_1_37 <= blend1_r_1_3_sum_2_1_36;
+            v1_odd_whole_37 <= v1_odd_whole_36;
+            v1_odd_of_0_37 <= v1_odd_of_0_36;
+            v1_odd_of_1_37 <= v1_odd_of_1_36;
+            v1_odd_of_2_37 <= v1_odd_of_2_36;
+            v1_odd_of_3_37 <= v1_odd_of_3_36;
+            v1_odd_of_4_37 <= v1_odd_of_4_36;
+            v1_odd_of_5_37 <= v1_odd_of_5_36;
             blend1_signed_37 <= blend1_signed_36;
-            blend1_g_2_0_37 <= blend1_g_2_0_36;
-            blend1_g_2_1_37 <= blend1_g_2_1_36;
-            blend1_b_2_0_37 <= blend1_b_2_0_36;
-            blend1_b_2_1_37 <= blend1_b_2_1_36;
+            blend1_g_1_0_sum_2_0_37 <= blend1_g_1_0_sum_2_0_36;
+            blend1_g_1_0_sum_2_1_37 <= blend1_g_1_0_sum_2_1_36;
+            blend1_g_1_1_sum_2_0_37 <= blend1_g_1_1_sum_2_0_36;
+            blend1_g_1_1_sum_2_1_37 <= blend1_g_1_1_sum_2_1_36;
+            blend1_g_1_2_sum_2_0_37 <= blend1_g_1_2_sum_2_0_36;
+            blend1_g_1_2_sum_2_1_37 <= blend1_g_1_2_sum_2_1_36;
+            blend1_g_1_3_sum_2_0_37 <= blend1_g_1_3_sum_2_0_36;
+            blend1_g_1_3_sum_2_1_37 <= blend1_g_1_3_sum_2_1_36;
+            blend1_b_1_0_sum_2_0_37 <= blend1_b_1_0_sum_2_0_36;
+            blend1_b_1_0_sum_2_1_37 <= blend1_b_1_0_sum_2_1_36;
+            blend1_b_1_1_sum_2_0_37 <= blend1_b_1_1_sum_2_0_36;
+            blend1_b_1_1_sum_2_1_37 <= blend1_b_1_1_sum_2_1_36;
+            blend1_b_1_2_sum_2_0_37 <= blend1_b_1_2_sum_2_0_36;
+            blend1_b_1_2_sum_2_1_37 <= blend1_b_1_2_sum_2_1_36;
+            blend1_b_1_3_sum_2_0_37 <= blend1_b_1_3_sum_2_0_36;
+            blend1_b_1_3_sum_2_1_37 <= blend1_b_1_3_sum_2_1_36;
         end
     end
 
-    // ===== Stage 37: blend1_r_3_0_apart, blend1_g_3_0_apart, blend1_b_3_0_apart
-    // Q0.20: the difference
-    wire [20:0] blend1_r_3_0_apart_37 = {1'd0, blend1_r_2_1_37} - {1'd0, blend1_r_2_0_37};
-    // Q0.20: the difference
-    wire [20:0] blend1_g_3_0_apart_37 = {1'd0, blend1_g_2_1_37} - {1'd0, blend1_g_2_0_37};
-    // Q0.20: the difference
-    wire [20:0] blend1_b_3_0_apart_37 = {1'd0, blend1_b_2_1_37} - {1'd0, blend1_b_2_0_37};
+    // ===== Stage 37: blend1_r_1_0, blend1_r_1_1, blend1_r_1_2, blend1_r_1_3 and 50 more
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_r_1_0_37 = {3'd0, blend1_r_1_0_sum_2_0_37} + {blend1_r_1_0_sum_2_1_37, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_r_1_1_37 = {3'd0, blend1_r_1_1_sum_2_0_37} + {blend1_r_1_1_sum_2_1_37, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_r_1_2_37 = {3'd0, blend1_r_1_2_sum_2_0_37} + {blend1_r_1_2_sum_2_1_37, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_r_1_3_37 = {3'd0, blend1_r_1_3_sum_2_0_37} + {blend1_r_1_3_sum_2_1_37, 3'd0};
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_whole_37 = v1_odd_whole_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_r_2_0_by_whole_37 = blend1_r_2_0_either_whole_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_0_37 = v1_odd_of_0_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_r_2_0_by_0_37 = blend1_r_2_0_either_0_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_1_37 = v1_odd_of_1_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_r_2_0_by_1_37 = blend1_r_2_0_either_1_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_2_37 = v1_odd_of_2_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_r_2_0_by_2_37 = blend1_r_2_0_either_2_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_3_37 = v1_odd_of_3_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_r_2_0_by_3_37 = blend1_r_2_0_either_3_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_4_37 = v1_odd_of_4_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_r_2_0_by_4_37 = blend1_r_2_0_either_4_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_5_37 = v1_odd_of_5_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_r_2_0_by_5_37 = blend1_r_2_0_either_5_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_whole_37 = v1_odd_whole_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_r_2_1_by_whole_37 = blend1_r_2_1_either_whole_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_0_37 = v1_odd_of_0_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_r_2_1_by_0_37 = blend1_r_2_1_either_0_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_1_37 = v1_odd_of_1_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_r_2_1_by_1_37 = blend1_r_2_1_either_1_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_2_37 = v1_odd_of_2_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_r_2_1_by_2_37 = blend1_r_2_1_either_2_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_3_37 = v1_odd_of_3_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_r_2_1_by_3_37 = blend1_r_2_1_either_3_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_4_37 = v1_odd_of_4_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_r_2_1_by_4_37 = blend1_r_2_1_either_4_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_5_37 = v1_odd_of_5_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_r_2_1_by_5_37 = blend1_r_2_1_either_5_37;
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_g_1_0_37 = {3'd0, blend1_g_1_0_sum_2_0_37} + {blend1_g_1_0_sum_2_1_37, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_g_1_1_37 = {3'd0, blend1_g_1_1_sum_2_0_37} + {blend1_g_1_1_sum_2_1_37, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_g_1_2_37 = {3'd0, blend1_g_1_2_sum_2_0_37} + {blend1_g_1_2_sum_2_1_37, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_g_1_3_37 = {3'd0, blend1_g_1_3_sum_2_0_37} + {blend1_g_1_3_sum_2_1_37, 3'd0};
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_whole_37 = v1_odd_whole_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_g_2_0_by_whole_37 = blend1_g_2_0_either_whole_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_0_37 = v1_odd_of_0_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_g_2_0_by_0_37 = blend1_g_2_0_either_0_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_1_37 = v1_odd_of_1_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_g_2_0_by_1_37 = blend1_g_2_0_either_1_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_2_37 = v1_odd_of_2_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_g_2_0_by_2_37 = blend1_g_2_0_either_2_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_3_37 = v1_odd_of_3_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_g_2_0_by_3_37 = blend1_g_2_0_either_3_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_4_37 = v1_odd_of_4_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_g_2_0_by_4_37 = blend1_g_2_0_either_4_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_5_37 = v1_odd_of_5_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_g_2_0_by_5_37 = blend1_g_2_0_either_5_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_whole_37 = v1_odd_whole_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_g_2_1_by_whole_37 = blend1_g_2_1_either_whole_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_0_37 = v1_odd_of_0_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_g_2_1_by_0_37 = blend1_g_2_1_either_0_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_1_37 = v1_odd_of_1_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_g_2_1_by_1_37 = blend1_g_2_1_either_1_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_2_37 = v1_odd_of_2_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_g_2_1_by_2_37 = blend1_g_2_1_either_2_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_3_37 = v1_odd_of_3_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_g_2_1_by_3_37 = blend1_g_2_1_either_3_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_4_37 = v1_odd_of_4_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_g_2_1_by_4_37 = blend1_g_2_1_either_4_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_5_37 = v1_odd_of_5_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_g_2_1_by_5_37 = blend1_g_2_1_either_5_37;
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_b_1_0_37 = {3'd0, blend1_b_1_0_sum_2_0_37} + {blend1_b_1_0_sum_2_1_37, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_b_1_1_37 = {3'd0, blend1_b_1_1_sum_2_0_37} + {blend1_b_1_1_sum_2_1_37, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_b_1_2_37 = {3'd0, blend1_b_1_2_sum_2_0_37} + {blend1_b_1_2_sum_2_1_37, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_b_1_3_37 = {3'd0, blend1_b_1_3_sum_2_0_37} + {blend1_b_1_3_sum_2_1_37, 3'd0};
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_whole_37 = v1_odd_whole_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_b_2_0_by_whole_37 = blend1_b_2_0_either_whole_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_0_37 = v1_odd_of_0_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_b_2_0_by_0_37 = blend1_b_2_0_either_0_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_1_37 = v1_odd_of_1_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_b_2_0_by_1_37 = blend1_b_2_0_either_1_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_2_37 = v1_odd_of_2_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_b_2_0_by_2_37 = blend1_b_2_0_either_2_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_3_37 = v1_odd_of_3_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_b_2_0_by_3_37 = blend1_b_2_0_either_3_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_4_37 = v1_odd_of_4_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_b_2_0_by_4_37 = blend1_b_2_0_either_4_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_5_37 = v1_odd_of_5_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_b_2_0_by_5_37 = blend1_b_2_0_either_5_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_whole_37 = v1_odd_whole_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_b_2_1_by_whole_37 = blend1_b_2_1_either_whole_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_0_37 = v1_odd_of_0_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_b_2_1_by_0_37 = blend1_b_2_1_either_0_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_1_37 = v1_odd_of_1_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_b_2_1_by_1_37 = blend1_b_2_1_either_1_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_2_37 = v1_odd_of_2_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_b_2_1_by_2_37 = blend1_b_2_1_either_2_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_3_37 = v1_odd_of_3_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_b_2_1_by_3_37 = blend1_b_2_1_either_3_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_4_37 = v1_odd_of_4_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_b_2_1_by_4_37 = blend1_b_2_1_either_4_37;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_5_37 = v1_odd_of_5_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_b_2_1_by_5_37 = blend1_b_2_1_either_5_37;
     reg [17:0] in_gain1r_38;
     reg [17:0] in_gain1g_38;
     reg [17:0] in_gain1b_38;
     reg hidden_38;
     reg [2:0] shift1_38;
-    reg [19:0] blend1_r_2_0_38;
-    reg [20:0] blend1_r_3_0_apart_38;
+    reg [13:0] blend1_r_2_0_by_whole_38;
+    reg [13:0] blend1_r_2_0_by_0_38;
+    reg [13:0] blend1_r_2_0_by_1_38;
+    reg [13:0] blend1_r_2_0_by_2_38;
+    reg [13:0] blend1_r_2_0_by_3_38;
+    reg [13:0] blend1_r_2_0_by_4_38;
+    reg [13:0] blend1_r_2_0_by_5_38;
+    reg [13:0] blend1_r_2_1_by_whole_38;
+    reg [13:0] blend1_r_2_1_by_0_38;
+    reg [13:0] blend1_r_2_1_by_1_38;
+    reg [13:0] blend1_r_2_1_by_2_38;
+    reg [13:0] blend1_r_2_1_by_3_38;
+    reg [13:0] blend1_r_2_1_by_4_38;
+    reg [13:0] blend1_r_2_1_by_5_38;
     reg [7:0] blend1_signed_38;
-    reg [19:0] blend1_g_2_0_38;
-    reg [20:0] blend1_g_3_0_apart_38;
-    reg [19:0] blend1_b_2_0_38;
-    reg [20:0] blend1_b_3_0_apart_38;
+    reg [13:0] blend1_g_2_0_by_whole_38;
+    reg [13:0] blend1_g_2_0_by_0_38;
+    reg [13:0] blend1_g_2_0_by_1_38;
+    reg [13:0] blend1_g_2_0_by_2_38;
+    reg [13:0] blend1_g_2_0_by_3_38;
+    reg [13:0] blend1_g_2_0_by_4_38;
+    reg [13:0] blend1_g_2_0_by_5_38;
+    reg [13:0] blend1_g_2_1_by_whole_38;
+    reg [13:0] blend1_g_2_1_by_0_38;
+    reg [13:0] blend1_g_2_1_by_1_38;
+    reg [13:0] blend1_g_2_1_by_2_38;
+    reg [13:0] blend1_g_2_1_by_3_38;
+    reg [13:0] blend1_g_2_1_by_4_38;
+    reg [13:0] blend1_g_2_1_by_5_38;
+    reg [13:0] blend1_b_2_0_by_whole_38;
+    reg [13:0] blend1_b_2_0_by_0_38;
+    reg [13:0] blend1_b_2_0_by_1_38;
+    reg [13:0] blend1_b_2_0_by_2_38;
+    reg [13:0] blend1_b_2_0_by_3_38;
+    reg [13:0] blend1_b_2_0_by_4_38;
+    reg [13:0] blend1_b_2_0_by_5_38;
+    reg [13:0] blend1_b_2_1_by_whole_38;
+    reg [13:0] blend1_b_2_1_by_0_38;
+    reg [13:0] blend1_b_2_1_by_1_38;
+    reg [13:0] blend1_b_2_1_by_2_38;
+    reg [13:0] blend1_b_2_1_by_3_38;
+    reg [13:0] blend1_b_2_1_by_4_38;
+    reg [13:0] blend1_b_2_1_by_5_38;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_38 <= in_gain1r_37;
@@ -2911,34 +4284,137 @@ module image_paper #(
             in_gain1b_38 <= in_gain1b_37;
             hidden_38 <= hidden_37;
             shift1_38 <= shift1_37;
-            blend1_r_2_0_38 <= blend1_r_2_0_37;
-            blend1_r_3_0_apart_38 <= blend1_r_3_0_apart_37;
+            blend1_r_2_0_by_whole_38 <= blend1_r_2_0_by_whole_37;
+            blend1_r_2_0_by_0_38 <= blend1_r_2_0_by_0_37;
+            blend1_r_2_0_by_1_38 <= blend1_r_2_0_by_1_37;
+            blend1_r_2_0_by_2_38 <= blend1_r_2_0_by_2_37;
+            blend1_r_2_0_by_3_38 <= blend1_r_2_0_by_3_37;
+            blend1_r_2_0_by_4_38 <= blend1_r_2_0_by_4_37;
+            blend1_r_2_0_by_5_38 <= blend1_r_2_0_by_5_37;
+            blend1_r_2_1_by_whole_38 <= blend1_r_2_1_by_whole_37;
+            blend1_r_2_1_by_0_38 <= blend1_r_2_1_by_0_37;
+            blend1_r_2_1_by_1_38 <= blend1_r_2_1_by_1_37;
+            blend1_r_2_1_by_2_38 <= blend1_r_2_1_by_2_37;
+            blend1_r_2_1_by_3_38 <= blend1_r_2_1_by_3_37;
+            blend1_r_2_1_by_4_38 <= blend1_r_2_1_by_4_37;
+            blend1_r_2_1_by_5_38 <= blend1_r_2_1_by_5_37;
             blend1_signed_38 <= blend1_signed_37;
-            blend1_g_2_0_38 <= blend1_g_2_0_37;
-            blend1_g_3_0_apart_38 <= blend1_g_3_0_apart_37;
-            blend1_b_2_0_38 <= blend1_b_2_0_37;
-            blend1_b_3_0_apart_38 <= blend1_b_3_0_apart_37;
+            blend1_g_2_0_by_whole_38 <= blend1_g_2_0_by_whole_37;
+            blend1_g_2_0_by_0_38 <= blend1_g_2_0_by_0_37;
+            blend1_g_2_0_by_1_38 <= blend1_g_2_0_by_1_37;
+            blend1_g_2_0_by_2_38 <= blend1_g_2_0_by_2_37;
+            blend1_g_2_0_by_3_38 <= blend1_g_2_0_by_3_37;
+            blend1_g_2_0_by_4_38 <= blend1_g_2_0_by_4_37;
+            blend1_g_2_0_by_5_38 <= blend1_g_2_0_by_5_37;
+            blend1_g_2_1_by_whole_38 <= blend1_g_2_1_by_whole_37;
+            blend1_g_2_1_by_0_38 <= blend1_g_2_1_by_0_37;
+            blend1_g_2_1_by_1_38 <= blend1_g_2_1_by_1_37;
+            blend1_g_2_1_by_2_38 <= blend1_g_2_1_by_2_37;
+            blend1_g_2_1_by_3_38 <= blend1_g_2_1_by_3_37;
+            blend1_g_2_1_by_4_38 <= blend1_g_2_1_by_4_37;
+            blend1_g_2_1_by_5_38 <= blend1_g_2_1_by_5_37;
+            blend1_b_2_0_by_whole_38 <= blend1_b_2_0_by_whole_37;
+            blend1_b_2_0_by_0_38 <= blend1_b_2_0_by_0_37;
+            blend1_b_2_0_by_1_38 <= blend1_b_2_0_by_1_37;
+            blend1_b_2_0_by_2_38 <= blend1_b_2_0_by_2_37;
+            blend1_b_2_0_by_3_38 <= blend1_b_2_0_by_3_37;
+            blend1_b_2_0_by_4_38 <= blend1_b_2_0_by_4_37;
+            blend1_b_2_0_by_5_38 <= blend1_b_2_0_by_5_37;
+            blend1_b_2_1_by_whole_38 <= blend1_b_2_1_by_whole_37;
+            blend1_b_2_1_by_0_38 <= blend1_b_2_1_by_0_37;
+            blend1_b_2_1_by_1_38 <= blend1_b_2_1_by_1_37;
+            blend1_b_2_1_by_2_38 <= blend1_b_2_1_by_2_37;
+            blend1_b_2_1_by_3_38 <= blend1_b_2_1_by_3_37;
+            blend1_b_2_1_by_4_38 <= blend1_b_2_1_by_4_37;
+            blend1_b_2_1_by_5_38 <= blend1_b_2_1_by_5_37;
         end
     end
 
-    // ===== Stage 38: blend1_r_3_0_part, blend1_g_3_0_part, blend1_b_3_0_part
-    // Q2.26: its part
-    wire [28:0] blend1_r_3_0_part_38 = $signed(blend1_r_3_0_apart_38) * $signed(blend1_signed_38);
-    // Q2.26: its part
-    wire [28:0] blend1_g_3_0_part_38 = $signed(blend1_g_3_0_apart_38) * $signed(blend1_signed_38);
-    // Q2.26: its part
-    wire [28:0] blend1_b_3_0_part_38 = $signed(blend1_b_3_0_apart_38) * $signed(blend1_signed_38);
+    // ===== Stage 38: blend1_r_2_0_sum_1_0, blend1_r_2_0_sum_1_1 and 16 more
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_r_2_0_sum_1_0_38 =
+        {1'd0, blend1_r_2_0_by_whole_38} + {1'd0, blend1_r_2_0_by_0_38};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_r_2_0_sum_1_1_38 =
+        {2'd0, blend1_r_2_0_by_1_38} + {1'd0, blend1_r_2_0_by_2_38, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_r_2_0_sum_1_2_38 =
+        {2'd0, blend1_r_2_0_by_3_38} + {1'd0, blend1_r_2_0_by_4_38, 1'd0};
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_r_2_1_sum_1_0_38 =
+        {1'd0, blend1_r_2_1_by_whole_38} + {1'd0, blend1_r_2_1_by_0_38};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_r_2_1_sum_1_1_38 =
+        {2'd0, blend1_r_2_1_by_1_38} + {1'd0, blend1_r_2_1_by_2_38, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_r_2_1_sum_1_2_38 =
+        {2'd0, blend1_r_2_1_by_3_38} + {1'd0, blend1_r_2_1_by_4_38, 1'd0};
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_g_2_0_sum_1_0_38 =
+        {1'd0, blend1_g_2_0_by_whole_38} + {1'd0, blend1_g_2_0_by_0_38};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_g_2_0_sum_1_1_38 =
+        {2'd0, blend1_g_2_0_by_1_38} + {1'd0, blend1_g_2_0_by_2_38, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_g_2_0_sum_1_2_38 =
+        {2'd0, blend1_g_2_0_by_3_38} + {1'd0, blend1_g_2_0_by_4_38, 1'd0};
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_g_2_1_sum_1_0_38 =
+        {1'd0, blend1_g_2_1_by_whole_38} + {1'd0, blend1_g_2_1_by_0_38};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_g_2_1_sum_1_1_38 =
+        {2'd0, blend1_g_2_1_by_1_38} + {1'd0, blend1_g_2_1_by_2_38, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_g_2_1_sum_1_2_38 =
+        {2'd0, blend1_g_2_1_by_3_38} + {1'd0, blend1_g_2_1_by_4_38, 1'd0};
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_b_2_0_sum_1_0_38 =
+        {1'd0, blend1_b_2_0_by_whole_38} + {1'd0, blend1_b_2_0_by_0_38};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_b_2_0_sum_1_1_38 =
+        {2'd0, blend1_b_2_0_by_1_38} + {1'd0, blend1_b_2_0_by_2_38, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_b_2_0_sum_1_2_38 =
+        {2'd0, blend1_b_2_0_by_3_38} + {1'd0, blend1_b_2_0_by_4_38, 1'd0};
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_b_2_1_sum_1_0_38 =
+        {1'd0, blend1_b_2_1_by_whole_38} + {1'd0, blend1_b_2_1_by_0_38};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_b_2_1_sum_1_1_38 =
+        {2'd0, blend1_b_2_1_by_1_38} + {1'd0, blend1_b_2_1_by_2_38, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_b_2_1_sum_1_2_38 =
+        {2'd0, blend1_b_2_1_by_3_38} + {1'd0, blend1_b_2_1_by_4_38, 1'd0};
     reg [17:0] in_gain1r_39;
     reg [17:0] in_gain1g_39;
     reg [17:0] in_gain1b_39;
     reg hidden_39;
     reg [2:0] shift1_39;
-    reg [19:0] blend1_r_2_0_39;
-    reg [28:0] blend1_r_3_0_part_39;
-    reg [19:0] blend1_g_2_0_39;
-    reg [28:0] blend1_g_3_0_part_39;
-    reg [19:0] blend1_b_2_0_39;
-    reg [28:0] blend1_b_3_0_part_39;
+    reg [13:0] blend1_r_2_0_by_5_39;
+    reg [14:0] blend1_r_2_0_sum_1_0_39;
+    reg [15:0] blend1_r_2_0_sum_1_1_39;
+    reg [15:0] blend1_r_2_0_sum_1_2_39;
+    reg [13:0] blend1_r_2_1_by_5_39;
+    reg [14:0] blend1_r_2_1_sum_1_0_39;
+    reg [15:0] blend1_r_2_1_sum_1_1_39;
+    reg [15:0] blend1_r_2_1_sum_1_2_39;
+    reg [7:0] blend1_signed_39;
+    reg [13:0] blend1_g_2_0_by_5_39;
+    reg [14:0] blend1_g_2_0_sum_1_0_39;
+    reg [15:0] blend1_g_2_0_sum_1_1_39;
+    reg [15:0] blend1_g_2_0_sum_1_2_39;
+    reg [13:0] blend1_g_2_1_by_5_39;
+    reg [14:0] blend1_g_2_1_sum_1_0_39;
+    reg [15:0] blend1_g_2_1_sum_1_1_39;
+    reg [15:0] blend1_g_2_1_sum_1_2_39;
+    reg [13:0] blend1_b_2_0_by_5_39;
+    reg [14:0] blend1_b_2_0_sum_1_0_39;
+    reg [15:0] blend1_b_2_0_sum_1_1_39;
+    reg [15:0] blend1_b_2_0_sum_1_2_39;
+    reg [13:0] blend1_b_2_1_by_5_39;
+    reg [14:0] blend1_b_2_1_sum_1_0_39;
+    reg [15:0] blend1_b_2_1_sum_1_1_39;
+    reg [15:0] blend1_b_2_1_sum_1_2_39;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_39 <= in_gain1r_38;
@@ -2946,36 +4422,89 @@ module image_paper #(
             in_gain1b_39 <= in_gain1b_38;
             hidden_39 <= hidden_38;
             shift1_39 <= shift1_38;
-            blend1_r_2_0_39 <= blend1_r_2_0_38;
-            blend1_r_3_0_part_39 <= blend1_r_3_0_part_38;
-            blend1_g_2_0_39 <= blend1_g_2_0_38;
-            blend1_g_3_0_part_39 <= blend1_g_3_0_part_38;
-            blend1_b_2_0_39 <= blend1_b_2_0_38;
-            blend1_b_3_0_part_39 <= blend1_b_3_0_part_38;
+            blend1_r_2_0_by_5_39 <= blend1_r_2_0_by_5_38;
+            blend1_r_2_0_sum_1_0_39 <= blend1_r_2_0_sum_1_0_38;
+            blend1_r_2_0_sum_1_1_39 <= blend1_r_2_0_sum_1_1_38;
+            blend1_r_2_0_sum_1_2_39 <= blend1_r_2_0_sum_1_2_38;
+            blend1_r_2_1_by_5_39 <= blend1_r_2_1_by_5_38;
+            blend1_r_2_1_sum_1_0_39 <= blend1_r_2_1_sum_1_0_38;
+            blend1_r_2_1_sum_1_1_39 <= blend1_r_2_1_sum_1_1_38;
+            blend1_r_2_1_sum_1_2_39 <= blend1_r_2_1_sum_1_2_38;
+            blend1_signed_39 <= blend1_signed_38;
+            blend1_g_2_0_by_5_39 <= blend1_g_2_0_by_5_38;
+            blend1_g_2_0_sum_1_0_39 <= blend1_g_2_0_sum_1_0_38;
+            blend1_g_2_0_sum_1_1_39 <= blend1_g_2_0_sum_1_1_38;
+            blend1_g_2_0_sum_1_2_39 <= blend1_g_2_0_sum_1_2_38;
+            blend1_g_2_1_by_5_39 <= blend1_g_2_1_by_5_38;
+            blend1_g_2_1_sum_1_0_39 <= blend1_g_2_1_sum_1_0_38;
+            blend1_g_2_1_sum_1_1_39 <= blend1_g_2_1_sum_1_1_38;
+            blend1_g_2_1_sum_1_2_39 <= blend1_g_2_1_sum_1_2_38;
+            blend1_b_2_0_by_5_39 <= blend1_b_2_0_by_5_38;
+            blend1_b_2_0_sum_1_0_39 <= blend1_b_2_0_sum_1_0_38;
+            blend1_b_2_0_sum_1_1_39 <= blend1_b_2_0_sum_1_1_38;
+            blend1_b_2_0_sum_1_2_39 <= blend1_b_2_0_sum_1_2_38;
+            blend1_b_2_1_by_5_39 <= blend1_b_2_1_by_5_38;
+            blend1_b_2_1_sum_1_0_39 <= blend1_b_2_1_sum_1_0_38;
+            blend1_b_2_1_sum_1_1_39 <= blend1_b_2_1_sum_1_1_38;
+            blend1_b_2_1_sum_1_2_39 <= blend1_b_2_1_sum_1_2_38;
         end
     end
 
-    // ===== Stage 39: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
-    // UQ0.26: two bands
-    wire [25:0] blend1_r_3_0_39 = {blend1_r_2_0_39, 6'd0} + blend1_r_3_0_part_39[25:0];
-    // UQ0.18: the blended code
-    wire [17:0] root1_r_39 = blend1_r_3_0_39[25:8];
-    // UQ0.26: two bands
-    wire [25:0] blend1_g_3_0_39 = {blend1_g_2_0_39, 6'd0} + blend1_g_3_0_part_39[25:0];
-    // UQ0.18: the blended code
-    wire [17:0] root1_g_39 = blend1_g_3_0_39[25:8];
-    // UQ0.26: two bands
-    wire [25:0] blend1_b_3_0_39 = {blend1_b_2_0_39, 6'd0} + blend1_b_3_0_part_39[25:0];
-    // UQ0.18: the blended code
-    wire [17:0] root1_b_39 = blend1_b_3_0_39[25:8];
+    // ===== Stage 39: blend1_r_2_0_sum_2_0, blend1_r_2_0_sum_2_1 and 10 more
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_r_2_0_sum_2_0_39 =
+        {2'd0, blend1_r_2_0_sum_1_0_39} + {blend1_r_2_0_sum_1_1_39, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_r_2_0_sum_2_1_39 =
+        {1'd0, blend1_r_2_0_sum_1_2_39} + {1'd0, blend1_r_2_0_by_5_39, 2'd0};
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_r_2_1_sum_2_0_39 =
+        {2'd0, blend1_r_2_1_sum_1_0_39} + {blend1_r_2_1_sum_1_1_39, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_r_2_1_sum_2_1_39 =
+        {1'd0, blend1_r_2_1_sum_1_2_39} + {1'd0, blend1_r_2_1_by_5_39, 2'd0};
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_g_2_0_sum_2_0_39 =
+        {2'd0, blend1_g_2_0_sum_1_0_39} + {blend1_g_2_0_sum_1_1_39, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_g_2_0_sum_2_1_39 =
+        {1'd0, blend1_g_2_0_sum_1_2_39} + {1'd0, blend1_g_2_0_by_5_39, 2'd0};
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_g_2_1_sum_2_0_39 =
+        {2'd0, blend1_g_2_1_sum_1_0_39} + {blend1_g_2_1_sum_1_1_39, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_g_2_1_sum_2_1_39 =
+        {1'd0, blend1_g_2_1_sum_1_2_39} + {1'd0, blend1_g_2_1_by_5_39, 2'd0};
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_b_2_0_sum_2_0_39 =
+        {2'd0, blend1_b_2_0_sum_1_0_39} + {blend1_b_2_0_sum_1_1_39, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_b_2_0_sum_2_1_39 =
+        {1'd0, blend1_b_2_0_sum_1_2_39} + {1'd0, blend1_b_2_0_by_5_39, 2'd0};
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_b_2_1_sum_2_0_39 =
+        {2'd0, blend1_b_2_1_sum_1_0_39} + {blend1_b_2_1_sum_1_1_39, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_b_2_1_sum_2_1_39 =
+        {1'd0, blend1_b_2_1_sum_1_2_39} + {1'd0, blend1_b_2_1_by_5_39, 2'd0};
     reg [17:0] in_gain1r_40;
     reg [17:0] in_gain1g_40;
     reg [17:0] in_gain1b_40;
     reg hidden_40;
     reg [2:0] shift1_40;
-    reg [17:0] root1_r_40;
-    reg [17:0] root1_g_40;
-    reg [17:0] root1_b_40;
+    reg [16:0] blend1_r_2_0_sum_2_0_40;
+    reg [16:0] blend1_r_2_0_sum_2_1_40;
+    reg [16:0] blend1_r_2_1_sum_2_0_40;
+    reg [16:0] blend1_r_2_1_sum_2_1_40;
+    reg [7:0] blend1_signed_40;
+    reg [16:0] blend1_g_2_0_sum_2_0_40;
+    reg [16:0] blend1_g_2_0_sum_2_1_40;
+    reg [16:0] blend1_g_2_1_sum_2_0_40;
+    reg [16:0] blend1_g_2_1_sum_2_1_40;
+    reg [16:0] blend1_b_2_0_sum_2_0_40;
+    reg [16:0] blend1_b_2_0_sum_2_1_40;
+    reg [16:0] blend1_b_2_1_sum_2_0_40;
+    reg [16:0] blend1_b_2_1_sum_2_1_40;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_40 <= in_gain1r_39;
@@ -2983,33 +4512,59 @@ module image_paper #(
             in_gain1b_40 <= in_gain1b_39;
             hidden_40 <= hidden_39;
             shift1_40 <= shift1_39;
-            root1_r_40 <= root1_r_39;
-            root1_g_40 <= root1_g_39;
-            root1_b_40 <= root1_b_39;
+            blend1_r_2_0_sum_2_0_40 <= blend1_r_2_0_sum_2_0_39;
+            blend1_r_2_0_sum_2_1_40 <= blend1_r_2_0_sum_2_1_39;
+            blend1_r_2_1_sum_2_0_40 <= blend1_r_2_1_sum_2_0_39;
+            blend1_r_2_1_sum_2_1_40 <= blend1_r_2_1_sum_2_1_39;
+            blend1_signed_40 <= blend1_signed_39;
+            blend1_g_2_0_sum_2_0_40 <= blend1_g_2_0_sum_2_0_39;
+            blend1_g_2_0_sum_2_1_40 <= blend1_g_2_0_sum_2_1_39;
+            blend1_g_2_1_sum_2_0_40 <= blend1_g_2_1_sum_2_0_39;
+            blend1_g_2_1_sum_2_1_40 <= blend1_g_2_1_sum_2_1_39;
+            blend1_b_2_0_sum_2_0_40 <= blend1_b_2_0_sum_2_0_39;
+            blend1_b_2_0_sum_2_1_40 <= blend1_b_2_0_sum_2_1_39;
+            blend1_b_2_1_sum_2_0_40 <= blend1_b_2_1_sum_2_0_39;
+            blend1_b_2_1_sum_2_1_40 <= blend1_b_2_1_sum_2_1_39;
         end
     end
 
-    // ===== Stage 40: square1_r_exact, square1_g_exact, square1_b_exact
-    // UQ0.36: its square
-    wire [35:0] square1_r_exact_40 = root1_r_40 * root1_r_40;
-    // UQ0.18: rounded down
-    wire [17:0] square1_r_40 = square1_r_exact_40[35:18];
-    // UQ0.36: its square
-    wire [35:0] square1_g_exact_40 = root1_g_40 * root1_g_40;
-    // UQ0.18: rounded down
-    wire [17:0] square1_g_40 = square1_g_exact_40[35:18];
-    // UQ0.36: its square
-    wire [35:0] square1_b_exact_40 = root1_b_40 * root1_b_40;
-    // UQ0.18: rounded down
-    wire [17:0] square1_b_40 = square1_b_exact_40[35:18];
+    // ===== Stage 40: blend1_r_2_0, blend1_r_2_1, blend1_g_2_0, blend1_g_2_1 and 2 more
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_r_2_0_40 = {3'd0, blend1_r_2_0_sum_2_0_40} + {blend1_r_2_0_sum_2_1_40, 3'd0};
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_r_2_1_40 = {3'd0, blend1_r_2_1_sum_2_0_40} + {blend1_r_2_1_sum_2_1_40, 3'd0};
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_r_2_0_cut_40 = blend1_r_2_0_40[19:3];
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_r_2_1_cut_40 = blend1_r_2_1_40[19:3];
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_g_2_0_40 = {3'd0, blend1_g_2_0_sum_2_0_40} + {blend1_g_2_0_sum_2_1_40, 3'd0};
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_g_2_1_40 = {3'd0, blend1_g_2_1_sum_2_0_40} + {blend1_g_2_1_sum_2_1_40, 3'd0};
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_g_2_0_cut_40 = blend1_g_2_0_40[19:3];
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_g_2_1_cut_40 = blend1_g_2_1_40[19:3];
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_b_2_0_40 = {3'd0, blend1_b_2_0_sum_2_0_40} + {blend1_b_2_0_sum_2_1_40, 3'd0};
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_b_2_1_40 = {3'd0, blend1_b_2_1_sum_2_0_40} + {blend1_b_2_1_sum_2_1_40, 3'd0};
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_b_2_0_cut_40 = blend1_b_2_0_40[19:3];
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_b_2_1_cut_40 = blend1_b_2_1_40[19:3];
     reg [17:0] in_gain1r_41;
     reg [17:0] in_gain1g_41;
     reg [17:0] in_gain1b_41;
     reg hidden_41;
     reg [2:0] shift1_41;
-    reg [17:0] square1_r_41;
-    reg [17:0] square1_g_41;
-    reg [17:0] square1_b_41;
+    reg [16:0] blend1_r_2_0_cut_41;
+    reg [16:0] blend1_r_2_1_cut_41;
+    reg [7:0] blend1_signed_41;
+    reg [16:0] blend1_g_2_0_cut_41;
+    reg [16:0] blend1_g_2_1_cut_41;
+    reg [16:0] blend1_b_2_0_cut_41;
+    reg [16:0] blend1_b_2_1_cut_41;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_41 <= in_gain1r_40;
@@ -3017,181 +4572,311 @@ module image_paper #(
             in_gain1b_41 <= in_gain1b_40;
             hidden_41 <= hidden_40;
             shift1_41 <= shift1_40;
-            square1_r_41 <= square1_r_40;
-            square1_g_41 <= square1_g_40;
-            square1_b_41 <= square1_b_40;
+            blend1_r_2_0_cut_41 <= blend1_r_2_0_cut_40;
+            blend1_r_2_1_cut_41 <= blend1_r_2_1_cut_40;
+            blend1_signed_41 <= blend1_signed_40;
+            blend1_g_2_0_cut_41 <= blend1_g_2_0_cut_40;
+            blend1_g_2_1_cut_41 <= blend1_g_2_1_cut_40;
+            blend1_b_2_0_cut_41 <= blend1_b_2_0_cut_40;
+            blend1_b_2_1_cut_41 <= blend1_b_2_1_cut_40;
         end
     end
 
-    // ===== Stage 41: square1_r_seen, square1_r_up, square1_r_within and 6 more
-    // UQ0.18: 0 for a normal that is turned away
-    wire [17:0] square1_r_seen_41 = hidden_41 ? 18'd0 : square1_r_41;
-    // UQ5.18: times 2^shift
-    wire [22:0] square1_r_up_41 = {5'd0, square1_r_seen_41} << shift1_41;
-    // UQ5.13: rounded down
-    wire [17:0] square1_r_up_cut_41 = square1_r_up_41[22:5];
-    // UQ5.13: kept in its format
-    wire [17:0] square1_r_within_41 = square1_r_up_cut_41;
-    // UQ0.18: 0 for a normal that is turned away
-    wire [17:0] square1_g_seen_41 = hidden_41 ? 18'd0 : square1_g_41;
-    // UQ5.18: times 2^shift
-    wire [22:0] square1_g_up_41 = {5'd0, square1_g_seen_41} << shift1_41;
-    // UQ5.13: rounded down
-    wire [17:0] square1_g_up_cut_41 = square1_g_up_41[22:5];
-    // UQ5.13: kept in its format
-    wire [17:0] square1_g_within_41 = square1_g_up_cut_41;
-    // UQ0.18: 0 for a normal that is turned away
-    wire [17:0] square1_b_seen_41 = hidden_41 ? 18'd0 : square1_b_41;
-    // UQ5.18: times 2^shift
-    wire [22:0] square1_b_up_41 = {5'd0, square1_b_seen_41} << shift1_41;
-    // UQ5.13: rounded down
-    wire [17:0] square1_b_up_cut_41 = square1_b_up_41[22:5];
-    // UQ5.13: kept in its format
-    wire [17:0] square1_b_within_41 = square1_b_up_cut_41;
+    // ===== Stage 41: blend1_r_3_0_apart, blend1_g_3_0_apart, blend1_b_3_0_apart
+    // Q0.17: the difference
+    wire [17:0] blend1_r_3_0_apart_41 = {1'd0, blend1_r_2_1_cut_41} - {1'd0, blend1_r_2_0_cut_41};
+    // Q0.17: the difference
+    wire [17:0] blend1_g_3_0_apart_41 = {1'd0, blend1_g_2_1_cut_41} - {1'd0, blend1_g_2_0_cut_41};
+    // Q0.17: the difference
+    wire [17:0] blend1_b_3_0_apart_41 = {1'd0, blend1_b_2_1_cut_41} - {1'd0, blend1_b_2_0_cut_41};
     reg [17:0] in_gain1r_42;
     reg [17:0] in_gain1g_42;
     reg [17:0] in_gain1b_42;
-    reg [17:0] square1_r_within_42;
-    reg [17:0] square1_g_within_42;
-    reg [17:0] square1_b_within_42;
+    reg hidden_42;
+    reg [2:0] shift1_42;
+    reg [16:0] blend1_r_2_0_cut_42;
+    reg [17:0] blend1_r_3_0_apart_42;
+    reg [7:0] blend1_signed_42;
+    reg [16:0] blend1_g_2_0_cut_42;
+    reg [17:0] blend1_g_3_0_apart_42;
+    reg [16:0] blend1_b_2_0_cut_42;
+    reg [17:0] blend1_b_3_0_apart_42;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_42 <= in_gain1r_41;
             in_gain1g_42 <= in_gain1g_41;
             in_gain1b_42 <= in_gain1b_41;
-            square1_r_within_42 <= square1_r_within_41;
-            square1_g_within_42 <= square1_g_within_41;
-            square1_b_within_42 <= square1_b_within_41;
+            hidden_42 <= hidden_41;
+            shift1_42 <= shift1_41;
+            blend1_r_2_0_cut_42 <= blend1_r_2_0_cut_41;
+            blend1_r_3_0_apart_42 <= blend1_r_3_0_apart_41;
+            blend1_signed_42 <= blend1_signed_41;
+            blend1_g_2_0_cut_42 <= blend1_g_2_0_cut_41;
+            blend1_g_3_0_apart_42 <= blend1_g_3_0_apart_41;
+            blend1_b_2_0_cut_42 <= blend1_b_2_0_cut_41;
+            blend1_b_3_0_apart_42 <= blend1_b_3_0_apart_41;
         end
     end
 
-    // ===== Stage 42: light1_r_exact, light1_g_exact, light1_b_exact
-    // UQ5.31: times the gain
-    wire [35:0] light1_r_exact_42 = square1_r_within_42 * in_gain1r_42;
-    // UQ5.17: rounded down
-    wire [21:0] light1_r_42 = light1_r_exact_42[35:14];
-    // UQ5.31: times the gain
-    wire [35:0] light1_g_exact_42 = square1_g_within_42 * in_gain1g_42;
-    // UQ5.17: rounded down
-    wire [21:0] light1_g_42 = light1_g_exact_42[35:14];
-    // UQ5.31: times the gain
-    wire [35:0] light1_b_exact_42 = square1_b_within_42 * in_gain1b_42;
-    // UQ5.17: rounded down
-    wire [21:0] light1_b_42 = light1_b_exact_42[35:14];
-    reg [21:0] light1_r_43;
-    reg [21:0] light1_g_43;
-    reg [21:0] light1_b_43;
+    // ===== Stage 42: blend1_r_3_0_part, blend1_g_3_0_part, blend1_b_3_0_part
+    // Q2.23: its part
+    wire [25:0] blend1_r_3_0_part_42 = $signed(blend1_r_3_0_apart_42) * $signed(blend1_signed_42);
+    // Q2.23: its part
+    wire [25:0] blend1_g_3_0_part_42 = $signed(blend1_g_3_0_apart_42) * $signed(blend1_signed_42);
+    // Q2.23: its part
+    wire [25:0] blend1_b_3_0_part_42 = $signed(blend1_b_3_0_apart_42) * $signed(blend1_signed_42);
+    reg [17:0] in_gain1r_43;
+    reg [17:0] in_gain1g_43;
+    reg [17:0] in_gain1b_43;
+    reg hidden_43;
+    reg [2:0] shift1_43;
+    reg [16:0] blend1_r_2_0_cut_43;
+    reg [25:0] blend1_r_3_0_part_43;
+    reg [16:0] blend1_g_2_0_cut_43;
+    reg [25:0] blend1_g_3_0_part_43;
+    reg [16:0] blend1_b_2_0_cut_43;
+    reg [25:0] blend1_b_3_0_part_43;
     always @(posedge clk) begin
         if (ce) begin
-            light1_r_43 <= light1_r_42;
-            light1_g_43 <= light1_g_42;
-            light1_b_43 <= light1_b_42;
+            in_gain1r_43 <= in_gain1r_42;
+            in_gain1g_43 <= in_gain1g_42;
+            in_gain1b_43 <= in_gain1b_42;
+            hidden_43 <= hidden_42;
+            shift1_43 <= shift1_42;
+            blend1_r_2_0_cut_43 <= blend1_r_2_0_cut_42;
+            blend1_r_3_0_part_43 <= blend1_r_3_0_part_42;
+            blend1_g_2_0_cut_43 <= blend1_g_2_0_cut_42;
+            blend1_g_3_0_part_43 <= blend1_g_3_0_part_42;
+            blend1_b_2_0_cut_43 <= blend1_b_2_0_cut_42;
+            blend1_b_3_0_part_43 <= blend1_b_3_0_part_42;
         end
     end
 
-    // ===== Stage 43: sum_r, sum_g, sum_b
-    // UQ1.17: kept at 1.0
-    wire [17:0] sum_r_43 = (|light1_r_43[21:17]) ? 18'h20000 : light1_r_43[17:0];
-    // UQ1.17: kept at 1.0
-    wire [17:0] sum_g_43 = (|light1_g_43[21:17]) ? 18'h20000 : light1_g_43[17:0];
-    // UQ1.17: kept at 1.0
-    wire [17:0] sum_b_43 = (|light1_b_43[21:17]) ? 18'h20000 : light1_b_43[17:0];
-    reg [17:0] sum_r_44;
-    reg [17:0] sum_g_44;
-    reg [17:0] sum_b_44;
+    // ===== Stage 43: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
+    // UQ0.23: two bands
+    wire [22:0] blend1_r_3_0_43 = {blend1_r_2_0_cut_43, 6'd0} + blend1_r_3_0_part_43[22:0];
+    // UQ0.18: the blended code
+    wire [17:0] root1_r_43 = blend1_r_3_0_43[22:5];
+    // UQ0.23: two bands
+    wire [22:0] blend1_g_3_0_43 = {blend1_g_2_0_cut_43, 6'd0} + blend1_g_3_0_part_43[22:0];
+    // UQ0.18: the blended code
+    wire [17:0] root1_g_43 = blend1_g_3_0_43[22:5];
+    // UQ0.23: two bands
+    wire [22:0] blend1_b_3_0_43 = {blend1_b_2_0_cut_43, 6'd0} + blend1_b_3_0_part_43[22:0];
+    // UQ0.18: the blended code
+    wire [17:0] root1_b_43 = blend1_b_3_0_43[22:5];
+    reg [17:0] in_gain1r_44;
+    reg [17:0] in_gain1g_44;
+    reg [17:0] in_gain1b_44;
+    reg hidden_44;
+    reg [2:0] shift1_44;
+    reg [17:0] root1_r_44;
+    reg [17:0] root1_g_44;
+    reg [17:0] root1_b_44;
     always @(posedge clk) begin
         if (ce) begin
-            sum_r_44 <= sum_r_43;
-            sum_g_44 <= sum_g_43;
-            sum_b_44 <= sum_b_43;
+            in_gain1r_44 <= in_gain1r_43;
+            in_gain1g_44 <= in_gain1g_43;
+            in_gain1b_44 <= in_gain1b_43;
+            hidden_44 <= hidden_43;
+            shift1_44 <= shift1_43;
+            root1_r_44 <= root1_r_43;
+            root1_g_44 <= root1_g_43;
+            root1_b_44 <= root1_b_43;
         end
     end
 
-    assign out_valid = valid[44];
-    assign out_sum_r = sum_r_44;
-    assign out_sum_g = sum_g_44;
-    assign out_sum_b = sum_b_44;
+    // ===== Stage 44: square1_r_exact, square1_g_exact, square1_b_exact
+    // UQ0.36: its square
+    wire [35:0] square1_r_exact_44 = root1_r_44 * root1_r_44;
+    // UQ0.18: rounded down
+    wire [17:0] square1_r_44 = square1_r_exact_44[35:18];
+    // UQ0.36: its square
+    wire [35:0] square1_g_exact_44 = root1_g_44 * root1_g_44;
+    // UQ0.18: rounded down
+    wire [17:0] square1_g_44 = square1_g_exact_44[35:18];
+    // UQ0.36: its square
+    wire [35:0] square1_b_exact_44 = root1_b_44 * root1_b_44;
+    // UQ0.18: rounded down
+    wire [17:0] square1_b_44 = square1_b_exact_44[35:18];
+    reg [17:0] in_gain1r_45;
+    reg [17:0] in_gain1g_45;
+    reg [17:0] in_gain1b_45;
+    reg hidden_45;
+    reg [2:0] shift1_45;
+    reg [17:0] square1_r_45;
+    reg [17:0] square1_g_45;
+    reg [17:0] square1_b_45;
+    always @(posedge clk) begin
+        if (ce) begin
+            in_gain1r_45 <= in_gain1r_44;
+            in_gain1g_45 <= in_gain1g_44;
+            in_gain1b_45 <= in_gain1b_44;
+            hidden_45 <= hidden_44;
+            shift1_45 <= shift1_44;
+            square1_r_45 <= square1_r_44;
+            square1_g_45 <= square1_g_44;
+            square1_b_45 <= square1_b_44;
+        end
+    end
+
+    // ===== Stage 45: square1_r_seen, square1_r_up, square1_r_within and 6 more
+    // UQ0.18: 0 for a normal that is turned away
+    wire [17:0] square1_r_seen_45 = hidden_45 ? 18'd0 : square1_r_45;
+    // UQ4.18: times 2^shift
+    wire [21:0] square1_r_up_45 = {4'd0, square1_r_seen_45} << shift1_45;
+    // UQ4.14: rounded down
+    wire [17:0] square1_r_up_cut_45 = square1_r_up_45[21:4];
+    // UQ4.14: kept in its format
+    wire [17:0] square1_r_within_45 = square1_r_up_cut_45;
+    // UQ0.18: 0 for a normal that is turned away
+    wire [17:0] square1_g_seen_45 = hidden_45 ? 18'd0 : square1_g_45;
+    // UQ4.18: times 2^shift
+    wire [21:0] square1_g_up_45 = {4'd0, square1_g_seen_45} << shift1_45;
+    // UQ4.14: rounded down
+    wire [17:0] square1_g_up_cut_45 = square1_g_up_45[21:4];
+    // UQ4.14: kept in its format
+    wire [17:0] square1_g_within_45 = square1_g_up_cut_45;
+    // UQ0.18: 0 for a normal that is turned away
+    wire [17:0] square1_b_seen_45 = hidden_45 ? 18'd0 : square1_b_45;
+    // UQ4.18: times 2^shift
+    wire [21:0] square1_b_up_45 = {4'd0, square1_b_seen_45} << shift1_45;
+    // UQ4.14: rounded down
+    wire [17:0] square1_b_up_cut_45 = square1_b_up_45[21:4];
+    // UQ4.14: kept in its format
+    wire [17:0] square1_b_within_45 = square1_b_up_cut_45;
+    reg [17:0] in_gain1r_46;
+    reg [17:0] in_gain1g_46;
+    reg [17:0] in_gain1b_46;
+    reg [17:0] square1_r_within_46;
+    reg [17:0] square1_g_within_46;
+    reg [17:0] square1_b_within_46;
+    always @(posedge clk) begin
+        if (ce) begin
+            in_gain1r_46 <= in_gain1r_45;
+            in_gain1g_46 <= in_gain1g_45;
+            in_gain1b_46 <= in_gain1b_45;
+            square1_r_within_46 <= square1_r_within_45;
+            square1_g_within_46 <= square1_g_within_45;
+            square1_b_within_46 <= square1_b_within_45;
+        end
+    end
+
+    // ===== Stage 46: light1_r_exact, light1_g_exact, light1_b_exact
+    // UQ5.31: times the gain
+    wire [35:0] light1_r_exact_46 = square1_r_within_46 * in_gain1r_46;
+    // UQ5.17: rounded down
+    wire [21:0] light1_r_46 = light1_r_exact_46[35:14];
+    // UQ5.31: times the gain
+    wire [35:0] light1_g_exact_46 = square1_g_within_46 * in_gain1g_46;
+    // UQ5.17: rounded down
+    wire [21:0] light1_g_46 = light1_g_exact_46[35:14];
+    // UQ5.31: times the gain
+    wire [35:0] light1_b_exact_46 = square1_b_within_46 * in_gain1b_46;
+    // UQ5.17: rounded down
+    wire [21:0] light1_b_46 = light1_b_exact_46[35:14];
+    reg [21:0] light1_r_47;
+    reg [21:0] light1_g_47;
+    reg [21:0] light1_b_47;
+    always @(posedge clk) begin
+        if (ce) begin
+            light1_r_47 <= light1_r_46;
+            light1_g_47 <= light1_g_46;
+            light1_b_47 <= light1_b_46;
+        end
+    end
+
+    // ===== Stage 47: sum_r, sum_g, sum_b
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_r_47 = (|light1_r_47[21:17]) ? 18'h20000 : light1_r_47[17:0];
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_g_47 = (|light1_g_47[21:17]) ? 18'h20000 : light1_g_47[17:0];
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_b_47 = (|light1_b_47[21:17]) ? 18'h20000 : light1_b_47[17:0];
+    reg [17:0] sum_r_48;
+    reg [17:0] sum_g_48;
+    reg [17:0] sum_b_48;
+    always @(posedge clk) begin
+        if (ce) begin
+            sum_r_48 <= sum_r_47;
+            sum_g_48 <= sum_g_47;
+            sum_b_48 <= sum_b_47;
+        end
+    end
+
+    assign out_valid = valid[48];
+    assign out_sum_r = sum_r_48;
+    assign out_sum_g = sum_g_48;
+    assign out_sum_b = sum_b_48;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    band1_next_1[0],
+                    band1_next_2[0],
                     v1_x_exact_0[17:0],
                     v1_y_exact_0[17:0],
                     v1_place_2[2:0],
-                    v1_next_3[0],
+                    v1_next_5[0],
                     x1_x_exact_0[17:0],
                     x1_y_exact_0[17:0],
                     u1_x_exact_0[17:0],
                     u1_y_exact_0[17:0],
                     u1_z_exact_0[17:0],
-                    v1_square_3[31:30],
-                    rr1_exact_3[11:0],
-                    rr1_twice_4[15],
-                    rest1_4[6:0],
-                    root_at1_12[4:0],
-                    tilt1_exact_13[32:31],
-                    tilt1_exact_13[11:0],
-                    turn_more_exact1_even_15[28:27],
-                    turn_more_exact1_even_15[11:0],
-                    sin_exact1_even_22[9:0],
-                    cos_exact1_even_22[9:0],
-                    xc1_even_exact_23[34:33],
-                    xc1_even_exact_23[13:0],
-                    zs1_even_exact_23[33],
-                    zs1_even_exact_23[15:0],
-                    zc1_even_exact_23[33],
-                    zc1_even_exact_23[15:0],
-                    xs1_even_exact_23[34:33],
-                    xs1_even_exact_23[13:0],
-                    u1_even_place_25[2:0],
-                    u1_even_next_26[0],
-                    turn_more_exact1_odd_15[28:27],
-                    turn_more_exact1_odd_15[11:0],
-                    sin_exact1_odd_22[9:0],
-                    cos_exact1_odd_22[9:0],
-                    xc1_odd_exact_23[34:33],
-                    xc1_odd_exact_23[13:0],
-                    zs1_odd_exact_23[33],
-                    zs1_odd_exact_23[15:0],
-                    zc1_odd_exact_23[33],
-                    zc1_odd_exact_23[15:0],
-                    xs1_odd_exact_23[34:33],
-                    xs1_odd_exact_23[13:0],
-                    u1_odd_place_25[2:0],
-                    u1_odd_next_26[0],
-                    blend1_r_1_0_part_33[16:14],
-                    blend1_r_1_1_part_33[16:14],
-                    blend1_r_1_2_part_33[16:14],
-                    blend1_r_1_3_part_33[16:14],
-                    blend1_r_2_0_part_36[22:20],
-                    blend1_r_2_1_part_36[22:20],
-                    blend1_r_3_0_part_39[28:26],
-                    blend1_r_3_0_39[7:0],
-                    square1_r_exact_40[17:0],
-                    square1_r_up_41[4:0],
-                    light1_r_exact_42[13:0],
-                    blend1_g_1_0_part_33[16:14],
-                    blend1_g_1_1_part_33[16:14],
-                    blend1_g_1_2_part_33[16:14],
-                    blend1_g_1_3_part_33[16:14],
-                    blend1_g_2_0_part_36[22:20],
-                    blend1_g_2_1_part_36[22:20],
-                    blend1_g_3_0_part_39[28:26],
-                    blend1_g_3_0_39[7:0],
-                    square1_g_exact_40[17:0],
-                    square1_g_up_41[4:0],
-                    light1_g_exact_42[13:0],
-                    blend1_b_1_0_part_33[16:14],
-                    blend1_b_1_1_part_33[16:14],
-                    blend1_b_1_2_part_33[16:14],
-                    blend1_b_1_3_part_33[16:14],
-                    blend1_b_2_0_part_36[22:20],
-                    blend1_b_2_1_part_36[22:20],
-                    blend1_b_3_0_part_39[28:26],
-                    blend1_b_3_0_39[7:0],
-                    square1_b_exact_40[17:0],
-                    square1_b_up_41[4:0],
-                    light1_b_exact_42[13:0]};
+                    v1_square_4[31:30],
+                    rr1_exact_4[11:0],
+                    rr1_twice_5[15],
+                    rest1_6[6:0],
+                    root_at1_13[4:0],
+                    tilt1_exact_14[32:31],
+                    tilt1_exact_14[11:0],
+                    turn_more_exact1_even_16[28:27],
+                    turn_more_exact1_even_16[11:0],
+                    sin_exact1_even_24[9:0],
+                    cos_exact1_even_24[9:0],
+                    xc1_even_exact_25[34:33],
+                    xc1_even_exact_25[13:0],
+                    zs1_even_exact_25[33],
+                    zs1_even_exact_25[15:0],
+                    zc1_even_exact_25[33],
+                    zc1_even_exact_25[15:0],
+                    xs1_even_exact_25[34:33],
+                    xs1_even_exact_25[13:0],
+                    u1_even_place_27[2:0],
+                    u1_even_next_30[0],
+                    turn_more_exact1_odd_16[28:27],
+                    turn_more_exact1_odd_16[11:0],
+                    sin_exact1_odd_24[9:0],
+                    cos_exact1_odd_24[9:0],
+                    xc1_odd_exact_25[34:33],
+                    xc1_odd_exact_25[13:0],
+                    zs1_odd_exact_25[33],
+                    zs1_odd_exact_25[15:0],
+                    zc1_odd_exact_25[33],
+                    zc1_odd_exact_25[15:0],
+                    xs1_odd_exact_25[34:33],
+                    xs1_odd_exact_25[13:0],
+                    u1_odd_place_27[2:0],
+                    u1_odd_next_30[0],
+                    blend1_r_2_0_40[2:0],
+                    blend1_r_2_1_40[2:0],
+                    blend1_r_3_0_part_43[25:23],
+                    blend1_r_3_0_43[4:0],
+                    square1_r_exact_44[17:0],
+                    square1_r_up_45[3:0],
+                    light1_r_exact_46[13:0],
+                    blend1_g_2_0_40[2:0],
+                    blend1_g_2_1_40[2:0],
+                    blend1_g_3_0_part_43[25:23],
+                    blend1_g_3_0_43[4:0],
+                    square1_g_exact_44[17:0],
+                    square1_g_up_45[3:0],
+                    light1_g_exact_46[13:0],
+                    blend1_b_2_0_40[2:0],
+                    blend1_b_2_1_40[2:0],
+                    blend1_b_3_0_part_43[25:23],
+                    blend1_b_3_0_43[4:0],
+                    square1_b_exact_44[17:0],
+                    square1_b_up_45[3:0],
+                    light1_b_exact_46[13:0]};
 
 endmodule
 

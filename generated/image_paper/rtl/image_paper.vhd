@@ -1,7 +1,7 @@
 -- image_paper: image-based block of ggx (paper, 6 sphere images of 64 x 64 texels), 1 light a clock, 8 bits a channel
 --
 -- Made by: brdfgen generate core.toml
--- Spec 71ec3f2865dce46b. Generated; the core is yours to use under any terms.
+-- Spec 44362361f4937b8e. Generated; the core is yours to use under any terms.
 --
 --   in_nx         Q1.16   x of the unit normal, the viewer at +z
 --   in_ny         Q1.16   y of the unit normal, the viewer at +z
@@ -17,14 +17,14 @@
 --   in_turn1_odd  Q0.14   half of the way from light 1 to its odd image, in right angles
 --   in_alone1     UQ1.0   1 where a single image is looked up for light 1
 --   in_shift1     UQ3.0   exponent of light 1's gain
---   in_gain1r     UQ0.18  red of light 1's gain
---   in_gain1g     UQ0.18  green of light 1's gain
---   in_gain1b     UQ0.18  blue of light 1's gain
+--   in_gain1r     UQ1.17  red of light 1's gain
+--   in_gain1g     UQ1.17  green of light 1's gain
+--   in_gain1b     UQ1.17  blue of light 1's gain
 --   out_sum_r     UQ1.17  red of these lights, at most 1.0
 --   out_sum_g     UQ1.17  green of these lights, at most 1.0
 --   out_sum_b     UQ1.17  blue of these lights, at most 1.0
 --
--- Latency 44 clocks, one result a clock.
+-- Latency 48 clocks, one result a clock.
 -- Pictures of a sphere against the exact reflectance, lit from 34 angles:
 --   41.6 dB in the mean, 27.1 dB at the worst angle.
 
@@ -95,13 +95,13 @@ entity image_paper is
         in_alone1     : in  unsigned(0 downto 0);
         -- UQ3.0: exponent of light 1's gain
         in_shift1     : in  unsigned(2 downto 0);
-        -- UQ0.18: red of light 1's gain
+        -- UQ1.17: red of light 1's gain
         in_gain1r     : in  unsigned(17 downto 0);
-        -- UQ0.18: green of light 1's gain
+        -- UQ1.17: green of light 1's gain
         in_gain1g     : in  unsigned(17 downto 0);
-        -- UQ0.18: blue of light 1's gain
+        -- UQ1.17: blue of light 1's gain
         in_gain1b     : in  unsigned(17 downto 0);
-        -- the other outputs are a result: in_valid, 44 enabled clocks later
+        -- the other outputs are a result: in_valid, 48 enabled clocks later
         out_valid     : out std_logic;
         -- UQ1.17: red of these lights, at most 1.0
         out_sum_r     : out unsigned(17 downto 0);
@@ -139,7 +139,7 @@ architecture rtl of image_paper is
     end function;
 
     constant ROOTS_1 : roots_1_t := read_roots_1(ROOTS_1_FILE);
-    signal roots_1_9 : std_logic_vector(30 downto 0) := (others => '0');
+    signal roots_1_10 : std_logic_vector(30 downto 0) := (others => '0');
 
     -- ===== The memory sines_1_even
     type sines_1_even_t is array (127 downto 0) of
@@ -167,7 +167,7 @@ architecture rtl of image_paper is
     end function;
 
     constant SINES_1_EVEN : sines_1_even_t := read_sines_1_even(SINES_1_EVEN_FILE);
-    signal sines_1_even_19 : std_logic_vector(52 downto 0) := (others => '0');
+    signal sines_1_even_21 : std_logic_vector(52 downto 0) := (others => '0');
 
     -- ===== The memory sines_1_odd
     type sines_1_odd_t is array (127 downto 0) of
@@ -195,7 +195,7 @@ architecture rtl of image_paper is
     end function;
 
     constant SINES_1_ODD : sines_1_odd_t := read_sines_1_odd(SINES_1_ODD_FILE);
-    signal sines_1_odd_19 : std_logic_vector(52 downto 0) := (others => '0');
+    signal sines_1_odd_21 : std_logic_vector(52 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_even_even_even
     type texels_1_even_even_even_t is array (4095 downto 0) of
@@ -223,7 +223,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_EVEN_EVEN_EVEN : texels_1_even_even_even_t := read_texels_1_even_even_even(TEXELS_1_EVEN_EVEN_EVEN_FILE);
-    signal texels_1_even_even_even_29 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_even_even_even_33 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_even_even_odd
     type texels_1_even_even_odd_t is array (4095 downto 0) of
@@ -251,7 +251,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_EVEN_EVEN_ODD : texels_1_even_even_odd_t := read_texels_1_even_even_odd(TEXELS_1_EVEN_EVEN_ODD_FILE);
-    signal texels_1_even_even_odd_29 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_33 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_even_odd_even
     type texels_1_even_odd_even_t is array (4095 downto 0) of
@@ -279,7 +279,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_EVEN_ODD_EVEN : texels_1_even_odd_even_t := read_texels_1_even_odd_even(TEXELS_1_EVEN_ODD_EVEN_FILE);
-    signal texels_1_even_odd_even_29 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_33 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_even_odd_odd
     type texels_1_even_odd_odd_t is array (4095 downto 0) of
@@ -307,7 +307,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_EVEN_ODD_ODD : texels_1_even_odd_odd_t := read_texels_1_even_odd_odd(TEXELS_1_EVEN_ODD_ODD_FILE);
-    signal texels_1_even_odd_odd_29 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_33 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_odd_even_even
     type texels_1_odd_even_even_t is array (4095 downto 0) of
@@ -335,7 +335,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_ODD_EVEN_EVEN : texels_1_odd_even_even_t := read_texels_1_odd_even_even(TEXELS_1_ODD_EVEN_EVEN_FILE);
-    signal texels_1_odd_even_even_29 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_33 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_odd_even_odd
     type texels_1_odd_even_odd_t is array (4095 downto 0) of
@@ -363,7 +363,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_ODD_EVEN_ODD : texels_1_odd_even_odd_t := read_texels_1_odd_even_odd(TEXELS_1_ODD_EVEN_ODD_FILE);
-    signal texels_1_odd_even_odd_29 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_33 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_odd_odd_even
     type texels_1_odd_odd_even_t is array (4095 downto 0) of
@@ -391,7 +391,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_ODD_ODD_EVEN : texels_1_odd_odd_even_t := read_texels_1_odd_odd_even(TEXELS_1_ODD_ODD_EVEN_FILE);
-    signal texels_1_odd_odd_even_29 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_33 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_odd_odd_odd
     type texels_1_odd_odd_odd_t is array (4095 downto 0) of
@@ -419,16 +419,15 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_ODD_ODD_ODD : texels_1_odd_odd_odd_t := read_texels_1_odd_odd_odd(TEXELS_1_ODD_ODD_ODD_FILE);
-    signal texels_1_odd_odd_odd_29 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_33 : std_logic_vector(23 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(44 downto 1) := (others => '0');
+    signal valid : std_logic_vector(48 downto 1) := (others => '0');
     signal nz_kept_0 : unsigned(16 downto 0) := (others => '0');
     signal seen_0 : std_logic := '0';
     signal hidden_0 : std_logic := '0';
     signal shift1_0 : unsigned(2 downto 0) := (others => '0');
     signal blend1_0 : unsigned(6 downto 0) := (others => '0');
     signal band1_kept_0 : unsigned(2 downto 0) := (others => '0');
-    signal band1_next_exact_0 : unsigned(2 downto 0) := (others => '0');
     signal band1_odd_high_0 : unsigned(1 downto 0) := (others => '0');
     signal band1_odd_0 : unsigned(1 downto 0) := (others => '0');
     signal v1_x_exact_0 : signed(35 downto 0) := (others => '0');
@@ -463,7 +462,7 @@ architecture rtl of image_paper is
     signal in_gain1b_1 : unsigned(17 downto 0) := (others => '0');
     signal hidden_1 : std_logic := '0';
     signal shift1_1 : unsigned(2 downto 0) := (others => '0');
-    signal band1_next_exact_1 : unsigned(2 downto 0) := (others => '0');
+    signal band1_kept_1 : unsigned(2 downto 0) := (others => '0');
     signal v1_x_1 : signed(17 downto 0) := (others => '0');
     signal v1_y_1 : signed(17 downto 0) := (others => '0');
     signal x1_x_1 : signed(17 downto 0) := (others => '0');
@@ -479,18 +478,11 @@ architecture rtl of image_paper is
     signal texels1_11_1 : unsigned(1 downto 0) := (others => '0');
     signal texels1_11_v2_1 : unsigned(1 downto 0) := (others => '0');
     signal blend1_signed_1 : signed(7 downto 0) := (others => '0');
-    signal band1_next_1 : unsigned(2 downto 0) := (others => '0');
-    signal band1_even_high_1 : unsigned(1 downto 0) := (others => '0');
-    signal band1_even_1 : unsigned(1 downto 0) := (others => '0');
+    signal band1_next_exact_1 : unsigned(2 downto 0) := (others => '0');
     signal v1_xy_1 : signed(18 downto 0) := (others => '0');
     signal v1_scaled_1 : signed(18 downto 0) := (others => '0');
     signal x1_1 : signed(18 downto 0) := (others => '0');
     signal u1_xy_1 : signed(18 downto 0) := (others => '0');
-    signal v1_unit_1 : signed(15 downto 0) := (others => '0');
-    signal texels1_00_1 : unsigned(1 downto 0) := (others => '0');
-    signal texels1_00_v2_1 : unsigned(1 downto 0) := (others => '0');
-    signal texels1_01_1 : unsigned(1 downto 0) := (others => '0');
-    signal texels1_01_v2_1 : unsigned(1 downto 0) := (others => '0');
     signal in_nz_2 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_2 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_2 : signed(14 downto 0) := (others => '0');
@@ -499,34 +491,31 @@ architecture rtl of image_paper is
     signal in_gain1b_2 : unsigned(17 downto 0) := (others => '0');
     signal hidden_2 : std_logic := '0';
     signal shift1_2 : unsigned(2 downto 0) := (others => '0');
+    signal band1_next_exact_2 : unsigned(2 downto 0) := (others => '0');
+    signal v1_xy_2 : signed(18 downto 0) := (others => '0');
     signal v1_scaled_2 : signed(18 downto 0) := (others => '0');
     signal x1_2 : signed(18 downto 0) := (others => '0');
     signal u1_z_2 : signed(17 downto 0) := (others => '0');
     signal u1_xy_2 : signed(18 downto 0) := (others => '0');
-    signal v1_unit_2 : signed(15 downto 0) := (others => '0');
     signal alone1_2 : std_logic := '0';
     signal end1_even_2 : unsigned(11 downto 0) := (others => '0');
     signal end1_odd_2 : unsigned(11 downto 0) := (others => '0');
-    signal texels1_00_2 : unsigned(1 downto 0) := (others => '0');
-    signal texels1_00_v2_2 : unsigned(1 downto 0) := (others => '0');
-    signal texels1_01_2 : unsigned(1 downto 0) := (others => '0');
-    signal texels1_01_v2_2 : unsigned(1 downto 0) := (others => '0');
     signal texels1_10_2 : unsigned(1 downto 0) := (others => '0');
     signal texels1_10_v2_2 : unsigned(1 downto 0) := (others => '0');
     signal texels1_11_2 : unsigned(1 downto 0) := (others => '0');
     signal texels1_11_v2_2 : unsigned(1 downto 0) := (others => '0');
     signal blend1_signed_2 : signed(7 downto 0) := (others => '0');
+    signal band1_next_2 : unsigned(2 downto 0) := (others => '0');
+    signal band1_even_high_2 : unsigned(1 downto 0) := (others => '0');
+    signal band1_even_2 : unsigned(1 downto 0) := (others => '0');
     signal v1_place_2 : signed(18 downto 0) := (others => '0');
     signal v1_cut_2 : signed(15 downto 0) := (others => '0');
-    signal v1_kept_2 : unsigned(11 downto 0) := (others => '0');
-    signal v1_texel_2 : unsigned(5 downto 0) := (others => '0');
-    signal v1_weight_2 : unsigned(5 downto 0) := (others => '0');
-    signal v1_odd_high_2 : unsigned(4 downto 0) := (others => '0');
-    signal v1_odd_2 : unsigned(4 downto 0) := (others => '0');
-    signal v1_is_odd_2 : std_logic := '0';
-    signal v1_weight_wide_2 : unsigned(6 downto 0) := (others => '0');
     signal u1_xyz_2 : signed(18 downto 0) := (others => '0');
-    signal v1_square_2 : signed(31 downto 0) := (others => '0');
+    signal v1_unit_2 : signed(15 downto 0) := (others => '0');
+    signal texels1_00_2 : unsigned(1 downto 0) := (others => '0');
+    signal texels1_00_v2_2 : unsigned(1 downto 0) := (others => '0');
+    signal texels1_01_2 : unsigned(1 downto 0) := (others => '0');
+    signal texels1_01_v2_2 : unsigned(1 downto 0) := (others => '0');
     signal in_nz_3 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_3 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_3 : signed(14 downto 0) := (others => '0');
@@ -535,14 +524,10 @@ architecture rtl of image_paper is
     signal in_gain1b_3 : unsigned(17 downto 0) := (others => '0');
     signal hidden_3 : std_logic := '0';
     signal shift1_3 : unsigned(2 downto 0) := (others => '0');
-    signal v1_texel_3 : unsigned(5 downto 0) := (others => '0');
-    signal v1_weight_3 : unsigned(5 downto 0) := (others => '0');
-    signal v1_odd_3 : unsigned(4 downto 0) := (others => '0');
-    signal v1_is_odd_3 : std_logic := '0';
-    signal v1_weight_wide_3 : unsigned(6 downto 0) := (others => '0');
+    signal v1_cut_3 : signed(15 downto 0) := (others => '0');
     signal x1_3 : signed(18 downto 0) := (others => '0');
     signal u1_xyz_3 : signed(18 downto 0) := (others => '0');
-    signal v1_square_3 : signed(31 downto 0) := (others => '0');
+    signal v1_unit_3 : signed(15 downto 0) := (others => '0');
     signal alone1_3 : std_logic := '0';
     signal end1_even_3 : unsigned(11 downto 0) := (others => '0');
     signal end1_odd_3 : unsigned(11 downto 0) := (others => '0');
@@ -555,33 +540,17 @@ architecture rtl of image_paper is
     signal texels1_11_3 : unsigned(1 downto 0) := (others => '0');
     signal texels1_11_v2_3 : unsigned(1 downto 0) := (others => '0');
     signal blend1_signed_3 : signed(7 downto 0) := (others => '0');
-    signal v1_next_exact_3 : unsigned(6 downto 0) := (others => '0');
-    signal v1_next_3 : unsigned(5 downto 0) := (others => '0');
-    signal v1_even_high_3 : unsigned(4 downto 0) := (others => '0');
-    signal v1_even_3 : unsigned(4 downto 0) := (others => '0');
-    signal v1_other_3 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_v2_3 : unsigned(6 downto 0) := (others => '0');
+    signal v1_kept_3 : unsigned(11 downto 0) := (others => '0');
+    signal v1_texel_3 : unsigned(5 downto 0) := (others => '0');
+    signal v1_weight_3 : unsigned(5 downto 0) := (others => '0');
+    signal v1_odd_high_3 : unsigned(4 downto 0) := (others => '0');
+    signal v1_odd_3 : unsigned(4 downto 0) := (others => '0');
+    signal v1_is_odd_3 : std_logic := '0';
+    signal v1_weight_wide_3 : unsigned(6 downto 0) := (others => '0');
     signal u1_below_3 : std_logic := '0';
     signal u1_minus_3 : signed(18 downto 0) := (others => '0');
     signal u1_either_3 : signed(18 downto 0) := (others => '0');
-    signal u1_kept_3 : unsigned(14 downto 0) := (others => '0');
-    signal rr1_exact_3 : unsigned(29 downto 0) := (others => '0');
-    signal rr1_cut_3 : unsigned(17 downto 0) := (others => '0');
-    signal rr1_3 : unsigned(15 downto 0) := (others => '0');
-    signal high1_4_bits_3 : unsigned(3 downto 0) := (others => '0');
-    signal rr_low1_4_3 : unsigned(11 downto 0) := (others => '0');
-    signal rr_up1_4_3 : unsigned(11 downto 0) := (others => '0');
-    signal rr_up1_4_wide_3 : unsigned(15 downto 0) := (others => '0');
-    signal u1_kept_signed_3 : signed(15 downto 0) := (others => '0');
-    signal texel1_01_3 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_010_3 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_01_v2_3 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_011_3 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_11_3 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_110_3 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_11_v2_3 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_111_3 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_3 : signed(7 downto 0) := (others => '0');
+    signal v1_square_3 : signed(31 downto 0) := (others => '0');
     signal in_nz_4 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_4 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_4 : signed(14 downto 0) := (others => '0');
@@ -590,60 +559,54 @@ architecture rtl of image_paper is
     signal in_gain1b_4 : unsigned(17 downto 0) := (others => '0');
     signal hidden_4 : std_logic := '0';
     signal shift1_4 : unsigned(2 downto 0) := (others => '0');
-    signal v1_even_4 : unsigned(4 downto 0) := (others => '0');
+    signal v1_texel_4 : unsigned(5 downto 0) := (others => '0');
+    signal v1_weight_4 : unsigned(5 downto 0) := (others => '0');
+    signal v1_odd_4 : unsigned(4 downto 0) := (others => '0');
+    signal v1_is_odd_4 : std_logic := '0';
+    signal v1_weight_wide_4 : unsigned(6 downto 0) := (others => '0');
     signal x1_4 : signed(18 downto 0) := (others => '0');
-    signal rr1_4 : unsigned(15 downto 0) := (others => '0');
-    signal high1_4_bits_4 : unsigned(3 downto 0) := (others => '0');
-    signal rr_up1_4_wide_4 : unsigned(15 downto 0) := (others => '0');
-    signal u1_kept_signed_4 : signed(15 downto 0) := (others => '0');
+    signal u1_either_4 : signed(18 downto 0) := (others => '0');
+    signal v1_square_4 : signed(31 downto 0) := (others => '0');
     signal alone1_4 : std_logic := '0';
     signal end1_even_4 : unsigned(11 downto 0) := (others => '0');
     signal end1_odd_4 : unsigned(11 downto 0) := (others => '0');
     signal texels1_00_4 : unsigned(1 downto 0) := (others => '0');
     signal texels1_00_v2_4 : unsigned(1 downto 0) := (others => '0');
-    signal texels1_010_4 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_011_4 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_01_4 : unsigned(1 downto 0) := (others => '0');
+    signal texels1_01_v2_4 : unsigned(1 downto 0) := (others => '0');
     signal texels1_10_4 : unsigned(1 downto 0) := (others => '0');
     signal texels1_10_v2_4 : unsigned(1 downto 0) := (others => '0');
-    signal texels1_110_4 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_111_4 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_4 : signed(7 downto 0) := (others => '0');
+    signal texels1_11_4 : unsigned(1 downto 0) := (others => '0');
+    signal texels1_11_v2_4 : unsigned(1 downto 0) := (others => '0');
     signal blend1_signed_4 : signed(7 downto 0) := (others => '0');
-    signal high1_4_4 : std_logic := '0';
-    signal rr1_4_4 : unsigned(15 downto 0) := (others => '0');
-    signal place1_4_4 : unsigned(0 downto 0) := (others => '0');
-    signal high1_2_bits_4 : unsigned(1 downto 0) := (others => '0');
-    signal high1_2_4 : std_logic := '0';
-    signal rr_low1_2_4 : unsigned(13 downto 0) := (others => '0');
-    signal rr_up1_2_4 : unsigned(13 downto 0) := (others => '0');
-    signal rr_up1_2_wide_4 : unsigned(15 downto 0) := (others => '0');
-    signal rr1_2_4 : unsigned(15 downto 0) := (others => '0');
-    signal place1_2_4 : unsigned(0 downto 0) := (others => '0');
-    signal high1_1_bits_4 : std_logic := '0';
-    signal rr_low1_1_4 : unsigned(14 downto 0) := (others => '0');
-    signal rr_up1_1_4 : unsigned(14 downto 0) := (others => '0');
-    signal rr_up1_1_wide_4 : unsigned(15 downto 0) := (others => '0');
-    signal rr1_1_4 : unsigned(15 downto 0) := (others => '0');
-    signal place1_1_4 : unsigned(0 downto 0) := (others => '0');
-    signal normal1_of_2_4 : std_logic := '0';
-    signal normal1_4 : std_logic := '0';
-    signal rr1_twice_4 : unsigned(15 downto 0) := (others => '0');
-    signal rr1_rest_4 : unsigned(14 downto 0) := (others => '0');
-    signal rr1_rest_wide_4 : unsigned(15 downto 0) := (others => '0');
-    signal rest1_4 : unsigned(15 downto 0) := (others => '0');
-    signal rest1_cut_4 : unsigned(8 downto 0) := (others => '0');
-    signal step1_4 : unsigned(3 downto 0) := (others => '0');
-    signal step1_number_4 : unsigned(3 downto 0) := (others => '0');
-    signal part1_4 : unsigned(4 downto 0) := (others => '0');
-    signal weight1_4 : unsigned(4 downto 0) := (others => '0');
-    signal texel1_00_4 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_000_4 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_00_v2_4 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_001_4 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_10_4 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_100_4 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_10_v2_4 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_101_4 : unsigned(6 downto 0) := (others => '0');
+    signal v1_next_exact_4 : unsigned(6 downto 0) := (others => '0');
+    signal v1_other_4 : unsigned(6 downto 0) := (others => '0');
+    signal v1_odd_v2_4 : unsigned(6 downto 0) := (others => '0');
+    signal u1_kept_4 : unsigned(14 downto 0) := (others => '0');
+    signal rr1_exact_4 : unsigned(29 downto 0) := (others => '0');
+    signal rr1_cut_4 : unsigned(17 downto 0) := (others => '0');
+    signal u1_kept_signed_4 : signed(15 downto 0) := (others => '0');
+    signal texel1_01_4 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_010_4 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_01_v2_4 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_011_4 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_11_4 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_110_4 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_11_v2_4 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_111_4 : unsigned(6 downto 0) := (others => '0');
+    signal v1_odd_whole_4 : std_logic := '0';
+    signal v1_odd_bit_0_4 : std_logic := '0';
+    signal v1_odd_bit_1_4 : std_logic := '0';
+    signal v1_odd_bit_2_4 : std_logic := '0';
+    signal v1_odd_bit_3_4 : std_logic := '0';
+    signal v1_odd_bit_4_4 : std_logic := '0';
+    signal v1_odd_bit_5_4 : std_logic := '0';
+    signal v1_odd_of_0_4 : std_logic := '0';
+    signal v1_odd_of_1_4 : std_logic := '0';
+    signal v1_odd_of_2_4 : std_logic := '0';
+    signal v1_odd_of_3_4 : std_logic := '0';
+    signal v1_odd_of_4_4 : std_logic := '0';
+    signal v1_odd_of_5_4 : std_logic := '0';
     signal in_nz_5 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_5 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_5 : signed(14 downto 0) := (others => '0');
@@ -652,27 +615,58 @@ architecture rtl of image_paper is
     signal in_gain1b_5 : unsigned(17 downto 0) := (others => '0');
     signal hidden_5 : std_logic := '0';
     signal shift1_5 : unsigned(2 downto 0) := (others => '0');
+    signal v1_next_exact_5 : unsigned(6 downto 0) := (others => '0');
     signal x1_5 : signed(18 downto 0) := (others => '0');
-    signal place1_4_5 : unsigned(0 downto 0) := (others => '0');
-    signal place1_2_5 : unsigned(0 downto 0) := (others => '0');
-    signal place1_1_5 : unsigned(0 downto 0) := (others => '0');
-    signal step1_number_5 : unsigned(3 downto 0) := (others => '0');
-    signal weight1_5 : unsigned(4 downto 0) := (others => '0');
+    signal rr1_cut_5 : unsigned(17 downto 0) := (others => '0');
     signal u1_kept_signed_5 : signed(15 downto 0) := (others => '0');
     signal alone1_5 : std_logic := '0';
     signal end1_even_5 : unsigned(11 downto 0) := (others => '0');
     signal end1_odd_5 : unsigned(11 downto 0) := (others => '0');
-    signal texels1_000_5 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_001_5 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_00_5 : unsigned(1 downto 0) := (others => '0');
+    signal texels1_00_v2_5 : unsigned(1 downto 0) := (others => '0');
     signal texels1_010_5 : unsigned(6 downto 0) := (others => '0');
     signal texels1_011_5 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_100_5 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_101_5 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_10_5 : unsigned(1 downto 0) := (others => '0');
+    signal texels1_10_v2_5 : unsigned(1 downto 0) := (others => '0');
     signal texels1_110_5 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_5 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_5 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_5 : std_logic := '0';
+    signal v1_odd_of_0_5 : std_logic := '0';
+    signal v1_odd_of_1_5 : std_logic := '0';
+    signal v1_odd_of_2_5 : std_logic := '0';
+    signal v1_odd_of_3_5 : std_logic := '0';
+    signal v1_odd_of_4_5 : std_logic := '0';
+    signal v1_odd_of_5_5 : std_logic := '0';
     signal blend1_signed_5 : signed(7 downto 0) := (others => '0');
-    signal exponent1_2_5 : unsigned(1 downto 0) := (others => '0');
+    signal v1_next_5 : unsigned(5 downto 0) := (others => '0');
+    signal v1_even_high_5 : unsigned(4 downto 0) := (others => '0');
+    signal v1_even_5 : unsigned(4 downto 0) := (others => '0');
+    signal rr1_5 : unsigned(15 downto 0) := (others => '0');
+    signal high1_4_bits_5 : unsigned(3 downto 0) := (others => '0');
+    signal high1_4_5 : std_logic := '0';
+    signal rr_low1_4_5 : unsigned(11 downto 0) := (others => '0');
+    signal rr_up1_4_5 : unsigned(11 downto 0) := (others => '0');
+    signal rr_up1_4_wide_5 : unsigned(15 downto 0) := (others => '0');
+    signal rr1_4_5 : unsigned(15 downto 0) := (others => '0');
+    signal place1_4_5 : unsigned(0 downto 0) := (others => '0');
+    signal high1_2_bits_5 : unsigned(1 downto 0) := (others => '0');
+    signal high1_2_5 : std_logic := '0';
+    signal rr_low1_2_5 : unsigned(13 downto 0) := (others => '0');
+    signal rr_up1_2_5 : unsigned(13 downto 0) := (others => '0');
+    signal rr_up1_2_wide_5 : unsigned(15 downto 0) := (others => '0');
+    signal rr1_2_5 : unsigned(15 downto 0) := (others => '0');
+    signal place1_2_5 : unsigned(0 downto 0) := (others => '0');
+    signal high1_1_bits_5 : std_logic := '0';
+    signal rr_low1_1_5 : unsigned(14 downto 0) := (others => '0');
+    signal rr_up1_1_5 : unsigned(14 downto 0) := (others => '0');
+    signal rr_up1_1_wide_5 : unsigned(15 downto 0) := (others => '0');
+    signal rr1_1_5 : unsigned(15 downto 0) := (others => '0');
+    signal place1_1_5 : unsigned(0 downto 0) := (others => '0');
+    signal normal1_of_2_5 : std_logic := '0';
+    signal normal1_5 : std_logic := '0';
+    signal rr1_twice_5 : unsigned(15 downto 0) := (others => '0');
+    signal rr1_rest_5 : unsigned(14 downto 0) := (others => '0');
+    signal rr1_rest_wide_5 : unsigned(15 downto 0) := (others => '0');
     signal in_nz_6 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_6 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_6 : signed(14 downto 0) := (others => '0');
@@ -681,27 +675,49 @@ architecture rtl of image_paper is
     signal in_gain1b_6 : unsigned(17 downto 0) := (others => '0');
     signal hidden_6 : std_logic := '0';
     signal shift1_6 : unsigned(2 downto 0) := (others => '0');
+    signal v1_even_6 : unsigned(4 downto 0) := (others => '0');
     signal x1_6 : signed(18 downto 0) := (others => '0');
-    signal exponent1_2_6 : unsigned(1 downto 0) := (others => '0');
+    signal place1_4_6 : unsigned(0 downto 0) := (others => '0');
+    signal place1_2_6 : unsigned(0 downto 0) := (others => '0');
+    signal rr1_1_6 : unsigned(15 downto 0) := (others => '0');
     signal place1_1_6 : unsigned(0 downto 0) := (others => '0');
-    signal step1_number_6 : unsigned(3 downto 0) := (others => '0');
-    signal weight1_6 : unsigned(4 downto 0) := (others => '0');
+    signal normal1_6 : std_logic := '0';
+    signal rr1_rest_wide_6 : unsigned(15 downto 0) := (others => '0');
     signal u1_kept_signed_6 : signed(15 downto 0) := (others => '0');
     signal alone1_6 : std_logic := '0';
     signal end1_even_6 : unsigned(11 downto 0) := (others => '0');
     signal end1_odd_6 : unsigned(11 downto 0) := (others => '0');
-    signal texels1_000_6 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_001_6 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_00_6 : unsigned(1 downto 0) := (others => '0');
+    signal texels1_00_v2_6 : unsigned(1 downto 0) := (others => '0');
     signal texels1_010_6 : unsigned(6 downto 0) := (others => '0');
     signal texels1_011_6 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_100_6 : unsigned(6 downto 0) := (others => '0');
-    signal texels1_101_6 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_10_6 : unsigned(1 downto 0) := (others => '0');
+    signal texels1_10_v2_6 : unsigned(1 downto 0) := (others => '0');
     signal texels1_110_6 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_6 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_6 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_6 : std_logic := '0';
+    signal v1_odd_of_0_6 : std_logic := '0';
+    signal v1_odd_of_1_6 : std_logic := '0';
+    signal v1_odd_of_2_6 : std_logic := '0';
+    signal v1_odd_of_3_6 : std_logic := '0';
+    signal v1_odd_of_4_6 : std_logic := '0';
+    signal v1_odd_of_5_6 : std_logic := '0';
     signal blend1_signed_6 : signed(7 downto 0) := (others => '0');
-    signal exponent1_1_6 : unsigned(2 downto 0) := (others => '0');
-    signal octave1_6 : unsigned(2 downto 0) := (others => '0');
+    signal exponent1_2_6 : unsigned(1 downto 0) := (others => '0');
+    signal rest1_6 : unsigned(15 downto 0) := (others => '0');
+    signal rest1_cut_6 : unsigned(8 downto 0) := (others => '0');
+    signal step1_6 : unsigned(3 downto 0) := (others => '0');
+    signal step1_number_6 : unsigned(3 downto 0) := (others => '0');
+    signal part1_6 : unsigned(4 downto 0) := (others => '0');
+    signal weight1_6 : unsigned(4 downto 0) := (others => '0');
+    signal texel1_00_6 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_000_6 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_00_v2_6 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_001_6 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_10_6 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_100_6 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_10_v2_6 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_101_6 : unsigned(6 downto 0) := (others => '0');
     signal in_nz_7 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_7 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_7 : signed(14 downto 0) := (others => '0');
@@ -711,8 +727,9 @@ architecture rtl of image_paper is
     signal hidden_7 : std_logic := '0';
     signal shift1_7 : unsigned(2 downto 0) := (others => '0');
     signal x1_7 : signed(18 downto 0) := (others => '0');
+    signal exponent1_2_7 : unsigned(1 downto 0) := (others => '0');
+    signal place1_1_7 : unsigned(0 downto 0) := (others => '0');
     signal step1_number_7 : unsigned(3 downto 0) := (others => '0');
-    signal octave1_7 : unsigned(2 downto 0) := (others => '0');
     signal weight1_7 : unsigned(4 downto 0) := (others => '0');
     signal u1_kept_signed_7 : signed(15 downto 0) := (others => '0');
     signal alone1_7 : std_logic := '0';
@@ -726,9 +743,16 @@ architecture rtl of image_paper is
     signal texels1_101_7 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_7 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_7 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_7 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_7 : std_logic := '0';
+    signal v1_odd_of_0_7 : std_logic := '0';
+    signal v1_odd_of_1_7 : std_logic := '0';
+    signal v1_odd_of_2_7 : std_logic := '0';
+    signal v1_odd_of_3_7 : std_logic := '0';
+    signal v1_odd_of_4_7 : std_logic := '0';
+    signal v1_odd_of_5_7 : std_logic := '0';
     signal blend1_signed_7 : signed(7 downto 0) := (others => '0');
-    signal column1_7 : unsigned(6 downto 0) := (others => '0');
+    signal exponent1_1_7 : unsigned(2 downto 0) := (others => '0');
+    signal octave1_7 : unsigned(2 downto 0) := (others => '0');
     signal in_nz_8 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_8 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_8 : signed(14 downto 0) := (others => '0');
@@ -738,7 +762,8 @@ architecture rtl of image_paper is
     signal hidden_8 : std_logic := '0';
     signal shift1_8 : unsigned(2 downto 0) := (others => '0');
     signal x1_8 : signed(18 downto 0) := (others => '0');
-    signal column1_8 : unsigned(6 downto 0) := (others => '0');
+    signal step1_number_8 : unsigned(3 downto 0) := (others => '0');
+    signal octave1_8 : unsigned(2 downto 0) := (others => '0');
     signal weight1_8 : unsigned(4 downto 0) := (others => '0');
     signal u1_kept_signed_8 : signed(15 downto 0) := (others => '0');
     signal alone1_8 : std_logic := '0';
@@ -752,8 +777,15 @@ architecture rtl of image_paper is
     signal texels1_101_8 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_8 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_8 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_8 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_8 : std_logic := '0';
+    signal v1_odd_of_0_8 : std_logic := '0';
+    signal v1_odd_of_1_8 : std_logic := '0';
+    signal v1_odd_of_2_8 : std_logic := '0';
+    signal v1_odd_of_3_8 : std_logic := '0';
+    signal v1_odd_of_4_8 : std_logic := '0';
+    signal v1_odd_of_5_8 : std_logic := '0';
     signal blend1_signed_8 : signed(7 downto 0) := (others => '0');
+    signal column1_8 : unsigned(6 downto 0) := (others => '0');
     signal in_nz_9 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_9 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_9 : signed(14 downto 0) := (others => '0');
@@ -763,6 +795,7 @@ architecture rtl of image_paper is
     signal hidden_9 : std_logic := '0';
     signal shift1_9 : unsigned(2 downto 0) := (others => '0');
     signal x1_9 : signed(18 downto 0) := (others => '0');
+    signal column1_9 : unsigned(6 downto 0) := (others => '0');
     signal weight1_9 : unsigned(4 downto 0) := (others => '0');
     signal u1_kept_signed_9 : signed(15 downto 0) := (others => '0');
     signal alone1_9 : std_logic := '0';
@@ -776,10 +809,14 @@ architecture rtl of image_paper is
     signal texels1_101_9 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_9 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_9 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_9 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_9 : std_logic := '0';
+    signal v1_odd_of_0_9 : std_logic := '0';
+    signal v1_odd_of_1_9 : std_logic := '0';
+    signal v1_odd_of_2_9 : std_logic := '0';
+    signal v1_odd_of_3_9 : std_logic := '0';
+    signal v1_odd_of_4_9 : std_logic := '0';
+    signal v1_odd_of_5_9 : std_logic := '0';
     signal blend1_signed_9 : signed(7 downto 0) := (others => '0');
-    signal root_1_9 : unsigned(15 downto 0) := (others => '0');
-    signal fall_1_9 : unsigned(14 downto 0) := (others => '0');
     signal in_nz_10 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_10 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_10 : signed(14 downto 0) := (others => '0');
@@ -790,8 +827,6 @@ architecture rtl of image_paper is
     signal shift1_10 : unsigned(2 downto 0) := (others => '0');
     signal x1_10 : signed(18 downto 0) := (others => '0');
     signal weight1_10 : unsigned(4 downto 0) := (others => '0');
-    signal root_1_10 : unsigned(15 downto 0) := (others => '0');
-    signal fall_1_10 : unsigned(14 downto 0) := (others => '0');
     signal u1_kept_signed_10 : signed(15 downto 0) := (others => '0');
     signal alone1_10 : std_logic := '0';
     signal end1_even_10 : unsigned(11 downto 0) := (others => '0');
@@ -804,8 +839,16 @@ architecture rtl of image_paper is
     signal texels1_101_10 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_10 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_10 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_10 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_10 : std_logic := '0';
+    signal v1_odd_of_0_10 : std_logic := '0';
+    signal v1_odd_of_1_10 : std_logic := '0';
+    signal v1_odd_of_2_10 : std_logic := '0';
+    signal v1_odd_of_3_10 : std_logic := '0';
+    signal v1_odd_of_4_10 : std_logic := '0';
+    signal v1_odd_of_5_10 : std_logic := '0';
     signal blend1_signed_10 : signed(7 downto 0) := (others => '0');
+    signal root_1_10 : unsigned(15 downto 0) := (others => '0');
+    signal fall_1_10 : unsigned(14 downto 0) := (others => '0');
     signal in_nz_11 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_11 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_11 : signed(14 downto 0) := (others => '0');
@@ -830,9 +873,14 @@ architecture rtl of image_paper is
     signal texels1_101_11 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_11 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_11 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_11 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_11 : std_logic := '0';
+    signal v1_odd_of_0_11 : std_logic := '0';
+    signal v1_odd_of_1_11 : std_logic := '0';
+    signal v1_odd_of_2_11 : std_logic := '0';
+    signal v1_odd_of_3_11 : std_logic := '0';
+    signal v1_odd_of_4_11 : std_logic := '0';
+    signal v1_odd_of_5_11 : std_logic := '0';
     signal blend1_signed_11 : signed(7 downto 0) := (others => '0');
-    signal fall_part1_11 : unsigned(19 downto 0) := (others => '0');
     signal in_nz_12 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_12 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_12 : signed(14 downto 0) := (others => '0');
@@ -842,8 +890,9 @@ architecture rtl of image_paper is
     signal hidden_12 : std_logic := '0';
     signal shift1_12 : unsigned(2 downto 0) := (others => '0');
     signal x1_12 : signed(18 downto 0) := (others => '0');
+    signal weight1_12 : unsigned(4 downto 0) := (others => '0');
     signal root_1_12 : unsigned(15 downto 0) := (others => '0');
-    signal fall_part1_12 : unsigned(19 downto 0) := (others => '0');
+    signal fall_1_12 : unsigned(14 downto 0) := (others => '0');
     signal u1_kept_signed_12 : signed(15 downto 0) := (others => '0');
     signal alone1_12 : std_logic := '0';
     signal end1_even_12 : unsigned(11 downto 0) := (others => '0');
@@ -856,10 +905,15 @@ architecture rtl of image_paper is
     signal texels1_101_12 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_12 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_12 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_12 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_12 : std_logic := '0';
+    signal v1_odd_of_0_12 : std_logic := '0';
+    signal v1_odd_of_1_12 : std_logic := '0';
+    signal v1_odd_of_2_12 : std_logic := '0';
+    signal v1_odd_of_3_12 : std_logic := '0';
+    signal v1_odd_of_4_12 : std_logic := '0';
+    signal v1_odd_of_5_12 : std_logic := '0';
     signal blend1_signed_12 : signed(7 downto 0) := (others => '0');
-    signal root_at1_12 : signed(21 downto 0) := (others => '0');
-    signal root_cut1_12 : signed(16 downto 0) := (others => '0');
+    signal fall_part1_12 : unsigned(19 downto 0) := (others => '0');
     signal in_nz_13 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_13 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_13 : signed(14 downto 0) := (others => '0');
@@ -869,7 +923,8 @@ architecture rtl of image_paper is
     signal hidden_13 : std_logic := '0';
     signal shift1_13 : unsigned(2 downto 0) := (others => '0');
     signal x1_13 : signed(18 downto 0) := (others => '0');
-    signal root_cut1_13 : signed(16 downto 0) := (others => '0');
+    signal root_1_13 : unsigned(15 downto 0) := (others => '0');
+    signal fall_part1_13 : unsigned(19 downto 0) := (others => '0');
     signal u1_kept_signed_13 : signed(15 downto 0) := (others => '0');
     signal alone1_13 : std_logic := '0';
     signal end1_even_13 : unsigned(11 downto 0) := (others => '0');
@@ -882,10 +937,16 @@ architecture rtl of image_paper is
     signal texels1_101_13 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_13 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_13 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_13 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_13 : std_logic := '0';
+    signal v1_odd_of_0_13 : std_logic := '0';
+    signal v1_odd_of_1_13 : std_logic := '0';
+    signal v1_odd_of_2_13 : std_logic := '0';
+    signal v1_odd_of_3_13 : std_logic := '0';
+    signal v1_odd_of_4_13 : std_logic := '0';
+    signal v1_odd_of_5_13 : std_logic := '0';
     signal blend1_signed_13 : signed(7 downto 0) := (others => '0');
-    signal tilt1_exact_13 : signed(32 downto 0) := (others => '0');
-    signal tilt1_cut_13 : signed(18 downto 0) := (others => '0');
+    signal root_at1_13 : signed(21 downto 0) := (others => '0');
+    signal root_cut1_13 : signed(16 downto 0) := (others => '0');
     signal in_nz_14 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_14 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_14 : signed(14 downto 0) := (others => '0');
@@ -895,7 +956,8 @@ architecture rtl of image_paper is
     signal hidden_14 : std_logic := '0';
     signal shift1_14 : unsigned(2 downto 0) := (others => '0');
     signal x1_14 : signed(18 downto 0) := (others => '0');
-    signal tilt1_cut_14 : signed(18 downto 0) := (others => '0');
+    signal root_cut1_14 : signed(16 downto 0) := (others => '0');
+    signal u1_kept_signed_14 : signed(15 downto 0) := (others => '0');
     signal alone1_14 : std_logic := '0';
     signal end1_even_14 : unsigned(11 downto 0) := (others => '0');
     signal end1_odd_14 : unsigned(11 downto 0) := (others => '0');
@@ -907,11 +969,16 @@ architecture rtl of image_paper is
     signal texels1_101_14 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_14 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_14 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_14 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_14 : std_logic := '0';
+    signal v1_odd_of_0_14 : std_logic := '0';
+    signal v1_odd_of_1_14 : std_logic := '0';
+    signal v1_odd_of_2_14 : std_logic := '0';
+    signal v1_odd_of_3_14 : std_logic := '0';
+    signal v1_odd_of_4_14 : std_logic := '0';
+    signal v1_odd_of_5_14 : std_logic := '0';
     signal blend1_signed_14 : signed(7 downto 0) := (others => '0');
-    signal tilt1_kept_14 : unsigned(12 downto 0) := (others => '0');
-    signal tilt1_14 : unsigned(12 downto 0) := (others => '0');
-    signal tilt1_signed_14 : signed(13 downto 0) := (others => '0');
+    signal tilt1_exact_14 : signed(32 downto 0) := (others => '0');
+    signal tilt1_cut_14 : signed(18 downto 0) := (others => '0');
     signal in_nz_15 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_15 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_15 : signed(14 downto 0) := (others => '0');
@@ -921,7 +988,8 @@ architecture rtl of image_paper is
     signal hidden_15 : std_logic := '0';
     signal shift1_15 : unsigned(2 downto 0) := (others => '0');
     signal x1_15 : signed(18 downto 0) := (others => '0');
-    signal tilt1_signed_15 : signed(13 downto 0) := (others => '0');
+    signal tilt1_cut_15 : signed(18 downto 0) := (others => '0');
+    signal alone1_15 : std_logic := '0';
     signal end1_even_15 : unsigned(11 downto 0) := (others => '0');
     signal end1_odd_15 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_15 : unsigned(6 downto 0) := (others => '0');
@@ -932,12 +1000,17 @@ architecture rtl of image_paper is
     signal texels1_101_15 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_15 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_15 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_15 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_15 : std_logic := '0';
+    signal v1_odd_of_0_15 : std_logic := '0';
+    signal v1_odd_of_1_15 : std_logic := '0';
+    signal v1_odd_of_2_15 : std_logic := '0';
+    signal v1_odd_of_3_15 : std_logic := '0';
+    signal v1_odd_of_4_15 : std_logic := '0';
+    signal v1_odd_of_5_15 : std_logic := '0';
     signal blend1_signed_15 : signed(7 downto 0) := (others => '0');
-    signal turn_more_exact1_even_15 : signed(28 downto 0) := (others => '0');
-    signal turn_more1_even_15 : signed(14 downto 0) := (others => '0');
-    signal turn_more_exact1_odd_15 : signed(28 downto 0) := (others => '0');
-    signal turn_more1_odd_15 : signed(14 downto 0) := (others => '0');
+    signal tilt1_kept_15 : unsigned(12 downto 0) := (others => '0');
+    signal tilt1_15 : unsigned(12 downto 0) := (others => '0');
+    signal tilt1_signed_15 : signed(13 downto 0) := (others => '0');
     signal in_nz_16 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_16 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_16 : signed(14 downto 0) := (others => '0');
@@ -947,9 +1020,8 @@ architecture rtl of image_paper is
     signal hidden_16 : std_logic := '0';
     signal shift1_16 : unsigned(2 downto 0) := (others => '0');
     signal x1_16 : signed(18 downto 0) := (others => '0');
-    signal turn_more1_even_16 : signed(14 downto 0) := (others => '0');
+    signal tilt1_signed_16 : signed(13 downto 0) := (others => '0');
     signal end1_even_16 : unsigned(11 downto 0) := (others => '0');
-    signal turn_more1_odd_16 : signed(14 downto 0) := (others => '0');
     signal end1_odd_16 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_16 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_16 : unsigned(6 downto 0) := (others => '0');
@@ -959,22 +1031,30 @@ architecture rtl of image_paper is
     signal texels1_101_16 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_16 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_16 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_16 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_16 : std_logic := '0';
+    signal v1_odd_of_0_16 : std_logic := '0';
+    signal v1_odd_of_1_16 : std_logic := '0';
+    signal v1_odd_of_2_16 : std_logic := '0';
+    signal v1_odd_of_3_16 : std_logic := '0';
+    signal v1_odd_of_4_16 : std_logic := '0';
+    signal v1_odd_of_5_16 : std_logic := '0';
     signal blend1_signed_16 : signed(7 downto 0) := (others => '0');
-    signal turn_exact1_even_16 : signed(15 downto 0) := (others => '0');
-    signal turn1_even_16 : signed(14 downto 0) := (others => '0');
-    signal turn_exact1_odd_16 : signed(15 downto 0) := (others => '0');
-    signal turn1_odd_16 : signed(14 downto 0) := (others => '0');
+    signal turn_more_exact1_even_16 : signed(28 downto 0) := (others => '0');
+    signal turn_more1_even_16 : signed(14 downto 0) := (others => '0');
+    signal turn_more_exact1_odd_16 : signed(28 downto 0) := (others => '0');
+    signal turn_more1_odd_16 : signed(14 downto 0) := (others => '0');
     signal in_nz_17 : signed(17 downto 0) := (others => '0');
+    signal in_turn1_even_17 : signed(14 downto 0) := (others => '0');
+    signal in_turn1_odd_17 : signed(14 downto 0) := (others => '0');
     signal in_gain1r_17 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_17 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_17 : unsigned(17 downto 0) := (others => '0');
     signal hidden_17 : std_logic := '0';
     signal shift1_17 : unsigned(2 downto 0) := (others => '0');
     signal x1_17 : signed(18 downto 0) := (others => '0');
-    signal turn1_even_17 : signed(14 downto 0) := (others => '0');
+    signal turn_more1_even_17 : signed(14 downto 0) := (others => '0');
     signal end1_even_17 : unsigned(11 downto 0) := (others => '0');
-    signal turn1_odd_17 : signed(14 downto 0) := (others => '0');
+    signal turn_more1_odd_17 : signed(14 downto 0) := (others => '0');
     signal end1_odd_17 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_17 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_17 : unsigned(6 downto 0) := (others => '0');
@@ -984,20 +1064,16 @@ architecture rtl of image_paper is
     signal texels1_101_17 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_17 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_17 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_17 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_17 : std_logic := '0';
+    signal v1_odd_of_0_17 : std_logic := '0';
+    signal v1_odd_of_1_17 : std_logic := '0';
+    signal v1_odd_of_2_17 : std_logic := '0';
+    signal v1_odd_of_3_17 : std_logic := '0';
+    signal v1_odd_of_4_17 : std_logic := '0';
+    signal v1_odd_of_5_17 : std_logic := '0';
     signal blend1_signed_17 : signed(7 downto 0) := (others => '0');
-    signal turn_up1_even_17 : unsigned(14 downto 0) := (others => '0');
-    signal step1_even_17 : unsigned(6 downto 0) := (others => '0');
-    signal step_number1_even_17 : unsigned(6 downto 0) := (others => '0');
-    signal past1_even_17 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_even_17 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_even_signed_17 : signed(8 downto 0) := (others => '0');
-    signal turn_up1_odd_17 : unsigned(14 downto 0) := (others => '0');
-    signal step1_odd_17 : unsigned(6 downto 0) := (others => '0');
-    signal step_number1_odd_17 : unsigned(6 downto 0) := (others => '0');
-    signal past1_odd_17 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_odd_17 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_odd_signed_17 : signed(8 downto 0) := (others => '0');
+    signal turn_exact1_even_17 : signed(15 downto 0) := (others => '0');
+    signal turn_exact1_odd_17 : signed(15 downto 0) := (others => '0');
     signal in_nz_18 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_18 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_18 : unsigned(17 downto 0) := (others => '0');
@@ -1005,13 +1081,9 @@ architecture rtl of image_paper is
     signal hidden_18 : std_logic := '0';
     signal shift1_18 : unsigned(2 downto 0) := (others => '0');
     signal x1_18 : signed(18 downto 0) := (others => '0');
-    signal step_number1_even_18 : unsigned(6 downto 0) := (others => '0');
-    signal past_part1_even_18 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_even_signed_18 : signed(8 downto 0) := (others => '0');
+    signal turn_exact1_even_18 : signed(15 downto 0) := (others => '0');
     signal end1_even_18 : unsigned(11 downto 0) := (others => '0');
-    signal step_number1_odd_18 : unsigned(6 downto 0) := (others => '0');
-    signal past_part1_odd_18 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_odd_signed_18 : signed(8 downto 0) := (others => '0');
+    signal turn_exact1_odd_18 : signed(15 downto 0) := (others => '0');
     signal end1_odd_18 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_18 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_18 : unsigned(6 downto 0) := (others => '0');
@@ -1021,8 +1093,16 @@ architecture rtl of image_paper is
     signal texels1_101_18 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_18 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_18 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_18 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_18 : std_logic := '0';
+    signal v1_odd_of_0_18 : std_logic := '0';
+    signal v1_odd_of_1_18 : std_logic := '0';
+    signal v1_odd_of_2_18 : std_logic := '0';
+    signal v1_odd_of_3_18 : std_logic := '0';
+    signal v1_odd_of_4_18 : std_logic := '0';
+    signal v1_odd_of_5_18 : std_logic := '0';
     signal blend1_signed_18 : signed(7 downto 0) := (others => '0');
+    signal turn1_even_18 : signed(14 downto 0) := (others => '0');
+    signal turn1_odd_18 : signed(14 downto 0) := (others => '0');
     signal in_nz_19 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_19 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_19 : unsigned(17 downto 0) := (others => '0');
@@ -1030,11 +1110,9 @@ architecture rtl of image_paper is
     signal hidden_19 : std_logic := '0';
     signal shift1_19 : unsigned(2 downto 0) := (others => '0');
     signal x1_19 : signed(18 downto 0) := (others => '0');
-    signal past_part1_even_19 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_even_signed_19 : signed(8 downto 0) := (others => '0');
+    signal turn1_even_19 : signed(14 downto 0) := (others => '0');
     signal end1_even_19 : unsigned(11 downto 0) := (others => '0');
-    signal past_part1_odd_19 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_odd_signed_19 : signed(8 downto 0) := (others => '0');
+    signal turn1_odd_19 : signed(14 downto 0) := (others => '0');
     signal end1_odd_19 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_19 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_19 : unsigned(6 downto 0) := (others => '0');
@@ -1044,16 +1122,26 @@ architecture rtl of image_paper is
     signal texels1_101_19 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_19 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_19 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_19 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_19 : std_logic := '0';
+    signal v1_odd_of_0_19 : std_logic := '0';
+    signal v1_odd_of_1_19 : std_logic := '0';
+    signal v1_odd_of_2_19 : std_logic := '0';
+    signal v1_odd_of_3_19 : std_logic := '0';
+    signal v1_odd_of_4_19 : std_logic := '0';
+    signal v1_odd_of_5_19 : std_logic := '0';
     signal blend1_signed_19 : signed(7 downto 0) := (others => '0');
-    signal sine_1_even_19 : signed(14 downto 0) := (others => '0');
-    signal sine_rise_1_even_19 : unsigned(10 downto 0) := (others => '0');
-    signal cosine_1_even_19 : unsigned(14 downto 0) := (others => '0');
-    signal cosine_rise_1_even_19 : signed(11 downto 0) := (others => '0');
-    signal sine_1_odd_19 : signed(14 downto 0) := (others => '0');
-    signal sine_rise_1_odd_19 : unsigned(10 downto 0) := (others => '0');
-    signal cosine_1_odd_19 : unsigned(14 downto 0) := (others => '0');
-    signal cosine_rise_1_odd_19 : signed(11 downto 0) := (others => '0');
+    signal turn_up1_even_19 : unsigned(14 downto 0) := (others => '0');
+    signal step1_even_19 : unsigned(6 downto 0) := (others => '0');
+    signal step_number1_even_19 : unsigned(6 downto 0) := (others => '0');
+    signal past1_even_19 : unsigned(7 downto 0) := (others => '0');
+    signal past_part1_even_19 : unsigned(7 downto 0) := (others => '0');
+    signal past_part1_even_signed_19 : signed(8 downto 0) := (others => '0');
+    signal turn_up1_odd_19 : unsigned(14 downto 0) := (others => '0');
+    signal step1_odd_19 : unsigned(6 downto 0) := (others => '0');
+    signal step_number1_odd_19 : unsigned(6 downto 0) := (others => '0');
+    signal past1_odd_19 : unsigned(7 downto 0) := (others => '0');
+    signal past_part1_odd_19 : unsigned(7 downto 0) := (others => '0');
+    signal past_part1_odd_signed_19 : signed(8 downto 0) := (others => '0');
     signal in_nz_20 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_20 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_20 : unsigned(17 downto 0) := (others => '0');
@@ -1061,18 +1149,12 @@ architecture rtl of image_paper is
     signal hidden_20 : std_logic := '0';
     signal shift1_20 : unsigned(2 downto 0) := (others => '0');
     signal x1_20 : signed(18 downto 0) := (others => '0');
+    signal step_number1_even_20 : unsigned(6 downto 0) := (others => '0');
     signal past_part1_even_20 : unsigned(7 downto 0) := (others => '0');
-    signal sine_1_even_20 : signed(14 downto 0) := (others => '0');
-    signal sine_rise_1_even_20 : unsigned(10 downto 0) := (others => '0');
-    signal cosine_1_even_20 : unsigned(14 downto 0) := (others => '0');
-    signal cosine_rise_1_even_20 : signed(11 downto 0) := (others => '0');
     signal past_part1_even_signed_20 : signed(8 downto 0) := (others => '0');
     signal end1_even_20 : unsigned(11 downto 0) := (others => '0');
+    signal step_number1_odd_20 : unsigned(6 downto 0) := (others => '0');
     signal past_part1_odd_20 : unsigned(7 downto 0) := (others => '0');
-    signal sine_1_odd_20 : signed(14 downto 0) := (others => '0');
-    signal sine_rise_1_odd_20 : unsigned(10 downto 0) := (others => '0');
-    signal cosine_1_odd_20 : unsigned(14 downto 0) := (others => '0');
-    signal cosine_rise_1_odd_20 : signed(11 downto 0) := (others => '0');
     signal past_part1_odd_signed_20 : signed(8 downto 0) := (others => '0');
     signal end1_odd_20 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_20 : unsigned(6 downto 0) := (others => '0');
@@ -1083,7 +1165,13 @@ architecture rtl of image_paper is
     signal texels1_101_20 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_20 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_20 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_20 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_20 : std_logic := '0';
+    signal v1_odd_of_0_20 : std_logic := '0';
+    signal v1_odd_of_1_20 : std_logic := '0';
+    signal v1_odd_of_2_20 : std_logic := '0';
+    signal v1_odd_of_3_20 : std_logic := '0';
+    signal v1_odd_of_4_20 : std_logic := '0';
+    signal v1_odd_of_5_20 : std_logic := '0';
     signal blend1_signed_20 : signed(7 downto 0) := (others => '0');
     signal in_nz_21 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_21 : unsigned(17 downto 0) := (others => '0');
@@ -1093,17 +1181,9 @@ architecture rtl of image_paper is
     signal shift1_21 : unsigned(2 downto 0) := (others => '0');
     signal x1_21 : signed(18 downto 0) := (others => '0');
     signal past_part1_even_21 : unsigned(7 downto 0) := (others => '0');
-    signal sine_1_even_21 : signed(14 downto 0) := (others => '0');
-    signal sine_rise_1_even_21 : unsigned(10 downto 0) := (others => '0');
-    signal cosine_1_even_21 : unsigned(14 downto 0) := (others => '0');
-    signal cosine_rise_1_even_21 : signed(11 downto 0) := (others => '0');
     signal past_part1_even_signed_21 : signed(8 downto 0) := (others => '0');
     signal end1_even_21 : unsigned(11 downto 0) := (others => '0');
     signal past_part1_odd_21 : unsigned(7 downto 0) := (others => '0');
-    signal sine_1_odd_21 : signed(14 downto 0) := (others => '0');
-    signal sine_rise_1_odd_21 : unsigned(10 downto 0) := (others => '0');
-    signal cosine_1_odd_21 : unsigned(14 downto 0) := (others => '0');
-    signal cosine_rise_1_odd_21 : signed(11 downto 0) := (others => '0');
     signal past_part1_odd_signed_21 : signed(8 downto 0) := (others => '0');
     signal end1_odd_21 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_21 : unsigned(6 downto 0) := (others => '0');
@@ -1114,12 +1194,22 @@ architecture rtl of image_paper is
     signal texels1_101_21 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_21 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_21 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_21 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_21 : std_logic := '0';
+    signal v1_odd_of_0_21 : std_logic := '0';
+    signal v1_odd_of_1_21 : std_logic := '0';
+    signal v1_odd_of_2_21 : std_logic := '0';
+    signal v1_odd_of_3_21 : std_logic := '0';
+    signal v1_odd_of_4_21 : std_logic := '0';
+    signal v1_odd_of_5_21 : std_logic := '0';
     signal blend1_signed_21 : signed(7 downto 0) := (others => '0');
-    signal sin_part1_even_21 : unsigned(18 downto 0) := (others => '0');
-    signal cos_part1_even_21 : signed(20 downto 0) := (others => '0');
-    signal sin_part1_odd_21 : unsigned(18 downto 0) := (others => '0');
-    signal cos_part1_odd_21 : signed(20 downto 0) := (others => '0');
+    signal sine_1_even_21 : signed(14 downto 0) := (others => '0');
+    signal sine_rise_1_even_21 : unsigned(10 downto 0) := (others => '0');
+    signal cosine_1_even_21 : unsigned(14 downto 0) := (others => '0');
+    signal cosine_rise_1_even_21 : signed(11 downto 0) := (others => '0');
+    signal sine_1_odd_21 : signed(14 downto 0) := (others => '0');
+    signal sine_rise_1_odd_21 : unsigned(10 downto 0) := (others => '0');
+    signal cosine_1_odd_21 : unsigned(14 downto 0) := (others => '0');
+    signal cosine_rise_1_odd_21 : signed(11 downto 0) := (others => '0');
     signal in_nz_22 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_22 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_22 : unsigned(17 downto 0) := (others => '0');
@@ -1127,15 +1217,19 @@ architecture rtl of image_paper is
     signal hidden_22 : std_logic := '0';
     signal shift1_22 : unsigned(2 downto 0) := (others => '0');
     signal x1_22 : signed(18 downto 0) := (others => '0');
+    signal past_part1_even_22 : unsigned(7 downto 0) := (others => '0');
     signal sine_1_even_22 : signed(14 downto 0) := (others => '0');
+    signal sine_rise_1_even_22 : unsigned(10 downto 0) := (others => '0');
     signal cosine_1_even_22 : unsigned(14 downto 0) := (others => '0');
-    signal sin_part1_even_22 : unsigned(18 downto 0) := (others => '0');
-    signal cos_part1_even_22 : signed(20 downto 0) := (others => '0');
+    signal cosine_rise_1_even_22 : signed(11 downto 0) := (others => '0');
+    signal past_part1_even_signed_22 : signed(8 downto 0) := (others => '0');
     signal end1_even_22 : unsigned(11 downto 0) := (others => '0');
+    signal past_part1_odd_22 : unsigned(7 downto 0) := (others => '0');
     signal sine_1_odd_22 : signed(14 downto 0) := (others => '0');
+    signal sine_rise_1_odd_22 : unsigned(10 downto 0) := (others => '0');
     signal cosine_1_odd_22 : unsigned(14 downto 0) := (others => '0');
-    signal sin_part1_odd_22 : unsigned(18 downto 0) := (others => '0');
-    signal cos_part1_odd_22 : signed(20 downto 0) := (others => '0');
+    signal cosine_rise_1_odd_22 : signed(11 downto 0) := (others => '0');
+    signal past_part1_odd_signed_22 : signed(8 downto 0) := (others => '0');
     signal end1_odd_22 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_22 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_22 : unsigned(6 downto 0) := (others => '0');
@@ -1145,16 +1239,14 @@ architecture rtl of image_paper is
     signal texels1_101_22 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_22 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_22 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_22 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_22 : std_logic := '0';
+    signal v1_odd_of_0_22 : std_logic := '0';
+    signal v1_odd_of_1_22 : std_logic := '0';
+    signal v1_odd_of_2_22 : std_logic := '0';
+    signal v1_odd_of_3_22 : std_logic := '0';
+    signal v1_odd_of_4_22 : std_logic := '0';
+    signal v1_odd_of_5_22 : std_logic := '0';
     signal blend1_signed_22 : signed(7 downto 0) := (others => '0');
-    signal sin_exact1_even_22 : signed(25 downto 0) := (others => '0');
-    signal sin1_even_22 : signed(15 downto 0) := (others => '0');
-    signal cos_exact1_even_22 : signed(25 downto 0) := (others => '0');
-    signal cos1_even_22 : signed(15 downto 0) := (others => '0');
-    signal sin_exact1_odd_22 : signed(25 downto 0) := (others => '0');
-    signal sin1_odd_22 : signed(15 downto 0) := (others => '0');
-    signal cos_exact1_odd_22 : signed(25 downto 0) := (others => '0');
-    signal cos1_odd_22 : signed(15 downto 0) := (others => '0');
     signal in_nz_23 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_23 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_23 : unsigned(17 downto 0) := (others => '0');
@@ -1162,11 +1254,19 @@ architecture rtl of image_paper is
     signal hidden_23 : std_logic := '0';
     signal shift1_23 : unsigned(2 downto 0) := (others => '0');
     signal x1_23 : signed(18 downto 0) := (others => '0');
-    signal sin1_even_23 : signed(15 downto 0) := (others => '0');
-    signal cos1_even_23 : signed(15 downto 0) := (others => '0');
+    signal past_part1_even_23 : unsigned(7 downto 0) := (others => '0');
+    signal sine_1_even_23 : signed(14 downto 0) := (others => '0');
+    signal sine_rise_1_even_23 : unsigned(10 downto 0) := (others => '0');
+    signal cosine_1_even_23 : unsigned(14 downto 0) := (others => '0');
+    signal cosine_rise_1_even_23 : signed(11 downto 0) := (others => '0');
+    signal past_part1_even_signed_23 : signed(8 downto 0) := (others => '0');
     signal end1_even_23 : unsigned(11 downto 0) := (others => '0');
-    signal sin1_odd_23 : signed(15 downto 0) := (others => '0');
-    signal cos1_odd_23 : signed(15 downto 0) := (others => '0');
+    signal past_part1_odd_23 : unsigned(7 downto 0) := (others => '0');
+    signal sine_1_odd_23 : signed(14 downto 0) := (others => '0');
+    signal sine_rise_1_odd_23 : unsigned(10 downto 0) := (others => '0');
+    signal cosine_1_odd_23 : unsigned(14 downto 0) := (others => '0');
+    signal cosine_rise_1_odd_23 : signed(11 downto 0) := (others => '0');
+    signal past_part1_odd_signed_23 : signed(8 downto 0) := (others => '0');
     signal end1_odd_23 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_23 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_23 : unsigned(6 downto 0) := (others => '0');
@@ -1176,38 +1276,34 @@ architecture rtl of image_paper is
     signal texels1_101_23 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_23 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_23 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_23 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_23 : std_logic := '0';
+    signal v1_odd_of_0_23 : std_logic := '0';
+    signal v1_odd_of_1_23 : std_logic := '0';
+    signal v1_odd_of_2_23 : std_logic := '0';
+    signal v1_odd_of_3_23 : std_logic := '0';
+    signal v1_odd_of_4_23 : std_logic := '0';
+    signal v1_odd_of_5_23 : std_logic := '0';
     signal blend1_signed_23 : signed(7 downto 0) := (others => '0');
-    signal xc1_even_exact_23 : signed(34 downto 0) := (others => '0');
-    signal xc1_even_23 : signed(18 downto 0) := (others => '0');
-    signal zs1_even_exact_23 : signed(33 downto 0) := (others => '0');
-    signal zs1_even_23 : signed(16 downto 0) := (others => '0');
-    signal zc1_even_exact_23 : signed(33 downto 0) := (others => '0');
-    signal zc1_even_23 : signed(16 downto 0) := (others => '0');
-    signal xs1_even_exact_23 : signed(34 downto 0) := (others => '0');
-    signal xs1_even_23 : signed(18 downto 0) := (others => '0');
-    signal xc1_odd_exact_23 : signed(34 downto 0) := (others => '0');
-    signal xc1_odd_23 : signed(18 downto 0) := (others => '0');
-    signal zs1_odd_exact_23 : signed(33 downto 0) := (others => '0');
-    signal zs1_odd_23 : signed(16 downto 0) := (others => '0');
-    signal zc1_odd_exact_23 : signed(33 downto 0) := (others => '0');
-    signal zc1_odd_23 : signed(16 downto 0) := (others => '0');
-    signal xs1_odd_exact_23 : signed(34 downto 0) := (others => '0');
-    signal xs1_odd_23 : signed(18 downto 0) := (others => '0');
+    signal sin_part1_even_23 : unsigned(18 downto 0) := (others => '0');
+    signal cos_part1_even_23 : signed(20 downto 0) := (others => '0');
+    signal sin_part1_odd_23 : unsigned(18 downto 0) := (others => '0');
+    signal cos_part1_odd_23 : signed(20 downto 0) := (others => '0');
+    signal in_nz_24 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_24 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_24 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_24 : unsigned(17 downto 0) := (others => '0');
     signal hidden_24 : std_logic := '0';
     signal shift1_24 : unsigned(2 downto 0) := (others => '0');
-    signal xc1_even_24 : signed(18 downto 0) := (others => '0');
-    signal zs1_even_24 : signed(16 downto 0) := (others => '0');
-    signal zc1_even_24 : signed(16 downto 0) := (others => '0');
-    signal xs1_even_24 : signed(18 downto 0) := (others => '0');
+    signal x1_24 : signed(18 downto 0) := (others => '0');
+    signal sine_1_even_24 : signed(14 downto 0) := (others => '0');
+    signal cosine_1_even_24 : unsigned(14 downto 0) := (others => '0');
+    signal sin_part1_even_24 : unsigned(18 downto 0) := (others => '0');
+    signal cos_part1_even_24 : signed(20 downto 0) := (others => '0');
     signal end1_even_24 : unsigned(11 downto 0) := (others => '0');
-    signal xc1_odd_24 : signed(18 downto 0) := (others => '0');
-    signal zs1_odd_24 : signed(16 downto 0) := (others => '0');
-    signal zc1_odd_24 : signed(16 downto 0) := (others => '0');
-    signal xs1_odd_24 : signed(18 downto 0) := (others => '0');
+    signal sine_1_odd_24 : signed(14 downto 0) := (others => '0');
+    signal cosine_1_odd_24 : unsigned(14 downto 0) := (others => '0');
+    signal sin_part1_odd_24 : unsigned(18 downto 0) := (others => '0');
+    signal cos_part1_odd_24 : signed(20 downto 0) := (others => '0');
     signal end1_odd_24 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_24 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_24 : unsigned(6 downto 0) := (others => '0');
@@ -1217,24 +1313,34 @@ architecture rtl of image_paper is
     signal texels1_101_24 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_24 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_24 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_24 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_24 : std_logic := '0';
+    signal v1_odd_of_0_24 : std_logic := '0';
+    signal v1_odd_of_1_24 : std_logic := '0';
+    signal v1_odd_of_2_24 : std_logic := '0';
+    signal v1_odd_of_3_24 : std_logic := '0';
+    signal v1_odd_of_4_24 : std_logic := '0';
+    signal v1_odd_of_5_24 : std_logic := '0';
     signal blend1_signed_24 : signed(7 downto 0) := (others => '0');
-    signal across1_even_24 : signed(18 downto 0) := (others => '0');
-    signal behind1_even_24 : std_logic := '0';
-    signal u1_even_scaled_24 : signed(18 downto 0) := (others => '0');
-    signal across1_odd_24 : signed(18 downto 0) := (others => '0');
-    signal behind1_odd_24 : std_logic := '0';
-    signal u1_odd_scaled_24 : signed(18 downto 0) := (others => '0');
+    signal sin_exact1_even_24 : signed(25 downto 0) := (others => '0');
+    signal sin1_even_24 : signed(15 downto 0) := (others => '0');
+    signal cos_exact1_even_24 : signed(25 downto 0) := (others => '0');
+    signal cos1_even_24 : signed(15 downto 0) := (others => '0');
+    signal sin_exact1_odd_24 : signed(25 downto 0) := (others => '0');
+    signal sin1_odd_24 : signed(15 downto 0) := (others => '0');
+    signal cos_exact1_odd_24 : signed(25 downto 0) := (others => '0');
+    signal cos1_odd_24 : signed(15 downto 0) := (others => '0');
+    signal in_nz_25 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_25 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_25 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_25 : unsigned(17 downto 0) := (others => '0');
     signal hidden_25 : std_logic := '0';
     signal shift1_25 : unsigned(2 downto 0) := (others => '0');
-    signal behind1_even_25 : std_logic := '0';
-    signal u1_even_scaled_25 : signed(18 downto 0) := (others => '0');
+    signal x1_25 : signed(18 downto 0) := (others => '0');
+    signal sin1_even_25 : signed(15 downto 0) := (others => '0');
+    signal cos1_even_25 : signed(15 downto 0) := (others => '0');
     signal end1_even_25 : unsigned(11 downto 0) := (others => '0');
-    signal behind1_odd_25 : std_logic := '0';
-    signal u1_odd_scaled_25 : signed(18 downto 0) := (others => '0');
+    signal sin1_odd_25 : signed(15 downto 0) := (others => '0');
+    signal cos1_odd_25 : signed(15 downto 0) := (others => '0');
     signal end1_odd_25 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_25 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_25 : unsigned(6 downto 0) := (others => '0');
@@ -1244,43 +1350,45 @@ architecture rtl of image_paper is
     signal texels1_101_25 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_25 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_25 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_25 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_25 : std_logic := '0';
+    signal v1_odd_of_0_25 : std_logic := '0';
+    signal v1_odd_of_1_25 : std_logic := '0';
+    signal v1_odd_of_2_25 : std_logic := '0';
+    signal v1_odd_of_3_25 : std_logic := '0';
+    signal v1_odd_of_4_25 : std_logic := '0';
+    signal v1_odd_of_5_25 : std_logic := '0';
     signal blend1_signed_25 : signed(7 downto 0) := (others => '0');
-    signal u1_even_place_25 : signed(18 downto 0) := (others => '0');
-    signal u1_even_cut_25 : signed(15 downto 0) := (others => '0');
-    signal u1_even_kept_25 : unsigned(11 downto 0) := (others => '0');
-    signal u_at1_even_25 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_texel_25 : unsigned(5 downto 0) := (others => '0');
-    signal u1_even_weight_25 : unsigned(5 downto 0) := (others => '0');
-    signal u1_even_odd_high_25 : unsigned(4 downto 0) := (others => '0');
-    signal u1_even_odd_25 : unsigned(4 downto 0) := (others => '0');
-    signal u1_even_is_odd_25 : std_logic := '0';
-    signal u1_even_weight_wide_25 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_place_25 : signed(18 downto 0) := (others => '0');
-    signal u1_odd_cut_25 : signed(15 downto 0) := (others => '0');
-    signal u1_odd_kept_25 : unsigned(11 downto 0) := (others => '0');
-    signal u_at1_odd_25 : unsigned(11 downto 0) := (others => '0');
-    signal u1_odd_texel_25 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_weight_25 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_odd_high_25 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_odd_25 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_is_odd_25 : std_logic := '0';
-    signal u1_odd_weight_wide_25 : unsigned(6 downto 0) := (others => '0');
+    signal xc1_even_exact_25 : signed(34 downto 0) := (others => '0');
+    signal xc1_even_25 : signed(18 downto 0) := (others => '0');
+    signal zs1_even_exact_25 : signed(33 downto 0) := (others => '0');
+    signal zs1_even_25 : signed(16 downto 0) := (others => '0');
+    signal zc1_even_exact_25 : signed(33 downto 0) := (others => '0');
+    signal zc1_even_25 : signed(16 downto 0) := (others => '0');
+    signal xs1_even_exact_25 : signed(34 downto 0) := (others => '0');
+    signal xs1_even_25 : signed(18 downto 0) := (others => '0');
+    signal xc1_odd_exact_25 : signed(34 downto 0) := (others => '0');
+    signal xc1_odd_25 : signed(18 downto 0) := (others => '0');
+    signal zs1_odd_exact_25 : signed(33 downto 0) := (others => '0');
+    signal zs1_odd_25 : signed(16 downto 0) := (others => '0');
+    signal zc1_odd_exact_25 : signed(33 downto 0) := (others => '0');
+    signal zc1_odd_25 : signed(16 downto 0) := (others => '0');
+    signal xs1_odd_exact_25 : signed(34 downto 0) := (others => '0');
+    signal xs1_odd_25 : signed(18 downto 0) := (others => '0');
     signal in_gain1r_26 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_26 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_26 : unsigned(17 downto 0) := (others => '0');
     signal hidden_26 : std_logic := '0';
     signal shift1_26 : unsigned(2 downto 0) := (others => '0');
-    signal u1_even_texel_26 : unsigned(5 downto 0) := (others => '0');
-    signal u1_even_weight_26 : unsigned(5 downto 0) := (others => '0');
-    signal u1_even_odd_26 : unsigned(4 downto 0) := (others => '0');
-    signal u1_even_is_odd_26 : std_logic := '0';
-    signal u1_even_weight_wide_26 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_texel_26 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_weight_26 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_odd_26 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_is_odd_26 : std_logic := '0';
-    signal u1_odd_weight_wide_26 : unsigned(6 downto 0) := (others => '0');
+    signal xc1_even_26 : signed(18 downto 0) := (others => '0');
+    signal zs1_even_26 : signed(16 downto 0) := (others => '0');
+    signal zc1_even_26 : signed(16 downto 0) := (others => '0');
+    signal xs1_even_26 : signed(18 downto 0) := (others => '0');
+    signal end1_even_26 : unsigned(11 downto 0) := (others => '0');
+    signal xc1_odd_26 : signed(18 downto 0) := (others => '0');
+    signal zs1_odd_26 : signed(16 downto 0) := (others => '0');
+    signal zc1_odd_26 : signed(16 downto 0) := (others => '0');
+    signal xs1_odd_26 : signed(18 downto 0) := (others => '0');
+    signal end1_odd_26 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_26 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_26 : unsigned(6 downto 0) := (others => '0');
     signal texels1_010_26 : unsigned(6 downto 0) := (others => '0');
@@ -1289,441 +1397,1095 @@ architecture rtl of image_paper is
     signal texels1_101_26 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_26 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_26 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_signed_26 : signed(7 downto 0) := (others => '0');
+    signal v1_odd_whole_26 : std_logic := '0';
+    signal v1_odd_of_0_26 : std_logic := '0';
+    signal v1_odd_of_1_26 : std_logic := '0';
+    signal v1_odd_of_2_26 : std_logic := '0';
+    signal v1_odd_of_3_26 : std_logic := '0';
+    signal v1_odd_of_4_26 : std_logic := '0';
+    signal v1_odd_of_5_26 : std_logic := '0';
     signal blend1_signed_26 : signed(7 downto 0) := (others => '0');
-    signal u1_even_next_exact_26 : unsigned(6 downto 0) := (others => '0');
-    signal u1_even_next_26 : unsigned(5 downto 0) := (others => '0');
-    signal u1_even_even_high_26 : unsigned(4 downto 0) := (others => '0');
-    signal u1_even_even_26 : unsigned(4 downto 0) := (others => '0');
-    signal u1_even_other_26 : unsigned(6 downto 0) := (others => '0');
-    signal u1_even_odd_v2_26 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_next_exact_26 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_next_26 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_even_high_26 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_even_26 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_other_26 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_odd_v2_26 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_001_26 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_011_26 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_101_26 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_111_26 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_odd_signed_26 : signed(7 downto 0) := (others => '0');
-    signal u1_odd_odd_signed_26 : signed(7 downto 0) := (others => '0');
+    signal across1_even_26 : signed(18 downto 0) := (others => '0');
+    signal behind1_even_26 : std_logic := '0';
+    signal u1_even_scaled_26 : signed(18 downto 0) := (others => '0');
+    signal across1_odd_26 : signed(18 downto 0) := (others => '0');
+    signal behind1_odd_26 : std_logic := '0';
+    signal u1_odd_scaled_26 : signed(18 downto 0) := (others => '0');
     signal in_gain1r_27 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_27 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_27 : unsigned(17 downto 0) := (others => '0');
     signal hidden_27 : std_logic := '0';
     signal shift1_27 : unsigned(2 downto 0) := (others => '0');
-    signal u1_even_even_27 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_even_27 : unsigned(4 downto 0) := (others => '0');
+    signal behind1_even_27 : std_logic := '0';
+    signal u1_even_scaled_27 : signed(18 downto 0) := (others => '0');
+    signal end1_even_27 : unsigned(11 downto 0) := (others => '0');
+    signal behind1_odd_27 : std_logic := '0';
+    signal u1_odd_scaled_27 : signed(18 downto 0) := (others => '0');
+    signal end1_odd_27 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_27 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_001_27 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_001_27 : unsigned(6 downto 0) := (others => '0');
     signal texels1_010_27 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_011_27 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_011_27 : unsigned(6 downto 0) := (others => '0');
     signal texels1_100_27 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_101_27 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_101_27 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_27 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_111_27 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_odd_signed_27 : signed(7 downto 0) := (others => '0');
-    signal u1_odd_odd_signed_27 : signed(7 downto 0) := (others => '0');
-    signal v1_odd_signed_27 : signed(7 downto 0) := (others => '0');
+    signal texels1_111_27 : unsigned(6 downto 0) := (others => '0');
+    signal v1_odd_whole_27 : std_logic := '0';
+    signal v1_odd_of_0_27 : std_logic := '0';
+    signal v1_odd_of_1_27 : std_logic := '0';
+    signal v1_odd_of_2_27 : std_logic := '0';
+    signal v1_odd_of_3_27 : std_logic := '0';
+    signal v1_odd_of_4_27 : std_logic := '0';
+    signal v1_odd_of_5_27 : std_logic := '0';
     signal blend1_signed_27 : signed(7 downto 0) := (others => '0');
-    signal texel1_000_27 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_010_27 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_100_27 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_110_27 : unsigned(11 downto 0) := (others => '0');
+    signal u1_even_place_27 : signed(18 downto 0) := (others => '0');
+    signal u1_even_cut_27 : signed(15 downto 0) := (others => '0');
+    signal u1_odd_place_27 : signed(18 downto 0) := (others => '0');
+    signal u1_odd_cut_27 : signed(15 downto 0) := (others => '0');
     signal in_gain1r_28 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_28 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_28 : unsigned(17 downto 0) := (others => '0');
     signal hidden_28 : std_logic := '0';
     signal shift1_28 : unsigned(2 downto 0) := (others => '0');
-    signal texel1_000_28 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_001_28 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_010_28 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_011_28 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_100_28 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_101_28 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_110_28 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_111_28 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_odd_signed_28 : signed(7 downto 0) := (others => '0');
-    signal u1_odd_odd_signed_28 : signed(7 downto 0) := (others => '0');
-    signal v1_odd_signed_28 : signed(7 downto 0) := (others => '0');
+    signal behind1_even_28 : std_logic := '0';
+    signal u1_even_cut_28 : signed(15 downto 0) := (others => '0');
+    signal end1_even_28 : unsigned(11 downto 0) := (others => '0');
+    signal behind1_odd_28 : std_logic := '0';
+    signal u1_odd_cut_28 : signed(15 downto 0) := (others => '0');
+    signal end1_odd_28 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_000_28 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_001_28 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_010_28 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_011_28 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_100_28 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_101_28 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_110_28 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_111_28 : unsigned(6 downto 0) := (others => '0');
+    signal v1_odd_whole_28 : std_logic := '0';
+    signal v1_odd_of_0_28 : std_logic := '0';
+    signal v1_odd_of_1_28 : std_logic := '0';
+    signal v1_odd_of_2_28 : std_logic := '0';
+    signal v1_odd_of_3_28 : std_logic := '0';
+    signal v1_odd_of_4_28 : std_logic := '0';
+    signal v1_odd_of_5_28 : std_logic := '0';
     signal blend1_signed_28 : signed(7 downto 0) := (others => '0');
+    signal u1_even_kept_28 : unsigned(11 downto 0) := (others => '0');
+    signal u_at1_even_28 : unsigned(11 downto 0) := (others => '0');
+    signal u1_even_texel_28 : unsigned(5 downto 0) := (others => '0');
+    signal u1_even_weight_28 : unsigned(5 downto 0) := (others => '0');
+    signal u1_even_odd_high_28 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_odd_28 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_is_odd_28 : std_logic := '0';
+    signal u1_even_weight_wide_28 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_kept_28 : unsigned(11 downto 0) := (others => '0');
+    signal u_at1_odd_28 : unsigned(11 downto 0) := (others => '0');
+    signal u1_odd_texel_28 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_weight_28 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_odd_high_28 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_odd_28 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_is_odd_28 : std_logic := '0';
+    signal u1_odd_weight_wide_28 : unsigned(6 downto 0) := (others => '0');
     signal in_gain1r_29 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_29 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_29 : unsigned(17 downto 0) := (others => '0');
     signal hidden_29 : std_logic := '0';
     signal shift1_29 : unsigned(2 downto 0) := (others => '0');
-    signal u1_even_odd_signed_29 : signed(7 downto 0) := (others => '0');
-    signal u1_odd_odd_signed_29 : signed(7 downto 0) := (others => '0');
-    signal v1_odd_signed_29 : signed(7 downto 0) := (others => '0');
+    signal u1_even_texel_29 : unsigned(5 downto 0) := (others => '0');
+    signal u1_even_weight_29 : unsigned(5 downto 0) := (others => '0');
+    signal u1_even_odd_29 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_is_odd_29 : std_logic := '0';
+    signal u1_even_weight_wide_29 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_texel_29 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_weight_29 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_odd_29 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_is_odd_29 : std_logic := '0';
+    signal u1_odd_weight_wide_29 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_000_29 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_001_29 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_010_29 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_011_29 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_100_29 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_101_29 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_110_29 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_111_29 : unsigned(6 downto 0) := (others => '0');
+    signal v1_odd_whole_29 : std_logic := '0';
+    signal v1_odd_of_0_29 : std_logic := '0';
+    signal v1_odd_of_1_29 : std_logic := '0';
+    signal v1_odd_of_2_29 : std_logic := '0';
+    signal v1_odd_of_3_29 : std_logic := '0';
+    signal v1_odd_of_4_29 : std_logic := '0';
+    signal v1_odd_of_5_29 : std_logic := '0';
     signal blend1_signed_29 : signed(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_r_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_r_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_r_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_r_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_r_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_r_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_r_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_r_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_g_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_g_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_g_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_g_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_g_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_g_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_g_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_g_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_b_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_b_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_b_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_b_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_b_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_b_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_b_29 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_b_29 : unsigned(7 downto 0) := (others => '0');
+    signal u1_even_next_exact_29 : unsigned(6 downto 0) := (others => '0');
+    signal u1_even_other_29 : unsigned(6 downto 0) := (others => '0');
+    signal u1_even_odd_v2_29 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_next_exact_29 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_other_29 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_odd_v2_29 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_001_29 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_011_29 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_101_29 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_111_29 : unsigned(11 downto 0) := (others => '0');
+    signal u1_even_odd_whole_29 : std_logic := '0';
+    signal u1_even_odd_bit_0_29 : std_logic := '0';
+    signal u1_even_odd_bit_1_29 : std_logic := '0';
+    signal u1_even_odd_bit_2_29 : std_logic := '0';
+    signal u1_even_odd_bit_3_29 : std_logic := '0';
+    signal u1_even_odd_bit_4_29 : std_logic := '0';
+    signal u1_even_odd_bit_5_29 : std_logic := '0';
+    signal u1_even_odd_of_0_29 : std_logic := '0';
+    signal u1_even_odd_of_1_29 : std_logic := '0';
+    signal u1_even_odd_of_2_29 : std_logic := '0';
+    signal u1_even_odd_of_3_29 : std_logic := '0';
+    signal u1_even_odd_of_4_29 : std_logic := '0';
+    signal u1_even_odd_of_5_29 : std_logic := '0';
+    signal u1_odd_odd_whole_29 : std_logic := '0';
+    signal u1_odd_odd_bit_0_29 : std_logic := '0';
+    signal u1_odd_odd_bit_1_29 : std_logic := '0';
+    signal u1_odd_odd_bit_2_29 : std_logic := '0';
+    signal u1_odd_odd_bit_3_29 : std_logic := '0';
+    signal u1_odd_odd_bit_4_29 : std_logic := '0';
+    signal u1_odd_odd_bit_5_29 : std_logic := '0';
+    signal u1_odd_odd_of_0_29 : std_logic := '0';
+    signal u1_odd_odd_of_1_29 : std_logic := '0';
+    signal u1_odd_odd_of_2_29 : std_logic := '0';
+    signal u1_odd_odd_of_3_29 : std_logic := '0';
+    signal u1_odd_odd_of_4_29 : std_logic := '0';
+    signal u1_odd_odd_of_5_29 : std_logic := '0';
     signal in_gain1r_30 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_30 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_30 : unsigned(17 downto 0) := (others => '0');
     signal hidden_30 : std_logic := '0';
     signal shift1_30 : unsigned(2 downto 0) := (others => '0');
-    signal texels_1_even_even_even_r_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_r_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_r_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_r_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_r_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_r_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_r_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_r_30 : unsigned(7 downto 0) := (others => '0');
-    signal u1_even_odd_signed_30 : signed(7 downto 0) := (others => '0');
-    signal u1_odd_odd_signed_30 : signed(7 downto 0) := (others => '0');
-    signal v1_odd_signed_30 : signed(7 downto 0) := (others => '0');
+    signal u1_even_next_exact_30 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_next_exact_30 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_000_30 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_001_30 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_010_30 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_011_30 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_100_30 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_101_30 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_110_30 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_111_30 : unsigned(11 downto 0) := (others => '0');
+    signal u1_even_odd_whole_30 : std_logic := '0';
+    signal u1_even_odd_of_0_30 : std_logic := '0';
+    signal u1_even_odd_of_1_30 : std_logic := '0';
+    signal u1_even_odd_of_2_30 : std_logic := '0';
+    signal u1_even_odd_of_3_30 : std_logic := '0';
+    signal u1_even_odd_of_4_30 : std_logic := '0';
+    signal u1_even_odd_of_5_30 : std_logic := '0';
+    signal u1_odd_odd_whole_30 : std_logic := '0';
+    signal u1_odd_odd_of_0_30 : std_logic := '0';
+    signal u1_odd_odd_of_1_30 : std_logic := '0';
+    signal u1_odd_odd_of_2_30 : std_logic := '0';
+    signal u1_odd_odd_of_3_30 : std_logic := '0';
+    signal u1_odd_odd_of_4_30 : std_logic := '0';
+    signal u1_odd_odd_of_5_30 : std_logic := '0';
+    signal v1_odd_whole_30 : std_logic := '0';
+    signal v1_odd_of_0_30 : std_logic := '0';
+    signal v1_odd_of_1_30 : std_logic := '0';
+    signal v1_odd_of_2_30 : std_logic := '0';
+    signal v1_odd_of_3_30 : std_logic := '0';
+    signal v1_odd_of_4_30 : std_logic := '0';
+    signal v1_odd_of_5_30 : std_logic := '0';
     signal blend1_signed_30 : signed(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_g_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_g_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_g_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_g_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_g_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_g_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_g_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_g_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_b_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_b_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_b_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_b_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_b_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_b_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_b_30 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_b_30 : unsigned(7 downto 0) := (others => '0');
+    signal u1_even_next_30 : unsigned(5 downto 0) := (others => '0');
+    signal u1_even_even_high_30 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_even_30 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_next_30 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_even_high_30 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_even_30 : unsigned(4 downto 0) := (others => '0');
     signal in_gain1r_31 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_31 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_31 : unsigned(17 downto 0) := (others => '0');
     signal hidden_31 : std_logic := '0';
     signal shift1_31 : unsigned(2 downto 0) := (others => '0');
-    signal texels_1_even_even_even_r_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_r_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_r_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_r_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_r_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_r_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_r_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_r_31 : unsigned(7 downto 0) := (others => '0');
-    signal u1_even_odd_signed_31 : signed(7 downto 0) := (others => '0');
-    signal u1_odd_odd_signed_31 : signed(7 downto 0) := (others => '0');
-    signal v1_odd_signed_31 : signed(7 downto 0) := (others => '0');
+    signal u1_even_even_31 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_even_31 : unsigned(4 downto 0) := (others => '0');
+    signal texels1_000_31 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_001_31 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_010_31 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_011_31 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_100_31 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_101_31 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_110_31 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_111_31 : unsigned(11 downto 0) := (others => '0');
+    signal u1_even_odd_whole_31 : std_logic := '0';
+    signal u1_even_odd_of_0_31 : std_logic := '0';
+    signal u1_even_odd_of_1_31 : std_logic := '0';
+    signal u1_even_odd_of_2_31 : std_logic := '0';
+    signal u1_even_odd_of_3_31 : std_logic := '0';
+    signal u1_even_odd_of_4_31 : std_logic := '0';
+    signal u1_even_odd_of_5_31 : std_logic := '0';
+    signal u1_odd_odd_whole_31 : std_logic := '0';
+    signal u1_odd_odd_of_0_31 : std_logic := '0';
+    signal u1_odd_odd_of_1_31 : std_logic := '0';
+    signal u1_odd_odd_of_2_31 : std_logic := '0';
+    signal u1_odd_odd_of_3_31 : std_logic := '0';
+    signal u1_odd_odd_of_4_31 : std_logic := '0';
+    signal u1_odd_odd_of_5_31 : std_logic := '0';
+    signal v1_odd_whole_31 : std_logic := '0';
+    signal v1_odd_of_0_31 : std_logic := '0';
+    signal v1_odd_of_1_31 : std_logic := '0';
+    signal v1_odd_of_2_31 : std_logic := '0';
+    signal v1_odd_of_3_31 : std_logic := '0';
+    signal v1_odd_of_4_31 : std_logic := '0';
+    signal v1_odd_of_5_31 : std_logic := '0';
     signal blend1_signed_31 : signed(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_g_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_g_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_g_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_g_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_g_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_g_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_g_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_g_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_b_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_b_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_b_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_b_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_b_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_b_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_b_31 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_b_31 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_apart_31 : signed(8 downto 0) := (others => '0');
-    signal blend1_r_1_1_apart_31 : signed(8 downto 0) := (others => '0');
-    signal blend1_r_1_2_apart_31 : signed(8 downto 0) := (others => '0');
-    signal blend1_r_1_3_apart_31 : signed(8 downto 0) := (others => '0');
-    signal blend1_g_1_0_apart_31 : signed(8 downto 0) := (others => '0');
-    signal blend1_g_1_1_apart_31 : signed(8 downto 0) := (others => '0');
-    signal blend1_g_1_2_apart_31 : signed(8 downto 0) := (others => '0');
-    signal blend1_g_1_3_apart_31 : signed(8 downto 0) := (others => '0');
-    signal blend1_b_1_0_apart_31 : signed(8 downto 0) := (others => '0');
-    signal blend1_b_1_1_apart_31 : signed(8 downto 0) := (others => '0');
-    signal blend1_b_1_2_apart_31 : signed(8 downto 0) := (others => '0');
-    signal blend1_b_1_3_apart_31 : signed(8 downto 0) := (others => '0');
+    signal texel1_000_31 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_010_31 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_100_31 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_110_31 : unsigned(11 downto 0) := (others => '0');
     signal in_gain1r_32 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_32 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_32 : unsigned(17 downto 0) := (others => '0');
     signal hidden_32 : std_logic := '0';
     signal shift1_32 : unsigned(2 downto 0) := (others => '0');
-    signal texels_1_even_even_even_r_32 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_r_32 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_r_32 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_r_32 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_apart_32 : signed(8 downto 0) := (others => '0');
-    signal u1_even_odd_signed_32 : signed(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_apart_32 : signed(8 downto 0) := (others => '0');
-    signal blend1_r_1_2_apart_32 : signed(8 downto 0) := (others => '0');
-    signal u1_odd_odd_signed_32 : signed(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_apart_32 : signed(8 downto 0) := (others => '0');
-    signal v1_odd_signed_32 : signed(7 downto 0) := (others => '0');
+    signal texel1_000_32 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_001_32 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_010_32 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_011_32 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_100_32 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_101_32 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_110_32 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_111_32 : unsigned(11 downto 0) := (others => '0');
+    signal u1_even_odd_whole_32 : std_logic := '0';
+    signal u1_even_odd_of_0_32 : std_logic := '0';
+    signal u1_even_odd_of_1_32 : std_logic := '0';
+    signal u1_even_odd_of_2_32 : std_logic := '0';
+    signal u1_even_odd_of_3_32 : std_logic := '0';
+    signal u1_even_odd_of_4_32 : std_logic := '0';
+    signal u1_even_odd_of_5_32 : std_logic := '0';
+    signal u1_odd_odd_whole_32 : std_logic := '0';
+    signal u1_odd_odd_of_0_32 : std_logic := '0';
+    signal u1_odd_odd_of_1_32 : std_logic := '0';
+    signal u1_odd_odd_of_2_32 : std_logic := '0';
+    signal u1_odd_odd_of_3_32 : std_logic := '0';
+    signal u1_odd_odd_of_4_32 : std_logic := '0';
+    signal u1_odd_odd_of_5_32 : std_logic := '0';
+    signal v1_odd_whole_32 : std_logic := '0';
+    signal v1_odd_of_0_32 : std_logic := '0';
+    signal v1_odd_of_1_32 : std_logic := '0';
+    signal v1_odd_of_2_32 : std_logic := '0';
+    signal v1_odd_of_3_32 : std_logic := '0';
+    signal v1_odd_of_4_32 : std_logic := '0';
+    signal v1_odd_of_5_32 : std_logic := '0';
     signal blend1_signed_32 : signed(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_g_32 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_g_32 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_g_32 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_g_32 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_apart_32 : signed(8 downto 0) := (others => '0');
-    signal blend1_g_1_1_apart_32 : signed(8 downto 0) := (others => '0');
-    signal blend1_g_1_2_apart_32 : signed(8 downto 0) := (others => '0');
-    signal blend1_g_1_3_apart_32 : signed(8 downto 0) := (others => '0');
-    signal texels_1_even_even_even_b_32 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_b_32 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_b_32 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_b_32 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_apart_32 : signed(8 downto 0) := (others => '0');
-    signal blend1_b_1_1_apart_32 : signed(8 downto 0) := (others => '0');
-    signal blend1_b_1_2_apart_32 : signed(8 downto 0) := (others => '0');
-    signal blend1_b_1_3_apart_32 : signed(8 downto 0) := (others => '0');
-    signal blend1_r_1_0_part_32 : signed(16 downto 0) := (others => '0');
-    signal blend1_r_1_1_part_32 : signed(16 downto 0) := (others => '0');
-    signal blend1_r_1_2_part_32 : signed(16 downto 0) := (others => '0');
-    signal blend1_r_1_3_part_32 : signed(16 downto 0) := (others => '0');
-    signal blend1_g_1_0_part_32 : signed(16 downto 0) := (others => '0');
-    signal blend1_g_1_1_part_32 : signed(16 downto 0) := (others => '0');
-    signal blend1_g_1_2_part_32 : signed(16 downto 0) := (others => '0');
-    signal blend1_g_1_3_part_32 : signed(16 downto 0) := (others => '0');
-    signal blend1_b_1_0_part_32 : signed(16 downto 0) := (others => '0');
-    signal blend1_b_1_1_part_32 : signed(16 downto 0) := (others => '0');
-    signal blend1_b_1_2_part_32 : signed(16 downto 0) := (others => '0');
-    signal blend1_b_1_3_part_32 : signed(16 downto 0) := (others => '0');
     signal in_gain1r_33 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_33 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_33 : unsigned(17 downto 0) := (others => '0');
     signal hidden_33 : std_logic := '0';
     signal shift1_33 : unsigned(2 downto 0) := (others => '0');
-    signal texels_1_even_even_even_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_part_33 : signed(16 downto 0) := (others => '0');
-    signal blend1_r_1_1_part_33 : signed(16 downto 0) := (others => '0');
-    signal blend1_r_1_2_part_33 : signed(16 downto 0) := (others => '0');
-    signal blend1_r_1_3_part_33 : signed(16 downto 0) := (others => '0');
-    signal v1_odd_signed_33 : signed(7 downto 0) := (others => '0');
+    signal u1_even_odd_whole_33 : std_logic := '0';
+    signal u1_even_odd_of_0_33 : std_logic := '0';
+    signal u1_even_odd_of_1_33 : std_logic := '0';
+    signal u1_even_odd_of_2_33 : std_logic := '0';
+    signal u1_even_odd_of_3_33 : std_logic := '0';
+    signal u1_even_odd_of_4_33 : std_logic := '0';
+    signal u1_even_odd_of_5_33 : std_logic := '0';
+    signal u1_odd_odd_whole_33 : std_logic := '0';
+    signal u1_odd_odd_of_0_33 : std_logic := '0';
+    signal u1_odd_odd_of_1_33 : std_logic := '0';
+    signal u1_odd_odd_of_2_33 : std_logic := '0';
+    signal u1_odd_odd_of_3_33 : std_logic := '0';
+    signal u1_odd_odd_of_4_33 : std_logic := '0';
+    signal u1_odd_odd_of_5_33 : std_logic := '0';
+    signal v1_odd_whole_33 : std_logic := '0';
+    signal v1_odd_of_0_33 : std_logic := '0';
+    signal v1_odd_of_1_33 : std_logic := '0';
+    signal v1_odd_of_2_33 : std_logic := '0';
+    signal v1_odd_of_3_33 : std_logic := '0';
+    signal v1_odd_of_4_33 : std_logic := '0';
+    signal v1_odd_of_5_33 : std_logic := '0';
     signal blend1_signed_33 : signed(7 downto 0) := (others => '0');
+    signal texels_1_even_even_even_r_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_r_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_r_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_r_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_r_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_r_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_r_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_r_33 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_even_g_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_g_33 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_g_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_g_33 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_even_even_g_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_g_33 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_g_33 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_part_33 : signed(16 downto 0) := (others => '0');
-    signal blend1_g_1_1_part_33 : signed(16 downto 0) := (others => '0');
-    signal blend1_g_1_2_part_33 : signed(16 downto 0) := (others => '0');
-    signal blend1_g_1_3_part_33 : signed(16 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_g_33 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_even_b_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_b_33 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_b_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_b_33 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_even_even_b_33 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_b_33 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_b_33 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_part_33 : signed(16 downto 0) := (others => '0');
-    signal blend1_b_1_1_part_33 : signed(16 downto 0) := (others => '0');
-    signal blend1_b_1_2_part_33 : signed(16 downto 0) := (others => '0');
-    signal blend1_b_1_3_part_33 : signed(16 downto 0) := (others => '0');
-    signal blend1_r_1_0_33 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_1_1_33 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_1_2_33 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_1_3_33 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_0_33 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_1_33 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_2_33 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_3_33 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_0_33 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_1_33 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_2_33 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_3_33 : unsigned(13 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_b_33 : unsigned(7 downto 0) := (others => '0');
     signal in_gain1r_34 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_34 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_34 : unsigned(17 downto 0) := (others => '0');
     signal hidden_34 : std_logic := '0';
     signal shift1_34 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_1_0_34 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_1_1_34 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_1_2_34 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_1_3_34 : unsigned(13 downto 0) := (others => '0');
-    signal v1_odd_signed_34 : signed(7 downto 0) := (others => '0');
+    signal texels_1_even_even_even_r_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_r_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_r_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_r_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_r_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_r_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_r_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_r_34 : unsigned(7 downto 0) := (others => '0');
+    signal u1_even_odd_whole_34 : std_logic := '0';
+    signal u1_even_odd_of_0_34 : std_logic := '0';
+    signal u1_even_odd_of_1_34 : std_logic := '0';
+    signal u1_even_odd_of_2_34 : std_logic := '0';
+    signal u1_even_odd_of_3_34 : std_logic := '0';
+    signal u1_even_odd_of_4_34 : std_logic := '0';
+    signal u1_even_odd_of_5_34 : std_logic := '0';
+    signal u1_odd_odd_whole_34 : std_logic := '0';
+    signal u1_odd_odd_of_0_34 : std_logic := '0';
+    signal u1_odd_odd_of_1_34 : std_logic := '0';
+    signal u1_odd_odd_of_2_34 : std_logic := '0';
+    signal u1_odd_odd_of_3_34 : std_logic := '0';
+    signal u1_odd_odd_of_4_34 : std_logic := '0';
+    signal u1_odd_odd_of_5_34 : std_logic := '0';
+    signal v1_odd_whole_34 : std_logic := '0';
+    signal v1_odd_of_0_34 : std_logic := '0';
+    signal v1_odd_of_1_34 : std_logic := '0';
+    signal v1_odd_of_2_34 : std_logic := '0';
+    signal v1_odd_of_3_34 : std_logic := '0';
+    signal v1_odd_of_4_34 : std_logic := '0';
+    signal v1_odd_of_5_34 : std_logic := '0';
     signal blend1_signed_34 : signed(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_34 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_1_34 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_2_34 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_3_34 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_0_34 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_1_34 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_2_34 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_3_34 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_apart_34 : signed(14 downto 0) := (others => '0');
-    signal blend1_r_2_1_apart_34 : signed(14 downto 0) := (others => '0');
-    signal blend1_g_2_0_apart_34 : signed(14 downto 0) := (others => '0');
-    signal blend1_g_2_1_apart_34 : signed(14 downto 0) := (others => '0');
-    signal blend1_b_2_0_apart_34 : signed(14 downto 0) := (others => '0');
-    signal blend1_b_2_1_apart_34 : signed(14 downto 0) := (others => '0');
+    signal texels_1_even_even_even_g_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_g_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_g_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_g_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_g_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_g_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_g_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_g_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_even_b_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_b_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_b_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_b_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_b_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_b_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_b_34 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_b_34 : unsigned(7 downto 0) := (others => '0');
     signal in_gain1r_35 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_35 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_35 : unsigned(17 downto 0) := (others => '0');
     signal hidden_35 : std_logic := '0';
     signal shift1_35 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_1_0_35 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_1_2_35 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_apart_35 : signed(14 downto 0) := (others => '0');
-    signal v1_odd_signed_35 : signed(7 downto 0) := (others => '0');
-    signal blend1_r_2_1_apart_35 : signed(14 downto 0) := (others => '0');
+    signal texels_1_even_even_even_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal u1_even_odd_whole_35 : std_logic := '0';
+    signal u1_even_odd_of_0_35 : std_logic := '0';
+    signal u1_even_odd_of_1_35 : std_logic := '0';
+    signal u1_even_odd_of_2_35 : std_logic := '0';
+    signal u1_even_odd_of_3_35 : std_logic := '0';
+    signal u1_even_odd_of_4_35 : std_logic := '0';
+    signal u1_even_odd_of_5_35 : std_logic := '0';
+    signal u1_odd_odd_whole_35 : std_logic := '0';
+    signal u1_odd_odd_of_0_35 : std_logic := '0';
+    signal u1_odd_odd_of_1_35 : std_logic := '0';
+    signal u1_odd_odd_of_2_35 : std_logic := '0';
+    signal u1_odd_odd_of_3_35 : std_logic := '0';
+    signal u1_odd_odd_of_4_35 : std_logic := '0';
+    signal u1_odd_odd_of_5_35 : std_logic := '0';
+    signal v1_odd_whole_35 : std_logic := '0';
+    signal v1_odd_of_0_35 : std_logic := '0';
+    signal v1_odd_of_1_35 : std_logic := '0';
+    signal v1_odd_of_2_35 : std_logic := '0';
+    signal v1_odd_of_3_35 : std_logic := '0';
+    signal v1_odd_of_4_35 : std_logic := '0';
+    signal v1_odd_of_5_35 : std_logic := '0';
     signal blend1_signed_35 : signed(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_35 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_2_35 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_apart_35 : signed(14 downto 0) := (others => '0');
-    signal blend1_g_2_1_apart_35 : signed(14 downto 0) := (others => '0');
-    signal blend1_b_1_0_35 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_2_35 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_apart_35 : signed(14 downto 0) := (others => '0');
-    signal blend1_b_2_1_apart_35 : signed(14 downto 0) := (others => '0');
-    signal blend1_r_2_0_part_35 : signed(22 downto 0) := (others => '0');
-    signal blend1_r_2_1_part_35 : signed(22 downto 0) := (others => '0');
-    signal blend1_g_2_0_part_35 : signed(22 downto 0) := (others => '0');
-    signal blend1_g_2_1_part_35 : signed(22 downto 0) := (others => '0');
-    signal blend1_b_2_0_part_35 : signed(22 downto 0) := (others => '0');
-    signal blend1_b_2_1_part_35 : signed(22 downto 0) := (others => '0');
+    signal texels_1_even_even_even_g_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_g_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_g_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_g_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_g_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_g_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_g_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_g_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_even_b_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_b_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_b_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_b_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_b_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_b_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_b_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_b_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_whole_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_0_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_1_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_2_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_3_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_4_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_5_35 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
     signal in_gain1r_36 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_36 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_36 : unsigned(17 downto 0) := (others => '0');
     signal hidden_36 : std_logic := '0';
     signal shift1_36 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_1_0_36 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_1_2_36 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_part_36 : signed(22 downto 0) := (others => '0');
-    signal blend1_r_2_1_part_36 : signed(22 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal v1_odd_whole_36 : std_logic := '0';
+    signal v1_odd_of_0_36 : std_logic := '0';
+    signal v1_odd_of_1_36 : std_logic := '0';
+    signal v1_odd_of_2_36 : std_logic := '0';
+    signal v1_odd_of_3_36 : std_logic := '0';
+    signal v1_odd_of_4_36 : std_logic := '0';
+    signal v1_odd_of_5_36 : std_logic := '0';
     signal blend1_signed_36 : signed(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_36 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_2_36 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_part_36 : signed(22 downto 0) := (others => '0');
-    signal blend1_g_2_1_part_36 : signed(22 downto 0) := (others => '0');
-    signal blend1_b_1_0_36 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_2_36 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_part_36 : signed(22 downto 0) := (others => '0');
-    signal blend1_b_2_1_part_36 : signed(22 downto 0) := (others => '0');
-    signal blend1_r_2_0_36 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_r_2_1_36 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_g_2_0_36 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_g_2_1_36 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_b_2_0_36 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_b_2_1_36 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_5_36 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
     signal in_gain1r_37 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_37 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_37 : unsigned(17 downto 0) := (others => '0');
     signal hidden_37 : std_logic := '0';
     signal shift1_37 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_2_0_37 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_r_2_1_37 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal v1_odd_whole_37 : std_logic := '0';
+    signal v1_odd_of_0_37 : std_logic := '0';
+    signal v1_odd_of_1_37 : std_logic := '0';
+    signal v1_odd_of_2_37 : std_logic := '0';
+    signal v1_odd_of_3_37 : std_logic := '0';
+    signal v1_odd_of_4_37 : std_logic := '0';
+    signal v1_odd_of_5_37 : std_logic := '0';
     signal blend1_signed_37 : signed(7 downto 0) := (others => '0');
-    signal blend1_g_2_0_37 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_g_2_1_37 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_b_2_0_37 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_b_2_1_37 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_r_3_0_apart_37 : signed(20 downto 0) := (others => '0');
-    signal blend1_g_3_0_apart_37 : signed(20 downto 0) := (others => '0');
-    signal blend1_b_3_0_apart_37 : signed(20 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_whole_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_0_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_1_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_2_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_3_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_4_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_5_37 : unsigned(13 downto 0) := (others => '0');
     signal in_gain1r_38 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_38 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_38 : unsigned(17 downto 0) := (others => '0');
     signal hidden_38 : std_logic := '0';
     signal shift1_38 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_2_0_38 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_r_3_0_apart_38 : signed(20 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_whole_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_0_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_1_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_2_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_3_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_4_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_5_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_whole_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_0_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_1_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_2_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_3_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_4_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_5_38 : unsigned(13 downto 0) := (others => '0');
     signal blend1_signed_38 : signed(7 downto 0) := (others => '0');
-    signal blend1_g_2_0_38 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_g_3_0_apart_38 : signed(20 downto 0) := (others => '0');
-    signal blend1_b_2_0_38 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_b_3_0_apart_38 : signed(20 downto 0) := (others => '0');
-    signal blend1_r_3_0_part_38 : signed(28 downto 0) := (others => '0');
-    signal blend1_g_3_0_part_38 : signed(28 downto 0) := (others => '0');
-    signal blend1_b_3_0_part_38 : signed(28 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_whole_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_0_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_1_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_2_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_3_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_4_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_5_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_whole_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_0_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_1_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_2_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_3_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_4_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_5_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_whole_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_0_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_1_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_2_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_3_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_4_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_5_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_whole_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_0_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_1_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_2_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_3_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_4_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_5_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
     signal in_gain1r_39 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_39 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_39 : unsigned(17 downto 0) := (others => '0');
     signal hidden_39 : std_logic := '0';
     signal shift1_39 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_2_0_39 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_r_3_0_part_39 : signed(28 downto 0) := (others => '0');
-    signal blend1_g_2_0_39 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_g_3_0_part_39 : signed(28 downto 0) := (others => '0');
-    signal blend1_b_2_0_39 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_b_3_0_part_39 : signed(28 downto 0) := (others => '0');
-    signal blend1_r_3_0_39 : unsigned(25 downto 0) := (others => '0');
-    signal root1_r_39 : unsigned(17 downto 0) := (others => '0');
-    signal blend1_g_3_0_39 : unsigned(25 downto 0) := (others => '0');
-    signal root1_g_39 : unsigned(17 downto 0) := (others => '0');
-    signal blend1_b_3_0_39 : unsigned(25 downto 0) := (others => '0');
-    signal root1_b_39 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_5_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_5_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_signed_39 : signed(7 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_5_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_5_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_5_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_5_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
     signal in_gain1r_40 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_40 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_40 : unsigned(17 downto 0) := (others => '0');
     signal hidden_40 : std_logic := '0';
     signal shift1_40 : unsigned(2 downto 0) := (others => '0');
-    signal root1_r_40 : unsigned(17 downto 0) := (others => '0');
-    signal root1_g_40 : unsigned(17 downto 0) := (others => '0');
-    signal root1_b_40 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_exact_40 : unsigned(35 downto 0) := (others => '0');
-    signal square1_r_40 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_exact_40 : unsigned(35 downto 0) := (others => '0');
-    signal square1_g_40 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_exact_40 : unsigned(35 downto 0) := (others => '0');
-    signal square1_b_40 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_signed_40 : signed(7 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_0_40 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_r_2_1_40 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_r_2_0_cut_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_1_cut_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_0_40 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_g_2_1_40 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_g_2_0_cut_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_1_cut_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_0_40 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_b_2_1_40 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_b_2_0_cut_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_1_cut_40 : unsigned(16 downto 0) := (others => '0');
     signal in_gain1r_41 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_41 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_41 : unsigned(17 downto 0) := (others => '0');
     signal hidden_41 : std_logic := '0';
     signal shift1_41 : unsigned(2 downto 0) := (others => '0');
-    signal square1_r_41 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_41 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_41 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_seen_41 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_up_41 : unsigned(22 downto 0) := (others => '0');
-    signal square1_r_up_cut_41 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_within_41 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_seen_41 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_up_41 : unsigned(22 downto 0) := (others => '0');
-    signal square1_g_up_cut_41 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_within_41 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_seen_41 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_up_41 : unsigned(22 downto 0) := (others => '0');
-    signal square1_b_up_cut_41 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_within_41 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_r_2_0_cut_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_1_cut_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_signed_41 : signed(7 downto 0) := (others => '0');
+    signal blend1_g_2_0_cut_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_1_cut_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_0_cut_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_1_cut_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_3_0_apart_41 : signed(17 downto 0) := (others => '0');
+    signal blend1_g_3_0_apart_41 : signed(17 downto 0) := (others => '0');
+    signal blend1_b_3_0_apart_41 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_42 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_42 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_42 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_within_42 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_within_42 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_within_42 : unsigned(17 downto 0) := (others => '0');
-    signal light1_r_exact_42 : unsigned(35 downto 0) := (others => '0');
-    signal light1_r_42 : unsigned(21 downto 0) := (others => '0');
-    signal light1_g_exact_42 : unsigned(35 downto 0) := (others => '0');
-    signal light1_g_42 : unsigned(21 downto 0) := (others => '0');
-    signal light1_b_exact_42 : unsigned(35 downto 0) := (others => '0');
-    signal light1_b_42 : unsigned(21 downto 0) := (others => '0');
-    signal light1_r_43 : unsigned(21 downto 0) := (others => '0');
-    signal light1_g_43 : unsigned(21 downto 0) := (others => '0');
-    signal light1_b_43 : unsigned(21 downto 0) := (others => '0');
-    signal sum_r_43 : unsigned(17 downto 0) := (others => '0');
-    signal sum_g_43 : unsigned(17 downto 0) := (others => '0');
-    signal sum_b_43 : unsigned(17 downto 0) := (others => '0');
-    signal sum_r_44 : unsigned(17 downto 0) := (others => '0');
-    signal sum_g_44 : unsigned(17 downto 0) := (others => '0');
-    signal sum_b_44 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_42 : std_logic := '0';
+    signal shift1_42 : unsigned(2 downto 0) := (others => '0');
+    signal blend1_r_2_0_cut_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_3_0_apart_42 : signed(17 downto 0) := (others => '0');
+    signal blend1_signed_42 : signed(7 downto 0) := (others => '0');
+    signal blend1_g_2_0_cut_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_3_0_apart_42 : signed(17 downto 0) := (others => '0');
+    signal blend1_b_2_0_cut_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_3_0_apart_42 : signed(17 downto 0) := (others => '0');
+    signal blend1_r_3_0_part_42 : signed(25 downto 0) := (others => '0');
+    signal blend1_g_3_0_part_42 : signed(25 downto 0) := (others => '0');
+    signal blend1_b_3_0_part_42 : signed(25 downto 0) := (others => '0');
+    signal in_gain1r_43 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_43 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_43 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_43 : std_logic := '0';
+    signal shift1_43 : unsigned(2 downto 0) := (others => '0');
+    signal blend1_r_2_0_cut_43 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_3_0_part_43 : signed(25 downto 0) := (others => '0');
+    signal blend1_g_2_0_cut_43 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_3_0_part_43 : signed(25 downto 0) := (others => '0');
+    signal blend1_b_2_0_cut_43 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_3_0_part_43 : signed(25 downto 0) := (others => '0');
+    signal blend1_r_3_0_43 : unsigned(22 downto 0) := (others => '0');
+    signal root1_r_43 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_g_3_0_43 : unsigned(22 downto 0) := (others => '0');
+    signal root1_g_43 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_b_3_0_43 : unsigned(22 downto 0) := (others => '0');
+    signal root1_b_43 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1r_44 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_44 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_44 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_44 : std_logic := '0';
+    signal shift1_44 : unsigned(2 downto 0) := (others => '0');
+    signal root1_r_44 : unsigned(17 downto 0) := (others => '0');
+    signal root1_g_44 : unsigned(17 downto 0) := (others => '0');
+    signal root1_b_44 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_exact_44 : unsigned(35 downto 0) := (others => '0');
+    signal square1_r_44 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_exact_44 : unsigned(35 downto 0) := (others => '0');
+    signal square1_g_44 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_exact_44 : unsigned(35 downto 0) := (others => '0');
+    signal square1_b_44 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1r_45 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_45 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_45 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_45 : std_logic := '0';
+    signal shift1_45 : unsigned(2 downto 0) := (others => '0');
+    signal square1_r_45 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_45 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_45 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_seen_45 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_up_45 : unsigned(21 downto 0) := (others => '0');
+    signal square1_r_up_cut_45 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_within_45 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_seen_45 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_up_45 : unsigned(21 downto 0) := (others => '0');
+    signal square1_g_up_cut_45 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_within_45 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_seen_45 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_up_45 : unsigned(21 downto 0) := (others => '0');
+    signal square1_b_up_cut_45 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_within_45 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1r_46 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_46 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_46 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_within_46 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_within_46 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_within_46 : unsigned(17 downto 0) := (others => '0');
+    signal light1_r_exact_46 : unsigned(35 downto 0) := (others => '0');
+    signal light1_r_46 : unsigned(21 downto 0) := (others => '0');
+    signal light1_g_exact_46 : unsigned(35 downto 0) := (others => '0');
+    signal light1_g_46 : unsigned(21 downto 0) := (others => '0');
+    signal light1_b_exact_46 : unsigned(35 downto 0) := (others => '0');
+    signal light1_b_46 : unsigned(21 downto 0) := (others => '0');
+    signal light1_r_47 : unsigned(21 downto 0) := (others => '0');
+    signal light1_g_47 : unsigned(21 downto 0) := (others => '0');
+    signal light1_b_47 : unsigned(21 downto 0) := (others => '0');
+    signal sum_r_47 : unsigned(17 downto 0) := (others => '0');
+    signal sum_g_47 : unsigned(17 downto 0) := (others => '0');
+    signal sum_b_47 : unsigned(17 downto 0) := (others => '0');
+    signal sum_r_48 : unsigned(17 downto 0) := (others => '0');
+    signal sum_g_48 : unsigned(17 downto 0) := (others => '0');
+    signal sum_b_48 : unsigned(17 downto 0) := (others => '0');
 
 begin
 
@@ -1734,12 +2496,12 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(43 downto 1) & in_valid;
+                valid <= valid(47 downto 1) & in_valid;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 0: nz_kept, shift1, blend1, band1_kept, band1_next_exact and 11 more
+    -- ===== Stage 0: nz_kept, shift1, blend1, band1_kept, v1_x_exact and 10 more
     -- UQ1.16: n.v, not below 0
     nz_kept_0 <= (others => '0') when in_nz(17) = '1' else
         unsigned(in_nz(16 downto 0));
@@ -1748,7 +2510,7 @@ begin
     -- UQ1.0: the normal is turned away from the viewer
     hidden_0 <= not seen_0;
     -- UQ3.0: at most the greatest
-    shift1_0 <= to_unsigned(5, 3) when in_shift1 > 5 else
+    shift1_0 <= (2 => '1', others => '0') when in_shift1(2) = '1' else
         in_shift1;
     -- UQ1.6: the weight of the odd band, at most 1
     blend1_0 <= (6 => '1', others => '0') when in_blend1(6) = '1' else
@@ -1756,8 +2518,6 @@ begin
     -- UQ3.0: at most the last
     band1_kept_0 <= to_unsigned(5, 3) when in_band1 > 5 else
         in_band1;
-    -- UQ3.0: the next
-    band1_next_exact_0 <= band1_kept_0 + to_unsigned(1, 3);
     -- UQ3.-1: its leading bits
     band1_odd_high_0 <= band1_kept_0(2 downto 1);
     -- UQ2.0: the odd one of both
@@ -1822,7 +2582,7 @@ begin
                 in_gain1b_1 <= in_gain1b;
                 hidden_1 <= hidden_0;
                 shift1_1 <= shift1_0;
-                band1_next_exact_1 <= band1_next_exact_0;
+                band1_kept_1 <= band1_kept_0;
                 v1_x_1 <= v1_x_0;
                 v1_y_1 <= v1_y_0;
                 x1_x_1 <= x1_x_0;
@@ -1842,14 +2602,9 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 1: band1_next, v1_xy, x1, u1_xy, v1_unit
-    -- UQ3.0: at most the last
-    band1_next_1 <= to_unsigned(5, 3) when band1_next_exact_1 > 5 else
-        band1_next_exact_1;
-    -- UQ3.-1: its leading bits
-    band1_even_high_1 <= band1_next_1(2 downto 1);
-    -- UQ2.0: the even one of both
-    band1_even_1 <= band1_even_high_1;
+    -- ===== Stage 1: band1_next_exact, v1_xy, x1, u1_xy
+    -- UQ3.0: the next
+    band1_next_exact_1 <= band1_kept_1 + to_unsigned(1, 3);
     -- Q4.14: the turned normal
     v1_xy_1 <= resize(v1_x_1, 19) + resize(v1_y_1, 19);
     -- Q9.9: in texels from the middle
@@ -1858,18 +2613,6 @@ begin
     x1_1 <= resize(x1_x_1, 19) - resize(x1_y_1, 19);
     -- Q4.14: the turned normal
     u1_xy_1 <= resize(u1_x_1, 19) + resize(u1_y_1, 19);
-    -- Q1.14: y of a unit vector
-    v1_unit_1 <= to_signed(-16384, 16) when v1_xy_1 < -16384 else
-        to_signed(16384, 16) when v1_xy_1 > 16384 else
-        v1_xy_1(15 downto 0);
-    -- UQ7.-5: the first of them
-    texels1_00_1 <= band1_even_1;
-    -- UQ7.-5: the first of them
-    texels1_00_v2_1 <= band1_even_1;
-    -- UQ7.-5: the first of them
-    texels1_01_1 <= band1_even_1;
-    -- UQ7.-5: the first of them
-    texels1_01_v2_1 <= band1_even_1;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -1882,18 +2625,15 @@ begin
                 in_gain1b_2 <= in_gain1b_1;
                 hidden_2 <= hidden_1;
                 shift1_2 <= shift1_1;
+                band1_next_exact_2 <= band1_next_exact_1;
+                v1_xy_2 <= v1_xy_1;
                 v1_scaled_2 <= v1_scaled_1;
                 x1_2 <= x1_1;
                 u1_z_2 <= u1_z_1;
                 u1_xy_2 <= u1_xy_1;
-                v1_unit_2 <= v1_unit_1;
                 alone1_2 <= alone1_1;
                 end1_even_2 <= end1_even_1;
                 end1_odd_2 <= end1_odd_1;
-                texels1_00_2 <= texels1_00_1;
-                texels1_00_v2_2 <= texels1_00_v2_1;
-                texels1_01_2 <= texels1_01_1;
-                texels1_01_v2_2 <= texels1_01_v2_1;
                 texels1_10_2 <= texels1_10_1;
                 texels1_10_v2_2 <= texels1_10_v2_1;
                 texels1_11_2 <= texels1_11_1;
@@ -1903,31 +2643,32 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 2: v1_place, v1_kept, u1_xyz, v1_square
+    -- ===== Stage 2: band1_next, v1_place, u1_xyz, v1_unit
+    -- UQ3.0: at most the last
+    band1_next_2 <= to_unsigned(5, 3) when band1_next_exact_2 > 5 else
+        band1_next_exact_2;
+    -- UQ3.-1: its leading bits
+    band1_even_high_2 <= band1_next_2(2 downto 1);
+    -- UQ2.0: the even one of both
+    band1_even_2 <= band1_even_high_2;
     -- Q9.9: from the first, plus half a weight's last bit
     v1_place_2 <= v1_scaled_2 + to_signed(16132, 19);
     -- Q9.6: rounded to the nearest weight
     v1_cut_2 <= v1_place_2(18 downto 3);
-    -- UQ6.6: between the outermost centres
-    v1_kept_2 <= (others => '0') when v1_cut_2(15) = '1' else
-        to_unsigned(4032, 12) when v1_cut_2 > 4032 else
-        unsigned(v1_cut_2(11 downto 0));
-    -- UQ6.0: the texel at or below it
-    v1_texel_2 <= v1_kept_2(11 downto 6);
-    -- UQ0.6: the weight of the next
-    v1_weight_2 <= v1_kept_2(5 downto 0);
-    -- UQ6.-1: its leading bits
-    v1_odd_high_2 <= v1_texel_2(5 downto 1);
-    -- UQ5.0: the odd one of both
-    v1_odd_2 <= v1_odd_high_2;
-    -- UQ1.0: its last bit
-    v1_is_odd_2 <= v1_texel_2(0);
-    -- UQ1.6: in the wider of two formats
-    v1_weight_wide_2 <= resize(v1_weight_2, 7);
     -- Q4.14: the turned normal
     u1_xyz_2 <= u1_xy_2 + resize(u1_z_2, 19);
-    -- Q3.28: y^2
-    v1_square_2 <= v1_unit_2 * v1_unit_2;
+    -- Q1.14: y of a unit vector
+    v1_unit_2 <= to_signed(-16384, 16) when v1_xy_2(18 downto 14) < -1 else
+        to_signed(16384, 16) when v1_xy_2(18 downto 14) > 0 else
+        v1_xy_2(15 downto 0);
+    -- UQ7.-5: the first of them
+    texels1_00_2 <= band1_even_2;
+    -- UQ7.-5: the first of them
+    texels1_00_v2_2 <= band1_even_2;
+    -- UQ7.-5: the first of them
+    texels1_01_2 <= band1_even_2;
+    -- UQ7.-5: the first of them
+    texels1_01_v2_2 <= band1_even_2;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -1940,14 +2681,10 @@ begin
                 in_gain1b_3 <= in_gain1b_2;
                 hidden_3 <= hidden_2;
                 shift1_3 <= shift1_2;
-                v1_texel_3 <= v1_texel_2;
-                v1_weight_3 <= v1_weight_2;
-                v1_odd_3 <= v1_odd_2;
-                v1_is_odd_3 <= v1_is_odd_2;
-                v1_weight_wide_3 <= v1_weight_wide_2;
+                v1_cut_3 <= v1_cut_2;
                 x1_3 <= x1_2;
                 u1_xyz_3 <= u1_xyz_2;
-                v1_square_3 <= v1_square_2;
+                v1_unit_3 <= v1_unit_2;
                 alone1_3 <= alone1_2;
                 end1_even_3 <= end1_even_2;
                 end1_odd_3 <= end1_odd_2;
@@ -1964,65 +2701,31 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 3: v1_next_exact, v1_next, v1_other, v1_odd, u1_below and 9 more
-    -- UQ7.0: the next
-    v1_next_exact_3 <= resize(v1_texel_3, 7) + to_unsigned(1, 7);
-    -- UQ6.0: at most the last
-    v1_next_3 <= to_unsigned(63, 6) when v1_next_exact_3 > 63 else
-        v1_next_exact_3(5 downto 0);
+    -- ===== Stage 3: v1_kept, u1_below, u1_minus, u1_either, v1_square
+    -- UQ6.6: between the outermost centres
+    v1_kept_3 <= (others => '0') when v1_cut_3(15) = '1' else
+        to_unsigned(4032, 12) when v1_cut_3 > 4032 else
+        unsigned(v1_cut_3(11 downto 0));
+    -- UQ6.0: the texel at or below it
+    v1_texel_3 <= v1_kept_3(11 downto 6);
+    -- UQ0.6: the weight of the next
+    v1_weight_3 <= v1_kept_3(5 downto 0);
     -- UQ6.-1: its leading bits
-    v1_even_high_3 <= v1_next_3(5 downto 1);
-    -- UQ5.0: the even one of both
-    v1_even_3 <= v1_even_high_3;
-    -- UQ1.6: the weight of the place itself
-    v1_other_3 <= to_unsigned(64, 7) - resize(v1_weight_3, 7);
-    -- UQ1.6: the weight of the odd one
-    v1_odd_v2_3 <= v1_other_3 when v1_is_odd_3 = '1' else v1_weight_wide_3;
+    v1_odd_high_3 <= v1_texel_3(5 downto 1);
+    -- UQ5.0: the odd one of both
+    v1_odd_3 <= v1_odd_high_3;
+    -- UQ1.0: its last bit
+    v1_is_odd_3 <= v1_texel_3(0);
+    -- UQ1.6: in the wider of two formats
+    v1_weight_wide_3 <= resize(v1_weight_3, 7);
     -- UQ1.0: whether it is below 0
     u1_below_3 <= '1' when to_signed(0, 19) > u1_xyz_3 else '0';
     -- Q4.14: its opposite
     u1_minus_3 <= to_signed(0, 19) - u1_xyz_3;
     -- Q4.14: on either side of h
     u1_either_3 <= u1_minus_3 when u1_below_3 = '1' else u1_xyz_3;
-    -- UQ1.14: of a unit vector it is at most 1
-    u1_kept_3 <= (others => '0') when u1_either_3(18) = '1' else
-        (14 => '1', others => '0') when unsigned(u1_either_3(17 downto 14)) /= 0 else
-        unsigned(u1_either_3(14 downto 0));
-    -- UQ2.28: r^2 = 1 - y^2
-    rr1_exact_3 <= to_unsigned(268435456, 30) - unsigned(v1_square_3(29 downto 0));
-    -- UQ2.16: rounded down
-    rr1_cut_3 <= rr1_exact_3(29 downto 12);
-    -- UQ0.16: r^2, below 1
-    rr1_3 <= to_unsigned(65535, 16) when rr1_cut_3 > 65535 else
-        rr1_cut_3(15 downto 0);
-    -- UQ0.4: the first 4 bits of rr
-    high1_4_bits_3 <= rr1_3(15 downto 12);
-    -- UQ-4.16: without them
-    rr_low1_4_3 <= rr1_3(11 downto 0);
-    -- UQ0.12: rr 2^4
-    rr_up1_4_3 <= rr_low1_4_3;
-    -- UQ0.16: in the wider of two formats
-    rr_up1_4_wide_3 <= shift_left(resize(rr_up1_4_3, 16), 4);
-    -- Q1.14: a sign bit for the signed product
-    u1_kept_signed_3 <= signed(resize(u1_kept_3, 16));
-    -- UQ7.0: side by side
-    texel1_01_3 <= shift_left(resize(texels1_01_3, 7), 5) + resize(v1_odd_3, 7);
-    -- UQ12.-5: the first of them
-    texels1_010_3 <= texel1_01_3;
-    -- UQ7.0: side by side
-    texel1_01_v2_3 <= shift_left(resize(texels1_01_v2_3, 7), 5) + resize(v1_odd_3, 7);
-    -- UQ12.-5: the first of them
-    texels1_011_3 <= texel1_01_v2_3;
-    -- UQ7.0: side by side
-    texel1_11_3 <= shift_left(resize(texels1_11_3, 7), 5) + resize(v1_odd_3, 7);
-    -- UQ12.-5: the first of them
-    texels1_110_3 <= texel1_11_3;
-    -- UQ7.0: side by side
-    texel1_11_v2_3 <= shift_left(resize(texels1_11_v2_3, 7), 5) + resize(v1_odd_3, 7);
-    -- UQ12.-5: the first of them
-    texels1_111_3 <= texel1_11_v2_3;
-    -- Q1.6: a sign bit for the signed product
-    v1_odd_signed_3 <= signed(resize(v1_odd_v2_3, 8));
+    -- Q3.28: y^2
+    v1_square_3 <= v1_unit_3 * v1_unit_3;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2035,100 +2738,89 @@ begin
                 in_gain1b_4 <= in_gain1b_3;
                 hidden_4 <= hidden_3;
                 shift1_4 <= shift1_3;
-                v1_even_4 <= v1_even_3;
+                v1_texel_4 <= v1_texel_3;
+                v1_weight_4 <= v1_weight_3;
+                v1_odd_4 <= v1_odd_3;
+                v1_is_odd_4 <= v1_is_odd_3;
+                v1_weight_wide_4 <= v1_weight_wide_3;
                 x1_4 <= x1_3;
-                rr1_4 <= rr1_3;
-                high1_4_bits_4 <= high1_4_bits_3;
-                rr_up1_4_wide_4 <= rr_up1_4_wide_3;
-                u1_kept_signed_4 <= u1_kept_signed_3;
+                u1_either_4 <= u1_either_3;
+                v1_square_4 <= v1_square_3;
                 alone1_4 <= alone1_3;
                 end1_even_4 <= end1_even_3;
                 end1_odd_4 <= end1_odd_3;
                 texels1_00_4 <= texels1_00_3;
                 texels1_00_v2_4 <= texels1_00_v2_3;
-                texels1_010_4 <= texels1_010_3;
-                texels1_011_4 <= texels1_011_3;
+                texels1_01_4 <= texels1_01_3;
+                texels1_01_v2_4 <= texels1_01_v2_3;
                 texels1_10_4 <= texels1_10_3;
                 texels1_10_v2_4 <= texels1_10_v2_3;
-                texels1_110_4 <= texels1_110_3;
-                texels1_111_4 <= texels1_111_3;
-                v1_odd_signed_4 <= v1_odd_signed_3;
+                texels1_11_4 <= texels1_11_3;
+                texels1_11_v2_4 <= texels1_11_v2_3;
                 blend1_signed_4 <= blend1_signed_3;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 4: rr1_4, rr1_2, rr1_1, rest1, texel1_00, texel1_00 and 2 more
-    -- UQ1.0: the first 4 bits of rr
-    high1_4_4 <= '1' when high1_4_bits_4 /= 0 else '0';
-    -- UQ0.16: rr, times 2^4 if it is so small
-    rr1_4_4 <= rr1_4 when high1_4_4 = '1' else rr_up1_4_wide_4;
-    -- UQ3.-2: a bit of the exponent
-    place1_4_4 <= unsigned'("" & high1_4_4);
-    -- UQ0.2: the first 2 bits of rr
-    high1_2_bits_4 <= rr1_4_4(15 downto 14);
-    -- UQ1.0: the first 2 bits of rr
-    high1_2_4 <= '1' when high1_2_bits_4 /= 0 else '0';
-    -- UQ-2.16: without them
-    rr_low1_2_4 <= rr1_4_4(13 downto 0);
-    -- UQ0.14: rr 2^2
-    rr_up1_2_4 <= rr_low1_2_4;
-    -- UQ0.16: in the wider of two formats
-    rr_up1_2_wide_4 <= shift_left(resize(rr_up1_2_4, 16), 2);
-    -- UQ0.16: rr, times 2^2 if it is so small
-    rr1_2_4 <= rr1_4_4 when high1_2_4 = '1' else rr_up1_2_wide_4;
-    -- UQ2.-1: a bit of the exponent
-    place1_2_4 <= unsigned'("" & high1_2_4);
-    -- UQ0.1: the first 1 bits of rr
-    high1_1_bits_4 <= rr1_2_4(15);
-    -- UQ-1.16: without them
-    rr_low1_1_4 <= rr1_2_4(14 downto 0);
-    -- UQ0.15: rr 2^1
-    rr_up1_1_4 <= rr_low1_1_4;
-    -- UQ0.16: in the wider of two formats
-    rr_up1_1_wide_4 <= shift_left(resize(rr_up1_1_4, 16), 1);
-    -- UQ0.16: rr, times 2^1 if it is so small
-    rr1_1_4 <= rr1_2_4 when high1_1_bits_4 = '1' else rr_up1_1_wide_4;
-    -- UQ1.0: a bit of the exponent
-    place1_1_4 <= unsigned'("" & high1_1_bits_4);
-    -- UQ1.0: the exponent is not 0
-    normal1_of_2_4 <= high1_4_4 or high1_2_4;
-    -- UQ1.0: the exponent is not 0
-    normal1_4 <= normal1_of_2_4 or high1_1_bits_4;
-    -- UQ1.15: 2 rr
-    rr1_twice_4 <= rr1_1_4;
-    -- UQ0.15: 2 rr - 1
-    rr1_rest_4 <= rr1_twice_4(14 downto 0);
-    -- UQ0.16: in the wider of two formats
-    rr1_rest_wide_4 <= shift_left(resize(rr1_rest_4, 16), 1);
-    -- UQ0.16: the place in the octave
-    rest1_4 <= rr1_rest_wide_4 when normal1_4 = '1' else rr1_1_4;
-    -- UQ0.9: rounded down to the weights' last bit
-    rest1_cut_4 <= rest1_4(15 downto 7);
-    -- UQ0.4: the column in the octave
-    step1_4 <= rest1_cut_4(8 downto 5);
-    -- UQ4.0: its number
-    step1_number_4 <= step1_4;
-    -- UQ-4.9: rr past it
-    part1_4 <= rest1_cut_4(4 downto 0);
-    -- UQ0.5: the weight of the next column
-    weight1_4 <= part1_4;
+    -- ===== Stage 4: v1_next_exact, v1_other, v1_odd, u1_kept, rr1_exact and 4 more
+    -- UQ7.0: the next
+    v1_next_exact_4 <= resize(v1_texel_4, 7) + to_unsigned(1, 7);
+    -- UQ1.6: the weight of the place itself
+    v1_other_4 <= to_unsigned(64, 7) - resize(v1_weight_4, 7);
+    -- UQ1.6: the weight of the odd one
+    v1_odd_v2_4 <= v1_other_4 when v1_is_odd_4 = '1' else v1_weight_wide_4;
+    -- UQ1.14: of a unit vector it is at most 1
+    u1_kept_4 <= (others => '0') when u1_either_4(18) = '1' else
+        (14 => '1', others => '0') when unsigned(u1_either_4(17 downto 14)) /= 0 else
+        unsigned(u1_either_4(14 downto 0));
+    -- UQ2.28: r^2 = 1 - y^2
+    rr1_exact_4 <= to_unsigned(268435456, 30) - unsigned(v1_square_4(29 downto 0));
+    -- UQ2.16: rounded down
+    rr1_cut_4 <= rr1_exact_4(29 downto 12);
+    -- Q1.14: a sign bit for the signed product
+    u1_kept_signed_4 <= signed(resize(u1_kept_4, 16));
     -- UQ7.0: side by side
-    texel1_00_4 <= shift_left(resize(texels1_00_4, 7), 5) + resize(v1_even_4, 7);
+    texel1_01_4 <= shift_left(resize(texels1_01_4, 7), 5) + resize(v1_odd_4, 7);
     -- UQ12.-5: the first of them
-    texels1_000_4 <= texel1_00_4;
+    texels1_010_4 <= texel1_01_4;
     -- UQ7.0: side by side
-    texel1_00_v2_4 <= shift_left(resize(texels1_00_v2_4, 7), 5) + resize(v1_even_4, 7);
+    texel1_01_v2_4 <= shift_left(resize(texels1_01_v2_4, 7), 5) + resize(v1_odd_4, 7);
     -- UQ12.-5: the first of them
-    texels1_001_4 <= texel1_00_v2_4;
+    texels1_011_4 <= texel1_01_v2_4;
     -- UQ7.0: side by side
-    texel1_10_4 <= shift_left(resize(texels1_10_4, 7), 5) + resize(v1_even_4, 7);
+    texel1_11_4 <= shift_left(resize(texels1_11_4, 7), 5) + resize(v1_odd_4, 7);
     -- UQ12.-5: the first of them
-    texels1_100_4 <= texel1_10_4;
+    texels1_110_4 <= texel1_11_4;
     -- UQ7.0: side by side
-    texel1_10_v2_4 <= shift_left(resize(texels1_10_v2_4, 7), 5) + resize(v1_even_4, 7);
+    texel1_11_v2_4 <= shift_left(resize(texels1_11_v2_4, 7), 5) + resize(v1_odd_4, 7);
     -- UQ12.-5: the first of them
-    texels1_101_4 <= texel1_10_v2_4;
+    texels1_111_4 <= texel1_11_v2_4;
+    -- UQ1.0: a bit of the weight
+    v1_odd_whole_4 <= v1_odd_v2_4(6);
+    -- UQ-5.6: a bit of the weight
+    v1_odd_bit_0_4 <= v1_odd_v2_4(0);
+    -- UQ-4.5: a bit of the weight
+    v1_odd_bit_1_4 <= v1_odd_v2_4(1);
+    -- UQ-3.4: a bit of the weight
+    v1_odd_bit_2_4 <= v1_odd_v2_4(2);
+    -- UQ-2.3: a bit of the weight
+    v1_odd_bit_3_4 <= v1_odd_v2_4(3);
+    -- UQ-1.2: a bit of the weight
+    v1_odd_bit_4_4 <= v1_odd_v2_4(4);
+    -- UQ0.1: a bit of the weight
+    v1_odd_bit_5_4 <= v1_odd_v2_4(5);
+    -- UQ1.0: 1 where the weight is 1
+    v1_odd_of_0_4 <= v1_odd_bit_0_4 or v1_odd_whole_4;
+    -- UQ1.0: 1 where the weight is 1
+    v1_odd_of_1_4 <= v1_odd_bit_1_4 or v1_odd_whole_4;
+    -- UQ1.0: 1 where the weight is 1
+    v1_odd_of_2_4 <= v1_odd_bit_2_4 or v1_odd_whole_4;
+    -- UQ1.0: 1 where the weight is 1
+    v1_odd_of_3_4 <= v1_odd_bit_3_4 or v1_odd_whole_4;
+    -- UQ1.0: 1 where the weight is 1
+    v1_odd_of_4_4 <= v1_odd_bit_4_4 or v1_odd_whole_4;
+    -- UQ1.0: 1 where the weight is 1
+    v1_odd_of_5_4 <= v1_odd_bit_5_4 or v1_odd_whole_4;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2141,33 +2833,94 @@ begin
                 in_gain1b_5 <= in_gain1b_4;
                 hidden_5 <= hidden_4;
                 shift1_5 <= shift1_4;
+                v1_next_exact_5 <= v1_next_exact_4;
                 x1_5 <= x1_4;
-                place1_4_5 <= place1_4_4;
-                place1_2_5 <= place1_2_4;
-                place1_1_5 <= place1_1_4;
-                step1_number_5 <= step1_number_4;
-                weight1_5 <= weight1_4;
+                rr1_cut_5 <= rr1_cut_4;
                 u1_kept_signed_5 <= u1_kept_signed_4;
                 alone1_5 <= alone1_4;
                 end1_even_5 <= end1_even_4;
                 end1_odd_5 <= end1_odd_4;
-                texels1_000_5 <= texels1_000_4;
-                texels1_001_5 <= texels1_001_4;
+                texels1_00_5 <= texels1_00_4;
+                texels1_00_v2_5 <= texels1_00_v2_4;
                 texels1_010_5 <= texels1_010_4;
                 texels1_011_5 <= texels1_011_4;
-                texels1_100_5 <= texels1_100_4;
-                texels1_101_5 <= texels1_101_4;
+                texels1_10_5 <= texels1_10_4;
+                texels1_10_v2_5 <= texels1_10_v2_4;
                 texels1_110_5 <= texels1_110_4;
                 texels1_111_5 <= texels1_111_4;
-                v1_odd_signed_5 <= v1_odd_signed_4;
+                v1_odd_whole_5 <= v1_odd_whole_4;
+                v1_odd_of_0_5 <= v1_odd_of_0_4;
+                v1_odd_of_1_5 <= v1_odd_of_1_4;
+                v1_odd_of_2_5 <= v1_odd_of_2_4;
+                v1_odd_of_3_5 <= v1_odd_of_3_4;
+                v1_odd_of_4_5 <= v1_odd_of_4_4;
+                v1_odd_of_5_5 <= v1_odd_of_5_4;
                 blend1_signed_5 <= blend1_signed_4;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 5: exponent1_2
-    -- UQ3.-1: the exponent's bits so far
-    exponent1_2_5 <= shift_left(resize(place1_4_5, 2), 1) + resize(place1_2_5, 2);
+    -- ===== Stage 5: v1_next, rr1, rr1_4, rr1_2, rr1_1
+    -- UQ6.0: at most the last
+    v1_next_5 <= to_unsigned(63, 6) when v1_next_exact_5(6) = '1' else
+        v1_next_exact_5(5 downto 0);
+    -- UQ6.-1: its leading bits
+    v1_even_high_5 <= v1_next_5(5 downto 1);
+    -- UQ5.0: the even one of both
+    v1_even_5 <= v1_even_high_5;
+    -- UQ0.16: r^2, below 1
+    rr1_5 <= to_unsigned(65535, 16) when unsigned(rr1_cut_5(17 downto 16)) /= 0 else
+        rr1_cut_5(15 downto 0);
+    -- UQ0.4: the first 4 bits of rr
+    high1_4_bits_5 <= rr1_5(15 downto 12);
+    -- UQ1.0: the first 4 bits of rr
+    high1_4_5 <= '1' when high1_4_bits_5 /= 0 else '0';
+    -- UQ-4.16: without them
+    rr_low1_4_5 <= rr1_5(11 downto 0);
+    -- UQ0.12: rr 2^4
+    rr_up1_4_5 <= rr_low1_4_5;
+    -- UQ0.16: in the wider of two formats
+    rr_up1_4_wide_5 <= shift_left(resize(rr_up1_4_5, 16), 4);
+    -- UQ0.16: rr, times 2^4 if it is so small
+    rr1_4_5 <= rr1_5 when high1_4_5 = '1' else rr_up1_4_wide_5;
+    -- UQ3.-2: a bit of the exponent
+    place1_4_5 <= unsigned'("" & high1_4_5);
+    -- UQ0.2: the first 2 bits of rr
+    high1_2_bits_5 <= rr1_4_5(15 downto 14);
+    -- UQ1.0: the first 2 bits of rr
+    high1_2_5 <= '1' when high1_2_bits_5 /= 0 else '0';
+    -- UQ-2.16: without them
+    rr_low1_2_5 <= rr1_4_5(13 downto 0);
+    -- UQ0.14: rr 2^2
+    rr_up1_2_5 <= rr_low1_2_5;
+    -- UQ0.16: in the wider of two formats
+    rr_up1_2_wide_5 <= shift_left(resize(rr_up1_2_5, 16), 2);
+    -- UQ0.16: rr, times 2^2 if it is so small
+    rr1_2_5 <= rr1_4_5 when high1_2_5 = '1' else rr_up1_2_wide_5;
+    -- UQ2.-1: a bit of the exponent
+    place1_2_5 <= unsigned'("" & high1_2_5);
+    -- UQ0.1: the first 1 bits of rr
+    high1_1_bits_5 <= rr1_2_5(15);
+    -- UQ-1.16: without them
+    rr_low1_1_5 <= rr1_2_5(14 downto 0);
+    -- UQ0.15: rr 2^1
+    rr_up1_1_5 <= rr_low1_1_5;
+    -- UQ0.16: in the wider of two formats
+    rr_up1_1_wide_5 <= shift_left(resize(rr_up1_1_5, 16), 1);
+    -- UQ0.16: rr, times 2^1 if it is so small
+    rr1_1_5 <= rr1_2_5 when high1_1_bits_5 = '1' else rr_up1_1_wide_5;
+    -- UQ1.0: a bit of the exponent
+    place1_1_5 <= unsigned'("" & high1_1_bits_5);
+    -- UQ1.0: the exponent is not 0
+    normal1_of_2_5 <= high1_4_5 or high1_2_5;
+    -- UQ1.0: the exponent is not 0
+    normal1_5 <= normal1_of_2_5 or high1_1_bits_5;
+    -- UQ1.15: 2 rr
+    rr1_twice_5 <= rr1_1_5;
+    -- UQ0.15: 2 rr - 1
+    rr1_rest_5 <= rr1_twice_5(14 downto 0);
+    -- UQ0.16: in the wider of two formats
+    rr1_rest_wide_5 <= shift_left(resize(rr1_rest_5, 16), 1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2180,34 +2933,69 @@ begin
                 in_gain1b_6 <= in_gain1b_5;
                 hidden_6 <= hidden_5;
                 shift1_6 <= shift1_5;
+                v1_even_6 <= v1_even_5;
                 x1_6 <= x1_5;
-                exponent1_2_6 <= exponent1_2_5;
+                place1_4_6 <= place1_4_5;
+                place1_2_6 <= place1_2_5;
+                rr1_1_6 <= rr1_1_5;
                 place1_1_6 <= place1_1_5;
-                step1_number_6 <= step1_number_5;
-                weight1_6 <= weight1_5;
+                normal1_6 <= normal1_5;
+                rr1_rest_wide_6 <= rr1_rest_wide_5;
                 u1_kept_signed_6 <= u1_kept_signed_5;
                 alone1_6 <= alone1_5;
                 end1_even_6 <= end1_even_5;
                 end1_odd_6 <= end1_odd_5;
-                texels1_000_6 <= texels1_000_5;
-                texels1_001_6 <= texels1_001_5;
+                texels1_00_6 <= texels1_00_5;
+                texels1_00_v2_6 <= texels1_00_v2_5;
                 texels1_010_6 <= texels1_010_5;
                 texels1_011_6 <= texels1_011_5;
-                texels1_100_6 <= texels1_100_5;
-                texels1_101_6 <= texels1_101_5;
+                texels1_10_6 <= texels1_10_5;
+                texels1_10_v2_6 <= texels1_10_v2_5;
                 texels1_110_6 <= texels1_110_5;
                 texels1_111_6 <= texels1_111_5;
-                v1_odd_signed_6 <= v1_odd_signed_5;
+                v1_odd_whole_6 <= v1_odd_whole_5;
+                v1_odd_of_0_6 <= v1_odd_of_0_5;
+                v1_odd_of_1_6 <= v1_odd_of_1_5;
+                v1_odd_of_2_6 <= v1_odd_of_2_5;
+                v1_odd_of_3_6 <= v1_odd_of_3_5;
+                v1_odd_of_4_6 <= v1_odd_of_4_5;
+                v1_odd_of_5_6 <= v1_odd_of_5_5;
                 blend1_signed_6 <= blend1_signed_5;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 6: exponent1_1
-    -- UQ3.0: the exponent's bits so far
-    exponent1_1_6 <= shift_left(resize(exponent1_2_6, 3), 1) + resize(place1_1_6, 3);
-    -- UQ7.-4: the octave's first column
-    octave1_6 <= exponent1_1_6;
+    -- ===== Stage 6: exponent1_2, rest1, texel1_00, texel1_00, texel1_10 and 1 more
+    -- UQ3.-1: the exponent's bits so far
+    exponent1_2_6 <= shift_left(resize(place1_4_6, 2), 1) + resize(place1_2_6, 2);
+    -- UQ0.16: the place in the octave
+    rest1_6 <= rr1_rest_wide_6 when normal1_6 = '1' else rr1_1_6;
+    -- UQ0.9: rounded down to the weights' last bit
+    rest1_cut_6 <= rest1_6(15 downto 7);
+    -- UQ0.4: the column in the octave
+    step1_6 <= rest1_cut_6(8 downto 5);
+    -- UQ4.0: its number
+    step1_number_6 <= step1_6;
+    -- UQ-4.9: rr past it
+    part1_6 <= rest1_cut_6(4 downto 0);
+    -- UQ0.5: the weight of the next column
+    weight1_6 <= part1_6;
+    -- UQ7.0: side by side
+    texel1_00_6 <= shift_left(resize(texels1_00_6, 7), 5) + resize(v1_even_6, 7);
+    -- UQ12.-5: the first of them
+    texels1_000_6 <= texel1_00_6;
+    -- UQ7.0: side by side
+    texel1_00_v2_6 <= shift_left(resize(texels1_00_v2_6, 7), 5) + resize(v1_even_6, 7);
+    -- UQ12.-5: the first of them
+    texels1_001_6 <= texel1_00_v2_6;
+    -- UQ7.0: side by side
+    texel1_10_6 <= shift_left(resize(texels1_10_6, 7), 5) + resize(v1_even_6, 7);
+    -- UQ12.-5: the first of them
+    texels1_100_6 <= texel1_10_6;
+    -- UQ7.0: side by side
+    texel1_10_v2_6 <= shift_left(resize(texels1_10_v2_6, 7), 5) + resize(v1_even_6, 7);
+    -- UQ12.-5: the first of them
+    texels1_101_6 <= texel1_10_v2_6;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2221,8 +3009,9 @@ begin
                 hidden_7 <= hidden_6;
                 shift1_7 <= shift1_6;
                 x1_7 <= x1_6;
+                exponent1_2_7 <= exponent1_2_6;
+                place1_1_7 <= place1_1_6;
                 step1_number_7 <= step1_number_6;
-                octave1_7 <= octave1_6;
                 weight1_7 <= weight1_6;
                 u1_kept_signed_7 <= u1_kept_signed_6;
                 alone1_7 <= alone1_6;
@@ -2236,15 +3025,23 @@ begin
                 texels1_101_7 <= texels1_101_6;
                 texels1_110_7 <= texels1_110_6;
                 texels1_111_7 <= texels1_111_6;
-                v1_odd_signed_7 <= v1_odd_signed_6;
+                v1_odd_whole_7 <= v1_odd_whole_6;
+                v1_odd_of_0_7 <= v1_odd_of_0_6;
+                v1_odd_of_1_7 <= v1_odd_of_1_6;
+                v1_odd_of_2_7 <= v1_odd_of_2_6;
+                v1_odd_of_3_7 <= v1_odd_of_3_6;
+                v1_odd_of_4_7 <= v1_odd_of_4_6;
+                v1_odd_of_5_7 <= v1_odd_of_5_6;
                 blend1_signed_7 <= blend1_signed_6;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 7: column1
-    -- UQ7.0: the column at or below rr
-    column1_7 <= shift_left(resize(octave1_7, 7), 4) + resize(step1_number_7, 7);
+    -- ===== Stage 7: exponent1_1
+    -- UQ3.0: the exponent's bits so far
+    exponent1_1_7 <= shift_left(resize(exponent1_2_7, 3), 1) + resize(place1_1_7, 3);
+    -- UQ7.-4: the octave's first column
+    octave1_7 <= exponent1_1_7;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2258,7 +3055,8 @@ begin
                 hidden_8 <= hidden_7;
                 shift1_8 <= shift1_7;
                 x1_8 <= x1_7;
-                column1_8 <= column1_7;
+                step1_number_8 <= step1_number_7;
+                octave1_8 <= octave1_7;
                 weight1_8 <= weight1_7;
                 u1_kept_signed_8 <= u1_kept_signed_7;
                 alone1_8 <= alone1_7;
@@ -2272,21 +3070,21 @@ begin
                 texels1_101_8 <= texels1_101_7;
                 texels1_110_8 <= texels1_110_7;
                 texels1_111_8 <= texels1_111_7;
-                v1_odd_signed_8 <= v1_odd_signed_7;
+                v1_odd_whole_8 <= v1_odd_whole_7;
+                v1_odd_of_0_8 <= v1_odd_of_0_7;
+                v1_odd_of_1_8 <= v1_odd_of_1_7;
+                v1_odd_of_2_8 <= v1_odd_of_2_7;
+                v1_odd_of_3_8 <= v1_odd_of_3_7;
+                v1_odd_of_4_8 <= v1_odd_of_4_7;
+                v1_odd_of_5_8 <= v1_odd_of_5_7;
                 blend1_signed_8 <= blend1_signed_7;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 8: read roots_1
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                roots_1_9 <= ROOTS_1(to_integer(column1_8));
-            end if;
-        end if;
-    end process;
+    -- ===== Stage 8: column1
+    -- UQ7.0: the column at or below rr
+    column1_8 <= shift_left(resize(octave1_8, 7), 4) + resize(step1_number_8, 7);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2300,6 +3098,7 @@ begin
                 hidden_9 <= hidden_8;
                 shift1_9 <= shift1_8;
                 x1_9 <= x1_8;
+                column1_9 <= column1_8;
                 weight1_9 <= weight1_8;
                 u1_kept_signed_9 <= u1_kept_signed_8;
                 alone1_9 <= alone1_8;
@@ -2313,17 +3112,27 @@ begin
                 texels1_101_9 <= texels1_101_8;
                 texels1_110_9 <= texels1_110_8;
                 texels1_111_9 <= texels1_111_8;
-                v1_odd_signed_9 <= v1_odd_signed_8;
+                v1_odd_whole_9 <= v1_odd_whole_8;
+                v1_odd_of_0_9 <= v1_odd_of_0_8;
+                v1_odd_of_1_9 <= v1_odd_of_1_8;
+                v1_odd_of_2_9 <= v1_odd_of_2_8;
+                v1_odd_of_3_9 <= v1_odd_of_3_8;
+                v1_odd_of_4_9 <= v1_odd_of_4_8;
+                v1_odd_of_5_9 <= v1_odd_of_5_8;
                 blend1_signed_9 <= blend1_signed_8;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 9: registers only
-    -- UQ6.10: 1/sqrt(1 - y^2)
-    root_1_9 <= unsigned(roots_1_9(30 downto 15));
-    -- UQ5.10: what it falls by to the next row
-    fall_1_9 <= unsigned(roots_1_9(14 downto 0));
+    -- ===== Stage 9: read roots_1
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                roots_1_10 <= ROOTS_1(to_integer(column1_9));
+            end if;
+        end if;
+    end process;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2338,8 +3147,6 @@ begin
                 shift1_10 <= shift1_9;
                 x1_10 <= x1_9;
                 weight1_10 <= weight1_9;
-                root_1_10 <= root_1_9;
-                fall_1_10 <= fall_1_9;
                 u1_kept_signed_10 <= u1_kept_signed_9;
                 alone1_10 <= alone1_9;
                 end1_even_10 <= end1_even_9;
@@ -2352,13 +3159,23 @@ begin
                 texels1_101_10 <= texels1_101_9;
                 texels1_110_10 <= texels1_110_9;
                 texels1_111_10 <= texels1_111_9;
-                v1_odd_signed_10 <= v1_odd_signed_9;
+                v1_odd_whole_10 <= v1_odd_whole_9;
+                v1_odd_of_0_10 <= v1_odd_of_0_9;
+                v1_odd_of_1_10 <= v1_odd_of_1_9;
+                v1_odd_of_2_10 <= v1_odd_of_2_9;
+                v1_odd_of_3_10 <= v1_odd_of_3_9;
+                v1_odd_of_4_10 <= v1_odd_of_4_9;
+                v1_odd_of_5_10 <= v1_odd_of_5_9;
                 blend1_signed_10 <= blend1_signed_9;
             end if;
         end if;
     end process;
 
     -- ===== Stage 10: registers only
+    -- UQ6.10: 1/sqrt(1 - y^2)
+    root_1_10 <= unsigned(roots_1_10(30 downto 15));
+    -- UQ5.10: what it falls by to the next row
+    fall_1_10 <= unsigned(roots_1_10(14 downto 0));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2387,15 +3204,19 @@ begin
                 texels1_101_11 <= texels1_101_10;
                 texels1_110_11 <= texels1_110_10;
                 texels1_111_11 <= texels1_111_10;
-                v1_odd_signed_11 <= v1_odd_signed_10;
+                v1_odd_whole_11 <= v1_odd_whole_10;
+                v1_odd_of_0_11 <= v1_odd_of_0_10;
+                v1_odd_of_1_11 <= v1_odd_of_1_10;
+                v1_odd_of_2_11 <= v1_odd_of_2_10;
+                v1_odd_of_3_11 <= v1_odd_of_3_10;
+                v1_odd_of_4_11 <= v1_odd_of_4_10;
+                v1_odd_of_5_11 <= v1_odd_of_5_10;
                 blend1_signed_11 <= blend1_signed_10;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 11: fall_part1
-    -- UQ5.15: its part
-    fall_part1_11 <= fall_1_11 * weight1_11;
+    -- ===== Stage 11: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2409,8 +3230,9 @@ begin
                 hidden_12 <= hidden_11;
                 shift1_12 <= shift1_11;
                 x1_12 <= x1_11;
+                weight1_12 <= weight1_11;
                 root_1_12 <= root_1_11;
-                fall_part1_12 <= fall_part1_11;
+                fall_1_12 <= fall_1_11;
                 u1_kept_signed_12 <= u1_kept_signed_11;
                 alone1_12 <= alone1_11;
                 end1_even_12 <= end1_even_11;
@@ -2423,17 +3245,21 @@ begin
                 texels1_101_12 <= texels1_101_11;
                 texels1_110_12 <= texels1_110_11;
                 texels1_111_12 <= texels1_111_11;
-                v1_odd_signed_12 <= v1_odd_signed_11;
+                v1_odd_whole_12 <= v1_odd_whole_11;
+                v1_odd_of_0_12 <= v1_odd_of_0_11;
+                v1_odd_of_1_12 <= v1_odd_of_1_11;
+                v1_odd_of_2_12 <= v1_odd_of_2_11;
+                v1_odd_of_3_12 <= v1_odd_of_3_11;
+                v1_odd_of_4_12 <= v1_odd_of_4_11;
+                v1_odd_of_5_12 <= v1_odd_of_5_11;
                 blend1_signed_12 <= blend1_signed_11;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 12: root_at1
-    -- Q6.15: 1/r
-    root_at1_12 <= shift_left(signed(resize(root_1_12, 22)), 5) - signed(resize(fall_part1_12, 22));
-    -- Q6.10: rounded down
-    root_cut1_12 <= root_at1_12(21 downto 5);
+    -- ===== Stage 12: fall_part1
+    -- UQ5.15: its part
+    fall_part1_12 <= fall_1_12 * weight1_12;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2447,7 +3273,8 @@ begin
                 hidden_13 <= hidden_12;
                 shift1_13 <= shift1_12;
                 x1_13 <= x1_12;
-                root_cut1_13 <= root_cut1_12;
+                root_1_13 <= root_1_12;
+                fall_part1_13 <= fall_part1_12;
                 u1_kept_signed_13 <= u1_kept_signed_12;
                 alone1_13 <= alone1_12;
                 end1_even_13 <= end1_even_12;
@@ -2460,17 +3287,23 @@ begin
                 texels1_101_13 <= texels1_101_12;
                 texels1_110_13 <= texels1_110_12;
                 texels1_111_13 <= texels1_111_12;
-                v1_odd_signed_13 <= v1_odd_signed_12;
+                v1_odd_whole_13 <= v1_odd_whole_12;
+                v1_odd_of_0_13 <= v1_odd_of_0_12;
+                v1_odd_of_1_13 <= v1_odd_of_1_12;
+                v1_odd_of_2_13 <= v1_odd_of_2_12;
+                v1_odd_of_3_13 <= v1_odd_of_3_12;
+                v1_odd_of_4_13 <= v1_odd_of_4_12;
+                v1_odd_of_5_13 <= v1_odd_of_5_12;
                 blend1_signed_13 <= blend1_signed_12;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 13: tilt1_exact
-    -- Q8.24: the sine of the angle to h
-    tilt1_exact_13 <= u1_kept_signed_13 * root_cut1_13;
-    -- Q6.12: rounded down
-    tilt1_cut_13 <= tilt1_exact_13(30 downto 12);
+    -- ===== Stage 13: root_at1
+    -- Q6.15: 1/r
+    root_at1_13 <= shift_left(signed(resize(root_1_13, 22)), 5) - signed(resize(fall_part1_13, 22));
+    -- Q6.10: rounded down
+    root_cut1_13 <= root_at1_13(21 downto 5);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2484,7 +3317,8 @@ begin
                 hidden_14 <= hidden_13;
                 shift1_14 <= shift1_13;
                 x1_14 <= x1_13;
-                tilt1_cut_14 <= tilt1_cut_13;
+                root_cut1_14 <= root_cut1_13;
+                u1_kept_signed_14 <= u1_kept_signed_13;
                 alone1_14 <= alone1_13;
                 end1_even_14 <= end1_even_13;
                 end1_odd_14 <= end1_odd_13;
@@ -2496,21 +3330,23 @@ begin
                 texels1_101_14 <= texels1_101_13;
                 texels1_110_14 <= texels1_110_13;
                 texels1_111_14 <= texels1_111_13;
-                v1_odd_signed_14 <= v1_odd_signed_13;
+                v1_odd_whole_14 <= v1_odd_whole_13;
+                v1_odd_of_0_14 <= v1_odd_of_0_13;
+                v1_odd_of_1_14 <= v1_odd_of_1_13;
+                v1_odd_of_2_14 <= v1_odd_of_2_13;
+                v1_odd_of_3_14 <= v1_odd_of_3_13;
+                v1_odd_of_4_14 <= v1_odd_of_4_13;
+                v1_odd_of_5_14 <= v1_odd_of_5_13;
                 blend1_signed_14 <= blend1_signed_13;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 14: tilt1_kept, tilt1
-    -- UQ1.12: at most 1
-    tilt1_kept_14 <= (others => '0') when tilt1_cut_14(18) = '1' else
-        (12 => '1', others => '0') when unsigned(tilt1_cut_14(17 downto 12)) /= 0 else
-        unsigned(tilt1_cut_14(12 downto 0));
-    -- UQ1.12: the sine of the angle to h; 1/2, which makes k = 3/4, where one image is alone
-    tilt1_14 <= to_unsigned(2048, 13) when alone1_14 = '1' else tilt1_kept_14;
-    -- Q1.12: a sign bit for the signed product
-    tilt1_signed_14 <= signed(resize(tilt1_14, 14));
+    -- ===== Stage 14: tilt1_exact
+    -- Q8.24: the sine of the angle to h
+    tilt1_exact_14 <= u1_kept_signed_14 * root_cut1_14;
+    -- Q6.12: rounded down
+    tilt1_cut_14 <= tilt1_exact_14(30 downto 12);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2524,7 +3360,8 @@ begin
                 hidden_15 <= hidden_14;
                 shift1_15 <= shift1_14;
                 x1_15 <= x1_14;
-                tilt1_signed_15 <= tilt1_signed_14;
+                tilt1_cut_15 <= tilt1_cut_14;
+                alone1_15 <= alone1_14;
                 end1_even_15 <= end1_even_14;
                 end1_odd_15 <= end1_odd_14;
                 texels1_000_15 <= texels1_000_14;
@@ -2535,21 +3372,27 @@ begin
                 texels1_101_15 <= texels1_101_14;
                 texels1_110_15 <= texels1_110_14;
                 texels1_111_15 <= texels1_111_14;
-                v1_odd_signed_15 <= v1_odd_signed_14;
+                v1_odd_whole_15 <= v1_odd_whole_14;
+                v1_odd_of_0_15 <= v1_odd_of_0_14;
+                v1_odd_of_1_15 <= v1_odd_of_1_14;
+                v1_odd_of_2_15 <= v1_odd_of_2_14;
+                v1_odd_of_3_15 <= v1_odd_of_3_14;
+                v1_odd_of_4_15 <= v1_odd_of_4_14;
+                v1_odd_of_5_15 <= v1_odd_of_5_14;
                 blend1_signed_15 <= blend1_signed_14;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 15: turn_more_exact1_even, turn_more_exact1_odd
-    -- Q2.26: its part by the tilt
-    turn_more_exact1_even_15 <= in_turn1_even_15 * tilt1_signed_15;
-    -- Q0.14: rounded down
-    turn_more1_even_15 <= turn_more_exact1_even_15(26 downto 12);
-    -- Q2.26: its part by the tilt
-    turn_more_exact1_odd_15 <= in_turn1_odd_15 * tilt1_signed_15;
-    -- Q0.14: rounded down
-    turn_more1_odd_15 <= turn_more_exact1_odd_15(26 downto 12);
+    -- ===== Stage 15: tilt1_kept, tilt1
+    -- UQ1.12: at most 1
+    tilt1_kept_15 <= (others => '0') when tilt1_cut_15(18) = '1' else
+        (12 => '1', others => '0') when unsigned(tilt1_cut_15(17 downto 12)) /= 0 else
+        unsigned(tilt1_cut_15(12 downto 0));
+    -- UQ1.12: the sine of the angle to h; 1/2, which makes k = 3/4, where one image is alone
+    tilt1_15 <= to_unsigned(2048, 13) when alone1_15 = '1' else tilt1_kept_15;
+    -- Q1.12: a sign bit for the signed product
+    tilt1_signed_15 <= signed(resize(tilt1_15, 14));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2563,9 +3406,8 @@ begin
                 hidden_16 <= hidden_15;
                 shift1_16 <= shift1_15;
                 x1_16 <= x1_15;
-                turn_more1_even_16 <= turn_more1_even_15;
+                tilt1_signed_16 <= tilt1_signed_15;
                 end1_even_16 <= end1_even_15;
-                turn_more1_odd_16 <= turn_more1_odd_15;
                 end1_odd_16 <= end1_odd_15;
                 texels1_000_16 <= texels1_000_15;
                 texels1_001_16 <= texels1_001_15;
@@ -2575,39 +3417,43 @@ begin
                 texels1_101_16 <= texels1_101_15;
                 texels1_110_16 <= texels1_110_15;
                 texels1_111_16 <= texels1_111_15;
-                v1_odd_signed_16 <= v1_odd_signed_15;
+                v1_odd_whole_16 <= v1_odd_whole_15;
+                v1_odd_of_0_16 <= v1_odd_of_0_15;
+                v1_odd_of_1_16 <= v1_odd_of_1_15;
+                v1_odd_of_2_16 <= v1_odd_of_2_15;
+                v1_odd_of_3_16 <= v1_odd_of_3_15;
+                v1_odd_of_4_16 <= v1_odd_of_4_15;
+                v1_odd_of_5_16 <= v1_odd_of_5_15;
                 blend1_signed_16 <= blend1_signed_15;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 16: turn_exact1_even, turn1_even, turn_exact1_odd, turn1_odd
-    -- Q1.14: the turn k (phi_i - phi), in right angles
-    turn_exact1_even_16 <= resize(in_turn1_even_16, 16) + resize(turn_more1_even_16, 16);
-    -- Q0.14: less than a right angle
-    turn1_even_16 <= to_signed(-16384, 15) when turn_exact1_even_16 < -16384 else
-        to_signed(16383, 15) when turn_exact1_even_16 > 16383 else
-        turn_exact1_even_16(14 downto 0);
-    -- Q1.14: the turn k (phi_i - phi), in right angles
-    turn_exact1_odd_16 <= resize(in_turn1_odd_16, 16) + resize(turn_more1_odd_16, 16);
-    -- Q0.14: less than a right angle
-    turn1_odd_16 <= to_signed(-16384, 15) when turn_exact1_odd_16 < -16384 else
-        to_signed(16383, 15) when turn_exact1_odd_16 > 16383 else
-        turn_exact1_odd_16(14 downto 0);
+    -- ===== Stage 16: turn_more_exact1_even, turn_more_exact1_odd
+    -- Q2.26: its part by the tilt
+    turn_more_exact1_even_16 <= in_turn1_even_16 * tilt1_signed_16;
+    -- Q0.14: rounded down
+    turn_more1_even_16 <= turn_more_exact1_even_16(26 downto 12);
+    -- Q2.26: its part by the tilt
+    turn_more_exact1_odd_16 <= in_turn1_odd_16 * tilt1_signed_16;
+    -- Q0.14: rounded down
+    turn_more1_odd_16 <= turn_more_exact1_odd_16(26 downto 12);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 in_nz_17 <= in_nz_16;
+                in_turn1_even_17 <= in_turn1_even_16;
+                in_turn1_odd_17 <= in_turn1_odd_16;
                 in_gain1r_17 <= in_gain1r_16;
                 in_gain1g_17 <= in_gain1g_16;
                 in_gain1b_17 <= in_gain1b_16;
                 hidden_17 <= hidden_16;
                 shift1_17 <= shift1_16;
                 x1_17 <= x1_16;
-                turn1_even_17 <= turn1_even_16;
+                turn_more1_even_17 <= turn_more1_even_16;
                 end1_even_17 <= end1_even_16;
-                turn1_odd_17 <= turn1_odd_16;
+                turn_more1_odd_17 <= turn_more1_odd_16;
                 end1_odd_17 <= end1_odd_16;
                 texels1_000_17 <= texels1_000_16;
                 texels1_001_17 <= texels1_001_16;
@@ -2617,37 +3463,23 @@ begin
                 texels1_101_17 <= texels1_101_16;
                 texels1_110_17 <= texels1_110_16;
                 texels1_111_17 <= texels1_111_16;
-                v1_odd_signed_17 <= v1_odd_signed_16;
+                v1_odd_whole_17 <= v1_odd_whole_16;
+                v1_odd_of_0_17 <= v1_odd_of_0_16;
+                v1_odd_of_1_17 <= v1_odd_of_1_16;
+                v1_odd_of_2_17 <= v1_odd_of_2_16;
+                v1_odd_of_3_17 <= v1_odd_of_3_16;
+                v1_odd_of_4_17 <= v1_odd_of_4_16;
+                v1_odd_of_5_17 <= v1_odd_of_5_16;
                 blend1_signed_17 <= blend1_signed_16;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 17: turn_up1_even, turn_up1_odd
-    -- UQ1.14: from minus a right angle
-    turn_up1_even_17 <= unsigned(turn1_even_17) + to_unsigned(16384, 15);
-    -- UQ1.6: the table's row
-    step1_even_17 <= turn_up1_even_17(14 downto 8);
-    -- UQ7.0: its number
-    step_number1_even_17 <= step1_even_17;
-    -- UQ-6.14: the angle past it
-    past1_even_17 <= turn_up1_even_17(7 downto 0);
-    -- UQ0.8: as a part of the way to the next
-    past_part1_even_17 <= past1_even_17;
-    -- Q0.8: a sign bit for the signed product
-    past_part1_even_signed_17 <= signed(resize(past_part1_even_17, 9));
-    -- UQ1.14: from minus a right angle
-    turn_up1_odd_17 <= unsigned(turn1_odd_17) + to_unsigned(16384, 15);
-    -- UQ1.6: the table's row
-    step1_odd_17 <= turn_up1_odd_17(14 downto 8);
-    -- UQ7.0: its number
-    step_number1_odd_17 <= step1_odd_17;
-    -- UQ-6.14: the angle past it
-    past1_odd_17 <= turn_up1_odd_17(7 downto 0);
-    -- UQ0.8: as a part of the way to the next
-    past_part1_odd_17 <= past1_odd_17;
-    -- Q0.8: a sign bit for the signed product
-    past_part1_odd_signed_17 <= signed(resize(past_part1_odd_17, 9));
+    -- ===== Stage 17: turn_exact1_even, turn_exact1_odd
+    -- Q1.14: the turn k (phi_i - phi), in right angles
+    turn_exact1_even_17 <= resize(in_turn1_even_17, 16) + resize(turn_more1_even_17, 16);
+    -- Q1.14: the turn k (phi_i - phi), in right angles
+    turn_exact1_odd_17 <= resize(in_turn1_odd_17, 16) + resize(turn_more1_odd_17, 16);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2659,13 +3491,9 @@ begin
                 hidden_18 <= hidden_17;
                 shift1_18 <= shift1_17;
                 x1_18 <= x1_17;
-                step_number1_even_18 <= step_number1_even_17;
-                past_part1_even_18 <= past_part1_even_17;
-                past_part1_even_signed_18 <= past_part1_even_signed_17;
+                turn_exact1_even_18 <= turn_exact1_even_17;
                 end1_even_18 <= end1_even_17;
-                step_number1_odd_18 <= step_number1_odd_17;
-                past_part1_odd_18 <= past_part1_odd_17;
-                past_part1_odd_signed_18 <= past_part1_odd_signed_17;
+                turn_exact1_odd_18 <= turn_exact1_odd_17;
                 end1_odd_18 <= end1_odd_17;
                 texels1_000_18 <= texels1_000_17;
                 texels1_001_18 <= texels1_001_17;
@@ -2675,29 +3503,27 @@ begin
                 texels1_101_18 <= texels1_101_17;
                 texels1_110_18 <= texels1_110_17;
                 texels1_111_18 <= texels1_111_17;
-                v1_odd_signed_18 <= v1_odd_signed_17;
+                v1_odd_whole_18 <= v1_odd_whole_17;
+                v1_odd_of_0_18 <= v1_odd_of_0_17;
+                v1_odd_of_1_18 <= v1_odd_of_1_17;
+                v1_odd_of_2_18 <= v1_odd_of_2_17;
+                v1_odd_of_3_18 <= v1_odd_of_3_17;
+                v1_odd_of_4_18 <= v1_odd_of_4_17;
+                v1_odd_of_5_18 <= v1_odd_of_5_17;
                 blend1_signed_18 <= blend1_signed_17;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 18: read sines_1_even, read sines_1_odd
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                sines_1_even_19 <= SINES_1_EVEN(to_integer(step_number1_even_18));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                sines_1_odd_19 <= SINES_1_ODD(to_integer(step_number1_odd_18));
-            end if;
-        end if;
-    end process;
+    -- ===== Stage 18: turn1_even, turn1_odd
+    -- Q0.14: less than a right angle
+    turn1_even_18 <= to_signed(-16384, 15) when turn_exact1_even_18(15 downto 14) < -1 else
+        to_signed(16383, 15) when turn_exact1_even_18(15 downto 14) > 0 else
+        turn_exact1_even_18(14 downto 0);
+    -- Q0.14: less than a right angle
+    turn1_odd_18 <= to_signed(-16384, 15) when turn_exact1_odd_18(15 downto 14) < -1 else
+        to_signed(16383, 15) when turn_exact1_odd_18(15 downto 14) > 0 else
+        turn_exact1_odd_18(14 downto 0);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2709,11 +3535,9 @@ begin
                 hidden_19 <= hidden_18;
                 shift1_19 <= shift1_18;
                 x1_19 <= x1_18;
-                past_part1_even_19 <= past_part1_even_18;
-                past_part1_even_signed_19 <= past_part1_even_signed_18;
+                turn1_even_19 <= turn1_even_18;
                 end1_even_19 <= end1_even_18;
-                past_part1_odd_19 <= past_part1_odd_18;
-                past_part1_odd_signed_19 <= past_part1_odd_signed_18;
+                turn1_odd_19 <= turn1_odd_18;
                 end1_odd_19 <= end1_odd_18;
                 texels1_000_19 <= texels1_000_18;
                 texels1_001_19 <= texels1_001_18;
@@ -2723,29 +3547,43 @@ begin
                 texels1_101_19 <= texels1_101_18;
                 texels1_110_19 <= texels1_110_18;
                 texels1_111_19 <= texels1_111_18;
-                v1_odd_signed_19 <= v1_odd_signed_18;
+                v1_odd_whole_19 <= v1_odd_whole_18;
+                v1_odd_of_0_19 <= v1_odd_of_0_18;
+                v1_odd_of_1_19 <= v1_odd_of_1_18;
+                v1_odd_of_2_19 <= v1_odd_of_2_18;
+                v1_odd_of_3_19 <= v1_odd_of_3_18;
+                v1_odd_of_4_19 <= v1_odd_of_4_18;
+                v1_odd_of_5_19 <= v1_odd_of_5_18;
                 blend1_signed_19 <= blend1_signed_18;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 19: registers only
-    -- Q0.14: the sine
-    sine_1_even_19 <= signed(sines_1_even_19(52 downto 38));
-    -- UQ-5.16: what it rises by to the next row
-    sine_rise_1_even_19 <= unsigned(sines_1_even_19(37 downto 27));
-    -- UQ1.14: the cosine
-    cosine_1_even_19 <= unsigned(sines_1_even_19(26 downto 12));
-    -- Q-5.16: what it rises by to the next row
-    cosine_rise_1_even_19 <= signed(sines_1_even_19(11 downto 0));
-    -- Q0.14: the sine
-    sine_1_odd_19 <= signed(sines_1_odd_19(52 downto 38));
-    -- UQ-5.16: what it rises by to the next row
-    sine_rise_1_odd_19 <= unsigned(sines_1_odd_19(37 downto 27));
-    -- UQ1.14: the cosine
-    cosine_1_odd_19 <= unsigned(sines_1_odd_19(26 downto 12));
-    -- Q-5.16: what it rises by to the next row
-    cosine_rise_1_odd_19 <= signed(sines_1_odd_19(11 downto 0));
+    -- ===== Stage 19: turn_up1_even, turn_up1_odd
+    -- UQ1.14: from minus a right angle
+    turn_up1_even_19 <= unsigned(turn1_even_19) + to_unsigned(16384, 15);
+    -- UQ1.6: the table's row
+    step1_even_19 <= turn_up1_even_19(14 downto 8);
+    -- UQ7.0: its number
+    step_number1_even_19 <= step1_even_19;
+    -- UQ-6.14: the angle past it
+    past1_even_19 <= turn_up1_even_19(7 downto 0);
+    -- UQ0.8: as a part of the way to the next
+    past_part1_even_19 <= past1_even_19;
+    -- Q0.8: a sign bit for the signed product
+    past_part1_even_signed_19 <= signed(resize(past_part1_even_19, 9));
+    -- UQ1.14: from minus a right angle
+    turn_up1_odd_19 <= unsigned(turn1_odd_19) + to_unsigned(16384, 15);
+    -- UQ1.6: the table's row
+    step1_odd_19 <= turn_up1_odd_19(14 downto 8);
+    -- UQ7.0: its number
+    step_number1_odd_19 <= step1_odd_19;
+    -- UQ-6.14: the angle past it
+    past1_odd_19 <= turn_up1_odd_19(7 downto 0);
+    -- UQ0.8: as a part of the way to the next
+    past_part1_odd_19 <= past1_odd_19;
+    -- Q0.8: a sign bit for the signed product
+    past_part1_odd_signed_19 <= signed(resize(past_part1_odd_19, 9));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2757,18 +3595,12 @@ begin
                 hidden_20 <= hidden_19;
                 shift1_20 <= shift1_19;
                 x1_20 <= x1_19;
+                step_number1_even_20 <= step_number1_even_19;
                 past_part1_even_20 <= past_part1_even_19;
-                sine_1_even_20 <= sine_1_even_19;
-                sine_rise_1_even_20 <= sine_rise_1_even_19;
-                cosine_1_even_20 <= cosine_1_even_19;
-                cosine_rise_1_even_20 <= cosine_rise_1_even_19;
                 past_part1_even_signed_20 <= past_part1_even_signed_19;
                 end1_even_20 <= end1_even_19;
+                step_number1_odd_20 <= step_number1_odd_19;
                 past_part1_odd_20 <= past_part1_odd_19;
-                sine_1_odd_20 <= sine_1_odd_19;
-                sine_rise_1_odd_20 <= sine_rise_1_odd_19;
-                cosine_1_odd_20 <= cosine_1_odd_19;
-                cosine_rise_1_odd_20 <= cosine_rise_1_odd_19;
                 past_part1_odd_signed_20 <= past_part1_odd_signed_19;
                 end1_odd_20 <= end1_odd_19;
                 texels1_000_20 <= texels1_000_19;
@@ -2779,13 +3611,35 @@ begin
                 texels1_101_20 <= texels1_101_19;
                 texels1_110_20 <= texels1_110_19;
                 texels1_111_20 <= texels1_111_19;
-                v1_odd_signed_20 <= v1_odd_signed_19;
+                v1_odd_whole_20 <= v1_odd_whole_19;
+                v1_odd_of_0_20 <= v1_odd_of_0_19;
+                v1_odd_of_1_20 <= v1_odd_of_1_19;
+                v1_odd_of_2_20 <= v1_odd_of_2_19;
+                v1_odd_of_3_20 <= v1_odd_of_3_19;
+                v1_odd_of_4_20 <= v1_odd_of_4_19;
+                v1_odd_of_5_20 <= v1_odd_of_5_19;
                 blend1_signed_20 <= blend1_signed_19;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 20: registers only
+    -- ===== Stage 20: read sines_1_even, read sines_1_odd
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                sines_1_even_21 <= SINES_1_EVEN(to_integer(step_number1_even_20));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                sines_1_odd_21 <= SINES_1_ODD(to_integer(step_number1_odd_20));
+            end if;
+        end if;
+    end process;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2798,17 +3652,9 @@ begin
                 shift1_21 <= shift1_20;
                 x1_21 <= x1_20;
                 past_part1_even_21 <= past_part1_even_20;
-                sine_1_even_21 <= sine_1_even_20;
-                sine_rise_1_even_21 <= sine_rise_1_even_20;
-                cosine_1_even_21 <= cosine_1_even_20;
-                cosine_rise_1_even_21 <= cosine_rise_1_even_20;
                 past_part1_even_signed_21 <= past_part1_even_signed_20;
                 end1_even_21 <= end1_even_20;
                 past_part1_odd_21 <= past_part1_odd_20;
-                sine_1_odd_21 <= sine_1_odd_20;
-                sine_rise_1_odd_21 <= sine_rise_1_odd_20;
-                cosine_1_odd_21 <= cosine_1_odd_20;
-                cosine_rise_1_odd_21 <= cosine_rise_1_odd_20;
                 past_part1_odd_signed_21 <= past_part1_odd_signed_20;
                 end1_odd_21 <= end1_odd_20;
                 texels1_000_21 <= texels1_000_20;
@@ -2819,21 +3665,35 @@ begin
                 texels1_101_21 <= texels1_101_20;
                 texels1_110_21 <= texels1_110_20;
                 texels1_111_21 <= texels1_111_20;
-                v1_odd_signed_21 <= v1_odd_signed_20;
+                v1_odd_whole_21 <= v1_odd_whole_20;
+                v1_odd_of_0_21 <= v1_odd_of_0_20;
+                v1_odd_of_1_21 <= v1_odd_of_1_20;
+                v1_odd_of_2_21 <= v1_odd_of_2_20;
+                v1_odd_of_3_21 <= v1_odd_of_3_20;
+                v1_odd_of_4_21 <= v1_odd_of_4_20;
+                v1_odd_of_5_21 <= v1_odd_of_5_20;
                 blend1_signed_21 <= blend1_signed_20;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 21: sin_part1_even, cos_part1_even, sin_part1_odd and 1 more
-    -- UQ-5.24: its part of the rise
-    sin_part1_even_21 <= sine_rise_1_even_21 * past_part1_even_21;
-    -- Q-4.24: its part of the rise
-    cos_part1_even_21 <= cosine_rise_1_even_21 * past_part1_even_signed_21;
-    -- UQ-5.24: its part of the rise
-    sin_part1_odd_21 <= sine_rise_1_odd_21 * past_part1_odd_21;
-    -- Q-4.24: its part of the rise
-    cos_part1_odd_21 <= cosine_rise_1_odd_21 * past_part1_odd_signed_21;
+    -- ===== Stage 21: registers only
+    -- Q0.14: the sine
+    sine_1_even_21 <= signed(sines_1_even_21(52 downto 38));
+    -- UQ-5.16: what it rises by to the next row
+    sine_rise_1_even_21 <= unsigned(sines_1_even_21(37 downto 27));
+    -- UQ1.14: the cosine
+    cosine_1_even_21 <= unsigned(sines_1_even_21(26 downto 12));
+    -- Q-5.16: what it rises by to the next row
+    cosine_rise_1_even_21 <= signed(sines_1_even_21(11 downto 0));
+    -- Q0.14: the sine
+    sine_1_odd_21 <= signed(sines_1_odd_21(52 downto 38));
+    -- UQ-5.16: what it rises by to the next row
+    sine_rise_1_odd_21 <= unsigned(sines_1_odd_21(37 downto 27));
+    -- UQ1.14: the cosine
+    cosine_1_odd_21 <= unsigned(sines_1_odd_21(26 downto 12));
+    -- Q-5.16: what it rises by to the next row
+    cosine_rise_1_odd_21 <= signed(sines_1_odd_21(11 downto 0));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2845,15 +3705,19 @@ begin
                 hidden_22 <= hidden_21;
                 shift1_22 <= shift1_21;
                 x1_22 <= x1_21;
+                past_part1_even_22 <= past_part1_even_21;
                 sine_1_even_22 <= sine_1_even_21;
+                sine_rise_1_even_22 <= sine_rise_1_even_21;
                 cosine_1_even_22 <= cosine_1_even_21;
-                sin_part1_even_22 <= sin_part1_even_21;
-                cos_part1_even_22 <= cos_part1_even_21;
+                cosine_rise_1_even_22 <= cosine_rise_1_even_21;
+                past_part1_even_signed_22 <= past_part1_even_signed_21;
                 end1_even_22 <= end1_even_21;
+                past_part1_odd_22 <= past_part1_odd_21;
                 sine_1_odd_22 <= sine_1_odd_21;
+                sine_rise_1_odd_22 <= sine_rise_1_odd_21;
                 cosine_1_odd_22 <= cosine_1_odd_21;
-                sin_part1_odd_22 <= sin_part1_odd_21;
-                cos_part1_odd_22 <= cos_part1_odd_21;
+                cosine_rise_1_odd_22 <= cosine_rise_1_odd_21;
+                past_part1_odd_signed_22 <= past_part1_odd_signed_21;
                 end1_odd_22 <= end1_odd_21;
                 texels1_000_22 <= texels1_000_21;
                 texels1_001_22 <= texels1_001_21;
@@ -2863,33 +3727,19 @@ begin
                 texels1_101_22 <= texels1_101_21;
                 texels1_110_22 <= texels1_110_21;
                 texels1_111_22 <= texels1_111_21;
-                v1_odd_signed_22 <= v1_odd_signed_21;
+                v1_odd_whole_22 <= v1_odd_whole_21;
+                v1_odd_of_0_22 <= v1_odd_of_0_21;
+                v1_odd_of_1_22 <= v1_odd_of_1_21;
+                v1_odd_of_2_22 <= v1_odd_of_2_21;
+                v1_odd_of_3_22 <= v1_odd_of_3_21;
+                v1_odd_of_4_22 <= v1_odd_of_4_21;
+                v1_odd_of_5_22 <= v1_odd_of_5_21;
                 blend1_signed_22 <= blend1_signed_21;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 22: sin_exact1_even, cos_exact1_even, sin_exact1_odd and 1 more
-    -- Q1.24: between two rows
-    sin_exact1_even_22 <=
-        shift_left(resize(sine_1_even_22, 26), 10) + signed(resize(sin_part1_even_22, 26));
-    -- Q1.14: rounded down
-    sin1_even_22 <= sin_exact1_even_22(25 downto 10);
-    -- Q1.24: between two rows
-    cos_exact1_even_22 <=
-        shift_left(signed(resize(cosine_1_even_22, 26)), 10) + resize(cos_part1_even_22, 26);
-    -- Q1.14: rounded down
-    cos1_even_22 <= cos_exact1_even_22(25 downto 10);
-    -- Q1.24: between two rows
-    sin_exact1_odd_22 <=
-        shift_left(resize(sine_1_odd_22, 26), 10) + signed(resize(sin_part1_odd_22, 26));
-    -- Q1.14: rounded down
-    sin1_odd_22 <= sin_exact1_odd_22(25 downto 10);
-    -- Q1.24: between two rows
-    cos_exact1_odd_22 <=
-        shift_left(signed(resize(cosine_1_odd_22, 26)), 10) + resize(cos_part1_odd_22, 26);
-    -- Q1.14: rounded down
-    cos1_odd_22 <= cos_exact1_odd_22(25 downto 10);
+    -- ===== Stage 22: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2901,11 +3751,19 @@ begin
                 hidden_23 <= hidden_22;
                 shift1_23 <= shift1_22;
                 x1_23 <= x1_22;
-                sin1_even_23 <= sin1_even_22;
-                cos1_even_23 <= cos1_even_22;
+                past_part1_even_23 <= past_part1_even_22;
+                sine_1_even_23 <= sine_1_even_22;
+                sine_rise_1_even_23 <= sine_rise_1_even_22;
+                cosine_1_even_23 <= cosine_1_even_22;
+                cosine_rise_1_even_23 <= cosine_rise_1_even_22;
+                past_part1_even_signed_23 <= past_part1_even_signed_22;
                 end1_even_23 <= end1_even_22;
-                sin1_odd_23 <= sin1_odd_22;
-                cos1_odd_23 <= cos1_odd_22;
+                past_part1_odd_23 <= past_part1_odd_22;
+                sine_1_odd_23 <= sine_1_odd_22;
+                sine_rise_1_odd_23 <= sine_rise_1_odd_22;
+                cosine_1_odd_23 <= cosine_1_odd_22;
+                cosine_rise_1_odd_23 <= cosine_rise_1_odd_22;
+                past_part1_odd_signed_23 <= past_part1_odd_signed_22;
                 end1_odd_23 <= end1_odd_22;
                 texels1_000_23 <= texels1_000_22;
                 texels1_001_23 <= texels1_001_22;
@@ -2915,63 +3773,47 @@ begin
                 texels1_101_23 <= texels1_101_22;
                 texels1_110_23 <= texels1_110_22;
                 texels1_111_23 <= texels1_111_22;
-                v1_odd_signed_23 <= v1_odd_signed_22;
+                v1_odd_whole_23 <= v1_odd_whole_22;
+                v1_odd_of_0_23 <= v1_odd_of_0_22;
+                v1_odd_of_1_23 <= v1_odd_of_1_22;
+                v1_odd_of_2_23 <= v1_odd_of_2_22;
+                v1_odd_of_3_23 <= v1_odd_of_3_22;
+                v1_odd_of_4_23 <= v1_odd_of_4_22;
+                v1_odd_of_5_23 <= v1_odd_of_5_22;
                 blend1_signed_23 <= blend1_signed_22;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 23: xc1_even_exact, zs1_even_exact, zc1_even_exact and 5 more
-    -- Q6.28: x cos
-    xc1_even_exact_23 <= x1_23 * cos1_even_23;
-    -- Q4.14: rounded down
-    xc1_even_23 <= xc1_even_exact_23(32 downto 14);
-    -- Q3.30: z sin
-    zs1_even_exact_23 <= in_nz_23 * sin1_even_23;
-    -- Q2.14: rounded down
-    zs1_even_23 <= zs1_even_exact_23(32 downto 16);
-    -- Q3.30: z cos
-    zc1_even_exact_23 <= in_nz_23 * cos1_even_23;
-    -- Q2.14: rounded down
-    zc1_even_23 <= zc1_even_exact_23(32 downto 16);
-    -- Q6.28: x sin
-    xs1_even_exact_23 <= x1_23 * sin1_even_23;
-    -- Q4.14: rounded down
-    xs1_even_23 <= xs1_even_exact_23(32 downto 14);
-    -- Q6.28: x cos
-    xc1_odd_exact_23 <= x1_23 * cos1_odd_23;
-    -- Q4.14: rounded down
-    xc1_odd_23 <= xc1_odd_exact_23(32 downto 14);
-    -- Q3.30: z sin
-    zs1_odd_exact_23 <= in_nz_23 * sin1_odd_23;
-    -- Q2.14: rounded down
-    zs1_odd_23 <= zs1_odd_exact_23(32 downto 16);
-    -- Q3.30: z cos
-    zc1_odd_exact_23 <= in_nz_23 * cos1_odd_23;
-    -- Q2.14: rounded down
-    zc1_odd_23 <= zc1_odd_exact_23(32 downto 16);
-    -- Q6.28: x sin
-    xs1_odd_exact_23 <= x1_23 * sin1_odd_23;
-    -- Q4.14: rounded down
-    xs1_odd_23 <= xs1_odd_exact_23(32 downto 14);
+    -- ===== Stage 23: sin_part1_even, cos_part1_even, sin_part1_odd and 1 more
+    -- UQ-5.24: its part of the rise
+    sin_part1_even_23 <= sine_rise_1_even_23 * past_part1_even_23;
+    -- Q-4.24: its part of the rise
+    cos_part1_even_23 <= cosine_rise_1_even_23 * past_part1_even_signed_23;
+    -- UQ-5.24: its part of the rise
+    sin_part1_odd_23 <= sine_rise_1_odd_23 * past_part1_odd_23;
+    -- Q-4.24: its part of the rise
+    cos_part1_odd_23 <= cosine_rise_1_odd_23 * past_part1_odd_signed_23;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
+                in_nz_24 <= in_nz_23;
                 in_gain1r_24 <= in_gain1r_23;
                 in_gain1g_24 <= in_gain1g_23;
                 in_gain1b_24 <= in_gain1b_23;
                 hidden_24 <= hidden_23;
                 shift1_24 <= shift1_23;
-                xc1_even_24 <= xc1_even_23;
-                zs1_even_24 <= zs1_even_23;
-                zc1_even_24 <= zc1_even_23;
-                xs1_even_24 <= xs1_even_23;
+                x1_24 <= x1_23;
+                sine_1_even_24 <= sine_1_even_23;
+                cosine_1_even_24 <= cosine_1_even_23;
+                sin_part1_even_24 <= sin_part1_even_23;
+                cos_part1_even_24 <= cos_part1_even_23;
                 end1_even_24 <= end1_even_23;
-                xc1_odd_24 <= xc1_odd_23;
-                zs1_odd_24 <= zs1_odd_23;
-                zc1_odd_24 <= zc1_odd_23;
-                xs1_odd_24 <= xs1_odd_23;
+                sine_1_odd_24 <= sine_1_odd_23;
+                cosine_1_odd_24 <= cosine_1_odd_23;
+                sin_part1_odd_24 <= sin_part1_odd_23;
+                cos_part1_odd_24 <= cos_part1_odd_23;
                 end1_odd_24 <= end1_odd_23;
                 texels1_000_24 <= texels1_000_23;
                 texels1_001_24 <= texels1_001_23;
@@ -2981,39 +3823,55 @@ begin
                 texels1_101_24 <= texels1_101_23;
                 texels1_110_24 <= texels1_110_23;
                 texels1_111_24 <= texels1_111_23;
-                v1_odd_signed_24 <= v1_odd_signed_23;
+                v1_odd_whole_24 <= v1_odd_whole_23;
+                v1_odd_of_0_24 <= v1_odd_of_0_23;
+                v1_odd_of_1_24 <= v1_odd_of_1_23;
+                v1_odd_of_2_24 <= v1_odd_of_2_23;
+                v1_odd_of_3_24 <= v1_odd_of_3_23;
+                v1_odd_of_4_24 <= v1_odd_of_4_23;
+                v1_odd_of_5_24 <= v1_odd_of_5_23;
                 blend1_signed_24 <= blend1_signed_23;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 24: across1_even, behind1_even, across1_odd, behind1_odd
-    -- Q4.14: x of the turned normal
-    across1_even_24 <= xc1_even_24 + resize(zs1_even_24, 19);
-    -- UQ1.0: whether it is behind the rim, z < 0
-    behind1_even_24 <= '1' when xs1_even_24 > zc1_even_24 else '0';
-    -- Q9.9: in texels from the middle
-    u1_even_scaled_24 <= across1_even_24;
-    -- Q4.14: x of the turned normal
-    across1_odd_24 <= xc1_odd_24 + resize(zs1_odd_24, 19);
-    -- UQ1.0: whether it is behind the rim, z < 0
-    behind1_odd_24 <= '1' when xs1_odd_24 > zc1_odd_24 else '0';
-    -- Q9.9: in texels from the middle
-    u1_odd_scaled_24 <= across1_odd_24;
+    -- ===== Stage 24: sin_exact1_even, cos_exact1_even, sin_exact1_odd and 1 more
+    -- Q1.24: between two rows
+    sin_exact1_even_24 <=
+        shift_left(resize(sine_1_even_24, 26), 10) + signed(resize(sin_part1_even_24, 26));
+    -- Q1.14: rounded down
+    sin1_even_24 <= sin_exact1_even_24(25 downto 10);
+    -- Q1.24: between two rows
+    cos_exact1_even_24 <=
+        shift_left(signed(resize(cosine_1_even_24, 26)), 10) + resize(cos_part1_even_24, 26);
+    -- Q1.14: rounded down
+    cos1_even_24 <= cos_exact1_even_24(25 downto 10);
+    -- Q1.24: between two rows
+    sin_exact1_odd_24 <=
+        shift_left(resize(sine_1_odd_24, 26), 10) + signed(resize(sin_part1_odd_24, 26));
+    -- Q1.14: rounded down
+    sin1_odd_24 <= sin_exact1_odd_24(25 downto 10);
+    -- Q1.24: between two rows
+    cos_exact1_odd_24 <=
+        shift_left(signed(resize(cosine_1_odd_24, 26)), 10) + resize(cos_part1_odd_24, 26);
+    -- Q1.14: rounded down
+    cos1_odd_24 <= cos_exact1_odd_24(25 downto 10);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
+                in_nz_25 <= in_nz_24;
                 in_gain1r_25 <= in_gain1r_24;
                 in_gain1g_25 <= in_gain1g_24;
                 in_gain1b_25 <= in_gain1b_24;
                 hidden_25 <= hidden_24;
                 shift1_25 <= shift1_24;
-                behind1_even_25 <= behind1_even_24;
-                u1_even_scaled_25 <= u1_even_scaled_24;
+                x1_25 <= x1_24;
+                sin1_even_25 <= sin1_even_24;
+                cos1_even_25 <= cos1_even_24;
                 end1_even_25 <= end1_even_24;
-                behind1_odd_25 <= behind1_odd_24;
-                u1_odd_scaled_25 <= u1_odd_scaled_24;
+                sin1_odd_25 <= sin1_odd_24;
+                cos1_odd_25 <= cos1_odd_24;
                 end1_odd_25 <= end1_odd_24;
                 texels1_000_25 <= texels1_000_24;
                 texels1_001_25 <= texels1_001_24;
@@ -3023,57 +3881,51 @@ begin
                 texels1_101_25 <= texels1_101_24;
                 texels1_110_25 <= texels1_110_24;
                 texels1_111_25 <= texels1_111_24;
-                v1_odd_signed_25 <= v1_odd_signed_24;
+                v1_odd_whole_25 <= v1_odd_whole_24;
+                v1_odd_of_0_25 <= v1_odd_of_0_24;
+                v1_odd_of_1_25 <= v1_odd_of_1_24;
+                v1_odd_of_2_25 <= v1_odd_of_2_24;
+                v1_odd_of_3_25 <= v1_odd_of_3_24;
+                v1_odd_of_4_25 <= v1_odd_of_4_24;
+                v1_odd_of_5_25 <= v1_odd_of_5_24;
                 blend1_signed_25 <= blend1_signed_24;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 25: u1_even_place, u1_even_kept, u_at1_even, u1_odd_place and 2 more
-    -- Q9.9: from the first, plus half a weight's last bit
-    u1_even_place_25 <= u1_even_scaled_25 + to_signed(16132, 19);
-    -- Q9.6: rounded to the nearest weight
-    u1_even_cut_25 <= u1_even_place_25(18 downto 3);
-    -- UQ6.6: between the outermost centres
-    u1_even_kept_25 <= (others => '0') when u1_even_cut_25(15) = '1' else
-        to_unsigned(4032, 12) when u1_even_cut_25 > 4032 else
-        unsigned(u1_even_cut_25(11 downto 0));
-    -- UQ6.6: that end from behind the rim
-    u_at1_even_25 <= end1_even_25 when behind1_even_25 = '1' else u1_even_kept_25;
-    -- UQ6.0: the texel at or below it
-    u1_even_texel_25 <= u_at1_even_25(11 downto 6);
-    -- UQ0.6: the weight of the next
-    u1_even_weight_25 <= u_at1_even_25(5 downto 0);
-    -- UQ6.-1: its leading bits
-    u1_even_odd_high_25 <= u1_even_texel_25(5 downto 1);
-    -- UQ5.0: the odd one of both
-    u1_even_odd_25 <= u1_even_odd_high_25;
-    -- UQ1.0: its last bit
-    u1_even_is_odd_25 <= u1_even_texel_25(0);
-    -- UQ1.6: in the wider of two formats
-    u1_even_weight_wide_25 <= resize(u1_even_weight_25, 7);
-    -- Q9.9: from the first, plus half a weight's last bit
-    u1_odd_place_25 <= u1_odd_scaled_25 + to_signed(16132, 19);
-    -- Q9.6: rounded to the nearest weight
-    u1_odd_cut_25 <= u1_odd_place_25(18 downto 3);
-    -- UQ6.6: between the outermost centres
-    u1_odd_kept_25 <= (others => '0') when u1_odd_cut_25(15) = '1' else
-        to_unsigned(4032, 12) when u1_odd_cut_25 > 4032 else
-        unsigned(u1_odd_cut_25(11 downto 0));
-    -- UQ6.6: that end from behind the rim
-    u_at1_odd_25 <= end1_odd_25 when behind1_odd_25 = '1' else u1_odd_kept_25;
-    -- UQ6.0: the texel at or below it
-    u1_odd_texel_25 <= u_at1_odd_25(11 downto 6);
-    -- UQ0.6: the weight of the next
-    u1_odd_weight_25 <= u_at1_odd_25(5 downto 0);
-    -- UQ6.-1: its leading bits
-    u1_odd_odd_high_25 <= u1_odd_texel_25(5 downto 1);
-    -- UQ5.0: the odd one of both
-    u1_odd_odd_25 <= u1_odd_odd_high_25;
-    -- UQ1.0: its last bit
-    u1_odd_is_odd_25 <= u1_odd_texel_25(0);
-    -- UQ1.6: in the wider of two formats
-    u1_odd_weight_wide_25 <= resize(u1_odd_weight_25, 7);
+    -- ===== Stage 25: xc1_even_exact, zs1_even_exact, zc1_even_exact and 5 more
+    -- Q6.28: x cos
+    xc1_even_exact_25 <= x1_25 * cos1_even_25;
+    -- Q4.14: rounded down
+    xc1_even_25 <= xc1_even_exact_25(32 downto 14);
+    -- Q3.30: z sin
+    zs1_even_exact_25 <= in_nz_25 * sin1_even_25;
+    -- Q2.14: rounded down
+    zs1_even_25 <= zs1_even_exact_25(32 downto 16);
+    -- Q3.30: z cos
+    zc1_even_exact_25 <= in_nz_25 * cos1_even_25;
+    -- Q2.14: rounded down
+    zc1_even_25 <= zc1_even_exact_25(32 downto 16);
+    -- Q6.28: x sin
+    xs1_even_exact_25 <= x1_25 * sin1_even_25;
+    -- Q4.14: rounded down
+    xs1_even_25 <= xs1_even_exact_25(32 downto 14);
+    -- Q6.28: x cos
+    xc1_odd_exact_25 <= x1_25 * cos1_odd_25;
+    -- Q4.14: rounded down
+    xc1_odd_25 <= xc1_odd_exact_25(32 downto 14);
+    -- Q3.30: z sin
+    zs1_odd_exact_25 <= in_nz_25 * sin1_odd_25;
+    -- Q2.14: rounded down
+    zs1_odd_25 <= zs1_odd_exact_25(32 downto 16);
+    -- Q3.30: z cos
+    zc1_odd_exact_25 <= in_nz_25 * cos1_odd_25;
+    -- Q2.14: rounded down
+    zc1_odd_25 <= zc1_odd_exact_25(32 downto 16);
+    -- Q6.28: x sin
+    xs1_odd_exact_25 <= x1_25 * sin1_odd_25;
+    -- Q4.14: rounded down
+    xs1_odd_25 <= xs1_odd_exact_25(32 downto 14);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3083,16 +3935,16 @@ begin
                 in_gain1b_26 <= in_gain1b_25;
                 hidden_26 <= hidden_25;
                 shift1_26 <= shift1_25;
-                u1_even_texel_26 <= u1_even_texel_25;
-                u1_even_weight_26 <= u1_even_weight_25;
-                u1_even_odd_26 <= u1_even_odd_25;
-                u1_even_is_odd_26 <= u1_even_is_odd_25;
-                u1_even_weight_wide_26 <= u1_even_weight_wide_25;
-                u1_odd_texel_26 <= u1_odd_texel_25;
-                u1_odd_weight_26 <= u1_odd_weight_25;
-                u1_odd_odd_26 <= u1_odd_odd_25;
-                u1_odd_is_odd_26 <= u1_odd_is_odd_25;
-                u1_odd_weight_wide_26 <= u1_odd_weight_wide_25;
+                xc1_even_26 <= xc1_even_25;
+                zs1_even_26 <= zs1_even_25;
+                zc1_even_26 <= zc1_even_25;
+                xs1_even_26 <= xs1_even_25;
+                end1_even_26 <= end1_even_25;
+                xc1_odd_26 <= xc1_odd_25;
+                zs1_odd_26 <= zs1_odd_25;
+                zc1_odd_26 <= zc1_odd_25;
+                xs1_odd_26 <= xs1_odd_25;
+                end1_odd_26 <= end1_odd_25;
                 texels1_000_26 <= texels1_000_25;
                 texels1_001_26 <= texels1_001_25;
                 texels1_010_26 <= texels1_010_25;
@@ -3101,51 +3953,31 @@ begin
                 texels1_101_26 <= texels1_101_25;
                 texels1_110_26 <= texels1_110_25;
                 texels1_111_26 <= texels1_111_25;
-                v1_odd_signed_26 <= v1_odd_signed_25;
+                v1_odd_whole_26 <= v1_odd_whole_25;
+                v1_odd_of_0_26 <= v1_odd_of_0_25;
+                v1_odd_of_1_26 <= v1_odd_of_1_25;
+                v1_odd_of_2_26 <= v1_odd_of_2_25;
+                v1_odd_of_3_26 <= v1_odd_of_3_25;
+                v1_odd_of_4_26 <= v1_odd_of_4_25;
+                v1_odd_of_5_26 <= v1_odd_of_5_25;
                 blend1_signed_26 <= blend1_signed_25;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 26: u1_even_next_exact, u1_even_next, u1_even_other and 9 more
-    -- UQ7.0: the next
-    u1_even_next_exact_26 <= resize(u1_even_texel_26, 7) + to_unsigned(1, 7);
-    -- UQ6.0: at most the last
-    u1_even_next_26 <= to_unsigned(63, 6) when u1_even_next_exact_26 > 63 else
-        u1_even_next_exact_26(5 downto 0);
-    -- UQ6.-1: its leading bits
-    u1_even_even_high_26 <= u1_even_next_26(5 downto 1);
-    -- UQ5.0: the even one of both
-    u1_even_even_26 <= u1_even_even_high_26;
-    -- UQ1.6: the weight of the place itself
-    u1_even_other_26 <= to_unsigned(64, 7) - resize(u1_even_weight_26, 7);
-    -- UQ1.6: the weight of the odd one
-    u1_even_odd_v2_26 <= u1_even_other_26 when u1_even_is_odd_26 = '1' else u1_even_weight_wide_26;
-    -- UQ7.0: the next
-    u1_odd_next_exact_26 <= resize(u1_odd_texel_26, 7) + to_unsigned(1, 7);
-    -- UQ6.0: at most the last
-    u1_odd_next_26 <= to_unsigned(63, 6) when u1_odd_next_exact_26 > 63 else
-        u1_odd_next_exact_26(5 downto 0);
-    -- UQ6.-1: its leading bits
-    u1_odd_even_high_26 <= u1_odd_next_26(5 downto 1);
-    -- UQ5.0: the even one of both
-    u1_odd_even_26 <= u1_odd_even_high_26;
-    -- UQ1.6: the weight of the place itself
-    u1_odd_other_26 <= to_unsigned(64, 7) - resize(u1_odd_weight_26, 7);
-    -- UQ1.6: the weight of the odd one
-    u1_odd_odd_v2_26 <= u1_odd_other_26 when u1_odd_is_odd_26 = '1' else u1_odd_weight_wide_26;
-    -- UQ12.0: side by side
-    texel1_001_26 <= shift_left(resize(texels1_001_26, 12), 5) + resize(u1_even_odd_26, 12);
-    -- UQ12.0: side by side
-    texel1_011_26 <= shift_left(resize(texels1_011_26, 12), 5) + resize(u1_even_odd_26, 12);
-    -- UQ12.0: side by side
-    texel1_101_26 <= shift_left(resize(texels1_101_26, 12), 5) + resize(u1_odd_odd_26, 12);
-    -- UQ12.0: side by side
-    texel1_111_26 <= shift_left(resize(texels1_111_26, 12), 5) + resize(u1_odd_odd_26, 12);
-    -- Q1.6: a sign bit for the signed product
-    u1_even_odd_signed_26 <= signed(resize(u1_even_odd_v2_26, 8));
-    -- Q1.6: a sign bit for the signed product
-    u1_odd_odd_signed_26 <= signed(resize(u1_odd_odd_v2_26, 8));
+    -- ===== Stage 26: across1_even, behind1_even, across1_odd, behind1_odd
+    -- Q4.14: x of the turned normal
+    across1_even_26 <= xc1_even_26 + resize(zs1_even_26, 19);
+    -- UQ1.0: whether it is behind the rim, z < 0
+    behind1_even_26 <= '1' when xs1_even_26 > zc1_even_26 else '0';
+    -- Q9.9: in texels from the middle
+    u1_even_scaled_26 <= across1_even_26;
+    -- Q4.14: x of the turned normal
+    across1_odd_26 <= xc1_odd_26 + resize(zs1_odd_26, 19);
+    -- UQ1.0: whether it is behind the rim, z < 0
+    behind1_odd_26 <= '1' when xs1_odd_26 > zc1_odd_26 else '0';
+    -- Q9.9: in texels from the middle
+    u1_odd_scaled_26 <= across1_odd_26;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3155,33 +3987,41 @@ begin
                 in_gain1b_27 <= in_gain1b_26;
                 hidden_27 <= hidden_26;
                 shift1_27 <= shift1_26;
-                u1_even_even_27 <= u1_even_even_26;
-                u1_odd_even_27 <= u1_odd_even_26;
+                behind1_even_27 <= behind1_even_26;
+                u1_even_scaled_27 <= u1_even_scaled_26;
+                end1_even_27 <= end1_even_26;
+                behind1_odd_27 <= behind1_odd_26;
+                u1_odd_scaled_27 <= u1_odd_scaled_26;
+                end1_odd_27 <= end1_odd_26;
                 texels1_000_27 <= texels1_000_26;
-                texel1_001_27 <= texel1_001_26;
+                texels1_001_27 <= texels1_001_26;
                 texels1_010_27 <= texels1_010_26;
-                texel1_011_27 <= texel1_011_26;
+                texels1_011_27 <= texels1_011_26;
                 texels1_100_27 <= texels1_100_26;
-                texel1_101_27 <= texel1_101_26;
+                texels1_101_27 <= texels1_101_26;
                 texels1_110_27 <= texels1_110_26;
-                texel1_111_27 <= texel1_111_26;
-                u1_even_odd_signed_27 <= u1_even_odd_signed_26;
-                u1_odd_odd_signed_27 <= u1_odd_odd_signed_26;
-                v1_odd_signed_27 <= v1_odd_signed_26;
+                texels1_111_27 <= texels1_111_26;
+                v1_odd_whole_27 <= v1_odd_whole_26;
+                v1_odd_of_0_27 <= v1_odd_of_0_26;
+                v1_odd_of_1_27 <= v1_odd_of_1_26;
+                v1_odd_of_2_27 <= v1_odd_of_2_26;
+                v1_odd_of_3_27 <= v1_odd_of_3_26;
+                v1_odd_of_4_27 <= v1_odd_of_4_26;
+                v1_odd_of_5_27 <= v1_odd_of_5_26;
                 blend1_signed_27 <= blend1_signed_26;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 27: texel1_000, texel1_010, texel1_100, texel1_110
-    -- UQ12.0: side by side
-    texel1_000_27 <= shift_left(resize(texels1_000_27, 12), 5) + resize(u1_even_even_27, 12);
-    -- UQ12.0: side by side
-    texel1_010_27 <= shift_left(resize(texels1_010_27, 12), 5) + resize(u1_even_even_27, 12);
-    -- UQ12.0: side by side
-    texel1_100_27 <= shift_left(resize(texels1_100_27, 12), 5) + resize(u1_odd_even_27, 12);
-    -- UQ12.0: side by side
-    texel1_110_27 <= shift_left(resize(texels1_110_27, 12), 5) + resize(u1_odd_even_27, 12);
+    -- ===== Stage 27: u1_even_place, u1_odd_place
+    -- Q9.9: from the first, plus half a weight's last bit
+    u1_even_place_27 <= u1_even_scaled_27 + to_signed(16132, 19);
+    -- Q9.6: rounded to the nearest weight
+    u1_even_cut_27 <= u1_even_place_27(18 downto 3);
+    -- Q9.9: from the first, plus half a weight's last bit
+    u1_odd_place_27 <= u1_odd_scaled_27 + to_signed(16132, 19);
+    -- Q9.6: rounded to the nearest weight
+    u1_odd_cut_27 <= u1_odd_place_27(18 downto 3);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3191,87 +4031,69 @@ begin
                 in_gain1b_28 <= in_gain1b_27;
                 hidden_28 <= hidden_27;
                 shift1_28 <= shift1_27;
-                texel1_000_28 <= texel1_000_27;
-                texel1_001_28 <= texel1_001_27;
-                texel1_010_28 <= texel1_010_27;
-                texel1_011_28 <= texel1_011_27;
-                texel1_100_28 <= texel1_100_27;
-                texel1_101_28 <= texel1_101_27;
-                texel1_110_28 <= texel1_110_27;
-                texel1_111_28 <= texel1_111_27;
-                u1_even_odd_signed_28 <= u1_even_odd_signed_27;
-                u1_odd_odd_signed_28 <= u1_odd_odd_signed_27;
-                v1_odd_signed_28 <= v1_odd_signed_27;
+                behind1_even_28 <= behind1_even_27;
+                u1_even_cut_28 <= u1_even_cut_27;
+                end1_even_28 <= end1_even_27;
+                behind1_odd_28 <= behind1_odd_27;
+                u1_odd_cut_28 <= u1_odd_cut_27;
+                end1_odd_28 <= end1_odd_27;
+                texels1_000_28 <= texels1_000_27;
+                texels1_001_28 <= texels1_001_27;
+                texels1_010_28 <= texels1_010_27;
+                texels1_011_28 <= texels1_011_27;
+                texels1_100_28 <= texels1_100_27;
+                texels1_101_28 <= texels1_101_27;
+                texels1_110_28 <= texels1_110_27;
+                texels1_111_28 <= texels1_111_27;
+                v1_odd_whole_28 <= v1_odd_whole_27;
+                v1_odd_of_0_28 <= v1_odd_of_0_27;
+                v1_odd_of_1_28 <= v1_odd_of_1_27;
+                v1_odd_of_2_28 <= v1_odd_of_2_27;
+                v1_odd_of_3_28 <= v1_odd_of_3_27;
+                v1_odd_of_4_28 <= v1_odd_of_4_27;
+                v1_odd_of_5_28 <= v1_odd_of_5_27;
                 blend1_signed_28 <= blend1_signed_27;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 28: read texels_1_even_even_even, read texels_1_even_even_odd and 6 more
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_even_even_even_29 <= TEXELS_1_EVEN_EVEN_EVEN(to_integer(texel1_000_28));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_even_even_odd_29 <= TEXELS_1_EVEN_EVEN_ODD(to_integer(texel1_001_28));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_even_odd_even_29 <= TEXELS_1_EVEN_ODD_EVEN(to_integer(texel1_010_28));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_even_odd_odd_29 <= TEXELS_1_EVEN_ODD_ODD(to_integer(texel1_011_28));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_odd_even_even_29 <= TEXELS_1_ODD_EVEN_EVEN(to_integer(texel1_100_28));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_odd_even_odd_29 <= TEXELS_1_ODD_EVEN_ODD(to_integer(texel1_101_28));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_odd_odd_even_29 <= TEXELS_1_ODD_ODD_EVEN(to_integer(texel1_110_28));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_odd_odd_odd_29 <= TEXELS_1_ODD_ODD_ODD(to_integer(texel1_111_28));
-            end if;
-        end if;
-    end process;
+    -- ===== Stage 28: u1_even_kept, u_at1_even, u1_odd_kept, u_at1_odd
+    -- UQ6.6: between the outermost centres
+    u1_even_kept_28 <= (others => '0') when u1_even_cut_28(15) = '1' else
+        to_unsigned(4032, 12) when u1_even_cut_28 > 4032 else
+        unsigned(u1_even_cut_28(11 downto 0));
+    -- UQ6.6: that end from behind the rim
+    u_at1_even_28 <= end1_even_28 when behind1_even_28 = '1' else u1_even_kept_28;
+    -- UQ6.0: the texel at or below it
+    u1_even_texel_28 <= u_at1_even_28(11 downto 6);
+    -- UQ0.6: the weight of the next
+    u1_even_weight_28 <= u_at1_even_28(5 downto 0);
+    -- UQ6.-1: its leading bits
+    u1_even_odd_high_28 <= u1_even_texel_28(5 downto 1);
+    -- UQ5.0: the odd one of both
+    u1_even_odd_28 <= u1_even_odd_high_28;
+    -- UQ1.0: its last bit
+    u1_even_is_odd_28 <= u1_even_texel_28(0);
+    -- UQ1.6: in the wider of two formats
+    u1_even_weight_wide_28 <= resize(u1_even_weight_28, 7);
+    -- UQ6.6: between the outermost centres
+    u1_odd_kept_28 <= (others => '0') when u1_odd_cut_28(15) = '1' else
+        to_unsigned(4032, 12) when u1_odd_cut_28 > 4032 else
+        unsigned(u1_odd_cut_28(11 downto 0));
+    -- UQ6.6: that end from behind the rim
+    u_at1_odd_28 <= end1_odd_28 when behind1_odd_28 = '1' else u1_odd_kept_28;
+    -- UQ6.0: the texel at or below it
+    u1_odd_texel_28 <= u_at1_odd_28(11 downto 6);
+    -- UQ0.6: the weight of the next
+    u1_odd_weight_28 <= u_at1_odd_28(5 downto 0);
+    -- UQ6.-1: its leading bits
+    u1_odd_odd_high_28 <= u1_odd_texel_28(5 downto 1);
+    -- UQ5.0: the odd one of both
+    u1_odd_odd_28 <= u1_odd_odd_high_28;
+    -- UQ1.0: its last bit
+    u1_odd_is_odd_28 <= u1_odd_texel_28(0);
+    -- UQ1.6: in the wider of two formats
+    u1_odd_weight_wide_28 <= resize(u1_odd_weight_28, 7);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3281,63 +4103,109 @@ begin
                 in_gain1b_29 <= in_gain1b_28;
                 hidden_29 <= hidden_28;
                 shift1_29 <= shift1_28;
-                u1_even_odd_signed_29 <= u1_even_odd_signed_28;
-                u1_odd_odd_signed_29 <= u1_odd_odd_signed_28;
-                v1_odd_signed_29 <= v1_odd_signed_28;
+                u1_even_texel_29 <= u1_even_texel_28;
+                u1_even_weight_29 <= u1_even_weight_28;
+                u1_even_odd_29 <= u1_even_odd_28;
+                u1_even_is_odd_29 <= u1_even_is_odd_28;
+                u1_even_weight_wide_29 <= u1_even_weight_wide_28;
+                u1_odd_texel_29 <= u1_odd_texel_28;
+                u1_odd_weight_29 <= u1_odd_weight_28;
+                u1_odd_odd_29 <= u1_odd_odd_28;
+                u1_odd_is_odd_29 <= u1_odd_is_odd_28;
+                u1_odd_weight_wide_29 <= u1_odd_weight_wide_28;
+                texels1_000_29 <= texels1_000_28;
+                texels1_001_29 <= texels1_001_28;
+                texels1_010_29 <= texels1_010_28;
+                texels1_011_29 <= texels1_011_28;
+                texels1_100_29 <= texels1_100_28;
+                texels1_101_29 <= texels1_101_28;
+                texels1_110_29 <= texels1_110_28;
+                texels1_111_29 <= texels1_111_28;
+                v1_odd_whole_29 <= v1_odd_whole_28;
+                v1_odd_of_0_29 <= v1_odd_of_0_28;
+                v1_odd_of_1_29 <= v1_odd_of_1_28;
+                v1_odd_of_2_29 <= v1_odd_of_2_28;
+                v1_odd_of_3_29 <= v1_odd_of_3_28;
+                v1_odd_of_4_29 <= v1_odd_of_4_28;
+                v1_odd_of_5_29 <= v1_odd_of_5_28;
                 blend1_signed_29 <= blend1_signed_28;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 29: registers only
-    -- UQ0.8: red
-    texels_1_even_even_even_r_29 <= unsigned(texels_1_even_even_even_29(23 downto 16));
-    -- UQ0.8: red
-    texels_1_even_even_odd_r_29 <= unsigned(texels_1_even_even_odd_29(23 downto 16));
-    -- UQ0.8: red
-    texels_1_even_odd_even_r_29 <= unsigned(texels_1_even_odd_even_29(23 downto 16));
-    -- UQ0.8: red
-    texels_1_even_odd_odd_r_29 <= unsigned(texels_1_even_odd_odd_29(23 downto 16));
-    -- UQ0.8: red
-    texels_1_odd_even_even_r_29 <= unsigned(texels_1_odd_even_even_29(23 downto 16));
-    -- UQ0.8: red
-    texels_1_odd_even_odd_r_29 <= unsigned(texels_1_odd_even_odd_29(23 downto 16));
-    -- UQ0.8: red
-    texels_1_odd_odd_even_r_29 <= unsigned(texels_1_odd_odd_even_29(23 downto 16));
-    -- UQ0.8: red
-    texels_1_odd_odd_odd_r_29 <= unsigned(texels_1_odd_odd_odd_29(23 downto 16));
-    -- UQ0.8: green
-    texels_1_even_even_even_g_29 <= unsigned(texels_1_even_even_even_29(15 downto 8));
-    -- UQ0.8: green
-    texels_1_even_even_odd_g_29 <= unsigned(texels_1_even_even_odd_29(15 downto 8));
-    -- UQ0.8: green
-    texels_1_even_odd_even_g_29 <= unsigned(texels_1_even_odd_even_29(15 downto 8));
-    -- UQ0.8: green
-    texels_1_even_odd_odd_g_29 <= unsigned(texels_1_even_odd_odd_29(15 downto 8));
-    -- UQ0.8: green
-    texels_1_odd_even_even_g_29 <= unsigned(texels_1_odd_even_even_29(15 downto 8));
-    -- UQ0.8: green
-    texels_1_odd_even_odd_g_29 <= unsigned(texels_1_odd_even_odd_29(15 downto 8));
-    -- UQ0.8: green
-    texels_1_odd_odd_even_g_29 <= unsigned(texels_1_odd_odd_even_29(15 downto 8));
-    -- UQ0.8: green
-    texels_1_odd_odd_odd_g_29 <= unsigned(texels_1_odd_odd_odd_29(15 downto 8));
-    -- UQ0.8: blue
-    texels_1_even_even_even_b_29 <= unsigned(texels_1_even_even_even_29(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_even_even_odd_b_29 <= unsigned(texels_1_even_even_odd_29(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_even_odd_even_b_29 <= unsigned(texels_1_even_odd_even_29(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_even_odd_odd_b_29 <= unsigned(texels_1_even_odd_odd_29(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_odd_even_even_b_29 <= unsigned(texels_1_odd_even_even_29(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_odd_even_odd_b_29 <= unsigned(texels_1_odd_even_odd_29(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_odd_odd_even_b_29 <= unsigned(texels_1_odd_odd_even_29(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_odd_odd_odd_b_29 <= unsigned(texels_1_odd_odd_odd_29(7 downto 0));
+    -- ===== Stage 29: u1_even_next_exact, u1_even_other, u1_even_odd and 7 more
+    -- UQ7.0: the next
+    u1_even_next_exact_29 <= resize(u1_even_texel_29, 7) + to_unsigned(1, 7);
+    -- UQ1.6: the weight of the place itself
+    u1_even_other_29 <= to_unsigned(64, 7) - resize(u1_even_weight_29, 7);
+    -- UQ1.6: the weight of the odd one
+    u1_even_odd_v2_29 <= u1_even_other_29 when u1_even_is_odd_29 = '1' else u1_even_weight_wide_29;
+    -- UQ7.0: the next
+    u1_odd_next_exact_29 <= resize(u1_odd_texel_29, 7) + to_unsigned(1, 7);
+    -- UQ1.6: the weight of the place itself
+    u1_odd_other_29 <= to_unsigned(64, 7) - resize(u1_odd_weight_29, 7);
+    -- UQ1.6: the weight of the odd one
+    u1_odd_odd_v2_29 <= u1_odd_other_29 when u1_odd_is_odd_29 = '1' else u1_odd_weight_wide_29;
+    -- UQ12.0: side by side
+    texel1_001_29 <= shift_left(resize(texels1_001_29, 12), 5) + resize(u1_even_odd_29, 12);
+    -- UQ12.0: side by side
+    texel1_011_29 <= shift_left(resize(texels1_011_29, 12), 5) + resize(u1_even_odd_29, 12);
+    -- UQ12.0: side by side
+    texel1_101_29 <= shift_left(resize(texels1_101_29, 12), 5) + resize(u1_odd_odd_29, 12);
+    -- UQ12.0: side by side
+    texel1_111_29 <= shift_left(resize(texels1_111_29, 12), 5) + resize(u1_odd_odd_29, 12);
+    -- UQ1.0: a bit of the weight
+    u1_even_odd_whole_29 <= u1_even_odd_v2_29(6);
+    -- UQ-5.6: a bit of the weight
+    u1_even_odd_bit_0_29 <= u1_even_odd_v2_29(0);
+    -- UQ-4.5: a bit of the weight
+    u1_even_odd_bit_1_29 <= u1_even_odd_v2_29(1);
+    -- UQ-3.4: a bit of the weight
+    u1_even_odd_bit_2_29 <= u1_even_odd_v2_29(2);
+    -- UQ-2.3: a bit of the weight
+    u1_even_odd_bit_3_29 <= u1_even_odd_v2_29(3);
+    -- UQ-1.2: a bit of the weight
+    u1_even_odd_bit_4_29 <= u1_even_odd_v2_29(4);
+    -- UQ0.1: a bit of the weight
+    u1_even_odd_bit_5_29 <= u1_even_odd_v2_29(5);
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_0_29 <= u1_even_odd_bit_0_29 or u1_even_odd_whole_29;
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_1_29 <= u1_even_odd_bit_1_29 or u1_even_odd_whole_29;
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_2_29 <= u1_even_odd_bit_2_29 or u1_even_odd_whole_29;
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_3_29 <= u1_even_odd_bit_3_29 or u1_even_odd_whole_29;
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_4_29 <= u1_even_odd_bit_4_29 or u1_even_odd_whole_29;
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_5_29 <= u1_even_odd_bit_5_29 or u1_even_odd_whole_29;
+    -- UQ1.0: a bit of the weight
+    u1_odd_odd_whole_29 <= u1_odd_odd_v2_29(6);
+    -- UQ-5.6: a bit of the weight
+    u1_odd_odd_bit_0_29 <= u1_odd_odd_v2_29(0);
+    -- UQ-4.5: a bit of the weight
+    u1_odd_odd_bit_1_29 <= u1_odd_odd_v2_29(1);
+    -- UQ-3.4: a bit of the weight
+    u1_odd_odd_bit_2_29 <= u1_odd_odd_v2_29(2);
+    -- UQ-2.3: a bit of the weight
+    u1_odd_odd_bit_3_29 <= u1_odd_odd_v2_29(3);
+    -- UQ-1.2: a bit of the weight
+    u1_odd_odd_bit_4_29 <= u1_odd_odd_v2_29(4);
+    -- UQ0.1: a bit of the weight
+    u1_odd_odd_bit_5_29 <= u1_odd_odd_v2_29(5);
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_0_29 <= u1_odd_odd_bit_0_29 or u1_odd_odd_whole_29;
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_1_29 <= u1_odd_odd_bit_1_29 or u1_odd_odd_whole_29;
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_2_29 <= u1_odd_odd_bit_2_29 or u1_odd_odd_whole_29;
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_3_29 <= u1_odd_odd_bit_3_29 or u1_odd_odd_whole_29;
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_4_29 <= u1_odd_odd_bit_4_29 or u1_odd_odd_whole_29;
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_5_29 <= u1_odd_odd_bit_5_29 or u1_odd_odd_whole_29;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3347,39 +4215,57 @@ begin
                 in_gain1b_30 <= in_gain1b_29;
                 hidden_30 <= hidden_29;
                 shift1_30 <= shift1_29;
-                texels_1_even_even_even_r_30 <= texels_1_even_even_even_r_29;
-                texels_1_even_even_odd_r_30 <= texels_1_even_even_odd_r_29;
-                texels_1_even_odd_even_r_30 <= texels_1_even_odd_even_r_29;
-                texels_1_even_odd_odd_r_30 <= texels_1_even_odd_odd_r_29;
-                texels_1_odd_even_even_r_30 <= texels_1_odd_even_even_r_29;
-                texels_1_odd_even_odd_r_30 <= texels_1_odd_even_odd_r_29;
-                texels_1_odd_odd_even_r_30 <= texels_1_odd_odd_even_r_29;
-                texels_1_odd_odd_odd_r_30 <= texels_1_odd_odd_odd_r_29;
-                u1_even_odd_signed_30 <= u1_even_odd_signed_29;
-                u1_odd_odd_signed_30 <= u1_odd_odd_signed_29;
-                v1_odd_signed_30 <= v1_odd_signed_29;
+                u1_even_next_exact_30 <= u1_even_next_exact_29;
+                u1_odd_next_exact_30 <= u1_odd_next_exact_29;
+                texels1_000_30 <= texels1_000_29;
+                texel1_001_30 <= texel1_001_29;
+                texels1_010_30 <= texels1_010_29;
+                texel1_011_30 <= texel1_011_29;
+                texels1_100_30 <= texels1_100_29;
+                texel1_101_30 <= texel1_101_29;
+                texels1_110_30 <= texels1_110_29;
+                texel1_111_30 <= texel1_111_29;
+                u1_even_odd_whole_30 <= u1_even_odd_whole_29;
+                u1_even_odd_of_0_30 <= u1_even_odd_of_0_29;
+                u1_even_odd_of_1_30 <= u1_even_odd_of_1_29;
+                u1_even_odd_of_2_30 <= u1_even_odd_of_2_29;
+                u1_even_odd_of_3_30 <= u1_even_odd_of_3_29;
+                u1_even_odd_of_4_30 <= u1_even_odd_of_4_29;
+                u1_even_odd_of_5_30 <= u1_even_odd_of_5_29;
+                u1_odd_odd_whole_30 <= u1_odd_odd_whole_29;
+                u1_odd_odd_of_0_30 <= u1_odd_odd_of_0_29;
+                u1_odd_odd_of_1_30 <= u1_odd_odd_of_1_29;
+                u1_odd_odd_of_2_30 <= u1_odd_odd_of_2_29;
+                u1_odd_odd_of_3_30 <= u1_odd_odd_of_3_29;
+                u1_odd_odd_of_4_30 <= u1_odd_odd_of_4_29;
+                u1_odd_odd_of_5_30 <= u1_odd_odd_of_5_29;
+                v1_odd_whole_30 <= v1_odd_whole_29;
+                v1_odd_of_0_30 <= v1_odd_of_0_29;
+                v1_odd_of_1_30 <= v1_odd_of_1_29;
+                v1_odd_of_2_30 <= v1_odd_of_2_29;
+                v1_odd_of_3_30 <= v1_odd_of_3_29;
+                v1_odd_of_4_30 <= v1_odd_of_4_29;
+                v1_odd_of_5_30 <= v1_odd_of_5_29;
                 blend1_signed_30 <= blend1_signed_29;
-                texels_1_even_even_even_g_30 <= texels_1_even_even_even_g_29;
-                texels_1_even_even_odd_g_30 <= texels_1_even_even_odd_g_29;
-                texels_1_even_odd_even_g_30 <= texels_1_even_odd_even_g_29;
-                texels_1_even_odd_odd_g_30 <= texels_1_even_odd_odd_g_29;
-                texels_1_odd_even_even_g_30 <= texels_1_odd_even_even_g_29;
-                texels_1_odd_even_odd_g_30 <= texels_1_odd_even_odd_g_29;
-                texels_1_odd_odd_even_g_30 <= texels_1_odd_odd_even_g_29;
-                texels_1_odd_odd_odd_g_30 <= texels_1_odd_odd_odd_g_29;
-                texels_1_even_even_even_b_30 <= texels_1_even_even_even_b_29;
-                texels_1_even_even_odd_b_30 <= texels_1_even_even_odd_b_29;
-                texels_1_even_odd_even_b_30 <= texels_1_even_odd_even_b_29;
-                texels_1_even_odd_odd_b_30 <= texels_1_even_odd_odd_b_29;
-                texels_1_odd_even_even_b_30 <= texels_1_odd_even_even_b_29;
-                texels_1_odd_even_odd_b_30 <= texels_1_odd_even_odd_b_29;
-                texels_1_odd_odd_even_b_30 <= texels_1_odd_odd_even_b_29;
-                texels_1_odd_odd_odd_b_30 <= texels_1_odd_odd_odd_b_29;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 30: registers only
+    -- ===== Stage 30: u1_even_next, u1_odd_next
+    -- UQ6.0: at most the last
+    u1_even_next_30 <= to_unsigned(63, 6) when u1_even_next_exact_30(6) = '1' else
+        u1_even_next_exact_30(5 downto 0);
+    -- UQ6.-1: its leading bits
+    u1_even_even_high_30 <= u1_even_next_30(5 downto 1);
+    -- UQ5.0: the even one of both
+    u1_even_even_30 <= u1_even_even_high_30;
+    -- UQ6.0: at most the last
+    u1_odd_next_30 <= to_unsigned(63, 6) when u1_odd_next_exact_30(6) = '1' else
+        u1_odd_next_exact_30(5 downto 0);
+    -- UQ6.-1: its leading bits
+    u1_odd_even_high_30 <= u1_odd_next_30(5 downto 1);
+    -- UQ5.0: the even one of both
+    u1_odd_even_30 <= u1_odd_even_high_30;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3389,75 +4275,51 @@ begin
                 in_gain1b_31 <= in_gain1b_30;
                 hidden_31 <= hidden_30;
                 shift1_31 <= shift1_30;
-                texels_1_even_even_even_r_31 <= texels_1_even_even_even_r_30;
-                texels_1_even_even_odd_r_31 <= texels_1_even_even_odd_r_30;
-                texels_1_even_odd_even_r_31 <= texels_1_even_odd_even_r_30;
-                texels_1_even_odd_odd_r_31 <= texels_1_even_odd_odd_r_30;
-                texels_1_odd_even_even_r_31 <= texels_1_odd_even_even_r_30;
-                texels_1_odd_even_odd_r_31 <= texels_1_odd_even_odd_r_30;
-                texels_1_odd_odd_even_r_31 <= texels_1_odd_odd_even_r_30;
-                texels_1_odd_odd_odd_r_31 <= texels_1_odd_odd_odd_r_30;
-                u1_even_odd_signed_31 <= u1_even_odd_signed_30;
-                u1_odd_odd_signed_31 <= u1_odd_odd_signed_30;
-                v1_odd_signed_31 <= v1_odd_signed_30;
+                u1_even_even_31 <= u1_even_even_30;
+                u1_odd_even_31 <= u1_odd_even_30;
+                texels1_000_31 <= texels1_000_30;
+                texel1_001_31 <= texel1_001_30;
+                texels1_010_31 <= texels1_010_30;
+                texel1_011_31 <= texel1_011_30;
+                texels1_100_31 <= texels1_100_30;
+                texel1_101_31 <= texel1_101_30;
+                texels1_110_31 <= texels1_110_30;
+                texel1_111_31 <= texel1_111_30;
+                u1_even_odd_whole_31 <= u1_even_odd_whole_30;
+                u1_even_odd_of_0_31 <= u1_even_odd_of_0_30;
+                u1_even_odd_of_1_31 <= u1_even_odd_of_1_30;
+                u1_even_odd_of_2_31 <= u1_even_odd_of_2_30;
+                u1_even_odd_of_3_31 <= u1_even_odd_of_3_30;
+                u1_even_odd_of_4_31 <= u1_even_odd_of_4_30;
+                u1_even_odd_of_5_31 <= u1_even_odd_of_5_30;
+                u1_odd_odd_whole_31 <= u1_odd_odd_whole_30;
+                u1_odd_odd_of_0_31 <= u1_odd_odd_of_0_30;
+                u1_odd_odd_of_1_31 <= u1_odd_odd_of_1_30;
+                u1_odd_odd_of_2_31 <= u1_odd_odd_of_2_30;
+                u1_odd_odd_of_3_31 <= u1_odd_odd_of_3_30;
+                u1_odd_odd_of_4_31 <= u1_odd_odd_of_4_30;
+                u1_odd_odd_of_5_31 <= u1_odd_odd_of_5_30;
+                v1_odd_whole_31 <= v1_odd_whole_30;
+                v1_odd_of_0_31 <= v1_odd_of_0_30;
+                v1_odd_of_1_31 <= v1_odd_of_1_30;
+                v1_odd_of_2_31 <= v1_odd_of_2_30;
+                v1_odd_of_3_31 <= v1_odd_of_3_30;
+                v1_odd_of_4_31 <= v1_odd_of_4_30;
+                v1_odd_of_5_31 <= v1_odd_of_5_30;
                 blend1_signed_31 <= blend1_signed_30;
-                texels_1_even_even_even_g_31 <= texels_1_even_even_even_g_30;
-                texels_1_even_even_odd_g_31 <= texels_1_even_even_odd_g_30;
-                texels_1_even_odd_even_g_31 <= texels_1_even_odd_even_g_30;
-                texels_1_even_odd_odd_g_31 <= texels_1_even_odd_odd_g_30;
-                texels_1_odd_even_even_g_31 <= texels_1_odd_even_even_g_30;
-                texels_1_odd_even_odd_g_31 <= texels_1_odd_even_odd_g_30;
-                texels_1_odd_odd_even_g_31 <= texels_1_odd_odd_even_g_30;
-                texels_1_odd_odd_odd_g_31 <= texels_1_odd_odd_odd_g_30;
-                texels_1_even_even_even_b_31 <= texels_1_even_even_even_b_30;
-                texels_1_even_even_odd_b_31 <= texels_1_even_even_odd_b_30;
-                texels_1_even_odd_even_b_31 <= texels_1_even_odd_even_b_30;
-                texels_1_even_odd_odd_b_31 <= texels_1_even_odd_odd_b_30;
-                texels_1_odd_even_even_b_31 <= texels_1_odd_even_even_b_30;
-                texels_1_odd_even_odd_b_31 <= texels_1_odd_even_odd_b_30;
-                texels_1_odd_odd_even_b_31 <= texels_1_odd_odd_even_b_30;
-                texels_1_odd_odd_odd_b_31 <= texels_1_odd_odd_odd_b_30;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 31: blend1_r_1_0_apart, blend1_r_1_1_apart, blend1_r_1_2_apart and 9 more
-    -- Q0.8: the difference
-    blend1_r_1_0_apart_31 <=
-        signed(resize(texels_1_even_even_odd_r_31, 9)) - signed(resize(texels_1_even_even_even_r_31, 9));
-    -- Q0.8: the difference
-    blend1_r_1_1_apart_31 <=
-        signed(resize(texels_1_even_odd_odd_r_31, 9)) - signed(resize(texels_1_even_odd_even_r_31, 9));
-    -- Q0.8: the difference
-    blend1_r_1_2_apart_31 <=
-        signed(resize(texels_1_odd_even_odd_r_31, 9)) - signed(resize(texels_1_odd_even_even_r_31, 9));
-    -- Q0.8: the difference
-    blend1_r_1_3_apart_31 <=
-        signed(resize(texels_1_odd_odd_odd_r_31, 9)) - signed(resize(texels_1_odd_odd_even_r_31, 9));
-    -- Q0.8: the difference
-    blend1_g_1_0_apart_31 <=
-        signed(resize(texels_1_even_even_odd_g_31, 9)) - signed(resize(texels_1_even_even_even_g_31, 9));
-    -- Q0.8: the difference
-    blend1_g_1_1_apart_31 <=
-        signed(resize(texels_1_even_odd_odd_g_31, 9)) - signed(resize(texels_1_even_odd_even_g_31, 9));
-    -- Q0.8: the difference
-    blend1_g_1_2_apart_31 <=
-        signed(resize(texels_1_odd_even_odd_g_31, 9)) - signed(resize(texels_1_odd_even_even_g_31, 9));
-    -- Q0.8: the difference
-    blend1_g_1_3_apart_31 <=
-        signed(resize(texels_1_odd_odd_odd_g_31, 9)) - signed(resize(texels_1_odd_odd_even_g_31, 9));
-    -- Q0.8: the difference
-    blend1_b_1_0_apart_31 <=
-        signed(resize(texels_1_even_even_odd_b_31, 9)) - signed(resize(texels_1_even_even_even_b_31, 9));
-    -- Q0.8: the difference
-    blend1_b_1_1_apart_31 <=
-        signed(resize(texels_1_even_odd_odd_b_31, 9)) - signed(resize(texels_1_even_odd_even_b_31, 9));
-    -- Q0.8: the difference
-    blend1_b_1_2_apart_31 <=
-        signed(resize(texels_1_odd_even_odd_b_31, 9)) - signed(resize(texels_1_odd_even_even_b_31, 9));
-    -- Q0.8: the difference
-    blend1_b_1_3_apart_31 <=
-        signed(resize(texels_1_odd_odd_odd_b_31, 9)) - signed(resize(texels_1_odd_odd_even_b_31, 9));
+    -- ===== Stage 31: texel1_000, texel1_010, texel1_100, texel1_110
+    -- UQ12.0: side by side
+    texel1_000_31 <= shift_left(resize(texels1_000_31, 12), 5) + resize(u1_even_even_31, 12);
+    -- UQ12.0: side by side
+    texel1_010_31 <= shift_left(resize(texels1_010_31, 12), 5) + resize(u1_even_even_31, 12);
+    -- UQ12.0: side by side
+    texel1_100_31 <= shift_left(resize(texels1_100_31, 12), 5) + resize(u1_odd_even_31, 12);
+    -- UQ12.0: side by side
+    texel1_110_31 <= shift_left(resize(texels1_110_31, 12), 5) + resize(u1_odd_even_31, 12);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3467,63 +4329,105 @@ begin
                 in_gain1b_32 <= in_gain1b_31;
                 hidden_32 <= hidden_31;
                 shift1_32 <= shift1_31;
-                texels_1_even_even_even_r_32 <= texels_1_even_even_even_r_31;
-                texels_1_even_odd_even_r_32 <= texels_1_even_odd_even_r_31;
-                texels_1_odd_even_even_r_32 <= texels_1_odd_even_even_r_31;
-                texels_1_odd_odd_even_r_32 <= texels_1_odd_odd_even_r_31;
-                blend1_r_1_0_apart_32 <= blend1_r_1_0_apart_31;
-                u1_even_odd_signed_32 <= u1_even_odd_signed_31;
-                blend1_r_1_1_apart_32 <= blend1_r_1_1_apart_31;
-                blend1_r_1_2_apart_32 <= blend1_r_1_2_apart_31;
-                u1_odd_odd_signed_32 <= u1_odd_odd_signed_31;
-                blend1_r_1_3_apart_32 <= blend1_r_1_3_apart_31;
-                v1_odd_signed_32 <= v1_odd_signed_31;
+                texel1_000_32 <= texel1_000_31;
+                texel1_001_32 <= texel1_001_31;
+                texel1_010_32 <= texel1_010_31;
+                texel1_011_32 <= texel1_011_31;
+                texel1_100_32 <= texel1_100_31;
+                texel1_101_32 <= texel1_101_31;
+                texel1_110_32 <= texel1_110_31;
+                texel1_111_32 <= texel1_111_31;
+                u1_even_odd_whole_32 <= u1_even_odd_whole_31;
+                u1_even_odd_of_0_32 <= u1_even_odd_of_0_31;
+                u1_even_odd_of_1_32 <= u1_even_odd_of_1_31;
+                u1_even_odd_of_2_32 <= u1_even_odd_of_2_31;
+                u1_even_odd_of_3_32 <= u1_even_odd_of_3_31;
+                u1_even_odd_of_4_32 <= u1_even_odd_of_4_31;
+                u1_even_odd_of_5_32 <= u1_even_odd_of_5_31;
+                u1_odd_odd_whole_32 <= u1_odd_odd_whole_31;
+                u1_odd_odd_of_0_32 <= u1_odd_odd_of_0_31;
+                u1_odd_odd_of_1_32 <= u1_odd_odd_of_1_31;
+                u1_odd_odd_of_2_32 <= u1_odd_odd_of_2_31;
+                u1_odd_odd_of_3_32 <= u1_odd_odd_of_3_31;
+                u1_odd_odd_of_4_32 <= u1_odd_odd_of_4_31;
+                u1_odd_odd_of_5_32 <= u1_odd_odd_of_5_31;
+                v1_odd_whole_32 <= v1_odd_whole_31;
+                v1_odd_of_0_32 <= v1_odd_of_0_31;
+                v1_odd_of_1_32 <= v1_odd_of_1_31;
+                v1_odd_of_2_32 <= v1_odd_of_2_31;
+                v1_odd_of_3_32 <= v1_odd_of_3_31;
+                v1_odd_of_4_32 <= v1_odd_of_4_31;
+                v1_odd_of_5_32 <= v1_odd_of_5_31;
                 blend1_signed_32 <= blend1_signed_31;
-                texels_1_even_even_even_g_32 <= texels_1_even_even_even_g_31;
-                texels_1_even_odd_even_g_32 <= texels_1_even_odd_even_g_31;
-                texels_1_odd_even_even_g_32 <= texels_1_odd_even_even_g_31;
-                texels_1_odd_odd_even_g_32 <= texels_1_odd_odd_even_g_31;
-                blend1_g_1_0_apart_32 <= blend1_g_1_0_apart_31;
-                blend1_g_1_1_apart_32 <= blend1_g_1_1_apart_31;
-                blend1_g_1_2_apart_32 <= blend1_g_1_2_apart_31;
-                blend1_g_1_3_apart_32 <= blend1_g_1_3_apart_31;
-                texels_1_even_even_even_b_32 <= texels_1_even_even_even_b_31;
-                texels_1_even_odd_even_b_32 <= texels_1_even_odd_even_b_31;
-                texels_1_odd_even_even_b_32 <= texels_1_odd_even_even_b_31;
-                texels_1_odd_odd_even_b_32 <= texels_1_odd_odd_even_b_31;
-                blend1_b_1_0_apart_32 <= blend1_b_1_0_apart_31;
-                blend1_b_1_1_apart_32 <= blend1_b_1_1_apart_31;
-                blend1_b_1_2_apart_32 <= blend1_b_1_2_apart_31;
-                blend1_b_1_3_apart_32 <= blend1_b_1_3_apart_31;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 32: blend1_r_1_0_part, blend1_r_1_1_part, blend1_r_1_2_part and 9 more
-    -- Q2.14: its part
-    blend1_r_1_0_part_32 <= blend1_r_1_0_apart_32 * u1_even_odd_signed_32;
-    -- Q2.14: its part
-    blend1_r_1_1_part_32 <= blend1_r_1_1_apart_32 * u1_even_odd_signed_32;
-    -- Q2.14: its part
-    blend1_r_1_2_part_32 <= blend1_r_1_2_apart_32 * u1_odd_odd_signed_32;
-    -- Q2.14: its part
-    blend1_r_1_3_part_32 <= blend1_r_1_3_apart_32 * u1_odd_odd_signed_32;
-    -- Q2.14: its part
-    blend1_g_1_0_part_32 <= blend1_g_1_0_apart_32 * u1_even_odd_signed_32;
-    -- Q2.14: its part
-    blend1_g_1_1_part_32 <= blend1_g_1_1_apart_32 * u1_even_odd_signed_32;
-    -- Q2.14: its part
-    blend1_g_1_2_part_32 <= blend1_g_1_2_apart_32 * u1_odd_odd_signed_32;
-    -- Q2.14: its part
-    blend1_g_1_3_part_32 <= blend1_g_1_3_apart_32 * u1_odd_odd_signed_32;
-    -- Q2.14: its part
-    blend1_b_1_0_part_32 <= blend1_b_1_0_apart_32 * u1_even_odd_signed_32;
-    -- Q2.14: its part
-    blend1_b_1_1_part_32 <= blend1_b_1_1_apart_32 * u1_even_odd_signed_32;
-    -- Q2.14: its part
-    blend1_b_1_2_part_32 <= blend1_b_1_2_apart_32 * u1_odd_odd_signed_32;
-    -- Q2.14: its part
-    blend1_b_1_3_part_32 <= blend1_b_1_3_apart_32 * u1_odd_odd_signed_32;
+    -- ===== Stage 32: read texels_1_even_even_even, read texels_1_even_even_odd and 6 more
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_even_even_33 <= TEXELS_1_EVEN_EVEN_EVEN(to_integer(texel1_000_32));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_even_odd_33 <= TEXELS_1_EVEN_EVEN_ODD(to_integer(texel1_001_32));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_odd_even_33 <= TEXELS_1_EVEN_ODD_EVEN(to_integer(texel1_010_32));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_odd_odd_33 <= TEXELS_1_EVEN_ODD_ODD(to_integer(texel1_011_32));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_even_even_33 <= TEXELS_1_ODD_EVEN_EVEN(to_integer(texel1_100_32));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_even_odd_33 <= TEXELS_1_ODD_EVEN_ODD(to_integer(texel1_101_32));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_odd_even_33 <= TEXELS_1_ODD_ODD_EVEN(to_integer(texel1_110_32));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_odd_odd_33 <= TEXELS_1_ODD_ODD_ODD(to_integer(texel1_111_32));
+            end if;
+        end if;
+    end process;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3533,73 +4437,81 @@ begin
                 in_gain1b_33 <= in_gain1b_32;
                 hidden_33 <= hidden_32;
                 shift1_33 <= shift1_32;
-                texels_1_even_even_even_r_33 <= texels_1_even_even_even_r_32;
-                texels_1_even_odd_even_r_33 <= texels_1_even_odd_even_r_32;
-                texels_1_odd_even_even_r_33 <= texels_1_odd_even_even_r_32;
-                texels_1_odd_odd_even_r_33 <= texels_1_odd_odd_even_r_32;
-                blend1_r_1_0_part_33 <= blend1_r_1_0_part_32;
-                blend1_r_1_1_part_33 <= blend1_r_1_1_part_32;
-                blend1_r_1_2_part_33 <= blend1_r_1_2_part_32;
-                blend1_r_1_3_part_33 <= blend1_r_1_3_part_32;
-                v1_odd_signed_33 <= v1_odd_signed_32;
+                u1_even_odd_whole_33 <= u1_even_odd_whole_32;
+                u1_even_odd_of_0_33 <= u1_even_odd_of_0_32;
+                u1_even_odd_of_1_33 <= u1_even_odd_of_1_32;
+                u1_even_odd_of_2_33 <= u1_even_odd_of_2_32;
+                u1_even_odd_of_3_33 <= u1_even_odd_of_3_32;
+                u1_even_odd_of_4_33 <= u1_even_odd_of_4_32;
+                u1_even_odd_of_5_33 <= u1_even_odd_of_5_32;
+                u1_odd_odd_whole_33 <= u1_odd_odd_whole_32;
+                u1_odd_odd_of_0_33 <= u1_odd_odd_of_0_32;
+                u1_odd_odd_of_1_33 <= u1_odd_odd_of_1_32;
+                u1_odd_odd_of_2_33 <= u1_odd_odd_of_2_32;
+                u1_odd_odd_of_3_33 <= u1_odd_odd_of_3_32;
+                u1_odd_odd_of_4_33 <= u1_odd_odd_of_4_32;
+                u1_odd_odd_of_5_33 <= u1_odd_odd_of_5_32;
+                v1_odd_whole_33 <= v1_odd_whole_32;
+                v1_odd_of_0_33 <= v1_odd_of_0_32;
+                v1_odd_of_1_33 <= v1_odd_of_1_32;
+                v1_odd_of_2_33 <= v1_odd_of_2_32;
+                v1_odd_of_3_33 <= v1_odd_of_3_32;
+                v1_odd_of_4_33 <= v1_odd_of_4_32;
+                v1_odd_of_5_33 <= v1_odd_of_5_32;
                 blend1_signed_33 <= blend1_signed_32;
-                texels_1_even_even_even_g_33 <= texels_1_even_even_even_g_32;
-                texels_1_even_odd_even_g_33 <= texels_1_even_odd_even_g_32;
-                texels_1_odd_even_even_g_33 <= texels_1_odd_even_even_g_32;
-                texels_1_odd_odd_even_g_33 <= texels_1_odd_odd_even_g_32;
-                blend1_g_1_0_part_33 <= blend1_g_1_0_part_32;
-                blend1_g_1_1_part_33 <= blend1_g_1_1_part_32;
-                blend1_g_1_2_part_33 <= blend1_g_1_2_part_32;
-                blend1_g_1_3_part_33 <= blend1_g_1_3_part_32;
-                texels_1_even_even_even_b_33 <= texels_1_even_even_even_b_32;
-                texels_1_even_odd_even_b_33 <= texels_1_even_odd_even_b_32;
-                texels_1_odd_even_even_b_33 <= texels_1_odd_even_even_b_32;
-                texels_1_odd_odd_even_b_33 <= texels_1_odd_odd_even_b_32;
-                blend1_b_1_0_part_33 <= blend1_b_1_0_part_32;
-                blend1_b_1_1_part_33 <= blend1_b_1_1_part_32;
-                blend1_b_1_2_part_33 <= blend1_b_1_2_part_32;
-                blend1_b_1_3_part_33 <= blend1_b_1_3_part_32;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 33: blend1_r_1_0, blend1_r_1_1, blend1_r_1_2, blend1_r_1_3 and 8 more
-    -- UQ0.14: two neighbours
-    blend1_r_1_0_33 <=
-        shift_left(resize(texels_1_even_even_even_r_33, 14), 6) + unsigned(blend1_r_1_0_part_33(13 downto 0));
-    -- UQ0.14: two neighbours
-    blend1_r_1_1_33 <=
-        shift_left(resize(texels_1_even_odd_even_r_33, 14), 6) + unsigned(blend1_r_1_1_part_33(13 downto 0));
-    -- UQ0.14: two neighbours
-    blend1_r_1_2_33 <=
-        shift_left(resize(texels_1_odd_even_even_r_33, 14), 6) + unsigned(blend1_r_1_2_part_33(13 downto 0));
-    -- UQ0.14: two neighbours
-    blend1_r_1_3_33 <=
-        shift_left(resize(texels_1_odd_odd_even_r_33, 14), 6) + unsigned(blend1_r_1_3_part_33(13 downto 0));
-    -- UQ0.14: two neighbours
-    blend1_g_1_0_33 <=
-        shift_left(resize(texels_1_even_even_even_g_33, 14), 6) + unsigned(blend1_g_1_0_part_33(13 downto 0));
-    -- UQ0.14: two neighbours
-    blend1_g_1_1_33 <=
-        shift_left(resize(texels_1_even_odd_even_g_33, 14), 6) + unsigned(blend1_g_1_1_part_33(13 downto 0));
-    -- UQ0.14: two neighbours
-    blend1_g_1_2_33 <=
-        shift_left(resize(texels_1_odd_even_even_g_33, 14), 6) + unsigned(blend1_g_1_2_part_33(13 downto 0));
-    -- UQ0.14: two neighbours
-    blend1_g_1_3_33 <=
-        shift_left(resize(texels_1_odd_odd_even_g_33, 14), 6) + unsigned(blend1_g_1_3_part_33(13 downto 0));
-    -- UQ0.14: two neighbours
-    blend1_b_1_0_33 <=
-        shift_left(resize(texels_1_even_even_even_b_33, 14), 6) + unsigned(blend1_b_1_0_part_33(13 downto 0));
-    -- UQ0.14: two neighbours
-    blend1_b_1_1_33 <=
-        shift_left(resize(texels_1_even_odd_even_b_33, 14), 6) + unsigned(blend1_b_1_1_part_33(13 downto 0));
-    -- UQ0.14: two neighbours
-    blend1_b_1_2_33 <=
-        shift_left(resize(texels_1_odd_even_even_b_33, 14), 6) + unsigned(blend1_b_1_2_part_33(13 downto 0));
-    -- UQ0.14: two neighbours
-    blend1_b_1_3_33 <=
-        shift_left(resize(texels_1_odd_odd_even_b_33, 14), 6) + unsigned(blend1_b_1_3_part_33(13 downto 0));
+    -- ===== Stage 33: registers only
+    -- UQ0.8: red
+    texels_1_even_even_even_r_33 <= unsigned(texels_1_even_even_even_33(23 downto 16));
+    -- UQ0.8: red
+    texels_1_even_even_odd_r_33 <= unsigned(texels_1_even_even_odd_33(23 downto 16));
+    -- UQ0.8: red
+    texels_1_even_odd_even_r_33 <= unsigned(texels_1_even_odd_even_33(23 downto 16));
+    -- UQ0.8: red
+    texels_1_even_odd_odd_r_33 <= unsigned(texels_1_even_odd_odd_33(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_even_even_r_33 <= unsigned(texels_1_odd_even_even_33(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_even_odd_r_33 <= unsigned(texels_1_odd_even_odd_33(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_odd_even_r_33 <= unsigned(texels_1_odd_odd_even_33(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_odd_odd_r_33 <= unsigned(texels_1_odd_odd_odd_33(23 downto 16));
+    -- UQ0.8: green
+    texels_1_even_even_even_g_33 <= unsigned(texels_1_even_even_even_33(15 downto 8));
+    -- UQ0.8: green
+    texels_1_even_even_odd_g_33 <= unsigned(texels_1_even_even_odd_33(15 downto 8));
+    -- UQ0.8: green
+    texels_1_even_odd_even_g_33 <= unsigned(texels_1_even_odd_even_33(15 downto 8));
+    -- UQ0.8: green
+    texels_1_even_odd_odd_g_33 <= unsigned(texels_1_even_odd_odd_33(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_even_even_g_33 <= unsigned(texels_1_odd_even_even_33(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_even_odd_g_33 <= unsigned(texels_1_odd_even_odd_33(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_odd_even_g_33 <= unsigned(texels_1_odd_odd_even_33(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_odd_odd_g_33 <= unsigned(texels_1_odd_odd_odd_33(15 downto 8));
+    -- UQ0.8: blue
+    texels_1_even_even_even_b_33 <= unsigned(texels_1_even_even_even_33(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_even_even_odd_b_33 <= unsigned(texels_1_even_even_odd_33(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_even_odd_even_b_33 <= unsigned(texels_1_even_odd_even_33(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_even_odd_odd_b_33 <= unsigned(texels_1_even_odd_odd_33(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_even_even_b_33 <= unsigned(texels_1_odd_even_even_33(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_even_odd_b_33 <= unsigned(texels_1_odd_even_odd_33(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_odd_even_b_33 <= unsigned(texels_1_odd_odd_even_33(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_odd_odd_b_33 <= unsigned(texels_1_odd_odd_odd_33(7 downto 0));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3609,43 +4521,57 @@ begin
                 in_gain1b_34 <= in_gain1b_33;
                 hidden_34 <= hidden_33;
                 shift1_34 <= shift1_33;
-                blend1_r_1_0_34 <= blend1_r_1_0_33;
-                blend1_r_1_1_34 <= blend1_r_1_1_33;
-                blend1_r_1_2_34 <= blend1_r_1_2_33;
-                blend1_r_1_3_34 <= blend1_r_1_3_33;
-                v1_odd_signed_34 <= v1_odd_signed_33;
+                texels_1_even_even_even_r_34 <= texels_1_even_even_even_r_33;
+                texels_1_even_even_odd_r_34 <= texels_1_even_even_odd_r_33;
+                texels_1_even_odd_even_r_34 <= texels_1_even_odd_even_r_33;
+                texels_1_even_odd_odd_r_34 <= texels_1_even_odd_odd_r_33;
+                texels_1_odd_even_even_r_34 <= texels_1_odd_even_even_r_33;
+                texels_1_odd_even_odd_r_34 <= texels_1_odd_even_odd_r_33;
+                texels_1_odd_odd_even_r_34 <= texels_1_odd_odd_even_r_33;
+                texels_1_odd_odd_odd_r_34 <= texels_1_odd_odd_odd_r_33;
+                u1_even_odd_whole_34 <= u1_even_odd_whole_33;
+                u1_even_odd_of_0_34 <= u1_even_odd_of_0_33;
+                u1_even_odd_of_1_34 <= u1_even_odd_of_1_33;
+                u1_even_odd_of_2_34 <= u1_even_odd_of_2_33;
+                u1_even_odd_of_3_34 <= u1_even_odd_of_3_33;
+                u1_even_odd_of_4_34 <= u1_even_odd_of_4_33;
+                u1_even_odd_of_5_34 <= u1_even_odd_of_5_33;
+                u1_odd_odd_whole_34 <= u1_odd_odd_whole_33;
+                u1_odd_odd_of_0_34 <= u1_odd_odd_of_0_33;
+                u1_odd_odd_of_1_34 <= u1_odd_odd_of_1_33;
+                u1_odd_odd_of_2_34 <= u1_odd_odd_of_2_33;
+                u1_odd_odd_of_3_34 <= u1_odd_odd_of_3_33;
+                u1_odd_odd_of_4_34 <= u1_odd_odd_of_4_33;
+                u1_odd_odd_of_5_34 <= u1_odd_odd_of_5_33;
+                v1_odd_whole_34 <= v1_odd_whole_33;
+                v1_odd_of_0_34 <= v1_odd_of_0_33;
+                v1_odd_of_1_34 <= v1_odd_of_1_33;
+                v1_odd_of_2_34 <= v1_odd_of_2_33;
+                v1_odd_of_3_34 <= v1_odd_of_3_33;
+                v1_odd_of_4_34 <= v1_odd_of_4_33;
+                v1_odd_of_5_34 <= v1_odd_of_5_33;
                 blend1_signed_34 <= blend1_signed_33;
-                blend1_g_1_0_34 <= blend1_g_1_0_33;
-                blend1_g_1_1_34 <= blend1_g_1_1_33;
-                blend1_g_1_2_34 <= blend1_g_1_2_33;
-                blend1_g_1_3_34 <= blend1_g_1_3_33;
-                blend1_b_1_0_34 <= blend1_b_1_0_33;
-                blend1_b_1_1_34 <= blend1_b_1_1_33;
-                blend1_b_1_2_34 <= blend1_b_1_2_33;
-                blend1_b_1_3_34 <= blend1_b_1_3_33;
+                texels_1_even_even_even_g_34 <= texels_1_even_even_even_g_33;
+                texels_1_even_even_odd_g_34 <= texels_1_even_even_odd_g_33;
+                texels_1_even_odd_even_g_34 <= texels_1_even_odd_even_g_33;
+                texels_1_even_odd_odd_g_34 <= texels_1_even_odd_odd_g_33;
+                texels_1_odd_even_even_g_34 <= texels_1_odd_even_even_g_33;
+                texels_1_odd_even_odd_g_34 <= texels_1_odd_even_odd_g_33;
+                texels_1_odd_odd_even_g_34 <= texels_1_odd_odd_even_g_33;
+                texels_1_odd_odd_odd_g_34 <= texels_1_odd_odd_odd_g_33;
+                texels_1_even_even_even_b_34 <= texels_1_even_even_even_b_33;
+                texels_1_even_even_odd_b_34 <= texels_1_even_even_odd_b_33;
+                texels_1_even_odd_even_b_34 <= texels_1_even_odd_even_b_33;
+                texels_1_even_odd_odd_b_34 <= texels_1_even_odd_odd_b_33;
+                texels_1_odd_even_even_b_34 <= texels_1_odd_even_even_b_33;
+                texels_1_odd_even_odd_b_34 <= texels_1_odd_even_odd_b_33;
+                texels_1_odd_odd_even_b_34 <= texels_1_odd_odd_even_b_33;
+                texels_1_odd_odd_odd_b_34 <= texels_1_odd_odd_odd_b_33;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 34: blend1_r_2_0_apart, blend1_r_2_1_apart, blend1_g_2_0_apart and 3 more
-    -- Q0.14: the difference
-    blend1_r_2_0_apart_34 <=
-        signed(resize(blend1_r_1_1_34, 15)) - signed(resize(blend1_r_1_0_34, 15));
-    -- Q0.14: the difference
-    blend1_r_2_1_apart_34 <=
-        signed(resize(blend1_r_1_3_34, 15)) - signed(resize(blend1_r_1_2_34, 15));
-    -- Q0.14: the difference
-    blend1_g_2_0_apart_34 <=
-        signed(resize(blend1_g_1_1_34, 15)) - signed(resize(blend1_g_1_0_34, 15));
-    -- Q0.14: the difference
-    blend1_g_2_1_apart_34 <=
-        signed(resize(blend1_g_1_3_34, 15)) - signed(resize(blend1_g_1_2_34, 15));
-    -- Q0.14: the difference
-    blend1_b_2_0_apart_34 <=
-        signed(resize(blend1_b_1_1_34, 15)) - signed(resize(blend1_b_1_0_34, 15));
-    -- Q0.14: the difference
-    blend1_b_2_1_apart_34 <=
-        signed(resize(blend1_b_1_3_34, 15)) - signed(resize(blend1_b_1_2_34, 15));
+    -- ===== Stage 34: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3655,37 +4581,585 @@ begin
                 in_gain1b_35 <= in_gain1b_34;
                 hidden_35 <= hidden_34;
                 shift1_35 <= shift1_34;
-                blend1_r_1_0_35 <= blend1_r_1_0_34;
-                blend1_r_1_2_35 <= blend1_r_1_2_34;
-                blend1_r_2_0_apart_35 <= blend1_r_2_0_apart_34;
-                v1_odd_signed_35 <= v1_odd_signed_34;
-                blend1_r_2_1_apart_35 <= blend1_r_2_1_apart_34;
+                texels_1_even_even_even_r_35 <= texels_1_even_even_even_r_34;
+                texels_1_even_even_odd_r_35 <= texels_1_even_even_odd_r_34;
+                texels_1_even_odd_even_r_35 <= texels_1_even_odd_even_r_34;
+                texels_1_even_odd_odd_r_35 <= texels_1_even_odd_odd_r_34;
+                texels_1_odd_even_even_r_35 <= texels_1_odd_even_even_r_34;
+                texels_1_odd_even_odd_r_35 <= texels_1_odd_even_odd_r_34;
+                texels_1_odd_odd_even_r_35 <= texels_1_odd_odd_even_r_34;
+                texels_1_odd_odd_odd_r_35 <= texels_1_odd_odd_odd_r_34;
+                u1_even_odd_whole_35 <= u1_even_odd_whole_34;
+                u1_even_odd_of_0_35 <= u1_even_odd_of_0_34;
+                u1_even_odd_of_1_35 <= u1_even_odd_of_1_34;
+                u1_even_odd_of_2_35 <= u1_even_odd_of_2_34;
+                u1_even_odd_of_3_35 <= u1_even_odd_of_3_34;
+                u1_even_odd_of_4_35 <= u1_even_odd_of_4_34;
+                u1_even_odd_of_5_35 <= u1_even_odd_of_5_34;
+                u1_odd_odd_whole_35 <= u1_odd_odd_whole_34;
+                u1_odd_odd_of_0_35 <= u1_odd_odd_of_0_34;
+                u1_odd_odd_of_1_35 <= u1_odd_odd_of_1_34;
+                u1_odd_odd_of_2_35 <= u1_odd_odd_of_2_34;
+                u1_odd_odd_of_3_35 <= u1_odd_odd_of_3_34;
+                u1_odd_odd_of_4_35 <= u1_odd_odd_of_4_34;
+                u1_odd_odd_of_5_35 <= u1_odd_odd_of_5_34;
+                v1_odd_whole_35 <= v1_odd_whole_34;
+                v1_odd_of_0_35 <= v1_odd_of_0_34;
+                v1_odd_of_1_35 <= v1_odd_of_1_34;
+                v1_odd_of_2_35 <= v1_odd_of_2_34;
+                v1_odd_of_3_35 <= v1_odd_of_3_34;
+                v1_odd_of_4_35 <= v1_odd_of_4_34;
+                v1_odd_of_5_35 <= v1_odd_of_5_34;
                 blend1_signed_35 <= blend1_signed_34;
-                blend1_g_1_0_35 <= blend1_g_1_0_34;
-                blend1_g_1_2_35 <= blend1_g_1_2_34;
-                blend1_g_2_0_apart_35 <= blend1_g_2_0_apart_34;
-                blend1_g_2_1_apart_35 <= blend1_g_2_1_apart_34;
-                blend1_b_1_0_35 <= blend1_b_1_0_34;
-                blend1_b_1_2_35 <= blend1_b_1_2_34;
-                blend1_b_2_0_apart_35 <= blend1_b_2_0_apart_34;
-                blend1_b_2_1_apart_35 <= blend1_b_2_1_apart_34;
+                texels_1_even_even_even_g_35 <= texels_1_even_even_even_g_34;
+                texels_1_even_even_odd_g_35 <= texels_1_even_even_odd_g_34;
+                texels_1_even_odd_even_g_35 <= texels_1_even_odd_even_g_34;
+                texels_1_even_odd_odd_g_35 <= texels_1_even_odd_odd_g_34;
+                texels_1_odd_even_even_g_35 <= texels_1_odd_even_even_g_34;
+                texels_1_odd_even_odd_g_35 <= texels_1_odd_even_odd_g_34;
+                texels_1_odd_odd_even_g_35 <= texels_1_odd_odd_even_g_34;
+                texels_1_odd_odd_odd_g_35 <= texels_1_odd_odd_odd_g_34;
+                texels_1_even_even_even_b_35 <= texels_1_even_even_even_b_34;
+                texels_1_even_even_odd_b_35 <= texels_1_even_even_odd_b_34;
+                texels_1_even_odd_even_b_35 <= texels_1_even_odd_even_b_34;
+                texels_1_even_odd_odd_b_35 <= texels_1_even_odd_odd_b_34;
+                texels_1_odd_even_even_b_35 <= texels_1_odd_even_even_b_34;
+                texels_1_odd_even_odd_b_35 <= texels_1_odd_even_odd_b_34;
+                texels_1_odd_odd_even_b_35 <= texels_1_odd_odd_even_b_34;
+                texels_1_odd_odd_odd_b_35 <= texels_1_odd_odd_odd_b_34;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 35: blend1_r_2_0_part, blend1_r_2_1_part, blend1_g_2_0_part and 3 more
-    -- Q2.20: its part
-    blend1_r_2_0_part_35 <= blend1_r_2_0_apart_35 * v1_odd_signed_35;
-    -- Q2.20: its part
-    blend1_r_2_1_part_35 <= blend1_r_2_1_apart_35 * v1_odd_signed_35;
-    -- Q2.20: its part
-    blend1_g_2_0_part_35 <= blend1_g_2_0_apart_35 * v1_odd_signed_35;
-    -- Q2.20: its part
-    blend1_g_2_1_part_35 <= blend1_g_2_1_apart_35 * v1_odd_signed_35;
-    -- Q2.20: its part
-    blend1_b_2_0_part_35 <= blend1_b_2_0_apart_35 * v1_odd_signed_35;
-    -- Q2.20: its part
-    blend1_b_2_1_part_35 <= blend1_b_2_1_apart_35 * v1_odd_signed_35;
+    -- ===== Stage 35: blend1_r_1_0_either_whole, blend1_r_1_0_either_0 and 118 more
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_whole_35 <=
+        texels_1_even_even_odd_r_35 when u1_even_odd_whole_35 = '1' else texels_1_even_even_even_r_35;
+    -- UQ-6.14: shifted
+    blend1_r_1_0_by_whole_35 <= blend1_r_1_0_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_0_35 <=
+        texels_1_even_even_odd_r_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_even_even_r_35;
+    -- UQ-6.14: shifted
+    blend1_r_1_0_by_0_35 <= blend1_r_1_0_either_0_35;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_1_35 <=
+        texels_1_even_even_odd_r_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_even_even_r_35;
+    -- UQ-5.13: shifted
+    blend1_r_1_0_by_1_35 <= blend1_r_1_0_either_1_35;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_2_35 <=
+        texels_1_even_even_odd_r_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_even_even_r_35;
+    -- UQ-4.12: shifted
+    blend1_r_1_0_by_2_35 <= blend1_r_1_0_either_2_35;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_3_35 <=
+        texels_1_even_even_odd_r_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_even_even_r_35;
+    -- UQ-3.11: shifted
+    blend1_r_1_0_by_3_35 <= blend1_r_1_0_either_3_35;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_4_35 <=
+        texels_1_even_even_odd_r_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_even_even_r_35;
+    -- UQ-2.10: shifted
+    blend1_r_1_0_by_4_35 <= blend1_r_1_0_either_4_35;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_5_35 <=
+        texels_1_even_even_odd_r_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_even_even_r_35;
+    -- UQ-1.9: shifted
+    blend1_r_1_0_by_5_35 <= blend1_r_1_0_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_r_1_0_sum_1_0_35 <=
+        resize(blend1_r_1_0_by_whole_35, 9) + resize(blend1_r_1_0_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_r_1_0_sum_1_1_35 <=
+        resize(blend1_r_1_0_by_1_35, 10) + shift_left(resize(blend1_r_1_0_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_r_1_0_sum_1_2_35 <=
+        resize(blend1_r_1_0_by_3_35, 10) + shift_left(resize(blend1_r_1_0_by_4_35, 10), 1);
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_whole_35 <=
+        texels_1_even_odd_odd_r_35 when u1_even_odd_whole_35 = '1' else texels_1_even_odd_even_r_35;
+    -- UQ-6.14: shifted
+    blend1_r_1_1_by_whole_35 <= blend1_r_1_1_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_0_35 <=
+        texels_1_even_odd_odd_r_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_odd_even_r_35;
+    -- UQ-6.14: shifted
+    blend1_r_1_1_by_0_35 <= blend1_r_1_1_either_0_35;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_1_35 <=
+        texels_1_even_odd_odd_r_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_odd_even_r_35;
+    -- UQ-5.13: shifted
+    blend1_r_1_1_by_1_35 <= blend1_r_1_1_either_1_35;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_2_35 <=
+        texels_1_even_odd_odd_r_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_odd_even_r_35;
+    -- UQ-4.12: shifted
+    blend1_r_1_1_by_2_35 <= blend1_r_1_1_either_2_35;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_3_35 <=
+        texels_1_even_odd_odd_r_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_odd_even_r_35;
+    -- UQ-3.11: shifted
+    blend1_r_1_1_by_3_35 <= blend1_r_1_1_either_3_35;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_4_35 <=
+        texels_1_even_odd_odd_r_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_odd_even_r_35;
+    -- UQ-2.10: shifted
+    blend1_r_1_1_by_4_35 <= blend1_r_1_1_either_4_35;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_5_35 <=
+        texels_1_even_odd_odd_r_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_odd_even_r_35;
+    -- UQ-1.9: shifted
+    blend1_r_1_1_by_5_35 <= blend1_r_1_1_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_r_1_1_sum_1_0_35 <=
+        resize(blend1_r_1_1_by_whole_35, 9) + resize(blend1_r_1_1_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_r_1_1_sum_1_1_35 <=
+        resize(blend1_r_1_1_by_1_35, 10) + shift_left(resize(blend1_r_1_1_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_r_1_1_sum_1_2_35 <=
+        resize(blend1_r_1_1_by_3_35, 10) + shift_left(resize(blend1_r_1_1_by_4_35, 10), 1);
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_whole_35 <=
+        texels_1_odd_even_odd_r_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_even_even_r_35;
+    -- UQ-6.14: shifted
+    blend1_r_1_2_by_whole_35 <= blend1_r_1_2_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_0_35 <=
+        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_even_even_r_35;
+    -- UQ-6.14: shifted
+    blend1_r_1_2_by_0_35 <= blend1_r_1_2_either_0_35;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_1_35 <=
+        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_even_even_r_35;
+    -- UQ-5.13: shifted
+    blend1_r_1_2_by_1_35 <= blend1_r_1_2_either_1_35;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_2_35 <=
+        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_even_even_r_35;
+    -- UQ-4.12: shifted
+    blend1_r_1_2_by_2_35 <= blend1_r_1_2_either_2_35;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_3_35 <=
+        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_even_even_r_35;
+    -- UQ-3.11: shifted
+    blend1_r_1_2_by_3_35 <= blend1_r_1_2_either_3_35;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_4_35 <=
+        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_even_even_r_35;
+    -- UQ-2.10: shifted
+    blend1_r_1_2_by_4_35 <= blend1_r_1_2_either_4_35;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_5_35 <=
+        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_even_even_r_35;
+    -- UQ-1.9: shifted
+    blend1_r_1_2_by_5_35 <= blend1_r_1_2_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_r_1_2_sum_1_0_35 <=
+        resize(blend1_r_1_2_by_whole_35, 9) + resize(blend1_r_1_2_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_r_1_2_sum_1_1_35 <=
+        resize(blend1_r_1_2_by_1_35, 10) + shift_left(resize(blend1_r_1_2_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_r_1_2_sum_1_2_35 <=
+        resize(blend1_r_1_2_by_3_35, 10) + shift_left(resize(blend1_r_1_2_by_4_35, 10), 1);
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_whole_35 <=
+        texels_1_odd_odd_odd_r_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_odd_even_r_35;
+    -- UQ-6.14: shifted
+    blend1_r_1_3_by_whole_35 <= blend1_r_1_3_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_0_35 <=
+        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_odd_even_r_35;
+    -- UQ-6.14: shifted
+    blend1_r_1_3_by_0_35 <= blend1_r_1_3_either_0_35;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_1_35 <=
+        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_odd_even_r_35;
+    -- UQ-5.13: shifted
+    blend1_r_1_3_by_1_35 <= blend1_r_1_3_either_1_35;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_2_35 <=
+        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_odd_even_r_35;
+    -- UQ-4.12: shifted
+    blend1_r_1_3_by_2_35 <= blend1_r_1_3_either_2_35;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_3_35 <=
+        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_odd_even_r_35;
+    -- UQ-3.11: shifted
+    blend1_r_1_3_by_3_35 <= blend1_r_1_3_either_3_35;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_4_35 <=
+        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_odd_even_r_35;
+    -- UQ-2.10: shifted
+    blend1_r_1_3_by_4_35 <= blend1_r_1_3_either_4_35;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_5_35 <=
+        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_odd_even_r_35;
+    -- UQ-1.9: shifted
+    blend1_r_1_3_by_5_35 <= blend1_r_1_3_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_r_1_3_sum_1_0_35 <=
+        resize(blend1_r_1_3_by_whole_35, 9) + resize(blend1_r_1_3_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_r_1_3_sum_1_1_35 <=
+        resize(blend1_r_1_3_by_1_35, 10) + shift_left(resize(blend1_r_1_3_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_r_1_3_sum_1_2_35 <=
+        resize(blend1_r_1_3_by_3_35, 10) + shift_left(resize(blend1_r_1_3_by_4_35, 10), 1);
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_whole_35 <=
+        texels_1_even_even_odd_g_35 when u1_even_odd_whole_35 = '1' else texels_1_even_even_even_g_35;
+    -- UQ-6.14: shifted
+    blend1_g_1_0_by_whole_35 <= blend1_g_1_0_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_0_35 <=
+        texels_1_even_even_odd_g_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_even_even_g_35;
+    -- UQ-6.14: shifted
+    blend1_g_1_0_by_0_35 <= blend1_g_1_0_either_0_35;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_1_35 <=
+        texels_1_even_even_odd_g_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_even_even_g_35;
+    -- UQ-5.13: shifted
+    blend1_g_1_0_by_1_35 <= blend1_g_1_0_either_1_35;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_2_35 <=
+        texels_1_even_even_odd_g_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_even_even_g_35;
+    -- UQ-4.12: shifted
+    blend1_g_1_0_by_2_35 <= blend1_g_1_0_either_2_35;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_3_35 <=
+        texels_1_even_even_odd_g_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_even_even_g_35;
+    -- UQ-3.11: shifted
+    blend1_g_1_0_by_3_35 <= blend1_g_1_0_either_3_35;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_4_35 <=
+        texels_1_even_even_odd_g_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_even_even_g_35;
+    -- UQ-2.10: shifted
+    blend1_g_1_0_by_4_35 <= blend1_g_1_0_either_4_35;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_5_35 <=
+        texels_1_even_even_odd_g_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_even_even_g_35;
+    -- UQ-1.9: shifted
+    blend1_g_1_0_by_5_35 <= blend1_g_1_0_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_g_1_0_sum_1_0_35 <=
+        resize(blend1_g_1_0_by_whole_35, 9) + resize(blend1_g_1_0_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_g_1_0_sum_1_1_35 <=
+        resize(blend1_g_1_0_by_1_35, 10) + shift_left(resize(blend1_g_1_0_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_g_1_0_sum_1_2_35 <=
+        resize(blend1_g_1_0_by_3_35, 10) + shift_left(resize(blend1_g_1_0_by_4_35, 10), 1);
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_whole_35 <=
+        texels_1_even_odd_odd_g_35 when u1_even_odd_whole_35 = '1' else texels_1_even_odd_even_g_35;
+    -- UQ-6.14: shifted
+    blend1_g_1_1_by_whole_35 <= blend1_g_1_1_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_0_35 <=
+        texels_1_even_odd_odd_g_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_odd_even_g_35;
+    -- UQ-6.14: shifted
+    blend1_g_1_1_by_0_35 <= blend1_g_1_1_either_0_35;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_1_35 <=
+        texels_1_even_odd_odd_g_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_odd_even_g_35;
+    -- UQ-5.13: shifted
+    blend1_g_1_1_by_1_35 <= blend1_g_1_1_either_1_35;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_2_35 <=
+        texels_1_even_odd_odd_g_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_odd_even_g_35;
+    -- UQ-4.12: shifted
+    blend1_g_1_1_by_2_35 <= blend1_g_1_1_either_2_35;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_3_35 <=
+        texels_1_even_odd_odd_g_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_odd_even_g_35;
+    -- UQ-3.11: shifted
+    blend1_g_1_1_by_3_35 <= blend1_g_1_1_either_3_35;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_4_35 <=
+        texels_1_even_odd_odd_g_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_odd_even_g_35;
+    -- UQ-2.10: shifted
+    blend1_g_1_1_by_4_35 <= blend1_g_1_1_either_4_35;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_5_35 <=
+        texels_1_even_odd_odd_g_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_odd_even_g_35;
+    -- UQ-1.9: shifted
+    blend1_g_1_1_by_5_35 <= blend1_g_1_1_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_g_1_1_sum_1_0_35 <=
+        resize(blend1_g_1_1_by_whole_35, 9) + resize(blend1_g_1_1_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_g_1_1_sum_1_1_35 <=
+        resize(blend1_g_1_1_by_1_35, 10) + shift_left(resize(blend1_g_1_1_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_g_1_1_sum_1_2_35 <=
+        resize(blend1_g_1_1_by_3_35, 10) + shift_left(resize(blend1_g_1_1_by_4_35, 10), 1);
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_whole_35 <=
+        texels_1_odd_even_odd_g_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_even_even_g_35;
+    -- UQ-6.14: shifted
+    blend1_g_1_2_by_whole_35 <= blend1_g_1_2_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_0_35 <=
+        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_even_even_g_35;
+    -- UQ-6.14: shifted
+    blend1_g_1_2_by_0_35 <= blend1_g_1_2_either_0_35;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_1_35 <=
+        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_even_even_g_35;
+    -- UQ-5.13: shifted
+    blend1_g_1_2_by_1_35 <= blend1_g_1_2_either_1_35;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_2_35 <=
+        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_even_even_g_35;
+    -- UQ-4.12: shifted
+    blend1_g_1_2_by_2_35 <= blend1_g_1_2_either_2_35;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_3_35 <=
+        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_even_even_g_35;
+    -- UQ-3.11: shifted
+    blend1_g_1_2_by_3_35 <= blend1_g_1_2_either_3_35;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_4_35 <=
+        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_even_even_g_35;
+    -- UQ-2.10: shifted
+    blend1_g_1_2_by_4_35 <= blend1_g_1_2_either_4_35;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_5_35 <=
+        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_even_even_g_35;
+    -- UQ-1.9: shifted
+    blend1_g_1_2_by_5_35 <= blend1_g_1_2_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_g_1_2_sum_1_0_35 <=
+        resize(blend1_g_1_2_by_whole_35, 9) + resize(blend1_g_1_2_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_g_1_2_sum_1_1_35 <=
+        resize(blend1_g_1_2_by_1_35, 10) + shift_left(resize(blend1_g_1_2_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_g_1_2_sum_1_2_35 <=
+        resize(blend1_g_1_2_by_3_35, 10) + shift_left(resize(blend1_g_1_2_by_4_35, 10), 1);
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_whole_35 <=
+        texels_1_odd_odd_odd_g_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_odd_even_g_35;
+    -- UQ-6.14: shifted
+    blend1_g_1_3_by_whole_35 <= blend1_g_1_3_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_0_35 <=
+        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_odd_even_g_35;
+    -- UQ-6.14: shifted
+    blend1_g_1_3_by_0_35 <= blend1_g_1_3_either_0_35;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_1_35 <=
+        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_odd_even_g_35;
+    -- UQ-5.13: shifted
+    blend1_g_1_3_by_1_35 <= blend1_g_1_3_either_1_35;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_2_35 <=
+        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_odd_even_g_35;
+    -- UQ-4.12: shifted
+    blend1_g_1_3_by_2_35 <= blend1_g_1_3_either_2_35;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_3_35 <=
+        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_odd_even_g_35;
+    -- UQ-3.11: shifted
+    blend1_g_1_3_by_3_35 <= blend1_g_1_3_either_3_35;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_4_35 <=
+        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_odd_even_g_35;
+    -- UQ-2.10: shifted
+    blend1_g_1_3_by_4_35 <= blend1_g_1_3_either_4_35;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_5_35 <=
+        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_odd_even_g_35;
+    -- UQ-1.9: shifted
+    blend1_g_1_3_by_5_35 <= blend1_g_1_3_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_g_1_3_sum_1_0_35 <=
+        resize(blend1_g_1_3_by_whole_35, 9) + resize(blend1_g_1_3_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_g_1_3_sum_1_1_35 <=
+        resize(blend1_g_1_3_by_1_35, 10) + shift_left(resize(blend1_g_1_3_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_g_1_3_sum_1_2_35 <=
+        resize(blend1_g_1_3_by_3_35, 10) + shift_left(resize(blend1_g_1_3_by_4_35, 10), 1);
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_whole_35 <=
+        texels_1_even_even_odd_b_35 when u1_even_odd_whole_35 = '1' else texels_1_even_even_even_b_35;
+    -- UQ-6.14: shifted
+    blend1_b_1_0_by_whole_35 <= blend1_b_1_0_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_0_35 <=
+        texels_1_even_even_odd_b_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_even_even_b_35;
+    -- UQ-6.14: shifted
+    blend1_b_1_0_by_0_35 <= blend1_b_1_0_either_0_35;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_1_35 <=
+        texels_1_even_even_odd_b_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_even_even_b_35;
+    -- UQ-5.13: shifted
+    blend1_b_1_0_by_1_35 <= blend1_b_1_0_either_1_35;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_2_35 <=
+        texels_1_even_even_odd_b_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_even_even_b_35;
+    -- UQ-4.12: shifted
+    blend1_b_1_0_by_2_35 <= blend1_b_1_0_either_2_35;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_3_35 <=
+        texels_1_even_even_odd_b_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_even_even_b_35;
+    -- UQ-3.11: shifted
+    blend1_b_1_0_by_3_35 <= blend1_b_1_0_either_3_35;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_4_35 <=
+        texels_1_even_even_odd_b_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_even_even_b_35;
+    -- UQ-2.10: shifted
+    blend1_b_1_0_by_4_35 <= blend1_b_1_0_either_4_35;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_5_35 <=
+        texels_1_even_even_odd_b_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_even_even_b_35;
+    -- UQ-1.9: shifted
+    blend1_b_1_0_by_5_35 <= blend1_b_1_0_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_b_1_0_sum_1_0_35 <=
+        resize(blend1_b_1_0_by_whole_35, 9) + resize(blend1_b_1_0_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_b_1_0_sum_1_1_35 <=
+        resize(blend1_b_1_0_by_1_35, 10) + shift_left(resize(blend1_b_1_0_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_b_1_0_sum_1_2_35 <=
+        resize(blend1_b_1_0_by_3_35, 10) + shift_left(resize(blend1_b_1_0_by_4_35, 10), 1);
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_whole_35 <=
+        texels_1_even_odd_odd_b_35 when u1_even_odd_whole_35 = '1' else texels_1_even_odd_even_b_35;
+    -- UQ-6.14: shifted
+    blend1_b_1_1_by_whole_35 <= blend1_b_1_1_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_0_35 <=
+        texels_1_even_odd_odd_b_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_odd_even_b_35;
+    -- UQ-6.14: shifted
+    blend1_b_1_1_by_0_35 <= blend1_b_1_1_either_0_35;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_1_35 <=
+        texels_1_even_odd_odd_b_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_odd_even_b_35;
+    -- UQ-5.13: shifted
+    blend1_b_1_1_by_1_35 <= blend1_b_1_1_either_1_35;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_2_35 <=
+        texels_1_even_odd_odd_b_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_odd_even_b_35;
+    -- UQ-4.12: shifted
+    blend1_b_1_1_by_2_35 <= blend1_b_1_1_either_2_35;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_3_35 <=
+        texels_1_even_odd_odd_b_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_odd_even_b_35;
+    -- UQ-3.11: shifted
+    blend1_b_1_1_by_3_35 <= blend1_b_1_1_either_3_35;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_4_35 <=
+        texels_1_even_odd_odd_b_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_odd_even_b_35;
+    -- UQ-2.10: shifted
+    blend1_b_1_1_by_4_35 <= blend1_b_1_1_either_4_35;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_5_35 <=
+        texels_1_even_odd_odd_b_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_odd_even_b_35;
+    -- UQ-1.9: shifted
+    blend1_b_1_1_by_5_35 <= blend1_b_1_1_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_b_1_1_sum_1_0_35 <=
+        resize(blend1_b_1_1_by_whole_35, 9) + resize(blend1_b_1_1_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_b_1_1_sum_1_1_35 <=
+        resize(blend1_b_1_1_by_1_35, 10) + shift_left(resize(blend1_b_1_1_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_b_1_1_sum_1_2_35 <=
+        resize(blend1_b_1_1_by_3_35, 10) + shift_left(resize(blend1_b_1_1_by_4_35, 10), 1);
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_whole_35 <=
+        texels_1_odd_even_odd_b_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_even_even_b_35;
+    -- UQ-6.14: shifted
+    blend1_b_1_2_by_whole_35 <= blend1_b_1_2_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_0_35 <=
+        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_even_even_b_35;
+    -- UQ-6.14: shifted
+    blend1_b_1_2_by_0_35 <= blend1_b_1_2_either_0_35;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_1_35 <=
+        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_even_even_b_35;
+    -- UQ-5.13: shifted
+    blend1_b_1_2_by_1_35 <= blend1_b_1_2_either_1_35;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_2_35 <=
+        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_even_even_b_35;
+    -- UQ-4.12: shifted
+    blend1_b_1_2_by_2_35 <= blend1_b_1_2_either_2_35;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_3_35 <=
+        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_even_even_b_35;
+    -- UQ-3.11: shifted
+    blend1_b_1_2_by_3_35 <= blend1_b_1_2_either_3_35;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_4_35 <=
+        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_even_even_b_35;
+    -- UQ-2.10: shifted
+    blend1_b_1_2_by_4_35 <= blend1_b_1_2_either_4_35;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_5_35 <=
+        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_even_even_b_35;
+    -- UQ-1.9: shifted
+    blend1_b_1_2_by_5_35 <= blend1_b_1_2_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_b_1_2_sum_1_0_35 <=
+        resize(blend1_b_1_2_by_whole_35, 9) + resize(blend1_b_1_2_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_b_1_2_sum_1_1_35 <=
+        resize(blend1_b_1_2_by_1_35, 10) + shift_left(resize(blend1_b_1_2_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_b_1_2_sum_1_2_35 <=
+        resize(blend1_b_1_2_by_3_35, 10) + shift_left(resize(blend1_b_1_2_by_4_35, 10), 1);
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_whole_35 <=
+        texels_1_odd_odd_odd_b_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_odd_even_b_35;
+    -- UQ-6.14: shifted
+    blend1_b_1_3_by_whole_35 <= blend1_b_1_3_either_whole_35;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_0_35 <=
+        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_odd_even_b_35;
+    -- UQ-6.14: shifted
+    blend1_b_1_3_by_0_35 <= blend1_b_1_3_either_0_35;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_1_35 <=
+        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_odd_even_b_35;
+    -- UQ-5.13: shifted
+    blend1_b_1_3_by_1_35 <= blend1_b_1_3_either_1_35;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_2_35 <=
+        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_odd_even_b_35;
+    -- UQ-4.12: shifted
+    blend1_b_1_3_by_2_35 <= blend1_b_1_3_either_2_35;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_3_35 <=
+        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_odd_even_b_35;
+    -- UQ-3.11: shifted
+    blend1_b_1_3_by_3_35 <= blend1_b_1_3_either_3_35;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_4_35 <=
+        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_odd_even_b_35;
+    -- UQ-2.10: shifted
+    blend1_b_1_3_by_4_35 <= blend1_b_1_3_either_4_35;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_5_35 <=
+        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_odd_even_b_35;
+    -- UQ-1.9: shifted
+    blend1_b_1_3_by_5_35 <= blend1_b_1_3_either_5_35;
+    -- UQ-5.14: the sum of two
+    blend1_b_1_3_sum_1_0_35 <=
+        resize(blend1_b_1_3_by_whole_35, 9) + resize(blend1_b_1_3_by_0_35, 9);
+    -- UQ-3.13: the sum of two
+    blend1_b_1_3_sum_1_1_35 <=
+        resize(blend1_b_1_3_by_1_35, 10) + shift_left(resize(blend1_b_1_3_by_2_35, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_b_1_3_sum_1_2_35 <=
+        resize(blend1_b_1_3_by_3_35, 10) + shift_left(resize(blend1_b_1_3_by_4_35, 10), 1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3695,42 +5169,139 @@ begin
                 in_gain1b_36 <= in_gain1b_35;
                 hidden_36 <= hidden_35;
                 shift1_36 <= shift1_35;
-                blend1_r_1_0_36 <= blend1_r_1_0_35;
-                blend1_r_1_2_36 <= blend1_r_1_2_35;
-                blend1_r_2_0_part_36 <= blend1_r_2_0_part_35;
-                blend1_r_2_1_part_36 <= blend1_r_2_1_part_35;
+                blend1_r_1_0_by_5_36 <= blend1_r_1_0_by_5_35;
+                blend1_r_1_0_sum_1_0_36 <= blend1_r_1_0_sum_1_0_35;
+                blend1_r_1_0_sum_1_1_36 <= blend1_r_1_0_sum_1_1_35;
+                blend1_r_1_0_sum_1_2_36 <= blend1_r_1_0_sum_1_2_35;
+                blend1_r_1_1_by_5_36 <= blend1_r_1_1_by_5_35;
+                blend1_r_1_1_sum_1_0_36 <= blend1_r_1_1_sum_1_0_35;
+                blend1_r_1_1_sum_1_1_36 <= blend1_r_1_1_sum_1_1_35;
+                blend1_r_1_1_sum_1_2_36 <= blend1_r_1_1_sum_1_2_35;
+                blend1_r_1_2_by_5_36 <= blend1_r_1_2_by_5_35;
+                blend1_r_1_2_sum_1_0_36 <= blend1_r_1_2_sum_1_0_35;
+                blend1_r_1_2_sum_1_1_36 <= blend1_r_1_2_sum_1_1_35;
+                blend1_r_1_2_sum_1_2_36 <= blend1_r_1_2_sum_1_2_35;
+                blend1_r_1_3_by_5_36 <= blend1_r_1_3_by_5_35;
+                blend1_r_1_3_sum_1_0_36 <= blend1_r_1_3_sum_1_0_35;
+                blend1_r_1_3_sum_1_1_36 <= blend1_r_1_3_sum_1_1_35;
+                blend1_r_1_3_sum_1_2_36 <= blend1_r_1_3_sum_1_2_35;
+                v1_odd_whole_36 <= v1_odd_whole_35;
+                v1_odd_of_0_36 <= v1_odd_of_0_35;
+                v1_odd_of_1_36 <= v1_odd_of_1_35;
+                v1_odd_of_2_36 <= v1_odd_of_2_35;
+                v1_odd_of_3_36 <= v1_odd_of_3_35;
+                v1_odd_of_4_36 <= v1_odd_of_4_35;
+                v1_odd_of_5_36 <= v1_odd_of_5_35;
                 blend1_signed_36 <= blend1_signed_35;
-                blend1_g_1_0_36 <= blend1_g_1_0_35;
-                blend1_g_1_2_36 <= blend1_g_1_2_35;
-                blend1_g_2_0_part_36 <= blend1_g_2_0_part_35;
-                blend1_g_2_1_part_36 <= blend1_g_2_1_part_35;
-                blend1_b_1_0_36 <= blend1_b_1_0_35;
-                blend1_b_1_2_36 <= blend1_b_1_2_35;
-                blend1_b_2_0_part_36 <= blend1_b_2_0_part_35;
-                blend1_b_2_1_part_36 <= blend1_b_2_1_part_35;
+                blend1_g_1_0_by_5_36 <= blend1_g_1_0_by_5_35;
+                blend1_g_1_0_sum_1_0_36 <= blend1_g_1_0_sum_1_0_35;
+                blend1_g_1_0_sum_1_1_36 <= blend1_g_1_0_sum_1_1_35;
+                blend1_g_1_0_sum_1_2_36 <= blend1_g_1_0_sum_1_2_35;
+                blend1_g_1_1_by_5_36 <= blend1_g_1_1_by_5_35;
+                blend1_g_1_1_sum_1_0_36 <= blend1_g_1_1_sum_1_0_35;
+                blend1_g_1_1_sum_1_1_36 <= blend1_g_1_1_sum_1_1_35;
+                blend1_g_1_1_sum_1_2_36 <= blend1_g_1_1_sum_1_2_35;
+                blend1_g_1_2_by_5_36 <= blend1_g_1_2_by_5_35;
+                blend1_g_1_2_sum_1_0_36 <= blend1_g_1_2_sum_1_0_35;
+                blend1_g_1_2_sum_1_1_36 <= blend1_g_1_2_sum_1_1_35;
+                blend1_g_1_2_sum_1_2_36 <= blend1_g_1_2_sum_1_2_35;
+                blend1_g_1_3_by_5_36 <= blend1_g_1_3_by_5_35;
+                blend1_g_1_3_sum_1_0_36 <= blend1_g_1_3_sum_1_0_35;
+                blend1_g_1_3_sum_1_1_36 <= blend1_g_1_3_sum_1_1_35;
+                blend1_g_1_3_sum_1_2_36 <= blend1_g_1_3_sum_1_2_35;
+                blend1_b_1_0_by_5_36 <= blend1_b_1_0_by_5_35;
+                blend1_b_1_0_sum_1_0_36 <= blend1_b_1_0_sum_1_0_35;
+                blend1_b_1_0_sum_1_1_36 <= blend1_b_1_0_sum_1_1_35;
+                blend1_b_1_0_sum_1_2_36 <= blend1_b_1_0_sum_1_2_35;
+                blend1_b_1_1_by_5_36 <= blend1_b_1_1_by_5_35;
+                blend1_b_1_1_sum_1_0_36 <= blend1_b_1_1_sum_1_0_35;
+                blend1_b_1_1_sum_1_1_36 <= blend1_b_1_1_sum_1_1_35;
+                blend1_b_1_1_sum_1_2_36 <= blend1_b_1_1_sum_1_2_35;
+                blend1_b_1_2_by_5_36 <= blend1_b_1_2_by_5_35;
+                blend1_b_1_2_sum_1_0_36 <= blend1_b_1_2_sum_1_0_35;
+                blend1_b_1_2_sum_1_1_36 <= blend1_b_1_2_sum_1_1_35;
+                blend1_b_1_2_sum_1_2_36 <= blend1_b_1_2_sum_1_2_35;
+                blend1_b_1_3_by_5_36 <= blend1_b_1_3_by_5_35;
+                blend1_b_1_3_sum_1_0_36 <= blend1_b_1_3_sum_1_0_35;
+                blend1_b_1_3_sum_1_1_36 <= blend1_b_1_3_sum_1_1_35;
+                blend1_b_1_3_sum_1_2_36 <= blend1_b_1_3_sum_1_2_35;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 36: blend1_r_2_0, blend1_r_2_1, blend1_g_2_0, blend1_g_2_1 and 2 more
-    -- UQ0.20: two neighbours
-    blend1_r_2_0_36 <=
-        shift_left(resize(blend1_r_1_0_36, 20), 6) + unsigned(blend1_r_2_0_part_36(19 downto 0));
-    -- UQ0.20: two neighbours
-    blend1_r_2_1_36 <=
-        shift_left(resize(blend1_r_1_2_36, 20), 6) + unsigned(blend1_r_2_1_part_36(19 downto 0));
-    -- UQ0.20: two neighbours
-    blend1_g_2_0_36 <=
-        shift_left(resize(blend1_g_1_0_36, 20), 6) + unsigned(blend1_g_2_0_part_36(19 downto 0));
-    -- UQ0.20: two neighbours
-    blend1_g_2_1_36 <=
-        shift_left(resize(blend1_g_1_2_36, 20), 6) + unsigned(blend1_g_2_1_part_36(19 downto 0));
-    -- UQ0.20: two neighbours
-    blend1_b_2_0_36 <=
-        shift_left(resize(blend1_b_1_0_36, 20), 6) + unsigned(blend1_b_2_0_part_36(19 downto 0));
-    -- UQ0.20: two neighbours
-    blend1_b_2_1_36 <=
-        shift_left(resize(blend1_b_1_2_36, 20), 6) + unsigned(blend1_b_2_1_part_36(19 downto 0));
+    -- ===== Stage 36: blend1_r_1_0_sum_2_0, blend1_r_1_0_sum_2_1 and 22 more
+    -- UQ-3.14: the sum of two
+    blend1_r_1_0_sum_2_0_36 <=
+        resize(blend1_r_1_0_sum_1_0_36, 11) + shift_left(resize(blend1_r_1_0_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_r_1_0_sum_2_1_36 <=
+        resize(blend1_r_1_0_sum_1_2_36, 11) + shift_left(resize(blend1_r_1_0_by_5_36, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_r_1_1_sum_2_0_36 <=
+        resize(blend1_r_1_1_sum_1_0_36, 11) + shift_left(resize(blend1_r_1_1_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_r_1_1_sum_2_1_36 <=
+        resize(blend1_r_1_1_sum_1_2_36, 11) + shift_left(resize(blend1_r_1_1_by_5_36, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_r_1_2_sum_2_0_36 <=
+        resize(blend1_r_1_2_sum_1_0_36, 11) + shift_left(resize(blend1_r_1_2_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_r_1_2_sum_2_1_36 <=
+        resize(blend1_r_1_2_sum_1_2_36, 11) + shift_left(resize(blend1_r_1_2_by_5_36, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_r_1_3_sum_2_0_36 <=
+        resize(blend1_r_1_3_sum_1_0_36, 11) + shift_left(resize(blend1_r_1_3_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_r_1_3_sum_2_1_36 <=
+        resize(blend1_r_1_3_sum_1_2_36, 11) + shift_left(resize(blend1_r_1_3_by_5_36, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_g_1_0_sum_2_0_36 <=
+        resize(blend1_g_1_0_sum_1_0_36, 11) + shift_left(resize(blend1_g_1_0_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_g_1_0_sum_2_1_36 <=
+        resize(blend1_g_1_0_sum_1_2_36, 11) + shift_left(resize(blend1_g_1_0_by_5_36, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_g_1_1_sum_2_0_36 <=
+        resize(blend1_g_1_1_sum_1_0_36, 11) + shift_left(resize(blend1_g_1_1_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_g_1_1_sum_2_1_36 <=
+        resize(blend1_g_1_1_sum_1_2_36, 11) + shift_left(resize(blend1_g_1_1_by_5_36, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_g_1_2_sum_2_0_36 <=
+        resize(blend1_g_1_2_sum_1_0_36, 11) + shift_left(resize(blend1_g_1_2_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_g_1_2_sum_2_1_36 <=
+        resize(blend1_g_1_2_sum_1_2_36, 11) + shift_left(resize(blend1_g_1_2_by_5_36, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_g_1_3_sum_2_0_36 <=
+        resize(blend1_g_1_3_sum_1_0_36, 11) + shift_left(resize(blend1_g_1_3_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_g_1_3_sum_2_1_36 <=
+        resize(blend1_g_1_3_sum_1_2_36, 11) + shift_left(resize(blend1_g_1_3_by_5_36, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_b_1_0_sum_2_0_36 <=
+        resize(blend1_b_1_0_sum_1_0_36, 11) + shift_left(resize(blend1_b_1_0_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_b_1_0_sum_2_1_36 <=
+        resize(blend1_b_1_0_sum_1_2_36, 11) + shift_left(resize(blend1_b_1_0_by_5_36, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_b_1_1_sum_2_0_36 <=
+        resize(blend1_b_1_1_sum_1_0_36, 11) + shift_left(resize(blend1_b_1_1_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_b_1_1_sum_2_1_36 <=
+        resize(blend1_b_1_1_sum_1_2_36, 11) + shift_left(resize(blend1_b_1_1_by_5_36, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_b_1_2_sum_2_0_36 <=
+        resize(blend1_b_1_2_sum_1_0_36, 11) + shift_left(resize(blend1_b_1_2_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_b_1_2_sum_2_1_36 <=
+        resize(blend1_b_1_2_sum_1_2_36, 11) + shift_left(resize(blend1_b_1_2_by_5_36, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_b_1_3_sum_2_0_36 <=
+        resize(blend1_b_1_3_sum_1_0_36, 11) + shift_left(resize(blend1_b_1_3_sum_1_1_36, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_b_1_3_sum_2_1_36 <=
+        resize(blend1_b_1_3_sum_1_2_36, 11) + shift_left(resize(blend1_b_1_3_by_5_36, 11), 2);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3740,27 +5311,247 @@ begin
                 in_gain1b_37 <= in_gain1b_36;
                 hidden_37 <= hidden_36;
                 shift1_37 <= shift1_36;
-                blend1_r_2_0_37 <= blend1_r_2_0_36;
-                blend1_r_2_1_37 <= blend1_r_2_1_36;
+                blend1_r_1_0_sum_2_0_37 <= blend1_r_1_0_sum_2_0_36;
+                blend1_r_1_0_sum_2_1_37 <= blend1_r_1_0_sum_2_1_36;
+                blend1_r_1_1_sum_2_0_37 <= blend1_r_1_1_sum_2_0_36;
+                blend1_r_1_1_sum_2_1_37 <= blend1_r_1_1_sum_2_1_36;
+                blend1_r_1_2_sum_2_0_37 <= blend1_r_1_2_sum_2_0_36;
+                blend1_r_1_2_sum_2_1_37 <= blend1_r_1_2_sum_2_1_36;
+                blend1_r_1_3_sum_2_0_37 <= blend1_r_1_3_sum_2_0_36;
+                blend1_r_1_3_sum_2_1_37 <= blend1_r_1_3_sum_2_1_36;
+                v1_odd_whole_37 <= v1_odd_whole_36;
+                v1_odd_of_0_37 <= v1_odd_of_0_36;
+                v1_odd_of_1_37 <= v1_odd_of_1_36;
+                v1_odd_of_2_37 <= v1_odd_of_2_36;
+                v1_odd_of_3_37 <= v1_odd_of_3_36;
+                v1_odd_of_4_37 <= v1_odd_of_4_36;
+                v1_odd_of_5_37 <= v1_odd_of_5_36;
                 blend1_signed_37 <= blend1_signed_36;
-                blend1_g_2_0_37 <= blend1_g_2_0_36;
-                blend1_g_2_1_37 <= blend1_g_2_1_36;
-                blend1_b_2_0_37 <= blend1_b_2_0_36;
-                blend1_b_2_1_37 <= blend1_b_2_1_36;
+                blend1_g_1_0_sum_2_0_37 <= blend1_g_1_0_sum_2_0_36;
+                blend1_g_1_0_sum_2_1_37 <= blend1_g_1_0_sum_2_1_36;
+                blend1_g_1_1_sum_2_0_37 <= blend1_g_1_1_sum_2_0_36;
+                blend1_g_1_1_sum_2_1_37 <= blend1_g_1_1_sum_2_1_36;
+                blend1_g_1_2_sum_2_0_37 <= blend1_g_1_2_sum_2_0_36;
+                blend1_g_1_2_sum_2_1_37 <= blend1_g_1_2_sum_2_1_36;
+                blend1_g_1_3_sum_2_0_37 <= blend1_g_1_3_sum_2_0_36;
+                blend1_g_1_3_sum_2_1_37 <= blend1_g_1_3_sum_2_1_36;
+                blend1_b_1_0_sum_2_0_37 <= blend1_b_1_0_sum_2_0_36;
+                blend1_b_1_0_sum_2_1_37 <= blend1_b_1_0_sum_2_1_36;
+                blend1_b_1_1_sum_2_0_37 <= blend1_b_1_1_sum_2_0_36;
+                blend1_b_1_1_sum_2_1_37 <= blend1_b_1_1_sum_2_1_36;
+                blend1_b_1_2_sum_2_0_37 <= blend1_b_1_2_sum_2_0_36;
+                blend1_b_1_2_sum_2_1_37 <= blend1_b_1_2_sum_2_1_36;
+                blend1_b_1_3_sum_2_0_37 <= blend1_b_1_3_sum_2_0_36;
+                blend1_b_1_3_sum_2_1_37 <= blend1_b_1_3_sum_2_1_36;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 37: blend1_r_3_0_apart, blend1_g_3_0_apart, blend1_b_3_0_apart
-    -- Q0.20: the difference
-    blend1_r_3_0_apart_37 <=
-        signed(resize(blend1_r_2_1_37, 21)) - signed(resize(blend1_r_2_0_37, 21));
-    -- Q0.20: the difference
-    blend1_g_3_0_apart_37 <=
-        signed(resize(blend1_g_2_1_37, 21)) - signed(resize(blend1_g_2_0_37, 21));
-    -- Q0.20: the difference
-    blend1_b_3_0_apart_37 <=
-        signed(resize(blend1_b_2_1_37, 21)) - signed(resize(blend1_b_2_0_37, 21));
+    -- ===== Stage 37: blend1_r_1_0, blend1_r_1_1, blend1_r_1_2, blend1_r_1_3 and 50 more
+    -- UQ0.14: two neighbours
+    blend1_r_1_0_37 <=
+        resize(blend1_r_1_0_sum_2_0_37, 14) + shift_left(resize(blend1_r_1_0_sum_2_1_37, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_r_1_1_37 <=
+        resize(blend1_r_1_1_sum_2_0_37, 14) + shift_left(resize(blend1_r_1_1_sum_2_1_37, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_r_1_2_37 <=
+        resize(blend1_r_1_2_sum_2_0_37, 14) + shift_left(resize(blend1_r_1_2_sum_2_1_37, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_r_1_3_37 <=
+        resize(blend1_r_1_3_sum_2_0_37, 14) + shift_left(resize(blend1_r_1_3_sum_2_1_37, 14), 3);
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_whole_37 <= blend1_r_1_1_37 when v1_odd_whole_37 = '1' else blend1_r_1_0_37;
+    -- UQ-6.20: shifted
+    blend1_r_2_0_by_whole_37 <= blend1_r_2_0_either_whole_37;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_0_37 <= blend1_r_1_1_37 when v1_odd_of_0_37 = '1' else blend1_r_1_0_37;
+    -- UQ-6.20: shifted
+    blend1_r_2_0_by_0_37 <= blend1_r_2_0_either_0_37;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_1_37 <= blend1_r_1_1_37 when v1_odd_of_1_37 = '1' else blend1_r_1_0_37;
+    -- UQ-5.19: shifted
+    blend1_r_2_0_by_1_37 <= blend1_r_2_0_either_1_37;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_2_37 <= blend1_r_1_1_37 when v1_odd_of_2_37 = '1' else blend1_r_1_0_37;
+    -- UQ-4.18: shifted
+    blend1_r_2_0_by_2_37 <= blend1_r_2_0_either_2_37;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_3_37 <= blend1_r_1_1_37 when v1_odd_of_3_37 = '1' else blend1_r_1_0_37;
+    -- UQ-3.17: shifted
+    blend1_r_2_0_by_3_37 <= blend1_r_2_0_either_3_37;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_4_37 <= blend1_r_1_1_37 when v1_odd_of_4_37 = '1' else blend1_r_1_0_37;
+    -- UQ-2.16: shifted
+    blend1_r_2_0_by_4_37 <= blend1_r_2_0_either_4_37;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_5_37 <= blend1_r_1_1_37 when v1_odd_of_5_37 = '1' else blend1_r_1_0_37;
+    -- UQ-1.15: shifted
+    blend1_r_2_0_by_5_37 <= blend1_r_2_0_either_5_37;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_whole_37 <= blend1_r_1_3_37 when v1_odd_whole_37 = '1' else blend1_r_1_2_37;
+    -- UQ-6.20: shifted
+    blend1_r_2_1_by_whole_37 <= blend1_r_2_1_either_whole_37;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_0_37 <= blend1_r_1_3_37 when v1_odd_of_0_37 = '1' else blend1_r_1_2_37;
+    -- UQ-6.20: shifted
+    blend1_r_2_1_by_0_37 <= blend1_r_2_1_either_0_37;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_1_37 <= blend1_r_1_3_37 when v1_odd_of_1_37 = '1' else blend1_r_1_2_37;
+    -- UQ-5.19: shifted
+    blend1_r_2_1_by_1_37 <= blend1_r_2_1_either_1_37;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_2_37 <= blend1_r_1_3_37 when v1_odd_of_2_37 = '1' else blend1_r_1_2_37;
+    -- UQ-4.18: shifted
+    blend1_r_2_1_by_2_37 <= blend1_r_2_1_either_2_37;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_3_37 <= blend1_r_1_3_37 when v1_odd_of_3_37 = '1' else blend1_r_1_2_37;
+    -- UQ-3.17: shifted
+    blend1_r_2_1_by_3_37 <= blend1_r_2_1_either_3_37;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_4_37 <= blend1_r_1_3_37 when v1_odd_of_4_37 = '1' else blend1_r_1_2_37;
+    -- UQ-2.16: shifted
+    blend1_r_2_1_by_4_37 <= blend1_r_2_1_either_4_37;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_5_37 <= blend1_r_1_3_37 when v1_odd_of_5_37 = '1' else blend1_r_1_2_37;
+    -- UQ-1.15: shifted
+    blend1_r_2_1_by_5_37 <= blend1_r_2_1_either_5_37;
+    -- UQ0.14: two neighbours
+    blend1_g_1_0_37 <=
+        resize(blend1_g_1_0_sum_2_0_37, 14) + shift_left(resize(blend1_g_1_0_sum_2_1_37, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_g_1_1_37 <=
+        resize(blend1_g_1_1_sum_2_0_37, 14) + shift_left(resize(blend1_g_1_1_sum_2_1_37, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_g_1_2_37 <=
+        resize(blend1_g_1_2_sum_2_0_37, 14) + shift_left(resize(blend1_g_1_2_sum_2_1_37, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_g_1_3_37 <=
+        resize(blend1_g_1_3_sum_2_0_37, 14) + shift_left(resize(blend1_g_1_3_sum_2_1_37, 14), 3);
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_whole_37 <= blend1_g_1_1_37 when v1_odd_whole_37 = '1' else blend1_g_1_0_37;
+    -- UQ-6.20: shifted
+    blend1_g_2_0_by_whole_37 <= blend1_g_2_0_either_whole_37;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_0_37 <= blend1_g_1_1_37 when v1_odd_of_0_37 = '1' else blend1_g_1_0_37;
+    -- UQ-6.20: shifted
+    blend1_g_2_0_by_0_37 <= blend1_g_2_0_either_0_37;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_1_37 <= blend1_g_1_1_37 when v1_odd_of_1_37 = '1' else blend1_g_1_0_37;
+    -- UQ-5.19: shifted
+    blend1_g_2_0_by_1_37 <= blend1_g_2_0_either_1_37;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_2_37 <= blend1_g_1_1_37 when v1_odd_of_2_37 = '1' else blend1_g_1_0_37;
+    -- UQ-4.18: shifted
+    blend1_g_2_0_by_2_37 <= blend1_g_2_0_either_2_37;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_3_37 <= blend1_g_1_1_37 when v1_odd_of_3_37 = '1' else blend1_g_1_0_37;
+    -- UQ-3.17: shifted
+    blend1_g_2_0_by_3_37 <= blend1_g_2_0_either_3_37;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_4_37 <= blend1_g_1_1_37 when v1_odd_of_4_37 = '1' else blend1_g_1_0_37;
+    -- UQ-2.16: shifted
+    blend1_g_2_0_by_4_37 <= blend1_g_2_0_either_4_37;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_5_37 <= blend1_g_1_1_37 when v1_odd_of_5_37 = '1' else blend1_g_1_0_37;
+    -- UQ-1.15: shifted
+    blend1_g_2_0_by_5_37 <= blend1_g_2_0_either_5_37;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_whole_37 <= blend1_g_1_3_37 when v1_odd_whole_37 = '1' else blend1_g_1_2_37;
+    -- UQ-6.20: shifted
+    blend1_g_2_1_by_whole_37 <= blend1_g_2_1_either_whole_37;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_0_37 <= blend1_g_1_3_37 when v1_odd_of_0_37 = '1' else blend1_g_1_2_37;
+    -- UQ-6.20: shifted
+    blend1_g_2_1_by_0_37 <= blend1_g_2_1_either_0_37;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_1_37 <= blend1_g_1_3_37 when v1_odd_of_1_37 = '1' else blend1_g_1_2_37;
+    -- UQ-5.19: shifted
+    blend1_g_2_1_by_1_37 <= blend1_g_2_1_either_1_37;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_2_37 <= blend1_g_1_3_37 when v1_odd_of_2_37 = '1' else blend1_g_1_2_37;
+    -- UQ-4.18: shifted
+    blend1_g_2_1_by_2_37 <= blend1_g_2_1_either_2_37;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_3_37 <= blend1_g_1_3_37 when v1_odd_of_3_37 = '1' else blend1_g_1_2_37;
+    -- UQ-3.17: shifted
+    blend1_g_2_1_by_3_37 <= blend1_g_2_1_either_3_37;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_4_37 <= blend1_g_1_3_37 when v1_odd_of_4_37 = '1' else blend1_g_1_2_37;
+    -- UQ-2.16: shifted
+    blend1_g_2_1_by_4_37 <= blend1_g_2_1_either_4_37;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_5_37 <= blend1_g_1_3_37 when v1_odd_of_5_37 = '1' else blend1_g_1_2_37;
+    -- UQ-1.15: shifted
+    blend1_g_2_1_by_5_37 <= blend1_g_2_1_either_5_37;
+    -- UQ0.14: two neighbours
+    blend1_b_1_0_37 <=
+        resize(blend1_b_1_0_sum_2_0_37, 14) + shift_left(resize(blend1_b_1_0_sum_2_1_37, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_b_1_1_37 <=
+        resize(blend1_b_1_1_sum_2_0_37, 14) + shift_left(resize(blend1_b_1_1_sum_2_1_37, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_b_1_2_37 <=
+        resize(blend1_b_1_2_sum_2_0_37, 14) + shift_left(resize(blend1_b_1_2_sum_2_1_37, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_b_1_3_37 <=
+        resize(blend1_b_1_3_sum_2_0_37, 14) + shift_left(resize(blend1_b_1_3_sum_2_1_37, 14), 3);
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_whole_37 <= blend1_b_1_1_37 when v1_odd_whole_37 = '1' else blend1_b_1_0_37;
+    -- UQ-6.20: shifted
+    blend1_b_2_0_by_whole_37 <= blend1_b_2_0_either_whole_37;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_0_37 <= blend1_b_1_1_37 when v1_odd_of_0_37 = '1' else blend1_b_1_0_37;
+    -- UQ-6.20: shifted
+    blend1_b_2_0_by_0_37 <= blend1_b_2_0_either_0_37;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_1_37 <= blend1_b_1_1_37 when v1_odd_of_1_37 = '1' else blend1_b_1_0_37;
+    -- UQ-5.19: shifted
+    blend1_b_2_0_by_1_37 <= blend1_b_2_0_either_1_37;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_2_37 <= blend1_b_1_1_37 when v1_odd_of_2_37 = '1' else blend1_b_1_0_37;
+    -- UQ-4.18: shifted
+    blend1_b_2_0_by_2_37 <= blend1_b_2_0_either_2_37;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_3_37 <= blend1_b_1_1_37 when v1_odd_of_3_37 = '1' else blend1_b_1_0_37;
+    -- UQ-3.17: shifted
+    blend1_b_2_0_by_3_37 <= blend1_b_2_0_either_3_37;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_4_37 <= blend1_b_1_1_37 when v1_odd_of_4_37 = '1' else blend1_b_1_0_37;
+    -- UQ-2.16: shifted
+    blend1_b_2_0_by_4_37 <= blend1_b_2_0_either_4_37;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_5_37 <= blend1_b_1_1_37 when v1_odd_of_5_37 = '1' else blend1_b_1_0_37;
+    -- UQ-1.15: shifted
+    blend1_b_2_0_by_5_37 <= blend1_b_2_0_either_5_37;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_whole_37 <= blend1_b_1_3_37 when v1_odd_whole_37 = '1' else blend1_b_1_2_37;
+    -- UQ-6.20: shifted
+    blend1_b_2_1_by_whole_37 <= blend1_b_2_1_either_whole_37;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_0_37 <= blend1_b_1_3_37 when v1_odd_of_0_37 = '1' else blend1_b_1_2_37;
+    -- UQ-6.20: shifted
+    blend1_b_2_1_by_0_37 <= blend1_b_2_1_either_0_37;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_1_37 <= blend1_b_1_3_37 when v1_odd_of_1_37 = '1' else blend1_b_1_2_37;
+    -- UQ-5.19: shifted
+    blend1_b_2_1_by_1_37 <= blend1_b_2_1_either_1_37;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_2_37 <= blend1_b_1_3_37 when v1_odd_of_2_37 = '1' else blend1_b_1_2_37;
+    -- UQ-4.18: shifted
+    blend1_b_2_1_by_2_37 <= blend1_b_2_1_either_2_37;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_3_37 <= blend1_b_1_3_37 when v1_odd_of_3_37 = '1' else blend1_b_1_2_37;
+    -- UQ-3.17: shifted
+    blend1_b_2_1_by_3_37 <= blend1_b_2_1_either_3_37;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_4_37 <= blend1_b_1_3_37 when v1_odd_of_4_37 = '1' else blend1_b_1_2_37;
+    -- UQ-2.16: shifted
+    blend1_b_2_1_by_4_37 <= blend1_b_2_1_either_4_37;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_5_37 <= blend1_b_1_3_37 when v1_odd_of_5_37 = '1' else blend1_b_1_2_37;
+    -- UQ-1.15: shifted
+    blend1_b_2_1_by_5_37 <= blend1_b_2_1_either_5_37;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3770,24 +5561,108 @@ begin
                 in_gain1b_38 <= in_gain1b_37;
                 hidden_38 <= hidden_37;
                 shift1_38 <= shift1_37;
-                blend1_r_2_0_38 <= blend1_r_2_0_37;
-                blend1_r_3_0_apart_38 <= blend1_r_3_0_apart_37;
+                blend1_r_2_0_by_whole_38 <= blend1_r_2_0_by_whole_37;
+                blend1_r_2_0_by_0_38 <= blend1_r_2_0_by_0_37;
+                blend1_r_2_0_by_1_38 <= blend1_r_2_0_by_1_37;
+                blend1_r_2_0_by_2_38 <= blend1_r_2_0_by_2_37;
+                blend1_r_2_0_by_3_38 <= blend1_r_2_0_by_3_37;
+                blend1_r_2_0_by_4_38 <= blend1_r_2_0_by_4_37;
+                blend1_r_2_0_by_5_38 <= blend1_r_2_0_by_5_37;
+                blend1_r_2_1_by_whole_38 <= blend1_r_2_1_by_whole_37;
+                blend1_r_2_1_by_0_38 <= blend1_r_2_1_by_0_37;
+                blend1_r_2_1_by_1_38 <= blend1_r_2_1_by_1_37;
+                blend1_r_2_1_by_2_38 <= blend1_r_2_1_by_2_37;
+                blend1_r_2_1_by_3_38 <= blend1_r_2_1_by_3_37;
+                blend1_r_2_1_by_4_38 <= blend1_r_2_1_by_4_37;
+                blend1_r_2_1_by_5_38 <= blend1_r_2_1_by_5_37;
                 blend1_signed_38 <= blend1_signed_37;
-                blend1_g_2_0_38 <= blend1_g_2_0_37;
-                blend1_g_3_0_apart_38 <= blend1_g_3_0_apart_37;
-                blend1_b_2_0_38 <= blend1_b_2_0_37;
-                blend1_b_3_0_apart_38 <= blend1_b_3_0_apart_37;
+                blend1_g_2_0_by_whole_38 <= blend1_g_2_0_by_whole_37;
+                blend1_g_2_0_by_0_38 <= blend1_g_2_0_by_0_37;
+                blend1_g_2_0_by_1_38 <= blend1_g_2_0_by_1_37;
+                blend1_g_2_0_by_2_38 <= blend1_g_2_0_by_2_37;
+                blend1_g_2_0_by_3_38 <= blend1_g_2_0_by_3_37;
+                blend1_g_2_0_by_4_38 <= blend1_g_2_0_by_4_37;
+                blend1_g_2_0_by_5_38 <= blend1_g_2_0_by_5_37;
+                blend1_g_2_1_by_whole_38 <= blend1_g_2_1_by_whole_37;
+                blend1_g_2_1_by_0_38 <= blend1_g_2_1_by_0_37;
+                blend1_g_2_1_by_1_38 <= blend1_g_2_1_by_1_37;
+                blend1_g_2_1_by_2_38 <= blend1_g_2_1_by_2_37;
+                blend1_g_2_1_by_3_38 <= blend1_g_2_1_by_3_37;
+                blend1_g_2_1_by_4_38 <= blend1_g_2_1_by_4_37;
+                blend1_g_2_1_by_5_38 <= blend1_g_2_1_by_5_37;
+                blend1_b_2_0_by_whole_38 <= blend1_b_2_0_by_whole_37;
+                blend1_b_2_0_by_0_38 <= blend1_b_2_0_by_0_37;
+                blend1_b_2_0_by_1_38 <= blend1_b_2_0_by_1_37;
+                blend1_b_2_0_by_2_38 <= blend1_b_2_0_by_2_37;
+                blend1_b_2_0_by_3_38 <= blend1_b_2_0_by_3_37;
+                blend1_b_2_0_by_4_38 <= blend1_b_2_0_by_4_37;
+                blend1_b_2_0_by_5_38 <= blend1_b_2_0_by_5_37;
+                blend1_b_2_1_by_whole_38 <= blend1_b_2_1_by_whole_37;
+                blend1_b_2_1_by_0_38 <= blend1_b_2_1_by_0_37;
+                blend1_b_2_1_by_1_38 <= blend1_b_2_1_by_1_37;
+                blend1_b_2_1_by_2_38 <= blend1_b_2_1_by_2_37;
+                blend1_b_2_1_by_3_38 <= blend1_b_2_1_by_3_37;
+                blend1_b_2_1_by_4_38 <= blend1_b_2_1_by_4_37;
+                blend1_b_2_1_by_5_38 <= blend1_b_2_1_by_5_37;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 38: blend1_r_3_0_part, blend1_g_3_0_part, blend1_b_3_0_part
-    -- Q2.26: its part
-    blend1_r_3_0_part_38 <= blend1_r_3_0_apart_38 * blend1_signed_38;
-    -- Q2.26: its part
-    blend1_g_3_0_part_38 <= blend1_g_3_0_apart_38 * blend1_signed_38;
-    -- Q2.26: its part
-    blend1_b_3_0_part_38 <= blend1_b_3_0_apart_38 * blend1_signed_38;
+    -- ===== Stage 38: blend1_r_2_0_sum_1_0, blend1_r_2_0_sum_1_1 and 16 more
+    -- UQ-5.20: the sum of two
+    blend1_r_2_0_sum_1_0_38 <=
+        resize(blend1_r_2_0_by_whole_38, 15) + resize(blend1_r_2_0_by_0_38, 15);
+    -- UQ-3.19: the sum of two
+    blend1_r_2_0_sum_1_1_38 <=
+        resize(blend1_r_2_0_by_1_38, 16) + shift_left(resize(blend1_r_2_0_by_2_38, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_r_2_0_sum_1_2_38 <=
+        resize(blend1_r_2_0_by_3_38, 16) + shift_left(resize(blend1_r_2_0_by_4_38, 16), 1);
+    -- UQ-5.20: the sum of two
+    blend1_r_2_1_sum_1_0_38 <=
+        resize(blend1_r_2_1_by_whole_38, 15) + resize(blend1_r_2_1_by_0_38, 15);
+    -- UQ-3.19: the sum of two
+    blend1_r_2_1_sum_1_1_38 <=
+        resize(blend1_r_2_1_by_1_38, 16) + shift_left(resize(blend1_r_2_1_by_2_38, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_r_2_1_sum_1_2_38 <=
+        resize(blend1_r_2_1_by_3_38, 16) + shift_left(resize(blend1_r_2_1_by_4_38, 16), 1);
+    -- UQ-5.20: the sum of two
+    blend1_g_2_0_sum_1_0_38 <=
+        resize(blend1_g_2_0_by_whole_38, 15) + resize(blend1_g_2_0_by_0_38, 15);
+    -- UQ-3.19: the sum of two
+    blend1_g_2_0_sum_1_1_38 <=
+        resize(blend1_g_2_0_by_1_38, 16) + shift_left(resize(blend1_g_2_0_by_2_38, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_g_2_0_sum_1_2_38 <=
+        resize(blend1_g_2_0_by_3_38, 16) + shift_left(resize(blend1_g_2_0_by_4_38, 16), 1);
+    -- UQ-5.20: the sum of two
+    blend1_g_2_1_sum_1_0_38 <=
+        resize(blend1_g_2_1_by_whole_38, 15) + resize(blend1_g_2_1_by_0_38, 15);
+    -- UQ-3.19: the sum of two
+    blend1_g_2_1_sum_1_1_38 <=
+        resize(blend1_g_2_1_by_1_38, 16) + shift_left(resize(blend1_g_2_1_by_2_38, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_g_2_1_sum_1_2_38 <=
+        resize(blend1_g_2_1_by_3_38, 16) + shift_left(resize(blend1_g_2_1_by_4_38, 16), 1);
+    -- UQ-5.20: the sum of two
+    blend1_b_2_0_sum_1_0_38 <=
+        resize(blend1_b_2_0_by_whole_38, 15) + resize(blend1_b_2_0_by_0_38, 15);
+    -- UQ-3.19: the sum of two
+    blend1_b_2_0_sum_1_1_38 <=
+        resize(blend1_b_2_0_by_1_38, 16) + shift_left(resize(blend1_b_2_0_by_2_38, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_b_2_0_sum_1_2_38 <=
+        resize(blend1_b_2_0_by_3_38, 16) + shift_left(resize(blend1_b_2_0_by_4_38, 16), 1);
+    -- UQ-5.20: the sum of two
+    blend1_b_2_1_sum_1_0_38 <=
+        resize(blend1_b_2_1_by_whole_38, 15) + resize(blend1_b_2_1_by_0_38, 15);
+    -- UQ-3.19: the sum of two
+    blend1_b_2_1_sum_1_1_38 <=
+        resize(blend1_b_2_1_by_1_38, 16) + shift_left(resize(blend1_b_2_1_by_2_38, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_b_2_1_sum_1_2_38 <=
+        resize(blend1_b_2_1_by_3_38, 16) + shift_left(resize(blend1_b_2_1_by_4_38, 16), 1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3797,32 +5672,72 @@ begin
                 in_gain1b_39 <= in_gain1b_38;
                 hidden_39 <= hidden_38;
                 shift1_39 <= shift1_38;
-                blend1_r_2_0_39 <= blend1_r_2_0_38;
-                blend1_r_3_0_part_39 <= blend1_r_3_0_part_38;
-                blend1_g_2_0_39 <= blend1_g_2_0_38;
-                blend1_g_3_0_part_39 <= blend1_g_3_0_part_38;
-                blend1_b_2_0_39 <= blend1_b_2_0_38;
-                blend1_b_3_0_part_39 <= blend1_b_3_0_part_38;
+                blend1_r_2_0_by_5_39 <= blend1_r_2_0_by_5_38;
+                blend1_r_2_0_sum_1_0_39 <= blend1_r_2_0_sum_1_0_38;
+                blend1_r_2_0_sum_1_1_39 <= blend1_r_2_0_sum_1_1_38;
+                blend1_r_2_0_sum_1_2_39 <= blend1_r_2_0_sum_1_2_38;
+                blend1_r_2_1_by_5_39 <= blend1_r_2_1_by_5_38;
+                blend1_r_2_1_sum_1_0_39 <= blend1_r_2_1_sum_1_0_38;
+                blend1_r_2_1_sum_1_1_39 <= blend1_r_2_1_sum_1_1_38;
+                blend1_r_2_1_sum_1_2_39 <= blend1_r_2_1_sum_1_2_38;
+                blend1_signed_39 <= blend1_signed_38;
+                blend1_g_2_0_by_5_39 <= blend1_g_2_0_by_5_38;
+                blend1_g_2_0_sum_1_0_39 <= blend1_g_2_0_sum_1_0_38;
+                blend1_g_2_0_sum_1_1_39 <= blend1_g_2_0_sum_1_1_38;
+                blend1_g_2_0_sum_1_2_39 <= blend1_g_2_0_sum_1_2_38;
+                blend1_g_2_1_by_5_39 <= blend1_g_2_1_by_5_38;
+                blend1_g_2_1_sum_1_0_39 <= blend1_g_2_1_sum_1_0_38;
+                blend1_g_2_1_sum_1_1_39 <= blend1_g_2_1_sum_1_1_38;
+                blend1_g_2_1_sum_1_2_39 <= blend1_g_2_1_sum_1_2_38;
+                blend1_b_2_0_by_5_39 <= blend1_b_2_0_by_5_38;
+                blend1_b_2_0_sum_1_0_39 <= blend1_b_2_0_sum_1_0_38;
+                blend1_b_2_0_sum_1_1_39 <= blend1_b_2_0_sum_1_1_38;
+                blend1_b_2_0_sum_1_2_39 <= blend1_b_2_0_sum_1_2_38;
+                blend1_b_2_1_by_5_39 <= blend1_b_2_1_by_5_38;
+                blend1_b_2_1_sum_1_0_39 <= blend1_b_2_1_sum_1_0_38;
+                blend1_b_2_1_sum_1_1_39 <= blend1_b_2_1_sum_1_1_38;
+                blend1_b_2_1_sum_1_2_39 <= blend1_b_2_1_sum_1_2_38;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 39: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
-    -- UQ0.26: two bands
-    blend1_r_3_0_39 <=
-        shift_left(resize(blend1_r_2_0_39, 26), 6) + unsigned(blend1_r_3_0_part_39(25 downto 0));
-    -- UQ0.18: the blended code
-    root1_r_39 <= blend1_r_3_0_39(25 downto 8);
-    -- UQ0.26: two bands
-    blend1_g_3_0_39 <=
-        shift_left(resize(blend1_g_2_0_39, 26), 6) + unsigned(blend1_g_3_0_part_39(25 downto 0));
-    -- UQ0.18: the blended code
-    root1_g_39 <= blend1_g_3_0_39(25 downto 8);
-    -- UQ0.26: two bands
-    blend1_b_3_0_39 <=
-        shift_left(resize(blend1_b_2_0_39, 26), 6) + unsigned(blend1_b_3_0_part_39(25 downto 0));
-    -- UQ0.18: the blended code
-    root1_b_39 <= blend1_b_3_0_39(25 downto 8);
+    -- ===== Stage 39: blend1_r_2_0_sum_2_0, blend1_r_2_0_sum_2_1 and 10 more
+    -- UQ-3.20: the sum of two
+    blend1_r_2_0_sum_2_0_39 <=
+        resize(blend1_r_2_0_sum_1_0_39, 17) + shift_left(resize(blend1_r_2_0_sum_1_1_39, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_r_2_0_sum_2_1_39 <=
+        resize(blend1_r_2_0_sum_1_2_39, 17) + shift_left(resize(blend1_r_2_0_by_5_39, 17), 2);
+    -- UQ-3.20: the sum of two
+    blend1_r_2_1_sum_2_0_39 <=
+        resize(blend1_r_2_1_sum_1_0_39, 17) + shift_left(resize(blend1_r_2_1_sum_1_1_39, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_r_2_1_sum_2_1_39 <=
+        resize(blend1_r_2_1_sum_1_2_39, 17) + shift_left(resize(blend1_r_2_1_by_5_39, 17), 2);
+    -- UQ-3.20: the sum of two
+    blend1_g_2_0_sum_2_0_39 <=
+        resize(blend1_g_2_0_sum_1_0_39, 17) + shift_left(resize(blend1_g_2_0_sum_1_1_39, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_g_2_0_sum_2_1_39 <=
+        resize(blend1_g_2_0_sum_1_2_39, 17) + shift_left(resize(blend1_g_2_0_by_5_39, 17), 2);
+    -- UQ-3.20: the sum of two
+    blend1_g_2_1_sum_2_0_39 <=
+        resize(blend1_g_2_1_sum_1_0_39, 17) + shift_left(resize(blend1_g_2_1_sum_1_1_39, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_g_2_1_sum_2_1_39 <=
+        resize(blend1_g_2_1_sum_1_2_39, 17) + shift_left(resize(blend1_g_2_1_by_5_39, 17), 2);
+    -- UQ-3.20: the sum of two
+    blend1_b_2_0_sum_2_0_39 <=
+        resize(blend1_b_2_0_sum_1_0_39, 17) + shift_left(resize(blend1_b_2_0_sum_1_1_39, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_b_2_0_sum_2_1_39 <=
+        resize(blend1_b_2_0_sum_1_2_39, 17) + shift_left(resize(blend1_b_2_0_by_5_39, 17), 2);
+    -- UQ-3.20: the sum of two
+    blend1_b_2_1_sum_2_0_39 <=
+        resize(blend1_b_2_1_sum_1_0_39, 17) + shift_left(resize(blend1_b_2_1_sum_1_1_39, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_b_2_1_sum_2_1_39 <=
+        resize(blend1_b_2_1_sum_1_2_39, 17) + shift_left(resize(blend1_b_2_1_by_5_39, 17), 2);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3832,26 +5747,54 @@ begin
                 in_gain1b_40 <= in_gain1b_39;
                 hidden_40 <= hidden_39;
                 shift1_40 <= shift1_39;
-                root1_r_40 <= root1_r_39;
-                root1_g_40 <= root1_g_39;
-                root1_b_40 <= root1_b_39;
+                blend1_r_2_0_sum_2_0_40 <= blend1_r_2_0_sum_2_0_39;
+                blend1_r_2_0_sum_2_1_40 <= blend1_r_2_0_sum_2_1_39;
+                blend1_r_2_1_sum_2_0_40 <= blend1_r_2_1_sum_2_0_39;
+                blend1_r_2_1_sum_2_1_40 <= blend1_r_2_1_sum_2_1_39;
+                blend1_signed_40 <= blend1_signed_39;
+                blend1_g_2_0_sum_2_0_40 <= blend1_g_2_0_sum_2_0_39;
+                blend1_g_2_0_sum_2_1_40 <= blend1_g_2_0_sum_2_1_39;
+                blend1_g_2_1_sum_2_0_40 <= blend1_g_2_1_sum_2_0_39;
+                blend1_g_2_1_sum_2_1_40 <= blend1_g_2_1_sum_2_1_39;
+                blend1_b_2_0_sum_2_0_40 <= blend1_b_2_0_sum_2_0_39;
+                blend1_b_2_0_sum_2_1_40 <= blend1_b_2_0_sum_2_1_39;
+                blend1_b_2_1_sum_2_0_40 <= blend1_b_2_1_sum_2_0_39;
+                blend1_b_2_1_sum_2_1_40 <= blend1_b_2_1_sum_2_1_39;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 40: square1_r_exact, square1_g_exact, square1_b_exact
-    -- UQ0.36: its square
-    square1_r_exact_40 <= root1_r_40 * root1_r_40;
-    -- UQ0.18: rounded down
-    square1_r_40 <= square1_r_exact_40(35 downto 18);
-    -- UQ0.36: its square
-    square1_g_exact_40 <= root1_g_40 * root1_g_40;
-    -- UQ0.18: rounded down
-    square1_g_40 <= square1_g_exact_40(35 downto 18);
-    -- UQ0.36: its square
-    square1_b_exact_40 <= root1_b_40 * root1_b_40;
-    -- UQ0.18: rounded down
-    square1_b_40 <= square1_b_exact_40(35 downto 18);
+    -- ===== Stage 40: blend1_r_2_0, blend1_r_2_1, blend1_g_2_0, blend1_g_2_1 and 2 more
+    -- UQ0.20: two neighbours
+    blend1_r_2_0_40 <=
+        resize(blend1_r_2_0_sum_2_0_40, 20) + shift_left(resize(blend1_r_2_0_sum_2_1_40, 20), 3);
+    -- UQ0.20: two neighbours
+    blend1_r_2_1_40 <=
+        resize(blend1_r_2_1_sum_2_0_40, 20) + shift_left(resize(blend1_r_2_1_sum_2_1_40, 20), 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_r_2_0_cut_40 <= blend1_r_2_0_40(19 downto 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_r_2_1_cut_40 <= blend1_r_2_1_40(19 downto 3);
+    -- UQ0.20: two neighbours
+    blend1_g_2_0_40 <=
+        resize(blend1_g_2_0_sum_2_0_40, 20) + shift_left(resize(blend1_g_2_0_sum_2_1_40, 20), 3);
+    -- UQ0.20: two neighbours
+    blend1_g_2_1_40 <=
+        resize(blend1_g_2_1_sum_2_0_40, 20) + shift_left(resize(blend1_g_2_1_sum_2_1_40, 20), 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_g_2_0_cut_40 <= blend1_g_2_0_40(19 downto 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_g_2_1_cut_40 <= blend1_g_2_1_40(19 downto 3);
+    -- UQ0.20: two neighbours
+    blend1_b_2_0_40 <=
+        resize(blend1_b_2_0_sum_2_0_40, 20) + shift_left(resize(blend1_b_2_0_sum_2_1_40, 20), 3);
+    -- UQ0.20: two neighbours
+    blend1_b_2_1_40 <=
+        resize(blend1_b_2_1_sum_2_0_40, 20) + shift_left(resize(blend1_b_2_1_sum_2_1_40, 20), 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_b_2_0_cut_40 <= blend1_b_2_0_40(19 downto 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_b_2_1_cut_40 <= blend1_b_2_1_40(19 downto 3);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3861,38 +5804,27 @@ begin
                 in_gain1b_41 <= in_gain1b_40;
                 hidden_41 <= hidden_40;
                 shift1_41 <= shift1_40;
-                square1_r_41 <= square1_r_40;
-                square1_g_41 <= square1_g_40;
-                square1_b_41 <= square1_b_40;
+                blend1_r_2_0_cut_41 <= blend1_r_2_0_cut_40;
+                blend1_r_2_1_cut_41 <= blend1_r_2_1_cut_40;
+                blend1_signed_41 <= blend1_signed_40;
+                blend1_g_2_0_cut_41 <= blend1_g_2_0_cut_40;
+                blend1_g_2_1_cut_41 <= blend1_g_2_1_cut_40;
+                blend1_b_2_0_cut_41 <= blend1_b_2_0_cut_40;
+                blend1_b_2_1_cut_41 <= blend1_b_2_1_cut_40;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 41: square1_r_seen, square1_r_up, square1_r_within and 6 more
-    -- UQ0.18: 0 for a normal that is turned away
-    square1_r_seen_41 <= (others => '0') when hidden_41 = '1' else square1_r_41;
-    -- UQ5.18: times 2^shift
-    square1_r_up_41 <= shift_left(resize(square1_r_seen_41, 23), to_integer(shift1_41));
-    -- UQ5.13: rounded down
-    square1_r_up_cut_41 <= square1_r_up_41(22 downto 5);
-    -- UQ5.13: kept in its format
-    square1_r_within_41 <= square1_r_up_cut_41;
-    -- UQ0.18: 0 for a normal that is turned away
-    square1_g_seen_41 <= (others => '0') when hidden_41 = '1' else square1_g_41;
-    -- UQ5.18: times 2^shift
-    square1_g_up_41 <= shift_left(resize(square1_g_seen_41, 23), to_integer(shift1_41));
-    -- UQ5.13: rounded down
-    square1_g_up_cut_41 <= square1_g_up_41(22 downto 5);
-    -- UQ5.13: kept in its format
-    square1_g_within_41 <= square1_g_up_cut_41;
-    -- UQ0.18: 0 for a normal that is turned away
-    square1_b_seen_41 <= (others => '0') when hidden_41 = '1' else square1_b_41;
-    -- UQ5.18: times 2^shift
-    square1_b_up_41 <= shift_left(resize(square1_b_seen_41, 23), to_integer(shift1_41));
-    -- UQ5.13: rounded down
-    square1_b_up_cut_41 <= square1_b_up_41(22 downto 5);
-    -- UQ5.13: kept in its format
-    square1_b_within_41 <= square1_b_up_cut_41;
+    -- ===== Stage 41: blend1_r_3_0_apart, blend1_g_3_0_apart, blend1_b_3_0_apart
+    -- Q0.17: the difference
+    blend1_r_3_0_apart_41 <=
+        signed(resize(blend1_r_2_1_cut_41, 18)) - signed(resize(blend1_r_2_0_cut_41, 18));
+    -- Q0.17: the difference
+    blend1_g_3_0_apart_41 <=
+        signed(resize(blend1_g_2_1_cut_41, 18)) - signed(resize(blend1_g_2_0_cut_41, 18));
+    -- Q0.17: the difference
+    blend1_b_3_0_apart_41 <=
+        signed(resize(blend1_b_2_1_cut_41, 18)) - signed(resize(blend1_b_2_0_cut_41, 18));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3900,61 +5832,193 @@ begin
                 in_gain1r_42 <= in_gain1r_41;
                 in_gain1g_42 <= in_gain1g_41;
                 in_gain1b_42 <= in_gain1b_41;
-                square1_r_within_42 <= square1_r_within_41;
-                square1_g_within_42 <= square1_g_within_41;
-                square1_b_within_42 <= square1_b_within_41;
+                hidden_42 <= hidden_41;
+                shift1_42 <= shift1_41;
+                blend1_r_2_0_cut_42 <= blend1_r_2_0_cut_41;
+                blend1_r_3_0_apart_42 <= blend1_r_3_0_apart_41;
+                blend1_signed_42 <= blend1_signed_41;
+                blend1_g_2_0_cut_42 <= blend1_g_2_0_cut_41;
+                blend1_g_3_0_apart_42 <= blend1_g_3_0_apart_41;
+                blend1_b_2_0_cut_42 <= blend1_b_2_0_cut_41;
+                blend1_b_3_0_apart_42 <= blend1_b_3_0_apart_41;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 42: light1_r_exact, light1_g_exact, light1_b_exact
-    -- UQ5.31: times the gain
-    light1_r_exact_42 <= square1_r_within_42 * in_gain1r_42;
-    -- UQ5.17: rounded down
-    light1_r_42 <= light1_r_exact_42(35 downto 14);
-    -- UQ5.31: times the gain
-    light1_g_exact_42 <= square1_g_within_42 * in_gain1g_42;
-    -- UQ5.17: rounded down
-    light1_g_42 <= light1_g_exact_42(35 downto 14);
-    -- UQ5.31: times the gain
-    light1_b_exact_42 <= square1_b_within_42 * in_gain1b_42;
-    -- UQ5.17: rounded down
-    light1_b_42 <= light1_b_exact_42(35 downto 14);
+    -- ===== Stage 42: blend1_r_3_0_part, blend1_g_3_0_part, blend1_b_3_0_part
+    -- Q2.23: its part
+    blend1_r_3_0_part_42 <= blend1_r_3_0_apart_42 * blend1_signed_42;
+    -- Q2.23: its part
+    blend1_g_3_0_part_42 <= blend1_g_3_0_apart_42 * blend1_signed_42;
+    -- Q2.23: its part
+    blend1_b_3_0_part_42 <= blend1_b_3_0_apart_42 * blend1_signed_42;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                light1_r_43 <= light1_r_42;
-                light1_g_43 <= light1_g_42;
-                light1_b_43 <= light1_b_42;
+                in_gain1r_43 <= in_gain1r_42;
+                in_gain1g_43 <= in_gain1g_42;
+                in_gain1b_43 <= in_gain1b_42;
+                hidden_43 <= hidden_42;
+                shift1_43 <= shift1_42;
+                blend1_r_2_0_cut_43 <= blend1_r_2_0_cut_42;
+                blend1_r_3_0_part_43 <= blend1_r_3_0_part_42;
+                blend1_g_2_0_cut_43 <= blend1_g_2_0_cut_42;
+                blend1_g_3_0_part_43 <= blend1_g_3_0_part_42;
+                blend1_b_2_0_cut_43 <= blend1_b_2_0_cut_42;
+                blend1_b_3_0_part_43 <= blend1_b_3_0_part_42;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 43: sum_r, sum_g, sum_b
-    -- UQ1.17: kept at 1.0
-    sum_r_43 <= (17 => '1', others => '0') when unsigned(light1_r_43(21 downto 17)) /= 0 else
-        light1_r_43(17 downto 0);
-    -- UQ1.17: kept at 1.0
-    sum_g_43 <= (17 => '1', others => '0') when unsigned(light1_g_43(21 downto 17)) /= 0 else
-        light1_g_43(17 downto 0);
-    -- UQ1.17: kept at 1.0
-    sum_b_43 <= (17 => '1', others => '0') when unsigned(light1_b_43(21 downto 17)) /= 0 else
-        light1_b_43(17 downto 0);
+    -- ===== Stage 43: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
+    -- UQ0.23: two bands
+    blend1_r_3_0_43 <=
+        shift_left(resize(blend1_r_2_0_cut_43, 23), 6) + unsigned(blend1_r_3_0_part_43(22 downto 0));
+    -- UQ0.18: the blended code
+    root1_r_43 <= blend1_r_3_0_43(22 downto 5);
+    -- UQ0.23: two bands
+    blend1_g_3_0_43 <=
+        shift_left(resize(blend1_g_2_0_cut_43, 23), 6) + unsigned(blend1_g_3_0_part_43(22 downto 0));
+    -- UQ0.18: the blended code
+    root1_g_43 <= blend1_g_3_0_43(22 downto 5);
+    -- UQ0.23: two bands
+    blend1_b_3_0_43 <=
+        shift_left(resize(blend1_b_2_0_cut_43, 23), 6) + unsigned(blend1_b_3_0_part_43(22 downto 0));
+    -- UQ0.18: the blended code
+    root1_b_43 <= blend1_b_3_0_43(22 downto 5);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                sum_r_44 <= sum_r_43;
-                sum_g_44 <= sum_g_43;
-                sum_b_44 <= sum_b_43;
+                in_gain1r_44 <= in_gain1r_43;
+                in_gain1g_44 <= in_gain1g_43;
+                in_gain1b_44 <= in_gain1b_43;
+                hidden_44 <= hidden_43;
+                shift1_44 <= shift1_43;
+                root1_r_44 <= root1_r_43;
+                root1_g_44 <= root1_g_43;
+                root1_b_44 <= root1_b_43;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(44);
-    out_sum_r <= sum_r_44;
-    out_sum_g <= sum_g_44;
-    out_sum_b <= sum_b_44;
+    -- ===== Stage 44: square1_r_exact, square1_g_exact, square1_b_exact
+    -- UQ0.36: its square
+    square1_r_exact_44 <= root1_r_44 * root1_r_44;
+    -- UQ0.18: rounded down
+    square1_r_44 <= square1_r_exact_44(35 downto 18);
+    -- UQ0.36: its square
+    square1_g_exact_44 <= root1_g_44 * root1_g_44;
+    -- UQ0.18: rounded down
+    square1_g_44 <= square1_g_exact_44(35 downto 18);
+    -- UQ0.36: its square
+    square1_b_exact_44 <= root1_b_44 * root1_b_44;
+    -- UQ0.18: rounded down
+    square1_b_44 <= square1_b_exact_44(35 downto 18);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                in_gain1r_45 <= in_gain1r_44;
+                in_gain1g_45 <= in_gain1g_44;
+                in_gain1b_45 <= in_gain1b_44;
+                hidden_45 <= hidden_44;
+                shift1_45 <= shift1_44;
+                square1_r_45 <= square1_r_44;
+                square1_g_45 <= square1_g_44;
+                square1_b_45 <= square1_b_44;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 45: square1_r_seen, square1_r_up, square1_r_within and 6 more
+    -- UQ0.18: 0 for a normal that is turned away
+    square1_r_seen_45 <= (others => '0') when hidden_45 = '1' else square1_r_45;
+    -- UQ4.18: times 2^shift
+    square1_r_up_45 <= shift_left(resize(square1_r_seen_45, 22), to_integer(shift1_45));
+    -- UQ4.14: rounded down
+    square1_r_up_cut_45 <= square1_r_up_45(21 downto 4);
+    -- UQ4.14: kept in its format
+    square1_r_within_45 <= square1_r_up_cut_45;
+    -- UQ0.18: 0 for a normal that is turned away
+    square1_g_seen_45 <= (others => '0') when hidden_45 = '1' else square1_g_45;
+    -- UQ4.18: times 2^shift
+    square1_g_up_45 <= shift_left(resize(square1_g_seen_45, 22), to_integer(shift1_45));
+    -- UQ4.14: rounded down
+    square1_g_up_cut_45 <= square1_g_up_45(21 downto 4);
+    -- UQ4.14: kept in its format
+    square1_g_within_45 <= square1_g_up_cut_45;
+    -- UQ0.18: 0 for a normal that is turned away
+    square1_b_seen_45 <= (others => '0') when hidden_45 = '1' else square1_b_45;
+    -- UQ4.18: times 2^shift
+    square1_b_up_45 <= shift_left(resize(square1_b_seen_45, 22), to_integer(shift1_45));
+    -- UQ4.14: rounded down
+    square1_b_up_cut_45 <= square1_b_up_45(21 downto 4);
+    -- UQ4.14: kept in its format
+    square1_b_within_45 <= square1_b_up_cut_45;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                in_gain1r_46 <= in_gain1r_45;
+                in_gain1g_46 <= in_gain1g_45;
+                in_gain1b_46 <= in_gain1b_45;
+                square1_r_within_46 <= square1_r_within_45;
+                square1_g_within_46 <= square1_g_within_45;
+                square1_b_within_46 <= square1_b_within_45;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 46: light1_r_exact, light1_g_exact, light1_b_exact
+    -- UQ5.31: times the gain
+    light1_r_exact_46 <= square1_r_within_46 * in_gain1r_46;
+    -- UQ5.17: rounded down
+    light1_r_46 <= light1_r_exact_46(35 downto 14);
+    -- UQ5.31: times the gain
+    light1_g_exact_46 <= square1_g_within_46 * in_gain1g_46;
+    -- UQ5.17: rounded down
+    light1_g_46 <= light1_g_exact_46(35 downto 14);
+    -- UQ5.31: times the gain
+    light1_b_exact_46 <= square1_b_within_46 * in_gain1b_46;
+    -- UQ5.17: rounded down
+    light1_b_46 <= light1_b_exact_46(35 downto 14);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                light1_r_47 <= light1_r_46;
+                light1_g_47 <= light1_g_46;
+                light1_b_47 <= light1_b_46;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 47: sum_r, sum_g, sum_b
+    -- UQ1.17: kept at 1.0
+    sum_r_47 <= (17 => '1', others => '0') when unsigned(light1_r_47(21 downto 17)) /= 0 else
+        light1_r_47(17 downto 0);
+    -- UQ1.17: kept at 1.0
+    sum_g_47 <= (17 => '1', others => '0') when unsigned(light1_g_47(21 downto 17)) /= 0 else
+        light1_g_47(17 downto 0);
+    -- UQ1.17: kept at 1.0
+    sum_b_47 <= (17 => '1', others => '0') when unsigned(light1_b_47(21 downto 17)) /= 0 else
+        light1_b_47(17 downto 0);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                sum_r_48 <= sum_r_47;
+                sum_g_48 <= sum_g_47;
+                sum_b_48 <= sum_b_47;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(48);
+    out_sum_r <= sum_r_48;
+    out_sum_g <= sum_g_48;
+    out_sum_b <= sum_b_48;
 
 end architecture rtl;

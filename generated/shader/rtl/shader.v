@@ -210,8 +210,8 @@ module shader (
 
     // ===== Stage 2: nv, nl1_exact, lv1, nl2_exact, lv2
     // Q1.18: N.V, taken into [-1, 1]
-    wire [19:0] nv_2 = ($signed(nv_cut_2) < $signed(23'h7c0000)) ? 20'hc0000 :
-        ($signed(nv_cut_2) > $signed(23'h040000)) ? 20'h40000 :
+    wire [19:0] nv_2 = (nv_cut_2[22] & ~&nv_cut_2[21:18]) ? 20'hc0000 :
+        (~nv_cut_2[22] & |nv_cut_2[21:18]) ? 20'h40000 :
         nv_cut_2[19:0];
     // UQ1.32: N.L, taken into [0, 1]: no light from behind
     wire [32:0] nl1_exact_2 =
@@ -223,8 +223,8 @@ module shader (
     // UQ1.18: N.L, rounded down
     wire [18:0] nl1_2 = nl1_exact_2[32:14];
     // Q1.18: L.V, taken into [-1, 1]
-    wire [19:0] lv1_2 = ($signed(lv1_cut_2) < $signed(23'h7c0000)) ? 20'hc0000 :
-        ($signed(lv1_cut_2) > $signed(23'h040000)) ? 20'h40000 :
+    wire [19:0] lv1_2 = (lv1_cut_2[22] & ~&lv1_cut_2[21:18]) ? 20'hc0000 :
+        (~lv1_cut_2[22] & |lv1_cut_2[21:18]) ? 20'h40000 :
         lv1_cut_2[19:0];
     // Q1.18: a sign bit for the signed product
     wire [19:0] nl1_signed_2 = {1'd0, nl1_2};
@@ -252,8 +252,8 @@ module shader (
     // UQ1.18: N.L, rounded down
     wire [18:0] nl2_2 = nl2_exact_2[32:14];
     // Q1.18: L.V, taken into [-1, 1]
-    wire [19:0] lv2_2 = ($signed(lv2_cut_2) < $signed(23'h7c0000)) ? 20'hc0000 :
-        ($signed(lv2_cut_2) > $signed(23'h040000)) ? 20'h40000 :
+    wire [19:0] lv2_2 = (lv2_cut_2[22] & ~&lv2_cut_2[21:18]) ? 20'hc0000 :
+        (~lv2_cut_2[22] & |lv2_cut_2[21:18]) ? 20'h40000 :
         lv2_cut_2[19:0];
     // Q1.18: a sign bit for the signed product
     wire [19:0] nl2_signed_2 = {1'd0, nl2_2};
@@ -953,15 +953,15 @@ module shader (
 
     // ===== Stage 13: kept_r, kept_g, kept_b
     // UQ0.8: at most full scale
-    wire [7:0] kept_r_13 = (cut_r_13 > 10'h0ff) ? 8'hff : cut_r_13[7:0];
+    wire [7:0] kept_r_13 = (|cut_r_13[9:8]) ? 8'hff : cut_r_13[7:0];
     // UQ8.0: as a whole number
     wire [7:0] code_r_13 = kept_r_13;
     // UQ0.8: at most full scale
-    wire [7:0] kept_g_13 = (cut_g_13 > 10'h0ff) ? 8'hff : cut_g_13[7:0];
+    wire [7:0] kept_g_13 = (|cut_g_13[9:8]) ? 8'hff : cut_g_13[7:0];
     // UQ8.0: as a whole number
     wire [7:0] code_g_13 = kept_g_13;
     // UQ0.8: at most full scale
-    wire [7:0] kept_b_13 = (cut_b_13 > 10'h0ff) ? 8'hff : cut_b_13[7:0];
+    wire [7:0] kept_b_13 = (|cut_b_13[9:8]) ? 8'hff : cut_b_13[7:0];
     // UQ8.0: as a whole number
     wire [7:0] code_b_13 = kept_b_13;
     reg [7:0] code_r_14;

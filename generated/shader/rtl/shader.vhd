@@ -654,8 +654,8 @@ begin
 
     -- ===== Stage 2: nv, nl1_exact, lv1, nl2_exact, lv2
     -- Q1.18: N.V, taken into [-1, 1]
-    nv_2 <= to_signed(-262144, 20) when nv_cut_2 < -262144 else
-        to_signed(262144, 20) when nv_cut_2 > 262144 else
+    nv_2 <= to_signed(-262144, 20) when nv_cut_2(22 downto 18) < -1 else
+        to_signed(262144, 20) when nv_cut_2(22 downto 18) > 0 else
         nv_cut_2(19 downto 0);
     -- UQ1.32: N.L, taken into [0, 1]: no light from behind
     nl1_exact_2 <= (others => '0') when nl1_xyz_2(36) = '1' else
@@ -668,8 +668,8 @@ begin
     -- UQ1.18: N.L, rounded down
     nl1_2 <= nl1_exact_2(32 downto 14);
     -- Q1.18: L.V, taken into [-1, 1]
-    lv1_2 <= to_signed(-262144, 20) when lv1_cut_2 < -262144 else
-        to_signed(262144, 20) when lv1_cut_2 > 262144 else
+    lv1_2 <= to_signed(-262144, 20) when lv1_cut_2(22 downto 18) < -1 else
+        to_signed(262144, 20) when lv1_cut_2(22 downto 18) > 0 else
         lv1_cut_2(19 downto 0);
     -- Q1.18: a sign bit for the signed product
     nl1_signed_2 <= signed(resize(nl1_2, 20));
@@ -698,8 +698,8 @@ begin
     -- UQ1.18: N.L, rounded down
     nl2_2 <= nl2_exact_2(32 downto 14);
     -- Q1.18: L.V, taken into [-1, 1]
-    lv2_2 <= to_signed(-262144, 20) when lv2_cut_2 < -262144 else
-        to_signed(262144, 20) when lv2_cut_2 > 262144 else
+    lv2_2 <= to_signed(-262144, 20) when lv2_cut_2(22 downto 18) < -1 else
+        to_signed(262144, 20) when lv2_cut_2(22 downto 18) > 0 else
         lv2_cut_2(19 downto 0);
     -- Q1.18: a sign bit for the signed product
     nl2_signed_2 <= signed(resize(nl2_2, 20));
@@ -1224,17 +1224,17 @@ begin
 
     -- ===== Stage 13: kept_r, kept_g, kept_b
     -- UQ0.8: at most full scale
-    kept_r_13 <= to_unsigned(255, 8) when cut_r_13 > 255 else
+    kept_r_13 <= to_unsigned(255, 8) when unsigned(cut_r_13(9 downto 8)) /= 0 else
         cut_r_13(7 downto 0);
     -- UQ8.0: as a whole number
     code_r_13 <= kept_r_13;
     -- UQ0.8: at most full scale
-    kept_g_13 <= to_unsigned(255, 8) when cut_g_13 > 255 else
+    kept_g_13 <= to_unsigned(255, 8) when unsigned(cut_g_13(9 downto 8)) /= 0 else
         cut_g_13(7 downto 0);
     -- UQ8.0: as a whole number
     code_g_13 <= kept_g_13;
     -- UQ0.8: at most full scale
-    kept_b_13 <= to_unsigned(255, 8) when cut_b_13 > 255 else
+    kept_b_13 <= to_unsigned(255, 8) when unsigned(cut_b_13(9 downto 8)) /= 0 else
         cut_b_13(7 downto 0);
     -- UQ8.0: as a whole number
     code_b_13 <= kept_b_13;

@@ -1,13 +1,19 @@
 //! The operations of the image-based block.
 
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
 use super::texels::{banks, fields, parities};
-use super::{Image, ImageBlock, ImageForm, ImageWidths, OctaveAxis, turn};
+use super::{BLENDED, Image, ImageBlock, ImageForm, ImageWidths, OctaveAxis, turn};
 use crate::block::CHANNELS;
 use crate::block::parts::{self, AXES};
 use crate::datapath::Datapath;
 use crate::datapath::builder::{Bound, Builder, Case, HighBits};
-use crate::datapath::graph::NodeId;
+use crate::datapath::graph::{NodeId, Op};
 use crate::fixed::{Format, Interval, exp2};
+
+/// The widest codes that are blended by the weights' bits: a DSP block is worth it for wider ones.
+const BLENDED_BY_BITS: u32 = 14;
 
 /// The ports of a light.
 pub(super) struct LightPorts {
@@ -42,6 +48,8 @@ pub(super) struct Imaging<'a, 'b> {
     hidden: NodeId,
     /// The number of the first memory that holds a function and not texels.
     pub(super) functions: usize,
+    /// The bits of the weights so far.
+    weights: BTreeMap<NodeId, Rc<[NodeId]>>,
     pub(super) joints: Joints,
 }
 
@@ -153,7 +161,7 @@ impl Imaging<'_, '_> {
                 alone: self.b.port(Format::unsigned(1, 0), &format!("in_alone{l}")),
             }),
             shift: (shift_bits > 0).then(|| self.b.port(Format::unsigned(shift_bits, 0), &format!("in_shift{l}"))),
-            gain: CHANNELS.map(|c| self.b.port(Format::unsigned(0, self.widths.gain), &format!("in_gain{l}{c}"))),
+            gain: CHANNELS.map(|c| self.b.port(self.widths.gain_format(), &format!("in_gain{l}{c}"))),
         }
     }
 
@@ -375,16 +383,46 @@ impl Imaging<'_, '_> {
         pairs
     }
 
-    /// `a + (c - a) t`, exact.
+    /// `a + (c - a) t`, exact but for what [`BLENDED`] says.
     fn blend(&mut self, [a, c]: [NodeId; 2], t: NodeId, name: &str, what: &str) -> NodeId {
-        let apart = self.b.sub(c, a, &format!("{name}_apart"), "the difference");
-        let part = self.b.mul(apart, t, &format!("{name}_part"), "its part");
-        let sum = self.b.add(a, part, name, what);
+        let sum = if self.b.format(a).width() <= BLENDED_BY_BITS {
+            let bits = self.bits(t);
+            self.b.blend_by_bits([a, c], &bits, name, what)
+        } else {
+            let [a, c] = [a, c].map(|code| {
+                let cut = format!("{}_cut", self.b.name(code));
+                self.b.floor(code, BLENDED, &cut, "rounded down to a multiplier's operand")
+            });
+            let apart = self.b.sub(c, a, &format!("{name}_apart"), "the difference");
+            let part = self.b.mul(apart, t, &format!("{name}_part"), "its part");
+            self.b.add(a, part, name, what)
+        };
         // Between both.
         let most = 1.0 - exp2(-(self.image.texel_bits as i32));
         let grid = self.b.format(sum).frac_bits;
         self.b.narrow(sum, vec![bound(0.0, most, grid)]);
         sum
+    }
+
+    /// The bits of a weight from 0 to 1, as [`Builder::blend_by_bits`] takes them: all 1 where it is 1.
+    fn bits(&mut self, t: NodeId) -> Rc<[NodeId]> {
+        if let Some(known) = self.weights.get(&t) {
+            return Rc::clone(known);
+        }
+        let name = self.b.name(t).to_owned();
+        let parts = self.b.format(t).frac_bits;
+        let mut bit = |place: i32, name: &str| {
+            let format = Format::unsigned(place - parts + 1, parts - place);
+            self.b.cast(t, format, HighBits::Guarded, name, "a bit of the weight")
+        };
+        let whole = bit(parts, &format!("{name}_whole"));
+        let places: Vec<NodeId> = (0..parts).map(|place| bit(place, &format!("{name}_bit_{place}"))).collect();
+        let or = |(place, of_place): (usize, &NodeId)| {
+            self.b.flag(Op::Or, &[*of_place, whole], &format!("{name}_of_{place}"), "1 where the weight is 1")
+        };
+        let bits: Rc<[NodeId]> = std::iter::once(whole).chain(places.iter().enumerate().map(or)).collect();
+        self.weights.insert(t, Rc::clone(&bits));
+        bits
     }
 
     /// The address of the texel of these parities of its places.
@@ -486,7 +524,8 @@ impl ImageBlock {
         let case = Case { active: Interval::UNIT, shininess: 1.0, rows: vec![None; tables.len()] };
         let b = Builder::new(&tables, vec![case]);
         let joints = Joints::default();
-        let mut imaging = Imaging { b, image, widths: *widths, normal: [0; 3], hidden: 0, functions, joints };
+        let (weights, widths) = (BTreeMap::new(), *widths);
+        let mut imaging = Imaging { b, image, widths, normal: [0; 3], hidden: 0, functions, weights, joints };
         let normal = imaging.vector("n", &AXES);
         imaging.normal = [normal[0], normal[1], normal[2]];
         let ports: Vec<LightPorts> = (1..=lights).map(|l| imaging.light_ports(l)).collect();

@@ -23,6 +23,7 @@ mod turned;
 
 pub use datapath::{Joints, LightJoints, PlaceJoints, RootJoints};
 pub use model::ImageModel;
+use options::{BLENDED, GAIN_INT};
 pub use options::{
     IMAGES, Image, ImageForm, ImageSource, ImageSpec, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, TexelMemory,
     WEIGHT_BITS,

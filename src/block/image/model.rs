@@ -2,7 +2,7 @@
 
 use super::texels::code;
 use super::turn::{ANGLE, ROOT, ROOT_AXIS, ROOT_OPERAND, ROOT_WEIGHT, SINE, STEPS, TILT};
-use super::{Image, ImageForm, ImageWidths, OctaveAxis};
+use super::{BLENDED, Image, ImageForm, ImageWidths, OctaveAxis};
 use crate::fixed::Table;
 use crate::fixed::wide::{self, Wide};
 use crate::reflectance::texels::Texels;
@@ -148,7 +148,8 @@ impl<'a> ImageModel<'a> {
         // Beside the last one, which is odd, stands the one before it.
         let next = if place + 1 < extent { place + 1 } else { place - 1 };
         let [a, b] = [place, next]
-            .map(|place| self.blend(channel, rest, &extents[1..], before * extent + place, band.or(Some(place))));
+            .map(|place| self.blend(channel, rest, &extents[1..], before * extent + place, band.or(Some(place))))
+            .map(|code| wide::floor_to(code, BLENDED as u32));
         a + (b - a) * weight
     }
 

@@ -121,7 +121,7 @@ impl ImageSource {
 /// The widths of an image-based block: fraction bits each, unless said otherwise.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct ImageWidths {
-    /// The greatest shift of a light: its gain is a fraction times two to the power of its shift.
+    /// The greatest shift of a light, the exponent of its gain.
     pub shift: i32,
     /// Integer bits of n·l 2^shift.
     pub lit_int: i32,
@@ -131,7 +131,7 @@ pub struct ImageWidths {
     pub place: i32,
     /// Of n·l 2^shift, and of its product with the square.
     pub lit: i32,
-    /// Of a light's gain, which is below 1.
+    /// Of a light's gain; see [`ImageWidths::gain_format`].
     pub gain: i32,
     /// The blended code.
     pub code: i32,
@@ -141,8 +141,13 @@ pub struct ImageWidths {
     pub term: i32,
 }
 
+/// Bits before the point of a light's gain: one makes the greatest shift, and with it n·l, a bit narrower.
+pub(super) const GAIN_INT: i32 = 1;
 /// The bits of a multiplier's operand in most families.
 const OPERAND: i32 = 18;
+
+/// Fraction bits of codes that are blended: wider ones are rounded down, so that their difference is an operand.
+pub(super) const BLENDED: i32 = OPERAND - 1;
 
 /// A number of things that is allowed and a power of two.
 fn power_of_two(what: &str, value: u32, allowed: RangeInclusive<u32>) -> Result<(), Error> {
@@ -161,6 +166,12 @@ impl ImageWidths {
     #[must_use]
     pub fn shift_bits(&self) -> i32 {
         (0..).find(|&bits| self.shift < 1 << bits).unwrap_or_default()
+    }
+
+    /// The format of a light's gain.
+    #[must_use]
+    pub fn gain_format(&self) -> Format {
+        Format::unsigned(GAIN_INT, self.gain)
     }
 
     /// The widths for these texels: operands of 18 bits wherever these do.
@@ -183,7 +194,7 @@ impl ImageWidths {
         for (angles, gains) in angles.windows(2).zip(gains.windows(2)) {
             let [first, second] = [gains[0], gains[1]].map(libm::sqrt);
             for crossed in 0..record::shift(gains[0].max(gains[1])) {
-                let t = (libm::sqrt(exp2(crossed)) - first) / (second - first);
+                let t = (libm::sqrt(exp2(crossed + GAIN_INT)) - first) / (second - first);
                 if (0.0..=1.0).contains(&t) {
                     take(angles[0] + t * (angles[1] - angles[0]), crossed + 1);
                 }
@@ -203,7 +214,7 @@ impl ImageWidths {
             dot: lit + shift + 2,
             place: place + 2,
             lit,
-            gain: OPERAND,
+            gain: OPERAND - GAIN_INT,
             code: (image.texel_bits as i32 + blends * weight).min(OPERAND),
             square: OPERAND,
             term: Sums::term_bits(image.channel_bits, image.most_lights.max(image.lights)),

@@ -13,6 +13,15 @@ pub const SIZE: usize = 48;
 /// The degrees of azimuth that a light stands at for each of its polar angle: none of the frame's axes is favoured.
 const TURN: f64 = 3.0;
 
+/// What pictures of a block miss, each value kept from 0 to 1.
+#[derive(Clone, Debug)]
+pub struct PictureError {
+    /// Their ratios.
+    pub quality: Quality,
+    /// The greatest difference of a channel.
+    pub greatest: f64,
+}
+
 /// The light at a polar angle.
 #[must_use]
 pub fn turned(phi: f64) -> Light {
@@ -29,6 +38,12 @@ impl ImageBlock {
     /// How well its pictures of a sphere, with one light of intensity 1, meet those of a reflectance times an exposure.
     #[must_use]
     pub fn quality(&self, reflectance: &dyn Reflectance, exposure: f64) -> Quality {
+        self.picture_error(reflectance, exposure).quality
+    }
+
+    /// As [`ImageBlock::quality`], with the greatest error.
+    #[must_use]
+    pub fn picture_error(&self, reflectance: &dyn Reflectance, exposure: f64) -> PictureError {
         let sphere = Sphere::new(SIZE);
         let full = self.image().full_scale() as f64;
         let of_angle = |&phi: &f64| {
@@ -40,8 +55,13 @@ impl ImageBlock {
                 [0, 1, 2].map(|channel| (codes[channel] as f64 / full) as f32)
             };
             let own: Vec<[f32; 3]> = sphere.normals.iter().map(shown).collect();
-            (phi, measure::psnr(&sphere.exact(reflectance, light, exposure), &own))
+            let exact = sphere.exact(reflectance, light, exposure);
+            let apart = |(own, exact): (&f32, &f32)| f64::from((own - exact.clamp(0.0, 1.0)).abs());
+            let greatest = own.as_flattened().iter().zip(exact.as_flattened()).map(apart).fold(0.0, f64::max);
+            ((phi, measure::psnr(&exact, &own)), greatest)
         };
-        Quality::of(measure::angles(STEP).par_iter().map(of_angle).collect())
+        let of_angles: Vec<_> = measure::angles(STEP).par_iter().map(of_angle).collect();
+        let greatest = of_angles.iter().map(|&(_, greatest)| greatest).fold(0.0, f64::max);
+        PictureError { quality: Quality::of(of_angles.into_iter().map(|(ratio, _)| ratio).collect()), greatest }
     }
 }

@@ -5,7 +5,7 @@
 //! way is so fine that a code is the nearest to its exact value but for one in millions.
 
 use super::turn::{ANGLE, MOST_HALF};
-use super::{Image, ImageBlock, ImageForm, ImageWidths};
+use super::{GAIN_INT, Image, ImageBlock, ImageForm, ImageWidths};
 use crate::block::shader::unit as check_unit;
 use crate::fixed::{exp2, turn};
 use crate::platform::error::Error;
@@ -66,8 +66,8 @@ impl RecordTable {
 
     /// The table for these texels.
     pub(super) fn new(image: &Image, widths: &ImageWidths, texels: &Texels) -> Self {
-        // No gain reaches 2^shift.
-        let root_int = widths.shift.unsigned_abs().div_ceil(2);
+        // No gain reaches two to the power of both.
+        let root_int = (widths.shift + GAIN_INT).unsigned_abs().div_ceil(2);
         let (root_bits, gain_bits) = (48 - root_int, turn::FRACTION - 2 * root_int);
         let angles: Vec<u64> = image.band_angles().into_iter().map(turn::of_degrees).collect();
         let band = |(number, &angle): (usize, &u64)| {
@@ -130,8 +130,8 @@ pub struct LightRecord {
     pub turns: Option<[i64; 3]>,
     /// The exponent of the gain; none where all lights have 0.
     pub shift: Option<i64>,
-    /// What the squared blend and n·l are multiplied by, a channel each: a fraction times two to the power of the
-    /// shift.
+    /// What the squared blend and n·l are multiplied by, a channel each: this times two to the power of
+    /// the shift.
     pub gain: [i64; 3],
 }
 
@@ -198,9 +198,9 @@ pub(super) fn gain(image: &Image, weight: f64) -> f64 {
     weight * weight * unit(image)
 }
 
-/// The shift that makes a fraction of a gain.
+/// The shift that a gain is below two to the power of [`GAIN_INT`] with.
 pub(super) fn shift(gain: f64) -> i32 {
-    (0..=1023).find(|&shift| gain < exp2(shift)).unwrap_or_default()
+    (0..=1023).find(|&shift| gain < exp2(shift + GAIN_INT)).unwrap_or_default()
 }
 
 /// The codes of a light's vectors beside its direction, and what else depends on the form: the one place for both.
@@ -265,10 +265,10 @@ impl ImageBlock {
         };
         let gains = light.intensity.map(|intensity| turn::product(gain, intensity.min(turn::HALF), 63));
         let greatest = gains.into_iter().fold(0, u64::max);
-        let shift = (0..widths.shift).find(|&shift| greatest >> (records.gain_bits + shift as u32) == 0);
+        let shift = (0..widths.shift).find(|&shift| greatest >> (records.gain_bits + (shift + GAIN_INT) as u32) == 0);
         let shift = shift.unwrap_or(widths.shift);
         let dropped = records.gain_bits + shift as u32 - widths.gain as u32;
-        let most = (1i64 << widths.gain) - 1;
+        let most = widths.gain_format().max_code() as i64;
         LightRecord {
             direction: image.has_incidence().then(|| direction.map(component)),
             frame: frame_codes(image, phi, light.gamma),

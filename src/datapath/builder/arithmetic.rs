@@ -131,6 +131,37 @@ impl Builder<'_> {
         product
     }
 
+    /// `a + (c - a) t` of two numbers of one format that have no sign, exact, without a multiplier.
+    ///
+    /// In parts of t's last bit it is `a + Σ 2^i (c if bit i is 1, else a)`, and `c + Σ 2^i c` where t is 1: `bits` are
+    /// a flag for t = 1 and then the bits below the point, the lowest first, which all are 1 where t is 1.
+    pub fn blend_by_bits(&mut self, of: [NodeId; 2], bits: &[NodeId], name: &str, comment: &str) -> NodeId {
+        let [a, c] = of;
+        let parts = bits.len() as i32 - 1;
+        let count = self.cases.len();
+        let mut terms: Vec<NodeId> = Vec::new();
+        for (place, &bit) in bits.iter().enumerate() {
+            let which = if place == 0 { "whole".to_owned() } else { (place - 1).to_string() };
+            let either = self.select(bit, [c, a], |_| None, &format!("{name}_either_{which}"), "either of both");
+            let weight = (place as i32 - 1).max(0) - parts;
+            let shifts = vec![weight; count];
+            terms.push(self.scale(either, None, weight, &shifts, &format!("{name}_by_{which}"), "shifted"));
+        }
+        // Neighbours first, so that sums are narrow and few follow each other.
+        let mut level = 0;
+        while terms.len() > 1 {
+            level += 1;
+            let last = terms.len() == 2;
+            let mut two = |(number, two): (usize, &[NodeId])| match *two {
+                [a, c] if last => self.add(a, c, name, comment),
+                [a, c] => self.add(a, c, &format!("{name}_sum_{level}_{number}"), "the sum of two"),
+                _ => two[0],
+            };
+            terms = terms.chunks(2).enumerate().map(&mut two).collect();
+        }
+        terms[0]
+    }
+
     fn with_sign(&mut self, id: NodeId) -> NodeId {
         let format = self.format(id);
         if format.signed {

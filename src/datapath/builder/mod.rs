@@ -97,6 +97,12 @@ impl<'a> Builder<'a> {
         self.nodes[id].format
     }
 
+    /// The name of a node.
+    #[must_use]
+    pub fn name(&self, id: NodeId) -> &str {
+        &self.nodes[id].name
+    }
+
     /// The bounds of a node, one a case.
     #[must_use]
     pub fn bounds(&self, id: NodeId) -> &[Bound] {

@@ -30,6 +30,7 @@ pub struct LightFunction<'a> {
     weight_bits: u32,
     /// Fraction bits of a gain's code, and the greatest.
     gain_bits: u32,
+    gain_width: u32,
     most_gain: u64,
     most_shift: i32,
     // How sines are computed.
@@ -98,7 +99,8 @@ impl<'a> LightFunction<'a> {
             vector_fraction: image.vector_fraction,
             weight_bits: image.weight_bits,
             gain_bits: widths.gain as u32,
-            most_gain: (1 << widths.gain) - 1,
+            gain_width: widths.gain_format().width(),
+            most_gain: widths.gain_format().max_code() as u64,
             most_shift: widths.shift,
             sines: &*turn::SINES,
             fraction: turn::FRACTION,

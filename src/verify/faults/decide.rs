@@ -14,12 +14,15 @@ use rayon::prelude::*;
 use super::domain::{Domain, first_detected};
 use super::local::Local;
 use super::mutants::Mutant;
+use super::registers::{RegisterSimulation, Shown};
 use super::simulation::{FaultSimulation, blocks, held_in_register};
 use super::{MOST_VALUES, Outcome, inputs_text};
 use crate::core::Design;
+use crate::core::golden::{Vector, clocks, idle};
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::fault::{Defect, Fault, Registered, Timing};
 use crate::datapath::graph::{Graph, NodeId};
+use crate::datapath::simulate::Inputs;
 use crate::fixed::Rng;
 
 /// Ports of more codes than these together are not run through all of them.
@@ -34,9 +37,12 @@ const OF_TASK: u64 = 1 << 16;
 pub fn outcomes(
     design: &Design,
     mutants: &[Mutant],
+    vectors: &[&Vector],
     detect: &(dyn Fn(&Defect) -> Option<String> + Sync),
 ) -> Vec<Outcome> {
-    let detected: Vec<Option<String>> = mutants.par_iter().map(|mutant| detect(&mutant.defect)).collect();
+    let known = known(design, mutants, vectors);
+    let seen = |(mutant, known): (&Mutant, Option<Option<String>>)| known.unwrap_or_else(|| detect(&mutant.defect));
+    let detected: Vec<Option<String>> = mutants.par_iter().zip(known).map(seen).collect();
     let left = mutants.iter().zip(&detected).filter(|(_, detected)| detected.is_none());
     let mut decided = decide(design, &left.map(|(mutant, _)| &mutant.defect).collect::<Vec<_>>()).into_iter();
     let outcome = |detected: Option<String>| match detected {
@@ -44,6 +50,34 @@ pub fn outcomes(
         None => decided.next().expect("each mutant that is left is decided"),
     };
     detected.into_iter().map(outcome).collect()
+}
+
+/// What vectors show of each mutant of which that is known without a simulation of the pipeline: of a change of an
+/// operation that changes no result nothing, if the words of memories stay; of a mistake in a register the result that
+/// is another.
+fn known(design: &Design, mutants: &[Mutant], vectors: &[&Vector]) -> Vec<Option<Option<String>>> {
+    let mut known = vec![None; mutants.len()];
+    if design.write_ports().is_empty() {
+        let of_operation = |(place, mutant): (usize, &Mutant)| Some((place, mutant.defect.fault()?.clone()));
+        let (places, faults): (Vec<usize>, Vec<Fault>) = mutants.iter().enumerate().filter_map(of_operation).unzip();
+        let simulation = FaultSimulation::new(design.graph(), design.tables());
+        let mut inputs = blocks(vectors.iter().map(|vector| &vector.inputs));
+        let first = simulation.first(&faults.iter().collect::<Vec<_>>(), &mut *inputs);
+        places
+            .into_iter()
+            .zip(first)
+            .filter(|(_, first)| first.is_none())
+            .for_each(|(place, _)| known[place] = Some(None));
+    }
+    let defects: Vec<&Defect> = mutants.iter().map(|mutant| &mutant.defect).collect();
+    // As after a reset.
+    let inputs: Vec<Inputs> = idle(design).chain(clocks(design, vectors)).collect();
+    for (known, shown) in known.iter_mut().zip(RegisterSimulation::new(design).shown(&inputs, &defects)) {
+        if let Shown::By(vector) = shown {
+            *known = Some(Some(format!("vector {}: another result", vector + 1)));
+        }
+    }
+    known
 }
 
 /// What is found out of mutants of a design that no vector detects, in their order.

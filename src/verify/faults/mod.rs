@@ -25,7 +25,7 @@ pub use decide::{decide, outcomes};
 pub(crate) use mutants::defects;
 pub use mutants::{Kind, Mutant, mutants};
 pub use outcome::{Outcome, Tally};
-pub(crate) use registers::RegisterSimulation;
+pub(crate) use registers::{RegisterSimulation, Shown};
 
 use crate::core::{Design, Direction};
 

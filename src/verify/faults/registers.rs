@@ -24,6 +24,17 @@ struct Taken {
     paused: Option<Vec<i64>>,
 }
 
+/// What shows a defect.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Shown {
+    /// This result is the first that is another.
+    By(usize),
+    /// No result is another.
+    Never,
+    /// It is none that [`RegisterSimulation`] covers.
+    NotCovered,
+}
+
 /// A register with a mistake.
 #[derive(Clone, Copy, Debug)]
 struct Mistake {
@@ -55,10 +66,10 @@ impl<'a> RegisterSimulation<'a> {
         (what != Registered::Missing || !is_seen).then_some(Mistake { node, register, what })
     }
 
-    /// Of each defect whether an output shows it while levels are at the ports clock by clock, from when the core comes
-    /// up and without a reset; `None` of a defect that is not covered.
+    /// Of each defect which result, counted from 0, shows it first while levels are at the ports clock by clock, from
+    /// when the core comes up and without a reset.
     #[must_use]
-    pub(crate) fn shown(&self, inputs: &[Inputs], defects: &[&Defect]) -> Vec<Option<bool>> {
+    pub(crate) fn shown(&self, inputs: &[Inputs], defects: &[&Defect]) -> Vec<Shown> {
         let mistakes: Vec<Option<Mistake>> = defects.iter().map(|defect| self.mistake(defect)).collect();
         let covered: Vec<Mistake> = mistakes.iter().flatten().copied().collect();
         let taken = self.taken(inputs);
@@ -66,8 +77,14 @@ impl<'a> RegisterSimulation<'a> {
         let of_some = |some: &[Mistake]| {
             if self.simulation.is_narrow() { run_narrow(self, &taken, some) } else { run::<i128>(self, &taken, some) }
         };
-        let mut shown = covered.par_chunks(each).flat_map_iter(of_some).collect::<Vec<bool>>().into_iter();
-        mistakes.into_iter().map(|mistake| mistake.and_then(|_| shown.next())).collect()
+        let mut shown = covered.par_chunks(each).flat_map_iter(of_some).collect::<Vec<Option<usize>>>().into_iter();
+        let result = |clock: usize| taken[..clock].iter().filter(|taken| taken.valid).count();
+        let of_mistake = |mistake: Option<Mistake>| match mistake.map(|_| shown.next().flatten()) {
+            None => Shown::NotCovered,
+            Some(None) => Shown::Never,
+            Some(Some(clock)) => Shown::By(result(clock)),
+        };
+        mistakes.into_iter().map(of_mistake).collect()
     }
 
     fn taken(&self, inputs: &[Inputs]) -> Vec<Taken> {
@@ -87,7 +104,7 @@ impl<'a> RegisterSimulation<'a> {
 }
 
 #[multiversion(targets("x86_64+avx2", "aarch64+neon"))]
-fn run_narrow(registers: &RegisterSimulation, taken: &[Taken], mistakes: &[Mistake]) -> Vec<bool> {
+fn run_narrow(registers: &RegisterSimulation, taken: &[Taken], mistakes: &[Mistake]) -> Vec<Option<usize>> {
     run::<i64>(registers, taken, mistakes)
 }
 
@@ -95,8 +112,8 @@ fn run_narrow(registers: &RegisterSimulation, taken: &[Taken], mistakes: &[Mista
 const COUNTED: usize = LANES - 2;
 
 #[inline(always)]
-fn run<L: Lane>(registers: &RegisterSimulation, taken: &[Taken], mistakes: &[Mistake]) -> Vec<bool> {
-    let mut shown = vec![false; mistakes.len()];
+fn run<L: Lane>(registers: &RegisterSimulation, taken: &[Taken], mistakes: &[Mistake]) -> Vec<Option<usize>> {
+    let mut shown = vec![None; mistakes.len()];
     let mut open: Vec<usize> = (0..mistakes.len()).collect();
     let mut block = Block::<L>::new(registers, taken);
     for first in (0..taken.len()).step_by(COUNTED) {
@@ -105,8 +122,10 @@ fn run<L: Lane>(registers: &RegisterSimulation, taken: &[Taken], mistakes: &[Mis
         }
         block.take(first);
         open.retain(|&place| {
-            shown[place] = block.shows(mistakes[place]);
-            !shown[place]
+            let lanes = block.shows(mistakes[place]);
+            // The first clock that counts is in the second lane.
+            shown[place] = (lanes != 0).then(|| first + lanes.trailing_zeros() as usize - 1);
+            lanes == 0
         });
     }
     shown
@@ -178,6 +197,10 @@ impl<'a, L: Lane> Block<'a, L> {
             let simulation = &self.registers.simulation;
             let mut result = [L::zero(); LANES];
             operate(simulation, id, node, |arg| node.args[arg], 0, &self.values, &mut result);
+            if stage[id] == 0 && first == 0 {
+                // Registers come up with 0: that is in front of the first clock's values.
+                result[0] = L::zero();
+            }
             self.values[id] = result;
             if stage[id] == 0 {
                 operate(simulation, id, node, |arg| node.args[arg], 0, &self.paused, &mut result);
@@ -195,8 +218,6 @@ impl<'a, L: Lane> Block<'a, L> {
         for lane in 1..=COUNTED {
             match what {
                 Registered::Missing => seen[lane] = own[lane + 1],
-                // Registers come up with 0.
-                Registered::Doubled if self.first + lane == 1 => seen[lane] = L::zero(),
                 Registered::Doubled => seen[lane] = own[lane - 1],
                 Registered::FreeRunning => {
                     // While it was in the register, this one was about to be taken.
@@ -211,14 +232,14 @@ impl<'a, L: Lane> Block<'a, L> {
         seen
     }
 
-    /// Whether a result that counts is another with the mistake.
+    /// The lanes with a result that counts and is another with the mistake.
     #[inline(always)]
-    fn shows(&mut self, mistake: Mistake) -> bool {
+    fn shows(&mut self, mistake: Mistake) -> u64 {
         let Mistake { node, register, .. } = mistake;
         let (graph, stage) = (self.registers.design.graph(), &self.registers.design.schedule.stage);
         let seen = self.seen(mistake);
         if seen == self.values[node] {
-            return false;
+            return 0;
         }
         // The column behind those of the nodes.
         let behind = graph.nodes.len();
@@ -249,6 +270,6 @@ impl<'a, L: Lane> Block<'a, L> {
             self.values[id] = right;
             self.differs[id] = false;
         }
-        lanes & self.counted != 0
+        lanes & self.counted
     }
 }

@@ -149,7 +149,10 @@ fn of_sequencer(sequencer: &Sequencer) -> Result<Claims, Error> {
         one: 1 << sums.frac_bits,
         full: sums.full_scale(),
     };
-    let own = ["valid", "begins"].map(str::to_owned).into_iter().chain(channels.map(|c| format!("total_{c}")));
+    let own = ["valid", "begins"]
+        .map(str::to_owned)
+        .into_iter()
+        .chain(channels.iter().flat_map(|c| [format!("total_{c}"), format!("full_{c}")]));
     let own = own.map(|name| (name.clone(), format!("dut.{name}")));
     let outputs = sequencer.core_outputs().iter().map(|port| (port.name.clone(), format!("dut.{}", port.name)));
     let inputs = sequencer.driven();
