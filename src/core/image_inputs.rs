@@ -132,7 +132,7 @@ impl ImageDesign<'_> {
         let x = if cosine < 0.6 { x.abs().copysign(sine) } else { x };
         let normal = [x * cosine - 1.1 * sine, y, x * sine + 1.1 * cosine];
         let LightPlaces { frame, band: of_band, blend, gain, .. } = self.light_places();
-        let number = |value: f64| self.component(value);
+        let number = |value: f64| self.block.component(value);
         let mut light = vec![0; gain + 3];
         (light[frame + 4], light[of_band]) = (number(1.0), (band & !1) as i64);
         light[blend] = ((band & 1) as i64) << image.weight_bits;
@@ -208,15 +208,10 @@ impl ImageDesign<'_> {
         codes
     }
 
-    /// The code of a vector's component.
-    fn component(self, value: f64) -> i64 {
-        libm::round(value * exp2(self.of.image.vector_fraction as i32)) as i64
-    }
-
     /// The codes of a normal and of the first light, beside which the others give nothing.
     fn first_light(self, normal: [f64; 3], light: Vec<i64>) -> Vec<i64> {
         let missing = self.inputs(Vector::z(), &[]).split_off(3 + light.len());
-        let normal = normal.map(|value| self.component(value));
+        let normal = normal.map(|value| self.block.component(value));
         normal.into_iter().chain(light).chain(missing).collect()
     }
 
@@ -228,7 +223,7 @@ impl ImageDesign<'_> {
         let size = f64::from(image.size);
         let parts = 1u64 << image.weight_bits;
         let part = |place: u64| place as f64 / parts as f64;
-        let number = |value: f64| self.component(value);
+        let number = |value: f64| self.block.component(value);
         let mut light = vec![0; gain + 3];
         // The normal is halfway to the rim, the light at the viewer.
         let mut normal = [0.0, 0.0, 0.5];

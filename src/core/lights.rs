@@ -43,17 +43,27 @@ impl Design {
     /// The words of the table of lights in front of the sequencer, a power of two; `None` of a core without one.
     #[must_use]
     pub fn light_table(&self) -> Option<u32> {
-        let (a_clock, most) = match &self.spec.block {
+        let most = match &self.spec.block {
             Block::Lobe(_) => return None,
-            Block::Shader(_, shader) => (shader.lights, shader.most_lights?),
-            Block::Image(of) => (of.image.lights, of.image.most_lights),
+            Block::Shader(_, shader) => shader.most_lights?,
+            Block::Image(of) => of.image.most_lights,
         };
         let lights = match self.spec.light_source {
             LightSource::Port => return None,
             LightSource::Table => most,
             LightSource::Rom => self.spec.light_records.0.len() as u32,
         };
-        Some(lights.div_ceil(a_clock).next_power_of_two().max(2))
+        Some(lights.div_ceil(self.lights_a_clock()?).next_power_of_two().max(2))
+    }
+
+    /// The lights that the core is told of at once; `None` of a lobe.
+    #[must_use]
+    pub fn lights_a_clock(&self) -> Option<u32> {
+        match &self.spec.block {
+            Block::Lobe(_) => None,
+            Block::Shader(_, shader) => Some(shader.lights),
+            Block::Image(of) => Some(of.image.lights),
+        }
     }
 
     /// What the words of the table of lights hold if it is not written: the codes of a clock's lights each, of those
@@ -62,7 +72,7 @@ impl Design {
     pub fn light_words(&self) -> Option<Vec<Vec<i64>>> {
         let depth = self.light_table().filter(|_| self.spec.light_source == LightSource::Rom)? as usize;
         let codes = self.light_inputs().len();
-        let a_word = codes / self.light_ports().len();
+        let a_word = self.lights_a_clock()? as usize;
         let mut words: Vec<Vec<i64>> = self.spec.light_records.0.chunks(a_word).map(<[_]>::concat).collect();
         words.resize(depth, Vec::new());
         words.iter_mut().for_each(|word| word.resize(codes, 0));
@@ -73,11 +83,7 @@ impl Design {
     /// core without a sequencer.
     #[must_use]
     pub fn light_ports(&self) -> Vec<(&str, Format)> {
-        let a_clock = match &self.spec.block {
-            Block::Lobe(_) => return Vec::new(),
-            Block::Shader(_, shader) => shader.lights,
-            Block::Image(of) => of.image.lights,
-        };
+        let Some(a_clock) = self.lights_a_clock() else { return Vec::new() };
         let all = self.light_inputs();
         let mut ports = self.numbers(Direction::In);
         ports.retain(|(name, _)| all.contains(name));

@@ -54,6 +54,11 @@ pub enum Op {
     ZeroIf,
 }
 
+/// The power of two from which on numbers are clamped to `high`, if there is one: their high bits tell.
+pub(crate) fn clamped_from(high: i128) -> Option<i128> {
+    [high, high + 1].into_iter().find(|power| power.count_ones() == 1)
+}
+
 /// An operation with its result's name and format.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Node {

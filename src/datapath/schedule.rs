@@ -11,7 +11,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::graph::{Graph, Node, NodeId, Op};
+use super::graph::{Graph, Node, NodeId, Op, clamped_from};
 use crate::platform::error::Error;
 use crate::target::{self, BLOCK_REGISTERS};
 
@@ -133,7 +133,7 @@ fn delay(op: Op, adders: Adders) -> f64 {
         Op::Field { .. } => 0.9,
         Op::ShiftLeft | Op::ShiftRight => 0.6,
         // Past a power of two the high bits tell; elsewhere numbers are compared.
-        Op::Clamp { high, .. } if adders == Adders::One && ![high, high + 1].map(i128::count_ones).contains(&1) => 0.6,
+        Op::Clamp { high, .. } if adders == Adders::One && clamped_from(high).is_none() => 0.6,
         Op::Clamp { .. } => 0.3,
         Op::Add | Op::Sub | Op::Greater => match adders {
             Adders::One => 0.75,

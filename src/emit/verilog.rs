@@ -4,7 +4,7 @@ use askama::Template;
 use num_bigint::BigUint;
 
 use super::{Backend, Declaration, Direction, Layout, Port, Texts, WritePort, continued, names, render};
-use crate::datapath::graph::{NodeId, Op};
+use crate::datapath::graph::{NodeId, Op, clamped_from};
 use crate::fixed::Format;
 use crate::platform::error::Error;
 use crate::spec::Language;
@@ -225,7 +225,7 @@ impl Writer<'_> {
         let magnitude = from.width() - u32::from(from.signed);
         // Past a power of two the high bits tell.
         let leading = |power: i128| slice(&name, from.width(), magnitude - 1, power.trailing_zeros());
-        let power = [high, high + 1].into_iter().find(|power| power.count_ones() == 1);
+        let power = clamped_from(high);
         if low < 0 {
             let sign = format!("{name}[{}]", from.width() - 1);
             let of = |test: String, bound: i128| format!("({test}) ? {} :\n        ", literal(bound, width));

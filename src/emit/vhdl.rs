@@ -5,7 +5,7 @@ use num_bigint::BigUint;
 
 use super::{Backend, Declaration, Layout, Port, Texts, WritePort, continued, names, render};
 use crate::core::layout::Register;
-use crate::datapath::graph::{NodeId, Op};
+use crate::datapath::graph::{NodeId, Op, clamped_from};
 use crate::fixed::Format;
 use crate::platform::error::Error;
 use crate::spec::{Language, VhdlPorts};
@@ -245,7 +245,7 @@ impl Writer<'_> {
             bit if bit + 1 == magnitude => format!("{name}({bit}) = '1'"),
             bit => format!("unsigned({name}({} downto {bit})) /= 0", magnitude - 1),
         };
-        let power = [high, high + 1].into_iter().find(|power| power.count_ones() == 1);
+        let power = clamped_from(high);
         if low < 0 {
             let own = self.fitted(arg, Format { int_bits: width as i32 - 1 - from.frac_bits, ..from });
             let leading = |power: i128| format!("{name}({} downto {})", from.width() - 1, power.trailing_zeros());

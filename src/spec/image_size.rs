@@ -1,7 +1,7 @@
 //! The sizes of an image-based block that follow from what its pictures may miss.
 
 use super::SpecFields;
-use crate::block::image::quality::PictureError;
+use crate::block::image::quality::SphereError;
 use crate::block::image::{Image, ImageBlock, SIZE, SLICES, TEXEL_BITS};
 use crate::platform::error::Error;
 
@@ -44,7 +44,7 @@ impl PictureBudget {
     }
 
     /// How far from being kept it is: below 1 where it is not.
-    fn kept(&self, PictureError { quality, greatest }: &PictureError) -> f64 {
+    fn kept(&self, SphereError { quality, greatest }: &SphereError) -> f64 {
         let ratio = self.min_psnr.map_or(f64::INFINITY, |least| quality.mean / least);
         ratio.min(self.max_error.map_or(f64::INFINITY, |most| most / greatest))
     }
@@ -97,7 +97,7 @@ impl SpecFields {
     }
 
     /// The block with the fewest bits of texels whose pictures of a sphere keep a budget against the reflectance
-    /// itself, as [`ImageBlock::picture_error`] measures them. A number of images and a size whose pictures miss it
+    /// itself, as [`ImageBlock::sphere_error`] measures them. A number of images and a size whose pictures miss it
     /// with the most bits a texel are passed over.
     ///
     /// # Errors
@@ -106,10 +106,10 @@ impl SpecFields {
         budget.check()?;
         let (source, exposure) = self.reflectance.source()?;
         let reflectance = source.reflectance().expect("a source of images is refused");
-        let measured = |image: &Image| -> Result<PictureError, Error> {
-            Ok(ImageBlock::new(image.clone(), reflectance, exposure)?.picture_error(reflectance, exposure))
+        let measured = |image: &Image| -> Result<SphereError, Error> {
+            Ok(ImageBlock::new(image.clone(), reflectance, exposure)?.sphere_error(reflectance, exposure))
         };
-        let (mut best, mut nearest): (Option<Image>, Option<(PictureError, Image)>) = (None, None);
+        let (mut best, mut nearest): (Option<Image>, Option<(SphereError, Image)>) = (None, None);
         for shape in self.shapes()? {
             let fewest = self.texel_bits.unwrap_or(*TEXEL_BITS.start());
             let with = |bits: u32| Image { texel_bits: bits, ..shape.clone() };
@@ -136,7 +136,7 @@ impl SpecFields {
             }
         }
         best.ok_or_else(|| {
-            let nearest = nearest.map_or_else(String::new, |(PictureError { quality, greatest }, image)| {
+            let nearest = nearest.map_or_else(String::new, |(SphereError { quality, greatest }, image)| {
                 format!(": the nearest, {image}, has {:.1} dB and errors up to {greatest:.3}", quality.mean)
             });
             Error::input(

@@ -6,7 +6,7 @@
 use std::path::Path;
 use std::time::Duration;
 
-use brdfgen::block::image::quality::PictureError;
+use brdfgen::block::image::quality::SphereError;
 use brdfgen::core::{BlockDesign, Design};
 use brdfgen::reflectance::vector::seen_from;
 use brdfgen::reflectance::{Light, Vector};
@@ -257,10 +257,10 @@ fn sizes_follow_from_what_pictures_may_miss() {
         let Block::Image(ImageSpec { source: ImageSource::Model(model), .. }) = &design.spec.block else {
             panic!("a model")
         };
-        image.block.picture_error(model, image.of.exposure)
+        image.block.sphere_error(model, image.of.exposure)
     };
     assert!(error(image.size, image.texel_bits).quality.mean >= 44.0);
-    let PictureError { quality: reached, greatest } = error(16, 10);
+    let SphereError { quality: reached, greatest } = error(16, 10);
     let budgets = [(44.0, 1.0), (0.0, greatest), (reached.mean, greatest)];
     let keys = [
         "min_psnr = 44.0".to_owned(),
@@ -271,7 +271,7 @@ fn sizes_follow_from_what_pictures_may_miss() {
         let spec = own(&format!("{form}\n{keys}")).unwrap();
         let Block::Image(ImageSpec { image, .. }) = &spec.block else { panic!("an image-based block") };
         let keeps = |size, bits| {
-            let PictureError { quality, greatest } = error(size, bits);
+            let SphereError { quality, greatest } = error(size, bits);
             quality.mean >= least && greatest <= most
         };
         assert!(keeps(image.size, image.texel_bits), "{keys}: {image}");

@@ -411,10 +411,7 @@ impl Imaging<'_, '_> {
         }
         let name = self.b.name(t).to_owned();
         let parts = self.b.format(t).frac_bits;
-        let mut bit = |place: i32, name: &str| {
-            let format = Format::unsigned(place - parts + 1, parts - place);
-            self.b.cast(t, format, HighBits::Guarded, name, "a bit of the weight")
-        };
+        let mut bit = |place: i32, name: &str| self.b.bit(t, place - parts, name, "a bit of the weight");
         let whole = bit(parts, &format!("{name}_whole"));
         let places: Vec<NodeId> = (0..parts).map(|place| bit(place, &format!("{name}_bit_{place}"))).collect();
         let or = |(place, of_place): (usize, &NodeId)| {

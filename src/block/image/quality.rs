@@ -15,7 +15,7 @@ const TURN: f64 = 3.0;
 
 /// What pictures of a block miss, each value kept from 0 to 1.
 #[derive(Clone, Debug)]
-pub struct PictureError {
+pub struct SphereError {
     /// Their ratios.
     pub quality: Quality,
     /// The greatest difference of a channel.
@@ -38,12 +38,12 @@ impl ImageBlock {
     /// How well its pictures of a sphere, with one light of intensity 1, meet those of a reflectance times an exposure.
     #[must_use]
     pub fn quality(&self, reflectance: &dyn Reflectance, exposure: f64) -> Quality {
-        self.picture_error(reflectance, exposure).quality
+        self.sphere_error(reflectance, exposure).quality
     }
 
     /// As [`ImageBlock::quality`], with the greatest error.
     #[must_use]
-    pub fn picture_error(&self, reflectance: &dyn Reflectance, exposure: f64) -> PictureError {
+    pub fn sphere_error(&self, reflectance: &dyn Reflectance, exposure: f64) -> SphereError {
         let sphere = Sphere::new(SIZE);
         let full = self.image().full_scale() as f64;
         let of_angle = |&phi: &f64| {
@@ -62,6 +62,6 @@ impl ImageBlock {
         };
         let of_angles: Vec<_> = measure::angles(STEP).par_iter().map(of_angle).collect();
         let greatest = of_angles.iter().map(|&(_, greatest)| greatest).fold(0.0, f64::max);
-        PictureError { quality: Quality::of(of_angles.into_iter().map(|(ratio, _)| ratio).collect()), greatest }
+        SphereError { quality: Quality::of(of_angles.into_iter().map(|(ratio, _)| ratio).collect()), greatest }
     }
 }

@@ -292,8 +292,13 @@ impl ImageBlock {
     /// The codes of a unit vector.
     #[must_use]
     pub fn vector(&self, v: Vector) -> [i64; 3] {
-        let one = exp2(self.image.vector_fraction as i32);
-        [v.x, v.y, v.z].map(|component| libm::round(component * one) as i64)
+        [v.x, v.y, v.z].map(|component| self.component(component))
+    }
+
+    /// The code of a vector's component.
+    #[must_use]
+    pub fn component(&self, value: f64) -> i64 {
+        libm::round(value * exp2(self.image.vector_fraction as i32)) as i64
     }
 
     /// The inputs of a clock: of a normal, and of the lights of that clock, of which those that are missing give

@@ -105,6 +105,11 @@ impl Builder<'_> {
         self.push(Op::Mul, &[a, b], format, name, comment.to_owned(), bounds)
     }
 
+    /// The bit of weight `2^weight` of `a`.
+    pub fn bit(&mut self, a: NodeId, weight: i32, name: &str, comment: &str) -> NodeId {
+        self.cast(a, Format::unsigned(weight + 1, -weight), HighBits::Guarded, name, comment)
+    }
+
     /// `a b`, exact, as a sum of `b` shifted for every bit of `a`, which has few; neither is signed.
     pub fn mul_by_bits(&mut self, a: NodeId, b: NodeId, name: &str, comment: &str) -> NodeId {
         let format = self.format(a);
@@ -112,8 +117,7 @@ impl Builder<'_> {
         let mut sum: Option<NodeId> = None;
         for weight in -format.frac_bits..format.int_bits {
             let place = weight + format.frac_bits;
-            let bit = Format::unsigned(weight + 1, -weight);
-            let bit = self.cast(a, bit, HighBits::Guarded, &format!("{name}_bit_{place}"), "a bit of the slope");
+            let bit = self.bit(a, weight, &format!("{name}_bit_{place}"), "a bit of the slope");
             let clear = self.not(bit, &format!("{name}_without_{place}"), "the bit is 0");
             let scaled = self.scale(b, None, weight, &vec![weight; count], &format!("{name}_by_{place}"), "shifted");
             let term = self.zero_if(Some(clear), scaled, &format!("{name}_term_{place}"), "0 where the bit is 0");

@@ -217,7 +217,7 @@ pub fn light_table(design: &Design) -> Option<LightTable> {
     let depth = design.light_table()?;
     let (name, latency) = (Part::Table.name(design), design.whole_latency());
     let (core, ports) = (texts_without_header(design), design.table_ports(depth));
-    let words = design.light_words().map(|words| (words, design.light_inputs().len() / design.light_ports().len()));
+    let words = design.light_words().zip(design.lights_a_clock().map(|lights| lights as usize));
     Some(LightTable::new(name, &core, ports, sequencer(design)?, [depth, latency], words))
 }
 

@@ -57,12 +57,12 @@ pub fn outcomes(
 /// is another.
 fn known(design: &Design, mutants: &[Mutant], vectors: &[&Vector]) -> Vec<Option<Option<String>>> {
     let mut known = vec![None; mutants.len()];
+    let registers = RegisterSimulation::new(design);
     if design.write_ports().is_empty() {
         let of_operation = |(place, mutant): (usize, &Mutant)| Some((place, mutant.defect.fault()?.clone()));
         let (places, faults): (Vec<usize>, Vec<Fault>) = mutants.iter().enumerate().filter_map(of_operation).unzip();
-        let simulation = FaultSimulation::new(design.graph(), design.tables());
         let mut inputs = blocks(vectors.iter().map(|vector| &vector.inputs));
-        let first = simulation.first(&faults.iter().collect::<Vec<_>>(), &mut *inputs);
+        let first = registers.simulation.first(&faults.iter().collect::<Vec<_>>(), &mut *inputs);
         places
             .into_iter()
             .zip(first)
@@ -72,7 +72,7 @@ fn known(design: &Design, mutants: &[Mutant], vectors: &[&Vector]) -> Vec<Option
     let defects: Vec<&Defect> = mutants.iter().map(|mutant| &mutant.defect).collect();
     // As after a reset.
     let inputs: Vec<Inputs> = idle(design).chain(clocks(design, vectors)).collect();
-    for (known, shown) in known.iter_mut().zip(RegisterSimulation::new(design).shown(&inputs, &defects)) {
+    for (known, shown) in known.iter_mut().zip(registers.shown(&inputs, &defects)) {
         if let Shown::By(vector) = shown {
             *known = Some(Some(format!("vector {}: another result", vector + 1)));
         }

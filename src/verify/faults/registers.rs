@@ -8,7 +8,7 @@
 use multiversion::multiversion;
 use rayon::prelude::*;
 
-use super::simulation::{FaultSimulation, operate};
+use super::simulation::{FaultSimulation, operate, unlike};
 use crate::core::Design;
 use crate::datapath::evaluate::{LANES, Lane};
 use crate::datapath::fault::{Defect, Registered, Timing};
@@ -47,7 +47,8 @@ struct Mistake {
 #[derive(Clone, Debug)]
 pub(crate) struct RegisterSimulation<'a> {
     design: &'a Design,
-    simulation: FaultSimulation<'a>,
+    /// The simulation of faults in the same graph.
+    pub(super) simulation: FaultSimulation<'a>,
 }
 
 impl<'a> RegisterSimulation<'a> {
@@ -150,23 +151,10 @@ struct Block<'a, L> {
 
 impl<'a, L: Lane> Block<'a, L> {
     fn new(registers: &'a RegisterSimulation, taken: &'a [Taken]) -> Self {
-        let nodes = &registers.design.graph().nodes;
-        let columns = nodes.iter().map(|node| match node.op {
-            Op::Constant(code) => [L::from_code(node.format.wrap(code)); LANES],
-            _ => [L::zero(); LANES],
-        });
-        let values: Vec<_> = columns.chain([[L::zero(); LANES]]).collect();
-        let paused = values.clone();
-        Self {
-            registers,
-            taken,
-            first: 0,
-            counted: 0,
-            values,
-            paused,
-            kept: Vec::new(),
-            differs: vec![false; nodes.len()],
-        }
+        let paused = registers.simulation.at_rest();
+        let differs = vec![false; paused.len()];
+        let values = [&paused[..], &[[L::zero(); LANES]]].concat();
+        Self { registers, taken, first: 0, counted: 0, values, paused, kept: Vec::new(), differs }
     }
 
     /// The clock in a lane, if there is one.
@@ -258,9 +246,6 @@ impl<'a, L: Lane> Block<'a, L> {
                 self.differs[id] = true;
             }
         }
-        let unlike = |a: &[L; LANES], b: &[L; LANES]| {
-            a.iter().zip(b).enumerate().fold(0u64, |lanes, (lane, (a, b))| lanes | u64::from(a != b) << lane)
-        };
         // An output is read from behind its last register.
         let mut lanes = if graph.is_output(node) { unlike(&seen, &self.values[node]) } else { 0 };
         for (id, right) in self.kept.drain(..) {

@@ -119,6 +119,15 @@ impl<'a> FaultSimulation<'a> {
         self.narrow
     }
 
+    /// A column for each node: 0, or its constant.
+    pub(super) fn at_rest<L: Lane>(&self) -> Vec<[L; LANES]> {
+        let column = |node: &Node| match node.op {
+            Op::Constant(code) => [L::from_code(node.format.wrap(code)); LANES],
+            _ => [L::zero(); LANES],
+        };
+        self.graph.nodes.iter().map(column).collect()
+    }
+
     /// Looks, in every block of inputs, for every fault of which there is still something to be found out.
     pub fn run(&self, faults: &[&Fault], next: &mut Next, detected: &mut Detected) {
         if self.narrow {
@@ -237,16 +246,12 @@ struct Columns<'a, L> {
 impl<'a, L: Lane> Columns<'a, L> {
     fn of(simulation: &'a FaultSimulation, faults: &'a [&Fault]) -> Self {
         let nodes = &simulation.graph.nodes;
-        let constant = |node: &Node| match node.op {
-            Op::Constant(code) => [L::from_code(node.format.wrap(code)); LANES],
-            _ => [L::zero(); LANES],
-        };
         Self {
             simulation,
             faults,
             operations: faults.iter().map(|fault| fault.operation(simulation.graph)).collect(),
             sees_port: faults.iter().map(|fault| simulation.sees_port(fault)).collect(),
-            values: nodes.iter().map(constant).collect(),
+            values: simulation.at_rest(),
             number: 0,
             changed: false,
             kept: Vec::new(),
@@ -331,15 +336,19 @@ impl<'a, L: Lane> Columns<'a, L> {
         let mut detecting = 0;
         for (id, right) in self.kept.drain(..) {
             if self.simulation.graph.is_output(id) {
-                for (lane, (right, wrong)) in right.iter().zip(&self.values[id]).enumerate() {
-                    detecting |= u64::from(wrong != right) << lane;
-                }
+                detecting |= unlike(&right, &self.values[id]);
             }
             self.values[id] = right;
             self.differs[id] = false;
         }
         detecting
     }
+}
+
+/// The lanes in which columns differ, a bit each.
+#[inline(always)]
+pub(super) fn unlike<L: Lane>(a: &[L; LANES], b: &[L; LANES]) -> u64 {
+    a.iter().zip(b).enumerate().fold(0, |lanes, (lane, (a, b))| lanes | u64::from(a != b) << lane)
 }
 
 /// A node's column, by the operation that it has or another in its place, of the columns that `column` says of its
