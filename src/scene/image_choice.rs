@@ -159,9 +159,9 @@ impl<'a> ImageSearch<'a> {
             "leave the keys of [reflectance] out, or make the core of a spec"
         );
         refuse!(
-            keys.min_psnr.is_some(),
-            "min_psnr is given for a block of its own, and a scene's core is chosen by its pictures",
-            "leave it out, and give min_psnr in the table [budget] of the scene"
+            keys.min_psnr.is_some() || keys.max_error.is_some(),
+            "min_psnr or max_error is given for a block of its own, and a scene's core is chosen by its pictures",
+            "leave it out, and give min_psnr or max_steps in the table [budget] of the scene"
         );
         refuse!(
             keys.output_bits.is_some_and(|bits| bits != scene.channel_bits),

@@ -228,6 +228,9 @@ fn what_no_core_can_be_chosen_for_is_said() {
     scratch.refused(&format!("generate both.toml {image} --for-material x --out o"), &["no material x", "own, floor"]);
     scratch.refused(&format!("generate own.toml {image} --output-bits 10 --out o"), &["8 bits a channel"]);
     scratch.refused(&format!("generate own.toml {image} --exposure 2 --out o"), &["its own reflectance"]);
+    for limit in ["--min-psnr 30", "--max-picture-error 0.1"] {
+        scratch.refused(&format!("generate own.toml {image} {limit} --out o"), &["for a block of its own", "[budget]"]);
+    }
     scratch.refused(&format!("generate own.toml {image} --method cubic --out o"), &["method"]);
     scratch.refused(
         "generate --block image --reflectance ggx --for-material x --out o",
