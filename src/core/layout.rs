@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use super::{Role, WritePort};
+use super::{ReadPort, Role, WritePort};
 use crate::datapath::Datapath;
 use crate::datapath::graph::{Node, NodeId, Op};
 use crate::datapath::schedule::Schedule;
@@ -24,8 +24,9 @@ pub struct Read {
     pub address: NodeId,
     /// The stage of the address.
     pub stage: u32,
-    /// Whether the word goes into a register, as a block RAM requires, before any field of it is used.
-    pub registered: bool,
+    /// Registers between the address and the word: one where the word goes into a register, as a block RAM requires,
+    /// before any field of it is used; of a memory outside of the core its own and the one that takes the word.
+    pub registers: u32,
     /// The name of the word.
     pub word: String,
 }
@@ -78,6 +79,7 @@ impl<'a> Layout<'a> {
             let name = table.name;
             names.extend(self.read(memory).map(|read| read.word));
             names.extend(WritePort::of(memory, table).ports().map(|port| port.name.clone()));
+            names.extend(ReadPort::of(memory, table, 1).ports().map(|port| port.name.clone()));
             names.extend([name.to_owned(), format!("{name}_t"), format!("{name}_file")]);
             names.extend(["read", "initial"].map(|verb| format!("{verb}_{name}")));
             let words = (0..table.word_bits().div_ceil(32)).map(|chunk| format!("{name}_words_{chunk}"));
@@ -156,19 +158,20 @@ impl<'a> Layout<'a> {
         let shown_at_once =
             self.datapath.graph.outputs.iter().any(|&(_, id)| is_field(id)) && self.schedule.latency == stage;
         let registered = !self.nodes().iter().enumerate().any(used_at_once) && !shown_at_once;
+        let registers = self.schedule.external.registers(memory).unwrap_or(registered.into());
         let name = self.datapath.tables[memory].name;
         Some(Read {
             address: self.nodes()[first].args[0],
             stage,
-            registered,
-            word: format!("{name}_{}", stage + u32::from(registered)),
+            registers,
+            word: format!("{name}_{}", stage + registers),
         })
     }
 
     /// The stage from which on a node's value is there: a field's where it can be taken out of its memory's word.
     fn first_stage(&self, id: NodeId) -> u32 {
         match self.nodes()[id].op {
-            Op::Field { memory, .. } => self.read(memory).map_or(0, |read| read.stage + u32::from(read.registered)),
+            Op::Field { memory, .. } => self.read(memory).map_or(0, |read| read.stage + read.registers),
             _ => self.schedule.stage[id],
         }
     }

@@ -23,7 +23,7 @@ pub use measure::{Measured, Sweep};
 pub use layout::Layout;
 pub(crate) use lights::{FIRST_WORD, LAST_WORD};
 pub use lobe::{LobeDesign, OtherForm};
-pub use port::{Direction, Port, Role, WritePort};
+pub use port::{Direction, Port, ReadPort, Role, WritePort};
 pub use shader::ShaderDesign;
 
 use serde::Serialize;
@@ -35,7 +35,7 @@ use crate::datapath::Datapath;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
 use crate::datapath::range::{Region, regions};
-use crate::datapath::schedule::{Adders, Schedule, schedule};
+use crate::datapath::schedule::{Adders, External, Schedule, schedule};
 use crate::fixed::{Format, Rng, Table};
 use crate::platform::error::Error;
 use crate::spec::{Block, CoreSpec, RomStyle, hex};
@@ -137,7 +137,8 @@ impl Design {
     pub fn new(spec: CoreSpec) -> Result<Self, Error> {
         let (datapath, made) = Made::new(&spec)?;
         let adders = if matches!(spec.block, Block::Image(_)) { Adders::One } else { Adders::Two };
-        let schedule = schedule(&datapath.graph, spec.pipeline, adders)?;
+        let external = external(&spec, &datapath);
+        let schedule = schedule(&datapath.graph, spec.pipeline, adders, &external)?;
         let design = Self { datapath, schedule, made, spec };
         design.spec.golden_inputs.check("golden_inputs", &design.numbers(Direction::In))?;
         design.spec.light_records.check("light_records", &design.light_ports())?;
@@ -188,6 +189,14 @@ impl Design {
         let written = |(memory, table): &(usize, &Table)| table.holds_data() && layout.read(*memory).is_some();
         let tables = self.tables().iter().enumerate().filter(written);
         tables.map(|(memory, table)| WritePort::of(memory, table)).collect()
+    }
+
+    /// The ports through which memories outside of the core are read, in the memories' order; none unless the spec asks
+    /// for them.
+    #[must_use]
+    pub fn read_ports(&self) -> Vec<ReadPort> {
+        let External { memories, clocks } = &self.schedule.external;
+        memories.iter().map(|&memory| ReadPort::of(memory, &self.tables()[memory], *clocks)).collect()
     }
 
     /// Whether its HDL reads the words of its memories from files: texels are many, and never in the source.
@@ -292,6 +301,7 @@ impl Design {
         ];
         ports.extend(inputs);
         ports.extend(self.write_ports().iter().flat_map(WritePort::ports).cloned());
+        ports.extend(self.read_ports().iter().flat_map(ReadPort::ports).cloned());
         ports.push(control(Role::OutValid, &result));
         ports.extend(outputs);
         ports
@@ -373,12 +383,19 @@ impl Design {
         let crossing =
             |stage: u32| -> u32 { layout.registers(stage).iter().map(|r| layout.nodes()[r.node].format.width()).sum() };
         let word = |(memory, table): (usize, &Table)| match layout.read(memory) {
-            Some(read) if read.registered => table.word_bits(),
+            Some(read) if read.registers > 0 => table.word_bits(),
             _ => 0,
         };
         let words: u32 = self.tables().iter().enumerate().map(word).sum();
         (0..self.schedule.latency).map(crossing).sum::<u32>() + words + self.schedule.latency
     }
+}
+
+/// The memories of a datapath that lie outside of the core, as the spec has it.
+fn external(spec: &CoreSpec, datapath: &Datapath) -> External {
+    let Some(clocks) = spec.texel_latency else { return External::default() };
+    let memories = datapath.tables.iter().enumerate().filter(|(_, table)| table.holds_texels());
+    External { memories: memories.map(|(memory, _)| memory).collect(), clocks }
 }
 
 /// The ports' names with their verb, or `many` where they are more than two.

@@ -46,6 +46,44 @@ impl WritePort {
     }
 }
 
+/// The ports through which a memory outside of the core is read.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ReadPort {
+    /// The memory's place among the tables of the datapath.
+    pub memory: usize,
+    /// The address, from a register.
+    pub address: Port,
+    /// The word, into a register.
+    pub data: Port,
+}
+
+impl ReadPort {
+    /// The read port of a memory whose words come so many enabled clocks behind their addresses.
+    #[must_use]
+    pub fn of(memory: usize, table: &Table, clocks: u32) -> Self {
+        let name = table.name;
+        let port = |suffix: &str, role, bits: u32, meaning: String| Port {
+            name: format!("{name}_{suffix}"),
+            role,
+            format: Some(Format::unsigned(bits as i32, 0)),
+            meaning,
+        };
+        let later = if clocks == 1 { "clock".to_owned() } else { format!("{clocks} clocks") };
+        let word = format!("word at {name}_addr, the enabled {later} later; layout as in its files");
+        Self {
+            memory,
+            address: port("addr", Role::Address, table.address_bits, format!("address in the memory {name}")),
+            data: port("data", Role::Word, table.word_bits(), word),
+        }
+    }
+
+    /// Both ports, in the order of their declaration.
+    #[must_use]
+    pub fn ports(&self) -> [&Port; 2] {
+        [&self.address, &self.data]
+    }
+}
+
 /// Which way a port leads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
@@ -87,6 +125,10 @@ pub enum Role {
     Operand,
     /// A part of a memory's write port.
     Write,
+    /// The address in a memory outside of the core.
+    Address,
+    /// The word of a memory outside of the core.
+    Word,
     /// Whether the outputs are a result.
     OutValid,
     /// A result.
@@ -118,7 +160,11 @@ impl Role {
     /// Which way its ports lead.
     #[must_use]
     pub fn direction(self) -> Direction {
-        if matches!(self, Self::InReady | Self::OutValid | Self::Result) { Direction::Out } else { Direction::In }
+        if matches!(self, Self::InReady | Self::OutValid | Self::Result | Self::Address) {
+            Direction::Out
+        } else {
+            Direction::In
+        }
     }
 }
 
@@ -136,10 +182,16 @@ pub struct Port {
 }
 
 impl Port {
-    /// Whether it carries a number of a vector in this direction, as no write port does.
+    /// Whether it carries a number of a vector in this direction, as no memory's port does.
     #[must_use]
     pub fn carries(&self, direction: Direction) -> bool {
         matches!(self.role, Role::Index | Role::Operand | Role::Result) && self.role.direction() == direction
+    }
+
+    /// Whether it is of a memory: written through it, or outside of the core.
+    #[must_use]
+    pub fn is_memory(&self) -> bool {
+        matches!(self.role, Role::Write | Role::Address | Role::Word)
     }
 
     /// Its format, as a port table says it.

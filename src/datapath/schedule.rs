@@ -71,6 +71,24 @@ impl<'de> Deserialize<'de> for Pipeline {
     }
 }
 
+/// The memories that lie outside of the core, and when their words come.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct External {
+    /// Their places among the datapath's tables.
+    pub memories: Vec<usize>,
+    /// Enabled clocks from an address at the core's ports to its word at the core's ports, 1 at least.
+    pub clocks: u32,
+}
+
+impl External {
+    /// The registers between an address and its word in the core, for a memory that lies outside of it: those of the
+    /// memory, and the one that takes the word.
+    #[must_use]
+    pub fn registers(&self, memory: usize) -> Option<u32> {
+        self.memories.contains(&memory).then_some(self.clocks + 1)
+    }
+}
+
 /// The stage of every node, and the pipeline's depth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
@@ -80,6 +98,8 @@ pub struct Schedule {
     pub last_use: Vec<u32>,
     /// The number of stages: clocks from input to output.
     pub latency: u32,
+    /// The memories outside of the core.
+    pub external: External,
 }
 
 /// What limits a stage.
@@ -108,7 +128,10 @@ const RULES: [Rules; 8] = [
 impl Rules {
     /// Registers directly behind each memory: the fastest pipeline leaves a block RAM two of its own, the second
     /// because it is slow to give its output, and one between it and what may lie far from it, such as a DSP block.
-    fn registers_behind(&self, graph: &Graph, memory: usize) -> u32 {
+    fn registers_behind(&self, graph: &Graph, memory: usize, external: &External) -> u32 {
+        if let Some(registers) = external.registers(memory) {
+            return registers;
+        }
         let of_memory = |node: &&Node| matches!(node.op, Op::Field { memory: of, .. } if of == memory);
         let words: u32 = graph.nodes.iter().filter(of_memory).map(|node| node.format.width()).sum();
         let address = graph.nodes.iter().find(of_memory).map_or(0, |node| graph.nodes[node.args[0]].format.width());
@@ -148,8 +171,8 @@ fn delay(op: Op, adders: Adders) -> f64 {
 ///
 /// # Errors
 /// Never with [`Pipeline::Auto`]; with a depth, if registers cannot be placed to give it.
-pub fn schedule(graph: &Graph, pipeline: Pipeline, adders: Adders) -> Result<Schedule, Error> {
-    let place = |rules: Rules, extra: &[u32]| place(graph, rules, adders, extra);
+pub fn schedule(graph: &Graph, pipeline: Pipeline, adders: Adders, external: &External) -> Result<Schedule, Error> {
+    let place = |rules: Rules, extra: &[u32]| place(graph, rules, adders, extra, external);
     let no_extra = vec![0; graph.nodes.len()];
     let Pipeline::Depth(depth) = pipeline else { return Ok(place(RULES[0], &no_extra)) };
     let fits = RULES.iter().map(|&rules| place(rules, &no_extra)).find(|s| s.latency <= depth);
@@ -186,7 +209,7 @@ pub fn schedule(graph: &Graph, pipeline: Pipeline, adders: Adders) -> Result<Sch
 
 /// Puts off the reading of each memory to where the first use of its word allows, if the word is wider than its
 /// address: then the narrower of the two waits in registers.
-fn read_late(graph: &Graph, rules: Rules, stage: &mut [u32]) {
+fn read_late(graph: &Graph, rules: Rules, external: &External, stage: &mut [u32]) {
     let memory_of = |node: &Node| match node.op {
         Op::Field { memory, .. } => Some(memory),
         _ => None,
@@ -204,23 +227,29 @@ fn read_late(graph: &Graph, rules: Rules, stage: &mut [u32]) {
         let shown = reads.iter().any(|&id| graph.is_output(id));
         let Some(first) = uses.map(|id| stage[id]).min().filter(|_| word > address && !shown) else { continue };
         for id in reads {
-            stage[id] = stage[id].max(first.saturating_sub(rules.registers_behind(graph, memory)));
+            stage[id] = stage[id].max(first.saturating_sub(rules.registers_behind(graph, memory, external)));
         }
     }
 }
 
 /// As early as possible under the rules, with `extra` registers behind each node.
-fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32]) -> Schedule {
+fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32], external: &External) -> Schedule {
     let count = graph.nodes.len();
     let mut stage = vec![0u32; count];
     let mut done = vec![0.0f64; count];
     for (id, node) in graph.nodes.iter().enumerate() {
         let time = delay(node.op, adders);
+        // An address goes out of the core from a register.
+        let out = match node.op {
+            Op::Field { memory, .. } => u32::from(external.registers(memory).is_some()),
+            _ => 0,
+        };
         for &arg in &node.args {
             let from = &graph.nodes[arg];
-            let registers = extra[arg]
+            let registers = out
+                + extra[arg]
                 + match from.op {
-                    Op::Field { memory, .. } => rules.registers_behind(graph, memory),
+                    Op::Field { memory, .. } => rules.registers_behind(graph, memory, external),
                     _ => 0,
                 };
             let ready = stage[arg] + registers;
@@ -238,7 +267,7 @@ fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32]) -> Schedule
         }
         done[id] += time;
     }
-    read_late(graph, rules, &mut stage);
+    read_late(graph, rules, external, &mut stage);
     let latency = graph.outputs.iter().map(|&(_, output)| stage[output] + extra[output] + 1).max().unwrap_or(1);
     let mut last_use = stage.clone();
     for (id, node) in graph.nodes.iter().enumerate() {
@@ -255,5 +284,5 @@ fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32]) -> Schedule
     for &(_, output) in &graph.outputs {
         last_use[output] = latency;
     }
-    Schedule { stage, last_use, latency }
+    Schedule { stage, last_use, latency, external: external.clone() }
 }

@@ -44,6 +44,9 @@ use crate::fixed::Format;
 use crate::platform::error::Error;
 use crate::spec::Language;
 
+/// The port that shows the enable of the core to a memory outside of it.
+pub(super) const MEMORY_ENABLE: &str = "texels_ce";
+
 /// `high:low`, or the bit if it is one.
 fn range(low: u32, bits: u32) -> String {
     if bits == 1 { low.to_string() } else { format!("{}:{low}", low + bits - 1) }
@@ -151,8 +154,8 @@ pub struct AxisPort {
     pub bits: Option<u32>,
     /// What it is for, as the end of a sentence.
     pub meaning: String,
-    /// Whether it is a part of a write port of the core.
-    pub is_write: bool,
+    /// Whether it is of a memory of the core.
+    pub is_memory: bool,
 }
 
 /// A core's wrapper.
@@ -166,8 +169,8 @@ pub struct Axis {
     pub inputs: Packing,
     /// What `m_axis_tdata` holds; its padding is 0.
     pub outputs: Packing,
-    /// The write ports of the core, which are the wrapper's, too.
-    pub writes: Vec<Port>,
+    /// The ports of the core's memories, which are the wrapper's, too.
+    pub memories: Vec<Port>,
     /// The bits of `tuser`.
     pub tuser_bits: u32,
     /// The core's latency, and the wrapper's, in clocks at which nothing waits; of a sample of one word.
@@ -184,7 +187,7 @@ impl Axis {
     /// The wrapper `name` around what has these texts, without a header.
     #[must_use]
     pub fn of(name: String, texts: &Texts, latency: u32, tuser_bits: u32) -> Self {
-        let writes = texts.ports.iter().filter(|port| port.role == Role::Write).cloned().collect();
+        let memories = texts.ports.iter().filter(|port| port.is_memory()).cloned().collect();
         let numbers = |direction: Direction| Packing::of(texts.ports.iter().filter(|port| port.carries(direction)));
         let inputs = numbers(Direction::In);
         let lane = |name: &str| inputs.lanes.iter().find(|lane| lane.port.name == name).cloned();
@@ -194,7 +197,7 @@ impl Axis {
             words: lane(FIRST_WORD).zip(lane(LAST_WORD)).map(Into::into),
             inputs,
             outputs: numbers(Direction::Out),
-            writes,
+            memories,
             tuser_bits,
             latency,
             sequenced: texts.ports.iter().any(|port| port.role == Role::InLast),
@@ -215,7 +218,7 @@ impl Axis {
             direction,
             bits,
             meaning: meaning.to_owned(),
-            is_write: false,
+            is_memory: false,
         };
         let (input, output) = (Direction::In, Direction::Out);
         let [tlast, shown_tlast, shown_tuser] = if self.sequenced {
@@ -241,14 +244,17 @@ impl Axis {
             port("s_axis_tlast", input, None, tlast),
             port("s_axis_tuser", input, Some(self.tuser_bits), "goes with the beat"),
         ];
-        let write = |write: &Port| AxisPort {
-            name: write.name.clone(),
-            direction: write.role.direction(),
-            bits: write.format.map(Format::width),
-            meaning: write.meaning.replace("ce and rst are", "the stream does"),
-            is_write: true,
+        let of_memory = |port: &Port| AxisPort {
+            name: port.name.clone(),
+            direction: port.role.direction(),
+            bits: port.format.map(Format::width),
+            meaning: port.meaning.replace("ce and rst are", "the stream does"),
+            is_memory: true,
         };
-        ports.extend(self.writes.iter().map(write));
+        if self.reads_outside() {
+            ports.push(port(MEMORY_ENABLE, output, None, "clock enable of the memory outside: 0 freezes it"));
+        }
+        ports.extend(self.memories.iter().map(of_memory));
         ports.extend([
             port("m_axis_tdata", output, Some(self.outputs.tdata_bits()), "the core's outputs, packed"),
             port("m_axis_tvalid", output, None, "a beat is there; it stays until it is taken"),
@@ -259,10 +265,17 @@ impl Axis {
         ports
     }
 
-    /// The write ports with their bits.
+    /// Whether the core reads a memory outside of it.
     #[must_use]
-    pub fn write_ports(&self) -> Vec<(&str, u32)> {
-        self.writes.iter().map(|port| (port.name.as_str(), port.format.map_or(1, Format::width))).collect()
+    pub fn reads_outside(&self) -> bool {
+        self.memories.iter().any(|port| port.role == Role::Address)
+    }
+
+    /// The inputs of memories with their bits.
+    #[must_use]
+    pub fn memory_inputs(&self) -> Vec<(&str, u32)> {
+        let inputs = self.memories.iter().filter(|port| port.role.direction() == Direction::In);
+        inputs.map(|port| (port.name.as_str(), port.format.map_or(1, Format::width))).collect()
     }
 
     /// The bits of tuser for every stage.
@@ -330,7 +343,7 @@ impl Axis {
     /// A name of the core's ports, followed by spaces up to the length of the longest.
     fn padded(&self, name: &str) -> String {
         let lanes = self.inputs.lanes.iter().chain(&self.outputs.lanes).map(|lane| &lane.port);
-        let width = lanes.chain(&self.writes).map(|port| port.name.len()).fold("out_valid".len(), usize::max);
+        let width = lanes.chain(&self.memories).map(|port| port.name.len()).fold("out_valid".len(), usize::max);
         format!("{name:<width$}")
     }
 
@@ -356,7 +369,7 @@ impl Axis {
             Language::Vhdl => {
                 let width = ports.iter().map(|port| port.name.len()).max().unwrap_or(0);
                 let declaration = |port: &AxisPort| {
-                    let vector = if port.is_write { texts.vhdl_ports.vector("unsigned") } else { "std_logic_vector" };
+                    let vector = if port.is_memory { texts.vhdl_ports.vector("unsigned") } else { "std_logic_vector" };
                     let kind =
                         port.bits.map_or("std_logic".to_owned(), |bits| format!("{vector}({} downto 0)", bits - 1));
                     (port.meaning.clone(), format!("{:<width$} : {:<3} {kind}", port.name, port.direction.word()))

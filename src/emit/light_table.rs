@@ -8,7 +8,7 @@ use askama::Template;
 
 use super::axis::{Lane, Packing};
 use super::{Connected, Declaration, Port, Sequencer, Texts, names, render, verilog, vhdl};
-use crate::core::{Direction, Role};
+use crate::core::Direction;
 use crate::platform::error::Error;
 use crate::spec::Language;
 
@@ -37,7 +37,7 @@ pub struct LightTable {
     pub record: Packing,
     /// The ports of a sample that are no light's.
     pub sample: Vec<Connected>,
-    /// The write ports of other memories.
+    /// The ports of other memories.
     passed: Vec<String>,
 }
 
@@ -55,7 +55,7 @@ impl LightTable {
     ) -> Self {
         let is_own = |port: &&Port| ports.iter().any(|own| own.name == port.name);
         let inputs = || core.ports.iter().filter(|port| port.carries(Direction::In));
-        let passed = core.ports.iter().filter(|port| port.role == Role::Write);
+        let passed = core.ports.iter().filter(|port| port.is_memory());
         Self {
             name,
             header: Vec::new(),

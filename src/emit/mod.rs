@@ -6,6 +6,7 @@
 
 mod axis;
 mod c;
+mod external;
 mod light_table;
 pub(crate) mod markdown;
 mod names;
@@ -18,11 +19,12 @@ mod vhdl;
 
 pub use axis::{Axis, AxisPort, Lane, Packing};
 pub use c::LightFunction;
+pub use external::{ExternalMemory, ExternalPart};
 pub use light_table::LightTable;
 pub use sequencer::{Connected, Sequencer};
 pub use testbench::{Wrapper, test_bench};
 
-use crate::core::{Direction, Layout, Port, Role, WritePort};
+use crate::core::{Direction, Layout, Port, ReadPort, Role, WritePort};
 use crate::platform::error::Error;
 use crate::spec::{Language, MAX_ROWS, VhdlPorts};
 
@@ -45,6 +47,8 @@ pub struct Texts {
     /// The ports through which memories are written, if they are, each with the file of the memory's words; all of them
     /// are among `ports`.
     pub writes: Vec<(WritePort, RomFile)>,
+    /// The ports through which memories outside of the core are read; all of them are among `ports`.
+    pub reads: Vec<ReadPort>,
 }
 
 /// A file that a memory is read from.
@@ -69,6 +73,12 @@ impl Texts {
     #[must_use]
     pub fn write_port(&self, memory: usize) -> Option<&WritePort> {
         self.writes.iter().map(|(port, _)| port).find(|port| port.memory == memory)
+    }
+
+    /// The ports through which a memory outside of the core is read; by its place among the tables.
+    #[must_use]
+    pub fn read_port(&self, memory: usize) -> Option<&ReadPort> {
+        self.reads.iter().find(|port| port.memory == memory)
     }
 }
 

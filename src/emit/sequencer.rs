@@ -9,7 +9,7 @@ use askama::Template;
 use super::{Declaration, Port, Texts, names, render, verilog, vhdl};
 use crate::block::CHANNELS;
 use crate::block::lights::Sums;
-use crate::core::Direction;
+use crate::core::{Direction, Role};
 use crate::fixed::Format;
 use crate::platform::error::Error;
 use crate::spec::{Language, VhdlPorts};
@@ -66,6 +66,8 @@ pub struct Sequencer {
     pub latency: u32,
     inputs: Vec<Connected>,
     outputs: Vec<Connected>,
+    /// The addresses in memories outside of the core.
+    addresses: Vec<Connected>,
 }
 
 /// A channel in the templates.
@@ -83,8 +85,10 @@ impl Sequencer {
     #[must_use]
     pub fn new(name: String, core: &Texts, ports: Vec<Port>, sums: Sums, [core_latency, latency]: [u32; 2]) -> Self {
         let outputs = core.ports.iter().filter(|port| port.carries(Direction::Out));
-        // Write ports as well.
-        let inputs = core.ports.iter().filter(|port| port.role.name().is_none() && !port.carries(Direction::Out));
+        // Those of memories as well.
+        let is_input = |port: &&Port| port.role.name().is_none() && port.role.direction() == Direction::In;
+        let inputs = core.ports.iter().filter(is_input);
+        let addresses = core.ports.iter().filter(|port| port.role == Role::Address);
         Self {
             name,
             header: Vec::new(),
@@ -94,6 +98,7 @@ impl Sequencer {
             latency,
             inputs: inputs.map(Connected::of).collect(),
             outputs: outputs.map(Connected::of).collect(),
+            addresses: addresses.map(Connected::of).collect(),
         }
     }
 
@@ -101,6 +106,12 @@ impl Sequencer {
     #[must_use]
     pub fn driven(&self) -> &[Connected] {
         &self.inputs
+    }
+
+    /// The ports that lead through it from the core.
+    #[must_use]
+    pub fn addresses(&self) -> &[Connected] {
+        &self.addresses
     }
 
     /// What comes out of the core, but for its valid.
@@ -130,8 +141,13 @@ impl Sequencer {
 
     /// A name of the core's ports, followed by spaces up to the length of the longest.
     fn padded(&self, name: &str) -> String {
-        let width =
-            self.inputs.iter().chain(&self.outputs).map(|port| port.name.len()).fold("out_valid".len(), usize::max);
+        let width = self
+            .inputs
+            .iter()
+            .chain(&self.outputs)
+            .chain(&self.addresses)
+            .map(|port| port.name.len())
+            .fold("out_valid".len(), usize::max);
         format!("{name:<width$}")
     }
 

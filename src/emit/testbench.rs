@@ -2,7 +2,10 @@
 
 use askama::Template;
 
-use super::{Axis, Direction, Lane, Layout, LightTable, Port, RomFile, Sequencer, Texts, WritePort, names, render};
+use super::{
+    Axis, Direction, ExternalMemory, Lane, Layout, LightTable, Port, RomFile, Sequencer, Texts, WritePort, names,
+    render,
+};
 use crate::block::CHANNELS;
 use crate::block::lights::Sums;
 use crate::core::golden::Vector;
@@ -148,6 +151,8 @@ struct Bench<'a> {
     rom_files: &'a [RomFile],
     /// The memories that the bench writes.
     writes: Vec<BenchWrite<'a>>,
+    /// The memory outside of the core, if there is one.
+    memory: Option<&'a ExternalMemory>,
     /// The codes of the ports of vectors for memories that hold the words' complements, as hexadecimal literals.
     complemented: Vec<String>,
     golden: &'a str,
@@ -172,6 +177,11 @@ impl Bench<'_> {
     /// The memories that are written from files of which the core itself knows nothing.
     fn written_files(&self) -> &[BenchWrite<'_>] {
         if self.rom_files.is_empty() { &self.writes } else { &[] }
+    }
+
+    /// What reads files beside the core: the memory outside.
+    fn memory_files(&self) -> Vec<&RomFile> {
+        self.memory.iter().flat_map(|memory| memory.parts.iter().map(|part| &part.file)).collect()
     }
 
     /// The inputs and then the outputs.
@@ -308,7 +318,8 @@ fn literals(language: Language, ports: &[&BenchPort], vector: &Vector) -> String
 }
 
 /// The test bench of a core in a language; `golden` is the path of its vectors, relative to the core's directory. For a
-/// core whose memories can be written, `complemented` are some vectors with the outputs for the words' complements.
+/// core whose memories can be written, `complemented` are some vectors with the outputs for the words' complements;
+/// `memory` is what a core reads outside of it.
 ///
 /// # Errors
 /// If the template cannot be filled in.
@@ -319,6 +330,7 @@ pub fn test_bench(
     golden: &str,
     complemented: &[Vector],
     wrapper: Wrapper,
+    memory: Option<&ExternalMemory>,
 ) -> Result<String, Error> {
     let (sequencer, table, axis) = match wrapper {
         Wrapper::None => (None, None, None),
@@ -354,6 +366,7 @@ pub fn test_bench(
         header,
         rom_files: &texts.rom_files,
         writes: texts.writes.iter().map(write).collect(),
+        memory,
         complemented,
         golden,
         vhdl_ports: texts.vhdl_ports,

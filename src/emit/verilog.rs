@@ -3,7 +3,7 @@
 use askama::Template;
 use num_bigint::BigUint;
 
-use super::{Backend, Declaration, Direction, Layout, Port, Texts, WritePort, continued, names, render};
+use super::{Backend, Declaration, Direction, Layout, Port, ReadPort, Texts, WritePort, continued, names, render};
 use crate::datapath::graph::{NodeId, Op, clamped_from};
 use crate::fixed::Format;
 use crate::platform::error::Error;
@@ -38,6 +38,8 @@ struct MemoryText<'a> {
     parameter: Option<String>,
     /// The ports through which it is written, if it is.
     write: Option<&'a WritePort>,
+    /// The ports through which it is read, if it lies outside of the core.
+    outside: Option<&'a ReadPort>,
     rows: Vec<(String, String)>,
 }
 
@@ -296,7 +298,8 @@ fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory
                 range: range(Format::unsigned(table.word_bits() as i32, 0)),
                 address: layout.name(read.address, stage),
                 depth: table.depth(),
-                registered: read.registered,
+                registered: read.registers > 0,
+                outside: texts.read_port(memory),
                 parameter: texts.rom_file(table.name).map(|file| file.parameter.clone()),
                 write,
                 rows: (0..table.depth()).map(row).collect(),

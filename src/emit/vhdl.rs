@@ -3,7 +3,7 @@
 use askama::Template;
 use num_bigint::BigUint;
 
-use super::{Backend, Declaration, Layout, Port, Texts, WritePort, continued, names, render};
+use super::{Backend, Declaration, Layout, Port, ReadPort, Texts, WritePort, continued, names, render};
 use crate::core::layout::Register;
 use crate::datapath::graph::{NodeId, Op, clamped_from};
 use crate::fixed::Format;
@@ -37,6 +37,8 @@ struct MemoryText<'a> {
     address: String,
     depth: usize,
     registered: bool,
+    /// The ports through which it is read, if it lies outside of the core.
+    outside: Option<&'a ReadPort>,
     /// The generic that names its file, if it is read from one.
     generic: Option<String>,
     /// The ports through which it is written, if it is.
@@ -93,8 +95,15 @@ struct Core<'a> {
 impl Core<'_> {
     /// The address that is written, as a number.
     fn write_address(&self, write: &WritePort) -> String {
-        let name = &write.address.name;
-        if self.texts.vhdl_ports == VhdlPorts::StdLogic { format!("unsigned({name})") } else { name.clone() }
+        port_number(&write.address.name, self.texts.vhdl_ports)
+    }
+
+    /// An address as a port shows it.
+    fn read_address(&self, address: &str) -> String {
+        match self.texts.vhdl_ports {
+            VhdlPorts::StdLogic => format!("std_logic_vector({address})"),
+            VhdlPorts::Numeric => address.to_owned(),
+        }
     }
 
     /// Whether the memory is the first that is written, in the order of the text.
@@ -102,6 +111,11 @@ impl Core<'_> {
         let mut memories = self.stages.iter().flat_map(|stage| &stage.memories);
         memories.find(|memory| memory.write.is_some()).is_some_and(|memory| memory.name == name)
     }
+}
+
+/// What a port of unsigned codes has, as a number.
+pub(super) fn port_number(port: &str, types: VhdlPorts) -> String {
+    if types == VhdlPorts::StdLogic { format!("unsigned({port})") } else { port.to_owned() }
 }
 
 struct Writer<'a> {
@@ -358,7 +372,8 @@ fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory
                 digit_bits: 4 * table.word_bits().div_ceil(4),
                 address: layout.name(read.address, stage),
                 depth: table.depth(),
-                registered: read.registered,
+                registered: read.registers > 0,
+                outside: texts.read_port(memory),
                 generic: texts.rom_file(table.name).map(|file| file.parameter.clone()),
                 write: texts.write_port(memory),
                 chunks: (0..table.word_bits().div_ceil(32) as usize).map(chunk).collect(),

@@ -80,8 +80,9 @@ impl Shape {
             }
         }
         for (memory, table) in design.tables().iter().enumerate() {
-            if let Some(read) = layout.read(memory) {
-                let (depth, word, registered) = (table.depth() as u32, table.word_bits(), read.registered);
+            let is_own = design.schedule.external.registers(memory).is_none();
+            if let Some(read) = layout.read(memory).filter(|_| is_own) {
+                let (depth, word, registered) = (table.depth() as u32, table.word_bits(), read.registers > 0);
                 shape.memories.push(MemorySize { depth, word, registered });
             }
         }

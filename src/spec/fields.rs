@@ -156,6 +156,11 @@ method_keys! { keys! {
     #[arg(help_heading = "Image-based block")]
     texels: TexelMemory where "image-based blocks",
 
+    /// Enabled clocks from the address of an external texel at the core's ports to the texel there, 1 to 32 [default:
+    /// 2]
+    #[arg(help_heading = "Image-based block", value_name = "CLOCKS")]
+    texel_latency: u32 where "image-based blocks",
+
     /// A named material, NAME=SHININESS; repeat for more. `in_n` is their index
     #[arg(value_name = "NAME=SHININESS")]
     material: Vec<Material>,

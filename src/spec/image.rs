@@ -4,8 +4,8 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 use super::image_size::PictureBudget;
-use super::{Block, BlockKind, ReflectanceFields, RomStyle, ShaderFields, SpecFields};
-use crate::block::image::{IMAGES, Image, ImageForm, ImageSpec, TexelMemory};
+use super::{Block, BlockKind, CoreSpec, ReflectanceFields, RomStyle, ShaderFields, SpecFields};
+use crate::block::image::{IMAGES, Image, ImageForm, ImageSpec, TEXEL_LATENCY, TexelMemory};
 use crate::block::lights::DEFAULT_MOST_LIGHTS;
 use crate::block::shader::{CHANNEL_BITS, VECTOR_FRACTION};
 use crate::method::keys::Fields;
@@ -41,6 +41,8 @@ const OF_ALL: [&str; 9] = [
     "tuser_bits",
     "golden_inputs",
 ];
+/// When texels outside of the core come where nothing is said: as from a block RAM with a register at its output.
+const DEFAULT_TEXEL_LATENCY: u32 = 2;
 /// The bits before the point of a vector's component, its sign included.
 const BEFORE_POINT: u32 = 2;
 
@@ -61,7 +63,7 @@ impl SpecFields {
             None => Ok(()),
             Some(key) if key.name == "rom" => Err(Error::input(
                 "rom is given for an image-based block",
-                "its memories hold texels: texels = \"rom\" or \"writable\"",
+                "its memories hold texels: texels = \"rom\", \"writable\" or \"external\"",
             )),
             Some(key) if is_image => Err(Error::input(
                 format!("{} is given for an image-based block", key.flag().replace('-', "_")),
@@ -158,8 +160,20 @@ impl SpecFields {
         }
     }
 
+    /// When texels come that lie outside of the core.
+    pub(super) fn resolved_texel_latency(&self) -> Result<Option<u32>, Error> {
+        let is_external = self.texels == Some(TexelMemory::External);
+        refuse!(
+            self.texel_latency.is_some() && !is_external,
+            "texel_latency is given for texels in the core",
+            "give texels = \"external\" as well, or leave texel_latency out"
+        );
+        let clocks = self.texel_latency.unwrap_or(DEFAULT_TEXEL_LATENCY);
+        is_external.then(|| within("texel_latency", clocks, TEXEL_LATENCY)).transpose()
+    }
+
     /// With what an image-based block is given.
-    pub(super) fn with_image(self, ImageSpec { image, source, exposure }: &ImageSpec, rom: RomStyle) -> Self {
+    pub(super) fn with_image(self, ImageSpec { image, source, exposure }: &ImageSpec, spec: &CoreSpec) -> Self {
         let mut octaves = None;
         let mut angles = None;
         let (form, images) = match &image.form {
@@ -189,7 +203,12 @@ impl SpecFields {
             output_bits: Some(image.channel_bits),
             lights_a_clock: Some(image.lights),
             most_lights: Some(image.most_lights),
-            texels: Some(if rom == RomStyle::Writable { TexelMemory::Writable } else { TexelMemory::Rom }),
+            texels: Some(match (spec.texel_latency, spec.rom) {
+                (Some(_), _) => TexelMemory::External,
+                (None, RomStyle::Writable) => TexelMemory::Writable,
+                (None, _) => TexelMemory::Rom,
+            }),
+            texel_latency: spec.texel_latency,
             reflectance: ReflectanceFields::of(source, *exposure),
             ..self
         }

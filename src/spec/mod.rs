@@ -132,6 +132,8 @@ pub struct CoreSpec {
     pub block: Block,
     /// Where the HDL finds the coefficients.
     pub rom: RomStyle,
+    /// Enabled clocks from a texel's address to the texel where an image-based block's texels lie outside of the core.
+    pub texel_latency: Option<u32>,
     /// The ROM files that are written beside the HDL; always holds [`RomFormat::Mem`].
     pub rom_formats: Vec<RomFormat>,
     /// The pipeline's depth.

@@ -30,6 +30,7 @@ impl SpecFields {
         let axi_stream = self.resolved_axi_stream()?;
         let light_source = self.resolved_light_source(&block)?;
         let rom = self.resolved_rom(&block);
+        let texel_latency = self.resolved_texel_latency()?;
         let name = self.name.unwrap_or(default_name);
         check_name(&name)?;
         let languages = resolved_languages(self.languages)?;
@@ -48,6 +49,7 @@ impl SpecFields {
             name,
             block,
             rom,
+            texel_latency,
             rom_formats,
             pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
             languages,
@@ -243,7 +245,7 @@ impl SpecFields {
                 Self { operand: Some(operand), input_range, ..common }.with_lobe(lobe)
             }
             Block::Shader(lobe, _) => common.with_lobe(lobe),
-            Block::Image(image) => common.with_image(image, spec.rom),
+            Block::Image(image) => common.with_image(image, spec),
         }
     }
 

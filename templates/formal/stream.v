@@ -11,7 +11,7 @@ module stream (
     input wire s_tvalid,
     input wire s_tlast,
     input wire [{{ axis.tuser_bits - 1 }}:0] s_tuser,
-{%- for port in axis.write_ports() %}
+{%- for port in axis.memory_inputs() %}
     input wire [{{ port.1 - 1 }}:0] {{ port.0 }},
 {%- endfor %}
     input wire m_tready,
@@ -33,7 +33,7 @@ module stream (
         .s_axis_tready(s_tready),
         .s_axis_tlast(s_tlast),
         .s_axis_tuser(s_tuser),
-{%- for port in axis.write_ports() %}
+{%- for port in axis.memory_inputs() %}
         .{{ port.0 }}({{ port.0 }}),
 {%- endfor %}
         .m_axis_tdata(m_tdata),

@@ -19,6 +19,11 @@ module {{ axis.name }}_tb;
     // The words that are written to the memory {{ write.memory }}, relative to the current directory.
     parameter {{ write.file.parameter }} = "{{ write.file.path }}";
 {%- endfor %}
+{%- for file in bench.memory_files() %}
+
+    // The words of the memory {{ file.memory }} outside of the core, relative to the current directory.
+    parameter {{ file.parameter }} = "{{ file.path }}";
+{%- endfor %}
 
     // --------------------------------------------------------------------- the wrapper
     localparam BEAT = {{ axis.wide_beat_bits() }}; // bits of tuser, tlast and tdata of a result
@@ -39,6 +44,15 @@ module {{ axis.name }}_tb;
     reg  lights_en = 1'b0;
     reg  [{{ table.address_bits - 1 }}:0] lights_addr = 0;
     reg  [{{ table.word_bits - 1 }}:0] lights_data = 0;
+{%- endif %}
+{%- if bench.memory.is_some() %}
+    wire texels_ce;
+{%- endif %}
+{%- if let Some(memory) = bench.memory %}
+{%- for part in memory.parts %}
+    wire [{{ part.address_bits - 1 }}:0] {{ part.port.address.name }};
+    wire [{{ part.bits - 1 }}:0] {{ part.port.data.name }};
+{%- endfor %}
 {%- endif %}
     wire [{{ axis.outputs.tdata_bits() - 1 }}:0] m_axis_tdata;
     wire m_axis_tvalid;
@@ -68,12 +82,24 @@ module {{ axis.name }}_tb;
         .lights_addr(lights_addr),
         .lights_data(lights_data),
 {%- endif %}
+{%- if bench.memory.is_some() %}
+        .texels_ce(texels_ce),
+{%- endif %}
+{%- if let Some(memory) = bench.memory %}
+{%- for part in memory.parts %}
+        .{{ part.port.address.name }}({{ part.port.address.name }}),
+        .{{ part.port.data.name }}({{ part.port.data.name }}),
+{%- endfor %}
+{%- endif %}
         .m_axis_tdata(m_axis_tdata),
         .m_axis_tvalid(m_axis_tvalid),
         .m_axis_tready(m_axis_tready),
         .m_axis_tlast(m_axis_tlast),
         .m_axis_tuser(m_axis_tuser)
     );
+
+{%- let (clock, enable) = ("aclk", "texels_ce") %}
+{%- include "testbench/memory_instance.v" %}
 
     wire [BEAT-1:0] shown = {m_axis_tuser, m_axis_tlast, m_axis_tdata};
 

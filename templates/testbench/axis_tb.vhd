@@ -16,6 +16,10 @@ entity {{ axis.name }}_tb is
         -- The words that are written to the memory {{ write.memory }}, relative to the current directory.
         {{ write.file.parameter }} : string := "{{ write.file.path }}";
 {%- endfor %}
+{%- for file in bench.memory_files() %}
+        -- The words of the memory {{ file.memory }} outside of the core, relative to the current directory.
+        {{ file.parameter }} : string := "{{ file.path }}";
+{%- endfor %}
         -- The vector file.
         GOLDEN : string := "{{ bench.golden }}"
     );
@@ -53,6 +57,15 @@ architecture bench of {{ axis.name }}_tb is
     signal lights_addr : std_logic_vector({{ table.address_bits - 1 }} downto 0) := (others => '0');
     signal lights_data : std_logic_vector({{ table.word_bits - 1 }} downto 0) := (others => '0');
 {%- endif %}
+{%- if bench.memory.is_some() %}
+    signal texels_ce     : std_logic;
+{%- endif %}
+{%- if let Some(memory) = bench.memory %}
+{%- for part in memory.parts %}
+    signal {{ part.port.address.name }} : {{ bench.vector("unsigned") }}({{ part.address_bits - 1 }} downto 0);
+    signal {{ part.port.data.name }} : {{ bench.vector("unsigned") }}({{ part.bits - 1 }} downto 0);
+{%- endfor %}
+{%- endif %}
     signal m_axis_tdata  : output_word;
     signal m_axis_tvalid : std_logic;
     signal m_axis_tready : std_logic := '0';
@@ -88,12 +101,23 @@ begin
             lights_addr => {{ bench.driven("unsigned", "lights_addr") }},
             lights_data => {{ bench.driven("unsigned", "lights_data") }},
 {%- endif %}
+{%- if bench.memory.is_some() %}
+            texels_ce => texels_ce,
+{%- endif %}
+{%- if let Some(memory) = bench.memory %}
+{%- for part in memory.parts %}
+            {{ part.port.address.name }} => {{ part.port.address.name }},
+            {{ part.port.data.name }} => {{ part.port.data.name }},
+{%- endfor %}
+{%- endif %}
             m_axis_tdata  => m_axis_tdata,
             m_axis_tvalid => m_axis_tvalid,
             m_axis_tready => m_axis_tready,
             m_axis_tlast  => m_axis_tlast,
             m_axis_tuser  => m_axis_tuser
         );
+{%- let (clock, enable) = ("aclk", "texels_ce") %}
+{%- include "testbench/memory_instance.vhd" %}
 
     beat <= m_axis_tuser & m_axis_tlast & m_axis_tdata;
 

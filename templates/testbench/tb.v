@@ -21,6 +21,11 @@ module {{ bench.name }}_tb;
     // The words that are written to the memory {{ write.memory }}, relative to the current directory.
     parameter {{ write.file.parameter }} = "{{ write.file.path }}";
 {%- endfor %}
+{%- for file in bench.memory_files() %}
+
+    // The words of the memory {{ file.memory }} outside of the core, relative to the current directory.
+    parameter {{ file.parameter }} = "{{ file.path }}";
+{%- endfor %}
 
     // ------------------------------------------------------------------ the core
     reg  {{ bench.ranged("") }} {{ bench.padded("clk") }} = 1'b0;
@@ -47,6 +52,12 @@ module {{ bench.name }}_tb;
     reg  [{{ write.address_bits - 1 }}:0] {{ write.address }} = 0;
     reg  [{{ write.data_bits - 1 }}:0] {{ write.data }} = 0;
 {%- endfor %}
+{%- if let Some(memory) = bench.memory %}
+{%- for part in memory.parts %}
+    wire [{{ part.address_bits - 1 }}:0] {{ part.port.address.name }};
+    wire [{{ part.bits - 1 }}:0] {{ part.port.data.name }};
+{%- endfor %}
+{%- endif %}
     wire {{ bench.ranged("") }} out_valid;
 {%- for port in bench.results %}
     wire {{ bench.ranged(port.range) }} {{ port.name }};
@@ -81,11 +92,19 @@ module {{ bench.name }}_tb;
         .{{ write.address }}({{ write.address }}),
         .{{ write.data }}({{ write.data }}),
 {%- endfor %}
+{%- if let Some(memory) = bench.memory %}
+{%- for part in memory.parts %}
+        .{{ part.port.address.name }}({{ part.port.address.name }}),
+        .{{ part.port.data.name }}({{ part.port.data.name }}),
+{%- endfor %}
+{%- endif %}
         .out_valid(out_valid),
 {%- for port in bench.results %}
         .{{ port.name }}({{ port.name }}){% if !loop.last %},{% endif %}
 {%- endfor %}
     );
+{%- let (clock, enable) = ("clk", "ce") %}
+{%- include "testbench/memory_instance.v" %}
 
 {% include "testbench/vector_state.v" %}
 

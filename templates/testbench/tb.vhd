@@ -16,6 +16,10 @@ entity {{ bench.name }}_tb is
         -- The words that are written to the memory {{ write.memory }}, relative to the current directory.
         {{ write.file.parameter }} : string := "{{ write.file.path }}";
 {%- endfor %}
+{%- for file in bench.memory_files() %}
+        -- The words of the memory {{ file.memory }} outside of the core, relative to the current directory.
+        {{ file.parameter }} : string := "{{ file.path }}";
+{%- endfor %}
         -- The vector file.
         GOLDEN : string := "{{ bench.golden }}"
     );
@@ -54,6 +58,12 @@ architecture bench of {{ bench.name }}_tb is
     signal {{ write.address }} : std_logic_vector({{ write.address_bits - 1 }} downto 0) := (others => '0');
     signal {{ write.data }} : std_logic_vector({{ write.data_bits - 1 }} downto 0) := (others => '0');
 {%- endfor %}
+{%- if let Some(memory) = bench.memory %}
+{%- for part in memory.parts %}
+    signal {{ part.port.address.name }} : {{ bench.vector("unsigned") }}({{ part.address_bits - 1 }} downto 0);
+    signal {{ part.port.data.name }} : {{ bench.vector("unsigned") }}({{ part.bits - 1 }} downto 0);
+{%- endfor %}
+{%- endif %}
     signal {{ bench.padded("out_valid") }} : std_logic;
 {%- for port in bench.results %}
     signal {{ bench.padded(port.name) }} : {{ bench.vector(port.sign()) }}({{ port.bits - 1 }} downto 0);
@@ -94,11 +104,19 @@ begin
             {{ write.address }} => {{ bench.driven("unsigned", write.address) }},
             {{ write.data }} => {{ bench.driven("unsigned", write.data) }},
 {%- endfor %}
+{%- if let Some(memory) = bench.memory %}
+{%- for part in memory.parts %}
+            {{ part.port.address.name }} => {{ part.port.address.name }},
+            {{ part.port.data.name }} => {{ part.port.data.name }},
+{%- endfor %}
+{%- endif %}
             {{ bench.padded("out_valid") }} => out_valid,
 {%- for port in bench.results %}
             {{ bench.padded(port.name) }} => {{ port.name }}{% if !loop.last %},{% endif %}
 {%- endfor %}
         );
+{%- let (clock, enable) = ("clk", "ce") %}
+{%- include "testbench/memory_instance.vhd" %}
 
     run : process is
 

@@ -39,7 +39,7 @@ module {{ axis.name }}
 {%- for lane in axis.inputs.lanes %}
         .{{ axis.padded(lane.port.name) }} (s_axis_tdata[{{ lane.range() }}]),
 {%- endfor %}
-{%- for port in axis.writes %}
+{%- for port in axis.memories %}
         .{{ axis.padded(port.name) }} ({{ port.name }}),
 {%- endfor %}
         .{{ axis.padded("out_valid") }} (out_valid),
@@ -101,6 +101,9 @@ module {{ axis.name }}
     // 0 while there is no beat: until one has passed them, the core's registers are unknown.
     wire [{{ axis.beat_bits() - 1 }}:0] shown =
         skid_valid ? skid : out_valid ? beat : {{ axis.beat_bits() }}'d0;
+{%- if axis.reads_outside() %}
+    assign texels_ce = ready;
+{%- endif %}
     assign s_axis_tready = ready{% if axis.takes_samples() %} & in_ready{% endif %};
     assign m_axis_tvalid = skid_valid | out_valid;
     assign m_axis_tdata = {% if axis.outputs.padding() > 0 %}{ {{- axis.outputs.padding() }}'d0, shown[{{ axis.outputs.bits - 1 }}:0]}{% else %}shown[{{ axis.outputs.bits - 1 }}:0]{% endif %};

@@ -27,7 +27,7 @@ module {{ texts.name }}
 
     // ===== Stage {{ stage.index }}: {{ stage.heading }}
 {%- for memory in stage.memories %}
-    // The word of the memory {{ memory.name }}, of {{ memory.depth }} words.
+    // The word of the memory {{ memory.name }}{% if memory.outside.is_some() %} outside of the core{% endif %}, of {{ memory.depth }} words.
     {% if memory.in_array() && !memory.registered %}wire{% else %}reg{% endif %} {{ memory.range }}{{ memory.word }};
 {%- endfor %}
 {%- for wire in stage.wires %}
@@ -35,7 +35,12 @@ module {{ texts.name }}
     wire {{ wire.range }}{{ wire.name }} ={{ wire.expression }};
 {%- endfor %}
 {%- for memory in stage.memories %}
-{%- if memory.in_array() %}
+{%- if let Some(outside) = memory.outside %}
+    assign {{ outside.address.name }} = {{ memory.address }};
+    always @(posedge clk) begin
+        if (ce) {{ memory.word }} <= {{ outside.data.name }};
+    end
+{%- else if memory.in_array() %}
 {%- if let Some(write) = memory.write %}
     // What is read from an address at the edge at which it is written is not defined: the attribute
     // spares the logic that would make it so.

@@ -62,7 +62,7 @@ begin
 {%- for lane in axis.inputs.lanes %}
             {{ axis.padded(lane.port.name) }} => {{ lane.of_bits("s_axis_tdata", texts) }},
 {%- endfor %}
-{%- for port in axis.writes %}
+{%- for port in axis.memories %}
             {{ axis.padded(port.name) }} => {{ port.name }},
 {%- endfor %}
             {{ axis.padded("out_valid") }} => out_valid,
@@ -140,6 +140,9 @@ begin
     shown <= skid when skid_valid = '1' else
              beat when out_valid = '1' else
              (others => '0');
+{%- if axis.reads_outside() %}
+    texels_ce     <= ready;
+{%- endif %}
     s_axis_tready <= ready{% if axis.takes_samples() %} and in_ready{% endif %};
     m_axis_tvalid <= valid;
     m_axis_tdata  <= {% if axis.outputs.padding() > 0 %}({{ axis.outputs.padding() - 1 }} downto 0 => '0') & {% endif %}shown({{ axis.outputs.bits - 1 }} downto 0);

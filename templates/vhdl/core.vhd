@@ -23,8 +23,9 @@ architecture rtl of {{ texts.name }} is
 
 {%- for stage in stages %}
 {%- for memory in stage.memories %}
-    -- ===== The memory {{ memory.name }}
-{%- if let Some(generic) = memory.generic %}
+    -- ===== The memory {{ memory.name }}{% if memory.outside.is_some() %} outside of the core{% endif %}
+{%- if memory.outside.is_some() %}
+{%- else if let Some(generic) = memory.generic %}
     type {{ memory.name }}_t is array ({{ memory.depth - 1 }} downto 0) of
         std_logic_vector({{ memory.bits - 1 }} downto 0);
 
@@ -136,12 +137,17 @@ begin
         end if;
     end process;
 {%- endif %}
+{%- if let Some(outside) = memory.outside %}
+    {{ outside.address.name }} <= {{ self.read_address(memory.address) }};
+{%- endif %}
 {%- if memory.registered %}
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-{%- if let Some(array) = memory.array() %}
+{%- if let Some(outside) = memory.outside %}
+                {{ memory.word }} <= std_logic_vector({{ outside.data.name }});
+{%- else if let Some(array) = memory.array() %}
                 {{ memory.word }} <= {{ array }}(to_integer({{ memory.address }}));
 {%- else %}
 {%- for chunk in memory.chunks %}

@@ -45,7 +45,7 @@ begin
             {{ sequencer.padded("rst") }} => rst,
             {{ sequencer.padded("ce") }} => ce,
             {{ sequencer.padded("in_valid") }} => in_valid,
-{%- for port in sequencer.driven() %}
+{%- for port in sequencer.driven().iter().chain(sequencer.addresses()) %}
             {{ sequencer.padded(port.name) }} => {{ port.name }},
 {%- endfor %}
             {{ sequencer.padded("out_valid") }} => sum_valid,

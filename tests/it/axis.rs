@@ -169,7 +169,7 @@ fn the_wrappers_outputs_are_known_from_reset_on() {
         let axis = package::axis(&core.design).expect("a wrapper");
         let name = &core.design.spec.name;
         let watch = |text: &str, writes: [&str; 3]| {
-            let ports = axis.writes.chunks(3).map(|ports| {
+            let ports = axis.memories.chunks(3).map(|ports| {
                 let port = |(port, to): (&brdfgen::core::Port, &str)| to.replace("PORT", &port.name);
                 ports.iter().zip(writes).map(port).collect::<String>()
             });

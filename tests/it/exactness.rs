@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use brdfgen::core::{Design, Measured};
 use brdfgen::datapath::evaluate::Evaluator;
 use brdfgen::datapath::graph::{Node, Op};
-use brdfgen::datapath::schedule::{Adders, schedule};
+use brdfgen::datapath::schedule::{Adders, External, schedule};
 use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::fixed::{Table, exp2};
 use brdfgen::method::{About, Use, variants};
@@ -343,7 +343,7 @@ fn every_pipeline_depth_computes_the_same() {
 }
 
 fn assert_pipeline(design: &Design, depth: Pipeline, what: &str) {
-    let schedule = schedule(design.graph(), depth, Adders::Two).expect(what);
+    let schedule = schedule(design.graph(), depth, Adders::Two, &External::default()).expect(what);
     let latency = schedule.latency as usize;
     if let Pipeline::Depth(depth) = depth {
         assert_eq!(latency, depth as usize);

@@ -7,7 +7,7 @@ use std::process::Command;
 use brdfgen::block::image::{LightRecord, Places, RealTexels};
 use brdfgen::core::{Account, BlockDesign, Design, ImageDesign, Role};
 use brdfgen::datapath::graph::{Graph, Op};
-use brdfgen::emit::package;
+use brdfgen::emit::package::{self, Part};
 use brdfgen::fixed::{Rng, exp2};
 use brdfgen::reflectance::measure::{self, Sphere};
 use brdfgen::reflectance::{Light, Reflectance, Vector};
@@ -20,8 +20,8 @@ use rayon::prelude::*;
 use crate::common::Scratch;
 use crate::common::core::{Generated, design, ecp5_cells, resolved, silent};
 
-/// All forms, the ends of the ranges, texels in files and writable, several lights, pipelines, AXI4-Stream.
-const SPECS: [&str; 8] = [
+/// All forms, the ends of the ranges, texels in files, writable and outside, several lights, pipelines, AXI4-Stream.
+const SPECS: [&str; 9] = [
     "image_form = 'bivariate'\nreflectance = { model = 'ggx' }",
     "images = 4\nimage_size = 8\ntexels = 'writable'\nlights_a_clock = 2\nreflectance = { model = 'gold-paint' }",
     "image_form = 'bivariate'\nimage_size = 8\noctaves = 2\ntexel_bits = 4\nweight_bits = 3\nvector_bits = 10\n\
@@ -38,6 +38,8 @@ const SPECS: [&str; 8] = [
      reflectance = { model = 'ggx' }",
     "image_form = 'paper'\nimage_size = 16\nangles = [20, 90, 130.5]\npipeline = 2\naxi_stream = true\n\
      reflectance = { model = 'blinnphong' }",
+    "image_form = 'paper'\nimage_size = 8\nimages = 3\ntexels = 'external'\ntexel_latency = 1\nvhdl_ports = \
+     'std-logic'\nreflectance = { model = 'gold-paint' }",
 ];
 
 fn text(spec: &str) -> String {
@@ -61,18 +63,23 @@ fn every_image_core_passes_in_every_simulator_and_lints_clean() {
             assert!(outcome.passed(), "{spec}\n{outcome:?}");
             assert_eq!(outcome.vectors, core.golden.vectors().len() as u64);
         }
-        let (path, name) = (core.path(), &core.design.spec.name);
-        let (verilog, vhdl) = (format!("rtl/{name}.v"), format!("rtl/{name}.vhd"));
+        let path = core.path();
+        let [verilog, vhdl] =
+            [Language::Verilog, Language::Vhdl].map(|language| Part::Core.paths_with_bench(&core.design, language));
         let work = core.beside("work");
         std::fs::create_dir(&work).expect("a directory");
         let (workdir, out) = (format!("--workdir={}", work.display()), work.join("out").display().to_string());
-        silent(path, "verilator", &["--lint-only", "-Wall", &verilog], spec);
-        silent(path, "iverilog", &["-Wall", "-g2005", "-o", &out, &verilog, &format!("tb/{name}_tb.v")], spec);
-        silent(path, "ghdl", &["-a", "--std=08", &workdir, &vhdl, &format!("tb/{name}_tb.vhd")], spec);
-        // No memory is a table of cases, and each is read from its file.
+        let silent = |program: &str, before: &[&str], files: &[String]| {
+            let words: Vec<&str> = before.iter().copied().chain(files.iter().map(String::as_str)).collect();
+            silent(path, program, &words, spec);
+        };
+        silent("verilator", &["--lint-only", "-Wall"], &verilog[..1]);
+        silent("iverilog", &["-Wall", "-g2005", "-o", &out], &verilog);
+        silent("ghdl", &["-a", "--std=08", &workdir], &vhdl);
+        // No memory is a table of cases, and each of the core is read from its file.
         for (language, reads) in [(Language::Verilog, "initial $readmemh"), (Language::Vhdl, "readline(")] {
             let text = generated.text(&package::rtl_path(&core.design, language));
-            let memories = core.design.tables().len();
+            let memories = core.design.tables().len() - core.design.read_ports().len();
             assert_eq!(text.matches(reads).count(), memories, "{spec}");
             let lights = image(&core.design).of.image.lights as usize;
             assert!(text.lines().count() < 6000 * lights, "{spec}");

@@ -48,7 +48,7 @@ fn specs() -> Vec<String> {
         with_rom(&format!("{SHADER}lights_a_clock = 1\naxi_stream = true\ntuser_bits = 2\n"), 3),
         with_rom(&format!("{SHADER}lights_a_clock = 2\nvhdl_ports = 'std-logic'\n"), 3),
         with_rom(
-            "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\ntexels = 'writable'\n\
+            "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\ntexels = 'external'\n\
              lights_a_clock = 2\nvhdl_ports = 'std-logic'\naxi_stream = true\ntuser_bits = 64\n\
              reflectance = { model = 'gold-paint' }\n",
             5,

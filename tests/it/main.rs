@@ -38,5 +38,6 @@ mod simulators;
 mod stability;
 mod surroundings;
 mod synth;
+mod texel_memory;
 mod unit;
 mod writable;

@@ -25,8 +25,8 @@ pub use datapath::{Joints, LightJoints, PlaceJoints, RootJoints};
 pub use model::ImageModel;
 use options::{BLENDED, GAIN_INT};
 pub use options::{
-    IMAGES, Image, ImageForm, ImageSource, ImageSpec, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, TexelMemory,
-    WEIGHT_BITS,
+    IMAGES, Image, ImageForm, ImageSource, ImageSpec, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, TEXEL_LATENCY,
+    TexelMemory, WEIGHT_BITS,
 };
 pub use real::{Places, RealLight, RealTexels};
 pub use record::{FixedLight, LightRecord, RecordBand, RecordTable};

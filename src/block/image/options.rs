@@ -31,6 +31,8 @@ const LEAST_APART: f64 = 0.1;
 pub const TEXEL_BITS: RangeInclusive<u32> = 4..=10;
 /// Fraction bits of the weights that are allowed.
 pub const WEIGHT_BITS: RangeInclusive<u32> = 3..=8;
+/// Clocks from the address of a texel outside of the core to the texel that are allowed.
+pub const TEXEL_LATENCY: RangeInclusive<u32> = 1..=32;
 /// The most texels of a block: with 8 bits a channel 24 Mbit.
 const MOST_TEXELS: u64 = 1 << 20;
 
@@ -85,6 +87,8 @@ pub enum TexelMemory {
     Rom,
     /// In memories that come up so and have a write port each.
     Writable,
+    /// In memories outside of the core, whose ports show the addresses and take the texels some clocks later.
+    External,
 }
 
 /// An image-based block, resolved: what it is asked with, and what reflects.

@@ -9,7 +9,7 @@ use crate::core::{
     Account, BlockDesign, Design, ImageDesign, ImageError, LobeDesign, Measured, OtherForm, ShaderDesign, ShaderError,
     WritePort,
 };
-use crate::emit::{Axis, LightFunction, LightTable, Sequencer, markdown, render};
+use crate::emit::{Axis, ExternalMemory, LightFunction, LightTable, Sequencer, markdown, render};
 use crate::fixed::{Field, Table};
 use crate::platform::error::Error;
 use crate::reflectance::directory;
@@ -253,6 +253,10 @@ fn files(design: &Design) -> Vec<(String, &'static str)> {
             files.push((part.bench_path(design, language), bench));
         }
     }
+    if let Some(memory) = super::external_memory(design) {
+        let what = "a model of the memory outside of the core, for the benches";
+        files.extend(spec.languages.iter().map(|&language| (super::memory_path(&memory, language), what)));
+    }
     for table in design.tables() {
         let what = match table.name {
             Table::COEFFICIENTS => "the coefficient ROM",
@@ -388,6 +392,8 @@ struct ImageSheet<'a> {
     error: &'a ImageError,
     rom_file: bool,
     loads: Vec<Load>,
+    /// The memory outside of the core.
+    external: Option<ExternalMemory>,
     cost: FormRow,
     sequencer: Option<Sequencer>,
     table: Option<LightTable>,
@@ -416,6 +422,7 @@ pub(super) fn image_sheet(design: ImageDesign<'_>, error: &ImageError) -> Result
         error,
         rom_file: spec.rom == RomStyle::File,
         loads: design.write_ports().into_iter().map(|port| Load::of(&design, port)).collect(),
+        external: super::external_memory(&design),
         cost: FormRow::of(&design),
         sequencer: super::sequencer(&design),
         table: super::light_table(&design),
@@ -456,7 +463,7 @@ pub(super) fn datasheet(
         loads: design.write_ports().into_iter().map(|port| Load::of(core, port)).collect(),
         asynchronous: design.write_ports().iter().any(|port| {
             let read = design.layout().read(port.memory);
-            read.is_some_and(|read| !read.registered)
+            read.is_some_and(|read| read.registers == 0)
         }),
         interpolated: matches!(design.interface.shininess, Shininess::Fixed { .. }),
         rows,

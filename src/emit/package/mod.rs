@@ -17,10 +17,12 @@ use serde_json::json;
 use sha2::{Digest, Sha256};
 
 use crate::core::golden::{self, Golden};
-use crate::core::{Account, BlockDesign, Design, Port, ShaderDesign, WritePort};
+use crate::core::{Account, BlockDesign, Design, Port, ReadPort, ShaderDesign, WritePort};
 use crate::datapath::widths::Budget;
 use crate::emit::rom::{self, RomFormat};
-use crate::emit::{self, Axis, Lane, LightFunction, LightTable, RomFile, Sequencer, Texts, Wrapper};
+use crate::emit::{
+    self, Axis, ExternalMemory, ExternalPart, Lane, LightFunction, LightTable, RomFile, Sequencer, Texts, Wrapper,
+};
 use crate::fixed::{Format, Table};
 use crate::platform::error::Error;
 use crate::spec::{Block, CoreSpec, ImageSource, ImageSpec, Language, REFLECTANCE_DIRECTORY, RomStyle, hex};
@@ -78,6 +80,40 @@ pub fn read_format(spec: &CoreSpec) -> RomFormat {
 #[must_use]
 pub fn bench_path(design: &Design, language: Language) -> String {
     Part::Core.bench_path(design, language)
+}
+
+/// The path of the model of a memory outside of a core, in the core's directory.
+fn memory_path(memory: &ExternalMemory, language: Language) -> String {
+    format!("tb/{}.{}", memory.name, extension(language))
+}
+
+/// The memory that the core reads outside of it, without a header, if it does.
+#[must_use]
+pub fn external_memory(design: &Design) -> Option<ExternalMemory> {
+    let part = |port: ReadPort| {
+        let table = &design.tables()[port.memory];
+        ExternalPart::new(port, named_file(design, table), table)
+    };
+    let parts: Vec<ExternalPart> = design.read_ports().into_iter().map(part).collect();
+    let clocks = design.schedule.external.clocks;
+    let name = format!("{}_memory", design.spec.name);
+    (!parts.is_empty()).then_some(ExternalMemory { name, header: Vec::new(), clocks, parts })
+}
+
+/// The text of a part of a core whose memory lies outside, in Verilog, together with that memory: what is to be added
+/// to it, and the name of the module. `None` if nothing lies outside.
+///
+/// # Errors
+/// A core that cannot be written in Verilog.
+pub(crate) fn closing(design: &Design, part: Part) -> Result<Option<(String, String)>, Error> {
+    let Some(memory) = external_memory(design) else { return Ok(None) };
+    let (name, ports) = match part {
+        Part::Core => (design.spec.name.clone(), design.ports()),
+        _ => (part.name(design), design.sequencer_ports()),
+    };
+    let texts = texts_without_header(design);
+    let text = memory.emit(Language::Verilog, &texts)? + &memory.closed(&name, &ports)?;
+    Ok(Some((text, ExternalMemory::closed_name(&name))))
 }
 
 fn extension(language: Language) -> &'static str {
@@ -145,14 +181,11 @@ pub fn texts(design: &Design, account: &Account) -> Texts {
 #[must_use]
 fn texts_without_header(design: &Design) -> Texts {
     let spec = &design.spec;
-    let rom_file = |table: &Table| RomFile {
-        memory: table.name,
-        parameter: format!("{}_FILE", table.name.to_ascii_uppercase()),
-        path: rom_path(design, table, read_format(spec)),
-    };
-    let rom_files = if design.reads_files() { design.tables().iter().map(rom_file).collect() } else { Vec::new() };
+    let external = &design.schedule.external;
+    let own = design.tables().iter().enumerate().filter(|(memory, _)| external.registers(*memory).is_none());
+    let own = own.filter(|_| design.reads_files());
     let with_file = |port: WritePort| {
-        let file = rom_file(&design.tables()[port.memory]);
+        let file = named_file(design, &design.tables()[port.memory]);
         (port, file)
     };
     let writes = design.write_ports().into_iter().map(with_file).collect();
@@ -161,8 +194,18 @@ fn texts_without_header(design: &Design) -> Texts {
         header: Vec::new(),
         ports: design.ports(),
         vhdl_ports: spec.vhdl_ports,
-        rom_files,
+        rom_files: own.map(|(_, table)| named_file(design, table)).collect(),
         writes,
+        reads: design.read_ports(),
+    }
+}
+
+/// The file that a memory's words are read from.
+fn named_file(design: &Design, table: &Table) -> RomFile {
+    RomFile {
+        memory: table.name,
+        parameter: format!("{}_FILE", table.name.to_ascii_uppercase()),
+        path: rom_path(design, table, read_format(&design.spec)),
     }
 }
 
@@ -232,6 +275,15 @@ fn light_table_header(design: &Design, table: &LightTable) -> Vec<String> {
         "A sample takes an enabled clock for each word from in_begin to in_end; the next one follows".to_owned(),
         "at once.".to_owned(),
     ]);
+    header
+}
+
+fn memory_header(design: &Design, memory: &ExternalMemory) -> Vec<String> {
+    let what = format!("a model of the memory outside of the core {}, for its test benches", design.spec.name);
+    let mut header = head(&design.spec, &memory.name, &what, "model");
+    let clocks = memory.clocks;
+    let later = if clocks == 1 { "clock".to_owned() } else { format!("{clocks} clocks") };
+    header.extend([String::new(), format!("A word comes the enabled {later} behind its address.")]);
     header
 }
 
@@ -329,6 +381,8 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     sequencer.iter_mut().for_each(|sequencer| sequencer.header = sequencer_header(design, sequencer));
     table.iter_mut().for_each(|table| table.header = light_table_header(design, table));
     axis.iter_mut().for_each(|axis| axis.header = axis_header(design, axis));
+    let mut memory = external_memory(design);
+    memory.iter_mut().for_each(|memory| memory.header = memory_header(design, memory));
     let mut files = Vec::new();
     let mut add = |path: String, bytes: Vec<u8>| files.push(File { path, bytes });
 
@@ -350,7 +404,7 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
                 }
                 _ => (&golden_path, &complemented),
             };
-            let bench = emit::test_bench(language, &layout, &texts, golden, complemented, wrapper)?;
+            let bench = emit::test_bench(language, &layout, &texts, golden, complemented, wrapper, memory.as_ref())?;
             add(part.rtl_path(design, language), text.into_bytes());
             add(part.bench_path(design, language), bench.into_bytes());
             Ok(())
@@ -366,15 +420,11 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
             let text = axis.emit(language, &whole_texts(design))?;
             add_part(Part::Axis, text, Wrapper::Axis(axis, sequencer.as_ref(), table.as_ref()))?;
         }
+        if let Some(memory) = &memory {
+            add(memory_path(memory, language), memory.emit(language, &texts)?.into_bytes());
+        }
     }
-    if let BlockDesign::Image(image) = design.block() {
-        let mut function = LightFunction::of(image);
-        let what = format!("the records of lights for the core {}", spec.name);
-        function.header = head(spec, &format!("{}_light", spec.name), &what, "function");
-        LightFunction::paths(&spec.name).into_iter().zip(function.emit()?).for_each(|(path, text)| {
-            add(path, text.into_bytes());
-        });
-    }
+    light_function(design)?.into_iter().for_each(|(path, text)| add(path, text.into_bytes()));
     for table in design.tables() {
         for &format in &spec.rom_formats {
             let File { path, bytes } = rom_file(design, table, format);
@@ -400,6 +450,16 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     let manifest = manifest(design, account, &files);
     files.push(File { path: "manifest.json".to_owned(), bytes: (manifest + "\n").into_bytes() });
     Ok(files)
+}
+
+/// The files of the C function that makes the records of lights, of a core that takes such.
+fn light_function(design: &Design) -> Result<Vec<(String, String)>, Error> {
+    let BlockDesign::Image(image) = design.block() else { return Ok(Vec::new()) };
+    let spec = &design.spec;
+    let mut function = LightFunction::of(image);
+    let what = format!("the records of lights for the core {}", spec.name);
+    function.header = head(spec, &format!("{}_light", spec.name), &what, "function");
+    Ok(LightFunction::paths(&spec.name).into_iter().zip(function.emit()?).collect())
 }
 
 fn port_manifest(port: &Port) -> serde_json::Value {
@@ -488,6 +548,9 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     if !loads.is_empty() {
         manifest["loading"] = json!({ "datapath": design.datapath_digest(), "memories": loads });
     }
+    if let Some(memory) = external_memory(design) {
+        manifest["external"] = external_manifest(design, &memory);
+    }
     if let Some(sequencer) = sequencer(design) {
         manifest["sequencer"] = sequencer_manifest(&sequencer);
     }
@@ -522,6 +585,22 @@ fn error_manifest(design: &Design, account: &Account) -> serde_json::Value {
         Account::Shader(measured) => json!({ "lobe": of_lobe(), "measured_codes": measured }),
         Account::Image(measured) => json!({ "measured_codes": measured }),
     }
+}
+
+/// What the manifest says of the memory outside of the core.
+fn external_manifest(design: &Design, memory: &ExternalMemory) -> serde_json::Value {
+    let part = |part: &ExternalPart| {
+        json!({
+            "memory": design.tables()[part.port.memory].name,
+            "address": part.port.address.name,
+            "data": part.port.data.name,
+            "words": part.depth,
+            "bits": part.bits,
+            "file": part.file.path,
+        })
+    };
+    let parts: Vec<_> = memory.parts.iter().map(part).collect();
+    json!({ "datapath": design.datapath_digest(), "clocks": memory.clocks, "memories": parts })
 }
 
 /// What the manifest says of the wrapper.

@@ -1,6 +1,6 @@
 //! What there is of a core in its directory.
 
-use super::extension;
+use super::{extension, memory_path};
 use crate::core::Design;
 use crate::spec::Language;
 
@@ -82,11 +82,18 @@ impl Part {
         parts[..own].iter().map(|part| part.rtl_path(design, language)).collect()
     }
 
-    /// The same, and last its test bench.
+    /// The same, and last its test bench, with the model of a memory outside of the core in front of it.
     #[must_use]
     pub fn paths_with_bench(self, design: &Design, language: Language) -> Vec<String> {
         let mut paths = self.rtl_paths(design, language);
-        paths.push(self.bench_path(design, language));
+        paths.extend(self.bench_paths(design, language));
         paths
+    }
+
+    /// The paths of its test bench and, in front of it, of what this uses beside the core.
+    #[must_use]
+    pub fn bench_paths(self, design: &Design, language: Language) -> Vec<String> {
+        let memory = super::external_memory(design).map(|memory| memory_path(&memory, language));
+        memory.into_iter().chain([self.bench_path(design, language)]).collect()
     }
 }

@@ -25,7 +25,7 @@ pub fn netlist(job: &Job, models: &Models, verilog: &[u8]) -> Result<Outcome, Er
         sources.push(name.to_owned());
     }
     let part = Part::whole(job.design);
-    sources.push(part.bench_path(job.design, Language::Verilog));
+    sources.extend(part.bench_paths(job.design, Language::Verilog));
     // Icarus only warns of a parameter that a module does not have.
     let mut outcome = icarus::simulate(&scratch, &sources, &["warning: parameter "], job, part)?;
     outcome.mode = models.mode;

@@ -8,7 +8,7 @@ use super::compiled::{CORE, converse, program};
 use super::mutants::filters;
 use crate::block::CHANNELS;
 use crate::core::{Design, Direction};
-use crate::emit::package::Part;
+use crate::emit::package::{self, Part};
 use crate::emit::render;
 use crate::fixed::Format;
 use crate::platform::error::Error;
@@ -83,8 +83,8 @@ fn build(design: &Design, directory: &Path, sources: &[PathBuf]) -> Result<PathB
         text.extend(std::fs::read(source).map_err(|error| Error::io("cannot read", source, error))?);
         text.push(b'\n');
     }
-    let top = Part::Lights.name(design);
-    let verilog = match design.spec.compiled_language() {
+    let mut top = Part::Lights.name(design);
+    let mut verilog = match design.spec.compiled_language() {
         Language::Verilog => text,
         Language::Vhdl => {
             let scratch = tool::scratch()?;
@@ -93,6 +93,10 @@ fn build(design: &Design, directory: &Path, sources: &[PathBuf]) -> Result<PathB
             synth::as_verilog(&top, directory, &source)?
         }
     };
+    if let Some((more, closed)) = package::closing(design, Part::Lights)? {
+        verilog.extend(more.into_bytes());
+        top = closed;
+    }
     let header = render(&Header { design, inputs: design.numbers(Direction::In), channels: CHANNELS })?;
     let files = [("core.v", verilog.as_slice()), ("core.h", header.as_bytes()), ("sequence.cpp", HARNESS.as_bytes())];
     self::program(&top, &files, "-O2")

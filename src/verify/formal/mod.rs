@@ -16,7 +16,7 @@ use std::time::Instant;
 use serde::Serialize;
 
 use crate::core::Design;
-use crate::emit::package;
+use crate::emit::package::{self, Part};
 use crate::platform::error::Error;
 use crate::spec::Language;
 use crate::synth;
@@ -95,7 +95,10 @@ fn texts(design: &Design, directory: &Path) -> Result<Vec<Text>, Error> {
             Language::Verilog => std::fs::read(&source).map_err(|error| Error::io("cannot read", &source, error))?,
             Language::Vhdl => synth::as_verilog(&design.spec.name, directory, &source)?,
         };
-        texts.push(Text { name: language.to_string(), top: design.spec.name.clone(), bytes });
+        // A core whose memory lies outside is compared together with it.
+        let (more, top) =
+            package::closing(design, Part::Core)?.unwrap_or_else(|| (String::new(), design.spec.name.clone()));
+        texts.push(Text { name: language.to_string(), top, bytes: [bytes, more.into_bytes()].concat() });
     }
     #[cfg(feature = "kernel")]
     if let Some(kernel) = kernel::of_design(design) {

@@ -1,0 +1,133 @@
+//! Texels of an image-based block in memories outside of the core.
+//!
+//! Needs iverilog, verilator, ghdl and yosys; `test.sh` installs them.
+
+use std::time::Duration;
+
+use brdfgen::core::{Design, Role};
+use brdfgen::emit::package::Part;
+use brdfgen::spec::Language;
+use brdfgen::verify::cosim::{self, Sim};
+use serde_json::Value;
+
+use crate::common::Scratch;
+use crate::common::core::{Generated, OnDisk, design, ecp5_cells};
+
+const EXTERNAL: &str = "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\ntexels = 'external'\n\
+                        axi_stream = true\nreflectance = { model = 'ggx' }\n";
+
+/// What all simulators of a language say of a part of a core.
+fn passes(core: &OnDisk, part: Part, sim: Sim) -> bool {
+    match part {
+        Part::Core => core.run(sim).passed(),
+        _ => {
+            let outcomes = cosim::around(sim, &core.job()).expect("it runs");
+            assert!(!outcomes.is_empty(), "nothing around the core");
+            outcomes.iter().all(cosim::Outcome::passed)
+        }
+    }
+}
+
+/// The core is that with the texels in it but for the time that they take: the same operations, vectors and results.
+#[test]
+fn texels_outside_make_the_same_core() {
+    let inside = design(&EXTERNAL.replace("external", "rom"));
+    for clocks in [1, 2, 32] {
+        let outside = design(&format!("{EXTERNAL}texel_latency = {clocks}\n"));
+        assert_eq!(outside.datapath_digest(), inside.datapath_digest());
+        assert_eq!(outside.tables(), inside.tables());
+        let own = |design: &Design| design.schedule.latency;
+        // A register at the address, those of the memory and one at the word, where a block RAM has three behind it.
+        assert_eq!(own(&outside), own(&design(EXTERNAL)) + clocks - 2);
+        let ports = outside.ports();
+        let of = |role: Role| ports.iter().filter(|port| port.role == role).count();
+        assert_eq!((of(Role::Address), of(Role::Word), of(Role::Write)), (4, 4, 0));
+    }
+    assert_eq!(inside.read_ports(), Vec::new());
+    let core = Generated::new(EXTERNAL).on_disk();
+    assert_eq!(ecp5_cells(&core.rtl(Language::Verilog), "image_bivariate")("DP16KD"), 0);
+}
+
+/// A memory whose words come a clock early or late, or with a wrong word, fails every bench, and so does one that goes
+/// on while the core is frozen.
+#[test]
+fn another_memory_fails_every_bench() {
+    let generated = Generated::new(EXTERNAL);
+    let whole = generated.on_disk();
+    let parts = [Part::Core, Part::Lights];
+    for (sim, language) in [(Sim::Icarus, Language::Verilog), (Sim::Ghdl, Language::Vhdl)] {
+        let memory = format!("tb/image_bivariate_memory.{}", if language == Language::Verilog { "v" } else { "vhd" });
+        assert!(parts.iter().all(|&part| passes(&whole, part, sim)));
+        let late = format!("{EXTERNAL}texel_latency = 3\n");
+        let faults: [(&str, &str, &str); 2] = match language {
+            Language::Verilog => [
+                ("if (ce)", "if (1'b1)", "it goes on while the core is frozen"),
+                ("way_2[23:0],", "way_2[22:0], 1'b0,", "a bit is lost"),
+            ],
+            Language::Vhdl => [
+                ("if ce = '1' then", "if true then", "it goes on while the core is frozen"),
+                ("WORDS_2(to_integer(", "WORDS_1(to_integer(", "the words of another part"),
+            ],
+        };
+        let text = generated.text(&memory);
+        let broken = faults.map(|(from, to, what)| {
+            assert!(text.contains(from), "{from}");
+            (text.replace(from, to), what)
+        });
+        let others = [(Generated::new(&late).text(&memory), "words come a clock late")];
+        for (text, what) in broken.into_iter().chain(others) {
+            let core = generated.on_disk();
+            std::fs::write(core.path().join(&memory), text).expect("written");
+            assert!(parts.iter().all(|&part| !passes(&core, part, sim)), "{what}, in {language}");
+        }
+    }
+}
+
+/// Pictures through the compiled core and the memory beside it are the model's; both languages are proved the same.
+#[test]
+fn the_core_is_drawn_and_proved_with_its_memory() {
+    let scratch = Scratch::new();
+    scratch.write(
+        "core.toml",
+        EXTERNAL.replace("axi_stream = true", "name = 'own'").replace("'ggx'", "'ggx', exposure = 1.5"),
+    );
+    scratch.write(
+        "scene.toml",
+        "width = 24\nheight = 24\n[camera]\nposition = [0.5, 0.8, 4.0]\n[[material]]\nname = 'own'\nreflectance = { model = 'ggx', exposure = 1.5 }\n\
+         [[light]]\ndirection = [1.0, 1.0, 0.4]\n[[object]]\nkind = 'sphere'\nmaterial = 'own'\n",
+    );
+    scratch.run("generate core.toml --out own").succeeds();
+    let render = |through: &str| {
+        let line = format!("render scene.toml --core own --only core --out p.png --json --through {through}");
+        let mut command = scratch.command();
+        command.timeout(Duration::from_secs(600));
+        let output = command.args(line.split_whitespace()).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(json["core"]["through"], through);
+        scratch.read("p.png")
+    };
+    assert_eq!(render("verilator"), render("model"));
+    let run = scratch.run("formal own").succeeds().says(&["PROVED Verilog = VHDL"]);
+    assert!(!run.stdout.contains("REFUTED") && !run.stdout.contains("OPEN"), "{}", run.stdout);
+    let manifest: Value = serde_json::from_str(&scratch.text("own/manifest.json")).unwrap();
+    assert_eq!(manifest["external"]["clocks"], 2);
+    assert_eq!(manifest["external"]["memories"].as_array().map(Vec::len), Some(4));
+    let sheet = scratch.text("own/README.md");
+    assert!(sheet.contains("The texels lie in memories outside of the core") && sheet.contains("`tb/own_memory.v`"));
+}
+
+#[test]
+fn when_external_texels_come_is_checked() {
+    for (keys, words) in [
+        ("texels = 'external'\ntexel_latency = 0", "texel_latency = 0"),
+        ("texels = 'external'\ntexel_latency = 33", "1 to 32"),
+        ("texel_latency = 2", "texels in the core"),
+        ("texels = 'writable'\ntexel_latency = 2", "texels = \"external\""),
+    ] {
+        let scratch = Scratch::new();
+        scratch.write("core.toml", format!("block = 'image'\nreflectance = {{ model = 'ggx' }}\n{keys}\n"));
+        scratch.run("generate core.toml --out core").refuses(&[words]);
+        assert!(!scratch.path("core").exists());
+    }
+}
