@@ -73,12 +73,13 @@ impl<'a> Layout<'a> {
         let graph = &self.datapath.graph;
         let inputs = graph.inputs.iter().map(|&id| self.nodes()[id].name.as_str());
         let outputs = graph.outputs.iter().map(|(name, _)| name.as_str());
-        let fixed = Role::NAMED.into_iter().map(|(_, name)| name).chain(["valid", "unused", core]);
+        let fixed =
+            Role::NAMED.into_iter().map(|(_, name)| name).chain(["valid", "unused", "sets", Role::IN_SET, core]);
         let mut names: HashSet<String> = fixed.chain(inputs).chain(outputs).map(str::to_ascii_lowercase).collect();
         for (memory, table) in self.datapath.tables.iter().enumerate() {
             let name = table.name;
             names.extend(self.read(memory).map(|read| read.word));
-            names.extend(WritePort::of(memory, table).ports().map(|port| port.name.clone()));
+            names.extend(WritePort::of(memory, table, 1).ports().map(|port| port.name.clone()));
             names.extend(ReadPort::of(memory, table, 1).ports().map(|port| port.name.clone()));
             names.extend([name.to_owned(), format!("{name}_t"), format!("{name}_file")]);
             names.extend(["read", "initial"].map(|verb| format!("{verb}_{name}")));

@@ -13,6 +13,9 @@ const STAGES: u32 = 2;
 /// The ports of a sample's first and last word in a table of lights.
 pub(crate) const FIRST_WORD: &str = "in_begin";
 pub(crate) const LAST_WORD: &str = "in_end";
+/// The ports of a sequencer that change the set of texels, and that show it.
+const SWAP: &str = "swap";
+const SET_SHOWN: &str = "texel_set";
 /// Stages of the table in front of the sequencer: the sample that is taken, and its lights that are read.
 const TABLE_STAGES: u32 = 2;
 
@@ -161,6 +164,10 @@ impl Design {
                     );
                     ports.push(Port { meaning, ..of_sequencer });
                 }
+                Role::Swap => ports.push(Port {
+                    meaning: "the samples behind this one are looked up in the other set of texels".to_owned(),
+                    ..of_sequencer
+                }),
                 _ => ports.push(of_sequencer),
             }
         }
@@ -194,6 +201,13 @@ impl Design {
                 meaning: format!("the other outputs are a sample: {latency} enabled clocks behind its in_last"),
                 ..port
             },
+            Role::Set => Port {
+                name: SWAP.to_owned(),
+                role: Role::Swap,
+                format: None,
+                meaning: "with in_last: the samples behind this one are looked up in the other set of texels"
+                    .to_owned(),
+            },
             _ => port,
         };
         let mut ports: Vec<Port> =
@@ -210,6 +224,17 @@ impl Design {
         let code =
             |(c, meaning): (char, String)| Port { name: format!("out_{c}"), role: Role::Result, format, meaning };
         ports.extend(CHANNELS.into_iter().zip(code_meanings(sums.channel_bits)).map(code));
+        if self.texel_sets() > 1 {
+            ports.push(Port {
+                name: SET_SHOWN.to_owned(),
+                role: Role::SetShown,
+                format: None,
+                meaning: format!(
+                    "set of texels that samples are looked up in; the other may be written {} enabled clocks after a change",
+                    self.schedule.latency
+                ),
+            });
+        }
         ports
     }
 

@@ -188,7 +188,13 @@ impl Design {
         let layout = self.layout();
         let written = |(memory, table): &(usize, &Table)| table.holds_data() && layout.read(*memory).is_some();
         let tables = self.tables().iter().enumerate().filter(written);
-        tables.map(|(memory, table)| WritePort::of(memory, table)).collect()
+        tables.map(|(memory, table)| WritePort::of(memory, table, self.texel_sets())).collect()
+    }
+
+    /// The sets of texels that it holds: two if the one that is not looked up may be written; else one.
+    #[must_use]
+    pub fn texel_sets(&self) -> u32 {
+        if self.spec.swap { 2 } else { 1 }
     }
 
     /// The ports through which memories outside of the core are read, in the memories' order; none unless the spec asks
@@ -299,6 +305,12 @@ impl Design {
             control(Role::Enable, "clock enable: 0 freezes the whole pipeline"),
             control(Role::InValid, &taken),
         ];
+        if self.texel_sets() > 1 {
+            ports.push(Port {
+                name: Role::IN_SET.to_owned(),
+                ..control(Role::Set, "set of texels that the other inputs are looked up in")
+            });
+        }
         ports.extend(inputs);
         ports.extend(self.write_ports().iter().flat_map(WritePort::ports).cloned());
         ports.extend(self.read_ports().iter().flat_map(ReadPort::ports).cloned());

@@ -16,10 +16,10 @@ pub struct WritePort {
 }
 
 impl WritePort {
-    /// The write port of a memory: `wr_en`, `wr_addr` and `wr_data` for the coefficients, with the memory's name behind
+    /// The write port of a memory of so many sets of words: `wr_en`, `wr_addr` and `wr_data` for the coefficients, with the memory's name behind
     /// `wr` for another.
     #[must_use]
-    pub fn of(memory: usize, table: &Table) -> Self {
+    pub fn of(memory: usize, table: &Table, sets: u32) -> Self {
         let (prefix, what) = match table.name {
             Table::COEFFICIENTS => ("wr".to_owned(), "the coefficient memory".to_owned()),
             name => (format!("wr_{name}"), format!("the memory {name}")),
@@ -30,11 +30,15 @@ impl WritePort {
             format,
             meaning,
         };
+        let address = match sets {
+            1 => "address of the word that is written",
+            _ => "address of the word that is written, the set in the leading bit",
+        };
         let unsigned = |bits: u32| Some(Format::unsigned(bits as i32, 0));
         Self {
             memory,
             enable: port("en", None, format!("write enable: takes {prefix}_data into {what}, whatever ce and rst are")),
-            address: port("addr", unsigned(table.address_bits), "address of the word that is written".to_owned()),
+            address: port("addr", unsigned(table.address_bits + sets.ilog2()), address.to_owned()),
             data: port("data", unsigned(table.word_bits()), format!("word for {what}; layout as in its files")),
         }
     }
@@ -125,6 +129,12 @@ pub enum Role {
     Operand,
     /// A part of a memory's write port.
     Write,
+    /// Which set of texels is looked up.
+    Set,
+    /// Whether a sample is the last that is looked up in the one set of texels.
+    Swap,
+    /// The set of texels that samples which are taken are looked up in.
+    SetShown,
     /// The address in a memory outside of the core.
     Address,
     /// The word of a memory outside of the core.
@@ -136,6 +146,8 @@ pub enum Role {
 }
 
 impl Role {
+    /// The port of a core with two sets of texels that says which is looked up.
+    pub(crate) const IN_SET: &str = "in_set";
     /// Those of which every core has one port, with its name.
     pub(super) const NAMED: [(Self, &str); 5] = [
         (Self::Clock, "clk"),
@@ -160,7 +172,7 @@ impl Role {
     /// Which way its ports lead.
     #[must_use]
     pub fn direction(self) -> Direction {
-        if matches!(self, Self::InReady | Self::OutValid | Self::Result | Self::Address) {
+        if matches!(self, Self::InReady | Self::OutValid | Self::Result | Self::Address | Self::SetShown) {
             Direction::Out
         } else {
             Direction::In
@@ -188,10 +200,10 @@ impl Port {
         matches!(self.role, Role::Index | Role::Operand | Role::Result) && self.role.direction() == direction
     }
 
-    /// Whether it is of a memory: written through it, or outside of the core.
+    /// Whether it is of a memory, written or outside of the core, whatever samples come.
     #[must_use]
     pub fn is_memory(&self) -> bool {
-        matches!(self.role, Role::Write | Role::Address | Role::Word)
+        matches!(self.role, Role::Write | Role::Address | Role::Word | Role::SetShown)
     }
 
     /// Its format, as a port table says it.

@@ -90,7 +90,10 @@ impl Lane {
 
     /// Its bits of a word, of the type of its port, in VHDL.
     pub(super) fn of_bits(&self, word: &str, texts: &Texts) -> String {
-        texts.vhdl_ports.from_bits(self.sign(), &format!("{word}({})", self.downto()))
+        match self.port.format {
+            Some(_) => texts.vhdl_ports.from_bits(self.sign(), &format!("{word}({})", self.downto())),
+            None => format!("{word}({})", self.low),
+        }
     }
 }
 
@@ -106,12 +109,12 @@ pub struct Packing {
 impl Packing {
     pub(super) fn of<'a>(ports: impl Iterator<Item = &'a Port>) -> Self {
         let mut bits = 0;
-        let lane = |(port, format): (&Port, Format)| {
-            let low = bits;
-            bits += format.width();
-            Lane { port: port.clone(), low, bits: format.width() }
+        let lane = |port: &Port| {
+            let (low, width) = (bits, port.format.map_or(1, Format::width));
+            bits += width;
+            Lane { port: port.clone(), low, bits: width }
         };
-        let lanes = ports.filter_map(|port| Some((port, port.format?))).map(lane).collect();
+        let lanes = ports.map(lane).collect();
         Self { lanes, bits }
     }
 
@@ -188,15 +191,19 @@ impl Axis {
     #[must_use]
     pub fn of(name: String, texts: &Texts, latency: u32, tuser_bits: u32) -> Self {
         let memories = texts.ports.iter().filter(|port| port.is_memory()).cloned().collect();
-        let numbers = |direction: Direction| Packing::of(texts.ports.iter().filter(|port| port.carries(direction)));
-        let inputs = numbers(Direction::In);
+        let packed = |direction: Direction| {
+            let is_packed =
+                move |port: &&Port| port.carries(direction) || (port.role == Role::Swap && direction == Direction::In);
+            Packing::of(texts.ports.iter().filter(is_packed))
+        };
+        let inputs = packed(Direction::In);
         let lane = |name: &str| inputs.lanes.iter().find(|lane| lane.port.name == name).cloned();
         Self {
             name,
             header: Vec::new(),
             words: lane(FIRST_WORD).zip(lane(LAST_WORD)).map(Into::into),
             inputs,
-            outputs: numbers(Direction::Out),
+            outputs: packed(Direction::Out),
             memories,
             tuser_bits,
             latency,

@@ -8,7 +8,7 @@ use askama::Template;
 
 use super::axis::{Lane, Packing};
 use super::{Connected, Declaration, Port, Sequencer, Texts, names, render, verilog, vhdl};
-use crate::core::Direction;
+use crate::core::{Direction, Role};
 use crate::platform::error::Error;
 use crate::spec::Language;
 
@@ -55,7 +55,8 @@ impl LightTable {
     ) -> Self {
         let is_own = |port: &&Port| ports.iter().any(|own| own.name == port.name);
         let inputs = || core.ports.iter().filter(|port| port.carries(Direction::In));
-        let passed = core.ports.iter().filter(|port| port.is_memory());
+        let passed = sequencer.ports.iter().filter(|port| port.is_memory());
+        let swap = ports.iter().filter(|port| port.role == Role::Swap);
         Self {
             name,
             header: Vec::new(),
@@ -65,7 +66,7 @@ impl LightTable {
             words: words.map(|(words, _)| words),
             address_bits: depth.ilog2(),
             record: Packing::of(inputs().filter(|port| !is_own(port))),
-            sample: inputs().filter(is_own).map(Connected::of).collect(),
+            sample: inputs().filter(is_own).chain(swap).map(Connected::of).collect(),
             passed: passed.map(|port| port.name.clone()).collect(),
             sequencer,
             ports,

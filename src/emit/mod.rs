@@ -47,6 +47,8 @@ pub struct Texts {
     /// The ports through which memories are written, if they are, each with the file of the memory's words; all of them
     /// are among `ports`.
     pub writes: Vec<(WritePort, RomFile)>,
+    /// The sets of words of the memories that are written.
+    pub sets: u32,
     /// The ports through which memories outside of the core are read; all of them are among `ports`.
     pub reads: Vec<ReadPort>,
 }
@@ -73,6 +75,18 @@ impl Texts {
     #[must_use]
     pub fn write_port(&self, memory: usize) -> Option<&WritePort> {
         self.writes.iter().map(|(port, _)| port).find(|port| port.memory == memory)
+    }
+
+    /// The sets of words that a memory holds; by its place among the tables.
+    #[must_use]
+    pub fn sets_of(&self, memory: usize) -> u32 {
+        if self.write_port(memory).is_some() { self.sets } else { 1 }
+    }
+
+    /// The last stage in which a set of words is chosen; none where there is one set.
+    fn last_set_stage(&self, layout: &Layout) -> Option<u32> {
+        let chosen = self.writes.iter().filter(|_| self.sets > 1);
+        chosen.filter_map(|(port, _)| Some(layout.read(port.memory)?.stage)).max()
     }
 
     /// The ports through which a memory outside of the core is read; by its place among the tables.

@@ -37,6 +37,11 @@ impl Connected {
         self.bits.map_or("std_logic".to_owned(), |bits| format!("{vector}({} downto 0)", bits - 1))
     }
 
+    /// 0 as its value in VHDL.
+    pub(super) fn vhdl_zero(&self) -> &'static str {
+        if self.bits.is_some() { "(others => '0')" } else { "'0'" }
+    }
+
     /// Its bits in Verilog, `[high:0]`, and a space.
     #[must_use]
     pub fn range(&self) -> String {
@@ -106,6 +111,18 @@ impl Sequencer {
     #[must_use]
     pub fn driven(&self) -> &[Connected] {
         &self.inputs
+    }
+
+    /// Those that are its own as well.
+    #[must_use]
+    pub fn shared(&self) -> Vec<&Connected> {
+        self.inputs.iter().filter(|port| port.name != Role::IN_SET).collect()
+    }
+
+    /// Whether it changes the set of texels that the core looks samples up in.
+    #[must_use]
+    pub fn swaps(&self) -> bool {
+        self.inputs.iter().any(|port| port.name == Role::IN_SET)
     }
 
     /// The ports that lead through it from the core.

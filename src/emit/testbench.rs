@@ -9,7 +9,7 @@ use super::{
 use crate::block::CHANNELS;
 use crate::block::lights::Sums;
 use crate::core::golden::Vector;
-use crate::core::{FIRST_WORD, LAST_WORD};
+use crate::core::{FIRST_WORD, LAST_WORD, Role};
 use crate::platform::error::Error;
 use crate::spec::{Language, VhdlPorts};
 
@@ -45,6 +45,8 @@ impl<'a> BenchPort<'a> {
 struct BenchWrite<'a> {
     memory: &'a str,
     depth: usize,
+    /// The sets of so many words that it holds.
+    sets: u32,
     enable: &'a str,
     address: &'a str,
     address_bits: u32,
@@ -56,19 +58,25 @@ struct BenchWrite<'a> {
 }
 
 impl<'a> BenchWrite<'a> {
-    fn of((port, file): &'a (WritePort, RomFile), layout: &Layout<'a>) -> Self {
+    fn of((port, file): &'a (WritePort, RomFile), sets: u32, layout: &Layout<'a>) -> Self {
         let table = &layout.datapath.tables[port.memory];
         Self {
             memory: table.name,
             depth: table.depth(),
+            sets,
             enable: &port.enable.name,
             address: &port.address.name,
-            address_bits: table.address_bits,
+            address_bits: table.address_bits + sets.ilog2(),
             data: &port.data.name,
             data_bits: table.word_bits(),
             digit_bits: table.word_bits().next_multiple_of(4),
             file,
         }
+    }
+
+    /// Bits of an address in a set.
+    fn own_bits(&self) -> u32 {
+        self.address_bits - self.sets.ilog2()
     }
 
     /// The parts of a word that a random number fills each.
@@ -184,6 +192,16 @@ impl Bench<'_> {
         self.memory.iter().flat_map(|memory| memory.parts.iter().map(|part| &part.file)).collect()
     }
 
+    /// Whether the set of texels is changed by samples, and not chosen at each clock.
+    fn swaps(&self) -> bool {
+        self.has_sets() && (self.sums.is_some() || self.table.is_some())
+    }
+
+    /// Whether there are two sets of texels.
+    fn has_sets(&self) -> bool {
+        self.writes.iter().any(|write| write.sets > 1)
+    }
+
     /// The inputs and then the outputs.
     fn numbers(&self) -> impl Iterator<Item = &BenchPort<'_>> {
         self.inputs.iter().chain(&self.outputs)
@@ -240,12 +258,18 @@ impl Bench<'_> {
 
     /// What is offered in a lane for the vector that was read last, in Verilog.
     fn offered(&self, lane: &Lane) -> String {
+        if lane.port.role == Role::Swap {
+            return "swap".to_owned();
+        }
         let of_table = self.written_word(lane).map(|[word, _]| format!("{word}[{}:0]", lane.bits - 1));
         of_table.unwrap_or_else(|| format!("file_{}", lane.port.name))
     }
 
     /// The same in VHDL.
     fn vhdl_offered(&self, lane: &Lane) -> String {
+        if lane.port.role == Role::Swap {
+            return "swap".to_owned();
+        }
         let of_table = self.written_word(lane);
         of_table.map_or_else(
             || format!("file_{}", lane.port.name),
@@ -359,7 +383,7 @@ pub fn test_bench(
     let (inputs, outputs) = (numbers(Direction::In), numbers(Direction::Out));
     let numbers: Vec<&BenchPort> = inputs.iter().chain(&outputs).collect();
     let complemented = complemented.iter().map(|vector| literals(language, &numbers, vector)).collect();
-    let write = |write| BenchWrite::of(write, layout);
+    let write = |write| BenchWrite::of(write, texts.sets, layout);
     let digits: u32 = inputs.iter().chain(&outputs).map(|port| 1 + port.digits).sum();
     let bench = &Bench {
         name,

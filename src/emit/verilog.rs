@@ -3,7 +3,9 @@
 use askama::Template;
 use num_bigint::BigUint;
 
-use super::{Backend, Declaration, Direction, Layout, Port, ReadPort, Texts, WritePort, continued, names, render};
+use super::{
+    Backend, Declaration, Direction, Layout, Port, ReadPort, Role, Texts, WritePort, continued, names, render,
+};
 use crate::datapath::graph::{NodeId, Op, clamped_from};
 use crate::fixed::Format;
 use crate::platform::error::Error;
@@ -33,6 +35,8 @@ struct MemoryText<'a> {
     range: String,
     address: String,
     depth: usize,
+    /// Where its second set of so many words begins, if it holds two.
+    second: Option<usize>,
     registered: bool,
     /// The parameter that names its file, if it is read from one.
     parameter: Option<String>,
@@ -44,6 +48,11 @@ struct MemoryText<'a> {
 }
 
 impl MemoryText<'_> {
+    /// The greatest address.
+    fn last(&self) -> usize {
+        self.second.unwrap_or_default() + self.depth - 1
+    }
+
     /// Whether its words are in an array, and not in the branches of a case statement.
     fn in_array(&self) -> bool {
         self.parameter.is_some() || self.write.is_some()
@@ -64,6 +73,8 @@ struct Core<'a> {
     texts: &'a Texts,
     ports: Vec<Declaration>,
     latency: u32,
+    /// The last stage in which a set of texels is chosen, if there are several.
+    set_stage: Option<u32>,
     stages: Vec<Stage<'a>>,
     /// `out_valid` and the other outputs with what they show, their names of one length.
     out_valid: String,
@@ -296,8 +307,13 @@ fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory
             MemoryText {
                 name: table.name,
                 range: range(Format::unsigned(table.word_bits() as i32, 0)),
-                address: layout.name(read.address, stage),
+                address: match (texts.sets_of(memory), stage) {
+                    (1, _) => layout.name(read.address, stage),
+                    (_, 0) => format!("{{{}, {}}}", Role::IN_SET, layout.name(read.address, stage)),
+                    _ => format!("{{sets[{stage}], {}}}", layout.name(read.address, stage)),
+                },
                 depth: table.depth(),
+                second: (texts.sets_of(memory) > 1).then_some(1 << table.address_bits),
                 registered: read.registers > 0,
                 outside: texts.read_port(memory),
                 parameter: texts.rom_file(table.name).map(|file| file.parameter.clone()),
@@ -350,6 +366,7 @@ impl Backend for Verilog {
             texts,
             ports: declarations(&texts.ports),
             latency: layout.schedule.latency,
+            set_stage: texts.last_set_stage(layout),
             stages,
             out_valid: layout.padded_output("out_valid"),
             outputs: layout.shown(),

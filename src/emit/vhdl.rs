@@ -3,7 +3,7 @@
 use askama::Template;
 use num_bigint::BigUint;
 
-use super::{Backend, Declaration, Layout, Port, ReadPort, Texts, WritePort, continued, names, render};
+use super::{Backend, Declaration, Layout, Port, ReadPort, Role, Texts, WritePort, continued, names, render};
 use crate::core::layout::Register;
 use crate::datapath::graph::{NodeId, Op, clamped_from};
 use crate::fixed::Format;
@@ -36,6 +36,8 @@ struct MemoryText<'a> {
     digit_bits: u32,
     address: String,
     depth: usize,
+    /// Where its second set of so many words begins, if it holds two.
+    second: Option<usize>,
     registered: bool,
     /// The ports through which it is read, if it lies outside of the core.
     outside: Option<&'a ReadPort>,
@@ -47,6 +49,11 @@ struct MemoryText<'a> {
 }
 
 impl MemoryText<'_> {
+    /// The greatest address.
+    fn last(&self) -> usize {
+        self.second.unwrap_or_default() + self.depth - 1
+    }
+
     /// The constant or signal that holds its whole words, if they are not in [`MemoryText::chunks`] only.
     fn array(&self) -> Option<&str> {
         match (&self.generic, self.write) {
@@ -85,6 +92,8 @@ struct Core<'a> {
     /// The signals of the inputs and what they are of the ports, where the ports are no numbers.
     inputs: Vec<(String, String)>,
     latency: u32,
+    /// The last stage in which a set of texels is chosen, if there are several.
+    set_stage: Option<u32>,
     signals: Vec<Signal>,
     stages: Vec<Stage<'a>>,
     /// `out_valid` and the other outputs with what they show, their names of one length.
@@ -370,8 +379,13 @@ fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory
                 constant: table.name.to_ascii_uppercase(),
                 bits: table.word_bits(),
                 digit_bits: 4 * table.word_bits().div_ceil(4),
-                address: layout.name(read.address, stage),
+                address: match (texts.sets_of(memory), stage) {
+                    (1, _) => layout.name(read.address, stage),
+                    (_, 0) => format!("{} & {}", Role::IN_SET, layout.name(read.address, stage)),
+                    _ => format!("sets({stage}) & {}", layout.name(read.address, stage)),
+                },
                 depth: table.depth(),
+                second: (texts.sets_of(memory) > 1).then_some(1 << table.address_bits),
                 registered: read.registers > 0,
                 outside: texts.read_port(memory),
                 generic: texts.rom_file(table.name).map(|file| file.parameter.clone()),
@@ -436,6 +450,7 @@ impl Backend for Vhdl {
             ports: declarations(&texts.ports, texts.vhdl_ports),
             inputs,
             latency,
+            set_stage: texts.last_set_stage(layout),
             signals,
             stages,
             out_valid: layout.padded_output("out_valid"),

@@ -83,6 +83,7 @@ impl Shape {
             let is_own = design.schedule.external.registers(memory).is_none();
             if let Some(read) = layout.read(memory).filter(|_| is_own) {
                 let (depth, word, registered) = (table.depth() as u32, table.word_bits(), read.registers > 0);
+                let depth = depth * if table.holds_data() { design.texel_sets() } else { 1 };
                 shape.memories.push(MemorySize { depth, word, registered });
             }
         }

@@ -161,6 +161,10 @@ method_keys! { keys! {
     #[arg(help_heading = "Image-based block", value_name = "CLOCKS")]
     texel_latency: u32 where "image-based blocks",
 
+    /// Hold two sets of writable texels: samples are looked up in the one until one of them ends with swap
+    #[arg(help_heading = "Image-based block", value_name = "true|false", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    swap: bool where "image-based blocks",
+
     /// A named material, NAME=SHININESS; repeat for more. `in_n` is their index
     #[arg(value_name = "NAME=SHININESS")]
     material: Vec<Material>,

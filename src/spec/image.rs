@@ -172,6 +172,17 @@ impl SpecFields {
         is_external.then(|| within("texel_latency", clocks, TEXEL_LATENCY)).transpose()
     }
 
+    /// Whether there are two sets of texels.
+    pub(super) fn resolved_swap(&self) -> Result<bool, Error> {
+        let swap = self.swap.unwrap_or(false);
+        refuse!(
+            swap && self.texels != Some(TexelMemory::Writable),
+            "swap is given for texels that are not written",
+            "give texels = \"writable\" as well, or leave swap out"
+        );
+        Ok(swap)
+    }
+
     /// With what an image-based block is given.
     pub(super) fn with_image(self, ImageSpec { image, source, exposure }: &ImageSpec, spec: &CoreSpec) -> Self {
         let mut octaves = None;
@@ -209,6 +220,7 @@ impl SpecFields {
                 (None, _) => TexelMemory::Rom,
             }),
             texel_latency: spec.texel_latency,
+            swap: spec.swap.then_some(true),
             reflectance: ReflectanceFields::of(source, *exposure),
             ..self
         }

@@ -134,6 +134,8 @@ pub struct CoreSpec {
     pub rom: RomStyle,
     /// Enabled clocks from a texel's address to the texel where an image-based block's texels lie outside of the core.
     pub texel_latency: Option<u32>,
+    /// Whether an image-based block holds two sets of texels, of which the one that is not looked up is written.
+    pub swap: bool,
     /// The ROM files that are written beside the HDL; always holds [`RomFormat::Mem`].
     pub rom_formats: Vec<RomFormat>,
     /// The pipeline's depth.

@@ -31,6 +31,7 @@ impl SpecFields {
         let light_source = self.resolved_light_source(&block)?;
         let rom = self.resolved_rom(&block);
         let texel_latency = self.resolved_texel_latency()?;
+        let swap = self.resolved_swap()?;
         let name = self.name.unwrap_or(default_name);
         check_name(&name)?;
         let languages = resolved_languages(self.languages)?;
@@ -50,6 +51,7 @@ impl SpecFields {
             block,
             rom,
             texel_latency,
+            swap,
             rom_formats,
             pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
             languages,

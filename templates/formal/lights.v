@@ -10,7 +10,10 @@ module lights (
     input wire ce,
     input wire in_valid,
     input wire in_last,
-{%- for port in sequencer.driven() %}
+{%- if sequencer.swaps() %}
+    input wire swap,
+{%- endif %}
+{%- for port in sequencer.shared() %}
     input wire {{ port.range() }}{{ port.name }}{% if !loop.last %},{% endif %}
 {%- endfor %}
 );
@@ -18,6 +21,9 @@ module lights (
     localparam CORE    = {{ sequencer.core_latency }};
     localparam LATENCY = {{ sequencer.latency }};
 
+{%- if sequencer.swaps() %}
+    wire texel_set;
+{%- endif %}
     wire out_valid;
 {%- for c in channels %}
     wire [{{ bits - 1 }}:0] out_{{ c }};
@@ -28,7 +34,11 @@ module lights (
         .ce(ce),
         .in_valid(in_valid),
         .in_last(in_last),
-{%- for port in sequencer.driven() %}
+{%- if sequencer.swaps() %}
+        .swap(swap),
+        .texel_set(texel_set),
+{%- endif %}
+{%- for port in sequencer.shared() %}
         .{{ port.name }}({{ port.name }}),
 {%- endfor %}
         .out_valid(out_valid){% for c in channels %},
@@ -64,6 +74,15 @@ module lights (
     wire [39:0] near_{{ c }} = (exact_{{ c }} + 40'd{{ half }}) >> {{ f - bits }};
     reg [{{ bits - 1 }}:0] code_{{ c }};
 {%- endfor %}
+
+{%- if sequencer.swaps() %}
+    // The set of texels: every sample that ends with swap changes it for those behind it.
+    reg in_set;
+    always @(posedge clk) begin
+        if (rst) in_set <= 1'b0;
+        else if (ce & in_valid & in_last) in_set <= in_set ^ swap;
+    end
+{%- endif %}
 
     always @(posedge clk) begin
         started <= 1'b1;
@@ -103,6 +122,10 @@ module lights (
         passes_{{ port.name }}: assert (core_{{ port.name }} == {{ port.name }});
 {%- endfor %}
 
+{%- if sequencer.swaps() %}
+        shows_the_set: assert (texel_set == in_set);
+{%- endif %}
+
         // ===== What it follows from, clock by clock
         state_of_the_core: assert (core_valid == taken);
         state_of_the_chain: assert (valid == {shown, ended, taken & last});
@@ -115,6 +138,9 @@ module lights (
         // ===== And what does happen
         cover (out_valid & ~first);
         cover (out_valid & ended);
+{%- if sequencer.swaps() %}
+        cover (out_valid & in_set);
+{%- endif %}
     end
 
 endmodule

@@ -35,6 +35,10 @@ module {{ axis.name }}_tb;
     wire s_axis_tready;
     reg  s_axis_tlast = 1'b0;
     reg  [{{ axis.tuser_bits - 1 }}:0] s_axis_tuser = 0;
+{%- if bench.has_sets() %}
+    reg  swap = 1'b0; // what is offered of it
+    wire texel_set;
+{%- endif %}
 {%- for write in bench.writes %}
     reg  {{ write.enable }} = 1'b0;
     reg  [{{ write.address_bits - 1 }}:0] {{ write.address }} = 0;
@@ -72,6 +76,9 @@ module {{ axis.name }}_tb;
         .s_axis_tready(s_axis_tready),
         .s_axis_tlast(s_axis_tlast),
         .s_axis_tuser(s_axis_tuser),
+{%- if bench.has_sets() %}
+        .texel_set(texel_set),
+{%- endif %}
 {%- for write in bench.writes %}
         .{{ write.enable }}({{ write.enable }}),
         .{{ write.address }}({{ write.address }}),
@@ -172,6 +179,9 @@ module {{ axis.name }}_tb;
     integer complements = 0; // of these, sent so far,
     integer complements_compared = 0; // and compared
     integer at;
+{%- if bench.has_sets() %}
+    integer set;
+{%- endif %}
 {%- for write in bench.writes %}
     reg [{{ write.data_bits - 1 }}:0] words_{{ write.memory }} [0:{{ write.depth - 1 }}];
 {%- endfor %}
@@ -407,6 +417,10 @@ module {{ axis.name }}_tb;
             written = written - 1;
 {%- endif %}
             present_garbage(1'b1);
+{%- if bench.has_sets() %}
+            // The last vector for complements ends the samples that are looked up in the first set.
+            swap = of_number < 0 && complements == COMPLEMENTS;
+{%- endif %}
 {%- for lane in axis.inputs.lanes %}
             s_axis_tdata[{{ lane.range() }}] = {{ bench.offered(lane) }};
 {%- endfor %}
@@ -477,15 +491,18 @@ module {{ axis.name }}_tb;
 {%- if !bench.writes.is_empty() %}
 {% include "testbench/words.v" %}
 
-    // Writes every word of the memories, or its complement.
+    // Writes every word of the memories, or its complement{% if bench.has_sets() %}; the words to the second set of texels only{% endif %}.
     task load;
         input complement;
         begin
 {%- for write in bench.writes %}
+{%- if bench.has_sets() %}
+            for (set = complement ? 0 : 1; set < 2; set = set + 1)
+{%- endif %}
             for (at = 0; at < {{ write.depth }}; at = at + 1) begin
                 present_garbage(1'b0);
                 {{ write.enable }} = 1'b1;
-                {{ write.address }} = at[{{ write.address_bits - 1 }}:0];
+                {{ write.address }} = {% if bench.has_sets() %}{set[0], at[{{ write.own_bits() - 1 }}:0]}{% else %}at[{{ write.address_bits - 1 }}:0]{% endif %};
                 {{ write.data }} = words_{{ write.memory }}[at] ^ { {{- write.data_bits }}{complement}};
                 quiet = 0;
                 clock;
@@ -576,11 +593,16 @@ module {{ axis.name }}_tb;
             read_words;
             if (!failed) begin
                 load(1'b1);
+{%- if bench.has_sets() %}
+                load(1'b0);
+{%- endif %}
 {%- for vector in bench.complemented %}
                 send_complement({{ vector }});
 {%- endfor %}
                 drain;
+{%- if !bench.has_sets() %}
                 load(1'b0);
+{%- endif %}
             end
 {%- endif %}
             if (!failed)

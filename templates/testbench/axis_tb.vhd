@@ -47,6 +47,9 @@ architecture bench of {{ axis.name }}_tb is
     signal s_axis_tready : std_logic;
     signal s_axis_tlast  : std_logic := '0';
     signal s_axis_tuser  : user_word := (others => '0');
+{%- if bench.has_sets() %}
+    signal texel_set     : std_logic;
+{%- endif %}
 {%- for write in bench.writes %}
     signal {{ write.enable }} : std_logic := '0';
     signal {{ write.address }} : std_logic_vector({{ write.address_bits - 1 }} downto 0) := (others => '0');
@@ -91,6 +94,9 @@ begin
             s_axis_tready => s_axis_tready,
             s_axis_tlast  => s_axis_tlast,
             s_axis_tuser  => s_axis_tuser,
+{%- if bench.has_sets() %}
+            texel_set => texel_set,
+{%- endif %}
 {%- for write in bench.writes %}
             {{ write.enable }} => {{ write.enable }},
             {{ write.address }} => {{ bench.driven("unsigned", write.address) }},
@@ -193,6 +199,9 @@ begin
         -- ------------------------------------------------------------------ loading
         constant COMPLEMENTS          : natural := {{ bench.complemented.len() }}; -- vectors for the words' complements
         variable complements_sent     : natural := 0;
+{%- if bench.has_sets() %}
+        variable swap : std_logic_vector(0 downto 0) := "0"; -- what is offered of it
+{%- endif %}
         variable complements_compared : natural := 0;
 {%- for write in bench.writes %}
         subtype {{ write.memory }}_word is std_logic_vector({{ write.data_bits - 1 }} downto 0);
@@ -472,6 +481,13 @@ begin
             end loop;
 {%- endif %}
             present_garbage('1');
+{%- if bench.has_sets() %}
+            -- The last vector for complements ends the samples that are looked up in the first set.
+            swap := "0";
+            if of_number < 0 and complements_sent = COMPLEMENTS then
+                swap := "1";
+            end if;
+{%- endif %}
 {%- for lane in axis.inputs.lanes %}
             s_axis_tdata({{ lane.downto() }}) <= {{ bench.vhdl_offered(lane) }};
 {%- endfor %}
@@ -533,10 +549,30 @@ begin
 
 {% include "testbench/words.vhd" %}
 
-        -- Writes every word of the memories, or its complement.
+        -- Writes every word of the memories, or its complement{% if bench.has_sets() %}; the words to the second set of texels
+        -- only{% endif %}.
         procedure load(complement : boolean) is
         begin
 {%- for write in bench.writes %}
+{%- if bench.has_sets() %}
+            for second in boolean loop
+                next when not complement and not second;
+                for address in words_{{ write.memory }}'range loop
+                    present_garbage('0');
+                    {{ write.enable }} <= '1';
+                    {{ write.address }} <= '0' & std_logic_vector(to_unsigned(address, {{ write.own_bits() }}));
+                    if second then
+                        {{ write.address }}({{ write.own_bits() }}) <= '1';
+                    end if;
+                    {{ write.data }} <= words_{{ write.memory }}(address);
+                    if complement then
+                        {{ write.data }} <= not words_{{ write.memory }}(address);
+                    end if;
+                    quiet := 0;
+                    clock;
+                end loop;
+            end loop;
+{%- else %}
             for address in words_{{ write.memory }}'range loop
                 present_garbage('0');
                 {{ write.enable }} <= '1';
@@ -548,6 +584,7 @@ begin
                 quiet := 0;
                 clock;
             end loop;
+{%- endif %}
 {%- endfor %}
         end procedure;
 
@@ -631,11 +668,16 @@ begin
 {%- if !bench.writes.is_empty() %}
         read_words;
         load(true);
+{%- if bench.has_sets() %}
+        load(false);
+{%- endif %}
 {%- for vector in bench.complemented %}
         send_complement({{ vector }});
 {%- endfor %}
         drain;
+{%- if !bench.has_sets() %}
         load(false);
+{%- endif %}
 {%- endif %}
         run_vectors(false);
         run_vectors(true);

@@ -47,6 +47,14 @@ module {{ bench.name }}_tb;
 {%- for port in bench.inputs %}
     reg  {{ bench.ranged(port.range) }} {{ bench.padded(port.name) }} = 0;
 {%- endfor %}
+{%- if bench.has_sets() %}
+{%- if bench.swaps() %}
+    reg  {{ bench.ranged("") }} {{ bench.padded("swap") }} = 1'b0;
+    wire {{ bench.ranged("") }} texel_set;
+{%- else %}
+    reg  {{ bench.ranged("") }} {{ bench.padded("in_set") }} = 1'b0;
+{%- endif %}
+{%- endif %}
 {%- for write in bench.writes %}
     reg  {{ write.enable }} = 1'b0;
     reg  [{{ write.address_bits - 1 }}:0] {{ write.address }} = 0;
@@ -87,6 +95,14 @@ module {{ bench.name }}_tb;
 {%- for port in bench.driven_inputs() %}
         .{{ port.name }}({{ port.name }}),
 {%- endfor %}
+{%- if bench.has_sets() %}
+{%- if bench.swaps() %}
+        .swap(swap),
+        .texel_set(texel_set),
+{%- else %}
+        .in_set(in_set),
+{%- endif %}
+{%- endif %}
 {%- for write in bench.writes %}
         .{{ write.enable }}({{ write.enable }}),
         .{{ write.address }}({{ write.address }}),
@@ -105,6 +121,15 @@ module {{ bench.name }}_tb;
     );
 {%- let (clock, enable) = ("clk", "ce") %}
 {%- include "testbench/memory_instance.v" %}
+
+{%- if bench.has_sets() %}
+
+    // What is done about the set of texels: as the core comes up they are the same, and any will
+    // do; then the first holds complements, until the last of their vectors is sent; and then it is
+    // the second that is looked up.
+    localparam ANY = 0, FIRST = 1, SECOND = 2;
+    integer of_sets = ANY;
+{%- endif %}
 
 {% include "testbench/vector_state.v" %}
 
@@ -154,6 +179,9 @@ module {{ bench.name }}_tb;
     integer complements_compared = 0; // and compared
     integer granted = 0; // clocks that the watchdog does not count
     integer at;
+{%- if bench.has_sets() %}
+    integer set;
+{%- endif %}
 {%- for write in bench.writes %}
     reg [{{ write.data_bits - 1 }}:0] words_{{ write.memory }} [0:{{ write.depth - 1 }}];
 {%- endfor %}
@@ -344,9 +372,29 @@ module {{ bench.name }}_tb;
             draw;
             in_last = lfsr[31];
 {%- endif %}
+{%- if bench.has_sets() %}
+            draw;
+            {% if bench.swaps() %}swap{% else %}in_set{% endif %} = lfsr[31];
+{%- endif %}
             number = 0;
         end
     endtask
+{%- if bench.has_sets() %}
+
+    // The set of texels of the vector that is presented, or of the samples behind it.
+    task choose_set;
+        begin
+            draw;
+{%- if !bench.swaps() %}
+            in_set = (of_sets == ANY) ? lfsr[31] : (of_sets == SECOND);
+{%- else if bench.counts_lights() %}
+            swap = (of_sets == ANY || !in_last) ? lfsr[31] : (of_sets == FIRST && complements == COMPLEMENTS);
+{%- else %}
+            swap = (of_sets == ANY) ? lfsr[31] : (of_sets == FIRST && complements == COMPLEMENTS);
+{%- endif %}
+        end
+    endtask
+{%- endif %}
 
     // A clock with ce low: garbage at all inputs, in_valid too.
     task stalled_clock;
@@ -408,6 +456,9 @@ module {{ bench.name }}_tb;
             {{ port.name }} = file_{{ port.name }};
 {%- endfor %}
             number   = of_number;
+{%- if bench.has_sets() %}
+            choose_set;
+{%- endif %}
             accepted = 1'b0;
             while (!accepted && !failed)
                 clock;
@@ -426,6 +477,9 @@ module {{ bench.name }}_tb;
 {%- endfor %}
             add_lights;
             number = in_last ? of_number : 0;
+{%- if bench.has_sets() %}
+            choose_set;
+{%- endif %}
         end
     endtask
 {%- endif %}
@@ -471,6 +525,9 @@ module {{ bench.name }}_tb;
             expected_{{ port.name }} = file_{{ port.name }};
 {%- endfor %}
             number = vectors;
+{%- if bench.has_sets() %}
+            choose_set;
+{%- endif %}
 {%- endif %}
 {%- if bench.table.is_none() %}
             clock;
@@ -508,18 +565,21 @@ module {{ bench.name }}_tb;
 {%- if !bench.writes.is_empty() %}
 {% include "testbench/words.v" %}
 
-    // Writes every word of the memories, or its complement. Neither ce nor rst must matter.
+    // Writes every word of the memories, or its complement{% if bench.has_sets() %}; the words to the second set only{% endif %}. Neither ce nor rst must matter.
     task load;
         input complement;
         begin
 {%- for write in bench.writes %}
+{%- if bench.has_sets() %}
+            for (set = complement ? 0 : 1; set < 2; set = set + 1)
+{%- endif %}
             for (at = 0; at < {{ write.depth }}; at = at + 1) begin
                 present_garbage(1'b0);
                 draw;
                 ce  = lfsr[31];
                 rst = lfsr[30];
                 {{ write.enable }} = 1'b1;
-                {{ write.address }} = at[{{ write.address_bits - 1 }}:0];
+                {{ write.address }} = {% if bench.has_sets() %}{set[0], at[{{ write.own_bits() - 1 }}:0]}{% else %}at[{{ write.address_bits - 1 }}:0]{% endif %};
                 {{ write.data }} = words_{{ write.memory }}[at] ^ { {{- write.data_bits }}{complement}};
                 granted = granted + 1;
                 clock;
@@ -527,6 +587,11 @@ module {{ bench.name }}_tb;
 {%- endfor %}
             present_garbage(1'b0);
             ce  = 1'b1;
+{%- if bench.has_sets() %}
+            // Samples are looked up in the first set again.
+            rst = 1'b1;
+            clock;
+{%- endif %}
             rst = 1'b0;
         end
     endtask
@@ -561,6 +626,9 @@ module {{ bench.name }}_tb;
 {%- endfor %}
             complements = complements + 1;
             number = -complements;
+{%- if bench.has_sets() %}
+            choose_set;
+{%- endif %}
 {%- if bench.table.is_some() %}
             be_taken;
 {%- else %}
@@ -624,9 +692,17 @@ module {{ bench.name }}_tb;
             read_words;
             if (!failed) begin
                 load(1'b1);
+{%- if bench.has_sets() %}
+                load(1'b0);
+                of_sets = FIRST;
+                feed_complements;
+                empty_pipeline;
+                of_sets = SECOND;
+{%- else %}
                 feed_complements;
                 empty_pipeline;
                 load(1'b0);
+{%- endif %}
                 run_vectors;
             end
             conclude;

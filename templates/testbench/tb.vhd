@@ -53,6 +53,12 @@ architecture bench of {{ bench.name }}_tb is
 {%- for port in bench.inputs %}
     signal {{ bench.padded(port.name) }} : {{ port.name }}_word := (others => '0');
 {%- endfor %}
+{%- if bench.swaps() %}
+    signal {{ bench.padded("swap") }} : std_logic := '0';
+    signal {{ bench.padded("texel_set") }} : std_logic;
+{%- else if bench.has_sets() %}
+    signal {{ bench.padded("in_set") }} : std_logic := '0';
+{%- endif %}
 {%- for write in bench.writes %}
     signal {{ write.enable }} : std_logic := '0';
     signal {{ write.address }} : std_logic_vector({{ write.address_bits - 1 }} downto 0) := (others => '0');
@@ -99,6 +105,12 @@ begin
 {%- for port in bench.driven_inputs() %}
             {{ bench.padded(port.name) }} => {{ bench.driven(port.sign(), port.name) }},
 {%- endfor %}
+{%- if bench.swaps() %}
+            {{ bench.padded("swap") }} => swap,
+            {{ bench.padded("texel_set") }} => texel_set,
+{%- else if bench.has_sets() %}
+            {{ bench.padded("in_set") }} => in_set,
+{%- endif %}
 {%- for write in bench.writes %}
             {{ write.enable }} => {{ write.enable }},
             {{ write.address }} => {{ bench.driven("unsigned", write.address) }},
@@ -180,6 +192,13 @@ begin
         variable complements_fed      : natural := 0;
         variable complements_compared : natural := 0;
         variable granted              : integer := 0; -- clocks that the watchdog does not count
+{%- if bench.has_sets() %}
+        -- What is done about the set of texels: as the core comes up they are the same, and any
+        -- will do; then the first holds complements, until the last of their vectors is sent; and
+        -- then it is the second that is looked up.
+        type plan is (ANY, FIRST, SECOND);
+        variable of_sets : plan := ANY;
+{%- endif %}
 {%- for write in bench.writes %}
         subtype {{ write.memory }}_word is std_logic_vector({{ write.data_bits - 1 }} downto 0);
         type {{ write.memory }}_words is array (0 to {{ write.depth - 1 }}) of {{ write.memory }}_word;
@@ -406,8 +425,34 @@ begin
             draw;
             in_last <= lfsr(31);
 {%- endif %}
+{%- if bench.has_sets() %}
+            draw;
+            {% if bench.swaps() %}swap{% else %}in_set{% endif %} <= lfsr(31);
+{%- endif %}
             number := 0;
         end procedure;
+{%- if bench.has_sets() %}
+
+        -- The set of texels of the vector that is presented, or of the samples behind it, which the
+        -- lights of this one end or not.
+        procedure choose_set(last : boolean) is
+        begin
+            draw;
+            if of_sets = ANY or not last then
+                {% if bench.swaps() %}swap{% else %}in_set{% endif %} <= lfsr(31);
+{%- if bench.swaps() %}
+            elsif of_sets = FIRST and complements_fed = COMPLEMENTS then
+                swap <= '1';
+            else
+                swap <= '0';
+            end if;
+{%- else %}
+            else
+                in_set <= '1' when of_sets = SECOND else '0';
+            end if;
+{%- endif %}
+        end procedure;
+{%- endif %}
 
         -- A clock with ce low: garbage at all inputs, in_valid too.
         procedure stalled_clock is
@@ -464,6 +509,9 @@ begin
             {{ port.name }} <= file_{{ port.name }};
 {%- endfor %}
             number   := of_number;
+{%- if bench.has_sets() %}
+            choose_set(true);
+{%- endif %}
             accepted := false;
             while not accepted loop
                 clock;
@@ -486,6 +534,9 @@ begin
             else
                 number := 0;
             end if;
+{%- if bench.has_sets() %}
+            choose_set(last);
+{%- endif %}
         end procedure;
 {%- endif %}
 {%- endif %}
@@ -533,6 +584,9 @@ begin
             expected_{{ port.name }} := file_{{ port.name }};
 {%- endfor %}
             number := vectors;
+{%- if bench.has_sets() %}
+            choose_set(true);
+{%- endif %}
 {%- endif %}
 {%- if bench.table.is_none() %}
             clock;
@@ -567,10 +621,32 @@ begin
 
 {% include "testbench/words.vhd" %}
 
-        -- Writes every word of the memories, or its complement. Neither ce nor rst must matter.
+        -- Writes every word of the memories, or its complement{% if bench.has_sets() %}; the words to the second set only{% endif %}. Neither ce nor rst must matter.
         procedure load(complement : boolean) is
         begin
 {%- for write in bench.writes %}
+{%- if bench.has_sets() %}
+            for second in boolean loop
+                next when not complement and not second;
+                for address in words_{{ write.memory }}'range loop
+                    present_garbage('0');
+                    draw;
+                    ce  <= lfsr(31);
+                    rst <= lfsr(30);
+                    {{ write.enable }} <= '1';
+                    {{ write.address }} <= '0' & std_logic_vector(to_unsigned(address, {{ write.own_bits() }}));
+                    if second then
+                        {{ write.address }}({{ write.own_bits() }}) <= '1';
+                    end if;
+                    {{ write.data }} <= words_{{ write.memory }}(address);
+                    if complement then
+                        {{ write.data }} <= not words_{{ write.memory }}(address);
+                    end if;
+                    granted := granted + 1;
+                    clock;
+                end loop;
+            end loop;
+{%- else %}
             for address in words_{{ write.memory }}'range loop
                 present_garbage('0');
                 draw;
@@ -585,9 +661,15 @@ begin
                 granted := granted + 1;
                 clock;
             end loop;
+{%- endif %}
 {%- endfor %}
             present_garbage('0');
             ce  <= '1';
+{%- if bench.has_sets() %}
+            -- Samples are looked up in the first set again.
+            rst <= '1';
+            clock;
+{%- endif %}
             rst <= '0';
         end procedure;
 
@@ -621,6 +703,9 @@ begin
 {%- endfor %}
             complements_fed := complements_fed + 1;
             number := -complements_fed;
+{%- if bench.has_sets() %}
+            choose_set(true);
+{%- endif %}
 {%- if bench.table.is_some() %}
             be_taken;
 {%- else %}
@@ -677,9 +762,17 @@ begin
         end if;
         read_words;
         load(true);
+{%- if bench.has_sets() %}
+        load(false);
+        of_sets := FIRST;
+        feed_complements;
+        empty_pipeline;
+        of_sets := SECOND;
+{%- else %}
         feed_complements;
         empty_pipeline;
         load(false);
+{%- endif %}
         run_vectors;
         conclude;
     end process;

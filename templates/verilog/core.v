@@ -23,11 +23,21 @@ module {{ texts.name }}
             valid <= {% if latency == 1 %}in_valid{% else %}{valid[{{ latency - 1 }}:1], in_valid}{% endif %};
         end
     end
+{%- if let Some(last) = set_stage %}
+
+    // ===== The set of texels, in step with what is looked up in it
+{%- if *last > 0 %}
+    reg [{{ last }}:1] sets;
+    always @(posedge clk) begin
+        if (ce) sets <= {% if *last == 1 %}in_set{% else %}{sets[{{ last - 1 }}:1], in_set}{% endif %};
+    end
+{%- endif %}
+{%- endif %}
 {%- for stage in stages %}
 
     // ===== Stage {{ stage.index }}: {{ stage.heading }}
 {%- for memory in stage.memories %}
-    // The word of the memory {{ memory.name }}{% if memory.outside.is_some() %} outside of the core{% endif %}, of {{ memory.depth }} words.
+    // The word of the memory {{ memory.name }}{% if memory.outside.is_some() %} outside of the core{% endif %}, of {% if memory.second.is_some() %}two sets of {% endif %}{{ memory.depth }} words.
     {% if memory.in_array() && !memory.registered %}wire{% else %}reg{% endif %} {{ memory.range }}{{ memory.word }};
 {%- endfor %}
 {%- for wire in stage.wires %}
@@ -44,9 +54,16 @@ module {{ texts.name }}
 {%- if let Some(write) = memory.write %}
     // What is read from an address at the edge at which it is written is not defined: the attribute
     // spares the logic that would make it so.
-    (* ramstyle = "no_rw_check" *) reg {{ memory.range }}{{ memory.name }} [0:{{ memory.depth - 1 }}];
+    (* ramstyle = "no_rw_check" *) reg {{ memory.range }}{{ memory.name }} [0:{{ memory.last() }}];
 {%- if let Some(parameter) = memory.parameter %}
+{%- if let Some(second) = memory.second %}
+    initial begin
+        $readmemh({{ parameter }}, {{ memory.name }}, 0, {{ memory.depth - 1 }});
+        $readmemh({{ parameter }}, {{ memory.name }}, {{ second }}, {{ memory.last() }});
+    end
+{%- else %}
     initial $readmemh({{ parameter }}, {{ memory.name }});
+{%- endif %}
 {%- else %}
     initial begin
 {%- for (_, word) in memory.rows %}

@@ -13,6 +13,18 @@ module {{ sequencer.name }}
 {%- endfor %}
 );
 
+{%- if sequencer.swaps() %}
+    // ===== The set of texels that samples are looked up in: the other one behind a swap
+    reg in_set;
+    initial in_set = 1'b0;
+    always @(posedge clk) begin
+        if (rst) begin
+            in_set <= 1'b0;
+        end else if (ce & in_valid & in_last & swap) begin
+            in_set <= ~in_set;
+        end
+    end
+{% endif %}
     // ===== The core: what the lights of a clock give
     wire sum_valid;
 {%- for port in sequencer.core_outputs() %}
@@ -85,6 +97,9 @@ module {{ sequencer.name }}
     end
 
     assign out_valid = valid[{{ sequencer.latency }}];
+{%- if sequencer.swaps() %}
+    assign texel_set = in_set;
+{%- endif %}
 {%- for channel in channels %}
     assign out_{{ channel.c }} = code_{{ channel.c }};
 {%- endfor %}

@@ -26,7 +26,7 @@ architecture rtl of {{ texts.name }} is
     -- ===== The memory {{ memory.name }}{% if memory.outside.is_some() %} outside of the core{% endif %}
 {%- if memory.outside.is_some() %}
 {%- else if let Some(generic) = memory.generic %}
-    type {{ memory.name }}_t is array ({{ memory.depth - 1 }} downto 0) of
+    type {{ memory.name }}_t is array ({{ memory.last() }} downto 0) of
         std_logic_vector({{ memory.bits - 1 }} downto 0);
 
     -- Reads one word a line; lines that begin with a slash are comments.
@@ -43,6 +43,9 @@ architecture rtl of {{ texts.name }} is
                 assert index < {{ memory.depth }} report path & " has too many words" severity failure;
                 hread(row, word);
                 result(index) := word({{ memory.bits - 1 }} downto 0);
+{%- if let Some(second) = memory.second %}
+                result(index + {{ second }}) := word({{ memory.bits - 1 }} downto 0);
+{%- endif %}
                 index := index + 1;
             end if;
         end loop;
@@ -95,6 +98,12 @@ architecture rtl of {{ texts.name }} is
 {% endfor %}
 {%- endfor %}
     signal valid : std_logic_vector({{ latency }} downto 1) := (others => '0');
+{%- if let Some(last) = set_stage %}
+{%- if *last > 0 %}
+    -- The set of texels, in step with what is looked up in it.
+    signal sets  : std_logic_vector({{ last }} downto 1) := (others => '0');
+{%- endif %}
+{%- endif %}
 {%- for signal in signals %}
     signal {{ signal.name }} : {{ signal.kind }};
 {%- endfor %}
@@ -112,6 +121,20 @@ begin
             end if;
         end if;
     end process;
+{%- if let Some(last) = set_stage %}
+{%- if *last > 0 %}
+
+    -- ===== The set of texels
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                sets <= {% if *last == 1 %}(1 => in_set){% else %}sets({{ last - 1 }} downto 1) & in_set{% endif %};
+            end if;
+        end if;
+    end process;
+{%- endif %}
+{%- endif %}
 {%- if !inputs.is_empty() %}
 
     -- ===== The inputs as numbers

@@ -23,6 +23,10 @@ architecture rtl of {{ sequencer.name }} is
     -- Whether the next lights out of the core are the first of their sample.
     signal begins    : std_logic := '1';
     signal sum_valid : std_logic := '0';
+{%- if sequencer.swaps() %}
+    -- The set of texels that samples are looked up in.
+    signal in_set    : std_logic := '0';
+{%- endif %}
 {%- for port in sequencer.core_outputs() %}
     signal {{ port.name }} : {{ core.vhdl_ports.vector("unsigned") }}({{ port.high() }} downto 0) := (others => '0');
 {%- endfor %}
@@ -53,6 +57,22 @@ begin
             {{ sequencer.padded(port.name) }} => {{ port.name }}{% if !loop.last %},{% endif %}
 {%- endfor %}
         );
+
+{%- if sequencer.swaps() %}
+
+    -- ===== The set of texels: the other one behind a swap
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if rst = '1' then
+                in_set <= '0';
+            elsif ce = '1' and in_valid = '1' and in_last = '1' and swap = '1' then
+                in_set <= not in_set;
+            end if;
+        end if;
+    end process;
+    texel_set <= in_set;
+{%- endif %}
 
     -- ===== Valid chain
     process (clk) is

@@ -40,7 +40,7 @@ architecture rtl of {{ table.name }} is
     signal word  : unsigned({{ table.address_bits - 1 }} downto 0) := (others => '0');
     signal until_word : unsigned({{ table.address_bits - 1 }} downto 0) := (others => '0');
 {%- for port in table.sample %}
-    signal now_{{ port.name }} : {{ port.vhdl(core) }} := (others => '0');
+    signal now_{{ port.name }} : {{ port.vhdl(core) }} := {{ port.vhdl_zero() }};
 {%- endfor %}
 
     -- Its lights, a word a clock.
@@ -48,7 +48,7 @@ architecture rtl of {{ table.name }} is
     signal last   : std_logic := '0';
     signal record_word : std_logic_vector({{ table.word_bits() - 1 }} downto 0) := (others => '0');
 {%- for port in table.sample %}
-    signal read_{{ port.name }} : {{ port.vhdl(core) }} := (others => '0');
+    signal read_{{ port.name }} : {{ port.vhdl(core) }} := {{ port.vhdl_zero() }};
 {%- endfor %}
 
 begin

@@ -40,7 +40,7 @@ fn specs() -> Vec<String> {
          axi_stream = true\nreflectance = { model = 'ggx' }"
             .to_owned(),
         "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\ntexels = 'writable'\n\
-         lights_a_clock = 2\nmost_lights = 5\nlight_source = 'table'\nvhdl_ports = 'std-logic'\n\
+         swap = true\nlights_a_clock = 2\nmost_lights = 5\nlight_source = 'table'\nvhdl_ports = 'std-logic'\n\
          axi_stream = true\ntuser_bits = 40\nreflectance = { model = 'gold-paint' }"
             .to_owned(),
         format!("{SHADER}lights_a_clock = 1\nmost_lights = 1\nlight_source = 'table'\naxi_stream = true\n"),

@@ -1,4 +1,4 @@
-//! Texels of an image-based block in memories outside of the core.
+//! Texels of an image-based block in memories outside of the core, and in two sets that are written in turn.
 //!
 //! Needs iverilog, verilator, ghdl and yosys; `test.sh` installs them.
 
@@ -8,6 +8,7 @@ use brdfgen::core::{Design, Role};
 use brdfgen::emit::package::Part;
 use brdfgen::spec::Language;
 use brdfgen::verify::cosim::{self, Sim};
+use brdfgen::verify::formal::{self, ProofStatus};
 use serde_json::Value;
 
 use crate::common::Scratch;
@@ -117,13 +118,63 @@ fn the_core_is_drawn_and_proved_with_its_memory() {
     assert!(sheet.contains("The texels lie in memories outside of the core") && sheet.contains("`tb/own_memory.v`"));
 }
 
+const SWAP: &str = "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\ntexels = 'writable'\n\
+                    swap = true\nreflectance = { model = 'ggx' }\n";
+
+/// Two sets of texels: the memories are twice as large, and nothing else is another core.
 #[test]
-fn when_external_texels_come_is_checked() {
+fn two_sets_of_texels_make_the_same_core() {
+    let [two, one] = [SWAP.to_owned(), SWAP.replace("swap = true", "")].map(|spec| design(&spec));
+    assert_eq!(two.datapath_digest(), one.datapath_digest());
+    assert_eq!((two.texel_sets(), one.texel_sets()), (2, 1));
+    let address = |design: &Design| design.write_ports()[0].address.format.expect("bits").width();
+    assert_eq!(address(&two), address(&one) + 1);
+    let names = |design: &Design| design.whole_ports().into_iter().map(|port| port.name).collect::<Vec<_>>();
+    assert!(["swap", "texel_set"].iter().all(|name| names(&two).iter().any(|port| port == name)));
+    assert!(!names(&two).iter().any(|port| port == "in_set") && names(&two).len() == names(&one).len() + 2);
+}
+
+/// A set that is chosen too early or always the same, a write that goes to one set only, a swap that does not wait for
+/// the end of its sample or does not last: the benches see it, and of the sequencer the proof.
+#[test]
+fn broken_sets_of_texels_are_found() {
+    let generated = Generated::new(SWAP);
+    let design = &generated.design;
+    let whole = generated.on_disk();
+    for (part, language, from, to) in [
+        (Part::Core, Language::Verilog, "{sets[", "{sets[1] & sets["),
+        (Part::Core, Language::Verilog, "wr_texels_1_even_odd_en) texels_1_even_odd[", "1'b0) texels_1_even_odd["),
+        (Part::Core, Language::Vhdl, "& in_set;", "& (not in_set);"),
+        (Part::Lights, Language::Verilog, "in_valid & in_last & swap", "in_valid & swap"),
+        (Part::Lights, Language::Verilog, "in_set <= ~in_set", "in_set <= 1'b0"),
+        (Part::Lights, Language::Vhdl, "in_last = '1' and swap = '1'", "swap = '1'"),
+        (Part::Lights, Language::Vhdl, "in_set <= not in_set", "in_set <= '0'"),
+    ] {
+        let sim = if language == Language::Verilog { Sim::Icarus } else { Sim::Ghdl };
+        assert!(passes(&whole, part, sim), "{part:?}");
+        let core = generated.on_disk();
+        let path = core.path().join(part.rtl_path(design, language));
+        let text = std::fs::read_to_string(&path).expect("the text");
+        assert!(text.contains(from), "{from}");
+        std::fs::write(&path, text.replacen(from, to, 1)).expect("written");
+        assert!(!passes(&core, part, sim), "{part:?} with {to}");
+        if part == Part::Lights {
+            let proofs = formal::around(design, core.path(), &|_| {}).expect("it runs");
+            let of = |proof: &&formal::Proof| proof.claim.contains(&format!("in {language} "));
+            assert!(proofs.iter().any(|proof| of(&proof) && proof.verdict == ProofStatus::Refuted), "{to}: {proofs:?}");
+        }
+    }
+}
+
+#[test]
+fn the_keys_of_texel_memories_are_checked() {
     for (keys, words) in [
         ("texels = 'external'\ntexel_latency = 0", "texel_latency = 0"),
         ("texels = 'external'\ntexel_latency = 33", "1 to 32"),
         ("texel_latency = 2", "texels in the core"),
         ("texels = 'writable'\ntexel_latency = 2", "texels = \"external\""),
+        ("swap = true", "not written"),
+        ("texels = 'external'\nswap = true", "texels = \"writable\""),
     ] {
         let scratch = Scratch::new();
         scratch.write("core.toml", format!("block = 'image'\nreflectance = {{ model = 'ggx' }}\n{keys}\n"));

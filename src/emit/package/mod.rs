@@ -196,6 +196,7 @@ fn texts_without_header(design: &Design) -> Texts {
         vhdl_ports: spec.vhdl_ports,
         rom_files: own.map(|(_, table)| named_file(design, table)).collect(),
         writes,
+        sets: design.texel_sets(),
         reads: design.read_ports(),
     }
 }
@@ -547,6 +548,9 @@ fn manifest(design: &Design, account: &Account, files: &[File]) -> String {
     let loads: Vec<_> = design.write_ports().into_iter().map(load).collect();
     if !loads.is_empty() {
         manifest["loading"] = json!({ "datapath": design.datapath_digest(), "memories": loads });
+        if design.texel_sets() > 1 {
+            manifest["loading"]["sets"] = json!(design.texel_sets());
+        }
     }
     if let Some(memory) = external_memory(design) {
         manifest["external"] = external_manifest(design, &memory);
