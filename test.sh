@@ -117,12 +117,13 @@ for core in generated/*/; do
     # For every input and every clock, where the simulators compare runs.
     verdicts=$($brdfgen formal "$core" --solver-limit 5) || { echo "$verdicts" && exit 1; }
     echo "$verdicts"
-    # The netlists of two cores, and what a netlist with mistakes gives away for a small one, as it is compiled anew; of all cores with --all.
+    # The netlists of two cores, a part of the mutants of the image-based ones, which have tens of thousands, and what a netlist with mistakes gives away for a small one, as it is compiled anew; of all cores with --all.
     netlist=$all
     mutants=""
     case $name in
     table_2d | quadratic) netlist=yes ;;
     squaring) mutants="--netlist 200" ;;
+    image_*) mutants="--source 4000" ;;
     esac
     [ "$all" = yes ] && mutants="--netlist 200"
     # shellcheck disable=SC2086

@@ -236,7 +236,7 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 1: band1_next_exact, v1_xy, x1, u1_xy
+    // ===== Stage 1: band1_next_exact, v1_xy, x1_exact, u1_xy
     // UQ3.0: the next
     wire [2:0] band1_next_exact_1 = band1_kept_1 + 3'h1;
     // Q4.14: the turned normal
@@ -244,7 +244,7 @@ module image_paper #(
     // Q9.9: in texels from the middle
     wire [18:0] v1_scaled_1 = v1_xy_1;
     // Q4.14: the component across y of the normal, turned back
-    wire [18:0] x1_1 = {{1{x1_x_1[17]}}, x1_x_1} - {{1{x1_y_1[17]}}, x1_y_1};
+    wire [18:0] x1_exact_1 = {{1{x1_x_1[17]}}, x1_x_1} - {{1{x1_y_1[17]}}, x1_y_1};
     // Q4.14: the turned normal
     wire [18:0] u1_xy_1 = {{1{u1_x_1[17]}}, u1_x_1} + {{1{u1_y_1[17]}}, u1_y_1};
     reg [17:0] in_nz_2;
@@ -258,7 +258,7 @@ module image_paper #(
     reg [2:0] band1_next_exact_2;
     reg [18:0] v1_xy_2;
     reg [18:0] v1_scaled_2;
-    reg [18:0] x1_2;
+    reg [18:0] x1_exact_2;
     reg [17:0] u1_z_2;
     reg [18:0] u1_xy_2;
     reg alone1_2;
@@ -282,7 +282,7 @@ module image_paper #(
             band1_next_exact_2 <= band1_next_exact_1;
             v1_xy_2 <= v1_xy_1;
             v1_scaled_2 <= v1_scaled_1;
-            x1_2 <= x1_1;
+            x1_exact_2 <= x1_exact_1;
             u1_z_2 <= u1_z_1;
             u1_xy_2 <= u1_xy_1;
             alone1_2 <= alone1_1;
@@ -296,7 +296,7 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 2: band1_next, v1_place, u1_xyz, v1_unit
+    // ===== Stage 2: band1_next, v1_place, x1, u1_xyz, v1_unit
     // UQ3.0: at most the last
     wire [2:0] band1_next_2 = (band1_next_exact_2 > 3'h5) ? 3'h5 : band1_next_exact_2;
     // UQ3.-1: its leading bits
@@ -307,6 +307,10 @@ module image_paper #(
     wire [18:0] v1_place_2 = v1_scaled_2 + 19'h03f04;
     // Q9.6: rounded to the nearest weight
     wire [15:0] v1_cut_2 = v1_place_2[18:3];
+    // Q1.14: of a unit vector it is at most 1
+    wire [15:0] x1_2 = (x1_exact_2[18] & ~&x1_exact_2[17:14]) ? 16'hc000 :
+        (~x1_exact_2[18] & |x1_exact_2[17:14]) ? 16'h4000 :
+        x1_exact_2[15:0];
     // Q4.14: the turned normal
     wire [18:0] u1_xyz_2 = u1_xy_2 + {{1{u1_z_2[17]}}, u1_z_2};
     // Q1.14: y of a unit vector
@@ -330,7 +334,7 @@ module image_paper #(
     reg hidden_3;
     reg [2:0] shift1_3;
     reg [15:0] v1_cut_3;
-    reg [18:0] x1_3;
+    reg [15:0] x1_3;
     reg [18:0] u1_xyz_3;
     reg [15:0] v1_unit_3;
     reg alone1_3;
@@ -411,7 +415,7 @@ module image_paper #(
     reg [4:0] v1_odd_4;
     reg v1_is_odd_4;
     reg [6:0] v1_weight_wide_4;
-    reg [18:0] x1_4;
+    reg [15:0] x1_4;
     reg [18:0] u1_either_4;
     reg [31:0] v1_square_4;
     reg alone1_4;
@@ -526,7 +530,7 @@ module image_paper #(
     reg hidden_5;
     reg [2:0] shift1_5;
     reg [6:0] v1_next_exact_5;
-    reg [18:0] x1_5;
+    reg [15:0] x1_5;
     reg [17:0] rr1_cut_5;
     reg [15:0] u1_kept_signed_5;
     reg alone1_5;
@@ -652,7 +656,7 @@ module image_paper #(
     reg hidden_6;
     reg [2:0] shift1_6;
     reg [4:0] v1_even_6;
-    reg [18:0] x1_6;
+    reg [15:0] x1_6;
     reg place1_4_6;
     reg place1_2_6;
     reg [15:0] rr1_1_6;
@@ -759,7 +763,7 @@ module image_paper #(
     reg [17:0] in_gain1b_7;
     reg hidden_7;
     reg [2:0] shift1_7;
-    reg [18:0] x1_7;
+    reg [15:0] x1_7;
     reg [1:0] exponent1_2_7;
     reg place1_1_7;
     reg [3:0] step1_number_7;
@@ -835,7 +839,7 @@ module image_paper #(
     reg [17:0] in_gain1b_8;
     reg hidden_8;
     reg [2:0] shift1_8;
-    reg [18:0] x1_8;
+    reg [15:0] x1_8;
     reg [3:0] step1_number_8;
     reg [2:0] octave1_8;
     reg [4:0] weight1_8;
@@ -907,7 +911,7 @@ module image_paper #(
     reg [17:0] in_gain1b_9;
     reg hidden_9;
     reg [2:0] shift1_9;
-    reg [18:0] x1_9;
+    reg [15:0] x1_9;
     reg [6:0] column1_9;
     reg [4:0] weight1_9;
     reg [15:0] u1_kept_signed_9;
@@ -982,7 +986,7 @@ module image_paper #(
     reg [17:0] in_gain1b_10;
     reg hidden_10;
     reg [2:0] shift1_10;
-    reg [18:0] x1_10;
+    reg [15:0] x1_10;
     reg [4:0] weight1_10;
     reg [15:0] u1_kept_signed_10;
     reg alone1_10;
@@ -1052,7 +1056,7 @@ module image_paper #(
     reg [17:0] in_gain1b_11;
     reg hidden_11;
     reg [2:0] shift1_11;
-    reg [18:0] x1_11;
+    reg [15:0] x1_11;
     reg [4:0] weight1_11;
     reg [15:0] root_1_11;
     reg [14:0] fall_1_11;
@@ -1122,7 +1126,7 @@ module image_paper #(
     reg [17:0] in_gain1b_12;
     reg hidden_12;
     reg [2:0] shift1_12;
-    reg [18:0] x1_12;
+    reg [15:0] x1_12;
     reg [4:0] weight1_12;
     reg [15:0] root_1_12;
     reg [14:0] fall_1_12;
@@ -1194,7 +1198,7 @@ module image_paper #(
     reg [17:0] in_gain1b_13;
     reg hidden_13;
     reg [2:0] shift1_13;
-    reg [18:0] x1_13;
+    reg [15:0] x1_13;
     reg [15:0] root_1_13;
     reg [19:0] fall_part1_13;
     reg [15:0] u1_kept_signed_13;
@@ -1266,7 +1270,7 @@ module image_paper #(
     reg [17:0] in_gain1b_14;
     reg hidden_14;
     reg [2:0] shift1_14;
-    reg [18:0] x1_14;
+    reg [15:0] x1_14;
     reg [16:0] root_cut1_14;
     reg [15:0] u1_kept_signed_14;
     reg alone1_14;
@@ -1336,7 +1340,7 @@ module image_paper #(
     reg [17:0] in_gain1b_15;
     reg hidden_15;
     reg [2:0] shift1_15;
-    reg [18:0] x1_15;
+    reg [15:0] x1_15;
     reg [18:0] tilt1_cut_15;
     reg alone1_15;
     reg [11:0] end1_even_15;
@@ -1407,7 +1411,7 @@ module image_paper #(
     reg [17:0] in_gain1b_16;
     reg hidden_16;
     reg [2:0] shift1_16;
-    reg [18:0] x1_16;
+    reg [15:0] x1_16;
     reg [13:0] tilt1_signed_16;
     reg [11:0] end1_even_16;
     reg [11:0] end1_odd_16;
@@ -1477,7 +1481,7 @@ module image_paper #(
     reg [17:0] in_gain1b_17;
     reg hidden_17;
     reg [2:0] shift1_17;
-    reg [18:0] x1_17;
+    reg [15:0] x1_17;
     reg [14:0] turn_more1_even_17;
     reg [11:0] end1_even_17;
     reg [14:0] turn_more1_odd_17;
@@ -1545,7 +1549,7 @@ module image_paper #(
     reg [17:0] in_gain1b_18;
     reg hidden_18;
     reg [2:0] shift1_18;
-    reg [18:0] x1_18;
+    reg [15:0] x1_18;
     reg [15:0] turn_exact1_even_18;
     reg [11:0] end1_even_18;
     reg [15:0] turn_exact1_odd_18;
@@ -1613,7 +1617,7 @@ module image_paper #(
     reg [17:0] in_gain1b_19;
     reg hidden_19;
     reg [2:0] shift1_19;
-    reg [18:0] x1_19;
+    reg [15:0] x1_19;
     reg [14:0] turn1_even_19;
     reg [11:0] end1_even_19;
     reg [14:0] turn1_odd_19;
@@ -1697,7 +1701,7 @@ module image_paper #(
     reg [17:0] in_gain1b_20;
     reg hidden_20;
     reg [2:0] shift1_20;
-    reg [18:0] x1_20;
+    reg [15:0] x1_20;
     reg [6:0] step_number1_even_20;
     reg [7:0] past_part1_even_20;
     reg [8:0] past_part1_even_signed_20;
@@ -1779,7 +1783,7 @@ module image_paper #(
     reg [17:0] in_gain1b_21;
     reg hidden_21;
     reg [2:0] shift1_21;
-    reg [18:0] x1_21;
+    reg [15:0] x1_21;
     reg [7:0] past_part1_even_21;
     reg [8:0] past_part1_even_signed_21;
     reg [11:0] end1_even_21;
@@ -1859,7 +1863,7 @@ module image_paper #(
     reg [17:0] in_gain1b_22;
     reg hidden_22;
     reg [2:0] shift1_22;
-    reg [18:0] x1_22;
+    reg [15:0] x1_22;
     reg [7:0] past_part1_even_22;
     reg [14:0] sine_1_even_22;
     reg [10:0] sine_rise_1_even_22;
@@ -1939,7 +1943,7 @@ module image_paper #(
     reg [17:0] in_gain1b_23;
     reg hidden_23;
     reg [2:0] shift1_23;
-    reg [18:0] x1_23;
+    reg [15:0] x1_23;
     reg [7:0] past_part1_even_23;
     reg [14:0] sine_1_even_23;
     reg [10:0] sine_rise_1_even_23;
@@ -2029,7 +2033,7 @@ module image_paper #(
     reg [17:0] in_gain1b_24;
     reg hidden_24;
     reg [2:0] shift1_24;
-    reg [18:0] x1_24;
+    reg [15:0] x1_24;
     reg [14:0] sine_1_even_24;
     reg [14:0] cosine_1_even_24;
     reg [18:0] sin_part1_even_24;
@@ -2121,7 +2125,7 @@ module image_paper #(
     reg [17:0] in_gain1b_25;
     reg hidden_25;
     reg [2:0] shift1_25;
-    reg [18:0] x1_25;
+    reg [15:0] x1_25;
     reg [15:0] sin1_even_25;
     reg [15:0] cos1_even_25;
     reg [11:0] end1_even_25;
@@ -2179,10 +2183,10 @@ module image_paper #(
     end
 
     // ===== Stage 25: xc1_even_exact, zs1_even_exact, zc1_even_exact and 5 more
-    // Q6.28: x cos
-    wire [34:0] xc1_even_exact_25 = $signed(x1_25) * $signed(cos1_even_25);
-    // Q4.14: rounded down
-    wire [18:0] xc1_even_25 = xc1_even_exact_25[32:14];
+    // Q3.28: x cos
+    wire [31:0] xc1_even_exact_25 = $signed(x1_25) * $signed(cos1_even_25);
+    // Q1.14: rounded down
+    wire [15:0] xc1_even_25 = xc1_even_exact_25[29:14];
     // Q3.30: z sin
     wire [33:0] zs1_even_exact_25 = $signed(in_nz_25) * $signed(sin1_even_25);
     // Q2.14: rounded down
@@ -2191,14 +2195,14 @@ module image_paper #(
     wire [33:0] zc1_even_exact_25 = $signed(in_nz_25) * $signed(cos1_even_25);
     // Q2.14: rounded down
     wire [16:0] zc1_even_25 = zc1_even_exact_25[32:16];
-    // Q6.28: x sin
-    wire [34:0] xs1_even_exact_25 = $signed(x1_25) * $signed(sin1_even_25);
-    // Q4.14: rounded down
-    wire [18:0] xs1_even_25 = xs1_even_exact_25[32:14];
-    // Q6.28: x cos
-    wire [34:0] xc1_odd_exact_25 = $signed(x1_25) * $signed(cos1_odd_25);
-    // Q4.14: rounded down
-    wire [18:0] xc1_odd_25 = xc1_odd_exact_25[32:14];
+    // Q3.28: x sin
+    wire [31:0] xs1_even_exact_25 = $signed(x1_25) * $signed(sin1_even_25);
+    // Q1.14: rounded down
+    wire [15:0] xs1_even_25 = xs1_even_exact_25[29:14];
+    // Q3.28: x cos
+    wire [31:0] xc1_odd_exact_25 = $signed(x1_25) * $signed(cos1_odd_25);
+    // Q1.14: rounded down
+    wire [15:0] xc1_odd_25 = xc1_odd_exact_25[29:14];
     // Q3.30: z sin
     wire [33:0] zs1_odd_exact_25 = $signed(in_nz_25) * $signed(sin1_odd_25);
     // Q2.14: rounded down
@@ -2207,24 +2211,24 @@ module image_paper #(
     wire [33:0] zc1_odd_exact_25 = $signed(in_nz_25) * $signed(cos1_odd_25);
     // Q2.14: rounded down
     wire [16:0] zc1_odd_25 = zc1_odd_exact_25[32:16];
-    // Q6.28: x sin
-    wire [34:0] xs1_odd_exact_25 = $signed(x1_25) * $signed(sin1_odd_25);
-    // Q4.14: rounded down
-    wire [18:0] xs1_odd_25 = xs1_odd_exact_25[32:14];
+    // Q3.28: x sin
+    wire [31:0] xs1_odd_exact_25 = $signed(x1_25) * $signed(sin1_odd_25);
+    // Q1.14: rounded down
+    wire [15:0] xs1_odd_25 = xs1_odd_exact_25[29:14];
     reg [17:0] in_gain1r_26;
     reg [17:0] in_gain1g_26;
     reg [17:0] in_gain1b_26;
     reg hidden_26;
     reg [2:0] shift1_26;
-    reg [18:0] xc1_even_26;
+    reg [15:0] xc1_even_26;
     reg [16:0] zs1_even_26;
     reg [16:0] zc1_even_26;
-    reg [18:0] xs1_even_26;
+    reg [15:0] xs1_even_26;
     reg [11:0] end1_even_26;
-    reg [18:0] xc1_odd_26;
+    reg [15:0] xc1_odd_26;
     reg [16:0] zs1_odd_26;
     reg [16:0] zc1_odd_26;
-    reg [18:0] xs1_odd_26;
+    reg [15:0] xs1_odd_26;
     reg [11:0] end1_odd_26;
     reg [6:0] texels1_000_26;
     reg [6:0] texels1_001_26;
@@ -2279,28 +2283,28 @@ module image_paper #(
     end
 
     // ===== Stage 26: across1_even, behind1_even, across1_odd, behind1_odd
-    // Q4.14: x of the turned normal
-    wire [18:0] across1_even_26 = xc1_even_26 + {{2{zs1_even_26[16]}}, zs1_even_26};
+    // Q2.14: x of the turned normal
+    wire [16:0] across1_even_26 = {{1{xc1_even_26[15]}}, xc1_even_26} + zs1_even_26;
     // UQ1.0: whether it is behind the rim, z < 0
-    wire behind1_even_26 = $signed(xs1_even_26) > $signed({{2{zc1_even_26[16]}}, zc1_even_26});
-    // Q9.9: in texels from the middle
-    wire [18:0] u1_even_scaled_26 = across1_even_26;
-    // Q4.14: x of the turned normal
-    wire [18:0] across1_odd_26 = xc1_odd_26 + {{2{zs1_odd_26[16]}}, zs1_odd_26};
+    wire behind1_even_26 = $signed({{1{xs1_even_26[15]}}, xs1_even_26}) > $signed(zc1_even_26);
+    // Q7.9: in texels from the middle
+    wire [16:0] u1_even_scaled_26 = across1_even_26;
+    // Q2.14: x of the turned normal
+    wire [16:0] across1_odd_26 = {{1{xc1_odd_26[15]}}, xc1_odd_26} + zs1_odd_26;
     // UQ1.0: whether it is behind the rim, z < 0
-    wire behind1_odd_26 = $signed(xs1_odd_26) > $signed({{2{zc1_odd_26[16]}}, zc1_odd_26});
-    // Q9.9: in texels from the middle
-    wire [18:0] u1_odd_scaled_26 = across1_odd_26;
+    wire behind1_odd_26 = $signed({{1{xs1_odd_26[15]}}, xs1_odd_26}) > $signed(zc1_odd_26);
+    // Q7.9: in texels from the middle
+    wire [16:0] u1_odd_scaled_26 = across1_odd_26;
     reg [17:0] in_gain1r_27;
     reg [17:0] in_gain1g_27;
     reg [17:0] in_gain1b_27;
     reg hidden_27;
     reg [2:0] shift1_27;
     reg behind1_even_27;
-    reg [18:0] u1_even_scaled_27;
+    reg [16:0] u1_even_scaled_27;
     reg [11:0] end1_even_27;
     reg behind1_odd_27;
-    reg [18:0] u1_odd_scaled_27;
+    reg [16:0] u1_odd_scaled_27;
     reg [11:0] end1_odd_27;
     reg [6:0] texels1_000_27;
     reg [6:0] texels1_001_27;
@@ -2351,24 +2355,24 @@ module image_paper #(
     end
 
     // ===== Stage 27: u1_even_place, u1_odd_place
-    // Q9.9: from the first, plus half a weight's last bit
-    wire [18:0] u1_even_place_27 = u1_even_scaled_27 + 19'h03f04;
-    // Q9.6: rounded to the nearest weight
-    wire [15:0] u1_even_cut_27 = u1_even_place_27[18:3];
-    // Q9.9: from the first, plus half a weight's last bit
-    wire [18:0] u1_odd_place_27 = u1_odd_scaled_27 + 19'h03f04;
-    // Q9.6: rounded to the nearest weight
-    wire [15:0] u1_odd_cut_27 = u1_odd_place_27[18:3];
+    // Q8.9: from the first, plus half a weight's last bit
+    wire [17:0] u1_even_place_27 = {{1{u1_even_scaled_27[16]}}, u1_even_scaled_27} + 18'h03f04;
+    // Q8.6: rounded to the nearest weight
+    wire [14:0] u1_even_cut_27 = u1_even_place_27[17:3];
+    // Q8.9: from the first, plus half a weight's last bit
+    wire [17:0] u1_odd_place_27 = {{1{u1_odd_scaled_27[16]}}, u1_odd_scaled_27} + 18'h03f04;
+    // Q8.6: rounded to the nearest weight
+    wire [14:0] u1_odd_cut_27 = u1_odd_place_27[17:3];
     reg [17:0] in_gain1r_28;
     reg [17:0] in_gain1g_28;
     reg [17:0] in_gain1b_28;
     reg hidden_28;
     reg [2:0] shift1_28;
     reg behind1_even_28;
-    reg [15:0] u1_even_cut_28;
+    reg [14:0] u1_even_cut_28;
     reg [11:0] end1_even_28;
     reg behind1_odd_28;
-    reg [15:0] u1_odd_cut_28;
+    reg [14:0] u1_odd_cut_28;
     reg [11:0] end1_odd_28;
     reg [6:0] texels1_000_28;
     reg [6:0] texels1_001_28;
@@ -2421,7 +2425,7 @@ module image_paper #(
     // ===== Stage 28: u1_even_kept, u_at1_even, u1_odd_kept, u_at1_odd
     // UQ6.6: between the outermost centres
     wire [11:0] u1_even_kept_28 =
-        u1_even_cut_28[15] ? 12'h000 : (u1_even_cut_28 > 16'h0fc0) ? 12'hfc0 : u1_even_cut_28[11:0];
+        u1_even_cut_28[14] ? 12'h000 : (u1_even_cut_28 > 15'h0fc0) ? 12'hfc0 : u1_even_cut_28[11:0];
     // UQ6.6: that end from behind the rim
     wire [11:0] u_at1_even_28 = behind1_even_28 ? end1_even_28 : u1_even_kept_28;
     // UQ6.0: the texel at or below it
@@ -2438,7 +2442,7 @@ module image_paper #(
     wire [6:0] u1_even_weight_wide_28 = {1'd0, u1_even_weight_28};
     // UQ6.6: between the outermost centres
     wire [11:0] u1_odd_kept_28 =
-        u1_odd_cut_28[15] ? 12'h000 : (u1_odd_cut_28 > 16'h0fc0) ? 12'hfc0 : u1_odd_cut_28[11:0];
+        u1_odd_cut_28[14] ? 12'h000 : (u1_odd_cut_28 > 15'h0fc0) ? 12'hfc0 : u1_odd_cut_28[11:0];
     // UQ6.6: that end from behind the rim
     wire [11:0] u_at1_odd_28 = behind1_odd_28 ? end1_odd_28 : u1_odd_kept_28;
     // UQ6.0: the texel at or below it
@@ -4832,13 +4836,13 @@ module image_paper #(
                     turn_more_exact1_even_16[11:0],
                     sin_exact1_even_24[9:0],
                     cos_exact1_even_24[9:0],
-                    xc1_even_exact_25[34:33],
+                    xc1_even_exact_25[31:30],
                     xc1_even_exact_25[13:0],
                     zs1_even_exact_25[33],
                     zs1_even_exact_25[15:0],
                     zc1_even_exact_25[33],
                     zc1_even_exact_25[15:0],
-                    xs1_even_exact_25[34:33],
+                    xs1_even_exact_25[31:30],
                     xs1_even_exact_25[13:0],
                     u1_even_place_27[2:0],
                     u1_even_next_30[0],
@@ -4846,13 +4850,13 @@ module image_paper #(
                     turn_more_exact1_odd_16[11:0],
                     sin_exact1_odd_24[9:0],
                     cos_exact1_odd_24[9:0],
-                    xc1_odd_exact_25[34:33],
+                    xc1_odd_exact_25[31:30],
                     xc1_odd_exact_25[13:0],
                     zs1_odd_exact_25[33],
                     zs1_odd_exact_25[15:0],
                     zc1_odd_exact_25[33],
                     zc1_odd_exact_25[15:0],
-                    xs1_odd_exact_25[34:33],
+                    xs1_odd_exact_25[31:30],
                     xs1_odd_exact_25[13:0],
                     u1_odd_place_27[2:0],
                     u1_odd_next_30[0],

@@ -481,7 +481,7 @@ architecture rtl of image_paper is
     signal band1_next_exact_1 : unsigned(2 downto 0) := (others => '0');
     signal v1_xy_1 : signed(18 downto 0) := (others => '0');
     signal v1_scaled_1 : signed(18 downto 0) := (others => '0');
-    signal x1_1 : signed(18 downto 0) := (others => '0');
+    signal x1_exact_1 : signed(18 downto 0) := (others => '0');
     signal u1_xy_1 : signed(18 downto 0) := (others => '0');
     signal in_nz_2 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_2 : signed(14 downto 0) := (others => '0');
@@ -494,7 +494,7 @@ architecture rtl of image_paper is
     signal band1_next_exact_2 : unsigned(2 downto 0) := (others => '0');
     signal v1_xy_2 : signed(18 downto 0) := (others => '0');
     signal v1_scaled_2 : signed(18 downto 0) := (others => '0');
-    signal x1_2 : signed(18 downto 0) := (others => '0');
+    signal x1_exact_2 : signed(18 downto 0) := (others => '0');
     signal u1_z_2 : signed(17 downto 0) := (others => '0');
     signal u1_xy_2 : signed(18 downto 0) := (others => '0');
     signal alone1_2 : std_logic := '0';
@@ -510,6 +510,7 @@ architecture rtl of image_paper is
     signal band1_even_2 : unsigned(1 downto 0) := (others => '0');
     signal v1_place_2 : signed(18 downto 0) := (others => '0');
     signal v1_cut_2 : signed(15 downto 0) := (others => '0');
+    signal x1_2 : signed(15 downto 0) := (others => '0');
     signal u1_xyz_2 : signed(18 downto 0) := (others => '0');
     signal v1_unit_2 : signed(15 downto 0) := (others => '0');
     signal texels1_00_2 : unsigned(1 downto 0) := (others => '0');
@@ -525,7 +526,7 @@ architecture rtl of image_paper is
     signal hidden_3 : std_logic := '0';
     signal shift1_3 : unsigned(2 downto 0) := (others => '0');
     signal v1_cut_3 : signed(15 downto 0) := (others => '0');
-    signal x1_3 : signed(18 downto 0) := (others => '0');
+    signal x1_3 : signed(15 downto 0) := (others => '0');
     signal u1_xyz_3 : signed(18 downto 0) := (others => '0');
     signal v1_unit_3 : signed(15 downto 0) := (others => '0');
     signal alone1_3 : std_logic := '0';
@@ -564,7 +565,7 @@ architecture rtl of image_paper is
     signal v1_odd_4 : unsigned(4 downto 0) := (others => '0');
     signal v1_is_odd_4 : std_logic := '0';
     signal v1_weight_wide_4 : unsigned(6 downto 0) := (others => '0');
-    signal x1_4 : signed(18 downto 0) := (others => '0');
+    signal x1_4 : signed(15 downto 0) := (others => '0');
     signal u1_either_4 : signed(18 downto 0) := (others => '0');
     signal v1_square_4 : signed(31 downto 0) := (others => '0');
     signal alone1_4 : std_logic := '0';
@@ -616,7 +617,7 @@ architecture rtl of image_paper is
     signal hidden_5 : std_logic := '0';
     signal shift1_5 : unsigned(2 downto 0) := (others => '0');
     signal v1_next_exact_5 : unsigned(6 downto 0) := (others => '0');
-    signal x1_5 : signed(18 downto 0) := (others => '0');
+    signal x1_5 : signed(15 downto 0) := (others => '0');
     signal rr1_cut_5 : unsigned(17 downto 0) := (others => '0');
     signal u1_kept_signed_5 : signed(15 downto 0) := (others => '0');
     signal alone1_5 : std_logic := '0';
@@ -676,7 +677,7 @@ architecture rtl of image_paper is
     signal hidden_6 : std_logic := '0';
     signal shift1_6 : unsigned(2 downto 0) := (others => '0');
     signal v1_even_6 : unsigned(4 downto 0) := (others => '0');
-    signal x1_6 : signed(18 downto 0) := (others => '0');
+    signal x1_6 : signed(15 downto 0) := (others => '0');
     signal place1_4_6 : unsigned(0 downto 0) := (others => '0');
     signal place1_2_6 : unsigned(0 downto 0) := (others => '0');
     signal rr1_1_6 : unsigned(15 downto 0) := (others => '0');
@@ -726,7 +727,7 @@ architecture rtl of image_paper is
     signal in_gain1b_7 : unsigned(17 downto 0) := (others => '0');
     signal hidden_7 : std_logic := '0';
     signal shift1_7 : unsigned(2 downto 0) := (others => '0');
-    signal x1_7 : signed(18 downto 0) := (others => '0');
+    signal x1_7 : signed(15 downto 0) := (others => '0');
     signal exponent1_2_7 : unsigned(1 downto 0) := (others => '0');
     signal place1_1_7 : unsigned(0 downto 0) := (others => '0');
     signal step1_number_7 : unsigned(3 downto 0) := (others => '0');
@@ -761,7 +762,7 @@ architecture rtl of image_paper is
     signal in_gain1b_8 : unsigned(17 downto 0) := (others => '0');
     signal hidden_8 : std_logic := '0';
     signal shift1_8 : unsigned(2 downto 0) := (others => '0');
-    signal x1_8 : signed(18 downto 0) := (others => '0');
+    signal x1_8 : signed(15 downto 0) := (others => '0');
     signal step1_number_8 : unsigned(3 downto 0) := (others => '0');
     signal octave1_8 : unsigned(2 downto 0) := (others => '0');
     signal weight1_8 : unsigned(4 downto 0) := (others => '0');
@@ -794,7 +795,7 @@ architecture rtl of image_paper is
     signal in_gain1b_9 : unsigned(17 downto 0) := (others => '0');
     signal hidden_9 : std_logic := '0';
     signal shift1_9 : unsigned(2 downto 0) := (others => '0');
-    signal x1_9 : signed(18 downto 0) := (others => '0');
+    signal x1_9 : signed(15 downto 0) := (others => '0');
     signal column1_9 : unsigned(6 downto 0) := (others => '0');
     signal weight1_9 : unsigned(4 downto 0) := (others => '0');
     signal u1_kept_signed_9 : signed(15 downto 0) := (others => '0');
@@ -825,7 +826,7 @@ architecture rtl of image_paper is
     signal in_gain1b_10 : unsigned(17 downto 0) := (others => '0');
     signal hidden_10 : std_logic := '0';
     signal shift1_10 : unsigned(2 downto 0) := (others => '0');
-    signal x1_10 : signed(18 downto 0) := (others => '0');
+    signal x1_10 : signed(15 downto 0) := (others => '0');
     signal weight1_10 : unsigned(4 downto 0) := (others => '0');
     signal u1_kept_signed_10 : signed(15 downto 0) := (others => '0');
     signal alone1_10 : std_logic := '0';
@@ -857,7 +858,7 @@ architecture rtl of image_paper is
     signal in_gain1b_11 : unsigned(17 downto 0) := (others => '0');
     signal hidden_11 : std_logic := '0';
     signal shift1_11 : unsigned(2 downto 0) := (others => '0');
-    signal x1_11 : signed(18 downto 0) := (others => '0');
+    signal x1_11 : signed(15 downto 0) := (others => '0');
     signal weight1_11 : unsigned(4 downto 0) := (others => '0');
     signal root_1_11 : unsigned(15 downto 0) := (others => '0');
     signal fall_1_11 : unsigned(14 downto 0) := (others => '0');
@@ -889,7 +890,7 @@ architecture rtl of image_paper is
     signal in_gain1b_12 : unsigned(17 downto 0) := (others => '0');
     signal hidden_12 : std_logic := '0';
     signal shift1_12 : unsigned(2 downto 0) := (others => '0');
-    signal x1_12 : signed(18 downto 0) := (others => '0');
+    signal x1_12 : signed(15 downto 0) := (others => '0');
     signal weight1_12 : unsigned(4 downto 0) := (others => '0');
     signal root_1_12 : unsigned(15 downto 0) := (others => '0');
     signal fall_1_12 : unsigned(14 downto 0) := (others => '0');
@@ -922,7 +923,7 @@ architecture rtl of image_paper is
     signal in_gain1b_13 : unsigned(17 downto 0) := (others => '0');
     signal hidden_13 : std_logic := '0';
     signal shift1_13 : unsigned(2 downto 0) := (others => '0');
-    signal x1_13 : signed(18 downto 0) := (others => '0');
+    signal x1_13 : signed(15 downto 0) := (others => '0');
     signal root_1_13 : unsigned(15 downto 0) := (others => '0');
     signal fall_part1_13 : unsigned(19 downto 0) := (others => '0');
     signal u1_kept_signed_13 : signed(15 downto 0) := (others => '0');
@@ -955,7 +956,7 @@ architecture rtl of image_paper is
     signal in_gain1b_14 : unsigned(17 downto 0) := (others => '0');
     signal hidden_14 : std_logic := '0';
     signal shift1_14 : unsigned(2 downto 0) := (others => '0');
-    signal x1_14 : signed(18 downto 0) := (others => '0');
+    signal x1_14 : signed(15 downto 0) := (others => '0');
     signal root_cut1_14 : signed(16 downto 0) := (others => '0');
     signal u1_kept_signed_14 : signed(15 downto 0) := (others => '0');
     signal alone1_14 : std_logic := '0';
@@ -987,7 +988,7 @@ architecture rtl of image_paper is
     signal in_gain1b_15 : unsigned(17 downto 0) := (others => '0');
     signal hidden_15 : std_logic := '0';
     signal shift1_15 : unsigned(2 downto 0) := (others => '0');
-    signal x1_15 : signed(18 downto 0) := (others => '0');
+    signal x1_15 : signed(15 downto 0) := (others => '0');
     signal tilt1_cut_15 : signed(18 downto 0) := (others => '0');
     signal alone1_15 : std_logic := '0';
     signal end1_even_15 : unsigned(11 downto 0) := (others => '0');
@@ -1019,7 +1020,7 @@ architecture rtl of image_paper is
     signal in_gain1b_16 : unsigned(17 downto 0) := (others => '0');
     signal hidden_16 : std_logic := '0';
     signal shift1_16 : unsigned(2 downto 0) := (others => '0');
-    signal x1_16 : signed(18 downto 0) := (others => '0');
+    signal x1_16 : signed(15 downto 0) := (others => '0');
     signal tilt1_signed_16 : signed(13 downto 0) := (others => '0');
     signal end1_even_16 : unsigned(11 downto 0) := (others => '0');
     signal end1_odd_16 : unsigned(11 downto 0) := (others => '0');
@@ -1051,7 +1052,7 @@ architecture rtl of image_paper is
     signal in_gain1b_17 : unsigned(17 downto 0) := (others => '0');
     signal hidden_17 : std_logic := '0';
     signal shift1_17 : unsigned(2 downto 0) := (others => '0');
-    signal x1_17 : signed(18 downto 0) := (others => '0');
+    signal x1_17 : signed(15 downto 0) := (others => '0');
     signal turn_more1_even_17 : signed(14 downto 0) := (others => '0');
     signal end1_even_17 : unsigned(11 downto 0) := (others => '0');
     signal turn_more1_odd_17 : signed(14 downto 0) := (others => '0');
@@ -1080,7 +1081,7 @@ architecture rtl of image_paper is
     signal in_gain1b_18 : unsigned(17 downto 0) := (others => '0');
     signal hidden_18 : std_logic := '0';
     signal shift1_18 : unsigned(2 downto 0) := (others => '0');
-    signal x1_18 : signed(18 downto 0) := (others => '0');
+    signal x1_18 : signed(15 downto 0) := (others => '0');
     signal turn_exact1_even_18 : signed(15 downto 0) := (others => '0');
     signal end1_even_18 : unsigned(11 downto 0) := (others => '0');
     signal turn_exact1_odd_18 : signed(15 downto 0) := (others => '0');
@@ -1109,7 +1110,7 @@ architecture rtl of image_paper is
     signal in_gain1b_19 : unsigned(17 downto 0) := (others => '0');
     signal hidden_19 : std_logic := '0';
     signal shift1_19 : unsigned(2 downto 0) := (others => '0');
-    signal x1_19 : signed(18 downto 0) := (others => '0');
+    signal x1_19 : signed(15 downto 0) := (others => '0');
     signal turn1_even_19 : signed(14 downto 0) := (others => '0');
     signal end1_even_19 : unsigned(11 downto 0) := (others => '0');
     signal turn1_odd_19 : signed(14 downto 0) := (others => '0');
@@ -1148,7 +1149,7 @@ architecture rtl of image_paper is
     signal in_gain1b_20 : unsigned(17 downto 0) := (others => '0');
     signal hidden_20 : std_logic := '0';
     signal shift1_20 : unsigned(2 downto 0) := (others => '0');
-    signal x1_20 : signed(18 downto 0) := (others => '0');
+    signal x1_20 : signed(15 downto 0) := (others => '0');
     signal step_number1_even_20 : unsigned(6 downto 0) := (others => '0');
     signal past_part1_even_20 : unsigned(7 downto 0) := (others => '0');
     signal past_part1_even_signed_20 : signed(8 downto 0) := (others => '0');
@@ -1179,7 +1180,7 @@ architecture rtl of image_paper is
     signal in_gain1b_21 : unsigned(17 downto 0) := (others => '0');
     signal hidden_21 : std_logic := '0';
     signal shift1_21 : unsigned(2 downto 0) := (others => '0');
-    signal x1_21 : signed(18 downto 0) := (others => '0');
+    signal x1_21 : signed(15 downto 0) := (others => '0');
     signal past_part1_even_21 : unsigned(7 downto 0) := (others => '0');
     signal past_part1_even_signed_21 : signed(8 downto 0) := (others => '0');
     signal end1_even_21 : unsigned(11 downto 0) := (others => '0');
@@ -1216,7 +1217,7 @@ architecture rtl of image_paper is
     signal in_gain1b_22 : unsigned(17 downto 0) := (others => '0');
     signal hidden_22 : std_logic := '0';
     signal shift1_22 : unsigned(2 downto 0) := (others => '0');
-    signal x1_22 : signed(18 downto 0) := (others => '0');
+    signal x1_22 : signed(15 downto 0) := (others => '0');
     signal past_part1_even_22 : unsigned(7 downto 0) := (others => '0');
     signal sine_1_even_22 : signed(14 downto 0) := (others => '0');
     signal sine_rise_1_even_22 : unsigned(10 downto 0) := (others => '0');
@@ -1253,7 +1254,7 @@ architecture rtl of image_paper is
     signal in_gain1b_23 : unsigned(17 downto 0) := (others => '0');
     signal hidden_23 : std_logic := '0';
     signal shift1_23 : unsigned(2 downto 0) := (others => '0');
-    signal x1_23 : signed(18 downto 0) := (others => '0');
+    signal x1_23 : signed(15 downto 0) := (others => '0');
     signal past_part1_even_23 : unsigned(7 downto 0) := (others => '0');
     signal sine_1_even_23 : signed(14 downto 0) := (others => '0');
     signal sine_rise_1_even_23 : unsigned(10 downto 0) := (others => '0');
@@ -1294,7 +1295,7 @@ architecture rtl of image_paper is
     signal in_gain1b_24 : unsigned(17 downto 0) := (others => '0');
     signal hidden_24 : std_logic := '0';
     signal shift1_24 : unsigned(2 downto 0) := (others => '0');
-    signal x1_24 : signed(18 downto 0) := (others => '0');
+    signal x1_24 : signed(15 downto 0) := (others => '0');
     signal sine_1_even_24 : signed(14 downto 0) := (others => '0');
     signal cosine_1_even_24 : unsigned(14 downto 0) := (others => '0');
     signal sin_part1_even_24 : unsigned(18 downto 0) := (others => '0');
@@ -1335,7 +1336,7 @@ architecture rtl of image_paper is
     signal in_gain1b_25 : unsigned(17 downto 0) := (others => '0');
     signal hidden_25 : std_logic := '0';
     signal shift1_25 : unsigned(2 downto 0) := (others => '0');
-    signal x1_25 : signed(18 downto 0) := (others => '0');
+    signal x1_25 : signed(15 downto 0) := (others => '0');
     signal sin1_even_25 : signed(15 downto 0) := (others => '0');
     signal cos1_even_25 : signed(15 downto 0) := (others => '0');
     signal end1_even_25 : unsigned(11 downto 0) := (others => '0');
@@ -1358,36 +1359,36 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_25 : std_logic := '0';
     signal v1_odd_of_5_25 : std_logic := '0';
     signal blend1_signed_25 : signed(7 downto 0) := (others => '0');
-    signal xc1_even_exact_25 : signed(34 downto 0) := (others => '0');
-    signal xc1_even_25 : signed(18 downto 0) := (others => '0');
+    signal xc1_even_exact_25 : signed(31 downto 0) := (others => '0');
+    signal xc1_even_25 : signed(15 downto 0) := (others => '0');
     signal zs1_even_exact_25 : signed(33 downto 0) := (others => '0');
     signal zs1_even_25 : signed(16 downto 0) := (others => '0');
     signal zc1_even_exact_25 : signed(33 downto 0) := (others => '0');
     signal zc1_even_25 : signed(16 downto 0) := (others => '0');
-    signal xs1_even_exact_25 : signed(34 downto 0) := (others => '0');
-    signal xs1_even_25 : signed(18 downto 0) := (others => '0');
-    signal xc1_odd_exact_25 : signed(34 downto 0) := (others => '0');
-    signal xc1_odd_25 : signed(18 downto 0) := (others => '0');
+    signal xs1_even_exact_25 : signed(31 downto 0) := (others => '0');
+    signal xs1_even_25 : signed(15 downto 0) := (others => '0');
+    signal xc1_odd_exact_25 : signed(31 downto 0) := (others => '0');
+    signal xc1_odd_25 : signed(15 downto 0) := (others => '0');
     signal zs1_odd_exact_25 : signed(33 downto 0) := (others => '0');
     signal zs1_odd_25 : signed(16 downto 0) := (others => '0');
     signal zc1_odd_exact_25 : signed(33 downto 0) := (others => '0');
     signal zc1_odd_25 : signed(16 downto 0) := (others => '0');
-    signal xs1_odd_exact_25 : signed(34 downto 0) := (others => '0');
-    signal xs1_odd_25 : signed(18 downto 0) := (others => '0');
+    signal xs1_odd_exact_25 : signed(31 downto 0) := (others => '0');
+    signal xs1_odd_25 : signed(15 downto 0) := (others => '0');
     signal in_gain1r_26 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_26 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_26 : unsigned(17 downto 0) := (others => '0');
     signal hidden_26 : std_logic := '0';
     signal shift1_26 : unsigned(2 downto 0) := (others => '0');
-    signal xc1_even_26 : signed(18 downto 0) := (others => '0');
+    signal xc1_even_26 : signed(15 downto 0) := (others => '0');
     signal zs1_even_26 : signed(16 downto 0) := (others => '0');
     signal zc1_even_26 : signed(16 downto 0) := (others => '0');
-    signal xs1_even_26 : signed(18 downto 0) := (others => '0');
+    signal xs1_even_26 : signed(15 downto 0) := (others => '0');
     signal end1_even_26 : unsigned(11 downto 0) := (others => '0');
-    signal xc1_odd_26 : signed(18 downto 0) := (others => '0');
+    signal xc1_odd_26 : signed(15 downto 0) := (others => '0');
     signal zs1_odd_26 : signed(16 downto 0) := (others => '0');
     signal zc1_odd_26 : signed(16 downto 0) := (others => '0');
-    signal xs1_odd_26 : signed(18 downto 0) := (others => '0');
+    signal xs1_odd_26 : signed(15 downto 0) := (others => '0');
     signal end1_odd_26 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_26 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_26 : unsigned(6 downto 0) := (others => '0');
@@ -1405,22 +1406,22 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_26 : std_logic := '0';
     signal v1_odd_of_5_26 : std_logic := '0';
     signal blend1_signed_26 : signed(7 downto 0) := (others => '0');
-    signal across1_even_26 : signed(18 downto 0) := (others => '0');
+    signal across1_even_26 : signed(16 downto 0) := (others => '0');
     signal behind1_even_26 : std_logic := '0';
-    signal u1_even_scaled_26 : signed(18 downto 0) := (others => '0');
-    signal across1_odd_26 : signed(18 downto 0) := (others => '0');
+    signal u1_even_scaled_26 : signed(16 downto 0) := (others => '0');
+    signal across1_odd_26 : signed(16 downto 0) := (others => '0');
     signal behind1_odd_26 : std_logic := '0';
-    signal u1_odd_scaled_26 : signed(18 downto 0) := (others => '0');
+    signal u1_odd_scaled_26 : signed(16 downto 0) := (others => '0');
     signal in_gain1r_27 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_27 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_27 : unsigned(17 downto 0) := (others => '0');
     signal hidden_27 : std_logic := '0';
     signal shift1_27 : unsigned(2 downto 0) := (others => '0');
     signal behind1_even_27 : std_logic := '0';
-    signal u1_even_scaled_27 : signed(18 downto 0) := (others => '0');
+    signal u1_even_scaled_27 : signed(16 downto 0) := (others => '0');
     signal end1_even_27 : unsigned(11 downto 0) := (others => '0');
     signal behind1_odd_27 : std_logic := '0';
-    signal u1_odd_scaled_27 : signed(18 downto 0) := (others => '0');
+    signal u1_odd_scaled_27 : signed(16 downto 0) := (others => '0');
     signal end1_odd_27 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_27 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_27 : unsigned(6 downto 0) := (others => '0');
@@ -1438,20 +1439,20 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_27 : std_logic := '0';
     signal v1_odd_of_5_27 : std_logic := '0';
     signal blend1_signed_27 : signed(7 downto 0) := (others => '0');
-    signal u1_even_place_27 : signed(18 downto 0) := (others => '0');
-    signal u1_even_cut_27 : signed(15 downto 0) := (others => '0');
-    signal u1_odd_place_27 : signed(18 downto 0) := (others => '0');
-    signal u1_odd_cut_27 : signed(15 downto 0) := (others => '0');
+    signal u1_even_place_27 : signed(17 downto 0) := (others => '0');
+    signal u1_even_cut_27 : signed(14 downto 0) := (others => '0');
+    signal u1_odd_place_27 : signed(17 downto 0) := (others => '0');
+    signal u1_odd_cut_27 : signed(14 downto 0) := (others => '0');
     signal in_gain1r_28 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_28 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_28 : unsigned(17 downto 0) := (others => '0');
     signal hidden_28 : std_logic := '0';
     signal shift1_28 : unsigned(2 downto 0) := (others => '0');
     signal behind1_even_28 : std_logic := '0';
-    signal u1_even_cut_28 : signed(15 downto 0) := (others => '0');
+    signal u1_even_cut_28 : signed(14 downto 0) := (others => '0');
     signal end1_even_28 : unsigned(11 downto 0) := (others => '0');
     signal behind1_odd_28 : std_logic := '0';
-    signal u1_odd_cut_28 : signed(15 downto 0) := (others => '0');
+    signal u1_odd_cut_28 : signed(14 downto 0) := (others => '0');
     signal end1_odd_28 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_28 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_28 : unsigned(6 downto 0) := (others => '0');
@@ -2602,7 +2603,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 1: band1_next_exact, v1_xy, x1, u1_xy
+    -- ===== Stage 1: band1_next_exact, v1_xy, x1_exact, u1_xy
     -- UQ3.0: the next
     band1_next_exact_1 <= band1_kept_1 + to_unsigned(1, 3);
     -- Q4.14: the turned normal
@@ -2610,7 +2611,7 @@ begin
     -- Q9.9: in texels from the middle
     v1_scaled_1 <= v1_xy_1;
     -- Q4.14: the component across y of the normal, turned back
-    x1_1 <= resize(x1_x_1, 19) - resize(x1_y_1, 19);
+    x1_exact_1 <= resize(x1_x_1, 19) - resize(x1_y_1, 19);
     -- Q4.14: the turned normal
     u1_xy_1 <= resize(u1_x_1, 19) + resize(u1_y_1, 19);
     process (clk) is
@@ -2628,7 +2629,7 @@ begin
                 band1_next_exact_2 <= band1_next_exact_1;
                 v1_xy_2 <= v1_xy_1;
                 v1_scaled_2 <= v1_scaled_1;
-                x1_2 <= x1_1;
+                x1_exact_2 <= x1_exact_1;
                 u1_z_2 <= u1_z_1;
                 u1_xy_2 <= u1_xy_1;
                 alone1_2 <= alone1_1;
@@ -2643,7 +2644,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 2: band1_next, v1_place, u1_xyz, v1_unit
+    -- ===== Stage 2: band1_next, v1_place, x1, u1_xyz, v1_unit
     -- UQ3.0: at most the last
     band1_next_2 <= to_unsigned(5, 3) when band1_next_exact_2 > 5 else
         band1_next_exact_2;
@@ -2655,6 +2656,10 @@ begin
     v1_place_2 <= v1_scaled_2 + to_signed(16132, 19);
     -- Q9.6: rounded to the nearest weight
     v1_cut_2 <= v1_place_2(18 downto 3);
+    -- Q1.14: of a unit vector it is at most 1
+    x1_2 <= to_signed(-16384, 16) when x1_exact_2(18 downto 14) < -1 else
+        to_signed(16384, 16) when x1_exact_2(18 downto 14) > 0 else
+        x1_exact_2(15 downto 0);
     -- Q4.14: the turned normal
     u1_xyz_2 <= u1_xy_2 + resize(u1_z_2, 19);
     -- Q1.14: y of a unit vector
@@ -3894,10 +3899,10 @@ begin
     end process;
 
     -- ===== Stage 25: xc1_even_exact, zs1_even_exact, zc1_even_exact and 5 more
-    -- Q6.28: x cos
+    -- Q3.28: x cos
     xc1_even_exact_25 <= x1_25 * cos1_even_25;
-    -- Q4.14: rounded down
-    xc1_even_25 <= xc1_even_exact_25(32 downto 14);
+    -- Q1.14: rounded down
+    xc1_even_25 <= xc1_even_exact_25(29 downto 14);
     -- Q3.30: z sin
     zs1_even_exact_25 <= in_nz_25 * sin1_even_25;
     -- Q2.14: rounded down
@@ -3906,14 +3911,14 @@ begin
     zc1_even_exact_25 <= in_nz_25 * cos1_even_25;
     -- Q2.14: rounded down
     zc1_even_25 <= zc1_even_exact_25(32 downto 16);
-    -- Q6.28: x sin
+    -- Q3.28: x sin
     xs1_even_exact_25 <= x1_25 * sin1_even_25;
-    -- Q4.14: rounded down
-    xs1_even_25 <= xs1_even_exact_25(32 downto 14);
-    -- Q6.28: x cos
+    -- Q1.14: rounded down
+    xs1_even_25 <= xs1_even_exact_25(29 downto 14);
+    -- Q3.28: x cos
     xc1_odd_exact_25 <= x1_25 * cos1_odd_25;
-    -- Q4.14: rounded down
-    xc1_odd_25 <= xc1_odd_exact_25(32 downto 14);
+    -- Q1.14: rounded down
+    xc1_odd_25 <= xc1_odd_exact_25(29 downto 14);
     -- Q3.30: z sin
     zs1_odd_exact_25 <= in_nz_25 * sin1_odd_25;
     -- Q2.14: rounded down
@@ -3922,10 +3927,10 @@ begin
     zc1_odd_exact_25 <= in_nz_25 * cos1_odd_25;
     -- Q2.14: rounded down
     zc1_odd_25 <= zc1_odd_exact_25(32 downto 16);
-    -- Q6.28: x sin
+    -- Q3.28: x sin
     xs1_odd_exact_25 <= x1_25 * sin1_odd_25;
-    -- Q4.14: rounded down
-    xs1_odd_25 <= xs1_odd_exact_25(32 downto 14);
+    -- Q1.14: rounded down
+    xs1_odd_25 <= xs1_odd_exact_25(29 downto 14);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3966,17 +3971,17 @@ begin
     end process;
 
     -- ===== Stage 26: across1_even, behind1_even, across1_odd, behind1_odd
-    -- Q4.14: x of the turned normal
-    across1_even_26 <= xc1_even_26 + resize(zs1_even_26, 19);
+    -- Q2.14: x of the turned normal
+    across1_even_26 <= resize(xc1_even_26, 17) + zs1_even_26;
     -- UQ1.0: whether it is behind the rim, z < 0
     behind1_even_26 <= '1' when xs1_even_26 > zc1_even_26 else '0';
-    -- Q9.9: in texels from the middle
+    -- Q7.9: in texels from the middle
     u1_even_scaled_26 <= across1_even_26;
-    -- Q4.14: x of the turned normal
-    across1_odd_26 <= xc1_odd_26 + resize(zs1_odd_26, 19);
+    -- Q2.14: x of the turned normal
+    across1_odd_26 <= resize(xc1_odd_26, 17) + zs1_odd_26;
     -- UQ1.0: whether it is behind the rim, z < 0
     behind1_odd_26 <= '1' when xs1_odd_26 > zc1_odd_26 else '0';
-    -- Q9.9: in texels from the middle
+    -- Q7.9: in texels from the middle
     u1_odd_scaled_26 <= across1_odd_26;
     process (clk) is
     begin
@@ -4014,14 +4019,14 @@ begin
     end process;
 
     -- ===== Stage 27: u1_even_place, u1_odd_place
-    -- Q9.9: from the first, plus half a weight's last bit
-    u1_even_place_27 <= u1_even_scaled_27 + to_signed(16132, 19);
-    -- Q9.6: rounded to the nearest weight
-    u1_even_cut_27 <= u1_even_place_27(18 downto 3);
-    -- Q9.9: from the first, plus half a weight's last bit
-    u1_odd_place_27 <= u1_odd_scaled_27 + to_signed(16132, 19);
-    -- Q9.6: rounded to the nearest weight
-    u1_odd_cut_27 <= u1_odd_place_27(18 downto 3);
+    -- Q8.9: from the first, plus half a weight's last bit
+    u1_even_place_27 <= resize(u1_even_scaled_27, 18) + to_signed(16132, 18);
+    -- Q8.6: rounded to the nearest weight
+    u1_even_cut_27 <= u1_even_place_27(17 downto 3);
+    -- Q8.9: from the first, plus half a weight's last bit
+    u1_odd_place_27 <= resize(u1_odd_scaled_27, 18) + to_signed(16132, 18);
+    -- Q8.6: rounded to the nearest weight
+    u1_odd_cut_27 <= u1_odd_place_27(17 downto 3);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4059,7 +4064,7 @@ begin
 
     -- ===== Stage 28: u1_even_kept, u_at1_even, u1_odd_kept, u_at1_odd
     -- UQ6.6: between the outermost centres
-    u1_even_kept_28 <= (others => '0') when u1_even_cut_28(15) = '1' else
+    u1_even_kept_28 <= (others => '0') when u1_even_cut_28(14) = '1' else
         to_unsigned(4032, 12) when u1_even_cut_28 > 4032 else
         unsigned(u1_even_cut_28(11 downto 0));
     -- UQ6.6: that end from behind the rim
@@ -4077,7 +4082,7 @@ begin
     -- UQ1.6: in the wider of two formats
     u1_even_weight_wide_28 <= resize(u1_even_weight_28, 7);
     -- UQ6.6: between the outermost centres
-    u1_odd_kept_28 <= (others => '0') when u1_odd_cut_28(15) = '1' else
+    u1_odd_kept_28 <= (others => '0') when u1_odd_cut_28(14) = '1' else
         to_unsigned(4032, 12) when u1_odd_cut_28 > 4032 else
         unsigned(u1_odd_cut_28(11 downto 0));
     -- UQ6.6: that end from behind the rim

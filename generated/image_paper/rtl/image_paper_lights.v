@@ -91,7 +91,6 @@ module image_paper_lights #(
     // UQ8.0: blue; 255 is full scale
     output wire [7:0] out_b
 );
-
     // ===== The core: what the lights of a clock give
     wire sum_valid;
     wire [17:0] out_sum_r;

@@ -97,7 +97,8 @@ impl<'a> ImageModel<'a> {
         let (across, turn) = frame.split_at(3);
         let bits = self.widths.place;
         let one = |a: i64, b: i64| self.product(&[a], &[b], bits);
-        let (x, y) = (one(normal[0], turn[1]) - one(normal[1], turn[0]), self.product(&normal[..2], turn, bits));
+        let x = (one(normal[0], turn[1]) - one(normal[1], turn[0])).clamp(-Wide::ONE, Wide::ONE);
+        let y = self.product(&normal[..2], turn, bits);
         let z = wide::from_code(normal[2].into(), self.image.vector_fraction);
         let tilt = if turns[2] == 0 {
             let unit = y.clamp(-Wide::ONE, Wide::ONE);

@@ -31,7 +31,9 @@ impl Imaging<'_, '_> {
         let turns = ports.turns.as_ref().expect("a turn for each image");
         let first = self.place_product(self.normal[0], ports.frame[1][1], &format!("x{l}_x"), "x, turned back");
         let second = self.place_product(self.normal[1], ports.frame[1][0], &format!("x{l}_y"), "x, turned back");
-        let x = self.b.sub(first, second, &format!("x{l}"), "the component across y of the normal, turned back");
+        let x = self.b.sub(first, second, &format!("x{l}_exact"), "the component across y of the normal, turned back");
+        let one = 1i128 << self.widths.place;
+        let x = self.b.clamp(x, -one, one, &format!("x{l}"), "of a unit vector it is at most 1");
         let tilt = self.tilt(&ports.frame[0], y, l);
         let half = self.b.constant(1 << (TILT - 1), Format::unsigned(1, TILT), "half_tilt");
         // A flag of its own: in VHDL a port is a vector.
