@@ -1,8 +1,10 @@
-// Drives a Verilated core that takes the lights of a sample in sequence, one clock's lights a clock without a pause.
+// Drives a Verilated core that takes the lights of a sample in sequence, one clock's lights a clock without a pause, or one without lights,
+// whose samples are a clock each.
 //
 // A header, written by brdfgen for each core, defines LATENCY (clocks from a sample's last lights to the sample), INPUTS (how many ports
 // carry numbers) and the functions
 //   void present(Vcore&, const uint32_t* codes)   sets the input ports, masked to their widths, and makes write enables 0
+//   void end(Vcore&, bool last)   says whether the sample ends with this clock, where there is a port for it
 //   void sample(const Vcore&, uint32_t* codes)   reads the three output ports
 //
 // Standard input, in 32-bit words of the machine's order: for each clock whether the sample ends with it, then the codes of the inputs.
@@ -37,7 +39,7 @@ uint64_t clocks = 0;
 
 void step(bool valid, bool last) {
     core->in_valid = valid;
-    core->in_last = last;
+    end(*core, last);
     core->clk = 1;
     core->eval();
     core->clk = 0;

@@ -8,6 +8,8 @@ use crate::fixed::Format;
 /// The components of vectors in names.
 pub(super) const AXES: [char; 3] = ['x', 'y', 'z'];
 
+/// The outputs of a core that gives codes of channels.
+pub(super) const CODES: [&str; 3] = ["out_r", "out_g", "out_b"];
 /// The outputs of a core that takes lights in sequence.
 pub(super) const SUMS: [&str; 3] = ["out_sum_r", "out_sum_g", "out_sum_b"];
 /// The same of the ambient light.
@@ -49,6 +51,10 @@ pub(super) fn channel_code(b: &mut Builder, sum: NodeId, channel: usize, bits: u
     let half = b.half_ulp(bits);
     let sum = b.add(sum, half, &format!("sum_half_{c}"), "plus half a code");
     let code = b.floor(sum, bits, &format!("cut_{c}"), "rounded to the nearest code");
-    let code = b.clamp(code, 0, full, &format!("kept_{c}"), "at most full scale");
+    // A sum that rounds to full scale at most has no bits for more.
+    let code = match b.format(code).max_code() > full {
+        true => b.clamp(code, 0, full, &format!("kept_{c}"), "at most full scale"),
+        false => code,
+    };
     b.scale(code, None, bits, &[bits], &format!("code_{c}"), "as a whole number")
 }

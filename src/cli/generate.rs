@@ -160,13 +160,19 @@ fn keeps(constraints: &Constraints, promised: u32, core: &Core) -> bool {
     !constraints.limits.iter().any(|&(objective, most)| objective == Objective::Latency && latency > most)
 }
 
-/// How the core's pictures meet those of the table that it is made of, if it is: its directory knows the samples only.
-fn table_quality(arguments: &Arguments, design: &Design) -> Result<Option<Quality>, Error> {
+/// How the core's pictures meet those of the table or the matcap's picture that it is made of, if it is, and what that
+/// is called: its directory knows the samples only.
+fn file_quality(arguments: &Arguments, design: &Design) -> Result<Option<(&'static str, Quality)>, Error> {
     let BlockDesign::Image(image) = design.block() else { return Ok(None) };
     let fields = arguments.source.fields()?.reflectance;
     let Some(file) = fields.file.filter(|file| !Path::new(file).is_dir()) else { return Ok(None) };
     let source = reflectance::Source::open(Path::new(&file), fields.lookup.unwrap_or_default())?;
-    Ok(source.reflectance().map(|table| image.quality(table)))
+    Ok(match &source {
+        reflectance::Source::Images(picture) => {
+            Some(("picture", image.block.matcap_error(picture, image.of.exposure).quality))
+        }
+        _ => source.reflectance().map(|table| ("table", image.quality(table))),
+    })
 }
 
 pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
@@ -201,7 +207,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
     }
 
     // A scene's choice has said what its pictures make of it.
-    let of_table = if of_scene.is_some() { None } else { table_quality(&arguments, &core.design)? };
+    let of_file = if of_scene.is_some() { None } else { file_quality(&arguments, &core.design)? };
     // Checked before it is written: a core that fails leaves no directory behind.
     let outcome = core.simulate()?;
     if outcome.passed() {
@@ -222,8 +228,8 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
             "cosim": outcome,
             "passed": passed,
         });
-        if let Some(quality) = &of_table {
-            answer["measured_against_table"] = json!(quality);
+        if let Some((what, quality)) = &of_file {
+            answer[format!("measured_against_{what}")] = json!(quality);
         }
         if design.spec.block.has_lobe() {
             answer["proved_ulps"] = json!(design.lobe().budget.proved_ulps);
@@ -235,8 +241,14 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
         return Ok(Verdict::of(passed));
     }
     describe(design, account).iter().for_each(say);
-    if let Some(Quality { mean, worst, worst_phi, .. }) = of_table {
-        say(format!("against the table itself: {mean:.1} dB in the mean, {worst:.1} dB at {worst_phi} degrees"));
+    match of_file {
+        Some((_, Quality { mean, .. })) if core.design.sums().is_none() => {
+            say(format!("against the picture itself: {mean:.1} dB"));
+        }
+        Some((_, Quality { mean, worst, worst_phi, .. })) => {
+            say(format!("against the table itself: {mean:.1} dB in the mean, {worst:.1} dB at {worst_phi} degrees"));
+        }
+        None => {}
     }
     super::cosim::say_outcome(&outcome);
     if outcome.passed() {
@@ -296,11 +308,14 @@ fn describe(design: &Design, account: &Account) -> Vec<String> {
         Account::Image(error) => {
             let (mean, worst) = (error.quality.mean, error.quality.worst);
             let against = if error.of_samples { " against the stored samples" } else { "" };
-            lines.push(format!(
-                "pictures of a sphere{against}, lit from {} angles: {mean:.1} dB in the mean, {worst:.1} dB at {} \
-                 degrees",
-                error.angles, error.quality.worst_phi
-            ));
+            lines.push(match design.sums() {
+                None => format!("a picture of a sphere{against}: {mean:.1} dB"),
+                Some(_) => format!(
+                    "pictures of a sphere{against}, lit from {} angles: {mean:.1} dB in the mean, {worst:.1} dB at {} \
+                     degrees",
+                    error.angles, error.quality.worst_phi
+                ),
+            });
             let (samples, exact) = (error.samples, error.exact());
             lines.push(format!("error against {exact} in codes of a channel, over {samples} samples:"));
             lines.extend(error.parts.iter().chain([&error.whole]).map(part_line));

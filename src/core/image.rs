@@ -5,10 +5,12 @@ use std::ops::Deref;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use super::lights::sum_meanings;
+use super::lights::{code_meanings, sum_meanings};
 use super::{Design, Part};
-use crate::block::image::quality::{SIZE, STEP, turned};
-use crate::block::image::{ImageBlock, ImageForm, ImageModel, ImageSource, ImageSpec, Joints, Places, RealTexels};
+use crate::block::image::quality::{MATCAP_SIZE, SIZE, STEP, turned};
+use crate::block::image::{
+    Image, ImageBlock, ImageForm, ImageModel, ImageSource, ImageSpec, Joints, Places, RealLight, RealTexels,
+};
 use crate::fixed::exp2;
 use crate::reflectance::measure::{self, Quality, Sphere};
 use crate::reflectance::{Light, Reflectance, Rgb, Vector};
@@ -60,7 +62,9 @@ impl<'a> ImageDesign<'a> {
     pub(super) fn input_meanings(self) -> Vec<String> {
         let image = &self.of.image;
         let axes = ["x", "y", "z"];
-        let mut meanings = axes.map(|axis| format!("{axis} of the unit normal, the viewer at +z")).to_vec();
+        let of_normal = axes[..image.normal_axes()].iter();
+        let mut meanings: Vec<String> =
+            of_normal.map(|axis| format!("{axis} of the unit normal, the viewer at +z")).collect();
         for light in 1..=image.lights {
             if image.has_incidence() {
                 meanings.extend(axes.map(|axis| format!("{axis} of the unit vector to light {light}")));
@@ -73,11 +77,12 @@ impl<'a> ImageDesign<'a> {
                     let row = |row, axis| format!("{axis} of row {row} of the turn to light {light}'s half vector");
                     [(1, "x"), (1, "y"), (1, "z"), (2, "x"), (2, "y")].map(|(number, axis)| row(number, axis)).to_vec()
                 }
+                ImageForm::Matcap => Vec::new(),
             });
             let band = match image.form {
                 ImageForm::Bivariate { .. } => "row",
                 ImageForm::Half { .. } => "slice",
-                ImageForm::Paper { .. } => "image",
+                ImageForm::Paper { .. } | ImageForm::Matcap => "image",
             };
             meanings.push(format!("{band} of texels below light {light}'s angle"));
             meanings.push(format!("weight of the odd one of this {band} and the next, at most 1"));
@@ -97,16 +102,18 @@ impl<'a> ImageDesign<'a> {
 
     /// What each output port that carries numbers is for, in order.
     pub(super) fn output_meanings(self) -> Vec<String> {
-        sum_meanings(&self.block.sums())
+        let codes = || code_meanings(self.of.image.channel_bits);
+        self.block.sums().as_ref().map_or_else(codes, sum_meanings)
     }
 
-    /// The inputs of a normal and of a light each; lights that are missing give nothing.
+    /// The inputs of a normal and of a light each, in the form matcap of the normal alone; lights that are missing give
+    /// nothing.
     #[must_use]
     pub fn inputs(self, n: Vector, lights: &[(Light, Rgb)]) -> Vec<i64> {
         self.block.inputs(n, lights)
     }
 
-    /// The codes of the channels of a sample whose lights are those of one clock.
+    /// The codes of the channels of a sample of one clock.
     #[must_use]
     pub fn shown(self, inputs: &[i64]) -> Vec<i64> {
         self.block.shown(inputs)
@@ -120,10 +127,10 @@ impl<'a> ImageDesign<'a> {
 }
 
 /// The error account of an image-based block: against the reflectance of its model or, of a block that is made of a
-/// file, against the stored samples of it, interpolated exactly.
+/// file, against the stored samples of it, interpolated exactly. A matcap is measured without a light.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ImageError {
-    /// The angles of the light that pictures of a sphere are drawn at.
+    /// The angles of the light that pictures of a sphere are drawn at; 1 of a matcap.
     pub angles: usize,
     /// The samples measured: the pictures' pixels.
     pub samples: u64,
@@ -147,6 +154,14 @@ const PARTS: [(&str, &str); 5] = [
     ("arithmetic", "the roundings behind them, the output's among them"),
 ];
 
+/// The parts of a block's error with what they are.
+fn parts(image: &Image) -> [(&'static str, &'static str); PARTS.len()] {
+    PARTS.map(|(name, meaning)| match name {
+        "ports" if !image.has_lights() => (name, "x and y of the normal rounded to their ports"),
+        _ => (name, meaning),
+    })
+}
+
 /// Least, greatest, squares.
 type Sums = [f64; 3];
 
@@ -157,25 +172,34 @@ impl ImageError {
         if self.of_samples { "the stored samples" } else { "the exact reflectance" }
     }
 
-    /// Measures a block with one light of intensity 1 over pictures of a sphere.
+    /// Measures a block over pictures of a sphere with one light of intensity 1, or of a matcap over one without.
     #[must_use]
     pub fn of(design: ImageDesign<'_>) -> Self {
-        let sphere = Sphere::new(SIZE);
-        let full = design.of.image.full_scale() as f64;
+        let image = &design.of.image;
+        let (size, angles) = match image.has_lights() {
+            true => (SIZE, measure::angles(STEP)),
+            // All texels are seen, and between them what are no multiples of a weight.
+            false => ((2 * image.size as usize + 1).clamp(65, MATCAP_SIZE), vec![0.0]),
+        };
+        let sphere = Sphere::new(size);
+        let full = image.full_scale() as f64;
         let ImageSpec { source, exposure, .. } = design.of;
         let of_angle = |&phi: &f64| {
             let light = turned(phi);
-            let record = design.block.record(light, [1.0; 3]).expect("an intensity of 1");
-            let real = design.block.real_light(light, [1.0; 3]);
-            let rounded = design.block.light_of(&record);
+            let [real, rounded] = if image.has_lights() {
+                let record = design.block.record(light, [1.0; 3]).expect("an intensity of 1");
+                [design.block.real_light(light, [1.0; 3]), design.block.light_of(&record)]
+            } else {
+                [(); 2].map(|()| RealLight::none())
+            };
             let mut errors = [[f64::INFINITY, f64::NEG_INFINITY, 0.0]; PARTS.len() + 1];
             let mut pictures = [Vec::new(), Vec::new()];
             let mut inputs = design.inputs(Vector::z(), &[(light, [1.0; 3])]);
             for &n in &sphere.normals {
                 let codes = design.vector(n);
-                let lsb = exp2(-(design.of.image.vector_fraction as i32));
+                let lsb = exp2(-(image.vector_fraction as i32));
                 let near = Vector::new(codes[0] as f64 * lsb, codes[1] as f64 * lsb, codes[2] as f64 * lsb);
-                inputs[..3].copy_from_slice(&codes);
+                inputs[..image.normal_axes()].copy_from_slice(&codes[..image.normal_axes()]);
                 let hardware = design.shown(&inputs);
                 let shown = |value: Rgb| value.map(|channel| (channel * full).clamp(0.0, full));
                 let interpolated = design.block.real(n, &real, RealTexels::Exact, Places::Exact);
@@ -203,7 +227,6 @@ impl ImageError {
             }
             (errors, (phi, measure::psnr(&pictures[0], &pictures[1])))
         };
-        let angles = measure::angles(STEP);
         let by_angle: Vec<([Sums; PARTS.len() + 1], (f64, f64))> = angles.par_iter().map(of_angle).collect();
         let samples = (angles.len() * sphere.normals.len()) as u64;
         // In order, so that the figures are the same on every machine.
@@ -220,7 +243,7 @@ impl ImageError {
             samples,
             of_samples,
             quality: Quality::of(by_angle.iter().map(|(_, ratio)| *ratio).collect()),
-            parts: PARTS
+            parts: parts(image)
                 .into_iter()
                 .enumerate()
                 .skip(of_samples.into())

@@ -60,6 +60,9 @@ impl ImageDesign<'_> {
     #[must_use]
     pub fn random(self, rng: &mut Rng) -> Vec<i64> {
         let n = visible(rng);
+        if !self.of.image.has_lights() {
+            return self.inputs(vector(n), &[]);
+        }
         let lights: Vec<(Light, Rgb)> = (0..self.of.image.lights)
             .map(|_| {
                 let anywhere = random_direction(rng);
@@ -91,6 +94,9 @@ impl ImageDesign<'_> {
     /// the band's outermost; with a great gain for which no channel is at full scale. No unit vector need be there.
     #[must_use]
     pub fn at_texels(self, places: &[u64]) -> Vec<i64> {
+        if !self.of.image.has_lights() {
+            return self.at_place([places[1], places[0]]);
+        }
         let (mut codes, gain) = self.towards_texels(places);
         self.tune_gain(&mut codes, gain);
         codes
@@ -249,6 +255,7 @@ impl ImageDesign<'_> {
                 (normal[0], normal[1]) = (across(places[2]), across(places[1]));
                 (light[frame], light[frame + 4]) = (number(1.0), number(1.0));
             }
+            ImageForm::Matcap => unreachable!("a form without lights"),
         }
         light[band] = (places[0] / parts) as i64;
         let weight = (places[0] % parts) as i64;
@@ -296,7 +303,7 @@ impl ImageDesign<'_> {
         }
         let frame = self.light_places().frame;
         let rows: &[(usize, usize)] = match image.form {
-            ImageForm::Bivariate { .. } => &[],
+            ImageForm::Bivariate { .. } | ImageForm::Matcap => &[],
             ImageForm::Half { .. } => &[(0, 0), (1, 1), (2, 2), (0, 3), (1, 4)],
             ImageForm::Paper { .. } => &[(0, 0), (1, 1), (2, 2), (0, 3), (1, 4), (0, 4), (1, 3)],
         };
@@ -346,6 +353,9 @@ impl ImageDesign<'_> {
     /// An input of the block: a random sample, random codes, or one that brings it to its edges.
     #[must_use]
     pub fn varied(self, rng: &mut Rng) -> Vec<i64> {
+        if !self.of.image.has_lights() {
+            return self.varied_place(rng);
+        }
         let ports = self.numbers(Direction::In);
         let mut codes = match rng.below(8) {
             0 => random_codes(&ports, rng),

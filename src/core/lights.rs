@@ -39,7 +39,7 @@ impl Design {
         match self.block() {
             BlockDesign::Lobe(_) => None,
             BlockDesign::Shader(shader) => shader.shader.sums(shader.lobe.interface),
-            BlockDesign::Image(image) => Some(image.block.sums()),
+            BlockDesign::Image(image) => image.block.sums(),
         }
     }
 
@@ -59,13 +59,13 @@ impl Design {
         Some(lights.div_ceil(self.lights_a_clock()?).next_power_of_two().max(2))
     }
 
-    /// The lights that the core is told of at once; `None` of a lobe.
+    /// The lights that the core is told of at once; `None` of a lobe and of a matcap.
     #[must_use]
     pub fn lights_a_clock(&self) -> Option<u32> {
         match &self.spec.block {
             Block::Lobe(_) => None,
             Block::Shader(_, shader) => Some(shader.lights),
-            Block::Image(of) => Some(of.image.lights),
+            Block::Image(of) => of.image.has_lights().then_some(of.image.lights),
         }
     }
 
@@ -180,7 +180,7 @@ impl Design {
         let of_sample = match self.block() {
             BlockDesign::Lobe(_) => 0,
             BlockDesign::Shader(shader) => edges::ports_of_sample(shader.shader),
-            BlockDesign::Image(_) => 3,
+            BlockDesign::Image(image) => image.of.image.normal_axes(),
         };
         self.numbers(Direction::In).into_iter().skip(of_sample).map(|(name, _)| name).collect()
     }

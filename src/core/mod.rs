@@ -9,6 +9,7 @@ mod image_inputs;
 pub mod layout;
 mod lights;
 mod lobe;
+mod matcap_inputs;
 mod measure;
 mod port;
 pub mod sample;

@@ -8,7 +8,7 @@ use sha2::{Digest, Sha256};
 
 use super::form::{Form, FormKind, FormSpec};
 use super::images::{self, Pixels};
-use super::paper::{Border, Options};
+use super::paper::Border;
 use super::texels::{Scale, Texel, Texels};
 use crate::platform::error::{Error, refuse};
 use crate::platform::input;
@@ -142,7 +142,7 @@ pub fn parse(text: &str, name: &str) -> Result<Listed, Error> {
     let said = |what: String| wrong(what, "an index as `brdfgen reflectance images` writes it");
     let kind: FormKind = index.form.parse().map_err(said)?;
     let texel: Texel = index.texel.parse().map_err(said)?;
-    let mut options = Options::default();
+    let mut options = kind.options();
     if let Some(border) = &index.border {
         options.border = border.parse::<Border>().map_err(said)?;
     }

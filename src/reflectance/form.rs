@@ -83,6 +83,20 @@ impl FormKind {
         }
     }
 
+    /// How images of the sphere are looked up unless told otherwise: a matcap where x and y of a normal are, also of
+    /// one that is turned away, as its rim's colours go on beside the sphere.
+    #[must_use]
+    pub fn options(self) -> paper::Options {
+        match self {
+            Self::Paper | Self::Half | Self::Bivariate => paper::Options::default(),
+            Self::Matcap => paper::Options {
+                border: paper::Border::Extend,
+                behind: paper::Behind::Literal,
+                ..paper::Options::default()
+            },
+        }
+    }
+
     /// How many images or slices there are unless told otherwise.
     #[must_use]
     pub fn images(self) -> usize {
@@ -114,7 +128,7 @@ pub struct FormSpec {
     pub size: usize,
     /// How they are stored.
     pub texel: Texel,
-    /// How the paper's images are looked up.
+    /// How the paper's images and matcaps are looked up.
     pub options: paper::Options,
 }
 
@@ -127,7 +141,7 @@ impl FormSpec {
             angles: kind.angles(kind.images()),
             size: kind.size(),
             texel: kind.texel(),
-            options: paper::Options::default(),
+            options: kind.options(),
         }
     }
 

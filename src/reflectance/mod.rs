@@ -12,7 +12,8 @@
 //! | [`table`] | the tabulated form over those angles; [`merl`] reads and writes it |
 //! | [`analytic`] | reflectance models with named parameters, and presets |
 //! | [`texels`] | codes of texels and how they are looked up |
-//! | [`paper`], [`half`], [`bivariate`] | the three forms; [`form`] is any of them, and what a matcap is |
+//! | [`paper`], [`half`], [`bivariate`] | the three forms; [`form`] is any of them, and a matcap |
+//! | [`matcap`] | a picture of a sphere with its light in it |
 //! | [`measure`] | the exposure, pictures of the sphere, the signal-to-noise ratio |
 //! | [`info`] | albedo and reciprocity |
 //! | [`images`], [`directory`], [`source`] | sphere images as PNG and OpenEXR, their directory; whatever a user names |
@@ -38,6 +39,7 @@ pub mod form;
 pub mod half;
 pub mod images;
 pub mod info;
+pub mod matcap;
 pub mod measure;
 pub mod merl;
 pub mod paper;

@@ -3,7 +3,7 @@
 use std::io::Read;
 use std::path::Path;
 
-use super::{Form, FormKind, FormSpec, Lookup, Model, Reflectance, Table, directory, images, merl};
+use super::{Form, Lookup, Model, Reflectance, Table, directory, images, merl};
 use crate::platform::error::{Error, refuse};
 use crate::platform::input;
 
@@ -60,7 +60,7 @@ impl Source {
     }
 }
 
-/// The form of a matcap's picture.
+/// The form of a matcap's picture, as [`super::matcap::form`] makes it.
 ///
 /// # Errors
 /// A picture that cannot be read or is not square.
@@ -71,7 +71,5 @@ pub fn matcap(bytes: &[u8], name: &str) -> Result<Form, Error> {
         format!("{name} has {width} × {height} pixels"),
         "a matcap is a square picture of a sphere that touches its sides, of at least 2 × 2 pixels"
     );
-    let spec = FormSpec { size: width, ..FormSpec::of(FormKind::Matcap) };
-    let samples = super::texels::Samples { width, height, data: samples };
-    Ok(spec.encode(&samples, 1.0))
+    Ok(super::matcap::form(width, samples))
 }

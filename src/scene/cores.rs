@@ -17,7 +17,7 @@ use crate::explore::sweep::Core;
 use crate::explore::{Cost, Point};
 use crate::platform::error::{Error, refuse};
 use crate::platform::{input, tool};
-use crate::spec::{Block, BlockKind, Shininess, SpecFields};
+use crate::spec::{Block, BlockKind, ImageFormName, Shininess, SpecFields};
 use crate::target::Family;
 use crate::verify::cosim;
 
@@ -78,8 +78,12 @@ impl PictureCore {
         let mut all = scene.measured_places();
         let fields = match (fields.reflectance.is_empty(), all.next(), all.next()) {
             (true, Some(only), None) => {
-                let reflectance = scene.reflectance(only).map(|measured| measured.block.clone()).unwrap_or_default();
-                SpecFields { reflectance, output_bits: fields.output_bits.or(Some(scene.channel_bits)), ..fields }
+                let measured = scene.reflectance(only);
+                let reflectance = measured.map(|measured| measured.block.clone()).unwrap_or_default();
+                let is_matcap = measured.is_some_and(|measured| measured.matcap().is_some());
+                let image_form = fields.image_form.or(is_matcap.then_some(ImageFormName::Matcap));
+                let output_bits = fields.output_bits.or(Some(scene.channel_bits));
+                SpecFields { reflectance, output_bits, image_form, ..fields }
             }
             _ => fields,
         };
@@ -183,7 +187,7 @@ impl PictureCore {
             return Ok(points.through(&self.design, &|| done(rows.fetch_add(1, Ordering::Relaxed) + 1)));
         }
         let scratch = tool::scratch()?;
-        let (directory, paths) = self.compilable(scratch.path(), Part::Lights)?;
+        let (directory, paths) = self.compilable(scratch.path(), Part::sequenced(&self.design))?;
         let sources: Vec<PathBuf> = paths.into_iter().map(|path| directory.join(path)).collect();
         let mut pixels = Vec::new();
         let samples = points.iter().map(|point| {

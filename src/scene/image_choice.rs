@@ -1,10 +1,10 @@
 //! The image-based core that a measured material of a scene needs: the cheapest whose pictures keep the scene's budget.
 //!
 //! Candidates are the block's forms with several numbers of images, sizes and bits of texels, and beside them the
-//! shader around the cos^n material that is nearest to the reflectance. Each draws the scene through its bit-exact
-//! model, in a picture that is made smaller if it has too many samples; all other materials are exact. The cheapest
-//! that keeps the budget there draws the whole picture, and those with the camera and each light moved, and if it keeps
-//! the budget in all of them it is chosen.
+//! shader around the cos^n material that is nearest to the reflectance; of a matcap several sizes alone. Each draws the
+//! scene through its bit-exact model, in a picture that is made smaller if it has too many samples; all other materials
+//! are exact. The cheapest that keeps the budget there draws the whole picture, and those with the camera and each
+//! light moved, and if it keeps the budget in all of them it is chosen.
 
 use clap::ValueEnum;
 use rayon::prelude::*;
@@ -13,6 +13,7 @@ use serde::Serialize;
 use super::drawing::{Drawn, Own};
 use super::file::fitted;
 use super::image_core::{Points, added};
+use super::reflectance::Measured;
 use super::require::{self, PictureError};
 use super::{Exact, Frame, Highlights, Scene, Tracer};
 use crate::block::image::{ImageSamples, ImageSource};
@@ -22,14 +23,15 @@ use crate::explore::choose::too_slow;
 use crate::explore::run::Costing;
 use crate::platform::error::{Error, refuse};
 use crate::spec::{
-    Block, BlockKind, Colour, CoreSpec, Front, ImageFormName, MethodName, Model as Highlight, ReflectanceFields,
-    ShaderFields, SpecFields,
+    Block, BlockKind, Colour, CoreSpec, Front, ImageFormName, MethodName, Model as Highlight, ShaderFields, SpecFields,
 };
 
 /// Images that are tried of a form that has several.
 const IMAGES: [u32; 5] = [4, 6, 8, 16, 32];
 /// Texels along a side that are tried.
 const SIZES: [u32; 4] = [8, 16, 32, 64];
+/// The same of a matcap, as far as its picture has as many pixels.
+const MATCAP_SIZES: [u32; 6] = [16, 32, 64, 128, 256, 512];
 /// Bits of a texel's channel that are tried.
 const TEXEL_BITS: [u32; 2] = [6, 8];
 /// Bits of the lobe of the fitted shader.
@@ -171,16 +173,42 @@ impl<'a> ImageSearch<'a> {
         Ok(Self { scene, material, margin_degrees, costing, keys })
     }
 
+    fn measured(&self) -> &Measured {
+        self.scene.reflectance(self.material).expect("a material with a reflectance")
+    }
+
+    /// Whether the material has its light in its picture: no cos^n is near to it.
+    fn is_matcap(&self) -> bool {
+        self.measured().matcap().is_some()
+    }
+
     /// The specs of the image-based candidates, each with its name.
     fn specs(&self) -> Result<Vec<CoreSpec>, Error> {
-        let forms: Vec<ImageFormName> =
-            self.keys.image_form.map_or_else(|| ImageFormName::value_variants().to_vec(), |form| vec![form]);
+        let picture = self.measured().matcap();
+        let is_made = |form: &ImageFormName| (*form == ImageFormName::Matcap) == picture.is_some();
+        let all = ImageFormName::value_variants().iter().copied().filter(is_made);
+        let forms: Vec<ImageFormName> = self.keys.image_form.map_or_else(|| all.collect(), |form| vec![form]);
+        if let Some(form) = forms.iter().find(|form| !is_made(form)) {
+            return Err(Error::input(
+                format!(
+                    "image_form = {:?} is given for the material {}, which is {}",
+                    form.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default(),
+                    self.scene.materials[self.material].name,
+                    if picture.is_some() { "a matcap" } else { "a reflectance and no matcap" }
+                ),
+                "leave image_form out",
+            ));
+        }
+        let sizes: Vec<u32> = match picture {
+            Some(form) => MATCAP_SIZES.into_iter().filter(|&size| size as usize <= form.spec.size).collect(),
+            None => SIZES.to_vec(),
+        };
         let keys = self.keys.clone().or(self.common());
         let of_form =
-            |form| SpecFields { image_form: Some(form), ..keys.clone() }.with_image_sizes(&IMAGES, &SIZES, &TEXEL_BITS);
+            |form| SpecFields { image_form: Some(form), ..keys.clone() }.with_image_sizes(&IMAGES, &sizes, &TEXEL_BITS);
         let (mut specs, mut refused) = (Vec::<CoreSpec>::new(), None);
         for own in forms.into_iter().flat_map(of_form) {
-            match own.resolve() {
+            match own.resolve_with_stand_in() {
                 Ok(spec) if specs.iter().all(|other| other.block != spec.block) => specs.push(spec),
                 Ok(_) => {}
                 Err(error) => refused = Some(error),
@@ -192,33 +220,36 @@ impl<'a> ImageSearch<'a> {
         }
     }
 
-    /// The keys of every candidate unless others are given. The reflectance is that of a stand-in.
+    /// The keys of every candidate unless others are given.
     fn common(&self) -> SpecFields {
         SpecFields {
             name: Some(self.scene.name.clone()),
             output_bits: Some(self.scene.channel_bits),
-            most_lights: Some(self.scene.lights.len().min(1024) as u32),
-            reflectance: ReflectanceFields { model: Some("lambert".to_owned()), ..ReflectanceFields::default() },
+            most_lights: (!self.is_matcap()).then_some(self.scene.lights.len().min(1024) as u32),
             ..SpecFields::default()
         }
     }
 
     /// The core of a spec with the material's reflectance in place of the stand-in's.
     fn design(&self, mut spec: CoreSpec) -> Result<Design, Error> {
-        let measured = self.scene.reflectance(self.material).expect("a material with a reflectance");
+        let measured = self.measured();
         let Block::Image(image) = &mut spec.block else { unreachable!("an image-based block") };
         image.exposure = measured.exposure;
-        image.source = match (measured.model(), measured.reflectance()) {
-            (Some(model), _) => ImageSource::Model(model.clone()),
-            (None, Some(table)) => ImageSource::Samples(ImageSamples::of(&image.image, table, measured.exposure)?),
-            (None, None) => unreachable!("a material that holds images is refused"),
+        image.source = match (measured.model(), measured.reflectance(), measured.matcap()) {
+            (Some(model), ..) => ImageSource::Model(model.clone()),
+            (None, Some(table), _) => ImageSource::Samples(ImageSamples::of(&image.image, table, measured.exposure)?),
+            (None, None, Some(picture)) => {
+                let stored = ImageSamples::of_picture(&image.image, picture, measured.exposure, &measured.name)?;
+                ImageSource::Samples(stored.into())
+            }
+            (None, None, None) => unreachable!("a material that holds images is refused"),
         };
         Design::new(spec)
     }
 
     /// The shader around the fitted material, one light a clock.
     fn shader(&self) -> Result<Design, Error> {
-        let measured = self.scene.reflectance(self.material).expect("a material with a reflectance");
+        let measured = self.measured();
         let material = fitted("fitted", measured, self.scene.model)?;
         let front = (self.scene.model == Highlight::Blinn).then_some(Front::Half);
         let fields = SpecFields {
@@ -288,12 +319,13 @@ impl<'a> ImageSearch<'a> {
             format!("no pixel of the scene {} shows the material {}", scene.name, scene.materials[self.material].name),
             "turn the camera to an object that has it"
         );
-        let few = libm::sqrt(SAMPLES as f64 / (pixels * scene.lights.len()) as f64).min(1.0);
+        let samples = pixels * if self.is_matcap() { 1 } else { scene.lights.len() };
+        let few = libm::sqrt(SAMPLES as f64 / samples as f64).min(1.0);
         let [width, height] =
             [scene.width, scene.height].map(|side| (libm::round(f64::from(side) * few) as u32).max(1));
         let view = View::of(&tracer, scene.resized(width, height), self.material)?;
         let specs = self.specs()?;
-        let count = specs.len() + 1;
+        let count = specs.len() + usize::from(!self.is_matcap());
         let done = std::sync::atomic::AtomicUsize::new(0);
         let step = || progress("candidates", done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, count);
         let mut candidates = specs
@@ -304,8 +336,10 @@ impl<'a> ImageSearch<'a> {
                 candidate
             })
             .collect::<Result<Vec<_>, Error>>()?;
-        candidates.push(self.candidate(&view, self.shader()?)?);
-        step();
+        if !self.is_matcap() {
+            candidates.push(self.candidate(&view, self.shader()?)?);
+            step();
+        }
         let rank = |cost: &Cost| (scene.core.objective.order().map(|one| one.of(cost)), cost.ff);
         let sort = |candidates: &mut [ImageCandidate]| {
             candidates.sort_by(|a, b| rank(&a.cost).cmp(&rank(&b.cost)).then_with(|| a.name.cmp(&b.name)));
@@ -314,7 +348,7 @@ impl<'a> ImageSearch<'a> {
         self.synthesise(&mut candidates, progress)?;
         sort(&mut candidates);
         let chosen = self.verify(&tracer, &mut candidates, progress)?;
-        let measured = scene.reflectance(self.material).expect("a material with a reflectance");
+        let measured = self.measured();
         Ok(ImageChoice {
             material: scene.materials[self.material].name.clone(),
             reflectance: measured.name.clone(),
@@ -410,7 +444,9 @@ fn material_of(scene: &Scene, name: Option<&str>) -> Result<usize, Error> {
         })?,
     };
     refuse!(
-        scene.reflectance(place).is_some_and(|measured| measured.reflectance().is_none()),
+        scene
+            .reflectance(place)
+            .is_some_and(|measured| measured.reflectance().is_none() && measured.matcap().is_none()),
         format!(
             "the material {} holds sphere images, and no reflectance to choose a form for",
             scene.materials[place].name

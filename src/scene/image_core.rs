@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::frame::full_scale;
 use super::reflectance::{Axes, Measured, Sight};
 use super::{Scene, Tracer};
-use crate::block::image::{ImageSource, ImageSpec};
+use crate::block::image::{ImageSamples, ImageSource, ImageSpec};
 use crate::core::sample::{self, Sample};
 use crate::core::{BlockDesign, Design, ImageDesign, ShaderDesign};
 use crate::platform::error::{Error, refuse};
@@ -91,7 +91,7 @@ impl<'a> Points<'a> {
         let point = |(x, hit): (usize, Option<super::Hit>)| {
             let hit = hit.filter(|hit| self.materials.contains(&hit.material))?;
             let measured = self.scene.reflectance(hit.material)?;
-            let (normal, lights) = Sight::of(self.tracer, self.scene, &hit).as_seen(&self.axes, measured.viewer);
+            let (normal, lights) = Sight::of(self.tracer, self.scene, &hit).as_seen(&self.axes, measured.seen_by());
             Some(Point { pixel: first + x, normal, lights })
         };
         hits.filter_map(point).collect()
@@ -127,11 +127,21 @@ pub(crate) fn added(base: &[Colour], codes: &[(usize, [u16; 3])], channel_bits: 
 
 /// Why a material is not the one that a core is made of, if it is not.
 fn unlike(image: ImageDesign<'_>, measured: &Measured) -> Option<String> {
-    let ImageSpec { source, exposure, .. } = image.of;
+    let ImageSpec { image: asked, source, exposure } = image.of;
     let Some(reflectance) = measured.reflectance() else {
         let form = measured.form().ok()?;
-        return (form.texels.samples() != *image.block.samples()).then(|| "other images".to_owned());
+        let samples = match measured.matcap() {
+            Some(picture) => {
+                let stored = ImageSamples::of_picture(asked, picture, measured.exposure, &measured.name);
+                stored.ok().map(|stored| stored.samples().clone())
+            }
+            None => Some(form.texels.samples()),
+        };
+        return (samples.as_ref() != Some(image.block.samples())).then(|| "other images".to_owned());
     };
+    if !asked.has_lights() {
+        return Some("a reflectance, and the core is a matcap".to_owned());
+    }
     let is_same = match (source.model(), measured.model()) {
         (Some(own), Some(model)) => own == model,
         _ => image.block.is_of(reflectance, *exposure),

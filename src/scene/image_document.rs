@@ -106,7 +106,7 @@ impl ImageChoice {
     /// If the template cannot be filled in.
     pub fn files(&self, scene: &Scene) -> Result<Option<Vec<File>>, Error> {
         let Some((chosen, verified)) = self.chosen().zip(self.verified) else { return Ok(None) };
-        let viewer = scene.measured().find(|(name, _)| *name == self.material).map(|(_, measured)| measured.viewer);
+        let viewer = scene.measured().find(|(name, _)| *name == self.material).map(|(_, measured)| measured.seen_by());
         let page = Page {
             scene,
             design: &chosen.design,

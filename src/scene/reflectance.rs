@@ -181,6 +181,18 @@ impl Measured {
         }
     }
 
+    /// The picture of a sphere with its light in it, if it is one.
+    #[must_use]
+    pub fn matcap(&self) -> Option<&Form> {
+        self.form.get().map(Arc::as_ref).filter(|form| form.spec.kind == FormKind::Matcap)
+    }
+
+    /// The viewer that its normals are turned to: a matcap's is the camera.
+    #[must_use]
+    pub fn seen_by(&self) -> Viewer {
+        if self.matcap().is_some() { Viewer::Axis } else { self.viewer }
+    }
+
     /// What stands in place of it as its keys have it; made when it is first asked for.
     ///
     /// # Errors

@@ -103,7 +103,7 @@ method_keys! { keys! {
     #[arg(help_heading = "Image-based block", value_name = "COUNT")]
     octaves: u32 where "image-based blocks",
 
-    /// Texels along a side, a power of two from 8 to 512 [default: 32]
+    /// Texels along a side, a power of two from 8 to 512 [default: 64 for matcap, else 32]
     #[arg(help_heading = "Image-based block", value_name = "TEXELS")]
     image_size: u32 where "image-based blocks",
 

@@ -23,9 +23,13 @@ impl SpecFields {
     /// What need not be given: the fields of a core of which only the [`FIRST`] keys and the shader's kind are said;
     /// those themselves, and everything where they alone make no core, must be.
     fn defaults(&self) -> Self {
-        let of = |fields: Self| fields.resolve().map(|spec| Self::from_spec(&spec)).unwrap_or_default();
+        let of_file = self.reflectance.file.is_some();
+        let of = |fields: Self| {
+            let spec = if of_file { fields.resolve_with_stand_in() } else { fields.resolve() };
+            spec.map(|spec| Self::from_spec(&spec)).unwrap_or_default()
+        };
         let (model, front) = (self.shader.model, self.shader.front);
-        let any = self.reflectance.stand_in();
+        let any = ReflectanceFields { model: self.reflectance.model.clone(), ..ReflectanceFields::default() };
         let plain = of(Self {
             block: self.block,
             method: self.method,

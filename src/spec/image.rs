@@ -5,12 +5,13 @@ use serde::{Deserialize, Serialize};
 
 use super::image_size::PictureBudget;
 use super::{Block, BlockKind, CoreSpec, ReflectanceFields, RomStyle, ShaderFields, SpecFields};
-use crate::block::image::{IMAGES, Image, ImageForm, ImageSpec, TEXEL_LATENCY, TexelMemory};
+use crate::block::image::{IMAGES, Image, ImageForm, ImageSource, ImageSpec, TEXEL_LATENCY, TexelMemory};
 use crate::block::lights::DEFAULT_MOST_LIGHTS;
 use crate::block::shader::{CHANNEL_BITS, VECTOR_FRACTION};
 use crate::method::keys::Fields;
 use crate::method::within;
 use crate::platform::error::{Error, refuse};
+use crate::reflectance::Model;
 use crate::reflectance::form::FormKind;
 
 /// What is stored of a reflectance, by name.
@@ -23,6 +24,8 @@ pub enum ImageFormName {
     Bivariate,
     /// Pictures of the unit sphere, lit from a few angles.
     Paper,
+    /// One picture of a sphere with its light in it: a matcap.
+    Matcap,
 }
 
 /// Where its keys apply, as their table says it.
@@ -76,6 +79,12 @@ impl SpecFields {
         }
     }
 
+    /// The block with a stand-in for what reflects, and no budget for its pictures.
+    pub(super) fn image_of_stand_in(&self) -> Result<ImageSpec, Error> {
+        let model = Model::named("lambert")?;
+        Ok(ImageSpec { image: self.image()?, source: ImageSource::Model(model), exposure: 1.0 })
+    }
+
     /// The image-based block: with `min_psnr` or `max_error` the smallest that keeps them.
     pub(super) fn resolved_image(&self) -> Result<ImageSpec, Error> {
         let budget = PictureBudget { min_psnr: self.min_psnr, max_error: self.max_error };
@@ -97,17 +106,22 @@ impl SpecFields {
         );
         let default_weight_bits = match form {
             ImageForm::Paper { .. } => 6,
-            ImageForm::Half { .. } | ImageForm::Bivariate { .. } => 5,
+            ImageForm::Half { .. } | ImageForm::Bivariate { .. } | ImageForm::Matcap => 5,
+        };
+        let default_size = if form == ImageForm::Matcap { 64 } else { 32 };
+        let [lights, most_lights] = match form {
+            ImageForm::Matcap => [0; 2],
+            _ => [self.lights_a_clock.unwrap_or(1), self.most_lights.unwrap_or(DEFAULT_MOST_LIGHTS)],
         };
         let image = Image {
             form,
-            size: self.image_size.unwrap_or(32),
+            size: self.image_size.unwrap_or(default_size),
             texel_bits: self.texel_bits.unwrap_or(8),
             weight_bits: self.weight_bits.unwrap_or(default_weight_bits),
             vector_fraction: vector_bits - BEFORE_POINT,
             channel_bits,
-            lights: self.lights_a_clock.unwrap_or(1),
-            most_lights: self.most_lights.unwrap_or(DEFAULT_MOST_LIGHTS),
+            lights,
+            most_lights,
         };
         image.check()?;
         Ok(image)
@@ -117,7 +131,14 @@ impl SpecFields {
         let name = self.image_form.unwrap_or(ImageFormName::Half);
         refuse!(
             self.octaves.is_some() && name != ImageFormName::Bivariate,
-            format!("octaves are given for {}", if name == ImageFormName::Half { "slices" } else { "sphere images" }),
+            format!(
+                "octaves are given for {}",
+                match name {
+                    ImageFormName::Half => "slices",
+                    ImageFormName::Matcap => "a matcap",
+                    ImageFormName::Bivariate | ImageFormName::Paper => "sphere images",
+                }
+            ),
             "they are of --image-form bivariate"
         );
         refuse!(
@@ -127,6 +148,11 @@ impl SpecFields {
         );
         Ok(match name {
             ImageFormName::Half => ImageForm::Half { slices: self.images.unwrap_or(16) },
+            ImageFormName::Matcap => {
+                refuse!(self.images.is_some(), "images are given for a matcap", "leave it out: a matcap is one");
+                self.check_no_lights()?;
+                ImageForm::Matcap
+            }
             ImageFormName::Bivariate => {
                 refuse!(
                     self.images.is_some(),
@@ -149,6 +175,23 @@ impl SpecFields {
                 ImageForm::Paper { angles }
             }
         })
+    }
+
+    /// Refuses keys of lights, for a form that has its light in its picture.
+    fn check_no_lights(&self) -> Result<(), Error> {
+        let keys = [
+            ("lights_a_clock", self.lights_a_clock.is_some()),
+            ("most_lights", self.most_lights.is_some()),
+            ("light_source", self.light_source.is_some()),
+            ("light_records", self.light_records.is_some()),
+        ];
+        match keys.into_iter().find(|(_, given)| *given) {
+            None => Ok(()),
+            Some((key, _)) => Err(Error::input(
+                format!("{key} is given for a matcap"),
+                "leave it out: a matcap's light is in its picture, or use another --image-form",
+            )),
+        }
     }
 
     /// Where the words of the block's memories come from: the texels of an image-based block are never in the source.
@@ -198,6 +241,7 @@ impl SpecFields {
                 angles = (!even).then(|| listed.clone());
                 (ImageFormName::Paper, even.then_some(listed.len() as u32))
             }
+            ImageForm::Matcap => (ImageFormName::Matcap, None),
         };
         Self {
             block: Some(BlockKind::Image),
@@ -212,8 +256,8 @@ impl SpecFields {
             weight_bits: Some(image.weight_bits),
             vector_bits: Some(image.vector_fraction + BEFORE_POINT),
             output_bits: Some(image.channel_bits),
-            lights_a_clock: Some(image.lights),
-            most_lights: Some(image.most_lights),
+            lights_a_clock: image.has_lights().then_some(image.lights),
+            most_lights: image.has_lights().then_some(image.most_lights),
             texels: Some(match (spec.texel_latency, spec.rom) {
                 (Some(_), _) => TexelMemory::External,
                 (None, RomStyle::Writable) => TexelMemory::Writable,
@@ -233,6 +277,7 @@ pub(super) fn default_name(image: &Image) -> String {
         ImageForm::Half { .. } => "half",
         ImageForm::Bivariate { .. } => "bivariate",
         ImageForm::Paper { .. } => "paper",
+        ImageForm::Matcap => "matcap",
     };
     format!("image_{form}")
 }

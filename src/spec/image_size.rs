@@ -1,9 +1,10 @@
 //! The sizes of an image-based block that follow from what its pictures may miss.
 
-use super::SpecFields;
+use super::{ImageFormName, SpecFields};
 use crate::block::image::quality::SphereError;
 use crate::block::image::{Image, ImageBlock, SIZE, SLICES, TEXEL_BITS};
 use crate::platform::error::Error;
+use crate::reflectance::Source;
 
 /// The greatest size that is sought: larger ones take more memory than most devices have.
 const LARGEST: u32 = 128;
@@ -104,13 +105,26 @@ impl SpecFields {
     /// A budget that is out of range or that no block keeps, a reflectance that cannot be read, keys that no block has.
     pub(super) fn smallest_image(&self, budget: PictureBudget) -> Result<Image, Error> {
         budget.check()?;
-        let (source, exposure) = self.reflectance.source()?;
-        let reflectance = source.reflectance().expect("a source of images is refused");
+        let (source, exposure) = self.reflectance.source(self.image_form == Some(ImageFormName::Matcap))?;
         let measured = |image: &Image| -> Result<SphereError, Error> {
-            Ok(ImageBlock::new(image.clone(), reflectance, exposure)?.sphere_error(reflectance, exposure))
+            match (&source, source.reflectance()) {
+                (Source::Images(picture), _) => {
+                    let block = ImageBlock::of_picture(image.clone(), picture, exposure)?;
+                    Ok(block.matcap_error(picture, exposure))
+                }
+                (_, reflectance) => {
+                    let reflectance = reflectance.expect("images alone have none");
+                    Ok(ImageBlock::new(image.clone(), reflectance, exposure)?.sphere_error(reflectance, exposure))
+                }
+            }
+        };
+        // A picture has no more texels than pixels.
+        let fits = |shape: &Image| match &source {
+            Source::Images(picture) => self.image_size.is_some() || shape.size as usize <= picture.spec.size,
+            Source::Table(_) | Source::Model(_) => true,
         };
         let (mut best, mut nearest): (Option<Image>, Option<(SphereError, Image)>) = (None, None);
-        for shape in self.shapes()? {
+        for shape in self.shapes()?.into_iter().filter(fits) {
             let fewest = self.texel_bits.unwrap_or(*TEXEL_BITS.start());
             let with = |bits: u32| Image { texel_bits: bits, ..shape.clone() };
             // With the fewest bits it is no smaller than what there is.

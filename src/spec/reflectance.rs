@@ -6,7 +6,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use crate::block::image::{Image, ImageFile, ImageSamples, ImageSource};
+use crate::block::image::{Image, ImageFile, ImageForm, ImageSamples, ImageSource, PICTURE, no_picture};
 use crate::method::keys::keys;
 use crate::platform::error::{Error, refuse};
 use crate::reflectance::{Lookup, Model, Source, measure};
@@ -27,8 +27,8 @@ keys! {
     #[arg(id = "reflectance", long = "reflectance", value_name = "MODEL")]
     model: String where "image-based blocks" => "reflectance",
 
-    /// A file in place of a model: a MERL table, or a directory of sphere images that fits the block. In a spec file
-    /// its path starts from there
+    /// A file in place of a model: a MERL table, or a directory of sphere images that fits the block; a picture, PNG or
+    /// OpenEXR, for the form matcap. In a spec file its path starts from there
     #[arg(id = "reflectance_file", long = "reflectance-file", value_name = "PATH")]
     file: String where "image-based blocks" => "reflectance_file",
 
@@ -39,8 +39,8 @@ keys! {
     #[arg(id = "reflectance_digest", long = "reflectance-digest", value_name = "DIGEST")]
     digest: String where "image-based blocks" => "reflectance_digest",
 
-    /// The exposure E that radiance is multiplied by [default: that of images their own, or 0.6 over the 90th
-    /// percentile of the sphere lit from 45 degrees]
+    /// The exposure E that radiance is multiplied by [default: that of images their own, 1 of a matcap, or 0.6 over the
+    /// 90th percentile of the sphere lit from 45 degrees]
     #[arg(value_name = "E")]
     exposure: f64 where "image-based blocks",
 
@@ -61,7 +61,8 @@ impl ReflectanceFields {
         let named = Named::of(self.file.as_deref(), self.model.as_deref(), self.parameters.as_ref())?;
         check_exposure(self.exposure)?;
         match named {
-            None => Err(Self::missing()),
+            None => Err(Self::missing(image.form == ImageForm::Matcap)),
+            Some(Named::Model(model)) if image.form == ImageForm::Matcap => Err(no_picture(&text_of(&model))),
             Some(Named::Model(model)) => {
                 let of_file = [("lookup", self.lookup.is_some()), ("digest", self.digest.is_some())];
                 if let Some((key, _)) = of_file.into_iter().find(|(_, given)| *given) {
@@ -79,18 +80,26 @@ impl ReflectanceFields {
         }
     }
 
-    /// The reflectance itself and its exposure.
+    /// The reflectance itself and its exposure; of a matcap its picture.
     ///
     /// # Errors
     /// As [`ReflectanceFields::resolve`]; a directory of images, which is none.
-    pub(super) fn source(&self) -> Result<(Source, f64), Error> {
+    pub(super) fn source(&self, of_matcap: bool) -> Result<(Source, f64), Error> {
         let named = Named::of(self.file.as_deref(), self.model.as_deref(), self.parameters.as_ref())?;
         check_exposure(self.exposure)?;
         let source = match named {
+            Some(Named::Model(model)) if of_matcap => return Err(no_picture(&text_of(&model))),
             Some(Named::Model(model)) => Source::Model(model),
             Some(Named::File(file)) => Source::open(Path::new(file), self.lookup.unwrap_or_default())?,
-            None => return Err(Self::missing()),
+            None => return Err(Self::missing(of_matcap)),
         };
+        match (&source, &self.file) {
+            (Source::Images(_), Some(file)) if of_matcap && !Path::new(file).is_dir() => {
+                return Ok((source, self.exposure.unwrap_or(1.0)));
+            }
+            (Source::Table(_), Some(file)) if of_matcap => return Err(no_picture(file)),
+            _ => {}
+        }
         let Some(reflectance) = source.reflectance() else {
             return Err(Error::input(
                 "min_psnr or max_error is given for images, whose form and size are theirs",
@@ -101,7 +110,11 @@ impl ReflectanceFields {
         Ok((source, exposure))
     }
 
-    fn missing() -> Error {
+    fn missing(of_matcap: bool) -> Error {
+        if of_matcap {
+            let allowed = format!("--reflectance-file with {PICTURE}, or `file` in the table [reflectance]");
+            return Error::input("a matcap is asked for without a picture", allowed);
+        }
         Error::input(
             "no reflectance is given",
             "give --reflectance ggx or another model, --reflectance-file with a table or images, or a table \
@@ -132,12 +145,6 @@ impl ReflectanceFields {
         }
     }
 
-    /// The model alone, or what takes the place of a file where it does not matter what reflects.
-    pub(super) fn stand_in(&self) -> Self {
-        let any = self.file.as_ref().map(|_| "lambert".to_owned());
-        Self { model: any.or_else(|| self.model.clone()), ..Self::default() }
-    }
-
     /// Whether these fields name a reflectance of which the other's say nothing: a file, or a model in place of one.
     pub(super) fn replaces(&self, other: &Self) -> bool {
         self.file.is_some() || self.model.is_some() && other.file.is_some()
@@ -151,6 +158,11 @@ impl ReflectanceFields {
         })?;
         Ok(Self { file: Some(path), ..self })
     }
+}
+
+/// A model by its name.
+fn text_of(model: &Model) -> String {
+    format!("the model {}", model.family().name())
 }
 
 /// What a table `[reflectance]` names.

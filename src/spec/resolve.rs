@@ -1,9 +1,9 @@
 //! From what was written to a core's spec, with every default and every check, and back.
 
 use super::{
-    Block, BlockKind, CoreSpec, Cosine, Form, INPUT_FRACTION, InputRange, Interface, Language, LightSource, LobeSpec,
-    Material, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, Shader, ShaderFields,
-    Shininess, SpecFields, TUSER_BITS, VhdlPorts, check_name, image,
+    Block, BlockKind, CoreSpec, Cosine, Form, INPUT_FRACTION, ImageSpec, InputRange, Interface, Language, LightSource,
+    LobeSpec, Material, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, Shader,
+    ShaderFields, Shininess, SpecFields, TUSER_BITS, VhdlPorts, check_name, image,
 };
 use crate::emit::rom::RomFormat;
 use crate::method::{About, Configured, Options, within};
@@ -15,10 +15,20 @@ impl SpecFields {
     /// # Errors
     /// Names the value that is wrong and what is allowed.
     pub fn resolve(self) -> Result<CoreSpec, Error> {
+        self.resolve_with(Self::resolved_image)
+    }
+
+    /// As [`SpecFields::resolve`], with a stand-in for what an image-based block reflects, whatever the keys say of
+    /// that: for where it does not matter.
+    pub(crate) fn resolve_with_stand_in(self) -> Result<CoreSpec, Error> {
+        self.resolve_with(Self::image_of_stand_in)
+    }
+
+    fn resolve_with(self, image_of: impl Fn(&Self) -> Result<ImageSpec, Error>) -> Result<CoreSpec, Error> {
         self.check_block()?;
         let (block, default_name) = match self.block {
             Some(BlockKind::Image) => {
-                let image = self.resolved_image()?;
+                let image = image_of(&self)?;
                 let name = image::default_name(&image.image);
                 (Block::Image(image), name)
             }

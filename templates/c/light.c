@@ -149,6 +149,7 @@ struct {{ c.name }}_light_record
     record.h[0] = component(times(half_sine, gamma_cosine));
     record.h[1] = component(times(half_sine, gamma_sine));
     record.h[2] = component(half_cosine);
+{%- when ImageForm::Matcap %}
 {%- when ImageForm::Half { .. } or ImageForm::Paper { .. } %}
     /* The rows of the turn by -gamma about z and by -phi / 2 about y. */
     record.u[0] = component(times(gamma_cosine, half_cosine));

@@ -17,8 +17,8 @@ use brdfgen::verify::golden::{Golden, differences, parse};
 use brdfgen::verify::stability::sampled::{Proof, SampledInspection};
 use rayon::prelude::*;
 
-use crate::common::Scratch;
 use crate::common::core::{Generated, design, ecp5_cells, resolved, silent};
+use crate::common::{Scratch, matcap};
 
 /// All forms, the ends of the ranges, texels in files, writable and outside, several lights, pipelines, AXI4-Stream.
 const SPECS: [&str; 9] = [
@@ -46,6 +46,12 @@ fn text(spec: &str) -> String {
     format!("block = 'image'\n{spec}")
 }
 
+/// The same with matcaps, which are of a file.
+fn all() -> Vec<String> {
+    let of_models = SPECS.iter().map(|spec| text(spec));
+    of_models.chain(matcap::specs()).collect()
+}
+
 fn image(design: &Design) -> ImageDesign<'_> {
     match design.block() {
         BlockDesign::Image(image) => image,
@@ -55,8 +61,8 @@ fn image(design: &Design) -> ImageDesign<'_> {
 
 #[test]
 fn every_image_core_passes_in_every_simulator_and_lints_clean() {
-    SPECS.par_iter().for_each(|spec| {
-        let generated = Generated::new(&text(spec));
+    all().par_iter().for_each(|spec| {
+        let generated = Generated::new(spec);
         let core = generated.on_disk();
         for sim in [Sim::Builtin, Sim::Icarus, Sim::Ghdl] {
             let outcome = core.run(sim);
@@ -81,8 +87,7 @@ fn every_image_core_passes_in_every_simulator_and_lints_clean() {
             let text = generated.text(&package::rtl_path(&core.design, language));
             let memories = core.design.tables().len() - core.design.read_ports().len();
             assert_eq!(text.matches(reads).count(), memories, "{spec}");
-            let lights = image(&core.design).of.image.lights as usize;
-            assert!(text.lines().count() < 6000 * lights, "{spec}");
+            assert!(text.lines().count() < 6000 * image(&core.design).of.image.look_ups(), "{spec}");
         }
     });
 }
@@ -350,8 +355,8 @@ fn lights_add_up() {
 
 #[test]
 fn no_register_overflows() {
-    SPECS.par_iter().for_each(|spec| {
-        let found = SampledInspection::of(&design(&text(spec)));
+    all().par_iter().for_each(|spec| {
+        let found = SampledInspection::of(&design(spec));
         assert_eq!(found.broken(), Vec::<String>::new(), "{spec}");
         assert_eq!(found.wide_differences, 0);
     });

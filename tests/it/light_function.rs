@@ -160,6 +160,7 @@ fn exact(block: &ImageBlock, image: &Image, light: Light, intensity: [f64; 3]) -
     let (direction, half) = (light.direction(), phi / 2.0);
     let frame = match image.form {
         ImageForm::Bivariate { .. } => vec![half.sin() * gamma.cos(), half.sin() * gamma.sin(), half.cos()],
+        ImageForm::Matcap => panic!("a form with lights"),
         ImageForm::Half { .. } | ImageForm::Paper { .. } => {
             vec![half.cos() * gamma.cos(), half.cos() * gamma.sin(), -half.sin(), -gamma.sin(), gamma.cos()]
         }

@@ -164,7 +164,7 @@ fn a_matcap_is_looked_up_without_a_turn() {
     scratch
         .run(
             "reflectance images --model red-specular-plastic --images 45, --texel float --size 64 --exposure 1 \
-     --out dir",
+     --border extend --out dir",
         )
         .succeeds();
     fs::copy(scratch.path("dir/000_phi_45.exr"), scratch.path("ball.exr")).unwrap();

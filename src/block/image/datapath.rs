@@ -62,6 +62,18 @@ pub(super) struct Pair {
     odd: NodeId,
 }
 
+/// Where the texels lie that are blended.
+pub(super) struct LookUp {
+    /// In each direction, the outermost first, in a band with an even number and in one with an odd number.
+    pairs: Vec<[Pair; 2]>,
+    /// Of the memories.
+    parities: Vec<Vec<usize>>,
+    /// In each memory.
+    addresses: Vec<NodeId>,
+    /// The light, from 0, whose memories these are.
+    light: usize,
+}
+
 /// Values of a datapath that its checks go by.
 #[derive(Clone, Debug, Default)]
 pub struct Joints {
@@ -133,13 +145,13 @@ pub(super) struct Place {
     pub(super) weight: NodeId,
 }
 
-fn bound(low: f64, high: f64, grid: i32) -> Bound {
+pub(super) fn bound(low: f64, high: f64, grid: i32) -> Bound {
     Bound { range: Interval::new(low, high), error: Interval::ZERO, grid }
 }
 
 impl Imaging<'_, '_> {
     /// The ports of a vector, signed Q1.f.
-    fn vector(&mut self, name: &str, axes: &[char]) -> Vec<NodeId> {
+    pub(super) fn vector(&mut self, name: &str, axes: &[char]) -> Vec<NodeId> {
         axes.iter().map(|axis| self.b.port(self.image.vector(), &format!("in_{name}{axis}"))).collect()
     }
 
@@ -314,7 +326,7 @@ impl Imaging<'_, '_> {
     }
 
     /// The texels of a side that a component of the turned normal leads to.
-    fn side(&mut self, component: NodeId, name: &str) -> Pair {
+    pub(super) fn side(&mut self, component: NodeId, name: &str) -> Pair {
         let place = self.along(component, name);
         let place = self.split(place, name);
         self.pair(place, self.image.size, name)
@@ -379,6 +391,7 @@ impl Imaging<'_, '_> {
                 pairs.push([self.side(y, &format!("v{l}")); 2]);
                 pairs.push(self.turned(ports, y, l));
             }
+            ImageForm::Matcap => unreachable!("a form without lights"),
         }
         pairs
     }
@@ -445,8 +458,9 @@ impl Imaging<'_, '_> {
     /// The blend of texels in all directions, the innermost first; `texels` are in the order of [`parities`].
     fn blended(&mut self, texels: Vec<NodeId>, pairs: &[[Pair; 2]], name: &str) -> NodeId {
         let mut left = texels;
+        let of_bands = self.image.has_lights();
         for (pair, place) in pairs.iter().rev().zip(1..) {
-            let what = if left.len() == 2 { "two bands" } else { "two neighbours" };
+            let what = if left.len() == 2 && of_bands { "two bands" } else { "two neighbours" };
             let of_odd = left.len() / 4;
             let two = |(number, two): (usize, &[NodeId])| {
                 // The texels of the odd band are the second half.
@@ -458,25 +472,37 @@ impl Imaging<'_, '_> {
         left[0]
     }
 
+    /// What is blended of the texels at these places.
+    pub(super) fn looked_up(&mut self, pairs: Vec<[Pair; 2]>, light: usize) -> LookUp {
+        let parities = parities(pairs.len());
+        let addresses = parities.iter().map(|parities| self.address(&pairs, parities, light + 1)).collect();
+        LookUp { pairs, parities, addresses, light }
+    }
+
+    /// The blended code of a channel.
+    pub(super) fn root(&mut self, LookUp { pairs, parities, addresses, light }: &LookUp, channel: usize) -> NodeId {
+        let (l, c) = (light + 1, CHANNELS[channel]);
+        let first = light * parities.len();
+        let texel = |(number, parities): (usize, &Vec<usize>)| {
+            self.b.field(first + number, addresses[number], fields(*light, parities)[channel])
+        };
+        let texels = parities.iter().enumerate().map(texel).collect();
+        let root = self.blended(texels, pairs, &format!("blend{l}_{c}"));
+        self.b.floor(root, self.widths.code, &format!("root{l}_{c}"), "the blended code")
+    }
+
     /// What a light gives to the channels.
     fn light(&mut self, light: usize, ports: &LightPorts) -> [NodeId; 3] {
         let l = light + 1;
         let shift = self.shift(ports.shift, l);
         let incidence = ports.direction.map(|direction| self.incidence(direction, shift, l));
         let pairs = self.pairs(ports, l);
-        let parities = parities(pairs.len());
-        let addresses: Vec<NodeId> = parities.iter().map(|parities| self.address(&pairs, parities, l)).collect();
-        let first = light * parities.len();
-        let ImageWidths { lit, code, square, term, .. } = self.widths;
+        let texels = self.looked_up(pairs, light);
+        let ImageWidths { lit, square, term, .. } = self.widths;
         let mut squares = [0; 3];
         let terms = [0, 1, 2].map(|channel| {
             let c = CHANNELS[channel];
-            let texel = |(number, parities): (usize, &Vec<usize>)| {
-                self.b.field(first + number, addresses[number], fields(light, parities)[channel])
-            };
-            let texels = parities.iter().enumerate().map(texel).collect();
-            let root = self.blended(texels, &pairs, &format!("blend{l}_{c}"));
-            let root = self.b.floor(root, code, &format!("root{l}_{c}"), "the blended code");
+            let root = self.root(&texels, channel);
             let squared = self.b.mul(root, root, &format!("square{l}_{c}_exact"), "its square");
             let squared = self.b.floor(squared, square, &format!("square{l}_{c}"), "rounded down");
             // The gain last: what is rounded down before it is the less the dimmer the light, so that the roundings of
@@ -508,7 +534,8 @@ impl ImageBlock {
     /// The operations with their joints, or `None` if a value would be too wide for this crate.
     ///
     /// The inputs are n, and for each light its direction, the vectors of [`Image::frame`], the band, the blend, the
-    /// shift where lights differ in it, and a gain a channel; the outputs are the sums of the three channels.
+    /// shift where lights differ in it, and a gain a channel; the outputs are the sums of the three channels. In the
+    /// form matcap the inputs are x and y of n, and the outputs are codes of the channels.
     #[must_use]
     pub fn datapath(&self) -> Option<(Datapath, Joints)> {
         let Self { image, widths, texels, .. } = self;
@@ -523,6 +550,12 @@ impl ImageBlock {
         let joints = Joints::default();
         let (weights, widths) = (BTreeMap::new(), *widths);
         let mut imaging = Imaging { b, image, widths, normal: [0; 3], hidden: 0, functions, weights, joints };
+        if !image.has_lights() {
+            let outputs = imaging.matcap();
+            let mut joints = imaging.joints;
+            let graph = imaging.b.finish(&outputs, joints.nodes())?;
+            return Some((Datapath { graph, tables, errors: Vec::new(), constants: Vec::new() }, joints));
+        }
         let normal = imaging.vector("n", &AXES);
         imaging.normal = [normal[0], normal[1], normal[2]];
         let ports: Vec<LightPorts> = (1..=lights).map(|l| imaging.light_ports(l)).collect();

@@ -4,6 +4,8 @@
 //! ([`ImageForm::Bivariate`]), or slices about the half vector, one for each angle of the light
 //! ([`ImageForm::Half`]); or the same of the radiance of the unit sphere, lit from a few angles
 //! ([`ImageForm::Paper`]), which holds n·l.
+//! A matcap ([`ImageForm::Matcap`]) is the picture of a sphere with its light in it: codes of `√f`, f from 0 to 1, are
+//! looked up where x and y of the normal say, blended and squared, and no light is told of.
 //! A directional light has one θd for all normals, so that a light record names one of these *bands*, its blend with
 //! the next, and a gain a channel: the light's intensity, both caps and the exposure, with an exponent. Of a sample are
 //! left a scalar product, an address, the blend of neighbouring texels, its square and two products; in the form paper
@@ -11,6 +13,7 @@
 //! are blended are read in one clock.
 
 mod datapath;
+mod matcap;
 mod model;
 mod options;
 pub mod quality;
@@ -31,13 +34,14 @@ pub use options::{
 pub use real::{Places, RealLight, RealTexels};
 pub use record::{FixedLight, LightRecord, RecordBand, RecordTable};
 pub use stored::{ImageFile, ImageSamples};
+pub(crate) use stored::{PICTURE, no_picture};
 pub use texels::OctaveAxis;
 
 use crate::block::lights::Sums;
 use crate::fixed::{Table, exp2};
 use crate::platform::error::{Error, refuse};
-use crate::reflectance::Reflectance;
 use crate::reflectance::texels::{Samples, Texels};
+use crate::reflectance::{Form, Reflectance};
 
 /// The most that a light may be shifted by.
 const MOST_SHIFT: i32 = 32;
@@ -64,6 +68,16 @@ impl ImageBlock {
         image.check()?;
         let samples = texels::samples(&image, reflectance, exposure);
         Self::of_samples(image, samples, exposure)
+    }
+
+    /// The block of a matcap's picture times an exposure.
+    ///
+    /// # Errors
+    /// As [`ImageBlock::new`], and what [`ImageSamples::of_picture`] refuses.
+    pub fn of_picture(image: Image, picture: &Form, exposure: f64) -> Result<Self, Error> {
+        image.check()?;
+        let stored = ImageSamples::of_picture(&image, picture, exposure, "the picture")?;
+        Self::of_samples(image, stored.samples().clone(), exposure)
     }
 
     /// The block that a spec asks for.
@@ -125,10 +139,11 @@ impl ImageBlock {
         texels::samples(&self.image, reflectance, exposure) == self.samples
     }
 
-    /// What comes out of its core, and is made codes of.
+    /// What comes out of its core, and is made codes of; none of the form matcap, of whose core come codes.
     #[must_use]
-    pub fn sums(&self) -> Sums {
-        Sums { frac_bits: self.widths.term as u32, ambient: None, channel_bits: self.image.channel_bits }
+    pub fn sums(&self) -> Option<Sums> {
+        let frac_bits = self.widths.term as u32;
+        self.image.has_lights().then_some(Sums { frac_bits, ambient: None, channel_bits: self.image.channel_bits })
     }
 
     /// The bit-exact reference.

@@ -30,9 +30,13 @@ impl<'a> ImageModel<'a> {
         Self { image, widths, texels, functions }
     }
 
-    /// The codes of `out_sum_r`, `out_sum_g` and `out_sum_b` for the codes of the input ports in their order.
+    /// The codes of `out_sum_r`, `out_sum_g` and `out_sum_b`, in the form matcap of `out_r`, `out_g` and `out_b`, for
+    /// the codes of the input ports in their order.
     #[must_use]
     pub fn evaluate(&self, inputs: &[i64]) -> Vec<i64> {
+        if !self.image.has_lights() {
+            return self.matcap(inputs);
+        }
         let (normal, lights) = inputs.split_at(3);
         let mut sums = [Wide::ZERO; 3];
         for light in lights.chunks(lights.len() / self.image.lights as usize) {
@@ -154,6 +158,25 @@ impl<'a> ImageModel<'a> {
         a + (b - a) * weight
     }
 
+    /// The codes of a matcap's channels where x and y of a normal lead to.
+    fn matcap(&self, normal: &[i64]) -> Vec<i64> {
+        let number = |code: i64| wide::from_code(code.into(), self.image.vector_fraction);
+        let floor = |value: Wide, bits: i32| wide::floor_to(value, bits as u32);
+        let places = [1, 0].map(|axis| [self.along(number(normal[axis])); 2]);
+        let (extents, channel_bits) = (self.image.extents(), self.image.channel_bits);
+        let ImageWidths { code, square, .. } = self.widths;
+        let half = wide::from_code(1, channel_bits + 1);
+        let of_channel = |channel: usize| {
+            let blended = floor(self.blend(channel, &places, &extents, 0, None), code);
+            let root = self.image.fills().fold(blended, |root, shift| root + floor(root >> shift, code));
+            let squared = floor(root * root, square);
+            // Full scale is the greatest code, and not two to the power of its bits.
+            let part = squared - floor(squared >> channel_bits, square);
+            wide::to_code(part + half, channel_bits) as i64
+        };
+        (0..3).map(of_channel).collect()
+    }
+
     /// What a light gives to the channels.
     fn light(&self, normal: &[i64], light: &[i64]) -> [Wide; 3] {
         let f = self.image.vector_fraction;
@@ -184,6 +207,7 @@ impl<'a> ImageModel<'a> {
                 let (xs, y) = self.turned(normal, frame, turns);
                 vec![[y; 2], xs]
             }
+            ImageForm::Matcap => unreachable!("a form without lights"),
         };
         let band = (*band as usize).min(extents[0] as usize - 1);
         let odd = wide::from_code((*blend).into(), self.image.weight_bits).min(Wide::ONE);

@@ -56,6 +56,9 @@ pub enum ImageForm {
         /// The light's polar angles of the images in degrees, ascending.
         angles: Vec<f64>,
     },
+    /// A picture of the unit sphere with its light in it, looked up where x and y of the normal say: no light is told
+    /// of, and a sample is one clock. What is brighter than 1 is 1.
+    Matcap,
 }
 
 /// What an image-based block is asked with.
@@ -73,9 +76,9 @@ pub struct Image {
     pub vector_fraction: u32,
     /// Bits of an output channel.
     pub channel_bits: u32,
-    /// Lights that are taken in a clock.
+    /// Lights that are taken in a clock; 0 in the form matcap, which has none.
     pub lights: u32,
-    /// Lights of a sample that the roundings are sized for; more may come.
+    /// Lights of a sample that the roundings are sized for, 0 in the form matcap; more may come.
     pub most_lights: u32,
 }
 
@@ -122,7 +125,7 @@ impl ImageSource {
     }
 }
 
-/// The widths of an image-based block: fraction bits each, unless said otherwise.
+/// The widths of an image-based block: fraction bits each, unless said otherwise; 0 where its form has no such value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct ImageWidths {
     /// The greatest shift of a light, the exponent of its gain.
@@ -137,7 +140,7 @@ pub struct ImageWidths {
     pub lit: i32,
     /// Of a light's gain; see [`ImageWidths::gain_format`].
     pub gain: i32,
-    /// The blended code.
+    /// The blended code; in the form matcap also as it is filled up.
     pub code: i32,
     /// Its square.
     pub square: i32,
@@ -184,6 +187,12 @@ impl ImageWidths {
     /// small; so a light's gain has an exponent, which n·l is shifted by.
     pub(super) fn new(image: &Image, texels: &Texels) -> Self {
         let (weight, channel) = (image.weight_bits as i32, image.channel_bits as i32);
+        if !image.has_lights() {
+            let [shift, lit_int, dot, place, lit, gain, term] = [0; 7];
+            // What is rounded down is a sixteenth of an output code at most, each time.
+            let kept = channel + 5;
+            return Self { shift, lit_int, dot, place, lit, gain, code: kept, square: kept, term };
+        }
         // n·l of a normal that a light and the viewer see.
         let in_texels = !image.has_incidence();
         let incidence = |phi: f64| if phi > 90.0 && !in_texels { libm::sin(phi.to_radians()) } else { 1.0 };
@@ -210,7 +219,7 @@ impl ImageWidths {
         // Three roundings are below the last bit of what is kept.
         let place = match image.form {
             ImageForm::Bivariate { octaves } => image.versine_bits(octaves) as i32 + 1,
-            ImageForm::Half { .. } | ImageForm::Paper { .. } => weight + image.size.ilog2() as i32,
+            ImageForm::Half { .. } | ImageForm::Paper { .. } | ImageForm::Matcap => weight + image.size.ilog2() as i32,
         };
         Self {
             shift,
@@ -260,8 +269,10 @@ impl Image {
         within("texel_bits", self.texel_bits, TEXEL_BITS)?;
         within("weight_bits", self.weight_bits, WEIGHT_BITS)?;
         within("vector_fraction", self.vector_fraction, VECTOR_FRACTION)?;
-        within("lights_a_clock", self.lights, LIGHTS)?;
-        within("most_lights", self.most_lights, MOST_LIGHTS)?;
+        if self.has_lights() {
+            within("lights_a_clock", self.lights, LIGHTS)?;
+            within("most_lights", self.most_lights, MOST_LIGHTS)?;
+        }
         refuse!(
             !CHANNEL_BITS.contains(&self.channel_bits),
             format!("channel_bits = {} is not offered", self.channel_bits),
@@ -284,6 +295,17 @@ impl Image {
             }
             &ImageForm::Half { slices } => power_of_two("images", slices, SLICES)?,
             ImageForm::Paper { angles } => check_angles(angles)?,
+            ImageForm::Matcap => {
+                let needed = self.size.ilog2() - 1 + self.weight_bits;
+                refuse!(
+                    needed > self.vector_fraction,
+                    format!(
+                        "a place among {} texels is needed to 2^-{needed}, and the normal is a multiple of 2^-{}",
+                        self.size, self.vector_fraction
+                    ),
+                    "more vector_bits, or fewer weight_bits or a smaller image_size"
+                );
+            }
         }
         let texels = self.extents().iter().map(|&extent| u64::from(extent)).product::<u64>();
         refuse!(
@@ -319,7 +341,34 @@ impl Image {
             // Memories go by pairs: of an odd number of images the last is there twice.
             ImageForm::Paper { angles } if angles.len() % 2 == 1 => [&angles[..], &angles[angles.len() - 1..]].concat(),
             ImageForm::Paper { angles } => angles.clone(),
+            ImageForm::Matcap => Vec::new(),
         }
+    }
+
+    /// Whether it is told of lights: else these are in what is stored.
+    #[must_use]
+    pub fn has_lights(&self) -> bool {
+        self.form != ImageForm::Matcap
+    }
+
+    /// How many sets of texels are read in a clock: one for each light, or one.
+    #[must_use]
+    pub fn look_ups(&self) -> usize {
+        if self.has_lights() { self.lights as usize } else { 1 }
+    }
+
+    /// The components of the normal that it is given, x first.
+    #[must_use]
+    pub fn normal_axes(&self) -> usize {
+        if self.has_lights() { 3 } else { 2 }
+    }
+
+    /// The shifts by which a blended code is added to itself, one behind the other, so that the greatest, 1 - 2^-b of b
+    /// bits, becomes 1 to an eighth of an output code: c / (1 - 2^-b) is c (1 + 2^-b) (1 + 2^-2b) (1 + 2^-4b) and so
+    /// on. Of the form matcap, whose light has no gain that does it.
+    pub(super) fn fills(&self) -> impl Iterator<Item = u32> + use<> {
+        let enough = self.channel_bits + 4;
+        std::iter::successors(Some(self.texel_bits), |bits| Some(2 * bits)).take_while(move |&bits| bits < enough)
     }
 
     /// Whether the normal is turned to each of two images by itself.
@@ -334,7 +383,7 @@ impl Image {
     /// Whether n·l is multiplied with what the texels give; else they hold it.
     #[must_use]
     pub fn has_incidence(&self) -> bool {
-        !matches!(self.form, ImageForm::Paper { .. })
+        !matches!(self.form, ImageForm::Paper { .. } | ImageForm::Matcap)
     }
 
     /// The place in each direction, the outermost first, of what comes so many behind the first where so many places
@@ -355,13 +404,15 @@ impl Image {
         places
     }
 
-    /// How many texels lie in each direction, the outermost first: the bands, and what is in one of them.
+    /// How many texels lie in each direction, the outermost first: the bands, and what is in one of them; of the form
+    /// matcap, which has none, along y and x.
     #[must_use]
     pub fn extents(&self) -> Vec<u32> {
         match self.form {
             ImageForm::Bivariate { .. } => vec![self.size; 2],
             ImageForm::Half { slices } => vec![slices, self.size, self.size],
             ImageForm::Paper { .. } => vec![self.band_angles().len() as u32, self.size, self.size],
+            ImageForm::Matcap => vec![self.size; 2],
         }
     }
 
@@ -377,6 +428,7 @@ impl Image {
         match self.form {
             ImageForm::Bivariate { .. } => &[("h", &['x', 'y', 'z'])],
             ImageForm::Half { .. } | ImageForm::Paper { .. } => &[("u", &['x', 'y', 'z']), ("v", &['x', 'y'])],
+            ImageForm::Matcap => &[],
         }
     }
 

@@ -9,7 +9,7 @@ use crate::reflectance::Rgb;
 use crate::reflectance::texels::pair;
 use crate::reflectance::vector::{Light, Vector};
 
-/// A light as the block is told of it, in real numbers.
+/// A light as the block is told of it, in real numbers; in the form matcap [`RealLight::none`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct RealLight {
     direction: Vector,
@@ -20,6 +20,14 @@ pub struct RealLight {
     next: f64,
     /// What the squared blend, of texels from 0 to 1, and n·l are multiplied by.
     gain: Rgb,
+}
+
+impl RealLight {
+    /// What stands for a light where none is told of: the picture is seen as it is.
+    #[must_use]
+    pub fn none() -> Self {
+        Self { direction: Vector::z(), frame: Vec::new(), turns: None, band: 0, next: 0.0, gain: [1.0; 3] }
+    }
 }
 
 /// Which texels are blended.
@@ -126,6 +134,7 @@ impl ImageBlock {
     fn places(&self, n: &[f64; 3], light: &RealLight, places: Places) -> Vec<[Place; 2]> {
         let frame = &light.frame;
         let size = f64::from(self.image.size);
+        let between = |component: f64| [self.place((component * size + size - 1.0) / 2.0, places, 0.5); 2];
         match self.image.form {
             ImageForm::Bivariate { octaves } => {
                 let apart: Vec<f64> = n.iter().zip(frame).map(|(n, h)| n - h).collect();
@@ -139,12 +148,10 @@ impl ImageBlock {
                 vec![[self.place((f64::from(exponent) + rest) * steps, places, 0.0); 2]]
             }
             ImageForm::Half { .. } => {
-                let across = |axis: &[f64]| {
-                    let place = (self.product(&n[..axis.len()], axis, places) * size + size - 1.0) / 2.0;
-                    [self.place(place, places, 0.5); 2]
-                };
+                let across = |axis: &[f64]| between(self.product(&n[..axis.len()], axis, places));
                 vec![across(&frame[3..5]), across(&frame[..3])]
             }
+            ImageForm::Matcap => vec![between(n[1]), between(n[0])],
             ImageForm::Paper { .. } => {
                 let turns = light.turns.as_ref().expect("the turns of the form paper");
                 if places == Places::Rounded {
@@ -195,11 +202,13 @@ impl ImageBlock {
     #[must_use]
     pub fn real(&self, n: Vector, light: &RealLight, texels: RealTexels, places: Places) -> Rgb {
         let incidence = if self.image.has_incidence() { n.dot(&light.direction).max(0.0) } else { 1.0 };
-        if n.z <= 0.0 || incidence == 0.0 {
+        let has_lights = self.image.has_lights();
+        if has_lights && (n.z <= 0.0 || incidence == 0.0) {
             return [0.0; 3];
         }
         let inner = self.places(&[n.x, n.y, n.z], light, places);
-        let all = [vec![[(light.band, light.next); 2]], inner].concat();
+        let bands = if has_lights { vec![[(light.band, light.next); 2]] } else { Vec::new() };
+        let all = [bands, inner].concat();
         [0, 1, 2].map(|channel| {
             let root = self.blend(texels, channel, &all, 0, None);
             light.gain[channel] * root * root * incidence

@@ -8,7 +8,7 @@ use super::turn::{ANGLE, MOST_HALF};
 use super::{GAIN_INT, Image, ImageBlock, ImageForm, ImageWidths};
 use crate::block::shader::unit as check_unit;
 use crate::fixed::{exp2, turn};
-use crate::platform::error::Error;
+use crate::platform::error::{Error, refuse};
 use crate::reflectance::Rgb;
 use crate::reflectance::texels::{Pair, Texels, pair};
 use crate::reflectance::vector::{Light, Vector, sine_cosine};
@@ -158,6 +158,7 @@ pub(super) fn frame(image: &Image, light: Light) -> Vec<f64> {
             let [hs, hc] = sine_cosine(-0.5 * light.phi);
             vec![gc * hc, -gs * hc, hs, gs, gc]
         }
+        ImageForm::Matcap => Vec::new(),
     }
 }
 
@@ -219,6 +220,7 @@ fn frame_codes(image: &Image, phi: u64, gamma: u64) -> Vec<i64> {
             -gamma_sine,
             gamma_cosine,
         ],
+        ImageForm::Matcap => Vec::new(),
     };
     components.into_iter().map(|component| turn::code(component, image.vector_fraction)).collect()
 }
@@ -227,15 +229,24 @@ impl ImageBlock {
     /// The record of a light of an intensity a channel.
     ///
     /// # Errors
-    /// An intensity that is not from 0 to 1.
+    /// An intensity that is not from 0 to 1; the form matcap, which is told of no lights.
     pub fn record(&self, light: Light, intensity: [f64; 3]) -> Result<LightRecord, Error> {
+        refuse!(
+            !self.image.has_lights(),
+            "a core of the form matcap has no lights",
+            "its light is in its picture: an image-based block of another form takes records of lights"
+        );
         FixedLight::new(light, intensity).map(|light| self.fixed_record(&light))
     }
 
     /// The record of a light in fixed-point numbers.
+    ///
+    /// # Panics
+    /// In the form matcap, which is told of no lights.
     #[must_use]
     pub fn fixed_record(&self, light: &FixedLight) -> LightRecord {
         let Self { image, widths, records, .. } = self;
+        assert!(image.has_lights(), "a form with lights");
         let phi = light.phi.min(turn::HALF);
         let component = |sine: i64| turn::code(sine, image.vector_fraction);
         let [sine, cosine] = turn::sine_cosine(phi);
@@ -302,7 +313,7 @@ impl ImageBlock {
     }
 
     /// The inputs of a clock: of a normal, and of the lights of that clock, of which those that are missing give
-    /// nothing.
+    /// nothing; in the form matcap of the normal alone.
     ///
     /// # Panics
     /// On an intensity that is not from 0 to 1.
@@ -313,15 +324,19 @@ impl ImageBlock {
         let records = all
             .take(self.image.lights as usize)
             .flat_map(|(light, intensity)| self.record(light, intensity).expect("an intensity from 0 to 1").codes());
-        self.vector(n).into_iter().chain(records).collect()
+        self.vector(n).into_iter().take(self.image.normal_axes()).chain(records).collect()
     }
 
-    /// The inputs of a sample, clock by clock: one clock at least, however many lights there are.
+    /// The inputs of a sample, clock by clock: one clock at least, however many lights there are, and no more in the
+    /// form matcap.
     ///
     /// # Panics
     /// As [`ImageBlock::inputs`].
     #[must_use]
     pub fn clocks(&self, n: Vector, lights: &[(Light, Rgb)]) -> Vec<Vec<i64>> {
+        if !self.image.has_lights() {
+            return vec![self.inputs(n, &[])];
+        }
         let a_clock = self.image.lights as usize;
         let clocks = lights.len().div_ceil(a_clock).max(1);
         (0..clocks).map(|clock| self.inputs(n, lights.get(clock * a_clock..).unwrap_or_default())).collect()

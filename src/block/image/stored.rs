@@ -10,16 +10,30 @@ use super::{Image, ImageForm, SIZE, SLICES, texels};
 use crate::platform::error::{Error, refuse};
 use crate::reflectance::paper::{Border, Options};
 use crate::reflectance::texels::Samples;
-use crate::reflectance::{Form, FormKind, FormSpec, Lookup, Reflectance, Source, Texel, directory, half, measure};
+use crate::reflectance::{
+    Form, FormKind, FormSpec, Lookup, Reflectance, Source, Texel, directory, half, matcap, measure,
+};
+
+/// What a matcap is read from, in words.
+pub(crate) const PICTURE: &str = "a picture of a sphere that touches its sides, as PNG or OpenEXR";
+
+/// Says of a model or a table that no matcap is made of it.
+pub(crate) fn no_picture(name: &str) -> Error {
+    Error::input(
+        format!("{name} is a reflectance, and a matcap is made of a picture, which has its light in it"),
+        format!("give --reflectance-file with {PICTURE}, or use another --image-form"),
+    )
+}
 
 /// A file that is to be made a block of.
 #[derive(Clone, Copy, Debug)]
 pub struct ImageFile<'a> {
-    /// A MERL table, or a directory of sphere images.
+    /// A MERL table, a directory of sphere images, or for the form matcap a picture.
     pub path: &'a Path,
     /// How a table is looked up.
     pub lookup: Option<Lookup>,
-    /// The exposure, above 0; otherwise a table's as [`measure::exposure`] has it, and that of images their own.
+    /// The exposure, above 0; otherwise a table's as [`measure::exposure`] has it, that of images their own, and 1 of a
+    /// picture.
     pub exposure: Option<f64>,
     /// The digest that the file's samples are to have.
     pub digest: Option<&'a str>,
@@ -36,15 +50,15 @@ impl ImageSamples {
     /// The samples for a block, and their exposure.
     ///
     /// # Errors
-    /// A file that cannot be read or is none of the two; images that do not fit the block, with those that would;
-    /// samples of another digest than is asked for, or too large for 32 bits.
+    /// A file that cannot be read or is none of these, or not what the block's form is made of; images that do not fit
+    /// the block, with those that would; samples of another digest than is asked for, or too large for 32 bits.
     pub fn open(image: &Image, file: &ImageFile<'_>) -> Result<(Arc<Self>, f64), Error> {
         let name = file.path.display().to_string();
         refuse!(
             !file.path.exists(),
             format!("there is no file or directory {name}"),
-            "a MERL table, or a directory of sphere images; in a spec file its path starts from there, and what a core \
-             is made of lies beside its core.toml"
+            "a MERL table, a directory of sphere images, or a picture for the form matcap; in a spec file its path \
+             starts from there, and what a core is made of lies beside its core.toml"
         );
         let (stored, exposure) = if file.path.is_dir() {
             let (form, octaves) = directory::read_with_octaves(file.path)?;
@@ -56,14 +70,23 @@ impl ImageSamples {
             check_fit(image, &form, octaves, &name)?;
             (Self::new(image, form.texels.samples(), form.exposure)?, form.exposure)
         } else {
-            let Source::Table(table) = Source::open(file.path, file.lookup.unwrap_or_default())? else {
-                return Err(Error::input(
-                    format!("{name} is a matcap, which no image-based block is made of"),
-                    "give a MERL table, or a directory of slices as `brdfgen reflectance images` writes it",
-                ));
-            };
-            let exposure = file.exposure.unwrap_or_else(|| measure::exposure(&table));
-            (Self::new(image, texels::samples(image, &table, exposure), exposure)?, exposure)
+            match Source::open(file.path, file.lookup.unwrap_or_default())? {
+                Source::Images(form) => {
+                    refuse!(
+                        file.lookup.is_some(),
+                        format!("lookup is given, and {name} is a picture"),
+                        "leave it out: it is for tables"
+                    );
+                    let exposure = file.exposure.unwrap_or(1.0);
+                    (Self::of_picture(image, &form, exposure, &name)?, exposure)
+                }
+                Source::Table(_) if image.form == ImageForm::Matcap => return Err(no_picture(&name)),
+                Source::Table(table) => {
+                    let exposure = file.exposure.unwrap_or_else(|| measure::exposure(&table));
+                    (Self::new(image, texels::samples(image, &table, exposure), exposure)?, exposure)
+                }
+                Source::Model(_) => unreachable!("a file holds no model"),
+            }
         };
         if let Some(digest) = file.digest.filter(|digest| *digest != stored.digest) {
             return Err(Error::input(
@@ -80,6 +103,33 @@ impl ImageSamples {
                 Ok((Arc::new(Self::new(image, samples, asked)?), asked))
             }
         }
+    }
+
+    /// The samples of a matcap's picture for a block of that form, times an exposure: its means over the texels. `name`
+    /// is the picture's, for messages.
+    ///
+    /// # Errors
+    /// A block of another form or with more texels along a side than the picture has pixels; samples that are too large
+    /// for 32 bits.
+    pub fn of_picture(image: &Image, form: &Form, exposure: f64, name: &str) -> Result<Self, Error> {
+        refuse!(
+            image.form != ImageForm::Matcap,
+            format!(
+                "{name} is a picture, a matcap, and the form {} is made of a reflectance",
+                form_spec(image).kind.name()
+            ),
+            "use --image-form matcap, or give a MERL table, or a directory as `brdfgen reflectance images` writes it"
+        );
+        let (size, pixels) = (image.size as usize, form.spec.size);
+        refuse!(
+            size > pixels,
+            format!("image_size = {size} is more than the {pixels} × {pixels} pixels of {name}"),
+            match 1 << pixels.ilog2() {
+                fits if SIZE.contains(&fits) => format!("at most {fits} for this picture"),
+                _ => format!("a picture of at least {0} × {0} pixels", SIZE.start()),
+            }
+        );
+        Self::new(image, matcap::samples(form, size, exposure), exposure)
     }
 
     /// The samples of a reflectance for a block, times an exposure.
@@ -143,7 +193,7 @@ impl std::fmt::Display for Image {
 fn octaves(image: &Image) -> Option<u32> {
     match image.form {
         ImageForm::Bivariate { octaves } => Some(octaves),
-        ImageForm::Half { .. } | ImageForm::Paper { .. } => None,
+        ImageForm::Half { .. } | ImageForm::Paper { .. } | ImageForm::Matcap => None,
     }
 }
 
@@ -153,6 +203,7 @@ fn form_spec(image: &Image) -> FormSpec {
         ImageForm::Bivariate { .. } => (FormKind::Bivariate, 1),
         ImageForm::Half { slices } => (FormKind::Half, slices as usize),
         ImageForm::Paper { .. } => (FormKind::Paper, 1),
+        ImageForm::Matcap => (FormKind::Matcap, 1),
     };
     let spec = FormSpec::sized(kind, images, image.size as usize, Texel::Float);
     match &image.form {
@@ -193,6 +244,7 @@ fn check_fit(image: &Image, form: &Form, there: Option<u32>, name: &str) -> Resu
             needed.options.border
         ),
         (None, ImageForm::Bivariate { .. }) => "give the table that they were made of".to_owned(),
+        (None, ImageForm::Matcap) => format!("give {PICTURE}"),
     };
     Err(Error::input(what, format!("this block takes {}: {remedy}", described(&needed, octaves(image)))))
 }
@@ -247,6 +299,7 @@ fn flags(image: &Image, spec: &FormSpec, octaves: Option<u32>) -> Option<String>
         (FormKind::Bivariate, Some(octaves)) => {
             Some(format!("--image-form bivariate --octaves {octaves} --image-size {size}"))
         }
+        (FormKind::Matcap, _) => Some(format!("--image-form matcap --image-size {size}")),
         _ => None,
     }
 }

@@ -46,6 +46,8 @@ pub(super) fn samples(image: &Image, reflectance: &dyn Reflectance, exposure: f6
         }
         ImageForm::Half { .. } => half::samples(reflectance, &image.band_angles(), size, exposure),
         ImageForm::Paper { angles } => paper::samples(reflectance, angles, size, Border::ExtendX, exposure),
+        // A picture of it, lit from the viewer.
+        ImageForm::Matcap => paper::samples(reflectance, &[0.0], size, Border::Extend, exposure),
     }
 }
 
@@ -61,11 +63,13 @@ pub(super) fn of_all_bands(image: &Image, mut samples: Samples) -> Samples {
 
 /// The texels of samples: bands of the roots of their values, each with its cap.
 pub(super) fn encoded(image: &Image, samples: &Samples) -> Texels {
-    let scale = match image.form {
-        ImageForm::Bivariate { .. } => Scale::Row,
-        ImageForm::Half { .. } | ImageForm::Paper { .. } => Scale::Layer,
+    let (scale, cap) = match image.form {
+        ImageForm::Bivariate { .. } => (Scale::Row, None),
+        ImageForm::Half { .. } | ImageForm::Paper { .. } => (Scale::Layer, None),
+        // What a display shows.
+        ImageForm::Matcap => (Scale::Layer, Some(1.0)),
     };
-    Texels::encode(samples, Texel::Sqrt(image.texel_bits, None), scale)
+    Texels::encode(samples, Texel::Sqrt(image.texel_bits, cap), scale)
 }
 
 /// The code of a texel's channel.
@@ -134,5 +138,5 @@ pub(super) fn banks(image: &Image, texels: &Texels) -> Vec<Table> {
             table
         })
     };
-    (0..image.lights as usize).flat_map(of_light).collect()
+    (0..image.look_ups()).flat_map(of_light).collect()
 }

@@ -376,8 +376,7 @@ impl Shading<'_, '_> {
     /// The outputs, from what the lights give to each channel.
     fn outputs(&mut self, lights: [NodeId; 3]) -> Vec<(&'static str, NodeId)> {
         if self.shader.most_lights.is_none() {
-            let names = ["out_r", "out_g", "out_b"];
-            return (0..3).map(|channel| (names[channel], self.code(lights[channel], channel))).collect();
+            return (0..3).map(|channel| (parts::CODES[channel], self.code(lights[channel], channel))).collect();
         }
         let ShaderWidths { term, k, .. } = self.widths;
         let sums = [0, 1, 2].map(|c| (parts::SUMS[c], parts::channel_sum(&mut self.b, lights[c], c, term)));

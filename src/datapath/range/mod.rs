@@ -19,7 +19,7 @@ use rayon::prelude::*;
 pub use narrow::Narrowed;
 use narrow::can_narrow;
 use relations::{
-    Blend, Complement, Restoring, blend, complement, is_guarded_by_sign, kept_where_less, restoring, room,
+    Blend, Complement, Factor, Restoring, blend, complement, is_guarded_by_sign, kept_where_less, restoring, room,
 };
 use span::Extremes;
 pub use span::Span;
@@ -235,7 +235,11 @@ impl<'a> Analysis<'a> {
         let is_inside = |id: NodeId| seen[id] && ports[id].is_none();
         let complement = |id: NodeId| {
             let found = complement(graph, id)?;
-            [found.product, found.x, found.p, found.floor].into_iter().all(|id| seen[id]).then_some(found)
+            let factor = match found.p {
+                Factor::Node(p) => p,
+                Factor::Power(_) => found.x,
+            };
+            [found.product, found.x, factor, found.floor].into_iter().all(|id| seen[id]).then_some(found)
         };
         let blend = |id: NodeId| {
             let found = blend(graph, id)?;

@@ -3,12 +3,21 @@
 use crate::datapath::graph::{Graph, Node, NodeId, Op};
 use crate::fixed::Format;
 
+/// What x is multiplied by in a [`Complement`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Factor {
+    /// A value.
+    Node(NodeId),
+    /// Two to the power of minus this: a shift of the binary point.
+    Power(u32),
+}
+
 /// `x - floor(x p)`, which plain intervals take for a difference of two values that have nothing to do with each other.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Complement {
     pub(super) product: NodeId,
     pub(super) x: NodeId,
-    pub(super) p: NodeId,
+    pub(super) p: Factor,
     /// Fraction bits of the floor.
     pub(super) floor: NodeId,
     /// What is added to x first.
@@ -170,15 +179,25 @@ pub(super) fn complement(graph: &Graph, id: NodeId) -> Option<Complement> {
         Node { op: Op::Cast, args, .. } => args[0],
         _ => floor,
     };
-    if of(product).op != Op::Mul || of(floor).format.frac_bits > of(product).format.frac_bits {
+    if of(floor).format.frac_bits > of(product).format.frac_bits {
         return None;
     }
-    let factors = [of(product).args[0], of(product).args[1]];
     let (base, added) = match of(minuend) {
         Node { op: Op::Add, args, .. } if matches!(of(args[1]).op, Op::Constant(_)) => (args[0], Some(args[1])),
         _ => (minuend, None),
     };
-    let place = factors.iter().position(|&factor| unsigned(factor) == unsigned(base))?;
-    let p = factors[1 - place];
-    (of(p).format.frac_bits >= 0).then_some(Complement { product, x: factors[place], p, floor, added })
+    let is_base = |factor: NodeId| unsigned(factor) == unsigned(base);
+    let (x, p) = match *of(product) {
+        Node { op: Op::Mul, ref args, .. } => {
+            let place = args.iter().position(|&factor| is_base(factor))?;
+            let p = args[1 - place];
+            (args[place], (of(p).format.frac_bits >= 0).then_some(Factor::Node(p))?)
+        }
+        Node { op: Op::Scale, ref args, format, .. } if is_base(args[0]) => {
+            let down = u32::try_from(format.frac_bits - of(args[0]).format.frac_bits).ok()?;
+            (args[0], Factor::Power(down))
+        }
+        _ => return None,
+    };
+    Some(Complement { product, x, p, floor, added })
 }

@@ -1,6 +1,6 @@
 //! What the nodes take in a block of inputs.
 
-use super::relations::{Blend, Complement, Restoring};
+use super::relations::{Blend, Complement, Factor, Restoring};
 use super::{Analysis, Block, Region, Span};
 use crate::datapath::graph::{Node, NodeId, Op};
 use crate::fixed::Format;
@@ -175,9 +175,14 @@ impl Analysis<'_> {
             return None;
         }
         // All in units of the product's last bit.
-        let one = 1i128.checked_shl(format(p).frac_bits.try_into().ok()?)?;
         let unit = format(product).frac_bits;
-        let rest = Span { low: one - block.codes[p].high, high: one - block.codes[p].low };
+        let rest = match p {
+            Factor::Node(p) => {
+                let one = 1i128.checked_shl(format(p).frac_bits.try_into().ok()?)?;
+                Span { low: one - block.codes[p].high, high: one - block.codes[p].low }
+            }
+            Factor::Power(down) => Span::point(1i128.checked_shl(down)? - 1),
+        };
         let product = block.codes[x].times(rest);
         let lost = (1i128 << (unit - format(floor).frac_bits).max(0)) - 1;
         let shift = unit - node.format.frac_bits;

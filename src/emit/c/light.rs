@@ -83,11 +83,11 @@ fn fields(image: ImageDesign<'_>) -> Vec<RecordField> {
 }
 
 impl<'a> LightFunction<'a> {
-    /// The function for an image-based core, without a header.
+    /// The function for an image-based core, without a header; none of the form matcap, which is told of no lights.
     #[must_use]
-    pub fn of(design: ImageDesign<'a>) -> Self {
+    pub fn of(design: ImageDesign<'a>) -> Option<Self> {
         let (image, widths) = (&design.of.image, design.block.widths());
-        Self {
+        image.has_lights().then(|| Self {
             name: design.spec.name.clone(),
             header: Vec::new(),
             upper: design.spec.name.to_ascii_uppercase(),
@@ -108,7 +108,7 @@ impl<'a> LightFunction<'a> {
             half_pi: turn::HALF_PI,
             half_pi_bits: turn::HALF_PI_BITS,
             reciprocal_bits: RecordTable::RECIPROCAL_BITS,
-        }
+        })
     }
 
     /// The paths of its files in the core's directory, the header first.

@@ -40,6 +40,9 @@ pub(crate) fn title(spec: &CoreSpec) -> String {
             let form = match &image.form {
                 ImageForm::Half { slices } => format!("half, {slices} slices of {size} x {size} texels"),
                 ImageForm::Bivariate { .. } => format!("bivariate, {size} x {size} texels"),
+                ImageForm::Matcap => {
+                    return format!("matcap of {size} x {size} texels, {} bits a channel", image.channel_bits);
+                }
                 ImageForm::Paper { angles } => {
                     format!("paper, {} of {size} x {size} texels", counted(angles.len() as u64, "sphere image"))
                 }
@@ -111,6 +114,9 @@ pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
             format!("Error against the exact shader, in codes of a channel, over {} samples:", error.samples),
             format!("  {}, root mean square {:.3}.", interval_text(error.whole.codes), error.whole.rms),
         ],
+        Account::Image(error) if design.sums().is_none() => {
+            vec![format!("A picture of a sphere against {}: {:.1} dB.", error.exact(), error.quality.mean)]
+        }
         Account::Image(error) => vec![
             format!("Pictures of a sphere against {}, lit from {} angles:", error.exact(), error.angles),
             format!("  {:.1} dB in the mean, {:.1} dB at the worst angle.", error.quality.mean, error.quality.worst),
@@ -268,7 +274,9 @@ fn files(design: &Design) -> Vec<(String, &'static str)> {
             files.push((super::rom_path(design, table, format), what));
         }
     }
-    if let Block::Image(_) = &spec.block {
+    if let Block::Image(of) = &spec.block
+        && of.image.has_lights()
+    {
         let [header, source] = LightFunction::paths(&spec.name);
         files.push((header, "light records for drivers: the C function's header"));
         files.push((source, "its source, C99"));

@@ -457,7 +457,7 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
 fn light_function(design: &Design) -> Result<Vec<(String, String)>, Error> {
     let BlockDesign::Image(image) = design.block() else { return Ok(Vec::new()) };
     let spec = &design.spec;
-    let mut function = LightFunction::of(image);
+    let Some(mut function) = LightFunction::of(image) else { return Ok(Vec::new()) };
     let what = format!("the records of lights for the core {}", spec.name);
     function.header = head(spec, &format!("{}_light", spec.name), &what, "function");
     Ok(LightFunction::paths(&spec.name).into_iter().zip(function.emit()?).collect())

@@ -33,6 +33,12 @@ impl Part {
         Self::of(design).into_iter().rfind(|&part| part != Self::Axis).unwrap_or(Self::Core)
     }
 
+    /// What takes a sample clock by clock: its sequencer, or itself where it has none.
+    #[must_use]
+    pub fn sequenced(design: &Design) -> Self {
+        if design.sums().is_some() { Self::Lights } else { Self::Core }
+    }
+
     /// The name of its module or entity.
     #[must_use]
     pub fn name(self, design: &Design) -> String {

@@ -1,4 +1,5 @@
-//! Samples of any number of lights through a compiled core and its sequencer.
+//! Samples of any number of lights through a compiled core and its sequencer; through a core without one, samples of a
+//! clock each.
 
 use std::path::{Path, PathBuf};
 
@@ -21,15 +22,12 @@ const HARNESS: &str = include_str!("../../../testbench/sequence.cpp");
 const SAMPLE: usize = 4 * CHANNELS.len();
 
 /// The codes of the channels of samples, each the codes of the core's inputs at the clocks of its lights, one at least:
-/// by the sequencer around the core in a directory, whose texts `sources` names, given a clock's lights a clock. It is
-/// the core's Verilog that is compiled, or its VHDL where it has no Verilog. `progress` is told how many samples have
-/// come.
+/// by the sequencer around the core in a directory, or the core itself where it has none, whose texts `sources` names,
+/// given a clock's lights a clock. It is the core's Verilog that is compiled, or its VHDL where it has no Verilog.
+/// `progress` is told how many samples have come.
 ///
 /// # Errors
 /// A tool that is not installed or does not compile the core; a core that fails, or has not given as many samples.
-///
-/// # Panics
-/// On a core without a sequencer.
 pub fn sequence(
     design: &Design,
     directory: &Path,
@@ -37,7 +35,6 @@ pub fn sequence(
     samples: impl Iterator<Item = Vec<Vec<i64>>> + Send,
     progress: &dyn Fn(u64),
 ) -> Result<Vec<[u16; 3]>, Error> {
-    assert!(design.sums().is_some(), "a core with a sequencer");
     let program = build(design, directory, sources)?;
     let mut command = tool::program(&program);
     let (mut sent, mut bytes) = (0u64, Vec::new());
@@ -83,7 +80,7 @@ fn build(design: &Design, directory: &Path, sources: &[PathBuf]) -> Result<PathB
         text.extend(std::fs::read(source).map_err(|error| Error::io("cannot read", source, error))?);
         text.push(b'\n');
     }
-    let mut top = Part::Lights.name(design);
+    let mut top = Part::sequenced(design).name(design);
     let mut verilog = match design.spec.compiled_language() {
         Language::Verilog => text,
         Language::Vhdl => {
@@ -93,7 +90,7 @@ fn build(design: &Design, directory: &Path, sources: &[PathBuf]) -> Result<PathB
             synth::as_verilog(&top, directory, &source)?
         }
     };
-    if let Some((more, closed)) = package::closing(design, Part::Lights)? {
+    if let Some((more, closed)) = package::closing(design, Part::sequenced(design))? {
         verilog.extend(more.into_bytes());
         top = closed;
     }

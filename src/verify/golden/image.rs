@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::Vector;
+use super::matcap;
 use super::samples::{self, RANDOM, corners, detecting};
 use crate::block::image::Image;
 use crate::core::sample::random_codes;
@@ -17,6 +18,9 @@ const CANDIDATES: usize = 96;
 
 /// The vectors of an image-based block, in groups with a heading.
 pub(super) fn vectors(design: ImageDesign<'_>) -> Vec<(String, Vec<Vector>)> {
+    if !design.of.image.has_lights() {
+        return matcap::vectors(design);
+    }
     let mut rng = Rng::new(0);
     let ports = design.numbers(Direction::In);
     let image = &design.of.image;
@@ -154,7 +158,7 @@ fn greatest_gains(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
 }
 
 /// The most places between texels.
-const MOST_CELLS: u64 = 1 << 12;
+pub(super) const MOST_CELLS: u64 = 1 << 12;
 
 /// The inputs of a stream: samples and random codes in turn.
 pub(super) fn stream(design: ImageDesign<'_>, stream: u32) -> impl Iterator<Item = Vec<i64>> {

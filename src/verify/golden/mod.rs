@@ -8,6 +8,7 @@
 mod choose;
 mod detection;
 mod image;
+mod matcap;
 mod samples;
 mod shader;
 

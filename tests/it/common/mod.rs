@@ -1,6 +1,7 @@
 //! A temporary directory in which the built program runs, and what it answers.
 
 pub mod core;
+pub mod matcap;
 pub mod pairs;
 
 use std::collections::BTreeMap;

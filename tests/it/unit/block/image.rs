@@ -128,15 +128,13 @@ fn quality(block: &ImageBlock, model: &str, size: usize) -> (f64, f64) {
     let reflectance = Model::named(model).unwrap();
     let exposure = measure::exposure(&reflectance);
     let sphere = Sphere::new(size);
-    let bits = block.model();
     let full = block.image().full_scale() as f64;
     let ratio = |phi: f64| {
         let light = Light::new(phi, 3.0 * phi);
         let record = block.record(light, [1.0; 3]).unwrap().codes();
         let exact = sphere.exact(&reflectance, light, exposure);
         let pixel = |n: &brdfgen::reflectance::Vector| {
-            let out = bits.evaluate(&[&codes([n.x, n.y, n.z], block.image())[..], &record].concat());
-            let out = block.sums().codes([out.as_slice()]);
+            let out = block.shown(&[&codes([n.x, n.y, n.z], block.image())[..], &record].concat());
             [0, 1, 2].map(|c| (out[c] as f64 / full) as f32)
         };
         measure::psnr(&exact, &sphere.normals.iter().map(pixel).collect::<Vec<_>>())
