@@ -182,7 +182,7 @@ fn what_does_not_fit_is_refused() {
         (SMALL, "core/reflectance", ["along 4 octaves", takes, "--image-form bivariate --octaves 4 --image-size 8"]),
         (SMALL, "cut.binary", ["17496006 bytes", "cut short", "34992012 bytes"]),
         (SMALL, "core.csv", ["core.csv has 3 bytes", "MERL", "table"]),
-        (SMALL, "eight/000_phi_0.png", ["is a matcap", "MERL table", "slices"]),
+        (SMALL, "eight/000_phi_0.png", ["is a picture, a matcap", "MERL table", "--image-form matcap"]),
         (SMALL, "nothing", ["there is no file or directory nothing", "MERL table", "sphere images"]),
         (
             &format!("{columns} 4"),
