@@ -223,6 +223,11 @@ impl SpecFields {
             "swap is given for texels that are not written",
             "give texels = \"writable\" as well, or leave swap out"
         );
+        refuse!(
+            swap && self.image_form == Some(ImageFormName::Matcap),
+            "swap is given for a matcap, whose samples have no last light",
+            "leave swap out: a matcap's texels may be written between two pictures"
+        );
         Ok(swap)
     }
 

@@ -174,10 +174,11 @@ fn the_keys_of_texel_memories_are_checked() {
         ("texel_latency = 2", "texels in the core"),
         ("texels = 'writable'\ntexel_latency = 2", "texels = \"external\""),
         ("swap = true", "not written"),
+        ("image_form = 'matcap'\ntexels = 'writable'\nswap = true", "no last light"),
         ("texels = 'external'\nswap = true", "texels = \"writable\""),
     ] {
         let scratch = Scratch::new();
-        scratch.write("core.toml", format!("block = 'image'\nreflectance = {{ model = 'ggx' }}\n{keys}\n"));
+        scratch.write("core.toml", format!("block = 'image'\n{keys}\nreflectance = {{ model = 'ggx' }}\n"));
         scratch.run("generate core.toml --out core").refuses(&[words]);
         assert!(!scratch.path("core").exists());
     }
