@@ -232,11 +232,34 @@ fn read_late(graph: &Graph, rules: Rules, external: &External, stage: &mut [u32]
     }
 }
 
+/// What a value is of, but for bits that are dropped or moved.
+fn origin(graph: &Graph, mut id: NodeId) -> NodeId {
+    while matches!(graph.nodes[id].op, Op::Cast | Op::Scale) {
+        id = graph.nodes[id].args[0];
+    }
+    id
+}
+
+/// The sums of products that are factors: the way from one DSP block to another by an adder is too long for a stage.
+fn between_products(graph: &Graph) -> Vec<bool> {
+    let is_product = |id: NodeId| graph.nodes[id].op == Op::Mul;
+    let is_sum = |id: NodeId| matches!(graph.nodes[id].op, Op::Add | Op::Sub);
+    let mut between = vec![false; graph.nodes.len()];
+    for node in graph.nodes.iter().filter(|node| node.op == Op::Mul) {
+        for id in node.args.iter().map(|&arg| origin(graph, arg)).filter(|&id| is_sum(id)) {
+            between[id] = graph.nodes[id].args.iter().any(|&arg| is_product(origin(graph, arg)));
+        }
+    }
+    between
+}
+
 /// As early as possible under the rules, with `extra` registers behind each node.
 fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32], external: &External) -> Schedule {
     let count = graph.nodes.len();
     let mut stage = vec![0u32; count];
     let mut done = vec![0.0f64; count];
+    let is_fastest = rules.rom_registers > 1 && adders == Adders::One;
+    let between = if is_fastest { between_products(graph) } else { vec![false; count] };
     for (id, node) in graph.nodes.iter().enumerate() {
         let time = delay(node.op, adders);
         // An address goes out of the core from a register.
@@ -250,6 +273,8 @@ fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32], external: &
                 + extra[arg]
                 + match from.op {
                     Op::Field { memory, .. } => rules.registers_behind(graph, memory, external),
+                    // The product's own, and one near the adder.
+                    _ if between[id] && graph.nodes[origin(graph, arg)].op == Op::Mul => 2,
                     _ => 0,
                 };
             let ready = stage[arg] + registers;
