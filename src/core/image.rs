@@ -9,7 +9,7 @@ use super::lights::{code_meanings, sum_meanings};
 use super::{Design, Part};
 use crate::block::image::quality::{MATCAP_SIZE, SIZE, STEP, turned};
 use crate::block::image::{
-    Image, ImageBlock, ImageForm, ImageModel, ImageSource, ImageSpec, Joints, Places, RealLight, RealTexels,
+    FrontEnd, Image, ImageBlock, ImageForm, ImageModel, ImageSource, ImageSpec, Joints, Places, RealLight, RealTexels,
 };
 use crate::fixed::exp2;
 use crate::reflectance::measure::{self, Quality, Sphere};
@@ -69,6 +69,11 @@ impl<'a> ImageDesign<'a> {
             if image.has_incidence() {
                 meanings.extend(axes.map(|axis| format!("{axis} of the unit vector to light {light}")));
             }
+            let colours = ["red", "green", "blue"];
+            if image.front_end == FrontEnd::Vector {
+                meanings.extend(colours.map(|colour| format!("{colour} of light {light}'s intensity, at most 1")));
+                continue;
+            }
             meanings.extend(match image.form {
                 ImageForm::Bivariate { .. } => {
                     axes.map(|axis| format!("{axis} of light {light}'s half vector")).to_vec()
@@ -95,7 +100,7 @@ impl<'a> ImageDesign<'a> {
             if self.block.widths().shift > 0 {
                 meanings.push(format!("exponent of light {light}'s gain"));
             }
-            meanings.extend(["red", "green", "blue"].map(|colour| format!("{colour} of light {light}'s gain")));
+            meanings.extend(colours.map(|colour| format!("{colour} of light {light}'s gain")));
         }
         meanings
     }
@@ -146,20 +151,27 @@ pub struct ImageError {
     pub whole: Part,
 }
 
-const PARTS: [(&str, &str); 5] = [
-    ("method", "texels in place of the reflectance, blended"),
-    ("texels", "rounded to codes of their roots"),
-    ("ports", "the normal and the light's record rounded to their ports"),
-    ("weights", "the places between texels rounded to the weights' last bit"),
-    ("arithmetic", "the roundings behind them, the output's among them"),
-];
+/// How many parts there are at most.
+const PARTS: usize = 6;
 
-/// The parts of a block's error with what they are.
-fn parts(image: &Image) -> [(&'static str, &'static str); PARTS.len()] {
-    PARTS.map(|(name, meaning)| match name {
-        "ports" if !image.has_lights() => (name, "x and y of the normal rounded to their ports"),
-        _ => (name, meaning),
-    })
+/// The parts in their order, each with its meaning; `None` where a core has no such part, of which then nothing comes.
+fn parts(image: &Image, of_samples: bool) -> [(&'static str, Option<&'static str>); PARTS] {
+    let [ports, record] = match image.front_end {
+        FrontEnd::Record if !image.has_lights() => ["x and y of the normal rounded to their ports", ""],
+        FrontEnd::Record => ["the normal and the light's record rounded to their ports", ""],
+        FrontEnd::Vector => {
+            ["the normal and the vector to the light rounded to their ports", "the light's record as it is computed"]
+        }
+    };
+    [
+        // Samples of a file are what there is to be met.
+        ("method", (!of_samples).then_some("texels in place of the reflectance, blended")),
+        ("texels", Some("rounded to codes of their roots")),
+        ("ports", Some(ports)),
+        ("front end", (image.front_end == FrontEnd::Vector).then_some(record)),
+        ("weights", Some("the places between texels rounded to the weights' last bit")),
+        ("arithmetic", Some("the roundings behind them, the output's among them")),
+    ]
 }
 
 /// Least, greatest, squares.
@@ -186,15 +198,16 @@ impl ImageError {
         let ImageSpec { source, exposure, .. } = design.of;
         let of_angle = |&phi: &f64| {
             let light = turned(phi);
-            let [real, rounded] = if image.has_lights() {
-                let record = design.block.record(light, [1.0; 3]).expect("an intensity of 1");
-                [design.block.real_light(light, [1.0; 3]), design.block.light_of(&record)]
-            } else {
-                [(); 2].map(|()| RealLight::none())
-            };
-            let mut errors = [[f64::INFINITY, f64::NEG_INFINITY, 0.0]; PARTS.len() + 1];
-            let mut pictures = [Vec::new(), Vec::new()];
             let mut inputs = design.inputs(Vector::z(), &[(light, [1.0; 3])]);
+            let [real, told, made] = if image.has_lights() {
+                let codes = &inputs[3..3 + design.light_ports().len()];
+                let made = design.block.light_of(&design.model().record(codes));
+                [design.block.real_light(light, [1.0; 3]), design.block.told_light(codes), made]
+            } else {
+                [(); 3].map(|()| RealLight::none())
+            };
+            let mut errors = [[f64::INFINITY, f64::NEG_INFINITY, 0.0]; PARTS + 1];
+            let mut pictures = [Vec::new(), Vec::new()];
             for &n in &sphere.normals {
                 let codes = design.vector(n);
                 let lsb = exp2(-(image.vector_fraction as i32));
@@ -211,23 +224,24 @@ impl ImageError {
                     shown(exact),
                     shown(interpolated),
                     shown(design.block.real(n, &real, RealTexels::Stored, Places::Exact)),
-                    shown(design.block.real(near, &rounded, RealTexels::Stored, Places::Exact)),
-                    shown(design.block.real(near, &rounded, RealTexels::Stored, Places::Rounded)),
+                    shown(design.block.real(near, &told, RealTexels::Stored, Places::Exact)),
+                    shown(design.block.real(near, &made, RealTexels::Stored, Places::Exact)),
+                    shown(design.block.real(near, &made, RealTexels::Stored, Places::Rounded)),
                     [0, 1, 2].map(|channel| hardware[channel] as f64),
                 ];
                 for channel in [0, 1, 2] {
                     for (part, sum) in errors.iter_mut().enumerate() {
-                        let (from, to) = if part < PARTS.len() { (part, part + 1) } else { (0, PARTS.len()) };
+                        let (from, to) = if part < PARTS { (part, part + 1) } else { (0, PARTS) };
                         let error = stages[to][channel] - stages[from][channel];
                         *sum = [sum[0].min(error), sum[1].max(error), sum[2] + error * error];
                     }
                 }
                 pictures[0].push(stages[0].map(|code| (code / full) as f32));
-                pictures[1].push(stages[PARTS.len()].map(|code| (code / full) as f32));
+                pictures[1].push(stages[PARTS].map(|code| (code / full) as f32));
             }
             (errors, (phi, measure::psnr(&pictures[0], &pictures[1])))
         };
-        let by_angle: Vec<([Sums; PARTS.len() + 1], (f64, f64))> = angles.par_iter().map(of_angle).collect();
+        let by_angle: Vec<([Sums; PARTS + 1], (f64, f64))> = angles.par_iter().map(of_angle).collect();
         let samples = (angles.len() * sphere.normals.len()) as u64;
         // In order, so that the figures are the same on every machine.
         let part = |index: usize, (name, meaning): (&'static str, &'static str)| {
@@ -236,20 +250,18 @@ impl ImageError {
             let [low, high, square] = total.unwrap_or_default();
             Part { name, meaning, codes: [low, high], rms: libm::sqrt(square / (3 * samples) as f64) }
         };
-        // Samples of a file are what there is to be met.
         let of_samples = source.model().is_none();
         Self {
             angles: angles.len(),
             samples,
             of_samples,
             quality: Quality::of(by_angle.iter().map(|(_, ratio)| *ratio).collect()),
-            parts: parts(image)
+            parts: parts(image, of_samples)
                 .into_iter()
                 .enumerate()
-                .skip(of_samples.into())
-                .map(|(index, texts)| part(index, texts))
+                .filter_map(|(index, (name, meaning))| meaning.map(|meaning| part(index, (name, meaning))))
                 .collect(),
-            whole: part(PARTS.len(), ("whole", "hardware - exact")),
+            whole: part(PARTS, ("whole", "hardware - exact")),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::edges::inverse;
 use super::sample::{cross, normalised, plus, random_codes, random_direction};
 use super::{Direction, ImageDesign};
-use crate::block::image::{Image, ImageForm, LightJoints};
+use crate::block::image::{FrontEnd, Image, ImageForm, LightJoints};
 use crate::fixed::{Rng, exp2};
 use crate::reflectance::{Light, Rgb, Vector};
 
@@ -31,27 +31,50 @@ fn opposite(odd: i64, bits: u32) -> i64 {
 struct LightPlaces {
     /// Of the z of its direction.
     z: Option<usize>,
+    /// Those of its record; none where that is computed.
+    record: Option<RecordPlaces>,
+    /// Of what its brightness follows: the gain, or the intensity.
+    gain: usize,
+}
+
+/// Those of a record.
+struct RecordPlaces {
     frame: usize,
     band: usize,
     blend: usize,
     shift: Option<usize>,
-    gain: usize,
+}
+
+impl LightPlaces {
+    fn shift(&self) -> Option<usize> {
+        self.record.as_ref().and_then(|record| record.shift)
+    }
+
+    /// Those of a record that is told.
+    fn told(self) -> RecordPlaces {
+        self.record.expect("a record that is told")
+    }
 }
 
 impl ImageDesign<'_> {
     fn light_places(self) -> LightPlaces {
         let z = self.of.image.has_incidence().then_some(2);
         let frame = z.map_or(0, |z| z + 1);
+        if self.of.image.front_end == FrontEnd::Vector {
+            return LightPlaces { z, record: None, gain: frame };
+        }
         let band = frame + self.of.image.frame().iter().map(|(_, axes)| axes.len()).sum::<usize>();
         let shift = band + 2 + if self.of.image.has_turns() { 3 } else { 0 };
         let has_shift = self.block.widths().shift > 0;
-        LightPlaces {
-            z,
-            frame,
-            band,
-            blend: band + 1,
-            shift: has_shift.then_some(shift),
-            gain: shift + usize::from(has_shift),
+        let record = RecordPlaces { frame, band, blend: band + 1, shift: has_shift.then_some(shift) };
+        LightPlaces { z, record: Some(record), gain: shift + usize::from(has_shift) }
+    }
+
+    /// The greatest code of the ports of a gain, or that of an intensity of 1.
+    fn brightest(self) -> i64 {
+        match self.of.image.front_end {
+            FrontEnd::Record => self.block.widths().gain_format().max_code() as i64,
+            FrontEnd::Vector => 1 << self.block.widths().gain,
         }
     }
 
@@ -137,7 +160,9 @@ impl ImageDesign<'_> {
         let (sine, cosine) = libm::sincos(angle * std::f64::consts::FRAC_PI_2);
         let x = if cosine < 0.6 { x.abs().copysign(sine) } else { x };
         let normal = [x * cosine - 1.1 * sine, y, x * sine + 1.1 * cosine];
-        let LightPlaces { frame, band: of_band, blend, gain, .. } = self.light_places();
+        let places = self.light_places();
+        let gain = places.gain;
+        let RecordPlaces { frame, band: of_band, blend, .. } = places.told();
         let number = |value: f64| self.block.component(value);
         let mut light = vec![0; gain + 3];
         (light[frame + 4], light[of_band]) = (number(1.0), (band & !1) as i64);
@@ -160,7 +185,7 @@ impl ImageDesign<'_> {
     }
 
     /// Inputs with lower gains, at which every channel is about to take its next code, and where it just has.
-    fn steps_of(self, mut past: Vec<i64>) -> [Vec<i64>; 2] {
+    pub(super) fn steps_of(self, mut past: Vec<i64>) -> [Vec<i64>; 2] {
         let gain = self.light_places().gain + 3;
         let model = self.model();
         let reached = model.evaluate(&past);
@@ -193,8 +218,11 @@ impl ImageDesign<'_> {
         let places: Vec<u64> = texel.into_iter().map(|place| place << image.weight_bits).collect();
         let (mut codes, gain) = self.towards_texels(&places);
         let one = 1i64 << image.vector_fraction;
-        self.light_places().z.iter().for_each(|&place| codes[3 + place] = 2 * one - 1);
-        self.light_places().shift.iter().for_each(|&place| codes[3 + place] = widths.shift.into());
+        // Where no record follows from it.
+        if image.front_end == FrontEnd::Record {
+            self.light_places().z.iter().for_each(|&place| codes[3 + place] = 2 * one - 1);
+        }
+        self.light_places().shift().iter().for_each(|&place| codes[3 + place] = widths.shift.into());
         let powers = -(image.channel_bits as i32) - 2..=widths.lit_int;
         powers.map(|power| self.with_power(codes.clone(), [0, gain, channel], power)).collect()
     }
@@ -204,18 +232,19 @@ impl ImageDesign<'_> {
     fn with_power(self, mut codes: Vec<i64>, [light, gain, channel]: [usize; 3], power: i32) -> Vec<i64> {
         let inputs: Vec<i128> = codes.iter().copied().map(i128::from).collect();
         let values = self.graph().values(self.tables(), &inputs);
-        let LightJoints { incidence, squares } = self.joints.lights[light];
+        let LightJoints { incidence, squares, full_gain } = self.joints.lights[light];
         let of = |id: usize| self.graph().nodes[id].format.value(values[id]);
-        let factor = incidence.map_or(1.0, of) * of(squares[channel]) * exp2(-self.block.widths().gain);
+        let factor = [incidence, Some(squares[channel]), full_gain].into_iter().flatten().map(of).product::<f64>()
+            * exp2(-self.block.widths().gain);
         // A little more, for what is rounded down on the way.
         let code = exp2(power) * (1.0 + exp2(-8)) / factor;
-        let most = self.block.widths().gain_format().max_code() as i64;
+        let most = self.brightest();
         codes[gain + channel] = if code.is_finite() { (code.ceil() as i64).clamp(0, most) } else { 0 };
         codes
     }
 
     /// The codes of a normal and of the first light, beside which the others give nothing.
-    fn first_light(self, normal: [f64; 3], light: Vec<i64>) -> Vec<i64> {
+    pub(super) fn first_light(self, normal: [f64; 3], light: Vec<i64>) -> Vec<i64> {
         let missing = self.inputs(Vector::z(), &[]).split_off(3 + light.len());
         let normal = normal.map(|value| self.block.component(value));
         normal.into_iter().chain(light).chain(missing).collect()
@@ -224,7 +253,10 @@ impl ImageDesign<'_> {
     /// Codes that lead to a place, without a gain, and the place of the gain.
     fn towards_texels(self, places: &[u64]) -> (Vec<i64>, usize) {
         let image = &self.of.image;
-        let LightPlaces { z, frame, band, blend, gain, .. } = self.light_places();
+        let LightPlaces { z, record, gain } = self.light_places();
+        let Some(RecordPlaces { frame, band, blend, .. }) = record else {
+            return (self.towards_texels_by_vector(places), 3 + gain);
+        };
         let vector = exp2(image.vector_fraction as i32);
         let size = f64::from(image.size);
         let parts = 1u64 << image.weight_bits;
@@ -236,15 +268,7 @@ impl ImageDesign<'_> {
         z.iter().for_each(|&z| light[z] = number(1.0));
         match image.form {
             ImageForm::Bivariate { octaves } => {
-                let octave_bits = (image.size / octaves).ilog2() as i32;
-                let (octave, rest) = {
-                    let place = part(places[1]) / exp2(octave_bits);
-                    (place.floor(), place.fract())
-                };
-                let u = match octave as i32 {
-                    0 => rest * exp2(1 - octaves as i32),
-                    octave => (1.0 + rest) * exp2(octave - octaves as i32),
-                };
+                let u = image.versine_at(octaves, part(places[1]));
                 // A little more, so that it is not below when it is rounded.
                 light[frame] = (libm::sqrt(2.0 * u) * vector).ceil() as i64;
                 light[frame + 2] = number(normal[2]);
@@ -265,23 +289,24 @@ impl ImageDesign<'_> {
 
     /// Gives each channel a gain, of which one at `gain` is red's, such that it is above half of full scale, if it can
     /// be, and below full scale.
-    fn tune_gain(self, codes: &mut [i64], gain: usize) {
+    pub(super) fn tune_gain(self, codes: &mut [i64], gain: usize) {
         let widths = self.block.widths();
-        let shift = self.light_places().shift.map(|place| 3 + place);
+        let shift = self.light_places().shift().map(|place| 3 + place);
+        let most_exponent = shift.map_or(0, |_| widths.shift);
         let model = self.model();
         // The exponents of the channels' gains: the greatest stands in the light's, the others shift their gains.
         let mut with = |exponents: [i32; 3]| {
             let most = exponents.into_iter().fold(0, i32::max);
             shift.iter().for_each(|&place| codes[place] = most.into());
             for (code, exponent) in codes[gain..gain + 3].iter_mut().zip(exponents) {
-                *code = widths.gain_format().max_code() as i64 >> (most - exponent).min(widths.gain);
+                *code = self.brightest() >> (most - exponent).min(widths.gain);
             }
             model.evaluate(codes)
         };
         let full = 1i64 << widths.term;
         let least = -widths.gain / 2;
         let mut exponents = [None; 3];
-        for exponent in (least..=widths.shift).rev() {
+        for exponent in (least..=most_exponent).rev() {
             if exponents.iter().all(Option::is_some) {
                 break;
             }
@@ -301,8 +326,9 @@ impl ImageDesign<'_> {
         if image.has_incidence() {
             products.extend([0, 1, 2].map(|axis| (axis, axis, widths.dot)));
         }
-        let frame = self.light_places().frame;
+        let frame = self.light_places().record.map_or(0, |record| record.frame);
         let rows: &[(usize, usize)] = match image.form {
+            _ if image.front_end == FrontEnd::Vector => &[],
             ImageForm::Bivariate { .. } | ImageForm::Matcap => &[],
             ImageForm::Half { .. } => &[(0, 0), (1, 1), (2, 2), (0, 3), (1, 4)],
             ImageForm::Paper { .. } => &[(0, 0), (1, 1), (2, 2), (0, 3), (1, 4), (0, 4), (1, 3)],
@@ -324,13 +350,13 @@ impl ImageDesign<'_> {
         let widths = self.block.widths();
         let inputs: Vec<i128> = codes.iter().copied().map(i128::from).collect();
         let values = self.graph().values(self.tables(), &inputs);
-        let LightJoints { incidence, squares } = self.joints.lights[light];
+        let LightJoints { incidence, squares, full_gain } = self.joints.lights[light];
         let frac = |id: usize| self.graph().nodes[id].format.frac_bits;
         let each = (codes.len() - 3) / self.joints.lights.len();
         let port = 3 + light * each + self.light_places().gain + channel;
         let square = values[squares[channel]] as i64;
         let dropped = |of: i32, kept: i32| (of - kept).clamp(0, 40) as u32;
-        codes[port] = match (rng.below(3), incidence) {
+        let tuned = match (rng.below(3), incidence) {
             (0 | 1, None) => opposite(square | 1, dropped(frac(squares[channel]) + widths.gain, widths.term)),
             (kind @ (0 | 1), Some(incidence)) => {
                 let lit = values[incidence] as i64;
@@ -345,8 +371,14 @@ impl ImageDesign<'_> {
             }
             _ => {
                 let power = widths.lit_int - rng.below(24) as i32;
-                self.with_power(codes.to_vec(), [light, port - channel, channel], power)[port]
+                codes[port] = self.with_power(codes.to_vec(), [light, port - channel, channel], power)[port];
+                return;
             }
+        };
+        codes[port] = match full_gain.map(|id| values[id] as i64) {
+            None => tuned,
+            // The least intensity that gives this gain.
+            Some(gain) => ((tuned << widths.gain) + gain - 1).checked_div(gain).unwrap_or(0).min(self.brightest()),
         };
     }
 

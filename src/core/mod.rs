@@ -15,6 +15,7 @@ mod port;
 pub mod sample;
 mod shader;
 mod tune;
+mod vector_inputs;
 
 pub use budget::{Part, ShaderError};
 pub use evaluation::Evaluation;

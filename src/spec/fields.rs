@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::{
-    BlockKind, Coefficients, Divider, Form, ImageFormName, InputRange, Inside, Language, LightSource, Material, Memory,
-    MethodName, Operand, Pipeline, PortCodes, ReflectanceFields, RomStyle, ShaderFields, Shininess, Tail, TexelMemory,
-    VhdlPorts,
+    BlockKind, Coefficients, Divider, Form, FrontEnd, ImageFormName, InputRange, Inside, Language, LightSource,
+    Material, Memory, MethodName, Operand, Pipeline, PortCodes, ReflectanceFields, RomStyle, ShaderFields, Shininess,
+    Tail, TexelMemory, VhdlPorts,
 };
 use crate::emit::rom::RomFormat;
 use crate::fit::Objective;
@@ -128,6 +128,11 @@ method_keys! { keys! {
     /// Bits of a vector's component, 10 to 22, of which two are before the point [default: 18]
     #[arg(help_heading = "Image-based block", value_name = "BITS")]
     vector_bits: u32 where "image-based blocks",
+
+    /// What the core is told of a light: its record, or the unit vector towards it and its intensity, of which it makes
+    /// the record itself, in the forms half and bivariate [default: record]
+    #[arg(help_heading = "Image-based block", value_name = "record|vector")]
+    front_end: FrontEnd where "image-based blocks",
 
     /// Bits of an output channel: 8, 10 or 12 [default: 8]
     #[arg(help_heading = "Image-based block", value_name = "BITS")]

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::image_size::PictureBudget;
 use super::{Block, BlockKind, CoreSpec, ReflectanceFields, RomStyle, ShaderFields, SpecFields};
-use crate::block::image::{IMAGES, Image, ImageForm, ImageSource, ImageSpec, TEXEL_LATENCY, TexelMemory};
+use crate::block::image::{FrontEnd, IMAGES, Image, ImageForm, ImageSource, ImageSpec, TEXEL_LATENCY, TexelMemory};
 use crate::block::lights::DEFAULT_MOST_LIGHTS;
 use crate::block::shader::{CHANNEL_BITS, VECTOR_FRACTION};
 use crate::method::keys::Fields;
@@ -122,6 +122,7 @@ impl SpecFields {
             channel_bits,
             lights,
             most_lights,
+            front_end: self.front_end.unwrap_or_default(),
         };
         image.check()?;
         Ok(image)
@@ -263,6 +264,7 @@ impl SpecFields {
             output_bits: Some(image.channel_bits),
             lights_a_clock: image.has_lights().then_some(image.lights),
             most_lights: image.has_lights().then_some(image.most_lights),
+            front_end: Some(image.front_end).filter(|&front_end| front_end != FrontEnd::default()),
             texels: Some(match (spec.texel_latency, spec.rom) {
                 (Some(_), _) => TexelMemory::External,
                 (None, RomStyle::Writable) => TexelMemory::Writable,

@@ -19,7 +19,7 @@ use std::str::FromStr;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-pub use crate::block::image::{ImageSource, ImageSpec, TexelMemory};
+pub use crate::block::image::{FrontEnd, ImageSource, ImageSpec, TexelMemory};
 pub use crate::block::lights::LightSource;
 pub(crate) use crate::block::shader::unit;
 pub use crate::block::shader::{

@@ -15,7 +15,9 @@
 #define ONE (UINT64_C(1) << FRACTION)
 /* Half a turn, and an intensity of 1. */
 #define HALF_TURN (UINT64_C(1) << 63)
+{%- if !c.is_vector %}
 #define BANDS {{ c.table.bands.len() }}
+{%- endif %}
 
 /* The sine of every 256th of a turn, from 0 to a quarter turn. */
 static const uint64_t sines[{{ c.sines.len() }}] = {
@@ -23,6 +25,7 @@ static const uint64_t sines[{{ c.sines.len() }}] = {
     UINT64_C({{ "0x{:016x}"|format(sine) }}){% if !loop.last %},{% endif %}
 {%- endfor %}
 };
+{%- if !c.is_vector %}
 
 /* The bands of texels: the angle in 2^-64 turns, 2^{{ c.reciprocal_bits }} over what lies between it and the next, and
  * the root of the gain of a light of intensity 1 there, with {{ c.table.root_bits }} fraction bits. */
@@ -33,6 +36,7 @@ static const struct {
     {UINT64_C({{ "0x{:016x}"|format(band.angle) }}), UINT64_C({{ "0x{:016x}"|format(band.reciprocal) }}), UINT64_C({{ "0x{:012x}"|format(band.root) }})}{% if !loop.last %},{% endif %}
 {%- endfor %}
 };
+{%- endif %}
 
 /* a b 2^-bits, rounded down; bits are 1 to 63, and the result fits. */
 static uint64_t product(uint64_t a, uint64_t b, unsigned bits)
@@ -123,6 +127,19 @@ struct {{ c.name }}_light_record
 {{ c.name }}_light(uint64_t phi, uint64_t gamma, const uint64_t intensity[3])
 {
     struct {{ c.name }}_light_record record;
+{%- if c.is_vector %}
+    int64_t sine, cosine, gamma_sine, gamma_cosine;
+    int channel;
+
+    phi = least(phi, HALF_TURN);
+    sine_cosine(phi, &sine, &cosine);
+    sine_cosine(gamma, &gamma_sine, &gamma_cosine);
+    record.direction[0] = component(times(sine, gamma_cosine));
+    record.direction[1] = component(times(sine, gamma_sine));
+    record.direction[2] = component(cosine);
+    for (channel = 0; channel < 3; ++channel)
+        record.intensity[channel] = (int32_t)((least(intensity[channel], HALF_TURN) + (UINT64_C(1) << {{ 62 - c.gain_bits }})) >> {{ 63 - c.gain_bits }});
+{%- else %}
     int64_t {% if c.has_direction %}sine, cosine, {% endif %}half_sine, half_cosine, gamma_sine, gamma_cosine;
     uint64_t part, own, next, weight, odd, gain, gains[3], greatest = 0;
     unsigned band = 0, dropped, shift = 0;
@@ -201,5 +218,6 @@ struct {{ c.name }}_light_record
         uint64_t code = (gains[channel] + (UINT64_C(1) << (dropped - 1))) >> dropped;
         record.gain[channel] = (int32_t)least(code, UINT64_C({{ c.most_gain }}));
     }
+{%- endif %}
     return record;
 }

@@ -37,8 +37,10 @@ struct {{ c.name }}_light_record {
 /* The record of a light.
  *
  * phi: the polar angle from the viewer's direction (+z), in 2^-64 turns. 180 degrees are 2^63; more
- *     is taken for that, where no normal that is seen is lit. The bands' angles are kept rounded down
+ *     is taken for that, where no normal that is seen is lit.
+{%- if !c.is_vector %} The bands' angles are kept rounded down
  *     to 2^-64 turns; a light there has that band alone.
+{%- endif %}
  * gamma: the azimuth about +z from +x to +y, in 2^-64 turns; any value.
  * intensity: red, green and blue, each from 0 to 1, of which 2^63 are 1; more is taken for that.
  *

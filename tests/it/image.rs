@@ -4,7 +4,7 @@
 
 use std::process::Command;
 
-use brdfgen::block::image::{LightRecord, Places, RealTexels};
+use brdfgen::block::image::{Places, RealTexels};
 use brdfgen::core::{Account, BlockDesign, Design, ImageDesign, Role};
 use brdfgen::datapath::graph::{Graph, Op};
 use brdfgen::emit::package::{self, Part};
@@ -20,8 +20,9 @@ use rayon::prelude::*;
 use crate::common::core::{Generated, design, ecp5_cells, resolved, silent};
 use crate::common::{Scratch, matcap};
 
-/// All forms, the ends of the ranges, texels in files, writable and outside, several lights, pipelines, AXI4-Stream.
-const SPECS: [&str; 9] = [
+/// All forms, the ends of the ranges, texels in files, writable and outside, several lights, pipelines, AXI4-Stream,
+/// lights that are told by records and by vectors.
+const SPECS: [&str; 11] = [
     "image_form = 'bivariate'\nreflectance = { model = 'ggx' }",
     "images = 4\nimage_size = 8\ntexels = 'writable'\nlights_a_clock = 2\nreflectance = { model = 'gold-paint' }",
     "image_form = 'bivariate'\nimage_size = 8\noctaves = 2\ntexel_bits = 4\nweight_bits = 3\nvector_bits = 10\n\
@@ -40,6 +41,10 @@ const SPECS: [&str; 9] = [
      reflectance = { model = 'blinnphong' }",
     "image_form = 'paper'\nimage_size = 8\nimages = 3\ntexels = 'external'\ntexel_latency = 1\nvhdl_ports = \
      'std-logic'\nreflectance = { model = 'gold-paint' }",
+    "front_end = 'vector'\nimages = 4\nimage_size = 8\ntexels = 'writable'\nlights_a_clock = 2\n\
+     reflectance = { model = 'gold-paint' }",
+    "front_end = 'vector'\nimage_form = 'bivariate'\nimage_size = 16\noctaves = 4\nvector_bits = 14\n\
+     axi_stream = true\npipeline = 2\nreflectance = { model = 'ggx' }",
 ];
 
 fn text(spec: &str) -> String {
@@ -156,6 +161,7 @@ fn what_is_no_image_core_is_refused() {
         ("most_lights = 0", "most_lights = 0 is out of range"),
         ("texel_bits = 3", "texel_bits = 3 is out of range"),
         ("weight_bits = 9", "weight_bits = 9 is out of range"),
+        ("image_form = 'paper'\nfront_end = 'vector'", "front_end = vector is given for sphere images"),
         ("method = 'cubic'", "method is given for an image-based block"),
         ("shininess = '1..=9'", "shininess is given for an image-based block"),
         ("rom = 'inline'", "rom is given for an image-based block"),
@@ -222,6 +228,8 @@ fn pictures_through_the_core_are_as_good_as_its_account_says() {
         (SPECS[0], 44.0, 34.5),
         ("reflectance = { model = 'ggx' }", 49.0, 42.0),
         ("image_form = 'paper'\nimage_size = 64\nreflectance = { model = 'ggx' }", 38.5, 27.0),
+        ("front_end = 'vector'\nimage_form = 'bivariate'\nreflectance = { model = 'ggx' }", 44.0, 34.0),
+        ("front_end = 'vector'\nreflectance = { model = 'ggx' }", 49.0, 42.0),
     ] {
         let design = design(&text(spec));
         let image = image(&design);
@@ -234,6 +242,8 @@ fn pictures_through_the_core_are_as_good_as_its_account_says() {
         let [low, high] = of("arithmetic").codes;
         assert!(-0.8 < low && high < 0.6, "{low} {high}");
         assert!(of("arithmetic").rms < of("texels").rms && of("weights").rms < of("texels").rms);
+        assert_eq!(parts.iter().any(|part| part.name == "front end"), spec.contains("front_end"));
+        assert!(parts.iter().filter(|part| part.name == "front end").all(|part| part.rms < of("texels").rms));
         let sphere = Sphere::new(64);
         let full = image.of.image.full_scale() as f64;
         let light = Light::new(40.0, 30.0);
@@ -261,23 +271,6 @@ fn pictures_through_the_core_are_as_good_as_its_account_says() {
     }
 }
 
-/// The record that the codes of a light's ports are.
-fn record_of(image: &ImageDesign<'_>, codes: &[i64]) -> LightRecord {
-    let frame = image.of.image.frame().iter().map(|(_, axes)| axes.len()).sum::<usize>();
-    let (direction, rest) = codes.split_at(if image.of.image.has_incidence() { 3 } else { 0 });
-    let (frame, rest) = rest.split_at(frame);
-    let gain = &rest[rest.len() - 3..];
-    LightRecord {
-        direction: direction.try_into().ok(),
-        frame: frame.to_vec(),
-        band: rest[0],
-        blend: rest[1],
-        turns: image.of.image.has_turns().then(|| [rest[2], rest[3], rest[4]]),
-        shift: (image.block.widths().shift > 0).then(|| rest[rest.len() - 4]),
-        gain: [gain[0], gain[1], gain[2]],
-    }
-}
-
 /// Every texel and every weight in every direction of small blocks: the operations are the model, and both are what the
 /// formula says of these texels and weights, to half a code for what is rounded down on the way.
 #[test]
@@ -286,6 +279,9 @@ fn every_address_and_every_weight() {
         "image_form = 'bivariate'\nimage_size = 8\noctaves = 4\nweight_bits = 4\nreflectance = { model = 'ggx' }",
         "images = 4\nimage_size = 8\nweight_bits = 3\nreflectance = { model = 'gold-paint' }",
         "image_form = 'paper'\nimages = 4\nimage_size = 8\nweight_bits = 3\nreflectance = { model = 'gold-paint' }",
+        "front_end = 'vector'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\nweight_bits = 4\n\
+         reflectance = { model = 'ggx' }",
+        "front_end = 'vector'\nimages = 4\nimage_size = 8\nweight_bits = 3\nreflectance = { model = 'gold-paint' }",
     ] {
         let design = design(&text(spec));
         let image = image(&design);
@@ -313,9 +309,12 @@ fn every_address_and_every_weight() {
             assert_eq!(outputs, design.evaluate(&codes), "{places:?}");
             let to_codes = exp2(image.of.image.channel_bits as i32 - image.block.widths().term);
             let n = Vector::new(codes[0] as f64 * lsb, codes[1] as f64 * lsb, codes[2] as f64 * lsb);
-            let record = record_of(&image, &codes[3..]);
+            let record = image.model().record(&codes[3..]);
             // No unit vectors bring so great a shift together with so great an n.l.
-            if 0.5 * exp2(record.shift.unwrap_or(0) as i32) > exp2(image.block.widths().lit_int) {
+            let l = record.direction.map(|l| Vector::from(l.map(|code| code as f64 * lsb)));
+            if l.map_or(0.5, |l| n.dot(&l)) * exp2(record.shift.unwrap_or(0) as i32)
+                > exp2(image.block.widths().lit_int)
+            {
                 return;
             }
             let light = image.block.light_of(&record);
@@ -510,7 +509,7 @@ fn records_are_as_the_datasheet_says() {
 #[test]
 fn both_languages_are_proved_the_same() {
     let scratch = Scratch::new();
-    for spec in [SPECS[1], SPECS[2]] {
+    for spec in [SPECS[1], SPECS[2], SPECS[8]] {
         scratch.write("spec.toml", text(&format!("name = 'lit'\n{spec}")));
         scratch.run("generate spec.toml --out core").succeeds();
         let run = scratch.run("formal core").succeeds().says(&["PROVED Verilog = VHDL"]);

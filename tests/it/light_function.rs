@@ -13,8 +13,9 @@ use brdfgen::reflectance::Light;
 
 use crate::common::core::{Generated, OnDisk, design};
 
-/// All forms, few bands and many, the ends of the widths, one shift for all lights, and nothing that reflects.
-const SPECS: [&str; 7] = [
+/// All forms, few bands and many, the ends of the widths, one shift for all lights, nothing that reflects, and vectors
+/// that the core makes the records of.
+const SPECS: [&str; 9] = [
     "images = 4\nimage_size = 8\nvector_bits = 22\nweight_bits = 8\nreflectance = { model = 'gold-paint' }",
     "images = 64\nimage_size = 8\nreflectance = { model = 'ggx', exposure = 30 }",
     "image_form = 'bivariate'\nimage_size = 16\nvector_bits = 10\nweight_bits = 3\noctaves = 2\n\
@@ -23,6 +24,9 @@ const SPECS: [&str; 7] = [
     "image_form = 'paper'\nimage_size = 8\nreflectance = { model = 'ggx' }",
     "image_form = 'paper'\nimage_size = 8\nangles = [20, 90, 130.5]\nreflectance = { model = 'ggx' }",
     "images = 4\nimage_size = 8\nreflectance = { model = 'lambert', parameters = { kd = 0 }, exposure = 1 }",
+    "front_end = 'vector'\nimages = 4\nimage_size = 8\nvector_bits = 22\nreflectance = { model = 'ggx' }",
+    "front_end = 'vector'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\nvector_bits = 10\n\
+     weight_bits = 3\nreflectance = { model = 'ggx' }",
 ];
 
 const STRICT: [&str; 8] = [
@@ -117,8 +121,7 @@ fn the_c_function_makes_the_same_records() {
     for spec in SPECS {
         let core = OnDisk::new(&format!("block = 'image'\n{spec}"));
         let lights = lights(block(&core.design));
-        let records: Vec<Vec<i64>> =
-            lights.iter().map(|light| block(&core.design).fixed_record(light).codes()).collect();
+        let records: Vec<Vec<i64>> = lights.iter().map(|light| block(&core.design).light_codes(light)).collect();
         for compiler in ["gcc"].into_iter().chain(clang.then_some("clang")) {
             compiled(&core, compiler);
             let codes = by_program(core.path(), &lights);

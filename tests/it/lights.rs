@@ -35,6 +35,9 @@ fn specs() -> Vec<String> {
         "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\nmost_lights = 1\nvhdl_ports = \
          'std-logic'\nreflectance = { model = 'lambert' }"
             .to_owned(),
+        "block = 'image'\nfront_end = 'vector'\nimages = 4\nimage_size = 8\nlight_source = 'table'\naxi_stream = true\n\
+         reflectance = { model = 'gold-paint' }"
+            .to_owned(),
         format!("{SHADER}lights_a_clock = 1\npipeline = 2\naxi_stream = true\n"),
         "block = 'image'\nimage_form = 'bivariate'\nimage_size = 8\noctaves = 4\nlight_source = 'table'\n\
          axi_stream = true\nreflectance = { model = 'ggx' }"

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use super::texels::{banks, fields, parities};
-use super::{BLENDED, Image, ImageBlock, ImageForm, ImageWidths, OctaveAxis, turn};
+use super::{BLENDED, FrontEnd, Image, ImageBlock, ImageForm, ImageWidths, OctaveAxis, functions, turn};
 use crate::block::CHANNELS;
 use crate::block::parts::{self, AXES};
 use crate::datapath::Datapath;
@@ -15,19 +15,21 @@ use crate::fixed::{Format, Interval, exp2};
 /// The widest codes that are blended by the weights' bits: a DSP block is worth it for wider ones.
 const BLENDED_BY_BITS: u32 = 14;
 
-/// The ports of a light.
+/// What a light's record is: at its ports, or as it is computed.
 pub(super) struct LightPorts {
     /// None where the texels hold n·l.
-    direction: Option<[NodeId; 3]>,
+    pub(super) direction: Option<[NodeId; 3]>,
     /// The vectors of [`Image::frame`].
     pub(super) frame: Vec<Vec<NodeId>>,
-    band: NodeId,
-    blend: NodeId,
+    pub(super) band: NodeId,
+    pub(super) blend: NodeId,
     /// Of the form paper.
     pub(super) turns: Option<TurnPorts>,
     /// None where all lights have one.
-    shift: Option<NodeId>,
-    gain: [NodeId; 3],
+    pub(super) shift: Option<NodeId>,
+    pub(super) gain: [NodeId; 3],
+    /// What the intensities are multiplied by, where these are told.
+    pub(super) full_gain: Option<NodeId>,
 }
 
 /// The ports of a light that turn the normal.
@@ -47,7 +49,9 @@ pub(super) struct Imaging<'a, 'b> {
     /// Whether the normal is turned away from the viewer.
     hidden: NodeId,
     /// The number of the first memory that holds a function and not texels.
-    pub(super) functions: usize,
+    functions: usize,
+    /// How many of these a light has.
+    functions_a_light: usize,
     /// The bits of the weights so far.
     weights: BTreeMap<NodeId, Rc<[NodeId]>>,
     pub(super) joints: Joints,
@@ -77,21 +81,24 @@ pub(super) struct LookUp {
 /// Values of a datapath that its checks go by.
 #[derive(Clone, Debug, Default)]
 pub struct Joints {
-    /// Of all lights' reciprocal roots, in the form paper.
-    pub roots: Vec<RootJoints>,
+    /// Of the values that a light's tables of functions are read with, and of what is kept in bounds by a relation
+    /// between the fields of a row: each after those that it goes on from.
+    pub steps: Vec<StepJoints>,
     /// Of all lights' directions among the texels.
     pub places: Vec<PlaceJoints>,
     /// Of each light.
     pub lights: Vec<LightJoints>,
 }
 
-/// Where the row of a reciprocal root is found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct RootJoints {
-    /// 1 - y².
-    pub rest: NodeId,
-    /// The row, and the weight of the next.
-    pub row: [NodeId; 2],
+/// A part of a datapath in which few values go in.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct StepJoints {
+    /// What goes in.
+    pub from: Vec<NodeId>,
+    /// What comes out and depends on that alone.
+    pub to: Vec<NodeId>,
+    /// The codes of the first that lead to one row of a table, where what comes out is known row by row alone.
+    pub row: Option<i128>,
 }
 
 /// The factors of what a light gives.
@@ -101,6 +108,8 @@ pub struct LightJoints {
     pub incidence: Option<NodeId>,
     /// The squared blend of a channel; where the texels hold n·l, times two to the power of the shift.
     pub squares: [NodeId; 3],
+    /// What a light's intensities are multiplied by for its gains, where it is told by these.
+    pub full_gain: Option<NodeId>,
 }
 
 /// Where the parts of a datapath meet in which a light's texels are sought in one direction.
@@ -129,11 +138,11 @@ impl Joints {
             [place].into_iter().chain(addresses).chain([odd])
         });
         let lights = self.lights.iter_mut().flat_map(|joints| {
-            let LightJoints { incidence, squares } = joints;
-            incidence.iter_mut().chain(squares)
+            let LightJoints { incidence, squares, full_gain } = joints;
+            incidence.iter_mut().chain(squares).chain(full_gain)
         });
-        let roots = self.roots.iter_mut().flat_map(|RootJoints { rest, row }| [rest].into_iter().chain(row));
-        roots.chain(places).chain(lights)
+        let steps = self.steps.iter_mut().flat_map(|StepJoints { from, to, .. }| from.iter_mut().chain(to));
+        steps.chain(places).chain(lights)
     }
 }
 
@@ -155,7 +164,17 @@ impl Imaging<'_, '_> {
         axes.iter().map(|axis| self.b.port(self.image.vector(), &format!("in_{name}{axis}"))).collect()
     }
 
+    /// The fields of a light's function table of this number.
+    pub(super) fn fields<const N: usize>(&mut self, number: usize, address: NodeId, l: usize) -> [NodeId; N] {
+        let memory = self.functions + self.functions_a_light * (l - 1) + number;
+        let names: Vec<&'static str> = self.b.table(memory).fields.iter().map(|field| field.name).collect();
+        std::array::from_fn(|field| self.b.field(memory, address, names[field]))
+    }
+
     fn light_ports(&mut self, l: usize) -> LightPorts {
+        if self.image.front_end == FrontEnd::Vector {
+            return self.computed_record(l);
+        }
         let shift_bits = self.widths.shift_bits();
         let direction = self.image.has_incidence().then(|| {
             let direction = self.vector(&format!("l{l}"), &AXES);
@@ -174,6 +193,7 @@ impl Imaging<'_, '_> {
             }),
             shift: (shift_bits > 0).then(|| self.b.port(Format::unsigned(shift_bits, 0), &format!("in_shift{l}"))),
             gain: CHANNELS.map(|c| self.b.port(self.widths.gain_format(), &format!("in_gain{l}{c}"))),
+            full_gain: None,
         }
     }
 
@@ -188,7 +208,7 @@ impl Imaging<'_, '_> {
     fn shift(&mut self, port: Option<NodeId>, l: usize) -> Option<NodeId> {
         let most = i128::from(self.widths.shift);
         port.map(|shift| {
-            if self.b.format(shift).max_code() > most {
+            if self.b.bounds(shift)[0].range.high > f64::from(self.widths.shift) {
                 self.b.clamp(shift, 0, most, &format!("shift{l}"), "at most the greatest")
             } else {
                 shift
@@ -239,7 +259,7 @@ impl Imaging<'_, '_> {
 
     /// The number of the column at or below u and the weight of the next, of w bits: u, of which names begin with
     /// `of`, as a floating-point number.
-    pub(super) fn octave_column(&mut self, u: NodeId, axis: OctaveAxis, w: i32, of: &str, l: usize) -> Place {
+    pub(super) fn octave_column(&mut self, u: NodeId, axis: OctaveAxis, w: i32, of: &str, l: &str) -> Place {
         let (octaves, m) = (axis.size >> axis.octave_bits, axis.octave_bits as i32);
         let mut y = u;
         let mut exponent: Option<NodeId> = None;
@@ -364,7 +384,11 @@ impl Imaging<'_, '_> {
     /// number and in that with an odd one.
     fn pairs(&mut self, ports: &LightPorts, l: usize) -> Vec<[Pair; 2]> {
         let extents = self.image.extents();
-        let odd = self.b.at_most(ports.blend, 0, &format!("blend{l}"), "the weight of the odd band, at most 1");
+        let odd = match self.b.bounds(ports.blend)[0].range.high {
+            // A table gives no more.
+            ..=1.0 => ports.blend,
+            _ => self.b.at_most(ports.blend, 0, &format!("blend{l}"), "the weight of the odd band, at most 1"),
+        };
         let band = if extents[0].is_power_of_two() {
             ports.band
         } else {
@@ -377,7 +401,7 @@ impl Imaging<'_, '_> {
             ImageForm::Bivariate { octaves } => {
                 let u = self.versine(&ports.frame[0], octaves, l);
                 let axis = OctaveAxis { size: self.image.size, octave_bits: self.image.octave_bits(octaves) };
-                let column = self.octave_column(u, axis, self.image.weight_bits as i32, "u", l);
+                let column = self.octave_column(u, axis, self.image.weight_bits as i32, "u", &l.to_string());
                 pairs.push([self.pair(column, extents[1], &format!("column{l}")); 2]);
             }
             ImageForm::Half { .. } => {
@@ -525,7 +549,7 @@ impl Imaging<'_, '_> {
             let product = self.b.mul(factor, ports.gain[channel], &format!("light{l}_{c}_exact"), "times the gain");
             self.b.floor(product, term, &format!("light{l}_{c}"), "rounded down")
         });
-        self.joints.lights.push(LightJoints { incidence, squares });
+        self.joints.lights.push(LightJoints { incidence, squares, full_gain: ports.full_gain });
         terms
     }
 }
@@ -534,22 +558,32 @@ impl ImageBlock {
     /// The operations with their joints, or `None` if a value would be too wide for this crate.
     ///
     /// The inputs are n, and for each light its direction, the vectors of [`Image::frame`], the band, the blend, the
-    /// shift where lights differ in it, and a gain a channel; the outputs are the sums of the three channels. In the
-    /// form matcap the inputs are x and y of n, and the outputs are codes of the channels.
+    /// shift where lights differ in it, and a gain a channel, or with [`FrontEnd::Vector`] its direction and an
+    /// intensity a channel; the outputs are the sums of the three channels. In the form matcap the inputs are x and y
+    /// of n, and the outputs are codes of the channels.
     #[must_use]
     pub fn datapath(&self) -> Option<(Datapath, Joints)> {
         let Self { image, widths, texels, .. } = self;
         let lights = image.lights as usize;
         let mut tables = banks(image, texels);
-        let functions = tables.len();
-        if image.has_turns() {
-            tables.extend((0..lights).flat_map(turn::tables));
-        }
+        let first = tables.len();
+        tables.extend((0..lights).flat_map(|light| functions(image, texels, light)));
+        let functions_a_light = (tables.len() - first) / lights;
         let case = Case { active: Interval::UNIT, shininess: 1.0, rows: vec![None; tables.len()] };
         let b = Builder::new(&tables, vec![case]);
         let joints = Joints::default();
         let (weights, widths) = (BTreeMap::new(), *widths);
-        let mut imaging = Imaging { b, image, widths, normal: [0; 3], hidden: 0, functions, weights, joints };
+        let mut imaging = Imaging {
+            b,
+            image,
+            widths,
+            normal: [0; 3],
+            hidden: 0,
+            functions: first,
+            functions_a_light,
+            weights,
+            joints,
+        };
         if !image.has_lights() {
             let outputs = imaging.matcap();
             let mut joints = imaging.joints;

@@ -13,6 +13,7 @@
 //! are blended are read in one clock.
 
 mod datapath;
+mod front_end;
 mod matcap;
 mod model;
 mod options;
@@ -23,13 +24,16 @@ mod stored;
 mod texels;
 mod turn;
 mod turned;
+mod vector_light;
+mod vector_model;
 
-pub use datapath::{Joints, LightJoints, PlaceJoints, RootJoints};
+pub use datapath::{Joints, LightJoints, PlaceJoints, StepJoints};
+pub use front_end::FrontEndRows;
 pub use model::ImageModel;
-use options::{BLENDED, GAIN_INT};
+use options::{BLENDED, GAIN, GAIN_INT};
 pub use options::{
-    IMAGES, Image, ImageForm, ImageSource, ImageSpec, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS, TEXEL_LATENCY,
-    TexelMemory, WEIGHT_BITS,
+    FrontEnd, IMAGES, Image, ImageForm, ImageSource, ImageSpec, ImageWidths, OCTAVES, SIZE, SLICES, TEXEL_BITS,
+    TEXEL_LATENCY, TexelMemory, WEIGHT_BITS,
 };
 pub use real::{Places, RealLight, RealTexels};
 pub use record::{FixedLight, LightRecord, RecordBand, RecordTable};
@@ -54,8 +58,8 @@ pub struct ImageBlock {
     /// What the texels are of, times the exposure.
     samples: Samples,
     texels: Texels,
-    /// The tables of functions that the model goes by: reciprocal roots and sines. Of the form paper.
-    functions: Option<Box<[Table; 2]>>,
+    /// The tables of functions of a light, in the order in which its datapath has them; see [`functions`].
+    functions: Vec<Table>,
     records: RecordTable,
 }
 
@@ -103,7 +107,7 @@ impl ImageBlock {
             format!("exposure = {exposure} is too great: a light would need a gain of more than 2^{MOST_SHIFT}"),
             "a smaller exposure; by default it is 0.6 over the 90th percentile of a lit sphere"
         );
-        let functions = image.has_turns().then(|| Box::new([turn::reciprocal_roots(0), turn::sines(0, "even")]));
+        let functions = functions(&image, &texels, 0);
         let widths = ImageWidths::new(&image, &texels);
         let records = RecordTable::new(&image, &widths, &texels);
         Ok(Self { image, widths, samples, texels, functions, records })
@@ -146,9 +150,33 @@ impl ImageBlock {
         self.image.has_lights().then_some(Sums { frac_bits, ambient: None, channel_bits: self.image.channel_bits })
     }
 
+    /// The keys of the rows of the tables that a normal is turned by in the form paper: 1 - y², of reciprocal roots, and
+    /// angles in right angles, of sines.
+    #[must_use]
+    pub fn turn_rows(&self) -> Option<[&[f64]; 2]> {
+        let [roots, sines, ..] = &self.functions[..] else { return None };
+        self.image.has_turns().then_some([&roots.keys, &sines.keys])
+    }
+
+    /// Where the rows of the tables of the front end lie, of a block that has one.
+    #[must_use]
+    pub fn front_end_rows(&self) -> Option<FrontEndRows> {
+        (self.image.front_end == FrontEnd::Vector).then(|| front_end::rows(&self.functions))
+    }
+
     /// The bit-exact reference.
     #[must_use]
     pub fn model(&self) -> ImageModel<'_> {
-        ImageModel::new(&self.image, self.widths, &self.texels, self.functions.as_deref())
+        ImageModel::new(&self.image, self.widths, &self.texels, &self.functions)
+    }
+}
+
+/// The tables of functions of a light, counted from 0: in the form paper of its turns, and of what a record is computed
+/// by.
+fn functions(image: &Image, texels: &Texels, light: usize) -> Vec<Table> {
+    match image.front_end {
+        FrontEnd::Vector => front_end::tables(image, texels, light),
+        FrontEnd::Record if image.has_turns() => turn::tables(light),
+        FrontEnd::Record => Vec::new(),
     }
 }

@@ -2,7 +2,7 @@
 
 use super::texels::code;
 use super::turn::{ANGLE, ROOT, ROOT_AXIS, ROOT_OPERAND, ROOT_WEIGHT, SINE, STEPS, TILT};
-use super::{BLENDED, Image, ImageForm, ImageWidths, OctaveAxis};
+use super::{BLENDED, Image, ImageForm, ImageWidths, LightRecord, OctaveAxis};
 use crate::fixed::Table;
 use crate::fixed::wide::{self, Wide};
 use crate::reflectance::texels::Texels;
@@ -10,23 +10,18 @@ use crate::reflectance::texels::Texels;
 /// The function of an image-based core.
 #[derive(Clone, Debug)]
 pub struct ImageModel<'a> {
-    image: &'a Image,
-    widths: ImageWidths,
+    pub(super) image: &'a Image,
+    pub(super) widths: ImageWidths,
     texels: &'a Texels,
-    /// Reciprocal roots and sines; of the form paper.
-    functions: Option<&'a [Table; 2]>,
+    /// The tables of functions of a light.
+    pub(super) functions: &'a [Table],
 }
 
 /// A place between two texels: the number of the first, and the weight of the next.
 pub(super) type Place = (usize, Wide);
 
 impl<'a> ImageModel<'a> {
-    pub(super) fn new(
-        image: &'a Image,
-        widths: ImageWidths,
-        texels: &'a Texels,
-        functions: Option<&'a [Table; 2]>,
-    ) -> Self {
+    pub(super) fn new(image: &'a Image, widths: ImageWidths, texels: &'a Texels, functions: &'a [Table]) -> Self {
         Self { image, widths, texels, functions }
     }
 
@@ -47,7 +42,7 @@ impl<'a> ImageModel<'a> {
     }
 
     /// The scalar product of vectors of these codes, of products that are rounded down to so many fraction bits.
-    fn product(&self, a: &[i64], b: &[i64], bits: i32) -> Wide {
+    pub(super) fn product(&self, a: &[i64], b: &[i64], bits: i32) -> Wide {
         let number = |code: i64| wide::from_code(code.into(), self.image.vector_fraction);
         let product = |a: i64, b: i64| wide::floor_to(number(a) * number(b), bits as u32);
         a.iter().zip(b).fold(Wide::ZERO, |sum, (&a, &b)| sum + product(a, b))
@@ -62,7 +57,7 @@ impl<'a> ImageModel<'a> {
     }
 
     /// The column of u as a floating-point number with a place of so many bits behind the last.
-    fn octave_column(u: Wide, axis: OctaveAxis, weight_bits: u32) -> Place {
+    pub(super) fn octave_column(u: Wide, axis: OctaveAxis, weight_bits: u32) -> Place {
         let (octaves, octave_bits) = (axis.size >> axis.octave_bits, axis.octave_bits);
         let exponent = (1..octaves).rev().find(|&e| u >= wide::from_code(1, octaves - e)).unwrap_or(0);
         let rest = match exponent {
@@ -85,7 +80,7 @@ impl<'a> ImageModel<'a> {
 
     /// A field of a function table at the row of a place, and its part of the way to the next row, which is the field
     /// behind it.
-    fn between(table: &Table, (row, weight): Place, field: usize) -> [Wide; 2] {
+    pub(super) fn between(table: &Table, (row, weight): Place, field: usize) -> [Wide; 2] {
         let value = |field: usize| {
             let frac_bits = table.fields[field].format.frac_bits as u32;
             wide::from_code(table.fields[field].codes[row], frac_bits)
@@ -96,8 +91,7 @@ impl<'a> ImageModel<'a> {
     /// Where the normal lies along x in an image with an even number and in one with an odd number, and along y in
     /// both: of the form paper.
     pub(super) fn turned(&self, normal: &[i64], frame: &[i64], turns: &[i64]) -> ([Place; 2], Place) {
-        let [roots, sines] = self.functions.expect("tables of the form paper");
-        let floor = |value: Wide, bits: i32| wide::floor_to(value, bits as u32);
+        let [roots, sines, ..] = self.functions else { panic!("tables of the form paper") };
         let (across, turn) = frame.split_at(3);
         let bits = self.widths.place;
         let one = |a: i64, b: i64| self.product(&[a], &[b], bits);
@@ -180,22 +174,17 @@ impl<'a> ImageModel<'a> {
     /// What a light gives to the channels.
     fn light(&self, normal: &[i64], light: &[i64]) -> [Wide; 3] {
         let f = self.image.vector_fraction;
-        let floor = |value: Wide, bits: i32| wide::floor_to(value, bits as u32);
         let ImageWidths { shift: most_shift, lit_int, dot, place, lit, gain: gain_bits, code, square, term } =
             self.widths;
         if normal[2] <= 0 {
             return [Wide::ZERO; 3];
         }
-        let (direction, rest) = light.split_at(if self.image.has_incidence() { 3 } else { 0 });
-        let frame_ports = self.image.frame().iter().map(|(_, axes)| axes.len()).sum();
-        let (frame, rest) = rest.split_at(frame_ports);
-        let ([band, blend], rest) = rest.split_first_chunk().expect("a band and a blend");
-        let (turns, rest) = rest.split_at(if self.image.has_turns() { 3 } else { 0 });
+        let LightRecord { direction, frame, band, blend, turns, shift, gain } = self.record(light);
         let extents = self.image.extents();
         let inner: Vec<[Place; 2]> = match self.image.form {
             ImageForm::Bivariate { octaves } => {
                 let axis = OctaveAxis { size: self.image.size, octave_bits: self.image.octave_bits(octaves) };
-                let u = self.versine(normal, frame, octaves);
+                let u = self.versine(normal, &frame, octaves);
                 vec![[Self::octave_column(u, axis, self.image.weight_bits); 2]]
             }
             ImageForm::Half { .. } => {
@@ -204,21 +193,20 @@ impl<'a> ImageModel<'a> {
                     .to_vec()
             }
             ImageForm::Paper { .. } => {
-                let (xs, y) = self.turned(normal, frame, turns);
+                let (xs, y) = self.turned(normal, &frame, &turns.unwrap_or_default());
                 vec![[y; 2], xs]
             }
             ImageForm::Matcap => unreachable!("a form without lights"),
         };
-        let band = (*band as usize).min(extents[0] as usize - 1);
-        let odd = wide::from_code((*blend).into(), self.image.weight_bits).min(Wide::ONE);
+        let band = (band as usize).min(extents[0] as usize - 1);
+        let odd = wide::from_code(blend.into(), self.image.weight_bits).min(Wide::ONE);
         let t = if band.is_multiple_of(2) { odd } else { Wide::ONE - odd };
         let places = [vec![[(band, t); 2]], inner].concat();
-        let (shift, gains) = if most_shift == 0 { (0, rest) } else { (rest[0], &rest[1..]) };
-        let shift = (shift as i32).min(most_shift);
+        let shift = (shift.unwrap_or(0) as i32).min(most_shift);
         // What is shifted comes within its format.
         let most = (Wide::ONE << lit_int) - wide::from_code(1, (lit as u32).min(2 * f));
-        let lit_up = self.image.has_incidence().then(|| {
-            let nl = floor(self.product(normal, direction, dot), lit + most_shift);
+        let lit_up = direction.map(|direction| {
+            let nl = floor(self.product(normal, &direction, dot), lit + most_shift);
             let nl = nl.clamp(Wide::ZERO, Wide::ONE - wide::from_code(1, ((lit + most_shift) as u32).min(2 * f)));
             floor(nl << shift, lit).min(most)
         });
@@ -229,13 +217,18 @@ impl<'a> ImageModel<'a> {
                 Some(nl) => floor(nl * squared, lit),
                 None => floor(squared << shift, lit).min((Wide::ONE << lit_int) - wide::from_code(1, lit as u32)),
             };
-            floor(reflected * wide::from_code(gains[channel].into(), gain_bits as u32), term)
+            floor(reflected * wide::from_code(gain[channel].into(), gain_bits as u32), term)
         })
     }
 }
 
+/// A value rounded down to so many fraction bits.
+pub(super) fn floor(value: Wide, bits: i32) -> Wide {
+    wide::floor_to(value, bits as u32)
+}
+
 /// A place in parts of a weight's last bit: what is at or below it, and the weight of the next.
-fn split(place: usize, weight_bits: u32) -> Place {
+pub(super) fn split(place: usize, weight_bits: u32) -> Place {
     let part = place & ((1 << weight_bits) - 1);
     (place >> weight_bits, wide::from_code(part as i128, weight_bits))
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
-use super::{ImageSamples, record, turn};
+use super::{ImageSamples, front_end, record, turn};
 use crate::block::lights::{MOST_LIGHTS, Sums};
 use crate::block::shader::{CHANNEL_BITS, LIGHTS, VECTOR_FRACTION};
 use crate::fixed::{Format, exp2};
@@ -80,6 +80,19 @@ pub struct Image {
     pub lights: u32,
     /// Lights of a sample that the roundings are sized for, 0 in the form matcap; more may come.
     pub most_lights: u32,
+    /// What the core is told of a light.
+    pub front_end: FrontEnd,
+}
+
+/// What an image-based core is told of a light.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum FrontEnd {
+    /// Its record, which the library or a driver makes.
+    #[default]
+    Record,
+    /// The unit vector towards it and its intensity, of which the core makes the record.
+    Vector,
 }
 
 /// Where the texels of an image-based block lie.
@@ -153,6 +166,9 @@ pub(super) const GAIN_INT: i32 = 1;
 /// The bits of a multiplier's operand in most families.
 const OPERAND: i32 = 18;
 
+/// Fraction bits of a light's gain.
+pub(super) const GAIN: i32 = OPERAND - GAIN_INT;
+
 /// Fraction bits of codes that are blended: wider ones are rounded down, so that their difference is an operand.
 pub(super) const BLENDED: i32 = OPERAND - 1;
 
@@ -175,7 +191,7 @@ impl ImageWidths {
         (0..).find(|&bits| self.shift < 1 << bits).unwrap_or_default()
     }
 
-    /// The format of a light's gain.
+    /// The format of a light's gain, and of its intensity where the core is told that.
     #[must_use]
     pub fn gain_format(&self) -> Format {
         Format::unsigned(GAIN_INT, self.gain)
@@ -213,6 +229,9 @@ impl ImageWidths {
                 }
             }
         }
+        if image.front_end == FrontEnd::Vector {
+            front_end::shifts(image, texels).into_iter().for_each(|(phi, of_row)| take(phi, of_row));
+        }
         let lit_int = (0..).find(|&bits| lit <= exp2(bits)).unwrap_or_default();
         let blends = image.extents().len() as i32;
         let lit = (OPERAND - lit_int).max(channel + 3);
@@ -227,7 +246,7 @@ impl ImageWidths {
             dot: lit + shift + 2,
             place: place + 2,
             lit,
-            gain: OPERAND - GAIN_INT,
+            gain: GAIN,
             code: (image.texel_bits as i32 + blends * weight).min(OPERAND),
             square: OPERAND,
             term: Sums::term_bits(image.channel_bits, image.most_lights.max(image.lights)),
@@ -307,6 +326,11 @@ impl Image {
                 );
             }
         }
+        refuse!(
+            self.front_end == FrontEnd::Vector && self.has_turns(),
+            "front_end = vector is given for sphere images, whose lights are told by their records",
+            "leave it out, or use --image-form half or bivariate"
+        );
         let texels = self.extents().iter().map(|&extent| u64::from(extent)).product::<u64>();
         refuse!(
             texels > MOST_TEXELS,
@@ -325,6 +349,19 @@ impl Image {
     /// The binary logarithm of the columns an octave.
     pub(super) fn octave_bits(&self, octaves: u32) -> u32 {
         (self.size / octaves).ilog2()
+    }
+
+    /// What 1 - n·h is at a place among the columns, from the first.
+    pub(crate) fn versine_at(&self, octaves: u32, place: f64) -> f64 {
+        let octave_bits = self.octave_bits(octaves) as i32;
+        let (octave, rest) = {
+            let place = place / exp2(octave_bits);
+            (place.floor(), place.fract())
+        };
+        match octave as i32 {
+            0 => rest * exp2(1 - octaves as i32),
+            octave => (1.0 + rest) * exp2(octave - octaves as i32),
+        }
     }
 
     /// The fraction bits of 1 - n·h that the least octave's weights need.

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::record::Turns;
-use super::{ImageBlock, ImageForm, LightRecord, record, turn};
+use super::{FrontEnd, ImageBlock, ImageForm, LightRecord, record, turn};
 use crate::fixed::exp2;
 use crate::reflectance::Rgb;
 use crate::reflectance::texels::pair;
@@ -85,6 +85,19 @@ impl ImageBlock {
             next: if record.band % 2 == 0 { odd } else { 1.0 - odd },
             gain: record.gain.map(|code| code as f64 * gain),
         }
+    }
+
+    /// The light that the codes of its ports tell: what a record stands for, or what follows exactly from a vector and
+    /// an intensity.
+    #[must_use]
+    pub fn told_light(&self, light: &[i64]) -> RealLight {
+        if self.image.front_end == FrontEnd::Record {
+            return self.light_of(&self.model().record(light));
+        }
+        let (vector, gain) = (exp2(-(self.image.vector_fraction as i32)), exp2(-self.widths.gain));
+        let direction = Vector::from_fn(|axis, _| light[axis] as f64 * vector);
+        let intensity = [3, 4, 5].map(|place: usize| (light[place] as f64 * gain).min(1.0));
+        RealLight { direction, ..self.real_light(Light::towards(direction), intensity) }
     }
 
     /// A scalar product that a place follows from.

@@ -5,7 +5,7 @@
 //! way is so fine that a code is the nearest to its exact value but for one in millions.
 
 use super::turn::{ANGLE, MOST_HALF};
-use super::{GAIN_INT, Image, ImageBlock, ImageForm, ImageWidths};
+use super::{FrontEnd, GAIN_INT, Image, ImageBlock, ImageForm, ImageWidths};
 use crate::block::shader::unit as check_unit;
 use crate::fixed::{exp2, turn};
 use crate::platform::error::{Error, refuse};
@@ -312,6 +312,21 @@ impl ImageBlock {
         libm::round(value * exp2(self.image.vector_fraction as i32)) as i64
     }
 
+    /// The codes of a light's ports, in their order: of its record, or of what a core is told that makes it itself.
+    #[must_use]
+    pub fn light_codes(&self, light: &FixedLight) -> Vec<i64> {
+        let record = self.fixed_record(light);
+        match self.image.front_end {
+            FrontEnd::Record => record.codes(),
+            FrontEnd::Vector => {
+                let bits = self.widths.gain as u32;
+                // To the nearest, of 2^63 parts.
+                let part = |part: u64| ((part.min(turn::HALF) + (1 << (62 - bits))) >> (63 - bits)) as i64;
+                record.direction.into_iter().flatten().chain(light.intensity.map(part)).collect()
+            }
+        }
+    }
+
     /// The inputs of a clock: of a normal, and of the lights of that clock, of which those that are missing give
     /// nothing; in the form matcap of the normal alone.
     ///
@@ -321,9 +336,9 @@ impl ImageBlock {
     pub fn inputs(&self, n: Vector, lights: &[(Light, Rgb)]) -> Vec<i64> {
         let missing = (Light::new(0.0, 0.0), [0.0; 3]);
         let all = lights.iter().copied().chain(std::iter::repeat(missing));
-        let records = all
-            .take(self.image.lights as usize)
-            .flat_map(|(light, intensity)| self.record(light, intensity).expect("an intensity from 0 to 1").codes());
+        let records = all.take(self.image.lights as usize).flat_map(|(light, intensity)| {
+            self.light_codes(&FixedLight::new(light, intensity).expect("an intensity from 0 to 1"))
+        });
         self.vector(n).into_iter().take(self.image.normal_axes()).chain(records).collect()
     }
 

@@ -39,42 +39,66 @@ pub(super) const HALF_TURN: Format = Format::signed(0, ANGLE);
 /// Half of the greatest turn, as a code: half of a right angle.
 pub(super) const MOST_HALF: u64 = 1 << (ANGLE - 1);
 
-/// The tables of a light, which are read at once: see [`tables`].
-pub(super) const TABLES: usize = 3;
-
 /// A value as the nearest code of a format, and within it.
-fn field(name: &'static str, meaning: &'static str, format: Format, reals: Vec<f64>) -> Field {
+pub(super) fn field(name: &'static str, meaning: &'static str, format: Format, reals: Vec<f64>) -> Field {
     let one = exp2(format.frac_bits);
     let code = |real: &f64| (libm::round(real * one) as i128).clamp(format.min_code(), format.max_code());
     Field { name, meaning, format, codes: reals.iter().map(code).collect(), reals }
 }
 
 /// Each number's difference from the next.
-fn differences(values: &[f64]) -> Vec<f64> {
+pub(super) fn differences(values: &[f64]) -> Vec<f64> {
     values.windows(2).map(|two| two[1] - two[0]).collect()
 }
 
+/// Reciprocal roots over the last columns of an axis.
+pub(super) struct ReciprocalRoots {
+    /// The axis of the numbers.
+    pub(super) axis: OctaveAxis,
+    /// The first of the columns that have a row.
+    pub(super) first: u32,
+    /// The formats of the roots and of what they fall by.
+    pub(super) formats: [Format; 2],
+    /// The names of the table and of these fields.
+    pub(super) names: [&'static str; 3],
+    /// What a root is of.
+    pub(super) meaning: &'static str,
+}
+
+impl ReciprocalRoots {
+    /// `1/√r` of an axis's number r, 1 at its end.
+    pub(super) fn of(axis: OctaveAxis, column: u32) -> f64 {
+        match column {
+            // The row at 0 is of half of the next.
+            0 => 1.0 / libm::sqrt(0.5 * axis.versine(1)),
+            _ if column == axis.size => 1.0,
+            _ => 1.0 / libm::sqrt(axis.versine(column)),
+        }
+    }
+
+    /// The table: each row with what it falls by to the next.
+    pub(super) fn table(self) -> Table {
+        let Self { axis, first, formats, names, meaning } = self;
+        let roots: Vec<f64> = (first..=axis.size).map(|column| Self::of(axis, column)).collect();
+        let falls = differences(&roots).into_iter().map(|rise| -rise).collect();
+        let fields = vec![
+            field(names[1], meaning, formats[0], roots[..roots.len() - 1].to_vec()),
+            field(names[2], "what it falls by to the next row", formats[1], falls),
+        ];
+        let keys = (first..axis.size).map(|column| axis.versine(column)).collect();
+        Table::listed(names[0], "entry", keys, fields)
+    }
+}
+
 /// `1/√r` where r is [`ROOT_AXIS`]'s, each row with what it falls by to the next.
-pub(super) fn reciprocal_roots(light: usize) -> Table {
-    let name = |what: &str| interned(format!("{what}_{}", light + 1));
-    let root = |column: u32| match column {
-        // The row at 0 is of half of the next, at the first place where y is not ±1.
-        0 => 1.0 / libm::sqrt(0.5 * ROOT_AXIS.versine(1)),
-        _ => 1.0 / libm::sqrt(ROOT_AXIS.versine(column)),
-    };
-    let roots: Vec<f64> = (0..ROOT_AXIS.size).map(root).chain([1.0]).collect();
-    let falls = differences(&roots).into_iter().map(|rise| -rise).collect();
-    let format = Format::unsigned(ROOT_INT, ROOT);
-    let fields = vec![
-        field(name("root"), "1/sqrt(1 - y^2)", format, roots[..roots.len() - 1].to_vec()),
-        field(name("fall"), "what it falls by to the next row", Format::unsigned(ROOT_INT - 1, ROOT), falls),
-    ];
-    let keys = (0..ROOT_AXIS.size).map(|column| ROOT_AXIS.versine(column)).collect();
-    Table::listed(name("roots"), "entry", keys, fields)
+fn reciprocal_roots(light: usize) -> Table {
+    let names = ["roots", "root", "fall"].map(|what| interned(format!("{what}_{}", light + 1)));
+    let formats = [Format::unsigned(ROOT_INT, ROOT), Format::unsigned(ROOT_INT - 1, ROOT)];
+    ReciprocalRoots { axis: ROOT_AXIS, first: 0, formats, names, meaning: "1/sqrt(1 - y^2)" }.table()
 }
 
 /// Sine and cosine from minus a right angle to one, each row with the way to the next, for the images of a parity.
-pub(super) fn sines(light: usize, parity: &str) -> Table {
+fn sines(light: usize, parity: &str) -> Table {
     let name = |what: &str| interned(format!("{what}_{}_{parity}", light + 1));
     let steps = 1i32 << STEPS;
     let angles: Vec<f64> = (-steps..=steps).map(|step| f64::from(step) / f64::from(steps)).collect();
@@ -93,6 +117,6 @@ pub(super) fn sines(light: usize, parity: &str) -> Table {
 }
 
 /// The tables of a light, in this order: reciprocal roots, the sines of the even images and those of the odd ones.
-pub(super) fn tables(light: usize) -> [Table; TABLES] {
-    [reciprocal_roots(light), sines(light, "even"), sines(light, "odd")]
+pub(super) fn tables(light: usize) -> Vec<Table> {
+    vec![reciprocal_roots(light), sines(light, "even"), sines(light, "odd")]
 }

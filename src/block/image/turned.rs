@@ -1,7 +1,7 @@
 //! The operations that turn the normal to the images of the form paper; see [`super::turn`].
 
-use super::datapath::{Imaging, LightPorts, Pair, RootJoints};
-use super::turn::{ANGLE, HALF_TURN, ROOT, ROOT_AXIS, ROOT_OPERAND, ROOT_WEIGHT, SINE, STEPS, TABLES, TILT};
+use super::datapath::{Imaging, LightPorts, Pair, StepJoints};
+use super::turn::{ANGLE, HALF_TURN, ROOT, ROOT_AXIS, ROOT_OPERAND, ROOT_WEIGHT, SINE, STEPS, TILT};
 use crate::datapath::builder::HighBits;
 use crate::datapath::graph::{NodeId, Op};
 use crate::fixed::Format;
@@ -13,13 +13,6 @@ struct Turnable {
 }
 
 impl Imaging<'_, '_> {
-    /// The fields of a light's function table of this number.
-    fn fields<const N: usize>(&mut self, number: usize, address: NodeId, l: usize) -> [NodeId; N] {
-        let memory = self.functions + TABLES * (l - 1) + number;
-        let names: Vec<&'static str> = self.b.table(memory).fields.iter().map(|field| field.name).collect();
-        std::array::from_fn(|field| self.b.field(memory, address, names[field]))
-    }
-
     /// Both factors' product, rounded down to the bits of places.
     fn place_product(&mut self, a: NodeId, c: NodeId, name: &str, what: &str) -> NodeId {
         let product = self.b.mul(a, c, &format!("{name}_exact"), what);
@@ -65,8 +58,8 @@ impl Imaging<'_, '_> {
         let rest = self.b.sub(one, square, &format!("rr{l}_exact"), "r^2 = 1 - y^2");
         let rest = self.b.floor(rest, ROOT_OPERAND, &format!("rr{l}_cut"), "rounded down");
         let rest = self.b.clamp(rest, 0, (1 << ROOT_OPERAND) - 1, &format!("rr{l}"), "r^2, below 1");
-        let row = self.octave_column(rest, ROOT_AXIS, ROOT_WEIGHT as i32, "rr", l);
-        self.joints.roots.push(RootJoints { rest, row: [row.texel, row.weight] });
+        let row = self.octave_column(rest, ROOT_AXIS, ROOT_WEIGHT as i32, "rr", &l.to_string());
+        self.joints.steps.push(StepJoints { from: vec![rest], to: vec![row.texel, row.weight], row: None });
         let [root, fall] = self.fields(0, row.texel, l);
         let part = self.b.mul(fall, row.weight, &format!("fall_part{l}"), "its part");
         let root = self.b.sub(root, part, &format!("root_at{l}"), "1/r");

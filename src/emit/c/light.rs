@@ -1,12 +1,12 @@
-//! The function that makes the records of lights for an image-based core: [`ImageBlock::fixed_record`] in C, bit for
-//! bit, for a driver that has neither this library nor floating point.
+//! The function that makes the records of lights for an image-based core: [`ImageBlock::light_codes`] in C, bit for bit,
+//! for a driver that has neither this library nor floating point.
 //!
-//! [`ImageBlock::fixed_record`]: crate::block::image::ImageBlock::fixed_record
+//! [`ImageBlock::light_codes`]: crate::block::image::ImageBlock::light_codes
 
 use askama::Template;
 
 use crate::block::CHANNELS;
-use crate::block::image::{Image, ImageForm, RecordTable};
+use crate::block::image::{FrontEnd, Image, ImageForm, RecordTable};
 use crate::core::{Direction, ImageDesign};
 use crate::emit::render;
 use crate::fixed::{Format, turn};
@@ -22,6 +22,8 @@ pub struct LightFunction<'a> {
     upper: String,
     form: ImageForm,
     has_direction: bool,
+    /// Whether the core makes the record, and is told the vector and the intensity alone.
+    is_vector: bool,
     /// Fraction bits of a turn's code.
     angle_bits: u32,
     fields: Vec<RecordField>,
@@ -52,21 +54,25 @@ struct RecordField {
     format: String,
 }
 
-/// The fields of a record: those of [`LightRecord::codes`] in their order.
+/// The fields of a record: those of [`ImageBlock::light_codes`] in their order.
 ///
-/// [`LightRecord::codes`]: crate::block::image::LightRecord::codes
+/// [`ImageBlock::light_codes`]: crate::block::image::ImageBlock::light_codes
 fn fields(image: ImageDesign<'_>) -> Vec<RecordField> {
     let of = &image.of.image;
     let frame = of.frame().iter().map(|(name, axes)| (*name, Some(axes.len())));
     let mut shape = Vec::new();
     shape.extend(of.has_incidence().then_some(("direction", Some(3))));
-    shape.extend(frame);
-    shape.extend([("band", None), ("blend", None)]);
-    if of.has_turns() {
-        shape.extend(["turn_even", "turn_odd", "alone"].map(|name| (name, None)));
+    if of.front_end == FrontEnd::Vector {
+        shape.push(("intensity", Some(CHANNELS.len())));
+    } else {
+        shape.extend(frame);
+        shape.extend([("band", None), ("blend", None)]);
+        if of.has_turns() {
+            shape.extend(["turn_even", "turn_odd", "alone"].map(|name| (name, None)));
+        }
+        shape.extend((image.block.widths().shift > 0).then_some(("shift", None)));
+        shape.push(("gain", Some(CHANNELS.len())));
     }
-    shape.extend((image.block.widths().shift > 0).then_some(("shift", None)));
-    shape.push(("gain", Some(CHANNELS.len())));
     let numbers = image.numbers(Direction::In);
     let mut ports: &[(&str, Format)] = &numbers[3..];
     let field = |(name, count): (&str, Option<usize>)| {
@@ -93,6 +99,7 @@ impl<'a> LightFunction<'a> {
             upper: design.spec.name.to_ascii_uppercase(),
             form: image.form.clone(),
             has_direction: image.has_incidence(),
+            is_vector: image.front_end == FrontEnd::Vector,
             angle_bits: Image::TURN_BITS,
             fields: fields(design),
             table: design.block.record_table(),

@@ -3,7 +3,7 @@
 use askama::Template;
 
 use super::{Part, counted};
-use crate::block::image::{Image, ImageForm};
+use crate::block::image::{FrontEnd, Image, ImageForm};
 use crate::block::shader::datapath::COLOURS;
 use crate::core::{
     Account, BlockDesign, Design, ImageDesign, ImageError, LobeDesign, Measured, OtherForm, ShaderDesign, ShaderError,
@@ -391,6 +391,8 @@ struct ImageSheet<'a> {
     title: String,
     command: String,
     image: &'a Image,
+    /// Whether the core makes the records of lights itself.
+    is_vector: bool,
     model: Option<String>,
     exposure: f64,
     /// The codes of a texel's channel.
@@ -422,6 +424,7 @@ pub(super) fn image_sheet(design: ImageDesign<'_>, error: &ImageError) -> Result
         title: title(spec),
         command: markdown::code(&spec.command()),
         image,
+        is_vector: image.front_end == FrontEnd::Vector,
         model: source.model().map(ToString::to_string),
         exposure: *exposure,
         steps: 1 << image.texel_bits,

@@ -5,10 +5,10 @@ use rayon::prelude::*;
 use super::Vector;
 use super::matcap;
 use super::samples::{self, RANDOM, corners, detecting};
-use crate::block::image::Image;
+use crate::block::image::{FrontEnd, Image};
 use crate::core::sample::random_codes;
 use crate::core::{Direction, ImageDesign};
-use crate::fixed::{Rng, Table};
+use crate::fixed::Rng;
 use crate::reflectance::{Light, Vector as Direction3};
 
 /// Tasks that seek inputs which detect mutants.
@@ -29,8 +29,12 @@ pub(super) fn vectors(design: ImageDesign<'_>) -> Vec<(String, Vec<Vector>)> {
     groups
         .push(("normals along the axes and between them, lights at and between the bands' angles", along_axes(design)));
     groups.push(("all texels", all_texels(design)));
-    if image.has_turns() {
-        groups.push(("turns by all angles", all_turns(design)));
+    if let Some(rows) = design.block.turn_rows() {
+        groups.push(("turns by all angles", all_turns(design, rows)));
+    }
+    if image.front_end == FrontEnd::Vector {
+        groups.push(("all rows of the tables that lights' records are made by", design.at_front_end_rows()));
+        groups.push(("vectors to the light along the axes and between them, of any length", any_vectors(design)));
     }
     groups.push(("n.v a power of two", {
         let light = (Light::new(90.0, 45.0), [1.0; 3]);
@@ -108,25 +112,40 @@ fn all_texels(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
 
 /// Turns to an image with an even number and one with an odd one by the angles of all rows of the tables of sines, and
 /// with all rows of the table of reciprocal roots.
-fn all_turns(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
-    let rows = |name: &str| {
-        let of = |table: &&Table| table.name.starts_with(name);
-        design.tables().iter().find(of).map(|table| table.keys.clone()).unwrap_or_default()
-    };
+fn all_turns(design: ImageDesign<'_>, [rests, angles]: [&[f64]; 2]) -> Vec<Vec<i64>> {
     let within = |keys: &[f64], row: usize| {
         let next = keys.get(row + 1).copied().unwrap_or(1.0);
         // Not at the same part of the way in each.
         keys[row] + (next - keys[row]) * (0.3 + 0.6 * ((row * 5) % 8) as f64 / 8.0)
     };
-    let (angles, rests) = (rows("sines"), rows("roots"));
-    let by_angle = (0..angles.len()).map(|row| (within(&angles, row), None));
-    let by_rest = (0..rests.len()).map(|row| (0.6, Some(within(&rests, row))));
+    let by_angle = (0..angles.len()).map(|row| (within(angles, row), None));
+    let by_rest = (0..rests.len()).map(|row| (0.6, Some(within(rests, row))));
     let all: Vec<(f64, Option<f64>)> = by_angle.chain(by_rest).collect();
     let last = design.of.image.band_angles().len() / 2;
     let turn = |(number, &(angle, rest)): (usize, &(f64, Option<f64>))| {
         [0, 1].map(|parity| design.at_turn(angle, 2 * (number % last) + parity, rest)).concat()
     };
     all.par_iter().enumerate().flat_map_iter(turn).collect()
+}
+
+/// Vectors to the light whose components are none, one or the ends of their codes, with a normal that is turned to the
+/// viewer and one beside it.
+fn any_vectors(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
+    let one = 1i64 << design.of.image.vector_fraction;
+    let components = [-2 * one, -one, 0, one, 2 * one - 1];
+    let normals = [Direction3::z(), Direction3::new(0.6, -0.36, 0.72)];
+    let mut result = Vec::new();
+    for (number, n) in normals.into_iter().enumerate() {
+        let codes = design.inputs(n, &vec![(Light::new(0.0, 0.0), [1.0, 0.6, 0.2]); design.of.image.lights as usize]);
+        for l in (0..components.len().pow(3)).skip(number) {
+            let mut codes = codes.clone();
+            codes[3] = components[l % 5];
+            codes[4] = components[l / 5 % 5];
+            codes[5] = components[l / 25];
+            result.push(codes);
+        }
+    }
+    result
 }
 
 /// Lights in front of a normal that is turned to the viewer, with the greatest gain and every shift, at texels of all
@@ -142,7 +161,8 @@ fn greatest_gains(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
         let inner = extents[1..].iter().map(|_| middle * parts);
         let mut codes = design.at_texels(&std::iter::once(band * parts).chain(inner).collect::<Vec<u64>>());
         for (code, (name, format)) in codes.iter_mut().zip(&ports) {
-            if *name == "in_l1z" || name.starts_with("in_gain1") {
+            let is_record = design.of.image.front_end == FrontEnd::Record;
+            if (*name == "in_l1z" && is_record) || name.starts_with("in_gain1") || name.starts_with("in_intensity1") {
                 *code = format.max_code() as i64;
             } else if *name == "in_shift1" {
                 *code = shift;

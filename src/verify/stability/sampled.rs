@@ -8,8 +8,9 @@
 //! - the *lobe*, from its operand, row by row of the materials, as a lobe's core is analysed;
 //! - the *colours*, from N.L, the lobes' results and the lights' colours, row by row of the materials.
 //!
-//! Of an image-based block: from the ports to the places of the normal among the texels; from each place to the
-//! addresses and the weight; from these and the ports to the channels.
+//! Of an image-based block: from the ports to the operands of a light's tables of functions, where it has any, and from
+//! these to rows and to what lies between two rows; from the ports and these to the places of the normal among the
+//! texels; from each place to the addresses and the weight; from all these to the channels.
 //!
 //! What is found of a part's results is what the next part's ports take. Nodes that no part covers count as undecided.
 
@@ -17,7 +18,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::inspect::{MOST_BLOCKS, Signal, signal};
-use crate::block::image::{Joints as ImageJoints, RootJoints};
+use crate::block::image::{Joints as ImageJoints, StepJoints};
 use crate::block::shader::datapath::Joints;
 use crate::core::{BlockDesign, Design, ImageDesign, ShaderDesign};
 use crate::datapath::graph::{Graph, NodeId};
@@ -95,6 +96,12 @@ impl<'a> Prover<'a> {
     }
 }
 
+/// A span of codes that are not negative by stretches of so many, each from a multiple of that number on.
+fn stretches(Span { low, high }: Span, codes: i128) -> impl Iterator<Item = Span> {
+    (low / codes..=high / codes)
+        .map(move |row| Span { low: low.max(row * codes), high: high.min((row + 1) * codes - 1) })
+}
+
 fn outputs(graph: &Graph) -> Vec<NodeId> {
     graph.outputs.iter().map(|&(_, id)| id).collect()
 }
@@ -138,16 +145,23 @@ impl Proof {
         let mut prover = Prover::new(graph, tables);
         let mut region: Region = graph.inputs.iter().map(|&id| Span::of(graph.nodes[id].format)).collect();
         let mut ports = graph.inputs.clone();
-        let rests: Vec<NodeId> = joints.roots.iter().map(|joint| joint.rest).collect();
-        if !rests.is_empty() {
-            prover.part("operands of the roots".to_owned(), &ports, &rests, std::slice::from_ref(&region));
+        let found: Vec<NodeId> = joints.steps.iter().flat_map(|step| step.to.iter().copied()).collect();
+        let mut operands: Vec<NodeId> = joints.steps.iter().flat_map(|step| step.from.iter().copied()).collect();
+        operands.retain(|id| !found.contains(id));
+        if !operands.is_empty() {
+            let name = "operands of tables of functions".to_owned();
+            prover.part(name, &ports, &operands, std::slice::from_ref(&region));
         }
-        for RootJoints { rest, row } in &joints.roots {
-            let of_rest = vec![prover.span(*rest)];
-            let name = format!("row of the root of {}", graph.nodes[*rest].name);
-            prover.part(name, &[*rest], row, &[of_rest]);
-            ports.extend(row);
-            region.extend(row.map(|id| prover.span(id)));
+        for StepJoints { from, to, row } in &joints.steps {
+            let whole: Region = from.iter().map(|&id| prover.span(id)).collect();
+            let of_rows = match row {
+                None => vec![whole],
+                Some(codes) => stretches(whole[0], *codes).map(|row| [&[row], &whole[1..]].concat()).collect(),
+            };
+            let name = format!("step from {}", graph.nodes[from[0]].name);
+            prover.part(name, from, to, &of_rows);
+            ports.extend(to);
+            region.extend(to.iter().map(|&id| prover.span(id)));
         }
         let places: Vec<NodeId> = joints.places.iter().map(|joint| joint.place).collect();
         prover.part("places of the normal".to_owned(), &ports, &places, std::slice::from_ref(&region));
