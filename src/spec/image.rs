@@ -185,6 +185,7 @@ impl SpecFields {
             ("most_lights", self.most_lights.is_some()),
             ("light_source", self.light_source.is_some()),
             ("light_records", self.light_records.is_some()),
+            ("front_end", self.front_end.is_some()),
         ];
         match keys.into_iter().find(|(_, given)| *given) {
             None => Ok(()),

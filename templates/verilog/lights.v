@@ -12,8 +12,8 @@ module {{ sequencer.name }}
     {{ port.declaration }}{% if !loop.last %},{% endif %}
 {%- endfor %}
 );
-
 {%- if sequencer.swaps() %}
+
     // ===== The set of texels that samples are looked up in: the other one behind a swap
     reg in_set;
     initial in_set = 1'b0;
@@ -24,7 +24,8 @@ module {{ sequencer.name }}
             in_set <= ~in_set;
         end
     end
-{% endif %}
+{%- endif %}
+
     // ===== The core: what the lights of a clock give
     wire sum_valid;
 {%- for port in sequencer.core_outputs() %}

@@ -24,7 +24,7 @@
 //   out_sum_g UQ1.17  green of these lights, at most 1.0
 //   out_sum_b UQ1.17  blue of these lights, at most 1.0
 //
-// Latency 24 clocks, one result a clock.
+// Latency 25 clocks, one result a clock.
 // Pictures of a sphere against the exact reflectance, lit from 34 angles:
 //   49.9 dB in the mean, 44.4 dB at the worst angle.
 
@@ -91,7 +91,7 @@ module image_half #(
     input  wire [17:0] in_gain1g,
     // UQ1.17: blue of light 1's gain
     input  wire [17:0] in_gain1b,
-    // the other outputs are a result: in_valid, 24 enabled clocks later
+    // the other outputs are a result: in_valid, 25 enabled clocks later
     output wire        out_valid,
     // UQ1.17: red of these lights, at most 1.0
     output wire [17:0] out_sum_r,
@@ -102,13 +102,13 @@ module image_half #(
 );
 
     // ===== Valid chain
-    reg [24:1] valid;
-    initial valid = 24'd0;
+    reg [25:1] valid;
+    initial valid = 25'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 24'd0;
+            valid <= 25'd0;
         end else if (ce) begin
-            valid <= {valid[23:1], in_valid};
+            valid <= {valid[24:1], in_valid};
         end
     end
 
@@ -2309,146 +2309,172 @@ module image_half #(
         end
     end
 
-    // ===== Stage 19: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
-    // UQ0.22: two bands
-    wire [21:0] blend1_r_3_0_19 = {blend1_r_2_0_cut_19, 5'd0} + blend1_r_3_0_part_19[21:0];
-    // UQ0.18: the blended code
-    wire [17:0] root1_r_19 = blend1_r_3_0_19[21:4];
-    // UQ0.22: two bands
-    wire [21:0] blend1_g_3_0_19 = {blend1_g_2_0_cut_19, 5'd0} + blend1_g_3_0_part_19[21:0];
-    // UQ0.18: the blended code
-    wire [17:0] root1_g_19 = blend1_g_3_0_19[21:4];
-    // UQ0.22: two bands
-    wire [21:0] blend1_b_3_0_19 = {blend1_b_2_0_cut_19, 5'd0} + blend1_b_3_0_part_19[21:0];
-    // UQ0.18: the blended code
-    wire [17:0] root1_b_19 = blend1_b_3_0_19[21:4];
+    // ===== Stage 19: registers only
     reg [17:0] in_gain1r_20;
     reg [17:0] in_gain1g_20;
     reg [17:0] in_gain1b_20;
     reg [17:0] nl1_20;
-    reg [17:0] root1_r_20;
-    reg [17:0] root1_g_20;
-    reg [17:0] root1_b_20;
+    reg [16:0] blend1_r_2_0_cut_20;
+    reg [24:0] blend1_r_3_0_part_20;
+    reg [16:0] blend1_g_2_0_cut_20;
+    reg [24:0] blend1_g_3_0_part_20;
+    reg [16:0] blend1_b_2_0_cut_20;
+    reg [24:0] blend1_b_3_0_part_20;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_20 <= in_gain1r_19;
             in_gain1g_20 <= in_gain1g_19;
             in_gain1b_20 <= in_gain1b_19;
             nl1_20 <= nl1_19;
-            root1_r_20 <= root1_r_19;
-            root1_g_20 <= root1_g_19;
-            root1_b_20 <= root1_b_19;
+            blend1_r_2_0_cut_20 <= blend1_r_2_0_cut_19;
+            blend1_r_3_0_part_20 <= blend1_r_3_0_part_19;
+            blend1_g_2_0_cut_20 <= blend1_g_2_0_cut_19;
+            blend1_g_3_0_part_20 <= blend1_g_3_0_part_19;
+            blend1_b_2_0_cut_20 <= blend1_b_2_0_cut_19;
+            blend1_b_3_0_part_20 <= blend1_b_3_0_part_19;
         end
     end
 
-    // ===== Stage 20: square1_r_exact, square1_g_exact, square1_b_exact
-    // UQ0.36: its square
-    wire [35:0] square1_r_exact_20 = root1_r_20 * root1_r_20;
-    // UQ0.18: rounded down
-    wire [17:0] square1_r_20 = square1_r_exact_20[35:18];
-    // UQ0.36: its square
-    wire [35:0] square1_g_exact_20 = root1_g_20 * root1_g_20;
-    // UQ0.18: rounded down
-    wire [17:0] square1_g_20 = square1_g_exact_20[35:18];
-    // UQ0.36: its square
-    wire [35:0] square1_b_exact_20 = root1_b_20 * root1_b_20;
-    // UQ0.18: rounded down
-    wire [17:0] square1_b_20 = square1_b_exact_20[35:18];
+    // ===== Stage 20: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
+    // UQ0.22: two bands
+    wire [21:0] blend1_r_3_0_20 = {blend1_r_2_0_cut_20, 5'd0} + blend1_r_3_0_part_20[21:0];
+    // UQ0.18: the blended code
+    wire [17:0] root1_r_20 = blend1_r_3_0_20[21:4];
+    // UQ0.22: two bands
+    wire [21:0] blend1_g_3_0_20 = {blend1_g_2_0_cut_20, 5'd0} + blend1_g_3_0_part_20[21:0];
+    // UQ0.18: the blended code
+    wire [17:0] root1_g_20 = blend1_g_3_0_20[21:4];
+    // UQ0.22: two bands
+    wire [21:0] blend1_b_3_0_20 = {blend1_b_2_0_cut_20, 5'd0} + blend1_b_3_0_part_20[21:0];
+    // UQ0.18: the blended code
+    wire [17:0] root1_b_20 = blend1_b_3_0_20[21:4];
     reg [17:0] in_gain1r_21;
     reg [17:0] in_gain1g_21;
     reg [17:0] in_gain1b_21;
     reg [17:0] nl1_21;
-    reg [17:0] square1_r_21;
-    reg [17:0] square1_g_21;
-    reg [17:0] square1_b_21;
+    reg [17:0] root1_r_21;
+    reg [17:0] root1_g_21;
+    reg [17:0] root1_b_21;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_21 <= in_gain1r_20;
             in_gain1g_21 <= in_gain1g_20;
             in_gain1b_21 <= in_gain1b_20;
             nl1_21 <= nl1_20;
-            square1_r_21 <= square1_r_20;
-            square1_g_21 <= square1_g_20;
-            square1_b_21 <= square1_b_20;
+            root1_r_21 <= root1_r_20;
+            root1_g_21 <= root1_g_20;
+            root1_b_21 <= root1_b_20;
         end
     end
 
-    // ===== Stage 21: lit1_r_exact, lit1_g_exact, lit1_b_exact
-    // UQ7.29: n.l times the square
-    wire [35:0] lit1_r_exact_21 = nl1_21 * square1_r_21;
-    // UQ7.11: rounded down
-    wire [17:0] lit1_r_21 = lit1_r_exact_21[35:18];
-    // UQ7.29: n.l times the square
-    wire [35:0] lit1_g_exact_21 = nl1_21 * square1_g_21;
-    // UQ7.11: rounded down
-    wire [17:0] lit1_g_21 = lit1_g_exact_21[35:18];
-    // UQ7.29: n.l times the square
-    wire [35:0] lit1_b_exact_21 = nl1_21 * square1_b_21;
-    // UQ7.11: rounded down
-    wire [17:0] lit1_b_21 = lit1_b_exact_21[35:18];
+    // ===== Stage 21: square1_r_exact, square1_g_exact, square1_b_exact
+    // UQ0.36: its square
+    wire [35:0] square1_r_exact_21 = root1_r_21 * root1_r_21;
+    // UQ0.18: rounded down
+    wire [17:0] square1_r_21 = square1_r_exact_21[35:18];
+    // UQ0.36: its square
+    wire [35:0] square1_g_exact_21 = root1_g_21 * root1_g_21;
+    // UQ0.18: rounded down
+    wire [17:0] square1_g_21 = square1_g_exact_21[35:18];
+    // UQ0.36: its square
+    wire [35:0] square1_b_exact_21 = root1_b_21 * root1_b_21;
+    // UQ0.18: rounded down
+    wire [17:0] square1_b_21 = square1_b_exact_21[35:18];
     reg [17:0] in_gain1r_22;
     reg [17:0] in_gain1g_22;
     reg [17:0] in_gain1b_22;
-    reg [17:0] lit1_r_22;
-    reg [17:0] lit1_g_22;
-    reg [17:0] lit1_b_22;
+    reg [17:0] nl1_22;
+    reg [17:0] square1_r_22;
+    reg [17:0] square1_g_22;
+    reg [17:0] square1_b_22;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_22 <= in_gain1r_21;
             in_gain1g_22 <= in_gain1g_21;
             in_gain1b_22 <= in_gain1b_21;
-            lit1_r_22 <= lit1_r_21;
-            lit1_g_22 <= lit1_g_21;
-            lit1_b_22 <= lit1_b_21;
+            nl1_22 <= nl1_21;
+            square1_r_22 <= square1_r_21;
+            square1_g_22 <= square1_g_21;
+            square1_b_22 <= square1_b_21;
         end
     end
 
-    // ===== Stage 22: light1_r_exact, light1_g_exact, light1_b_exact
-    // UQ8.28: times the gain
-    wire [35:0] light1_r_exact_22 = lit1_r_22 * in_gain1r_22;
-    // UQ8.17: rounded down
-    wire [24:0] light1_r_22 = light1_r_exact_22[35:11];
-    // UQ8.28: times the gain
-    wire [35:0] light1_g_exact_22 = lit1_g_22 * in_gain1g_22;
-    // UQ8.17: rounded down
-    wire [24:0] light1_g_22 = light1_g_exact_22[35:11];
-    // UQ8.28: times the gain
-    wire [35:0] light1_b_exact_22 = lit1_b_22 * in_gain1b_22;
-    // UQ8.17: rounded down
-    wire [24:0] light1_b_22 = light1_b_exact_22[35:11];
-    reg [24:0] light1_r_23;
-    reg [24:0] light1_g_23;
-    reg [24:0] light1_b_23;
+    // ===== Stage 22: lit1_r_exact, lit1_g_exact, lit1_b_exact
+    // UQ7.29: n.l times the square
+    wire [35:0] lit1_r_exact_22 = nl1_22 * square1_r_22;
+    // UQ7.11: rounded down
+    wire [17:0] lit1_r_22 = lit1_r_exact_22[35:18];
+    // UQ7.29: n.l times the square
+    wire [35:0] lit1_g_exact_22 = nl1_22 * square1_g_22;
+    // UQ7.11: rounded down
+    wire [17:0] lit1_g_22 = lit1_g_exact_22[35:18];
+    // UQ7.29: n.l times the square
+    wire [35:0] lit1_b_exact_22 = nl1_22 * square1_b_22;
+    // UQ7.11: rounded down
+    wire [17:0] lit1_b_22 = lit1_b_exact_22[35:18];
+    reg [17:0] in_gain1r_23;
+    reg [17:0] in_gain1g_23;
+    reg [17:0] in_gain1b_23;
+    reg [17:0] lit1_r_23;
+    reg [17:0] lit1_g_23;
+    reg [17:0] lit1_b_23;
     always @(posedge clk) begin
         if (ce) begin
-            light1_r_23 <= light1_r_22;
-            light1_g_23 <= light1_g_22;
-            light1_b_23 <= light1_b_22;
+            in_gain1r_23 <= in_gain1r_22;
+            in_gain1g_23 <= in_gain1g_22;
+            in_gain1b_23 <= in_gain1b_22;
+            lit1_r_23 <= lit1_r_22;
+            lit1_g_23 <= lit1_g_22;
+            lit1_b_23 <= lit1_b_22;
         end
     end
 
-    // ===== Stage 23: sum_r, sum_g, sum_b
-    // UQ1.17: kept at 1.0
-    wire [17:0] sum_r_23 = (|light1_r_23[24:17]) ? 18'h20000 : light1_r_23[17:0];
-    // UQ1.17: kept at 1.0
-    wire [17:0] sum_g_23 = (|light1_g_23[24:17]) ? 18'h20000 : light1_g_23[17:0];
-    // UQ1.17: kept at 1.0
-    wire [17:0] sum_b_23 = (|light1_b_23[24:17]) ? 18'h20000 : light1_b_23[17:0];
-    reg [17:0] sum_r_24;
-    reg [17:0] sum_g_24;
-    reg [17:0] sum_b_24;
+    // ===== Stage 23: light1_r_exact, light1_g_exact, light1_b_exact
+    // UQ8.28: times the gain
+    wire [35:0] light1_r_exact_23 = lit1_r_23 * in_gain1r_23;
+    // UQ8.17: rounded down
+    wire [24:0] light1_r_23 = light1_r_exact_23[35:11];
+    // UQ8.28: times the gain
+    wire [35:0] light1_g_exact_23 = lit1_g_23 * in_gain1g_23;
+    // UQ8.17: rounded down
+    wire [24:0] light1_g_23 = light1_g_exact_23[35:11];
+    // UQ8.28: times the gain
+    wire [35:0] light1_b_exact_23 = lit1_b_23 * in_gain1b_23;
+    // UQ8.17: rounded down
+    wire [24:0] light1_b_23 = light1_b_exact_23[35:11];
+    reg [24:0] light1_r_24;
+    reg [24:0] light1_g_24;
+    reg [24:0] light1_b_24;
     always @(posedge clk) begin
         if (ce) begin
-            sum_r_24 <= sum_r_23;
-            sum_g_24 <= sum_g_23;
-            sum_b_24 <= sum_b_23;
+            light1_r_24 <= light1_r_23;
+            light1_g_24 <= light1_g_23;
+            light1_b_24 <= light1_b_23;
         end
     end
 
-    assign out_valid = valid[24];
-    assign out_sum_r = sum_r_24;
-    assign out_sum_g = sum_g_24;
-    assign out_sum_b = sum_b_24;
+    // ===== Stage 24: sum_r, sum_g, sum_b
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_r_24 = (|light1_r_24[24:17]) ? 18'h20000 : light1_r_24[17:0];
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_g_24 = (|light1_g_24[24:17]) ? 18'h20000 : light1_g_24[17:0];
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_b_24 = (|light1_b_24[24:17]) ? 18'h20000 : light1_b_24[17:0];
+    reg [17:0] sum_r_25;
+    reg [17:0] sum_g_25;
+    reg [17:0] sum_b_25;
+    always @(posedge clk) begin
+        if (ce) begin
+            sum_r_25 <= sum_r_24;
+            sum_g_25 <= sum_g_24;
+            sum_b_25 <= sum_b_24;
+        end
+    end
+
+    assign out_valid = valid[25];
+    assign out_sum_r = sum_r_25;
+    assign out_sum_g = sum_g_25;
+    assign out_sum_b = sum_b_25;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
@@ -2469,25 +2495,25 @@ module image_half #(
                     u1_next_6[0],
                     blend1_r_2_0_16[0],
                     blend1_r_2_1_16[0],
-                    blend1_r_3_0_part_19[24:22],
-                    blend1_r_3_0_19[3:0],
-                    square1_r_exact_20[17:0],
-                    lit1_r_exact_21[17:0],
-                    light1_r_exact_22[10:0],
+                    blend1_r_3_0_part_20[24:22],
+                    blend1_r_3_0_20[3:0],
+                    square1_r_exact_21[17:0],
+                    lit1_r_exact_22[17:0],
+                    light1_r_exact_23[10:0],
                     blend1_g_2_0_16[0],
                     blend1_g_2_1_16[0],
-                    blend1_g_3_0_part_19[24:22],
-                    blend1_g_3_0_19[3:0],
-                    square1_g_exact_20[17:0],
-                    lit1_g_exact_21[17:0],
-                    light1_g_exact_22[10:0],
+                    blend1_g_3_0_part_20[24:22],
+                    blend1_g_3_0_20[3:0],
+                    square1_g_exact_21[17:0],
+                    lit1_g_exact_22[17:0],
+                    light1_g_exact_23[10:0],
                     blend1_b_2_0_16[0],
                     blend1_b_2_1_16[0],
-                    blend1_b_3_0_part_19[24:22],
-                    blend1_b_3_0_19[3:0],
-                    square1_b_exact_20[17:0],
-                    lit1_b_exact_21[17:0],
-                    light1_b_exact_22[10:0]};
+                    blend1_b_3_0_part_20[24:22],
+                    blend1_b_3_0_20[3:0],
+                    square1_b_exact_21[17:0],
+                    lit1_b_exact_22[17:0],
+                    light1_b_exact_23[10:0]};
 
 endmodule
 

@@ -24,7 +24,7 @@
 --   out_sum_g UQ1.17  green of these lights, at most 1.0
 --   out_sum_b UQ1.17  blue of these lights, at most 1.0
 --
--- Latency 24 clocks, one result a clock.
+-- Latency 25 clocks, one result a clock.
 -- Pictures of a sphere against the exact reflectance, lit from 34 angles:
 --   49.9 dB in the mean, 44.4 dB at the worst angle.
 
@@ -95,7 +95,7 @@ entity image_half is
         in_gain1g : in  unsigned(17 downto 0);
         -- UQ1.17: blue of light 1's gain
         in_gain1b : in  unsigned(17 downto 0);
-        -- the other outputs are a result: in_valid, 24 enabled clocks later
+        -- the other outputs are a result: in_valid, 25 enabled clocks later
         out_valid : out std_logic;
         -- UQ1.17: red of these lights, at most 1.0
         out_sum_r : out unsigned(17 downto 0);
@@ -331,7 +331,7 @@ architecture rtl of image_half is
     constant TEXELS_1_ODD_ODD_ODD : texels_1_odd_odd_odd_t := read_texels_1_odd_odd_odd(TEXELS_1_ODD_ODD_ODD_FILE);
     signal texels_1_odd_odd_odd_9 : std_logic_vector(23 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(24 downto 1) := (others => '0');
+    signal valid : std_logic_vector(25 downto 1) := (others => '0');
     signal nz_kept_0 : unsigned(16 downto 0) := (others => '0');
     signal seen_0 : std_logic := '0';
     signal hidden_0 : std_logic := '0';
@@ -1273,59 +1273,69 @@ architecture rtl of image_half is
     signal blend1_g_3_0_part_19 : signed(24 downto 0) := (others => '0');
     signal blend1_b_2_0_cut_19 : unsigned(16 downto 0) := (others => '0');
     signal blend1_b_3_0_part_19 : signed(24 downto 0) := (others => '0');
-    signal blend1_r_3_0_19 : unsigned(21 downto 0) := (others => '0');
-    signal root1_r_19 : unsigned(17 downto 0) := (others => '0');
-    signal blend1_g_3_0_19 : unsigned(21 downto 0) := (others => '0');
-    signal root1_g_19 : unsigned(17 downto 0) := (others => '0');
-    signal blend1_b_3_0_19 : unsigned(21 downto 0) := (others => '0');
-    signal root1_b_19 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1r_20 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_20 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_20 : unsigned(17 downto 0) := (others => '0');
     signal nl1_20 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_r_2_0_cut_20 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_3_0_part_20 : signed(24 downto 0) := (others => '0');
+    signal blend1_g_2_0_cut_20 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_3_0_part_20 : signed(24 downto 0) := (others => '0');
+    signal blend1_b_2_0_cut_20 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_3_0_part_20 : signed(24 downto 0) := (others => '0');
+    signal blend1_r_3_0_20 : unsigned(21 downto 0) := (others => '0');
     signal root1_r_20 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_g_3_0_20 : unsigned(21 downto 0) := (others => '0');
     signal root1_g_20 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_b_3_0_20 : unsigned(21 downto 0) := (others => '0');
     signal root1_b_20 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_exact_20 : unsigned(35 downto 0) := (others => '0');
-    signal square1_r_20 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_exact_20 : unsigned(35 downto 0) := (others => '0');
-    signal square1_g_20 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_exact_20 : unsigned(35 downto 0) := (others => '0');
-    signal square1_b_20 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1r_21 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_21 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_21 : unsigned(17 downto 0) := (others => '0');
     signal nl1_21 : unsigned(17 downto 0) := (others => '0');
+    signal root1_r_21 : unsigned(17 downto 0) := (others => '0');
+    signal root1_g_21 : unsigned(17 downto 0) := (others => '0');
+    signal root1_b_21 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_exact_21 : unsigned(35 downto 0) := (others => '0');
     signal square1_r_21 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_exact_21 : unsigned(35 downto 0) := (others => '0');
     signal square1_g_21 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_exact_21 : unsigned(35 downto 0) := (others => '0');
     signal square1_b_21 : unsigned(17 downto 0) := (others => '0');
-    signal lit1_r_exact_21 : unsigned(35 downto 0) := (others => '0');
-    signal lit1_r_21 : unsigned(17 downto 0) := (others => '0');
-    signal lit1_g_exact_21 : unsigned(35 downto 0) := (others => '0');
-    signal lit1_g_21 : unsigned(17 downto 0) := (others => '0');
-    signal lit1_b_exact_21 : unsigned(35 downto 0) := (others => '0');
-    signal lit1_b_21 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1r_22 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_22 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_22 : unsigned(17 downto 0) := (others => '0');
+    signal nl1_22 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_22 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_22 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_22 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_r_exact_22 : unsigned(35 downto 0) := (others => '0');
     signal lit1_r_22 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_g_exact_22 : unsigned(35 downto 0) := (others => '0');
     signal lit1_g_22 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_b_exact_22 : unsigned(35 downto 0) := (others => '0');
     signal lit1_b_22 : unsigned(17 downto 0) := (others => '0');
-    signal light1_r_exact_22 : unsigned(35 downto 0) := (others => '0');
-    signal light1_r_22 : unsigned(24 downto 0) := (others => '0');
-    signal light1_g_exact_22 : unsigned(35 downto 0) := (others => '0');
-    signal light1_g_22 : unsigned(24 downto 0) := (others => '0');
-    signal light1_b_exact_22 : unsigned(35 downto 0) := (others => '0');
-    signal light1_b_22 : unsigned(24 downto 0) := (others => '0');
+    signal in_gain1r_23 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_23 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_23 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_r_23 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_g_23 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_b_23 : unsigned(17 downto 0) := (others => '0');
+    signal light1_r_exact_23 : unsigned(35 downto 0) := (others => '0');
     signal light1_r_23 : unsigned(24 downto 0) := (others => '0');
+    signal light1_g_exact_23 : unsigned(35 downto 0) := (others => '0');
     signal light1_g_23 : unsigned(24 downto 0) := (others => '0');
+    signal light1_b_exact_23 : unsigned(35 downto 0) := (others => '0');
     signal light1_b_23 : unsigned(24 downto 0) := (others => '0');
-    signal sum_r_23 : unsigned(17 downto 0) := (others => '0');
-    signal sum_g_23 : unsigned(17 downto 0) := (others => '0');
-    signal sum_b_23 : unsigned(17 downto 0) := (others => '0');
+    signal light1_r_24 : unsigned(24 downto 0) := (others => '0');
+    signal light1_g_24 : unsigned(24 downto 0) := (others => '0');
+    signal light1_b_24 : unsigned(24 downto 0) := (others => '0');
     signal sum_r_24 : unsigned(17 downto 0) := (others => '0');
     signal sum_g_24 : unsigned(17 downto 0) := (others => '0');
     signal sum_b_24 : unsigned(17 downto 0) := (others => '0');
+    signal sum_r_25 : unsigned(17 downto 0) := (others => '0');
+    signal sum_g_25 : unsigned(17 downto 0) := (others => '0');
+    signal sum_b_25 : unsigned(17 downto 0) := (others => '0');
 
 begin
 
@@ -1336,7 +1346,7 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(23 downto 1) & in_valid;
+                valid <= valid(24 downto 1) & in_valid;
             end if;
         end if;
     end process;
@@ -3162,22 +3172,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 19: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
-    -- UQ0.22: two bands
-    blend1_r_3_0_19 <=
-        shift_left(resize(blend1_r_2_0_cut_19, 22), 5) + unsigned(blend1_r_3_0_part_19(21 downto 0));
-    -- UQ0.18: the blended code
-    root1_r_19 <= blend1_r_3_0_19(21 downto 4);
-    -- UQ0.22: two bands
-    blend1_g_3_0_19 <=
-        shift_left(resize(blend1_g_2_0_cut_19, 22), 5) + unsigned(blend1_g_3_0_part_19(21 downto 0));
-    -- UQ0.18: the blended code
-    root1_g_19 <= blend1_g_3_0_19(21 downto 4);
-    -- UQ0.22: two bands
-    blend1_b_3_0_19 <=
-        shift_left(resize(blend1_b_2_0_cut_19, 22), 5) + unsigned(blend1_b_3_0_part_19(21 downto 0));
-    -- UQ0.18: the blended code
-    root1_b_19 <= blend1_b_3_0_19(21 downto 4);
+    -- ===== Stage 19: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3186,26 +3181,32 @@ begin
                 in_gain1g_20 <= in_gain1g_19;
                 in_gain1b_20 <= in_gain1b_19;
                 nl1_20 <= nl1_19;
-                root1_r_20 <= root1_r_19;
-                root1_g_20 <= root1_g_19;
-                root1_b_20 <= root1_b_19;
+                blend1_r_2_0_cut_20 <= blend1_r_2_0_cut_19;
+                blend1_r_3_0_part_20 <= blend1_r_3_0_part_19;
+                blend1_g_2_0_cut_20 <= blend1_g_2_0_cut_19;
+                blend1_g_3_0_part_20 <= blend1_g_3_0_part_19;
+                blend1_b_2_0_cut_20 <= blend1_b_2_0_cut_19;
+                blend1_b_3_0_part_20 <= blend1_b_3_0_part_19;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 20: square1_r_exact, square1_g_exact, square1_b_exact
-    -- UQ0.36: its square
-    square1_r_exact_20 <= root1_r_20 * root1_r_20;
-    -- UQ0.18: rounded down
-    square1_r_20 <= square1_r_exact_20(35 downto 18);
-    -- UQ0.36: its square
-    square1_g_exact_20 <= root1_g_20 * root1_g_20;
-    -- UQ0.18: rounded down
-    square1_g_20 <= square1_g_exact_20(35 downto 18);
-    -- UQ0.36: its square
-    square1_b_exact_20 <= root1_b_20 * root1_b_20;
-    -- UQ0.18: rounded down
-    square1_b_20 <= square1_b_exact_20(35 downto 18);
+    -- ===== Stage 20: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
+    -- UQ0.22: two bands
+    blend1_r_3_0_20 <=
+        shift_left(resize(blend1_r_2_0_cut_20, 22), 5) + unsigned(blend1_r_3_0_part_20(21 downto 0));
+    -- UQ0.18: the blended code
+    root1_r_20 <= blend1_r_3_0_20(21 downto 4);
+    -- UQ0.22: two bands
+    blend1_g_3_0_20 <=
+        shift_left(resize(blend1_g_2_0_cut_20, 22), 5) + unsigned(blend1_g_3_0_part_20(21 downto 0));
+    -- UQ0.18: the blended code
+    root1_g_20 <= blend1_g_3_0_20(21 downto 4);
+    -- UQ0.22: two bands
+    blend1_b_3_0_20 <=
+        shift_left(resize(blend1_b_2_0_cut_20, 22), 5) + unsigned(blend1_b_3_0_part_20(21 downto 0));
+    -- UQ0.18: the blended code
+    root1_b_20 <= blend1_b_3_0_20(21 downto 4);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3214,26 +3215,26 @@ begin
                 in_gain1g_21 <= in_gain1g_20;
                 in_gain1b_21 <= in_gain1b_20;
                 nl1_21 <= nl1_20;
-                square1_r_21 <= square1_r_20;
-                square1_g_21 <= square1_g_20;
-                square1_b_21 <= square1_b_20;
+                root1_r_21 <= root1_r_20;
+                root1_g_21 <= root1_g_20;
+                root1_b_21 <= root1_b_20;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 21: lit1_r_exact, lit1_g_exact, lit1_b_exact
-    -- UQ7.29: n.l times the square
-    lit1_r_exact_21 <= nl1_21 * square1_r_21;
-    -- UQ7.11: rounded down
-    lit1_r_21 <= lit1_r_exact_21(35 downto 18);
-    -- UQ7.29: n.l times the square
-    lit1_g_exact_21 <= nl1_21 * square1_g_21;
-    -- UQ7.11: rounded down
-    lit1_g_21 <= lit1_g_exact_21(35 downto 18);
-    -- UQ7.29: n.l times the square
-    lit1_b_exact_21 <= nl1_21 * square1_b_21;
-    -- UQ7.11: rounded down
-    lit1_b_21 <= lit1_b_exact_21(35 downto 18);
+    -- ===== Stage 21: square1_r_exact, square1_g_exact, square1_b_exact
+    -- UQ0.36: its square
+    square1_r_exact_21 <= root1_r_21 * root1_r_21;
+    -- UQ0.18: rounded down
+    square1_r_21 <= square1_r_exact_21(35 downto 18);
+    -- UQ0.36: its square
+    square1_g_exact_21 <= root1_g_21 * root1_g_21;
+    -- UQ0.18: rounded down
+    square1_g_21 <= square1_g_exact_21(35 downto 18);
+    -- UQ0.36: its square
+    square1_b_exact_21 <= root1_b_21 * root1_b_21;
+    -- UQ0.18: rounded down
+    square1_b_21 <= square1_b_exact_21(35 downto 18);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3241,61 +3242,89 @@ begin
                 in_gain1r_22 <= in_gain1r_21;
                 in_gain1g_22 <= in_gain1g_21;
                 in_gain1b_22 <= in_gain1b_21;
-                lit1_r_22 <= lit1_r_21;
-                lit1_g_22 <= lit1_g_21;
-                lit1_b_22 <= lit1_b_21;
+                nl1_22 <= nl1_21;
+                square1_r_22 <= square1_r_21;
+                square1_g_22 <= square1_g_21;
+                square1_b_22 <= square1_b_21;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 22: light1_r_exact, light1_g_exact, light1_b_exact
-    -- UQ8.28: times the gain
-    light1_r_exact_22 <= lit1_r_22 * in_gain1r_22;
-    -- UQ8.17: rounded down
-    light1_r_22 <= light1_r_exact_22(35 downto 11);
-    -- UQ8.28: times the gain
-    light1_g_exact_22 <= lit1_g_22 * in_gain1g_22;
-    -- UQ8.17: rounded down
-    light1_g_22 <= light1_g_exact_22(35 downto 11);
-    -- UQ8.28: times the gain
-    light1_b_exact_22 <= lit1_b_22 * in_gain1b_22;
-    -- UQ8.17: rounded down
-    light1_b_22 <= light1_b_exact_22(35 downto 11);
+    -- ===== Stage 22: lit1_r_exact, lit1_g_exact, lit1_b_exact
+    -- UQ7.29: n.l times the square
+    lit1_r_exact_22 <= nl1_22 * square1_r_22;
+    -- UQ7.11: rounded down
+    lit1_r_22 <= lit1_r_exact_22(35 downto 18);
+    -- UQ7.29: n.l times the square
+    lit1_g_exact_22 <= nl1_22 * square1_g_22;
+    -- UQ7.11: rounded down
+    lit1_g_22 <= lit1_g_exact_22(35 downto 18);
+    -- UQ7.29: n.l times the square
+    lit1_b_exact_22 <= nl1_22 * square1_b_22;
+    -- UQ7.11: rounded down
+    lit1_b_22 <= lit1_b_exact_22(35 downto 18);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                light1_r_23 <= light1_r_22;
-                light1_g_23 <= light1_g_22;
-                light1_b_23 <= light1_b_22;
+                in_gain1r_23 <= in_gain1r_22;
+                in_gain1g_23 <= in_gain1g_22;
+                in_gain1b_23 <= in_gain1b_22;
+                lit1_r_23 <= lit1_r_22;
+                lit1_g_23 <= lit1_g_22;
+                lit1_b_23 <= lit1_b_22;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 23: sum_r, sum_g, sum_b
-    -- UQ1.17: kept at 1.0
-    sum_r_23 <= (17 => '1', others => '0') when unsigned(light1_r_23(24 downto 17)) /= 0 else
-        light1_r_23(17 downto 0);
-    -- UQ1.17: kept at 1.0
-    sum_g_23 <= (17 => '1', others => '0') when unsigned(light1_g_23(24 downto 17)) /= 0 else
-        light1_g_23(17 downto 0);
-    -- UQ1.17: kept at 1.0
-    sum_b_23 <= (17 => '1', others => '0') when unsigned(light1_b_23(24 downto 17)) /= 0 else
-        light1_b_23(17 downto 0);
+    -- ===== Stage 23: light1_r_exact, light1_g_exact, light1_b_exact
+    -- UQ8.28: times the gain
+    light1_r_exact_23 <= lit1_r_23 * in_gain1r_23;
+    -- UQ8.17: rounded down
+    light1_r_23 <= light1_r_exact_23(35 downto 11);
+    -- UQ8.28: times the gain
+    light1_g_exact_23 <= lit1_g_23 * in_gain1g_23;
+    -- UQ8.17: rounded down
+    light1_g_23 <= light1_g_exact_23(35 downto 11);
+    -- UQ8.28: times the gain
+    light1_b_exact_23 <= lit1_b_23 * in_gain1b_23;
+    -- UQ8.17: rounded down
+    light1_b_23 <= light1_b_exact_23(35 downto 11);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                sum_r_24 <= sum_r_23;
-                sum_g_24 <= sum_g_23;
-                sum_b_24 <= sum_b_23;
+                light1_r_24 <= light1_r_23;
+                light1_g_24 <= light1_g_23;
+                light1_b_24 <= light1_b_23;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(24);
-    out_sum_r <= sum_r_24;
-    out_sum_g <= sum_g_24;
-    out_sum_b <= sum_b_24;
+    -- ===== Stage 24: sum_r, sum_g, sum_b
+    -- UQ1.17: kept at 1.0
+    sum_r_24 <= (17 => '1', others => '0') when unsigned(light1_r_24(24 downto 17)) /= 0 else
+        light1_r_24(17 downto 0);
+    -- UQ1.17: kept at 1.0
+    sum_g_24 <= (17 => '1', others => '0') when unsigned(light1_g_24(24 downto 17)) /= 0 else
+        light1_g_24(17 downto 0);
+    -- UQ1.17: kept at 1.0
+    sum_b_24 <= (17 => '1', others => '0') when unsigned(light1_b_24(24 downto 17)) /= 0 else
+        light1_b_24(17 downto 0);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                sum_r_25 <= sum_r_24;
+                sum_g_25 <= sum_g_24;
+                sum_b_25 <= sum_b_24;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(25);
+    out_sum_r <= sum_r_25;
+    out_sum_g <= sum_g_25;
+    out_sum_b <= sum_b_25;
 
 end architecture rtl;

@@ -8,7 +8,7 @@
 //   out_g     UQ8.0   green; 255 is full scale
 //   out_b     UQ8.0   blue; 255 is full scale
 //
-// A sample is any number of clocks' lights, the last with in_last. Latency 26 clocks from
+// A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
 // there; lights at every clock, and no pause between samples.
 
 `timescale 1ns / 1ps
@@ -76,7 +76,7 @@ module image_half_lights #(
     input  wire [17:0] in_gain1g,
     // UQ1.17: blue of light 1's gain
     input  wire [17:0] in_gain1b,
-    // the other outputs are a sample: 26 enabled clocks behind its in_last
+    // the other outputs are a sample: 27 enabled clocks behind its in_last
     output wire        out_valid,
     // UQ8.0: red; 255 is full scale
     output wire [7:0] out_r,
@@ -129,13 +129,13 @@ module image_half_lights #(
     );
 
     // ===== Valid chain of whole samples: a bit where one's last lights are, in step with the core
-    reg [26:1] valid;
-    initial valid = 26'd0;
+    reg [27:1] valid;
+    initial valid = 27'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 26'd0;
+            valid <= 27'd0;
         end else if (ce) begin
-            valid <= {valid[25:1], in_valid & in_last};
+            valid <= {valid[26:1], in_valid & in_last};
         end
     end
 
@@ -146,11 +146,11 @@ module image_half_lights #(
         if (rst) begin
             begins <= 1'b1;
         end else if (ce & sum_valid) begin
-            begins <= valid[24];
+            begins <= valid[25];
         end
     end
 
-    // ===== Stage 25: the sum of a sample's lights below 1.0, and whether it has reached that
+    // ===== Stage 26: the sum of a sample's lights below 1.0, and whether it has reached that
     reg [16:0] total_r;
     reg full_r;
     wire [17:0] start_r = begins ? 18'd0 : {1'b0, total_r};
@@ -177,7 +177,7 @@ module image_half_lights #(
         end
     end
 
-    // ===== Stage 26: the nearest code, at most full scale
+    // ===== Stage 27: the nearest code, at most full scale
     wire [17:0] near_r = {1'b0, total_r} + 18'd256;
     reg [7:0] code_r;
     wire [17:0] near_g = {1'b0, total_g} + 18'd256;
@@ -192,7 +192,7 @@ module image_half_lights #(
         end
     end
 
-    assign out_valid = valid[26];
+    assign out_valid = valid[27];
     assign out_r = code_r;
     assign out_g = code_g;
     assign out_b = code_b;

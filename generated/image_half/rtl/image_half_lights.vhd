@@ -8,7 +8,7 @@
 --   out_g     UQ8.0   green; 255 is full scale
 --   out_b     UQ8.0   blue; 255 is full scale
 --
--- A sample is any number of clocks' lights, the last with in_last. Latency 26 clocks from
+-- A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
 -- there; lights at every clock, and no pause between samples.
 
 library ieee;
@@ -79,7 +79,7 @@ entity image_half_lights is
         in_gain1g : in  unsigned(17 downto 0);
         -- UQ1.17: blue of light 1's gain
         in_gain1b : in  unsigned(17 downto 0);
-        -- the other outputs are a sample: 26 enabled clocks behind its in_last
+        -- the other outputs are a sample: 27 enabled clocks behind its in_last
         out_valid : out std_logic;
         -- UQ8.0: red; 255 is full scale
         out_r     : out unsigned(7 downto 0);
@@ -93,7 +93,7 @@ end entity image_half_lights;
 architecture rtl of image_half_lights is
 
     -- Valid chain of whole samples: a bit where one's last lights are, in step with the core.
-    signal valid     : std_logic_vector(26 downto 1) := (others => '0');
+    signal valid     : std_logic_vector(27 downto 1) := (others => '0');
     -- Whether the next lights out of the core are the first of their sample.
     signal begins    : std_logic := '1';
     signal sum_valid : std_logic := '0';
@@ -169,15 +169,15 @@ begin
                 valid  <= (others => '0');
                 begins <= '1';
             elsif ce = '1' then
-                valid <= valid(25 downto 1) & (in_valid and in_last);
+                valid <= valid(26 downto 1) & (in_valid and in_last);
                 if sum_valid = '1' then
-                    begins <= valid(24);
+                    begins <= valid(25);
                 end if;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 25: the sum of a sample's lights below 1.0, and whether it has reached that
+    -- ===== Stage 26: the sum of a sample's lights below 1.0, and whether it has reached that
     start_r <= (others => '0') when begins = '1' else
         '0' & total_r;
     sum_r   <= resize(start_r, 19) + unsigned(out_sum_r);
@@ -213,7 +213,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 26: the nearest code, at most full scale
+    -- ===== Stage 27: the nearest code, at most full scale
     near_r <= ('0' & total_r) + 256;
     near_g <= ('0' & total_g) + 256;
     near_b <= ('0' & total_b) + 256;
@@ -240,7 +240,7 @@ begin
         end if;
     end process;
 
-    out_valid <= valid(26);
+    out_valid <= valid(27);
     out_r     <= code_r;
     out_g     <= code_g;
     out_b     <= code_b;

@@ -8,7 +8,7 @@
 //   out_g     UQ8.0   green; 255 is full scale
 //   out_b     UQ8.0   blue; 255 is full scale
 //
-// A sample is any number of clocks' lights, the last with in_last. Latency 26 clocks from
+// A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
 // there; lights at every clock, and no pause between samples.
 
 `default_nettype none
@@ -19,7 +19,7 @@ module image_half_lights_tb;
 /* verilator lint_on DECLFILENAME */
 
     localparam NAME    = "image_half_lights";
-    localparam LATENCY = 26;
+    localparam LATENCY = 27;
     localparam SHOWN   = 10; // mismatches printed; the others are only counted
 
     // The core reads its memory texels_1_even_even_even from this file, relative to the current directory.

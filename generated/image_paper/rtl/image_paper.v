@@ -24,7 +24,7 @@
 //   out_sum_g     UQ1.17  green of these lights, at most 1.0
 //   out_sum_b     UQ1.17  blue of these lights, at most 1.0
 //
-// Latency 48 clocks, one result a clock.
+// Latency 51 clocks, one result a clock.
 // Pictures of a sphere against the exact reflectance, lit from 34 angles:
 //   41.6 dB in the mean, 27.1 dB at the worst angle.
 
@@ -97,7 +97,7 @@ module image_paper #(
     input  wire [17:0] in_gain1g,
     // UQ1.17: blue of light 1's gain
     input  wire [17:0] in_gain1b,
-    // the other outputs are a result: in_valid, 48 enabled clocks later
+    // the other outputs are a result: in_valid, 51 enabled clocks later
     output wire        out_valid,
     // UQ1.17: red of these lights, at most 1.0
     output wire [17:0] out_sum_r,
@@ -108,13 +108,13 @@ module image_paper #(
 );
 
     // ===== Valid chain
-    reg [48:1] valid;
-    initial valid = 48'd0;
+    reg [51:1] valid;
+    initial valid = 51'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 48'd0;
+            valid <= 51'd0;
         end else if (ce) begin
-            valid <= {valid[47:1], in_valid};
+            valid <= {valid[50:1], in_valid};
         end
     end
 
@@ -1257,11 +1257,7 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 13: root_at1
-    // Q6.15: 1/r
-    wire [21:0] root_at1_13 = {1'd0, root_1_13, 5'd0} - {2'd0, fall_part1_13};
-    // Q6.10: rounded down
-    wire [16:0] root_cut1_13 = root_at1_13[21:5];
+    // ===== Stage 13: registers only
     reg [17:0] in_nz_14;
     reg [14:0] in_turn1_even_14;
     reg [14:0] in_turn1_odd_14;
@@ -1271,7 +1267,8 @@ module image_paper #(
     reg hidden_14;
     reg [2:0] shift1_14;
     reg [15:0] x1_14;
-    reg [16:0] root_cut1_14;
+    reg [15:0] root_1_14;
+    reg [19:0] fall_part1_14;
     reg [15:0] u1_kept_signed_14;
     reg alone1_14;
     reg [11:0] end1_even_14;
@@ -1303,7 +1300,8 @@ module image_paper #(
             hidden_14 <= hidden_13;
             shift1_14 <= shift1_13;
             x1_14 <= x1_13;
-            root_cut1_14 <= root_cut1_13;
+            root_1_14 <= root_1_13;
+            fall_part1_14 <= fall_part1_13;
             u1_kept_signed_14 <= u1_kept_signed_13;
             alone1_14 <= alone1_13;
             end1_even_14 <= end1_even_13;
@@ -1327,11 +1325,11 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 14: tilt1_exact
-    // Q8.24: the sine of the angle to h
-    wire [32:0] tilt1_exact_14 = $signed(u1_kept_signed_14) * $signed(root_cut1_14);
-    // Q6.12: rounded down
-    wire [18:0] tilt1_cut_14 = tilt1_exact_14[30:12];
+    // ===== Stage 14: root_at1
+    // Q6.15: 1/r
+    wire [21:0] root_at1_14 = {1'd0, root_1_14, 5'd0} - {2'd0, fall_part1_14};
+    // Q6.10: rounded down
+    wire [16:0] root_cut1_14 = root_at1_14[21:5];
     reg [17:0] in_nz_15;
     reg [14:0] in_turn1_even_15;
     reg [14:0] in_turn1_odd_15;
@@ -1341,7 +1339,8 @@ module image_paper #(
     reg hidden_15;
     reg [2:0] shift1_15;
     reg [15:0] x1_15;
-    reg [18:0] tilt1_cut_15;
+    reg [16:0] root_cut1_15;
+    reg [15:0] u1_kept_signed_15;
     reg alone1_15;
     reg [11:0] end1_even_15;
     reg [11:0] end1_odd_15;
@@ -1372,7 +1371,8 @@ module image_paper #(
             hidden_15 <= hidden_14;
             shift1_15 <= shift1_14;
             x1_15 <= x1_14;
-            tilt1_cut_15 <= tilt1_cut_14;
+            root_cut1_15 <= root_cut1_14;
+            u1_kept_signed_15 <= u1_kept_signed_14;
             alone1_15 <= alone1_14;
             end1_even_15 <= end1_even_14;
             end1_odd_15 <= end1_odd_14;
@@ -1395,14 +1395,11 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 15: tilt1_kept, tilt1
-    // UQ1.12: at most 1
-    wire [12:0] tilt1_kept_15 =
-        tilt1_cut_15[18] ? 13'h0000 : (|tilt1_cut_15[17:12]) ? 13'h1000 : tilt1_cut_15[12:0];
-    // UQ1.12: the sine of the angle to h; 1/2, which makes k = 3/4, where one image is alone
-    wire [12:0] tilt1_15 = alone1_15 ? 13'h0800 : tilt1_kept_15;
-    // Q1.12: a sign bit for the signed product
-    wire [13:0] tilt1_signed_15 = {1'd0, tilt1_15};
+    // ===== Stage 15: tilt1_exact
+    // Q8.24: the sine of the angle to h
+    wire [32:0] tilt1_exact_15 = $signed(u1_kept_signed_15) * $signed(root_cut1_15);
+    // Q6.12: rounded down
+    wire [18:0] tilt1_cut_15 = tilt1_exact_15[30:12];
     reg [17:0] in_nz_16;
     reg [14:0] in_turn1_even_16;
     reg [14:0] in_turn1_odd_16;
@@ -1412,7 +1409,8 @@ module image_paper #(
     reg hidden_16;
     reg [2:0] shift1_16;
     reg [15:0] x1_16;
-    reg [13:0] tilt1_signed_16;
+    reg [18:0] tilt1_cut_16;
+    reg alone1_16;
     reg [11:0] end1_even_16;
     reg [11:0] end1_odd_16;
     reg [6:0] texels1_000_16;
@@ -1442,7 +1440,8 @@ module image_paper #(
             hidden_16 <= hidden_15;
             shift1_16 <= shift1_15;
             x1_16 <= x1_15;
-            tilt1_signed_16 <= tilt1_signed_15;
+            tilt1_cut_16 <= tilt1_cut_15;
+            alone1_16 <= alone1_15;
             end1_even_16 <= end1_even_15;
             end1_odd_16 <= end1_odd_15;
             texels1_000_16 <= texels1_000_15;
@@ -1464,15 +1463,14 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 16: turn_more_exact1_even, turn_more_exact1_odd
-    // Q2.26: its part by the tilt
-    wire [28:0] turn_more_exact1_even_16 = $signed(in_turn1_even_16) * $signed(tilt1_signed_16);
-    // Q0.14: rounded down
-    wire [14:0] turn_more1_even_16 = turn_more_exact1_even_16[26:12];
-    // Q2.26: its part by the tilt
-    wire [28:0] turn_more_exact1_odd_16 = $signed(in_turn1_odd_16) * $signed(tilt1_signed_16);
-    // Q0.14: rounded down
-    wire [14:0] turn_more1_odd_16 = turn_more_exact1_odd_16[26:12];
+    // ===== Stage 16: tilt1_kept, tilt1
+    // UQ1.12: at most 1
+    wire [12:0] tilt1_kept_16 =
+        tilt1_cut_16[18] ? 13'h0000 : (|tilt1_cut_16[17:12]) ? 13'h1000 : tilt1_cut_16[12:0];
+    // UQ1.12: the sine of the angle to h; 1/2, which makes k = 3/4, where one image is alone
+    wire [12:0] tilt1_16 = alone1_16 ? 13'h0800 : tilt1_kept_16;
+    // Q1.12: a sign bit for the signed product
+    wire [13:0] tilt1_signed_16 = {1'd0, tilt1_16};
     reg [17:0] in_nz_17;
     reg [14:0] in_turn1_even_17;
     reg [14:0] in_turn1_odd_17;
@@ -1482,9 +1480,8 @@ module image_paper #(
     reg hidden_17;
     reg [2:0] shift1_17;
     reg [15:0] x1_17;
-    reg [14:0] turn_more1_even_17;
+    reg [13:0] tilt1_signed_17;
     reg [11:0] end1_even_17;
-    reg [14:0] turn_more1_odd_17;
     reg [11:0] end1_odd_17;
     reg [6:0] texels1_000_17;
     reg [6:0] texels1_001_17;
@@ -1513,9 +1510,8 @@ module image_paper #(
             hidden_17 <= hidden_16;
             shift1_17 <= shift1_16;
             x1_17 <= x1_16;
-            turn_more1_even_17 <= turn_more1_even_16;
+            tilt1_signed_17 <= tilt1_signed_16;
             end1_even_17 <= end1_even_16;
-            turn_more1_odd_17 <= turn_more1_odd_16;
             end1_odd_17 <= end1_odd_16;
             texels1_000_17 <= texels1_000_16;
             texels1_001_17 <= texels1_001_16;
@@ -1536,23 +1532,27 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 17: turn_exact1_even, turn_exact1_odd
-    // Q1.14: the turn k (phi_i - phi), in right angles
-    wire [15:0] turn_exact1_even_17 =
-        {{1{in_turn1_even_17[14]}}, in_turn1_even_17} + {{1{turn_more1_even_17[14]}}, turn_more1_even_17};
-    // Q1.14: the turn k (phi_i - phi), in right angles
-    wire [15:0] turn_exact1_odd_17 =
-        {{1{in_turn1_odd_17[14]}}, in_turn1_odd_17} + {{1{turn_more1_odd_17[14]}}, turn_more1_odd_17};
+    // ===== Stage 17: turn_more_exact1_even, turn_more_exact1_odd
+    // Q2.26: its part by the tilt
+    wire [28:0] turn_more_exact1_even_17 = $signed(in_turn1_even_17) * $signed(tilt1_signed_17);
+    // Q0.14: rounded down
+    wire [14:0] turn_more1_even_17 = turn_more_exact1_even_17[26:12];
+    // Q2.26: its part by the tilt
+    wire [28:0] turn_more_exact1_odd_17 = $signed(in_turn1_odd_17) * $signed(tilt1_signed_17);
+    // Q0.14: rounded down
+    wire [14:0] turn_more1_odd_17 = turn_more_exact1_odd_17[26:12];
     reg [17:0] in_nz_18;
+    reg [14:0] in_turn1_even_18;
+    reg [14:0] in_turn1_odd_18;
     reg [17:0] in_gain1r_18;
     reg [17:0] in_gain1g_18;
     reg [17:0] in_gain1b_18;
     reg hidden_18;
     reg [2:0] shift1_18;
     reg [15:0] x1_18;
-    reg [15:0] turn_exact1_even_18;
+    reg [14:0] turn_more1_even_18;
     reg [11:0] end1_even_18;
-    reg [15:0] turn_exact1_odd_18;
+    reg [14:0] turn_more1_odd_18;
     reg [11:0] end1_odd_18;
     reg [6:0] texels1_000_18;
     reg [6:0] texels1_001_18;
@@ -1573,15 +1573,17 @@ module image_paper #(
     always @(posedge clk) begin
         if (ce) begin
             in_nz_18 <= in_nz_17;
+            in_turn1_even_18 <= in_turn1_even_17;
+            in_turn1_odd_18 <= in_turn1_odd_17;
             in_gain1r_18 <= in_gain1r_17;
             in_gain1g_18 <= in_gain1g_17;
             in_gain1b_18 <= in_gain1b_17;
             hidden_18 <= hidden_17;
             shift1_18 <= shift1_17;
             x1_18 <= x1_17;
-            turn_exact1_even_18 <= turn_exact1_even_17;
+            turn_more1_even_18 <= turn_more1_even_17;
             end1_even_18 <= end1_even_17;
-            turn_exact1_odd_18 <= turn_exact1_odd_17;
+            turn_more1_odd_18 <= turn_more1_odd_17;
             end1_odd_18 <= end1_odd_17;
             texels1_000_18 <= texels1_000_17;
             texels1_001_18 <= texels1_001_17;
@@ -1602,15 +1604,13 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 18: turn1_even, turn1_odd
-    // Q0.14: less than a right angle
-    wire [14:0] turn1_even_18 = (turn_exact1_even_18[15] & ~&turn_exact1_even_18[14]) ? 15'h4000 :
-        (~turn_exact1_even_18[15] & |turn_exact1_even_18[14]) ? 15'h3fff :
-        turn_exact1_even_18[14:0];
-    // Q0.14: less than a right angle
-    wire [14:0] turn1_odd_18 = (turn_exact1_odd_18[15] & ~&turn_exact1_odd_18[14]) ? 15'h4000 :
-        (~turn_exact1_odd_18[15] & |turn_exact1_odd_18[14]) ? 15'h3fff :
-        turn_exact1_odd_18[14:0];
+    // ===== Stage 18: turn_exact1_even, turn_exact1_odd
+    // Q1.14: the turn k (phi_i - phi), in right angles
+    wire [15:0] turn_exact1_even_18 =
+        {{1{in_turn1_even_18[14]}}, in_turn1_even_18} + {{1{turn_more1_even_18[14]}}, turn_more1_even_18};
+    // Q1.14: the turn k (phi_i - phi), in right angles
+    wire [15:0] turn_exact1_odd_18 =
+        {{1{in_turn1_odd_18[14]}}, in_turn1_odd_18} + {{1{turn_more1_odd_18[14]}}, turn_more1_odd_18};
     reg [17:0] in_nz_19;
     reg [17:0] in_gain1r_19;
     reg [17:0] in_gain1g_19;
@@ -1618,9 +1618,9 @@ module image_paper #(
     reg hidden_19;
     reg [2:0] shift1_19;
     reg [15:0] x1_19;
-    reg [14:0] turn1_even_19;
+    reg [15:0] turn_exact1_even_19;
     reg [11:0] end1_even_19;
-    reg [14:0] turn1_odd_19;
+    reg [15:0] turn_exact1_odd_19;
     reg [11:0] end1_odd_19;
     reg [6:0] texels1_000_19;
     reg [6:0] texels1_001_19;
@@ -1647,9 +1647,9 @@ module image_paper #(
             hidden_19 <= hidden_18;
             shift1_19 <= shift1_18;
             x1_19 <= x1_18;
-            turn1_even_19 <= turn1_even_18;
+            turn_exact1_even_19 <= turn_exact1_even_18;
             end1_even_19 <= end1_even_18;
-            turn1_odd_19 <= turn1_odd_18;
+            turn_exact1_odd_19 <= turn_exact1_odd_18;
             end1_odd_19 <= end1_odd_18;
             texels1_000_19 <= texels1_000_18;
             texels1_001_19 <= texels1_001_18;
@@ -1670,31 +1670,15 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 19: turn_up1_even, turn_up1_odd
-    // UQ1.14: from minus a right angle
-    wire [14:0] turn_up1_even_19 = turn1_even_19 + 15'h4000;
-    // UQ1.6: the table's row
-    wire [6:0] step1_even_19 = turn_up1_even_19[14:8];
-    // UQ7.0: its number
-    wire [6:0] step_number1_even_19 = step1_even_19;
-    // UQ-6.14: the angle past it
-    wire [7:0] past1_even_19 = turn_up1_even_19[7:0];
-    // UQ0.8: as a part of the way to the next
-    wire [7:0] past_part1_even_19 = past1_even_19;
-    // Q0.8: a sign bit for the signed product
-    wire [8:0] past_part1_even_signed_19 = {1'd0, past_part1_even_19};
-    // UQ1.14: from minus a right angle
-    wire [14:0] turn_up1_odd_19 = turn1_odd_19 + 15'h4000;
-    // UQ1.6: the table's row
-    wire [6:0] step1_odd_19 = turn_up1_odd_19[14:8];
-    // UQ7.0: its number
-    wire [6:0] step_number1_odd_19 = step1_odd_19;
-    // UQ-6.14: the angle past it
-    wire [7:0] past1_odd_19 = turn_up1_odd_19[7:0];
-    // UQ0.8: as a part of the way to the next
-    wire [7:0] past_part1_odd_19 = past1_odd_19;
-    // Q0.8: a sign bit for the signed product
-    wire [8:0] past_part1_odd_signed_19 = {1'd0, past_part1_odd_19};
+    // ===== Stage 19: turn1_even, turn1_odd
+    // Q0.14: less than a right angle
+    wire [14:0] turn1_even_19 = (turn_exact1_even_19[15] & ~&turn_exact1_even_19[14]) ? 15'h4000 :
+        (~turn_exact1_even_19[15] & |turn_exact1_even_19[14]) ? 15'h3fff :
+        turn_exact1_even_19[14:0];
+    // Q0.14: less than a right angle
+    wire [14:0] turn1_odd_19 = (turn_exact1_odd_19[15] & ~&turn_exact1_odd_19[14]) ? 15'h4000 :
+        (~turn_exact1_odd_19[15] & |turn_exact1_odd_19[14]) ? 15'h3fff :
+        turn_exact1_odd_19[14:0];
     reg [17:0] in_nz_20;
     reg [17:0] in_gain1r_20;
     reg [17:0] in_gain1g_20;
@@ -1702,13 +1686,9 @@ module image_paper #(
     reg hidden_20;
     reg [2:0] shift1_20;
     reg [15:0] x1_20;
-    reg [6:0] step_number1_even_20;
-    reg [7:0] past_part1_even_20;
-    reg [8:0] past_part1_even_signed_20;
+    reg [14:0] turn1_even_20;
     reg [11:0] end1_even_20;
-    reg [6:0] step_number1_odd_20;
-    reg [7:0] past_part1_odd_20;
-    reg [8:0] past_part1_odd_signed_20;
+    reg [14:0] turn1_odd_20;
     reg [11:0] end1_odd_20;
     reg [6:0] texels1_000_20;
     reg [6:0] texels1_001_20;
@@ -1735,13 +1715,9 @@ module image_paper #(
             hidden_20 <= hidden_19;
             shift1_20 <= shift1_19;
             x1_20 <= x1_19;
-            step_number1_even_20 <= step_number1_even_19;
-            past_part1_even_20 <= past_part1_even_19;
-            past_part1_even_signed_20 <= past_part1_even_signed_19;
+            turn1_even_20 <= turn1_even_19;
             end1_even_20 <= end1_even_19;
-            step_number1_odd_20 <= step_number1_odd_19;
-            past_part1_odd_20 <= past_part1_odd_19;
-            past_part1_odd_signed_20 <= past_part1_odd_signed_19;
+            turn1_odd_20 <= turn1_odd_19;
             end1_odd_20 <= end1_odd_19;
             texels1_000_20 <= texels1_000_19;
             texels1_001_20 <= texels1_001_19;
@@ -1762,21 +1738,31 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 20: read sines_1_even, read sines_1_odd
-    // The word of the memory sines_1_even, of 128 words.
-    reg [52:0] sines_1_even_21;
-    // The word of the memory sines_1_odd, of 128 words.
-    reg [52:0] sines_1_odd_21;
-    reg [52:0] sines_1_even [0:127];
-    initial $readmemh(SINES_1_EVEN_FILE, sines_1_even);
-    always @(posedge clk) begin
-        if (ce) sines_1_even_21 <= sines_1_even[step_number1_even_20];
-    end
-    reg [52:0] sines_1_odd [0:127];
-    initial $readmemh(SINES_1_ODD_FILE, sines_1_odd);
-    always @(posedge clk) begin
-        if (ce) sines_1_odd_21 <= sines_1_odd[step_number1_odd_20];
-    end
+    // ===== Stage 20: turn_up1_even, turn_up1_odd
+    // UQ1.14: from minus a right angle
+    wire [14:0] turn_up1_even_20 = turn1_even_20 + 15'h4000;
+    // UQ1.6: the table's row
+    wire [6:0] step1_even_20 = turn_up1_even_20[14:8];
+    // UQ7.0: its number
+    wire [6:0] step_number1_even_20 = step1_even_20;
+    // UQ-6.14: the angle past it
+    wire [7:0] past1_even_20 = turn_up1_even_20[7:0];
+    // UQ0.8: as a part of the way to the next
+    wire [7:0] past_part1_even_20 = past1_even_20;
+    // Q0.8: a sign bit for the signed product
+    wire [8:0] past_part1_even_signed_20 = {1'd0, past_part1_even_20};
+    // UQ1.14: from minus a right angle
+    wire [14:0] turn_up1_odd_20 = turn1_odd_20 + 15'h4000;
+    // UQ1.6: the table's row
+    wire [6:0] step1_odd_20 = turn_up1_odd_20[14:8];
+    // UQ7.0: its number
+    wire [6:0] step_number1_odd_20 = step1_odd_20;
+    // UQ-6.14: the angle past it
+    wire [7:0] past1_odd_20 = turn_up1_odd_20[7:0];
+    // UQ0.8: as a part of the way to the next
+    wire [7:0] past_part1_odd_20 = past1_odd_20;
+    // Q0.8: a sign bit for the signed product
+    wire [8:0] past_part1_odd_signed_20 = {1'd0, past_part1_odd_20};
     reg [17:0] in_nz_21;
     reg [17:0] in_gain1r_21;
     reg [17:0] in_gain1g_21;
@@ -1784,9 +1770,11 @@ module image_paper #(
     reg hidden_21;
     reg [2:0] shift1_21;
     reg [15:0] x1_21;
+    reg [6:0] step_number1_even_21;
     reg [7:0] past_part1_even_21;
     reg [8:0] past_part1_even_signed_21;
     reg [11:0] end1_even_21;
+    reg [6:0] step_number1_odd_21;
     reg [7:0] past_part1_odd_21;
     reg [8:0] past_part1_odd_signed_21;
     reg [11:0] end1_odd_21;
@@ -1815,9 +1803,11 @@ module image_paper #(
             hidden_21 <= hidden_20;
             shift1_21 <= shift1_20;
             x1_21 <= x1_20;
+            step_number1_even_21 <= step_number1_even_20;
             past_part1_even_21 <= past_part1_even_20;
             past_part1_even_signed_21 <= past_part1_even_signed_20;
             end1_even_21 <= end1_even_20;
+            step_number1_odd_21 <= step_number1_odd_20;
             past_part1_odd_21 <= past_part1_odd_20;
             past_part1_odd_signed_21 <= past_part1_odd_signed_20;
             end1_odd_21 <= end1_odd_20;
@@ -1840,23 +1830,21 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 21: registers only
-    // Q0.14: the sine
-    wire [14:0] sine_1_even_21 = sines_1_even_21[52:38];
-    // UQ-5.16: what it rises by to the next row
-    wire [10:0] sine_rise_1_even_21 = sines_1_even_21[37:27];
-    // UQ1.14: the cosine
-    wire [14:0] cosine_1_even_21 = sines_1_even_21[26:12];
-    // Q-5.16: what it rises by to the next row
-    wire [11:0] cosine_rise_1_even_21 = sines_1_even_21[11:0];
-    // Q0.14: the sine
-    wire [14:0] sine_1_odd_21 = sines_1_odd_21[52:38];
-    // UQ-5.16: what it rises by to the next row
-    wire [10:0] sine_rise_1_odd_21 = sines_1_odd_21[37:27];
-    // UQ1.14: the cosine
-    wire [14:0] cosine_1_odd_21 = sines_1_odd_21[26:12];
-    // Q-5.16: what it rises by to the next row
-    wire [11:0] cosine_rise_1_odd_21 = sines_1_odd_21[11:0];
+    // ===== Stage 21: read sines_1_even, read sines_1_odd
+    // The word of the memory sines_1_even, of 128 words.
+    reg [52:0] sines_1_even_22;
+    // The word of the memory sines_1_odd, of 128 words.
+    reg [52:0] sines_1_odd_22;
+    reg [52:0] sines_1_even [0:127];
+    initial $readmemh(SINES_1_EVEN_FILE, sines_1_even);
+    always @(posedge clk) begin
+        if (ce) sines_1_even_22 <= sines_1_even[step_number1_even_21];
+    end
+    reg [52:0] sines_1_odd [0:127];
+    initial $readmemh(SINES_1_ODD_FILE, sines_1_odd);
+    always @(posedge clk) begin
+        if (ce) sines_1_odd_22 <= sines_1_odd[step_number1_odd_21];
+    end
     reg [17:0] in_nz_22;
     reg [17:0] in_gain1r_22;
     reg [17:0] in_gain1g_22;
@@ -1865,17 +1853,9 @@ module image_paper #(
     reg [2:0] shift1_22;
     reg [15:0] x1_22;
     reg [7:0] past_part1_even_22;
-    reg [14:0] sine_1_even_22;
-    reg [10:0] sine_rise_1_even_22;
-    reg [14:0] cosine_1_even_22;
-    reg [11:0] cosine_rise_1_even_22;
     reg [8:0] past_part1_even_signed_22;
     reg [11:0] end1_even_22;
     reg [7:0] past_part1_odd_22;
-    reg [14:0] sine_1_odd_22;
-    reg [10:0] sine_rise_1_odd_22;
-    reg [14:0] cosine_1_odd_22;
-    reg [11:0] cosine_rise_1_odd_22;
     reg [8:0] past_part1_odd_signed_22;
     reg [11:0] end1_odd_22;
     reg [6:0] texels1_000_22;
@@ -1904,17 +1884,9 @@ module image_paper #(
             shift1_22 <= shift1_21;
             x1_22 <= x1_21;
             past_part1_even_22 <= past_part1_even_21;
-            sine_1_even_22 <= sine_1_even_21;
-            sine_rise_1_even_22 <= sine_rise_1_even_21;
-            cosine_1_even_22 <= cosine_1_even_21;
-            cosine_rise_1_even_22 <= cosine_rise_1_even_21;
             past_part1_even_signed_22 <= past_part1_even_signed_21;
             end1_even_22 <= end1_even_21;
             past_part1_odd_22 <= past_part1_odd_21;
-            sine_1_odd_22 <= sine_1_odd_21;
-            sine_rise_1_odd_22 <= sine_rise_1_odd_21;
-            cosine_1_odd_22 <= cosine_1_odd_21;
-            cosine_rise_1_odd_22 <= cosine_rise_1_odd_21;
             past_part1_odd_signed_22 <= past_part1_odd_signed_21;
             end1_odd_22 <= end1_odd_21;
             texels1_000_22 <= texels1_000_21;
@@ -1937,6 +1909,22 @@ module image_paper #(
     end
 
     // ===== Stage 22: registers only
+    // Q0.14: the sine
+    wire [14:0] sine_1_even_22 = sines_1_even_22[52:38];
+    // UQ-5.16: what it rises by to the next row
+    wire [10:0] sine_rise_1_even_22 = sines_1_even_22[37:27];
+    // UQ1.14: the cosine
+    wire [14:0] cosine_1_even_22 = sines_1_even_22[26:12];
+    // Q-5.16: what it rises by to the next row
+    wire [11:0] cosine_rise_1_even_22 = sines_1_even_22[11:0];
+    // Q0.14: the sine
+    wire [14:0] sine_1_odd_22 = sines_1_odd_22[52:38];
+    // UQ-5.16: what it rises by to the next row
+    wire [10:0] sine_rise_1_odd_22 = sines_1_odd_22[37:27];
+    // UQ1.14: the cosine
+    wire [14:0] cosine_1_odd_22 = sines_1_odd_22[26:12];
+    // Q-5.16: what it rises by to the next row
+    wire [11:0] cosine_rise_1_odd_22 = sines_1_odd_22[11:0];
     reg [17:0] in_nz_23;
     reg [17:0] in_gain1r_23;
     reg [17:0] in_gain1g_23;
@@ -2016,17 +2004,7 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 23: sin_part1_even, cos_part1_even, sin_part1_odd and 1 more
-    // UQ-5.24: its part of the rise
-    wire [18:0] sin_part1_even_23 = sine_rise_1_even_23 * past_part1_even_23;
-    // Q-4.24: its part of the rise
-    wire [20:0] cos_part1_even_23 =
-        $signed(cosine_rise_1_even_23) * $signed(past_part1_even_signed_23);
-    // UQ-5.24: its part of the rise
-    wire [18:0] sin_part1_odd_23 = sine_rise_1_odd_23 * past_part1_odd_23;
-    // Q-4.24: its part of the rise
-    wire [20:0] cos_part1_odd_23 =
-        $signed(cosine_rise_1_odd_23) * $signed(past_part1_odd_signed_23);
+    // ===== Stage 23: registers only
     reg [17:0] in_nz_24;
     reg [17:0] in_gain1r_24;
     reg [17:0] in_gain1g_24;
@@ -2034,15 +2012,19 @@ module image_paper #(
     reg hidden_24;
     reg [2:0] shift1_24;
     reg [15:0] x1_24;
+    reg [7:0] past_part1_even_24;
     reg [14:0] sine_1_even_24;
+    reg [10:0] sine_rise_1_even_24;
     reg [14:0] cosine_1_even_24;
-    reg [18:0] sin_part1_even_24;
-    reg [20:0] cos_part1_even_24;
+    reg [11:0] cosine_rise_1_even_24;
+    reg [8:0] past_part1_even_signed_24;
     reg [11:0] end1_even_24;
+    reg [7:0] past_part1_odd_24;
     reg [14:0] sine_1_odd_24;
+    reg [10:0] sine_rise_1_odd_24;
     reg [14:0] cosine_1_odd_24;
-    reg [18:0] sin_part1_odd_24;
-    reg [20:0] cos_part1_odd_24;
+    reg [11:0] cosine_rise_1_odd_24;
+    reg [8:0] past_part1_odd_signed_24;
     reg [11:0] end1_odd_24;
     reg [6:0] texels1_000_24;
     reg [6:0] texels1_001_24;
@@ -2069,15 +2051,19 @@ module image_paper #(
             hidden_24 <= hidden_23;
             shift1_24 <= shift1_23;
             x1_24 <= x1_23;
+            past_part1_even_24 <= past_part1_even_23;
             sine_1_even_24 <= sine_1_even_23;
+            sine_rise_1_even_24 <= sine_rise_1_even_23;
             cosine_1_even_24 <= cosine_1_even_23;
-            sin_part1_even_24 <= sin_part1_even_23;
-            cos_part1_even_24 <= cos_part1_even_23;
+            cosine_rise_1_even_24 <= cosine_rise_1_even_23;
+            past_part1_even_signed_24 <= past_part1_even_signed_23;
             end1_even_24 <= end1_even_23;
+            past_part1_odd_24 <= past_part1_odd_23;
             sine_1_odd_24 <= sine_1_odd_23;
+            sine_rise_1_odd_24 <= sine_rise_1_odd_23;
             cosine_1_odd_24 <= cosine_1_odd_23;
-            sin_part1_odd_24 <= sin_part1_odd_23;
-            cos_part1_odd_24 <= cos_part1_odd_23;
+            cosine_rise_1_odd_24 <= cosine_rise_1_odd_23;
+            past_part1_odd_signed_24 <= past_part1_odd_signed_23;
             end1_odd_24 <= end1_odd_23;
             texels1_000_24 <= texels1_000_23;
             texels1_001_24 <= texels1_001_23;
@@ -2098,27 +2084,17 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 24: sin_exact1_even, cos_exact1_even, sin_exact1_odd and 1 more
-    // Q1.24: between two rows
-    wire [25:0] sin_exact1_even_24 =
-        {{1{sine_1_even_24[14]}}, sine_1_even_24, 10'd0} + {7'd0, sin_part1_even_24};
-    // Q1.14: rounded down
-    wire [15:0] sin1_even_24 = sin_exact1_even_24[25:10];
-    // Q1.24: between two rows
-    wire [25:0] cos_exact1_even_24 =
-        {1'd0, cosine_1_even_24, 10'd0} + {{5{cos_part1_even_24[20]}}, cos_part1_even_24};
-    // Q1.14: rounded down
-    wire [15:0] cos1_even_24 = cos_exact1_even_24[25:10];
-    // Q1.24: between two rows
-    wire [25:0] sin_exact1_odd_24 =
-        {{1{sine_1_odd_24[14]}}, sine_1_odd_24, 10'd0} + {7'd0, sin_part1_odd_24};
-    // Q1.14: rounded down
-    wire [15:0] sin1_odd_24 = sin_exact1_odd_24[25:10];
-    // Q1.24: between two rows
-    wire [25:0] cos_exact1_odd_24 =
-        {1'd0, cosine_1_odd_24, 10'd0} + {{5{cos_part1_odd_24[20]}}, cos_part1_odd_24};
-    // Q1.14: rounded down
-    wire [15:0] cos1_odd_24 = cos_exact1_odd_24[25:10];
+    // ===== Stage 24: sin_part1_even, cos_part1_even, sin_part1_odd and 1 more
+    // UQ-5.24: its part of the rise
+    wire [18:0] sin_part1_even_24 = sine_rise_1_even_24 * past_part1_even_24;
+    // Q-4.24: its part of the rise
+    wire [20:0] cos_part1_even_24 =
+        $signed(cosine_rise_1_even_24) * $signed(past_part1_even_signed_24);
+    // UQ-5.24: its part of the rise
+    wire [18:0] sin_part1_odd_24 = sine_rise_1_odd_24 * past_part1_odd_24;
+    // Q-4.24: its part of the rise
+    wire [20:0] cos_part1_odd_24 =
+        $signed(cosine_rise_1_odd_24) * $signed(past_part1_odd_signed_24);
     reg [17:0] in_nz_25;
     reg [17:0] in_gain1r_25;
     reg [17:0] in_gain1g_25;
@@ -2126,11 +2102,15 @@ module image_paper #(
     reg hidden_25;
     reg [2:0] shift1_25;
     reg [15:0] x1_25;
-    reg [15:0] sin1_even_25;
-    reg [15:0] cos1_even_25;
+    reg [14:0] sine_1_even_25;
+    reg [14:0] cosine_1_even_25;
+    reg [18:0] sin_part1_even_25;
+    reg [20:0] cos_part1_even_25;
     reg [11:0] end1_even_25;
-    reg [15:0] sin1_odd_25;
-    reg [15:0] cos1_odd_25;
+    reg [14:0] sine_1_odd_25;
+    reg [14:0] cosine_1_odd_25;
+    reg [18:0] sin_part1_odd_25;
+    reg [20:0] cos_part1_odd_25;
     reg [11:0] end1_odd_25;
     reg [6:0] texels1_000_25;
     reg [6:0] texels1_001_25;
@@ -2157,11 +2137,15 @@ module image_paper #(
             hidden_25 <= hidden_24;
             shift1_25 <= shift1_24;
             x1_25 <= x1_24;
-            sin1_even_25 <= sin1_even_24;
-            cos1_even_25 <= cos1_even_24;
+            sine_1_even_25 <= sine_1_even_24;
+            cosine_1_even_25 <= cosine_1_even_24;
+            sin_part1_even_25 <= sin_part1_even_24;
+            cos_part1_even_25 <= cos_part1_even_24;
             end1_even_25 <= end1_even_24;
-            sin1_odd_25 <= sin1_odd_24;
-            cos1_odd_25 <= cos1_odd_24;
+            sine_1_odd_25 <= sine_1_odd_24;
+            cosine_1_odd_25 <= cosine_1_odd_24;
+            sin_part1_odd_25 <= sin_part1_odd_24;
+            cos_part1_odd_25 <= cos_part1_odd_24;
             end1_odd_25 <= end1_odd_24;
             texels1_000_25 <= texels1_000_24;
             texels1_001_25 <= texels1_001_24;
@@ -2182,53 +2166,23 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 25: xc1_even_exact, zs1_even_exact, zc1_even_exact and 5 more
-    // Q3.28: x cos
-    wire [31:0] xc1_even_exact_25 = $signed(x1_25) * $signed(cos1_even_25);
-    // Q1.14: rounded down
-    wire [15:0] xc1_even_25 = xc1_even_exact_25[29:14];
-    // Q3.30: z sin
-    wire [33:0] zs1_even_exact_25 = $signed(in_nz_25) * $signed(sin1_even_25);
-    // Q2.14: rounded down
-    wire [16:0] zs1_even_25 = zs1_even_exact_25[32:16];
-    // Q3.30: z cos
-    wire [33:0] zc1_even_exact_25 = $signed(in_nz_25) * $signed(cos1_even_25);
-    // Q2.14: rounded down
-    wire [16:0] zc1_even_25 = zc1_even_exact_25[32:16];
-    // Q3.28: x sin
-    wire [31:0] xs1_even_exact_25 = $signed(x1_25) * $signed(sin1_even_25);
-    // Q1.14: rounded down
-    wire [15:0] xs1_even_25 = xs1_even_exact_25[29:14];
-    // Q3.28: x cos
-    wire [31:0] xc1_odd_exact_25 = $signed(x1_25) * $signed(cos1_odd_25);
-    // Q1.14: rounded down
-    wire [15:0] xc1_odd_25 = xc1_odd_exact_25[29:14];
-    // Q3.30: z sin
-    wire [33:0] zs1_odd_exact_25 = $signed(in_nz_25) * $signed(sin1_odd_25);
-    // Q2.14: rounded down
-    wire [16:0] zs1_odd_25 = zs1_odd_exact_25[32:16];
-    // Q3.30: z cos
-    wire [33:0] zc1_odd_exact_25 = $signed(in_nz_25) * $signed(cos1_odd_25);
-    // Q2.14: rounded down
-    wire [16:0] zc1_odd_25 = zc1_odd_exact_25[32:16];
-    // Q3.28: x sin
-    wire [31:0] xs1_odd_exact_25 = $signed(x1_25) * $signed(sin1_odd_25);
-    // Q1.14: rounded down
-    wire [15:0] xs1_odd_25 = xs1_odd_exact_25[29:14];
+    // ===== Stage 25: registers only
+    reg [17:0] in_nz_26;
     reg [17:0] in_gain1r_26;
     reg [17:0] in_gain1g_26;
     reg [17:0] in_gain1b_26;
     reg hidden_26;
     reg [2:0] shift1_26;
-    reg [15:0] xc1_even_26;
-    reg [16:0] zs1_even_26;
-    reg [16:0] zc1_even_26;
-    reg [15:0] xs1_even_26;
+    reg [15:0] x1_26;
+    reg [14:0] sine_1_even_26;
+    reg [14:0] cosine_1_even_26;
+    reg [18:0] sin_part1_even_26;
+    reg [20:0] cos_part1_even_26;
     reg [11:0] end1_even_26;
-    reg [15:0] xc1_odd_26;
-    reg [16:0] zs1_odd_26;
-    reg [16:0] zc1_odd_26;
-    reg [15:0] xs1_odd_26;
+    reg [14:0] sine_1_odd_26;
+    reg [14:0] cosine_1_odd_26;
+    reg [18:0] sin_part1_odd_26;
+    reg [20:0] cos_part1_odd_26;
     reg [11:0] end1_odd_26;
     reg [6:0] texels1_000_26;
     reg [6:0] texels1_001_26;
@@ -2248,20 +2202,22 @@ module image_paper #(
     reg [7:0] blend1_signed_26;
     always @(posedge clk) begin
         if (ce) begin
+            in_nz_26 <= in_nz_25;
             in_gain1r_26 <= in_gain1r_25;
             in_gain1g_26 <= in_gain1g_25;
             in_gain1b_26 <= in_gain1b_25;
             hidden_26 <= hidden_25;
             shift1_26 <= shift1_25;
-            xc1_even_26 <= xc1_even_25;
-            zs1_even_26 <= zs1_even_25;
-            zc1_even_26 <= zc1_even_25;
-            xs1_even_26 <= xs1_even_25;
+            x1_26 <= x1_25;
+            sine_1_even_26 <= sine_1_even_25;
+            cosine_1_even_26 <= cosine_1_even_25;
+            sin_part1_even_26 <= sin_part1_even_25;
+            cos_part1_even_26 <= cos_part1_even_25;
             end1_even_26 <= end1_even_25;
-            xc1_odd_26 <= xc1_odd_25;
-            zs1_odd_26 <= zs1_odd_25;
-            zc1_odd_26 <= zc1_odd_25;
-            xs1_odd_26 <= xs1_odd_25;
+            sine_1_odd_26 <= sine_1_odd_25;
+            cosine_1_odd_26 <= cosine_1_odd_25;
+            sin_part1_odd_26 <= sin_part1_odd_25;
+            cos_part1_odd_26 <= cos_part1_odd_25;
             end1_odd_26 <= end1_odd_25;
             texels1_000_26 <= texels1_000_25;
             texels1_001_26 <= texels1_001_25;
@@ -2282,29 +2238,39 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 26: across1_even, behind1_even, across1_odd, behind1_odd
-    // Q2.14: x of the turned normal
-    wire [16:0] across1_even_26 = {{1{xc1_even_26[15]}}, xc1_even_26} + zs1_even_26;
-    // UQ1.0: whether it is behind the rim, z < 0
-    wire behind1_even_26 = $signed({{1{xs1_even_26[15]}}, xs1_even_26}) > $signed(zc1_even_26);
-    // Q7.9: in texels from the middle
-    wire [16:0] u1_even_scaled_26 = across1_even_26;
-    // Q2.14: x of the turned normal
-    wire [16:0] across1_odd_26 = {{1{xc1_odd_26[15]}}, xc1_odd_26} + zs1_odd_26;
-    // UQ1.0: whether it is behind the rim, z < 0
-    wire behind1_odd_26 = $signed({{1{xs1_odd_26[15]}}, xs1_odd_26}) > $signed(zc1_odd_26);
-    // Q7.9: in texels from the middle
-    wire [16:0] u1_odd_scaled_26 = across1_odd_26;
+    // ===== Stage 26: sin_exact1_even, cos_exact1_even, sin_exact1_odd and 1 more
+    // Q1.24: between two rows
+    wire [25:0] sin_exact1_even_26 =
+        {{1{sine_1_even_26[14]}}, sine_1_even_26, 10'd0} + {7'd0, sin_part1_even_26};
+    // Q1.14: rounded down
+    wire [15:0] sin1_even_26 = sin_exact1_even_26[25:10];
+    // Q1.24: between two rows
+    wire [25:0] cos_exact1_even_26 =
+        {1'd0, cosine_1_even_26, 10'd0} + {{5{cos_part1_even_26[20]}}, cos_part1_even_26};
+    // Q1.14: rounded down
+    wire [15:0] cos1_even_26 = cos_exact1_even_26[25:10];
+    // Q1.24: between two rows
+    wire [25:0] sin_exact1_odd_26 =
+        {{1{sine_1_odd_26[14]}}, sine_1_odd_26, 10'd0} + {7'd0, sin_part1_odd_26};
+    // Q1.14: rounded down
+    wire [15:0] sin1_odd_26 = sin_exact1_odd_26[25:10];
+    // Q1.24: between two rows
+    wire [25:0] cos_exact1_odd_26 =
+        {1'd0, cosine_1_odd_26, 10'd0} + {{5{cos_part1_odd_26[20]}}, cos_part1_odd_26};
+    // Q1.14: rounded down
+    wire [15:0] cos1_odd_26 = cos_exact1_odd_26[25:10];
+    reg [17:0] in_nz_27;
     reg [17:0] in_gain1r_27;
     reg [17:0] in_gain1g_27;
     reg [17:0] in_gain1b_27;
     reg hidden_27;
     reg [2:0] shift1_27;
-    reg behind1_even_27;
-    reg [16:0] u1_even_scaled_27;
+    reg [15:0] x1_27;
+    reg [15:0] sin1_even_27;
+    reg [15:0] cos1_even_27;
     reg [11:0] end1_even_27;
-    reg behind1_odd_27;
-    reg [16:0] u1_odd_scaled_27;
+    reg [15:0] sin1_odd_27;
+    reg [15:0] cos1_odd_27;
     reg [11:0] end1_odd_27;
     reg [6:0] texels1_000_27;
     reg [6:0] texels1_001_27;
@@ -2324,16 +2290,18 @@ module image_paper #(
     reg [7:0] blend1_signed_27;
     always @(posedge clk) begin
         if (ce) begin
+            in_nz_27 <= in_nz_26;
             in_gain1r_27 <= in_gain1r_26;
             in_gain1g_27 <= in_gain1g_26;
             in_gain1b_27 <= in_gain1b_26;
             hidden_27 <= hidden_26;
             shift1_27 <= shift1_26;
-            behind1_even_27 <= behind1_even_26;
-            u1_even_scaled_27 <= u1_even_scaled_26;
+            x1_27 <= x1_26;
+            sin1_even_27 <= sin1_even_26;
+            cos1_even_27 <= cos1_even_26;
             end1_even_27 <= end1_even_26;
-            behind1_odd_27 <= behind1_odd_26;
-            u1_odd_scaled_27 <= u1_odd_scaled_26;
+            sin1_odd_27 <= sin1_odd_26;
+            cos1_odd_27 <= cos1_odd_26;
             end1_odd_27 <= end1_odd_26;
             texels1_000_27 <= texels1_000_26;
             texels1_001_27 <= texels1_001_26;
@@ -2354,25 +2322,53 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 27: u1_even_place, u1_odd_place
-    // Q8.9: from the first, plus half a weight's last bit
-    wire [17:0] u1_even_place_27 = {{1{u1_even_scaled_27[16]}}, u1_even_scaled_27} + 18'h03f04;
-    // Q8.6: rounded to the nearest weight
-    wire [14:0] u1_even_cut_27 = u1_even_place_27[17:3];
-    // Q8.9: from the first, plus half a weight's last bit
-    wire [17:0] u1_odd_place_27 = {{1{u1_odd_scaled_27[16]}}, u1_odd_scaled_27} + 18'h03f04;
-    // Q8.6: rounded to the nearest weight
-    wire [14:0] u1_odd_cut_27 = u1_odd_place_27[17:3];
+    // ===== Stage 27: xc1_even_exact, zs1_even_exact, zc1_even_exact and 5 more
+    // Q3.28: x cos
+    wire [31:0] xc1_even_exact_27 = $signed(x1_27) * $signed(cos1_even_27);
+    // Q1.14: rounded down
+    wire [15:0] xc1_even_27 = xc1_even_exact_27[29:14];
+    // Q3.30: z sin
+    wire [33:0] zs1_even_exact_27 = $signed(in_nz_27) * $signed(sin1_even_27);
+    // Q2.14: rounded down
+    wire [16:0] zs1_even_27 = zs1_even_exact_27[32:16];
+    // Q3.30: z cos
+    wire [33:0] zc1_even_exact_27 = $signed(in_nz_27) * $signed(cos1_even_27);
+    // Q2.14: rounded down
+    wire [16:0] zc1_even_27 = zc1_even_exact_27[32:16];
+    // Q3.28: x sin
+    wire [31:0] xs1_even_exact_27 = $signed(x1_27) * $signed(sin1_even_27);
+    // Q1.14: rounded down
+    wire [15:0] xs1_even_27 = xs1_even_exact_27[29:14];
+    // Q3.28: x cos
+    wire [31:0] xc1_odd_exact_27 = $signed(x1_27) * $signed(cos1_odd_27);
+    // Q1.14: rounded down
+    wire [15:0] xc1_odd_27 = xc1_odd_exact_27[29:14];
+    // Q3.30: z sin
+    wire [33:0] zs1_odd_exact_27 = $signed(in_nz_27) * $signed(sin1_odd_27);
+    // Q2.14: rounded down
+    wire [16:0] zs1_odd_27 = zs1_odd_exact_27[32:16];
+    // Q3.30: z cos
+    wire [33:0] zc1_odd_exact_27 = $signed(in_nz_27) * $signed(cos1_odd_27);
+    // Q2.14: rounded down
+    wire [16:0] zc1_odd_27 = zc1_odd_exact_27[32:16];
+    // Q3.28: x sin
+    wire [31:0] xs1_odd_exact_27 = $signed(x1_27) * $signed(sin1_odd_27);
+    // Q1.14: rounded down
+    wire [15:0] xs1_odd_27 = xs1_odd_exact_27[29:14];
     reg [17:0] in_gain1r_28;
     reg [17:0] in_gain1g_28;
     reg [17:0] in_gain1b_28;
     reg hidden_28;
     reg [2:0] shift1_28;
-    reg behind1_even_28;
-    reg [14:0] u1_even_cut_28;
+    reg [15:0] xc1_even_28;
+    reg [16:0] zs1_even_28;
+    reg [16:0] zc1_even_28;
+    reg [15:0] xs1_even_28;
     reg [11:0] end1_even_28;
-    reg behind1_odd_28;
-    reg [14:0] u1_odd_cut_28;
+    reg [15:0] xc1_odd_28;
+    reg [16:0] zs1_odd_28;
+    reg [16:0] zc1_odd_28;
+    reg [15:0] xs1_odd_28;
     reg [11:0] end1_odd_28;
     reg [6:0] texels1_000_28;
     reg [6:0] texels1_001_28;
@@ -2397,11 +2393,15 @@ module image_paper #(
             in_gain1b_28 <= in_gain1b_27;
             hidden_28 <= hidden_27;
             shift1_28 <= shift1_27;
-            behind1_even_28 <= behind1_even_27;
-            u1_even_cut_28 <= u1_even_cut_27;
+            xc1_even_28 <= xc1_even_27;
+            zs1_even_28 <= zs1_even_27;
+            zc1_even_28 <= zc1_even_27;
+            xs1_even_28 <= xs1_even_27;
             end1_even_28 <= end1_even_27;
-            behind1_odd_28 <= behind1_odd_27;
-            u1_odd_cut_28 <= u1_odd_cut_27;
+            xc1_odd_28 <= xc1_odd_27;
+            zs1_odd_28 <= zs1_odd_27;
+            zc1_odd_28 <= zc1_odd_27;
+            xs1_odd_28 <= xs1_odd_27;
             end1_odd_28 <= end1_odd_27;
             texels1_000_28 <= texels1_000_27;
             texels1_001_28 <= texels1_001_27;
@@ -2422,56 +2422,30 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 28: u1_even_kept, u_at1_even, u1_odd_kept, u_at1_odd
-    // UQ6.6: between the outermost centres
-    wire [11:0] u1_even_kept_28 =
-        u1_even_cut_28[14] ? 12'h000 : (u1_even_cut_28 > 15'h0fc0) ? 12'hfc0 : u1_even_cut_28[11:0];
-    // UQ6.6: that end from behind the rim
-    wire [11:0] u_at1_even_28 = behind1_even_28 ? end1_even_28 : u1_even_kept_28;
-    // UQ6.0: the texel at or below it
-    wire [5:0] u1_even_texel_28 = u_at1_even_28[11:6];
-    // UQ0.6: the weight of the next
-    wire [5:0] u1_even_weight_28 = u_at1_even_28[5:0];
-    // UQ6.-1: its leading bits
-    wire [4:0] u1_even_odd_high_28 = u1_even_texel_28[5:1];
-    // UQ5.0: the odd one of both
-    wire [4:0] u1_even_odd_28 = u1_even_odd_high_28;
-    // UQ1.0: its last bit
-    wire u1_even_is_odd_28 = u1_even_texel_28[0];
-    // UQ1.6: in the wider of two formats
-    wire [6:0] u1_even_weight_wide_28 = {1'd0, u1_even_weight_28};
-    // UQ6.6: between the outermost centres
-    wire [11:0] u1_odd_kept_28 =
-        u1_odd_cut_28[14] ? 12'h000 : (u1_odd_cut_28 > 15'h0fc0) ? 12'hfc0 : u1_odd_cut_28[11:0];
-    // UQ6.6: that end from behind the rim
-    wire [11:0] u_at1_odd_28 = behind1_odd_28 ? end1_odd_28 : u1_odd_kept_28;
-    // UQ6.0: the texel at or below it
-    wire [5:0] u1_odd_texel_28 = u_at1_odd_28[11:6];
-    // UQ0.6: the weight of the next
-    wire [5:0] u1_odd_weight_28 = u_at1_odd_28[5:0];
-    // UQ6.-1: its leading bits
-    wire [4:0] u1_odd_odd_high_28 = u1_odd_texel_28[5:1];
-    // UQ5.0: the odd one of both
-    wire [4:0] u1_odd_odd_28 = u1_odd_odd_high_28;
-    // UQ1.0: its last bit
-    wire u1_odd_is_odd_28 = u1_odd_texel_28[0];
-    // UQ1.6: in the wider of two formats
-    wire [6:0] u1_odd_weight_wide_28 = {1'd0, u1_odd_weight_28};
+    // ===== Stage 28: across1_even, behind1_even, across1_odd, behind1_odd
+    // Q2.14: x of the turned normal
+    wire [16:0] across1_even_28 = {{1{xc1_even_28[15]}}, xc1_even_28} + zs1_even_28;
+    // UQ1.0: whether it is behind the rim, z < 0
+    wire behind1_even_28 = $signed({{1{xs1_even_28[15]}}, xs1_even_28}) > $signed(zc1_even_28);
+    // Q7.9: in texels from the middle
+    wire [16:0] u1_even_scaled_28 = across1_even_28;
+    // Q2.14: x of the turned normal
+    wire [16:0] across1_odd_28 = {{1{xc1_odd_28[15]}}, xc1_odd_28} + zs1_odd_28;
+    // UQ1.0: whether it is behind the rim, z < 0
+    wire behind1_odd_28 = $signed({{1{xs1_odd_28[15]}}, xs1_odd_28}) > $signed(zc1_odd_28);
+    // Q7.9: in texels from the middle
+    wire [16:0] u1_odd_scaled_28 = across1_odd_28;
     reg [17:0] in_gain1r_29;
     reg [17:0] in_gain1g_29;
     reg [17:0] in_gain1b_29;
     reg hidden_29;
     reg [2:0] shift1_29;
-    reg [5:0] u1_even_texel_29;
-    reg [5:0] u1_even_weight_29;
-    reg [4:0] u1_even_odd_29;
-    reg u1_even_is_odd_29;
-    reg [6:0] u1_even_weight_wide_29;
-    reg [5:0] u1_odd_texel_29;
-    reg [5:0] u1_odd_weight_29;
-    reg [4:0] u1_odd_odd_29;
-    reg u1_odd_is_odd_29;
-    reg [6:0] u1_odd_weight_wide_29;
+    reg behind1_even_29;
+    reg [16:0] u1_even_scaled_29;
+    reg [11:0] end1_even_29;
+    reg behind1_odd_29;
+    reg [16:0] u1_odd_scaled_29;
+    reg [11:0] end1_odd_29;
     reg [6:0] texels1_000_29;
     reg [6:0] texels1_001_29;
     reg [6:0] texels1_010_29;
@@ -2495,16 +2469,12 @@ module image_paper #(
             in_gain1b_29 <= in_gain1b_28;
             hidden_29 <= hidden_28;
             shift1_29 <= shift1_28;
-            u1_even_texel_29 <= u1_even_texel_28;
-            u1_even_weight_29 <= u1_even_weight_28;
-            u1_even_odd_29 <= u1_even_odd_28;
-            u1_even_is_odd_29 <= u1_even_is_odd_28;
-            u1_even_weight_wide_29 <= u1_even_weight_wide_28;
-            u1_odd_texel_29 <= u1_odd_texel_28;
-            u1_odd_weight_29 <= u1_odd_weight_28;
-            u1_odd_odd_29 <= u1_odd_odd_28;
-            u1_odd_is_odd_29 <= u1_odd_is_odd_28;
-            u1_odd_weight_wide_29 <= u1_odd_weight_wide_28;
+            behind1_even_29 <= behind1_even_28;
+            u1_even_scaled_29 <= u1_even_scaled_28;
+            end1_even_29 <= end1_even_28;
+            behind1_odd_29 <= behind1_odd_28;
+            u1_odd_scaled_29 <= u1_odd_scaled_28;
+            end1_odd_29 <= end1_odd_28;
             texels1_000_29 <= texels1_000_28;
             texels1_001_29 <= texels1_001_28;
             texels1_010_29 <= texels1_010_28;
@@ -2524,108 +2494,34 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 29: u1_even_next_exact, u1_even_other, u1_even_odd and 7 more
-    // UQ7.0: the next
-    wire [6:0] u1_even_next_exact_29 = {1'd0, u1_even_texel_29} + 7'h01;
-    // UQ1.6: the weight of the place itself
-    wire [6:0] u1_even_other_29 = 7'h40 - {1'd0, u1_even_weight_29};
-    // UQ1.6: the weight of the odd one
-    wire [6:0] u1_even_odd_v2_29 = u1_even_is_odd_29 ? u1_even_other_29 : u1_even_weight_wide_29;
-    // UQ7.0: the next
-    wire [6:0] u1_odd_next_exact_29 = {1'd0, u1_odd_texel_29} + 7'h01;
-    // UQ1.6: the weight of the place itself
-    wire [6:0] u1_odd_other_29 = 7'h40 - {1'd0, u1_odd_weight_29};
-    // UQ1.6: the weight of the odd one
-    wire [6:0] u1_odd_odd_v2_29 = u1_odd_is_odd_29 ? u1_odd_other_29 : u1_odd_weight_wide_29;
-    // UQ12.0: side by side
-    wire [11:0] texel1_001_29 = {texels1_001_29, 5'd0} + {7'd0, u1_even_odd_29};
-    // UQ12.0: side by side
-    wire [11:0] texel1_011_29 = {texels1_011_29, 5'd0} + {7'd0, u1_even_odd_29};
-    // UQ12.0: side by side
-    wire [11:0] texel1_101_29 = {texels1_101_29, 5'd0} + {7'd0, u1_odd_odd_29};
-    // UQ12.0: side by side
-    wire [11:0] texel1_111_29 = {texels1_111_29, 5'd0} + {7'd0, u1_odd_odd_29};
-    // UQ1.0: a bit of the weight
-    wire u1_even_odd_whole_29 = u1_even_odd_v2_29[6];
-    // UQ-5.6: a bit of the weight
-    wire u1_even_odd_bit_0_29 = u1_even_odd_v2_29[0];
-    // UQ-4.5: a bit of the weight
-    wire u1_even_odd_bit_1_29 = u1_even_odd_v2_29[1];
-    // UQ-3.4: a bit of the weight
-    wire u1_even_odd_bit_2_29 = u1_even_odd_v2_29[2];
-    // UQ-2.3: a bit of the weight
-    wire u1_even_odd_bit_3_29 = u1_even_odd_v2_29[3];
-    // UQ-1.2: a bit of the weight
-    wire u1_even_odd_bit_4_29 = u1_even_odd_v2_29[4];
-    // UQ0.1: a bit of the weight
-    wire u1_even_odd_bit_5_29 = u1_even_odd_v2_29[5];
-    // UQ1.0: 1 where the weight is 1
-    wire u1_even_odd_of_0_29 = u1_even_odd_bit_0_29 | u1_even_odd_whole_29;
-    // UQ1.0: 1 where the weight is 1
-    wire u1_even_odd_of_1_29 = u1_even_odd_bit_1_29 | u1_even_odd_whole_29;
-    // UQ1.0: 1 where the weight is 1
-    wire u1_even_odd_of_2_29 = u1_even_odd_bit_2_29 | u1_even_odd_whole_29;
-    // UQ1.0: 1 where the weight is 1
-    wire u1_even_odd_of_3_29 = u1_even_odd_bit_3_29 | u1_even_odd_whole_29;
-    // UQ1.0: 1 where the weight is 1
-    wire u1_even_odd_of_4_29 = u1_even_odd_bit_4_29 | u1_even_odd_whole_29;
-    // UQ1.0: 1 where the weight is 1
-    wire u1_even_odd_of_5_29 = u1_even_odd_bit_5_29 | u1_even_odd_whole_29;
-    // UQ1.0: a bit of the weight
-    wire u1_odd_odd_whole_29 = u1_odd_odd_v2_29[6];
-    // UQ-5.6: a bit of the weight
-    wire u1_odd_odd_bit_0_29 = u1_odd_odd_v2_29[0];
-    // UQ-4.5: a bit of the weight
-    wire u1_odd_odd_bit_1_29 = u1_odd_odd_v2_29[1];
-    // UQ-3.4: a bit of the weight
-    wire u1_odd_odd_bit_2_29 = u1_odd_odd_v2_29[2];
-    // UQ-2.3: a bit of the weight
-    wire u1_odd_odd_bit_3_29 = u1_odd_odd_v2_29[3];
-    // UQ-1.2: a bit of the weight
-    wire u1_odd_odd_bit_4_29 = u1_odd_odd_v2_29[4];
-    // UQ0.1: a bit of the weight
-    wire u1_odd_odd_bit_5_29 = u1_odd_odd_v2_29[5];
-    // UQ1.0: 1 where the weight is 1
-    wire u1_odd_odd_of_0_29 = u1_odd_odd_bit_0_29 | u1_odd_odd_whole_29;
-    // UQ1.0: 1 where the weight is 1
-    wire u1_odd_odd_of_1_29 = u1_odd_odd_bit_1_29 | u1_odd_odd_whole_29;
-    // UQ1.0: 1 where the weight is 1
-    wire u1_odd_odd_of_2_29 = u1_odd_odd_bit_2_29 | u1_odd_odd_whole_29;
-    // UQ1.0: 1 where the weight is 1
-    wire u1_odd_odd_of_3_29 = u1_odd_odd_bit_3_29 | u1_odd_odd_whole_29;
-    // UQ1.0: 1 where the weight is 1
-    wire u1_odd_odd_of_4_29 = u1_odd_odd_bit_4_29 | u1_odd_odd_whole_29;
-    // UQ1.0: 1 where the weight is 1
-    wire u1_odd_odd_of_5_29 = u1_odd_odd_bit_5_29 | u1_odd_odd_whole_29;
+    // ===== Stage 29: u1_even_place, u1_odd_place
+    // Q8.9: from the first, plus half a weight's last bit
+    wire [17:0] u1_even_place_29 = {{1{u1_even_scaled_29[16]}}, u1_even_scaled_29} + 18'h03f04;
+    // Q8.6: rounded to the nearest weight
+    wire [14:0] u1_even_cut_29 = u1_even_place_29[17:3];
+    // Q8.9: from the first, plus half a weight's last bit
+    wire [17:0] u1_odd_place_29 = {{1{u1_odd_scaled_29[16]}}, u1_odd_scaled_29} + 18'h03f04;
+    // Q8.6: rounded to the nearest weight
+    wire [14:0] u1_odd_cut_29 = u1_odd_place_29[17:3];
     reg [17:0] in_gain1r_30;
     reg [17:0] in_gain1g_30;
     reg [17:0] in_gain1b_30;
     reg hidden_30;
     reg [2:0] shift1_30;
-    reg [6:0] u1_even_next_exact_30;
-    reg [6:0] u1_odd_next_exact_30;
+    reg behind1_even_30;
+    reg [14:0] u1_even_cut_30;
+    reg [11:0] end1_even_30;
+    reg behind1_odd_30;
+    reg [14:0] u1_odd_cut_30;
+    reg [11:0] end1_odd_30;
     reg [6:0] texels1_000_30;
-    reg [11:0] texel1_001_30;
+    reg [6:0] texels1_001_30;
     reg [6:0] texels1_010_30;
-    reg [11:0] texel1_011_30;
+    reg [6:0] texels1_011_30;
     reg [6:0] texels1_100_30;
-    reg [11:0] texel1_101_30;
+    reg [6:0] texels1_101_30;
     reg [6:0] texels1_110_30;
-    reg [11:0] texel1_111_30;
-    reg u1_even_odd_whole_30;
-    reg u1_even_odd_of_0_30;
-    reg u1_even_odd_of_1_30;
-    reg u1_even_odd_of_2_30;
-    reg u1_even_odd_of_3_30;
-    reg u1_even_odd_of_4_30;
-    reg u1_even_odd_of_5_30;
-    reg u1_odd_odd_whole_30;
-    reg u1_odd_odd_of_0_30;
-    reg u1_odd_odd_of_1_30;
-    reg u1_odd_odd_of_2_30;
-    reg u1_odd_odd_of_3_30;
-    reg u1_odd_odd_of_4_30;
-    reg u1_odd_odd_of_5_30;
+    reg [6:0] texels1_111_30;
     reg v1_odd_whole_30;
     reg v1_odd_of_0_30;
     reg v1_odd_of_1_30;
@@ -2641,30 +2537,20 @@ module image_paper #(
             in_gain1b_30 <= in_gain1b_29;
             hidden_30 <= hidden_29;
             shift1_30 <= shift1_29;
-            u1_even_next_exact_30 <= u1_even_next_exact_29;
-            u1_odd_next_exact_30 <= u1_odd_next_exact_29;
+            behind1_even_30 <= behind1_even_29;
+            u1_even_cut_30 <= u1_even_cut_29;
+            end1_even_30 <= end1_even_29;
+            behind1_odd_30 <= behind1_odd_29;
+            u1_odd_cut_30 <= u1_odd_cut_29;
+            end1_odd_30 <= end1_odd_29;
             texels1_000_30 <= texels1_000_29;
-            texel1_001_30 <= texel1_001_29;
+            texels1_001_30 <= texels1_001_29;
             texels1_010_30 <= texels1_010_29;
-            texel1_011_30 <= texel1_011_29;
+            texels1_011_30 <= texels1_011_29;
             texels1_100_30 <= texels1_100_29;
-            texel1_101_30 <= texel1_101_29;
+            texels1_101_30 <= texels1_101_29;
             texels1_110_30 <= texels1_110_29;
-            texel1_111_30 <= texel1_111_29;
-            u1_even_odd_whole_30 <= u1_even_odd_whole_29;
-            u1_even_odd_of_0_30 <= u1_even_odd_of_0_29;
-            u1_even_odd_of_1_30 <= u1_even_odd_of_1_29;
-            u1_even_odd_of_2_30 <= u1_even_odd_of_2_29;
-            u1_even_odd_of_3_30 <= u1_even_odd_of_3_29;
-            u1_even_odd_of_4_30 <= u1_even_odd_of_4_29;
-            u1_even_odd_of_5_30 <= u1_even_odd_of_5_29;
-            u1_odd_odd_whole_30 <= u1_odd_odd_whole_29;
-            u1_odd_odd_of_0_30 <= u1_odd_odd_of_0_29;
-            u1_odd_odd_of_1_30 <= u1_odd_odd_of_1_29;
-            u1_odd_odd_of_2_30 <= u1_odd_odd_of_2_29;
-            u1_odd_odd_of_3_30 <= u1_odd_odd_of_3_29;
-            u1_odd_odd_of_4_30 <= u1_odd_odd_of_4_29;
-            u1_odd_odd_of_5_30 <= u1_odd_odd_of_5_29;
+            texels1_111_30 <= texels1_111_29;
             v1_odd_whole_30 <= v1_odd_whole_29;
             v1_odd_of_0_30 <= v1_odd_of_0_29;
             v1_odd_of_1_30 <= v1_odd_of_1_29;
@@ -2676,48 +2562,64 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 30: u1_even_next, u1_odd_next
-    // UQ6.0: at most the last
-    wire [5:0] u1_even_next_30 = (|u1_even_next_exact_30[6]) ? 6'h3f : u1_even_next_exact_30[5:0];
+    // ===== Stage 30: u1_even_kept, u_at1_even, u1_odd_kept, u_at1_odd
+    // UQ6.6: between the outermost centres
+    wire [11:0] u1_even_kept_30 =
+        u1_even_cut_30[14] ? 12'h000 : (u1_even_cut_30 > 15'h0fc0) ? 12'hfc0 : u1_even_cut_30[11:0];
+    // UQ6.6: that end from behind the rim
+    wire [11:0] u_at1_even_30 = behind1_even_30 ? end1_even_30 : u1_even_kept_30;
+    // UQ6.0: the texel at or below it
+    wire [5:0] u1_even_texel_30 = u_at1_even_30[11:6];
+    // UQ0.6: the weight of the next
+    wire [5:0] u1_even_weight_30 = u_at1_even_30[5:0];
     // UQ6.-1: its leading bits
-    wire [4:0] u1_even_even_high_30 = u1_even_next_30[5:1];
-    // UQ5.0: the even one of both
-    wire [4:0] u1_even_even_30 = u1_even_even_high_30;
-    // UQ6.0: at most the last
-    wire [5:0] u1_odd_next_30 = (|u1_odd_next_exact_30[6]) ? 6'h3f : u1_odd_next_exact_30[5:0];
+    wire [4:0] u1_even_odd_high_30 = u1_even_texel_30[5:1];
+    // UQ5.0: the odd one of both
+    wire [4:0] u1_even_odd_30 = u1_even_odd_high_30;
+    // UQ1.0: its last bit
+    wire u1_even_is_odd_30 = u1_even_texel_30[0];
+    // UQ1.6: in the wider of two formats
+    wire [6:0] u1_even_weight_wide_30 = {1'd0, u1_even_weight_30};
+    // UQ6.6: between the outermost centres
+    wire [11:0] u1_odd_kept_30 =
+        u1_odd_cut_30[14] ? 12'h000 : (u1_odd_cut_30 > 15'h0fc0) ? 12'hfc0 : u1_odd_cut_30[11:0];
+    // UQ6.6: that end from behind the rim
+    wire [11:0] u_at1_odd_30 = behind1_odd_30 ? end1_odd_30 : u1_odd_kept_30;
+    // UQ6.0: the texel at or below it
+    wire [5:0] u1_odd_texel_30 = u_at1_odd_30[11:6];
+    // UQ0.6: the weight of the next
+    wire [5:0] u1_odd_weight_30 = u_at1_odd_30[5:0];
     // UQ6.-1: its leading bits
-    wire [4:0] u1_odd_even_high_30 = u1_odd_next_30[5:1];
-    // UQ5.0: the even one of both
-    wire [4:0] u1_odd_even_30 = u1_odd_even_high_30;
+    wire [4:0] u1_odd_odd_high_30 = u1_odd_texel_30[5:1];
+    // UQ5.0: the odd one of both
+    wire [4:0] u1_odd_odd_30 = u1_odd_odd_high_30;
+    // UQ1.0: its last bit
+    wire u1_odd_is_odd_30 = u1_odd_texel_30[0];
+    // UQ1.6: in the wider of two formats
+    wire [6:0] u1_odd_weight_wide_30 = {1'd0, u1_odd_weight_30};
     reg [17:0] in_gain1r_31;
     reg [17:0] in_gain1g_31;
     reg [17:0] in_gain1b_31;
     reg hidden_31;
     reg [2:0] shift1_31;
-    reg [4:0] u1_even_even_31;
-    reg [4:0] u1_odd_even_31;
+    reg [5:0] u1_even_texel_31;
+    reg [5:0] u1_even_weight_31;
+    reg [4:0] u1_even_odd_31;
+    reg u1_even_is_odd_31;
+    reg [6:0] u1_even_weight_wide_31;
+    reg [5:0] u1_odd_texel_31;
+    reg [5:0] u1_odd_weight_31;
+    reg [4:0] u1_odd_odd_31;
+    reg u1_odd_is_odd_31;
+    reg [6:0] u1_odd_weight_wide_31;
     reg [6:0] texels1_000_31;
-    reg [11:0] texel1_001_31;
+    reg [6:0] texels1_001_31;
     reg [6:0] texels1_010_31;
-    reg [11:0] texel1_011_31;
+    reg [6:0] texels1_011_31;
     reg [6:0] texels1_100_31;
-    reg [11:0] texel1_101_31;
+    reg [6:0] texels1_101_31;
     reg [6:0] texels1_110_31;
-    reg [11:0] texel1_111_31;
-    reg u1_even_odd_whole_31;
-    reg u1_even_odd_of_0_31;
-    reg u1_even_odd_of_1_31;
-    reg u1_even_odd_of_2_31;
-    reg u1_even_odd_of_3_31;
-    reg u1_even_odd_of_4_31;
-    reg u1_even_odd_of_5_31;
-    reg u1_odd_odd_whole_31;
-    reg u1_odd_odd_of_0_31;
-    reg u1_odd_odd_of_1_31;
-    reg u1_odd_odd_of_2_31;
-    reg u1_odd_odd_of_3_31;
-    reg u1_odd_odd_of_4_31;
-    reg u1_odd_odd_of_5_31;
+    reg [6:0] texels1_111_31;
     reg v1_odd_whole_31;
     reg v1_odd_of_0_31;
     reg v1_odd_of_1_31;
@@ -2733,30 +2635,24 @@ module image_paper #(
             in_gain1b_31 <= in_gain1b_30;
             hidden_31 <= hidden_30;
             shift1_31 <= shift1_30;
-            u1_even_even_31 <= u1_even_even_30;
-            u1_odd_even_31 <= u1_odd_even_30;
+            u1_even_texel_31 <= u1_even_texel_30;
+            u1_even_weight_31 <= u1_even_weight_30;
+            u1_even_odd_31 <= u1_even_odd_30;
+            u1_even_is_odd_31 <= u1_even_is_odd_30;
+            u1_even_weight_wide_31 <= u1_even_weight_wide_30;
+            u1_odd_texel_31 <= u1_odd_texel_30;
+            u1_odd_weight_31 <= u1_odd_weight_30;
+            u1_odd_odd_31 <= u1_odd_odd_30;
+            u1_odd_is_odd_31 <= u1_odd_is_odd_30;
+            u1_odd_weight_wide_31 <= u1_odd_weight_wide_30;
             texels1_000_31 <= texels1_000_30;
-            texel1_001_31 <= texel1_001_30;
+            texels1_001_31 <= texels1_001_30;
             texels1_010_31 <= texels1_010_30;
-            texel1_011_31 <= texel1_011_30;
+            texels1_011_31 <= texels1_011_30;
             texels1_100_31 <= texels1_100_30;
-            texel1_101_31 <= texel1_101_30;
+            texels1_101_31 <= texels1_101_30;
             texels1_110_31 <= texels1_110_30;
-            texel1_111_31 <= texel1_111_30;
-            u1_even_odd_whole_31 <= u1_even_odd_whole_30;
-            u1_even_odd_of_0_31 <= u1_even_odd_of_0_30;
-            u1_even_odd_of_1_31 <= u1_even_odd_of_1_30;
-            u1_even_odd_of_2_31 <= u1_even_odd_of_2_30;
-            u1_even_odd_of_3_31 <= u1_even_odd_of_3_30;
-            u1_even_odd_of_4_31 <= u1_even_odd_of_4_30;
-            u1_even_odd_of_5_31 <= u1_even_odd_of_5_30;
-            u1_odd_odd_whole_31 <= u1_odd_odd_whole_30;
-            u1_odd_odd_of_0_31 <= u1_odd_odd_of_0_30;
-            u1_odd_odd_of_1_31 <= u1_odd_odd_of_1_30;
-            u1_odd_odd_of_2_31 <= u1_odd_odd_of_2_30;
-            u1_odd_odd_of_3_31 <= u1_odd_odd_of_3_30;
-            u1_odd_odd_of_4_31 <= u1_odd_odd_of_4_30;
-            u1_odd_odd_of_5_31 <= u1_odd_odd_of_5_30;
+            texels1_111_31 <= texels1_111_30;
             v1_odd_whole_31 <= v1_odd_whole_30;
             v1_odd_of_0_31 <= v1_odd_of_0_30;
             v1_odd_of_1_31 <= v1_odd_of_1_30;
@@ -2768,27 +2664,93 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 31: texel1_000, texel1_010, texel1_100, texel1_110
+    // ===== Stage 31: u1_even_next_exact, u1_even_other, u1_even_odd and 7 more
+    // UQ7.0: the next
+    wire [6:0] u1_even_next_exact_31 = {1'd0, u1_even_texel_31} + 7'h01;
+    // UQ1.6: the weight of the place itself
+    wire [6:0] u1_even_other_31 = 7'h40 - {1'd0, u1_even_weight_31};
+    // UQ1.6: the weight of the odd one
+    wire [6:0] u1_even_odd_v2_31 = u1_even_is_odd_31 ? u1_even_other_31 : u1_even_weight_wide_31;
+    // UQ7.0: the next
+    wire [6:0] u1_odd_next_exact_31 = {1'd0, u1_odd_texel_31} + 7'h01;
+    // UQ1.6: the weight of the place itself
+    wire [6:0] u1_odd_other_31 = 7'h40 - {1'd0, u1_odd_weight_31};
+    // UQ1.6: the weight of the odd one
+    wire [6:0] u1_odd_odd_v2_31 = u1_odd_is_odd_31 ? u1_odd_other_31 : u1_odd_weight_wide_31;
     // UQ12.0: side by side
-    wire [11:0] texel1_000_31 = {texels1_000_31, 5'd0} + {7'd0, u1_even_even_31};
+    wire [11:0] texel1_001_31 = {texels1_001_31, 5'd0} + {7'd0, u1_even_odd_31};
     // UQ12.0: side by side
-    wire [11:0] texel1_010_31 = {texels1_010_31, 5'd0} + {7'd0, u1_even_even_31};
+    wire [11:0] texel1_011_31 = {texels1_011_31, 5'd0} + {7'd0, u1_even_odd_31};
     // UQ12.0: side by side
-    wire [11:0] texel1_100_31 = {texels1_100_31, 5'd0} + {7'd0, u1_odd_even_31};
+    wire [11:0] texel1_101_31 = {texels1_101_31, 5'd0} + {7'd0, u1_odd_odd_31};
     // UQ12.0: side by side
-    wire [11:0] texel1_110_31 = {texels1_110_31, 5'd0} + {7'd0, u1_odd_even_31};
+    wire [11:0] texel1_111_31 = {texels1_111_31, 5'd0} + {7'd0, u1_odd_odd_31};
+    // UQ1.0: a bit of the weight
+    wire u1_even_odd_whole_31 = u1_even_odd_v2_31[6];
+    // UQ-5.6: a bit of the weight
+    wire u1_even_odd_bit_0_31 = u1_even_odd_v2_31[0];
+    // UQ-4.5: a bit of the weight
+    wire u1_even_odd_bit_1_31 = u1_even_odd_v2_31[1];
+    // UQ-3.4: a bit of the weight
+    wire u1_even_odd_bit_2_31 = u1_even_odd_v2_31[2];
+    // UQ-2.3: a bit of the weight
+    wire u1_even_odd_bit_3_31 = u1_even_odd_v2_31[3];
+    // UQ-1.2: a bit of the weight
+    wire u1_even_odd_bit_4_31 = u1_even_odd_v2_31[4];
+    // UQ0.1: a bit of the weight
+    wire u1_even_odd_bit_5_31 = u1_even_odd_v2_31[5];
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_0_31 = u1_even_odd_bit_0_31 | u1_even_odd_whole_31;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_1_31 = u1_even_odd_bit_1_31 | u1_even_odd_whole_31;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_2_31 = u1_even_odd_bit_2_31 | u1_even_odd_whole_31;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_3_31 = u1_even_odd_bit_3_31 | u1_even_odd_whole_31;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_4_31 = u1_even_odd_bit_4_31 | u1_even_odd_whole_31;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_even_odd_of_5_31 = u1_even_odd_bit_5_31 | u1_even_odd_whole_31;
+    // UQ1.0: a bit of the weight
+    wire u1_odd_odd_whole_31 = u1_odd_odd_v2_31[6];
+    // UQ-5.6: a bit of the weight
+    wire u1_odd_odd_bit_0_31 = u1_odd_odd_v2_31[0];
+    // UQ-4.5: a bit of the weight
+    wire u1_odd_odd_bit_1_31 = u1_odd_odd_v2_31[1];
+    // UQ-3.4: a bit of the weight
+    wire u1_odd_odd_bit_2_31 = u1_odd_odd_v2_31[2];
+    // UQ-2.3: a bit of the weight
+    wire u1_odd_odd_bit_3_31 = u1_odd_odd_v2_31[3];
+    // UQ-1.2: a bit of the weight
+    wire u1_odd_odd_bit_4_31 = u1_odd_odd_v2_31[4];
+    // UQ0.1: a bit of the weight
+    wire u1_odd_odd_bit_5_31 = u1_odd_odd_v2_31[5];
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_0_31 = u1_odd_odd_bit_0_31 | u1_odd_odd_whole_31;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_1_31 = u1_odd_odd_bit_1_31 | u1_odd_odd_whole_31;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_2_31 = u1_odd_odd_bit_2_31 | u1_odd_odd_whole_31;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_3_31 = u1_odd_odd_bit_3_31 | u1_odd_odd_whole_31;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_4_31 = u1_odd_odd_bit_4_31 | u1_odd_odd_whole_31;
+    // UQ1.0: 1 where the weight is 1
+    wire u1_odd_odd_of_5_31 = u1_odd_odd_bit_5_31 | u1_odd_odd_whole_31;
     reg [17:0] in_gain1r_32;
     reg [17:0] in_gain1g_32;
     reg [17:0] in_gain1b_32;
     reg hidden_32;
     reg [2:0] shift1_32;
-    reg [11:0] texel1_000_32;
+    reg [6:0] u1_even_next_exact_32;
+    reg [6:0] u1_odd_next_exact_32;
+    reg [6:0] texels1_000_32;
     reg [11:0] texel1_001_32;
-    reg [11:0] texel1_010_32;
+    reg [6:0] texels1_010_32;
     reg [11:0] texel1_011_32;
-    reg [11:0] texel1_100_32;
+    reg [6:0] texels1_100_32;
     reg [11:0] texel1_101_32;
-    reg [11:0] texel1_110_32;
+    reg [6:0] texels1_110_32;
     reg [11:0] texel1_111_32;
     reg u1_even_odd_whole_32;
     reg u1_even_odd_of_0_32;
@@ -2819,13 +2781,15 @@ module image_paper #(
             in_gain1b_32 <= in_gain1b_31;
             hidden_32 <= hidden_31;
             shift1_32 <= shift1_31;
-            texel1_000_32 <= texel1_000_31;
+            u1_even_next_exact_32 <= u1_even_next_exact_31;
+            u1_odd_next_exact_32 <= u1_odd_next_exact_31;
+            texels1_000_32 <= texels1_000_31;
             texel1_001_32 <= texel1_001_31;
-            texel1_010_32 <= texel1_010_31;
+            texels1_010_32 <= texels1_010_31;
             texel1_011_32 <= texel1_011_31;
-            texel1_100_32 <= texel1_100_31;
+            texels1_100_32 <= texels1_100_31;
             texel1_101_32 <= texel1_101_31;
-            texel1_110_32 <= texel1_110_31;
+            texels1_110_32 <= texels1_110_31;
             texel1_111_32 <= texel1_111_31;
             u1_even_odd_whole_32 <= u1_even_odd_whole_31;
             u1_even_odd_of_0_32 <= u1_even_odd_of_0_31;
@@ -2852,68 +2816,34 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 32: read texels_1_even_even_even, read texels_1_even_even_odd and 6 more
-    // The word of the memory texels_1_even_even_even, of 4096 words.
-    reg [23:0] texels_1_even_even_even_33;
-    // The word of the memory texels_1_even_even_odd, of 4096 words.
-    reg [23:0] texels_1_even_even_odd_33;
-    // The word of the memory texels_1_even_odd_even, of 4096 words.
-    reg [23:0] texels_1_even_odd_even_33;
-    // The word of the memory texels_1_even_odd_odd, of 4096 words.
-    reg [23:0] texels_1_even_odd_odd_33;
-    // The word of the memory texels_1_odd_even_even, of 4096 words.
-    reg [23:0] texels_1_odd_even_even_33;
-    // The word of the memory texels_1_odd_even_odd, of 4096 words.
-    reg [23:0] texels_1_odd_even_odd_33;
-    // The word of the memory texels_1_odd_odd_even, of 4096 words.
-    reg [23:0] texels_1_odd_odd_even_33;
-    // The word of the memory texels_1_odd_odd_odd, of 4096 words.
-    reg [23:0] texels_1_odd_odd_odd_33;
-    reg [23:0] texels_1_even_even_even [0:4095];
-    initial $readmemh(TEXELS_1_EVEN_EVEN_EVEN_FILE, texels_1_even_even_even);
-    always @(posedge clk) begin
-        if (ce) texels_1_even_even_even_33 <= texels_1_even_even_even[texel1_000_32];
-    end
-    reg [23:0] texels_1_even_even_odd [0:4095];
-    initial $readmemh(TEXELS_1_EVEN_EVEN_ODD_FILE, texels_1_even_even_odd);
-    always @(posedge clk) begin
-        if (ce) texels_1_even_even_odd_33 <= texels_1_even_even_odd[texel1_001_32];
-    end
-    reg [23:0] texels_1_even_odd_even [0:4095];
-    initial $readmemh(TEXELS_1_EVEN_ODD_EVEN_FILE, texels_1_even_odd_even);
-    always @(posedge clk) begin
-        if (ce) texels_1_even_odd_even_33 <= texels_1_even_odd_even[texel1_010_32];
-    end
-    reg [23:0] texels_1_even_odd_odd [0:4095];
-    initial $readmemh(TEXELS_1_EVEN_ODD_ODD_FILE, texels_1_even_odd_odd);
-    always @(posedge clk) begin
-        if (ce) texels_1_even_odd_odd_33 <= texels_1_even_odd_odd[texel1_011_32];
-    end
-    reg [23:0] texels_1_odd_even_even [0:4095];
-    initial $readmemh(TEXELS_1_ODD_EVEN_EVEN_FILE, texels_1_odd_even_even);
-    always @(posedge clk) begin
-        if (ce) texels_1_odd_even_even_33 <= texels_1_odd_even_even[texel1_100_32];
-    end
-    reg [23:0] texels_1_odd_even_odd [0:4095];
-    initial $readmemh(TEXELS_1_ODD_EVEN_ODD_FILE, texels_1_odd_even_odd);
-    always @(posedge clk) begin
-        if (ce) texels_1_odd_even_odd_33 <= texels_1_odd_even_odd[texel1_101_32];
-    end
-    reg [23:0] texels_1_odd_odd_even [0:4095];
-    initial $readmemh(TEXELS_1_ODD_ODD_EVEN_FILE, texels_1_odd_odd_even);
-    always @(posedge clk) begin
-        if (ce) texels_1_odd_odd_even_33 <= texels_1_odd_odd_even[texel1_110_32];
-    end
-    reg [23:0] texels_1_odd_odd_odd [0:4095];
-    initial $readmemh(TEXELS_1_ODD_ODD_ODD_FILE, texels_1_odd_odd_odd);
-    always @(posedge clk) begin
-        if (ce) texels_1_odd_odd_odd_33 <= texels_1_odd_odd_odd[texel1_111_32];
-    end
+    // ===== Stage 32: u1_even_next, u1_odd_next
+    // UQ6.0: at most the last
+    wire [5:0] u1_even_next_32 = (|u1_even_next_exact_32[6]) ? 6'h3f : u1_even_next_exact_32[5:0];
+    // UQ6.-1: its leading bits
+    wire [4:0] u1_even_even_high_32 = u1_even_next_32[5:1];
+    // UQ5.0: the even one of both
+    wire [4:0] u1_even_even_32 = u1_even_even_high_32;
+    // UQ6.0: at most the last
+    wire [5:0] u1_odd_next_32 = (|u1_odd_next_exact_32[6]) ? 6'h3f : u1_odd_next_exact_32[5:0];
+    // UQ6.-1: its leading bits
+    wire [4:0] u1_odd_even_high_32 = u1_odd_next_32[5:1];
+    // UQ5.0: the even one of both
+    wire [4:0] u1_odd_even_32 = u1_odd_even_high_32;
     reg [17:0] in_gain1r_33;
     reg [17:0] in_gain1g_33;
     reg [17:0] in_gain1b_33;
     reg hidden_33;
     reg [2:0] shift1_33;
+    reg [4:0] u1_even_even_33;
+    reg [4:0] u1_odd_even_33;
+    reg [6:0] texels1_000_33;
+    reg [11:0] texel1_001_33;
+    reg [6:0] texels1_010_33;
+    reg [11:0] texel1_011_33;
+    reg [6:0] texels1_100_33;
+    reg [11:0] texel1_101_33;
+    reg [6:0] texels1_110_33;
+    reg [11:0] texel1_111_33;
     reg u1_even_odd_whole_33;
     reg u1_even_odd_of_0_33;
     reg u1_even_odd_of_1_33;
@@ -2943,6 +2873,16 @@ module image_paper #(
             in_gain1b_33 <= in_gain1b_32;
             hidden_33 <= hidden_32;
             shift1_33 <= shift1_32;
+            u1_even_even_33 <= u1_even_even_32;
+            u1_odd_even_33 <= u1_odd_even_32;
+            texels1_000_33 <= texels1_000_32;
+            texel1_001_33 <= texel1_001_32;
+            texels1_010_33 <= texels1_010_32;
+            texel1_011_33 <= texel1_011_32;
+            texels1_100_33 <= texels1_100_32;
+            texel1_101_33 <= texel1_101_32;
+            texels1_110_33 <= texels1_110_32;
+            texel1_111_33 <= texel1_111_32;
             u1_even_odd_whole_33 <= u1_even_odd_whole_32;
             u1_even_odd_of_0_33 <= u1_even_odd_of_0_32;
             u1_even_odd_of_1_33 <= u1_even_odd_of_1_32;
@@ -2968,68 +2908,28 @@ module image_paper #(
         end
     end
 
-    // ===== Stage 33: registers only
-    // UQ0.8: red
-    wire [7:0] texels_1_even_even_even_r_33 = texels_1_even_even_even_33[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_even_even_odd_r_33 = texels_1_even_even_odd_33[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_even_odd_even_r_33 = texels_1_even_odd_even_33[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_even_odd_odd_r_33 = texels_1_even_odd_odd_33[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_odd_even_even_r_33 = texels_1_odd_even_even_33[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_odd_even_odd_r_33 = texels_1_odd_even_odd_33[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_odd_odd_even_r_33 = texels_1_odd_odd_even_33[23:16];
-    // UQ0.8: red
-    wire [7:0] texels_1_odd_odd_odd_r_33 = texels_1_odd_odd_odd_33[23:16];
-    // UQ0.8: green
-    wire [7:0] texels_1_even_even_even_g_33 = texels_1_even_even_even_33[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_even_even_odd_g_33 = texels_1_even_even_odd_33[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_even_odd_even_g_33 = texels_1_even_odd_even_33[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_even_odd_odd_g_33 = texels_1_even_odd_odd_33[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_odd_even_even_g_33 = texels_1_odd_even_even_33[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_odd_even_odd_g_33 = texels_1_odd_even_odd_33[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_odd_odd_even_g_33 = texels_1_odd_odd_even_33[15:8];
-    // UQ0.8: green
-    wire [7:0] texels_1_odd_odd_odd_g_33 = texels_1_odd_odd_odd_33[15:8];
-    // UQ0.8: blue
-    wire [7:0] texels_1_even_even_even_b_33 = texels_1_even_even_even_33[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_even_even_odd_b_33 = texels_1_even_even_odd_33[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_even_odd_even_b_33 = texels_1_even_odd_even_33[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_even_odd_odd_b_33 = texels_1_even_odd_odd_33[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_odd_even_even_b_33 = texels_1_odd_even_even_33[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_odd_even_odd_b_33 = texels_1_odd_even_odd_33[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_odd_odd_even_b_33 = texels_1_odd_odd_even_33[7:0];
-    // UQ0.8: blue
-    wire [7:0] texels_1_odd_odd_odd_b_33 = texels_1_odd_odd_odd_33[7:0];
+    // ===== Stage 33: texel1_000, texel1_010, texel1_100, texel1_110
+    // UQ12.0: side by side
+    wire [11:0] texel1_000_33 = {texels1_000_33, 5'd0} + {7'd0, u1_even_even_33};
+    // UQ12.0: side by side
+    wire [11:0] texel1_010_33 = {texels1_010_33, 5'd0} + {7'd0, u1_even_even_33};
+    // UQ12.0: side by side
+    wire [11:0] texel1_100_33 = {texels1_100_33, 5'd0} + {7'd0, u1_odd_even_33};
+    // UQ12.0: side by side
+    wire [11:0] texel1_110_33 = {texels1_110_33, 5'd0} + {7'd0, u1_odd_even_33};
     reg [17:0] in_gain1r_34;
     reg [17:0] in_gain1g_34;
     reg [17:0] in_gain1b_34;
     reg hidden_34;
     reg [2:0] shift1_34;
-    reg [7:0] texels_1_even_even_even_r_34;
-    reg [7:0] texels_1_even_even_odd_r_34;
-    reg [7:0] texels_1_even_odd_even_r_34;
-    reg [7:0] texels_1_even_odd_odd_r_34;
-    reg [7:0] texels_1_odd_even_even_r_34;
-    reg [7:0] texels_1_odd_even_odd_r_34;
-    reg [7:0] texels_1_odd_odd_even_r_34;
-    reg [7:0] texels_1_odd_odd_odd_r_34;
+    reg [11:0] texel1_000_34;
+    reg [11:0] texel1_001_34;
+    reg [11:0] texel1_010_34;
+    reg [11:0] texel1_011_34;
+    reg [11:0] texel1_100_34;
+    reg [11:0] texel1_101_34;
+    reg [11:0] texel1_110_34;
+    reg [11:0] texel1_111_34;
     reg u1_even_odd_whole_34;
     reg u1_even_odd_of_0_34;
     reg u1_even_odd_of_1_34;
@@ -3052,22 +2952,6 @@ module image_paper #(
     reg v1_odd_of_4_34;
     reg v1_odd_of_5_34;
     reg [7:0] blend1_signed_34;
-    reg [7:0] texels_1_even_even_even_g_34;
-    reg [7:0] texels_1_even_even_odd_g_34;
-    reg [7:0] texels_1_even_odd_even_g_34;
-    reg [7:0] texels_1_even_odd_odd_g_34;
-    reg [7:0] texels_1_odd_even_even_g_34;
-    reg [7:0] texels_1_odd_even_odd_g_34;
-    reg [7:0] texels_1_odd_odd_even_g_34;
-    reg [7:0] texels_1_odd_odd_odd_g_34;
-    reg [7:0] texels_1_even_even_even_b_34;
-    reg [7:0] texels_1_even_even_odd_b_34;
-    reg [7:0] texels_1_even_odd_even_b_34;
-    reg [7:0] texels_1_even_odd_odd_b_34;
-    reg [7:0] texels_1_odd_even_even_b_34;
-    reg [7:0] texels_1_odd_even_odd_b_34;
-    reg [7:0] texels_1_odd_odd_even_b_34;
-    reg [7:0] texels_1_odd_odd_odd_b_34;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_34 <= in_gain1r_33;
@@ -3075,14 +2959,14 @@ module image_paper #(
             in_gain1b_34 <= in_gain1b_33;
             hidden_34 <= hidden_33;
             shift1_34 <= shift1_33;
-            texels_1_even_even_even_r_34 <= texels_1_even_even_even_r_33;
-            texels_1_even_even_odd_r_34 <= texels_1_even_even_odd_r_33;
-            texels_1_even_odd_even_r_34 <= texels_1_even_odd_even_r_33;
-            texels_1_even_odd_odd_r_34 <= texels_1_even_odd_odd_r_33;
-            texels_1_odd_even_even_r_34 <= texels_1_odd_even_even_r_33;
-            texels_1_odd_even_odd_r_34 <= texels_1_odd_even_odd_r_33;
-            texels_1_odd_odd_even_r_34 <= texels_1_odd_odd_even_r_33;
-            texels_1_odd_odd_odd_r_34 <= texels_1_odd_odd_odd_r_33;
+            texel1_000_34 <= texel1_000_33;
+            texel1_001_34 <= texel1_001_33;
+            texel1_010_34 <= texel1_010_33;
+            texel1_011_34 <= texel1_011_33;
+            texel1_100_34 <= texel1_100_33;
+            texel1_101_34 <= texel1_101_33;
+            texel1_110_34 <= texel1_110_33;
+            texel1_111_34 <= texel1_111_33;
             u1_even_odd_whole_34 <= u1_even_odd_whole_33;
             u1_even_odd_of_0_34 <= u1_even_odd_of_0_33;
             u1_even_odd_of_1_34 <= u1_even_odd_of_1_33;
@@ -3105,39 +2989,71 @@ module image_paper #(
             v1_odd_of_4_34 <= v1_odd_of_4_33;
             v1_odd_of_5_34 <= v1_odd_of_5_33;
             blend1_signed_34 <= blend1_signed_33;
-            texels_1_even_even_even_g_34 <= texels_1_even_even_even_g_33;
-            texels_1_even_even_odd_g_34 <= texels_1_even_even_odd_g_33;
-            texels_1_even_odd_even_g_34 <= texels_1_even_odd_even_g_33;
-            texels_1_even_odd_odd_g_34 <= texels_1_even_odd_odd_g_33;
-            texels_1_odd_even_even_g_34 <= texels_1_odd_even_even_g_33;
-            texels_1_odd_even_odd_g_34 <= texels_1_odd_even_odd_g_33;
-            texels_1_odd_odd_even_g_34 <= texels_1_odd_odd_even_g_33;
-            texels_1_odd_odd_odd_g_34 <= texels_1_odd_odd_odd_g_33;
-            texels_1_even_even_even_b_34 <= texels_1_even_even_even_b_33;
-            texels_1_even_even_odd_b_34 <= texels_1_even_even_odd_b_33;
-            texels_1_even_odd_even_b_34 <= texels_1_even_odd_even_b_33;
-            texels_1_even_odd_odd_b_34 <= texels_1_even_odd_odd_b_33;
-            texels_1_odd_even_even_b_34 <= texels_1_odd_even_even_b_33;
-            texels_1_odd_even_odd_b_34 <= texels_1_odd_even_odd_b_33;
-            texels_1_odd_odd_even_b_34 <= texels_1_odd_odd_even_b_33;
-            texels_1_odd_odd_odd_b_34 <= texels_1_odd_odd_odd_b_33;
         end
     end
 
-    // ===== Stage 34: registers only
+    // ===== Stage 34: read texels_1_even_even_even, read texels_1_even_even_odd and 6 more
+    // The word of the memory texels_1_even_even_even, of 4096 words.
+    reg [23:0] texels_1_even_even_even_35;
+    // The word of the memory texels_1_even_even_odd, of 4096 words.
+    reg [23:0] texels_1_even_even_odd_35;
+    // The word of the memory texels_1_even_odd_even, of 4096 words.
+    reg [23:0] texels_1_even_odd_even_35;
+    // The word of the memory texels_1_even_odd_odd, of 4096 words.
+    reg [23:0] texels_1_even_odd_odd_35;
+    // The word of the memory texels_1_odd_even_even, of 4096 words.
+    reg [23:0] texels_1_odd_even_even_35;
+    // The word of the memory texels_1_odd_even_odd, of 4096 words.
+    reg [23:0] texels_1_odd_even_odd_35;
+    // The word of the memory texels_1_odd_odd_even, of 4096 words.
+    reg [23:0] texels_1_odd_odd_even_35;
+    // The word of the memory texels_1_odd_odd_odd, of 4096 words.
+    reg [23:0] texels_1_odd_odd_odd_35;
+    reg [23:0] texels_1_even_even_even [0:4095];
+    initial $readmemh(TEXELS_1_EVEN_EVEN_EVEN_FILE, texels_1_even_even_even);
+    always @(posedge clk) begin
+        if (ce) texels_1_even_even_even_35 <= texels_1_even_even_even[texel1_000_34];
+    end
+    reg [23:0] texels_1_even_even_odd [0:4095];
+    initial $readmemh(TEXELS_1_EVEN_EVEN_ODD_FILE, texels_1_even_even_odd);
+    always @(posedge clk) begin
+        if (ce) texels_1_even_even_odd_35 <= texels_1_even_even_odd[texel1_001_34];
+    end
+    reg [23:0] texels_1_even_odd_even [0:4095];
+    initial $readmemh(TEXELS_1_EVEN_ODD_EVEN_FILE, texels_1_even_odd_even);
+    always @(posedge clk) begin
+        if (ce) texels_1_even_odd_even_35 <= texels_1_even_odd_even[texel1_010_34];
+    end
+    reg [23:0] texels_1_even_odd_odd [0:4095];
+    initial $readmemh(TEXELS_1_EVEN_ODD_ODD_FILE, texels_1_even_odd_odd);
+    always @(posedge clk) begin
+        if (ce) texels_1_even_odd_odd_35 <= texels_1_even_odd_odd[texel1_011_34];
+    end
+    reg [23:0] texels_1_odd_even_even [0:4095];
+    initial $readmemh(TEXELS_1_ODD_EVEN_EVEN_FILE, texels_1_odd_even_even);
+    always @(posedge clk) begin
+        if (ce) texels_1_odd_even_even_35 <= texels_1_odd_even_even[texel1_100_34];
+    end
+    reg [23:0] texels_1_odd_even_odd [0:4095];
+    initial $readmemh(TEXELS_1_ODD_EVEN_ODD_FILE, texels_1_odd_even_odd);
+    always @(posedge clk) begin
+        if (ce) texels_1_odd_even_odd_35 <= texels_1_odd_even_odd[texel1_101_34];
+    end
+    reg [23:0] texels_1_odd_odd_even [0:4095];
+    initial $readmemh(TEXELS_1_ODD_ODD_EVEN_FILE, texels_1_odd_odd_even);
+    always @(posedge clk) begin
+        if (ce) texels_1_odd_odd_even_35 <= texels_1_odd_odd_even[texel1_110_34];
+    end
+    reg [23:0] texels_1_odd_odd_odd [0:4095];
+    initial $readmemh(TEXELS_1_ODD_ODD_ODD_FILE, texels_1_odd_odd_odd);
+    always @(posedge clk) begin
+        if (ce) texels_1_odd_odd_odd_35 <= texels_1_odd_odd_odd[texel1_111_34];
+    end
     reg [17:0] in_gain1r_35;
     reg [17:0] in_gain1g_35;
     reg [17:0] in_gain1b_35;
     reg hidden_35;
     reg [2:0] shift1_35;
-    reg [7:0] texels_1_even_even_even_r_35;
-    reg [7:0] texels_1_even_even_odd_r_35;
-    reg [7:0] texels_1_even_odd_even_r_35;
-    reg [7:0] texels_1_even_odd_odd_r_35;
-    reg [7:0] texels_1_odd_even_even_r_35;
-    reg [7:0] texels_1_odd_even_odd_r_35;
-    reg [7:0] texels_1_odd_odd_even_r_35;
-    reg [7:0] texels_1_odd_odd_odd_r_35;
     reg u1_even_odd_whole_35;
     reg u1_even_odd_of_0_35;
     reg u1_even_odd_of_1_35;
@@ -3160,22 +3076,6 @@ module image_paper #(
     reg v1_odd_of_4_35;
     reg v1_odd_of_5_35;
     reg [7:0] blend1_signed_35;
-    reg [7:0] texels_1_even_even_even_g_35;
-    reg [7:0] texels_1_even_even_odd_g_35;
-    reg [7:0] texels_1_even_odd_even_g_35;
-    reg [7:0] texels_1_even_odd_odd_g_35;
-    reg [7:0] texels_1_odd_even_even_g_35;
-    reg [7:0] texels_1_odd_even_odd_g_35;
-    reg [7:0] texels_1_odd_odd_even_g_35;
-    reg [7:0] texels_1_odd_odd_odd_g_35;
-    reg [7:0] texels_1_even_even_even_b_35;
-    reg [7:0] texels_1_even_even_odd_b_35;
-    reg [7:0] texels_1_even_odd_even_b_35;
-    reg [7:0] texels_1_even_odd_odd_b_35;
-    reg [7:0] texels_1_odd_even_even_b_35;
-    reg [7:0] texels_1_odd_even_odd_b_35;
-    reg [7:0] texels_1_odd_odd_even_b_35;
-    reg [7:0] texels_1_odd_odd_odd_b_35;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_35 <= in_gain1r_34;
@@ -3183,14 +3083,6 @@ module image_paper #(
             in_gain1b_35 <= in_gain1b_34;
             hidden_35 <= hidden_34;
             shift1_35 <= shift1_34;
-            texels_1_even_even_even_r_35 <= texels_1_even_even_even_r_34;
-            texels_1_even_even_odd_r_35 <= texels_1_even_even_odd_r_34;
-            texels_1_even_odd_even_r_35 <= texels_1_even_odd_even_r_34;
-            texels_1_even_odd_odd_r_35 <= texels_1_even_odd_odd_r_34;
-            texels_1_odd_even_even_r_35 <= texels_1_odd_even_even_r_34;
-            texels_1_odd_even_odd_r_35 <= texels_1_odd_even_odd_r_34;
-            texels_1_odd_odd_even_r_35 <= texels_1_odd_odd_even_r_34;
-            texels_1_odd_odd_odd_r_35 <= texels_1_odd_odd_odd_r_34;
             u1_even_odd_whole_35 <= u1_even_odd_whole_34;
             u1_even_odd_of_0_35 <= u1_even_odd_of_0_34;
             u1_even_odd_of_1_35 <= u1_even_odd_of_1_34;
@@ -3213,575 +3105,85 @@ module image_paper #(
             v1_odd_of_4_35 <= v1_odd_of_4_34;
             v1_odd_of_5_35 <= v1_odd_of_5_34;
             blend1_signed_35 <= blend1_signed_34;
-            texels_1_even_even_even_g_35 <= texels_1_even_even_even_g_34;
-            texels_1_even_even_odd_g_35 <= texels_1_even_even_odd_g_34;
-            texels_1_even_odd_even_g_35 <= texels_1_even_odd_even_g_34;
-            texels_1_even_odd_odd_g_35 <= texels_1_even_odd_odd_g_34;
-            texels_1_odd_even_even_g_35 <= texels_1_odd_even_even_g_34;
-            texels_1_odd_even_odd_g_35 <= texels_1_odd_even_odd_g_34;
-            texels_1_odd_odd_even_g_35 <= texels_1_odd_odd_even_g_34;
-            texels_1_odd_odd_odd_g_35 <= texels_1_odd_odd_odd_g_34;
-            texels_1_even_even_even_b_35 <= texels_1_even_even_even_b_34;
-            texels_1_even_even_odd_b_35 <= texels_1_even_even_odd_b_34;
-            texels_1_even_odd_even_b_35 <= texels_1_even_odd_even_b_34;
-            texels_1_even_odd_odd_b_35 <= texels_1_even_odd_odd_b_34;
-            texels_1_odd_even_even_b_35 <= texels_1_odd_even_even_b_34;
-            texels_1_odd_even_odd_b_35 <= texels_1_odd_even_odd_b_34;
-            texels_1_odd_odd_even_b_35 <= texels_1_odd_odd_even_b_34;
-            texels_1_odd_odd_odd_b_35 <= texels_1_odd_odd_odd_b_34;
         end
     end
 
-    // ===== Stage 35: blend1_r_1_0_either_whole, blend1_r_1_0_either_0 and 118 more
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_0_either_whole_35 =
-        u1_even_odd_whole_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_r_1_0_by_whole_35 = blend1_r_1_0_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_0_either_0_35 =
-        u1_even_odd_of_0_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_r_1_0_by_0_35 = blend1_r_1_0_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_0_either_1_35 =
-        u1_even_odd_of_1_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_r_1_0_by_1_35 = blend1_r_1_0_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_0_either_2_35 =
-        u1_even_odd_of_2_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_r_1_0_by_2_35 = blend1_r_1_0_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_0_either_3_35 =
-        u1_even_odd_of_3_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_r_1_0_by_3_35 = blend1_r_1_0_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_0_either_4_35 =
-        u1_even_odd_of_4_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_r_1_0_by_4_35 = blend1_r_1_0_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_0_either_5_35 =
-        u1_even_odd_of_5_35 ? texels_1_even_even_odd_r_35 : texels_1_even_even_even_r_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_r_1_0_by_5_35 = blend1_r_1_0_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_r_1_0_sum_1_0_35 =
-        {1'd0, blend1_r_1_0_by_whole_35} + {1'd0, blend1_r_1_0_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_r_1_0_sum_1_1_35 =
-        {2'd0, blend1_r_1_0_by_1_35} + {1'd0, blend1_r_1_0_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_r_1_0_sum_1_2_35 =
-        {2'd0, blend1_r_1_0_by_3_35} + {1'd0, blend1_r_1_0_by_4_35, 1'd0};
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_1_either_whole_35 =
-        u1_even_odd_whole_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_r_1_1_by_whole_35 = blend1_r_1_1_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_1_either_0_35 =
-        u1_even_odd_of_0_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_r_1_1_by_0_35 = blend1_r_1_1_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_1_either_1_35 =
-        u1_even_odd_of_1_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_r_1_1_by_1_35 = blend1_r_1_1_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_1_either_2_35 =
-        u1_even_odd_of_2_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_r_1_1_by_2_35 = blend1_r_1_1_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_1_either_3_35 =
-        u1_even_odd_of_3_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_r_1_1_by_3_35 = blend1_r_1_1_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_1_either_4_35 =
-        u1_even_odd_of_4_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_r_1_1_by_4_35 = blend1_r_1_1_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_1_either_5_35 =
-        u1_even_odd_of_5_35 ? texels_1_even_odd_odd_r_35 : texels_1_even_odd_even_r_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_r_1_1_by_5_35 = blend1_r_1_1_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_r_1_1_sum_1_0_35 =
-        {1'd0, blend1_r_1_1_by_whole_35} + {1'd0, blend1_r_1_1_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_r_1_1_sum_1_1_35 =
-        {2'd0, blend1_r_1_1_by_1_35} + {1'd0, blend1_r_1_1_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_r_1_1_sum_1_2_35 =
-        {2'd0, blend1_r_1_1_by_3_35} + {1'd0, blend1_r_1_1_by_4_35, 1'd0};
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_2_either_whole_35 =
-        u1_odd_odd_whole_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_r_1_2_by_whole_35 = blend1_r_1_2_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_2_either_0_35 =
-        u1_odd_odd_of_0_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_r_1_2_by_0_35 = blend1_r_1_2_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_2_either_1_35 =
-        u1_odd_odd_of_1_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_r_1_2_by_1_35 = blend1_r_1_2_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_2_either_2_35 =
-        u1_odd_odd_of_2_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_r_1_2_by_2_35 = blend1_r_1_2_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_2_either_3_35 =
-        u1_odd_odd_of_3_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_r_1_2_by_3_35 = blend1_r_1_2_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_2_either_4_35 =
-        u1_odd_odd_of_4_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_r_1_2_by_4_35 = blend1_r_1_2_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_2_either_5_35 =
-        u1_odd_odd_of_5_35 ? texels_1_odd_even_odd_r_35 : texels_1_odd_even_even_r_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_r_1_2_by_5_35 = blend1_r_1_2_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_r_1_2_sum_1_0_35 =
-        {1'd0, blend1_r_1_2_by_whole_35} + {1'd0, blend1_r_1_2_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_r_1_2_sum_1_1_35 =
-        {2'd0, blend1_r_1_2_by_1_35} + {1'd0, blend1_r_1_2_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_r_1_2_sum_1_2_35 =
-        {2'd0, blend1_r_1_2_by_3_35} + {1'd0, blend1_r_1_2_by_4_35, 1'd0};
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_3_either_whole_35 =
-        u1_odd_odd_whole_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_r_1_3_by_whole_35 = blend1_r_1_3_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_3_either_0_35 =
-        u1_odd_odd_of_0_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_r_1_3_by_0_35 = blend1_r_1_3_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_3_either_1_35 =
-        u1_odd_odd_of_1_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_r_1_3_by_1_35 = blend1_r_1_3_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_3_either_2_35 =
-        u1_odd_odd_of_2_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_r_1_3_by_2_35 = blend1_r_1_3_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_3_either_3_35 =
-        u1_odd_odd_of_3_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_r_1_3_by_3_35 = blend1_r_1_3_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_3_either_4_35 =
-        u1_odd_odd_of_4_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_r_1_3_by_4_35 = blend1_r_1_3_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_r_1_3_either_5_35 =
-        u1_odd_odd_of_5_35 ? texels_1_odd_odd_odd_r_35 : texels_1_odd_odd_even_r_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_r_1_3_by_5_35 = blend1_r_1_3_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_r_1_3_sum_1_0_35 =
-        {1'd0, blend1_r_1_3_by_whole_35} + {1'd0, blend1_r_1_3_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_r_1_3_sum_1_1_35 =
-        {2'd0, blend1_r_1_3_by_1_35} + {1'd0, blend1_r_1_3_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_r_1_3_sum_1_2_35 =
-        {2'd0, blend1_r_1_3_by_3_35} + {1'd0, blend1_r_1_3_by_4_35, 1'd0};
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_0_either_whole_35 =
-        u1_even_odd_whole_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_g_1_0_by_whole_35 = blend1_g_1_0_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_0_either_0_35 =
-        u1_even_odd_of_0_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_g_1_0_by_0_35 = blend1_g_1_0_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_0_either_1_35 =
-        u1_even_odd_of_1_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_g_1_0_by_1_35 = blend1_g_1_0_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_0_either_2_35 =
-        u1_even_odd_of_2_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_g_1_0_by_2_35 = blend1_g_1_0_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_0_either_3_35 =
-        u1_even_odd_of_3_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_g_1_0_by_3_35 = blend1_g_1_0_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_0_either_4_35 =
-        u1_even_odd_of_4_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_g_1_0_by_4_35 = blend1_g_1_0_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_0_either_5_35 =
-        u1_even_odd_of_5_35 ? texels_1_even_even_odd_g_35 : texels_1_even_even_even_g_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_g_1_0_by_5_35 = blend1_g_1_0_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_g_1_0_sum_1_0_35 =
-        {1'd0, blend1_g_1_0_by_whole_35} + {1'd0, blend1_g_1_0_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_g_1_0_sum_1_1_35 =
-        {2'd0, blend1_g_1_0_by_1_35} + {1'd0, blend1_g_1_0_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_g_1_0_sum_1_2_35 =
-        {2'd0, blend1_g_1_0_by_3_35} + {1'd0, blend1_g_1_0_by_4_35, 1'd0};
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_1_either_whole_35 =
-        u1_even_odd_whole_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_g_1_1_by_whole_35 = blend1_g_1_1_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_1_either_0_35 =
-        u1_even_odd_of_0_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_g_1_1_by_0_35 = blend1_g_1_1_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_1_either_1_35 =
-        u1_even_odd_of_1_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_g_1_1_by_1_35 = blend1_g_1_1_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_1_either_2_35 =
-        u1_even_odd_of_2_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_g_1_1_by_2_35 = blend1_g_1_1_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_1_either_3_35 =
-        u1_even_odd_of_3_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_g_1_1_by_3_35 = blend1_g_1_1_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_1_either_4_35 =
-        u1_even_odd_of_4_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_g_1_1_by_4_35 = blend1_g_1_1_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_1_either_5_35 =
-        u1_even_odd_of_5_35 ? texels_1_even_odd_odd_g_35 : texels_1_even_odd_even_g_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_g_1_1_by_5_35 = blend1_g_1_1_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_g_1_1_sum_1_0_35 =
-        {1'd0, blend1_g_1_1_by_whole_35} + {1'd0, blend1_g_1_1_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_g_1_1_sum_1_1_35 =
-        {2'd0, blend1_g_1_1_by_1_35} + {1'd0, blend1_g_1_1_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_g_1_1_sum_1_2_35 =
-        {2'd0, blend1_g_1_1_by_3_35} + {1'd0, blend1_g_1_1_by_4_35, 1'd0};
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_2_either_whole_35 =
-        u1_odd_odd_whole_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_g_1_2_by_whole_35 = blend1_g_1_2_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_2_either_0_35 =
-        u1_odd_odd_of_0_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_g_1_2_by_0_35 = blend1_g_1_2_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_2_either_1_35 =
-        u1_odd_odd_of_1_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_g_1_2_by_1_35 = blend1_g_1_2_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_2_either_2_35 =
-        u1_odd_odd_of_2_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_g_1_2_by_2_35 = blend1_g_1_2_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_2_either_3_35 =
-        u1_odd_odd_of_3_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_g_1_2_by_3_35 = blend1_g_1_2_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_2_either_4_35 =
-        u1_odd_odd_of_4_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_g_1_2_by_4_35 = blend1_g_1_2_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_2_either_5_35 =
-        u1_odd_odd_of_5_35 ? texels_1_odd_even_odd_g_35 : texels_1_odd_even_even_g_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_g_1_2_by_5_35 = blend1_g_1_2_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_g_1_2_sum_1_0_35 =
-        {1'd0, blend1_g_1_2_by_whole_35} + {1'd0, blend1_g_1_2_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_g_1_2_sum_1_1_35 =
-        {2'd0, blend1_g_1_2_by_1_35} + {1'd0, blend1_g_1_2_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_g_1_2_sum_1_2_35 =
-        {2'd0, blend1_g_1_2_by_3_35} + {1'd0, blend1_g_1_2_by_4_35, 1'd0};
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_3_either_whole_35 =
-        u1_odd_odd_whole_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_g_1_3_by_whole_35 = blend1_g_1_3_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_3_either_0_35 =
-        u1_odd_odd_of_0_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_g_1_3_by_0_35 = blend1_g_1_3_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_3_either_1_35 =
-        u1_odd_odd_of_1_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_g_1_3_by_1_35 = blend1_g_1_3_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_3_either_2_35 =
-        u1_odd_odd_of_2_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_g_1_3_by_2_35 = blend1_g_1_3_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_3_either_3_35 =
-        u1_odd_odd_of_3_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_g_1_3_by_3_35 = blend1_g_1_3_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_3_either_4_35 =
-        u1_odd_odd_of_4_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_g_1_3_by_4_35 = blend1_g_1_3_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_g_1_3_either_5_35 =
-        u1_odd_odd_of_5_35 ? texels_1_odd_odd_odd_g_35 : texels_1_odd_odd_even_g_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_g_1_3_by_5_35 = blend1_g_1_3_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_g_1_3_sum_1_0_35 =
-        {1'd0, blend1_g_1_3_by_whole_35} + {1'd0, blend1_g_1_3_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_g_1_3_sum_1_1_35 =
-        {2'd0, blend1_g_1_3_by_1_35} + {1'd0, blend1_g_1_3_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_g_1_3_sum_1_2_35 =
-        {2'd0, blend1_g_1_3_by_3_35} + {1'd0, blend1_g_1_3_by_4_35, 1'd0};
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_0_either_whole_35 =
-        u1_even_odd_whole_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_b_1_0_by_whole_35 = blend1_b_1_0_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_0_either_0_35 =
-        u1_even_odd_of_0_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_b_1_0_by_0_35 = blend1_b_1_0_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_0_either_1_35 =
-        u1_even_odd_of_1_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_b_1_0_by_1_35 = blend1_b_1_0_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_0_either_2_35 =
-        u1_even_odd_of_2_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_b_1_0_by_2_35 = blend1_b_1_0_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_0_either_3_35 =
-        u1_even_odd_of_3_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_b_1_0_by_3_35 = blend1_b_1_0_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_0_either_4_35 =
-        u1_even_odd_of_4_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_b_1_0_by_4_35 = blend1_b_1_0_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_0_either_5_35 =
-        u1_even_odd_of_5_35 ? texels_1_even_even_odd_b_35 : texels_1_even_even_even_b_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_b_1_0_by_5_35 = blend1_b_1_0_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_b_1_0_sum_1_0_35 =
-        {1'd0, blend1_b_1_0_by_whole_35} + {1'd0, blend1_b_1_0_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_b_1_0_sum_1_1_35 =
-        {2'd0, blend1_b_1_0_by_1_35} + {1'd0, blend1_b_1_0_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_b_1_0_sum_1_2_35 =
-        {2'd0, blend1_b_1_0_by_3_35} + {1'd0, blend1_b_1_0_by_4_35, 1'd0};
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_1_either_whole_35 =
-        u1_even_odd_whole_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_b_1_1_by_whole_35 = blend1_b_1_1_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_1_either_0_35 =
-        u1_even_odd_of_0_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_b_1_1_by_0_35 = blend1_b_1_1_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_1_either_1_35 =
-        u1_even_odd_of_1_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_b_1_1_by_1_35 = blend1_b_1_1_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_1_either_2_35 =
-        u1_even_odd_of_2_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_b_1_1_by_2_35 = blend1_b_1_1_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_1_either_3_35 =
-        u1_even_odd_of_3_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_b_1_1_by_3_35 = blend1_b_1_1_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_1_either_4_35 =
-        u1_even_odd_of_4_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_b_1_1_by_4_35 = blend1_b_1_1_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_1_either_5_35 =
-        u1_even_odd_of_5_35 ? texels_1_even_odd_odd_b_35 : texels_1_even_odd_even_b_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_b_1_1_by_5_35 = blend1_b_1_1_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_b_1_1_sum_1_0_35 =
-        {1'd0, blend1_b_1_1_by_whole_35} + {1'd0, blend1_b_1_1_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_b_1_1_sum_1_1_35 =
-        {2'd0, blend1_b_1_1_by_1_35} + {1'd0, blend1_b_1_1_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_b_1_1_sum_1_2_35 =
-        {2'd0, blend1_b_1_1_by_3_35} + {1'd0, blend1_b_1_1_by_4_35, 1'd0};
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_2_either_whole_35 =
-        u1_odd_odd_whole_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_b_1_2_by_whole_35 = blend1_b_1_2_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_2_either_0_35 =
-        u1_odd_odd_of_0_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_b_1_2_by_0_35 = blend1_b_1_2_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_2_either_1_35 =
-        u1_odd_odd_of_1_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_b_1_2_by_1_35 = blend1_b_1_2_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_2_either_2_35 =
-        u1_odd_odd_of_2_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_b_1_2_by_2_35 = blend1_b_1_2_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_2_either_3_35 =
-        u1_odd_odd_of_3_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_b_1_2_by_3_35 = blend1_b_1_2_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_2_either_4_35 =
-        u1_odd_odd_of_4_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_b_1_2_by_4_35 = blend1_b_1_2_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_2_either_5_35 =
-        u1_odd_odd_of_5_35 ? texels_1_odd_even_odd_b_35 : texels_1_odd_even_even_b_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_b_1_2_by_5_35 = blend1_b_1_2_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_b_1_2_sum_1_0_35 =
-        {1'd0, blend1_b_1_2_by_whole_35} + {1'd0, blend1_b_1_2_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_b_1_2_sum_1_1_35 =
-        {2'd0, blend1_b_1_2_by_1_35} + {1'd0, blend1_b_1_2_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_b_1_2_sum_1_2_35 =
-        {2'd0, blend1_b_1_2_by_3_35} + {1'd0, blend1_b_1_2_by_4_35, 1'd0};
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_3_either_whole_35 =
-        u1_odd_odd_whole_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_b_1_3_by_whole_35 = blend1_b_1_3_either_whole_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_3_either_0_35 =
-        u1_odd_odd_of_0_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
-    // UQ-6.14: shifted
-    wire [7:0] blend1_b_1_3_by_0_35 = blend1_b_1_3_either_0_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_3_either_1_35 =
-        u1_odd_odd_of_1_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
-    // UQ-5.13: shifted
-    wire [7:0] blend1_b_1_3_by_1_35 = blend1_b_1_3_either_1_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_3_either_2_35 =
-        u1_odd_odd_of_2_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
-    // UQ-4.12: shifted
-    wire [7:0] blend1_b_1_3_by_2_35 = blend1_b_1_3_either_2_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_3_either_3_35 =
-        u1_odd_odd_of_3_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
-    // UQ-3.11: shifted
-    wire [7:0] blend1_b_1_3_by_3_35 = blend1_b_1_3_either_3_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_3_either_4_35 =
-        u1_odd_odd_of_4_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
-    // UQ-2.10: shifted
-    wire [7:0] blend1_b_1_3_by_4_35 = blend1_b_1_3_either_4_35;
-    // UQ0.8: either of both
-    wire [7:0] blend1_b_1_3_either_5_35 =
-        u1_odd_odd_of_5_35 ? texels_1_odd_odd_odd_b_35 : texels_1_odd_odd_even_b_35;
-    // UQ-1.9: shifted
-    wire [7:0] blend1_b_1_3_by_5_35 = blend1_b_1_3_either_5_35;
-    // UQ-5.14: the sum of two
-    wire [8:0] blend1_b_1_3_sum_1_0_35 =
-        {1'd0, blend1_b_1_3_by_whole_35} + {1'd0, blend1_b_1_3_by_0_35};
-    // UQ-3.13: the sum of two
-    wire [9:0] blend1_b_1_3_sum_1_1_35 =
-        {2'd0, blend1_b_1_3_by_1_35} + {1'd0, blend1_b_1_3_by_2_35, 1'd0};
-    // UQ-1.11: the sum of two
-    wire [9:0] blend1_b_1_3_sum_1_2_35 =
-        {2'd0, blend1_b_1_3_by_3_35} + {1'd0, blend1_b_1_3_by_4_35, 1'd0};
+    // ===== Stage 35: registers only
+    // UQ0.8: red
+    wire [7:0] texels_1_even_even_even_r_35 = texels_1_even_even_even_35[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_even_even_odd_r_35 = texels_1_even_even_odd_35[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_even_odd_even_r_35 = texels_1_even_odd_even_35[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_even_odd_odd_r_35 = texels_1_even_odd_odd_35[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_odd_even_even_r_35 = texels_1_odd_even_even_35[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_odd_even_odd_r_35 = texels_1_odd_even_odd_35[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_odd_odd_even_r_35 = texels_1_odd_odd_even_35[23:16];
+    // UQ0.8: red
+    wire [7:0] texels_1_odd_odd_odd_r_35 = texels_1_odd_odd_odd_35[23:16];
+    // UQ0.8: green
+    wire [7:0] texels_1_even_even_even_g_35 = texels_1_even_even_even_35[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_even_even_odd_g_35 = texels_1_even_even_odd_35[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_even_odd_even_g_35 = texels_1_even_odd_even_35[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_even_odd_odd_g_35 = texels_1_even_odd_odd_35[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_odd_even_even_g_35 = texels_1_odd_even_even_35[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_odd_even_odd_g_35 = texels_1_odd_even_odd_35[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_odd_odd_even_g_35 = texels_1_odd_odd_even_35[15:8];
+    // UQ0.8: green
+    wire [7:0] texels_1_odd_odd_odd_g_35 = texels_1_odd_odd_odd_35[15:8];
+    // UQ0.8: blue
+    wire [7:0] texels_1_even_even_even_b_35 = texels_1_even_even_even_35[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_even_even_odd_b_35 = texels_1_even_even_odd_35[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_even_odd_even_b_35 = texels_1_even_odd_even_35[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_even_odd_odd_b_35 = texels_1_even_odd_odd_35[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_odd_even_even_b_35 = texels_1_odd_even_even_35[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_odd_even_odd_b_35 = texels_1_odd_even_odd_35[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_odd_odd_even_b_35 = texels_1_odd_odd_even_35[7:0];
+    // UQ0.8: blue
+    wire [7:0] texels_1_odd_odd_odd_b_35 = texels_1_odd_odd_odd_35[7:0];
     reg [17:0] in_gain1r_36;
     reg [17:0] in_gain1g_36;
     reg [17:0] in_gain1b_36;
     reg hidden_36;
     reg [2:0] shift1_36;
-    reg [7:0] blend1_r_1_0_by_5_36;
-    reg [8:0] blend1_r_1_0_sum_1_0_36;
-    reg [9:0] blend1_r_1_0_sum_1_1_36;
-    reg [9:0] blend1_r_1_0_sum_1_2_36;
-    reg [7:0] blend1_r_1_1_by_5_36;
-    reg [8:0] blend1_r_1_1_sum_1_0_36;
-    reg [9:0] blend1_r_1_1_sum_1_1_36;
-    reg [9:0] blend1_r_1_1_sum_1_2_36;
-    reg [7:0] blend1_r_1_2_by_5_36;
-    reg [8:0] blend1_r_1_2_sum_1_0_36;
-    reg [9:0] blend1_r_1_2_sum_1_1_36;
-    reg [9:0] blend1_r_1_2_sum_1_2_36;
-    reg [7:0] blend1_r_1_3_by_5_36;
-    reg [8:0] blend1_r_1_3_sum_1_0_36;
-    reg [9:0] blend1_r_1_3_sum_1_1_36;
-    reg [9:0] blend1_r_1_3_sum_1_2_36;
+    reg [7:0] texels_1_even_even_even_r_36;
+    reg [7:0] texels_1_even_even_odd_r_36;
+    reg [7:0] texels_1_even_odd_even_r_36;
+    reg [7:0] texels_1_even_odd_odd_r_36;
+    reg [7:0] texels_1_odd_even_even_r_36;
+    reg [7:0] texels_1_odd_even_odd_r_36;
+    reg [7:0] texels_1_odd_odd_even_r_36;
+    reg [7:0] texels_1_odd_odd_odd_r_36;
+    reg u1_even_odd_whole_36;
+    reg u1_even_odd_of_0_36;
+    reg u1_even_odd_of_1_36;
+    reg u1_even_odd_of_2_36;
+    reg u1_even_odd_of_3_36;
+    reg u1_even_odd_of_4_36;
+    reg u1_even_odd_of_5_36;
+    reg u1_odd_odd_whole_36;
+    reg u1_odd_odd_of_0_36;
+    reg u1_odd_odd_of_1_36;
+    reg u1_odd_odd_of_2_36;
+    reg u1_odd_odd_of_3_36;
+    reg u1_odd_odd_of_4_36;
+    reg u1_odd_odd_of_5_36;
     reg v1_odd_whole_36;
     reg v1_odd_of_0_36;
     reg v1_odd_of_1_36;
@@ -3790,38 +3192,22 @@ module image_paper #(
     reg v1_odd_of_4_36;
     reg v1_odd_of_5_36;
     reg [7:0] blend1_signed_36;
-    reg [7:0] blend1_g_1_0_by_5_36;
-    reg [8:0] blend1_g_1_0_sum_1_0_36;
-    reg [9:0] blend1_g_1_0_sum_1_1_36;
-    reg [9:0] blend1_g_1_0_sum_1_2_36;
-    reg [7:0] blend1_g_1_1_by_5_36;
-    reg [8:0] blend1_g_1_1_sum_1_0_36;
-    reg [9:0] blend1_g_1_1_sum_1_1_36;
-    reg [9:0] blend1_g_1_1_sum_1_2_36;
-    reg [7:0] blend1_g_1_2_by_5_36;
-    reg [8:0] blend1_g_1_2_sum_1_0_36;
-    reg [9:0] blend1_g_1_2_sum_1_1_36;
-    reg [9:0] blend1_g_1_2_sum_1_2_36;
-    reg [7:0] blend1_g_1_3_by_5_36;
-    reg [8:0] blend1_g_1_3_sum_1_0_36;
-    reg [9:0] blend1_g_1_3_sum_1_1_36;
-    reg [9:0] blend1_g_1_3_sum_1_2_36;
-    reg [7:0] blend1_b_1_0_by_5_36;
-    reg [8:0] blend1_b_1_0_sum_1_0_36;
-    reg [9:0] blend1_b_1_0_sum_1_1_36;
-    reg [9:0] blend1_b_1_0_sum_1_2_36;
-    reg [7:0] blend1_b_1_1_by_5_36;
-    reg [8:0] blend1_b_1_1_sum_1_0_36;
-    reg [9:0] blend1_b_1_1_sum_1_1_36;
-    reg [9:0] blend1_b_1_1_sum_1_2_36;
-    reg [7:0] blend1_b_1_2_by_5_36;
-    reg [8:0] blend1_b_1_2_sum_1_0_36;
-    reg [9:0] blend1_b_1_2_sum_1_1_36;
-    reg [9:0] blend1_b_1_2_sum_1_2_36;
-    reg [7:0] blend1_b_1_3_by_5_36;
-    reg [8:0] blend1_b_1_3_sum_1_0_36;
-    reg [9:0] blend1_b_1_3_sum_1_1_36;
-    reg [9:0] blend1_b_1_3_sum_1_2_36;
+    reg [7:0] texels_1_even_even_even_g_36;
+    reg [7:0] texels_1_even_even_odd_g_36;
+    reg [7:0] texels_1_even_odd_even_g_36;
+    reg [7:0] texels_1_even_odd_odd_g_36;
+    reg [7:0] texels_1_odd_even_even_g_36;
+    reg [7:0] texels_1_odd_even_odd_g_36;
+    reg [7:0] texels_1_odd_odd_even_g_36;
+    reg [7:0] texels_1_odd_odd_odd_g_36;
+    reg [7:0] texels_1_even_even_even_b_36;
+    reg [7:0] texels_1_even_even_odd_b_36;
+    reg [7:0] texels_1_even_odd_even_b_36;
+    reg [7:0] texels_1_even_odd_odd_b_36;
+    reg [7:0] texels_1_odd_even_even_b_36;
+    reg [7:0] texels_1_odd_even_odd_b_36;
+    reg [7:0] texels_1_odd_odd_even_b_36;
+    reg [7:0] texels_1_odd_odd_odd_b_36;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_36 <= in_gain1r_35;
@@ -3829,22 +3215,28 @@ module image_paper #(
             in_gain1b_36 <= in_gain1b_35;
             hidden_36 <= hidden_35;
             shift1_36 <= shift1_35;
-            blend1_r_1_0_by_5_36 <= blend1_r_1_0_by_5_35;
-            blend1_r_1_0_sum_1_0_36 <= blend1_r_1_0_sum_1_0_35;
-            blend1_r_1_0_sum_1_1_36 <= blend1_r_1_0_sum_1_1_35;
-            blend1_r_1_0_sum_1_2_36 <= blend1_r_1_0_sum_1_2_35;
-            blend1_r_1_1_by_5_36 <= blend1_r_1_1_by_5_35;
-            blend1_r_1_1_sum_1_0_36 <= blend1_r_1_1_sum_1_0_35;
-            blend1_r_1_1_sum_1_1_36 <= blend1_r_1_1_sum_1_1_35;
-            blend1_r_1_1_sum_1_2_36 <= blend1_r_1_1_sum_1_2_35;
-            blend1_r_1_2_by_5_36 <= blend1_r_1_2_by_5_35;
-            blend1_r_1_2_sum_1_0_36 <= blend1_r_1_2_sum_1_0_35;
-            blend1_r_1_2_sum_1_1_36 <= blend1_r_1_2_sum_1_1_35;
-            blend1_r_1_2_sum_1_2_36 <= blend1_r_1_2_sum_1_2_35;
-            blend1_r_1_3_by_5_36 <= blend1_r_1_3_by_5_35;
-            blend1_r_1_3_sum_1_0_36 <= blend1_r_1_3_sum_1_0_35;
-            blend1_r_1_3_sum_1_1_36 <= blend1_r_1_3_sum_1_1_35;
-            blend1_r_1_3_sum_1_2_36 <= blend1_r_1_3_sum_1_2_35;
+            texels_1_even_even_even_r_36 <= texels_1_even_even_even_r_35;
+            texels_1_even_even_odd_r_36 <= texels_1_even_even_odd_r_35;
+            texels_1_even_odd_even_r_36 <= texels_1_even_odd_even_r_35;
+            texels_1_even_odd_odd_r_36 <= texels_1_even_odd_odd_r_35;
+            texels_1_odd_even_even_r_36 <= texels_1_odd_even_even_r_35;
+            texels_1_odd_even_odd_r_36 <= texels_1_odd_even_odd_r_35;
+            texels_1_odd_odd_even_r_36 <= texels_1_odd_odd_even_r_35;
+            texels_1_odd_odd_odd_r_36 <= texels_1_odd_odd_odd_r_35;
+            u1_even_odd_whole_36 <= u1_even_odd_whole_35;
+            u1_even_odd_of_0_36 <= u1_even_odd_of_0_35;
+            u1_even_odd_of_1_36 <= u1_even_odd_of_1_35;
+            u1_even_odd_of_2_36 <= u1_even_odd_of_2_35;
+            u1_even_odd_of_3_36 <= u1_even_odd_of_3_35;
+            u1_even_odd_of_4_36 <= u1_even_odd_of_4_35;
+            u1_even_odd_of_5_36 <= u1_even_odd_of_5_35;
+            u1_odd_odd_whole_36 <= u1_odd_odd_whole_35;
+            u1_odd_odd_of_0_36 <= u1_odd_odd_of_0_35;
+            u1_odd_odd_of_1_36 <= u1_odd_odd_of_1_35;
+            u1_odd_odd_of_2_36 <= u1_odd_odd_of_2_35;
+            u1_odd_odd_of_3_36 <= u1_odd_odd_of_3_35;
+            u1_odd_odd_of_4_36 <= u1_odd_odd_of_4_35;
+            u1_odd_odd_of_5_36 <= u1_odd_odd_of_5_35;
             v1_odd_whole_36 <= v1_odd_whole_35;
             v1_odd_of_0_36 <= v1_odd_of_0_35;
             v1_odd_of_1_36 <= v1_odd_of_1_35;
@@ -3853,127 +3245,53 @@ module image_paper #(
             v1_odd_of_4_36 <= v1_odd_of_4_35;
             v1_odd_of_5_36 <= v1_odd_of_5_35;
             blend1_signed_36 <= blend1_signed_35;
-            blend1_g_1_0_by_5_36 <= blend1_g_1_0_by_5_35;
-            blend1_g_1_0_sum_1_0_36 <= blend1_g_1_0_sum_1_0_35;
-            blend1_g_1_0_sum_1_1_36 <= blend1_g_1_0_sum_1_1_35;
-            blend1_g_1_0_sum_1_2_36 <= blend1_g_1_0_sum_1_2_35;
-            blend1_g_1_1_by_5_36 <= blend1_g_1_1_by_5_35;
-            blend1_g_1_1_sum_1_0_36 <= blend1_g_1_1_sum_1_0_35;
-            blend1_g_1_1_sum_1_1_36 <= blend1_g_1_1_sum_1_1_35;
-            blend1_g_1_1_sum_1_2_36 <= blend1_g_1_1_sum_1_2_35;
-            blend1_g_1_2_by_5_36 <= blend1_g_1_2_by_5_35;
-            blend1_g_1_2_sum_1_0_36 <= blend1_g_1_2_sum_1_0_35;
-            blend1_g_1_2_sum_1_1_36 <= blend1_g_1_2_sum_1_1_35;
-            blend1_g_1_2_sum_1_2_36 <= blend1_g_1_2_sum_1_2_35;
-            blend1_g_1_3_by_5_36 <= blend1_g_1_3_by_5_35;
-            blend1_g_1_3_sum_1_0_36 <= blend1_g_1_3_sum_1_0_35;
-            blend1_g_1_3_sum_1_1_36 <= blend1_g_1_3_sum_1_1_35;
-            blend1_g_1_3_sum_1_2_36 <= blend1_g_1_3_sum_1_2_35;
-            blend1_b_1_0_by_5_36 <= blend1_b_1_0_by_5_35;
-            blend1_b_1_0_sum_1_0_36 <= blend1_b_1_0_sum_1_0_35;
-            blend1_b_1_0_sum_1_1_36 <= blend1_b_1_0_sum_1_1_35;
-            blend1_b_1_0_sum_1_2_36 <= blend1_b_1_0_sum_1_2_35;
-            blend1_b_1_1_by_5_36 <= blend1_b_1_1_by_5_35;
-            blend1_b_1_1_sum_1_0_36 <= blend1_b_1_1_sum_1_0_35;
-            blend1_b_1_1_sum_1_1_36 <= blend1_b_1_1_sum_1_1_35;
-            blend1_b_1_1_sum_1_2_36 <= blend1_b_1_1_sum_1_2_35;
-            blend1_b_1_2_by_5_36 <= blend1_b_1_2_by_5_35;
-            blend1_b_1_2_sum_1_0_36 <= blend1_b_1_2_sum_1_0_35;
-            blend1_b_1_2_sum_1_1_36 <= blend1_b_1_2_sum_1_1_35;
-            blend1_b_1_2_sum_1_2_36 <= blend1_b_1_2_sum_1_2_35;
-            blend1_b_1_3_by_5_36 <= blend1_b_1_3_by_5_35;
-            blend1_b_1_3_sum_1_0_36 <= blend1_b_1_3_sum_1_0_35;
-            blend1_b_1_3_sum_1_1_36 <= blend1_b_1_3_sum_1_1_35;
-            blend1_b_1_3_sum_1_2_36 <= blend1_b_1_3_sum_1_2_35;
+            texels_1_even_even_even_g_36 <= texels_1_even_even_even_g_35;
+            texels_1_even_even_odd_g_36 <= texels_1_even_even_odd_g_35;
+            texels_1_even_odd_even_g_36 <= texels_1_even_odd_even_g_35;
+            texels_1_even_odd_odd_g_36 <= texels_1_even_odd_odd_g_35;
+            texels_1_odd_even_even_g_36 <= texels_1_odd_even_even_g_35;
+            texels_1_odd_even_odd_g_36 <= texels_1_odd_even_odd_g_35;
+            texels_1_odd_odd_even_g_36 <= texels_1_odd_odd_even_g_35;
+            texels_1_odd_odd_odd_g_36 <= texels_1_odd_odd_odd_g_35;
+            texels_1_even_even_even_b_36 <= texels_1_even_even_even_b_35;
+            texels_1_even_even_odd_b_36 <= texels_1_even_even_odd_b_35;
+            texels_1_even_odd_even_b_36 <= texels_1_even_odd_even_b_35;
+            texels_1_even_odd_odd_b_36 <= texels_1_even_odd_odd_b_35;
+            texels_1_odd_even_even_b_36 <= texels_1_odd_even_even_b_35;
+            texels_1_odd_even_odd_b_36 <= texels_1_odd_even_odd_b_35;
+            texels_1_odd_odd_even_b_36 <= texels_1_odd_odd_even_b_35;
+            texels_1_odd_odd_odd_b_36 <= texels_1_odd_odd_odd_b_35;
         end
     end
 
-    // ===== Stage 36: blend1_r_1_0_sum_2_0, blend1_r_1_0_sum_2_1 and 22 more
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_r_1_0_sum_2_0_36 =
-        {2'd0, blend1_r_1_0_sum_1_0_36} + {blend1_r_1_0_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_r_1_0_sum_2_1_36 =
-        {1'd0, blend1_r_1_0_sum_1_2_36} + {1'd0, blend1_r_1_0_by_5_36, 2'd0};
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_r_1_1_sum_2_0_36 =
-        {2'd0, blend1_r_1_1_sum_1_0_36} + {blend1_r_1_1_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_r_1_1_sum_2_1_36 =
-        {1'd0, blend1_r_1_1_sum_1_2_36} + {1'd0, blend1_r_1_1_by_5_36, 2'd0};
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_r_1_2_sum_2_0_36 =
-        {2'd0, blend1_r_1_2_sum_1_0_36} + {blend1_r_1_2_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_r_1_2_sum_2_1_36 =
-        {1'd0, blend1_r_1_2_sum_1_2_36} + {1'd0, blend1_r_1_2_by_5_36, 2'd0};
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_r_1_3_sum_2_0_36 =
-        {2'd0, blend1_r_1_3_sum_1_0_36} + {blend1_r_1_3_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_r_1_3_sum_2_1_36 =
-        {1'd0, blend1_r_1_3_sum_1_2_36} + {1'd0, blend1_r_1_3_by_5_36, 2'd0};
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_g_1_0_sum_2_0_36 =
-        {2'd0, blend1_g_1_0_sum_1_0_36} + {blend1_g_1_0_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_g_1_0_sum_2_1_36 =
-        {1'd0, blend1_g_1_0_sum_1_2_36} + {1'd0, blend1_g_1_0_by_5_36, 2'd0};
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_g_1_1_sum_2_0_36 =
-        {2'd0, blend1_g_1_1_sum_1_0_36} + {blend1_g_1_1_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_g_1_1_sum_2_1_36 =
-        {1'd0, blend1_g_1_1_sum_1_2_36} + {1'd0, blend1_g_1_1_by_5_36, 2'd0};
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_g_1_2_sum_2_0_36 =
-        {2'd0, blend1_g_1_2_sum_1_0_36} + {blend1_g_1_2_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_g_1_2_sum_2_1_36 =
-        {1'd0, blend1_g_1_2_sum_1_2_36} + {1'd0, blend1_g_1_2_by_5_36, 2'd0};
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_g_1_3_sum_2_0_36 =
-        {2'd0, blend1_g_1_3_sum_1_0_36} + {blend1_g_1_3_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_g_1_3_sum_2_1_36 =
-        {1'd0, blend1_g_1_3_sum_1_2_36} + {1'd0, blend1_g_1_3_by_5_36, 2'd0};
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_b_1_0_sum_2_0_36 =
-        {2'd0, blend1_b_1_0_sum_1_0_36} + {blend1_b_1_0_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_b_1_0_sum_2_1_36 =
-        {1'd0, blend1_b_1_0_sum_1_2_36} + {1'd0, blend1_b_1_0_by_5_36, 2'd0};
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_b_1_1_sum_2_0_36 =
-        {2'd0, blend1_b_1_1_sum_1_0_36} + {blend1_b_1_1_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_b_1_1_sum_2_1_36 =
-        {1'd0, blend1_b_1_1_sum_1_2_36} + {1'd0, blend1_b_1_1_by_5_36, 2'd0};
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_b_1_2_sum_2_0_36 =
-        {2'd0, blend1_b_1_2_sum_1_0_36} + {blend1_b_1_2_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_b_1_2_sum_2_1_36 =
-        {1'd0, blend1_b_1_2_sum_1_2_36} + {1'd0, blend1_b_1_2_by_5_36, 2'd0};
-    // UQ-3.14: the sum of two
-    wire [10:0] blend1_b_1_3_sum_2_0_36 =
-        {2'd0, blend1_b_1_3_sum_1_0_36} + {blend1_b_1_3_sum_1_1_36, 1'd0};
-    // UQ0.11: the sum of two
-    wire [10:0] blend1_b_1_3_sum_2_1_36 =
-        {1'd0, blend1_b_1_3_sum_1_2_36} + {1'd0, blend1_b_1_3_by_5_36, 2'd0};
+    // ===== Stage 36: registers only
     reg [17:0] in_gain1r_37;
     reg [17:0] in_gain1g_37;
     reg [17:0] in_gain1b_37;
     reg hidden_37;
     reg [2:0] shift1_37;
-    reg [10:0] blend1_r_1_0_sum_2_0_37;
-    reg [10:0] blend1_r_1_0_sum_2_1_37;
-    reg [10:0] blend1_r_1_1_sum_2_0_37;
-    reg [10:0] blend1_r_1_1_sum_2_1_37;
-    reg [10:0] blend1_r_1_2_sum_2_0_37;
-    reg [10:0] blend1_r_1_2_sum_2_1_37;
-    reg [10:0] blend1_r_1_3_sum_2_0_37;
-    reg [10:0] blend1_r_1_3_sum_2_1_37;
+    reg [7:0] texels_1_even_even_even_r_37;
+    reg [7:0] texels_1_even_even_odd_r_37;
+    reg [7:0] texels_1_even_odd_even_r_37;
+    reg [7:0] texels_1_even_odd_odd_r_37;
+    reg [7:0] texels_1_odd_even_even_r_37;
+    reg [7:0] texels_1_odd_even_odd_r_37;
+    reg [7:0] texels_1_odd_odd_even_r_37;
+    reg [7:0] texels_1_odd_odd_odd_r_37;
+    reg u1_even_odd_whole_37;
+    reg u1_even_odd_of_0_37;
+    reg u1_even_odd_of_1_37;
+    reg u1_even_odd_of_2_37;
+    reg u1_even_odd_of_3_37;
+    reg u1_even_odd_of_4_37;
+    reg u1_even_odd_of_5_37;
+    reg u1_odd_odd_whole_37;
+    reg u1_odd_odd_of_0_37;
+    reg u1_odd_odd_of_1_37;
+    reg u1_odd_odd_of_2_37;
+    reg u1_odd_odd_of_3_37;
+    reg u1_odd_odd_of_4_37;
+    reg u1_odd_odd_of_5_37;
     reg v1_odd_whole_37;
     reg v1_odd_of_0_37;
     reg v1_odd_of_1_37;
@@ -3982,22 +3300,22 @@ module image_paper #(
     reg v1_odd_of_4_37;
     reg v1_odd_of_5_37;
     reg [7:0] blend1_signed_37;
-    reg [10:0] blend1_g_1_0_sum_2_0_37;
-    reg [10:0] blend1_g_1_0_sum_2_1_37;
-    reg [10:0] blend1_g_1_1_sum_2_0_37;
-    reg [10:0] blend1_g_1_1_sum_2_1_37;
-    reg [10:0] blend1_g_1_2_sum_2_0_37;
-    reg [10:0] blend1_g_1_2_sum_2_1_37;
-    reg [10:0] blend1_g_1_3_sum_2_0_37;
-    reg [10:0] blend1_g_1_3_sum_2_1_37;
-    reg [10:0] blend1_b_1_0_sum_2_0_37;
-    reg [10:0] blend1_b_1_0_sum_2_1_37;
-    reg [10:0] blend1_b_1_1_sum_2_0_37;
-    reg [10:0] blend1_b_1_1_sum_2_1_37;
-    reg [10:0] blend1_b_1_2_sum_2_0_37;
-    reg [10:0] blend1_b_1_2_sum_2_1_37;
-    reg [10:0] blend1_b_1_3_sum_2_0_37;
-    reg [10:0] blend1_b_1_3_sum_2_1_37;
+    reg [7:0] texels_1_even_even_even_g_37;
+    reg [7:0] texels_1_even_even_odd_g_37;
+    reg [7:0] texels_1_even_odd_even_g_37;
+    reg [7:0] texels_1_even_odd_odd_g_37;
+    reg [7:0] texels_1_odd_even_even_g_37;
+    reg [7:0] texels_1_odd_even_odd_g_37;
+    reg [7:0] texels_1_odd_odd_even_g_37;
+    reg [7:0] texels_1_odd_odd_odd_g_37;
+    reg [7:0] texels_1_even_even_even_b_37;
+    reg [7:0] texels_1_even_even_odd_b_37;
+    reg [7:0] texels_1_even_odd_even_b_37;
+    reg [7:0] texels_1_even_odd_odd_b_37;
+    reg [7:0] texels_1_odd_even_even_b_37;
+    reg [7:0] texels_1_odd_even_odd_b_37;
+    reg [7:0] texels_1_odd_odd_even_b_37;
+    reg [7:0] texels_1_odd_odd_odd_b_37;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_37 <= in_gain1r_36;
@@ -4005,14 +3323,28 @@ module image_paper #(
             in_gain1b_37 <= in_gain1b_36;
             hidden_37 <= hidden_36;
             shift1_37 <= shift1_36;
-            blend1_r_1_0_sum_2_0_37 <= blend1_r_1_0_sum_2_0_36;
-            blend1_r_1_0_sum_2_1_37 <= blend1_r_1_0_sum_2_1_36;
-            blend1_r_1_1_sum_2_0_37 <= blend1_r_1_1_sum_2_0_36;
-            blend1_r_1_1_sum_2_1_37 <= blend1_r_1_1_sum_2_1_36;
-            blend1_r_1_2_sum_2_0_37 <= blend1_r_1_2_sum_2_0_36;
-            blend1_r_1_2_sum_2_1_37 <= blend1_r_1_2_sum_2_1_36;
-            blend1_r_1_3_sum_2_0_37 <= blend1_r_1_3_sum_2_0_36;
-            blend1_r_1_3_sum_2_1_37 <= blend1_r_1_3_sum_2_1_36;
+            texels_1_even_even_even_r_37 <= texels_1_even_even_even_r_36;
+            texels_1_even_even_odd_r_37 <= texels_1_even_even_odd_r_36;
+            texels_1_even_odd_even_r_37 <= texels_1_even_odd_even_r_36;
+            texels_1_even_odd_odd_r_37 <= texels_1_even_odd_odd_r_36;
+            texels_1_odd_even_even_r_37 <= texels_1_odd_even_even_r_36;
+            texels_1_odd_even_odd_r_37 <= texels_1_odd_even_odd_r_36;
+            texels_1_odd_odd_even_r_37 <= texels_1_odd_odd_even_r_36;
+            texels_1_odd_odd_odd_r_37 <= texels_1_odd_odd_odd_r_36;
+            u1_even_odd_whole_37 <= u1_even_odd_whole_36;
+            u1_even_odd_of_0_37 <= u1_even_odd_of_0_36;
+            u1_even_odd_of_1_37 <= u1_even_odd_of_1_36;
+            u1_even_odd_of_2_37 <= u1_even_odd_of_2_36;
+            u1_even_odd_of_3_37 <= u1_even_odd_of_3_36;
+            u1_even_odd_of_4_37 <= u1_even_odd_of_4_36;
+            u1_even_odd_of_5_37 <= u1_even_odd_of_5_36;
+            u1_odd_odd_whole_37 <= u1_odd_odd_whole_36;
+            u1_odd_odd_of_0_37 <= u1_odd_odd_of_0_36;
+            u1_odd_odd_of_1_37 <= u1_odd_odd_of_1_36;
+            u1_odd_odd_of_2_37 <= u1_odd_odd_of_2_36;
+            u1_odd_odd_of_3_37 <= u1_odd_odd_of_3_36;
+            u1_odd_odd_of_4_37 <= u1_odd_odd_of_4_36;
+            u1_odd_odd_of_5_37 <= u1_odd_odd_of_5_36;
             v1_odd_whole_37 <= v1_odd_whole_36;
             v1_odd_of_0_37 <= v1_odd_of_0_36;
             v1_odd_of_1_37 <= v1_odd_of_1_36;
@@ -4021,266 +3353,615 @@ module image_paper #(
             v1_odd_of_4_37 <= v1_odd_of_4_36;
             v1_odd_of_5_37 <= v1_odd_of_5_36;
             blend1_signed_37 <= blend1_signed_36;
-            blend1_g_1_0_sum_2_0_37 <= blend1_g_1_0_sum_2_0_36;
-            blend1_g_1_0_sum_2_1_37 <= blend1_g_1_0_sum_2_1_36;
-            blend1_g_1_1_sum_2_0_37 <= blend1_g_1_1_sum_2_0_36;
-            blend1_g_1_1_sum_2_1_37 <= blend1_g_1_1_sum_2_1_36;
-            blend1_g_1_2_sum_2_0_37 <= blend1_g_1_2_sum_2_0_36;
-            blend1_g_1_2_sum_2_1_37 <= blend1_g_1_2_sum_2_1_36;
-            blend1_g_1_3_sum_2_0_37 <= blend1_g_1_3_sum_2_0_36;
-            blend1_g_1_3_sum_2_1_37 <= blend1_g_1_3_sum_2_1_36;
-            blend1_b_1_0_sum_2_0_37 <= blend1_b_1_0_sum_2_0_36;
-            blend1_b_1_0_sum_2_1_37 <= blend1_b_1_0_sum_2_1_36;
-            blend1_b_1_1_sum_2_0_37 <= blend1_b_1_1_sum_2_0_36;
-            blend1_b_1_1_sum_2_1_37 <= blend1_b_1_1_sum_2_1_36;
-            blend1_b_1_2_sum_2_0_37 <= blend1_b_1_2_sum_2_0_36;
-            blend1_b_1_2_sum_2_1_37 <= blend1_b_1_2_sum_2_1_36;
-            blend1_b_1_3_sum_2_0_37 <= blend1_b_1_3_sum_2_0_36;
-            blend1_b_1_3_sum_2_1_37 <= blend1_b_1_3_sum_2_1_36;
+            texels_1_even_even_even_g_37 <= texels_1_even_even_even_g_36;
+            texels_1_even_even_odd_g_37 <= texels_1_even_even_odd_g_36;
+            texels_1_even_odd_even_g_37 <= texels_1_even_odd_even_g_36;
+            texels_1_even_odd_odd_g_37 <= texels_1_even_odd_odd_g_36;
+            texels_1_odd_even_even_g_37 <= texels_1_odd_even_even_g_36;
+            texels_1_odd_even_odd_g_37 <= texels_1_odd_even_odd_g_36;
+            texels_1_odd_odd_even_g_37 <= texels_1_odd_odd_even_g_36;
+            texels_1_odd_odd_odd_g_37 <= texels_1_odd_odd_odd_g_36;
+            texels_1_even_even_even_b_37 <= texels_1_even_even_even_b_36;
+            texels_1_even_even_odd_b_37 <= texels_1_even_even_odd_b_36;
+            texels_1_even_odd_even_b_37 <= texels_1_even_odd_even_b_36;
+            texels_1_even_odd_odd_b_37 <= texels_1_even_odd_odd_b_36;
+            texels_1_odd_even_even_b_37 <= texels_1_odd_even_even_b_36;
+            texels_1_odd_even_odd_b_37 <= texels_1_odd_even_odd_b_36;
+            texels_1_odd_odd_even_b_37 <= texels_1_odd_odd_even_b_36;
+            texels_1_odd_odd_odd_b_37 <= texels_1_odd_odd_odd_b_36;
         end
     end
 
-    // ===== Stage 37: blend1_r_1_0, blend1_r_1_1, blend1_r_1_2, blend1_r_1_3 and 50 more
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_r_1_0_37 = {3'd0, blend1_r_1_0_sum_2_0_37} + {blend1_r_1_0_sum_2_1_37, 3'd0};
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_r_1_1_37 = {3'd0, blend1_r_1_1_sum_2_0_37} + {blend1_r_1_1_sum_2_1_37, 3'd0};
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_r_1_2_37 = {3'd0, blend1_r_1_2_sum_2_0_37} + {blend1_r_1_2_sum_2_1_37, 3'd0};
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_r_1_3_37 = {3'd0, blend1_r_1_3_sum_2_0_37} + {blend1_r_1_3_sum_2_1_37, 3'd0};
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_0_either_whole_37 = v1_odd_whole_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_r_2_0_by_whole_37 = blend1_r_2_0_either_whole_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_0_either_0_37 = v1_odd_of_0_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_r_2_0_by_0_37 = blend1_r_2_0_either_0_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_0_either_1_37 = v1_odd_of_1_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
-    // UQ-5.19: shifted
-    wire [13:0] blend1_r_2_0_by_1_37 = blend1_r_2_0_either_1_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_0_either_2_37 = v1_odd_of_2_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
-    // UQ-4.18: shifted
-    wire [13:0] blend1_r_2_0_by_2_37 = blend1_r_2_0_either_2_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_0_either_3_37 = v1_odd_of_3_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
-    // UQ-3.17: shifted
-    wire [13:0] blend1_r_2_0_by_3_37 = blend1_r_2_0_either_3_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_0_either_4_37 = v1_odd_of_4_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
-    // UQ-2.16: shifted
-    wire [13:0] blend1_r_2_0_by_4_37 = blend1_r_2_0_either_4_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_0_either_5_37 = v1_odd_of_5_37 ? blend1_r_1_1_37 : blend1_r_1_0_37;
-    // UQ-1.15: shifted
-    wire [13:0] blend1_r_2_0_by_5_37 = blend1_r_2_0_either_5_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_1_either_whole_37 = v1_odd_whole_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_r_2_1_by_whole_37 = blend1_r_2_1_either_whole_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_1_either_0_37 = v1_odd_of_0_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_r_2_1_by_0_37 = blend1_r_2_1_either_0_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_1_either_1_37 = v1_odd_of_1_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
-    // UQ-5.19: shifted
-    wire [13:0] blend1_r_2_1_by_1_37 = blend1_r_2_1_either_1_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_1_either_2_37 = v1_odd_of_2_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
-    // UQ-4.18: shifted
-    wire [13:0] blend1_r_2_1_by_2_37 = blend1_r_2_1_either_2_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_1_either_3_37 = v1_odd_of_3_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
-    // UQ-3.17: shifted
-    wire [13:0] blend1_r_2_1_by_3_37 = blend1_r_2_1_either_3_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_1_either_4_37 = v1_odd_of_4_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
-    // UQ-2.16: shifted
-    wire [13:0] blend1_r_2_1_by_4_37 = blend1_r_2_1_either_4_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_r_2_1_either_5_37 = v1_odd_of_5_37 ? blend1_r_1_3_37 : blend1_r_1_2_37;
-    // UQ-1.15: shifted
-    wire [13:0] blend1_r_2_1_by_5_37 = blend1_r_2_1_either_5_37;
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_g_1_0_37 = {3'd0, blend1_g_1_0_sum_2_0_37} + {blend1_g_1_0_sum_2_1_37, 3'd0};
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_g_1_1_37 = {3'd0, blend1_g_1_1_sum_2_0_37} + {blend1_g_1_1_sum_2_1_37, 3'd0};
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_g_1_2_37 = {3'd0, blend1_g_1_2_sum_2_0_37} + {blend1_g_1_2_sum_2_1_37, 3'd0};
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_g_1_3_37 = {3'd0, blend1_g_1_3_sum_2_0_37} + {blend1_g_1_3_sum_2_1_37, 3'd0};
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_0_either_whole_37 = v1_odd_whole_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_g_2_0_by_whole_37 = blend1_g_2_0_either_whole_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_0_either_0_37 = v1_odd_of_0_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_g_2_0_by_0_37 = blend1_g_2_0_either_0_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_0_either_1_37 = v1_odd_of_1_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
-    // UQ-5.19: shifted
-    wire [13:0] blend1_g_2_0_by_1_37 = blend1_g_2_0_either_1_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_0_either_2_37 = v1_odd_of_2_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
-    // UQ-4.18: shifted
-    wire [13:0] blend1_g_2_0_by_2_37 = blend1_g_2_0_either_2_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_0_either_3_37 = v1_odd_of_3_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
-    // UQ-3.17: shifted
-    wire [13:0] blend1_g_2_0_by_3_37 = blend1_g_2_0_either_3_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_0_either_4_37 = v1_odd_of_4_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
-    // UQ-2.16: shifted
-    wire [13:0] blend1_g_2_0_by_4_37 = blend1_g_2_0_either_4_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_0_either_5_37 = v1_odd_of_5_37 ? blend1_g_1_1_37 : blend1_g_1_0_37;
-    // UQ-1.15: shifted
-    wire [13:0] blend1_g_2_0_by_5_37 = blend1_g_2_0_either_5_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_1_either_whole_37 = v1_odd_whole_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_g_2_1_by_whole_37 = blend1_g_2_1_either_whole_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_1_either_0_37 = v1_odd_of_0_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_g_2_1_by_0_37 = blend1_g_2_1_either_0_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_1_either_1_37 = v1_odd_of_1_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
-    // UQ-5.19: shifted
-    wire [13:0] blend1_g_2_1_by_1_37 = blend1_g_2_1_either_1_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_1_either_2_37 = v1_odd_of_2_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
-    // UQ-4.18: shifted
-    wire [13:0] blend1_g_2_1_by_2_37 = blend1_g_2_1_either_2_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_1_either_3_37 = v1_odd_of_3_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
-    // UQ-3.17: shifted
-    wire [13:0] blend1_g_2_1_by_3_37 = blend1_g_2_1_either_3_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_1_either_4_37 = v1_odd_of_4_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
-    // UQ-2.16: shifted
-    wire [13:0] blend1_g_2_1_by_4_37 = blend1_g_2_1_either_4_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_g_2_1_either_5_37 = v1_odd_of_5_37 ? blend1_g_1_3_37 : blend1_g_1_2_37;
-    // UQ-1.15: shifted
-    wire [13:0] blend1_g_2_1_by_5_37 = blend1_g_2_1_either_5_37;
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_b_1_0_37 = {3'd0, blend1_b_1_0_sum_2_0_37} + {blend1_b_1_0_sum_2_1_37, 3'd0};
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_b_1_1_37 = {3'd0, blend1_b_1_1_sum_2_0_37} + {blend1_b_1_1_sum_2_1_37, 3'd0};
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_b_1_2_37 = {3'd0, blend1_b_1_2_sum_2_0_37} + {blend1_b_1_2_sum_2_1_37, 3'd0};
-    // UQ0.14: two neighbours
-    wire [13:0] blend1_b_1_3_37 = {3'd0, blend1_b_1_3_sum_2_0_37} + {blend1_b_1_3_sum_2_1_37, 3'd0};
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_0_either_whole_37 = v1_odd_whole_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_b_2_0_by_whole_37 = blend1_b_2_0_either_whole_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_0_either_0_37 = v1_odd_of_0_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_b_2_0_by_0_37 = blend1_b_2_0_either_0_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_0_either_1_37 = v1_odd_of_1_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
-    // UQ-5.19: shifted
-    wire [13:0] blend1_b_2_0_by_1_37 = blend1_b_2_0_either_1_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_0_either_2_37 = v1_odd_of_2_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
-    // UQ-4.18: shifted
-    wire [13:0] blend1_b_2_0_by_2_37 = blend1_b_2_0_either_2_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_0_either_3_37 = v1_odd_of_3_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
-    // UQ-3.17: shifted
-    wire [13:0] blend1_b_2_0_by_3_37 = blend1_b_2_0_either_3_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_0_either_4_37 = v1_odd_of_4_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
-    // UQ-2.16: shifted
-    wire [13:0] blend1_b_2_0_by_4_37 = blend1_b_2_0_either_4_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_0_either_5_37 = v1_odd_of_5_37 ? blend1_b_1_1_37 : blend1_b_1_0_37;
-    // UQ-1.15: shifted
-    wire [13:0] blend1_b_2_0_by_5_37 = blend1_b_2_0_either_5_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_1_either_whole_37 = v1_odd_whole_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_b_2_1_by_whole_37 = blend1_b_2_1_either_whole_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_1_either_0_37 = v1_odd_of_0_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
-    // UQ-6.20: shifted
-    wire [13:0] blend1_b_2_1_by_0_37 = blend1_b_2_1_either_0_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_1_either_1_37 = v1_odd_of_1_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
-    // UQ-5.19: shifted
-    wire [13:0] blend1_b_2_1_by_1_37 = blend1_b_2_1_either_1_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_1_either_2_37 = v1_odd_of_2_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
-    // UQ-4.18: shifted
-    wire [13:0] blend1_b_2_1_by_2_37 = blend1_b_2_1_either_2_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_1_either_3_37 = v1_odd_of_3_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
-    // UQ-3.17: shifted
-    wire [13:0] blend1_b_2_1_by_3_37 = blend1_b_2_1_either_3_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_1_either_4_37 = v1_odd_of_4_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
-    // UQ-2.16: shifted
-    wire [13:0] blend1_b_2_1_by_4_37 = blend1_b_2_1_either_4_37;
-    // UQ0.14: either of both
-    wire [13:0] blend1_b_2_1_either_5_37 = v1_odd_of_5_37 ? blend1_b_1_3_37 : blend1_b_1_2_37;
-    // UQ-1.15: shifted
-    wire [13:0] blend1_b_2_1_by_5_37 = blend1_b_2_1_either_5_37;
+    // ===== Stage 37: blend1_r_1_0_either_whole, blend1_r_1_0_either_0 and 118 more
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_whole_37 =
+        u1_even_odd_whole_37 ? texels_1_even_even_odd_r_37 : texels_1_even_even_even_r_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_0_by_whole_37 = blend1_r_1_0_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_0_37 =
+        u1_even_odd_of_0_37 ? texels_1_even_even_odd_r_37 : texels_1_even_even_even_r_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_0_by_0_37 = blend1_r_1_0_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_1_37 =
+        u1_even_odd_of_1_37 ? texels_1_even_even_odd_r_37 : texels_1_even_even_even_r_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_r_1_0_by_1_37 = blend1_r_1_0_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_2_37 =
+        u1_even_odd_of_2_37 ? texels_1_even_even_odd_r_37 : texels_1_even_even_even_r_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_r_1_0_by_2_37 = blend1_r_1_0_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_3_37 =
+        u1_even_odd_of_3_37 ? texels_1_even_even_odd_r_37 : texels_1_even_even_even_r_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_r_1_0_by_3_37 = blend1_r_1_0_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_4_37 =
+        u1_even_odd_of_4_37 ? texels_1_even_even_odd_r_37 : texels_1_even_even_even_r_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_r_1_0_by_4_37 = blend1_r_1_0_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_0_either_5_37 =
+        u1_even_odd_of_5_37 ? texels_1_even_even_odd_r_37 : texels_1_even_even_even_r_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_r_1_0_by_5_37 = blend1_r_1_0_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_r_1_0_sum_1_0_37 =
+        {1'd0, blend1_r_1_0_by_whole_37} + {1'd0, blend1_r_1_0_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_r_1_0_sum_1_1_37 =
+        {2'd0, blend1_r_1_0_by_1_37} + {1'd0, blend1_r_1_0_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_r_1_0_sum_1_2_37 =
+        {2'd0, blend1_r_1_0_by_3_37} + {1'd0, blend1_r_1_0_by_4_37, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_whole_37 =
+        u1_even_odd_whole_37 ? texels_1_even_odd_odd_r_37 : texels_1_even_odd_even_r_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_1_by_whole_37 = blend1_r_1_1_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_0_37 =
+        u1_even_odd_of_0_37 ? texels_1_even_odd_odd_r_37 : texels_1_even_odd_even_r_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_1_by_0_37 = blend1_r_1_1_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_1_37 =
+        u1_even_odd_of_1_37 ? texels_1_even_odd_odd_r_37 : texels_1_even_odd_even_r_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_r_1_1_by_1_37 = blend1_r_1_1_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_2_37 =
+        u1_even_odd_of_2_37 ? texels_1_even_odd_odd_r_37 : texels_1_even_odd_even_r_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_r_1_1_by_2_37 = blend1_r_1_1_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_3_37 =
+        u1_even_odd_of_3_37 ? texels_1_even_odd_odd_r_37 : texels_1_even_odd_even_r_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_r_1_1_by_3_37 = blend1_r_1_1_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_4_37 =
+        u1_even_odd_of_4_37 ? texels_1_even_odd_odd_r_37 : texels_1_even_odd_even_r_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_r_1_1_by_4_37 = blend1_r_1_1_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_1_either_5_37 =
+        u1_even_odd_of_5_37 ? texels_1_even_odd_odd_r_37 : texels_1_even_odd_even_r_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_r_1_1_by_5_37 = blend1_r_1_1_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_r_1_1_sum_1_0_37 =
+        {1'd0, blend1_r_1_1_by_whole_37} + {1'd0, blend1_r_1_1_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_r_1_1_sum_1_1_37 =
+        {2'd0, blend1_r_1_1_by_1_37} + {1'd0, blend1_r_1_1_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_r_1_1_sum_1_2_37 =
+        {2'd0, blend1_r_1_1_by_3_37} + {1'd0, blend1_r_1_1_by_4_37, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_whole_37 =
+        u1_odd_odd_whole_37 ? texels_1_odd_even_odd_r_37 : texels_1_odd_even_even_r_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_2_by_whole_37 = blend1_r_1_2_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_0_37 =
+        u1_odd_odd_of_0_37 ? texels_1_odd_even_odd_r_37 : texels_1_odd_even_even_r_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_2_by_0_37 = blend1_r_1_2_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_1_37 =
+        u1_odd_odd_of_1_37 ? texels_1_odd_even_odd_r_37 : texels_1_odd_even_even_r_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_r_1_2_by_1_37 = blend1_r_1_2_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_2_37 =
+        u1_odd_odd_of_2_37 ? texels_1_odd_even_odd_r_37 : texels_1_odd_even_even_r_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_r_1_2_by_2_37 = blend1_r_1_2_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_3_37 =
+        u1_odd_odd_of_3_37 ? texels_1_odd_even_odd_r_37 : texels_1_odd_even_even_r_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_r_1_2_by_3_37 = blend1_r_1_2_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_4_37 =
+        u1_odd_odd_of_4_37 ? texels_1_odd_even_odd_r_37 : texels_1_odd_even_even_r_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_r_1_2_by_4_37 = blend1_r_1_2_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_2_either_5_37 =
+        u1_odd_odd_of_5_37 ? texels_1_odd_even_odd_r_37 : texels_1_odd_even_even_r_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_r_1_2_by_5_37 = blend1_r_1_2_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_r_1_2_sum_1_0_37 =
+        {1'd0, blend1_r_1_2_by_whole_37} + {1'd0, blend1_r_1_2_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_r_1_2_sum_1_1_37 =
+        {2'd0, blend1_r_1_2_by_1_37} + {1'd0, blend1_r_1_2_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_r_1_2_sum_1_2_37 =
+        {2'd0, blend1_r_1_2_by_3_37} + {1'd0, blend1_r_1_2_by_4_37, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_whole_37 =
+        u1_odd_odd_whole_37 ? texels_1_odd_odd_odd_r_37 : texels_1_odd_odd_even_r_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_3_by_whole_37 = blend1_r_1_3_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_0_37 =
+        u1_odd_odd_of_0_37 ? texels_1_odd_odd_odd_r_37 : texels_1_odd_odd_even_r_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_r_1_3_by_0_37 = blend1_r_1_3_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_1_37 =
+        u1_odd_odd_of_1_37 ? texels_1_odd_odd_odd_r_37 : texels_1_odd_odd_even_r_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_r_1_3_by_1_37 = blend1_r_1_3_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_2_37 =
+        u1_odd_odd_of_2_37 ? texels_1_odd_odd_odd_r_37 : texels_1_odd_odd_even_r_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_r_1_3_by_2_37 = blend1_r_1_3_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_3_37 =
+        u1_odd_odd_of_3_37 ? texels_1_odd_odd_odd_r_37 : texels_1_odd_odd_even_r_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_r_1_3_by_3_37 = blend1_r_1_3_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_4_37 =
+        u1_odd_odd_of_4_37 ? texels_1_odd_odd_odd_r_37 : texels_1_odd_odd_even_r_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_r_1_3_by_4_37 = blend1_r_1_3_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_r_1_3_either_5_37 =
+        u1_odd_odd_of_5_37 ? texels_1_odd_odd_odd_r_37 : texels_1_odd_odd_even_r_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_r_1_3_by_5_37 = blend1_r_1_3_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_r_1_3_sum_1_0_37 =
+        {1'd0, blend1_r_1_3_by_whole_37} + {1'd0, blend1_r_1_3_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_r_1_3_sum_1_1_37 =
+        {2'd0, blend1_r_1_3_by_1_37} + {1'd0, blend1_r_1_3_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_r_1_3_sum_1_2_37 =
+        {2'd0, blend1_r_1_3_by_3_37} + {1'd0, blend1_r_1_3_by_4_37, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_whole_37 =
+        u1_even_odd_whole_37 ? texels_1_even_even_odd_g_37 : texels_1_even_even_even_g_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_0_by_whole_37 = blend1_g_1_0_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_0_37 =
+        u1_even_odd_of_0_37 ? texels_1_even_even_odd_g_37 : texels_1_even_even_even_g_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_0_by_0_37 = blend1_g_1_0_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_1_37 =
+        u1_even_odd_of_1_37 ? texels_1_even_even_odd_g_37 : texels_1_even_even_even_g_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_g_1_0_by_1_37 = blend1_g_1_0_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_2_37 =
+        u1_even_odd_of_2_37 ? texels_1_even_even_odd_g_37 : texels_1_even_even_even_g_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_g_1_0_by_2_37 = blend1_g_1_0_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_3_37 =
+        u1_even_odd_of_3_37 ? texels_1_even_even_odd_g_37 : texels_1_even_even_even_g_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_g_1_0_by_3_37 = blend1_g_1_0_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_4_37 =
+        u1_even_odd_of_4_37 ? texels_1_even_even_odd_g_37 : texels_1_even_even_even_g_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_g_1_0_by_4_37 = blend1_g_1_0_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_0_either_5_37 =
+        u1_even_odd_of_5_37 ? texels_1_even_even_odd_g_37 : texels_1_even_even_even_g_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_g_1_0_by_5_37 = blend1_g_1_0_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_g_1_0_sum_1_0_37 =
+        {1'd0, blend1_g_1_0_by_whole_37} + {1'd0, blend1_g_1_0_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_g_1_0_sum_1_1_37 =
+        {2'd0, blend1_g_1_0_by_1_37} + {1'd0, blend1_g_1_0_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_g_1_0_sum_1_2_37 =
+        {2'd0, blend1_g_1_0_by_3_37} + {1'd0, blend1_g_1_0_by_4_37, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_whole_37 =
+        u1_even_odd_whole_37 ? texels_1_even_odd_odd_g_37 : texels_1_even_odd_even_g_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_1_by_whole_37 = blend1_g_1_1_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_0_37 =
+        u1_even_odd_of_0_37 ? texels_1_even_odd_odd_g_37 : texels_1_even_odd_even_g_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_1_by_0_37 = blend1_g_1_1_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_1_37 =
+        u1_even_odd_of_1_37 ? texels_1_even_odd_odd_g_37 : texels_1_even_odd_even_g_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_g_1_1_by_1_37 = blend1_g_1_1_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_2_37 =
+        u1_even_odd_of_2_37 ? texels_1_even_odd_odd_g_37 : texels_1_even_odd_even_g_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_g_1_1_by_2_37 = blend1_g_1_1_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_3_37 =
+        u1_even_odd_of_3_37 ? texels_1_even_odd_odd_g_37 : texels_1_even_odd_even_g_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_g_1_1_by_3_37 = blend1_g_1_1_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_4_37 =
+        u1_even_odd_of_4_37 ? texels_1_even_odd_odd_g_37 : texels_1_even_odd_even_g_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_g_1_1_by_4_37 = blend1_g_1_1_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_1_either_5_37 =
+        u1_even_odd_of_5_37 ? texels_1_even_odd_odd_g_37 : texels_1_even_odd_even_g_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_g_1_1_by_5_37 = blend1_g_1_1_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_g_1_1_sum_1_0_37 =
+        {1'd0, blend1_g_1_1_by_whole_37} + {1'd0, blend1_g_1_1_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_g_1_1_sum_1_1_37 =
+        {2'd0, blend1_g_1_1_by_1_37} + {1'd0, blend1_g_1_1_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_g_1_1_sum_1_2_37 =
+        {2'd0, blend1_g_1_1_by_3_37} + {1'd0, blend1_g_1_1_by_4_37, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_whole_37 =
+        u1_odd_odd_whole_37 ? texels_1_odd_even_odd_g_37 : texels_1_odd_even_even_g_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_2_by_whole_37 = blend1_g_1_2_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_0_37 =
+        u1_odd_odd_of_0_37 ? texels_1_odd_even_odd_g_37 : texels_1_odd_even_even_g_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_2_by_0_37 = blend1_g_1_2_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_1_37 =
+        u1_odd_odd_of_1_37 ? texels_1_odd_even_odd_g_37 : texels_1_odd_even_even_g_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_g_1_2_by_1_37 = blend1_g_1_2_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_2_37 =
+        u1_odd_odd_of_2_37 ? texels_1_odd_even_odd_g_37 : texels_1_odd_even_even_g_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_g_1_2_by_2_37 = blend1_g_1_2_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_3_37 =
+        u1_odd_odd_of_3_37 ? texels_1_odd_even_odd_g_37 : texels_1_odd_even_even_g_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_g_1_2_by_3_37 = blend1_g_1_2_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_4_37 =
+        u1_odd_odd_of_4_37 ? texels_1_odd_even_odd_g_37 : texels_1_odd_even_even_g_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_g_1_2_by_4_37 = blend1_g_1_2_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_2_either_5_37 =
+        u1_odd_odd_of_5_37 ? texels_1_odd_even_odd_g_37 : texels_1_odd_even_even_g_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_g_1_2_by_5_37 = blend1_g_1_2_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_g_1_2_sum_1_0_37 =
+        {1'd0, blend1_g_1_2_by_whole_37} + {1'd0, blend1_g_1_2_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_g_1_2_sum_1_1_37 =
+        {2'd0, blend1_g_1_2_by_1_37} + {1'd0, blend1_g_1_2_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_g_1_2_sum_1_2_37 =
+        {2'd0, blend1_g_1_2_by_3_37} + {1'd0, blend1_g_1_2_by_4_37, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_whole_37 =
+        u1_odd_odd_whole_37 ? texels_1_odd_odd_odd_g_37 : texels_1_odd_odd_even_g_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_3_by_whole_37 = blend1_g_1_3_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_0_37 =
+        u1_odd_odd_of_0_37 ? texels_1_odd_odd_odd_g_37 : texels_1_odd_odd_even_g_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_g_1_3_by_0_37 = blend1_g_1_3_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_1_37 =
+        u1_odd_odd_of_1_37 ? texels_1_odd_odd_odd_g_37 : texels_1_odd_odd_even_g_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_g_1_3_by_1_37 = blend1_g_1_3_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_2_37 =
+        u1_odd_odd_of_2_37 ? texels_1_odd_odd_odd_g_37 : texels_1_odd_odd_even_g_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_g_1_3_by_2_37 = blend1_g_1_3_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_3_37 =
+        u1_odd_odd_of_3_37 ? texels_1_odd_odd_odd_g_37 : texels_1_odd_odd_even_g_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_g_1_3_by_3_37 = blend1_g_1_3_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_4_37 =
+        u1_odd_odd_of_4_37 ? texels_1_odd_odd_odd_g_37 : texels_1_odd_odd_even_g_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_g_1_3_by_4_37 = blend1_g_1_3_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_g_1_3_either_5_37 =
+        u1_odd_odd_of_5_37 ? texels_1_odd_odd_odd_g_37 : texels_1_odd_odd_even_g_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_g_1_3_by_5_37 = blend1_g_1_3_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_g_1_3_sum_1_0_37 =
+        {1'd0, blend1_g_1_3_by_whole_37} + {1'd0, blend1_g_1_3_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_g_1_3_sum_1_1_37 =
+        {2'd0, blend1_g_1_3_by_1_37} + {1'd0, blend1_g_1_3_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_g_1_3_sum_1_2_37 =
+        {2'd0, blend1_g_1_3_by_3_37} + {1'd0, blend1_g_1_3_by_4_37, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_whole_37 =
+        u1_even_odd_whole_37 ? texels_1_even_even_odd_b_37 : texels_1_even_even_even_b_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_0_by_whole_37 = blend1_b_1_0_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_0_37 =
+        u1_even_odd_of_0_37 ? texels_1_even_even_odd_b_37 : texels_1_even_even_even_b_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_0_by_0_37 = blend1_b_1_0_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_1_37 =
+        u1_even_odd_of_1_37 ? texels_1_even_even_odd_b_37 : texels_1_even_even_even_b_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_b_1_0_by_1_37 = blend1_b_1_0_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_2_37 =
+        u1_even_odd_of_2_37 ? texels_1_even_even_odd_b_37 : texels_1_even_even_even_b_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_b_1_0_by_2_37 = blend1_b_1_0_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_3_37 =
+        u1_even_odd_of_3_37 ? texels_1_even_even_odd_b_37 : texels_1_even_even_even_b_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_b_1_0_by_3_37 = blend1_b_1_0_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_4_37 =
+        u1_even_odd_of_4_37 ? texels_1_even_even_odd_b_37 : texels_1_even_even_even_b_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_b_1_0_by_4_37 = blend1_b_1_0_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_0_either_5_37 =
+        u1_even_odd_of_5_37 ? texels_1_even_even_odd_b_37 : texels_1_even_even_even_b_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_b_1_0_by_5_37 = blend1_b_1_0_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_b_1_0_sum_1_0_37 =
+        {1'd0, blend1_b_1_0_by_whole_37} + {1'd0, blend1_b_1_0_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_b_1_0_sum_1_1_37 =
+        {2'd0, blend1_b_1_0_by_1_37} + {1'd0, blend1_b_1_0_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_b_1_0_sum_1_2_37 =
+        {2'd0, blend1_b_1_0_by_3_37} + {1'd0, blend1_b_1_0_by_4_37, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_whole_37 =
+        u1_even_odd_whole_37 ? texels_1_even_odd_odd_b_37 : texels_1_even_odd_even_b_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_1_by_whole_37 = blend1_b_1_1_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_0_37 =
+        u1_even_odd_of_0_37 ? texels_1_even_odd_odd_b_37 : texels_1_even_odd_even_b_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_1_by_0_37 = blend1_b_1_1_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_1_37 =
+        u1_even_odd_of_1_37 ? texels_1_even_odd_odd_b_37 : texels_1_even_odd_even_b_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_b_1_1_by_1_37 = blend1_b_1_1_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_2_37 =
+        u1_even_odd_of_2_37 ? texels_1_even_odd_odd_b_37 : texels_1_even_odd_even_b_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_b_1_1_by_2_37 = blend1_b_1_1_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_3_37 =
+        u1_even_odd_of_3_37 ? texels_1_even_odd_odd_b_37 : texels_1_even_odd_even_b_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_b_1_1_by_3_37 = blend1_b_1_1_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_4_37 =
+        u1_even_odd_of_4_37 ? texels_1_even_odd_odd_b_37 : texels_1_even_odd_even_b_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_b_1_1_by_4_37 = blend1_b_1_1_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_1_either_5_37 =
+        u1_even_odd_of_5_37 ? texels_1_even_odd_odd_b_37 : texels_1_even_odd_even_b_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_b_1_1_by_5_37 = blend1_b_1_1_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_b_1_1_sum_1_0_37 =
+        {1'd0, blend1_b_1_1_by_whole_37} + {1'd0, blend1_b_1_1_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_b_1_1_sum_1_1_37 =
+        {2'd0, blend1_b_1_1_by_1_37} + {1'd0, blend1_b_1_1_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_b_1_1_sum_1_2_37 =
+        {2'd0, blend1_b_1_1_by_3_37} + {1'd0, blend1_b_1_1_by_4_37, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_whole_37 =
+        u1_odd_odd_whole_37 ? texels_1_odd_even_odd_b_37 : texels_1_odd_even_even_b_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_2_by_whole_37 = blend1_b_1_2_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_0_37 =
+        u1_odd_odd_of_0_37 ? texels_1_odd_even_odd_b_37 : texels_1_odd_even_even_b_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_2_by_0_37 = blend1_b_1_2_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_1_37 =
+        u1_odd_odd_of_1_37 ? texels_1_odd_even_odd_b_37 : texels_1_odd_even_even_b_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_b_1_2_by_1_37 = blend1_b_1_2_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_2_37 =
+        u1_odd_odd_of_2_37 ? texels_1_odd_even_odd_b_37 : texels_1_odd_even_even_b_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_b_1_2_by_2_37 = blend1_b_1_2_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_3_37 =
+        u1_odd_odd_of_3_37 ? texels_1_odd_even_odd_b_37 : texels_1_odd_even_even_b_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_b_1_2_by_3_37 = blend1_b_1_2_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_4_37 =
+        u1_odd_odd_of_4_37 ? texels_1_odd_even_odd_b_37 : texels_1_odd_even_even_b_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_b_1_2_by_4_37 = blend1_b_1_2_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_2_either_5_37 =
+        u1_odd_odd_of_5_37 ? texels_1_odd_even_odd_b_37 : texels_1_odd_even_even_b_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_b_1_2_by_5_37 = blend1_b_1_2_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_b_1_2_sum_1_0_37 =
+        {1'd0, blend1_b_1_2_by_whole_37} + {1'd0, blend1_b_1_2_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_b_1_2_sum_1_1_37 =
+        {2'd0, blend1_b_1_2_by_1_37} + {1'd0, blend1_b_1_2_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_b_1_2_sum_1_2_37 =
+        {2'd0, blend1_b_1_2_by_3_37} + {1'd0, blend1_b_1_2_by_4_37, 1'd0};
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_whole_37 =
+        u1_odd_odd_whole_37 ? texels_1_odd_odd_odd_b_37 : texels_1_odd_odd_even_b_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_3_by_whole_37 = blend1_b_1_3_either_whole_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_0_37 =
+        u1_odd_odd_of_0_37 ? texels_1_odd_odd_odd_b_37 : texels_1_odd_odd_even_b_37;
+    // UQ-6.14: shifted
+    wire [7:0] blend1_b_1_3_by_0_37 = blend1_b_1_3_either_0_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_1_37 =
+        u1_odd_odd_of_1_37 ? texels_1_odd_odd_odd_b_37 : texels_1_odd_odd_even_b_37;
+    // UQ-5.13: shifted
+    wire [7:0] blend1_b_1_3_by_1_37 = blend1_b_1_3_either_1_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_2_37 =
+        u1_odd_odd_of_2_37 ? texels_1_odd_odd_odd_b_37 : texels_1_odd_odd_even_b_37;
+    // UQ-4.12: shifted
+    wire [7:0] blend1_b_1_3_by_2_37 = blend1_b_1_3_either_2_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_3_37 =
+        u1_odd_odd_of_3_37 ? texels_1_odd_odd_odd_b_37 : texels_1_odd_odd_even_b_37;
+    // UQ-3.11: shifted
+    wire [7:0] blend1_b_1_3_by_3_37 = blend1_b_1_3_either_3_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_4_37 =
+        u1_odd_odd_of_4_37 ? texels_1_odd_odd_odd_b_37 : texels_1_odd_odd_even_b_37;
+    // UQ-2.10: shifted
+    wire [7:0] blend1_b_1_3_by_4_37 = blend1_b_1_3_either_4_37;
+    // UQ0.8: either of both
+    wire [7:0] blend1_b_1_3_either_5_37 =
+        u1_odd_odd_of_5_37 ? texels_1_odd_odd_odd_b_37 : texels_1_odd_odd_even_b_37;
+    // UQ-1.9: shifted
+    wire [7:0] blend1_b_1_3_by_5_37 = blend1_b_1_3_either_5_37;
+    // UQ-5.14: the sum of two
+    wire [8:0] blend1_b_1_3_sum_1_0_37 =
+        {1'd0, blend1_b_1_3_by_whole_37} + {1'd0, blend1_b_1_3_by_0_37};
+    // UQ-3.13: the sum of two
+    wire [9:0] blend1_b_1_3_sum_1_1_37 =
+        {2'd0, blend1_b_1_3_by_1_37} + {1'd0, blend1_b_1_3_by_2_37, 1'd0};
+    // UQ-1.11: the sum of two
+    wire [9:0] blend1_b_1_3_sum_1_2_37 =
+        {2'd0, blend1_b_1_3_by_3_37} + {1'd0, blend1_b_1_3_by_4_37, 1'd0};
     reg [17:0] in_gain1r_38;
     reg [17:0] in_gain1g_38;
     reg [17:0] in_gain1b_38;
     reg hidden_38;
     reg [2:0] shift1_38;
-    reg [13:0] blend1_r_2_0_by_whole_38;
-    reg [13:0] blend1_r_2_0_by_0_38;
-    reg [13:0] blend1_r_2_0_by_1_38;
-    reg [13:0] blend1_r_2_0_by_2_38;
-    reg [13:0] blend1_r_2_0_by_3_38;
-    reg [13:0] blend1_r_2_0_by_4_38;
-    reg [13:0] blend1_r_2_0_by_5_38;
-    reg [13:0] blend1_r_2_1_by_whole_38;
-    reg [13:0] blend1_r_2_1_by_0_38;
-    reg [13:0] blend1_r_2_1_by_1_38;
-    reg [13:0] blend1_r_2_1_by_2_38;
-    reg [13:0] blend1_r_2_1_by_3_38;
-    reg [13:0] blend1_r_2_1_by_4_38;
-    reg [13:0] blend1_r_2_1_by_5_38;
+    reg [7:0] blend1_r_1_0_by_5_38;
+    reg [8:0] blend1_r_1_0_sum_1_0_38;
+    reg [9:0] blend1_r_1_0_sum_1_1_38;
+    reg [9:0] blend1_r_1_0_sum_1_2_38;
+    reg [7:0] blend1_r_1_1_by_5_38;
+    reg [8:0] blend1_r_1_1_sum_1_0_38;
+    reg [9:0] blend1_r_1_1_sum_1_1_38;
+    reg [9:0] blend1_r_1_1_sum_1_2_38;
+    reg [7:0] blend1_r_1_2_by_5_38;
+    reg [8:0] blend1_r_1_2_sum_1_0_38;
+    reg [9:0] blend1_r_1_2_sum_1_1_38;
+    reg [9:0] blend1_r_1_2_sum_1_2_38;
+    reg [7:0] blend1_r_1_3_by_5_38;
+    reg [8:0] blend1_r_1_3_sum_1_0_38;
+    reg [9:0] blend1_r_1_3_sum_1_1_38;
+    reg [9:0] blend1_r_1_3_sum_1_2_38;
+    reg v1_odd_whole_38;
+    reg v1_odd_of_0_38;
+    reg v1_odd_of_1_38;
+    reg v1_odd_of_2_38;
+    reg v1_odd_of_3_38;
+    reg v1_odd_of_4_38;
+    reg v1_odd_of_5_38;
     reg [7:0] blend1_signed_38;
-    reg [13:0] blend1_g_2_0_by_whole_38;
-    reg [13:0] blend1_g_2_0_by_0_38;
-    reg [13:0] blend1_g_2_0_by_1_38;
-    reg [13:0] blend1_g_2_0_by_2_38;
-    reg [13:0] blend1_g_2_0_by_3_38;
-    reg [13:0] blend1_g_2_0_by_4_38;
-    reg [13:0] blend1_g_2_0_by_5_38;
-    reg [13:0] blend1_g_2_1_by_whole_38;
-    reg [13:0] blend1_g_2_1_by_0_38;
-    reg [13:0] blend1_g_2_1_by_1_38;
-    reg [13:0] blend1_g_2_1_by_2_38;
-    reg [13:0] blend1_g_2_1_by_3_38;
-    reg [13:0] blend1_g_2_1_by_4_38;
-    reg [13:0] blend1_g_2_1_by_5_38;
-    reg [13:0] blend1_b_2_0_by_whole_38;
-    reg [13:0] blend1_b_2_0_by_0_38;
-    reg [13:0] blend1_b_2_0_by_1_38;
-    reg [13:0] blend1_b_2_0_by_2_38;
-    reg [13:0] blend1_b_2_0_by_3_38;
-    reg [13:0] blend1_b_2_0_by_4_38;
-    reg [13:0] blend1_b_2_0_by_5_38;
-    reg [13:0] blend1_b_2_1_by_whole_38;
-    reg [13:0] blend1_b_2_1_by_0_38;
-    reg [13:0] blend1_b_2_1_by_1_38;
-    reg [13:0] blend1_b_2_1_by_2_38;
-    reg [13:0] blend1_b_2_1_by_3_38;
-    reg [13:0] blend1_b_2_1_by_4_38;
-    reg [13:0] blend1_b_2_1_by_5_38;
+    reg [7:0] blend1_g_1_0_by_5_38;
+    reg [8:0] blend1_g_1_0_sum_1_0_38;
+    reg [9:0] blend1_g_1_0_sum_1_1_38;
+    reg [9:0] blend1_g_1_0_sum_1_2_38;
+    reg [7:0] blend1_g_1_1_by_5_38;
+    reg [8:0] blend1_g_1_1_sum_1_0_38;
+    reg [9:0] blend1_g_1_1_sum_1_1_38;
+    reg [9:0] blend1_g_1_1_sum_1_2_38;
+    reg [7:0] blend1_g_1_2_by_5_38;
+    reg [8:0] blend1_g_1_2_sum_1_0_38;
+    reg [9:0] blend1_g_1_2_sum_1_1_38;
+    reg [9:0] blend1_g_1_2_sum_1_2_38;
+    reg [7:0] blend1_g_1_3_by_5_38;
+    reg [8:0] blend1_g_1_3_sum_1_0_38;
+    reg [9:0] blend1_g_1_3_sum_1_1_38;
+    reg [9:0] blend1_g_1_3_sum_1_2_38;
+    reg [7:0] blend1_b_1_0_by_5_38;
+    reg [8:0] blend1_b_1_0_sum_1_0_38;
+    reg [9:0] blend1_b_1_0_sum_1_1_38;
+    reg [9:0] blend1_b_1_0_sum_1_2_38;
+    reg [7:0] blend1_b_1_1_by_5_38;
+    reg [8:0] blend1_b_1_1_sum_1_0_38;
+    reg [9:0] blend1_b_1_1_sum_1_1_38;
+    reg [9:0] blend1_b_1_1_sum_1_2_38;
+    reg [7:0] blend1_b_1_2_by_5_38;
+    reg [8:0] blend1_b_1_2_sum_1_0_38;
+    reg [9:0] blend1_b_1_2_sum_1_1_38;
+    reg [9:0] blend1_b_1_2_sum_1_2_38;
+    reg [7:0] blend1_b_1_3_by_5_38;
+    reg [8:0] blend1_b_1_3_sum_1_0_38;
+    reg [9:0] blend1_b_1_3_sum_1_1_38;
+    reg [9:0] blend1_b_1_3_sum_1_2_38;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_38 <= in_gain1r_37;
@@ -4288,137 +3969,175 @@ module image_paper #(
             in_gain1b_38 <= in_gain1b_37;
             hidden_38 <= hidden_37;
             shift1_38 <= shift1_37;
-            blend1_r_2_0_by_whole_38 <= blend1_r_2_0_by_whole_37;
-            blend1_r_2_0_by_0_38 <= blend1_r_2_0_by_0_37;
-            blend1_r_2_0_by_1_38 <= blend1_r_2_0_by_1_37;
-            blend1_r_2_0_by_2_38 <= blend1_r_2_0_by_2_37;
-            blend1_r_2_0_by_3_38 <= blend1_r_2_0_by_3_37;
-            blend1_r_2_0_by_4_38 <= blend1_r_2_0_by_4_37;
-            blend1_r_2_0_by_5_38 <= blend1_r_2_0_by_5_37;
-            blend1_r_2_1_by_whole_38 <= blend1_r_2_1_by_whole_37;
-            blend1_r_2_1_by_0_38 <= blend1_r_2_1_by_0_37;
-            blend1_r_2_1_by_1_38 <= blend1_r_2_1_by_1_37;
-            blend1_r_2_1_by_2_38 <= blend1_r_2_1_by_2_37;
-            blend1_r_2_1_by_3_38 <= blend1_r_2_1_by_3_37;
-            blend1_r_2_1_by_4_38 <= blend1_r_2_1_by_4_37;
-            blend1_r_2_1_by_5_38 <= blend1_r_2_1_by_5_37;
+            blend1_r_1_0_by_5_38 <= blend1_r_1_0_by_5_37;
+            blend1_r_1_0_sum_1_0_38 <= blend1_r_1_0_sum_1_0_37;
+            blend1_r_1_0_sum_1_1_38 <= blend1_r_1_0_sum_1_1_37;
+            blend1_r_1_0_sum_1_2_38 <= blend1_r_1_0_sum_1_2_37;
+            blend1_r_1_1_by_5_38 <= blend1_r_1_1_by_5_37;
+            blend1_r_1_1_sum_1_0_38 <= blend1_r_1_1_sum_1_0_37;
+            blend1_r_1_1_sum_1_1_38 <= blend1_r_1_1_sum_1_1_37;
+            blend1_r_1_1_sum_1_2_38 <= blend1_r_1_1_sum_1_2_37;
+            blend1_r_1_2_by_5_38 <= blend1_r_1_2_by_5_37;
+            blend1_r_1_2_sum_1_0_38 <= blend1_r_1_2_sum_1_0_37;
+            blend1_r_1_2_sum_1_1_38 <= blend1_r_1_2_sum_1_1_37;
+            blend1_r_1_2_sum_1_2_38 <= blend1_r_1_2_sum_1_2_37;
+            blend1_r_1_3_by_5_38 <= blend1_r_1_3_by_5_37;
+            blend1_r_1_3_sum_1_0_38 <= blend1_r_1_3_sum_1_0_37;
+            blend1_r_1_3_sum_1_1_38 <= blend1_r_1_3_sum_1_1_37;
+            blend1_r_1_3_sum_1_2_38 <= blend1_r_1_3_sum_1_2_37;
+            v1_odd_whole_38 <= v1_odd_whole_37;
+            v1_odd_of_0_38 <= v1_odd_of_0_37;
+            v1_odd_of_1_38 <= v1_odd_of_1_37;
+            v1_odd_of_2_38 <= v1_odd_of_2_37;
+            v1_odd_of_3_38 <= v1_odd_of_3_37;
+            v1_odd_of_4_38 <= v1_odd_of_4_37;
+            v1_odd_of_5_38 <= v1_odd_of_5_37;
             blend1_signed_38 <= blend1_signed_37;
-            blend1_g_2_0_by_whole_38 <= blend1_g_2_0_by_whole_37;
-            blend1_g_2_0_by_0_38 <= blend1_g_2_0_by_0_37;
-            blend1_g_2_0_by_1_38 <= blend1_g_2_0_by_1_37;
-            blend1_g_2_0_by_2_38 <= blend1_g_2_0_by_2_37;
-            blend1_g_2_0_by_3_38 <= blend1_g_2_0_by_3_37;
-            blend1_g_2_0_by_4_38 <= blend1_g_2_0_by_4_37;
-            blend1_g_2_0_by_5_38 <= blend1_g_2_0_by_5_37;
-            blend1_g_2_1_by_whole_38 <= blend1_g_2_1_by_whole_37;
-            blend1_g_2_1_by_0_38 <= blend1_g_2_1_by_0_37;
-            blend1_g_2_1_by_1_38 <= blend1_g_2_1_by_1_37;
-            blend1_g_2_1_by_2_38 <= blend1_g_2_1_by_2_37;
-            blend1_g_2_1_by_3_38 <= blend1_g_2_1_by_3_37;
-            blend1_g_2_1_by_4_38 <= blend1_g_2_1_by_4_37;
-            blend1_g_2_1_by_5_38 <= blend1_g_2_1_by_5_37;
-            blend1_b_2_0_by_whole_38 <= blend1_b_2_0_by_whole_37;
-            blend1_b_2_0_by_0_38 <= blend1_b_2_0_by_0_37;
-            blend1_b_2_0_by_1_38 <= blend1_b_2_0_by_1_37;
-            blend1_b_2_0_by_2_38 <= blend1_b_2_0_by_2_37;
-            blend1_b_2_0_by_3_38 <= blend1_b_2_0_by_3_37;
-            blend1_b_2_0_by_4_38 <= blend1_b_2_0_by_4_37;
-            blend1_b_2_0_by_5_38 <= blend1_b_2_0_by_5_37;
-            blend1_b_2_1_by_whole_38 <= blend1_b_2_1_by_whole_37;
-            blend1_b_2_1_by_0_38 <= blend1_b_2_1_by_0_37;
-            blend1_b_2_1_by_1_38 <= blend1_b_2_1_by_1_37;
-            blend1_b_2_1_by_2_38 <= blend1_b_2_1_by_2_37;
-            blend1_b_2_1_by_3_38 <= blend1_b_2_1_by_3_37;
-            blend1_b_2_1_by_4_38 <= blend1_b_2_1_by_4_37;
-            blend1_b_2_1_by_5_38 <= blend1_b_2_1_by_5_37;
+            blend1_g_1_0_by_5_38 <= blend1_g_1_0_by_5_37;
+            blend1_g_1_0_sum_1_0_38 <= blend1_g_1_0_sum_1_0_37;
+            blend1_g_1_0_sum_1_1_38 <= blend1_g_1_0_sum_1_1_37;
+            blend1_g_1_0_sum_1_2_38 <= blend1_g_1_0_sum_1_2_37;
+            blend1_g_1_1_by_5_38 <= blend1_g_1_1_by_5_37;
+            blend1_g_1_1_sum_1_0_38 <= blend1_g_1_1_sum_1_0_37;
+            blend1_g_1_1_sum_1_1_38 <= blend1_g_1_1_sum_1_1_37;
+            blend1_g_1_1_sum_1_2_38 <= blend1_g_1_1_sum_1_2_37;
+            blend1_g_1_2_by_5_38 <= blend1_g_1_2_by_5_37;
+            blend1_g_1_2_sum_1_0_38 <= blend1_g_1_2_sum_1_0_37;
+            blend1_g_1_2_sum_1_1_38 <= blend1_g_1_2_sum_1_1_37;
+            blend1_g_1_2_sum_1_2_38 <= blend1_g_1_2_sum_1_2_37;
+            blend1_g_1_3_by_5_38 <= blend1_g_1_3_by_5_37;
+            blend1_g_1_3_sum_1_0_38 <= blend1_g_1_3_sum_1_0_37;
+            blend1_g_1_3_sum_1_1_38 <= blend1_g_1_3_sum_1_1_37;
+            blend1_g_1_3_sum_1_2_38 <= blend1_g_1_3_sum_1_2_37;
+            blend1_b_1_0_by_5_38 <= blend1_b_1_0_by_5_37;
+            blend1_b_1_0_sum_1_0_38 <= blend1_b_1_0_sum_1_0_37;
+            blend1_b_1_0_sum_1_1_38 <= blend1_b_1_0_sum_1_1_37;
+            blend1_b_1_0_sum_1_2_38 <= blend1_b_1_0_sum_1_2_37;
+            blend1_b_1_1_by_5_38 <= blend1_b_1_1_by_5_37;
+            blend1_b_1_1_sum_1_0_38 <= blend1_b_1_1_sum_1_0_37;
+            blend1_b_1_1_sum_1_1_38 <= blend1_b_1_1_sum_1_1_37;
+            blend1_b_1_1_sum_1_2_38 <= blend1_b_1_1_sum_1_2_37;
+            blend1_b_1_2_by_5_38 <= blend1_b_1_2_by_5_37;
+            blend1_b_1_2_sum_1_0_38 <= blend1_b_1_2_sum_1_0_37;
+            blend1_b_1_2_sum_1_1_38 <= blend1_b_1_2_sum_1_1_37;
+            blend1_b_1_2_sum_1_2_38 <= blend1_b_1_2_sum_1_2_37;
+            blend1_b_1_3_by_5_38 <= blend1_b_1_3_by_5_37;
+            blend1_b_1_3_sum_1_0_38 <= blend1_b_1_3_sum_1_0_37;
+            blend1_b_1_3_sum_1_1_38 <= blend1_b_1_3_sum_1_1_37;
+            blend1_b_1_3_sum_1_2_38 <= blend1_b_1_3_sum_1_2_37;
         end
     end
 
-    // ===== Stage 38: blend1_r_2_0_sum_1_0, blend1_r_2_0_sum_1_1 and 16 more
-    // UQ-5.20: the sum of two
-    wire [14:0] blend1_r_2_0_sum_1_0_38 =
-        {1'd0, blend1_r_2_0_by_whole_38} + {1'd0, blend1_r_2_0_by_0_38};
-    // UQ-3.19: the sum of two
-    wire [15:0] blend1_r_2_0_sum_1_1_38 =
-        {2'd0, blend1_r_2_0_by_1_38} + {1'd0, blend1_r_2_0_by_2_38, 1'd0};
-    // UQ-1.17: the sum of two
-    wire [15:0] blend1_r_2_0_sum_1_2_38 =
-        {2'd0, blend1_r_2_0_by_3_38} + {1'd0, blend1_r_2_0_by_4_38, 1'd0};
-    // UQ-5.20: the sum of two
-    wire [14:0] blend1_r_2_1_sum_1_0_38 =
-        {1'd0, blend1_r_2_1_by_whole_38} + {1'd0, blend1_r_2_1_by_0_38};
-    // UQ-3.19: the sum of two
-    wire [15:0] blend1_r_2_1_sum_1_1_38 =
-        {2'd0, blend1_r_2_1_by_1_38} + {1'd0, blend1_r_2_1_by_2_38, 1'd0};
-    // UQ-1.17: the sum of two
-    wire [15:0] blend1_r_2_1_sum_1_2_38 =
-        {2'd0, blend1_r_2_1_by_3_38} + {1'd0, blend1_r_2_1_by_4_38, 1'd0};
-    // UQ-5.20: the sum of two
-    wire [14:0] blend1_g_2_0_sum_1_0_38 =
-        {1'd0, blend1_g_2_0_by_whole_38} + {1'd0, blend1_g_2_0_by_0_38};
-    // UQ-3.19: the sum of two
-    wire [15:0] blend1_g_2_0_sum_1_1_38 =
-        {2'd0, blend1_g_2_0_by_1_38} + {1'd0, blend1_g_2_0_by_2_38, 1'd0};
-    // UQ-1.17: the sum of two
-    wire [15:0] blend1_g_2_0_sum_1_2_38 =
-        {2'd0, blend1_g_2_0_by_3_38} + {1'd0, blend1_g_2_0_by_4_38, 1'd0};
-    // UQ-5.20: the sum of two
-    wire [14:0] blend1_g_2_1_sum_1_0_38 =
-        {1'd0, blend1_g_2_1_by_whole_38} + {1'd0, blend1_g_2_1_by_0_38};
-    // UQ-3.19: the sum of two
-    wire [15:0] blend1_g_2_1_sum_1_1_38 =
-        {2'd0, blend1_g_2_1_by_1_38} + {1'd0, blend1_g_2_1_by_2_38, 1'd0};
-    // UQ-1.17: the sum of two
-    wire [15:0] blend1_g_2_1_sum_1_2_38 =
-        {2'd0, blend1_g_2_1_by_3_38} + {1'd0, blend1_g_2_1_by_4_38, 1'd0};
-    // UQ-5.20: the sum of two
-    wire [14:0] blend1_b_2_0_sum_1_0_38 =
-        {1'd0, blend1_b_2_0_by_whole_38} + {1'd0, blend1_b_2_0_by_0_38};
-    // UQ-3.19: the sum of two
-    wire [15:0] blend1_b_2_0_sum_1_1_38 =
-        {2'd0, blend1_b_2_0_by_1_38} + {1'd0, blend1_b_2_0_by_2_38, 1'd0};
-    // UQ-1.17: the sum of two
-    wire [15:0] blend1_b_2_0_sum_1_2_38 =
-        {2'd0, blend1_b_2_0_by_3_38} + {1'd0, blend1_b_2_0_by_4_38, 1'd0};
-    // UQ-5.20: the sum of two
-    wire [14:0] blend1_b_2_1_sum_1_0_38 =
-        {1'd0, blend1_b_2_1_by_whole_38} + {1'd0, blend1_b_2_1_by_0_38};
-    // UQ-3.19: the sum of two
-    wire [15:0] blend1_b_2_1_sum_1_1_38 =
-        {2'd0, blend1_b_2_1_by_1_38} + {1'd0, blend1_b_2_1_by_2_38, 1'd0};
-    // UQ-1.17: the sum of two
-    wire [15:0] blend1_b_2_1_sum_1_2_38 =
-        {2'd0, blend1_b_2_1_by_3_38} + {1'd0, blend1_b_2_1_by_4_38, 1'd0};
+    // ===== Stage 38: blend1_r_1_0_sum_2_0, blend1_r_1_0_sum_2_1 and 22 more
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_r_1_0_sum_2_0_38 =
+        {2'd0, blend1_r_1_0_sum_1_0_38} + {blend1_r_1_0_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_r_1_0_sum_2_1_38 =
+        {1'd0, blend1_r_1_0_sum_1_2_38} + {1'd0, blend1_r_1_0_by_5_38, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_r_1_1_sum_2_0_38 =
+        {2'd0, blend1_r_1_1_sum_1_0_38} + {blend1_r_1_1_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_r_1_1_sum_2_1_38 =
+        {1'd0, blend1_r_1_1_sum_1_2_38} + {1'd0, blend1_r_1_1_by_5_38, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_r_1_2_sum_2_0_38 =
+        {2'd0, blend1_r_1_2_sum_1_0_38} + {blend1_r_1_2_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_r_1_2_sum_2_1_38 =
+        {1'd0, blend1_r_1_2_sum_1_2_38} + {1'd0, blend1_r_1_2_by_5_38, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_r_1_3_sum_2_0_38 =
+        {2'd0, blend1_r_1_3_sum_1_0_38} + {blend1_r_1_3_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_r_1_3_sum_2_1_38 =
+        {1'd0, blend1_r_1_3_sum_1_2_38} + {1'd0, blend1_r_1_3_by_5_38, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_g_1_0_sum_2_0_38 =
+        {2'd0, blend1_g_1_0_sum_1_0_38} + {blend1_g_1_0_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_g_1_0_sum_2_1_38 =
+        {1'd0, blend1_g_1_0_sum_1_2_38} + {1'd0, blend1_g_1_0_by_5_38, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_g_1_1_sum_2_0_38 =
+        {2'd0, blend1_g_1_1_sum_1_0_38} + {blend1_g_1_1_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_g_1_1_sum_2_1_38 =
+        {1'd0, blend1_g_1_1_sum_1_2_38} + {1'd0, blend1_g_1_1_by_5_38, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_g_1_2_sum_2_0_38 =
+        {2'd0, blend1_g_1_2_sum_1_0_38} + {blend1_g_1_2_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_g_1_2_sum_2_1_38 =
+        {1'd0, blend1_g_1_2_sum_1_2_38} + {1'd0, blend1_g_1_2_by_5_38, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_g_1_3_sum_2_0_38 =
+        {2'd0, blend1_g_1_3_sum_1_0_38} + {blend1_g_1_3_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_g_1_3_sum_2_1_38 =
+        {1'd0, blend1_g_1_3_sum_1_2_38} + {1'd0, blend1_g_1_3_by_5_38, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_b_1_0_sum_2_0_38 =
+        {2'd0, blend1_b_1_0_sum_1_0_38} + {blend1_b_1_0_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_b_1_0_sum_2_1_38 =
+        {1'd0, blend1_b_1_0_sum_1_2_38} + {1'd0, blend1_b_1_0_by_5_38, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_b_1_1_sum_2_0_38 =
+        {2'd0, blend1_b_1_1_sum_1_0_38} + {blend1_b_1_1_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_b_1_1_sum_2_1_38 =
+        {1'd0, blend1_b_1_1_sum_1_2_38} + {1'd0, blend1_b_1_1_by_5_38, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_b_1_2_sum_2_0_38 =
+        {2'd0, blend1_b_1_2_sum_1_0_38} + {blend1_b_1_2_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_b_1_2_sum_2_1_38 =
+        {1'd0, blend1_b_1_2_sum_1_2_38} + {1'd0, blend1_b_1_2_by_5_38, 2'd0};
+    // UQ-3.14: the sum of two
+    wire [10:0] blend1_b_1_3_sum_2_0_38 =
+        {2'd0, blend1_b_1_3_sum_1_0_38} + {blend1_b_1_3_sum_1_1_38, 1'd0};
+    // UQ0.11: the sum of two
+    wire [10:0] blend1_b_1_3_sum_2_1_38 =
+        {1'd0, blend1_b_1_3_sum_1_2_38} + {1'd0, blend1_b_1_3_by_5_38, 2'd0};
     reg [17:0] in_gain1r_39;
     reg [17:0] in_gain1g_39;
     reg [17:0] in_gain1b_39;
     reg hidden_39;
     reg [2:0] shift1_39;
-    reg [13:0] blend1_r_2_0_by_5_39;
-    reg [14:0] blend1_r_2_0_sum_1_0_39;
-    reg [15:0] blend1_r_2_0_sum_1_1_39;
-    reg [15:0] blend1_r_2_0_sum_1_2_39;
-    reg [13:0] blend1_r_2_1_by_5_39;
-    reg [14:0] blend1_r_2_1_sum_1_0_39;
-    reg [15:0] blend1_r_2_1_sum_1_1_39;
-    reg [15:0] blend1_r_2_1_sum_1_2_39;
+    reg [10:0] blend1_r_1_0_sum_2_0_39;
+    reg [10:0] blend1_r_1_0_sum_2_1_39;
+    reg [10:0] blend1_r_1_1_sum_2_0_39;
+    reg [10:0] blend1_r_1_1_sum_2_1_39;
+    reg [10:0] blend1_r_1_2_sum_2_0_39;
+    reg [10:0] blend1_r_1_2_sum_2_1_39;
+    reg [10:0] blend1_r_1_3_sum_2_0_39;
+    reg [10:0] blend1_r_1_3_sum_2_1_39;
+    reg v1_odd_whole_39;
+    reg v1_odd_of_0_39;
+    reg v1_odd_of_1_39;
+    reg v1_odd_of_2_39;
+    reg v1_odd_of_3_39;
+    reg v1_odd_of_4_39;
+    reg v1_odd_of_5_39;
     reg [7:0] blend1_signed_39;
-    reg [13:0] blend1_g_2_0_by_5_39;
-    reg [14:0] blend1_g_2_0_sum_1_0_39;
-    reg [15:0] blend1_g_2_0_sum_1_1_39;
-    reg [15:0] blend1_g_2_0_sum_1_2_39;
-    reg [13:0] blend1_g_2_1_by_5_39;
-    reg [14:0] blend1_g_2_1_sum_1_0_39;
-    reg [15:0] blend1_g_2_1_sum_1_1_39;
-    reg [15:0] blend1_g_2_1_sum_1_2_39;
-    reg [13:0] blend1_b_2_0_by_5_39;
-    reg [14:0] blend1_b_2_0_sum_1_0_39;
-    reg [15:0] blend1_b_2_0_sum_1_1_39;
-    reg [15:0] blend1_b_2_0_sum_1_2_39;
-    reg [13:0] blend1_b_2_1_by_5_39;
-    reg [14:0] blend1_b_2_1_sum_1_0_39;
-    reg [15:0] blend1_b_2_1_sum_1_1_39;
-    reg [15:0] blend1_b_2_1_sum_1_2_39;
+    reg [10:0] blend1_g_1_0_sum_2_0_39;
+    reg [10:0] blend1_g_1_0_sum_2_1_39;
+    reg [10:0] blend1_g_1_1_sum_2_0_39;
+    reg [10:0] blend1_g_1_1_sum_2_1_39;
+    reg [10:0] blend1_g_1_2_sum_2_0_39;
+    reg [10:0] blend1_g_1_2_sum_2_1_39;
+    reg [10:0] blend1_g_1_3_sum_2_0_39;
+    reg [10:0] blend1_g_1_3_sum_2_1_39;
+    reg [10:0] blend1_b_1_0_sum_2_0_39;
+    reg [10:0] blend1_b_1_0_sum_2_1_39;
+    reg [10:0] blend1_b_1_1_sum_2_0_39;
+    reg [10:0] blend1_b_1_1_sum_2_1_39;
+    reg [10:0] blend1_b_1_2_sum_2_0_39;
+    reg [10:0] blend1_b_1_2_sum_2_1_39;
+    reg [10:0] blend1_b_1_3_sum_2_0_39;
+    reg [10:0] blend1_b_1_3_sum_2_1_39;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_39 <= in_gain1r_38;
@@ -4426,89 +4145,282 @@ module image_paper #(
             in_gain1b_39 <= in_gain1b_38;
             hidden_39 <= hidden_38;
             shift1_39 <= shift1_38;
-            blend1_r_2_0_by_5_39 <= blend1_r_2_0_by_5_38;
-            blend1_r_2_0_sum_1_0_39 <= blend1_r_2_0_sum_1_0_38;
-            blend1_r_2_0_sum_1_1_39 <= blend1_r_2_0_sum_1_1_38;
-            blend1_r_2_0_sum_1_2_39 <= blend1_r_2_0_sum_1_2_38;
-            blend1_r_2_1_by_5_39 <= blend1_r_2_1_by_5_38;
-            blend1_r_2_1_sum_1_0_39 <= blend1_r_2_1_sum_1_0_38;
-            blend1_r_2_1_sum_1_1_39 <= blend1_r_2_1_sum_1_1_38;
-            blend1_r_2_1_sum_1_2_39 <= blend1_r_2_1_sum_1_2_38;
+            blend1_r_1_0_sum_2_0_39 <= blend1_r_1_0_sum_2_0_38;
+            blend1_r_1_0_sum_2_1_39 <= blend1_r_1_0_sum_2_1_38;
+            blend1_r_1_1_sum_2_0_39 <= blend1_r_1_1_sum_2_0_38;
+            blend1_r_1_1_sum_2_1_39 <= blend1_r_1_1_sum_2_1_38;
+            blend1_r_1_2_sum_2_0_39 <= blend1_r_1_2_sum_2_0_38;
+            blend1_r_1_2_sum_2_1_39 <= blend1_r_1_2_sum_2_1_38;
+            blend1_r_1_3_sum_2_0_39 <= blend1_r_1_3_sum_2_0_38;
+            blend1_r_1_3_sum_2_1_39 <= blend1_r_1_3_sum_2_1_38;
+            v1_odd_whole_39 <= v1_odd_whole_38;
+            v1_odd_of_0_39 <= v1_odd_of_0_38;
+            v1_odd_of_1_39 <= v1_odd_of_1_38;
+            v1_odd_of_2_39 <= v1_odd_of_2_38;
+            v1_odd_of_3_39 <= v1_odd_of_3_38;
+            v1_odd_of_4_39 <= v1_odd_of_4_38;
+            v1_odd_of_5_39 <= v1_odd_of_5_38;
             blend1_signed_39 <= blend1_signed_38;
-            blend1_g_2_0_by_5_39 <= blend1_g_2_0_by_5_38;
-            blend1_g_2_0_sum_1_0_39 <= blend1_g_2_0_sum_1_0_38;
-            blend1_g_2_0_sum_1_1_39 <= blend1_g_2_0_sum_1_1_38;
-            blend1_g_2_0_sum_1_2_39 <= blend1_g_2_0_sum_1_2_38;
-            blend1_g_2_1_by_5_39 <= blend1_g_2_1_by_5_38;
-            blend1_g_2_1_sum_1_0_39 <= blend1_g_2_1_sum_1_0_38;
-            blend1_g_2_1_sum_1_1_39 <= blend1_g_2_1_sum_1_1_38;
-            blend1_g_2_1_sum_1_2_39 <= blend1_g_2_1_sum_1_2_38;
-            blend1_b_2_0_by_5_39 <= blend1_b_2_0_by_5_38;
-            blend1_b_2_0_sum_1_0_39 <= blend1_b_2_0_sum_1_0_38;
-            blend1_b_2_0_sum_1_1_39 <= blend1_b_2_0_sum_1_1_38;
-            blend1_b_2_0_sum_1_2_39 <= blend1_b_2_0_sum_1_2_38;
-            blend1_b_2_1_by_5_39 <= blend1_b_2_1_by_5_38;
-            blend1_b_2_1_sum_1_0_39 <= blend1_b_2_1_sum_1_0_38;
-            blend1_b_2_1_sum_1_1_39 <= blend1_b_2_1_sum_1_1_38;
-            blend1_b_2_1_sum_1_2_39 <= blend1_b_2_1_sum_1_2_38;
+            blend1_g_1_0_sum_2_0_39 <= blend1_g_1_0_sum_2_0_38;
+            blend1_g_1_0_sum_2_1_39 <= blend1_g_1_0_sum_2_1_38;
+            blend1_g_1_1_sum_2_0_39 <= blend1_g_1_1_sum_2_0_38;
+            blend1_g_1_1_sum_2_1_39 <= blend1_g_1_1_sum_2_1_38;
+            blend1_g_1_2_sum_2_0_39 <= blend1_g_1_2_sum_2_0_38;
+            blend1_g_1_2_sum_2_1_39 <= blend1_g_1_2_sum_2_1_38;
+            blend1_g_1_3_sum_2_0_39 <= blend1_g_1_3_sum_2_0_38;
+            blend1_g_1_3_sum_2_1_39 <= blend1_g_1_3_sum_2_1_38;
+            blend1_b_1_0_sum_2_0_39 <= blend1_b_1_0_sum_2_0_38;
+            blend1_b_1_0_sum_2_1_39 <= blend1_b_1_0_sum_2_1_38;
+            blend1_b_1_1_sum_2_0_39 <= blend1_b_1_1_sum_2_0_38;
+            blend1_b_1_1_sum_2_1_39 <= blend1_b_1_1_sum_2_1_38;
+            blend1_b_1_2_sum_2_0_39 <= blend1_b_1_2_sum_2_0_38;
+            blend1_b_1_2_sum_2_1_39 <= blend1_b_1_2_sum_2_1_38;
+            blend1_b_1_3_sum_2_0_39 <= blend1_b_1_3_sum_2_0_38;
+            blend1_b_1_3_sum_2_1_39 <= blend1_b_1_3_sum_2_1_38;
         end
     end
 
-    // ===== Stage 39: blend1_r_2_0_sum_2_0, blend1_r_2_0_sum_2_1 and 10 more
-    // UQ-3.20: the sum of two
-    wire [16:0] blend1_r_2_0_sum_2_0_39 =
-        {2'd0, blend1_r_2_0_sum_1_0_39} + {blend1_r_2_0_sum_1_1_39, 1'd0};
-    // UQ0.17: the sum of two
-    wire [16:0] blend1_r_2_0_sum_2_1_39 =
-        {1'd0, blend1_r_2_0_sum_1_2_39} + {1'd0, blend1_r_2_0_by_5_39, 2'd0};
-    // UQ-3.20: the sum of two
-    wire [16:0] blend1_r_2_1_sum_2_0_39 =
-        {2'd0, blend1_r_2_1_sum_1_0_39} + {blend1_r_2_1_sum_1_1_39, 1'd0};
-    // UQ0.17: the sum of two
-    wire [16:0] blend1_r_2_1_sum_2_1_39 =
-        {1'd0, blend1_r_2_1_sum_1_2_39} + {1'd0, blend1_r_2_1_by_5_39, 2'd0};
-    // UQ-3.20: the sum of two
-    wire [16:0] blend1_g_2_0_sum_2_0_39 =
-        {2'd0, blend1_g_2_0_sum_1_0_39} + {blend1_g_2_0_sum_1_1_39, 1'd0};
-    // UQ0.17: the sum of two
-    wire [16:0] blend1_g_2_0_sum_2_1_39 =
-        {1'd0, blend1_g_2_0_sum_1_2_39} + {1'd0, blend1_g_2_0_by_5_39, 2'd0};
-    // UQ-3.20: the sum of two
-    wire [16:0] blend1_g_2_1_sum_2_0_39 =
-        {2'd0, blend1_g_2_1_sum_1_0_39} + {blend1_g_2_1_sum_1_1_39, 1'd0};
-    // UQ0.17: the sum of two
-    wire [16:0] blend1_g_2_1_sum_2_1_39 =
-        {1'd0, blend1_g_2_1_sum_1_2_39} + {1'd0, blend1_g_2_1_by_5_39, 2'd0};
-    // UQ-3.20: the sum of two
-    wire [16:0] blend1_b_2_0_sum_2_0_39 =
-        {2'd0, blend1_b_2_0_sum_1_0_39} + {blend1_b_2_0_sum_1_1_39, 1'd0};
-    // UQ0.17: the sum of two
-    wire [16:0] blend1_b_2_0_sum_2_1_39 =
-        {1'd0, blend1_b_2_0_sum_1_2_39} + {1'd0, blend1_b_2_0_by_5_39, 2'd0};
-    // UQ-3.20: the sum of two
-    wire [16:0] blend1_b_2_1_sum_2_0_39 =
-        {2'd0, blend1_b_2_1_sum_1_0_39} + {blend1_b_2_1_sum_1_1_39, 1'd0};
-    // UQ0.17: the sum of two
-    wire [16:0] blend1_b_2_1_sum_2_1_39 =
-        {1'd0, blend1_b_2_1_sum_1_2_39} + {1'd0, blend1_b_2_1_by_5_39, 2'd0};
+    // ===== Stage 39: blend1_r_1_0, blend1_r_1_1, blend1_r_1_2, blend1_r_1_3 and 50 more
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_r_1_0_39 = {3'd0, blend1_r_1_0_sum_2_0_39} + {blend1_r_1_0_sum_2_1_39, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_r_1_1_39 = {3'd0, blend1_r_1_1_sum_2_0_39} + {blend1_r_1_1_sum_2_1_39, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_r_1_2_39 = {3'd0, blend1_r_1_2_sum_2_0_39} + {blend1_r_1_2_sum_2_1_39, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_r_1_3_39 = {3'd0, blend1_r_1_3_sum_2_0_39} + {blend1_r_1_3_sum_2_1_39, 3'd0};
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_whole_39 = v1_odd_whole_39 ? blend1_r_1_1_39 : blend1_r_1_0_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_r_2_0_by_whole_39 = blend1_r_2_0_either_whole_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_0_39 = v1_odd_of_0_39 ? blend1_r_1_1_39 : blend1_r_1_0_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_r_2_0_by_0_39 = blend1_r_2_0_either_0_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_1_39 = v1_odd_of_1_39 ? blend1_r_1_1_39 : blend1_r_1_0_39;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_r_2_0_by_1_39 = blend1_r_2_0_either_1_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_2_39 = v1_odd_of_2_39 ? blend1_r_1_1_39 : blend1_r_1_0_39;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_r_2_0_by_2_39 = blend1_r_2_0_either_2_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_3_39 = v1_odd_of_3_39 ? blend1_r_1_1_39 : blend1_r_1_0_39;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_r_2_0_by_3_39 = blend1_r_2_0_either_3_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_4_39 = v1_odd_of_4_39 ? blend1_r_1_1_39 : blend1_r_1_0_39;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_r_2_0_by_4_39 = blend1_r_2_0_either_4_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_0_either_5_39 = v1_odd_of_5_39 ? blend1_r_1_1_39 : blend1_r_1_0_39;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_r_2_0_by_5_39 = blend1_r_2_0_either_5_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_whole_39 = v1_odd_whole_39 ? blend1_r_1_3_39 : blend1_r_1_2_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_r_2_1_by_whole_39 = blend1_r_2_1_either_whole_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_0_39 = v1_odd_of_0_39 ? blend1_r_1_3_39 : blend1_r_1_2_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_r_2_1_by_0_39 = blend1_r_2_1_either_0_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_1_39 = v1_odd_of_1_39 ? blend1_r_1_3_39 : blend1_r_1_2_39;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_r_2_1_by_1_39 = blend1_r_2_1_either_1_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_2_39 = v1_odd_of_2_39 ? blend1_r_1_3_39 : blend1_r_1_2_39;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_r_2_1_by_2_39 = blend1_r_2_1_either_2_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_3_39 = v1_odd_of_3_39 ? blend1_r_1_3_39 : blend1_r_1_2_39;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_r_2_1_by_3_39 = blend1_r_2_1_either_3_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_4_39 = v1_odd_of_4_39 ? blend1_r_1_3_39 : blend1_r_1_2_39;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_r_2_1_by_4_39 = blend1_r_2_1_either_4_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_r_2_1_either_5_39 = v1_odd_of_5_39 ? blend1_r_1_3_39 : blend1_r_1_2_39;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_r_2_1_by_5_39 = blend1_r_2_1_either_5_39;
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_g_1_0_39 = {3'd0, blend1_g_1_0_sum_2_0_39} + {blend1_g_1_0_sum_2_1_39, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_g_1_1_39 = {3'd0, blend1_g_1_1_sum_2_0_39} + {blend1_g_1_1_sum_2_1_39, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_g_1_2_39 = {3'd0, blend1_g_1_2_sum_2_0_39} + {blend1_g_1_2_sum_2_1_39, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_g_1_3_39 = {3'd0, blend1_g_1_3_sum_2_0_39} + {blend1_g_1_3_sum_2_1_39, 3'd0};
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_whole_39 = v1_odd_whole_39 ? blend1_g_1_1_39 : blend1_g_1_0_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_g_2_0_by_whole_39 = blend1_g_2_0_either_whole_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_0_39 = v1_odd_of_0_39 ? blend1_g_1_1_39 : blend1_g_1_0_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_g_2_0_by_0_39 = blend1_g_2_0_either_0_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_1_39 = v1_odd_of_1_39 ? blend1_g_1_1_39 : blend1_g_1_0_39;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_g_2_0_by_1_39 = blend1_g_2_0_either_1_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_2_39 = v1_odd_of_2_39 ? blend1_g_1_1_39 : blend1_g_1_0_39;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_g_2_0_by_2_39 = blend1_g_2_0_either_2_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_3_39 = v1_odd_of_3_39 ? blend1_g_1_1_39 : blend1_g_1_0_39;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_g_2_0_by_3_39 = blend1_g_2_0_either_3_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_4_39 = v1_odd_of_4_39 ? blend1_g_1_1_39 : blend1_g_1_0_39;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_g_2_0_by_4_39 = blend1_g_2_0_either_4_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_0_either_5_39 = v1_odd_of_5_39 ? blend1_g_1_1_39 : blend1_g_1_0_39;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_g_2_0_by_5_39 = blend1_g_2_0_either_5_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_whole_39 = v1_odd_whole_39 ? blend1_g_1_3_39 : blend1_g_1_2_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_g_2_1_by_whole_39 = blend1_g_2_1_either_whole_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_0_39 = v1_odd_of_0_39 ? blend1_g_1_3_39 : blend1_g_1_2_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_g_2_1_by_0_39 = blend1_g_2_1_either_0_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_1_39 = v1_odd_of_1_39 ? blend1_g_1_3_39 : blend1_g_1_2_39;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_g_2_1_by_1_39 = blend1_g_2_1_either_1_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_2_39 = v1_odd_of_2_39 ? blend1_g_1_3_39 : blend1_g_1_2_39;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_g_2_1_by_2_39 = blend1_g_2_1_either_2_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_3_39 = v1_odd_of_3_39 ? blend1_g_1_3_39 : blend1_g_1_2_39;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_g_2_1_by_3_39 = blend1_g_2_1_either_3_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_4_39 = v1_odd_of_4_39 ? blend1_g_1_3_39 : blend1_g_1_2_39;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_g_2_1_by_4_39 = blend1_g_2_1_either_4_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_g_2_1_either_5_39 = v1_odd_of_5_39 ? blend1_g_1_3_39 : blend1_g_1_2_39;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_g_2_1_by_5_39 = blend1_g_2_1_either_5_39;
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_b_1_0_39 = {3'd0, blend1_b_1_0_sum_2_0_39} + {blend1_b_1_0_sum_2_1_39, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_b_1_1_39 = {3'd0, blend1_b_1_1_sum_2_0_39} + {blend1_b_1_1_sum_2_1_39, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_b_1_2_39 = {3'd0, blend1_b_1_2_sum_2_0_39} + {blend1_b_1_2_sum_2_1_39, 3'd0};
+    // UQ0.14: two neighbours
+    wire [13:0] blend1_b_1_3_39 = {3'd0, blend1_b_1_3_sum_2_0_39} + {blend1_b_1_3_sum_2_1_39, 3'd0};
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_whole_39 = v1_odd_whole_39 ? blend1_b_1_1_39 : blend1_b_1_0_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_b_2_0_by_whole_39 = blend1_b_2_0_either_whole_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_0_39 = v1_odd_of_0_39 ? blend1_b_1_1_39 : blend1_b_1_0_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_b_2_0_by_0_39 = blend1_b_2_0_either_0_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_1_39 = v1_odd_of_1_39 ? blend1_b_1_1_39 : blend1_b_1_0_39;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_b_2_0_by_1_39 = blend1_b_2_0_either_1_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_2_39 = v1_odd_of_2_39 ? blend1_b_1_1_39 : blend1_b_1_0_39;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_b_2_0_by_2_39 = blend1_b_2_0_either_2_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_3_39 = v1_odd_of_3_39 ? blend1_b_1_1_39 : blend1_b_1_0_39;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_b_2_0_by_3_39 = blend1_b_2_0_either_3_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_4_39 = v1_odd_of_4_39 ? blend1_b_1_1_39 : blend1_b_1_0_39;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_b_2_0_by_4_39 = blend1_b_2_0_either_4_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_0_either_5_39 = v1_odd_of_5_39 ? blend1_b_1_1_39 : blend1_b_1_0_39;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_b_2_0_by_5_39 = blend1_b_2_0_either_5_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_whole_39 = v1_odd_whole_39 ? blend1_b_1_3_39 : blend1_b_1_2_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_b_2_1_by_whole_39 = blend1_b_2_1_either_whole_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_0_39 = v1_odd_of_0_39 ? blend1_b_1_3_39 : blend1_b_1_2_39;
+    // UQ-6.20: shifted
+    wire [13:0] blend1_b_2_1_by_0_39 = blend1_b_2_1_either_0_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_1_39 = v1_odd_of_1_39 ? blend1_b_1_3_39 : blend1_b_1_2_39;
+    // UQ-5.19: shifted
+    wire [13:0] blend1_b_2_1_by_1_39 = blend1_b_2_1_either_1_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_2_39 = v1_odd_of_2_39 ? blend1_b_1_3_39 : blend1_b_1_2_39;
+    // UQ-4.18: shifted
+    wire [13:0] blend1_b_2_1_by_2_39 = blend1_b_2_1_either_2_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_3_39 = v1_odd_of_3_39 ? blend1_b_1_3_39 : blend1_b_1_2_39;
+    // UQ-3.17: shifted
+    wire [13:0] blend1_b_2_1_by_3_39 = blend1_b_2_1_either_3_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_4_39 = v1_odd_of_4_39 ? blend1_b_1_3_39 : blend1_b_1_2_39;
+    // UQ-2.16: shifted
+    wire [13:0] blend1_b_2_1_by_4_39 = blend1_b_2_1_either_4_39;
+    // UQ0.14: either of both
+    wire [13:0] blend1_b_2_1_either_5_39 = v1_odd_of_5_39 ? blend1_b_1_3_39 : blend1_b_1_2_39;
+    // UQ-1.15: shifted
+    wire [13:0] blend1_b_2_1_by_5_39 = blend1_b_2_1_either_5_39;
     reg [17:0] in_gain1r_40;
     reg [17:0] in_gain1g_40;
     reg [17:0] in_gain1b_40;
     reg hidden_40;
     reg [2:0] shift1_40;
-    reg [16:0] blend1_r_2_0_sum_2_0_40;
-    reg [16:0] blend1_r_2_0_sum_2_1_40;
-    reg [16:0] blend1_r_2_1_sum_2_0_40;
-    reg [16:0] blend1_r_2_1_sum_2_1_40;
+    reg [13:0] blend1_r_2_0_by_whole_40;
+    reg [13:0] blend1_r_2_0_by_0_40;
+    reg [13:0] blend1_r_2_0_by_1_40;
+    reg [13:0] blend1_r_2_0_by_2_40;
+    reg [13:0] blend1_r_2_0_by_3_40;
+    reg [13:0] blend1_r_2_0_by_4_40;
+    reg [13:0] blend1_r_2_0_by_5_40;
+    reg [13:0] blend1_r_2_1_by_whole_40;
+    reg [13:0] blend1_r_2_1_by_0_40;
+    reg [13:0] blend1_r_2_1_by_1_40;
+    reg [13:0] blend1_r_2_1_by_2_40;
+    reg [13:0] blend1_r_2_1_by_3_40;
+    reg [13:0] blend1_r_2_1_by_4_40;
+    reg [13:0] blend1_r_2_1_by_5_40;
     reg [7:0] blend1_signed_40;
-    reg [16:0] blend1_g_2_0_sum_2_0_40;
-    reg [16:0] blend1_g_2_0_sum_2_1_40;
-    reg [16:0] blend1_g_2_1_sum_2_0_40;
-    reg [16:0] blend1_g_2_1_sum_2_1_40;
-    reg [16:0] blend1_b_2_0_sum_2_0_40;
-    reg [16:0] blend1_b_2_0_sum_2_1_40;
-    reg [16:0] blend1_b_2_1_sum_2_0_40;
-    reg [16:0] blend1_b_2_1_sum_2_1_40;
+    reg [13:0] blend1_g_2_0_by_whole_40;
+    reg [13:0] blend1_g_2_0_by_0_40;
+    reg [13:0] blend1_g_2_0_by_1_40;
+    reg [13:0] blend1_g_2_0_by_2_40;
+    reg [13:0] blend1_g_2_0_by_3_40;
+    reg [13:0] blend1_g_2_0_by_4_40;
+    reg [13:0] blend1_g_2_0_by_5_40;
+    reg [13:0] blend1_g_2_1_by_whole_40;
+    reg [13:0] blend1_g_2_1_by_0_40;
+    reg [13:0] blend1_g_2_1_by_1_40;
+    reg [13:0] blend1_g_2_1_by_2_40;
+    reg [13:0] blend1_g_2_1_by_3_40;
+    reg [13:0] blend1_g_2_1_by_4_40;
+    reg [13:0] blend1_g_2_1_by_5_40;
+    reg [13:0] blend1_b_2_0_by_whole_40;
+    reg [13:0] blend1_b_2_0_by_0_40;
+    reg [13:0] blend1_b_2_0_by_1_40;
+    reg [13:0] blend1_b_2_0_by_2_40;
+    reg [13:0] blend1_b_2_0_by_3_40;
+    reg [13:0] blend1_b_2_0_by_4_40;
+    reg [13:0] blend1_b_2_0_by_5_40;
+    reg [13:0] blend1_b_2_1_by_whole_40;
+    reg [13:0] blend1_b_2_1_by_0_40;
+    reg [13:0] blend1_b_2_1_by_1_40;
+    reg [13:0] blend1_b_2_1_by_2_40;
+    reg [13:0] blend1_b_2_1_by_3_40;
+    reg [13:0] blend1_b_2_1_by_4_40;
+    reg [13:0] blend1_b_2_1_by_5_40;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_40 <= in_gain1r_39;
@@ -4516,59 +4428,137 @@ module image_paper #(
             in_gain1b_40 <= in_gain1b_39;
             hidden_40 <= hidden_39;
             shift1_40 <= shift1_39;
-            blend1_r_2_0_sum_2_0_40 <= blend1_r_2_0_sum_2_0_39;
-            blend1_r_2_0_sum_2_1_40 <= blend1_r_2_0_sum_2_1_39;
-            blend1_r_2_1_sum_2_0_40 <= blend1_r_2_1_sum_2_0_39;
-            blend1_r_2_1_sum_2_1_40 <= blend1_r_2_1_sum_2_1_39;
+            blend1_r_2_0_by_whole_40 <= blend1_r_2_0_by_whole_39;
+            blend1_r_2_0_by_0_40 <= blend1_r_2_0_by_0_39;
+            blend1_r_2_0_by_1_40 <= blend1_r_2_0_by_1_39;
+            blend1_r_2_0_by_2_40 <= blend1_r_2_0_by_2_39;
+            blend1_r_2_0_by_3_40 <= blend1_r_2_0_by_3_39;
+            blend1_r_2_0_by_4_40 <= blend1_r_2_0_by_4_39;
+            blend1_r_2_0_by_5_40 <= blend1_r_2_0_by_5_39;
+            blend1_r_2_1_by_whole_40 <= blend1_r_2_1_by_whole_39;
+            blend1_r_2_1_by_0_40 <= blend1_r_2_1_by_0_39;
+            blend1_r_2_1_by_1_40 <= blend1_r_2_1_by_1_39;
+            blend1_r_2_1_by_2_40 <= blend1_r_2_1_by_2_39;
+            blend1_r_2_1_by_3_40 <= blend1_r_2_1_by_3_39;
+            blend1_r_2_1_by_4_40 <= blend1_r_2_1_by_4_39;
+            blend1_r_2_1_by_5_40 <= blend1_r_2_1_by_5_39;
             blend1_signed_40 <= blend1_signed_39;
-            blend1_g_2_0_sum_2_0_40 <= blend1_g_2_0_sum_2_0_39;
-            blend1_g_2_0_sum_2_1_40 <= blend1_g_2_0_sum_2_1_39;
-            blend1_g_2_1_sum_2_0_40 <= blend1_g_2_1_sum_2_0_39;
-            blend1_g_2_1_sum_2_1_40 <= blend1_g_2_1_sum_2_1_39;
-            blend1_b_2_0_sum_2_0_40 <= blend1_b_2_0_sum_2_0_39;
-            blend1_b_2_0_sum_2_1_40 <= blend1_b_2_0_sum_2_1_39;
-            blend1_b_2_1_sum_2_0_40 <= blend1_b_2_1_sum_2_0_39;
-            blend1_b_2_1_sum_2_1_40 <= blend1_b_2_1_sum_2_1_39;
+            blend1_g_2_0_by_whole_40 <= blend1_g_2_0_by_whole_39;
+            blend1_g_2_0_by_0_40 <= blend1_g_2_0_by_0_39;
+            blend1_g_2_0_by_1_40 <= blend1_g_2_0_by_1_39;
+            blend1_g_2_0_by_2_40 <= blend1_g_2_0_by_2_39;
+            blend1_g_2_0_by_3_40 <= blend1_g_2_0_by_3_39;
+            blend1_g_2_0_by_4_40 <= blend1_g_2_0_by_4_39;
+            blend1_g_2_0_by_5_40 <= blend1_g_2_0_by_5_39;
+            blend1_g_2_1_by_whole_40 <= blend1_g_2_1_by_whole_39;
+            blend1_g_2_1_by_0_40 <= blend1_g_2_1_by_0_39;
+            blend1_g_2_1_by_1_40 <= blend1_g_2_1_by_1_39;
+            blend1_g_2_1_by_2_40 <= blend1_g_2_1_by_2_39;
+            blend1_g_2_1_by_3_40 <= blend1_g_2_1_by_3_39;
+            blend1_g_2_1_by_4_40 <= blend1_g_2_1_by_4_39;
+            blend1_g_2_1_by_5_40 <= blend1_g_2_1_by_5_39;
+            blend1_b_2_0_by_whole_40 <= blend1_b_2_0_by_whole_39;
+            blend1_b_2_0_by_0_40 <= blend1_b_2_0_by_0_39;
+            blend1_b_2_0_by_1_40 <= blend1_b_2_0_by_1_39;
+            blend1_b_2_0_by_2_40 <= blend1_b_2_0_by_2_39;
+            blend1_b_2_0_by_3_40 <= blend1_b_2_0_by_3_39;
+            blend1_b_2_0_by_4_40 <= blend1_b_2_0_by_4_39;
+            blend1_b_2_0_by_5_40 <= blend1_b_2_0_by_5_39;
+            blend1_b_2_1_by_whole_40 <= blend1_b_2_1_by_whole_39;
+            blend1_b_2_1_by_0_40 <= blend1_b_2_1_by_0_39;
+            blend1_b_2_1_by_1_40 <= blend1_b_2_1_by_1_39;
+            blend1_b_2_1_by_2_40 <= blend1_b_2_1_by_2_39;
+            blend1_b_2_1_by_3_40 <= blend1_b_2_1_by_3_39;
+            blend1_b_2_1_by_4_40 <= blend1_b_2_1_by_4_39;
+            blend1_b_2_1_by_5_40 <= blend1_b_2_1_by_5_39;
         end
     end
 
-    // ===== Stage 40: blend1_r_2_0, blend1_r_2_1, blend1_g_2_0, blend1_g_2_1 and 2 more
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_r_2_0_40 = {3'd0, blend1_r_2_0_sum_2_0_40} + {blend1_r_2_0_sum_2_1_40, 3'd0};
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_r_2_1_40 = {3'd0, blend1_r_2_1_sum_2_0_40} + {blend1_r_2_1_sum_2_1_40, 3'd0};
-    // UQ0.17: rounded down to a multiplier's operand
-    wire [16:0] blend1_r_2_0_cut_40 = blend1_r_2_0_40[19:3];
-    // UQ0.17: rounded down to a multiplier's operand
-    wire [16:0] blend1_r_2_1_cut_40 = blend1_r_2_1_40[19:3];
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_g_2_0_40 = {3'd0, blend1_g_2_0_sum_2_0_40} + {blend1_g_2_0_sum_2_1_40, 3'd0};
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_g_2_1_40 = {3'd0, blend1_g_2_1_sum_2_0_40} + {blend1_g_2_1_sum_2_1_40, 3'd0};
-    // UQ0.17: rounded down to a multiplier's operand
-    wire [16:0] blend1_g_2_0_cut_40 = blend1_g_2_0_40[19:3];
-    // UQ0.17: rounded down to a multiplier's operand
-    wire [16:0] blend1_g_2_1_cut_40 = blend1_g_2_1_40[19:3];
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_b_2_0_40 = {3'd0, blend1_b_2_0_sum_2_0_40} + {blend1_b_2_0_sum_2_1_40, 3'd0};
-    // UQ0.20: two neighbours
-    wire [19:0] blend1_b_2_1_40 = {3'd0, blend1_b_2_1_sum_2_0_40} + {blend1_b_2_1_sum_2_1_40, 3'd0};
-    // UQ0.17: rounded down to a multiplier's operand
-    wire [16:0] blend1_b_2_0_cut_40 = blend1_b_2_0_40[19:3];
-    // UQ0.17: rounded down to a multiplier's operand
-    wire [16:0] blend1_b_2_1_cut_40 = blend1_b_2_1_40[19:3];
+    // ===== Stage 40: blend1_r_2_0_sum_1_0, blend1_r_2_0_sum_1_1 and 16 more
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_r_2_0_sum_1_0_40 =
+        {1'd0, blend1_r_2_0_by_whole_40} + {1'd0, blend1_r_2_0_by_0_40};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_r_2_0_sum_1_1_40 =
+        {2'd0, blend1_r_2_0_by_1_40} + {1'd0, blend1_r_2_0_by_2_40, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_r_2_0_sum_1_2_40 =
+        {2'd0, blend1_r_2_0_by_3_40} + {1'd0, blend1_r_2_0_by_4_40, 1'd0};
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_r_2_1_sum_1_0_40 =
+        {1'd0, blend1_r_2_1_by_whole_40} + {1'd0, blend1_r_2_1_by_0_40};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_r_2_1_sum_1_1_40 =
+        {2'd0, blend1_r_2_1_by_1_40} + {1'd0, blend1_r_2_1_by_2_40, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_r_2_1_sum_1_2_40 =
+        {2'd0, blend1_r_2_1_by_3_40} + {1'd0, blend1_r_2_1_by_4_40, 1'd0};
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_g_2_0_sum_1_0_40 =
+        {1'd0, blend1_g_2_0_by_whole_40} + {1'd0, blend1_g_2_0_by_0_40};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_g_2_0_sum_1_1_40 =
+        {2'd0, blend1_g_2_0_by_1_40} + {1'd0, blend1_g_2_0_by_2_40, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_g_2_0_sum_1_2_40 =
+        {2'd0, blend1_g_2_0_by_3_40} + {1'd0, blend1_g_2_0_by_4_40, 1'd0};
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_g_2_1_sum_1_0_40 =
+        {1'd0, blend1_g_2_1_by_whole_40} + {1'd0, blend1_g_2_1_by_0_40};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_g_2_1_sum_1_1_40 =
+        {2'd0, blend1_g_2_1_by_1_40} + {1'd0, blend1_g_2_1_by_2_40, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_g_2_1_sum_1_2_40 =
+        {2'd0, blend1_g_2_1_by_3_40} + {1'd0, blend1_g_2_1_by_4_40, 1'd0};
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_b_2_0_sum_1_0_40 =
+        {1'd0, blend1_b_2_0_by_whole_40} + {1'd0, blend1_b_2_0_by_0_40};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_b_2_0_sum_1_1_40 =
+        {2'd0, blend1_b_2_0_by_1_40} + {1'd0, blend1_b_2_0_by_2_40, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_b_2_0_sum_1_2_40 =
+        {2'd0, blend1_b_2_0_by_3_40} + {1'd0, blend1_b_2_0_by_4_40, 1'd0};
+    // UQ-5.20: the sum of two
+    wire [14:0] blend1_b_2_1_sum_1_0_40 =
+        {1'd0, blend1_b_2_1_by_whole_40} + {1'd0, blend1_b_2_1_by_0_40};
+    // UQ-3.19: the sum of two
+    wire [15:0] blend1_b_2_1_sum_1_1_40 =
+        {2'd0, blend1_b_2_1_by_1_40} + {1'd0, blend1_b_2_1_by_2_40, 1'd0};
+    // UQ-1.17: the sum of two
+    wire [15:0] blend1_b_2_1_sum_1_2_40 =
+        {2'd0, blend1_b_2_1_by_3_40} + {1'd0, blend1_b_2_1_by_4_40, 1'd0};
     reg [17:0] in_gain1r_41;
     reg [17:0] in_gain1g_41;
     reg [17:0] in_gain1b_41;
     reg hidden_41;
     reg [2:0] shift1_41;
-    reg [16:0] blend1_r_2_0_cut_41;
-    reg [16:0] blend1_r_2_1_cut_41;
+    reg [13:0] blend1_r_2_0_by_5_41;
+    reg [14:0] blend1_r_2_0_sum_1_0_41;
+    reg [15:0] blend1_r_2_0_sum_1_1_41;
+    reg [15:0] blend1_r_2_0_sum_1_2_41;
+    reg [13:0] blend1_r_2_1_by_5_41;
+    reg [14:0] blend1_r_2_1_sum_1_0_41;
+    reg [15:0] blend1_r_2_1_sum_1_1_41;
+    reg [15:0] blend1_r_2_1_sum_1_2_41;
     reg [7:0] blend1_signed_41;
-    reg [16:0] blend1_g_2_0_cut_41;
-    reg [16:0] blend1_g_2_1_cut_41;
-    reg [16:0] blend1_b_2_0_cut_41;
-    reg [16:0] blend1_b_2_1_cut_41;
+    reg [13:0] blend1_g_2_0_by_5_41;
+    reg [14:0] blend1_g_2_0_sum_1_0_41;
+    reg [15:0] blend1_g_2_0_sum_1_1_41;
+    reg [15:0] blend1_g_2_0_sum_1_2_41;
+    reg [13:0] blend1_g_2_1_by_5_41;
+    reg [14:0] blend1_g_2_1_sum_1_0_41;
+    reg [15:0] blend1_g_2_1_sum_1_1_41;
+    reg [15:0] blend1_g_2_1_sum_1_2_41;
+    reg [13:0] blend1_b_2_0_by_5_41;
+    reg [14:0] blend1_b_2_0_sum_1_0_41;
+    reg [15:0] blend1_b_2_0_sum_1_1_41;
+    reg [15:0] blend1_b_2_0_sum_1_2_41;
+    reg [13:0] blend1_b_2_1_by_5_41;
+    reg [14:0] blend1_b_2_1_sum_1_0_41;
+    reg [15:0] blend1_b_2_1_sum_1_1_41;
+    reg [15:0] blend1_b_2_1_sum_1_2_41;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_41 <= in_gain1r_40;
@@ -4576,35 +4566,89 @@ module image_paper #(
             in_gain1b_41 <= in_gain1b_40;
             hidden_41 <= hidden_40;
             shift1_41 <= shift1_40;
-            blend1_r_2_0_cut_41 <= blend1_r_2_0_cut_40;
-            blend1_r_2_1_cut_41 <= blend1_r_2_1_cut_40;
+            blend1_r_2_0_by_5_41 <= blend1_r_2_0_by_5_40;
+            blend1_r_2_0_sum_1_0_41 <= blend1_r_2_0_sum_1_0_40;
+            blend1_r_2_0_sum_1_1_41 <= blend1_r_2_0_sum_1_1_40;
+            blend1_r_2_0_sum_1_2_41 <= blend1_r_2_0_sum_1_2_40;
+            blend1_r_2_1_by_5_41 <= blend1_r_2_1_by_5_40;
+            blend1_r_2_1_sum_1_0_41 <= blend1_r_2_1_sum_1_0_40;
+            blend1_r_2_1_sum_1_1_41 <= blend1_r_2_1_sum_1_1_40;
+            blend1_r_2_1_sum_1_2_41 <= blend1_r_2_1_sum_1_2_40;
             blend1_signed_41 <= blend1_signed_40;
-            blend1_g_2_0_cut_41 <= blend1_g_2_0_cut_40;
-            blend1_g_2_1_cut_41 <= blend1_g_2_1_cut_40;
-            blend1_b_2_0_cut_41 <= blend1_b_2_0_cut_40;
-            blend1_b_2_1_cut_41 <= blend1_b_2_1_cut_40;
+            blend1_g_2_0_by_5_41 <= blend1_g_2_0_by_5_40;
+            blend1_g_2_0_sum_1_0_41 <= blend1_g_2_0_sum_1_0_40;
+            blend1_g_2_0_sum_1_1_41 <= blend1_g_2_0_sum_1_1_40;
+            blend1_g_2_0_sum_1_2_41 <= blend1_g_2_0_sum_1_2_40;
+            blend1_g_2_1_by_5_41 <= blend1_g_2_1_by_5_40;
+            blend1_g_2_1_sum_1_0_41 <= blend1_g_2_1_sum_1_0_40;
+            blend1_g_2_1_sum_1_1_41 <= blend1_g_2_1_sum_1_1_40;
+            blend1_g_2_1_sum_1_2_41 <= blend1_g_2_1_sum_1_2_40;
+            blend1_b_2_0_by_5_41 <= blend1_b_2_0_by_5_40;
+            blend1_b_2_0_sum_1_0_41 <= blend1_b_2_0_sum_1_0_40;
+            blend1_b_2_0_sum_1_1_41 <= blend1_b_2_0_sum_1_1_40;
+            blend1_b_2_0_sum_1_2_41 <= blend1_b_2_0_sum_1_2_40;
+            blend1_b_2_1_by_5_41 <= blend1_b_2_1_by_5_40;
+            blend1_b_2_1_sum_1_0_41 <= blend1_b_2_1_sum_1_0_40;
+            blend1_b_2_1_sum_1_1_41 <= blend1_b_2_1_sum_1_1_40;
+            blend1_b_2_1_sum_1_2_41 <= blend1_b_2_1_sum_1_2_40;
         end
     end
 
-    // ===== Stage 41: blend1_r_3_0_apart, blend1_g_3_0_apart, blend1_b_3_0_apart
-    // Q0.17: the difference
-    wire [17:0] blend1_r_3_0_apart_41 = {1'd0, blend1_r_2_1_cut_41} - {1'd0, blend1_r_2_0_cut_41};
-    // Q0.17: the difference
-    wire [17:0] blend1_g_3_0_apart_41 = {1'd0, blend1_g_2_1_cut_41} - {1'd0, blend1_g_2_0_cut_41};
-    // Q0.17: the difference
-    wire [17:0] blend1_b_3_0_apart_41 = {1'd0, blend1_b_2_1_cut_41} - {1'd0, blend1_b_2_0_cut_41};
+    // ===== Stage 41: blend1_r_2_0_sum_2_0, blend1_r_2_0_sum_2_1 and 10 more
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_r_2_0_sum_2_0_41 =
+        {2'd0, blend1_r_2_0_sum_1_0_41} + {blend1_r_2_0_sum_1_1_41, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_r_2_0_sum_2_1_41 =
+        {1'd0, blend1_r_2_0_sum_1_2_41} + {1'd0, blend1_r_2_0_by_5_41, 2'd0};
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_r_2_1_sum_2_0_41 =
+        {2'd0, blend1_r_2_1_sum_1_0_41} + {blend1_r_2_1_sum_1_1_41, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_r_2_1_sum_2_1_41 =
+        {1'd0, blend1_r_2_1_sum_1_2_41} + {1'd0, blend1_r_2_1_by_5_41, 2'd0};
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_g_2_0_sum_2_0_41 =
+        {2'd0, blend1_g_2_0_sum_1_0_41} + {blend1_g_2_0_sum_1_1_41, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_g_2_0_sum_2_1_41 =
+        {1'd0, blend1_g_2_0_sum_1_2_41} + {1'd0, blend1_g_2_0_by_5_41, 2'd0};
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_g_2_1_sum_2_0_41 =
+        {2'd0, blend1_g_2_1_sum_1_0_41} + {blend1_g_2_1_sum_1_1_41, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_g_2_1_sum_2_1_41 =
+        {1'd0, blend1_g_2_1_sum_1_2_41} + {1'd0, blend1_g_2_1_by_5_41, 2'd0};
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_b_2_0_sum_2_0_41 =
+        {2'd0, blend1_b_2_0_sum_1_0_41} + {blend1_b_2_0_sum_1_1_41, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_b_2_0_sum_2_1_41 =
+        {1'd0, blend1_b_2_0_sum_1_2_41} + {1'd0, blend1_b_2_0_by_5_41, 2'd0};
+    // UQ-3.20: the sum of two
+    wire [16:0] blend1_b_2_1_sum_2_0_41 =
+        {2'd0, blend1_b_2_1_sum_1_0_41} + {blend1_b_2_1_sum_1_1_41, 1'd0};
+    // UQ0.17: the sum of two
+    wire [16:0] blend1_b_2_1_sum_2_1_41 =
+        {1'd0, blend1_b_2_1_sum_1_2_41} + {1'd0, blend1_b_2_1_by_5_41, 2'd0};
     reg [17:0] in_gain1r_42;
     reg [17:0] in_gain1g_42;
     reg [17:0] in_gain1b_42;
     reg hidden_42;
     reg [2:0] shift1_42;
-    reg [16:0] blend1_r_2_0_cut_42;
-    reg [17:0] blend1_r_3_0_apart_42;
+    reg [16:0] blend1_r_2_0_sum_2_0_42;
+    reg [16:0] blend1_r_2_0_sum_2_1_42;
+    reg [16:0] blend1_r_2_1_sum_2_0_42;
+    reg [16:0] blend1_r_2_1_sum_2_1_42;
     reg [7:0] blend1_signed_42;
-    reg [16:0] blend1_g_2_0_cut_42;
-    reg [17:0] blend1_g_3_0_apart_42;
-    reg [16:0] blend1_b_2_0_cut_42;
-    reg [17:0] blend1_b_3_0_apart_42;
+    reg [16:0] blend1_g_2_0_sum_2_0_42;
+    reg [16:0] blend1_g_2_0_sum_2_1_42;
+    reg [16:0] blend1_g_2_1_sum_2_0_42;
+    reg [16:0] blend1_g_2_1_sum_2_1_42;
+    reg [16:0] blend1_b_2_0_sum_2_0_42;
+    reg [16:0] blend1_b_2_0_sum_2_1_42;
+    reg [16:0] blend1_b_2_1_sum_2_0_42;
+    reg [16:0] blend1_b_2_1_sum_2_1_42;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_42 <= in_gain1r_41;
@@ -4612,34 +4656,59 @@ module image_paper #(
             in_gain1b_42 <= in_gain1b_41;
             hidden_42 <= hidden_41;
             shift1_42 <= shift1_41;
-            blend1_r_2_0_cut_42 <= blend1_r_2_0_cut_41;
-            blend1_r_3_0_apart_42 <= blend1_r_3_0_apart_41;
+            blend1_r_2_0_sum_2_0_42 <= blend1_r_2_0_sum_2_0_41;
+            blend1_r_2_0_sum_2_1_42 <= blend1_r_2_0_sum_2_1_41;
+            blend1_r_2_1_sum_2_0_42 <= blend1_r_2_1_sum_2_0_41;
+            blend1_r_2_1_sum_2_1_42 <= blend1_r_2_1_sum_2_1_41;
             blend1_signed_42 <= blend1_signed_41;
-            blend1_g_2_0_cut_42 <= blend1_g_2_0_cut_41;
-            blend1_g_3_0_apart_42 <= blend1_g_3_0_apart_41;
-            blend1_b_2_0_cut_42 <= blend1_b_2_0_cut_41;
-            blend1_b_3_0_apart_42 <= blend1_b_3_0_apart_41;
+            blend1_g_2_0_sum_2_0_42 <= blend1_g_2_0_sum_2_0_41;
+            blend1_g_2_0_sum_2_1_42 <= blend1_g_2_0_sum_2_1_41;
+            blend1_g_2_1_sum_2_0_42 <= blend1_g_2_1_sum_2_0_41;
+            blend1_g_2_1_sum_2_1_42 <= blend1_g_2_1_sum_2_1_41;
+            blend1_b_2_0_sum_2_0_42 <= blend1_b_2_0_sum_2_0_41;
+            blend1_b_2_0_sum_2_1_42 <= blend1_b_2_0_sum_2_1_41;
+            blend1_b_2_1_sum_2_0_42 <= blend1_b_2_1_sum_2_0_41;
+            blend1_b_2_1_sum_2_1_42 <= blend1_b_2_1_sum_2_1_41;
         end
     end
 
-    // ===== Stage 42: blend1_r_3_0_part, blend1_g_3_0_part, blend1_b_3_0_part
-    // Q2.23: its part
-    wire [25:0] blend1_r_3_0_part_42 = $signed(blend1_r_3_0_apart_42) * $signed(blend1_signed_42);
-    // Q2.23: its part
-    wire [25:0] blend1_g_3_0_part_42 = $signed(blend1_g_3_0_apart_42) * $signed(blend1_signed_42);
-    // Q2.23: its part
-    wire [25:0] blend1_b_3_0_part_42 = $signed(blend1_b_3_0_apart_42) * $signed(blend1_signed_42);
+    // ===== Stage 42: blend1_r_2_0, blend1_r_2_1, blend1_g_2_0, blend1_g_2_1 and 2 more
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_r_2_0_42 = {3'd0, blend1_r_2_0_sum_2_0_42} + {blend1_r_2_0_sum_2_1_42, 3'd0};
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_r_2_1_42 = {3'd0, blend1_r_2_1_sum_2_0_42} + {blend1_r_2_1_sum_2_1_42, 3'd0};
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_r_2_0_cut_42 = blend1_r_2_0_42[19:3];
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_r_2_1_cut_42 = blend1_r_2_1_42[19:3];
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_g_2_0_42 = {3'd0, blend1_g_2_0_sum_2_0_42} + {blend1_g_2_0_sum_2_1_42, 3'd0};
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_g_2_1_42 = {3'd0, blend1_g_2_1_sum_2_0_42} + {blend1_g_2_1_sum_2_1_42, 3'd0};
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_g_2_0_cut_42 = blend1_g_2_0_42[19:3];
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_g_2_1_cut_42 = blend1_g_2_1_42[19:3];
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_b_2_0_42 = {3'd0, blend1_b_2_0_sum_2_0_42} + {blend1_b_2_0_sum_2_1_42, 3'd0};
+    // UQ0.20: two neighbours
+    wire [19:0] blend1_b_2_1_42 = {3'd0, blend1_b_2_1_sum_2_0_42} + {blend1_b_2_1_sum_2_1_42, 3'd0};
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_b_2_0_cut_42 = blend1_b_2_0_42[19:3];
+    // UQ0.17: rounded down to a multiplier's operand
+    wire [16:0] blend1_b_2_1_cut_42 = blend1_b_2_1_42[19:3];
     reg [17:0] in_gain1r_43;
     reg [17:0] in_gain1g_43;
     reg [17:0] in_gain1b_43;
     reg hidden_43;
     reg [2:0] shift1_43;
     reg [16:0] blend1_r_2_0_cut_43;
-    reg [25:0] blend1_r_3_0_part_43;
+    reg [16:0] blend1_r_2_1_cut_43;
+    reg [7:0] blend1_signed_43;
     reg [16:0] blend1_g_2_0_cut_43;
-    reg [25:0] blend1_g_3_0_part_43;
+    reg [16:0] blend1_g_2_1_cut_43;
     reg [16:0] blend1_b_2_0_cut_43;
-    reg [25:0] blend1_b_3_0_part_43;
+    reg [16:0] blend1_b_2_1_cut_43;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_43 <= in_gain1r_42;
@@ -4648,35 +4717,34 @@ module image_paper #(
             hidden_43 <= hidden_42;
             shift1_43 <= shift1_42;
             blend1_r_2_0_cut_43 <= blend1_r_2_0_cut_42;
-            blend1_r_3_0_part_43 <= blend1_r_3_0_part_42;
+            blend1_r_2_1_cut_43 <= blend1_r_2_1_cut_42;
+            blend1_signed_43 <= blend1_signed_42;
             blend1_g_2_0_cut_43 <= blend1_g_2_0_cut_42;
-            blend1_g_3_0_part_43 <= blend1_g_3_0_part_42;
+            blend1_g_2_1_cut_43 <= blend1_g_2_1_cut_42;
             blend1_b_2_0_cut_43 <= blend1_b_2_0_cut_42;
-            blend1_b_3_0_part_43 <= blend1_b_3_0_part_42;
+            blend1_b_2_1_cut_43 <= blend1_b_2_1_cut_42;
         end
     end
 
-    // ===== Stage 43: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
-    // UQ0.23: two bands
-    wire [22:0] blend1_r_3_0_43 = {blend1_r_2_0_cut_43, 6'd0} + blend1_r_3_0_part_43[22:0];
-    // UQ0.18: the blended code
-    wire [17:0] root1_r_43 = blend1_r_3_0_43[22:5];
-    // UQ0.23: two bands
-    wire [22:0] blend1_g_3_0_43 = {blend1_g_2_0_cut_43, 6'd0} + blend1_g_3_0_part_43[22:0];
-    // UQ0.18: the blended code
-    wire [17:0] root1_g_43 = blend1_g_3_0_43[22:5];
-    // UQ0.23: two bands
-    wire [22:0] blend1_b_3_0_43 = {blend1_b_2_0_cut_43, 6'd0} + blend1_b_3_0_part_43[22:0];
-    // UQ0.18: the blended code
-    wire [17:0] root1_b_43 = blend1_b_3_0_43[22:5];
+    // ===== Stage 43: blend1_r_3_0_apart, blend1_g_3_0_apart, blend1_b_3_0_apart
+    // Q0.17: the difference
+    wire [17:0] blend1_r_3_0_apart_43 = {1'd0, blend1_r_2_1_cut_43} - {1'd0, blend1_r_2_0_cut_43};
+    // Q0.17: the difference
+    wire [17:0] blend1_g_3_0_apart_43 = {1'd0, blend1_g_2_1_cut_43} - {1'd0, blend1_g_2_0_cut_43};
+    // Q0.17: the difference
+    wire [17:0] blend1_b_3_0_apart_43 = {1'd0, blend1_b_2_1_cut_43} - {1'd0, blend1_b_2_0_cut_43};
     reg [17:0] in_gain1r_44;
     reg [17:0] in_gain1g_44;
     reg [17:0] in_gain1b_44;
     reg hidden_44;
     reg [2:0] shift1_44;
-    reg [17:0] root1_r_44;
-    reg [17:0] root1_g_44;
-    reg [17:0] root1_b_44;
+    reg [16:0] blend1_r_2_0_cut_44;
+    reg [17:0] blend1_r_3_0_apart_44;
+    reg [7:0] blend1_signed_44;
+    reg [16:0] blend1_g_2_0_cut_44;
+    reg [17:0] blend1_g_3_0_apart_44;
+    reg [16:0] blend1_b_2_0_cut_44;
+    reg [17:0] blend1_b_3_0_apart_44;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_44 <= in_gain1r_43;
@@ -4684,33 +4752,34 @@ module image_paper #(
             in_gain1b_44 <= in_gain1b_43;
             hidden_44 <= hidden_43;
             shift1_44 <= shift1_43;
-            root1_r_44 <= root1_r_43;
-            root1_g_44 <= root1_g_43;
-            root1_b_44 <= root1_b_43;
+            blend1_r_2_0_cut_44 <= blend1_r_2_0_cut_43;
+            blend1_r_3_0_apart_44 <= blend1_r_3_0_apart_43;
+            blend1_signed_44 <= blend1_signed_43;
+            blend1_g_2_0_cut_44 <= blend1_g_2_0_cut_43;
+            blend1_g_3_0_apart_44 <= blend1_g_3_0_apart_43;
+            blend1_b_2_0_cut_44 <= blend1_b_2_0_cut_43;
+            blend1_b_3_0_apart_44 <= blend1_b_3_0_apart_43;
         end
     end
 
-    // ===== Stage 44: square1_r_exact, square1_g_exact, square1_b_exact
-    // UQ0.36: its square
-    wire [35:0] square1_r_exact_44 = root1_r_44 * root1_r_44;
-    // UQ0.18: rounded down
-    wire [17:0] square1_r_44 = square1_r_exact_44[35:18];
-    // UQ0.36: its square
-    wire [35:0] square1_g_exact_44 = root1_g_44 * root1_g_44;
-    // UQ0.18: rounded down
-    wire [17:0] square1_g_44 = square1_g_exact_44[35:18];
-    // UQ0.36: its square
-    wire [35:0] square1_b_exact_44 = root1_b_44 * root1_b_44;
-    // UQ0.18: rounded down
-    wire [17:0] square1_b_44 = square1_b_exact_44[35:18];
+    // ===== Stage 44: blend1_r_3_0_part, blend1_g_3_0_part, blend1_b_3_0_part
+    // Q2.23: its part
+    wire [25:0] blend1_r_3_0_part_44 = $signed(blend1_r_3_0_apart_44) * $signed(blend1_signed_44);
+    // Q2.23: its part
+    wire [25:0] blend1_g_3_0_part_44 = $signed(blend1_g_3_0_apart_44) * $signed(blend1_signed_44);
+    // Q2.23: its part
+    wire [25:0] blend1_b_3_0_part_44 = $signed(blend1_b_3_0_apart_44) * $signed(blend1_signed_44);
     reg [17:0] in_gain1r_45;
     reg [17:0] in_gain1g_45;
     reg [17:0] in_gain1b_45;
     reg hidden_45;
     reg [2:0] shift1_45;
-    reg [17:0] square1_r_45;
-    reg [17:0] square1_g_45;
-    reg [17:0] square1_b_45;
+    reg [16:0] blend1_r_2_0_cut_45;
+    reg [25:0] blend1_r_3_0_part_45;
+    reg [16:0] blend1_g_2_0_cut_45;
+    reg [25:0] blend1_g_3_0_part_45;
+    reg [16:0] blend1_b_2_0_cut_45;
+    reg [25:0] blend1_b_3_0_part_45;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_45 <= in_gain1r_44;
@@ -4718,100 +4787,199 @@ module image_paper #(
             in_gain1b_45 <= in_gain1b_44;
             hidden_45 <= hidden_44;
             shift1_45 <= shift1_44;
-            square1_r_45 <= square1_r_44;
-            square1_g_45 <= square1_g_44;
-            square1_b_45 <= square1_b_44;
+            blend1_r_2_0_cut_45 <= blend1_r_2_0_cut_44;
+            blend1_r_3_0_part_45 <= blend1_r_3_0_part_44;
+            blend1_g_2_0_cut_45 <= blend1_g_2_0_cut_44;
+            blend1_g_3_0_part_45 <= blend1_g_3_0_part_44;
+            blend1_b_2_0_cut_45 <= blend1_b_2_0_cut_44;
+            blend1_b_3_0_part_45 <= blend1_b_3_0_part_44;
         end
     end
 
-    // ===== Stage 45: square1_r_seen, square1_r_up, square1_r_within and 6 more
-    // UQ0.18: 0 for a normal that is turned away
-    wire [17:0] square1_r_seen_45 = hidden_45 ? 18'd0 : square1_r_45;
-    // UQ4.18: times 2^shift
-    wire [21:0] square1_r_up_45 = {4'd0, square1_r_seen_45} << shift1_45;
-    // UQ4.14: rounded down
-    wire [17:0] square1_r_up_cut_45 = square1_r_up_45[21:4];
-    // UQ4.14: kept in its format
-    wire [17:0] square1_r_within_45 = square1_r_up_cut_45;
-    // UQ0.18: 0 for a normal that is turned away
-    wire [17:0] square1_g_seen_45 = hidden_45 ? 18'd0 : square1_g_45;
-    // UQ4.18: times 2^shift
-    wire [21:0] square1_g_up_45 = {4'd0, square1_g_seen_45} << shift1_45;
-    // UQ4.14: rounded down
-    wire [17:0] square1_g_up_cut_45 = square1_g_up_45[21:4];
-    // UQ4.14: kept in its format
-    wire [17:0] square1_g_within_45 = square1_g_up_cut_45;
-    // UQ0.18: 0 for a normal that is turned away
-    wire [17:0] square1_b_seen_45 = hidden_45 ? 18'd0 : square1_b_45;
-    // UQ4.18: times 2^shift
-    wire [21:0] square1_b_up_45 = {4'd0, square1_b_seen_45} << shift1_45;
-    // UQ4.14: rounded down
-    wire [17:0] square1_b_up_cut_45 = square1_b_up_45[21:4];
-    // UQ4.14: kept in its format
-    wire [17:0] square1_b_within_45 = square1_b_up_cut_45;
+    // ===== Stage 45: registers only
     reg [17:0] in_gain1r_46;
     reg [17:0] in_gain1g_46;
     reg [17:0] in_gain1b_46;
-    reg [17:0] square1_r_within_46;
-    reg [17:0] square1_g_within_46;
-    reg [17:0] square1_b_within_46;
+    reg hidden_46;
+    reg [2:0] shift1_46;
+    reg [16:0] blend1_r_2_0_cut_46;
+    reg [25:0] blend1_r_3_0_part_46;
+    reg [16:0] blend1_g_2_0_cut_46;
+    reg [25:0] blend1_g_3_0_part_46;
+    reg [16:0] blend1_b_2_0_cut_46;
+    reg [25:0] blend1_b_3_0_part_46;
     always @(posedge clk) begin
         if (ce) begin
             in_gain1r_46 <= in_gain1r_45;
             in_gain1g_46 <= in_gain1g_45;
             in_gain1b_46 <= in_gain1b_45;
-            square1_r_within_46 <= square1_r_within_45;
-            square1_g_within_46 <= square1_g_within_45;
-            square1_b_within_46 <= square1_b_within_45;
+            hidden_46 <= hidden_45;
+            shift1_46 <= shift1_45;
+            blend1_r_2_0_cut_46 <= blend1_r_2_0_cut_45;
+            blend1_r_3_0_part_46 <= blend1_r_3_0_part_45;
+            blend1_g_2_0_cut_46 <= blend1_g_2_0_cut_45;
+            blend1_g_3_0_part_46 <= blend1_g_3_0_part_45;
+            blend1_b_2_0_cut_46 <= blend1_b_2_0_cut_45;
+            blend1_b_3_0_part_46 <= blend1_b_3_0_part_45;
         end
     end
 
-    // ===== Stage 46: light1_r_exact, light1_g_exact, light1_b_exact
-    // UQ5.31: times the gain
-    wire [35:0] light1_r_exact_46 = square1_r_within_46 * in_gain1r_46;
-    // UQ5.17: rounded down
-    wire [21:0] light1_r_46 = light1_r_exact_46[35:14];
-    // UQ5.31: times the gain
-    wire [35:0] light1_g_exact_46 = square1_g_within_46 * in_gain1g_46;
-    // UQ5.17: rounded down
-    wire [21:0] light1_g_46 = light1_g_exact_46[35:14];
-    // UQ5.31: times the gain
-    wire [35:0] light1_b_exact_46 = square1_b_within_46 * in_gain1b_46;
-    // UQ5.17: rounded down
-    wire [21:0] light1_b_46 = light1_b_exact_46[35:14];
-    reg [21:0] light1_r_47;
-    reg [21:0] light1_g_47;
-    reg [21:0] light1_b_47;
+    // ===== Stage 46: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
+    // UQ0.23: two bands
+    wire [22:0] blend1_r_3_0_46 = {blend1_r_2_0_cut_46, 6'd0} + blend1_r_3_0_part_46[22:0];
+    // UQ0.18: the blended code
+    wire [17:0] root1_r_46 = blend1_r_3_0_46[22:5];
+    // UQ0.23: two bands
+    wire [22:0] blend1_g_3_0_46 = {blend1_g_2_0_cut_46, 6'd0} + blend1_g_3_0_part_46[22:0];
+    // UQ0.18: the blended code
+    wire [17:0] root1_g_46 = blend1_g_3_0_46[22:5];
+    // UQ0.23: two bands
+    wire [22:0] blend1_b_3_0_46 = {blend1_b_2_0_cut_46, 6'd0} + blend1_b_3_0_part_46[22:0];
+    // UQ0.18: the blended code
+    wire [17:0] root1_b_46 = blend1_b_3_0_46[22:5];
+    reg [17:0] in_gain1r_47;
+    reg [17:0] in_gain1g_47;
+    reg [17:0] in_gain1b_47;
+    reg hidden_47;
+    reg [2:0] shift1_47;
+    reg [17:0] root1_r_47;
+    reg [17:0] root1_g_47;
+    reg [17:0] root1_b_47;
     always @(posedge clk) begin
         if (ce) begin
-            light1_r_47 <= light1_r_46;
-            light1_g_47 <= light1_g_46;
-            light1_b_47 <= light1_b_46;
+            in_gain1r_47 <= in_gain1r_46;
+            in_gain1g_47 <= in_gain1g_46;
+            in_gain1b_47 <= in_gain1b_46;
+            hidden_47 <= hidden_46;
+            shift1_47 <= shift1_46;
+            root1_r_47 <= root1_r_46;
+            root1_g_47 <= root1_g_46;
+            root1_b_47 <= root1_b_46;
         end
     end
 
-    // ===== Stage 47: sum_r, sum_g, sum_b
-    // UQ1.17: kept at 1.0
-    wire [17:0] sum_r_47 = (|light1_r_47[21:17]) ? 18'h20000 : light1_r_47[17:0];
-    // UQ1.17: kept at 1.0
-    wire [17:0] sum_g_47 = (|light1_g_47[21:17]) ? 18'h20000 : light1_g_47[17:0];
-    // UQ1.17: kept at 1.0
-    wire [17:0] sum_b_47 = (|light1_b_47[21:17]) ? 18'h20000 : light1_b_47[17:0];
-    reg [17:0] sum_r_48;
-    reg [17:0] sum_g_48;
-    reg [17:0] sum_b_48;
+    // ===== Stage 47: square1_r_exact, square1_g_exact, square1_b_exact
+    // UQ0.36: its square
+    wire [35:0] square1_r_exact_47 = root1_r_47 * root1_r_47;
+    // UQ0.18: rounded down
+    wire [17:0] square1_r_47 = square1_r_exact_47[35:18];
+    // UQ0.36: its square
+    wire [35:0] square1_g_exact_47 = root1_g_47 * root1_g_47;
+    // UQ0.18: rounded down
+    wire [17:0] square1_g_47 = square1_g_exact_47[35:18];
+    // UQ0.36: its square
+    wire [35:0] square1_b_exact_47 = root1_b_47 * root1_b_47;
+    // UQ0.18: rounded down
+    wire [17:0] square1_b_47 = square1_b_exact_47[35:18];
+    reg [17:0] in_gain1r_48;
+    reg [17:0] in_gain1g_48;
+    reg [17:0] in_gain1b_48;
+    reg hidden_48;
+    reg [2:0] shift1_48;
+    reg [17:0] square1_r_48;
+    reg [17:0] square1_g_48;
+    reg [17:0] square1_b_48;
     always @(posedge clk) begin
         if (ce) begin
-            sum_r_48 <= sum_r_47;
-            sum_g_48 <= sum_g_47;
-            sum_b_48 <= sum_b_47;
+            in_gain1r_48 <= in_gain1r_47;
+            in_gain1g_48 <= in_gain1g_47;
+            in_gain1b_48 <= in_gain1b_47;
+            hidden_48 <= hidden_47;
+            shift1_48 <= shift1_47;
+            square1_r_48 <= square1_r_47;
+            square1_g_48 <= square1_g_47;
+            square1_b_48 <= square1_b_47;
         end
     end
 
-    assign out_valid = valid[48];
-    assign out_sum_r = sum_r_48;
-    assign out_sum_g = sum_g_48;
-    assign out_sum_b = sum_b_48;
+    // ===== Stage 48: square1_r_seen, square1_r_up, square1_r_within and 6 more
+    // UQ0.18: 0 for a normal that is turned away
+    wire [17:0] square1_r_seen_48 = hidden_48 ? 18'd0 : square1_r_48;
+    // UQ4.18: times 2^shift
+    wire [21:0] square1_r_up_48 = {4'd0, square1_r_seen_48} << shift1_48;
+    // UQ4.14: rounded down
+    wire [17:0] square1_r_up_cut_48 = square1_r_up_48[21:4];
+    // UQ4.14: kept in its format
+    wire [17:0] square1_r_within_48 = square1_r_up_cut_48;
+    // UQ0.18: 0 for a normal that is turned away
+    wire [17:0] square1_g_seen_48 = hidden_48 ? 18'd0 : square1_g_48;
+    // UQ4.18: times 2^shift
+    wire [21:0] square1_g_up_48 = {4'd0, square1_g_seen_48} << shift1_48;
+    // UQ4.14: rounded down
+    wire [17:0] square1_g_up_cut_48 = square1_g_up_48[21:4];
+    // UQ4.14: kept in its format
+    wire [17:0] square1_g_within_48 = square1_g_up_cut_48;
+    // UQ0.18: 0 for a normal that is turned away
+    wire [17:0] square1_b_seen_48 = hidden_48 ? 18'd0 : square1_b_48;
+    // UQ4.18: times 2^shift
+    wire [21:0] square1_b_up_48 = {4'd0, square1_b_seen_48} << shift1_48;
+    // UQ4.14: rounded down
+    wire [17:0] square1_b_up_cut_48 = square1_b_up_48[21:4];
+    // UQ4.14: kept in its format
+    wire [17:0] square1_b_within_48 = square1_b_up_cut_48;
+    reg [17:0] in_gain1r_49;
+    reg [17:0] in_gain1g_49;
+    reg [17:0] in_gain1b_49;
+    reg [17:0] square1_r_within_49;
+    reg [17:0] square1_g_within_49;
+    reg [17:0] square1_b_within_49;
+    always @(posedge clk) begin
+        if (ce) begin
+            in_gain1r_49 <= in_gain1r_48;
+            in_gain1g_49 <= in_gain1g_48;
+            in_gain1b_49 <= in_gain1b_48;
+            square1_r_within_49 <= square1_r_within_48;
+            square1_g_within_49 <= square1_g_within_48;
+            square1_b_within_49 <= square1_b_within_48;
+        end
+    end
+
+    // ===== Stage 49: light1_r_exact, light1_g_exact, light1_b_exact
+    // UQ5.31: times the gain
+    wire [35:0] light1_r_exact_49 = square1_r_within_49 * in_gain1r_49;
+    // UQ5.17: rounded down
+    wire [21:0] light1_r_49 = light1_r_exact_49[35:14];
+    // UQ5.31: times the gain
+    wire [35:0] light1_g_exact_49 = square1_g_within_49 * in_gain1g_49;
+    // UQ5.17: rounded down
+    wire [21:0] light1_g_49 = light1_g_exact_49[35:14];
+    // UQ5.31: times the gain
+    wire [35:0] light1_b_exact_49 = square1_b_within_49 * in_gain1b_49;
+    // UQ5.17: rounded down
+    wire [21:0] light1_b_49 = light1_b_exact_49[35:14];
+    reg [21:0] light1_r_50;
+    reg [21:0] light1_g_50;
+    reg [21:0] light1_b_50;
+    always @(posedge clk) begin
+        if (ce) begin
+            light1_r_50 <= light1_r_49;
+            light1_g_50 <= light1_g_49;
+            light1_b_50 <= light1_b_49;
+        end
+    end
+
+    // ===== Stage 50: sum_r, sum_g, sum_b
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_r_50 = (|light1_r_50[21:17]) ? 18'h20000 : light1_r_50[17:0];
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_g_50 = (|light1_g_50[21:17]) ? 18'h20000 : light1_g_50[17:0];
+    // UQ1.17: kept at 1.0
+    wire [17:0] sum_b_50 = (|light1_b_50[21:17]) ? 18'h20000 : light1_b_50[17:0];
+    reg [17:0] sum_r_51;
+    reg [17:0] sum_g_51;
+    reg [17:0] sum_b_51;
+    always @(posedge clk) begin
+        if (ce) begin
+            sum_r_51 <= sum_r_50;
+            sum_g_51 <= sum_g_50;
+            sum_b_51 <= sum_b_50;
+        end
+    end
+
+    assign out_valid = valid[51];
+    assign out_sum_r = sum_r_51;
+    assign out_sum_g = sum_g_51;
+    assign out_sum_b = sum_b_51;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
@@ -4829,58 +4997,58 @@ module image_paper #(
                     rr1_exact_4[11:0],
                     rr1_twice_5[15],
                     rest1_6[6:0],
-                    root_at1_13[4:0],
-                    tilt1_exact_14[32:31],
-                    tilt1_exact_14[11:0],
-                    turn_more_exact1_even_16[28:27],
-                    turn_more_exact1_even_16[11:0],
-                    sin_exact1_even_24[9:0],
-                    cos_exact1_even_24[9:0],
-                    xc1_even_exact_25[31:30],
-                    xc1_even_exact_25[13:0],
-                    zs1_even_exact_25[33],
-                    zs1_even_exact_25[15:0],
-                    zc1_even_exact_25[33],
-                    zc1_even_exact_25[15:0],
-                    xs1_even_exact_25[31:30],
-                    xs1_even_exact_25[13:0],
-                    u1_even_place_27[2:0],
-                    u1_even_next_30[0],
-                    turn_more_exact1_odd_16[28:27],
-                    turn_more_exact1_odd_16[11:0],
-                    sin_exact1_odd_24[9:0],
-                    cos_exact1_odd_24[9:0],
-                    xc1_odd_exact_25[31:30],
-                    xc1_odd_exact_25[13:0],
-                    zs1_odd_exact_25[33],
-                    zs1_odd_exact_25[15:0],
-                    zc1_odd_exact_25[33],
-                    zc1_odd_exact_25[15:0],
-                    xs1_odd_exact_25[31:30],
-                    xs1_odd_exact_25[13:0],
-                    u1_odd_place_27[2:0],
-                    u1_odd_next_30[0],
-                    blend1_r_2_0_40[2:0],
-                    blend1_r_2_1_40[2:0],
-                    blend1_r_3_0_part_43[25:23],
-                    blend1_r_3_0_43[4:0],
-                    square1_r_exact_44[17:0],
-                    square1_r_up_45[3:0],
-                    light1_r_exact_46[13:0],
-                    blend1_g_2_0_40[2:0],
-                    blend1_g_2_1_40[2:0],
-                    blend1_g_3_0_part_43[25:23],
-                    blend1_g_3_0_43[4:0],
-                    square1_g_exact_44[17:0],
-                    square1_g_up_45[3:0],
-                    light1_g_exact_46[13:0],
-                    blend1_b_2_0_40[2:0],
-                    blend1_b_2_1_40[2:0],
-                    blend1_b_3_0_part_43[25:23],
-                    blend1_b_3_0_43[4:0],
-                    square1_b_exact_44[17:0],
-                    square1_b_up_45[3:0],
-                    light1_b_exact_46[13:0]};
+                    root_at1_14[4:0],
+                    tilt1_exact_15[32:31],
+                    tilt1_exact_15[11:0],
+                    turn_more_exact1_even_17[28:27],
+                    turn_more_exact1_even_17[11:0],
+                    sin_exact1_even_26[9:0],
+                    cos_exact1_even_26[9:0],
+                    xc1_even_exact_27[31:30],
+                    xc1_even_exact_27[13:0],
+                    zs1_even_exact_27[33],
+                    zs1_even_exact_27[15:0],
+                    zc1_even_exact_27[33],
+                    zc1_even_exact_27[15:0],
+                    xs1_even_exact_27[31:30],
+                    xs1_even_exact_27[13:0],
+                    u1_even_place_29[2:0],
+                    u1_even_next_32[0],
+                    turn_more_exact1_odd_17[28:27],
+                    turn_more_exact1_odd_17[11:0],
+                    sin_exact1_odd_26[9:0],
+                    cos_exact1_odd_26[9:0],
+                    xc1_odd_exact_27[31:30],
+                    xc1_odd_exact_27[13:0],
+                    zs1_odd_exact_27[33],
+                    zs1_odd_exact_27[15:0],
+                    zc1_odd_exact_27[33],
+                    zc1_odd_exact_27[15:0],
+                    xs1_odd_exact_27[31:30],
+                    xs1_odd_exact_27[13:0],
+                    u1_odd_place_29[2:0],
+                    u1_odd_next_32[0],
+                    blend1_r_2_0_42[2:0],
+                    blend1_r_2_1_42[2:0],
+                    blend1_r_3_0_part_46[25:23],
+                    blend1_r_3_0_46[4:0],
+                    square1_r_exact_47[17:0],
+                    square1_r_up_48[3:0],
+                    light1_r_exact_49[13:0],
+                    blend1_g_2_0_42[2:0],
+                    blend1_g_2_1_42[2:0],
+                    blend1_g_3_0_part_46[25:23],
+                    blend1_g_3_0_46[4:0],
+                    square1_g_exact_47[17:0],
+                    square1_g_up_48[3:0],
+                    light1_g_exact_49[13:0],
+                    blend1_b_2_0_42[2:0],
+                    blend1_b_2_1_42[2:0],
+                    blend1_b_3_0_part_46[25:23],
+                    blend1_b_3_0_46[4:0],
+                    square1_b_exact_47[17:0],
+                    square1_b_up_48[3:0],
+                    light1_b_exact_49[13:0]};
 
 endmodule
 

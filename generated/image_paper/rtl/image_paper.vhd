@@ -24,7 +24,7 @@
 --   out_sum_g     UQ1.17  green of these lights, at most 1.0
 --   out_sum_b     UQ1.17  blue of these lights, at most 1.0
 --
--- Latency 48 clocks, one result a clock.
+-- Latency 51 clocks, one result a clock.
 -- Pictures of a sphere against the exact reflectance, lit from 34 angles:
 --   41.6 dB in the mean, 27.1 dB at the worst angle.
 
@@ -101,7 +101,7 @@ entity image_paper is
         in_gain1g     : in  unsigned(17 downto 0);
         -- UQ1.17: blue of light 1's gain
         in_gain1b     : in  unsigned(17 downto 0);
-        -- the other outputs are a result: in_valid, 48 enabled clocks later
+        -- the other outputs are a result: in_valid, 51 enabled clocks later
         out_valid     : out std_logic;
         -- UQ1.17: red of these lights, at most 1.0
         out_sum_r     : out unsigned(17 downto 0);
@@ -167,7 +167,7 @@ architecture rtl of image_paper is
     end function;
 
     constant SINES_1_EVEN : sines_1_even_t := read_sines_1_even(SINES_1_EVEN_FILE);
-    signal sines_1_even_21 : std_logic_vector(52 downto 0) := (others => '0');
+    signal sines_1_even_22 : std_logic_vector(52 downto 0) := (others => '0');
 
     -- ===== The memory sines_1_odd
     type sines_1_odd_t is array (127 downto 0) of
@@ -195,7 +195,7 @@ architecture rtl of image_paper is
     end function;
 
     constant SINES_1_ODD : sines_1_odd_t := read_sines_1_odd(SINES_1_ODD_FILE);
-    signal sines_1_odd_21 : std_logic_vector(52 downto 0) := (others => '0');
+    signal sines_1_odd_22 : std_logic_vector(52 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_even_even_even
     type texels_1_even_even_even_t is array (4095 downto 0) of
@@ -223,7 +223,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_EVEN_EVEN_EVEN : texels_1_even_even_even_t := read_texels_1_even_even_even(TEXELS_1_EVEN_EVEN_EVEN_FILE);
-    signal texels_1_even_even_even_33 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_even_even_even_35 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_even_even_odd
     type texels_1_even_even_odd_t is array (4095 downto 0) of
@@ -251,7 +251,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_EVEN_EVEN_ODD : texels_1_even_even_odd_t := read_texels_1_even_even_odd(TEXELS_1_EVEN_EVEN_ODD_FILE);
-    signal texels_1_even_even_odd_33 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_35 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_even_odd_even
     type texels_1_even_odd_even_t is array (4095 downto 0) of
@@ -279,7 +279,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_EVEN_ODD_EVEN : texels_1_even_odd_even_t := read_texels_1_even_odd_even(TEXELS_1_EVEN_ODD_EVEN_FILE);
-    signal texels_1_even_odd_even_33 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_35 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_even_odd_odd
     type texels_1_even_odd_odd_t is array (4095 downto 0) of
@@ -307,7 +307,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_EVEN_ODD_ODD : texels_1_even_odd_odd_t := read_texels_1_even_odd_odd(TEXELS_1_EVEN_ODD_ODD_FILE);
-    signal texels_1_even_odd_odd_33 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_35 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_odd_even_even
     type texels_1_odd_even_even_t is array (4095 downto 0) of
@@ -335,7 +335,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_ODD_EVEN_EVEN : texels_1_odd_even_even_t := read_texels_1_odd_even_even(TEXELS_1_ODD_EVEN_EVEN_FILE);
-    signal texels_1_odd_even_even_33 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_35 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_odd_even_odd
     type texels_1_odd_even_odd_t is array (4095 downto 0) of
@@ -363,7 +363,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_ODD_EVEN_ODD : texels_1_odd_even_odd_t := read_texels_1_odd_even_odd(TEXELS_1_ODD_EVEN_ODD_FILE);
-    signal texels_1_odd_even_odd_33 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_35 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_odd_odd_even
     type texels_1_odd_odd_even_t is array (4095 downto 0) of
@@ -391,7 +391,7 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_ODD_ODD_EVEN : texels_1_odd_odd_even_t := read_texels_1_odd_odd_even(TEXELS_1_ODD_ODD_EVEN_FILE);
-    signal texels_1_odd_odd_even_33 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_35 : std_logic_vector(23 downto 0) := (others => '0');
 
     -- ===== The memory texels_1_odd_odd_odd
     type texels_1_odd_odd_odd_t is array (4095 downto 0) of
@@ -419,9 +419,9 @@ architecture rtl of image_paper is
     end function;
 
     constant TEXELS_1_ODD_ODD_ODD : texels_1_odd_odd_odd_t := read_texels_1_odd_odd_odd(TEXELS_1_ODD_ODD_ODD_FILE);
-    signal texels_1_odd_odd_odd_33 : std_logic_vector(23 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_35 : std_logic_vector(23 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(48 downto 1) := (others => '0');
+    signal valid : std_logic_vector(51 downto 1) := (others => '0');
     signal nz_kept_0 : unsigned(16 downto 0) := (others => '0');
     signal seen_0 : std_logic := '0';
     signal hidden_0 : std_logic := '0';
@@ -946,8 +946,6 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_13 : std_logic := '0';
     signal v1_odd_of_5_13 : std_logic := '0';
     signal blend1_signed_13 : signed(7 downto 0) := (others => '0');
-    signal root_at1_13 : signed(21 downto 0) := (others => '0');
-    signal root_cut1_13 : signed(16 downto 0) := (others => '0');
     signal in_nz_14 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_14 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_14 : signed(14 downto 0) := (others => '0');
@@ -957,7 +955,8 @@ architecture rtl of image_paper is
     signal hidden_14 : std_logic := '0';
     signal shift1_14 : unsigned(2 downto 0) := (others => '0');
     signal x1_14 : signed(15 downto 0) := (others => '0');
-    signal root_cut1_14 : signed(16 downto 0) := (others => '0');
+    signal root_1_14 : unsigned(15 downto 0) := (others => '0');
+    signal fall_part1_14 : unsigned(19 downto 0) := (others => '0');
     signal u1_kept_signed_14 : signed(15 downto 0) := (others => '0');
     signal alone1_14 : std_logic := '0';
     signal end1_even_14 : unsigned(11 downto 0) := (others => '0');
@@ -978,8 +977,8 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_14 : std_logic := '0';
     signal v1_odd_of_5_14 : std_logic := '0';
     signal blend1_signed_14 : signed(7 downto 0) := (others => '0');
-    signal tilt1_exact_14 : signed(32 downto 0) := (others => '0');
-    signal tilt1_cut_14 : signed(18 downto 0) := (others => '0');
+    signal root_at1_14 : signed(21 downto 0) := (others => '0');
+    signal root_cut1_14 : signed(16 downto 0) := (others => '0');
     signal in_nz_15 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_15 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_15 : signed(14 downto 0) := (others => '0');
@@ -989,7 +988,8 @@ architecture rtl of image_paper is
     signal hidden_15 : std_logic := '0';
     signal shift1_15 : unsigned(2 downto 0) := (others => '0');
     signal x1_15 : signed(15 downto 0) := (others => '0');
-    signal tilt1_cut_15 : signed(18 downto 0) := (others => '0');
+    signal root_cut1_15 : signed(16 downto 0) := (others => '0');
+    signal u1_kept_signed_15 : signed(15 downto 0) := (others => '0');
     signal alone1_15 : std_logic := '0';
     signal end1_even_15 : unsigned(11 downto 0) := (others => '0');
     signal end1_odd_15 : unsigned(11 downto 0) := (others => '0');
@@ -1009,9 +1009,8 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_15 : std_logic := '0';
     signal v1_odd_of_5_15 : std_logic := '0';
     signal blend1_signed_15 : signed(7 downto 0) := (others => '0');
-    signal tilt1_kept_15 : unsigned(12 downto 0) := (others => '0');
-    signal tilt1_15 : unsigned(12 downto 0) := (others => '0');
-    signal tilt1_signed_15 : signed(13 downto 0) := (others => '0');
+    signal tilt1_exact_15 : signed(32 downto 0) := (others => '0');
+    signal tilt1_cut_15 : signed(18 downto 0) := (others => '0');
     signal in_nz_16 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_16 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_16 : signed(14 downto 0) := (others => '0');
@@ -1021,7 +1020,8 @@ architecture rtl of image_paper is
     signal hidden_16 : std_logic := '0';
     signal shift1_16 : unsigned(2 downto 0) := (others => '0');
     signal x1_16 : signed(15 downto 0) := (others => '0');
-    signal tilt1_signed_16 : signed(13 downto 0) := (others => '0');
+    signal tilt1_cut_16 : signed(18 downto 0) := (others => '0');
+    signal alone1_16 : std_logic := '0';
     signal end1_even_16 : unsigned(11 downto 0) := (others => '0');
     signal end1_odd_16 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_16 : unsigned(6 downto 0) := (others => '0');
@@ -1040,10 +1040,9 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_16 : std_logic := '0';
     signal v1_odd_of_5_16 : std_logic := '0';
     signal blend1_signed_16 : signed(7 downto 0) := (others => '0');
-    signal turn_more_exact1_even_16 : signed(28 downto 0) := (others => '0');
-    signal turn_more1_even_16 : signed(14 downto 0) := (others => '0');
-    signal turn_more_exact1_odd_16 : signed(28 downto 0) := (others => '0');
-    signal turn_more1_odd_16 : signed(14 downto 0) := (others => '0');
+    signal tilt1_kept_16 : unsigned(12 downto 0) := (others => '0');
+    signal tilt1_16 : unsigned(12 downto 0) := (others => '0');
+    signal tilt1_signed_16 : signed(13 downto 0) := (others => '0');
     signal in_nz_17 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_17 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_17 : signed(14 downto 0) := (others => '0');
@@ -1053,9 +1052,8 @@ architecture rtl of image_paper is
     signal hidden_17 : std_logic := '0';
     signal shift1_17 : unsigned(2 downto 0) := (others => '0');
     signal x1_17 : signed(15 downto 0) := (others => '0');
-    signal turn_more1_even_17 : signed(14 downto 0) := (others => '0');
+    signal tilt1_signed_17 : signed(13 downto 0) := (others => '0');
     signal end1_even_17 : unsigned(11 downto 0) := (others => '0');
-    signal turn_more1_odd_17 : signed(14 downto 0) := (others => '0');
     signal end1_odd_17 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_17 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_17 : unsigned(6 downto 0) := (others => '0');
@@ -1073,18 +1071,22 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_17 : std_logic := '0';
     signal v1_odd_of_5_17 : std_logic := '0';
     signal blend1_signed_17 : signed(7 downto 0) := (others => '0');
-    signal turn_exact1_even_17 : signed(15 downto 0) := (others => '0');
-    signal turn_exact1_odd_17 : signed(15 downto 0) := (others => '0');
+    signal turn_more_exact1_even_17 : signed(28 downto 0) := (others => '0');
+    signal turn_more1_even_17 : signed(14 downto 0) := (others => '0');
+    signal turn_more_exact1_odd_17 : signed(28 downto 0) := (others => '0');
+    signal turn_more1_odd_17 : signed(14 downto 0) := (others => '0');
     signal in_nz_18 : signed(17 downto 0) := (others => '0');
+    signal in_turn1_even_18 : signed(14 downto 0) := (others => '0');
+    signal in_turn1_odd_18 : signed(14 downto 0) := (others => '0');
     signal in_gain1r_18 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_18 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_18 : unsigned(17 downto 0) := (others => '0');
     signal hidden_18 : std_logic := '0';
     signal shift1_18 : unsigned(2 downto 0) := (others => '0');
     signal x1_18 : signed(15 downto 0) := (others => '0');
-    signal turn_exact1_even_18 : signed(15 downto 0) := (others => '0');
+    signal turn_more1_even_18 : signed(14 downto 0) := (others => '0');
     signal end1_even_18 : unsigned(11 downto 0) := (others => '0');
-    signal turn_exact1_odd_18 : signed(15 downto 0) := (others => '0');
+    signal turn_more1_odd_18 : signed(14 downto 0) := (others => '0');
     signal end1_odd_18 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_18 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_18 : unsigned(6 downto 0) := (others => '0');
@@ -1102,8 +1104,8 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_18 : std_logic := '0';
     signal v1_odd_of_5_18 : std_logic := '0';
     signal blend1_signed_18 : signed(7 downto 0) := (others => '0');
-    signal turn1_even_18 : signed(14 downto 0) := (others => '0');
-    signal turn1_odd_18 : signed(14 downto 0) := (others => '0');
+    signal turn_exact1_even_18 : signed(15 downto 0) := (others => '0');
+    signal turn_exact1_odd_18 : signed(15 downto 0) := (others => '0');
     signal in_nz_19 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_19 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_19 : unsigned(17 downto 0) := (others => '0');
@@ -1111,9 +1113,9 @@ architecture rtl of image_paper is
     signal hidden_19 : std_logic := '0';
     signal shift1_19 : unsigned(2 downto 0) := (others => '0');
     signal x1_19 : signed(15 downto 0) := (others => '0');
-    signal turn1_even_19 : signed(14 downto 0) := (others => '0');
+    signal turn_exact1_even_19 : signed(15 downto 0) := (others => '0');
     signal end1_even_19 : unsigned(11 downto 0) := (others => '0');
-    signal turn1_odd_19 : signed(14 downto 0) := (others => '0');
+    signal turn_exact1_odd_19 : signed(15 downto 0) := (others => '0');
     signal end1_odd_19 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_19 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_19 : unsigned(6 downto 0) := (others => '0');
@@ -1131,18 +1133,8 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_19 : std_logic := '0';
     signal v1_odd_of_5_19 : std_logic := '0';
     signal blend1_signed_19 : signed(7 downto 0) := (others => '0');
-    signal turn_up1_even_19 : unsigned(14 downto 0) := (others => '0');
-    signal step1_even_19 : unsigned(6 downto 0) := (others => '0');
-    signal step_number1_even_19 : unsigned(6 downto 0) := (others => '0');
-    signal past1_even_19 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_even_19 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_even_signed_19 : signed(8 downto 0) := (others => '0');
-    signal turn_up1_odd_19 : unsigned(14 downto 0) := (others => '0');
-    signal step1_odd_19 : unsigned(6 downto 0) := (others => '0');
-    signal step_number1_odd_19 : unsigned(6 downto 0) := (others => '0');
-    signal past1_odd_19 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_odd_19 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_odd_signed_19 : signed(8 downto 0) := (others => '0');
+    signal turn1_even_19 : signed(14 downto 0) := (others => '0');
+    signal turn1_odd_19 : signed(14 downto 0) := (others => '0');
     signal in_nz_20 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_20 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_20 : unsigned(17 downto 0) := (others => '0');
@@ -1150,13 +1142,9 @@ architecture rtl of image_paper is
     signal hidden_20 : std_logic := '0';
     signal shift1_20 : unsigned(2 downto 0) := (others => '0');
     signal x1_20 : signed(15 downto 0) := (others => '0');
-    signal step_number1_even_20 : unsigned(6 downto 0) := (others => '0');
-    signal past_part1_even_20 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_even_signed_20 : signed(8 downto 0) := (others => '0');
+    signal turn1_even_20 : signed(14 downto 0) := (others => '0');
     signal end1_even_20 : unsigned(11 downto 0) := (others => '0');
-    signal step_number1_odd_20 : unsigned(6 downto 0) := (others => '0');
-    signal past_part1_odd_20 : unsigned(7 downto 0) := (others => '0');
-    signal past_part1_odd_signed_20 : signed(8 downto 0) := (others => '0');
+    signal turn1_odd_20 : signed(14 downto 0) := (others => '0');
     signal end1_odd_20 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_20 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_20 : unsigned(6 downto 0) := (others => '0');
@@ -1174,6 +1162,18 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_20 : std_logic := '0';
     signal v1_odd_of_5_20 : std_logic := '0';
     signal blend1_signed_20 : signed(7 downto 0) := (others => '0');
+    signal turn_up1_even_20 : unsigned(14 downto 0) := (others => '0');
+    signal step1_even_20 : unsigned(6 downto 0) := (others => '0');
+    signal step_number1_even_20 : unsigned(6 downto 0) := (others => '0');
+    signal past1_even_20 : unsigned(7 downto 0) := (others => '0');
+    signal past_part1_even_20 : unsigned(7 downto 0) := (others => '0');
+    signal past_part1_even_signed_20 : signed(8 downto 0) := (others => '0');
+    signal turn_up1_odd_20 : unsigned(14 downto 0) := (others => '0');
+    signal step1_odd_20 : unsigned(6 downto 0) := (others => '0');
+    signal step_number1_odd_20 : unsigned(6 downto 0) := (others => '0');
+    signal past1_odd_20 : unsigned(7 downto 0) := (others => '0');
+    signal past_part1_odd_20 : unsigned(7 downto 0) := (others => '0');
+    signal past_part1_odd_signed_20 : signed(8 downto 0) := (others => '0');
     signal in_nz_21 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_21 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_21 : unsigned(17 downto 0) := (others => '0');
@@ -1181,9 +1181,11 @@ architecture rtl of image_paper is
     signal hidden_21 : std_logic := '0';
     signal shift1_21 : unsigned(2 downto 0) := (others => '0');
     signal x1_21 : signed(15 downto 0) := (others => '0');
+    signal step_number1_even_21 : unsigned(6 downto 0) := (others => '0');
     signal past_part1_even_21 : unsigned(7 downto 0) := (others => '0');
     signal past_part1_even_signed_21 : signed(8 downto 0) := (others => '0');
     signal end1_even_21 : unsigned(11 downto 0) := (others => '0');
+    signal step_number1_odd_21 : unsigned(6 downto 0) := (others => '0');
     signal past_part1_odd_21 : unsigned(7 downto 0) := (others => '0');
     signal past_part1_odd_signed_21 : signed(8 downto 0) := (others => '0');
     signal end1_odd_21 : unsigned(11 downto 0) := (others => '0');
@@ -1203,14 +1205,6 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_21 : std_logic := '0';
     signal v1_odd_of_5_21 : std_logic := '0';
     signal blend1_signed_21 : signed(7 downto 0) := (others => '0');
-    signal sine_1_even_21 : signed(14 downto 0) := (others => '0');
-    signal sine_rise_1_even_21 : unsigned(10 downto 0) := (others => '0');
-    signal cosine_1_even_21 : unsigned(14 downto 0) := (others => '0');
-    signal cosine_rise_1_even_21 : signed(11 downto 0) := (others => '0');
-    signal sine_1_odd_21 : signed(14 downto 0) := (others => '0');
-    signal sine_rise_1_odd_21 : unsigned(10 downto 0) := (others => '0');
-    signal cosine_1_odd_21 : unsigned(14 downto 0) := (others => '0');
-    signal cosine_rise_1_odd_21 : signed(11 downto 0) := (others => '0');
     signal in_nz_22 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_22 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_22 : unsigned(17 downto 0) := (others => '0');
@@ -1219,17 +1213,9 @@ architecture rtl of image_paper is
     signal shift1_22 : unsigned(2 downto 0) := (others => '0');
     signal x1_22 : signed(15 downto 0) := (others => '0');
     signal past_part1_even_22 : unsigned(7 downto 0) := (others => '0');
-    signal sine_1_even_22 : signed(14 downto 0) := (others => '0');
-    signal sine_rise_1_even_22 : unsigned(10 downto 0) := (others => '0');
-    signal cosine_1_even_22 : unsigned(14 downto 0) := (others => '0');
-    signal cosine_rise_1_even_22 : signed(11 downto 0) := (others => '0');
     signal past_part1_even_signed_22 : signed(8 downto 0) := (others => '0');
     signal end1_even_22 : unsigned(11 downto 0) := (others => '0');
     signal past_part1_odd_22 : unsigned(7 downto 0) := (others => '0');
-    signal sine_1_odd_22 : signed(14 downto 0) := (others => '0');
-    signal sine_rise_1_odd_22 : unsigned(10 downto 0) := (others => '0');
-    signal cosine_1_odd_22 : unsigned(14 downto 0) := (others => '0');
-    signal cosine_rise_1_odd_22 : signed(11 downto 0) := (others => '0');
     signal past_part1_odd_signed_22 : signed(8 downto 0) := (others => '0');
     signal end1_odd_22 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_22 : unsigned(6 downto 0) := (others => '0');
@@ -1248,6 +1234,14 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_22 : std_logic := '0';
     signal v1_odd_of_5_22 : std_logic := '0';
     signal blend1_signed_22 : signed(7 downto 0) := (others => '0');
+    signal sine_1_even_22 : signed(14 downto 0) := (others => '0');
+    signal sine_rise_1_even_22 : unsigned(10 downto 0) := (others => '0');
+    signal cosine_1_even_22 : unsigned(14 downto 0) := (others => '0');
+    signal cosine_rise_1_even_22 : signed(11 downto 0) := (others => '0');
+    signal sine_1_odd_22 : signed(14 downto 0) := (others => '0');
+    signal sine_rise_1_odd_22 : unsigned(10 downto 0) := (others => '0');
+    signal cosine_1_odd_22 : unsigned(14 downto 0) := (others => '0');
+    signal cosine_rise_1_odd_22 : signed(11 downto 0) := (others => '0');
     signal in_nz_23 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_23 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_23 : unsigned(17 downto 0) := (others => '0');
@@ -1285,10 +1279,6 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_23 : std_logic := '0';
     signal v1_odd_of_5_23 : std_logic := '0';
     signal blend1_signed_23 : signed(7 downto 0) := (others => '0');
-    signal sin_part1_even_23 : unsigned(18 downto 0) := (others => '0');
-    signal cos_part1_even_23 : signed(20 downto 0) := (others => '0');
-    signal sin_part1_odd_23 : unsigned(18 downto 0) := (others => '0');
-    signal cos_part1_odd_23 : signed(20 downto 0) := (others => '0');
     signal in_nz_24 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_24 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_24 : unsigned(17 downto 0) := (others => '0');
@@ -1296,15 +1286,19 @@ architecture rtl of image_paper is
     signal hidden_24 : std_logic := '0';
     signal shift1_24 : unsigned(2 downto 0) := (others => '0');
     signal x1_24 : signed(15 downto 0) := (others => '0');
+    signal past_part1_even_24 : unsigned(7 downto 0) := (others => '0');
     signal sine_1_even_24 : signed(14 downto 0) := (others => '0');
+    signal sine_rise_1_even_24 : unsigned(10 downto 0) := (others => '0');
     signal cosine_1_even_24 : unsigned(14 downto 0) := (others => '0');
-    signal sin_part1_even_24 : unsigned(18 downto 0) := (others => '0');
-    signal cos_part1_even_24 : signed(20 downto 0) := (others => '0');
+    signal cosine_rise_1_even_24 : signed(11 downto 0) := (others => '0');
+    signal past_part1_even_signed_24 : signed(8 downto 0) := (others => '0');
     signal end1_even_24 : unsigned(11 downto 0) := (others => '0');
+    signal past_part1_odd_24 : unsigned(7 downto 0) := (others => '0');
     signal sine_1_odd_24 : signed(14 downto 0) := (others => '0');
+    signal sine_rise_1_odd_24 : unsigned(10 downto 0) := (others => '0');
     signal cosine_1_odd_24 : unsigned(14 downto 0) := (others => '0');
-    signal sin_part1_odd_24 : unsigned(18 downto 0) := (others => '0');
-    signal cos_part1_odd_24 : signed(20 downto 0) := (others => '0');
+    signal cosine_rise_1_odd_24 : signed(11 downto 0) := (others => '0');
+    signal past_part1_odd_signed_24 : signed(8 downto 0) := (others => '0');
     signal end1_odd_24 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_24 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_24 : unsigned(6 downto 0) := (others => '0');
@@ -1322,14 +1316,10 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_24 : std_logic := '0';
     signal v1_odd_of_5_24 : std_logic := '0';
     signal blend1_signed_24 : signed(7 downto 0) := (others => '0');
-    signal sin_exact1_even_24 : signed(25 downto 0) := (others => '0');
-    signal sin1_even_24 : signed(15 downto 0) := (others => '0');
-    signal cos_exact1_even_24 : signed(25 downto 0) := (others => '0');
-    signal cos1_even_24 : signed(15 downto 0) := (others => '0');
-    signal sin_exact1_odd_24 : signed(25 downto 0) := (others => '0');
-    signal sin1_odd_24 : signed(15 downto 0) := (others => '0');
-    signal cos_exact1_odd_24 : signed(25 downto 0) := (others => '0');
-    signal cos1_odd_24 : signed(15 downto 0) := (others => '0');
+    signal sin_part1_even_24 : unsigned(18 downto 0) := (others => '0');
+    signal cos_part1_even_24 : signed(20 downto 0) := (others => '0');
+    signal sin_part1_odd_24 : unsigned(18 downto 0) := (others => '0');
+    signal cos_part1_odd_24 : signed(20 downto 0) := (others => '0');
     signal in_nz_25 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_25 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_25 : unsigned(17 downto 0) := (others => '0');
@@ -1337,11 +1327,15 @@ architecture rtl of image_paper is
     signal hidden_25 : std_logic := '0';
     signal shift1_25 : unsigned(2 downto 0) := (others => '0');
     signal x1_25 : signed(15 downto 0) := (others => '0');
-    signal sin1_even_25 : signed(15 downto 0) := (others => '0');
-    signal cos1_even_25 : signed(15 downto 0) := (others => '0');
+    signal sine_1_even_25 : signed(14 downto 0) := (others => '0');
+    signal cosine_1_even_25 : unsigned(14 downto 0) := (others => '0');
+    signal sin_part1_even_25 : unsigned(18 downto 0) := (others => '0');
+    signal cos_part1_even_25 : signed(20 downto 0) := (others => '0');
     signal end1_even_25 : unsigned(11 downto 0) := (others => '0');
-    signal sin1_odd_25 : signed(15 downto 0) := (others => '0');
-    signal cos1_odd_25 : signed(15 downto 0) := (others => '0');
+    signal sine_1_odd_25 : signed(14 downto 0) := (others => '0');
+    signal cosine_1_odd_25 : unsigned(14 downto 0) := (others => '0');
+    signal sin_part1_odd_25 : unsigned(18 downto 0) := (others => '0');
+    signal cos_part1_odd_25 : signed(20 downto 0) := (others => '0');
     signal end1_odd_25 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_25 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_25 : unsigned(6 downto 0) := (others => '0');
@@ -1359,36 +1353,22 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_25 : std_logic := '0';
     signal v1_odd_of_5_25 : std_logic := '0';
     signal blend1_signed_25 : signed(7 downto 0) := (others => '0');
-    signal xc1_even_exact_25 : signed(31 downto 0) := (others => '0');
-    signal xc1_even_25 : signed(15 downto 0) := (others => '0');
-    signal zs1_even_exact_25 : signed(33 downto 0) := (others => '0');
-    signal zs1_even_25 : signed(16 downto 0) := (others => '0');
-    signal zc1_even_exact_25 : signed(33 downto 0) := (others => '0');
-    signal zc1_even_25 : signed(16 downto 0) := (others => '0');
-    signal xs1_even_exact_25 : signed(31 downto 0) := (others => '0');
-    signal xs1_even_25 : signed(15 downto 0) := (others => '0');
-    signal xc1_odd_exact_25 : signed(31 downto 0) := (others => '0');
-    signal xc1_odd_25 : signed(15 downto 0) := (others => '0');
-    signal zs1_odd_exact_25 : signed(33 downto 0) := (others => '0');
-    signal zs1_odd_25 : signed(16 downto 0) := (others => '0');
-    signal zc1_odd_exact_25 : signed(33 downto 0) := (others => '0');
-    signal zc1_odd_25 : signed(16 downto 0) := (others => '0');
-    signal xs1_odd_exact_25 : signed(31 downto 0) := (others => '0');
-    signal xs1_odd_25 : signed(15 downto 0) := (others => '0');
+    signal in_nz_26 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_26 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_26 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_26 : unsigned(17 downto 0) := (others => '0');
     signal hidden_26 : std_logic := '0';
     signal shift1_26 : unsigned(2 downto 0) := (others => '0');
-    signal xc1_even_26 : signed(15 downto 0) := (others => '0');
-    signal zs1_even_26 : signed(16 downto 0) := (others => '0');
-    signal zc1_even_26 : signed(16 downto 0) := (others => '0');
-    signal xs1_even_26 : signed(15 downto 0) := (others => '0');
+    signal x1_26 : signed(15 downto 0) := (others => '0');
+    signal sine_1_even_26 : signed(14 downto 0) := (others => '0');
+    signal cosine_1_even_26 : unsigned(14 downto 0) := (others => '0');
+    signal sin_part1_even_26 : unsigned(18 downto 0) := (others => '0');
+    signal cos_part1_even_26 : signed(20 downto 0) := (others => '0');
     signal end1_even_26 : unsigned(11 downto 0) := (others => '0');
-    signal xc1_odd_26 : signed(15 downto 0) := (others => '0');
-    signal zs1_odd_26 : signed(16 downto 0) := (others => '0');
-    signal zc1_odd_26 : signed(16 downto 0) := (others => '0');
-    signal xs1_odd_26 : signed(15 downto 0) := (others => '0');
+    signal sine_1_odd_26 : signed(14 downto 0) := (others => '0');
+    signal cosine_1_odd_26 : unsigned(14 downto 0) := (others => '0');
+    signal sin_part1_odd_26 : unsigned(18 downto 0) := (others => '0');
+    signal cos_part1_odd_26 : signed(20 downto 0) := (others => '0');
     signal end1_odd_26 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_26 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_26 : unsigned(6 downto 0) := (others => '0');
@@ -1406,22 +1386,26 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_26 : std_logic := '0';
     signal v1_odd_of_5_26 : std_logic := '0';
     signal blend1_signed_26 : signed(7 downto 0) := (others => '0');
-    signal across1_even_26 : signed(16 downto 0) := (others => '0');
-    signal behind1_even_26 : std_logic := '0';
-    signal u1_even_scaled_26 : signed(16 downto 0) := (others => '0');
-    signal across1_odd_26 : signed(16 downto 0) := (others => '0');
-    signal behind1_odd_26 : std_logic := '0';
-    signal u1_odd_scaled_26 : signed(16 downto 0) := (others => '0');
+    signal sin_exact1_even_26 : signed(25 downto 0) := (others => '0');
+    signal sin1_even_26 : signed(15 downto 0) := (others => '0');
+    signal cos_exact1_even_26 : signed(25 downto 0) := (others => '0');
+    signal cos1_even_26 : signed(15 downto 0) := (others => '0');
+    signal sin_exact1_odd_26 : signed(25 downto 0) := (others => '0');
+    signal sin1_odd_26 : signed(15 downto 0) := (others => '0');
+    signal cos_exact1_odd_26 : signed(25 downto 0) := (others => '0');
+    signal cos1_odd_26 : signed(15 downto 0) := (others => '0');
+    signal in_nz_27 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_27 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_27 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_27 : unsigned(17 downto 0) := (others => '0');
     signal hidden_27 : std_logic := '0';
     signal shift1_27 : unsigned(2 downto 0) := (others => '0');
-    signal behind1_even_27 : std_logic := '0';
-    signal u1_even_scaled_27 : signed(16 downto 0) := (others => '0');
+    signal x1_27 : signed(15 downto 0) := (others => '0');
+    signal sin1_even_27 : signed(15 downto 0) := (others => '0');
+    signal cos1_even_27 : signed(15 downto 0) := (others => '0');
     signal end1_even_27 : unsigned(11 downto 0) := (others => '0');
-    signal behind1_odd_27 : std_logic := '0';
-    signal u1_odd_scaled_27 : signed(16 downto 0) := (others => '0');
+    signal sin1_odd_27 : signed(15 downto 0) := (others => '0');
+    signal cos1_odd_27 : signed(15 downto 0) := (others => '0');
     signal end1_odd_27 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_27 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_27 : unsigned(6 downto 0) := (others => '0');
@@ -1439,20 +1423,36 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_27 : std_logic := '0';
     signal v1_odd_of_5_27 : std_logic := '0';
     signal blend1_signed_27 : signed(7 downto 0) := (others => '0');
-    signal u1_even_place_27 : signed(17 downto 0) := (others => '0');
-    signal u1_even_cut_27 : signed(14 downto 0) := (others => '0');
-    signal u1_odd_place_27 : signed(17 downto 0) := (others => '0');
-    signal u1_odd_cut_27 : signed(14 downto 0) := (others => '0');
+    signal xc1_even_exact_27 : signed(31 downto 0) := (others => '0');
+    signal xc1_even_27 : signed(15 downto 0) := (others => '0');
+    signal zs1_even_exact_27 : signed(33 downto 0) := (others => '0');
+    signal zs1_even_27 : signed(16 downto 0) := (others => '0');
+    signal zc1_even_exact_27 : signed(33 downto 0) := (others => '0');
+    signal zc1_even_27 : signed(16 downto 0) := (others => '0');
+    signal xs1_even_exact_27 : signed(31 downto 0) := (others => '0');
+    signal xs1_even_27 : signed(15 downto 0) := (others => '0');
+    signal xc1_odd_exact_27 : signed(31 downto 0) := (others => '0');
+    signal xc1_odd_27 : signed(15 downto 0) := (others => '0');
+    signal zs1_odd_exact_27 : signed(33 downto 0) := (others => '0');
+    signal zs1_odd_27 : signed(16 downto 0) := (others => '0');
+    signal zc1_odd_exact_27 : signed(33 downto 0) := (others => '0');
+    signal zc1_odd_27 : signed(16 downto 0) := (others => '0');
+    signal xs1_odd_exact_27 : signed(31 downto 0) := (others => '0');
+    signal xs1_odd_27 : signed(15 downto 0) := (others => '0');
     signal in_gain1r_28 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_28 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_28 : unsigned(17 downto 0) := (others => '0');
     signal hidden_28 : std_logic := '0';
     signal shift1_28 : unsigned(2 downto 0) := (others => '0');
-    signal behind1_even_28 : std_logic := '0';
-    signal u1_even_cut_28 : signed(14 downto 0) := (others => '0');
+    signal xc1_even_28 : signed(15 downto 0) := (others => '0');
+    signal zs1_even_28 : signed(16 downto 0) := (others => '0');
+    signal zc1_even_28 : signed(16 downto 0) := (others => '0');
+    signal xs1_even_28 : signed(15 downto 0) := (others => '0');
     signal end1_even_28 : unsigned(11 downto 0) := (others => '0');
-    signal behind1_odd_28 : std_logic := '0';
-    signal u1_odd_cut_28 : signed(14 downto 0) := (others => '0');
+    signal xc1_odd_28 : signed(15 downto 0) := (others => '0');
+    signal zs1_odd_28 : signed(16 downto 0) := (others => '0');
+    signal zc1_odd_28 : signed(16 downto 0) := (others => '0');
+    signal xs1_odd_28 : signed(15 downto 0) := (others => '0');
     signal end1_odd_28 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_28 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_28 : unsigned(6 downto 0) := (others => '0');
@@ -1470,37 +1470,23 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_28 : std_logic := '0';
     signal v1_odd_of_5_28 : std_logic := '0';
     signal blend1_signed_28 : signed(7 downto 0) := (others => '0');
-    signal u1_even_kept_28 : unsigned(11 downto 0) := (others => '0');
-    signal u_at1_even_28 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_texel_28 : unsigned(5 downto 0) := (others => '0');
-    signal u1_even_weight_28 : unsigned(5 downto 0) := (others => '0');
-    signal u1_even_odd_high_28 : unsigned(4 downto 0) := (others => '0');
-    signal u1_even_odd_28 : unsigned(4 downto 0) := (others => '0');
-    signal u1_even_is_odd_28 : std_logic := '0';
-    signal u1_even_weight_wide_28 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_kept_28 : unsigned(11 downto 0) := (others => '0');
-    signal u_at1_odd_28 : unsigned(11 downto 0) := (others => '0');
-    signal u1_odd_texel_28 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_weight_28 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_odd_high_28 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_odd_28 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_is_odd_28 : std_logic := '0';
-    signal u1_odd_weight_wide_28 : unsigned(6 downto 0) := (others => '0');
+    signal across1_even_28 : signed(16 downto 0) := (others => '0');
+    signal behind1_even_28 : std_logic := '0';
+    signal u1_even_scaled_28 : signed(16 downto 0) := (others => '0');
+    signal across1_odd_28 : signed(16 downto 0) := (others => '0');
+    signal behind1_odd_28 : std_logic := '0';
+    signal u1_odd_scaled_28 : signed(16 downto 0) := (others => '0');
     signal in_gain1r_29 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_29 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_29 : unsigned(17 downto 0) := (others => '0');
     signal hidden_29 : std_logic := '0';
     signal shift1_29 : unsigned(2 downto 0) := (others => '0');
-    signal u1_even_texel_29 : unsigned(5 downto 0) := (others => '0');
-    signal u1_even_weight_29 : unsigned(5 downto 0) := (others => '0');
-    signal u1_even_odd_29 : unsigned(4 downto 0) := (others => '0');
-    signal u1_even_is_odd_29 : std_logic := '0';
-    signal u1_even_weight_wide_29 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_texel_29 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_weight_29 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_odd_29 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_is_odd_29 : std_logic := '0';
-    signal u1_odd_weight_wide_29 : unsigned(6 downto 0) := (others => '0');
+    signal behind1_even_29 : std_logic := '0';
+    signal u1_even_scaled_29 : signed(16 downto 0) := (others => '0');
+    signal end1_even_29 : unsigned(11 downto 0) := (others => '0');
+    signal behind1_odd_29 : std_logic := '0';
+    signal u1_odd_scaled_29 : signed(16 downto 0) := (others => '0');
+    signal end1_odd_29 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_29 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_29 : unsigned(6 downto 0) := (others => '0');
     signal texels1_010_29 : unsigned(6 downto 0) := (others => '0');
@@ -1517,71 +1503,29 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_29 : std_logic := '0';
     signal v1_odd_of_5_29 : std_logic := '0';
     signal blend1_signed_29 : signed(7 downto 0) := (others => '0');
-    signal u1_even_next_exact_29 : unsigned(6 downto 0) := (others => '0');
-    signal u1_even_other_29 : unsigned(6 downto 0) := (others => '0');
-    signal u1_even_odd_v2_29 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_next_exact_29 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_other_29 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_odd_v2_29 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_001_29 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_011_29 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_101_29 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_111_29 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_odd_whole_29 : std_logic := '0';
-    signal u1_even_odd_bit_0_29 : std_logic := '0';
-    signal u1_even_odd_bit_1_29 : std_logic := '0';
-    signal u1_even_odd_bit_2_29 : std_logic := '0';
-    signal u1_even_odd_bit_3_29 : std_logic := '0';
-    signal u1_even_odd_bit_4_29 : std_logic := '0';
-    signal u1_even_odd_bit_5_29 : std_logic := '0';
-    signal u1_even_odd_of_0_29 : std_logic := '0';
-    signal u1_even_odd_of_1_29 : std_logic := '0';
-    signal u1_even_odd_of_2_29 : std_logic := '0';
-    signal u1_even_odd_of_3_29 : std_logic := '0';
-    signal u1_even_odd_of_4_29 : std_logic := '0';
-    signal u1_even_odd_of_5_29 : std_logic := '0';
-    signal u1_odd_odd_whole_29 : std_logic := '0';
-    signal u1_odd_odd_bit_0_29 : std_logic := '0';
-    signal u1_odd_odd_bit_1_29 : std_logic := '0';
-    signal u1_odd_odd_bit_2_29 : std_logic := '0';
-    signal u1_odd_odd_bit_3_29 : std_logic := '0';
-    signal u1_odd_odd_bit_4_29 : std_logic := '0';
-    signal u1_odd_odd_bit_5_29 : std_logic := '0';
-    signal u1_odd_odd_of_0_29 : std_logic := '0';
-    signal u1_odd_odd_of_1_29 : std_logic := '0';
-    signal u1_odd_odd_of_2_29 : std_logic := '0';
-    signal u1_odd_odd_of_3_29 : std_logic := '0';
-    signal u1_odd_odd_of_4_29 : std_logic := '0';
-    signal u1_odd_odd_of_5_29 : std_logic := '0';
+    signal u1_even_place_29 : signed(17 downto 0) := (others => '0');
+    signal u1_even_cut_29 : signed(14 downto 0) := (others => '0');
+    signal u1_odd_place_29 : signed(17 downto 0) := (others => '0');
+    signal u1_odd_cut_29 : signed(14 downto 0) := (others => '0');
     signal in_gain1r_30 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_30 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_30 : unsigned(17 downto 0) := (others => '0');
     signal hidden_30 : std_logic := '0';
     signal shift1_30 : unsigned(2 downto 0) := (others => '0');
-    signal u1_even_next_exact_30 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_next_exact_30 : unsigned(6 downto 0) := (others => '0');
+    signal behind1_even_30 : std_logic := '0';
+    signal u1_even_cut_30 : signed(14 downto 0) := (others => '0');
+    signal end1_even_30 : unsigned(11 downto 0) := (others => '0');
+    signal behind1_odd_30 : std_logic := '0';
+    signal u1_odd_cut_30 : signed(14 downto 0) := (others => '0');
+    signal end1_odd_30 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_30 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_001_30 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_001_30 : unsigned(6 downto 0) := (others => '0');
     signal texels1_010_30 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_011_30 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_011_30 : unsigned(6 downto 0) := (others => '0');
     signal texels1_100_30 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_101_30 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_101_30 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_30 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_111_30 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_odd_whole_30 : std_logic := '0';
-    signal u1_even_odd_of_0_30 : std_logic := '0';
-    signal u1_even_odd_of_1_30 : std_logic := '0';
-    signal u1_even_odd_of_2_30 : std_logic := '0';
-    signal u1_even_odd_of_3_30 : std_logic := '0';
-    signal u1_even_odd_of_4_30 : std_logic := '0';
-    signal u1_even_odd_of_5_30 : std_logic := '0';
-    signal u1_odd_odd_whole_30 : std_logic := '0';
-    signal u1_odd_odd_of_0_30 : std_logic := '0';
-    signal u1_odd_odd_of_1_30 : std_logic := '0';
-    signal u1_odd_odd_of_2_30 : std_logic := '0';
-    signal u1_odd_odd_of_3_30 : std_logic := '0';
-    signal u1_odd_odd_of_4_30 : std_logic := '0';
-    signal u1_odd_odd_of_5_30 : std_logic := '0';
+    signal texels1_111_30 : unsigned(6 downto 0) := (others => '0');
     signal v1_odd_whole_30 : std_logic := '0';
     signal v1_odd_of_0_30 : std_logic := '0';
     signal v1_odd_of_1_30 : std_logic := '0';
@@ -1590,41 +1534,45 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_30 : std_logic := '0';
     signal v1_odd_of_5_30 : std_logic := '0';
     signal blend1_signed_30 : signed(7 downto 0) := (others => '0');
-    signal u1_even_next_30 : unsigned(5 downto 0) := (others => '0');
-    signal u1_even_even_high_30 : unsigned(4 downto 0) := (others => '0');
-    signal u1_even_even_30 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_next_30 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_even_high_30 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_even_30 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_kept_30 : unsigned(11 downto 0) := (others => '0');
+    signal u_at1_even_30 : unsigned(11 downto 0) := (others => '0');
+    signal u1_even_texel_30 : unsigned(5 downto 0) := (others => '0');
+    signal u1_even_weight_30 : unsigned(5 downto 0) := (others => '0');
+    signal u1_even_odd_high_30 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_odd_30 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_is_odd_30 : std_logic := '0';
+    signal u1_even_weight_wide_30 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_kept_30 : unsigned(11 downto 0) := (others => '0');
+    signal u_at1_odd_30 : unsigned(11 downto 0) := (others => '0');
+    signal u1_odd_texel_30 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_weight_30 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_odd_high_30 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_odd_30 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_is_odd_30 : std_logic := '0';
+    signal u1_odd_weight_wide_30 : unsigned(6 downto 0) := (others => '0');
     signal in_gain1r_31 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_31 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_31 : unsigned(17 downto 0) := (others => '0');
     signal hidden_31 : std_logic := '0';
     signal shift1_31 : unsigned(2 downto 0) := (others => '0');
-    signal u1_even_even_31 : unsigned(4 downto 0) := (others => '0');
-    signal u1_odd_even_31 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_texel_31 : unsigned(5 downto 0) := (others => '0');
+    signal u1_even_weight_31 : unsigned(5 downto 0) := (others => '0');
+    signal u1_even_odd_31 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_is_odd_31 : std_logic := '0';
+    signal u1_even_weight_wide_31 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_texel_31 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_weight_31 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_odd_31 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_is_odd_31 : std_logic := '0';
+    signal u1_odd_weight_wide_31 : unsigned(6 downto 0) := (others => '0');
     signal texels1_000_31 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_001_31 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_001_31 : unsigned(6 downto 0) := (others => '0');
     signal texels1_010_31 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_011_31 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_011_31 : unsigned(6 downto 0) := (others => '0');
     signal texels1_100_31 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_101_31 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_101_31 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_31 : unsigned(6 downto 0) := (others => '0');
-    signal texel1_111_31 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_odd_whole_31 : std_logic := '0';
-    signal u1_even_odd_of_0_31 : std_logic := '0';
-    signal u1_even_odd_of_1_31 : std_logic := '0';
-    signal u1_even_odd_of_2_31 : std_logic := '0';
-    signal u1_even_odd_of_3_31 : std_logic := '0';
-    signal u1_even_odd_of_4_31 : std_logic := '0';
-    signal u1_even_odd_of_5_31 : std_logic := '0';
-    signal u1_odd_odd_whole_31 : std_logic := '0';
-    signal u1_odd_odd_of_0_31 : std_logic := '0';
-    signal u1_odd_odd_of_1_31 : std_logic := '0';
-    signal u1_odd_odd_of_2_31 : std_logic := '0';
-    signal u1_odd_odd_of_3_31 : std_logic := '0';
-    signal u1_odd_odd_of_4_31 : std_logic := '0';
-    signal u1_odd_odd_of_5_31 : std_logic := '0';
+    signal texels1_111_31 : unsigned(6 downto 0) := (others => '0');
     signal v1_odd_whole_31 : std_logic := '0';
     signal v1_odd_of_0_31 : std_logic := '0';
     signal v1_odd_of_1_31 : std_logic := '0';
@@ -1633,22 +1581,56 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_31 : std_logic := '0';
     signal v1_odd_of_5_31 : std_logic := '0';
     signal blend1_signed_31 : signed(7 downto 0) := (others => '0');
-    signal texel1_000_31 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_010_31 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_100_31 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_110_31 : unsigned(11 downto 0) := (others => '0');
+    signal u1_even_next_exact_31 : unsigned(6 downto 0) := (others => '0');
+    signal u1_even_other_31 : unsigned(6 downto 0) := (others => '0');
+    signal u1_even_odd_v2_31 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_next_exact_31 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_other_31 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_odd_v2_31 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_001_31 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_011_31 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_101_31 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_111_31 : unsigned(11 downto 0) := (others => '0');
+    signal u1_even_odd_whole_31 : std_logic := '0';
+    signal u1_even_odd_bit_0_31 : std_logic := '0';
+    signal u1_even_odd_bit_1_31 : std_logic := '0';
+    signal u1_even_odd_bit_2_31 : std_logic := '0';
+    signal u1_even_odd_bit_3_31 : std_logic := '0';
+    signal u1_even_odd_bit_4_31 : std_logic := '0';
+    signal u1_even_odd_bit_5_31 : std_logic := '0';
+    signal u1_even_odd_of_0_31 : std_logic := '0';
+    signal u1_even_odd_of_1_31 : std_logic := '0';
+    signal u1_even_odd_of_2_31 : std_logic := '0';
+    signal u1_even_odd_of_3_31 : std_logic := '0';
+    signal u1_even_odd_of_4_31 : std_logic := '0';
+    signal u1_even_odd_of_5_31 : std_logic := '0';
+    signal u1_odd_odd_whole_31 : std_logic := '0';
+    signal u1_odd_odd_bit_0_31 : std_logic := '0';
+    signal u1_odd_odd_bit_1_31 : std_logic := '0';
+    signal u1_odd_odd_bit_2_31 : std_logic := '0';
+    signal u1_odd_odd_bit_3_31 : std_logic := '0';
+    signal u1_odd_odd_bit_4_31 : std_logic := '0';
+    signal u1_odd_odd_bit_5_31 : std_logic := '0';
+    signal u1_odd_odd_of_0_31 : std_logic := '0';
+    signal u1_odd_odd_of_1_31 : std_logic := '0';
+    signal u1_odd_odd_of_2_31 : std_logic := '0';
+    signal u1_odd_odd_of_3_31 : std_logic := '0';
+    signal u1_odd_odd_of_4_31 : std_logic := '0';
+    signal u1_odd_odd_of_5_31 : std_logic := '0';
     signal in_gain1r_32 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_32 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_32 : unsigned(17 downto 0) := (others => '0');
     signal hidden_32 : std_logic := '0';
     signal shift1_32 : unsigned(2 downto 0) := (others => '0');
-    signal texel1_000_32 : unsigned(11 downto 0) := (others => '0');
+    signal u1_even_next_exact_32 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_next_exact_32 : unsigned(6 downto 0) := (others => '0');
+    signal texels1_000_32 : unsigned(6 downto 0) := (others => '0');
     signal texel1_001_32 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_010_32 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_010_32 : unsigned(6 downto 0) := (others => '0');
     signal texel1_011_32 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_100_32 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_100_32 : unsigned(6 downto 0) := (others => '0');
     signal texel1_101_32 : unsigned(11 downto 0) := (others => '0');
-    signal texel1_110_32 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_110_32 : unsigned(6 downto 0) := (others => '0');
     signal texel1_111_32 : unsigned(11 downto 0) := (others => '0');
     signal u1_even_odd_whole_32 : std_logic := '0';
     signal u1_even_odd_of_0_32 : std_logic := '0';
@@ -1672,11 +1654,27 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_32 : std_logic := '0';
     signal v1_odd_of_5_32 : std_logic := '0';
     signal blend1_signed_32 : signed(7 downto 0) := (others => '0');
+    signal u1_even_next_32 : unsigned(5 downto 0) := (others => '0');
+    signal u1_even_even_high_32 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_even_32 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_next_32 : unsigned(5 downto 0) := (others => '0');
+    signal u1_odd_even_high_32 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_even_32 : unsigned(4 downto 0) := (others => '0');
     signal in_gain1r_33 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_33 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_33 : unsigned(17 downto 0) := (others => '0');
     signal hidden_33 : std_logic := '0';
     signal shift1_33 : unsigned(2 downto 0) := (others => '0');
+    signal u1_even_even_33 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_even_33 : unsigned(4 downto 0) := (others => '0');
+    signal texels1_000_33 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_001_33 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_010_33 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_011_33 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_100_33 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_101_33 : unsigned(11 downto 0) := (others => '0');
+    signal texels1_110_33 : unsigned(6 downto 0) := (others => '0');
+    signal texel1_111_33 : unsigned(11 downto 0) := (others => '0');
     signal u1_even_odd_whole_33 : std_logic := '0';
     signal u1_even_odd_of_0_33 : std_logic := '0';
     signal u1_even_odd_of_1_33 : std_logic := '0';
@@ -1699,43 +1697,23 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_33 : std_logic := '0';
     signal v1_odd_of_5_33 : std_logic := '0';
     signal blend1_signed_33 : signed(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_r_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_g_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_g_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_g_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_g_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_g_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_g_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_g_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_g_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_b_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_b_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_b_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_b_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_b_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_b_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_b_33 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_b_33 : unsigned(7 downto 0) := (others => '0');
+    signal texel1_000_33 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_010_33 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_100_33 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_110_33 : unsigned(11 downto 0) := (others => '0');
     signal in_gain1r_34 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_34 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_34 : unsigned(17 downto 0) := (others => '0');
     signal hidden_34 : std_logic := '0';
     signal shift1_34 : unsigned(2 downto 0) := (others => '0');
-    signal texels_1_even_even_even_r_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_r_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_r_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_r_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_r_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_r_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_r_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_r_34 : unsigned(7 downto 0) := (others => '0');
+    signal texel1_000_34 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_001_34 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_010_34 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_011_34 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_100_34 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_101_34 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_110_34 : unsigned(11 downto 0) := (others => '0');
+    signal texel1_111_34 : unsigned(11 downto 0) := (others => '0');
     signal u1_even_odd_whole_34 : std_logic := '0';
     signal u1_even_odd_of_0_34 : std_logic := '0';
     signal u1_even_odd_of_1_34 : std_logic := '0';
@@ -1758,35 +1736,11 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_34 : std_logic := '0';
     signal v1_odd_of_5_34 : std_logic := '0';
     signal blend1_signed_34 : signed(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_g_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_g_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_g_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_g_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_g_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_g_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_g_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_g_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_even_b_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_b_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_b_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_b_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_b_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_b_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_b_34 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_b_34 : unsigned(7 downto 0) := (others => '0');
     signal in_gain1r_35 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_35 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_35 : unsigned(17 downto 0) := (others => '0');
     signal hidden_35 : std_logic := '0';
     signal shift1_35 : unsigned(2 downto 0) := (others => '0');
-    signal texels_1_even_even_even_r_35 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_even_odd_r_35 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_even_r_35 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_even_odd_odd_r_35 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_even_r_35 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_even_odd_r_35 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_even_r_35 : unsigned(7 downto 0) := (others => '0');
-    signal texels_1_odd_odd_odd_r_35 : unsigned(7 downto 0) := (others => '0');
     signal u1_even_odd_whole_35 : std_logic := '0';
     signal u1_even_odd_of_0_35 : std_logic := '0';
     signal u1_even_odd_of_1_35 : std_logic := '0';
@@ -1809,6 +1763,14 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_35 : std_logic := '0';
     signal v1_odd_of_5_35 : std_logic := '0';
     signal blend1_signed_35 : signed(7 downto 0) := (others => '0');
+    signal texels_1_even_even_even_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_r_35 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_r_35 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_even_g_35 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_g_35 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_g_35 : unsigned(7 downto 0) := (others => '0');
@@ -1825,231 +1787,33 @@ architecture rtl of image_paper is
     signal texels_1_odd_even_odd_b_35 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_b_35 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_b_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_r_1_0_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_0_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_1_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_r_1_1_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_1_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_2_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_r_1_2_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_2_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_3_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_r_1_3_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_3_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_0_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_g_1_0_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_0_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_1_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_g_1_1_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_1_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_2_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_g_1_2_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_2_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_3_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_g_1_3_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_3_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_0_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_b_1_0_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_0_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_1_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_b_1_1_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_1_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_2_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_b_1_2_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_2_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_3_either_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_by_whole_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_either_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_by_0_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_either_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_by_1_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_either_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_by_2_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_either_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_by_3_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_either_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_by_4_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_either_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_by_5_35 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_sum_1_0_35 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_b_1_3_sum_1_1_35 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_3_sum_1_2_35 : unsigned(9 downto 0) := (others => '0');
     signal in_gain1r_36 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_36 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_36 : unsigned(17 downto 0) := (others => '0');
     signal hidden_36 : std_logic := '0';
     signal shift1_36 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_1_0_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_r_1_0_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_0_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_1_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_r_1_1_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_1_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_2_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_r_1_2_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_2_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_3_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_r_1_3_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_3_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
+    signal texels_1_even_even_even_r_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_r_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_r_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_r_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_r_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_r_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_r_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_r_36 : unsigned(7 downto 0) := (others => '0');
+    signal u1_even_odd_whole_36 : std_logic := '0';
+    signal u1_even_odd_of_0_36 : std_logic := '0';
+    signal u1_even_odd_of_1_36 : std_logic := '0';
+    signal u1_even_odd_of_2_36 : std_logic := '0';
+    signal u1_even_odd_of_3_36 : std_logic := '0';
+    signal u1_even_odd_of_4_36 : std_logic := '0';
+    signal u1_even_odd_of_5_36 : std_logic := '0';
+    signal u1_odd_odd_whole_36 : std_logic := '0';
+    signal u1_odd_odd_of_0_36 : std_logic := '0';
+    signal u1_odd_odd_of_1_36 : std_logic := '0';
+    signal u1_odd_odd_of_2_36 : std_logic := '0';
+    signal u1_odd_odd_of_3_36 : std_logic := '0';
+    signal u1_odd_odd_of_4_36 : std_logic := '0';
+    signal u1_odd_odd_of_5_36 : std_logic := '0';
     signal v1_odd_whole_36 : std_logic := '0';
     signal v1_odd_of_0_36 : std_logic := '0';
     signal v1_odd_of_1_36 : std_logic := '0';
@@ -2058,75 +1822,49 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_36 : std_logic := '0';
     signal v1_odd_of_5_36 : std_logic := '0';
     signal blend1_signed_36 : signed(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_g_1_0_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_0_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_1_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_g_1_1_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_1_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_2_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_g_1_2_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_2_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_3_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_g_1_3_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_3_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_0_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_b_1_0_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_0_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_1_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_b_1_1_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_1_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_2_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_b_1_2_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_2_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_3_by_5_36 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_sum_1_0_36 : unsigned(8 downto 0) := (others => '0');
-    signal blend1_b_1_3_sum_1_1_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_3_sum_1_2_36 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_0_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_0_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_1_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_1_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_2_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_2_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_3_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_3_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_0_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_0_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_1_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_1_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_2_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_2_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_3_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_3_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_0_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_0_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_1_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_1_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_2_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_2_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_3_sum_2_0_36 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_3_sum_2_1_36 : unsigned(10 downto 0) := (others => '0');
+    signal texels_1_even_even_even_g_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_g_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_g_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_g_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_g_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_g_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_g_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_g_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_even_b_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_b_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_b_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_b_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_b_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_b_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_b_36 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_b_36 : unsigned(7 downto 0) := (others => '0');
     signal in_gain1r_37 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_37 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_37 : unsigned(17 downto 0) := (others => '0');
     signal hidden_37 : std_logic := '0';
     signal shift1_37 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_1_0_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_0_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_1_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_1_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_2_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_2_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_3_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_3_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
+    signal texels_1_even_even_even_r_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_r_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_r_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_r_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_r_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_r_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_r_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_r_37 : unsigned(7 downto 0) := (others => '0');
+    signal u1_even_odd_whole_37 : std_logic := '0';
+    signal u1_even_odd_of_0_37 : std_logic := '0';
+    signal u1_even_odd_of_1_37 : std_logic := '0';
+    signal u1_even_odd_of_2_37 : std_logic := '0';
+    signal u1_even_odd_of_3_37 : std_logic := '0';
+    signal u1_even_odd_of_4_37 : std_logic := '0';
+    signal u1_even_odd_of_5_37 : std_logic := '0';
+    signal u1_odd_odd_whole_37 : std_logic := '0';
+    signal u1_odd_odd_of_0_37 : std_logic := '0';
+    signal u1_odd_odd_of_1_37 : std_logic := '0';
+    signal u1_odd_odd_of_2_37 : std_logic := '0';
+    signal u1_odd_odd_of_3_37 : std_logic := '0';
+    signal u1_odd_odd_of_4_37 : std_logic := '0';
+    signal u1_odd_odd_of_5_37 : std_logic := '0';
     signal v1_odd_whole_37 : std_logic := '0';
     signal v1_odd_of_0_37 : std_logic := '0';
     signal v1_odd_of_1_37 : std_logic := '0';
@@ -2135,358 +1873,695 @@ architecture rtl of image_paper is
     signal v1_odd_of_4_37 : std_logic := '0';
     signal v1_odd_of_5_37 : std_logic := '0';
     signal blend1_signed_37 : signed(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_0_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_1_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_1_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_2_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_2_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_3_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_g_1_3_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_0_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_0_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_1_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_1_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_2_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_2_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_3_sum_2_0_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_b_1_3_sum_2_1_37 : unsigned(10 downto 0) := (others => '0');
-    signal blend1_r_1_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_1_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_1_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_1_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_5_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_5_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_5_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_5_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_1_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_5_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_5_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_either_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_either_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_either_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_either_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_either_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_either_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_either_5_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_5_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_1_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_5_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_5_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_either_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_whole_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_either_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_0_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_either_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_1_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_either_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_2_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_either_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_3_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_either_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_4_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_either_5_37 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_5_37 : unsigned(13 downto 0) := (others => '0');
+    signal texels_1_even_even_even_g_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_g_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_g_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_g_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_g_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_g_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_g_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_g_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_even_b_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_even_odd_b_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_even_b_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_even_odd_odd_b_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_even_b_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_even_odd_b_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_even_b_37 : unsigned(7 downto 0) := (others => '0');
+    signal texels_1_odd_odd_odd_b_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_0_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_1_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_2_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_3_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_4_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_5_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
     signal in_gain1r_38 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_38 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_38 : unsigned(17 downto 0) := (others => '0');
     signal hidden_38 : std_logic := '0';
     signal shift1_38 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_whole_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_0_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_1_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_2_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_3_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_4_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_5_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_whole_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_0_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_1_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_2_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_3_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_4_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_5_38 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal v1_odd_whole_38 : std_logic := '0';
+    signal v1_odd_of_0_38 : std_logic := '0';
+    signal v1_odd_of_1_38 : std_logic := '0';
+    signal v1_odd_of_2_38 : std_logic := '0';
+    signal v1_odd_of_3_38 : std_logic := '0';
+    signal v1_odd_of_4_38 : std_logic := '0';
+    signal v1_odd_of_5_38 : std_logic := '0';
     signal blend1_signed_38 : signed(7 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_whole_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_0_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_1_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_2_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_3_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_4_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_5_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_whole_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_0_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_1_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_2_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_3_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_4_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_5_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_whole_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_0_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_1_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_2_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_3_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_4_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_5_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_whole_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_0_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_1_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_2_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_3_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_4_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_5_38 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_g_2_1_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_g_2_1_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_g_2_1_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_b_2_1_sum_1_0_38 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_b_2_1_sum_1_1_38 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_b_2_1_sum_1_2_38 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_5_38 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
     signal in_gain1r_39 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_39 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_39 : unsigned(17 downto 0) := (others => '0');
     signal hidden_39 : std_logic := '0';
     signal shift1_39 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_5_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_5_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_0_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_1_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_2_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_3_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal v1_odd_whole_39 : std_logic := '0';
+    signal v1_odd_of_0_39 : std_logic := '0';
+    signal v1_odd_of_1_39 : std_logic := '0';
+    signal v1_odd_of_2_39 : std_logic := '0';
+    signal v1_odd_of_3_39 : std_logic := '0';
+    signal v1_odd_of_4_39 : std_logic := '0';
+    signal v1_odd_of_5_39 : std_logic := '0';
     signal blend1_signed_39 : signed(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_0_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_1_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_2_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_g_1_3_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_0_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_1_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_2_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_b_1_3_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal blend1_r_1_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_1_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_5_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_5_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_5_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_5_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_1_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_5_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_by_5_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_5_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_by_5_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_g_2_1_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_g_2_1_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_1_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_1_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_5_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_by_5_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_0_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_1_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_2_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_3_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_4_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_5_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_by_5_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_sum_1_0_39 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_b_2_1_sum_1_1_39 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_b_2_1_sum_1_2_39 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_2_1_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_2_1_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_1_sum_2_0_39 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_1_sum_2_1_39 : unsigned(16 downto 0) := (others => '0');
     signal in_gain1r_40 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_40 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_40 : unsigned(17 downto 0) := (others => '0');
     signal hidden_40 : std_logic := '0';
     signal shift1_40 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_0_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_1_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_2_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_3_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_4_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_5_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_0_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_1_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_2_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_3_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_4_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_5_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_signed_40 : signed(7 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_2_1_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_2_1_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_1_sum_2_0_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_1_sum_2_1_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_2_0_40 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_r_2_1_40 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_r_2_0_cut_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_2_1_cut_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_2_0_40 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_g_2_1_40 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_g_2_0_cut_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_2_1_cut_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_0_40 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_b_2_1_40 : unsigned(19 downto 0) := (others => '0');
-    signal blend1_b_2_0_cut_40 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_1_cut_40 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_0_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_1_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_2_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_3_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_4_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_5_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_0_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_1_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_2_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_3_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_4_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_5_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_0_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_1_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_2_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_3_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_4_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_5_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_0_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_1_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_2_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_3_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_4_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_5_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_0_40 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_1_40 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_2_40 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_0_40 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_1_40 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_2_40 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_0_40 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_1_40 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_2_40 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_0_40 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_1_40 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_2_40 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_0_40 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_1_40 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_2_40 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_0_40 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_1_40 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_2_40 : unsigned(15 downto 0) := (others => '0');
     signal in_gain1r_41 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_41 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_41 : unsigned(17 downto 0) := (others => '0');
     signal hidden_41 : std_logic := '0';
     signal shift1_41 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_2_0_cut_41 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_2_1_cut_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_5_41 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_0_41 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_1_2_41 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_5_41 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_0_41 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_1_2_41 : unsigned(15 downto 0) := (others => '0');
     signal blend1_signed_41 : signed(7 downto 0) := (others => '0');
-    signal blend1_g_2_0_cut_41 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_2_1_cut_41 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_0_cut_41 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_2_1_cut_41 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_3_0_apart_41 : signed(17 downto 0) := (others => '0');
-    signal blend1_g_3_0_apart_41 : signed(17 downto 0) := (others => '0');
-    signal blend1_b_3_0_apart_41 : signed(17 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_5_41 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_0_41 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_1_2_41 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_5_41 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_0_41 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_1_2_41 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_5_41 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_0_41 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_1_2_41 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_5_41 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_0_41 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_1_2_41 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_2_0_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_2_1_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_2_0_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_2_1_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_2_0_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_2_1_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_2_0_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_2_1_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_2_0_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_2_1_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_2_0_41 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_2_1_41 : unsigned(16 downto 0) := (others => '0');
     signal in_gain1r_42 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_42 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_42 : unsigned(17 downto 0) := (others => '0');
     signal hidden_42 : std_logic := '0';
     signal shift1_42 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_2_0_cut_42 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_3_0_apart_42 : signed(17 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_0_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_1_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
     signal blend1_signed_42 : signed(7 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_0_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_1_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_0_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_1_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_0_42 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_r_2_1_42 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_r_2_0_cut_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_2_1_cut_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_2_0_42 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_g_2_1_42 : unsigned(19 downto 0) := (others => '0');
     signal blend1_g_2_0_cut_42 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_3_0_apart_42 : signed(17 downto 0) := (others => '0');
+    signal blend1_g_2_1_cut_42 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_2_0_42 : unsigned(19 downto 0) := (others => '0');
+    signal blend1_b_2_1_42 : unsigned(19 downto 0) := (others => '0');
     signal blend1_b_2_0_cut_42 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_3_0_apart_42 : signed(17 downto 0) := (others => '0');
-    signal blend1_r_3_0_part_42 : signed(25 downto 0) := (others => '0');
-    signal blend1_g_3_0_part_42 : signed(25 downto 0) := (others => '0');
-    signal blend1_b_3_0_part_42 : signed(25 downto 0) := (others => '0');
+    signal blend1_b_2_1_cut_42 : unsigned(16 downto 0) := (others => '0');
     signal in_gain1r_43 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_43 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_43 : unsigned(17 downto 0) := (others => '0');
     signal hidden_43 : std_logic := '0';
     signal shift1_43 : unsigned(2 downto 0) := (others => '0');
     signal blend1_r_2_0_cut_43 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_r_3_0_part_43 : signed(25 downto 0) := (others => '0');
+    signal blend1_r_2_1_cut_43 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_signed_43 : signed(7 downto 0) := (others => '0');
     signal blend1_g_2_0_cut_43 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_g_3_0_part_43 : signed(25 downto 0) := (others => '0');
+    signal blend1_g_2_1_cut_43 : unsigned(16 downto 0) := (others => '0');
     signal blend1_b_2_0_cut_43 : unsigned(16 downto 0) := (others => '0');
-    signal blend1_b_3_0_part_43 : signed(25 downto 0) := (others => '0');
-    signal blend1_r_3_0_43 : unsigned(22 downto 0) := (others => '0');
-    signal root1_r_43 : unsigned(17 downto 0) := (others => '0');
-    signal blend1_g_3_0_43 : unsigned(22 downto 0) := (others => '0');
-    signal root1_g_43 : unsigned(17 downto 0) := (others => '0');
-    signal blend1_b_3_0_43 : unsigned(22 downto 0) := (others => '0');
-    signal root1_b_43 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_b_2_1_cut_43 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_3_0_apart_43 : signed(17 downto 0) := (others => '0');
+    signal blend1_g_3_0_apart_43 : signed(17 downto 0) := (others => '0');
+    signal blend1_b_3_0_apart_43 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_44 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_44 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_44 : unsigned(17 downto 0) := (others => '0');
     signal hidden_44 : std_logic := '0';
     signal shift1_44 : unsigned(2 downto 0) := (others => '0');
-    signal root1_r_44 : unsigned(17 downto 0) := (others => '0');
-    signal root1_g_44 : unsigned(17 downto 0) := (others => '0');
-    signal root1_b_44 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_exact_44 : unsigned(35 downto 0) := (others => '0');
-    signal square1_r_44 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_exact_44 : unsigned(35 downto 0) := (others => '0');
-    signal square1_g_44 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_exact_44 : unsigned(35 downto 0) := (others => '0');
-    signal square1_b_44 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_r_2_0_cut_44 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_3_0_apart_44 : signed(17 downto 0) := (others => '0');
+    signal blend1_signed_44 : signed(7 downto 0) := (others => '0');
+    signal blend1_g_2_0_cut_44 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_3_0_apart_44 : signed(17 downto 0) := (others => '0');
+    signal blend1_b_2_0_cut_44 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_3_0_apart_44 : signed(17 downto 0) := (others => '0');
+    signal blend1_r_3_0_part_44 : signed(25 downto 0) := (others => '0');
+    signal blend1_g_3_0_part_44 : signed(25 downto 0) := (others => '0');
+    signal blend1_b_3_0_part_44 : signed(25 downto 0) := (others => '0');
     signal in_gain1r_45 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_45 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_45 : unsigned(17 downto 0) := (others => '0');
     signal hidden_45 : std_logic := '0';
     signal shift1_45 : unsigned(2 downto 0) := (others => '0');
-    signal square1_r_45 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_45 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_45 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_seen_45 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_up_45 : unsigned(21 downto 0) := (others => '0');
-    signal square1_r_up_cut_45 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_within_45 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_seen_45 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_up_45 : unsigned(21 downto 0) := (others => '0');
-    signal square1_g_up_cut_45 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_within_45 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_seen_45 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_up_45 : unsigned(21 downto 0) := (others => '0');
-    signal square1_b_up_cut_45 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_within_45 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_r_2_0_cut_45 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_3_0_part_45 : signed(25 downto 0) := (others => '0');
+    signal blend1_g_2_0_cut_45 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_3_0_part_45 : signed(25 downto 0) := (others => '0');
+    signal blend1_b_2_0_cut_45 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_3_0_part_45 : signed(25 downto 0) := (others => '0');
     signal in_gain1r_46 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_46 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_46 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_within_46 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_within_46 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_within_46 : unsigned(17 downto 0) := (others => '0');
-    signal light1_r_exact_46 : unsigned(35 downto 0) := (others => '0');
-    signal light1_r_46 : unsigned(21 downto 0) := (others => '0');
-    signal light1_g_exact_46 : unsigned(35 downto 0) := (others => '0');
-    signal light1_g_46 : unsigned(21 downto 0) := (others => '0');
-    signal light1_b_exact_46 : unsigned(35 downto 0) := (others => '0');
-    signal light1_b_46 : unsigned(21 downto 0) := (others => '0');
-    signal light1_r_47 : unsigned(21 downto 0) := (others => '0');
-    signal light1_g_47 : unsigned(21 downto 0) := (others => '0');
-    signal light1_b_47 : unsigned(21 downto 0) := (others => '0');
-    signal sum_r_47 : unsigned(17 downto 0) := (others => '0');
-    signal sum_g_47 : unsigned(17 downto 0) := (others => '0');
-    signal sum_b_47 : unsigned(17 downto 0) := (others => '0');
-    signal sum_r_48 : unsigned(17 downto 0) := (others => '0');
-    signal sum_g_48 : unsigned(17 downto 0) := (others => '0');
-    signal sum_b_48 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_46 : std_logic := '0';
+    signal shift1_46 : unsigned(2 downto 0) := (others => '0');
+    signal blend1_r_2_0_cut_46 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_r_3_0_part_46 : signed(25 downto 0) := (others => '0');
+    signal blend1_g_2_0_cut_46 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_g_3_0_part_46 : signed(25 downto 0) := (others => '0');
+    signal blend1_b_2_0_cut_46 : unsigned(16 downto 0) := (others => '0');
+    signal blend1_b_3_0_part_46 : signed(25 downto 0) := (others => '0');
+    signal blend1_r_3_0_46 : unsigned(22 downto 0) := (others => '0');
+    signal root1_r_46 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_g_3_0_46 : unsigned(22 downto 0) := (others => '0');
+    signal root1_g_46 : unsigned(17 downto 0) := (others => '0');
+    signal blend1_b_3_0_46 : unsigned(22 downto 0) := (others => '0');
+    signal root1_b_46 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1r_47 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_47 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_47 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_47 : std_logic := '0';
+    signal shift1_47 : unsigned(2 downto 0) := (others => '0');
+    signal root1_r_47 : unsigned(17 downto 0) := (others => '0');
+    signal root1_g_47 : unsigned(17 downto 0) := (others => '0');
+    signal root1_b_47 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_exact_47 : unsigned(35 downto 0) := (others => '0');
+    signal square1_r_47 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_exact_47 : unsigned(35 downto 0) := (others => '0');
+    signal square1_g_47 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_exact_47 : unsigned(35 downto 0) := (others => '0');
+    signal square1_b_47 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1r_48 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_48 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_48 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_48 : std_logic := '0';
+    signal shift1_48 : unsigned(2 downto 0) := (others => '0');
+    signal square1_r_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_seen_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_up_48 : unsigned(21 downto 0) := (others => '0');
+    signal square1_r_up_cut_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_within_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_seen_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_up_48 : unsigned(21 downto 0) := (others => '0');
+    signal square1_g_up_cut_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_within_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_seen_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_up_48 : unsigned(21 downto 0) := (others => '0');
+    signal square1_b_up_cut_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_within_48 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1r_49 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_49 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_49 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_within_49 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_within_49 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_within_49 : unsigned(17 downto 0) := (others => '0');
+    signal light1_r_exact_49 : unsigned(35 downto 0) := (others => '0');
+    signal light1_r_49 : unsigned(21 downto 0) := (others => '0');
+    signal light1_g_exact_49 : unsigned(35 downto 0) := (others => '0');
+    signal light1_g_49 : unsigned(21 downto 0) := (others => '0');
+    signal light1_b_exact_49 : unsigned(35 downto 0) := (others => '0');
+    signal light1_b_49 : unsigned(21 downto 0) := (others => '0');
+    signal light1_r_50 : unsigned(21 downto 0) := (others => '0');
+    signal light1_g_50 : unsigned(21 downto 0) := (others => '0');
+    signal light1_b_50 : unsigned(21 downto 0) := (others => '0');
+    signal sum_r_50 : unsigned(17 downto 0) := (others => '0');
+    signal sum_g_50 : unsigned(17 downto 0) := (others => '0');
+    signal sum_b_50 : unsigned(17 downto 0) := (others => '0');
+    signal sum_r_51 : unsigned(17 downto 0) := (others => '0');
+    signal sum_g_51 : unsigned(17 downto 0) := (others => '0');
+    signal sum_b_51 : unsigned(17 downto 0) := (others => '0');
 
 begin
 
@@ -2497,7 +2572,7 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(47 downto 1) & in_valid;
+                valid <= valid(50 downto 1) & in_valid;
             end if;
         end if;
     end process;
@@ -3304,11 +3379,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 13: root_at1
-    -- Q6.15: 1/r
-    root_at1_13 <= shift_left(signed(resize(root_1_13, 22)), 5) - signed(resize(fall_part1_13, 22));
-    -- Q6.10: rounded down
-    root_cut1_13 <= root_at1_13(21 downto 5);
+    -- ===== Stage 13: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3322,7 +3393,8 @@ begin
                 hidden_14 <= hidden_13;
                 shift1_14 <= shift1_13;
                 x1_14 <= x1_13;
-                root_cut1_14 <= root_cut1_13;
+                root_1_14 <= root_1_13;
+                fall_part1_14 <= fall_part1_13;
                 u1_kept_signed_14 <= u1_kept_signed_13;
                 alone1_14 <= alone1_13;
                 end1_even_14 <= end1_even_13;
@@ -3347,11 +3419,11 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 14: tilt1_exact
-    -- Q8.24: the sine of the angle to h
-    tilt1_exact_14 <= u1_kept_signed_14 * root_cut1_14;
-    -- Q6.12: rounded down
-    tilt1_cut_14 <= tilt1_exact_14(30 downto 12);
+    -- ===== Stage 14: root_at1
+    -- Q6.15: 1/r
+    root_at1_14 <= shift_left(signed(resize(root_1_14, 22)), 5) - signed(resize(fall_part1_14, 22));
+    -- Q6.10: rounded down
+    root_cut1_14 <= root_at1_14(21 downto 5);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3365,7 +3437,8 @@ begin
                 hidden_15 <= hidden_14;
                 shift1_15 <= shift1_14;
                 x1_15 <= x1_14;
-                tilt1_cut_15 <= tilt1_cut_14;
+                root_cut1_15 <= root_cut1_14;
+                u1_kept_signed_15 <= u1_kept_signed_14;
                 alone1_15 <= alone1_14;
                 end1_even_15 <= end1_even_14;
                 end1_odd_15 <= end1_odd_14;
@@ -3389,15 +3462,11 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 15: tilt1_kept, tilt1
-    -- UQ1.12: at most 1
-    tilt1_kept_15 <= (others => '0') when tilt1_cut_15(18) = '1' else
-        (12 => '1', others => '0') when unsigned(tilt1_cut_15(17 downto 12)) /= 0 else
-        unsigned(tilt1_cut_15(12 downto 0));
-    -- UQ1.12: the sine of the angle to h; 1/2, which makes k = 3/4, where one image is alone
-    tilt1_15 <= to_unsigned(2048, 13) when alone1_15 = '1' else tilt1_kept_15;
-    -- Q1.12: a sign bit for the signed product
-    tilt1_signed_15 <= signed(resize(tilt1_15, 14));
+    -- ===== Stage 15: tilt1_exact
+    -- Q8.24: the sine of the angle to h
+    tilt1_exact_15 <= u1_kept_signed_15 * root_cut1_15;
+    -- Q6.12: rounded down
+    tilt1_cut_15 <= tilt1_exact_15(30 downto 12);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3411,7 +3480,8 @@ begin
                 hidden_16 <= hidden_15;
                 shift1_16 <= shift1_15;
                 x1_16 <= x1_15;
-                tilt1_signed_16 <= tilt1_signed_15;
+                tilt1_cut_16 <= tilt1_cut_15;
+                alone1_16 <= alone1_15;
                 end1_even_16 <= end1_even_15;
                 end1_odd_16 <= end1_odd_15;
                 texels1_000_16 <= texels1_000_15;
@@ -3434,15 +3504,15 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 16: turn_more_exact1_even, turn_more_exact1_odd
-    -- Q2.26: its part by the tilt
-    turn_more_exact1_even_16 <= in_turn1_even_16 * tilt1_signed_16;
-    -- Q0.14: rounded down
-    turn_more1_even_16 <= turn_more_exact1_even_16(26 downto 12);
-    -- Q2.26: its part by the tilt
-    turn_more_exact1_odd_16 <= in_turn1_odd_16 * tilt1_signed_16;
-    -- Q0.14: rounded down
-    turn_more1_odd_16 <= turn_more_exact1_odd_16(26 downto 12);
+    -- ===== Stage 16: tilt1_kept, tilt1
+    -- UQ1.12: at most 1
+    tilt1_kept_16 <= (others => '0') when tilt1_cut_16(18) = '1' else
+        (12 => '1', others => '0') when unsigned(tilt1_cut_16(17 downto 12)) /= 0 else
+        unsigned(tilt1_cut_16(12 downto 0));
+    -- UQ1.12: the sine of the angle to h; 1/2, which makes k = 3/4, where one image is alone
+    tilt1_16 <= to_unsigned(2048, 13) when alone1_16 = '1' else tilt1_kept_16;
+    -- Q1.12: a sign bit for the signed product
+    tilt1_signed_16 <= signed(resize(tilt1_16, 14));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3456,9 +3526,8 @@ begin
                 hidden_17 <= hidden_16;
                 shift1_17 <= shift1_16;
                 x1_17 <= x1_16;
-                turn_more1_even_17 <= turn_more1_even_16;
+                tilt1_signed_17 <= tilt1_signed_16;
                 end1_even_17 <= end1_even_16;
-                turn_more1_odd_17 <= turn_more1_odd_16;
                 end1_odd_17 <= end1_odd_16;
                 texels1_000_17 <= texels1_000_16;
                 texels1_001_17 <= texels1_001_16;
@@ -3480,25 +3549,31 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 17: turn_exact1_even, turn_exact1_odd
-    -- Q1.14: the turn k (phi_i - phi), in right angles
-    turn_exact1_even_17 <= resize(in_turn1_even_17, 16) + resize(turn_more1_even_17, 16);
-    -- Q1.14: the turn k (phi_i - phi), in right angles
-    turn_exact1_odd_17 <= resize(in_turn1_odd_17, 16) + resize(turn_more1_odd_17, 16);
+    -- ===== Stage 17: turn_more_exact1_even, turn_more_exact1_odd
+    -- Q2.26: its part by the tilt
+    turn_more_exact1_even_17 <= in_turn1_even_17 * tilt1_signed_17;
+    -- Q0.14: rounded down
+    turn_more1_even_17 <= turn_more_exact1_even_17(26 downto 12);
+    -- Q2.26: its part by the tilt
+    turn_more_exact1_odd_17 <= in_turn1_odd_17 * tilt1_signed_17;
+    -- Q0.14: rounded down
+    turn_more1_odd_17 <= turn_more_exact1_odd_17(26 downto 12);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 in_nz_18 <= in_nz_17;
+                in_turn1_even_18 <= in_turn1_even_17;
+                in_turn1_odd_18 <= in_turn1_odd_17;
                 in_gain1r_18 <= in_gain1r_17;
                 in_gain1g_18 <= in_gain1g_17;
                 in_gain1b_18 <= in_gain1b_17;
                 hidden_18 <= hidden_17;
                 shift1_18 <= shift1_17;
                 x1_18 <= x1_17;
-                turn_exact1_even_18 <= turn_exact1_even_17;
+                turn_more1_even_18 <= turn_more1_even_17;
                 end1_even_18 <= end1_even_17;
-                turn_exact1_odd_18 <= turn_exact1_odd_17;
+                turn_more1_odd_18 <= turn_more1_odd_17;
                 end1_odd_18 <= end1_odd_17;
                 texels1_000_18 <= texels1_000_17;
                 texels1_001_18 <= texels1_001_17;
@@ -3520,15 +3595,11 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 18: turn1_even, turn1_odd
-    -- Q0.14: less than a right angle
-    turn1_even_18 <= to_signed(-16384, 15) when turn_exact1_even_18(15 downto 14) < -1 else
-        to_signed(16383, 15) when turn_exact1_even_18(15 downto 14) > 0 else
-        turn_exact1_even_18(14 downto 0);
-    -- Q0.14: less than a right angle
-    turn1_odd_18 <= to_signed(-16384, 15) when turn_exact1_odd_18(15 downto 14) < -1 else
-        to_signed(16383, 15) when turn_exact1_odd_18(15 downto 14) > 0 else
-        turn_exact1_odd_18(14 downto 0);
+    -- ===== Stage 18: turn_exact1_even, turn_exact1_odd
+    -- Q1.14: the turn k (phi_i - phi), in right angles
+    turn_exact1_even_18 <= resize(in_turn1_even_18, 16) + resize(turn_more1_even_18, 16);
+    -- Q1.14: the turn k (phi_i - phi), in right angles
+    turn_exact1_odd_18 <= resize(in_turn1_odd_18, 16) + resize(turn_more1_odd_18, 16);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3540,9 +3611,9 @@ begin
                 hidden_19 <= hidden_18;
                 shift1_19 <= shift1_18;
                 x1_19 <= x1_18;
-                turn1_even_19 <= turn1_even_18;
+                turn_exact1_even_19 <= turn_exact1_even_18;
                 end1_even_19 <= end1_even_18;
-                turn1_odd_19 <= turn1_odd_18;
+                turn_exact1_odd_19 <= turn_exact1_odd_18;
                 end1_odd_19 <= end1_odd_18;
                 texels1_000_19 <= texels1_000_18;
                 texels1_001_19 <= texels1_001_18;
@@ -3564,31 +3635,15 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 19: turn_up1_even, turn_up1_odd
-    -- UQ1.14: from minus a right angle
-    turn_up1_even_19 <= unsigned(turn1_even_19) + to_unsigned(16384, 15);
-    -- UQ1.6: the table's row
-    step1_even_19 <= turn_up1_even_19(14 downto 8);
-    -- UQ7.0: its number
-    step_number1_even_19 <= step1_even_19;
-    -- UQ-6.14: the angle past it
-    past1_even_19 <= turn_up1_even_19(7 downto 0);
-    -- UQ0.8: as a part of the way to the next
-    past_part1_even_19 <= past1_even_19;
-    -- Q0.8: a sign bit for the signed product
-    past_part1_even_signed_19 <= signed(resize(past_part1_even_19, 9));
-    -- UQ1.14: from minus a right angle
-    turn_up1_odd_19 <= unsigned(turn1_odd_19) + to_unsigned(16384, 15);
-    -- UQ1.6: the table's row
-    step1_odd_19 <= turn_up1_odd_19(14 downto 8);
-    -- UQ7.0: its number
-    step_number1_odd_19 <= step1_odd_19;
-    -- UQ-6.14: the angle past it
-    past1_odd_19 <= turn_up1_odd_19(7 downto 0);
-    -- UQ0.8: as a part of the way to the next
-    past_part1_odd_19 <= past1_odd_19;
-    -- Q0.8: a sign bit for the signed product
-    past_part1_odd_signed_19 <= signed(resize(past_part1_odd_19, 9));
+    -- ===== Stage 19: turn1_even, turn1_odd
+    -- Q0.14: less than a right angle
+    turn1_even_19 <= to_signed(-16384, 15) when turn_exact1_even_19(15 downto 14) < -1 else
+        to_signed(16383, 15) when turn_exact1_even_19(15 downto 14) > 0 else
+        turn_exact1_even_19(14 downto 0);
+    -- Q0.14: less than a right angle
+    turn1_odd_19 <= to_signed(-16384, 15) when turn_exact1_odd_19(15 downto 14) < -1 else
+        to_signed(16383, 15) when turn_exact1_odd_19(15 downto 14) > 0 else
+        turn_exact1_odd_19(14 downto 0);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3600,13 +3655,9 @@ begin
                 hidden_20 <= hidden_19;
                 shift1_20 <= shift1_19;
                 x1_20 <= x1_19;
-                step_number1_even_20 <= step_number1_even_19;
-                past_part1_even_20 <= past_part1_even_19;
-                past_part1_even_signed_20 <= past_part1_even_signed_19;
+                turn1_even_20 <= turn1_even_19;
                 end1_even_20 <= end1_even_19;
-                step_number1_odd_20 <= step_number1_odd_19;
-                past_part1_odd_20 <= past_part1_odd_19;
-                past_part1_odd_signed_20 <= past_part1_odd_signed_19;
+                turn1_odd_20 <= turn1_odd_19;
                 end1_odd_20 <= end1_odd_19;
                 texels1_000_20 <= texels1_000_19;
                 texels1_001_20 <= texels1_001_19;
@@ -3628,23 +3679,31 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 20: read sines_1_even, read sines_1_odd
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                sines_1_even_21 <= SINES_1_EVEN(to_integer(step_number1_even_20));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                sines_1_odd_21 <= SINES_1_ODD(to_integer(step_number1_odd_20));
-            end if;
-        end if;
-    end process;
+    -- ===== Stage 20: turn_up1_even, turn_up1_odd
+    -- UQ1.14: from minus a right angle
+    turn_up1_even_20 <= unsigned(turn1_even_20) + to_unsigned(16384, 15);
+    -- UQ1.6: the table's row
+    step1_even_20 <= turn_up1_even_20(14 downto 8);
+    -- UQ7.0: its number
+    step_number1_even_20 <= step1_even_20;
+    -- UQ-6.14: the angle past it
+    past1_even_20 <= turn_up1_even_20(7 downto 0);
+    -- UQ0.8: as a part of the way to the next
+    past_part1_even_20 <= past1_even_20;
+    -- Q0.8: a sign bit for the signed product
+    past_part1_even_signed_20 <= signed(resize(past_part1_even_20, 9));
+    -- UQ1.14: from minus a right angle
+    turn_up1_odd_20 <= unsigned(turn1_odd_20) + to_unsigned(16384, 15);
+    -- UQ1.6: the table's row
+    step1_odd_20 <= turn_up1_odd_20(14 downto 8);
+    -- UQ7.0: its number
+    step_number1_odd_20 <= step1_odd_20;
+    -- UQ-6.14: the angle past it
+    past1_odd_20 <= turn_up1_odd_20(7 downto 0);
+    -- UQ0.8: as a part of the way to the next
+    past_part1_odd_20 <= past1_odd_20;
+    -- Q0.8: a sign bit for the signed product
+    past_part1_odd_signed_20 <= signed(resize(past_part1_odd_20, 9));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3656,9 +3715,11 @@ begin
                 hidden_21 <= hidden_20;
                 shift1_21 <= shift1_20;
                 x1_21 <= x1_20;
+                step_number1_even_21 <= step_number1_even_20;
                 past_part1_even_21 <= past_part1_even_20;
                 past_part1_even_signed_21 <= past_part1_even_signed_20;
                 end1_even_21 <= end1_even_20;
+                step_number1_odd_21 <= step_number1_odd_20;
                 past_part1_odd_21 <= past_part1_odd_20;
                 past_part1_odd_signed_21 <= past_part1_odd_signed_20;
                 end1_odd_21 <= end1_odd_20;
@@ -3682,23 +3743,23 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 21: registers only
-    -- Q0.14: the sine
-    sine_1_even_21 <= signed(sines_1_even_21(52 downto 38));
-    -- UQ-5.16: what it rises by to the next row
-    sine_rise_1_even_21 <= unsigned(sines_1_even_21(37 downto 27));
-    -- UQ1.14: the cosine
-    cosine_1_even_21 <= unsigned(sines_1_even_21(26 downto 12));
-    -- Q-5.16: what it rises by to the next row
-    cosine_rise_1_even_21 <= signed(sines_1_even_21(11 downto 0));
-    -- Q0.14: the sine
-    sine_1_odd_21 <= signed(sines_1_odd_21(52 downto 38));
-    -- UQ-5.16: what it rises by to the next row
-    sine_rise_1_odd_21 <= unsigned(sines_1_odd_21(37 downto 27));
-    -- UQ1.14: the cosine
-    cosine_1_odd_21 <= unsigned(sines_1_odd_21(26 downto 12));
-    -- Q-5.16: what it rises by to the next row
-    cosine_rise_1_odd_21 <= signed(sines_1_odd_21(11 downto 0));
+    -- ===== Stage 21: read sines_1_even, read sines_1_odd
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                sines_1_even_22 <= SINES_1_EVEN(to_integer(step_number1_even_21));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                sines_1_odd_22 <= SINES_1_ODD(to_integer(step_number1_odd_21));
+            end if;
+        end if;
+    end process;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3711,17 +3772,9 @@ begin
                 shift1_22 <= shift1_21;
                 x1_22 <= x1_21;
                 past_part1_even_22 <= past_part1_even_21;
-                sine_1_even_22 <= sine_1_even_21;
-                sine_rise_1_even_22 <= sine_rise_1_even_21;
-                cosine_1_even_22 <= cosine_1_even_21;
-                cosine_rise_1_even_22 <= cosine_rise_1_even_21;
                 past_part1_even_signed_22 <= past_part1_even_signed_21;
                 end1_even_22 <= end1_even_21;
                 past_part1_odd_22 <= past_part1_odd_21;
-                sine_1_odd_22 <= sine_1_odd_21;
-                sine_rise_1_odd_22 <= sine_rise_1_odd_21;
-                cosine_1_odd_22 <= cosine_1_odd_21;
-                cosine_rise_1_odd_22 <= cosine_rise_1_odd_21;
                 past_part1_odd_signed_22 <= past_part1_odd_signed_21;
                 end1_odd_22 <= end1_odd_21;
                 texels1_000_22 <= texels1_000_21;
@@ -3745,6 +3798,22 @@ begin
     end process;
 
     -- ===== Stage 22: registers only
+    -- Q0.14: the sine
+    sine_1_even_22 <= signed(sines_1_even_22(52 downto 38));
+    -- UQ-5.16: what it rises by to the next row
+    sine_rise_1_even_22 <= unsigned(sines_1_even_22(37 downto 27));
+    -- UQ1.14: the cosine
+    cosine_1_even_22 <= unsigned(sines_1_even_22(26 downto 12));
+    -- Q-5.16: what it rises by to the next row
+    cosine_rise_1_even_22 <= signed(sines_1_even_22(11 downto 0));
+    -- Q0.14: the sine
+    sine_1_odd_22 <= signed(sines_1_odd_22(52 downto 38));
+    -- UQ-5.16: what it rises by to the next row
+    sine_rise_1_odd_22 <= unsigned(sines_1_odd_22(37 downto 27));
+    -- UQ1.14: the cosine
+    cosine_1_odd_22 <= unsigned(sines_1_odd_22(26 downto 12));
+    -- Q-5.16: what it rises by to the next row
+    cosine_rise_1_odd_22 <= signed(sines_1_odd_22(11 downto 0));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3790,15 +3859,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 23: sin_part1_even, cos_part1_even, sin_part1_odd and 1 more
-    -- UQ-5.24: its part of the rise
-    sin_part1_even_23 <= sine_rise_1_even_23 * past_part1_even_23;
-    -- Q-4.24: its part of the rise
-    cos_part1_even_23 <= cosine_rise_1_even_23 * past_part1_even_signed_23;
-    -- UQ-5.24: its part of the rise
-    sin_part1_odd_23 <= sine_rise_1_odd_23 * past_part1_odd_23;
-    -- Q-4.24: its part of the rise
-    cos_part1_odd_23 <= cosine_rise_1_odd_23 * past_part1_odd_signed_23;
+    -- ===== Stage 23: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3810,15 +3871,19 @@ begin
                 hidden_24 <= hidden_23;
                 shift1_24 <= shift1_23;
                 x1_24 <= x1_23;
+                past_part1_even_24 <= past_part1_even_23;
                 sine_1_even_24 <= sine_1_even_23;
+                sine_rise_1_even_24 <= sine_rise_1_even_23;
                 cosine_1_even_24 <= cosine_1_even_23;
-                sin_part1_even_24 <= sin_part1_even_23;
-                cos_part1_even_24 <= cos_part1_even_23;
+                cosine_rise_1_even_24 <= cosine_rise_1_even_23;
+                past_part1_even_signed_24 <= past_part1_even_signed_23;
                 end1_even_24 <= end1_even_23;
+                past_part1_odd_24 <= past_part1_odd_23;
                 sine_1_odd_24 <= sine_1_odd_23;
+                sine_rise_1_odd_24 <= sine_rise_1_odd_23;
                 cosine_1_odd_24 <= cosine_1_odd_23;
-                sin_part1_odd_24 <= sin_part1_odd_23;
-                cos_part1_odd_24 <= cos_part1_odd_23;
+                cosine_rise_1_odd_24 <= cosine_rise_1_odd_23;
+                past_part1_odd_signed_24 <= past_part1_odd_signed_23;
                 end1_odd_24 <= end1_odd_23;
                 texels1_000_24 <= texels1_000_23;
                 texels1_001_24 <= texels1_001_23;
@@ -3840,27 +3905,15 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 24: sin_exact1_even, cos_exact1_even, sin_exact1_odd and 1 more
-    -- Q1.24: between two rows
-    sin_exact1_even_24 <=
-        shift_left(resize(sine_1_even_24, 26), 10) + signed(resize(sin_part1_even_24, 26));
-    -- Q1.14: rounded down
-    sin1_even_24 <= sin_exact1_even_24(25 downto 10);
-    -- Q1.24: between two rows
-    cos_exact1_even_24 <=
-        shift_left(signed(resize(cosine_1_even_24, 26)), 10) + resize(cos_part1_even_24, 26);
-    -- Q1.14: rounded down
-    cos1_even_24 <= cos_exact1_even_24(25 downto 10);
-    -- Q1.24: between two rows
-    sin_exact1_odd_24 <=
-        shift_left(resize(sine_1_odd_24, 26), 10) + signed(resize(sin_part1_odd_24, 26));
-    -- Q1.14: rounded down
-    sin1_odd_24 <= sin_exact1_odd_24(25 downto 10);
-    -- Q1.24: between two rows
-    cos_exact1_odd_24 <=
-        shift_left(signed(resize(cosine_1_odd_24, 26)), 10) + resize(cos_part1_odd_24, 26);
-    -- Q1.14: rounded down
-    cos1_odd_24 <= cos_exact1_odd_24(25 downto 10);
+    -- ===== Stage 24: sin_part1_even, cos_part1_even, sin_part1_odd and 1 more
+    -- UQ-5.24: its part of the rise
+    sin_part1_even_24 <= sine_rise_1_even_24 * past_part1_even_24;
+    -- Q-4.24: its part of the rise
+    cos_part1_even_24 <= cosine_rise_1_even_24 * past_part1_even_signed_24;
+    -- UQ-5.24: its part of the rise
+    sin_part1_odd_24 <= sine_rise_1_odd_24 * past_part1_odd_24;
+    -- Q-4.24: its part of the rise
+    cos_part1_odd_24 <= cosine_rise_1_odd_24 * past_part1_odd_signed_24;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3872,11 +3925,15 @@ begin
                 hidden_25 <= hidden_24;
                 shift1_25 <= shift1_24;
                 x1_25 <= x1_24;
-                sin1_even_25 <= sin1_even_24;
-                cos1_even_25 <= cos1_even_24;
+                sine_1_even_25 <= sine_1_even_24;
+                cosine_1_even_25 <= cosine_1_even_24;
+                sin_part1_even_25 <= sin_part1_even_24;
+                cos_part1_even_25 <= cos_part1_even_24;
                 end1_even_25 <= end1_even_24;
-                sin1_odd_25 <= sin1_odd_24;
-                cos1_odd_25 <= cos1_odd_24;
+                sine_1_odd_25 <= sine_1_odd_24;
+                cosine_1_odd_25 <= cosine_1_odd_24;
+                sin_part1_odd_25 <= sin_part1_odd_24;
+                cos_part1_odd_25 <= cos_part1_odd_24;
                 end1_odd_25 <= end1_odd_24;
                 texels1_000_25 <= texels1_000_24;
                 texels1_001_25 <= texels1_001_24;
@@ -3898,57 +3955,27 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 25: xc1_even_exact, zs1_even_exact, zc1_even_exact and 5 more
-    -- Q3.28: x cos
-    xc1_even_exact_25 <= x1_25 * cos1_even_25;
-    -- Q1.14: rounded down
-    xc1_even_25 <= xc1_even_exact_25(29 downto 14);
-    -- Q3.30: z sin
-    zs1_even_exact_25 <= in_nz_25 * sin1_even_25;
-    -- Q2.14: rounded down
-    zs1_even_25 <= zs1_even_exact_25(32 downto 16);
-    -- Q3.30: z cos
-    zc1_even_exact_25 <= in_nz_25 * cos1_even_25;
-    -- Q2.14: rounded down
-    zc1_even_25 <= zc1_even_exact_25(32 downto 16);
-    -- Q3.28: x sin
-    xs1_even_exact_25 <= x1_25 * sin1_even_25;
-    -- Q1.14: rounded down
-    xs1_even_25 <= xs1_even_exact_25(29 downto 14);
-    -- Q3.28: x cos
-    xc1_odd_exact_25 <= x1_25 * cos1_odd_25;
-    -- Q1.14: rounded down
-    xc1_odd_25 <= xc1_odd_exact_25(29 downto 14);
-    -- Q3.30: z sin
-    zs1_odd_exact_25 <= in_nz_25 * sin1_odd_25;
-    -- Q2.14: rounded down
-    zs1_odd_25 <= zs1_odd_exact_25(32 downto 16);
-    -- Q3.30: z cos
-    zc1_odd_exact_25 <= in_nz_25 * cos1_odd_25;
-    -- Q2.14: rounded down
-    zc1_odd_25 <= zc1_odd_exact_25(32 downto 16);
-    -- Q3.28: x sin
-    xs1_odd_exact_25 <= x1_25 * sin1_odd_25;
-    -- Q1.14: rounded down
-    xs1_odd_25 <= xs1_odd_exact_25(29 downto 14);
+    -- ===== Stage 25: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
+                in_nz_26 <= in_nz_25;
                 in_gain1r_26 <= in_gain1r_25;
                 in_gain1g_26 <= in_gain1g_25;
                 in_gain1b_26 <= in_gain1b_25;
                 hidden_26 <= hidden_25;
                 shift1_26 <= shift1_25;
-                xc1_even_26 <= xc1_even_25;
-                zs1_even_26 <= zs1_even_25;
-                zc1_even_26 <= zc1_even_25;
-                xs1_even_26 <= xs1_even_25;
+                x1_26 <= x1_25;
+                sine_1_even_26 <= sine_1_even_25;
+                cosine_1_even_26 <= cosine_1_even_25;
+                sin_part1_even_26 <= sin_part1_even_25;
+                cos_part1_even_26 <= cos_part1_even_25;
                 end1_even_26 <= end1_even_25;
-                xc1_odd_26 <= xc1_odd_25;
-                zs1_odd_26 <= zs1_odd_25;
-                zc1_odd_26 <= zc1_odd_25;
-                xs1_odd_26 <= xs1_odd_25;
+                sine_1_odd_26 <= sine_1_odd_25;
+                cosine_1_odd_26 <= cosine_1_odd_25;
+                sin_part1_odd_26 <= sin_part1_odd_25;
+                cos_part1_odd_26 <= cos_part1_odd_25;
                 end1_odd_26 <= end1_odd_25;
                 texels1_000_26 <= texels1_000_25;
                 texels1_001_26 <= texels1_001_25;
@@ -3970,33 +3997,43 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 26: across1_even, behind1_even, across1_odd, behind1_odd
-    -- Q2.14: x of the turned normal
-    across1_even_26 <= resize(xc1_even_26, 17) + zs1_even_26;
-    -- UQ1.0: whether it is behind the rim, z < 0
-    behind1_even_26 <= '1' when xs1_even_26 > zc1_even_26 else '0';
-    -- Q7.9: in texels from the middle
-    u1_even_scaled_26 <= across1_even_26;
-    -- Q2.14: x of the turned normal
-    across1_odd_26 <= resize(xc1_odd_26, 17) + zs1_odd_26;
-    -- UQ1.0: whether it is behind the rim, z < 0
-    behind1_odd_26 <= '1' when xs1_odd_26 > zc1_odd_26 else '0';
-    -- Q7.9: in texels from the middle
-    u1_odd_scaled_26 <= across1_odd_26;
+    -- ===== Stage 26: sin_exact1_even, cos_exact1_even, sin_exact1_odd and 1 more
+    -- Q1.24: between two rows
+    sin_exact1_even_26 <=
+        shift_left(resize(sine_1_even_26, 26), 10) + signed(resize(sin_part1_even_26, 26));
+    -- Q1.14: rounded down
+    sin1_even_26 <= sin_exact1_even_26(25 downto 10);
+    -- Q1.24: between two rows
+    cos_exact1_even_26 <=
+        shift_left(signed(resize(cosine_1_even_26, 26)), 10) + resize(cos_part1_even_26, 26);
+    -- Q1.14: rounded down
+    cos1_even_26 <= cos_exact1_even_26(25 downto 10);
+    -- Q1.24: between two rows
+    sin_exact1_odd_26 <=
+        shift_left(resize(sine_1_odd_26, 26), 10) + signed(resize(sin_part1_odd_26, 26));
+    -- Q1.14: rounded down
+    sin1_odd_26 <= sin_exact1_odd_26(25 downto 10);
+    -- Q1.24: between two rows
+    cos_exact1_odd_26 <=
+        shift_left(signed(resize(cosine_1_odd_26, 26)), 10) + resize(cos_part1_odd_26, 26);
+    -- Q1.14: rounded down
+    cos1_odd_26 <= cos_exact1_odd_26(25 downto 10);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
+                in_nz_27 <= in_nz_26;
                 in_gain1r_27 <= in_gain1r_26;
                 in_gain1g_27 <= in_gain1g_26;
                 in_gain1b_27 <= in_gain1b_26;
                 hidden_27 <= hidden_26;
                 shift1_27 <= shift1_26;
-                behind1_even_27 <= behind1_even_26;
-                u1_even_scaled_27 <= u1_even_scaled_26;
+                x1_27 <= x1_26;
+                sin1_even_27 <= sin1_even_26;
+                cos1_even_27 <= cos1_even_26;
                 end1_even_27 <= end1_even_26;
-                behind1_odd_27 <= behind1_odd_26;
-                u1_odd_scaled_27 <= u1_odd_scaled_26;
+                sin1_odd_27 <= sin1_odd_26;
+                cos1_odd_27 <= cos1_odd_26;
                 end1_odd_27 <= end1_odd_26;
                 texels1_000_27 <= texels1_000_26;
                 texels1_001_27 <= texels1_001_26;
@@ -4018,15 +4055,39 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 27: u1_even_place, u1_odd_place
-    -- Q8.9: from the first, plus half a weight's last bit
-    u1_even_place_27 <= resize(u1_even_scaled_27, 18) + to_signed(16132, 18);
-    -- Q8.6: rounded to the nearest weight
-    u1_even_cut_27 <= u1_even_place_27(17 downto 3);
-    -- Q8.9: from the first, plus half a weight's last bit
-    u1_odd_place_27 <= resize(u1_odd_scaled_27, 18) + to_signed(16132, 18);
-    -- Q8.6: rounded to the nearest weight
-    u1_odd_cut_27 <= u1_odd_place_27(17 downto 3);
+    -- ===== Stage 27: xc1_even_exact, zs1_even_exact, zc1_even_exact and 5 more
+    -- Q3.28: x cos
+    xc1_even_exact_27 <= x1_27 * cos1_even_27;
+    -- Q1.14: rounded down
+    xc1_even_27 <= xc1_even_exact_27(29 downto 14);
+    -- Q3.30: z sin
+    zs1_even_exact_27 <= in_nz_27 * sin1_even_27;
+    -- Q2.14: rounded down
+    zs1_even_27 <= zs1_even_exact_27(32 downto 16);
+    -- Q3.30: z cos
+    zc1_even_exact_27 <= in_nz_27 * cos1_even_27;
+    -- Q2.14: rounded down
+    zc1_even_27 <= zc1_even_exact_27(32 downto 16);
+    -- Q3.28: x sin
+    xs1_even_exact_27 <= x1_27 * sin1_even_27;
+    -- Q1.14: rounded down
+    xs1_even_27 <= xs1_even_exact_27(29 downto 14);
+    -- Q3.28: x cos
+    xc1_odd_exact_27 <= x1_27 * cos1_odd_27;
+    -- Q1.14: rounded down
+    xc1_odd_27 <= xc1_odd_exact_27(29 downto 14);
+    -- Q3.30: z sin
+    zs1_odd_exact_27 <= in_nz_27 * sin1_odd_27;
+    -- Q2.14: rounded down
+    zs1_odd_27 <= zs1_odd_exact_27(32 downto 16);
+    -- Q3.30: z cos
+    zc1_odd_exact_27 <= in_nz_27 * cos1_odd_27;
+    -- Q2.14: rounded down
+    zc1_odd_27 <= zc1_odd_exact_27(32 downto 16);
+    -- Q3.28: x sin
+    xs1_odd_exact_27 <= x1_27 * sin1_odd_27;
+    -- Q1.14: rounded down
+    xs1_odd_27 <= xs1_odd_exact_27(29 downto 14);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4036,11 +4097,15 @@ begin
                 in_gain1b_28 <= in_gain1b_27;
                 hidden_28 <= hidden_27;
                 shift1_28 <= shift1_27;
-                behind1_even_28 <= behind1_even_27;
-                u1_even_cut_28 <= u1_even_cut_27;
+                xc1_even_28 <= xc1_even_27;
+                zs1_even_28 <= zs1_even_27;
+                zc1_even_28 <= zc1_even_27;
+                xs1_even_28 <= xs1_even_27;
                 end1_even_28 <= end1_even_27;
-                behind1_odd_28 <= behind1_odd_27;
-                u1_odd_cut_28 <= u1_odd_cut_27;
+                xc1_odd_28 <= xc1_odd_27;
+                zs1_odd_28 <= zs1_odd_27;
+                zc1_odd_28 <= zc1_odd_27;
+                xs1_odd_28 <= xs1_odd_27;
                 end1_odd_28 <= end1_odd_27;
                 texels1_000_28 <= texels1_000_27;
                 texels1_001_28 <= texels1_001_27;
@@ -4062,43 +4127,19 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 28: u1_even_kept, u_at1_even, u1_odd_kept, u_at1_odd
-    -- UQ6.6: between the outermost centres
-    u1_even_kept_28 <= (others => '0') when u1_even_cut_28(14) = '1' else
-        to_unsigned(4032, 12) when u1_even_cut_28 > 4032 else
-        unsigned(u1_even_cut_28(11 downto 0));
-    -- UQ6.6: that end from behind the rim
-    u_at1_even_28 <= end1_even_28 when behind1_even_28 = '1' else u1_even_kept_28;
-    -- UQ6.0: the texel at or below it
-    u1_even_texel_28 <= u_at1_even_28(11 downto 6);
-    -- UQ0.6: the weight of the next
-    u1_even_weight_28 <= u_at1_even_28(5 downto 0);
-    -- UQ6.-1: its leading bits
-    u1_even_odd_high_28 <= u1_even_texel_28(5 downto 1);
-    -- UQ5.0: the odd one of both
-    u1_even_odd_28 <= u1_even_odd_high_28;
-    -- UQ1.0: its last bit
-    u1_even_is_odd_28 <= u1_even_texel_28(0);
-    -- UQ1.6: in the wider of two formats
-    u1_even_weight_wide_28 <= resize(u1_even_weight_28, 7);
-    -- UQ6.6: between the outermost centres
-    u1_odd_kept_28 <= (others => '0') when u1_odd_cut_28(14) = '1' else
-        to_unsigned(4032, 12) when u1_odd_cut_28 > 4032 else
-        unsigned(u1_odd_cut_28(11 downto 0));
-    -- UQ6.6: that end from behind the rim
-    u_at1_odd_28 <= end1_odd_28 when behind1_odd_28 = '1' else u1_odd_kept_28;
-    -- UQ6.0: the texel at or below it
-    u1_odd_texel_28 <= u_at1_odd_28(11 downto 6);
-    -- UQ0.6: the weight of the next
-    u1_odd_weight_28 <= u_at1_odd_28(5 downto 0);
-    -- UQ6.-1: its leading bits
-    u1_odd_odd_high_28 <= u1_odd_texel_28(5 downto 1);
-    -- UQ5.0: the odd one of both
-    u1_odd_odd_28 <= u1_odd_odd_high_28;
-    -- UQ1.0: its last bit
-    u1_odd_is_odd_28 <= u1_odd_texel_28(0);
-    -- UQ1.6: in the wider of two formats
-    u1_odd_weight_wide_28 <= resize(u1_odd_weight_28, 7);
+    -- ===== Stage 28: across1_even, behind1_even, across1_odd, behind1_odd
+    -- Q2.14: x of the turned normal
+    across1_even_28 <= resize(xc1_even_28, 17) + zs1_even_28;
+    -- UQ1.0: whether it is behind the rim, z < 0
+    behind1_even_28 <= '1' when xs1_even_28 > zc1_even_28 else '0';
+    -- Q7.9: in texels from the middle
+    u1_even_scaled_28 <= across1_even_28;
+    -- Q2.14: x of the turned normal
+    across1_odd_28 <= resize(xc1_odd_28, 17) + zs1_odd_28;
+    -- UQ1.0: whether it is behind the rim, z < 0
+    behind1_odd_28 <= '1' when xs1_odd_28 > zc1_odd_28 else '0';
+    -- Q7.9: in texels from the middle
+    u1_odd_scaled_28 <= across1_odd_28;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4108,16 +4149,12 @@ begin
                 in_gain1b_29 <= in_gain1b_28;
                 hidden_29 <= hidden_28;
                 shift1_29 <= shift1_28;
-                u1_even_texel_29 <= u1_even_texel_28;
-                u1_even_weight_29 <= u1_even_weight_28;
-                u1_even_odd_29 <= u1_even_odd_28;
-                u1_even_is_odd_29 <= u1_even_is_odd_28;
-                u1_even_weight_wide_29 <= u1_even_weight_wide_28;
-                u1_odd_texel_29 <= u1_odd_texel_28;
-                u1_odd_weight_29 <= u1_odd_weight_28;
-                u1_odd_odd_29 <= u1_odd_odd_28;
-                u1_odd_is_odd_29 <= u1_odd_is_odd_28;
-                u1_odd_weight_wide_29 <= u1_odd_weight_wide_28;
+                behind1_even_29 <= behind1_even_28;
+                u1_even_scaled_29 <= u1_even_scaled_28;
+                end1_even_29 <= end1_even_28;
+                behind1_odd_29 <= behind1_odd_28;
+                u1_odd_scaled_29 <= u1_odd_scaled_28;
+                end1_odd_29 <= end1_odd_28;
                 texels1_000_29 <= texels1_000_28;
                 texels1_001_29 <= texels1_001_28;
                 texels1_010_29 <= texels1_010_28;
@@ -4138,79 +4175,15 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 29: u1_even_next_exact, u1_even_other, u1_even_odd and 7 more
-    -- UQ7.0: the next
-    u1_even_next_exact_29 <= resize(u1_even_texel_29, 7) + to_unsigned(1, 7);
-    -- UQ1.6: the weight of the place itself
-    u1_even_other_29 <= to_unsigned(64, 7) - resize(u1_even_weight_29, 7);
-    -- UQ1.6: the weight of the odd one
-    u1_even_odd_v2_29 <= u1_even_other_29 when u1_even_is_odd_29 = '1' else u1_even_weight_wide_29;
-    -- UQ7.0: the next
-    u1_odd_next_exact_29 <= resize(u1_odd_texel_29, 7) + to_unsigned(1, 7);
-    -- UQ1.6: the weight of the place itself
-    u1_odd_other_29 <= to_unsigned(64, 7) - resize(u1_odd_weight_29, 7);
-    -- UQ1.6: the weight of the odd one
-    u1_odd_odd_v2_29 <= u1_odd_other_29 when u1_odd_is_odd_29 = '1' else u1_odd_weight_wide_29;
-    -- UQ12.0: side by side
-    texel1_001_29 <= shift_left(resize(texels1_001_29, 12), 5) + resize(u1_even_odd_29, 12);
-    -- UQ12.0: side by side
-    texel1_011_29 <= shift_left(resize(texels1_011_29, 12), 5) + resize(u1_even_odd_29, 12);
-    -- UQ12.0: side by side
-    texel1_101_29 <= shift_left(resize(texels1_101_29, 12), 5) + resize(u1_odd_odd_29, 12);
-    -- UQ12.0: side by side
-    texel1_111_29 <= shift_left(resize(texels1_111_29, 12), 5) + resize(u1_odd_odd_29, 12);
-    -- UQ1.0: a bit of the weight
-    u1_even_odd_whole_29 <= u1_even_odd_v2_29(6);
-    -- UQ-5.6: a bit of the weight
-    u1_even_odd_bit_0_29 <= u1_even_odd_v2_29(0);
-    -- UQ-4.5: a bit of the weight
-    u1_even_odd_bit_1_29 <= u1_even_odd_v2_29(1);
-    -- UQ-3.4: a bit of the weight
-    u1_even_odd_bit_2_29 <= u1_even_odd_v2_29(2);
-    -- UQ-2.3: a bit of the weight
-    u1_even_odd_bit_3_29 <= u1_even_odd_v2_29(3);
-    -- UQ-1.2: a bit of the weight
-    u1_even_odd_bit_4_29 <= u1_even_odd_v2_29(4);
-    -- UQ0.1: a bit of the weight
-    u1_even_odd_bit_5_29 <= u1_even_odd_v2_29(5);
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_0_29 <= u1_even_odd_bit_0_29 or u1_even_odd_whole_29;
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_1_29 <= u1_even_odd_bit_1_29 or u1_even_odd_whole_29;
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_2_29 <= u1_even_odd_bit_2_29 or u1_even_odd_whole_29;
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_3_29 <= u1_even_odd_bit_3_29 or u1_even_odd_whole_29;
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_4_29 <= u1_even_odd_bit_4_29 or u1_even_odd_whole_29;
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_5_29 <= u1_even_odd_bit_5_29 or u1_even_odd_whole_29;
-    -- UQ1.0: a bit of the weight
-    u1_odd_odd_whole_29 <= u1_odd_odd_v2_29(6);
-    -- UQ-5.6: a bit of the weight
-    u1_odd_odd_bit_0_29 <= u1_odd_odd_v2_29(0);
-    -- UQ-4.5: a bit of the weight
-    u1_odd_odd_bit_1_29 <= u1_odd_odd_v2_29(1);
-    -- UQ-3.4: a bit of the weight
-    u1_odd_odd_bit_2_29 <= u1_odd_odd_v2_29(2);
-    -- UQ-2.3: a bit of the weight
-    u1_odd_odd_bit_3_29 <= u1_odd_odd_v2_29(3);
-    -- UQ-1.2: a bit of the weight
-    u1_odd_odd_bit_4_29 <= u1_odd_odd_v2_29(4);
-    -- UQ0.1: a bit of the weight
-    u1_odd_odd_bit_5_29 <= u1_odd_odd_v2_29(5);
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_0_29 <= u1_odd_odd_bit_0_29 or u1_odd_odd_whole_29;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_1_29 <= u1_odd_odd_bit_1_29 or u1_odd_odd_whole_29;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_2_29 <= u1_odd_odd_bit_2_29 or u1_odd_odd_whole_29;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_3_29 <= u1_odd_odd_bit_3_29 or u1_odd_odd_whole_29;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_4_29 <= u1_odd_odd_bit_4_29 or u1_odd_odd_whole_29;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_5_29 <= u1_odd_odd_bit_5_29 or u1_odd_odd_whole_29;
+    -- ===== Stage 29: u1_even_place, u1_odd_place
+    -- Q8.9: from the first, plus half a weight's last bit
+    u1_even_place_29 <= resize(u1_even_scaled_29, 18) + to_signed(16132, 18);
+    -- Q8.6: rounded to the nearest weight
+    u1_even_cut_29 <= u1_even_place_29(17 downto 3);
+    -- Q8.9: from the first, plus half a weight's last bit
+    u1_odd_place_29 <= resize(u1_odd_scaled_29, 18) + to_signed(16132, 18);
+    -- Q8.6: rounded to the nearest weight
+    u1_odd_cut_29 <= u1_odd_place_29(17 downto 3);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4220,30 +4193,20 @@ begin
                 in_gain1b_30 <= in_gain1b_29;
                 hidden_30 <= hidden_29;
                 shift1_30 <= shift1_29;
-                u1_even_next_exact_30 <= u1_even_next_exact_29;
-                u1_odd_next_exact_30 <= u1_odd_next_exact_29;
+                behind1_even_30 <= behind1_even_29;
+                u1_even_cut_30 <= u1_even_cut_29;
+                end1_even_30 <= end1_even_29;
+                behind1_odd_30 <= behind1_odd_29;
+                u1_odd_cut_30 <= u1_odd_cut_29;
+                end1_odd_30 <= end1_odd_29;
                 texels1_000_30 <= texels1_000_29;
-                texel1_001_30 <= texel1_001_29;
+                texels1_001_30 <= texels1_001_29;
                 texels1_010_30 <= texels1_010_29;
-                texel1_011_30 <= texel1_011_29;
+                texels1_011_30 <= texels1_011_29;
                 texels1_100_30 <= texels1_100_29;
-                texel1_101_30 <= texel1_101_29;
+                texels1_101_30 <= texels1_101_29;
                 texels1_110_30 <= texels1_110_29;
-                texel1_111_30 <= texel1_111_29;
-                u1_even_odd_whole_30 <= u1_even_odd_whole_29;
-                u1_even_odd_of_0_30 <= u1_even_odd_of_0_29;
-                u1_even_odd_of_1_30 <= u1_even_odd_of_1_29;
-                u1_even_odd_of_2_30 <= u1_even_odd_of_2_29;
-                u1_even_odd_of_3_30 <= u1_even_odd_of_3_29;
-                u1_even_odd_of_4_30 <= u1_even_odd_of_4_29;
-                u1_even_odd_of_5_30 <= u1_even_odd_of_5_29;
-                u1_odd_odd_whole_30 <= u1_odd_odd_whole_29;
-                u1_odd_odd_of_0_30 <= u1_odd_odd_of_0_29;
-                u1_odd_odd_of_1_30 <= u1_odd_odd_of_1_29;
-                u1_odd_odd_of_2_30 <= u1_odd_odd_of_2_29;
-                u1_odd_odd_of_3_30 <= u1_odd_odd_of_3_29;
-                u1_odd_odd_of_4_30 <= u1_odd_odd_of_4_29;
-                u1_odd_odd_of_5_30 <= u1_odd_odd_of_5_29;
+                texels1_111_30 <= texels1_111_29;
                 v1_odd_whole_30 <= v1_odd_whole_29;
                 v1_odd_of_0_30 <= v1_odd_of_0_29;
                 v1_odd_of_1_30 <= v1_odd_of_1_29;
@@ -4256,21 +4219,43 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 30: u1_even_next, u1_odd_next
-    -- UQ6.0: at most the last
-    u1_even_next_30 <= to_unsigned(63, 6) when u1_even_next_exact_30(6) = '1' else
-        u1_even_next_exact_30(5 downto 0);
+    -- ===== Stage 30: u1_even_kept, u_at1_even, u1_odd_kept, u_at1_odd
+    -- UQ6.6: between the outermost centres
+    u1_even_kept_30 <= (others => '0') when u1_even_cut_30(14) = '1' else
+        to_unsigned(4032, 12) when u1_even_cut_30 > 4032 else
+        unsigned(u1_even_cut_30(11 downto 0));
+    -- UQ6.6: that end from behind the rim
+    u_at1_even_30 <= end1_even_30 when behind1_even_30 = '1' else u1_even_kept_30;
+    -- UQ6.0: the texel at or below it
+    u1_even_texel_30 <= u_at1_even_30(11 downto 6);
+    -- UQ0.6: the weight of the next
+    u1_even_weight_30 <= u_at1_even_30(5 downto 0);
     -- UQ6.-1: its leading bits
-    u1_even_even_high_30 <= u1_even_next_30(5 downto 1);
-    -- UQ5.0: the even one of both
-    u1_even_even_30 <= u1_even_even_high_30;
-    -- UQ6.0: at most the last
-    u1_odd_next_30 <= to_unsigned(63, 6) when u1_odd_next_exact_30(6) = '1' else
-        u1_odd_next_exact_30(5 downto 0);
+    u1_even_odd_high_30 <= u1_even_texel_30(5 downto 1);
+    -- UQ5.0: the odd one of both
+    u1_even_odd_30 <= u1_even_odd_high_30;
+    -- UQ1.0: its last bit
+    u1_even_is_odd_30 <= u1_even_texel_30(0);
+    -- UQ1.6: in the wider of two formats
+    u1_even_weight_wide_30 <= resize(u1_even_weight_30, 7);
+    -- UQ6.6: between the outermost centres
+    u1_odd_kept_30 <= (others => '0') when u1_odd_cut_30(14) = '1' else
+        to_unsigned(4032, 12) when u1_odd_cut_30 > 4032 else
+        unsigned(u1_odd_cut_30(11 downto 0));
+    -- UQ6.6: that end from behind the rim
+    u_at1_odd_30 <= end1_odd_30 when behind1_odd_30 = '1' else u1_odd_kept_30;
+    -- UQ6.0: the texel at or below it
+    u1_odd_texel_30 <= u_at1_odd_30(11 downto 6);
+    -- UQ0.6: the weight of the next
+    u1_odd_weight_30 <= u_at1_odd_30(5 downto 0);
     -- UQ6.-1: its leading bits
-    u1_odd_even_high_30 <= u1_odd_next_30(5 downto 1);
-    -- UQ5.0: the even one of both
-    u1_odd_even_30 <= u1_odd_even_high_30;
+    u1_odd_odd_high_30 <= u1_odd_texel_30(5 downto 1);
+    -- UQ5.0: the odd one of both
+    u1_odd_odd_30 <= u1_odd_odd_high_30;
+    -- UQ1.0: its last bit
+    u1_odd_is_odd_30 <= u1_odd_texel_30(0);
+    -- UQ1.6: in the wider of two formats
+    u1_odd_weight_wide_30 <= resize(u1_odd_weight_30, 7);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4280,30 +4265,24 @@ begin
                 in_gain1b_31 <= in_gain1b_30;
                 hidden_31 <= hidden_30;
                 shift1_31 <= shift1_30;
-                u1_even_even_31 <= u1_even_even_30;
-                u1_odd_even_31 <= u1_odd_even_30;
+                u1_even_texel_31 <= u1_even_texel_30;
+                u1_even_weight_31 <= u1_even_weight_30;
+                u1_even_odd_31 <= u1_even_odd_30;
+                u1_even_is_odd_31 <= u1_even_is_odd_30;
+                u1_even_weight_wide_31 <= u1_even_weight_wide_30;
+                u1_odd_texel_31 <= u1_odd_texel_30;
+                u1_odd_weight_31 <= u1_odd_weight_30;
+                u1_odd_odd_31 <= u1_odd_odd_30;
+                u1_odd_is_odd_31 <= u1_odd_is_odd_30;
+                u1_odd_weight_wide_31 <= u1_odd_weight_wide_30;
                 texels1_000_31 <= texels1_000_30;
-                texel1_001_31 <= texel1_001_30;
+                texels1_001_31 <= texels1_001_30;
                 texels1_010_31 <= texels1_010_30;
-                texel1_011_31 <= texel1_011_30;
+                texels1_011_31 <= texels1_011_30;
                 texels1_100_31 <= texels1_100_30;
-                texel1_101_31 <= texel1_101_30;
+                texels1_101_31 <= texels1_101_30;
                 texels1_110_31 <= texels1_110_30;
-                texel1_111_31 <= texel1_111_30;
-                u1_even_odd_whole_31 <= u1_even_odd_whole_30;
-                u1_even_odd_of_0_31 <= u1_even_odd_of_0_30;
-                u1_even_odd_of_1_31 <= u1_even_odd_of_1_30;
-                u1_even_odd_of_2_31 <= u1_even_odd_of_2_30;
-                u1_even_odd_of_3_31 <= u1_even_odd_of_3_30;
-                u1_even_odd_of_4_31 <= u1_even_odd_of_4_30;
-                u1_even_odd_of_5_31 <= u1_even_odd_of_5_30;
-                u1_odd_odd_whole_31 <= u1_odd_odd_whole_30;
-                u1_odd_odd_of_0_31 <= u1_odd_odd_of_0_30;
-                u1_odd_odd_of_1_31 <= u1_odd_odd_of_1_30;
-                u1_odd_odd_of_2_31 <= u1_odd_odd_of_2_30;
-                u1_odd_odd_of_3_31 <= u1_odd_odd_of_3_30;
-                u1_odd_odd_of_4_31 <= u1_odd_odd_of_4_30;
-                u1_odd_odd_of_5_31 <= u1_odd_odd_of_5_30;
+                texels1_111_31 <= texels1_111_30;
                 v1_odd_whole_31 <= v1_odd_whole_30;
                 v1_odd_of_0_31 <= v1_odd_of_0_30;
                 v1_odd_of_1_31 <= v1_odd_of_1_30;
@@ -4316,15 +4295,79 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 31: texel1_000, texel1_010, texel1_100, texel1_110
+    -- ===== Stage 31: u1_even_next_exact, u1_even_other, u1_even_odd and 7 more
+    -- UQ7.0: the next
+    u1_even_next_exact_31 <= resize(u1_even_texel_31, 7) + to_unsigned(1, 7);
+    -- UQ1.6: the weight of the place itself
+    u1_even_other_31 <= to_unsigned(64, 7) - resize(u1_even_weight_31, 7);
+    -- UQ1.6: the weight of the odd one
+    u1_even_odd_v2_31 <= u1_even_other_31 when u1_even_is_odd_31 = '1' else u1_even_weight_wide_31;
+    -- UQ7.0: the next
+    u1_odd_next_exact_31 <= resize(u1_odd_texel_31, 7) + to_unsigned(1, 7);
+    -- UQ1.6: the weight of the place itself
+    u1_odd_other_31 <= to_unsigned(64, 7) - resize(u1_odd_weight_31, 7);
+    -- UQ1.6: the weight of the odd one
+    u1_odd_odd_v2_31 <= u1_odd_other_31 when u1_odd_is_odd_31 = '1' else u1_odd_weight_wide_31;
     -- UQ12.0: side by side
-    texel1_000_31 <= shift_left(resize(texels1_000_31, 12), 5) + resize(u1_even_even_31, 12);
+    texel1_001_31 <= shift_left(resize(texels1_001_31, 12), 5) + resize(u1_even_odd_31, 12);
     -- UQ12.0: side by side
-    texel1_010_31 <= shift_left(resize(texels1_010_31, 12), 5) + resize(u1_even_even_31, 12);
+    texel1_011_31 <= shift_left(resize(texels1_011_31, 12), 5) + resize(u1_even_odd_31, 12);
     -- UQ12.0: side by side
-    texel1_100_31 <= shift_left(resize(texels1_100_31, 12), 5) + resize(u1_odd_even_31, 12);
+    texel1_101_31 <= shift_left(resize(texels1_101_31, 12), 5) + resize(u1_odd_odd_31, 12);
     -- UQ12.0: side by side
-    texel1_110_31 <= shift_left(resize(texels1_110_31, 12), 5) + resize(u1_odd_even_31, 12);
+    texel1_111_31 <= shift_left(resize(texels1_111_31, 12), 5) + resize(u1_odd_odd_31, 12);
+    -- UQ1.0: a bit of the weight
+    u1_even_odd_whole_31 <= u1_even_odd_v2_31(6);
+    -- UQ-5.6: a bit of the weight
+    u1_even_odd_bit_0_31 <= u1_even_odd_v2_31(0);
+    -- UQ-4.5: a bit of the weight
+    u1_even_odd_bit_1_31 <= u1_even_odd_v2_31(1);
+    -- UQ-3.4: a bit of the weight
+    u1_even_odd_bit_2_31 <= u1_even_odd_v2_31(2);
+    -- UQ-2.3: a bit of the weight
+    u1_even_odd_bit_3_31 <= u1_even_odd_v2_31(3);
+    -- UQ-1.2: a bit of the weight
+    u1_even_odd_bit_4_31 <= u1_even_odd_v2_31(4);
+    -- UQ0.1: a bit of the weight
+    u1_even_odd_bit_5_31 <= u1_even_odd_v2_31(5);
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_0_31 <= u1_even_odd_bit_0_31 or u1_even_odd_whole_31;
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_1_31 <= u1_even_odd_bit_1_31 or u1_even_odd_whole_31;
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_2_31 <= u1_even_odd_bit_2_31 or u1_even_odd_whole_31;
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_3_31 <= u1_even_odd_bit_3_31 or u1_even_odd_whole_31;
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_4_31 <= u1_even_odd_bit_4_31 or u1_even_odd_whole_31;
+    -- UQ1.0: 1 where the weight is 1
+    u1_even_odd_of_5_31 <= u1_even_odd_bit_5_31 or u1_even_odd_whole_31;
+    -- UQ1.0: a bit of the weight
+    u1_odd_odd_whole_31 <= u1_odd_odd_v2_31(6);
+    -- UQ-5.6: a bit of the weight
+    u1_odd_odd_bit_0_31 <= u1_odd_odd_v2_31(0);
+    -- UQ-4.5: a bit of the weight
+    u1_odd_odd_bit_1_31 <= u1_odd_odd_v2_31(1);
+    -- UQ-3.4: a bit of the weight
+    u1_odd_odd_bit_2_31 <= u1_odd_odd_v2_31(2);
+    -- UQ-2.3: a bit of the weight
+    u1_odd_odd_bit_3_31 <= u1_odd_odd_v2_31(3);
+    -- UQ-1.2: a bit of the weight
+    u1_odd_odd_bit_4_31 <= u1_odd_odd_v2_31(4);
+    -- UQ0.1: a bit of the weight
+    u1_odd_odd_bit_5_31 <= u1_odd_odd_v2_31(5);
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_0_31 <= u1_odd_odd_bit_0_31 or u1_odd_odd_whole_31;
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_1_31 <= u1_odd_odd_bit_1_31 or u1_odd_odd_whole_31;
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_2_31 <= u1_odd_odd_bit_2_31 or u1_odd_odd_whole_31;
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_3_31 <= u1_odd_odd_bit_3_31 or u1_odd_odd_whole_31;
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_4_31 <= u1_odd_odd_bit_4_31 or u1_odd_odd_whole_31;
+    -- UQ1.0: 1 where the weight is 1
+    u1_odd_odd_of_5_31 <= u1_odd_odd_bit_5_31 or u1_odd_odd_whole_31;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4334,13 +4377,15 @@ begin
                 in_gain1b_32 <= in_gain1b_31;
                 hidden_32 <= hidden_31;
                 shift1_32 <= shift1_31;
-                texel1_000_32 <= texel1_000_31;
+                u1_even_next_exact_32 <= u1_even_next_exact_31;
+                u1_odd_next_exact_32 <= u1_odd_next_exact_31;
+                texels1_000_32 <= texels1_000_31;
                 texel1_001_32 <= texel1_001_31;
-                texel1_010_32 <= texel1_010_31;
+                texels1_010_32 <= texels1_010_31;
                 texel1_011_32 <= texel1_011_31;
-                texel1_100_32 <= texel1_100_31;
+                texels1_100_32 <= texels1_100_31;
                 texel1_101_32 <= texel1_101_31;
-                texel1_110_32 <= texel1_110_31;
+                texels1_110_32 <= texels1_110_31;
                 texel1_111_32 <= texel1_111_31;
                 u1_even_odd_whole_32 <= u1_even_odd_whole_31;
                 u1_even_odd_of_0_32 <= u1_even_odd_of_0_31;
@@ -4368,71 +4413,21 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 32: read texels_1_even_even_even, read texels_1_even_even_odd and 6 more
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_even_even_even_33 <= TEXELS_1_EVEN_EVEN_EVEN(to_integer(texel1_000_32));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_even_even_odd_33 <= TEXELS_1_EVEN_EVEN_ODD(to_integer(texel1_001_32));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_even_odd_even_33 <= TEXELS_1_EVEN_ODD_EVEN(to_integer(texel1_010_32));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_even_odd_odd_33 <= TEXELS_1_EVEN_ODD_ODD(to_integer(texel1_011_32));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_odd_even_even_33 <= TEXELS_1_ODD_EVEN_EVEN(to_integer(texel1_100_32));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_odd_even_odd_33 <= TEXELS_1_ODD_EVEN_ODD(to_integer(texel1_101_32));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_odd_odd_even_33 <= TEXELS_1_ODD_ODD_EVEN(to_integer(texel1_110_32));
-            end if;
-        end if;
-    end process;
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                texels_1_odd_odd_odd_33 <= TEXELS_1_ODD_ODD_ODD(to_integer(texel1_111_32));
-            end if;
-        end if;
-    end process;
+    -- ===== Stage 32: u1_even_next, u1_odd_next
+    -- UQ6.0: at most the last
+    u1_even_next_32 <= to_unsigned(63, 6) when u1_even_next_exact_32(6) = '1' else
+        u1_even_next_exact_32(5 downto 0);
+    -- UQ6.-1: its leading bits
+    u1_even_even_high_32 <= u1_even_next_32(5 downto 1);
+    -- UQ5.0: the even one of both
+    u1_even_even_32 <= u1_even_even_high_32;
+    -- UQ6.0: at most the last
+    u1_odd_next_32 <= to_unsigned(63, 6) when u1_odd_next_exact_32(6) = '1' else
+        u1_odd_next_exact_32(5 downto 0);
+    -- UQ6.-1: its leading bits
+    u1_odd_even_high_32 <= u1_odd_next_32(5 downto 1);
+    -- UQ5.0: the even one of both
+    u1_odd_even_32 <= u1_odd_even_high_32;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4442,6 +4437,16 @@ begin
                 in_gain1b_33 <= in_gain1b_32;
                 hidden_33 <= hidden_32;
                 shift1_33 <= shift1_32;
+                u1_even_even_33 <= u1_even_even_32;
+                u1_odd_even_33 <= u1_odd_even_32;
+                texels1_000_33 <= texels1_000_32;
+                texel1_001_33 <= texel1_001_32;
+                texels1_010_33 <= texels1_010_32;
+                texel1_011_33 <= texel1_011_32;
+                texels1_100_33 <= texels1_100_32;
+                texel1_101_33 <= texel1_101_32;
+                texels1_110_33 <= texels1_110_32;
+                texel1_111_33 <= texel1_111_32;
                 u1_even_odd_whole_33 <= u1_even_odd_whole_32;
                 u1_even_odd_of_0_33 <= u1_even_odd_of_0_32;
                 u1_even_odd_of_1_33 <= u1_even_odd_of_1_32;
@@ -4468,55 +4473,15 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 33: registers only
-    -- UQ0.8: red
-    texels_1_even_even_even_r_33 <= unsigned(texels_1_even_even_even_33(23 downto 16));
-    -- UQ0.8: red
-    texels_1_even_even_odd_r_33 <= unsigned(texels_1_even_even_odd_33(23 downto 16));
-    -- UQ0.8: red
-    texels_1_even_odd_even_r_33 <= unsigned(texels_1_even_odd_even_33(23 downto 16));
-    -- UQ0.8: red
-    texels_1_even_odd_odd_r_33 <= unsigned(texels_1_even_odd_odd_33(23 downto 16));
-    -- UQ0.8: red
-    texels_1_odd_even_even_r_33 <= unsigned(texels_1_odd_even_even_33(23 downto 16));
-    -- UQ0.8: red
-    texels_1_odd_even_odd_r_33 <= unsigned(texels_1_odd_even_odd_33(23 downto 16));
-    -- UQ0.8: red
-    texels_1_odd_odd_even_r_33 <= unsigned(texels_1_odd_odd_even_33(23 downto 16));
-    -- UQ0.8: red
-    texels_1_odd_odd_odd_r_33 <= unsigned(texels_1_odd_odd_odd_33(23 downto 16));
-    -- UQ0.8: green
-    texels_1_even_even_even_g_33 <= unsigned(texels_1_even_even_even_33(15 downto 8));
-    -- UQ0.8: green
-    texels_1_even_even_odd_g_33 <= unsigned(texels_1_even_even_odd_33(15 downto 8));
-    -- UQ0.8: green
-    texels_1_even_odd_even_g_33 <= unsigned(texels_1_even_odd_even_33(15 downto 8));
-    -- UQ0.8: green
-    texels_1_even_odd_odd_g_33 <= unsigned(texels_1_even_odd_odd_33(15 downto 8));
-    -- UQ0.8: green
-    texels_1_odd_even_even_g_33 <= unsigned(texels_1_odd_even_even_33(15 downto 8));
-    -- UQ0.8: green
-    texels_1_odd_even_odd_g_33 <= unsigned(texels_1_odd_even_odd_33(15 downto 8));
-    -- UQ0.8: green
-    texels_1_odd_odd_even_g_33 <= unsigned(texels_1_odd_odd_even_33(15 downto 8));
-    -- UQ0.8: green
-    texels_1_odd_odd_odd_g_33 <= unsigned(texels_1_odd_odd_odd_33(15 downto 8));
-    -- UQ0.8: blue
-    texels_1_even_even_even_b_33 <= unsigned(texels_1_even_even_even_33(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_even_even_odd_b_33 <= unsigned(texels_1_even_even_odd_33(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_even_odd_even_b_33 <= unsigned(texels_1_even_odd_even_33(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_even_odd_odd_b_33 <= unsigned(texels_1_even_odd_odd_33(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_odd_even_even_b_33 <= unsigned(texels_1_odd_even_even_33(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_odd_even_odd_b_33 <= unsigned(texels_1_odd_even_odd_33(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_odd_odd_even_b_33 <= unsigned(texels_1_odd_odd_even_33(7 downto 0));
-    -- UQ0.8: blue
-    texels_1_odd_odd_odd_b_33 <= unsigned(texels_1_odd_odd_odd_33(7 downto 0));
+    -- ===== Stage 33: texel1_000, texel1_010, texel1_100, texel1_110
+    -- UQ12.0: side by side
+    texel1_000_33 <= shift_left(resize(texels1_000_33, 12), 5) + resize(u1_even_even_33, 12);
+    -- UQ12.0: side by side
+    texel1_010_33 <= shift_left(resize(texels1_010_33, 12), 5) + resize(u1_even_even_33, 12);
+    -- UQ12.0: side by side
+    texel1_100_33 <= shift_left(resize(texels1_100_33, 12), 5) + resize(u1_odd_even_33, 12);
+    -- UQ12.0: side by side
+    texel1_110_33 <= shift_left(resize(texels1_110_33, 12), 5) + resize(u1_odd_even_33, 12);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4526,14 +4491,14 @@ begin
                 in_gain1b_34 <= in_gain1b_33;
                 hidden_34 <= hidden_33;
                 shift1_34 <= shift1_33;
-                texels_1_even_even_even_r_34 <= texels_1_even_even_even_r_33;
-                texels_1_even_even_odd_r_34 <= texels_1_even_even_odd_r_33;
-                texels_1_even_odd_even_r_34 <= texels_1_even_odd_even_r_33;
-                texels_1_even_odd_odd_r_34 <= texels_1_even_odd_odd_r_33;
-                texels_1_odd_even_even_r_34 <= texels_1_odd_even_even_r_33;
-                texels_1_odd_even_odd_r_34 <= texels_1_odd_even_odd_r_33;
-                texels_1_odd_odd_even_r_34 <= texels_1_odd_odd_even_r_33;
-                texels_1_odd_odd_odd_r_34 <= texels_1_odd_odd_odd_r_33;
+                texel1_000_34 <= texel1_000_33;
+                texel1_001_34 <= texel1_001_33;
+                texel1_010_34 <= texel1_010_33;
+                texel1_011_34 <= texel1_011_33;
+                texel1_100_34 <= texel1_100_33;
+                texel1_101_34 <= texel1_101_33;
+                texel1_110_34 <= texel1_110_33;
+                texel1_111_34 <= texel1_111_33;
                 u1_even_odd_whole_34 <= u1_even_odd_whole_33;
                 u1_even_odd_of_0_34 <= u1_even_odd_of_0_33;
                 u1_even_odd_of_1_34 <= u1_even_odd_of_1_33;
@@ -4556,27 +4521,75 @@ begin
                 v1_odd_of_4_34 <= v1_odd_of_4_33;
                 v1_odd_of_5_34 <= v1_odd_of_5_33;
                 blend1_signed_34 <= blend1_signed_33;
-                texels_1_even_even_even_g_34 <= texels_1_even_even_even_g_33;
-                texels_1_even_even_odd_g_34 <= texels_1_even_even_odd_g_33;
-                texels_1_even_odd_even_g_34 <= texels_1_even_odd_even_g_33;
-                texels_1_even_odd_odd_g_34 <= texels_1_even_odd_odd_g_33;
-                texels_1_odd_even_even_g_34 <= texels_1_odd_even_even_g_33;
-                texels_1_odd_even_odd_g_34 <= texels_1_odd_even_odd_g_33;
-                texels_1_odd_odd_even_g_34 <= texels_1_odd_odd_even_g_33;
-                texels_1_odd_odd_odd_g_34 <= texels_1_odd_odd_odd_g_33;
-                texels_1_even_even_even_b_34 <= texels_1_even_even_even_b_33;
-                texels_1_even_even_odd_b_34 <= texels_1_even_even_odd_b_33;
-                texels_1_even_odd_even_b_34 <= texels_1_even_odd_even_b_33;
-                texels_1_even_odd_odd_b_34 <= texels_1_even_odd_odd_b_33;
-                texels_1_odd_even_even_b_34 <= texels_1_odd_even_even_b_33;
-                texels_1_odd_even_odd_b_34 <= texels_1_odd_even_odd_b_33;
-                texels_1_odd_odd_even_b_34 <= texels_1_odd_odd_even_b_33;
-                texels_1_odd_odd_odd_b_34 <= texels_1_odd_odd_odd_b_33;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 34: registers only
+    -- ===== Stage 34: read texels_1_even_even_even, read texels_1_even_even_odd and 6 more
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_even_even_35 <= TEXELS_1_EVEN_EVEN_EVEN(to_integer(texel1_000_34));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_even_odd_35 <= TEXELS_1_EVEN_EVEN_ODD(to_integer(texel1_001_34));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_odd_even_35 <= TEXELS_1_EVEN_ODD_EVEN(to_integer(texel1_010_34));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_even_odd_odd_35 <= TEXELS_1_EVEN_ODD_ODD(to_integer(texel1_011_34));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_even_even_35 <= TEXELS_1_ODD_EVEN_EVEN(to_integer(texel1_100_34));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_even_odd_35 <= TEXELS_1_ODD_EVEN_ODD(to_integer(texel1_101_34));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_odd_even_35 <= TEXELS_1_ODD_ODD_EVEN(to_integer(texel1_110_34));
+            end if;
+        end if;
+    end process;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                texels_1_odd_odd_odd_35 <= TEXELS_1_ODD_ODD_ODD(to_integer(texel1_111_34));
+            end if;
+        end if;
+    end process;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4586,14 +4599,6 @@ begin
                 in_gain1b_35 <= in_gain1b_34;
                 hidden_35 <= hidden_34;
                 shift1_35 <= shift1_34;
-                texels_1_even_even_even_r_35 <= texels_1_even_even_even_r_34;
-                texels_1_even_even_odd_r_35 <= texels_1_even_even_odd_r_34;
-                texels_1_even_odd_even_r_35 <= texels_1_even_odd_even_r_34;
-                texels_1_even_odd_odd_r_35 <= texels_1_even_odd_odd_r_34;
-                texels_1_odd_even_even_r_35 <= texels_1_odd_even_even_r_34;
-                texels_1_odd_even_odd_r_35 <= texels_1_odd_even_odd_r_34;
-                texels_1_odd_odd_even_r_35 <= texels_1_odd_odd_even_r_34;
-                texels_1_odd_odd_odd_r_35 <= texels_1_odd_odd_odd_r_34;
                 u1_even_odd_whole_35 <= u1_even_odd_whole_34;
                 u1_even_odd_of_0_35 <= u1_even_odd_of_0_34;
                 u1_even_odd_of_1_35 <= u1_even_odd_of_1_34;
@@ -4616,555 +4621,59 @@ begin
                 v1_odd_of_4_35 <= v1_odd_of_4_34;
                 v1_odd_of_5_35 <= v1_odd_of_5_34;
                 blend1_signed_35 <= blend1_signed_34;
-                texels_1_even_even_even_g_35 <= texels_1_even_even_even_g_34;
-                texels_1_even_even_odd_g_35 <= texels_1_even_even_odd_g_34;
-                texels_1_even_odd_even_g_35 <= texels_1_even_odd_even_g_34;
-                texels_1_even_odd_odd_g_35 <= texels_1_even_odd_odd_g_34;
-                texels_1_odd_even_even_g_35 <= texels_1_odd_even_even_g_34;
-                texels_1_odd_even_odd_g_35 <= texels_1_odd_even_odd_g_34;
-                texels_1_odd_odd_even_g_35 <= texels_1_odd_odd_even_g_34;
-                texels_1_odd_odd_odd_g_35 <= texels_1_odd_odd_odd_g_34;
-                texels_1_even_even_even_b_35 <= texels_1_even_even_even_b_34;
-                texels_1_even_even_odd_b_35 <= texels_1_even_even_odd_b_34;
-                texels_1_even_odd_even_b_35 <= texels_1_even_odd_even_b_34;
-                texels_1_even_odd_odd_b_35 <= texels_1_even_odd_odd_b_34;
-                texels_1_odd_even_even_b_35 <= texels_1_odd_even_even_b_34;
-                texels_1_odd_even_odd_b_35 <= texels_1_odd_even_odd_b_34;
-                texels_1_odd_odd_even_b_35 <= texels_1_odd_odd_even_b_34;
-                texels_1_odd_odd_odd_b_35 <= texels_1_odd_odd_odd_b_34;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 35: blend1_r_1_0_either_whole, blend1_r_1_0_either_0 and 118 more
-    -- UQ0.8: either of both
-    blend1_r_1_0_either_whole_35 <=
-        texels_1_even_even_odd_r_35 when u1_even_odd_whole_35 = '1' else texels_1_even_even_even_r_35;
-    -- UQ-6.14: shifted
-    blend1_r_1_0_by_whole_35 <= blend1_r_1_0_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_r_1_0_either_0_35 <=
-        texels_1_even_even_odd_r_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_even_even_r_35;
-    -- UQ-6.14: shifted
-    blend1_r_1_0_by_0_35 <= blend1_r_1_0_either_0_35;
-    -- UQ0.8: either of both
-    blend1_r_1_0_either_1_35 <=
-        texels_1_even_even_odd_r_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_even_even_r_35;
-    -- UQ-5.13: shifted
-    blend1_r_1_0_by_1_35 <= blend1_r_1_0_either_1_35;
-    -- UQ0.8: either of both
-    blend1_r_1_0_either_2_35 <=
-        texels_1_even_even_odd_r_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_even_even_r_35;
-    -- UQ-4.12: shifted
-    blend1_r_1_0_by_2_35 <= blend1_r_1_0_either_2_35;
-    -- UQ0.8: either of both
-    blend1_r_1_0_either_3_35 <=
-        texels_1_even_even_odd_r_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_even_even_r_35;
-    -- UQ-3.11: shifted
-    blend1_r_1_0_by_3_35 <= blend1_r_1_0_either_3_35;
-    -- UQ0.8: either of both
-    blend1_r_1_0_either_4_35 <=
-        texels_1_even_even_odd_r_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_even_even_r_35;
-    -- UQ-2.10: shifted
-    blend1_r_1_0_by_4_35 <= blend1_r_1_0_either_4_35;
-    -- UQ0.8: either of both
-    blend1_r_1_0_either_5_35 <=
-        texels_1_even_even_odd_r_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_even_even_r_35;
-    -- UQ-1.9: shifted
-    blend1_r_1_0_by_5_35 <= blend1_r_1_0_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_r_1_0_sum_1_0_35 <=
-        resize(blend1_r_1_0_by_whole_35, 9) + resize(blend1_r_1_0_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_r_1_0_sum_1_1_35 <=
-        resize(blend1_r_1_0_by_1_35, 10) + shift_left(resize(blend1_r_1_0_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_r_1_0_sum_1_2_35 <=
-        resize(blend1_r_1_0_by_3_35, 10) + shift_left(resize(blend1_r_1_0_by_4_35, 10), 1);
-    -- UQ0.8: either of both
-    blend1_r_1_1_either_whole_35 <=
-        texels_1_even_odd_odd_r_35 when u1_even_odd_whole_35 = '1' else texels_1_even_odd_even_r_35;
-    -- UQ-6.14: shifted
-    blend1_r_1_1_by_whole_35 <= blend1_r_1_1_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_r_1_1_either_0_35 <=
-        texels_1_even_odd_odd_r_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_odd_even_r_35;
-    -- UQ-6.14: shifted
-    blend1_r_1_1_by_0_35 <= blend1_r_1_1_either_0_35;
-    -- UQ0.8: either of both
-    blend1_r_1_1_either_1_35 <=
-        texels_1_even_odd_odd_r_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_odd_even_r_35;
-    -- UQ-5.13: shifted
-    blend1_r_1_1_by_1_35 <= blend1_r_1_1_either_1_35;
-    -- UQ0.8: either of both
-    blend1_r_1_1_either_2_35 <=
-        texels_1_even_odd_odd_r_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_odd_even_r_35;
-    -- UQ-4.12: shifted
-    blend1_r_1_1_by_2_35 <= blend1_r_1_1_either_2_35;
-    -- UQ0.8: either of both
-    blend1_r_1_1_either_3_35 <=
-        texels_1_even_odd_odd_r_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_odd_even_r_35;
-    -- UQ-3.11: shifted
-    blend1_r_1_1_by_3_35 <= blend1_r_1_1_either_3_35;
-    -- UQ0.8: either of both
-    blend1_r_1_1_either_4_35 <=
-        texels_1_even_odd_odd_r_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_odd_even_r_35;
-    -- UQ-2.10: shifted
-    blend1_r_1_1_by_4_35 <= blend1_r_1_1_either_4_35;
-    -- UQ0.8: either of both
-    blend1_r_1_1_either_5_35 <=
-        texels_1_even_odd_odd_r_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_odd_even_r_35;
-    -- UQ-1.9: shifted
-    blend1_r_1_1_by_5_35 <= blend1_r_1_1_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_r_1_1_sum_1_0_35 <=
-        resize(blend1_r_1_1_by_whole_35, 9) + resize(blend1_r_1_1_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_r_1_1_sum_1_1_35 <=
-        resize(blend1_r_1_1_by_1_35, 10) + shift_left(resize(blend1_r_1_1_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_r_1_1_sum_1_2_35 <=
-        resize(blend1_r_1_1_by_3_35, 10) + shift_left(resize(blend1_r_1_1_by_4_35, 10), 1);
-    -- UQ0.8: either of both
-    blend1_r_1_2_either_whole_35 <=
-        texels_1_odd_even_odd_r_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_even_even_r_35;
-    -- UQ-6.14: shifted
-    blend1_r_1_2_by_whole_35 <= blend1_r_1_2_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_r_1_2_either_0_35 <=
-        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_even_even_r_35;
-    -- UQ-6.14: shifted
-    blend1_r_1_2_by_0_35 <= blend1_r_1_2_either_0_35;
-    -- UQ0.8: either of both
-    blend1_r_1_2_either_1_35 <=
-        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_even_even_r_35;
-    -- UQ-5.13: shifted
-    blend1_r_1_2_by_1_35 <= blend1_r_1_2_either_1_35;
-    -- UQ0.8: either of both
-    blend1_r_1_2_either_2_35 <=
-        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_even_even_r_35;
-    -- UQ-4.12: shifted
-    blend1_r_1_2_by_2_35 <= blend1_r_1_2_either_2_35;
-    -- UQ0.8: either of both
-    blend1_r_1_2_either_3_35 <=
-        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_even_even_r_35;
-    -- UQ-3.11: shifted
-    blend1_r_1_2_by_3_35 <= blend1_r_1_2_either_3_35;
-    -- UQ0.8: either of both
-    blend1_r_1_2_either_4_35 <=
-        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_even_even_r_35;
-    -- UQ-2.10: shifted
-    blend1_r_1_2_by_4_35 <= blend1_r_1_2_either_4_35;
-    -- UQ0.8: either of both
-    blend1_r_1_2_either_5_35 <=
-        texels_1_odd_even_odd_r_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_even_even_r_35;
-    -- UQ-1.9: shifted
-    blend1_r_1_2_by_5_35 <= blend1_r_1_2_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_r_1_2_sum_1_0_35 <=
-        resize(blend1_r_1_2_by_whole_35, 9) + resize(blend1_r_1_2_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_r_1_2_sum_1_1_35 <=
-        resize(blend1_r_1_2_by_1_35, 10) + shift_left(resize(blend1_r_1_2_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_r_1_2_sum_1_2_35 <=
-        resize(blend1_r_1_2_by_3_35, 10) + shift_left(resize(blend1_r_1_2_by_4_35, 10), 1);
-    -- UQ0.8: either of both
-    blend1_r_1_3_either_whole_35 <=
-        texels_1_odd_odd_odd_r_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_odd_even_r_35;
-    -- UQ-6.14: shifted
-    blend1_r_1_3_by_whole_35 <= blend1_r_1_3_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_r_1_3_either_0_35 <=
-        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_odd_even_r_35;
-    -- UQ-6.14: shifted
-    blend1_r_1_3_by_0_35 <= blend1_r_1_3_either_0_35;
-    -- UQ0.8: either of both
-    blend1_r_1_3_either_1_35 <=
-        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_odd_even_r_35;
-    -- UQ-5.13: shifted
-    blend1_r_1_3_by_1_35 <= blend1_r_1_3_either_1_35;
-    -- UQ0.8: either of both
-    blend1_r_1_3_either_2_35 <=
-        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_odd_even_r_35;
-    -- UQ-4.12: shifted
-    blend1_r_1_3_by_2_35 <= blend1_r_1_3_either_2_35;
-    -- UQ0.8: either of both
-    blend1_r_1_3_either_3_35 <=
-        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_odd_even_r_35;
-    -- UQ-3.11: shifted
-    blend1_r_1_3_by_3_35 <= blend1_r_1_3_either_3_35;
-    -- UQ0.8: either of both
-    blend1_r_1_3_either_4_35 <=
-        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_odd_even_r_35;
-    -- UQ-2.10: shifted
-    blend1_r_1_3_by_4_35 <= blend1_r_1_3_either_4_35;
-    -- UQ0.8: either of both
-    blend1_r_1_3_either_5_35 <=
-        texels_1_odd_odd_odd_r_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_odd_even_r_35;
-    -- UQ-1.9: shifted
-    blend1_r_1_3_by_5_35 <= blend1_r_1_3_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_r_1_3_sum_1_0_35 <=
-        resize(blend1_r_1_3_by_whole_35, 9) + resize(blend1_r_1_3_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_r_1_3_sum_1_1_35 <=
-        resize(blend1_r_1_3_by_1_35, 10) + shift_left(resize(blend1_r_1_3_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_r_1_3_sum_1_2_35 <=
-        resize(blend1_r_1_3_by_3_35, 10) + shift_left(resize(blend1_r_1_3_by_4_35, 10), 1);
-    -- UQ0.8: either of both
-    blend1_g_1_0_either_whole_35 <=
-        texels_1_even_even_odd_g_35 when u1_even_odd_whole_35 = '1' else texels_1_even_even_even_g_35;
-    -- UQ-6.14: shifted
-    blend1_g_1_0_by_whole_35 <= blend1_g_1_0_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_g_1_0_either_0_35 <=
-        texels_1_even_even_odd_g_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_even_even_g_35;
-    -- UQ-6.14: shifted
-    blend1_g_1_0_by_0_35 <= blend1_g_1_0_either_0_35;
-    -- UQ0.8: either of both
-    blend1_g_1_0_either_1_35 <=
-        texels_1_even_even_odd_g_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_even_even_g_35;
-    -- UQ-5.13: shifted
-    blend1_g_1_0_by_1_35 <= blend1_g_1_0_either_1_35;
-    -- UQ0.8: either of both
-    blend1_g_1_0_either_2_35 <=
-        texels_1_even_even_odd_g_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_even_even_g_35;
-    -- UQ-4.12: shifted
-    blend1_g_1_0_by_2_35 <= blend1_g_1_0_either_2_35;
-    -- UQ0.8: either of both
-    blend1_g_1_0_either_3_35 <=
-        texels_1_even_even_odd_g_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_even_even_g_35;
-    -- UQ-3.11: shifted
-    blend1_g_1_0_by_3_35 <= blend1_g_1_0_either_3_35;
-    -- UQ0.8: either of both
-    blend1_g_1_0_either_4_35 <=
-        texels_1_even_even_odd_g_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_even_even_g_35;
-    -- UQ-2.10: shifted
-    blend1_g_1_0_by_4_35 <= blend1_g_1_0_either_4_35;
-    -- UQ0.8: either of both
-    blend1_g_1_0_either_5_35 <=
-        texels_1_even_even_odd_g_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_even_even_g_35;
-    -- UQ-1.9: shifted
-    blend1_g_1_0_by_5_35 <= blend1_g_1_0_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_g_1_0_sum_1_0_35 <=
-        resize(blend1_g_1_0_by_whole_35, 9) + resize(blend1_g_1_0_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_g_1_0_sum_1_1_35 <=
-        resize(blend1_g_1_0_by_1_35, 10) + shift_left(resize(blend1_g_1_0_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_g_1_0_sum_1_2_35 <=
-        resize(blend1_g_1_0_by_3_35, 10) + shift_left(resize(blend1_g_1_0_by_4_35, 10), 1);
-    -- UQ0.8: either of both
-    blend1_g_1_1_either_whole_35 <=
-        texels_1_even_odd_odd_g_35 when u1_even_odd_whole_35 = '1' else texels_1_even_odd_even_g_35;
-    -- UQ-6.14: shifted
-    blend1_g_1_1_by_whole_35 <= blend1_g_1_1_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_g_1_1_either_0_35 <=
-        texels_1_even_odd_odd_g_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_odd_even_g_35;
-    -- UQ-6.14: shifted
-    blend1_g_1_1_by_0_35 <= blend1_g_1_1_either_0_35;
-    -- UQ0.8: either of both
-    blend1_g_1_1_either_1_35 <=
-        texels_1_even_odd_odd_g_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_odd_even_g_35;
-    -- UQ-5.13: shifted
-    blend1_g_1_1_by_1_35 <= blend1_g_1_1_either_1_35;
-    -- UQ0.8: either of both
-    blend1_g_1_1_either_2_35 <=
-        texels_1_even_odd_odd_g_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_odd_even_g_35;
-    -- UQ-4.12: shifted
-    blend1_g_1_1_by_2_35 <= blend1_g_1_1_either_2_35;
-    -- UQ0.8: either of both
-    blend1_g_1_1_either_3_35 <=
-        texels_1_even_odd_odd_g_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_odd_even_g_35;
-    -- UQ-3.11: shifted
-    blend1_g_1_1_by_3_35 <= blend1_g_1_1_either_3_35;
-    -- UQ0.8: either of both
-    blend1_g_1_1_either_4_35 <=
-        texels_1_even_odd_odd_g_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_odd_even_g_35;
-    -- UQ-2.10: shifted
-    blend1_g_1_1_by_4_35 <= blend1_g_1_1_either_4_35;
-    -- UQ0.8: either of both
-    blend1_g_1_1_either_5_35 <=
-        texels_1_even_odd_odd_g_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_odd_even_g_35;
-    -- UQ-1.9: shifted
-    blend1_g_1_1_by_5_35 <= blend1_g_1_1_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_g_1_1_sum_1_0_35 <=
-        resize(blend1_g_1_1_by_whole_35, 9) + resize(blend1_g_1_1_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_g_1_1_sum_1_1_35 <=
-        resize(blend1_g_1_1_by_1_35, 10) + shift_left(resize(blend1_g_1_1_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_g_1_1_sum_1_2_35 <=
-        resize(blend1_g_1_1_by_3_35, 10) + shift_left(resize(blend1_g_1_1_by_4_35, 10), 1);
-    -- UQ0.8: either of both
-    blend1_g_1_2_either_whole_35 <=
-        texels_1_odd_even_odd_g_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_even_even_g_35;
-    -- UQ-6.14: shifted
-    blend1_g_1_2_by_whole_35 <= blend1_g_1_2_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_g_1_2_either_0_35 <=
-        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_even_even_g_35;
-    -- UQ-6.14: shifted
-    blend1_g_1_2_by_0_35 <= blend1_g_1_2_either_0_35;
-    -- UQ0.8: either of both
-    blend1_g_1_2_either_1_35 <=
-        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_even_even_g_35;
-    -- UQ-5.13: shifted
-    blend1_g_1_2_by_1_35 <= blend1_g_1_2_either_1_35;
-    -- UQ0.8: either of both
-    blend1_g_1_2_either_2_35 <=
-        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_even_even_g_35;
-    -- UQ-4.12: shifted
-    blend1_g_1_2_by_2_35 <= blend1_g_1_2_either_2_35;
-    -- UQ0.8: either of both
-    blend1_g_1_2_either_3_35 <=
-        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_even_even_g_35;
-    -- UQ-3.11: shifted
-    blend1_g_1_2_by_3_35 <= blend1_g_1_2_either_3_35;
-    -- UQ0.8: either of both
-    blend1_g_1_2_either_4_35 <=
-        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_even_even_g_35;
-    -- UQ-2.10: shifted
-    blend1_g_1_2_by_4_35 <= blend1_g_1_2_either_4_35;
-    -- UQ0.8: either of both
-    blend1_g_1_2_either_5_35 <=
-        texels_1_odd_even_odd_g_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_even_even_g_35;
-    -- UQ-1.9: shifted
-    blend1_g_1_2_by_5_35 <= blend1_g_1_2_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_g_1_2_sum_1_0_35 <=
-        resize(blend1_g_1_2_by_whole_35, 9) + resize(blend1_g_1_2_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_g_1_2_sum_1_1_35 <=
-        resize(blend1_g_1_2_by_1_35, 10) + shift_left(resize(blend1_g_1_2_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_g_1_2_sum_1_2_35 <=
-        resize(blend1_g_1_2_by_3_35, 10) + shift_left(resize(blend1_g_1_2_by_4_35, 10), 1);
-    -- UQ0.8: either of both
-    blend1_g_1_3_either_whole_35 <=
-        texels_1_odd_odd_odd_g_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_odd_even_g_35;
-    -- UQ-6.14: shifted
-    blend1_g_1_3_by_whole_35 <= blend1_g_1_3_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_g_1_3_either_0_35 <=
-        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_odd_even_g_35;
-    -- UQ-6.14: shifted
-    blend1_g_1_3_by_0_35 <= blend1_g_1_3_either_0_35;
-    -- UQ0.8: either of both
-    blend1_g_1_3_either_1_35 <=
-        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_odd_even_g_35;
-    -- UQ-5.13: shifted
-    blend1_g_1_3_by_1_35 <= blend1_g_1_3_either_1_35;
-    -- UQ0.8: either of both
-    blend1_g_1_3_either_2_35 <=
-        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_odd_even_g_35;
-    -- UQ-4.12: shifted
-    blend1_g_1_3_by_2_35 <= blend1_g_1_3_either_2_35;
-    -- UQ0.8: either of both
-    blend1_g_1_3_either_3_35 <=
-        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_odd_even_g_35;
-    -- UQ-3.11: shifted
-    blend1_g_1_3_by_3_35 <= blend1_g_1_3_either_3_35;
-    -- UQ0.8: either of both
-    blend1_g_1_3_either_4_35 <=
-        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_odd_even_g_35;
-    -- UQ-2.10: shifted
-    blend1_g_1_3_by_4_35 <= blend1_g_1_3_either_4_35;
-    -- UQ0.8: either of both
-    blend1_g_1_3_either_5_35 <=
-        texels_1_odd_odd_odd_g_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_odd_even_g_35;
-    -- UQ-1.9: shifted
-    blend1_g_1_3_by_5_35 <= blend1_g_1_3_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_g_1_3_sum_1_0_35 <=
-        resize(blend1_g_1_3_by_whole_35, 9) + resize(blend1_g_1_3_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_g_1_3_sum_1_1_35 <=
-        resize(blend1_g_1_3_by_1_35, 10) + shift_left(resize(blend1_g_1_3_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_g_1_3_sum_1_2_35 <=
-        resize(blend1_g_1_3_by_3_35, 10) + shift_left(resize(blend1_g_1_3_by_4_35, 10), 1);
-    -- UQ0.8: either of both
-    blend1_b_1_0_either_whole_35 <=
-        texels_1_even_even_odd_b_35 when u1_even_odd_whole_35 = '1' else texels_1_even_even_even_b_35;
-    -- UQ-6.14: shifted
-    blend1_b_1_0_by_whole_35 <= blend1_b_1_0_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_b_1_0_either_0_35 <=
-        texels_1_even_even_odd_b_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_even_even_b_35;
-    -- UQ-6.14: shifted
-    blend1_b_1_0_by_0_35 <= blend1_b_1_0_either_0_35;
-    -- UQ0.8: either of both
-    blend1_b_1_0_either_1_35 <=
-        texels_1_even_even_odd_b_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_even_even_b_35;
-    -- UQ-5.13: shifted
-    blend1_b_1_0_by_1_35 <= blend1_b_1_0_either_1_35;
-    -- UQ0.8: either of both
-    blend1_b_1_0_either_2_35 <=
-        texels_1_even_even_odd_b_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_even_even_b_35;
-    -- UQ-4.12: shifted
-    blend1_b_1_0_by_2_35 <= blend1_b_1_0_either_2_35;
-    -- UQ0.8: either of both
-    blend1_b_1_0_either_3_35 <=
-        texels_1_even_even_odd_b_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_even_even_b_35;
-    -- UQ-3.11: shifted
-    blend1_b_1_0_by_3_35 <= blend1_b_1_0_either_3_35;
-    -- UQ0.8: either of both
-    blend1_b_1_0_either_4_35 <=
-        texels_1_even_even_odd_b_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_even_even_b_35;
-    -- UQ-2.10: shifted
-    blend1_b_1_0_by_4_35 <= blend1_b_1_0_either_4_35;
-    -- UQ0.8: either of both
-    blend1_b_1_0_either_5_35 <=
-        texels_1_even_even_odd_b_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_even_even_b_35;
-    -- UQ-1.9: shifted
-    blend1_b_1_0_by_5_35 <= blend1_b_1_0_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_b_1_0_sum_1_0_35 <=
-        resize(blend1_b_1_0_by_whole_35, 9) + resize(blend1_b_1_0_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_b_1_0_sum_1_1_35 <=
-        resize(blend1_b_1_0_by_1_35, 10) + shift_left(resize(blend1_b_1_0_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_b_1_0_sum_1_2_35 <=
-        resize(blend1_b_1_0_by_3_35, 10) + shift_left(resize(blend1_b_1_0_by_4_35, 10), 1);
-    -- UQ0.8: either of both
-    blend1_b_1_1_either_whole_35 <=
-        texels_1_even_odd_odd_b_35 when u1_even_odd_whole_35 = '1' else texels_1_even_odd_even_b_35;
-    -- UQ-6.14: shifted
-    blend1_b_1_1_by_whole_35 <= blend1_b_1_1_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_b_1_1_either_0_35 <=
-        texels_1_even_odd_odd_b_35 when u1_even_odd_of_0_35 = '1' else texels_1_even_odd_even_b_35;
-    -- UQ-6.14: shifted
-    blend1_b_1_1_by_0_35 <= blend1_b_1_1_either_0_35;
-    -- UQ0.8: either of both
-    blend1_b_1_1_either_1_35 <=
-        texels_1_even_odd_odd_b_35 when u1_even_odd_of_1_35 = '1' else texels_1_even_odd_even_b_35;
-    -- UQ-5.13: shifted
-    blend1_b_1_1_by_1_35 <= blend1_b_1_1_either_1_35;
-    -- UQ0.8: either of both
-    blend1_b_1_1_either_2_35 <=
-        texels_1_even_odd_odd_b_35 when u1_even_odd_of_2_35 = '1' else texels_1_even_odd_even_b_35;
-    -- UQ-4.12: shifted
-    blend1_b_1_1_by_2_35 <= blend1_b_1_1_either_2_35;
-    -- UQ0.8: either of both
-    blend1_b_1_1_either_3_35 <=
-        texels_1_even_odd_odd_b_35 when u1_even_odd_of_3_35 = '1' else texels_1_even_odd_even_b_35;
-    -- UQ-3.11: shifted
-    blend1_b_1_1_by_3_35 <= blend1_b_1_1_either_3_35;
-    -- UQ0.8: either of both
-    blend1_b_1_1_either_4_35 <=
-        texels_1_even_odd_odd_b_35 when u1_even_odd_of_4_35 = '1' else texels_1_even_odd_even_b_35;
-    -- UQ-2.10: shifted
-    blend1_b_1_1_by_4_35 <= blend1_b_1_1_either_4_35;
-    -- UQ0.8: either of both
-    blend1_b_1_1_either_5_35 <=
-        texels_1_even_odd_odd_b_35 when u1_even_odd_of_5_35 = '1' else texels_1_even_odd_even_b_35;
-    -- UQ-1.9: shifted
-    blend1_b_1_1_by_5_35 <= blend1_b_1_1_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_b_1_1_sum_1_0_35 <=
-        resize(blend1_b_1_1_by_whole_35, 9) + resize(blend1_b_1_1_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_b_1_1_sum_1_1_35 <=
-        resize(blend1_b_1_1_by_1_35, 10) + shift_left(resize(blend1_b_1_1_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_b_1_1_sum_1_2_35 <=
-        resize(blend1_b_1_1_by_3_35, 10) + shift_left(resize(blend1_b_1_1_by_4_35, 10), 1);
-    -- UQ0.8: either of both
-    blend1_b_1_2_either_whole_35 <=
-        texels_1_odd_even_odd_b_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_even_even_b_35;
-    -- UQ-6.14: shifted
-    blend1_b_1_2_by_whole_35 <= blend1_b_1_2_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_b_1_2_either_0_35 <=
-        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_even_even_b_35;
-    -- UQ-6.14: shifted
-    blend1_b_1_2_by_0_35 <= blend1_b_1_2_either_0_35;
-    -- UQ0.8: either of both
-    blend1_b_1_2_either_1_35 <=
-        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_even_even_b_35;
-    -- UQ-5.13: shifted
-    blend1_b_1_2_by_1_35 <= blend1_b_1_2_either_1_35;
-    -- UQ0.8: either of both
-    blend1_b_1_2_either_2_35 <=
-        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_even_even_b_35;
-    -- UQ-4.12: shifted
-    blend1_b_1_2_by_2_35 <= blend1_b_1_2_either_2_35;
-    -- UQ0.8: either of both
-    blend1_b_1_2_either_3_35 <=
-        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_even_even_b_35;
-    -- UQ-3.11: shifted
-    blend1_b_1_2_by_3_35 <= blend1_b_1_2_either_3_35;
-    -- UQ0.8: either of both
-    blend1_b_1_2_either_4_35 <=
-        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_even_even_b_35;
-    -- UQ-2.10: shifted
-    blend1_b_1_2_by_4_35 <= blend1_b_1_2_either_4_35;
-    -- UQ0.8: either of both
-    blend1_b_1_2_either_5_35 <=
-        texels_1_odd_even_odd_b_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_even_even_b_35;
-    -- UQ-1.9: shifted
-    blend1_b_1_2_by_5_35 <= blend1_b_1_2_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_b_1_2_sum_1_0_35 <=
-        resize(blend1_b_1_2_by_whole_35, 9) + resize(blend1_b_1_2_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_b_1_2_sum_1_1_35 <=
-        resize(blend1_b_1_2_by_1_35, 10) + shift_left(resize(blend1_b_1_2_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_b_1_2_sum_1_2_35 <=
-        resize(blend1_b_1_2_by_3_35, 10) + shift_left(resize(blend1_b_1_2_by_4_35, 10), 1);
-    -- UQ0.8: either of both
-    blend1_b_1_3_either_whole_35 <=
-        texels_1_odd_odd_odd_b_35 when u1_odd_odd_whole_35 = '1' else texels_1_odd_odd_even_b_35;
-    -- UQ-6.14: shifted
-    blend1_b_1_3_by_whole_35 <= blend1_b_1_3_either_whole_35;
-    -- UQ0.8: either of both
-    blend1_b_1_3_either_0_35 <=
-        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_0_35 = '1' else texels_1_odd_odd_even_b_35;
-    -- UQ-6.14: shifted
-    blend1_b_1_3_by_0_35 <= blend1_b_1_3_either_0_35;
-    -- UQ0.8: either of both
-    blend1_b_1_3_either_1_35 <=
-        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_1_35 = '1' else texels_1_odd_odd_even_b_35;
-    -- UQ-5.13: shifted
-    blend1_b_1_3_by_1_35 <= blend1_b_1_3_either_1_35;
-    -- UQ0.8: either of both
-    blend1_b_1_3_either_2_35 <=
-        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_2_35 = '1' else texels_1_odd_odd_even_b_35;
-    -- UQ-4.12: shifted
-    blend1_b_1_3_by_2_35 <= blend1_b_1_3_either_2_35;
-    -- UQ0.8: either of both
-    blend1_b_1_3_either_3_35 <=
-        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_3_35 = '1' else texels_1_odd_odd_even_b_35;
-    -- UQ-3.11: shifted
-    blend1_b_1_3_by_3_35 <= blend1_b_1_3_either_3_35;
-    -- UQ0.8: either of both
-    blend1_b_1_3_either_4_35 <=
-        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_4_35 = '1' else texels_1_odd_odd_even_b_35;
-    -- UQ-2.10: shifted
-    blend1_b_1_3_by_4_35 <= blend1_b_1_3_either_4_35;
-    -- UQ0.8: either of both
-    blend1_b_1_3_either_5_35 <=
-        texels_1_odd_odd_odd_b_35 when u1_odd_odd_of_5_35 = '1' else texels_1_odd_odd_even_b_35;
-    -- UQ-1.9: shifted
-    blend1_b_1_3_by_5_35 <= blend1_b_1_3_either_5_35;
-    -- UQ-5.14: the sum of two
-    blend1_b_1_3_sum_1_0_35 <=
-        resize(blend1_b_1_3_by_whole_35, 9) + resize(blend1_b_1_3_by_0_35, 9);
-    -- UQ-3.13: the sum of two
-    blend1_b_1_3_sum_1_1_35 <=
-        resize(blend1_b_1_3_by_1_35, 10) + shift_left(resize(blend1_b_1_3_by_2_35, 10), 1);
-    -- UQ-1.11: the sum of two
-    blend1_b_1_3_sum_1_2_35 <=
-        resize(blend1_b_1_3_by_3_35, 10) + shift_left(resize(blend1_b_1_3_by_4_35, 10), 1);
+    -- ===== Stage 35: registers only
+    -- UQ0.8: red
+    texels_1_even_even_even_r_35 <= unsigned(texels_1_even_even_even_35(23 downto 16));
+    -- UQ0.8: red
+    texels_1_even_even_odd_r_35 <= unsigned(texels_1_even_even_odd_35(23 downto 16));
+    -- UQ0.8: red
+    texels_1_even_odd_even_r_35 <= unsigned(texels_1_even_odd_even_35(23 downto 16));
+    -- UQ0.8: red
+    texels_1_even_odd_odd_r_35 <= unsigned(texels_1_even_odd_odd_35(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_even_even_r_35 <= unsigned(texels_1_odd_even_even_35(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_even_odd_r_35 <= unsigned(texels_1_odd_even_odd_35(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_odd_even_r_35 <= unsigned(texels_1_odd_odd_even_35(23 downto 16));
+    -- UQ0.8: red
+    texels_1_odd_odd_odd_r_35 <= unsigned(texels_1_odd_odd_odd_35(23 downto 16));
+    -- UQ0.8: green
+    texels_1_even_even_even_g_35 <= unsigned(texels_1_even_even_even_35(15 downto 8));
+    -- UQ0.8: green
+    texels_1_even_even_odd_g_35 <= unsigned(texels_1_even_even_odd_35(15 downto 8));
+    -- UQ0.8: green
+    texels_1_even_odd_even_g_35 <= unsigned(texels_1_even_odd_even_35(15 downto 8));
+    -- UQ0.8: green
+    texels_1_even_odd_odd_g_35 <= unsigned(texels_1_even_odd_odd_35(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_even_even_g_35 <= unsigned(texels_1_odd_even_even_35(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_even_odd_g_35 <= unsigned(texels_1_odd_even_odd_35(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_odd_even_g_35 <= unsigned(texels_1_odd_odd_even_35(15 downto 8));
+    -- UQ0.8: green
+    texels_1_odd_odd_odd_g_35 <= unsigned(texels_1_odd_odd_odd_35(15 downto 8));
+    -- UQ0.8: blue
+    texels_1_even_even_even_b_35 <= unsigned(texels_1_even_even_even_35(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_even_even_odd_b_35 <= unsigned(texels_1_even_even_odd_35(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_even_odd_even_b_35 <= unsigned(texels_1_even_odd_even_35(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_even_odd_odd_b_35 <= unsigned(texels_1_even_odd_odd_35(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_even_even_b_35 <= unsigned(texels_1_odd_even_even_35(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_even_odd_b_35 <= unsigned(texels_1_odd_even_odd_35(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_odd_even_b_35 <= unsigned(texels_1_odd_odd_even_35(7 downto 0));
+    -- UQ0.8: blue
+    texels_1_odd_odd_odd_b_35 <= unsigned(texels_1_odd_odd_odd_35(7 downto 0));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -5174,22 +4683,28 @@ begin
                 in_gain1b_36 <= in_gain1b_35;
                 hidden_36 <= hidden_35;
                 shift1_36 <= shift1_35;
-                blend1_r_1_0_by_5_36 <= blend1_r_1_0_by_5_35;
-                blend1_r_1_0_sum_1_0_36 <= blend1_r_1_0_sum_1_0_35;
-                blend1_r_1_0_sum_1_1_36 <= blend1_r_1_0_sum_1_1_35;
-                blend1_r_1_0_sum_1_2_36 <= blend1_r_1_0_sum_1_2_35;
-                blend1_r_1_1_by_5_36 <= blend1_r_1_1_by_5_35;
-                blend1_r_1_1_sum_1_0_36 <= blend1_r_1_1_sum_1_0_35;
-                blend1_r_1_1_sum_1_1_36 <= blend1_r_1_1_sum_1_1_35;
-                blend1_r_1_1_sum_1_2_36 <= blend1_r_1_1_sum_1_2_35;
-                blend1_r_1_2_by_5_36 <= blend1_r_1_2_by_5_35;
-                blend1_r_1_2_sum_1_0_36 <= blend1_r_1_2_sum_1_0_35;
-                blend1_r_1_2_sum_1_1_36 <= blend1_r_1_2_sum_1_1_35;
-                blend1_r_1_2_sum_1_2_36 <= blend1_r_1_2_sum_1_2_35;
-                blend1_r_1_3_by_5_36 <= blend1_r_1_3_by_5_35;
-                blend1_r_1_3_sum_1_0_36 <= blend1_r_1_3_sum_1_0_35;
-                blend1_r_1_3_sum_1_1_36 <= blend1_r_1_3_sum_1_1_35;
-                blend1_r_1_3_sum_1_2_36 <= blend1_r_1_3_sum_1_2_35;
+                texels_1_even_even_even_r_36 <= texels_1_even_even_even_r_35;
+                texels_1_even_even_odd_r_36 <= texels_1_even_even_odd_r_35;
+                texels_1_even_odd_even_r_36 <= texels_1_even_odd_even_r_35;
+                texels_1_even_odd_odd_r_36 <= texels_1_even_odd_odd_r_35;
+                texels_1_odd_even_even_r_36 <= texels_1_odd_even_even_r_35;
+                texels_1_odd_even_odd_r_36 <= texels_1_odd_even_odd_r_35;
+                texels_1_odd_odd_even_r_36 <= texels_1_odd_odd_even_r_35;
+                texels_1_odd_odd_odd_r_36 <= texels_1_odd_odd_odd_r_35;
+                u1_even_odd_whole_36 <= u1_even_odd_whole_35;
+                u1_even_odd_of_0_36 <= u1_even_odd_of_0_35;
+                u1_even_odd_of_1_36 <= u1_even_odd_of_1_35;
+                u1_even_odd_of_2_36 <= u1_even_odd_of_2_35;
+                u1_even_odd_of_3_36 <= u1_even_odd_of_3_35;
+                u1_even_odd_of_4_36 <= u1_even_odd_of_4_35;
+                u1_even_odd_of_5_36 <= u1_even_odd_of_5_35;
+                u1_odd_odd_whole_36 <= u1_odd_odd_whole_35;
+                u1_odd_odd_of_0_36 <= u1_odd_odd_of_0_35;
+                u1_odd_odd_of_1_36 <= u1_odd_odd_of_1_35;
+                u1_odd_odd_of_2_36 <= u1_odd_odd_of_2_35;
+                u1_odd_odd_of_3_36 <= u1_odd_odd_of_3_35;
+                u1_odd_odd_of_4_36 <= u1_odd_odd_of_4_35;
+                u1_odd_odd_of_5_36 <= u1_odd_odd_of_5_35;
                 v1_odd_whole_36 <= v1_odd_whole_35;
                 v1_odd_of_0_36 <= v1_odd_of_0_35;
                 v1_odd_of_1_36 <= v1_odd_of_1_35;
@@ -5198,115 +4713,27 @@ begin
                 v1_odd_of_4_36 <= v1_odd_of_4_35;
                 v1_odd_of_5_36 <= v1_odd_of_5_35;
                 blend1_signed_36 <= blend1_signed_35;
-                blend1_g_1_0_by_5_36 <= blend1_g_1_0_by_5_35;
-                blend1_g_1_0_sum_1_0_36 <= blend1_g_1_0_sum_1_0_35;
-                blend1_g_1_0_sum_1_1_36 <= blend1_g_1_0_sum_1_1_35;
-                blend1_g_1_0_sum_1_2_36 <= blend1_g_1_0_sum_1_2_35;
-                blend1_g_1_1_by_5_36 <= blend1_g_1_1_by_5_35;
-                blend1_g_1_1_sum_1_0_36 <= blend1_g_1_1_sum_1_0_35;
-                blend1_g_1_1_sum_1_1_36 <= blend1_g_1_1_sum_1_1_35;
-                blend1_g_1_1_sum_1_2_36 <= blend1_g_1_1_sum_1_2_35;
-                blend1_g_1_2_by_5_36 <= blend1_g_1_2_by_5_35;
-                blend1_g_1_2_sum_1_0_36 <= blend1_g_1_2_sum_1_0_35;
-                blend1_g_1_2_sum_1_1_36 <= blend1_g_1_2_sum_1_1_35;
-                blend1_g_1_2_sum_1_2_36 <= blend1_g_1_2_sum_1_2_35;
-                blend1_g_1_3_by_5_36 <= blend1_g_1_3_by_5_35;
-                blend1_g_1_3_sum_1_0_36 <= blend1_g_1_3_sum_1_0_35;
-                blend1_g_1_3_sum_1_1_36 <= blend1_g_1_3_sum_1_1_35;
-                blend1_g_1_3_sum_1_2_36 <= blend1_g_1_3_sum_1_2_35;
-                blend1_b_1_0_by_5_36 <= blend1_b_1_0_by_5_35;
-                blend1_b_1_0_sum_1_0_36 <= blend1_b_1_0_sum_1_0_35;
-                blend1_b_1_0_sum_1_1_36 <= blend1_b_1_0_sum_1_1_35;
-                blend1_b_1_0_sum_1_2_36 <= blend1_b_1_0_sum_1_2_35;
-                blend1_b_1_1_by_5_36 <= blend1_b_1_1_by_5_35;
-                blend1_b_1_1_sum_1_0_36 <= blend1_b_1_1_sum_1_0_35;
-                blend1_b_1_1_sum_1_1_36 <= blend1_b_1_1_sum_1_1_35;
-                blend1_b_1_1_sum_1_2_36 <= blend1_b_1_1_sum_1_2_35;
-                blend1_b_1_2_by_5_36 <= blend1_b_1_2_by_5_35;
-                blend1_b_1_2_sum_1_0_36 <= blend1_b_1_2_sum_1_0_35;
-                blend1_b_1_2_sum_1_1_36 <= blend1_b_1_2_sum_1_1_35;
-                blend1_b_1_2_sum_1_2_36 <= blend1_b_1_2_sum_1_2_35;
-                blend1_b_1_3_by_5_36 <= blend1_b_1_3_by_5_35;
-                blend1_b_1_3_sum_1_0_36 <= blend1_b_1_3_sum_1_0_35;
-                blend1_b_1_3_sum_1_1_36 <= blend1_b_1_3_sum_1_1_35;
-                blend1_b_1_3_sum_1_2_36 <= blend1_b_1_3_sum_1_2_35;
+                texels_1_even_even_even_g_36 <= texels_1_even_even_even_g_35;
+                texels_1_even_even_odd_g_36 <= texels_1_even_even_odd_g_35;
+                texels_1_even_odd_even_g_36 <= texels_1_even_odd_even_g_35;
+                texels_1_even_odd_odd_g_36 <= texels_1_even_odd_odd_g_35;
+                texels_1_odd_even_even_g_36 <= texels_1_odd_even_even_g_35;
+                texels_1_odd_even_odd_g_36 <= texels_1_odd_even_odd_g_35;
+                texels_1_odd_odd_even_g_36 <= texels_1_odd_odd_even_g_35;
+                texels_1_odd_odd_odd_g_36 <= texels_1_odd_odd_odd_g_35;
+                texels_1_even_even_even_b_36 <= texels_1_even_even_even_b_35;
+                texels_1_even_even_odd_b_36 <= texels_1_even_even_odd_b_35;
+                texels_1_even_odd_even_b_36 <= texels_1_even_odd_even_b_35;
+                texels_1_even_odd_odd_b_36 <= texels_1_even_odd_odd_b_35;
+                texels_1_odd_even_even_b_36 <= texels_1_odd_even_even_b_35;
+                texels_1_odd_even_odd_b_36 <= texels_1_odd_even_odd_b_35;
+                texels_1_odd_odd_even_b_36 <= texels_1_odd_odd_even_b_35;
+                texels_1_odd_odd_odd_b_36 <= texels_1_odd_odd_odd_b_35;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 36: blend1_r_1_0_sum_2_0, blend1_r_1_0_sum_2_1 and 22 more
-    -- UQ-3.14: the sum of two
-    blend1_r_1_0_sum_2_0_36 <=
-        resize(blend1_r_1_0_sum_1_0_36, 11) + shift_left(resize(blend1_r_1_0_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_r_1_0_sum_2_1_36 <=
-        resize(blend1_r_1_0_sum_1_2_36, 11) + shift_left(resize(blend1_r_1_0_by_5_36, 11), 2);
-    -- UQ-3.14: the sum of two
-    blend1_r_1_1_sum_2_0_36 <=
-        resize(blend1_r_1_1_sum_1_0_36, 11) + shift_left(resize(blend1_r_1_1_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_r_1_1_sum_2_1_36 <=
-        resize(blend1_r_1_1_sum_1_2_36, 11) + shift_left(resize(blend1_r_1_1_by_5_36, 11), 2);
-    -- UQ-3.14: the sum of two
-    blend1_r_1_2_sum_2_0_36 <=
-        resize(blend1_r_1_2_sum_1_0_36, 11) + shift_left(resize(blend1_r_1_2_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_r_1_2_sum_2_1_36 <=
-        resize(blend1_r_1_2_sum_1_2_36, 11) + shift_left(resize(blend1_r_1_2_by_5_36, 11), 2);
-    -- UQ-3.14: the sum of two
-    blend1_r_1_3_sum_2_0_36 <=
-        resize(blend1_r_1_3_sum_1_0_36, 11) + shift_left(resize(blend1_r_1_3_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_r_1_3_sum_2_1_36 <=
-        resize(blend1_r_1_3_sum_1_2_36, 11) + shift_left(resize(blend1_r_1_3_by_5_36, 11), 2);
-    -- UQ-3.14: the sum of two
-    blend1_g_1_0_sum_2_0_36 <=
-        resize(blend1_g_1_0_sum_1_0_36, 11) + shift_left(resize(blend1_g_1_0_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_g_1_0_sum_2_1_36 <=
-        resize(blend1_g_1_0_sum_1_2_36, 11) + shift_left(resize(blend1_g_1_0_by_5_36, 11), 2);
-    -- UQ-3.14: the sum of two
-    blend1_g_1_1_sum_2_0_36 <=
-        resize(blend1_g_1_1_sum_1_0_36, 11) + shift_left(resize(blend1_g_1_1_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_g_1_1_sum_2_1_36 <=
-        resize(blend1_g_1_1_sum_1_2_36, 11) + shift_left(resize(blend1_g_1_1_by_5_36, 11), 2);
-    -- UQ-3.14: the sum of two
-    blend1_g_1_2_sum_2_0_36 <=
-        resize(blend1_g_1_2_sum_1_0_36, 11) + shift_left(resize(blend1_g_1_2_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_g_1_2_sum_2_1_36 <=
-        resize(blend1_g_1_2_sum_1_2_36, 11) + shift_left(resize(blend1_g_1_2_by_5_36, 11), 2);
-    -- UQ-3.14: the sum of two
-    blend1_g_1_3_sum_2_0_36 <=
-        resize(blend1_g_1_3_sum_1_0_36, 11) + shift_left(resize(blend1_g_1_3_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_g_1_3_sum_2_1_36 <=
-        resize(blend1_g_1_3_sum_1_2_36, 11) + shift_left(resize(blend1_g_1_3_by_5_36, 11), 2);
-    -- UQ-3.14: the sum of two
-    blend1_b_1_0_sum_2_0_36 <=
-        resize(blend1_b_1_0_sum_1_0_36, 11) + shift_left(resize(blend1_b_1_0_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_b_1_0_sum_2_1_36 <=
-        resize(blend1_b_1_0_sum_1_2_36, 11) + shift_left(resize(blend1_b_1_0_by_5_36, 11), 2);
-    -- UQ-3.14: the sum of two
-    blend1_b_1_1_sum_2_0_36 <=
-        resize(blend1_b_1_1_sum_1_0_36, 11) + shift_left(resize(blend1_b_1_1_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_b_1_1_sum_2_1_36 <=
-        resize(blend1_b_1_1_sum_1_2_36, 11) + shift_left(resize(blend1_b_1_1_by_5_36, 11), 2);
-    -- UQ-3.14: the sum of two
-    blend1_b_1_2_sum_2_0_36 <=
-        resize(blend1_b_1_2_sum_1_0_36, 11) + shift_left(resize(blend1_b_1_2_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_b_1_2_sum_2_1_36 <=
-        resize(blend1_b_1_2_sum_1_2_36, 11) + shift_left(resize(blend1_b_1_2_by_5_36, 11), 2);
-    -- UQ-3.14: the sum of two
-    blend1_b_1_3_sum_2_0_36 <=
-        resize(blend1_b_1_3_sum_1_0_36, 11) + shift_left(resize(blend1_b_1_3_sum_1_1_36, 11), 1);
-    -- UQ0.11: the sum of two
-    blend1_b_1_3_sum_2_1_36 <=
-        resize(blend1_b_1_3_sum_1_2_36, 11) + shift_left(resize(blend1_b_1_3_by_5_36, 11), 2);
+    -- ===== Stage 36: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -5316,14 +4743,28 @@ begin
                 in_gain1b_37 <= in_gain1b_36;
                 hidden_37 <= hidden_36;
                 shift1_37 <= shift1_36;
-                blend1_r_1_0_sum_2_0_37 <= blend1_r_1_0_sum_2_0_36;
-                blend1_r_1_0_sum_2_1_37 <= blend1_r_1_0_sum_2_1_36;
-                blend1_r_1_1_sum_2_0_37 <= blend1_r_1_1_sum_2_0_36;
-                blend1_r_1_1_sum_2_1_37 <= blend1_r_1_1_sum_2_1_36;
-                blend1_r_1_2_sum_2_0_37 <= blend1_r_1_2_sum_2_0_36;
-                blend1_r_1_2_sum_2_1_37 <= blend1_r_1_2_sum_2_1_36;
-                blend1_r_1_3_sum_2_0_37 <= blend1_r_1_3_sum_2_0_36;
-                blend1_r_1_3_sum_2_1_37 <= blend1_r_1_3_sum_2_1_36;
+                texels_1_even_even_even_r_37 <= texels_1_even_even_even_r_36;
+                texels_1_even_even_odd_r_37 <= texels_1_even_even_odd_r_36;
+                texels_1_even_odd_even_r_37 <= texels_1_even_odd_even_r_36;
+                texels_1_even_odd_odd_r_37 <= texels_1_even_odd_odd_r_36;
+                texels_1_odd_even_even_r_37 <= texels_1_odd_even_even_r_36;
+                texels_1_odd_even_odd_r_37 <= texels_1_odd_even_odd_r_36;
+                texels_1_odd_odd_even_r_37 <= texels_1_odd_odd_even_r_36;
+                texels_1_odd_odd_odd_r_37 <= texels_1_odd_odd_odd_r_36;
+                u1_even_odd_whole_37 <= u1_even_odd_whole_36;
+                u1_even_odd_of_0_37 <= u1_even_odd_of_0_36;
+                u1_even_odd_of_1_37 <= u1_even_odd_of_1_36;
+                u1_even_odd_of_2_37 <= u1_even_odd_of_2_36;
+                u1_even_odd_of_3_37 <= u1_even_odd_of_3_36;
+                u1_even_odd_of_4_37 <= u1_even_odd_of_4_36;
+                u1_even_odd_of_5_37 <= u1_even_odd_of_5_36;
+                u1_odd_odd_whole_37 <= u1_odd_odd_whole_36;
+                u1_odd_odd_of_0_37 <= u1_odd_odd_of_0_36;
+                u1_odd_odd_of_1_37 <= u1_odd_odd_of_1_36;
+                u1_odd_odd_of_2_37 <= u1_odd_odd_of_2_36;
+                u1_odd_odd_of_3_37 <= u1_odd_odd_of_3_36;
+                u1_odd_odd_of_4_37 <= u1_odd_odd_of_4_36;
+                u1_odd_odd_of_5_37 <= u1_odd_odd_of_5_36;
                 v1_odd_whole_37 <= v1_odd_whole_36;
                 v1_odd_of_0_37 <= v1_odd_of_0_36;
                 v1_odd_of_1_37 <= v1_odd_of_1_36;
@@ -5332,231 +4773,555 @@ begin
                 v1_odd_of_4_37 <= v1_odd_of_4_36;
                 v1_odd_of_5_37 <= v1_odd_of_5_36;
                 blend1_signed_37 <= blend1_signed_36;
-                blend1_g_1_0_sum_2_0_37 <= blend1_g_1_0_sum_2_0_36;
-                blend1_g_1_0_sum_2_1_37 <= blend1_g_1_0_sum_2_1_36;
-                blend1_g_1_1_sum_2_0_37 <= blend1_g_1_1_sum_2_0_36;
-                blend1_g_1_1_sum_2_1_37 <= blend1_g_1_1_sum_2_1_36;
-                blend1_g_1_2_sum_2_0_37 <= blend1_g_1_2_sum_2_0_36;
-                blend1_g_1_2_sum_2_1_37 <= blend1_g_1_2_sum_2_1_36;
-                blend1_g_1_3_sum_2_0_37 <= blend1_g_1_3_sum_2_0_36;
-                blend1_g_1_3_sum_2_1_37 <= blend1_g_1_3_sum_2_1_36;
-                blend1_b_1_0_sum_2_0_37 <= blend1_b_1_0_sum_2_0_36;
-                blend1_b_1_0_sum_2_1_37 <= blend1_b_1_0_sum_2_1_36;
-                blend1_b_1_1_sum_2_0_37 <= blend1_b_1_1_sum_2_0_36;
-                blend1_b_1_1_sum_2_1_37 <= blend1_b_1_1_sum_2_1_36;
-                blend1_b_1_2_sum_2_0_37 <= blend1_b_1_2_sum_2_0_36;
-                blend1_b_1_2_sum_2_1_37 <= blend1_b_1_2_sum_2_1_36;
-                blend1_b_1_3_sum_2_0_37 <= blend1_b_1_3_sum_2_0_36;
-                blend1_b_1_3_sum_2_1_37 <= blend1_b_1_3_sum_2_1_36;
+                texels_1_even_even_even_g_37 <= texels_1_even_even_even_g_36;
+                texels_1_even_even_odd_g_37 <= texels_1_even_even_odd_g_36;
+                texels_1_even_odd_even_g_37 <= texels_1_even_odd_even_g_36;
+                texels_1_even_odd_odd_g_37 <= texels_1_even_odd_odd_g_36;
+                texels_1_odd_even_even_g_37 <= texels_1_odd_even_even_g_36;
+                texels_1_odd_even_odd_g_37 <= texels_1_odd_even_odd_g_36;
+                texels_1_odd_odd_even_g_37 <= texels_1_odd_odd_even_g_36;
+                texels_1_odd_odd_odd_g_37 <= texels_1_odd_odd_odd_g_36;
+                texels_1_even_even_even_b_37 <= texels_1_even_even_even_b_36;
+                texels_1_even_even_odd_b_37 <= texels_1_even_even_odd_b_36;
+                texels_1_even_odd_even_b_37 <= texels_1_even_odd_even_b_36;
+                texels_1_even_odd_odd_b_37 <= texels_1_even_odd_odd_b_36;
+                texels_1_odd_even_even_b_37 <= texels_1_odd_even_even_b_36;
+                texels_1_odd_even_odd_b_37 <= texels_1_odd_even_odd_b_36;
+                texels_1_odd_odd_even_b_37 <= texels_1_odd_odd_even_b_36;
+                texels_1_odd_odd_odd_b_37 <= texels_1_odd_odd_odd_b_36;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 37: blend1_r_1_0, blend1_r_1_1, blend1_r_1_2, blend1_r_1_3 and 50 more
-    -- UQ0.14: two neighbours
-    blend1_r_1_0_37 <=
-        resize(blend1_r_1_0_sum_2_0_37, 14) + shift_left(resize(blend1_r_1_0_sum_2_1_37, 14), 3);
-    -- UQ0.14: two neighbours
-    blend1_r_1_1_37 <=
-        resize(blend1_r_1_1_sum_2_0_37, 14) + shift_left(resize(blend1_r_1_1_sum_2_1_37, 14), 3);
-    -- UQ0.14: two neighbours
-    blend1_r_1_2_37 <=
-        resize(blend1_r_1_2_sum_2_0_37, 14) + shift_left(resize(blend1_r_1_2_sum_2_1_37, 14), 3);
-    -- UQ0.14: two neighbours
-    blend1_r_1_3_37 <=
-        resize(blend1_r_1_3_sum_2_0_37, 14) + shift_left(resize(blend1_r_1_3_sum_2_1_37, 14), 3);
-    -- UQ0.14: either of both
-    blend1_r_2_0_either_whole_37 <= blend1_r_1_1_37 when v1_odd_whole_37 = '1' else blend1_r_1_0_37;
-    -- UQ-6.20: shifted
-    blend1_r_2_0_by_whole_37 <= blend1_r_2_0_either_whole_37;
-    -- UQ0.14: either of both
-    blend1_r_2_0_either_0_37 <= blend1_r_1_1_37 when v1_odd_of_0_37 = '1' else blend1_r_1_0_37;
-    -- UQ-6.20: shifted
-    blend1_r_2_0_by_0_37 <= blend1_r_2_0_either_0_37;
-    -- UQ0.14: either of both
-    blend1_r_2_0_either_1_37 <= blend1_r_1_1_37 when v1_odd_of_1_37 = '1' else blend1_r_1_0_37;
-    -- UQ-5.19: shifted
-    blend1_r_2_0_by_1_37 <= blend1_r_2_0_either_1_37;
-    -- UQ0.14: either of both
-    blend1_r_2_0_either_2_37 <= blend1_r_1_1_37 when v1_odd_of_2_37 = '1' else blend1_r_1_0_37;
-    -- UQ-4.18: shifted
-    blend1_r_2_0_by_2_37 <= blend1_r_2_0_either_2_37;
-    -- UQ0.14: either of both
-    blend1_r_2_0_either_3_37 <= blend1_r_1_1_37 when v1_odd_of_3_37 = '1' else blend1_r_1_0_37;
-    -- UQ-3.17: shifted
-    blend1_r_2_0_by_3_37 <= blend1_r_2_0_either_3_37;
-    -- UQ0.14: either of both
-    blend1_r_2_0_either_4_37 <= blend1_r_1_1_37 when v1_odd_of_4_37 = '1' else blend1_r_1_0_37;
-    -- UQ-2.16: shifted
-    blend1_r_2_0_by_4_37 <= blend1_r_2_0_either_4_37;
-    -- UQ0.14: either of both
-    blend1_r_2_0_either_5_37 <= blend1_r_1_1_37 when v1_odd_of_5_37 = '1' else blend1_r_1_0_37;
-    -- UQ-1.15: shifted
-    blend1_r_2_0_by_5_37 <= blend1_r_2_0_either_5_37;
-    -- UQ0.14: either of both
-    blend1_r_2_1_either_whole_37 <= blend1_r_1_3_37 when v1_odd_whole_37 = '1' else blend1_r_1_2_37;
-    -- UQ-6.20: shifted
-    blend1_r_2_1_by_whole_37 <= blend1_r_2_1_either_whole_37;
-    -- UQ0.14: either of both
-    blend1_r_2_1_either_0_37 <= blend1_r_1_3_37 when v1_odd_of_0_37 = '1' else blend1_r_1_2_37;
-    -- UQ-6.20: shifted
-    blend1_r_2_1_by_0_37 <= blend1_r_2_1_either_0_37;
-    -- UQ0.14: either of both
-    blend1_r_2_1_either_1_37 <= blend1_r_1_3_37 when v1_odd_of_1_37 = '1' else blend1_r_1_2_37;
-    -- UQ-5.19: shifted
-    blend1_r_2_1_by_1_37 <= blend1_r_2_1_either_1_37;
-    -- UQ0.14: either of both
-    blend1_r_2_1_either_2_37 <= blend1_r_1_3_37 when v1_odd_of_2_37 = '1' else blend1_r_1_2_37;
-    -- UQ-4.18: shifted
-    blend1_r_2_1_by_2_37 <= blend1_r_2_1_either_2_37;
-    -- UQ0.14: either of both
-    blend1_r_2_1_either_3_37 <= blend1_r_1_3_37 when v1_odd_of_3_37 = '1' else blend1_r_1_2_37;
-    -- UQ-3.17: shifted
-    blend1_r_2_1_by_3_37 <= blend1_r_2_1_either_3_37;
-    -- UQ0.14: either of both
-    blend1_r_2_1_either_4_37 <= blend1_r_1_3_37 when v1_odd_of_4_37 = '1' else blend1_r_1_2_37;
-    -- UQ-2.16: shifted
-    blend1_r_2_1_by_4_37 <= blend1_r_2_1_either_4_37;
-    -- UQ0.14: either of both
-    blend1_r_2_1_either_5_37 <= blend1_r_1_3_37 when v1_odd_of_5_37 = '1' else blend1_r_1_2_37;
-    -- UQ-1.15: shifted
-    blend1_r_2_1_by_5_37 <= blend1_r_2_1_either_5_37;
-    -- UQ0.14: two neighbours
-    blend1_g_1_0_37 <=
-        resize(blend1_g_1_0_sum_2_0_37, 14) + shift_left(resize(blend1_g_1_0_sum_2_1_37, 14), 3);
-    -- UQ0.14: two neighbours
-    blend1_g_1_1_37 <=
-        resize(blend1_g_1_1_sum_2_0_37, 14) + shift_left(resize(blend1_g_1_1_sum_2_1_37, 14), 3);
-    -- UQ0.14: two neighbours
-    blend1_g_1_2_37 <=
-        resize(blend1_g_1_2_sum_2_0_37, 14) + shift_left(resize(blend1_g_1_2_sum_2_1_37, 14), 3);
-    -- UQ0.14: two neighbours
-    blend1_g_1_3_37 <=
-        resize(blend1_g_1_3_sum_2_0_37, 14) + shift_left(resize(blend1_g_1_3_sum_2_1_37, 14), 3);
-    -- UQ0.14: either of both
-    blend1_g_2_0_either_whole_37 <= blend1_g_1_1_37 when v1_odd_whole_37 = '1' else blend1_g_1_0_37;
-    -- UQ-6.20: shifted
-    blend1_g_2_0_by_whole_37 <= blend1_g_2_0_either_whole_37;
-    -- UQ0.14: either of both
-    blend1_g_2_0_either_0_37 <= blend1_g_1_1_37 when v1_odd_of_0_37 = '1' else blend1_g_1_0_37;
-    -- UQ-6.20: shifted
-    blend1_g_2_0_by_0_37 <= blend1_g_2_0_either_0_37;
-    -- UQ0.14: either of both
-    blend1_g_2_0_either_1_37 <= blend1_g_1_1_37 when v1_odd_of_1_37 = '1' else blend1_g_1_0_37;
-    -- UQ-5.19: shifted
-    blend1_g_2_0_by_1_37 <= blend1_g_2_0_either_1_37;
-    -- UQ0.14: either of both
-    blend1_g_2_0_either_2_37 <= blend1_g_1_1_37 when v1_odd_of_2_37 = '1' else blend1_g_1_0_37;
-    -- UQ-4.18: shifted
-    blend1_g_2_0_by_2_37 <= blend1_g_2_0_either_2_37;
-    -- UQ0.14: either of both
-    blend1_g_2_0_either_3_37 <= blend1_g_1_1_37 when v1_odd_of_3_37 = '1' else blend1_g_1_0_37;
-    -- UQ-3.17: shifted
-    blend1_g_2_0_by_3_37 <= blend1_g_2_0_either_3_37;
-    -- UQ0.14: either of both
-    blend1_g_2_0_either_4_37 <= blend1_g_1_1_37 when v1_odd_of_4_37 = '1' else blend1_g_1_0_37;
-    -- UQ-2.16: shifted
-    blend1_g_2_0_by_4_37 <= blend1_g_2_0_either_4_37;
-    -- UQ0.14: either of both
-    blend1_g_2_0_either_5_37 <= blend1_g_1_1_37 when v1_odd_of_5_37 = '1' else blend1_g_1_0_37;
-    -- UQ-1.15: shifted
-    blend1_g_2_0_by_5_37 <= blend1_g_2_0_either_5_37;
-    -- UQ0.14: either of both
-    blend1_g_2_1_either_whole_37 <= blend1_g_1_3_37 when v1_odd_whole_37 = '1' else blend1_g_1_2_37;
-    -- UQ-6.20: shifted
-    blend1_g_2_1_by_whole_37 <= blend1_g_2_1_either_whole_37;
-    -- UQ0.14: either of both
-    blend1_g_2_1_either_0_37 <= blend1_g_1_3_37 when v1_odd_of_0_37 = '1' else blend1_g_1_2_37;
-    -- UQ-6.20: shifted
-    blend1_g_2_1_by_0_37 <= blend1_g_2_1_either_0_37;
-    -- UQ0.14: either of both
-    blend1_g_2_1_either_1_37 <= blend1_g_1_3_37 when v1_odd_of_1_37 = '1' else blend1_g_1_2_37;
-    -- UQ-5.19: shifted
-    blend1_g_2_1_by_1_37 <= blend1_g_2_1_either_1_37;
-    -- UQ0.14: either of both
-    blend1_g_2_1_either_2_37 <= blend1_g_1_3_37 when v1_odd_of_2_37 = '1' else blend1_g_1_2_37;
-    -- UQ-4.18: shifted
-    blend1_g_2_1_by_2_37 <= blend1_g_2_1_either_2_37;
-    -- UQ0.14: either of both
-    blend1_g_2_1_either_3_37 <= blend1_g_1_3_37 when v1_odd_of_3_37 = '1' else blend1_g_1_2_37;
-    -- UQ-3.17: shifted
-    blend1_g_2_1_by_3_37 <= blend1_g_2_1_either_3_37;
-    -- UQ0.14: either of both
-    blend1_g_2_1_either_4_37 <= blend1_g_1_3_37 when v1_odd_of_4_37 = '1' else blend1_g_1_2_37;
-    -- UQ-2.16: shifted
-    blend1_g_2_1_by_4_37 <= blend1_g_2_1_either_4_37;
-    -- UQ0.14: either of both
-    blend1_g_2_1_either_5_37 <= blend1_g_1_3_37 when v1_odd_of_5_37 = '1' else blend1_g_1_2_37;
-    -- UQ-1.15: shifted
-    blend1_g_2_1_by_5_37 <= blend1_g_2_1_either_5_37;
-    -- UQ0.14: two neighbours
-    blend1_b_1_0_37 <=
-        resize(blend1_b_1_0_sum_2_0_37, 14) + shift_left(resize(blend1_b_1_0_sum_2_1_37, 14), 3);
-    -- UQ0.14: two neighbours
-    blend1_b_1_1_37 <=
-        resize(blend1_b_1_1_sum_2_0_37, 14) + shift_left(resize(blend1_b_1_1_sum_2_1_37, 14), 3);
-    -- UQ0.14: two neighbours
-    blend1_b_1_2_37 <=
-        resize(blend1_b_1_2_sum_2_0_37, 14) + shift_left(resize(blend1_b_1_2_sum_2_1_37, 14), 3);
-    -- UQ0.14: two neighbours
-    blend1_b_1_3_37 <=
-        resize(blend1_b_1_3_sum_2_0_37, 14) + shift_left(resize(blend1_b_1_3_sum_2_1_37, 14), 3);
-    -- UQ0.14: either of both
-    blend1_b_2_0_either_whole_37 <= blend1_b_1_1_37 when v1_odd_whole_37 = '1' else blend1_b_1_0_37;
-    -- UQ-6.20: shifted
-    blend1_b_2_0_by_whole_37 <= blend1_b_2_0_either_whole_37;
-    -- UQ0.14: either of both
-    blend1_b_2_0_either_0_37 <= blend1_b_1_1_37 when v1_odd_of_0_37 = '1' else blend1_b_1_0_37;
-    -- UQ-6.20: shifted
-    blend1_b_2_0_by_0_37 <= blend1_b_2_0_either_0_37;
-    -- UQ0.14: either of both
-    blend1_b_2_0_either_1_37 <= blend1_b_1_1_37 when v1_odd_of_1_37 = '1' else blend1_b_1_0_37;
-    -- UQ-5.19: shifted
-    blend1_b_2_0_by_1_37 <= blend1_b_2_0_either_1_37;
-    -- UQ0.14: either of both
-    blend1_b_2_0_either_2_37 <= blend1_b_1_1_37 when v1_odd_of_2_37 = '1' else blend1_b_1_0_37;
-    -- UQ-4.18: shifted
-    blend1_b_2_0_by_2_37 <= blend1_b_2_0_either_2_37;
-    -- UQ0.14: either of both
-    blend1_b_2_0_either_3_37 <= blend1_b_1_1_37 when v1_odd_of_3_37 = '1' else blend1_b_1_0_37;
-    -- UQ-3.17: shifted
-    blend1_b_2_0_by_3_37 <= blend1_b_2_0_either_3_37;
-    -- UQ0.14: either of both
-    blend1_b_2_0_either_4_37 <= blend1_b_1_1_37 when v1_odd_of_4_37 = '1' else blend1_b_1_0_37;
-    -- UQ-2.16: shifted
-    blend1_b_2_0_by_4_37 <= blend1_b_2_0_either_4_37;
-    -- UQ0.14: either of both
-    blend1_b_2_0_either_5_37 <= blend1_b_1_1_37 when v1_odd_of_5_37 = '1' else blend1_b_1_0_37;
-    -- UQ-1.15: shifted
-    blend1_b_2_0_by_5_37 <= blend1_b_2_0_either_5_37;
-    -- UQ0.14: either of both
-    blend1_b_2_1_either_whole_37 <= blend1_b_1_3_37 when v1_odd_whole_37 = '1' else blend1_b_1_2_37;
-    -- UQ-6.20: shifted
-    blend1_b_2_1_by_whole_37 <= blend1_b_2_1_either_whole_37;
-    -- UQ0.14: either of both
-    blend1_b_2_1_either_0_37 <= blend1_b_1_3_37 when v1_odd_of_0_37 = '1' else blend1_b_1_2_37;
-    -- UQ-6.20: shifted
-    blend1_b_2_1_by_0_37 <= blend1_b_2_1_either_0_37;
-    -- UQ0.14: either of both
-    blend1_b_2_1_either_1_37 <= blend1_b_1_3_37 when v1_odd_of_1_37 = '1' else blend1_b_1_2_37;
-    -- UQ-5.19: shifted
-    blend1_b_2_1_by_1_37 <= blend1_b_2_1_either_1_37;
-    -- UQ0.14: either of both
-    blend1_b_2_1_either_2_37 <= blend1_b_1_3_37 when v1_odd_of_2_37 = '1' else blend1_b_1_2_37;
-    -- UQ-4.18: shifted
-    blend1_b_2_1_by_2_37 <= blend1_b_2_1_either_2_37;
-    -- UQ0.14: either of both
-    blend1_b_2_1_either_3_37 <= blend1_b_1_3_37 when v1_odd_of_3_37 = '1' else blend1_b_1_2_37;
-    -- UQ-3.17: shifted
-    blend1_b_2_1_by_3_37 <= blend1_b_2_1_either_3_37;
-    -- UQ0.14: either of both
-    blend1_b_2_1_either_4_37 <= blend1_b_1_3_37 when v1_odd_of_4_37 = '1' else blend1_b_1_2_37;
-    -- UQ-2.16: shifted
-    blend1_b_2_1_by_4_37 <= blend1_b_2_1_either_4_37;
-    -- UQ0.14: either of both
-    blend1_b_2_1_either_5_37 <= blend1_b_1_3_37 when v1_odd_of_5_37 = '1' else blend1_b_1_2_37;
-    -- UQ-1.15: shifted
-    blend1_b_2_1_by_5_37 <= blend1_b_2_1_either_5_37;
+    -- ===== Stage 37: blend1_r_1_0_either_whole, blend1_r_1_0_either_0 and 118 more
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_whole_37 <=
+        texels_1_even_even_odd_r_37 when u1_even_odd_whole_37 = '1' else texels_1_even_even_even_r_37;
+    -- UQ-6.14: shifted
+    blend1_r_1_0_by_whole_37 <= blend1_r_1_0_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_0_37 <=
+        texels_1_even_even_odd_r_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_even_even_r_37;
+    -- UQ-6.14: shifted
+    blend1_r_1_0_by_0_37 <= blend1_r_1_0_either_0_37;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_1_37 <=
+        texels_1_even_even_odd_r_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_even_even_r_37;
+    -- UQ-5.13: shifted
+    blend1_r_1_0_by_1_37 <= blend1_r_1_0_either_1_37;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_2_37 <=
+        texels_1_even_even_odd_r_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_even_even_r_37;
+    -- UQ-4.12: shifted
+    blend1_r_1_0_by_2_37 <= blend1_r_1_0_either_2_37;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_3_37 <=
+        texels_1_even_even_odd_r_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_even_even_r_37;
+    -- UQ-3.11: shifted
+    blend1_r_1_0_by_3_37 <= blend1_r_1_0_either_3_37;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_4_37 <=
+        texels_1_even_even_odd_r_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_even_even_r_37;
+    -- UQ-2.10: shifted
+    blend1_r_1_0_by_4_37 <= blend1_r_1_0_either_4_37;
+    -- UQ0.8: either of both
+    blend1_r_1_0_either_5_37 <=
+        texels_1_even_even_odd_r_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_even_even_r_37;
+    -- UQ-1.9: shifted
+    blend1_r_1_0_by_5_37 <= blend1_r_1_0_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_r_1_0_sum_1_0_37 <=
+        resize(blend1_r_1_0_by_whole_37, 9) + resize(blend1_r_1_0_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_r_1_0_sum_1_1_37 <=
+        resize(blend1_r_1_0_by_1_37, 10) + shift_left(resize(blend1_r_1_0_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_r_1_0_sum_1_2_37 <=
+        resize(blend1_r_1_0_by_3_37, 10) + shift_left(resize(blend1_r_1_0_by_4_37, 10), 1);
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_whole_37 <=
+        texels_1_even_odd_odd_r_37 when u1_even_odd_whole_37 = '1' else texels_1_even_odd_even_r_37;
+    -- UQ-6.14: shifted
+    blend1_r_1_1_by_whole_37 <= blend1_r_1_1_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_0_37 <=
+        texels_1_even_odd_odd_r_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_odd_even_r_37;
+    -- UQ-6.14: shifted
+    blend1_r_1_1_by_0_37 <= blend1_r_1_1_either_0_37;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_1_37 <=
+        texels_1_even_odd_odd_r_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_odd_even_r_37;
+    -- UQ-5.13: shifted
+    blend1_r_1_1_by_1_37 <= blend1_r_1_1_either_1_37;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_2_37 <=
+        texels_1_even_odd_odd_r_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_odd_even_r_37;
+    -- UQ-4.12: shifted
+    blend1_r_1_1_by_2_37 <= blend1_r_1_1_either_2_37;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_3_37 <=
+        texels_1_even_odd_odd_r_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_odd_even_r_37;
+    -- UQ-3.11: shifted
+    blend1_r_1_1_by_3_37 <= blend1_r_1_1_either_3_37;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_4_37 <=
+        texels_1_even_odd_odd_r_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_odd_even_r_37;
+    -- UQ-2.10: shifted
+    blend1_r_1_1_by_4_37 <= blend1_r_1_1_either_4_37;
+    -- UQ0.8: either of both
+    blend1_r_1_1_either_5_37 <=
+        texels_1_even_odd_odd_r_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_odd_even_r_37;
+    -- UQ-1.9: shifted
+    blend1_r_1_1_by_5_37 <= blend1_r_1_1_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_r_1_1_sum_1_0_37 <=
+        resize(blend1_r_1_1_by_whole_37, 9) + resize(blend1_r_1_1_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_r_1_1_sum_1_1_37 <=
+        resize(blend1_r_1_1_by_1_37, 10) + shift_left(resize(blend1_r_1_1_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_r_1_1_sum_1_2_37 <=
+        resize(blend1_r_1_1_by_3_37, 10) + shift_left(resize(blend1_r_1_1_by_4_37, 10), 1);
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_whole_37 <=
+        texels_1_odd_even_odd_r_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_even_even_r_37;
+    -- UQ-6.14: shifted
+    blend1_r_1_2_by_whole_37 <= blend1_r_1_2_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_0_37 <=
+        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_even_even_r_37;
+    -- UQ-6.14: shifted
+    blend1_r_1_2_by_0_37 <= blend1_r_1_2_either_0_37;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_1_37 <=
+        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_even_even_r_37;
+    -- UQ-5.13: shifted
+    blend1_r_1_2_by_1_37 <= blend1_r_1_2_either_1_37;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_2_37 <=
+        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_even_even_r_37;
+    -- UQ-4.12: shifted
+    blend1_r_1_2_by_2_37 <= blend1_r_1_2_either_2_37;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_3_37 <=
+        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_even_even_r_37;
+    -- UQ-3.11: shifted
+    blend1_r_1_2_by_3_37 <= blend1_r_1_2_either_3_37;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_4_37 <=
+        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_even_even_r_37;
+    -- UQ-2.10: shifted
+    blend1_r_1_2_by_4_37 <= blend1_r_1_2_either_4_37;
+    -- UQ0.8: either of both
+    blend1_r_1_2_either_5_37 <=
+        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_even_even_r_37;
+    -- UQ-1.9: shifted
+    blend1_r_1_2_by_5_37 <= blend1_r_1_2_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_r_1_2_sum_1_0_37 <=
+        resize(blend1_r_1_2_by_whole_37, 9) + resize(blend1_r_1_2_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_r_1_2_sum_1_1_37 <=
+        resize(blend1_r_1_2_by_1_37, 10) + shift_left(resize(blend1_r_1_2_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_r_1_2_sum_1_2_37 <=
+        resize(blend1_r_1_2_by_3_37, 10) + shift_left(resize(blend1_r_1_2_by_4_37, 10), 1);
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_whole_37 <=
+        texels_1_odd_odd_odd_r_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_odd_even_r_37;
+    -- UQ-6.14: shifted
+    blend1_r_1_3_by_whole_37 <= blend1_r_1_3_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_0_37 <=
+        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_odd_even_r_37;
+    -- UQ-6.14: shifted
+    blend1_r_1_3_by_0_37 <= blend1_r_1_3_either_0_37;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_1_37 <=
+        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_odd_even_r_37;
+    -- UQ-5.13: shifted
+    blend1_r_1_3_by_1_37 <= blend1_r_1_3_either_1_37;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_2_37 <=
+        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_odd_even_r_37;
+    -- UQ-4.12: shifted
+    blend1_r_1_3_by_2_37 <= blend1_r_1_3_either_2_37;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_3_37 <=
+        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_odd_even_r_37;
+    -- UQ-3.11: shifted
+    blend1_r_1_3_by_3_37 <= blend1_r_1_3_either_3_37;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_4_37 <=
+        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_odd_even_r_37;
+    -- UQ-2.10: shifted
+    blend1_r_1_3_by_4_37 <= blend1_r_1_3_either_4_37;
+    -- UQ0.8: either of both
+    blend1_r_1_3_either_5_37 <=
+        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_odd_even_r_37;
+    -- UQ-1.9: shifted
+    blend1_r_1_3_by_5_37 <= blend1_r_1_3_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_r_1_3_sum_1_0_37 <=
+        resize(blend1_r_1_3_by_whole_37, 9) + resize(blend1_r_1_3_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_r_1_3_sum_1_1_37 <=
+        resize(blend1_r_1_3_by_1_37, 10) + shift_left(resize(blend1_r_1_3_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_r_1_3_sum_1_2_37 <=
+        resize(blend1_r_1_3_by_3_37, 10) + shift_left(resize(blend1_r_1_3_by_4_37, 10), 1);
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_whole_37 <=
+        texels_1_even_even_odd_g_37 when u1_even_odd_whole_37 = '1' else texels_1_even_even_even_g_37;
+    -- UQ-6.14: shifted
+    blend1_g_1_0_by_whole_37 <= blend1_g_1_0_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_0_37 <=
+        texels_1_even_even_odd_g_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_even_even_g_37;
+    -- UQ-6.14: shifted
+    blend1_g_1_0_by_0_37 <= blend1_g_1_0_either_0_37;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_1_37 <=
+        texels_1_even_even_odd_g_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_even_even_g_37;
+    -- UQ-5.13: shifted
+    blend1_g_1_0_by_1_37 <= blend1_g_1_0_either_1_37;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_2_37 <=
+        texels_1_even_even_odd_g_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_even_even_g_37;
+    -- UQ-4.12: shifted
+    blend1_g_1_0_by_2_37 <= blend1_g_1_0_either_2_37;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_3_37 <=
+        texels_1_even_even_odd_g_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_even_even_g_37;
+    -- UQ-3.11: shifted
+    blend1_g_1_0_by_3_37 <= blend1_g_1_0_either_3_37;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_4_37 <=
+        texels_1_even_even_odd_g_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_even_even_g_37;
+    -- UQ-2.10: shifted
+    blend1_g_1_0_by_4_37 <= blend1_g_1_0_either_4_37;
+    -- UQ0.8: either of both
+    blend1_g_1_0_either_5_37 <=
+        texels_1_even_even_odd_g_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_even_even_g_37;
+    -- UQ-1.9: shifted
+    blend1_g_1_0_by_5_37 <= blend1_g_1_0_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_g_1_0_sum_1_0_37 <=
+        resize(blend1_g_1_0_by_whole_37, 9) + resize(blend1_g_1_0_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_g_1_0_sum_1_1_37 <=
+        resize(blend1_g_1_0_by_1_37, 10) + shift_left(resize(blend1_g_1_0_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_g_1_0_sum_1_2_37 <=
+        resize(blend1_g_1_0_by_3_37, 10) + shift_left(resize(blend1_g_1_0_by_4_37, 10), 1);
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_whole_37 <=
+        texels_1_even_odd_odd_g_37 when u1_even_odd_whole_37 = '1' else texels_1_even_odd_even_g_37;
+    -- UQ-6.14: shifted
+    blend1_g_1_1_by_whole_37 <= blend1_g_1_1_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_0_37 <=
+        texels_1_even_odd_odd_g_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_odd_even_g_37;
+    -- UQ-6.14: shifted
+    blend1_g_1_1_by_0_37 <= blend1_g_1_1_either_0_37;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_1_37 <=
+        texels_1_even_odd_odd_g_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_odd_even_g_37;
+    -- UQ-5.13: shifted
+    blend1_g_1_1_by_1_37 <= blend1_g_1_1_either_1_37;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_2_37 <=
+        texels_1_even_odd_odd_g_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_odd_even_g_37;
+    -- UQ-4.12: shifted
+    blend1_g_1_1_by_2_37 <= blend1_g_1_1_either_2_37;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_3_37 <=
+        texels_1_even_odd_odd_g_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_odd_even_g_37;
+    -- UQ-3.11: shifted
+    blend1_g_1_1_by_3_37 <= blend1_g_1_1_either_3_37;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_4_37 <=
+        texels_1_even_odd_odd_g_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_odd_even_g_37;
+    -- UQ-2.10: shifted
+    blend1_g_1_1_by_4_37 <= blend1_g_1_1_either_4_37;
+    -- UQ0.8: either of both
+    blend1_g_1_1_either_5_37 <=
+        texels_1_even_odd_odd_g_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_odd_even_g_37;
+    -- UQ-1.9: shifted
+    blend1_g_1_1_by_5_37 <= blend1_g_1_1_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_g_1_1_sum_1_0_37 <=
+        resize(blend1_g_1_1_by_whole_37, 9) + resize(blend1_g_1_1_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_g_1_1_sum_1_1_37 <=
+        resize(blend1_g_1_1_by_1_37, 10) + shift_left(resize(blend1_g_1_1_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_g_1_1_sum_1_2_37 <=
+        resize(blend1_g_1_1_by_3_37, 10) + shift_left(resize(blend1_g_1_1_by_4_37, 10), 1);
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_whole_37 <=
+        texels_1_odd_even_odd_g_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_even_even_g_37;
+    -- UQ-6.14: shifted
+    blend1_g_1_2_by_whole_37 <= blend1_g_1_2_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_0_37 <=
+        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_even_even_g_37;
+    -- UQ-6.14: shifted
+    blend1_g_1_2_by_0_37 <= blend1_g_1_2_either_0_37;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_1_37 <=
+        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_even_even_g_37;
+    -- UQ-5.13: shifted
+    blend1_g_1_2_by_1_37 <= blend1_g_1_2_either_1_37;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_2_37 <=
+        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_even_even_g_37;
+    -- UQ-4.12: shifted
+    blend1_g_1_2_by_2_37 <= blend1_g_1_2_either_2_37;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_3_37 <=
+        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_even_even_g_37;
+    -- UQ-3.11: shifted
+    blend1_g_1_2_by_3_37 <= blend1_g_1_2_either_3_37;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_4_37 <=
+        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_even_even_g_37;
+    -- UQ-2.10: shifted
+    blend1_g_1_2_by_4_37 <= blend1_g_1_2_either_4_37;
+    -- UQ0.8: either of both
+    blend1_g_1_2_either_5_37 <=
+        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_even_even_g_37;
+    -- UQ-1.9: shifted
+    blend1_g_1_2_by_5_37 <= blend1_g_1_2_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_g_1_2_sum_1_0_37 <=
+        resize(blend1_g_1_2_by_whole_37, 9) + resize(blend1_g_1_2_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_g_1_2_sum_1_1_37 <=
+        resize(blend1_g_1_2_by_1_37, 10) + shift_left(resize(blend1_g_1_2_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_g_1_2_sum_1_2_37 <=
+        resize(blend1_g_1_2_by_3_37, 10) + shift_left(resize(blend1_g_1_2_by_4_37, 10), 1);
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_whole_37 <=
+        texels_1_odd_odd_odd_g_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_odd_even_g_37;
+    -- UQ-6.14: shifted
+    blend1_g_1_3_by_whole_37 <= blend1_g_1_3_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_0_37 <=
+        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_odd_even_g_37;
+    -- UQ-6.14: shifted
+    blend1_g_1_3_by_0_37 <= blend1_g_1_3_either_0_37;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_1_37 <=
+        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_odd_even_g_37;
+    -- UQ-5.13: shifted
+    blend1_g_1_3_by_1_37 <= blend1_g_1_3_either_1_37;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_2_37 <=
+        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_odd_even_g_37;
+    -- UQ-4.12: shifted
+    blend1_g_1_3_by_2_37 <= blend1_g_1_3_either_2_37;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_3_37 <=
+        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_odd_even_g_37;
+    -- UQ-3.11: shifted
+    blend1_g_1_3_by_3_37 <= blend1_g_1_3_either_3_37;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_4_37 <=
+        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_odd_even_g_37;
+    -- UQ-2.10: shifted
+    blend1_g_1_3_by_4_37 <= blend1_g_1_3_either_4_37;
+    -- UQ0.8: either of both
+    blend1_g_1_3_either_5_37 <=
+        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_odd_even_g_37;
+    -- UQ-1.9: shifted
+    blend1_g_1_3_by_5_37 <= blend1_g_1_3_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_g_1_3_sum_1_0_37 <=
+        resize(blend1_g_1_3_by_whole_37, 9) + resize(blend1_g_1_3_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_g_1_3_sum_1_1_37 <=
+        resize(blend1_g_1_3_by_1_37, 10) + shift_left(resize(blend1_g_1_3_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_g_1_3_sum_1_2_37 <=
+        resize(blend1_g_1_3_by_3_37, 10) + shift_left(resize(blend1_g_1_3_by_4_37, 10), 1);
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_whole_37 <=
+        texels_1_even_even_odd_b_37 when u1_even_odd_whole_37 = '1' else texels_1_even_even_even_b_37;
+    -- UQ-6.14: shifted
+    blend1_b_1_0_by_whole_37 <= blend1_b_1_0_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_0_37 <=
+        texels_1_even_even_odd_b_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_even_even_b_37;
+    -- UQ-6.14: shifted
+    blend1_b_1_0_by_0_37 <= blend1_b_1_0_either_0_37;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_1_37 <=
+        texels_1_even_even_odd_b_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_even_even_b_37;
+    -- UQ-5.13: shifted
+    blend1_b_1_0_by_1_37 <= blend1_b_1_0_either_1_37;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_2_37 <=
+        texels_1_even_even_odd_b_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_even_even_b_37;
+    -- UQ-4.12: shifted
+    blend1_b_1_0_by_2_37 <= blend1_b_1_0_either_2_37;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_3_37 <=
+        texels_1_even_even_odd_b_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_even_even_b_37;
+    -- UQ-3.11: shifted
+    blend1_b_1_0_by_3_37 <= blend1_b_1_0_either_3_37;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_4_37 <=
+        texels_1_even_even_odd_b_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_even_even_b_37;
+    -- UQ-2.10: shifted
+    blend1_b_1_0_by_4_37 <= blend1_b_1_0_either_4_37;
+    -- UQ0.8: either of both
+    blend1_b_1_0_either_5_37 <=
+        texels_1_even_even_odd_b_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_even_even_b_37;
+    -- UQ-1.9: shifted
+    blend1_b_1_0_by_5_37 <= blend1_b_1_0_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_b_1_0_sum_1_0_37 <=
+        resize(blend1_b_1_0_by_whole_37, 9) + resize(blend1_b_1_0_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_b_1_0_sum_1_1_37 <=
+        resize(blend1_b_1_0_by_1_37, 10) + shift_left(resize(blend1_b_1_0_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_b_1_0_sum_1_2_37 <=
+        resize(blend1_b_1_0_by_3_37, 10) + shift_left(resize(blend1_b_1_0_by_4_37, 10), 1);
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_whole_37 <=
+        texels_1_even_odd_odd_b_37 when u1_even_odd_whole_37 = '1' else texels_1_even_odd_even_b_37;
+    -- UQ-6.14: shifted
+    blend1_b_1_1_by_whole_37 <= blend1_b_1_1_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_0_37 <=
+        texels_1_even_odd_odd_b_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_odd_even_b_37;
+    -- UQ-6.14: shifted
+    blend1_b_1_1_by_0_37 <= blend1_b_1_1_either_0_37;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_1_37 <=
+        texels_1_even_odd_odd_b_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_odd_even_b_37;
+    -- UQ-5.13: shifted
+    blend1_b_1_1_by_1_37 <= blend1_b_1_1_either_1_37;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_2_37 <=
+        texels_1_even_odd_odd_b_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_odd_even_b_37;
+    -- UQ-4.12: shifted
+    blend1_b_1_1_by_2_37 <= blend1_b_1_1_either_2_37;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_3_37 <=
+        texels_1_even_odd_odd_b_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_odd_even_b_37;
+    -- UQ-3.11: shifted
+    blend1_b_1_1_by_3_37 <= blend1_b_1_1_either_3_37;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_4_37 <=
+        texels_1_even_odd_odd_b_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_odd_even_b_37;
+    -- UQ-2.10: shifted
+    blend1_b_1_1_by_4_37 <= blend1_b_1_1_either_4_37;
+    -- UQ0.8: either of both
+    blend1_b_1_1_either_5_37 <=
+        texels_1_even_odd_odd_b_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_odd_even_b_37;
+    -- UQ-1.9: shifted
+    blend1_b_1_1_by_5_37 <= blend1_b_1_1_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_b_1_1_sum_1_0_37 <=
+        resize(blend1_b_1_1_by_whole_37, 9) + resize(blend1_b_1_1_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_b_1_1_sum_1_1_37 <=
+        resize(blend1_b_1_1_by_1_37, 10) + shift_left(resize(blend1_b_1_1_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_b_1_1_sum_1_2_37 <=
+        resize(blend1_b_1_1_by_3_37, 10) + shift_left(resize(blend1_b_1_1_by_4_37, 10), 1);
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_whole_37 <=
+        texels_1_odd_even_odd_b_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_even_even_b_37;
+    -- UQ-6.14: shifted
+    blend1_b_1_2_by_whole_37 <= blend1_b_1_2_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_0_37 <=
+        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_even_even_b_37;
+    -- UQ-6.14: shifted
+    blend1_b_1_2_by_0_37 <= blend1_b_1_2_either_0_37;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_1_37 <=
+        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_even_even_b_37;
+    -- UQ-5.13: shifted
+    blend1_b_1_2_by_1_37 <= blend1_b_1_2_either_1_37;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_2_37 <=
+        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_even_even_b_37;
+    -- UQ-4.12: shifted
+    blend1_b_1_2_by_2_37 <= blend1_b_1_2_either_2_37;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_3_37 <=
+        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_even_even_b_37;
+    -- UQ-3.11: shifted
+    blend1_b_1_2_by_3_37 <= blend1_b_1_2_either_3_37;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_4_37 <=
+        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_even_even_b_37;
+    -- UQ-2.10: shifted
+    blend1_b_1_2_by_4_37 <= blend1_b_1_2_either_4_37;
+    -- UQ0.8: either of both
+    blend1_b_1_2_either_5_37 <=
+        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_even_even_b_37;
+    -- UQ-1.9: shifted
+    blend1_b_1_2_by_5_37 <= blend1_b_1_2_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_b_1_2_sum_1_0_37 <=
+        resize(blend1_b_1_2_by_whole_37, 9) + resize(blend1_b_1_2_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_b_1_2_sum_1_1_37 <=
+        resize(blend1_b_1_2_by_1_37, 10) + shift_left(resize(blend1_b_1_2_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_b_1_2_sum_1_2_37 <=
+        resize(blend1_b_1_2_by_3_37, 10) + shift_left(resize(blend1_b_1_2_by_4_37, 10), 1);
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_whole_37 <=
+        texels_1_odd_odd_odd_b_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_odd_even_b_37;
+    -- UQ-6.14: shifted
+    blend1_b_1_3_by_whole_37 <= blend1_b_1_3_either_whole_37;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_0_37 <=
+        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_odd_even_b_37;
+    -- UQ-6.14: shifted
+    blend1_b_1_3_by_0_37 <= blend1_b_1_3_either_0_37;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_1_37 <=
+        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_odd_even_b_37;
+    -- UQ-5.13: shifted
+    blend1_b_1_3_by_1_37 <= blend1_b_1_3_either_1_37;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_2_37 <=
+        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_odd_even_b_37;
+    -- UQ-4.12: shifted
+    blend1_b_1_3_by_2_37 <= blend1_b_1_3_either_2_37;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_3_37 <=
+        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_odd_even_b_37;
+    -- UQ-3.11: shifted
+    blend1_b_1_3_by_3_37 <= blend1_b_1_3_either_3_37;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_4_37 <=
+        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_odd_even_b_37;
+    -- UQ-2.10: shifted
+    blend1_b_1_3_by_4_37 <= blend1_b_1_3_either_4_37;
+    -- UQ0.8: either of both
+    blend1_b_1_3_either_5_37 <=
+        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_odd_even_b_37;
+    -- UQ-1.9: shifted
+    blend1_b_1_3_by_5_37 <= blend1_b_1_3_either_5_37;
+    -- UQ-5.14: the sum of two
+    blend1_b_1_3_sum_1_0_37 <=
+        resize(blend1_b_1_3_by_whole_37, 9) + resize(blend1_b_1_3_by_0_37, 9);
+    -- UQ-3.13: the sum of two
+    blend1_b_1_3_sum_1_1_37 <=
+        resize(blend1_b_1_3_by_1_37, 10) + shift_left(resize(blend1_b_1_3_by_2_37, 10), 1);
+    -- UQ-1.11: the sum of two
+    blend1_b_1_3_sum_1_2_37 <=
+        resize(blend1_b_1_3_by_3_37, 10) + shift_left(resize(blend1_b_1_3_by_4_37, 10), 1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -5566,108 +5331,139 @@ begin
                 in_gain1b_38 <= in_gain1b_37;
                 hidden_38 <= hidden_37;
                 shift1_38 <= shift1_37;
-                blend1_r_2_0_by_whole_38 <= blend1_r_2_0_by_whole_37;
-                blend1_r_2_0_by_0_38 <= blend1_r_2_0_by_0_37;
-                blend1_r_2_0_by_1_38 <= blend1_r_2_0_by_1_37;
-                blend1_r_2_0_by_2_38 <= blend1_r_2_0_by_2_37;
-                blend1_r_2_0_by_3_38 <= blend1_r_2_0_by_3_37;
-                blend1_r_2_0_by_4_38 <= blend1_r_2_0_by_4_37;
-                blend1_r_2_0_by_5_38 <= blend1_r_2_0_by_5_37;
-                blend1_r_2_1_by_whole_38 <= blend1_r_2_1_by_whole_37;
-                blend1_r_2_1_by_0_38 <= blend1_r_2_1_by_0_37;
-                blend1_r_2_1_by_1_38 <= blend1_r_2_1_by_1_37;
-                blend1_r_2_1_by_2_38 <= blend1_r_2_1_by_2_37;
-                blend1_r_2_1_by_3_38 <= blend1_r_2_1_by_3_37;
-                blend1_r_2_1_by_4_38 <= blend1_r_2_1_by_4_37;
-                blend1_r_2_1_by_5_38 <= blend1_r_2_1_by_5_37;
+                blend1_r_1_0_by_5_38 <= blend1_r_1_0_by_5_37;
+                blend1_r_1_0_sum_1_0_38 <= blend1_r_1_0_sum_1_0_37;
+                blend1_r_1_0_sum_1_1_38 <= blend1_r_1_0_sum_1_1_37;
+                blend1_r_1_0_sum_1_2_38 <= blend1_r_1_0_sum_1_2_37;
+                blend1_r_1_1_by_5_38 <= blend1_r_1_1_by_5_37;
+                blend1_r_1_1_sum_1_0_38 <= blend1_r_1_1_sum_1_0_37;
+                blend1_r_1_1_sum_1_1_38 <= blend1_r_1_1_sum_1_1_37;
+                blend1_r_1_1_sum_1_2_38 <= blend1_r_1_1_sum_1_2_37;
+                blend1_r_1_2_by_5_38 <= blend1_r_1_2_by_5_37;
+                blend1_r_1_2_sum_1_0_38 <= blend1_r_1_2_sum_1_0_37;
+                blend1_r_1_2_sum_1_1_38 <= blend1_r_1_2_sum_1_1_37;
+                blend1_r_1_2_sum_1_2_38 <= blend1_r_1_2_sum_1_2_37;
+                blend1_r_1_3_by_5_38 <= blend1_r_1_3_by_5_37;
+                blend1_r_1_3_sum_1_0_38 <= blend1_r_1_3_sum_1_0_37;
+                blend1_r_1_3_sum_1_1_38 <= blend1_r_1_3_sum_1_1_37;
+                blend1_r_1_3_sum_1_2_38 <= blend1_r_1_3_sum_1_2_37;
+                v1_odd_whole_38 <= v1_odd_whole_37;
+                v1_odd_of_0_38 <= v1_odd_of_0_37;
+                v1_odd_of_1_38 <= v1_odd_of_1_37;
+                v1_odd_of_2_38 <= v1_odd_of_2_37;
+                v1_odd_of_3_38 <= v1_odd_of_3_37;
+                v1_odd_of_4_38 <= v1_odd_of_4_37;
+                v1_odd_of_5_38 <= v1_odd_of_5_37;
                 blend1_signed_38 <= blend1_signed_37;
-                blend1_g_2_0_by_whole_38 <= blend1_g_2_0_by_whole_37;
-                blend1_g_2_0_by_0_38 <= blend1_g_2_0_by_0_37;
-                blend1_g_2_0_by_1_38 <= blend1_g_2_0_by_1_37;
-                blend1_g_2_0_by_2_38 <= blend1_g_2_0_by_2_37;
-                blend1_g_2_0_by_3_38 <= blend1_g_2_0_by_3_37;
-                blend1_g_2_0_by_4_38 <= blend1_g_2_0_by_4_37;
-                blend1_g_2_0_by_5_38 <= blend1_g_2_0_by_5_37;
-                blend1_g_2_1_by_whole_38 <= blend1_g_2_1_by_whole_37;
-                blend1_g_2_1_by_0_38 <= blend1_g_2_1_by_0_37;
-                blend1_g_2_1_by_1_38 <= blend1_g_2_1_by_1_37;
-                blend1_g_2_1_by_2_38 <= blend1_g_2_1_by_2_37;
-                blend1_g_2_1_by_3_38 <= blend1_g_2_1_by_3_37;
-                blend1_g_2_1_by_4_38 <= blend1_g_2_1_by_4_37;
-                blend1_g_2_1_by_5_38 <= blend1_g_2_1_by_5_37;
-                blend1_b_2_0_by_whole_38 <= blend1_b_2_0_by_whole_37;
-                blend1_b_2_0_by_0_38 <= blend1_b_2_0_by_0_37;
-                blend1_b_2_0_by_1_38 <= blend1_b_2_0_by_1_37;
-                blend1_b_2_0_by_2_38 <= blend1_b_2_0_by_2_37;
-                blend1_b_2_0_by_3_38 <= blend1_b_2_0_by_3_37;
-                blend1_b_2_0_by_4_38 <= blend1_b_2_0_by_4_37;
-                blend1_b_2_0_by_5_38 <= blend1_b_2_0_by_5_37;
-                blend1_b_2_1_by_whole_38 <= blend1_b_2_1_by_whole_37;
-                blend1_b_2_1_by_0_38 <= blend1_b_2_1_by_0_37;
-                blend1_b_2_1_by_1_38 <= blend1_b_2_1_by_1_37;
-                blend1_b_2_1_by_2_38 <= blend1_b_2_1_by_2_37;
-                blend1_b_2_1_by_3_38 <= blend1_b_2_1_by_3_37;
-                blend1_b_2_1_by_4_38 <= blend1_b_2_1_by_4_37;
-                blend1_b_2_1_by_5_38 <= blend1_b_2_1_by_5_37;
+                blend1_g_1_0_by_5_38 <= blend1_g_1_0_by_5_37;
+                blend1_g_1_0_sum_1_0_38 <= blend1_g_1_0_sum_1_0_37;
+                blend1_g_1_0_sum_1_1_38 <= blend1_g_1_0_sum_1_1_37;
+                blend1_g_1_0_sum_1_2_38 <= blend1_g_1_0_sum_1_2_37;
+                blend1_g_1_1_by_5_38 <= blend1_g_1_1_by_5_37;
+                blend1_g_1_1_sum_1_0_38 <= blend1_g_1_1_sum_1_0_37;
+                blend1_g_1_1_sum_1_1_38 <= blend1_g_1_1_sum_1_1_37;
+                blend1_g_1_1_sum_1_2_38 <= blend1_g_1_1_sum_1_2_37;
+                blend1_g_1_2_by_5_38 <= blend1_g_1_2_by_5_37;
+                blend1_g_1_2_sum_1_0_38 <= blend1_g_1_2_sum_1_0_37;
+                blend1_g_1_2_sum_1_1_38 <= blend1_g_1_2_sum_1_1_37;
+                blend1_g_1_2_sum_1_2_38 <= blend1_g_1_2_sum_1_2_37;
+                blend1_g_1_3_by_5_38 <= blend1_g_1_3_by_5_37;
+                blend1_g_1_3_sum_1_0_38 <= blend1_g_1_3_sum_1_0_37;
+                blend1_g_1_3_sum_1_1_38 <= blend1_g_1_3_sum_1_1_37;
+                blend1_g_1_3_sum_1_2_38 <= blend1_g_1_3_sum_1_2_37;
+                blend1_b_1_0_by_5_38 <= blend1_b_1_0_by_5_37;
+                blend1_b_1_0_sum_1_0_38 <= blend1_b_1_0_sum_1_0_37;
+                blend1_b_1_0_sum_1_1_38 <= blend1_b_1_0_sum_1_1_37;
+                blend1_b_1_0_sum_1_2_38 <= blend1_b_1_0_sum_1_2_37;
+                blend1_b_1_1_by_5_38 <= blend1_b_1_1_by_5_37;
+                blend1_b_1_1_sum_1_0_38 <= blend1_b_1_1_sum_1_0_37;
+                blend1_b_1_1_sum_1_1_38 <= blend1_b_1_1_sum_1_1_37;
+                blend1_b_1_1_sum_1_2_38 <= blend1_b_1_1_sum_1_2_37;
+                blend1_b_1_2_by_5_38 <= blend1_b_1_2_by_5_37;
+                blend1_b_1_2_sum_1_0_38 <= blend1_b_1_2_sum_1_0_37;
+                blend1_b_1_2_sum_1_1_38 <= blend1_b_1_2_sum_1_1_37;
+                blend1_b_1_2_sum_1_2_38 <= blend1_b_1_2_sum_1_2_37;
+                blend1_b_1_3_by_5_38 <= blend1_b_1_3_by_5_37;
+                blend1_b_1_3_sum_1_0_38 <= blend1_b_1_3_sum_1_0_37;
+                blend1_b_1_3_sum_1_1_38 <= blend1_b_1_3_sum_1_1_37;
+                blend1_b_1_3_sum_1_2_38 <= blend1_b_1_3_sum_1_2_37;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 38: blend1_r_2_0_sum_1_0, blend1_r_2_0_sum_1_1 and 16 more
-    -- UQ-5.20: the sum of two
-    blend1_r_2_0_sum_1_0_38 <=
-        resize(blend1_r_2_0_by_whole_38, 15) + resize(blend1_r_2_0_by_0_38, 15);
-    -- UQ-3.19: the sum of two
-    blend1_r_2_0_sum_1_1_38 <=
-        resize(blend1_r_2_0_by_1_38, 16) + shift_left(resize(blend1_r_2_0_by_2_38, 16), 1);
-    -- UQ-1.17: the sum of two
-    blend1_r_2_0_sum_1_2_38 <=
-        resize(blend1_r_2_0_by_3_38, 16) + shift_left(resize(blend1_r_2_0_by_4_38, 16), 1);
-    -- UQ-5.20: the sum of two
-    blend1_r_2_1_sum_1_0_38 <=
-        resize(blend1_r_2_1_by_whole_38, 15) + resize(blend1_r_2_1_by_0_38, 15);
-    -- UQ-3.19: the sum of two
-    blend1_r_2_1_sum_1_1_38 <=
-        resize(blend1_r_2_1_by_1_38, 16) + shift_left(resize(blend1_r_2_1_by_2_38, 16), 1);
-    -- UQ-1.17: the sum of two
-    blend1_r_2_1_sum_1_2_38 <=
-        resize(blend1_r_2_1_by_3_38, 16) + shift_left(resize(blend1_r_2_1_by_4_38, 16), 1);
-    -- UQ-5.20: the sum of two
-    blend1_g_2_0_sum_1_0_38 <=
-        resize(blend1_g_2_0_by_whole_38, 15) + resize(blend1_g_2_0_by_0_38, 15);
-    -- UQ-3.19: the sum of two
-    blend1_g_2_0_sum_1_1_38 <=
-        resize(blend1_g_2_0_by_1_38, 16) + shift_left(resize(blend1_g_2_0_by_2_38, 16), 1);
-    -- UQ-1.17: the sum of two
-    blend1_g_2_0_sum_1_2_38 <=
-        resize(blend1_g_2_0_by_3_38, 16) + shift_left(resize(blend1_g_2_0_by_4_38, 16), 1);
-    -- UQ-5.20: the sum of two
-    blend1_g_2_1_sum_1_0_38 <=
-        resize(blend1_g_2_1_by_whole_38, 15) + resize(blend1_g_2_1_by_0_38, 15);
-    -- UQ-3.19: the sum of two
-    blend1_g_2_1_sum_1_1_38 <=
-        resize(blend1_g_2_1_by_1_38, 16) + shift_left(resize(blend1_g_2_1_by_2_38, 16), 1);
-    -- UQ-1.17: the sum of two
-    blend1_g_2_1_sum_1_2_38 <=
-        resize(blend1_g_2_1_by_3_38, 16) + shift_left(resize(blend1_g_2_1_by_4_38, 16), 1);
-    -- UQ-5.20: the sum of two
-    blend1_b_2_0_sum_1_0_38 <=
-        resize(blend1_b_2_0_by_whole_38, 15) + resize(blend1_b_2_0_by_0_38, 15);
-    -- UQ-3.19: the sum of two
-    blend1_b_2_0_sum_1_1_38 <=
-        resize(blend1_b_2_0_by_1_38, 16) + shift_left(resize(blend1_b_2_0_by_2_38, 16), 1);
-    -- UQ-1.17: the sum of two
-    blend1_b_2_0_sum_1_2_38 <=
-        resize(blend1_b_2_0_by_3_38, 16) + shift_left(resize(blend1_b_2_0_by_4_38, 16), 1);
-    -- UQ-5.20: the sum of two
-    blend1_b_2_1_sum_1_0_38 <=
-        resize(blend1_b_2_1_by_whole_38, 15) + resize(blend1_b_2_1_by_0_38, 15);
-    -- UQ-3.19: the sum of two
-    blend1_b_2_1_sum_1_1_38 <=
-        resize(blend1_b_2_1_by_1_38, 16) + shift_left(resize(blend1_b_2_1_by_2_38, 16), 1);
-    -- UQ-1.17: the sum of two
-    blend1_b_2_1_sum_1_2_38 <=
-        resize(blend1_b_2_1_by_3_38, 16) + shift_left(resize(blend1_b_2_1_by_4_38, 16), 1);
+    -- ===== Stage 38: blend1_r_1_0_sum_2_0, blend1_r_1_0_sum_2_1 and 22 more
+    -- UQ-3.14: the sum of two
+    blend1_r_1_0_sum_2_0_38 <=
+        resize(blend1_r_1_0_sum_1_0_38, 11) + shift_left(resize(blend1_r_1_0_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_r_1_0_sum_2_1_38 <=
+        resize(blend1_r_1_0_sum_1_2_38, 11) + shift_left(resize(blend1_r_1_0_by_5_38, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_r_1_1_sum_2_0_38 <=
+        resize(blend1_r_1_1_sum_1_0_38, 11) + shift_left(resize(blend1_r_1_1_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_r_1_1_sum_2_1_38 <=
+        resize(blend1_r_1_1_sum_1_2_38, 11) + shift_left(resize(blend1_r_1_1_by_5_38, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_r_1_2_sum_2_0_38 <=
+        resize(blend1_r_1_2_sum_1_0_38, 11) + shift_left(resize(blend1_r_1_2_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_r_1_2_sum_2_1_38 <=
+        resize(blend1_r_1_2_sum_1_2_38, 11) + shift_left(resize(blend1_r_1_2_by_5_38, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_r_1_3_sum_2_0_38 <=
+        resize(blend1_r_1_3_sum_1_0_38, 11) + shift_left(resize(blend1_r_1_3_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_r_1_3_sum_2_1_38 <=
+        resize(blend1_r_1_3_sum_1_2_38, 11) + shift_left(resize(blend1_r_1_3_by_5_38, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_g_1_0_sum_2_0_38 <=
+        resize(blend1_g_1_0_sum_1_0_38, 11) + shift_left(resize(blend1_g_1_0_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_g_1_0_sum_2_1_38 <=
+        resize(blend1_g_1_0_sum_1_2_38, 11) + shift_left(resize(blend1_g_1_0_by_5_38, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_g_1_1_sum_2_0_38 <=
+        resize(blend1_g_1_1_sum_1_0_38, 11) + shift_left(resize(blend1_g_1_1_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_g_1_1_sum_2_1_38 <=
+        resize(blend1_g_1_1_sum_1_2_38, 11) + shift_left(resize(blend1_g_1_1_by_5_38, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_g_1_2_sum_2_0_38 <=
+        resize(blend1_g_1_2_sum_1_0_38, 11) + shift_left(resize(blend1_g_1_2_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_g_1_2_sum_2_1_38 <=
+        resize(blend1_g_1_2_sum_1_2_38, 11) + shift_left(resize(blend1_g_1_2_by_5_38, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_g_1_3_sum_2_0_38 <=
+        resize(blend1_g_1_3_sum_1_0_38, 11) + shift_left(resize(blend1_g_1_3_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_g_1_3_sum_2_1_38 <=
+        resize(blend1_g_1_3_sum_1_2_38, 11) + shift_left(resize(blend1_g_1_3_by_5_38, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_b_1_0_sum_2_0_38 <=
+        resize(blend1_b_1_0_sum_1_0_38, 11) + shift_left(resize(blend1_b_1_0_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_b_1_0_sum_2_1_38 <=
+        resize(blend1_b_1_0_sum_1_2_38, 11) + shift_left(resize(blend1_b_1_0_by_5_38, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_b_1_1_sum_2_0_38 <=
+        resize(blend1_b_1_1_sum_1_0_38, 11) + shift_left(resize(blend1_b_1_1_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_b_1_1_sum_2_1_38 <=
+        resize(blend1_b_1_1_sum_1_2_38, 11) + shift_left(resize(blend1_b_1_1_by_5_38, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_b_1_2_sum_2_0_38 <=
+        resize(blend1_b_1_2_sum_1_0_38, 11) + shift_left(resize(blend1_b_1_2_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_b_1_2_sum_2_1_38 <=
+        resize(blend1_b_1_2_sum_1_2_38, 11) + shift_left(resize(blend1_b_1_2_by_5_38, 11), 2);
+    -- UQ-3.14: the sum of two
+    blend1_b_1_3_sum_2_0_38 <=
+        resize(blend1_b_1_3_sum_1_0_38, 11) + shift_left(resize(blend1_b_1_3_sum_1_1_38, 11), 1);
+    -- UQ0.11: the sum of two
+    blend1_b_1_3_sum_2_1_38 <=
+        resize(blend1_b_1_3_sum_1_2_38, 11) + shift_left(resize(blend1_b_1_3_by_5_38, 11), 2);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -5677,72 +5473,247 @@ begin
                 in_gain1b_39 <= in_gain1b_38;
                 hidden_39 <= hidden_38;
                 shift1_39 <= shift1_38;
-                blend1_r_2_0_by_5_39 <= blend1_r_2_0_by_5_38;
-                blend1_r_2_0_sum_1_0_39 <= blend1_r_2_0_sum_1_0_38;
-                blend1_r_2_0_sum_1_1_39 <= blend1_r_2_0_sum_1_1_38;
-                blend1_r_2_0_sum_1_2_39 <= blend1_r_2_0_sum_1_2_38;
-                blend1_r_2_1_by_5_39 <= blend1_r_2_1_by_5_38;
-                blend1_r_2_1_sum_1_0_39 <= blend1_r_2_1_sum_1_0_38;
-                blend1_r_2_1_sum_1_1_39 <= blend1_r_2_1_sum_1_1_38;
-                blend1_r_2_1_sum_1_2_39 <= blend1_r_2_1_sum_1_2_38;
+                blend1_r_1_0_sum_2_0_39 <= blend1_r_1_0_sum_2_0_38;
+                blend1_r_1_0_sum_2_1_39 <= blend1_r_1_0_sum_2_1_38;
+                blend1_r_1_1_sum_2_0_39 <= blend1_r_1_1_sum_2_0_38;
+                blend1_r_1_1_sum_2_1_39 <= blend1_r_1_1_sum_2_1_38;
+                blend1_r_1_2_sum_2_0_39 <= blend1_r_1_2_sum_2_0_38;
+                blend1_r_1_2_sum_2_1_39 <= blend1_r_1_2_sum_2_1_38;
+                blend1_r_1_3_sum_2_0_39 <= blend1_r_1_3_sum_2_0_38;
+                blend1_r_1_3_sum_2_1_39 <= blend1_r_1_3_sum_2_1_38;
+                v1_odd_whole_39 <= v1_odd_whole_38;
+                v1_odd_of_0_39 <= v1_odd_of_0_38;
+                v1_odd_of_1_39 <= v1_odd_of_1_38;
+                v1_odd_of_2_39 <= v1_odd_of_2_38;
+                v1_odd_of_3_39 <= v1_odd_of_3_38;
+                v1_odd_of_4_39 <= v1_odd_of_4_38;
+                v1_odd_of_5_39 <= v1_odd_of_5_38;
                 blend1_signed_39 <= blend1_signed_38;
-                blend1_g_2_0_by_5_39 <= blend1_g_2_0_by_5_38;
-                blend1_g_2_0_sum_1_0_39 <= blend1_g_2_0_sum_1_0_38;
-                blend1_g_2_0_sum_1_1_39 <= blend1_g_2_0_sum_1_1_38;
-                blend1_g_2_0_sum_1_2_39 <= blend1_g_2_0_sum_1_2_38;
-                blend1_g_2_1_by_5_39 <= blend1_g_2_1_by_5_38;
-                blend1_g_2_1_sum_1_0_39 <= blend1_g_2_1_sum_1_0_38;
-                blend1_g_2_1_sum_1_1_39 <= blend1_g_2_1_sum_1_1_38;
-                blend1_g_2_1_sum_1_2_39 <= blend1_g_2_1_sum_1_2_38;
-                blend1_b_2_0_by_5_39 <= blend1_b_2_0_by_5_38;
-                blend1_b_2_0_sum_1_0_39 <= blend1_b_2_0_sum_1_0_38;
-                blend1_b_2_0_sum_1_1_39 <= blend1_b_2_0_sum_1_1_38;
-                blend1_b_2_0_sum_1_2_39 <= blend1_b_2_0_sum_1_2_38;
-                blend1_b_2_1_by_5_39 <= blend1_b_2_1_by_5_38;
-                blend1_b_2_1_sum_1_0_39 <= blend1_b_2_1_sum_1_0_38;
-                blend1_b_2_1_sum_1_1_39 <= blend1_b_2_1_sum_1_1_38;
-                blend1_b_2_1_sum_1_2_39 <= blend1_b_2_1_sum_1_2_38;
+                blend1_g_1_0_sum_2_0_39 <= blend1_g_1_0_sum_2_0_38;
+                blend1_g_1_0_sum_2_1_39 <= blend1_g_1_0_sum_2_1_38;
+                blend1_g_1_1_sum_2_0_39 <= blend1_g_1_1_sum_2_0_38;
+                blend1_g_1_1_sum_2_1_39 <= blend1_g_1_1_sum_2_1_38;
+                blend1_g_1_2_sum_2_0_39 <= blend1_g_1_2_sum_2_0_38;
+                blend1_g_1_2_sum_2_1_39 <= blend1_g_1_2_sum_2_1_38;
+                blend1_g_1_3_sum_2_0_39 <= blend1_g_1_3_sum_2_0_38;
+                blend1_g_1_3_sum_2_1_39 <= blend1_g_1_3_sum_2_1_38;
+                blend1_b_1_0_sum_2_0_39 <= blend1_b_1_0_sum_2_0_38;
+                blend1_b_1_0_sum_2_1_39 <= blend1_b_1_0_sum_2_1_38;
+                blend1_b_1_1_sum_2_0_39 <= blend1_b_1_1_sum_2_0_38;
+                blend1_b_1_1_sum_2_1_39 <= blend1_b_1_1_sum_2_1_38;
+                blend1_b_1_2_sum_2_0_39 <= blend1_b_1_2_sum_2_0_38;
+                blend1_b_1_2_sum_2_1_39 <= blend1_b_1_2_sum_2_1_38;
+                blend1_b_1_3_sum_2_0_39 <= blend1_b_1_3_sum_2_0_38;
+                blend1_b_1_3_sum_2_1_39 <= blend1_b_1_3_sum_2_1_38;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 39: blend1_r_2_0_sum_2_0, blend1_r_2_0_sum_2_1 and 10 more
-    -- UQ-3.20: the sum of two
-    blend1_r_2_0_sum_2_0_39 <=
-        resize(blend1_r_2_0_sum_1_0_39, 17) + shift_left(resize(blend1_r_2_0_sum_1_1_39, 17), 1);
-    -- UQ0.17: the sum of two
-    blend1_r_2_0_sum_2_1_39 <=
-        resize(blend1_r_2_0_sum_1_2_39, 17) + shift_left(resize(blend1_r_2_0_by_5_39, 17), 2);
-    -- UQ-3.20: the sum of two
-    blend1_r_2_1_sum_2_0_39 <=
-        resize(blend1_r_2_1_sum_1_0_39, 17) + shift_left(resize(blend1_r_2_1_sum_1_1_39, 17), 1);
-    -- UQ0.17: the sum of two
-    blend1_r_2_1_sum_2_1_39 <=
-        resize(blend1_r_2_1_sum_1_2_39, 17) + shift_left(resize(blend1_r_2_1_by_5_39, 17), 2);
-    -- UQ-3.20: the sum of two
-    blend1_g_2_0_sum_2_0_39 <=
-        resize(blend1_g_2_0_sum_1_0_39, 17) + shift_left(resize(blend1_g_2_0_sum_1_1_39, 17), 1);
-    -- UQ0.17: the sum of two
-    blend1_g_2_0_sum_2_1_39 <=
-        resize(blend1_g_2_0_sum_1_2_39, 17) + shift_left(resize(blend1_g_2_0_by_5_39, 17), 2);
-    -- UQ-3.20: the sum of two
-    blend1_g_2_1_sum_2_0_39 <=
-        resize(blend1_g_2_1_sum_1_0_39, 17) + shift_left(resize(blend1_g_2_1_sum_1_1_39, 17), 1);
-    -- UQ0.17: the sum of two
-    blend1_g_2_1_sum_2_1_39 <=
-        resize(blend1_g_2_1_sum_1_2_39, 17) + shift_left(resize(blend1_g_2_1_by_5_39, 17), 2);
-    -- UQ-3.20: the sum of two
-    blend1_b_2_0_sum_2_0_39 <=
-        resize(blend1_b_2_0_sum_1_0_39, 17) + shift_left(resize(blend1_b_2_0_sum_1_1_39, 17), 1);
-    -- UQ0.17: the sum of two
-    blend1_b_2_0_sum_2_1_39 <=
-        resize(blend1_b_2_0_sum_1_2_39, 17) + shift_left(resize(blend1_b_2_0_by_5_39, 17), 2);
-    -- UQ-3.20: the sum of two
-    blend1_b_2_1_sum_2_0_39 <=
-        resize(blend1_b_2_1_sum_1_0_39, 17) + shift_left(resize(blend1_b_2_1_sum_1_1_39, 17), 1);
-    -- UQ0.17: the sum of two
-    blend1_b_2_1_sum_2_1_39 <=
-        resize(blend1_b_2_1_sum_1_2_39, 17) + shift_left(resize(blend1_b_2_1_by_5_39, 17), 2);
+    -- ===== Stage 39: blend1_r_1_0, blend1_r_1_1, blend1_r_1_2, blend1_r_1_3 and 50 more
+    -- UQ0.14: two neighbours
+    blend1_r_1_0_39 <=
+        resize(blend1_r_1_0_sum_2_0_39, 14) + shift_left(resize(blend1_r_1_0_sum_2_1_39, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_r_1_1_39 <=
+        resize(blend1_r_1_1_sum_2_0_39, 14) + shift_left(resize(blend1_r_1_1_sum_2_1_39, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_r_1_2_39 <=
+        resize(blend1_r_1_2_sum_2_0_39, 14) + shift_left(resize(blend1_r_1_2_sum_2_1_39, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_r_1_3_39 <=
+        resize(blend1_r_1_3_sum_2_0_39, 14) + shift_left(resize(blend1_r_1_3_sum_2_1_39, 14), 3);
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_whole_39 <= blend1_r_1_1_39 when v1_odd_whole_39 = '1' else blend1_r_1_0_39;
+    -- UQ-6.20: shifted
+    blend1_r_2_0_by_whole_39 <= blend1_r_2_0_either_whole_39;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_0_39 <= blend1_r_1_1_39 when v1_odd_of_0_39 = '1' else blend1_r_1_0_39;
+    -- UQ-6.20: shifted
+    blend1_r_2_0_by_0_39 <= blend1_r_2_0_either_0_39;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_1_39 <= blend1_r_1_1_39 when v1_odd_of_1_39 = '1' else blend1_r_1_0_39;
+    -- UQ-5.19: shifted
+    blend1_r_2_0_by_1_39 <= blend1_r_2_0_either_1_39;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_2_39 <= blend1_r_1_1_39 when v1_odd_of_2_39 = '1' else blend1_r_1_0_39;
+    -- UQ-4.18: shifted
+    blend1_r_2_0_by_2_39 <= blend1_r_2_0_either_2_39;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_3_39 <= blend1_r_1_1_39 when v1_odd_of_3_39 = '1' else blend1_r_1_0_39;
+    -- UQ-3.17: shifted
+    blend1_r_2_0_by_3_39 <= blend1_r_2_0_either_3_39;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_4_39 <= blend1_r_1_1_39 when v1_odd_of_4_39 = '1' else blend1_r_1_0_39;
+    -- UQ-2.16: shifted
+    blend1_r_2_0_by_4_39 <= blend1_r_2_0_either_4_39;
+    -- UQ0.14: either of both
+    blend1_r_2_0_either_5_39 <= blend1_r_1_1_39 when v1_odd_of_5_39 = '1' else blend1_r_1_0_39;
+    -- UQ-1.15: shifted
+    blend1_r_2_0_by_5_39 <= blend1_r_2_0_either_5_39;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_whole_39 <= blend1_r_1_3_39 when v1_odd_whole_39 = '1' else blend1_r_1_2_39;
+    -- UQ-6.20: shifted
+    blend1_r_2_1_by_whole_39 <= blend1_r_2_1_either_whole_39;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_0_39 <= blend1_r_1_3_39 when v1_odd_of_0_39 = '1' else blend1_r_1_2_39;
+    -- UQ-6.20: shifted
+    blend1_r_2_1_by_0_39 <= blend1_r_2_1_either_0_39;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_1_39 <= blend1_r_1_3_39 when v1_odd_of_1_39 = '1' else blend1_r_1_2_39;
+    -- UQ-5.19: shifted
+    blend1_r_2_1_by_1_39 <= blend1_r_2_1_either_1_39;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_2_39 <= blend1_r_1_3_39 when v1_odd_of_2_39 = '1' else blend1_r_1_2_39;
+    -- UQ-4.18: shifted
+    blend1_r_2_1_by_2_39 <= blend1_r_2_1_either_2_39;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_3_39 <= blend1_r_1_3_39 when v1_odd_of_3_39 = '1' else blend1_r_1_2_39;
+    -- UQ-3.17: shifted
+    blend1_r_2_1_by_3_39 <= blend1_r_2_1_either_3_39;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_4_39 <= blend1_r_1_3_39 when v1_odd_of_4_39 = '1' else blend1_r_1_2_39;
+    -- UQ-2.16: shifted
+    blend1_r_2_1_by_4_39 <= blend1_r_2_1_either_4_39;
+    -- UQ0.14: either of both
+    blend1_r_2_1_either_5_39 <= blend1_r_1_3_39 when v1_odd_of_5_39 = '1' else blend1_r_1_2_39;
+    -- UQ-1.15: shifted
+    blend1_r_2_1_by_5_39 <= blend1_r_2_1_either_5_39;
+    -- UQ0.14: two neighbours
+    blend1_g_1_0_39 <=
+        resize(blend1_g_1_0_sum_2_0_39, 14) + shift_left(resize(blend1_g_1_0_sum_2_1_39, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_g_1_1_39 <=
+        resize(blend1_g_1_1_sum_2_0_39, 14) + shift_left(resize(blend1_g_1_1_sum_2_1_39, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_g_1_2_39 <=
+        resize(blend1_g_1_2_sum_2_0_39, 14) + shift_left(resize(blend1_g_1_2_sum_2_1_39, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_g_1_3_39 <=
+        resize(blend1_g_1_3_sum_2_0_39, 14) + shift_left(resize(blend1_g_1_3_sum_2_1_39, 14), 3);
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_whole_39 <= blend1_g_1_1_39 when v1_odd_whole_39 = '1' else blend1_g_1_0_39;
+    -- UQ-6.20: shifted
+    blend1_g_2_0_by_whole_39 <= blend1_g_2_0_either_whole_39;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_0_39 <= blend1_g_1_1_39 when v1_odd_of_0_39 = '1' else blend1_g_1_0_39;
+    -- UQ-6.20: shifted
+    blend1_g_2_0_by_0_39 <= blend1_g_2_0_either_0_39;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_1_39 <= blend1_g_1_1_39 when v1_odd_of_1_39 = '1' else blend1_g_1_0_39;
+    -- UQ-5.19: shifted
+    blend1_g_2_0_by_1_39 <= blend1_g_2_0_either_1_39;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_2_39 <= blend1_g_1_1_39 when v1_odd_of_2_39 = '1' else blend1_g_1_0_39;
+    -- UQ-4.18: shifted
+    blend1_g_2_0_by_2_39 <= blend1_g_2_0_either_2_39;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_3_39 <= blend1_g_1_1_39 when v1_odd_of_3_39 = '1' else blend1_g_1_0_39;
+    -- UQ-3.17: shifted
+    blend1_g_2_0_by_3_39 <= blend1_g_2_0_either_3_39;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_4_39 <= blend1_g_1_1_39 when v1_odd_of_4_39 = '1' else blend1_g_1_0_39;
+    -- UQ-2.16: shifted
+    blend1_g_2_0_by_4_39 <= blend1_g_2_0_either_4_39;
+    -- UQ0.14: either of both
+    blend1_g_2_0_either_5_39 <= blend1_g_1_1_39 when v1_odd_of_5_39 = '1' else blend1_g_1_0_39;
+    -- UQ-1.15: shifted
+    blend1_g_2_0_by_5_39 <= blend1_g_2_0_either_5_39;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_whole_39 <= blend1_g_1_3_39 when v1_odd_whole_39 = '1' else blend1_g_1_2_39;
+    -- UQ-6.20: shifted
+    blend1_g_2_1_by_whole_39 <= blend1_g_2_1_either_whole_39;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_0_39 <= blend1_g_1_3_39 when v1_odd_of_0_39 = '1' else blend1_g_1_2_39;
+    -- UQ-6.20: shifted
+    blend1_g_2_1_by_0_39 <= blend1_g_2_1_either_0_39;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_1_39 <= blend1_g_1_3_39 when v1_odd_of_1_39 = '1' else blend1_g_1_2_39;
+    -- UQ-5.19: shifted
+    blend1_g_2_1_by_1_39 <= blend1_g_2_1_either_1_39;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_2_39 <= blend1_g_1_3_39 when v1_odd_of_2_39 = '1' else blend1_g_1_2_39;
+    -- UQ-4.18: shifted
+    blend1_g_2_1_by_2_39 <= blend1_g_2_1_either_2_39;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_3_39 <= blend1_g_1_3_39 when v1_odd_of_3_39 = '1' else blend1_g_1_2_39;
+    -- UQ-3.17: shifted
+    blend1_g_2_1_by_3_39 <= blend1_g_2_1_either_3_39;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_4_39 <= blend1_g_1_3_39 when v1_odd_of_4_39 = '1' else blend1_g_1_2_39;
+    -- UQ-2.16: shifted
+    blend1_g_2_1_by_4_39 <= blend1_g_2_1_either_4_39;
+    -- UQ0.14: either of both
+    blend1_g_2_1_either_5_39 <= blend1_g_1_3_39 when v1_odd_of_5_39 = '1' else blend1_g_1_2_39;
+    -- UQ-1.15: shifted
+    blend1_g_2_1_by_5_39 <= blend1_g_2_1_either_5_39;
+    -- UQ0.14: two neighbours
+    blend1_b_1_0_39 <=
+        resize(blend1_b_1_0_sum_2_0_39, 14) + shift_left(resize(blend1_b_1_0_sum_2_1_39, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_b_1_1_39 <=
+        resize(blend1_b_1_1_sum_2_0_39, 14) + shift_left(resize(blend1_b_1_1_sum_2_1_39, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_b_1_2_39 <=
+        resize(blend1_b_1_2_sum_2_0_39, 14) + shift_left(resize(blend1_b_1_2_sum_2_1_39, 14), 3);
+    -- UQ0.14: two neighbours
+    blend1_b_1_3_39 <=
+        resize(blend1_b_1_3_sum_2_0_39, 14) + shift_left(resize(blend1_b_1_3_sum_2_1_39, 14), 3);
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_whole_39 <= blend1_b_1_1_39 when v1_odd_whole_39 = '1' else blend1_b_1_0_39;
+    -- UQ-6.20: shifted
+    blend1_b_2_0_by_whole_39 <= blend1_b_2_0_either_whole_39;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_0_39 <= blend1_b_1_1_39 when v1_odd_of_0_39 = '1' else blend1_b_1_0_39;
+    -- UQ-6.20: shifted
+    blend1_b_2_0_by_0_39 <= blend1_b_2_0_either_0_39;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_1_39 <= blend1_b_1_1_39 when v1_odd_of_1_39 = '1' else blend1_b_1_0_39;
+    -- UQ-5.19: shifted
+    blend1_b_2_0_by_1_39 <= blend1_b_2_0_either_1_39;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_2_39 <= blend1_b_1_1_39 when v1_odd_of_2_39 = '1' else blend1_b_1_0_39;
+    -- UQ-4.18: shifted
+    blend1_b_2_0_by_2_39 <= blend1_b_2_0_either_2_39;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_3_39 <= blend1_b_1_1_39 when v1_odd_of_3_39 = '1' else blend1_b_1_0_39;
+    -- UQ-3.17: shifted
+    blend1_b_2_0_by_3_39 <= blend1_b_2_0_either_3_39;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_4_39 <= blend1_b_1_1_39 when v1_odd_of_4_39 = '1' else blend1_b_1_0_39;
+    -- UQ-2.16: shifted
+    blend1_b_2_0_by_4_39 <= blend1_b_2_0_either_4_39;
+    -- UQ0.14: either of both
+    blend1_b_2_0_either_5_39 <= blend1_b_1_1_39 when v1_odd_of_5_39 = '1' else blend1_b_1_0_39;
+    -- UQ-1.15: shifted
+    blend1_b_2_0_by_5_39 <= blend1_b_2_0_either_5_39;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_whole_39 <= blend1_b_1_3_39 when v1_odd_whole_39 = '1' else blend1_b_1_2_39;
+    -- UQ-6.20: shifted
+    blend1_b_2_1_by_whole_39 <= blend1_b_2_1_either_whole_39;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_0_39 <= blend1_b_1_3_39 when v1_odd_of_0_39 = '1' else blend1_b_1_2_39;
+    -- UQ-6.20: shifted
+    blend1_b_2_1_by_0_39 <= blend1_b_2_1_either_0_39;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_1_39 <= blend1_b_1_3_39 when v1_odd_of_1_39 = '1' else blend1_b_1_2_39;
+    -- UQ-5.19: shifted
+    blend1_b_2_1_by_1_39 <= blend1_b_2_1_either_1_39;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_2_39 <= blend1_b_1_3_39 when v1_odd_of_2_39 = '1' else blend1_b_1_2_39;
+    -- UQ-4.18: shifted
+    blend1_b_2_1_by_2_39 <= blend1_b_2_1_either_2_39;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_3_39 <= blend1_b_1_3_39 when v1_odd_of_3_39 = '1' else blend1_b_1_2_39;
+    -- UQ-3.17: shifted
+    blend1_b_2_1_by_3_39 <= blend1_b_2_1_either_3_39;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_4_39 <= blend1_b_1_3_39 when v1_odd_of_4_39 = '1' else blend1_b_1_2_39;
+    -- UQ-2.16: shifted
+    blend1_b_2_1_by_4_39 <= blend1_b_2_1_either_4_39;
+    -- UQ0.14: either of both
+    blend1_b_2_1_either_5_39 <= blend1_b_1_3_39 when v1_odd_of_5_39 = '1' else blend1_b_1_2_39;
+    -- UQ-1.15: shifted
+    blend1_b_2_1_by_5_39 <= blend1_b_2_1_either_5_39;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -5752,54 +5723,108 @@ begin
                 in_gain1b_40 <= in_gain1b_39;
                 hidden_40 <= hidden_39;
                 shift1_40 <= shift1_39;
-                blend1_r_2_0_sum_2_0_40 <= blend1_r_2_0_sum_2_0_39;
-                blend1_r_2_0_sum_2_1_40 <= blend1_r_2_0_sum_2_1_39;
-                blend1_r_2_1_sum_2_0_40 <= blend1_r_2_1_sum_2_0_39;
-                blend1_r_2_1_sum_2_1_40 <= blend1_r_2_1_sum_2_1_39;
+                blend1_r_2_0_by_whole_40 <= blend1_r_2_0_by_whole_39;
+                blend1_r_2_0_by_0_40 <= blend1_r_2_0_by_0_39;
+                blend1_r_2_0_by_1_40 <= blend1_r_2_0_by_1_39;
+                blend1_r_2_0_by_2_40 <= blend1_r_2_0_by_2_39;
+                blend1_r_2_0_by_3_40 <= blend1_r_2_0_by_3_39;
+                blend1_r_2_0_by_4_40 <= blend1_r_2_0_by_4_39;
+                blend1_r_2_0_by_5_40 <= blend1_r_2_0_by_5_39;
+                blend1_r_2_1_by_whole_40 <= blend1_r_2_1_by_whole_39;
+                blend1_r_2_1_by_0_40 <= blend1_r_2_1_by_0_39;
+                blend1_r_2_1_by_1_40 <= blend1_r_2_1_by_1_39;
+                blend1_r_2_1_by_2_40 <= blend1_r_2_1_by_2_39;
+                blend1_r_2_1_by_3_40 <= blend1_r_2_1_by_3_39;
+                blend1_r_2_1_by_4_40 <= blend1_r_2_1_by_4_39;
+                blend1_r_2_1_by_5_40 <= blend1_r_2_1_by_5_39;
                 blend1_signed_40 <= blend1_signed_39;
-                blend1_g_2_0_sum_2_0_40 <= blend1_g_2_0_sum_2_0_39;
-                blend1_g_2_0_sum_2_1_40 <= blend1_g_2_0_sum_2_1_39;
-                blend1_g_2_1_sum_2_0_40 <= blend1_g_2_1_sum_2_0_39;
-                blend1_g_2_1_sum_2_1_40 <= blend1_g_2_1_sum_2_1_39;
-                blend1_b_2_0_sum_2_0_40 <= blend1_b_2_0_sum_2_0_39;
-                blend1_b_2_0_sum_2_1_40 <= blend1_b_2_0_sum_2_1_39;
-                blend1_b_2_1_sum_2_0_40 <= blend1_b_2_1_sum_2_0_39;
-                blend1_b_2_1_sum_2_1_40 <= blend1_b_2_1_sum_2_1_39;
+                blend1_g_2_0_by_whole_40 <= blend1_g_2_0_by_whole_39;
+                blend1_g_2_0_by_0_40 <= blend1_g_2_0_by_0_39;
+                blend1_g_2_0_by_1_40 <= blend1_g_2_0_by_1_39;
+                blend1_g_2_0_by_2_40 <= blend1_g_2_0_by_2_39;
+                blend1_g_2_0_by_3_40 <= blend1_g_2_0_by_3_39;
+                blend1_g_2_0_by_4_40 <= blend1_g_2_0_by_4_39;
+                blend1_g_2_0_by_5_40 <= blend1_g_2_0_by_5_39;
+                blend1_g_2_1_by_whole_40 <= blend1_g_2_1_by_whole_39;
+                blend1_g_2_1_by_0_40 <= blend1_g_2_1_by_0_39;
+                blend1_g_2_1_by_1_40 <= blend1_g_2_1_by_1_39;
+                blend1_g_2_1_by_2_40 <= blend1_g_2_1_by_2_39;
+                blend1_g_2_1_by_3_40 <= blend1_g_2_1_by_3_39;
+                blend1_g_2_1_by_4_40 <= blend1_g_2_1_by_4_39;
+                blend1_g_2_1_by_5_40 <= blend1_g_2_1_by_5_39;
+                blend1_b_2_0_by_whole_40 <= blend1_b_2_0_by_whole_39;
+                blend1_b_2_0_by_0_40 <= blend1_b_2_0_by_0_39;
+                blend1_b_2_0_by_1_40 <= blend1_b_2_0_by_1_39;
+                blend1_b_2_0_by_2_40 <= blend1_b_2_0_by_2_39;
+                blend1_b_2_0_by_3_40 <= blend1_b_2_0_by_3_39;
+                blend1_b_2_0_by_4_40 <= blend1_b_2_0_by_4_39;
+                blend1_b_2_0_by_5_40 <= blend1_b_2_0_by_5_39;
+                blend1_b_2_1_by_whole_40 <= blend1_b_2_1_by_whole_39;
+                blend1_b_2_1_by_0_40 <= blend1_b_2_1_by_0_39;
+                blend1_b_2_1_by_1_40 <= blend1_b_2_1_by_1_39;
+                blend1_b_2_1_by_2_40 <= blend1_b_2_1_by_2_39;
+                blend1_b_2_1_by_3_40 <= blend1_b_2_1_by_3_39;
+                blend1_b_2_1_by_4_40 <= blend1_b_2_1_by_4_39;
+                blend1_b_2_1_by_5_40 <= blend1_b_2_1_by_5_39;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 40: blend1_r_2_0, blend1_r_2_1, blend1_g_2_0, blend1_g_2_1 and 2 more
-    -- UQ0.20: two neighbours
-    blend1_r_2_0_40 <=
-        resize(blend1_r_2_0_sum_2_0_40, 20) + shift_left(resize(blend1_r_2_0_sum_2_1_40, 20), 3);
-    -- UQ0.20: two neighbours
-    blend1_r_2_1_40 <=
-        resize(blend1_r_2_1_sum_2_0_40, 20) + shift_left(resize(blend1_r_2_1_sum_2_1_40, 20), 3);
-    -- UQ0.17: rounded down to a multiplier's operand
-    blend1_r_2_0_cut_40 <= blend1_r_2_0_40(19 downto 3);
-    -- UQ0.17: rounded down to a multiplier's operand
-    blend1_r_2_1_cut_40 <= blend1_r_2_1_40(19 downto 3);
-    -- UQ0.20: two neighbours
-    blend1_g_2_0_40 <=
-        resize(blend1_g_2_0_sum_2_0_40, 20) + shift_left(resize(blend1_g_2_0_sum_2_1_40, 20), 3);
-    -- UQ0.20: two neighbours
-    blend1_g_2_1_40 <=
-        resize(blend1_g_2_1_sum_2_0_40, 20) + shift_left(resize(blend1_g_2_1_sum_2_1_40, 20), 3);
-    -- UQ0.17: rounded down to a multiplier's operand
-    blend1_g_2_0_cut_40 <= blend1_g_2_0_40(19 downto 3);
-    -- UQ0.17: rounded down to a multiplier's operand
-    blend1_g_2_1_cut_40 <= blend1_g_2_1_40(19 downto 3);
-    -- UQ0.20: two neighbours
-    blend1_b_2_0_40 <=
-        resize(blend1_b_2_0_sum_2_0_40, 20) + shift_left(resize(blend1_b_2_0_sum_2_1_40, 20), 3);
-    -- UQ0.20: two neighbours
-    blend1_b_2_1_40 <=
-        resize(blend1_b_2_1_sum_2_0_40, 20) + shift_left(resize(blend1_b_2_1_sum_2_1_40, 20), 3);
-    -- UQ0.17: rounded down to a multiplier's operand
-    blend1_b_2_0_cut_40 <= blend1_b_2_0_40(19 downto 3);
-    -- UQ0.17: rounded down to a multiplier's operand
-    blend1_b_2_1_cut_40 <= blend1_b_2_1_40(19 downto 3);
+    -- ===== Stage 40: blend1_r_2_0_sum_1_0, blend1_r_2_0_sum_1_1 and 16 more
+    -- UQ-5.20: the sum of two
+    blend1_r_2_0_sum_1_0_40 <=
+        resize(blend1_r_2_0_by_whole_40, 15) + resize(blend1_r_2_0_by_0_40, 15);
+    -- UQ-3.19: the sum of two
+    blend1_r_2_0_sum_1_1_40 <=
+        resize(blend1_r_2_0_by_1_40, 16) + shift_left(resize(blend1_r_2_0_by_2_40, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_r_2_0_sum_1_2_40 <=
+        resize(blend1_r_2_0_by_3_40, 16) + shift_left(resize(blend1_r_2_0_by_4_40, 16), 1);
+    -- UQ-5.20: the sum of two
+    blend1_r_2_1_sum_1_0_40 <=
+        resize(blend1_r_2_1_by_whole_40, 15) + resize(blend1_r_2_1_by_0_40, 15);
+    -- UQ-3.19: the sum of two
+    blend1_r_2_1_sum_1_1_40 <=
+        resize(blend1_r_2_1_by_1_40, 16) + shift_left(resize(blend1_r_2_1_by_2_40, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_r_2_1_sum_1_2_40 <=
+        resize(blend1_r_2_1_by_3_40, 16) + shift_left(resize(blend1_r_2_1_by_4_40, 16), 1);
+    -- UQ-5.20: the sum of two
+    blend1_g_2_0_sum_1_0_40 <=
+        resize(blend1_g_2_0_by_whole_40, 15) + resize(blend1_g_2_0_by_0_40, 15);
+    -- UQ-3.19: the sum of two
+    blend1_g_2_0_sum_1_1_40 <=
+        resize(blend1_g_2_0_by_1_40, 16) + shift_left(resize(blend1_g_2_0_by_2_40, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_g_2_0_sum_1_2_40 <=
+        resize(blend1_g_2_0_by_3_40, 16) + shift_left(resize(blend1_g_2_0_by_4_40, 16), 1);
+    -- UQ-5.20: the sum of two
+    blend1_g_2_1_sum_1_0_40 <=
+        resize(blend1_g_2_1_by_whole_40, 15) + resize(blend1_g_2_1_by_0_40, 15);
+    -- UQ-3.19: the sum of two
+    blend1_g_2_1_sum_1_1_40 <=
+        resize(blend1_g_2_1_by_1_40, 16) + shift_left(resize(blend1_g_2_1_by_2_40, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_g_2_1_sum_1_2_40 <=
+        resize(blend1_g_2_1_by_3_40, 16) + shift_left(resize(blend1_g_2_1_by_4_40, 16), 1);
+    -- UQ-5.20: the sum of two
+    blend1_b_2_0_sum_1_0_40 <=
+        resize(blend1_b_2_0_by_whole_40, 15) + resize(blend1_b_2_0_by_0_40, 15);
+    -- UQ-3.19: the sum of two
+    blend1_b_2_0_sum_1_1_40 <=
+        resize(blend1_b_2_0_by_1_40, 16) + shift_left(resize(blend1_b_2_0_by_2_40, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_b_2_0_sum_1_2_40 <=
+        resize(blend1_b_2_0_by_3_40, 16) + shift_left(resize(blend1_b_2_0_by_4_40, 16), 1);
+    -- UQ-5.20: the sum of two
+    blend1_b_2_1_sum_1_0_40 <=
+        resize(blend1_b_2_1_by_whole_40, 15) + resize(blend1_b_2_1_by_0_40, 15);
+    -- UQ-3.19: the sum of two
+    blend1_b_2_1_sum_1_1_40 <=
+        resize(blend1_b_2_1_by_1_40, 16) + shift_left(resize(blend1_b_2_1_by_2_40, 16), 1);
+    -- UQ-1.17: the sum of two
+    blend1_b_2_1_sum_1_2_40 <=
+        resize(blend1_b_2_1_by_3_40, 16) + shift_left(resize(blend1_b_2_1_by_4_40, 16), 1);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -5809,27 +5834,72 @@ begin
                 in_gain1b_41 <= in_gain1b_40;
                 hidden_41 <= hidden_40;
                 shift1_41 <= shift1_40;
-                blend1_r_2_0_cut_41 <= blend1_r_2_0_cut_40;
-                blend1_r_2_1_cut_41 <= blend1_r_2_1_cut_40;
+                blend1_r_2_0_by_5_41 <= blend1_r_2_0_by_5_40;
+                blend1_r_2_0_sum_1_0_41 <= blend1_r_2_0_sum_1_0_40;
+                blend1_r_2_0_sum_1_1_41 <= blend1_r_2_0_sum_1_1_40;
+                blend1_r_2_0_sum_1_2_41 <= blend1_r_2_0_sum_1_2_40;
+                blend1_r_2_1_by_5_41 <= blend1_r_2_1_by_5_40;
+                blend1_r_2_1_sum_1_0_41 <= blend1_r_2_1_sum_1_0_40;
+                blend1_r_2_1_sum_1_1_41 <= blend1_r_2_1_sum_1_1_40;
+                blend1_r_2_1_sum_1_2_41 <= blend1_r_2_1_sum_1_2_40;
                 blend1_signed_41 <= blend1_signed_40;
-                blend1_g_2_0_cut_41 <= blend1_g_2_0_cut_40;
-                blend1_g_2_1_cut_41 <= blend1_g_2_1_cut_40;
-                blend1_b_2_0_cut_41 <= blend1_b_2_0_cut_40;
-                blend1_b_2_1_cut_41 <= blend1_b_2_1_cut_40;
+                blend1_g_2_0_by_5_41 <= blend1_g_2_0_by_5_40;
+                blend1_g_2_0_sum_1_0_41 <= blend1_g_2_0_sum_1_0_40;
+                blend1_g_2_0_sum_1_1_41 <= blend1_g_2_0_sum_1_1_40;
+                blend1_g_2_0_sum_1_2_41 <= blend1_g_2_0_sum_1_2_40;
+                blend1_g_2_1_by_5_41 <= blend1_g_2_1_by_5_40;
+                blend1_g_2_1_sum_1_0_41 <= blend1_g_2_1_sum_1_0_40;
+                blend1_g_2_1_sum_1_1_41 <= blend1_g_2_1_sum_1_1_40;
+                blend1_g_2_1_sum_1_2_41 <= blend1_g_2_1_sum_1_2_40;
+                blend1_b_2_0_by_5_41 <= blend1_b_2_0_by_5_40;
+                blend1_b_2_0_sum_1_0_41 <= blend1_b_2_0_sum_1_0_40;
+                blend1_b_2_0_sum_1_1_41 <= blend1_b_2_0_sum_1_1_40;
+                blend1_b_2_0_sum_1_2_41 <= blend1_b_2_0_sum_1_2_40;
+                blend1_b_2_1_by_5_41 <= blend1_b_2_1_by_5_40;
+                blend1_b_2_1_sum_1_0_41 <= blend1_b_2_1_sum_1_0_40;
+                blend1_b_2_1_sum_1_1_41 <= blend1_b_2_1_sum_1_1_40;
+                blend1_b_2_1_sum_1_2_41 <= blend1_b_2_1_sum_1_2_40;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 41: blend1_r_3_0_apart, blend1_g_3_0_apart, blend1_b_3_0_apart
-    -- Q0.17: the difference
-    blend1_r_3_0_apart_41 <=
-        signed(resize(blend1_r_2_1_cut_41, 18)) - signed(resize(blend1_r_2_0_cut_41, 18));
-    -- Q0.17: the difference
-    blend1_g_3_0_apart_41 <=
-        signed(resize(blend1_g_2_1_cut_41, 18)) - signed(resize(blend1_g_2_0_cut_41, 18));
-    -- Q0.17: the difference
-    blend1_b_3_0_apart_41 <=
-        signed(resize(blend1_b_2_1_cut_41, 18)) - signed(resize(blend1_b_2_0_cut_41, 18));
+    -- ===== Stage 41: blend1_r_2_0_sum_2_0, blend1_r_2_0_sum_2_1 and 10 more
+    -- UQ-3.20: the sum of two
+    blend1_r_2_0_sum_2_0_41 <=
+        resize(blend1_r_2_0_sum_1_0_41, 17) + shift_left(resize(blend1_r_2_0_sum_1_1_41, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_r_2_0_sum_2_1_41 <=
+        resize(blend1_r_2_0_sum_1_2_41, 17) + shift_left(resize(blend1_r_2_0_by_5_41, 17), 2);
+    -- UQ-3.20: the sum of two
+    blend1_r_2_1_sum_2_0_41 <=
+        resize(blend1_r_2_1_sum_1_0_41, 17) + shift_left(resize(blend1_r_2_1_sum_1_1_41, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_r_2_1_sum_2_1_41 <=
+        resize(blend1_r_2_1_sum_1_2_41, 17) + shift_left(resize(blend1_r_2_1_by_5_41, 17), 2);
+    -- UQ-3.20: the sum of two
+    blend1_g_2_0_sum_2_0_41 <=
+        resize(blend1_g_2_0_sum_1_0_41, 17) + shift_left(resize(blend1_g_2_0_sum_1_1_41, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_g_2_0_sum_2_1_41 <=
+        resize(blend1_g_2_0_sum_1_2_41, 17) + shift_left(resize(blend1_g_2_0_by_5_41, 17), 2);
+    -- UQ-3.20: the sum of two
+    blend1_g_2_1_sum_2_0_41 <=
+        resize(blend1_g_2_1_sum_1_0_41, 17) + shift_left(resize(blend1_g_2_1_sum_1_1_41, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_g_2_1_sum_2_1_41 <=
+        resize(blend1_g_2_1_sum_1_2_41, 17) + shift_left(resize(blend1_g_2_1_by_5_41, 17), 2);
+    -- UQ-3.20: the sum of two
+    blend1_b_2_0_sum_2_0_41 <=
+        resize(blend1_b_2_0_sum_1_0_41, 17) + shift_left(resize(blend1_b_2_0_sum_1_1_41, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_b_2_0_sum_2_1_41 <=
+        resize(blend1_b_2_0_sum_1_2_41, 17) + shift_left(resize(blend1_b_2_0_by_5_41, 17), 2);
+    -- UQ-3.20: the sum of two
+    blend1_b_2_1_sum_2_0_41 <=
+        resize(blend1_b_2_1_sum_1_0_41, 17) + shift_left(resize(blend1_b_2_1_sum_1_1_41, 17), 1);
+    -- UQ0.17: the sum of two
+    blend1_b_2_1_sum_2_1_41 <=
+        resize(blend1_b_2_1_sum_1_2_41, 17) + shift_left(resize(blend1_b_2_1_by_5_41, 17), 2);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -5839,24 +5909,54 @@ begin
                 in_gain1b_42 <= in_gain1b_41;
                 hidden_42 <= hidden_41;
                 shift1_42 <= shift1_41;
-                blend1_r_2_0_cut_42 <= blend1_r_2_0_cut_41;
-                blend1_r_3_0_apart_42 <= blend1_r_3_0_apart_41;
+                blend1_r_2_0_sum_2_0_42 <= blend1_r_2_0_sum_2_0_41;
+                blend1_r_2_0_sum_2_1_42 <= blend1_r_2_0_sum_2_1_41;
+                blend1_r_2_1_sum_2_0_42 <= blend1_r_2_1_sum_2_0_41;
+                blend1_r_2_1_sum_2_1_42 <= blend1_r_2_1_sum_2_1_41;
                 blend1_signed_42 <= blend1_signed_41;
-                blend1_g_2_0_cut_42 <= blend1_g_2_0_cut_41;
-                blend1_g_3_0_apart_42 <= blend1_g_3_0_apart_41;
-                blend1_b_2_0_cut_42 <= blend1_b_2_0_cut_41;
-                blend1_b_3_0_apart_42 <= blend1_b_3_0_apart_41;
+                blend1_g_2_0_sum_2_0_42 <= blend1_g_2_0_sum_2_0_41;
+                blend1_g_2_0_sum_2_1_42 <= blend1_g_2_0_sum_2_1_41;
+                blend1_g_2_1_sum_2_0_42 <= blend1_g_2_1_sum_2_0_41;
+                blend1_g_2_1_sum_2_1_42 <= blend1_g_2_1_sum_2_1_41;
+                blend1_b_2_0_sum_2_0_42 <= blend1_b_2_0_sum_2_0_41;
+                blend1_b_2_0_sum_2_1_42 <= blend1_b_2_0_sum_2_1_41;
+                blend1_b_2_1_sum_2_0_42 <= blend1_b_2_1_sum_2_0_41;
+                blend1_b_2_1_sum_2_1_42 <= blend1_b_2_1_sum_2_1_41;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 42: blend1_r_3_0_part, blend1_g_3_0_part, blend1_b_3_0_part
-    -- Q2.23: its part
-    blend1_r_3_0_part_42 <= blend1_r_3_0_apart_42 * blend1_signed_42;
-    -- Q2.23: its part
-    blend1_g_3_0_part_42 <= blend1_g_3_0_apart_42 * blend1_signed_42;
-    -- Q2.23: its part
-    blend1_b_3_0_part_42 <= blend1_b_3_0_apart_42 * blend1_signed_42;
+    -- ===== Stage 42: blend1_r_2_0, blend1_r_2_1, blend1_g_2_0, blend1_g_2_1 and 2 more
+    -- UQ0.20: two neighbours
+    blend1_r_2_0_42 <=
+        resize(blend1_r_2_0_sum_2_0_42, 20) + shift_left(resize(blend1_r_2_0_sum_2_1_42, 20), 3);
+    -- UQ0.20: two neighbours
+    blend1_r_2_1_42 <=
+        resize(blend1_r_2_1_sum_2_0_42, 20) + shift_left(resize(blend1_r_2_1_sum_2_1_42, 20), 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_r_2_0_cut_42 <= blend1_r_2_0_42(19 downto 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_r_2_1_cut_42 <= blend1_r_2_1_42(19 downto 3);
+    -- UQ0.20: two neighbours
+    blend1_g_2_0_42 <=
+        resize(blend1_g_2_0_sum_2_0_42, 20) + shift_left(resize(blend1_g_2_0_sum_2_1_42, 20), 3);
+    -- UQ0.20: two neighbours
+    blend1_g_2_1_42 <=
+        resize(blend1_g_2_1_sum_2_0_42, 20) + shift_left(resize(blend1_g_2_1_sum_2_1_42, 20), 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_g_2_0_cut_42 <= blend1_g_2_0_42(19 downto 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_g_2_1_cut_42 <= blend1_g_2_1_42(19 downto 3);
+    -- UQ0.20: two neighbours
+    blend1_b_2_0_42 <=
+        resize(blend1_b_2_0_sum_2_0_42, 20) + shift_left(resize(blend1_b_2_0_sum_2_1_42, 20), 3);
+    -- UQ0.20: two neighbours
+    blend1_b_2_1_42 <=
+        resize(blend1_b_2_1_sum_2_0_42, 20) + shift_left(resize(blend1_b_2_1_sum_2_1_42, 20), 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_b_2_0_cut_42 <= blend1_b_2_0_42(19 downto 3);
+    -- UQ0.17: rounded down to a multiplier's operand
+    blend1_b_2_1_cut_42 <= blend1_b_2_1_42(19 downto 3);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -5867,31 +5967,26 @@ begin
                 hidden_43 <= hidden_42;
                 shift1_43 <= shift1_42;
                 blend1_r_2_0_cut_43 <= blend1_r_2_0_cut_42;
-                blend1_r_3_0_part_43 <= blend1_r_3_0_part_42;
+                blend1_r_2_1_cut_43 <= blend1_r_2_1_cut_42;
+                blend1_signed_43 <= blend1_signed_42;
                 blend1_g_2_0_cut_43 <= blend1_g_2_0_cut_42;
-                blend1_g_3_0_part_43 <= blend1_g_3_0_part_42;
+                blend1_g_2_1_cut_43 <= blend1_g_2_1_cut_42;
                 blend1_b_2_0_cut_43 <= blend1_b_2_0_cut_42;
-                blend1_b_3_0_part_43 <= blend1_b_3_0_part_42;
+                blend1_b_2_1_cut_43 <= blend1_b_2_1_cut_42;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 43: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
-    -- UQ0.23: two bands
-    blend1_r_3_0_43 <=
-        shift_left(resize(blend1_r_2_0_cut_43, 23), 6) + unsigned(blend1_r_3_0_part_43(22 downto 0));
-    -- UQ0.18: the blended code
-    root1_r_43 <= blend1_r_3_0_43(22 downto 5);
-    -- UQ0.23: two bands
-    blend1_g_3_0_43 <=
-        shift_left(resize(blend1_g_2_0_cut_43, 23), 6) + unsigned(blend1_g_3_0_part_43(22 downto 0));
-    -- UQ0.18: the blended code
-    root1_g_43 <= blend1_g_3_0_43(22 downto 5);
-    -- UQ0.23: two bands
-    blend1_b_3_0_43 <=
-        shift_left(resize(blend1_b_2_0_cut_43, 23), 6) + unsigned(blend1_b_3_0_part_43(22 downto 0));
-    -- UQ0.18: the blended code
-    root1_b_43 <= blend1_b_3_0_43(22 downto 5);
+    -- ===== Stage 43: blend1_r_3_0_apart, blend1_g_3_0_apart, blend1_b_3_0_apart
+    -- Q0.17: the difference
+    blend1_r_3_0_apart_43 <=
+        signed(resize(blend1_r_2_1_cut_43, 18)) - signed(resize(blend1_r_2_0_cut_43, 18));
+    -- Q0.17: the difference
+    blend1_g_3_0_apart_43 <=
+        signed(resize(blend1_g_2_1_cut_43, 18)) - signed(resize(blend1_g_2_0_cut_43, 18));
+    -- Q0.17: the difference
+    blend1_b_3_0_apart_43 <=
+        signed(resize(blend1_b_2_1_cut_43, 18)) - signed(resize(blend1_b_2_0_cut_43, 18));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -5901,26 +5996,24 @@ begin
                 in_gain1b_44 <= in_gain1b_43;
                 hidden_44 <= hidden_43;
                 shift1_44 <= shift1_43;
-                root1_r_44 <= root1_r_43;
-                root1_g_44 <= root1_g_43;
-                root1_b_44 <= root1_b_43;
+                blend1_r_2_0_cut_44 <= blend1_r_2_0_cut_43;
+                blend1_r_3_0_apart_44 <= blend1_r_3_0_apart_43;
+                blend1_signed_44 <= blend1_signed_43;
+                blend1_g_2_0_cut_44 <= blend1_g_2_0_cut_43;
+                blend1_g_3_0_apart_44 <= blend1_g_3_0_apart_43;
+                blend1_b_2_0_cut_44 <= blend1_b_2_0_cut_43;
+                blend1_b_3_0_apart_44 <= blend1_b_3_0_apart_43;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 44: square1_r_exact, square1_g_exact, square1_b_exact
-    -- UQ0.36: its square
-    square1_r_exact_44 <= root1_r_44 * root1_r_44;
-    -- UQ0.18: rounded down
-    square1_r_44 <= square1_r_exact_44(35 downto 18);
-    -- UQ0.36: its square
-    square1_g_exact_44 <= root1_g_44 * root1_g_44;
-    -- UQ0.18: rounded down
-    square1_g_44 <= square1_g_exact_44(35 downto 18);
-    -- UQ0.36: its square
-    square1_b_exact_44 <= root1_b_44 * root1_b_44;
-    -- UQ0.18: rounded down
-    square1_b_44 <= square1_b_exact_44(35 downto 18);
+    -- ===== Stage 44: blend1_r_3_0_part, blend1_g_3_0_part, blend1_b_3_0_part
+    -- Q2.23: its part
+    blend1_r_3_0_part_44 <= blend1_r_3_0_apart_44 * blend1_signed_44;
+    -- Q2.23: its part
+    blend1_g_3_0_part_44 <= blend1_g_3_0_apart_44 * blend1_signed_44;
+    -- Q2.23: its part
+    blend1_b_3_0_part_44 <= blend1_b_3_0_apart_44 * blend1_signed_44;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -5930,38 +6023,17 @@ begin
                 in_gain1b_45 <= in_gain1b_44;
                 hidden_45 <= hidden_44;
                 shift1_45 <= shift1_44;
-                square1_r_45 <= square1_r_44;
-                square1_g_45 <= square1_g_44;
-                square1_b_45 <= square1_b_44;
+                blend1_r_2_0_cut_45 <= blend1_r_2_0_cut_44;
+                blend1_r_3_0_part_45 <= blend1_r_3_0_part_44;
+                blend1_g_2_0_cut_45 <= blend1_g_2_0_cut_44;
+                blend1_g_3_0_part_45 <= blend1_g_3_0_part_44;
+                blend1_b_2_0_cut_45 <= blend1_b_2_0_cut_44;
+                blend1_b_3_0_part_45 <= blend1_b_3_0_part_44;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 45: square1_r_seen, square1_r_up, square1_r_within and 6 more
-    -- UQ0.18: 0 for a normal that is turned away
-    square1_r_seen_45 <= (others => '0') when hidden_45 = '1' else square1_r_45;
-    -- UQ4.18: times 2^shift
-    square1_r_up_45 <= shift_left(resize(square1_r_seen_45, 22), to_integer(shift1_45));
-    -- UQ4.14: rounded down
-    square1_r_up_cut_45 <= square1_r_up_45(21 downto 4);
-    -- UQ4.14: kept in its format
-    square1_r_within_45 <= square1_r_up_cut_45;
-    -- UQ0.18: 0 for a normal that is turned away
-    square1_g_seen_45 <= (others => '0') when hidden_45 = '1' else square1_g_45;
-    -- UQ4.18: times 2^shift
-    square1_g_up_45 <= shift_left(resize(square1_g_seen_45, 22), to_integer(shift1_45));
-    -- UQ4.14: rounded down
-    square1_g_up_cut_45 <= square1_g_up_45(21 downto 4);
-    -- UQ4.14: kept in its format
-    square1_g_within_45 <= square1_g_up_cut_45;
-    -- UQ0.18: 0 for a normal that is turned away
-    square1_b_seen_45 <= (others => '0') when hidden_45 = '1' else square1_b_45;
-    -- UQ4.18: times 2^shift
-    square1_b_up_45 <= shift_left(resize(square1_b_seen_45, 22), to_integer(shift1_45));
-    -- UQ4.14: rounded down
-    square1_b_up_cut_45 <= square1_b_up_45(21 downto 4);
-    -- UQ4.14: kept in its format
-    square1_b_within_45 <= square1_b_up_cut_45;
+    -- ===== Stage 45: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -5969,61 +6041,166 @@ begin
                 in_gain1r_46 <= in_gain1r_45;
                 in_gain1g_46 <= in_gain1g_45;
                 in_gain1b_46 <= in_gain1b_45;
-                square1_r_within_46 <= square1_r_within_45;
-                square1_g_within_46 <= square1_g_within_45;
-                square1_b_within_46 <= square1_b_within_45;
+                hidden_46 <= hidden_45;
+                shift1_46 <= shift1_45;
+                blend1_r_2_0_cut_46 <= blend1_r_2_0_cut_45;
+                blend1_r_3_0_part_46 <= blend1_r_3_0_part_45;
+                blend1_g_2_0_cut_46 <= blend1_g_2_0_cut_45;
+                blend1_g_3_0_part_46 <= blend1_g_3_0_part_45;
+                blend1_b_2_0_cut_46 <= blend1_b_2_0_cut_45;
+                blend1_b_3_0_part_46 <= blend1_b_3_0_part_45;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 46: light1_r_exact, light1_g_exact, light1_b_exact
-    -- UQ5.31: times the gain
-    light1_r_exact_46 <= square1_r_within_46 * in_gain1r_46;
-    -- UQ5.17: rounded down
-    light1_r_46 <= light1_r_exact_46(35 downto 14);
-    -- UQ5.31: times the gain
-    light1_g_exact_46 <= square1_g_within_46 * in_gain1g_46;
-    -- UQ5.17: rounded down
-    light1_g_46 <= light1_g_exact_46(35 downto 14);
-    -- UQ5.31: times the gain
-    light1_b_exact_46 <= square1_b_within_46 * in_gain1b_46;
-    -- UQ5.17: rounded down
-    light1_b_46 <= light1_b_exact_46(35 downto 14);
+    -- ===== Stage 46: blend1_r_3_0, blend1_g_3_0, blend1_b_3_0
+    -- UQ0.23: two bands
+    blend1_r_3_0_46 <=
+        shift_left(resize(blend1_r_2_0_cut_46, 23), 6) + unsigned(blend1_r_3_0_part_46(22 downto 0));
+    -- UQ0.18: the blended code
+    root1_r_46 <= blend1_r_3_0_46(22 downto 5);
+    -- UQ0.23: two bands
+    blend1_g_3_0_46 <=
+        shift_left(resize(blend1_g_2_0_cut_46, 23), 6) + unsigned(blend1_g_3_0_part_46(22 downto 0));
+    -- UQ0.18: the blended code
+    root1_g_46 <= blend1_g_3_0_46(22 downto 5);
+    -- UQ0.23: two bands
+    blend1_b_3_0_46 <=
+        shift_left(resize(blend1_b_2_0_cut_46, 23), 6) + unsigned(blend1_b_3_0_part_46(22 downto 0));
+    -- UQ0.18: the blended code
+    root1_b_46 <= blend1_b_3_0_46(22 downto 5);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                light1_r_47 <= light1_r_46;
-                light1_g_47 <= light1_g_46;
-                light1_b_47 <= light1_b_46;
+                in_gain1r_47 <= in_gain1r_46;
+                in_gain1g_47 <= in_gain1g_46;
+                in_gain1b_47 <= in_gain1b_46;
+                hidden_47 <= hidden_46;
+                shift1_47 <= shift1_46;
+                root1_r_47 <= root1_r_46;
+                root1_g_47 <= root1_g_46;
+                root1_b_47 <= root1_b_46;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 47: sum_r, sum_g, sum_b
-    -- UQ1.17: kept at 1.0
-    sum_r_47 <= (17 => '1', others => '0') when unsigned(light1_r_47(21 downto 17)) /= 0 else
-        light1_r_47(17 downto 0);
-    -- UQ1.17: kept at 1.0
-    sum_g_47 <= (17 => '1', others => '0') when unsigned(light1_g_47(21 downto 17)) /= 0 else
-        light1_g_47(17 downto 0);
-    -- UQ1.17: kept at 1.0
-    sum_b_47 <= (17 => '1', others => '0') when unsigned(light1_b_47(21 downto 17)) /= 0 else
-        light1_b_47(17 downto 0);
+    -- ===== Stage 47: square1_r_exact, square1_g_exact, square1_b_exact
+    -- UQ0.36: its square
+    square1_r_exact_47 <= root1_r_47 * root1_r_47;
+    -- UQ0.18: rounded down
+    square1_r_47 <= square1_r_exact_47(35 downto 18);
+    -- UQ0.36: its square
+    square1_g_exact_47 <= root1_g_47 * root1_g_47;
+    -- UQ0.18: rounded down
+    square1_g_47 <= square1_g_exact_47(35 downto 18);
+    -- UQ0.36: its square
+    square1_b_exact_47 <= root1_b_47 * root1_b_47;
+    -- UQ0.18: rounded down
+    square1_b_47 <= square1_b_exact_47(35 downto 18);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                sum_r_48 <= sum_r_47;
-                sum_g_48 <= sum_g_47;
-                sum_b_48 <= sum_b_47;
+                in_gain1r_48 <= in_gain1r_47;
+                in_gain1g_48 <= in_gain1g_47;
+                in_gain1b_48 <= in_gain1b_47;
+                hidden_48 <= hidden_47;
+                shift1_48 <= shift1_47;
+                square1_r_48 <= square1_r_47;
+                square1_g_48 <= square1_g_47;
+                square1_b_48 <= square1_b_47;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(48);
-    out_sum_r <= sum_r_48;
-    out_sum_g <= sum_g_48;
-    out_sum_b <= sum_b_48;
+    -- ===== Stage 48: square1_r_seen, square1_r_up, square1_r_within and 6 more
+    -- UQ0.18: 0 for a normal that is turned away
+    square1_r_seen_48 <= (others => '0') when hidden_48 = '1' else square1_r_48;
+    -- UQ4.18: times 2^shift
+    square1_r_up_48 <= shift_left(resize(square1_r_seen_48, 22), to_integer(shift1_48));
+    -- UQ4.14: rounded down
+    square1_r_up_cut_48 <= square1_r_up_48(21 downto 4);
+    -- UQ4.14: kept in its format
+    square1_r_within_48 <= square1_r_up_cut_48;
+    -- UQ0.18: 0 for a normal that is turned away
+    square1_g_seen_48 <= (others => '0') when hidden_48 = '1' else square1_g_48;
+    -- UQ4.18: times 2^shift
+    square1_g_up_48 <= shift_left(resize(square1_g_seen_48, 22), to_integer(shift1_48));
+    -- UQ4.14: rounded down
+    square1_g_up_cut_48 <= square1_g_up_48(21 downto 4);
+    -- UQ4.14: kept in its format
+    square1_g_within_48 <= square1_g_up_cut_48;
+    -- UQ0.18: 0 for a normal that is turned away
+    square1_b_seen_48 <= (others => '0') when hidden_48 = '1' else square1_b_48;
+    -- UQ4.18: times 2^shift
+    square1_b_up_48 <= shift_left(resize(square1_b_seen_48, 22), to_integer(shift1_48));
+    -- UQ4.14: rounded down
+    square1_b_up_cut_48 <= square1_b_up_48(21 downto 4);
+    -- UQ4.14: kept in its format
+    square1_b_within_48 <= square1_b_up_cut_48;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                in_gain1r_49 <= in_gain1r_48;
+                in_gain1g_49 <= in_gain1g_48;
+                in_gain1b_49 <= in_gain1b_48;
+                square1_r_within_49 <= square1_r_within_48;
+                square1_g_within_49 <= square1_g_within_48;
+                square1_b_within_49 <= square1_b_within_48;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 49: light1_r_exact, light1_g_exact, light1_b_exact
+    -- UQ5.31: times the gain
+    light1_r_exact_49 <= square1_r_within_49 * in_gain1r_49;
+    -- UQ5.17: rounded down
+    light1_r_49 <= light1_r_exact_49(35 downto 14);
+    -- UQ5.31: times the gain
+    light1_g_exact_49 <= square1_g_within_49 * in_gain1g_49;
+    -- UQ5.17: rounded down
+    light1_g_49 <= light1_g_exact_49(35 downto 14);
+    -- UQ5.31: times the gain
+    light1_b_exact_49 <= square1_b_within_49 * in_gain1b_49;
+    -- UQ5.17: rounded down
+    light1_b_49 <= light1_b_exact_49(35 downto 14);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                light1_r_50 <= light1_r_49;
+                light1_g_50 <= light1_g_49;
+                light1_b_50 <= light1_b_49;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 50: sum_r, sum_g, sum_b
+    -- UQ1.17: kept at 1.0
+    sum_r_50 <= (17 => '1', others => '0') when unsigned(light1_r_50(21 downto 17)) /= 0 else
+        light1_r_50(17 downto 0);
+    -- UQ1.17: kept at 1.0
+    sum_g_50 <= (17 => '1', others => '0') when unsigned(light1_g_50(21 downto 17)) /= 0 else
+        light1_g_50(17 downto 0);
+    -- UQ1.17: kept at 1.0
+    sum_b_50 <= (17 => '1', others => '0') when unsigned(light1_b_50(21 downto 17)) /= 0 else
+        light1_b_50(17 downto 0);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                sum_r_51 <= sum_r_50;
+                sum_g_51 <= sum_g_50;
+                sum_b_51 <= sum_b_50;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(51);
+    out_sum_r <= sum_r_51;
+    out_sum_g <= sum_g_51;
+    out_sum_b <= sum_b_51;
 
 end architecture rtl;
