@@ -310,11 +310,11 @@ fn every_address_and_every_weight() {
             let to_codes = exp2(image.of.image.channel_bits as i32 - image.block.widths().term);
             let n = Vector::new(codes[0] as f64 * lsb, codes[1] as f64 * lsb, codes[2] as f64 * lsb);
             let record = image.model().record(&codes[3..]);
-            // No unit vectors bring so great a shift together with so great an n.l.
+            // No unit vectors bring an n.l of 1 or more, or so great a shift together with so great an n.l.
             let l = record.direction.map(|l| Vector::from(l.map(|code| code as f64 * lsb)));
-            if l.map_or(0.5, |l| n.dot(&l)) * exp2(record.shift.unwrap_or(0) as i32)
-                > exp2(image.block.widths().lit_int)
-            {
+            let nl = l.map_or(0.5, |l| n.dot(&l));
+            let shifted = nl * exp2(record.shift.unwrap_or(0) as i32);
+            if nl >= 1.0 || shifted > exp2(image.block.widths().lit_int) {
                 return;
             }
             let light = image.block.light_of(&record);

@@ -4,7 +4,7 @@
 
 use std::fs;
 
-use brdfgen::block::image::{Image, ImageForm, ImageSamples};
+use brdfgen::block::image::{FrontEnd, Image, ImageForm, ImageSamples};
 use brdfgen::core::{BlockDesign, Design, Direction, ImageDesign};
 use brdfgen::fixed::{Rng, exp2};
 use brdfgen::reflectance::{images, matcap};
@@ -199,6 +199,7 @@ fn smaller_pictures_keep_the_light() {
         channel_bits: 8,
         lights: 0,
         most_lights: 0,
+        front_end: FrontEnd::Record,
     };
     let error = |image: &Image| ImageSamples::of_picture(image, &form, 1.0, "p").unwrap_err().to_string();
     assert!(error(&Image { size: 128, ..asked.clone() }).contains("image_size = 128 is more than the 100 × 100"));
