@@ -24,7 +24,7 @@ use crate::reflectance::texels::Texels;
 /// Fraction bits of sines, cosines and reciprocal roots: with a sign an operand of a multiplier.
 pub(super) const UNIT: i32 = 16;
 /// Fraction bits of a field's rise to the next row, beyond those of the field.
-const RISE: i32 = 2;
+const RISE: i32 = 0;
 /// Fraction bits of r in the form bivariate, and its integer bits.
 pub(super) const HALF_ROOT: i32 = 11;
 pub(super) const HALF_ROOT_INT: i32 = 6;
@@ -34,7 +34,7 @@ pub(super) const AZIMUTH: OctaveAxis = OctaveAxis { size: 512, octave_bits: 5 };
 /// The greatest exponent that l_x and l_y are multiplied with.
 pub(super) const AZIMUTH_SHIFT: i32 = (AZIMUTH.size >> AZIMUTH.octave_bits) as i32 / 2 - 1;
 /// Bits of the weights between its rows.
-pub(super) const AZIMUTH_WEIGHT: u32 = 8;
+pub(super) const AZIMUTH_WEIGHT: u32 = 6;
 /// Fraction bits of ρ².
 pub(super) const AZIMUTH_OPERAND: i32 =
     (AZIMUTH.size >> AZIMUTH.octave_bits) as i32 - 1 + (AZIMUTH.octave_bits + AZIMUTH_WEIGHT) as i32;
