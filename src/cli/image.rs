@@ -8,7 +8,7 @@ use serde_json::{Map, json};
 
 use super::source::{Source, read_scene};
 use super::{Verdict, say, say_json, write_to};
-use crate::block::image::FixedLight;
+
 use crate::core::sample::dot;
 use crate::core::{BlockDesign, Design};
 use crate::emit::package::{self, counted};
@@ -138,7 +138,7 @@ fn lights(arguments: &LightsArguments) -> Result<Verdict, Error> {
     };
     let records = given
         .iter()
-        .map(|light| FixedLight::new(light.at, light.intensity).map(|light| image.block.light_codes(&light)))
+        .map(|light| image.block.fixed_light(light.at, light.intensity).map(|light| image.block.light_codes(&light)))
         .collect::<Result<Vec<_>, Error>>()?;
     // Those of the first light.
     let ports = &design.light_inputs()[..records[0].len()];

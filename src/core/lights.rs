@@ -230,7 +230,8 @@ impl Design {
                 role: Role::SetShown,
                 format: None,
                 meaning: format!(
-                    "set of texels that samples are looked up in; the other may be written {} enabled clocks after a change",
+                    "set of texels that samples are looked up in; the other may be written {} enabled clocks after \
+                     a change",
                     self.schedule.latency
                 ),
             });

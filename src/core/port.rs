@@ -16,8 +16,8 @@ pub struct WritePort {
 }
 
 impl WritePort {
-    /// The write port of a memory of so many sets of words: `wr_en`, `wr_addr` and `wr_data` for the coefficients, with the memory's name behind
-    /// `wr` for another.
+    /// The write port of a memory of so many sets of words: `wr_en`, `wr_addr` and `wr_data` for the coefficients, with
+    /// the memory's name behind `wr` for another.
     #[must_use]
     pub fn of(memory: usize, table: &Table, sets: u32) -> Self {
         let (prefix, what) = match table.name {

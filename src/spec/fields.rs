@@ -167,7 +167,8 @@ method_keys! { keys! {
     texel_latency: u32 where "image-based blocks",
 
     /// Hold two sets of writable texels: samples are looked up in the one until one of them ends with swap
-    #[arg(help_heading = "Image-based block", value_name = "true|false", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    #[arg(help_heading = "Image-based block", value_name = "true|false", num_args = 0..=1, require_equals = true)]
+    #[arg(default_missing_value = "true")]
     swap: bool where "image-based blocks",
 
     /// A named material, NAME=SHININESS; repeat for more. `in_n` is their index

@@ -26,6 +26,7 @@ impl SpecFields {
 
     fn resolve_with(self, image_of: impl Fn(&Self) -> Result<ImageSpec, Error>) -> Result<CoreSpec, Error> {
         self.check_block()?;
+        let (texel_latency, swap) = (self.resolved_texel_latency()?, self.resolved_swap()?);
         let (block, default_name) = match self.block {
             Some(BlockKind::Image) => {
                 let image = image_of(&self)?;
@@ -40,8 +41,6 @@ impl SpecFields {
         let axi_stream = self.resolved_axi_stream()?;
         let light_source = self.resolved_light_source(&block)?;
         let rom = self.resolved_rom(&block);
-        let texel_latency = self.resolved_texel_latency()?;
-        let swap = self.resolved_swap()?;
         let name = self.name.unwrap_or(default_name);
         check_name(&name)?;
         let languages = resolved_languages(self.languages)?;

@@ -94,7 +94,8 @@ fn the_core_is_drawn_and_proved_with_its_memory() {
     );
     scratch.write(
         "scene.toml",
-        "width = 24\nheight = 24\n[camera]\nposition = [0.5, 0.8, 4.0]\n[[material]]\nname = 'own'\nreflectance = { model = 'ggx', exposure = 1.5 }\n\
+        "width = 24\nheight = 24\n[camera]\nposition = [0.5, 0.8, 4.0]\n[[material]]\nname = 'own'\n\
+         reflectance = { model = 'ggx', exposure = 1.5 }\n\
          [[light]]\ndirection = [1.0, 1.0, 0.4]\n[[object]]\nkind = 'sphere'\nmaterial = 'own'\n",
     );
     scratch.run("generate core.toml --out own").succeeds();

@@ -5,10 +5,10 @@
 //! `l_z < 0`, because φ and its half's sine or cosine go as a root of it at either end. These are the place of φ among
 //! the bands, which are evenly spaced, and
 //!
-//! - in the form half the cosine and the sine of φ/2, whose products with cos γ and sin γ are the rows of the turn. With
-//!   `ρ² = l_x² + l_y²` these are `l_x/ρ` and `l_y/ρ`: ρ² is multiplied by four, and l_x and l_y by two, until ρ² is
-//!   from 1/4 to 1, where a table has 1/ρ. Below the axis's least octave γ is 0: the slices of a light so near to the
-//!   viewer are round.
+//! - in the form half the cosine and the sine of φ/2, whose products with cos γ and sin γ are the rows of the turn.
+//!   With `ρ² = l_x² + l_y²` these are `l_x/ρ` and `l_y/ρ`: ρ² is multiplied by four, and l_x and l_y by two, until ρ²
+//!   is from 1/4 to 1, where a table has 1/ρ. Below the axis's least octave γ is 0: the slices of a light so near to
+//!   the viewer are round.
 //! - in the form bivariate `r = 1/√(2 + 2 l_z)`, which makes a unit vector of `l + v`. An error of r changes the length
 //!   of h alone, and `|n - h|²/2` by no more than a part of itself and the square of the error.
 //!
@@ -273,8 +273,8 @@ pub struct FrontEndRows {
     pub cosines: Vec<[f64; 2]>,
     /// The polar angles in degrees at both ends of each row between bands; the last one's are that of the last band.
     pub angles: Vec<[f64; 2]>,
-    /// The squares of the sine of the polar angle at both ends of each row of reciprocal roots: a row serves these times
-    /// 4^-e for the exponents e from 0. None in the form bivariate.
+    /// The squares of the sine of the polar angle at both ends of each row of reciprocal roots: a row serves these
+    /// times 4^-e for the exponents e from 0. None in the form bivariate.
     pub across: Vec<[f64; 2]>,
     /// How many exponents there are.
     pub exponents: usize,

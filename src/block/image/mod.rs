@@ -14,6 +14,7 @@
 
 mod datapath;
 mod front_end;
+mod joints;
 mod matcap;
 mod model;
 mod options;
@@ -27,8 +28,8 @@ mod turned;
 mod vector_light;
 mod vector_model;
 
-pub use datapath::{Joints, LightJoints, PlaceJoints, StepJoints};
 pub use front_end::FrontEndRows;
+pub use joints::{Joints, LightJoints, PlaceJoints, StepJoints};
 pub use model::ImageModel;
 use options::{BLENDED, GAIN, GAIN_INT};
 pub use options::{
@@ -150,8 +151,8 @@ impl ImageBlock {
         self.image.has_lights().then_some(Sums { frac_bits, ambient: None, channel_bits: self.image.channel_bits })
     }
 
-    /// The keys of the rows of the tables that a normal is turned by in the form paper: 1 - y², of reciprocal roots, and
-    /// angles in right angles, of sines.
+    /// The keys of the rows of the tables that a normal is turned by in the form paper: 1 - y², of reciprocal roots,
+    /// and angles in right angles, of sines.
     #[must_use]
     pub fn turn_rows(&self) -> Option<[&[f64]; 2]> {
         let [roots, sines, ..] = &self.functions[..] else { return None };

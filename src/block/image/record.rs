@@ -231,12 +231,20 @@ impl ImageBlock {
     /// # Errors
     /// An intensity that is not from 0 to 1; the form matcap, which is told of no lights.
     pub fn record(&self, light: Light, intensity: [f64; 3]) -> Result<LightRecord, Error> {
+        self.fixed_light(light, intensity).map(|light| self.fixed_record(&light))
+    }
+
+    /// A light of an intensity a channel in fixed-point numbers.
+    ///
+    /// # Errors
+    /// The form matcap, which is told of no lights; an intensity that is not from 0 to 1.
+    pub fn fixed_light(&self, light: Light, intensity: [f64; 3]) -> Result<FixedLight, Error> {
         refuse!(
             !self.image.has_lights(),
             "a core of the form matcap has no lights",
             "its light is in its picture: an image-based block of another form takes records of lights"
         );
-        FixedLight::new(light, intensity).map(|light| self.fixed_record(&light))
+        FixedLight::new(light, intensity)
     }
 
     /// The record of a light in fixed-point numbers.

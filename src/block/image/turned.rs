@@ -1,6 +1,7 @@
 //! The operations that turn the normal to the images of the form paper; see [`super::turn`].
 
-use super::datapath::{Imaging, LightPorts, Pair, StepJoints};
+use super::StepJoints;
+use super::datapath::{Imaging, LightPorts, Pair};
 use super::turn::{ANGLE, HALF_TURN, ROOT, ROOT_AXIS, ROOT_OPERAND, ROOT_WEIGHT, SINE, STEPS, TILT};
 use crate::datapath::builder::HighBits;
 use crate::datapath::graph::{NodeId, Op};

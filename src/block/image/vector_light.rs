@@ -1,11 +1,11 @@
 //! The operations that make a light's record of the vector towards it; see [`super::front_end`].
 
-use super::datapath::{Imaging, LightPorts, Place, StepJoints, bound};
+use super::datapath::{Imaging, LightPorts, Place, bound};
 use super::front_end::{
     AZIMUTH, AZIMUTH_OPERAND, AZIMUTH_SHIFT, AZIMUTH_TABLE, AZIMUTH_WEIGHT, BANDS_TABLE, HALF_ROOT, HALF_ROOT_INT,
     POLAR_TABLE, UNIT,
 };
-use super::{Image, ImageForm};
+use super::{Image, ImageForm, StepJoints};
 use crate::block::CHANNELS;
 use crate::block::parts::{self, AXES};
 use crate::datapath::builder::{Bound, HighBits};

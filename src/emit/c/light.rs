@@ -1,5 +1,5 @@
-//! The function that makes the records of lights for an image-based core: [`ImageBlock::light_codes`] in C, bit for bit,
-//! for a driver that has neither this library nor floating point.
+//! The function that makes the records of lights for an image-based core: [`ImageBlock::light_codes`] in C, bit for
+//! bit, for a driver that has neither this library nor floating point.
 //!
 //! [`ImageBlock::light_codes`]: crate::block::image::ImageBlock::light_codes
 

@@ -193,8 +193,8 @@ fn computed_records_are_the_exact_ones() {
         let block = block(image, reflectance);
         let (image, model, widths) = (block.image(), block.model(), block.widths());
         let one = exp2(image.vector_fraction as i32);
-        // Of the vectors, of h, of the place among the bands and of the gain: between the angles at which the azimuth is
-        // in a few codes, and from 0 on.
+        // Of the vectors, of h, of the place among the bands and of the gain: between the angles at which the azimuth
+        // is in a few codes, and from 0 on.
         let mut worst = [[0.0f64; 4]; 2];
         for step in 0..=35_200 {
             let phi = f64::from(step) / 200.0;
@@ -230,8 +230,8 @@ fn computed_records_are_the_exact_ones() {
         println!("{image}: {worst:?}");
         let [[vectors, half, places, gains], [_, half_at_pole, places_at_pole, gains_at_pole]] = worst;
         let steps = exp2(-(image.weight_bits as i32));
-        // A texel of 32 is 0.06 wide. Between bands of very different caps the gain is no line from row to row; where the
-        // light is behind the object a code of l_z is a part of 0.003 of 1 + l_z.
+        // A texel of 32 is 0.06 wide. Between bands of very different caps the gain is no line from row to row; where
+        // the light is behind the object a code of l_z is a part of 0.003 of 1 + l_z.
         assert!(vectors < 3e-3 && half < 3e-3 && places < 2.5 * steps && gains < 1e-2);
         assert!(half_at_pole < 6e-3 && places_at_pole < 2.5 * steps && gains_at_pole < 4e-3);
     }
