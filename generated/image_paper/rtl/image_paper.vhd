@@ -1,7 +1,7 @@
 -- image_paper: image-based block of ggx (paper, 6 sphere images of 64 x 64 texels), 1 light a clock, 8 bits a channel
 --
 -- Made by: brdfgen generate core.toml
--- Spec 44362361f4937b8e. Generated; the core is yours to use under any terms.
+-- Spec ac9ccafaac21f010. Generated; the core is yours to use under any terms.
 --
 --   in_nx         Q1.16   x of the unit normal, the viewer at +z
 --   in_ny         Q1.16   y of the unit normal, the viewer at +z

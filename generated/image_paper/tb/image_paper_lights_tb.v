@@ -1,7 +1,7 @@
 // image_paper_lights: the lights of a sample in sequence through the core image_paper
 //
 // Made by: brdfgen generate core.toml
-// Spec 44362361f4937b8e. Generated; the sequencer is yours to use under any terms.
+// Spec ac9ccafaac21f010. Generated; the sequencer is yours to use under any terms.
 //
 //   in_last       1 bit   with the lights of this clock the sample ends
 //   out_r         UQ8.0   red; 255 is full scale
