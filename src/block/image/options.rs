@@ -327,8 +327,11 @@ impl Image {
             }
         }
         refuse!(
-            self.front_end == FrontEnd::Vector && self.has_turns(),
-            "front_end = vector is given for sphere images, whose lights are told by their records",
+            self.front_end == FrontEnd::Vector && !self.has_incidence(),
+            match self.has_turns() {
+                true => "front_end = vector is given for sphere images, whose lights are told by their records",
+                false => "front_end = vector is given for a matcap, which is told of no lights",
+            },
             "leave it out, or use --image-form half or bivariate"
         );
         let texels = self.extents().iter().map(|&extent| u64::from(extent)).product::<u64>();

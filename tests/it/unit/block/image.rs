@@ -276,9 +276,12 @@ fn what_is_no_block_is_refused() {
         let Error::Input { what, allowed } = image.check().unwrap_err() else { panic!("{image:?}") };
         assert!(what.contains(words) && !allowed.is_empty(), "{what} | {allowed}");
     }
-    let paper = by_vector(paper(&SIX, 64));
-    let Error::Input { what, .. } = paper.check().unwrap_err() else { panic!("{paper:?}") };
-    assert!(what.contains("front_end = vector is given for sphere images"), "{what}");
+    let matcap = Image { form: ImageForm::Matcap, ..SMALL };
+    for (image, words) in [(paper(&SIX, 64), "sphere images"), (matcap, "a matcap")] {
+        let image = by_vector(image);
+        let Error::Input { what, .. } = image.check().unwrap_err() else { panic!("{image:?}") };
+        assert!(what.contains(&format!("front_end = vector is given for {words}")), "{what}");
+    }
     for intensity in [[-0.1, 0.0, 0.0], [0.0, 1.01, 0.0], [0.0, 0.0, f64::NAN]] {
         assert!(block(SMALL, "lambert").record(Light::new(0.0, 0.0), intensity).is_err());
     }
