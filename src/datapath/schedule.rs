@@ -109,20 +109,22 @@ struct Rules {
     rom_registers: u32,
     /// Registers directly behind a ROM that will be a block RAM.
     block_registers: u32,
+    /// Registers behind a product in front of a sum that is a factor, where one addition is much for a stage.
+    product_registers: u32,
     /// The longest chain of a stage, in units of a multiplier's delay.
     period: f64,
 }
 
-/// From the fastest to the shallowest pipeline.
+/// From the fastest to the shallowest pipeline. In the fastest a product has its own register, and one near the adder.
 const RULES: [Rules; 8] = [
-    Rules { rom_registers: 2, block_registers: BLOCK_REGISTERS + 1, period: 1.0 },
-    Rules { rom_registers: 1, block_registers: 1, period: 1.0 },
-    Rules { rom_registers: 1, block_registers: 1, period: 1.5 },
-    Rules { rom_registers: 1, block_registers: 1, period: 2.0 },
-    Rules { rom_registers: 1, block_registers: 1, period: 3.0 },
-    Rules { rom_registers: 1, block_registers: 1, period: 4.0 },
-    Rules { rom_registers: 1, block_registers: 1, period: 16.0 },
-    Rules { rom_registers: 0, block_registers: 0, period: f64::INFINITY },
+    Rules { rom_registers: 2, block_registers: BLOCK_REGISTERS + 1, product_registers: 2, period: 1.0 },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 1.0 },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 1.5 },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 2.0 },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 3.0 },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 4.0 },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 16.0 },
+    Rules { rom_registers: 0, block_registers: 0, product_registers: 0, period: f64::INFINITY },
 ];
 
 impl Rules {
@@ -258,8 +260,7 @@ fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32], external: &
     let count = graph.nodes.len();
     let mut stage = vec![0u32; count];
     let mut done = vec![0.0f64; count];
-    let is_fastest = rules.rom_registers > 1 && adders == Adders::One;
-    let between = if is_fastest { between_products(graph) } else { vec![false; count] };
+    let between = if adders == Adders::One { between_products(graph) } else { vec![false; count] };
     for (id, node) in graph.nodes.iter().enumerate() {
         let time = delay(node.op, adders);
         // An address goes out of the core from a register.
@@ -273,8 +274,7 @@ fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32], external: &
                 + extra[arg]
                 + match from.op {
                     Op::Field { memory, .. } => rules.registers_behind(graph, memory, external),
-                    // The product's own, and one near the adder.
-                    _ if between[id] && graph.nodes[origin(graph, arg)].op == Op::Mul => 2,
+                    _ if between[id] && graph.nodes[origin(graph, arg)].op == Op::Mul => rules.product_registers,
                     _ => 0,
                 };
             let ready = stage[arg] + registers;

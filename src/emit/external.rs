@@ -3,6 +3,7 @@
 
 use askama::Template;
 
+use super::vhdl::WordReader;
 use super::{Declaration, Port, RomFile, Texts, names, render, verilog, vhdl};
 use crate::core::ReadPort;
 use crate::fixed::Table;
@@ -44,9 +45,10 @@ impl ExternalPart {
         Self { port, file, depth: table.depth(), address_bits: table.address_bits, bits: table.word_bits() }
     }
 
-    /// Bits of the hexadecimal digits that hold a word.
-    fn digit_bits(&self) -> u32 {
-        self.bits.next_multiple_of(4)
+    /// What reads its words in VHDL, the part of this number.
+    fn reader(&self, number: &usize) -> WordReader {
+        let (name, kind) = (number.to_string(), format!("words_{number}_t"));
+        WordReader { name, kind, depth: self.depth, bits: self.bits, second: None }
     }
 }
 

@@ -32,8 +32,6 @@ struct MemoryText<'a> {
     constant: String,
     word: String,
     bits: u32,
-    /// Bits of the hexadecimal digits that hold a word.
-    digit_bits: u32,
     address: String,
     depth: usize,
     /// Where its second set of so many words begins, if it holds two.
@@ -48,7 +46,27 @@ struct MemoryText<'a> {
     chunks: Vec<Chunk>,
 }
 
+/// A function that reads a memory's words from a file.
+pub(super) struct WordReader {
+    /// What is read, as its name says it.
+    pub(super) name: String,
+    /// The type of the words.
+    pub(super) kind: String,
+    /// The words.
+    pub(super) depth: usize,
+    /// Bits of a word.
+    pub(super) bits: u32,
+    /// Where they stand once more, if they do.
+    pub(super) second: Option<usize>,
+}
+
 impl MemoryText<'_> {
+    /// What reads its words.
+    fn reader(&self) -> WordReader {
+        let (name, kind) = (self.name.to_owned(), format!("{}_t", self.name));
+        WordReader { name, kind, depth: self.depth, bits: self.bits, second: self.second }
+    }
+
     /// The greatest address.
     fn last(&self) -> usize {
         self.second.unwrap_or_default() + self.depth - 1
@@ -378,7 +396,6 @@ fn memories<'a>(layout: &Layout<'a>, texts: &'a Texts, stage: u32) -> Vec<Memory
                 name: table.name,
                 constant: table.name.to_ascii_uppercase(),
                 bits: table.word_bits(),
-                digit_bits: 4 * table.word_bits().div_ceil(4),
                 address: match (texts.sets_of(memory), stage) {
                     (1, _) => layout.name(read.address, stage),
                     (_, 0) => format!("{} & {}", Role::IN_SET, layout.name(read.address, stage)),

@@ -179,9 +179,6 @@ module {{ axis.name }}_tb;
     integer complements = 0; // of these, sent so far,
     integer complements_compared = 0; // and compared
     integer at;
-{%- if bench.has_sets() %}
-    integer set;
-{%- endif %}
 {%- for write in bench.writes %}
     reg [{{ write.data_bits - 1 }}:0] words_{{ write.memory }} [0:{{ write.depth - 1 }}];
 {%- endfor %}
@@ -491,18 +488,18 @@ module {{ axis.name }}_tb;
 {%- if !bench.writes.is_empty() %}
 {% include "testbench/words.v" %}
 
-    // Writes every word of the memories, or its complement{% if bench.has_sets() %}; the words to the second set of texels only{% endif %}.
+    // Writes every word of the memories, or its complement{% if bench.has_sets() %}, to a set of texels{% endif %}.
     task load;
         input complement;
+{%- if bench.has_sets() %}
+        input set;
+{%- endif %}
         begin
 {%- for write in bench.writes %}
-{%- if bench.has_sets() %}
-            for (set = complement ? 0 : 1; set < 2; set = set + 1)
-{%- endif %}
             for (at = 0; at < {{ write.depth }}; at = at + 1) begin
                 present_garbage(1'b0);
                 {{ write.enable }} = 1'b1;
-                {{ write.address }} = {% if bench.has_sets() %}{set[0], at[{{ write.own_bits() - 1 }}:0]}{% else %}at[{{ write.address_bits - 1 }}:0]{% endif %};
+                {{ write.address }} = {% if bench.has_sets() %}{set, {% endif %}at[{{ write.own_bits() - 1 }}:0]{% if bench.has_sets() %}}{% endif %};
                 {{ write.data }} = words_{{ write.memory }}[at] ^ { {{- write.data_bits }}{complement}};
                 quiet = 0;
                 clock;
@@ -592,9 +589,13 @@ module {{ axis.name }}_tb;
 {%- if !bench.writes.is_empty() %}
             read_words;
             if (!failed) begin
-                load(1'b1);
 {%- if bench.has_sets() %}
-                load(1'b0);
+                // The words in the second set alone.
+                load(1'b1, 1'b0);
+                load(1'b1, 1'b1);
+                load(1'b0, 1'b1);
+{%- else %}
+                load(1'b1);
 {%- endif %}
 {%- for vector in bench.complemented %}
                 send_complement({{ vector }});

@@ -549,34 +549,14 @@ begin
 
 {% include "testbench/words.vhd" %}
 
-        -- Writes every word of the memories, or its complement{% if bench.has_sets() %}; the words to the second set of texels
-        -- only{% endif %}.
-        procedure load(complement : boolean) is
+        -- Writes every word of the memories, or its complement{% if bench.has_sets() %}, to a set of texels{% endif %}.
+        procedure load(complement : boolean{% if bench.has_sets() %}; set : std_logic{% endif %}) is
         begin
 {%- for write in bench.writes %}
-{%- if bench.has_sets() %}
-            for second in boolean loop
-                next when not complement and not second;
-                for address in words_{{ write.memory }}'range loop
-                    present_garbage('0');
-                    {{ write.enable }} <= '1';
-                    {{ write.address }} <= '0' & std_logic_vector(to_unsigned(address, {{ write.own_bits() }}));
-                    if second then
-                        {{ write.address }}({{ write.own_bits() }}) <= '1';
-                    end if;
-                    {{ write.data }} <= words_{{ write.memory }}(address);
-                    if complement then
-                        {{ write.data }} <= not words_{{ write.memory }}(address);
-                    end if;
-                    quiet := 0;
-                    clock;
-                end loop;
-            end loop;
-{%- else %}
             for address in words_{{ write.memory }}'range loop
                 present_garbage('0');
                 {{ write.enable }} <= '1';
-                {{ write.address }} <= std_logic_vector(to_unsigned(address, {{ write.address_bits }}));
+                {{ write.address }} <= {% if bench.has_sets() %}set & {% endif %}std_logic_vector(to_unsigned(address, {{ write.own_bits() }}));
                 {{ write.data }} <= words_{{ write.memory }}(address);
                 if complement then
                     {{ write.data }} <= not words_{{ write.memory }}(address);
@@ -584,7 +564,6 @@ begin
                 quiet := 0;
                 clock;
             end loop;
-{%- endif %}
 {%- endfor %}
         end procedure;
 
@@ -667,9 +646,13 @@ begin
         reset_phase(4);
 {%- if !bench.writes.is_empty() %}
         read_words;
-        load(true);
 {%- if bench.has_sets() %}
-        load(false);
+        -- The words in the second set alone.
+        load(true, '0');
+        load(true, '1');
+        load(false, '1');
+{%- else %}
+        load(true);
 {%- endif %}
 {%- for vector in bench.complemented %}
         send_complement({{ vector }});

@@ -23,27 +23,9 @@ architecture model of {{ memory.name }} is
 
     type words_{{ loop.index }}_t is array (0 to {{ part.depth - 1 }}) of std_logic_vector({{ part.bits - 1 }} downto 0);
     type way_{{ loop.index }}_t is array (1 to {{ memory.clocks }}) of std_logic_vector({{ part.bits - 1 }} downto 0);
+{%- let reader = part.reader(loop.index) %}
 
-    -- Reads one word a line; lines that begin with a slash are comments.
-    impure function read_{{ loop.index }}(path : string) return words_{{ loop.index }}_t is
-        file source     : text open read_mode is path;
-        variable row    : line;
-        variable word   : std_logic_vector({{ part.digit_bits() - 1 }} downto 0);
-        variable result : words_{{ loop.index }}_t;
-        variable index  : natural := 0;
-    begin
-        while not endfile(source) loop
-            readline(source, row);
-            if row'length > 0 and row(row'left) /= '/' then
-                assert index < {{ part.depth }} report path & " has too many words" severity failure;
-                hread(row, word);
-                result(index) := word({{ part.bits - 1 }} downto 0);
-                index := index + 1;
-            end if;
-        end loop;
-        assert index = {{ part.depth }} report path & " has too few words" severity failure;
-        return result;
-    end function;
+{% include "vhdl/word_reader.vhd" %}
 
     constant WORDS_{{ loop.index }} : words_{{ loop.index }}_t := read_{{ loop.index }}({{ part.file.parameter }});
     -- The words under way, the last one at the end. An address that is not known yet has none.

@@ -621,39 +621,17 @@ begin
 
 {% include "testbench/words.vhd" %}
 
-        -- Writes every word of the memories, or its complement{% if bench.has_sets() %}; the words to the second set only{% endif %}. Neither ce nor rst must matter.
-        procedure load(complement : boolean) is
+        -- Writes every word of the memories, or its complement{% if bench.has_sets() %}, to a set of texels{% endif %}. Neither ce nor rst must matter.
+        procedure load(complement : boolean{% if bench.has_sets() %}; set : std_logic{% endif %}) is
         begin
 {%- for write in bench.writes %}
-{%- if bench.has_sets() %}
-            for second in boolean loop
-                next when not complement and not second;
-                for address in words_{{ write.memory }}'range loop
-                    present_garbage('0');
-                    draw;
-                    ce  <= lfsr(31);
-                    rst <= lfsr(30);
-                    {{ write.enable }} <= '1';
-                    {{ write.address }} <= '0' & std_logic_vector(to_unsigned(address, {{ write.own_bits() }}));
-                    if second then
-                        {{ write.address }}({{ write.own_bits() }}) <= '1';
-                    end if;
-                    {{ write.data }} <= words_{{ write.memory }}(address);
-                    if complement then
-                        {{ write.data }} <= not words_{{ write.memory }}(address);
-                    end if;
-                    granted := granted + 1;
-                    clock;
-                end loop;
-            end loop;
-{%- else %}
             for address in words_{{ write.memory }}'range loop
                 present_garbage('0');
                 draw;
                 ce  <= lfsr(31);
                 rst <= lfsr(30);
                 {{ write.enable }} <= '1';
-                {{ write.address }} <= std_logic_vector(to_unsigned(address, {{ write.address_bits }}));
+                {{ write.address }} <= {% if bench.has_sets() %}set & {% endif %}std_logic_vector(to_unsigned(address, {{ write.own_bits() }}));
                 {{ write.data }} <= words_{{ write.memory }}(address);
                 if complement then
                     {{ write.data }} <= not words_{{ write.memory }}(address);
@@ -661,7 +639,6 @@ begin
                 granted := granted + 1;
                 clock;
             end loop;
-{%- endif %}
 {%- endfor %}
             present_garbage('0');
             ce  <= '1';
@@ -761,14 +738,17 @@ begin
             conclude;
         end if;
         read_words;
-        load(true);
 {%- if bench.has_sets() %}
-        load(false);
+        -- The words in the second set alone.
+        load(true, '0');
+        load(true, '1');
+        load(false, '1');
         of_sets := FIRST;
         feed_complements;
         empty_pipeline;
         of_sets := SECOND;
 {%- else %}
+        load(true);
         feed_complements;
         empty_pipeline;
         load(false);

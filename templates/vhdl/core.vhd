@@ -28,30 +28,9 @@ architecture rtl of {{ texts.name }} is
 {%- else if let Some(generic) = memory.generic %}
     type {{ memory.name }}_t is array ({{ memory.last() }} downto 0) of
         std_logic_vector({{ memory.bits - 1 }} downto 0);
+{%- let reader = memory.reader() %}
 
-    -- Reads one word a line; lines that begin with a slash are comments.
-    impure function read_{{ memory.name }}(path : string) return {{ memory.name }}_t is
-        file source     : text open read_mode is path;
-        variable row    : line;
-        variable word   : std_logic_vector({{ memory.digit_bits - 1 }} downto 0);
-        variable result : {{ memory.name }}_t;
-        variable index  : natural := 0;
-    begin
-        while not endfile(source) loop
-            readline(source, row);
-            if row'length > 0 and row(row'left) /= '/' then
-                assert index < {{ memory.depth }} report path & " has too many words" severity failure;
-                hread(row, word);
-                result(index) := word({{ memory.bits - 1 }} downto 0);
-{%- if let Some(second) = memory.second %}
-                result(index + {{ second }}) := word({{ memory.bits - 1 }} downto 0);
-{%- endif %}
-                index := index + 1;
-            end if;
-        end loop;
-        assert index = {{ memory.depth }} report path & " has too few words" severity failure;
-        return result;
-    end function;
+{% include "vhdl/word_reader.vhd" %}
 
     constant {{ memory.constant }}{% if memory.write.is_some() %}_WORDS{% endif %} : {{ memory.name }}_t := read_{{ memory.name }}({{ generic }});
 {%- else %}

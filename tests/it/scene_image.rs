@@ -4,7 +4,6 @@
 //! Needs verilator; `test.sh` installs it.
 
 use std::path::Path;
-use std::time::Duration;
 
 use brdfgen::block::image::quality::SphereError;
 use brdfgen::core::{BlockDesign, Design};
@@ -15,7 +14,7 @@ use brdfgen::spec::{Block, ImageSource, ImageSpec, SpecFields};
 use resvg::tiny_skia::Pixmap;
 use serde_json::Value;
 
-use crate::common::Scratch;
+use crate::common::{Scratch, pixels};
 
 /// A sphere of a measured material under a distant and a near light; `{}` is what else its reflectance's table says.
 fn sphere(keys: &str) -> String {
@@ -29,12 +28,6 @@ fn sphere(keys: &str) -> String {
 
 /// The keys of a small core.
 const SMALL: &str = "--block image --image-form bivariate --image-size 16 --octaves 4";
-
-/// The pixels of a picture's file.
-fn pixels(png: &[u8]) -> Vec<[i64; 3]> {
-    let picture = Pixmap::decode_png(png).unwrap();
-    picture.pixels().iter().map(|pixel| [pixel.red(), pixel.green(), pixel.blue()].map(i64::from)).collect()
-}
 
 /// Normal, direction to the viewer and to each light of a pixel of the unit sphere.
 fn geometry(scene: &Scene, way: [f64; 3]) -> Option<(Vector, Vector, Vec<Vector>)> {
@@ -111,15 +104,9 @@ fn the_compiled_core_and_its_sequencer_give_the_models_picture() {
     let core = "--reflectance gold-paint --lights-a-clock 2 --languages verilog";
     scratch.run(&format!("generate {SMALL} {core} --name own --out own")).succeeds();
     let render = |through: &str| {
-        let line = format!("render own.toml --core own --only core --out p.png --json --through {through}");
-        let mut command = scratch.command();
-        command.timeout(Duration::from_secs(600));
-        let output = command.args(line.split_whitespace()).output().unwrap();
-        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
-        assert_eq!(json["core"]["through"], through);
+        let (picture, json) = scratch.rendered("own.toml --core own", through);
         assert!(json["images"]["psnr"].as_f64().unwrap() > 30.0, "{json}");
-        scratch.read("p.png")
+        picture
     };
     let model = render("model");
     assert!(pixels(&model).iter().filter(|pixel| pixel[0] > 100).count() > 100);

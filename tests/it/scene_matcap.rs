@@ -9,10 +9,9 @@ use brdfgen::core::{BlockDesign, Design};
 use brdfgen::reflectance::Vector;
 use brdfgen::scene::Scene;
 use brdfgen::spec::SpecFields;
-use resvg::tiny_skia::Pixmap;
 
-use crate::common::Scratch;
 use crate::common::matcap::{picture, studio};
+use crate::common::{Scratch, pixels};
 
 /// A sphere that is a matcap and a classical plane under two lights of colours that are not the picture's.
 const SCENE: &str = "width = 48\nheight = 40\nshadows = true\nambient = [0, 0, 0]\n[camera]\n\
@@ -27,11 +26,6 @@ fn with_scene() -> Scratch {
     scratch.write("ball.png", picture(128, studio));
     scratch.write("own.toml", SCENE);
     scratch
-}
-
-fn pixels(png: &[u8]) -> Vec<[i64; 3]> {
-    let picture = Pixmap::decode_png(png).expect("a picture");
-    picture.pixels().iter().map(|pixel| [pixel.red(), pixel.green(), pixel.blue()].map(i64::from)).collect()
 }
 
 #[test]

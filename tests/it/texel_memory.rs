@@ -2,8 +2,6 @@
 //!
 //! Needs iverilog, verilator, ghdl and yosys; `test.sh` installs them.
 
-use std::time::Duration;
-
 use brdfgen::core::{Design, Role};
 use brdfgen::emit::package::Part;
 use brdfgen::spec::Language;
@@ -99,17 +97,8 @@ fn the_core_is_drawn_and_proved_with_its_memory() {
          [[light]]\ndirection = [1.0, 1.0, 0.4]\n[[object]]\nkind = 'sphere'\nmaterial = 'own'\n",
     );
     scratch.run("generate core.toml --out own").succeeds();
-    let render = |through: &str| {
-        let line = format!("render scene.toml --core own --only core --out p.png --json --through {through}");
-        let mut command = scratch.command();
-        command.timeout(Duration::from_secs(600));
-        let output = command.args(line.split_whitespace()).output().unwrap();
-        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
-        assert_eq!(json["core"]["through"], through);
-        scratch.read("p.png")
-    };
-    assert_eq!(render("verilator"), render("model"));
+    let [compiled, model] = ["verilator", "model"].map(|through| scratch.rendered("scene.toml --core own", through).0);
+    assert_eq!(compiled, model);
     let run = scratch.run("formal own").succeeds().says(&["PROVED Verilog = VHDL"]);
     assert!(!run.stdout.contains("REFUTED") && !run.stdout.contains("OPEN"), "{}", run.stdout);
     let manifest: Value = serde_json::from_str(&scratch.text("own/manifest.json")).unwrap();

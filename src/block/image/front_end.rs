@@ -23,8 +23,6 @@ use crate::reflectance::texels::Texels;
 
 /// Fraction bits of sines, cosines and reciprocal roots: with a sign an operand of a multiplier.
 pub(super) const UNIT: i32 = 16;
-/// Fraction bits of a field's rise to the next row, beyond those of the field.
-const RISE: i32 = 0;
 /// Fraction bits of r in the form bivariate, and its integer bits.
 pub(super) const HALF_ROOT: i32 = 11;
 pub(super) const HALF_ROOT_INT: i32 = 6;
@@ -167,7 +165,7 @@ fn polar(image: &Image, light: usize) -> Table {
     let bits = formats.place as i32;
     let mut fields = vec![
         field(name("place", light), "the place among the bands", Format::unsigned(formats.band as i32, bits), places),
-        narrow(name("place_rise", light), RISES, bits + RISE, place_rises),
+        narrow(name("place_rise", light), RISES, bits, place_rises),
     ];
     match image.form {
         ImageForm::Bivariate { .. } => {
@@ -189,9 +187,9 @@ fn polar(image: &Image, light: usize) -> Table {
             let [sines, sine_rises] = both_ends(image, |z| -libm::sqrt((1.0 - z) / 2.0));
             fields.extend([
                 field(name("half_cosine", light), "cos(phi/2)", Format::unsigned(1, UNIT), cosines),
-                narrow(name("half_cosine_rise", light), RISES, UNIT + RISE, cosine_rises),
+                narrow(name("half_cosine_rise", light), RISES, UNIT, cosine_rises),
                 field(name("half_sine", light), "-sin(phi/2)", Format::signed(0, UNIT), sines),
-                narrow(name("half_sine_rise", light), RISES, UNIT + RISE, sine_rises),
+                narrow(name("half_sine_rise", light), RISES, UNIT, sine_rises),
             ]);
         }
     }
@@ -205,7 +203,7 @@ fn azimuth(light: usize) -> Table {
     ReciprocalRoots {
         axis: AZIMUTH,
         first: (columns - 2) << AZIMUTH.octave_bits,
-        formats: [Format::unsigned(1, UNIT), Format::unsigned(-(AZIMUTH.octave_bits as i32), UNIT + RISE)],
+        formats: [Format::unsigned(1, UNIT), Format::unsigned(-(AZIMUTH.octave_bits as i32), UNIT)],
         names: ["azimuth", "across", "across_fall"].map(|what| name(what, light)),
         meaning: "1/sqrt(l_x^2 + l_y^2)",
     }
@@ -235,14 +233,14 @@ fn bands(image: &Image, texels: &Texels, light: usize) -> Table {
             Format::unsigned(1, blend),
             rows.iter().map(|row| row.odd + half).collect(),
         ),
-        narrow(name("odd_rise", light), RISES, blend + RISE, rise(&|row| row.odd)),
+        narrow(name("odd_rise", light), RISES, blend, rise(&|row| row.odd)),
         field(
             name("gain", light),
             "the gain of intensity 1",
             Format::unsigned(GAIN_INT, gain),
             scaled(rows.iter().map(|row| row.gain).collect()),
         ),
-        narrow(name("gain_rise", light), RISES, gain + RISE, scaled(rise(&|row| row.gain))),
+        narrow(name("gain_rise", light), RISES, gain, scaled(rise(&|row| row.gain))),
     ];
     if shifts.iter().any(|&shift| shift > 0) {
         let exponents = shifts.iter().map(|&shift| f64::from(shift)).collect();

@@ -98,16 +98,21 @@ fn along_axes(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
 /// and where it just has: a bit that is wrong in any of them shows in one of both.
 fn all_texels(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
     let image = &design.of.image;
+    let parts = 1u64 << image.weight_bits;
+    let middle = |corner: Vec<u64>| -> Vec<u64> { corner.into_iter().map(|place| place + parts / 2).collect() };
+    cells(image).into_par_iter().flat_map_iter(|(_, corner)| design.at_steps(&middle(corner))).collect()
+}
+
+/// The number and the corner of the cells between texels, each texel in one of them, as far as these are not too many:
+/// places in parts of a weight's last bit.
+pub(super) fn cells(image: &Image) -> Vec<(u64, Vec<u64>)> {
     let counts: Vec<u32> = image.extents().into_iter().map(|extent| extent / 2).collect();
     let parts = 1u64 << image.weight_bits;
     let cells: u64 = counts.iter().copied().map(u64::from).product();
-    let places = |number: u64| -> Vec<u64> {
-        Image::places(number, &counts).into_iter().map(|cell| 2 * cell * parts + parts / 2).collect()
-    };
+    let corner = |number| Image::places(number, &counts).into_iter().map(|cell| 2 * cell * parts).collect();
     // Of a million texels some of all columns, for which the step is odd: no file holds so many vectors.
     let step = cells.div_ceil(MOST_CELLS) as usize | 1;
-    let numbers: Vec<u64> = (0..cells).step_by(step).collect();
-    numbers.par_iter().flat_map_iter(|&number| design.at_steps(&places(number))).collect()
+    (0..cells).step_by(step).map(|number| (number, corner(number))).collect()
 }
 
 /// Turns to an image with an even number and one with an odd one by the angles of all rows of the tables of sines, and
@@ -178,7 +183,7 @@ fn greatest_gains(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
 }
 
 /// The most places between texels.
-pub(super) const MOST_CELLS: u64 = 1 << 12;
+const MOST_CELLS: u64 = 1 << 12;
 
 /// The inputs of a stream: samples and random codes in turn.
 pub(super) fn stream(design: ImageDesign<'_>, stream: u32) -> impl Iterator<Item = Vec<i64>> {

@@ -2,10 +2,9 @@
 
 use rayon::prelude::*;
 
-use super::image::MOST_CELLS;
+use super::image::cells;
 use super::samples::{self, RANDOM, TASKS, corners};
 use super::{Vector, greedy};
-use crate::block::image::Image;
 use crate::core::sample::random_codes;
 use crate::core::{Direction, ImageDesign};
 use crate::fixed::{Rng, Table};
@@ -54,10 +53,7 @@ fn along_sides(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
 /// many, and places between these texels can.
 fn all_texels(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
     let image = &design.of.image;
-    let counts: Vec<u32> = image.extents().into_iter().map(|extent| extent / 2).collect();
     let parts = 1u64 << image.weight_bits;
-    let cells: u64 = counts.iter().copied().map(u64::from).product();
-    let step = cells.div_ceil(MOST_CELLS) as usize | 1;
     // The last bits of each memory flipped: of four texels that are blended each lies in one of its own.
     let flipped = |memory: usize| -> Vec<Table> {
         let mut tables = design.tables().to_vec();
@@ -65,9 +61,8 @@ fn all_texels(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
         tables
     };
     let mutants: Vec<Vec<Table>> = (0..design.tables().len()).map(flipped).collect();
-    let of_cell = |number: u64| {
+    let of_cell = |(number, first): (u64, Vec<u64>)| {
         let mut rng = Rng::new((3 << 40) + number);
-        let first: Vec<u64> = Image::places(number, &counts).into_iter().map(|cell| 2 * cell * parts).collect();
         let inside = |place: u64, rng: &mut Rng| match place {
             // The texels themselves.
             0..4 => [place / 2 * parts, place % 2 * parts],
@@ -91,6 +86,5 @@ fn all_texels(design: ImageDesign<'_>) -> Vec<Vec<i64>> {
             .collect();
         greedy(candidates.len(), &detects).into_iter().map(|place| candidates[place].clone()).collect::<Vec<_>>()
     };
-    let numbers: Vec<u64> = (0..cells).step_by(step).collect();
-    numbers.par_iter().flat_map_iter(|&number| of_cell(number)).collect()
+    cells(image).into_par_iter().flat_map_iter(of_cell).collect()
 }

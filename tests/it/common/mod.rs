@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use assert_cmd::Command;
+use resvg::tiny_skia::Pixmap;
 use serde_json::Value;
 
 /// The content of a directory by path: a file's bytes, or `None` for a directory.
@@ -20,6 +21,13 @@ pub type Tree = BTreeMap<PathBuf, Option<Vec<u8>>>;
 /// pass.
 pub fn all() -> bool {
     std::env::var_os("BRDFGEN_TEST_ALL").is_some_and(|value| value == "1")
+}
+
+/// The pixels of a picture's file.
+#[track_caller]
+pub fn pixels(png: &[u8]) -> Vec<[i64; 3]> {
+    let picture = Pixmap::decode_png(png).unwrap();
+    picture.pixels().iter().map(|pixel| [pixel.red(), pixel.green(), pixel.blue()].map(i64::from)).collect()
 }
 
 /// How a run of the program ended and what it printed.
@@ -154,6 +162,20 @@ impl Scratch {
     #[track_caller]
     pub fn text(&self, path: impl AsRef<Path>) -> String {
         String::from_utf8(self.read(path)).unwrap()
+    }
+
+    /// The picture and the answer of `render` with these arguments through the core's model or its compiled text, which
+    /// takes a while to compile.
+    #[track_caller]
+    pub fn rendered(&self, arguments: &str, through: &str) -> (Vec<u8>, Value) {
+        let line = format!("render {arguments} --only core --out p.png --json --through {through}");
+        let mut command = self.command();
+        command.timeout(Duration::from_secs(600));
+        let output = command.args(line.split_whitespace()).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!(json["core"]["through"], through);
+        (self.read("p.png"), json)
     }
 
     /// What is in a directory.
