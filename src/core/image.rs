@@ -193,7 +193,13 @@ impl ImageError {
             // All texels are seen, and between them what are no multiples of a weight.
             false => ((2 * image.size as usize + 1).clamp(65, MATCAP_SIZE), vec![0.0]),
         };
-        let sphere = Sphere::new(size);
+        Self::over(design, &Sphere::new(size), &angles)
+    }
+
+    /// As [`ImageError::of`], over these pictures: the light at each of the polar angles in degrees.
+    #[must_use]
+    pub fn over(design: ImageDesign<'_>, sphere: &Sphere, angles: &[f64]) -> Self {
+        let image = &design.of.image;
         let full = image.full_scale() as f64;
         let ImageSpec { source, exposure, .. } = design.of;
         let of_angle = |&phi: &f64| {

@@ -138,7 +138,12 @@ impl Design {
     /// writable ROM of a method that has none.
     pub fn new(spec: CoreSpec) -> Result<Self, Error> {
         let (datapath, made) = Made::new(&spec)?;
-        let adders = if matches!(spec.block, Block::Image(_)) { Adders::One } else { Adders::Two };
+        // Where lights come in sequence their number a second is what counts, and not how late a sample is.
+        let adders = match &spec.block {
+            Block::Image(_) => Adders::One,
+            Block::Shader(_, shader) if shader.most_lights.is_some() => Adders::One,
+            _ => Adders::Two,
+        };
         let external = external(&spec, &datapath);
         let schedule = schedule(&datapath.graph, spec.pipeline, adders, &external)?;
         let design = Self { datapath, schedule, made, spec };

@@ -109,7 +109,7 @@ struct Rules {
     rom_registers: u32,
     /// Registers directly behind a ROM that will be a block RAM.
     block_registers: u32,
-    /// Registers behind a product in front of a sum that is a factor, where one addition is much for a stage.
+    /// Registers behind a product in front of what takes a stage by itself, where one addition is much for a stage.
     product_registers: u32,
     /// The longest chain of a stage, in units of a multiplier's delay.
     period: f64,
@@ -242,17 +242,19 @@ fn origin(graph: &Graph, mut id: NodeId) -> NodeId {
     id
 }
 
-/// The sums of products that are factors: the way from one DSP block to another by an adder is too long for a stage.
-fn between_products(graph: &Graph) -> Vec<bool> {
-    let is_product = |id: NodeId| graph.nodes[id].op == Op::Mul;
+/// What is too long for a stage that begins with a product: another product and a sum that is a factor, as the way to
+/// another DSP block lies before them, and a comparison, whose carry goes on to a bit that much waits for.
+fn long_behind_products(graph: &Graph) -> Vec<bool> {
+    let is_product = |id: NodeId| graph.nodes[origin(graph, id)].op == Op::Mul;
     let is_sum = |id: NodeId| matches!(graph.nodes[id].op, Op::Add | Op::Sub);
-    let mut between = vec![false; graph.nodes.len()];
-    for node in graph.nodes.iter().filter(|node| node.op == Op::Mul) {
-        for id in node.args.iter().map(|&arg| origin(graph, arg)).filter(|&id| is_sum(id)) {
-            between[id] = graph.nodes[id].args.iter().any(|&arg| is_product(origin(graph, arg)));
-        }
+    let factors = graph.nodes.iter().filter(|node| node.op == Op::Mul).flat_map(|node| &node.args);
+    let sums = factors.map(|&arg| origin(graph, arg)).filter(|&id| is_sum(id));
+    let others = (0..graph.nodes.len()).filter(|&id| matches!(graph.nodes[id].op, Op::Mul | Op::Greater));
+    let mut long = vec![false; graph.nodes.len()];
+    for id in sums.chain(others) {
+        long[id] = graph.nodes[id].args.iter().any(|&arg| is_product(arg));
     }
-    between
+    long
 }
 
 /// As early as possible under the rules, with `extra` registers behind each node.
@@ -260,7 +262,7 @@ fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32], external: &
     let count = graph.nodes.len();
     let mut stage = vec![0u32; count];
     let mut done = vec![0.0f64; count];
-    let between = if adders == Adders::One { between_products(graph) } else { vec![false; count] };
+    let long = if adders == Adders::One { long_behind_products(graph) } else { vec![false; count] };
     for (id, node) in graph.nodes.iter().enumerate() {
         let time = delay(node.op, adders);
         // An address goes out of the core from a register.
@@ -274,7 +276,7 @@ fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32], external: &
                 + extra[arg]
                 + match from.op {
                     Op::Field { memory, .. } => rules.registers_behind(graph, memory, external),
-                    _ if between[id] && graph.nodes[origin(graph, arg)].op == Op::Mul => rules.product_registers,
+                    _ if long[id] && graph.nodes[origin(graph, arg)].op == Op::Mul => rules.product_registers,
                     _ => 0,
                 };
             let ready = stage[arg] + registers;

@@ -78,9 +78,9 @@ pub struct Sequencer {
 /// A channel in the templates.
 struct Channel {
     c: char,
-    /// What a sample's sum begins with, in Verilog and in VHDL.
-    start: String,
-    vhdl_start: String,
+    /// The ambient light in the sum's bits, in Verilog and in VHDL, if there is any.
+    ambient: String,
+    vhdl_ambient: String,
     /// The code as the port takes it, in VHDL.
     vhdl_code: String,
 }
@@ -140,19 +140,19 @@ impl Sequencer {
     fn channels(&self, core: &Texts) -> [Channel; 3] {
         let Sums { frac_bits, ambient, .. } = self.sums;
         CHANNELS.map(|c| {
-            let (start, vhdl_start) = match ambient.map(|bits| frac_bits - bits) {
-                None => (format!("{}'d0", frac_bits + 1), "(others => '0')".to_owned()),
-                Some(0) => (format!("{{1'b0, out_ambient_{c}}}"), format!("'0' & unsigned(out_ambient_{c})")),
+            let (ambient, vhdl_ambient) = match ambient.map(|bits| frac_bits - bits) {
+                None => Default::default(),
+                Some(0) => (format!("{{1'b0, ambient_{c}}}"), format!("'0' & ambient_{c}")),
                 Some(zeros) => (
-                    format!("{{1'b0, out_ambient_{c}, {zeros}'d0}}"),
-                    format!("'0' & unsigned(out_ambient_{c}) & ({} downto 0 => '0')", zeros - 1),
+                    format!("{{1'b0, ambient_{c}, {zeros}'d0}}"),
+                    format!("'0' & ambient_{c} & ({} downto 0 => '0')", zeros - 1),
                 ),
             };
             let vhdl_code = match core.vhdl_ports {
                 VhdlPorts::Numeric => format!("code_{c}"),
                 VhdlPorts::StdLogic => format!("std_logic_vector(code_{c})"),
             };
-            Channel { c, start, vhdl_start, vhdl_code }
+            Channel { c, ambient, vhdl_ambient, vhdl_code }
         })
     }
 

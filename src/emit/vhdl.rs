@@ -164,6 +164,12 @@ impl Writer<'_> {
         if self.layout.is_flag(id) { format!("unsigned'(\"\" & {})", self.name(id)) } else { self.name(id) }
     }
 
+    /// A value of one bit as a `std_logic`.
+    fn bit(&self, id: NodeId) -> String {
+        let name = self.name(id);
+        if self.layout.is_flag(id) { name } else { format!("{name}(0)") }
+    }
+
     fn kind(&self, id: NodeId) -> String {
         if self.layout.is_flag(id) { "std_logic".to_owned() } else { kind(self.format(id)) }
     }
@@ -231,6 +237,7 @@ impl Writer<'_> {
             }
             Op::ShiftRight => format!("shift_right({}, to_integer({}))", self.name(arg(0)), self.name(arg(1))),
             Op::Cast => self.cast(id),
+            Op::Scale if self.layout.is_flag(id) => self.bit(arg(0)),
             Op::Scale => self.vector(arg(0)),
             Op::NonZero => format!("'1' when {} /= 0 else '0'", self.name(arg(0))),
             Op::Greater => {
@@ -243,7 +250,8 @@ impl Writer<'_> {
             Op::Or => format!("{} or {}", self.name(arg(0)), self.name(arg(1))),
             Op::Not => format!("not {}", self.name(arg(0))),
             Op::Select => {
-                let [a, b] = [arg(1), arg(2)].map(|id| self.fitted(id, format));
+                let is_flag = self.layout.is_flag(id);
+                let [a, b] = [arg(1), arg(2)].map(|id| if is_flag { self.bit(id) } else { self.fitted(id, format) });
                 format!("{a} when {} = '1' else {b}", self.name(arg(0)))
             }
             Op::ZeroIf => format!("(others => '0') when {} = '1' else {}", self.name(arg(0)), self.name(arg(1))),

@@ -125,6 +125,11 @@ method_keys! { keys! {
     #[arg(help_heading = "Image-based block", value_name = "BITS")]
     weight_bits: u32 where "image-based blocks",
 
+    /// Multipliers that texels are blended with, those of the widest codes: the other blends are sums of texels, chosen
+    /// by the weights' bits [default: for codes of more than 14 bits]
+    #[arg(help_heading = "Image-based block", value_name = "COUNT")]
+    blend_multipliers: u32 where "image-based blocks",
+
     /// Bits of a vector's component, 10 to 22, of which two are before the point [default: 18]
     #[arg(help_heading = "Image-based block", value_name = "BITS")]
     vector_bits: u32 where "image-based blocks",

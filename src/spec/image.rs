@@ -123,6 +123,7 @@ impl SpecFields {
             lights,
             most_lights,
             front_end: self.front_end.unwrap_or_default(),
+            blend_multipliers: self.blend_multipliers,
         };
         image.check()?;
         Ok(image)
@@ -261,6 +262,7 @@ impl SpecFields {
             image_size: Some(image.size),
             texel_bits: Some(image.texel_bits),
             weight_bits: Some(image.weight_bits),
+            blend_multipliers: image.blend_multipliers,
             vector_bits: Some(image.vector_fraction + BEFORE_POINT),
             output_bits: Some(image.channel_bits),
             lights_a_clock: image.has_lights().then_some(image.lights),

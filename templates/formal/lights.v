@@ -47,7 +47,12 @@ module lights (
 
     // ===== The sequencer's state
     wire [LATENCY:1] valid;
+{%- if let Some(ambient) = sequencer.sums.ambient %}
     wire begins;
+{%- for c in channels %}
+    wire [{{ ambient - 1 }}:0] ambient_{{ c }};
+{%- endfor %}
+{%- endif %}
     wire [CORE:1] core_valid;
 {%- for port in sequencer.driven() %}
     wire {{ port.range() }}core_{{ port.name }};
@@ -56,6 +61,8 @@ module lights (
     wire {{ port.range() }}{{ port.name }};
 {%- endfor %}
 {%- for c in channels %}
+    wire [{{ f - 1 }}:0] so_far_{{ c }};
+    wire was_full_{{ c }};
     wire [{{ f - 1 }}:0] total_{{ c }};
     wire full_{{ c }};
 {%- endfor %}
@@ -68,10 +75,16 @@ module lights (
     reg ended; // the sum is that of a whole sample
     reg shown;
 {%- for c in channels %}
-    // Kept below where it would leave its bits, far above full scale.
+    // Half a code and the lights, kept below where it would leave its bits, far above full scale.
     reg [39:0] exact_{{ c }};
-    wire [39:0] next_{{ c }} = (first ? {{ starts[loop.index0] }} : exact_{{ c }}) + out_sum_{{ c }};
-    wire [39:0] near_{{ c }} = (exact_{{ c }} + 40'd{{ half }}) >> {{ f - bits }};
+    wire [39:0] next_{{ c }} = (first ? 40'd{{ half }} : exact_{{ c }}) + out_sum_{{ c }};
+{%- if let Some(ambient) = sequencer.sums.ambient %}
+    // Of the first lights.
+    reg [39:0] once_{{ c }};
+    wire [39:0] near_{{ c }} = (exact_{{ c }} + once_{{ c }}) >> {{ f - bits }};
+{%- else %}
+    wire [39:0] near_{{ c }} = exact_{{ c }} >> {{ f - bits }};
+{%- endif %}
     reg [{{ bits - 1 }}:0] code_{{ c }};
 {%- endfor %}
 
@@ -102,6 +115,9 @@ module lights (
             if (taken[CORE]) begin
 {%- for c in channels %}
                 exact_{{ c }} <= next_{{ c }}[39] ? 40'h4000000000 : next_{{ c }};
+{%- if let Some(ambient) = sequencer.sums.ambient %}
+                if (first) once_{{ c }} <= {40'd0, out_ambient_{{ c }}} << {{ f - ambient }};
+{%- endif %}
 {%- endfor %}
             end
 {%- for c in channels %}
@@ -129,10 +145,18 @@ module lights (
         // ===== What it follows from, clock by clock
         state_of_the_core: assert (core_valid == taken);
         state_of_the_chain: assert (valid == {shown, ended, taken & last});
+{%- if sequencer.sums.ambient.is_some() %}
         state_of_the_beginning: assert (begins == first);
+{%- endif %}
 {%- for c in channels %}
+        if (first) state_of_the_start_{{ c }}: assert (~was_full_{{ c }} & so_far_{{ c }} == {{ half }});
+        else state_of_the_lights_{{ c }}: assert (was_full_{{ c }} == full_{{ c }} & so_far_{{ c }} == total_{{ c }});
         if (~first | ended) state_of_the_sum_{{ c }}: assert (
             full_{{ c }} == (exact_{{ c }} >= 40'd{{ one }}) & (full_{{ c }} | total_{{ c }} == exact_{{ c }}));
+{%- if let Some(ambient) = sequencer.sums.ambient %}
+        if (~first | ended) state_of_the_ambient_{{ c }}: assert (
+            once_{{ c }} == {40'd0, ambient_{{ c }}} << {{ f - ambient }});
+{%- endif %}
 {%- endfor %}
 
         // ===== And what does happen

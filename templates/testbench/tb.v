@@ -541,6 +541,11 @@ module {{ bench.name }}_tb;
             ce = 1'b1;
             repeat (LATENCY + 2) begin
                 present_garbage(1'b1);
+{%- if bench.sums.is_some() && bench.table.is_none() %}
+                // Without the enable a sample that has not ended is to be forgotten.
+                if (!enable)
+                    in_last = 1'b0;
+{%- endif %}
                 clock;
             end
             present_garbage(1'b1); // what is presented together with rst is not taken

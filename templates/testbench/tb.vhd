@@ -601,6 +601,12 @@ begin
             ce <= '1';
             for i in 1 to LATENCY + 2 loop
                 present_garbage('1');
+{%- if bench.sums.is_some() && bench.table.is_none() %}
+                -- Without the enable a sample that has not ended is to be forgotten.
+                if enable = '0' then
+                    in_last <= '0';
+                end if;
+{%- endif %}
                 clock;
             end loop;
             present_garbage('1'); -- what is presented together with rst is not taken

@@ -56,43 +56,73 @@ module {{ sequencer.name }}
         end
     end
 
-    // Whether the next lights out of the core are the first of their sample.
+    // ===== Stage {{ sequencer.core_latency + 1 }}: half a code and a sample's lights below 1.0, and whether they have reached that
+{%- for channel in channels %}
+    reg [{{ f - 1 }}:0] so_far_{{ channel.c }};
+    reg was_full_{{ channel.c }};
+    initial so_far_{{ channel.c }} = {{ f }}'d{{ sequencer.sums.half_code() }};
+    initial was_full_{{ channel.c }} = 1'b0;
+    reg [{{ f - 1 }}:0] total_{{ channel.c }};
+    reg full_{{ channel.c }};
+    wire [{{ f + 1 }}:0] sum_{{ channel.c }} = {2'b00, so_far_{{ channel.c }}} + {1'b0, out_sum_{{ channel.c }}};
+    wire is_full_{{ channel.c }} = was_full_{{ channel.c }} | |sum_{{ channel.c }}[{{ f + 1 }}:{{ f }}];
+{%- endfor %}
+    always @(posedge clk) begin
+        if (rst | (ce & valid[{{ sequencer.core_latency }}])) begin
+{%- for channel in channels %}
+            so_far_{{ channel.c }}   <= {{ f }}'d{{ sequencer.sums.half_code() }};
+            was_full_{{ channel.c }} <= 1'b0;
+{%- endfor %}
+        end else if (ce & sum_valid) begin
+{%- for channel in channels %}
+            so_far_{{ channel.c }}   <= sum_{{ channel.c }}[{{ f - 1 }}:0];
+            was_full_{{ channel.c }} <= is_full_{{ channel.c }};
+{%- endfor %}
+        end
+        if (ce & sum_valid) begin
+{%- for channel in channels %}
+            total_{{ channel.c }} <= sum_{{ channel.c }}[{{ f - 1 }}:0];
+            full_{{ channel.c }}  <= is_full_{{ channel.c }};
+{%- endfor %}
+        end
+    end
+{%- if let Some(ambient) = sequencer.sums.ambient %}
+
+    // The ambient light: that of a sample's first clock.
     reg begins;
     initial begins = 1'b1;
+{%- for channel in channels %}
+    reg [{{ ambient - 1 }}:0] ambient_{{ channel.c }};
+{%- endfor %}
     always @(posedge clk) begin
         if (rst) begin
             begins <= 1'b1;
         end else if (ce & sum_valid) begin
             begins <= valid[{{ sequencer.core_latency }}];
         end
-    end
-
-    // ===== Stage {{ sequencer.core_latency + 1 }}: the sum of a sample's lights below 1.0, and whether it has reached that
+        if (ce & sum_valid & begins) begin
 {%- for channel in channels %}
-    reg [{{ f - 1 }}:0] total_{{ channel.c }};
-    reg full_{{ channel.c }};
-    wire [{{ f }}:0] start_{{ channel.c }} = begins ? {{ channel.start }} : {1'b0, total_{{ channel.c }}};
-    wire [{{ f + 1 }}:0] sum_{{ channel.c }} = {1'b0, start_{{ channel.c }}} + {1'b0, out_sum_{{ channel.c }}};
-    wire over_{{ channel.c }} = |sum_{{ channel.c }}[{{ f + 1 }}:{{ f }}];
-{%- endfor %}
-    always @(posedge clk) begin
-        if (ce & sum_valid) begin
-{%- for channel in channels %}
-            total_{{ channel.c }} <= sum_{{ channel.c }}[{{ f - 1 }}:0];
-            full_{{ channel.c }}  <= over_{{ channel.c }} | (full_{{ channel.c }} & ~begins);
+            ambient_{{ channel.c }} <= out_ambient_{{ channel.c }};
 {%- endfor %}
         end
     end
+{%- endif %}
 
-    // ===== Stage {{ sequencer.latency }}: the nearest code, at most full scale
+    // ===== Stage {{ sequencer.latency }}: the code{% if sequencer.sums.ambient.is_some() %} with the ambient light{% endif %}, at most full scale
 {%- for channel in channels %}
-    wire [{{ f }}:0] near_{{ channel.c }} = {1'b0, total_{{ channel.c }}} + {{ f + 1 }}'d{{ sequencer.sums.half_code() }};
+{%- if sequencer.sums.ambient.is_some() %}
+    wire [{{ f }}:0] lit_{{ channel.c }} = {1'b0, total_{{ channel.c }}} + {{ channel.ambient }};
+{%- endif %}
     reg [{{ bits - 1 }}:0] code_{{ channel.c }};
 {%- endfor %}
     always @(posedge clk) begin
         if (ce) begin
 {%- for channel in channels %}
-            code_{{ channel.c }} <= (full_{{ channel.c }} | near_{{ channel.c }}[{{ f }}]) ? {{ bits }}'h{{ "{:x}"|format(sequencer.sums.full_scale()) }} : near_{{ channel.c }}[{{ f - 1 }}:{{ f - bits }}];
+{%- if sequencer.sums.ambient.is_some() %}
+            code_{{ channel.c }} <= (full_{{ channel.c }} | lit_{{ channel.c }}[{{ f }}]) ? {{ bits }}'h{{ "{:x}"|format(sequencer.sums.full_scale()) }} : lit_{{ channel.c }}[{{ f - 1 }}:{{ f - bits }}];
+{%- else %}
+            code_{{ channel.c }} <= full_{{ channel.c }} ? {{ bits }}'h{{ "{:x}"|format(sequencer.sums.full_scale()) }} : total_{{ channel.c }}[{{ f - 1 }}:{{ f - bits }}];
+{%- endif %}
 {%- endfor %}
         end
     end
@@ -107,7 +137,7 @@ module {{ sequencer.name }}
 
     // Bits that the rounding drops.
     wire unused = &{1'b0
-{%- for channel in channels %}, near_{{ channel.c }}[{{ f - bits - 1 }}:0]{% endfor %}};
+{%- for channel in channels %}, {% if sequencer.sums.ambient.is_some() %}lit{% else %}total{% endif %}_{{ channel.c }}[{{ f - bits - 1 }}:0]{% endfor %}};
 
 endmodule
 

@@ -20,8 +20,6 @@ architecture rtl of {{ sequencer.name }} is
 
     -- Valid chain of whole samples: a bit where one's last lights are, in step with the core.
     signal valid     : std_logic_vector({{ sequencer.latency }} downto 1) := (others => '0');
-    -- Whether the next lights out of the core are the first of their sample.
-    signal begins    : std_logic := '1';
     signal sum_valid : std_logic := '0';
 {%- if sequencer.swaps() %}
     -- The set of texels that samples are looked up in.
@@ -31,13 +29,23 @@ architecture rtl of {{ sequencer.name }} is
     signal {{ port.name }} : {{ core.vhdl_ports.vector("unsigned") }}({{ port.high() }} downto 0) := (others => '0');
 {%- endfor %}
 {%- for channel in channels %}
-    signal start_{{ channel.c }} : unsigned({{ f }} downto 0) := (others => '0');
-    signal sum_{{ channel.c }}   : unsigned({{ f + 1 }} downto 0) := (others => '0');
-    signal total_{{ channel.c }} : unsigned({{ f - 1 }} downto 0) := (others => '0');
-    signal full_{{ channel.c }}  : std_logic := '0';
-    signal near_{{ channel.c }}  : unsigned({{ f }} downto 0) := (others => '0');
-    signal code_{{ channel.c }}  : unsigned({{ bits - 1 }} downto 0) := (others => '0');
+    -- Half a code and the lights of a sample so far, below 1.0, and whether they have reached that.
+    signal so_far_{{ channel.c }}   : unsigned({{ f - 1 }} downto 0) := to_unsigned({{ sequencer.sums.half_code() }}, {{ f }});
+    signal was_full_{{ channel.c }} : std_logic := '0';
+    signal sum_{{ channel.c }}      : unsigned({{ f + 1 }} downto 0) := (others => '0');
+    signal is_full_{{ channel.c }}  : std_logic := '0';
+    signal total_{{ channel.c }}    : unsigned({{ f - 1 }} downto 0) := (others => '0');
+    signal full_{{ channel.c }}     : std_logic := '0';
+{%- if let Some(ambient) = sequencer.sums.ambient %}
+    signal ambient_{{ channel.c }}  : unsigned({{ ambient - 1 }} downto 0) := (others => '0');
+    signal lit_{{ channel.c }}      : unsigned({{ f }} downto 0) := (others => '0');
+{%- endif %}
+    signal code_{{ channel.c }}     : unsigned({{ bits - 1 }} downto 0) := (others => '0');
 {%- endfor %}
+{%- if sequencer.sums.ambient.is_some() %}
+    -- Whether the next lights out of the core are the first of their sample.
+    signal begins : std_logic := '1';
+{%- endif %}
 
 begin
 
@@ -79,53 +87,84 @@ begin
     begin
         if rising_edge(clk) then
             if rst = '1' then
-                valid  <= (others => '0');
-                begins <= '1';
+                valid <= (others => '0');
             elsif ce = '1' then
                 valid <= valid({{ sequencer.latency - 1 }} downto 1) & (in_valid and in_last);
-                if sum_valid = '1' then
-                    begins <= valid({{ sequencer.core_latency }});
-                end if;
             end if;
         end if;
     end process;
 
-    -- ===== Stage {{ sequencer.core_latency + 1 }}: the sum of a sample's lights below 1.0, and whether it has reached that
+    -- ===== Stage {{ sequencer.core_latency + 1 }}: half a code and a sample's lights below 1.0, and whether they have reached that
 {%- for channel in channels %}
-    start_{{ channel.c }} <= {{ channel.vhdl_start }} when begins = '1' else
-        '0' & total_{{ channel.c }};
-    sum_{{ channel.c }}   <= resize(start_{{ channel.c }}, {{ f + 2 }}) + unsigned(out_sum_{{ channel.c }});
+    sum_{{ channel.c }}     <= resize(so_far_{{ channel.c }}, {{ f + 2 }}) + unsigned(out_sum_{{ channel.c }});
+    is_full_{{ channel.c }} <= was_full_{{ channel.c }} or sum_{{ channel.c }}({{ f + 1 }}) or sum_{{ channel.c }}({{ f }});
 {%- endfor %}
     process (clk) is
     begin
         if rising_edge(clk) then
+            if rst = '1' or (ce = '1' and valid({{ sequencer.core_latency }}) = '1') then
+{%- for channel in channels %}
+                so_far_{{ channel.c }}   <= to_unsigned({{ sequencer.sums.half_code() }}, {{ f }});
+                was_full_{{ channel.c }} <= '0';
+{%- endfor %}
+            elsif ce = '1' and sum_valid = '1' then
+{%- for channel in channels %}
+                so_far_{{ channel.c }}   <= sum_{{ channel.c }}({{ f - 1 }} downto 0);
+                was_full_{{ channel.c }} <= is_full_{{ channel.c }};
+{%- endfor %}
+            end if;
             if ce = '1' and sum_valid = '1' then
 {%- for channel in channels %}
                 total_{{ channel.c }} <= sum_{{ channel.c }}({{ f - 1 }} downto 0);
-                if sum_{{ channel.c }}({{ f + 1 }} downto {{ f }}) /= "00" then
-                    full_{{ channel.c }} <= '1';
-                elsif begins = '1' then
-                    full_{{ channel.c }} <= '0';
-                end if;
+                full_{{ channel.c }}  <= is_full_{{ channel.c }};
 {%- endfor %}
             end if;
         end if;
     end process;
+{%- if sequencer.sums.ambient.is_some() %}
 
-    -- ===== Stage {{ sequencer.latency }}: the nearest code, at most full scale
+    -- The ambient light: that of a sample's first clock.
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if rst = '1' then
+                begins <= '1';
+            elsif ce = '1' and sum_valid = '1' then
+                begins <= valid({{ sequencer.core_latency }});
+            end if;
+            if ce = '1' and sum_valid = '1' and begins = '1' then
 {%- for channel in channels %}
-    near_{{ channel.c }} <= ('0' & total_{{ channel.c }}) + {{ sequencer.sums.half_code() }};
+                ambient_{{ channel.c }} <= unsigned(out_ambient_{{ channel.c }});
 {%- endfor %}
+            end if;
+        end if;
+    end process;
+{%- endif %}
+
+    -- ===== Stage {{ sequencer.latency }}: the code{% if sequencer.sums.ambient.is_some() %} with the ambient light{% endif %}, at most full scale
+{%- if sequencer.sums.ambient.is_some() %}
+{%- for channel in channels %}
+    lit_{{ channel.c }} <= ('0' & total_{{ channel.c }}) + ({{ channel.vhdl_ambient }});
+{%- endfor %}
+{%- endif %}
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
 {%- for channel in channels %}
-                if full_{{ channel.c }} = '1' or near_{{ channel.c }}({{ f }}) = '1' then
+{%- if sequencer.sums.ambient.is_some() %}
+                if full_{{ channel.c }} = '1' or lit_{{ channel.c }}({{ f }}) = '1' then
                     code_{{ channel.c }} <= (others => '1');
                 else
-                    code_{{ channel.c }} <= near_{{ channel.c }}({{ f - 1 }} downto {{ f - bits }});
+                    code_{{ channel.c }} <= lit_{{ channel.c }}({{ f - 1 }} downto {{ f - bits }});
                 end if;
+{%- else %}
+                if full_{{ channel.c }} = '1' then
+                    code_{{ channel.c }} <= (others => '1');
+                else
+                    code_{{ channel.c }} <= total_{{ channel.c }}({{ f - 1 }} downto {{ f - bits }});
+                end if;
+{%- endif %}
 {%- endfor %}
             end if;
         end if;

@@ -200,6 +200,7 @@ fn smaller_pictures_keep_the_light() {
         lights: 0,
         most_lights: 0,
         front_end: FrontEnd::Record,
+        blend_multipliers: None,
     };
     let error = |image: &Image| ImageSamples::of_picture(image, &form, 1.0, "p").unwrap_err().to_string();
     assert!(error(&Image { size: 128, ..asked.clone() }).contains("image_size = 128 is more than the 100 × 100"));

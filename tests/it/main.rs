@@ -14,6 +14,7 @@ mod fit;
 mod formal;
 mod image;
 mod image_files;
+mod image_grid;
 mod image_matcap;
 mod light_function;
 mod lights;

@@ -1,8 +1,8 @@
 /*
  * image_bivariate_light: the records of lights for the core image_bivariate
  *
- * Made by: brdfgen generate core.toml
- * Spec 83baf58a1b491c61. Generated; the function is yours to use under any terms.
+ * Made by: brdfgen generate --block image --reflectance ggx --image-form bivariate --weight-bits 4
+ * Spec d17cc6a203587951. Generated; the function is yours to use under any terms.
  */
 
 #include "image_bivariate_light.h"
@@ -236,9 +236,9 @@ image_bivariate_light(uint64_t phi, uint64_t gamma, const uint64_t intensity[3])
     odd = band % 2 == 0 ? next : own;
     record.band = (int32_t)band;
     if (weight == 0)
-        record.blend = band % 2 == 0 ? 0 : INT32_C(1) << 5;
+        record.blend = band % 2 == 0 ? 0 : INT32_C(1) << 4;
     else
-        record.blend = (int32_t)(((odd << 6) + weight) / (2 * weight));
+        record.blend = (int32_t)(((odd << 5) + weight) / (2 * weight));
 
     /* The gains, and the shift that makes codes of their port of them. Behind the object nothing is lit. */
     gain = phi == HALF_TURN ? 0 : product(weight, weight, 34);

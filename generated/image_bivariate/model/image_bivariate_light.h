@@ -1,8 +1,8 @@
 /*
  * image_bivariate_light: the records of lights for the core image_bivariate
  *
- * Made by: brdfgen generate core.toml
- * Spec 83baf58a1b491c61. Generated; the function is yours to use under any terms.
+ * Made by: brdfgen generate --block image --reflectance ggx --image-form bivariate --weight-bits 4
+ * Spec d17cc6a203587951. Generated; the function is yours to use under any terms.
  */
 
 #ifndef IMAGE_BIVARIATE_LIGHT_H
@@ -29,7 +29,7 @@ struct image_bivariate_light_record {
     int32_t direction[3]; /* in_l1x, in_l1y, in_l1z: Q1.16 */
     int32_t h[3]; /* in_h1x, in_h1y, in_h1z: Q1.16 */
     int32_t band; /* in_band1: UQ5.0 */
-    int32_t blend; /* in_blend1: UQ1.5 */
+    int32_t blend; /* in_blend1: UQ1.4 */
     int32_t shift; /* in_shift1: UQ4.0 */
     int32_t gain[3]; /* in_gain1r, in_gain1g, in_gain1b: UQ1.17 */
 };

@@ -1,14 +1,14 @@
 // image_bivariate_lights: the lights of a sample in sequence through the core image_bivariate
 //
-// Made by: brdfgen generate core.toml
-// Spec 83baf58a1b491c61. Generated; the sequencer is yours to use under any terms.
+// Made by: brdfgen generate --block image --reflectance ggx --image-form bivariate --weight-bits 4
+// Spec d17cc6a203587951. Generated; the sequencer is yours to use under any terms.
 //
 //   in_last   1 bit   with the lights of this clock the sample ends
 //   out_r     UQ8.0   red; 255 is full scale
 //   out_g     UQ8.0   green; 255 is full scale
 //   out_b     UQ8.0   blue; 255 is full scale
 //
-// A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
+// A sample is any number of clocks' lights, the last with in_last. Latency 29 clocks from
 // there; lights at every clock, and no pause between samples.
 
 `timescale 1ns / 1ps
@@ -54,8 +54,8 @@ module image_bivariate_lights #(
     input  wire [17:0] in_h1z,
     // UQ5.0: row of texels below light 1's angle
     input  wire [4:0] in_band1,
-    // UQ1.5: weight of the odd one of this row and the next, at most 1
-    input  wire [5:0] in_blend1,
+    // UQ1.4: weight of the odd one of this row and the next, at most 1
+    input  wire [4:0] in_blend1,
     // UQ4.0: exponent of light 1's gain
     input  wire [3:0] in_shift1,
     // UQ1.17: red of light 1's gain
@@ -64,7 +64,7 @@ module image_bivariate_lights #(
     input  wire [17:0] in_gain1g,
     // UQ1.17: blue of light 1's gain
     input  wire [17:0] in_gain1b,
-    // the other outputs are a sample: 27 enabled clocks behind its in_last
+    // the other outputs are a sample: 29 enabled clocks behind its in_last
     output wire        out_valid,
     // UQ8.0: red; 255 is full scale
     output wire [7:0] out_r,
@@ -111,76 +111,86 @@ module image_bivariate_lights #(
     );
 
     // ===== Valid chain of whole samples: a bit where one's last lights are, in step with the core
-    reg [27:1] valid;
-    initial valid = 27'd0;
+    reg [29:1] valid;
+    initial valid = 29'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 27'd0;
+            valid <= 29'd0;
         end else if (ce) begin
-            valid <= {valid[26:1], in_valid & in_last};
+            valid <= {valid[28:1], in_valid & in_last};
         end
     end
 
-    // Whether the next lights out of the core are the first of their sample.
-    reg begins;
-    initial begins = 1'b1;
-    always @(posedge clk) begin
-        if (rst) begin
-            begins <= 1'b1;
-        end else if (ce & sum_valid) begin
-            begins <= valid[25];
-        end
-    end
-
-    // ===== Stage 26: the sum of a sample's lights below 1.0, and whether it has reached that
+    // ===== Stage 28: half a code and a sample's lights below 1.0, and whether they have reached that
+    reg [16:0] so_far_r;
+    reg was_full_r;
+    initial so_far_r = 17'd256;
+    initial was_full_r = 1'b0;
     reg [16:0] total_r;
     reg full_r;
-    wire [17:0] start_r = begins ? 18'd0 : {1'b0, total_r};
-    wire [18:0] sum_r = {1'b0, start_r} + {1'b0, out_sum_r};
-    wire over_r = |sum_r[18:17];
+    wire [18:0] sum_r = {2'b00, so_far_r} + {1'b0, out_sum_r};
+    wire is_full_r = was_full_r | |sum_r[18:17];
+    reg [16:0] so_far_g;
+    reg was_full_g;
+    initial so_far_g = 17'd256;
+    initial was_full_g = 1'b0;
     reg [16:0] total_g;
     reg full_g;
-    wire [17:0] start_g = begins ? 18'd0 : {1'b0, total_g};
-    wire [18:0] sum_g = {1'b0, start_g} + {1'b0, out_sum_g};
-    wire over_g = |sum_g[18:17];
+    wire [18:0] sum_g = {2'b00, so_far_g} + {1'b0, out_sum_g};
+    wire is_full_g = was_full_g | |sum_g[18:17];
+    reg [16:0] so_far_b;
+    reg was_full_b;
+    initial so_far_b = 17'd256;
+    initial was_full_b = 1'b0;
     reg [16:0] total_b;
     reg full_b;
-    wire [17:0] start_b = begins ? 18'd0 : {1'b0, total_b};
-    wire [18:0] sum_b = {1'b0, start_b} + {1'b0, out_sum_b};
-    wire over_b = |sum_b[18:17];
+    wire [18:0] sum_b = {2'b00, so_far_b} + {1'b0, out_sum_b};
+    wire is_full_b = was_full_b | |sum_b[18:17];
     always @(posedge clk) begin
+        if (rst | (ce & valid[27])) begin
+            so_far_r   <= 17'd256;
+            was_full_r <= 1'b0;
+            so_far_g   <= 17'd256;
+            was_full_g <= 1'b0;
+            so_far_b   <= 17'd256;
+            was_full_b <= 1'b0;
+        end else if (ce & sum_valid) begin
+            so_far_r   <= sum_r[16:0];
+            was_full_r <= is_full_r;
+            so_far_g   <= sum_g[16:0];
+            was_full_g <= is_full_g;
+            so_far_b   <= sum_b[16:0];
+            was_full_b <= is_full_b;
+        end
         if (ce & sum_valid) begin
             total_r <= sum_r[16:0];
-            full_r  <= over_r | (full_r & ~begins);
+            full_r  <= is_full_r;
             total_g <= sum_g[16:0];
-            full_g  <= over_g | (full_g & ~begins);
+            full_g  <= is_full_g;
             total_b <= sum_b[16:0];
-            full_b  <= over_b | (full_b & ~begins);
+            full_b  <= is_full_b;
         end
     end
 
-    // ===== Stage 27: the nearest code, at most full scale
-    wire [17:0] near_r = {1'b0, total_r} + 18'd256;
+    // ===== Stage 29: the code, at most full scale
     reg [7:0] code_r;
-    wire [17:0] near_g = {1'b0, total_g} + 18'd256;
     reg [7:0] code_g;
-    wire [17:0] near_b = {1'b0, total_b} + 18'd256;
     reg [7:0] code_b;
     always @(posedge clk) begin
         if (ce) begin
-            code_r <= (full_r | near_r[17]) ? 8'hff : near_r[16:9];
-            code_g <= (full_g | near_g[17]) ? 8'hff : near_g[16:9];
-            code_b <= (full_b | near_b[17]) ? 8'hff : near_b[16:9];
+            code_r <= full_r ? 8'hff : total_r[16:9];
+            code_g <= full_g ? 8'hff : total_g[16:9];
+            code_b <= full_b ? 8'hff : total_b[16:9];
         end
     end
 
-    assign out_valid = valid[27];
+    assign out_valid = valid[29];
     assign out_r = code_r;
     assign out_g = code_g;
     assign out_b = code_b;
 
     // Bits that the rounding drops.
-    wire unused = &{1'b0, near_r[8:0], near_g[8:0], near_b[8:0]};
+    wire unused = &{1'b0, total_r[8:0], total_g[8:0], total_b[8:0]};
 
 endmodule
 

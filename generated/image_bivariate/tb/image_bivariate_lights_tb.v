@@ -1,14 +1,14 @@
 // image_bivariate_lights: the lights of a sample in sequence through the core image_bivariate
 //
-// Made by: brdfgen generate core.toml
-// Spec 83baf58a1b491c61. Generated; the sequencer is yours to use under any terms.
+// Made by: brdfgen generate --block image --reflectance ggx --image-form bivariate --weight-bits 4
+// Spec d17cc6a203587951. Generated; the sequencer is yours to use under any terms.
 //
 //   in_last   1 bit   with the lights of this clock the sample ends
 //   out_r     UQ8.0   red; 255 is full scale
 //   out_g     UQ8.0   green; 255 is full scale
 //   out_b     UQ8.0   blue; 255 is full scale
 //
-// A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
+// A sample is any number of clocks' lights, the last with in_last. Latency 29 clocks from
 // there; lights at every clock, and no pause between samples.
 
 `default_nettype none
@@ -19,7 +19,7 @@ module image_bivariate_lights_tb;
 /* verilator lint_on DECLFILENAME */
 
     localparam NAME    = "image_bivariate_lights";
-    localparam LATENCY = 27;
+    localparam LATENCY = 29;
     localparam SHOWN   = 10; // mismatches printed; the others are only counted
 
     // The core reads its memory texels_1_even_even from this file, relative to the current directory.
@@ -50,7 +50,7 @@ module image_bivariate_lights_tb;
     reg  [17:0] in_h1y    = 0;
     reg  [17:0] in_h1z    = 0;
     reg  [4:0]  in_band1  = 0;
-    reg  [5:0]  in_blend1 = 0;
+    reg  [4:0]  in_blend1 = 0;
     reg  [3:0]  in_shift1 = 0;
     reg  [17:0] in_gain1r = 0;
     reg  [17:0] in_gain1g = 0;
@@ -125,7 +125,7 @@ module image_bivariate_lights_tb;
     reg [17:0] file_in_h1y;
     reg [17:0] file_in_h1z;
     reg [4:0]  file_in_band1;
-    reg [5:0]  file_in_blend1;
+    reg [4:0]  file_in_blend1;
     reg [3:0]  file_in_shift1;
     reg [17:0] file_in_gain1r;
     reg [17:0] file_in_gain1g;
@@ -165,7 +165,7 @@ module image_bivariate_lights_tb;
     reg [17:0] ref_in_h1y    [0:LATENCY-1];
     reg [17:0] ref_in_h1z    [0:LATENCY-1];
     reg [4:0]  ref_in_band1  [0:LATENCY-1];
-    reg [5:0]  ref_in_blend1 [0:LATENCY-1];
+    reg [4:0]  ref_in_blend1 [0:LATENCY-1];
     reg [3:0]  ref_in_shift1 [0:LATENCY-1];
     reg [17:0] ref_in_gain1r [0:LATENCY-1];
     reg [17:0] ref_in_gain1g [0:LATENCY-1];
@@ -363,7 +363,7 @@ module image_bivariate_lights_tb;
             draw;
             in_band1 = lfsr[4:0];
             draw;
-            in_blend1 = lfsr[5:0];
+            in_blend1 = lfsr[4:0];
             draw;
             in_shift1 = lfsr[3:0];
             draw;
@@ -510,6 +510,9 @@ module image_bivariate_lights_tb;
             ce = 1'b1;
             repeat (LATENCY + 2) begin
                 present_garbage(1'b1);
+                // Without the enable a sample that has not ended is to be forgotten.
+                if (!enable)
+                    in_last = 1'b0;
                 clock;
             end
             present_garbage(1'b1); // what is presented together with rst is not taken
@@ -652,8 +655,8 @@ module image_bivariate_lights_tb;
             file_in_h1z = field[17:0];
             read_hex(5);
             file_in_band1 = field[4:0];
-            read_hex(6);
-            file_in_blend1 = field[5:0];
+            read_hex(5);
+            file_in_blend1 = field[4:0];
             read_hex(4);
             file_in_shift1 = field[3:0];
             read_hex(18);

@@ -1,14 +1,14 @@
 -- image_bivariate_lights: the lights of a sample in sequence through the core image_bivariate
 --
--- Made by: brdfgen generate core.toml
--- Spec 83baf58a1b491c61. Generated; the sequencer is yours to use under any terms.
+-- Made by: brdfgen generate --block image --reflectance ggx --image-form bivariate --weight-bits 4
+-- Spec d17cc6a203587951. Generated; the sequencer is yours to use under any terms.
 --
 --   in_last   1 bit   with the lights of this clock the sample ends
 --   out_r     UQ8.0   red; 255 is full scale
 --   out_g     UQ8.0   green; 255 is full scale
 --   out_b     UQ8.0   blue; 255 is full scale
 --
--- A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
+-- A sample is any number of clocks' lights, the last with in_last. Latency 29 clocks from
 -- there; lights at every clock, and no pause between samples.
 
 library ieee;
@@ -34,7 +34,7 @@ end entity;
 architecture bench of image_bivariate_lights_tb is
 
     constant NAME    : string   := "image_bivariate_lights";
-    constant LATENCY : positive := 27;
+    constant LATENCY : positive := 29;
     constant SHOWN   : positive := 10; -- mismatches printed; the others are only counted
 
     subtype in_nx_word is std_logic_vector(17 downto 0);
@@ -47,7 +47,7 @@ architecture bench of image_bivariate_lights_tb is
     subtype in_h1y_word is std_logic_vector(17 downto 0);
     subtype in_h1z_word is std_logic_vector(17 downto 0);
     subtype in_band1_word is std_logic_vector(4 downto 0);
-    subtype in_blend1_word is std_logic_vector(5 downto 0);
+    subtype in_blend1_word is std_logic_vector(4 downto 0);
     subtype in_shift1_word is std_logic_vector(3 downto 0);
     subtype in_gain1r_word is std_logic_vector(17 downto 0);
     subtype in_gain1g_word is std_logic_vector(17 downto 0);
@@ -455,7 +455,7 @@ begin
             draw;
             in_band1 <= lfsr(4 downto 0);
             draw;
-            in_blend1 <= lfsr(5 downto 0);
+            in_blend1 <= lfsr(4 downto 0);
             draw;
             in_shift1 <= lfsr(3 downto 0);
             draw;
@@ -603,6 +603,10 @@ begin
             ce <= '1';
             for i in 1 to LATENCY + 2 loop
                 present_garbage('1');
+                -- Without the enable a sample that has not ended is to be forgotten.
+                if enable = '0' then
+                    in_last <= '0';
+                end if;
                 clock;
             end loop;
             present_garbage('1'); -- what is presented together with rst is not taken

@@ -1,7 +1,7 @@
 -- image_bivariate: image-based block of ggx (bivariate, 32 x 32 texels), 1 light a clock, 8 bits a channel
 --
--- Made by: brdfgen generate core.toml
--- Spec 83baf58a1b491c61. Generated; the core is yours to use under any terms.
+-- Made by: brdfgen generate --block image --reflectance ggx --image-form bivariate --weight-bits 4
+-- Spec d17cc6a203587951. Generated; the core is yours to use under any terms.
 --
 --   in_nx     Q1.16   x of the unit normal, the viewer at +z
 --   in_ny     Q1.16   y of the unit normal, the viewer at +z
@@ -13,7 +13,7 @@
 --   in_h1y    Q1.16   y of light 1's half vector
 --   in_h1z    Q1.16   z of light 1's half vector
 --   in_band1  UQ5.0   row of texels below light 1's angle
---   in_blend1 UQ1.5   weight of the odd one of this row and the next, at most 1
+--   in_blend1 UQ1.4   weight of the odd one of this row and the next, at most 1
 --   in_shift1 UQ4.0   exponent of light 1's gain
 --   in_gain1r UQ1.17  red of light 1's gain
 --   in_gain1g UQ1.17  green of light 1's gain
@@ -22,9 +22,9 @@
 --   out_sum_g UQ1.17  green of these lights, at most 1.0
 --   out_sum_b UQ1.17  blue of these lights, at most 1.0
 --
--- Latency 25 clocks, one result a clock.
+-- Latency 27 clocks, one result a clock.
 -- Pictures of a sphere against the exact reflectance, lit from 34 angles:
---   44.7 dB in the mean, 35.0 dB at the worst angle.
+--   44.3 dB in the mean, 34.9 dB at the worst angle.
 
 library ieee;
 use ieee.std_logic_1164.all;
@@ -49,7 +49,7 @@ end entity;
 architecture bench of image_bivariate_tb is
 
     constant NAME    : string   := "image_bivariate";
-    constant LATENCY : positive := 25;
+    constant LATENCY : positive := 27;
     constant SHOWN   : positive := 10; -- mismatches printed; the others are only counted
 
     subtype in_nx_word is std_logic_vector(17 downto 0);
@@ -62,7 +62,7 @@ architecture bench of image_bivariate_tb is
     subtype in_h1y_word is std_logic_vector(17 downto 0);
     subtype in_h1z_word is std_logic_vector(17 downto 0);
     subtype in_band1_word is std_logic_vector(4 downto 0);
-    subtype in_blend1_word is std_logic_vector(5 downto 0);
+    subtype in_blend1_word is std_logic_vector(4 downto 0);
     subtype in_shift1_word is std_logic_vector(3 downto 0);
     subtype in_gain1r_word is std_logic_vector(17 downto 0);
     subtype in_gain1g_word is std_logic_vector(17 downto 0);
@@ -455,7 +455,7 @@ begin
             draw;
             in_band1 <= lfsr(4 downto 0);
             draw;
-            in_blend1 <= lfsr(5 downto 0);
+            in_blend1 <= lfsr(4 downto 0);
             draw;
             in_shift1 <= lfsr(3 downto 0);
             draw;

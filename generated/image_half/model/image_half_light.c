@@ -2,7 +2,7 @@
  * image_half_light: the records of lights for the core image_half
  *
  * Made by: brdfgen generate core.toml
- * Spec 0ea215276951d7d2. Generated; the function is yours to use under any terms.
+ * Spec c91e1a366b8521bb. Generated; the function is yours to use under any terms.
  */
 
 #include "image_half_light.h"

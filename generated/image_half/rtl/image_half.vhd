@@ -1,7 +1,7 @@
 -- image_half: image-based block of ggx (half, 16 slices of 32 x 32 texels), 1 light a clock, 8 bits a channel
 --
 -- Made by: brdfgen generate core.toml
--- Spec 0ea215276951d7d2. Generated; the core is yours to use under any terms.
+-- Spec c91e1a366b8521bb. Generated; the core is yours to use under any terms.
 --
 --   in_nx     Q1.16   x of the unit normal, the viewer at +z
 --   in_ny     Q1.16   y of the unit normal, the viewer at +z
@@ -24,7 +24,7 @@
 --   out_sum_g UQ1.17  green of these lights, at most 1.0
 --   out_sum_b UQ1.17  blue of these lights, at most 1.0
 --
--- Latency 25 clocks, one result a clock.
+-- Latency 27 clocks, one result a clock.
 -- Pictures of a sphere against the exact reflectance, lit from 34 angles:
 --   49.9 dB in the mean, 44.4 dB at the worst angle.
 
@@ -95,7 +95,7 @@ entity image_half is
         in_gain1g : in  unsigned(17 downto 0);
         -- UQ1.17: blue of light 1's gain
         in_gain1b : in  unsigned(17 downto 0);
-        -- the other outputs are a result: in_valid, 25 enabled clocks later
+        -- the other outputs are a result: in_valid, 27 enabled clocks later
         out_valid : out std_logic;
         -- UQ1.17: red of these lights, at most 1.0
         out_sum_r : out unsigned(17 downto 0);
@@ -331,7 +331,7 @@ architecture rtl of image_half is
     constant TEXELS_1_ODD_ODD_ODD : texels_1_odd_odd_odd_t := read_texels_1_odd_odd_odd(TEXELS_1_ODD_ODD_ODD_FILE);
     signal texels_1_odd_odd_odd_9 : std_logic_vector(23 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(25 downto 1) := (others => '0');
+    signal valid : std_logic_vector(27 downto 1) := (others => '0');
     signal nz_kept_0 : unsigned(16 downto 0) := (others => '0');
     signal seen_0 : std_logic := '0';
     signal hidden_0 : std_logic := '0';
@@ -342,6 +342,12 @@ architecture rtl of image_half is
     signal nl1_y_0 : signed(25 downto 0) := (others => '0');
     signal nl1_z_exact_0 : signed(35 downto 0) := (others => '0');
     signal nl1_z_0 : signed(25 downto 0) := (others => '0');
+    signal nl1_by_1_0 : unsigned(0 downto 0) := (others => '0');
+    signal nl1_by_2_0 : unsigned(0 downto 0) := (others => '0');
+    signal nl1_amount_2_0 : unsigned(1 downto 0) := (others => '0');
+    signal nl1_by_4_0 : unsigned(0 downto 0) := (others => '0');
+    signal nl1_amount_4_0 : unsigned(2 downto 0) := (others => '0');
+    signal nl1_by_8_0 : std_logic := '0';
     signal blend1_0 : unsigned(5 downto 0) := (others => '0');
     signal band1_next_exact_0 : unsigned(4 downto 0) := (others => '0');
     signal band1_odd_high_0 : unsigned(2 downto 0) := (others => '0');
@@ -365,10 +371,13 @@ architecture rtl of image_half is
     signal in_gain1g_1 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_1 : unsigned(17 downto 0) := (others => '0');
     signal hidden_1 : std_logic := '0';
-    signal shift1_1 : unsigned(3 downto 0) := (others => '0');
     signal nl1_x_1 : signed(25 downto 0) := (others => '0');
     signal nl1_y_1 : signed(25 downto 0) := (others => '0');
     signal nl1_z_1 : signed(25 downto 0) := (others => '0');
+    signal nl1_by_1_1 : unsigned(0 downto 0) := (others => '0');
+    signal nl1_amount_2_1 : unsigned(1 downto 0) := (others => '0');
+    signal nl1_amount_4_1 : unsigned(2 downto 0) := (others => '0');
+    signal nl1_by_8_1 : std_logic := '0';
     signal band1_next_exact_1 : unsigned(4 downto 0) := (others => '0');
     signal v1_x_1 : signed(15 downto 0) := (others => '0');
     signal v1_y_1 : signed(15 downto 0) := (others => '0');
@@ -395,9 +404,12 @@ architecture rtl of image_half is
     signal in_gain1g_2 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_2 : unsigned(17 downto 0) := (others => '0');
     signal hidden_2 : std_logic := '0';
-    signal shift1_2 : unsigned(3 downto 0) := (others => '0');
     signal nl1_z_2 : signed(25 downto 0) := (others => '0');
     signal nl1_xy_2 : signed(26 downto 0) := (others => '0');
+    signal nl1_by_1_2 : unsigned(0 downto 0) := (others => '0');
+    signal nl1_amount_2_2 : unsigned(1 downto 0) := (others => '0');
+    signal nl1_amount_4_2 : unsigned(2 downto 0) := (others => '0');
+    signal nl1_by_8_2 : std_logic := '0';
     signal v1_scaled_2 : signed(16 downto 0) := (others => '0');
     signal u1_z_2 : signed(15 downto 0) := (others => '0');
     signal u1_xy_2 : signed(16 downto 0) := (others => '0');
@@ -420,8 +432,11 @@ architecture rtl of image_half is
     signal in_gain1g_3 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_3 : unsigned(17 downto 0) := (others => '0');
     signal hidden_3 : std_logic := '0';
-    signal shift1_3 : unsigned(3 downto 0) := (others => '0');
     signal nl1_cut_3 : signed(24 downto 0) := (others => '0');
+    signal nl1_by_1_3 : unsigned(0 downto 0) := (others => '0');
+    signal nl1_amount_2_3 : unsigned(1 downto 0) := (others => '0');
+    signal nl1_amount_4_3 : unsigned(2 downto 0) := (others => '0');
+    signal nl1_by_8_3 : std_logic := '0';
     signal v1_cut_3 : signed(13 downto 0) := (others => '0');
     signal u1_scaled_3 : signed(16 downto 0) := (others => '0');
     signal texels1_00_3 : unsigned(2 downto 0) := (others => '0');
@@ -434,8 +449,9 @@ architecture rtl of image_half is
     signal texels1_11_v2_3 : unsigned(2 downto 0) := (others => '0');
     signal blend1_signed_3 : signed(6 downto 0) := (others => '0');
     signal nl1_kept_3 : unsigned(19 downto 0) := (others => '0');
-    signal nl1_up_3 : unsigned(28 downto 0) := (others => '0');
-    signal nl1_up_cut_3 : unsigned(19 downto 0) := (others => '0');
+    signal nl1_up_1_3 : unsigned(20 downto 0) := (others => '0');
+    signal nl1_all_3 : unsigned(20 downto 0) := (others => '0');
+    signal nl1_all_wide_3 : unsigned(28 downto 0) := (others => '0');
     signal v1_kept_3 : unsigned(9 downto 0) := (others => '0');
     signal v1_texel_3 : unsigned(4 downto 0) := (others => '0');
     signal v1_weight_3 : unsigned(4 downto 0) := (others => '0');
@@ -445,11 +461,35 @@ architecture rtl of image_half is
     signal v1_weight_wide_3 : unsigned(5 downto 0) := (others => '0');
     signal u1_place_3 : signed(16 downto 0) := (others => '0');
     signal u1_cut_3 : signed(13 downto 0) := (others => '0');
+    signal v1_weight_bit_0_3 : unsigned(0 downto 0) := (others => '0');
+    signal v1_weight_bit_1_3 : unsigned(0 downto 0) := (others => '0');
+    signal v1_weight_bit_2_3 : unsigned(0 downto 0) := (others => '0');
+    signal v1_weight_bit_3_3 : unsigned(0 downto 0) := (others => '0');
+    signal v1_weight_bit_4_3 : unsigned(0 downto 0) := (others => '0');
+    signal v1_weight_of_0_flag_3 : std_logic := '0';
+    signal v1_weight_of_0_not_3 : std_logic := '0';
+    signal v1_weight_of_0_3 : std_logic := '0';
+    signal v1_weight_of_1_flag_3 : std_logic := '0';
+    signal v1_weight_of_1_not_3 : std_logic := '0';
+    signal v1_weight_of_1_3 : std_logic := '0';
+    signal v1_weight_of_2_flag_3 : std_logic := '0';
+    signal v1_weight_of_2_not_3 : std_logic := '0';
+    signal v1_weight_of_2_3 : std_logic := '0';
+    signal v1_weight_of_3_flag_3 : std_logic := '0';
+    signal v1_weight_of_3_not_3 : std_logic := '0';
+    signal v1_weight_of_3_3 : std_logic := '0';
+    signal v1_weight_of_4_flag_3 : std_logic := '0';
+    signal v1_weight_of_4_not_3 : std_logic := '0';
+    signal v1_weight_of_4_3 : std_logic := '0';
     signal in_gain1r_4 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_4 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_4 : unsigned(17 downto 0) := (others => '0');
     signal hidden_4 : std_logic := '0';
-    signal nl1_up_cut_4 : unsigned(19 downto 0) := (others => '0');
+    signal nl1_up_1_4 : unsigned(20 downto 0) := (others => '0');
+    signal nl1_amount_2_4 : unsigned(1 downto 0) := (others => '0');
+    signal nl1_amount_4_4 : unsigned(2 downto 0) := (others => '0');
+    signal nl1_by_8_4 : std_logic := '0';
+    signal nl1_all_wide_4 : unsigned(28 downto 0) := (others => '0');
     signal v1_texel_4 : unsigned(4 downto 0) := (others => '0');
     signal v1_weight_4 : unsigned(4 downto 0) := (others => '0');
     signal v1_odd_4 : unsigned(3 downto 0) := (others => '0');
@@ -465,8 +505,12 @@ architecture rtl of image_half is
     signal texels1_11_4 : unsigned(2 downto 0) := (others => '0');
     signal texels1_11_v2_4 : unsigned(2 downto 0) := (others => '0');
     signal blend1_signed_4 : signed(6 downto 0) := (others => '0');
-    signal nl1_within_4 : unsigned(17 downto 0) := (others => '0');
-    signal nl1_4 : unsigned(17 downto 0) := (others => '0');
+    signal v1_weight_of_0_4 : std_logic := '0';
+    signal v1_weight_of_1_4 : std_logic := '0';
+    signal v1_weight_of_2_4 : std_logic := '0';
+    signal v1_weight_of_3_4 : std_logic := '0';
+    signal v1_weight_of_4_4 : std_logic := '0';
+    signal nl1_up_2_4 : unsigned(22 downto 0) := (others => '0');
     signal v1_next_exact_4 : unsigned(5 downto 0) := (others => '0');
     signal v1_other_4 : unsigned(5 downto 0) := (others => '0');
     signal v1_odd_v2_4 : unsigned(5 downto 0) := (others => '0');
@@ -476,7 +520,6 @@ architecture rtl of image_half is
     signal u1_odd_high_4 : unsigned(3 downto 0) := (others => '0');
     signal u1_odd_4 : unsigned(3 downto 0) := (others => '0');
     signal u1_is_odd_4 : std_logic := '0';
-    signal u1_weight_wide_4 : unsigned(5 downto 0) := (others => '0');
     signal texel1_01_4 : unsigned(6 downto 0) := (others => '0');
     signal texels1_010_4 : unsigned(6 downto 0) := (others => '0');
     signal texel1_01_v2_4 : unsigned(6 downto 0) := (others => '0');
@@ -485,27 +528,40 @@ architecture rtl of image_half is
     signal texels1_110_4 : unsigned(6 downto 0) := (others => '0');
     signal texel1_11_v2_4 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_4 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_4 : std_logic := '0';
-    signal v1_odd_bit_0_4 : std_logic := '0';
-    signal v1_odd_bit_1_4 : std_logic := '0';
-    signal v1_odd_bit_2_4 : std_logic := '0';
-    signal v1_odd_bit_3_4 : std_logic := '0';
-    signal v1_odd_bit_4_4 : std_logic := '0';
-    signal v1_odd_of_0_4 : std_logic := '0';
-    signal v1_odd_of_1_4 : std_logic := '0';
-    signal v1_odd_of_2_4 : std_logic := '0';
-    signal v1_odd_of_3_4 : std_logic := '0';
-    signal v1_odd_of_4_4 : std_logic := '0';
+    signal u1_weight_bit_0_4 : unsigned(0 downto 0) := (others => '0');
+    signal u1_weight_bit_1_4 : unsigned(0 downto 0) := (others => '0');
+    signal u1_weight_bit_2_4 : unsigned(0 downto 0) := (others => '0');
+    signal u1_weight_bit_3_4 : unsigned(0 downto 0) := (others => '0');
+    signal u1_weight_bit_4_4 : unsigned(0 downto 0) := (others => '0');
+    signal u1_weight_of_0_flag_4 : std_logic := '0';
+    signal u1_weight_of_0_not_4 : std_logic := '0';
+    signal u1_weight_of_0_4 : std_logic := '0';
+    signal u1_weight_of_1_flag_4 : std_logic := '0';
+    signal u1_weight_of_1_not_4 : std_logic := '0';
+    signal u1_weight_of_1_4 : std_logic := '0';
+    signal u1_weight_of_2_flag_4 : std_logic := '0';
+    signal u1_weight_of_2_not_4 : std_logic := '0';
+    signal u1_weight_of_2_4 : std_logic := '0';
+    signal u1_weight_of_3_flag_4 : std_logic := '0';
+    signal u1_weight_of_3_not_4 : std_logic := '0';
+    signal u1_weight_of_3_4 : std_logic := '0';
+    signal u1_weight_of_4_flag_4 : std_logic := '0';
+    signal u1_weight_of_4_not_4 : std_logic := '0';
+    signal u1_weight_of_4_4 : std_logic := '0';
+    signal v1_odd_signed_4 : signed(6 downto 0) := (others => '0');
     signal in_gain1r_5 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_5 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_5 : unsigned(17 downto 0) := (others => '0');
-    signal nl1_5 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_5 : std_logic := '0';
+    signal nl1_up_2_5 : unsigned(22 downto 0) := (others => '0');
+    signal nl1_amount_4_5 : unsigned(2 downto 0) := (others => '0');
+    signal nl1_by_8_5 : std_logic := '0';
+    signal nl1_all_wide_5 : unsigned(28 downto 0) := (others => '0');
     signal v1_next_exact_5 : unsigned(5 downto 0) := (others => '0');
+    signal v1_is_odd_5 : std_logic := '0';
     signal u1_texel_5 : unsigned(4 downto 0) := (others => '0');
-    signal u1_weight_5 : unsigned(4 downto 0) := (others => '0');
     signal u1_odd_5 : unsigned(3 downto 0) := (others => '0');
     signal u1_is_odd_5 : std_logic := '0';
-    signal u1_weight_wide_5 : unsigned(5 downto 0) := (others => '0');
     signal texels1_00_5 : unsigned(2 downto 0) := (others => '0');
     signal texels1_00_v2_5 : unsigned(2 downto 0) := (others => '0');
     signal texels1_010_5 : unsigned(6 downto 0) := (others => '0');
@@ -514,39 +570,39 @@ architecture rtl of image_half is
     signal texels1_10_v2_5 : unsigned(2 downto 0) := (others => '0');
     signal texels1_110_5 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_5 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_5 : std_logic := '0';
-    signal v1_odd_of_0_5 : std_logic := '0';
-    signal v1_odd_of_1_5 : std_logic := '0';
-    signal v1_odd_of_2_5 : std_logic := '0';
-    signal v1_odd_of_3_5 : std_logic := '0';
-    signal v1_odd_of_4_5 : std_logic := '0';
+    signal u1_weight_of_0_5 : std_logic := '0';
+    signal u1_weight_of_1_5 : std_logic := '0';
+    signal u1_weight_of_2_5 : std_logic := '0';
+    signal u1_weight_of_3_5 : std_logic := '0';
+    signal u1_weight_of_4_5 : std_logic := '0';
+    signal v1_odd_signed_5 : signed(6 downto 0) := (others => '0');
     signal blend1_signed_5 : signed(6 downto 0) := (others => '0');
+    signal v1_weight_of_0_5 : std_logic := '0';
+    signal v1_weight_of_1_5 : std_logic := '0';
+    signal v1_weight_of_2_5 : std_logic := '0';
+    signal v1_weight_of_3_5 : std_logic := '0';
+    signal v1_weight_of_4_5 : std_logic := '0';
+    signal nl1_up_4_5 : unsigned(26 downto 0) := (others => '0');
+    signal nl1_up_4_wide_5 : unsigned(28 downto 0) := (others => '0');
+    signal nl1_up_5 : unsigned(28 downto 0) := (others => '0');
+    signal nl1_up_cut_5 : unsigned(19 downto 0) := (others => '0');
+    signal nl1_within_5 : unsigned(17 downto 0) := (others => '0');
     signal v1_next_5 : unsigned(4 downto 0) := (others => '0');
     signal v1_even_high_5 : unsigned(3 downto 0) := (others => '0');
     signal v1_even_5 : unsigned(3 downto 0) := (others => '0');
     signal u1_next_exact_5 : unsigned(5 downto 0) := (others => '0');
-    signal u1_other_5 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_v2_5 : unsigned(5 downto 0) := (others => '0');
     signal texel1_011_5 : unsigned(10 downto 0) := (others => '0');
     signal texel1_111_5 : unsigned(10 downto 0) := (others => '0');
-    signal u1_odd_whole_5 : std_logic := '0';
-    signal u1_odd_bit_0_5 : std_logic := '0';
-    signal u1_odd_bit_1_5 : std_logic := '0';
-    signal u1_odd_bit_2_5 : std_logic := '0';
-    signal u1_odd_bit_3_5 : std_logic := '0';
-    signal u1_odd_bit_4_5 : std_logic := '0';
-    signal u1_odd_of_0_5 : std_logic := '0';
-    signal u1_odd_of_1_5 : std_logic := '0';
-    signal u1_odd_of_2_5 : std_logic := '0';
-    signal u1_odd_of_3_5 : std_logic := '0';
-    signal u1_odd_of_4_5 : std_logic := '0';
     signal in_gain1r_6 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_6 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_6 : unsigned(17 downto 0) := (others => '0');
-    signal nl1_6 : unsigned(17 downto 0) := (others => '0');
+    signal hidden_6 : std_logic := '0';
+    signal nl1_within_6 : unsigned(17 downto 0) := (others => '0');
     signal v1_even_6 : unsigned(3 downto 0) := (others => '0');
+    signal v1_is_odd_6 : std_logic := '0';
     signal u1_next_exact_6 : unsigned(5 downto 0) := (others => '0');
     signal u1_odd_6 : unsigned(3 downto 0) := (others => '0');
+    signal u1_is_odd_6 : std_logic := '0';
     signal texels1_00_6 : unsigned(2 downto 0) := (others => '0');
     signal texels1_00_v2_6 : unsigned(2 downto 0) := (others => '0');
     signal texels1_010_6 : unsigned(6 downto 0) := (others => '0');
@@ -555,19 +611,19 @@ architecture rtl of image_half is
     signal texels1_10_v2_6 : unsigned(2 downto 0) := (others => '0');
     signal texels1_110_6 : unsigned(6 downto 0) := (others => '0');
     signal texel1_111_6 : unsigned(10 downto 0) := (others => '0');
-    signal u1_odd_whole_6 : std_logic := '0';
-    signal u1_odd_of_0_6 : std_logic := '0';
-    signal u1_odd_of_1_6 : std_logic := '0';
-    signal u1_odd_of_2_6 : std_logic := '0';
-    signal u1_odd_of_3_6 : std_logic := '0';
-    signal u1_odd_of_4_6 : std_logic := '0';
-    signal v1_odd_whole_6 : std_logic := '0';
-    signal v1_odd_of_0_6 : std_logic := '0';
-    signal v1_odd_of_1_6 : std_logic := '0';
-    signal v1_odd_of_2_6 : std_logic := '0';
-    signal v1_odd_of_3_6 : std_logic := '0';
-    signal v1_odd_of_4_6 : std_logic := '0';
+    signal u1_weight_of_0_6 : std_logic := '0';
+    signal u1_weight_of_1_6 : std_logic := '0';
+    signal u1_weight_of_2_6 : std_logic := '0';
+    signal u1_weight_of_3_6 : std_logic := '0';
+    signal u1_weight_of_4_6 : std_logic := '0';
+    signal v1_odd_signed_6 : signed(6 downto 0) := (others => '0');
     signal blend1_signed_6 : signed(6 downto 0) := (others => '0');
+    signal v1_weight_of_0_6 : std_logic := '0';
+    signal v1_weight_of_1_6 : std_logic := '0';
+    signal v1_weight_of_2_6 : std_logic := '0';
+    signal v1_weight_of_3_6 : std_logic := '0';
+    signal v1_weight_of_4_6 : std_logic := '0';
+    signal nl1_6 : unsigned(17 downto 0) := (others => '0');
     signal u1_next_6 : unsigned(4 downto 0) := (others => '0');
     signal u1_even_high_6 : unsigned(3 downto 0) := (others => '0');
     signal u1_even_6 : unsigned(3 downto 0) := (others => '0');
@@ -583,8 +639,10 @@ architecture rtl of image_half is
     signal in_gain1g_7 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_7 : unsigned(17 downto 0) := (others => '0');
     signal nl1_7 : unsigned(17 downto 0) := (others => '0');
+    signal v1_is_odd_7 : std_logic := '0';
     signal u1_even_7 : unsigned(3 downto 0) := (others => '0');
     signal u1_odd_7 : unsigned(3 downto 0) := (others => '0');
+    signal u1_is_odd_7 : std_logic := '0';
     signal texels1_000_7 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_7 : unsigned(6 downto 0) := (others => '0');
     signal texels1_010_7 : unsigned(6 downto 0) := (others => '0');
@@ -593,19 +651,18 @@ architecture rtl of image_half is
     signal texels1_101_7 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_7 : unsigned(6 downto 0) := (others => '0');
     signal texel1_111_7 : unsigned(10 downto 0) := (others => '0');
-    signal u1_odd_whole_7 : std_logic := '0';
-    signal u1_odd_of_0_7 : std_logic := '0';
-    signal u1_odd_of_1_7 : std_logic := '0';
-    signal u1_odd_of_2_7 : std_logic := '0';
-    signal u1_odd_of_3_7 : std_logic := '0';
-    signal u1_odd_of_4_7 : std_logic := '0';
-    signal v1_odd_whole_7 : std_logic := '0';
-    signal v1_odd_of_0_7 : std_logic := '0';
-    signal v1_odd_of_1_7 : std_logic := '0';
-    signal v1_odd_of_2_7 : std_logic := '0';
-    signal v1_odd_of_3_7 : std_logic := '0';
-    signal v1_odd_of_4_7 : std_logic := '0';
+    signal u1_weight_of_0_7 : std_logic := '0';
+    signal u1_weight_of_1_7 : std_logic := '0';
+    signal u1_weight_of_2_7 : std_logic := '0';
+    signal u1_weight_of_3_7 : std_logic := '0';
+    signal u1_weight_of_4_7 : std_logic := '0';
+    signal v1_odd_signed_7 : signed(6 downto 0) := (others => '0');
     signal blend1_signed_7 : signed(6 downto 0) := (others => '0');
+    signal v1_weight_of_0_7 : std_logic := '0';
+    signal v1_weight_of_1_7 : std_logic := '0';
+    signal v1_weight_of_2_7 : std_logic := '0';
+    signal v1_weight_of_3_7 : std_logic := '0';
+    signal v1_weight_of_4_7 : std_logic := '0';
     signal texel1_000_7 : unsigned(10 downto 0) := (others => '0');
     signal texel1_001_7 : unsigned(10 downto 0) := (others => '0');
     signal texel1_010_7 : unsigned(10 downto 0) := (others => '0');
@@ -616,6 +673,8 @@ architecture rtl of image_half is
     signal in_gain1g_8 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_8 : unsigned(17 downto 0) := (others => '0');
     signal nl1_8 : unsigned(17 downto 0) := (others => '0');
+    signal v1_is_odd_8 : std_logic := '0';
+    signal u1_is_odd_8 : std_logic := '0';
     signal texel1_000_8 : unsigned(10 downto 0) := (others => '0');
     signal texel1_001_8 : unsigned(10 downto 0) := (others => '0');
     signal texel1_010_8 : unsigned(10 downto 0) := (others => '0');
@@ -624,36 +683,36 @@ architecture rtl of image_half is
     signal texel1_101_8 : unsigned(10 downto 0) := (others => '0');
     signal texel1_110_8 : unsigned(10 downto 0) := (others => '0');
     signal texel1_111_8 : unsigned(10 downto 0) := (others => '0');
-    signal u1_odd_whole_8 : std_logic := '0';
-    signal u1_odd_of_0_8 : std_logic := '0';
-    signal u1_odd_of_1_8 : std_logic := '0';
-    signal u1_odd_of_2_8 : std_logic := '0';
-    signal u1_odd_of_3_8 : std_logic := '0';
-    signal u1_odd_of_4_8 : std_logic := '0';
-    signal v1_odd_whole_8 : std_logic := '0';
-    signal v1_odd_of_0_8 : std_logic := '0';
-    signal v1_odd_of_1_8 : std_logic := '0';
-    signal v1_odd_of_2_8 : std_logic := '0';
-    signal v1_odd_of_3_8 : std_logic := '0';
-    signal v1_odd_of_4_8 : std_logic := '0';
+    signal u1_weight_of_0_8 : std_logic := '0';
+    signal u1_weight_of_1_8 : std_logic := '0';
+    signal u1_weight_of_2_8 : std_logic := '0';
+    signal u1_weight_of_3_8 : std_logic := '0';
+    signal u1_weight_of_4_8 : std_logic := '0';
+    signal v1_odd_signed_8 : signed(6 downto 0) := (others => '0');
     signal blend1_signed_8 : signed(6 downto 0) := (others => '0');
+    signal v1_weight_of_0_8 : std_logic := '0';
+    signal v1_weight_of_1_8 : std_logic := '0';
+    signal v1_weight_of_2_8 : std_logic := '0';
+    signal v1_weight_of_3_8 : std_logic := '0';
+    signal v1_weight_of_4_8 : std_logic := '0';
     signal in_gain1r_9 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_9 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_9 : unsigned(17 downto 0) := (others => '0');
     signal nl1_9 : unsigned(17 downto 0) := (others => '0');
-    signal u1_odd_whole_9 : std_logic := '0';
-    signal u1_odd_of_0_9 : std_logic := '0';
-    signal u1_odd_of_1_9 : std_logic := '0';
-    signal u1_odd_of_2_9 : std_logic := '0';
-    signal u1_odd_of_3_9 : std_logic := '0';
-    signal u1_odd_of_4_9 : std_logic := '0';
-    signal v1_odd_whole_9 : std_logic := '0';
-    signal v1_odd_of_0_9 : std_logic := '0';
-    signal v1_odd_of_1_9 : std_logic := '0';
-    signal v1_odd_of_2_9 : std_logic := '0';
-    signal v1_odd_of_3_9 : std_logic := '0';
-    signal v1_odd_of_4_9 : std_logic := '0';
+    signal v1_is_odd_9 : std_logic := '0';
+    signal u1_is_odd_9 : std_logic := '0';
+    signal u1_weight_of_0_9 : std_logic := '0';
+    signal u1_weight_of_1_9 : std_logic := '0';
+    signal u1_weight_of_2_9 : std_logic := '0';
+    signal u1_weight_of_3_9 : std_logic := '0';
+    signal u1_weight_of_4_9 : std_logic := '0';
+    signal v1_odd_signed_9 : signed(6 downto 0) := (others => '0');
     signal blend1_signed_9 : signed(6 downto 0) := (others => '0');
+    signal v1_weight_of_0_9 : std_logic := '0';
+    signal v1_weight_of_1_9 : std_logic := '0';
+    signal v1_weight_of_2_9 : std_logic := '0';
+    signal v1_weight_of_3_9 : std_logic := '0';
+    signal v1_weight_of_4_9 : std_logic := '0';
     signal texels_1_even_even_even_r_9 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_r_9 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_r_9 : unsigned(7 downto 0) := (others => '0');
@@ -682,6 +741,8 @@ architecture rtl of image_half is
     signal in_gain1g_10 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_10 : unsigned(17 downto 0) := (others => '0');
     signal nl1_10 : unsigned(17 downto 0) := (others => '0');
+    signal v1_is_odd_10 : std_logic := '0';
+    signal u1_is_odd_10 : std_logic := '0';
     signal texels_1_even_even_even_r_10 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_r_10 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_r_10 : unsigned(7 downto 0) := (others => '0');
@@ -690,18 +751,12 @@ architecture rtl of image_half is
     signal texels_1_odd_even_odd_r_10 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_r_10 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_r_10 : unsigned(7 downto 0) := (others => '0');
-    signal u1_odd_whole_10 : std_logic := '0';
-    signal u1_odd_of_0_10 : std_logic := '0';
-    signal u1_odd_of_1_10 : std_logic := '0';
-    signal u1_odd_of_2_10 : std_logic := '0';
-    signal u1_odd_of_3_10 : std_logic := '0';
-    signal u1_odd_of_4_10 : std_logic := '0';
-    signal v1_odd_whole_10 : std_logic := '0';
-    signal v1_odd_of_0_10 : std_logic := '0';
-    signal v1_odd_of_1_10 : std_logic := '0';
-    signal v1_odd_of_2_10 : std_logic := '0';
-    signal v1_odd_of_3_10 : std_logic := '0';
-    signal v1_odd_of_4_10 : std_logic := '0';
+    signal u1_weight_of_0_10 : std_logic := '0';
+    signal u1_weight_of_1_10 : std_logic := '0';
+    signal u1_weight_of_2_10 : std_logic := '0';
+    signal u1_weight_of_3_10 : std_logic := '0';
+    signal u1_weight_of_4_10 : std_logic := '0';
+    signal v1_odd_signed_10 : signed(6 downto 0) := (others => '0');
     signal blend1_signed_10 : signed(6 downto 0) := (others => '0');
     signal texels_1_even_even_even_g_10 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_g_10 : unsigned(7 downto 0) := (others => '0');
@@ -711,6 +766,11 @@ architecture rtl of image_half is
     signal texels_1_odd_even_odd_g_10 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_g_10 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_g_10 : unsigned(7 downto 0) := (others => '0');
+    signal v1_weight_of_0_10 : std_logic := '0';
+    signal v1_weight_of_1_10 : std_logic := '0';
+    signal v1_weight_of_2_10 : std_logic := '0';
+    signal v1_weight_of_3_10 : std_logic := '0';
+    signal v1_weight_of_4_10 : std_logic := '0';
     signal texels_1_even_even_even_b_10 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_b_10 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_b_10 : unsigned(7 downto 0) := (others => '0');
@@ -723,6 +783,8 @@ architecture rtl of image_half is
     signal in_gain1g_11 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_11 : unsigned(17 downto 0) := (others => '0');
     signal nl1_11 : unsigned(17 downto 0) := (others => '0');
+    signal v1_is_odd_11 : std_logic := '0';
+    signal u1_is_odd_11 : std_logic := '0';
     signal texels_1_even_even_even_r_11 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_r_11 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_r_11 : unsigned(7 downto 0) := (others => '0');
@@ -731,18 +793,12 @@ architecture rtl of image_half is
     signal texels_1_odd_even_odd_r_11 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_r_11 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_r_11 : unsigned(7 downto 0) := (others => '0');
-    signal u1_odd_whole_11 : std_logic := '0';
-    signal u1_odd_of_0_11 : std_logic := '0';
-    signal u1_odd_of_1_11 : std_logic := '0';
-    signal u1_odd_of_2_11 : std_logic := '0';
-    signal u1_odd_of_3_11 : std_logic := '0';
-    signal u1_odd_of_4_11 : std_logic := '0';
-    signal v1_odd_whole_11 : std_logic := '0';
-    signal v1_odd_of_0_11 : std_logic := '0';
-    signal v1_odd_of_1_11 : std_logic := '0';
-    signal v1_odd_of_2_11 : std_logic := '0';
-    signal v1_odd_of_3_11 : std_logic := '0';
-    signal v1_odd_of_4_11 : std_logic := '0';
+    signal u1_weight_of_0_11 : std_logic := '0';
+    signal u1_weight_of_1_11 : std_logic := '0';
+    signal u1_weight_of_2_11 : std_logic := '0';
+    signal u1_weight_of_3_11 : std_logic := '0';
+    signal u1_weight_of_4_11 : std_logic := '0';
+    signal v1_odd_signed_11 : signed(6 downto 0) := (others => '0');
     signal blend1_signed_11 : signed(6 downto 0) := (others => '0');
     signal texels_1_even_even_even_g_11 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_g_11 : unsigned(7 downto 0) := (others => '0');
@@ -752,6 +808,11 @@ architecture rtl of image_half is
     signal texels_1_odd_even_odd_g_11 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_g_11 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_g_11 : unsigned(7 downto 0) := (others => '0');
+    signal v1_weight_of_0_11 : std_logic := '0';
+    signal v1_weight_of_1_11 : std_logic := '0';
+    signal v1_weight_of_2_11 : std_logic := '0';
+    signal v1_weight_of_3_11 : std_logic := '0';
+    signal v1_weight_of_4_11 : std_logic := '0';
     signal texels_1_even_even_even_b_11 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_b_11 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_b_11 : unsigned(7 downto 0) := (others => '0');
@@ -760,8 +821,8 @@ architecture rtl of image_half is
     signal texels_1_odd_even_odd_b_11 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_b_11 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_b_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_0_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_0_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_0_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -775,8 +836,8 @@ architecture rtl of image_half is
     signal blend1_r_1_0_sum_1_0_11 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_0_sum_1_1_11 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_0_sum_1_2_11 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_1_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_1_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_1_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_1_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -790,8 +851,8 @@ architecture rtl of image_half is
     signal blend1_r_1_1_sum_1_0_11 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_1_sum_1_1_11 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_1_sum_1_2_11 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_2_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_2_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_2_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_2_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -805,8 +866,8 @@ architecture rtl of image_half is
     signal blend1_r_1_2_sum_1_0_11 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_2_sum_1_1_11 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_2_sum_1_2_11 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_3_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_3_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_3_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_3_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -820,8 +881,8 @@ architecture rtl of image_half is
     signal blend1_r_1_3_sum_1_0_11 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_1_1_11 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_1_2_11 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_0_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_0_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_0_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_0_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -835,8 +896,8 @@ architecture rtl of image_half is
     signal blend1_g_1_0_sum_1_0_11 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_0_sum_1_1_11 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_0_sum_1_2_11 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_1_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_1_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_1_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_1_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -850,8 +911,8 @@ architecture rtl of image_half is
     signal blend1_g_1_1_sum_1_0_11 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_1_sum_1_1_11 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_1_sum_1_2_11 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_2_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_2_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_2_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_2_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -865,8 +926,8 @@ architecture rtl of image_half is
     signal blend1_g_1_2_sum_1_0_11 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_2_sum_1_1_11 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_2_sum_1_2_11 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_3_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_3_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_3_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_3_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -880,8 +941,8 @@ architecture rtl of image_half is
     signal blend1_g_1_3_sum_1_0_11 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_1_1_11 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_1_2_11 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_0_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_0_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_0_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_0_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -895,8 +956,8 @@ architecture rtl of image_half is
     signal blend1_b_1_0_sum_1_0_11 : unsigned(8 downto 0) := (others => '0');
     signal blend1_b_1_0_sum_1_1_11 : unsigned(9 downto 0) := (others => '0');
     signal blend1_b_1_0_sum_1_2_11 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_1_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_1_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_1_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_1_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -910,8 +971,8 @@ architecture rtl of image_half is
     signal blend1_b_1_1_sum_1_0_11 : unsigned(8 downto 0) := (others => '0');
     signal blend1_b_1_1_sum_1_1_11 : unsigned(9 downto 0) := (others => '0');
     signal blend1_b_1_1_sum_1_2_11 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_2_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_2_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_2_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_2_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -925,8 +986,8 @@ architecture rtl of image_half is
     signal blend1_b_1_2_sum_1_0_11 : unsigned(8 downto 0) := (others => '0');
     signal blend1_b_1_2_sum_1_1_11 : unsigned(9 downto 0) := (others => '0');
     signal blend1_b_1_2_sum_1_2_11 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_3_either_whole_11 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_by_whole_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_first_11 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_first_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_3_either_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_3_by_0_11 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_3_either_1_11 : unsigned(7 downto 0) := (others => '0');
@@ -944,6 +1005,7 @@ architecture rtl of image_half is
     signal in_gain1g_12 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_12 : unsigned(17 downto 0) := (others => '0');
     signal nl1_12 : unsigned(17 downto 0) := (others => '0');
+    signal v1_is_odd_12 : std_logic := '0';
     signal blend1_r_1_0_sum_1_0_12 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_0_sum_1_1_12 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_0_sum_1_2_12 : unsigned(9 downto 0) := (others => '0');
@@ -956,12 +1018,7 @@ architecture rtl of image_half is
     signal blend1_r_1_3_sum_1_0_12 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_1_1_12 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_1_2_12 : unsigned(9 downto 0) := (others => '0');
-    signal v1_odd_whole_12 : std_logic := '0';
-    signal v1_odd_of_0_12 : std_logic := '0';
-    signal v1_odd_of_1_12 : std_logic := '0';
-    signal v1_odd_of_2_12 : std_logic := '0';
-    signal v1_odd_of_3_12 : std_logic := '0';
-    signal v1_odd_of_4_12 : std_logic := '0';
+    signal v1_odd_signed_12 : signed(6 downto 0) := (others => '0');
     signal blend1_signed_12 : signed(6 downto 0) := (others => '0');
     signal blend1_g_1_0_sum_1_0_12 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_0_sum_1_1_12 : unsigned(9 downto 0) := (others => '0');
@@ -975,6 +1032,11 @@ architecture rtl of image_half is
     signal blend1_g_1_3_sum_1_0_12 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_1_1_12 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_1_2_12 : unsigned(9 downto 0) := (others => '0');
+    signal v1_weight_of_0_12 : std_logic := '0';
+    signal v1_weight_of_1_12 : std_logic := '0';
+    signal v1_weight_of_2_12 : std_logic := '0';
+    signal v1_weight_of_3_12 : std_logic := '0';
+    signal v1_weight_of_4_12 : std_logic := '0';
     signal blend1_b_1_0_sum_1_0_12 : unsigned(8 downto 0) := (others => '0');
     signal blend1_b_1_0_sum_1_1_12 : unsigned(9 downto 0) := (others => '0');
     signal blend1_b_1_0_sum_1_2_12 : unsigned(9 downto 0) := (others => '0');
@@ -1003,6 +1065,7 @@ architecture rtl of image_half is
     signal in_gain1g_13 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_13 : unsigned(17 downto 0) := (others => '0');
     signal nl1_13 : unsigned(17 downto 0) := (others => '0');
+    signal v1_is_odd_13 : std_logic := '0';
     signal blend1_r_1_0_sum_1_2_13 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_0_sum_2_0_13 : unsigned(10 downto 0) := (others => '0');
     signal blend1_r_1_1_sum_1_2_13 : unsigned(9 downto 0) := (others => '0');
@@ -1011,12 +1074,7 @@ architecture rtl of image_half is
     signal blend1_r_1_2_sum_2_0_13 : unsigned(10 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_1_2_13 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_2_0_13 : unsigned(10 downto 0) := (others => '0');
-    signal v1_odd_whole_13 : std_logic := '0';
-    signal v1_odd_of_0_13 : std_logic := '0';
-    signal v1_odd_of_1_13 : std_logic := '0';
-    signal v1_odd_of_2_13 : std_logic := '0';
-    signal v1_odd_of_3_13 : std_logic := '0';
-    signal v1_odd_of_4_13 : std_logic := '0';
+    signal v1_odd_signed_13 : signed(6 downto 0) := (others => '0');
     signal blend1_signed_13 : signed(6 downto 0) := (others => '0');
     signal blend1_g_1_0_sum_1_2_13 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_0_sum_2_0_13 : unsigned(10 downto 0) := (others => '0');
@@ -1026,6 +1084,11 @@ architecture rtl of image_half is
     signal blend1_g_1_2_sum_2_0_13 : unsigned(10 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_1_2_13 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_2_0_13 : unsigned(10 downto 0) := (others => '0');
+    signal v1_weight_of_0_13 : std_logic := '0';
+    signal v1_weight_of_1_13 : std_logic := '0';
+    signal v1_weight_of_2_13 : std_logic := '0';
+    signal v1_weight_of_3_13 : std_logic := '0';
+    signal v1_weight_of_4_13 : std_logic := '0';
     signal blend1_b_1_0_sum_1_2_13 : unsigned(9 downto 0) := (others => '0');
     signal blend1_b_1_0_sum_2_0_13 : unsigned(10 downto 0) := (others => '0');
     signal blend1_b_1_1_sum_1_2_13 : unsigned(9 downto 0) := (others => '0');
@@ -1038,48 +1101,12 @@ architecture rtl of image_half is
     signal blend1_r_1_1_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_r_1_2_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_r_1_3_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_whole_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_whole_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_0_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_0_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_1_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_1_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_2_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_2_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_3_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_3_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_4_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_4_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_whole_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_whole_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_0_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_0_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_1_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_1_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_2_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_2_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_3_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_3_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_4_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_4_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_1_0_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_1_1_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_1_2_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_1_3_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_whole_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_whole_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_0_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_0_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_1_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_1_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_2_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_2_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_3_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_3_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_4_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_4_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_1_either_whole_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_whole_13 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_first_13 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_first_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_2_1_either_0_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_2_1_by_0_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_2_1_either_1_13 : unsigned(12 downto 0) := (others => '0');
@@ -1094,20 +1121,8 @@ architecture rtl of image_half is
     signal blend1_b_1_1_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_b_1_2_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_b_1_3_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_whole_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_whole_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_0_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_0_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_1_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_1_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_2_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_2_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_3_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_3_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_4_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_4_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_1_either_whole_13 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_whole_13 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_first_13 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_first_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_b_2_1_either_0_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_b_2_1_by_0_13 : unsigned(12 downto 0) := (others => '0');
     signal blend1_b_2_1_either_1_13 : unsigned(12 downto 0) := (others => '0');
@@ -1122,58 +1137,35 @@ architecture rtl of image_half is
     signal in_gain1g_14 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_14 : unsigned(17 downto 0) := (others => '0');
     signal nl1_14 : unsigned(17 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_whole_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_0_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_1_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_2_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_3_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_4_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_whole_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_0_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_1_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_2_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_3_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_4_14 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_r_1_0_14 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_r_1_1_14 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_r_1_2_14 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_r_1_3_14 : unsigned(12 downto 0) := (others => '0');
+    signal v1_odd_signed_14 : signed(6 downto 0) := (others => '0');
     signal blend1_signed_14 : signed(6 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_whole_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_0_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_1_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_2_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_3_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_4_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_whole_14 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_g_1_0_14 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_g_1_1_14 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_first_14 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_2_1_by_0_14 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_2_1_by_1_14 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_2_1_by_2_14 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_2_1_by_3_14 : unsigned(12 downto 0) := (others => '0');
     signal blend1_g_2_1_by_4_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_whole_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_0_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_1_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_2_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_3_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_4_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_whole_14 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_b_1_0_14 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_b_1_1_14 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_first_14 : unsigned(12 downto 0) := (others => '0');
     signal blend1_b_2_1_by_0_14 : unsigned(12 downto 0) := (others => '0');
     signal blend1_b_2_1_by_1_14 : unsigned(12 downto 0) := (others => '0');
     signal blend1_b_2_1_by_2_14 : unsigned(12 downto 0) := (others => '0');
     signal blend1_b_2_1_by_3_14 : unsigned(12 downto 0) := (others => '0');
     signal blend1_b_2_1_by_4_14 : unsigned(12 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_0_14 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_1_14 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_2_14 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_0_14 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_1_14 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_2_14 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_0_14 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_1_14 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_2_14 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_r_2_0_apart_14 : signed(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_apart_14 : signed(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_apart_14 : signed(13 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_1_0_14 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_1_1_14 : unsigned(14 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_1_2_14 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_0_14 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_1_14 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_2_14 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_b_2_0_apart_14 : signed(13 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_1_0_14 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_1_1_14 : unsigned(14 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_1_2_14 : unsigned(14 downto 0) := (others => '0');
@@ -1181,46 +1173,43 @@ architecture rtl of image_half is
     signal in_gain1g_15 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_15 : unsigned(17 downto 0) := (others => '0');
     signal nl1_15 : unsigned(17 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_0_15 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_1_15 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_2_15 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_0_15 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_1_15 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_2_15 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_r_1_0_15 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_r_1_2_15 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_r_2_0_apart_15 : signed(13 downto 0) := (others => '0');
+    signal v1_odd_signed_15 : signed(6 downto 0) := (others => '0');
+    signal blend1_r_2_1_apart_15 : signed(13 downto 0) := (others => '0');
     signal blend1_signed_15 : signed(6 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_0_15 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_1_15 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_2_15 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_g_1_0_15 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_g_2_0_apart_15 : signed(13 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_1_0_15 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_1_1_15 : unsigned(14 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_1_2_15 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_0_15 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_1_15 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_2_15 : unsigned(14 downto 0) := (others => '0');
+    signal blend1_b_1_0_15 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_b_2_0_apart_15 : signed(13 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_1_0_15 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_1_1_15 : unsigned(14 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_1_2_15 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_2_0_15 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_2_0_15 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_2_0_15 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_2_0_part_15 : signed(20 downto 0) := (others => '0');
+    signal blend1_r_2_1_part_15 : signed(20 downto 0) := (others => '0');
+    signal blend1_g_2_0_part_15 : signed(20 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_2_0_15 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_2_0_15 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_2_0_part_15 : signed(20 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_2_0_15 : unsigned(15 downto 0) := (others => '0');
     signal in_gain1r_16 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_16 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_16 : unsigned(17 downto 0) := (others => '0');
     signal nl1_16 : unsigned(17 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_1_2_16 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_0_sum_2_0_16 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_1_2_16 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_r_2_1_sum_2_0_16 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_r_1_0_16 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_r_1_2_16 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_r_2_0_part_16 : signed(20 downto 0) := (others => '0');
+    signal blend1_r_2_1_part_16 : signed(20 downto 0) := (others => '0');
     signal blend1_signed_16 : signed(6 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_1_2_16 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_g_2_0_sum_2_0_16 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_g_1_0_16 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_g_2_0_part_16 : signed(20 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_1_2_16 : unsigned(14 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_2_0_16 : unsigned(15 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_1_2_16 : unsigned(14 downto 0) := (others => '0');
-    signal blend1_b_2_0_sum_2_0_16 : unsigned(15 downto 0) := (others => '0');
+    signal blend1_b_1_0_16 : unsigned(12 downto 0) := (others => '0');
+    signal blend1_b_2_0_part_16 : signed(20 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_1_2_16 : unsigned(14 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_2_0_16 : unsigned(15 downto 0) := (others => '0');
     signal blend1_r_2_0_16 : unsigned(17 downto 0) := (others => '0');
@@ -1309,33 +1298,46 @@ architecture rtl of image_half is
     signal square1_r_22 : unsigned(17 downto 0) := (others => '0');
     signal square1_g_22 : unsigned(17 downto 0) := (others => '0');
     signal square1_b_22 : unsigned(17 downto 0) := (others => '0');
-    signal lit1_r_exact_22 : unsigned(35 downto 0) := (others => '0');
-    signal lit1_r_22 : unsigned(17 downto 0) := (others => '0');
-    signal lit1_g_exact_22 : unsigned(35 downto 0) := (others => '0');
-    signal lit1_g_22 : unsigned(17 downto 0) := (others => '0');
-    signal lit1_b_exact_22 : unsigned(35 downto 0) := (others => '0');
-    signal lit1_b_22 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1r_23 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_23 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_23 : unsigned(17 downto 0) := (others => '0');
+    signal nl1_23 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_23 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_23 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_23 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_r_exact_23 : unsigned(35 downto 0) := (others => '0');
     signal lit1_r_23 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_g_exact_23 : unsigned(35 downto 0) := (others => '0');
     signal lit1_g_23 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_b_exact_23 : unsigned(35 downto 0) := (others => '0');
     signal lit1_b_23 : unsigned(17 downto 0) := (others => '0');
-    signal light1_r_exact_23 : unsigned(35 downto 0) := (others => '0');
-    signal light1_r_23 : unsigned(24 downto 0) := (others => '0');
-    signal light1_g_exact_23 : unsigned(35 downto 0) := (others => '0');
-    signal light1_g_23 : unsigned(24 downto 0) := (others => '0');
-    signal light1_b_exact_23 : unsigned(35 downto 0) := (others => '0');
-    signal light1_b_23 : unsigned(24 downto 0) := (others => '0');
-    signal light1_r_24 : unsigned(24 downto 0) := (others => '0');
-    signal light1_g_24 : unsigned(24 downto 0) := (others => '0');
-    signal light1_b_24 : unsigned(24 downto 0) := (others => '0');
-    signal sum_r_24 : unsigned(17 downto 0) := (others => '0');
-    signal sum_g_24 : unsigned(17 downto 0) := (others => '0');
-    signal sum_b_24 : unsigned(17 downto 0) := (others => '0');
-    signal sum_r_25 : unsigned(17 downto 0) := (others => '0');
-    signal sum_g_25 : unsigned(17 downto 0) := (others => '0');
-    signal sum_b_25 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1r_24 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_24 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_24 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_r_24 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_g_24 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_b_24 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1r_25 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_25 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_25 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_r_25 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_g_25 : unsigned(17 downto 0) := (others => '0');
+    signal lit1_b_25 : unsigned(17 downto 0) := (others => '0');
+    signal light1_r_exact_25 : unsigned(35 downto 0) := (others => '0');
+    signal light1_r_25 : unsigned(24 downto 0) := (others => '0');
+    signal light1_g_exact_25 : unsigned(35 downto 0) := (others => '0');
+    signal light1_g_25 : unsigned(24 downto 0) := (others => '0');
+    signal light1_b_exact_25 : unsigned(35 downto 0) := (others => '0');
+    signal light1_b_25 : unsigned(24 downto 0) := (others => '0');
+    signal light1_r_26 : unsigned(24 downto 0) := (others => '0');
+    signal light1_g_26 : unsigned(24 downto 0) := (others => '0');
+    signal light1_b_26 : unsigned(24 downto 0) := (others => '0');
+    signal sum_r_26 : unsigned(17 downto 0) := (others => '0');
+    signal sum_g_26 : unsigned(17 downto 0) := (others => '0');
+    signal sum_b_26 : unsigned(17 downto 0) := (others => '0');
+    signal sum_r_27 : unsigned(17 downto 0) := (others => '0');
+    signal sum_g_27 : unsigned(17 downto 0) := (others => '0');
+    signal sum_b_27 : unsigned(17 downto 0) := (others => '0');
 
 begin
 
@@ -1346,7 +1348,7 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(24 downto 1) & in_valid;
+                valid <= valid(26 downto 1) & in_valid;
             end if;
         end if;
     end process;
@@ -1374,6 +1376,18 @@ begin
     nl1_z_exact_0 <= in_nz * in_l1z;
     -- Q3.22: rounded down
     nl1_z_0 <= nl1_z_exact_0(35 downto 10);
+    -- UQ1.0: a bit of the shift
+    nl1_by_1_0 <= shift1_0(0 downto 0);
+    -- UQ2.-1: a bit of the shift
+    nl1_by_2_0 <= shift1_0(1 downto 1);
+    -- UQ2.0: its weight
+    nl1_amount_2_0 <= shift_left(resize(nl1_by_2_0, 2), 1);
+    -- UQ3.-2: a bit of the shift
+    nl1_by_4_0 <= shift1_0(2 downto 2);
+    -- UQ3.0: its weight
+    nl1_amount_4_0 <= shift_left(resize(nl1_by_4_0, 3), 2);
+    -- UQ4.-3: a bit of the shift
+    nl1_by_8_0 <= shift1_0(3);
     -- UQ1.5: the weight of the odd band, at most 1
     blend1_0 <= (5 => '1', others => '0') when in_blend1(5) = '1' else
         in_blend1;
@@ -1421,10 +1435,13 @@ begin
                 in_gain1g_1 <= in_gain1g;
                 in_gain1b_1 <= in_gain1b;
                 hidden_1 <= hidden_0;
-                shift1_1 <= shift1_0;
                 nl1_x_1 <= nl1_x_0;
                 nl1_y_1 <= nl1_y_0;
                 nl1_z_1 <= nl1_z_0;
+                nl1_by_1_1 <= nl1_by_1_0;
+                nl1_amount_2_1 <= nl1_amount_2_0;
+                nl1_amount_4_1 <= nl1_amount_4_0;
+                nl1_by_8_1 <= nl1_by_8_0;
                 band1_next_exact_1 <= band1_next_exact_0;
                 v1_x_1 <= v1_x_0;
                 v1_y_1 <= v1_y_0;
@@ -1472,9 +1489,12 @@ begin
                 in_gain1g_2 <= in_gain1g_1;
                 in_gain1b_2 <= in_gain1b_1;
                 hidden_2 <= hidden_1;
-                shift1_2 <= shift1_1;
                 nl1_z_2 <= nl1_z_1;
                 nl1_xy_2 <= nl1_xy_1;
+                nl1_by_1_2 <= nl1_by_1_1;
+                nl1_amount_2_2 <= nl1_amount_2_1;
+                nl1_amount_4_2 <= nl1_amount_4_1;
+                nl1_by_8_2 <= nl1_by_8_1;
                 v1_scaled_2 <= v1_scaled_1;
                 u1_z_2 <= u1_z_1;
                 u1_xy_2 <= u1_xy_1;
@@ -1512,8 +1532,11 @@ begin
                 in_gain1g_3 <= in_gain1g_2;
                 in_gain1b_3 <= in_gain1b_2;
                 hidden_3 <= hidden_2;
-                shift1_3 <= shift1_2;
                 nl1_cut_3 <= nl1_cut_2;
+                nl1_by_1_3 <= nl1_by_1_2;
+                nl1_amount_2_3 <= nl1_amount_2_2;
+                nl1_amount_4_3 <= nl1_amount_4_2;
+                nl1_by_8_3 <= nl1_by_8_2;
                 v1_cut_3 <= v1_cut_2;
                 u1_scaled_3 <= u1_scaled_2;
                 texels1_00_3 <= texels1_00_2;
@@ -1529,15 +1552,17 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 3: nl1_kept, nl1_up, v1_kept, u1_place
+    -- ===== Stage 3: nl1_kept, nl1_up_1, v1_kept, u1_place, v1_weight_of_0 and 4 more
     -- UQ0.20: n.l, kept in [0, 1)
     nl1_kept_3 <= (others => '0') when nl1_cut_3(24) = '1' else
         to_unsigned(1048575, 20) when unsigned(nl1_cut_3(23 downto 20)) /= 0 else
         unsigned(nl1_cut_3(19 downto 0));
-    -- UQ9.20: times 2^shift
-    nl1_up_3 <= shift_left(resize(nl1_kept_3, 29), to_integer(shift1_3));
-    -- UQ9.11: rounded down
-    nl1_up_cut_3 <= nl1_up_3(28 downto 9);
+    -- UQ1.20: times 2^1 if so
+    nl1_up_1_3 <= shift_left(resize(nl1_kept_3, 21), to_integer(nl1_by_1_3));
+    -- UQ9.12: times 2^8
+    nl1_all_3 <= nl1_up_1_3;
+    -- UQ9.20: in the wider of two formats
+    nl1_all_wide_3 <= shift_left(resize(nl1_all_3, 29), 8);
     -- UQ5.5: between the outermost centres
     v1_kept_3 <= (others => '0') when v1_cut_3(13) = '1' else
         to_unsigned(992, 10) when v1_cut_3 > 992 else
@@ -1558,6 +1583,46 @@ begin
     u1_place_3 <= u1_scaled_3 + to_signed(3972, 17);
     -- Q8.5: rounded to the nearest weight
     u1_cut_3 <= u1_place_3(16 downto 3);
+    -- UQ-4.5: a bit of the weight
+    v1_weight_bit_0_3 <= v1_weight_3(0 downto 0);
+    -- UQ-3.4: a bit of the weight
+    v1_weight_bit_1_3 <= v1_weight_3(1 downto 1);
+    -- UQ-2.3: a bit of the weight
+    v1_weight_bit_2_3 <= v1_weight_3(2 downto 2);
+    -- UQ-1.2: a bit of the weight
+    v1_weight_bit_3_3 <= v1_weight_3(3 downto 3);
+    -- UQ0.1: a bit of the weight
+    v1_weight_bit_4_3 <= v1_weight_3(4 downto 4);
+    -- UQ1.0: as a flag
+    v1_weight_of_0_flag_3 <= v1_weight_bit_0_3(0);
+    -- UQ1.0: it is 0
+    v1_weight_of_0_not_3 <= not v1_weight_of_0_flag_3;
+    -- UQ1.0: whether it counts for the odd one
+    v1_weight_of_0_3 <= v1_weight_of_0_not_3 when v1_is_odd_3 = '1' else v1_weight_of_0_flag_3;
+    -- UQ1.0: as a flag
+    v1_weight_of_1_flag_3 <= v1_weight_bit_1_3(0);
+    -- UQ1.0: it is 0
+    v1_weight_of_1_not_3 <= not v1_weight_of_1_flag_3;
+    -- UQ1.0: whether it counts for the odd one
+    v1_weight_of_1_3 <= v1_weight_of_1_not_3 when v1_is_odd_3 = '1' else v1_weight_of_1_flag_3;
+    -- UQ1.0: as a flag
+    v1_weight_of_2_flag_3 <= v1_weight_bit_2_3(0);
+    -- UQ1.0: it is 0
+    v1_weight_of_2_not_3 <= not v1_weight_of_2_flag_3;
+    -- UQ1.0: whether it counts for the odd one
+    v1_weight_of_2_3 <= v1_weight_of_2_not_3 when v1_is_odd_3 = '1' else v1_weight_of_2_flag_3;
+    -- UQ1.0: as a flag
+    v1_weight_of_3_flag_3 <= v1_weight_bit_3_3(0);
+    -- UQ1.0: it is 0
+    v1_weight_of_3_not_3 <= not v1_weight_of_3_flag_3;
+    -- UQ1.0: whether it counts for the odd one
+    v1_weight_of_3_3 <= v1_weight_of_3_not_3 when v1_is_odd_3 = '1' else v1_weight_of_3_flag_3;
+    -- UQ1.0: as a flag
+    v1_weight_of_4_flag_3 <= v1_weight_bit_4_3(0);
+    -- UQ1.0: it is 0
+    v1_weight_of_4_not_3 <= not v1_weight_of_4_flag_3;
+    -- UQ1.0: whether it counts for the odd one
+    v1_weight_of_4_3 <= v1_weight_of_4_not_3 when v1_is_odd_3 = '1' else v1_weight_of_4_flag_3;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -1566,7 +1631,11 @@ begin
                 in_gain1g_4 <= in_gain1g_3;
                 in_gain1b_4 <= in_gain1b_3;
                 hidden_4 <= hidden_3;
-                nl1_up_cut_4 <= nl1_up_cut_3;
+                nl1_up_1_4 <= nl1_up_1_3;
+                nl1_amount_2_4 <= nl1_amount_2_3;
+                nl1_amount_4_4 <= nl1_amount_4_3;
+                nl1_by_8_4 <= nl1_by_8_3;
+                nl1_all_wide_4 <= nl1_all_wide_3;
                 v1_texel_4 <= v1_texel_3;
                 v1_weight_4 <= v1_weight_3;
                 v1_odd_4 <= v1_odd_3;
@@ -1582,16 +1651,18 @@ begin
                 texels1_11_4 <= texels1_11_3;
                 texels1_11_v2_4 <= texels1_11_v2_3;
                 blend1_signed_4 <= blend1_signed_3;
+                v1_weight_of_0_4 <= v1_weight_of_0_3;
+                v1_weight_of_1_4 <= v1_weight_of_1_3;
+                v1_weight_of_2_4 <= v1_weight_of_2_3;
+                v1_weight_of_3_4 <= v1_weight_of_3_3;
+                v1_weight_of_4_4 <= v1_weight_of_4_3;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 4: nl1_within, nl1, v1_next_exact, v1_other, v1_odd, u1_kept and 4 more
-    -- UQ7.11: kept in its format
-    nl1_within_4 <= to_unsigned(262143, 18) when unsigned(nl1_up_cut_4(19 downto 18)) /= 0 else
-        nl1_up_cut_4(17 downto 0);
-    -- UQ7.11: n.l, 0 for a normal that is turned away
-    nl1_4 <= (others => '0') when hidden_4 = '1' else nl1_within_4;
+    -- ===== Stage 4: nl1_up_2, v1_next_exact, v1_other, v1_odd, u1_kept and 9 more
+    -- UQ3.20: times 2^2 if so
+    nl1_up_2_4 <= shift_left(resize(nl1_up_1_4, 23), to_integer(nl1_amount_2_4));
     -- UQ6.0: the next
     v1_next_exact_4 <= resize(v1_texel_4, 6) + to_unsigned(1, 6);
     -- UQ1.5: the weight of the place itself
@@ -1612,8 +1683,6 @@ begin
     u1_odd_4 <= u1_odd_high_4;
     -- UQ1.0: its last bit
     u1_is_odd_4 <= u1_texel_4(0);
-    -- UQ1.5: in the wider of two formats
-    u1_weight_wide_4 <= resize(u1_weight_4, 6);
     -- UQ7.0: side by side
     texel1_01_4 <= shift_left(resize(texels1_01_4, 7), 4) + resize(v1_odd_4, 7);
     -- UQ11.-4: the first of them
@@ -1630,28 +1699,48 @@ begin
     texel1_11_v2_4 <= shift_left(resize(texels1_11_v2_4, 7), 4) + resize(v1_odd_4, 7);
     -- UQ11.-4: the first of them
     texels1_111_4 <= texel1_11_v2_4;
-    -- UQ1.0: a bit of the weight
-    v1_odd_whole_4 <= v1_odd_v2_4(5);
     -- UQ-4.5: a bit of the weight
-    v1_odd_bit_0_4 <= v1_odd_v2_4(0);
+    u1_weight_bit_0_4 <= u1_weight_4(0 downto 0);
     -- UQ-3.4: a bit of the weight
-    v1_odd_bit_1_4 <= v1_odd_v2_4(1);
+    u1_weight_bit_1_4 <= u1_weight_4(1 downto 1);
     -- UQ-2.3: a bit of the weight
-    v1_odd_bit_2_4 <= v1_odd_v2_4(2);
+    u1_weight_bit_2_4 <= u1_weight_4(2 downto 2);
     -- UQ-1.2: a bit of the weight
-    v1_odd_bit_3_4 <= v1_odd_v2_4(3);
+    u1_weight_bit_3_4 <= u1_weight_4(3 downto 3);
     -- UQ0.1: a bit of the weight
-    v1_odd_bit_4_4 <= v1_odd_v2_4(4);
-    -- UQ1.0: 1 where the weight is 1
-    v1_odd_of_0_4 <= v1_odd_bit_0_4 or v1_odd_whole_4;
-    -- UQ1.0: 1 where the weight is 1
-    v1_odd_of_1_4 <= v1_odd_bit_1_4 or v1_odd_whole_4;
-    -- UQ1.0: 1 where the weight is 1
-    v1_odd_of_2_4 <= v1_odd_bit_2_4 or v1_odd_whole_4;
-    -- UQ1.0: 1 where the weight is 1
-    v1_odd_of_3_4 <= v1_odd_bit_3_4 or v1_odd_whole_4;
-    -- UQ1.0: 1 where the weight is 1
-    v1_odd_of_4_4 <= v1_odd_bit_4_4 or v1_odd_whole_4;
+    u1_weight_bit_4_4 <= u1_weight_4(4 downto 4);
+    -- UQ1.0: as a flag
+    u1_weight_of_0_flag_4 <= u1_weight_bit_0_4(0);
+    -- UQ1.0: it is 0
+    u1_weight_of_0_not_4 <= not u1_weight_of_0_flag_4;
+    -- UQ1.0: whether it counts for the odd one
+    u1_weight_of_0_4 <= u1_weight_of_0_not_4 when u1_is_odd_4 = '1' else u1_weight_of_0_flag_4;
+    -- UQ1.0: as a flag
+    u1_weight_of_1_flag_4 <= u1_weight_bit_1_4(0);
+    -- UQ1.0: it is 0
+    u1_weight_of_1_not_4 <= not u1_weight_of_1_flag_4;
+    -- UQ1.0: whether it counts for the odd one
+    u1_weight_of_1_4 <= u1_weight_of_1_not_4 when u1_is_odd_4 = '1' else u1_weight_of_1_flag_4;
+    -- UQ1.0: as a flag
+    u1_weight_of_2_flag_4 <= u1_weight_bit_2_4(0);
+    -- UQ1.0: it is 0
+    u1_weight_of_2_not_4 <= not u1_weight_of_2_flag_4;
+    -- UQ1.0: whether it counts for the odd one
+    u1_weight_of_2_4 <= u1_weight_of_2_not_4 when u1_is_odd_4 = '1' else u1_weight_of_2_flag_4;
+    -- UQ1.0: as a flag
+    u1_weight_of_3_flag_4 <= u1_weight_bit_3_4(0);
+    -- UQ1.0: it is 0
+    u1_weight_of_3_not_4 <= not u1_weight_of_3_flag_4;
+    -- UQ1.0: whether it counts for the odd one
+    u1_weight_of_3_4 <= u1_weight_of_3_not_4 when u1_is_odd_4 = '1' else u1_weight_of_3_flag_4;
+    -- UQ1.0: as a flag
+    u1_weight_of_4_flag_4 <= u1_weight_bit_4_4(0);
+    -- UQ1.0: it is 0
+    u1_weight_of_4_not_4 <= not u1_weight_of_4_flag_4;
+    -- UQ1.0: whether it counts for the odd one
+    u1_weight_of_4_4 <= u1_weight_of_4_not_4 when u1_is_odd_4 = '1' else u1_weight_of_4_flag_4;
+    -- Q1.5: a sign bit for the signed product
+    v1_odd_signed_4 <= signed(resize(v1_odd_v2_4, 7));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -1659,13 +1748,16 @@ begin
                 in_gain1r_5 <= in_gain1r_4;
                 in_gain1g_5 <= in_gain1g_4;
                 in_gain1b_5 <= in_gain1b_4;
-                nl1_5 <= nl1_4;
+                hidden_5 <= hidden_4;
+                nl1_up_2_5 <= nl1_up_2_4;
+                nl1_amount_4_5 <= nl1_amount_4_4;
+                nl1_by_8_5 <= nl1_by_8_4;
+                nl1_all_wide_5 <= nl1_all_wide_4;
                 v1_next_exact_5 <= v1_next_exact_4;
+                v1_is_odd_5 <= v1_is_odd_4;
                 u1_texel_5 <= u1_texel_4;
-                u1_weight_5 <= u1_weight_4;
                 u1_odd_5 <= u1_odd_4;
                 u1_is_odd_5 <= u1_is_odd_4;
-                u1_weight_wide_5 <= u1_weight_wide_4;
                 texels1_00_5 <= texels1_00_4;
                 texels1_00_v2_5 <= texels1_00_v2_4;
                 texels1_010_5 <= texels1_010_4;
@@ -1674,18 +1766,34 @@ begin
                 texels1_10_v2_5 <= texels1_10_v2_4;
                 texels1_110_5 <= texels1_110_4;
                 texels1_111_5 <= texels1_111_4;
-                v1_odd_whole_5 <= v1_odd_whole_4;
-                v1_odd_of_0_5 <= v1_odd_of_0_4;
-                v1_odd_of_1_5 <= v1_odd_of_1_4;
-                v1_odd_of_2_5 <= v1_odd_of_2_4;
-                v1_odd_of_3_5 <= v1_odd_of_3_4;
-                v1_odd_of_4_5 <= v1_odd_of_4_4;
+                u1_weight_of_0_5 <= u1_weight_of_0_4;
+                u1_weight_of_1_5 <= u1_weight_of_1_4;
+                u1_weight_of_2_5 <= u1_weight_of_2_4;
+                u1_weight_of_3_5 <= u1_weight_of_3_4;
+                u1_weight_of_4_5 <= u1_weight_of_4_4;
+                v1_odd_signed_5 <= v1_odd_signed_4;
                 blend1_signed_5 <= blend1_signed_4;
+                v1_weight_of_0_5 <= v1_weight_of_0_4;
+                v1_weight_of_1_5 <= v1_weight_of_1_4;
+                v1_weight_of_2_5 <= v1_weight_of_2_4;
+                v1_weight_of_3_5 <= v1_weight_of_3_4;
+                v1_weight_of_4_5 <= v1_weight_of_4_4;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 5: v1_next, u1_next_exact, u1_other, u1_odd, texel1_011 and 1 more
+    -- ===== Stage 5: nl1_up_4, nl1_up, nl1_within, v1_next, u1_next_exact and 2 more
+    -- UQ7.20: times 2^4 if so
+    nl1_up_4_5 <= shift_left(resize(nl1_up_2_5, 27), to_integer(nl1_amount_4_5));
+    -- UQ9.20: in the wider of two formats
+    nl1_up_4_wide_5 <= resize(nl1_up_4_5, 29);
+    -- UQ9.20: times 2^shift
+    nl1_up_5 <= nl1_all_wide_5 when nl1_by_8_5 = '1' else nl1_up_4_wide_5;
+    -- UQ9.11: rounded down
+    nl1_up_cut_5 <= nl1_up_5(28 downto 9);
+    -- UQ7.11: kept in its format
+    nl1_within_5 <= to_unsigned(262143, 18) when unsigned(nl1_up_cut_5(19 downto 18)) /= 0 else
+        nl1_up_cut_5(17 downto 0);
     -- UQ5.0: at most the last
     v1_next_5 <= to_unsigned(31, 5) when v1_next_exact_5(5) = '1' else
         v1_next_exact_5(4 downto 0);
@@ -1695,36 +1803,10 @@ begin
     v1_even_5 <= v1_even_high_5;
     -- UQ6.0: the next
     u1_next_exact_5 <= resize(u1_texel_5, 6) + to_unsigned(1, 6);
-    -- UQ1.5: the weight of the place itself
-    u1_other_5 <= to_unsigned(32, 6) - resize(u1_weight_5, 6);
-    -- UQ1.5: the weight of the odd one
-    u1_odd_v2_5 <= u1_other_5 when u1_is_odd_5 = '1' else u1_weight_wide_5;
     -- UQ11.0: side by side
     texel1_011_5 <= shift_left(resize(texels1_011_5, 11), 4) + resize(u1_odd_5, 11);
     -- UQ11.0: side by side
     texel1_111_5 <= shift_left(resize(texels1_111_5, 11), 4) + resize(u1_odd_5, 11);
-    -- UQ1.0: a bit of the weight
-    u1_odd_whole_5 <= u1_odd_v2_5(5);
-    -- UQ-4.5: a bit of the weight
-    u1_odd_bit_0_5 <= u1_odd_v2_5(0);
-    -- UQ-3.4: a bit of the weight
-    u1_odd_bit_1_5 <= u1_odd_v2_5(1);
-    -- UQ-2.3: a bit of the weight
-    u1_odd_bit_2_5 <= u1_odd_v2_5(2);
-    -- UQ-1.2: a bit of the weight
-    u1_odd_bit_3_5 <= u1_odd_v2_5(3);
-    -- UQ0.1: a bit of the weight
-    u1_odd_bit_4_5 <= u1_odd_v2_5(4);
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_of_0_5 <= u1_odd_bit_0_5 or u1_odd_whole_5;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_of_1_5 <= u1_odd_bit_1_5 or u1_odd_whole_5;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_of_2_5 <= u1_odd_bit_2_5 or u1_odd_whole_5;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_of_3_5 <= u1_odd_bit_3_5 or u1_odd_whole_5;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_of_4_5 <= u1_odd_bit_4_5 or u1_odd_whole_5;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -1732,10 +1814,13 @@ begin
                 in_gain1r_6 <= in_gain1r_5;
                 in_gain1g_6 <= in_gain1g_5;
                 in_gain1b_6 <= in_gain1b_5;
-                nl1_6 <= nl1_5;
+                hidden_6 <= hidden_5;
+                nl1_within_6 <= nl1_within_5;
                 v1_even_6 <= v1_even_5;
+                v1_is_odd_6 <= v1_is_odd_5;
                 u1_next_exact_6 <= u1_next_exact_5;
                 u1_odd_6 <= u1_odd_5;
+                u1_is_odd_6 <= u1_is_odd_5;
                 texels1_00_6 <= texels1_00_5;
                 texels1_00_v2_6 <= texels1_00_v2_5;
                 texels1_010_6 <= texels1_010_5;
@@ -1744,24 +1829,25 @@ begin
                 texels1_10_v2_6 <= texels1_10_v2_5;
                 texels1_110_6 <= texels1_110_5;
                 texel1_111_6 <= texel1_111_5;
-                u1_odd_whole_6 <= u1_odd_whole_5;
-                u1_odd_of_0_6 <= u1_odd_of_0_5;
-                u1_odd_of_1_6 <= u1_odd_of_1_5;
-                u1_odd_of_2_6 <= u1_odd_of_2_5;
-                u1_odd_of_3_6 <= u1_odd_of_3_5;
-                u1_odd_of_4_6 <= u1_odd_of_4_5;
-                v1_odd_whole_6 <= v1_odd_whole_5;
-                v1_odd_of_0_6 <= v1_odd_of_0_5;
-                v1_odd_of_1_6 <= v1_odd_of_1_5;
-                v1_odd_of_2_6 <= v1_odd_of_2_5;
-                v1_odd_of_3_6 <= v1_odd_of_3_5;
-                v1_odd_of_4_6 <= v1_odd_of_4_5;
+                u1_weight_of_0_6 <= u1_weight_of_0_5;
+                u1_weight_of_1_6 <= u1_weight_of_1_5;
+                u1_weight_of_2_6 <= u1_weight_of_2_5;
+                u1_weight_of_3_6 <= u1_weight_of_3_5;
+                u1_weight_of_4_6 <= u1_weight_of_4_5;
+                v1_odd_signed_6 <= v1_odd_signed_5;
                 blend1_signed_6 <= blend1_signed_5;
+                v1_weight_of_0_6 <= v1_weight_of_0_5;
+                v1_weight_of_1_6 <= v1_weight_of_1_5;
+                v1_weight_of_2_6 <= v1_weight_of_2_5;
+                v1_weight_of_3_6 <= v1_weight_of_3_5;
+                v1_weight_of_4_6 <= v1_weight_of_4_5;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 6: u1_next, texel1_00, texel1_00, texel1_10, texel1_10
+    -- ===== Stage 6: nl1, u1_next, texel1_00, texel1_00, texel1_10, texel1_10
+    -- UQ7.11: n.l, 0 for a normal that is turned away
+    nl1_6 <= (others => '0') when hidden_6 = '1' else nl1_within_6;
     -- UQ5.0: at most the last
     u1_next_6 <= to_unsigned(31, 5) when u1_next_exact_6(5) = '1' else
         u1_next_exact_6(4 downto 0);
@@ -1793,8 +1879,10 @@ begin
                 in_gain1g_7 <= in_gain1g_6;
                 in_gain1b_7 <= in_gain1b_6;
                 nl1_7 <= nl1_6;
+                v1_is_odd_7 <= v1_is_odd_6;
                 u1_even_7 <= u1_even_6;
                 u1_odd_7 <= u1_odd_6;
+                u1_is_odd_7 <= u1_is_odd_6;
                 texels1_000_7 <= texels1_000_6;
                 texels1_001_7 <= texels1_001_6;
                 texels1_010_7 <= texels1_010_6;
@@ -1803,19 +1891,18 @@ begin
                 texels1_101_7 <= texels1_101_6;
                 texels1_110_7 <= texels1_110_6;
                 texel1_111_7 <= texel1_111_6;
-                u1_odd_whole_7 <= u1_odd_whole_6;
-                u1_odd_of_0_7 <= u1_odd_of_0_6;
-                u1_odd_of_1_7 <= u1_odd_of_1_6;
-                u1_odd_of_2_7 <= u1_odd_of_2_6;
-                u1_odd_of_3_7 <= u1_odd_of_3_6;
-                u1_odd_of_4_7 <= u1_odd_of_4_6;
-                v1_odd_whole_7 <= v1_odd_whole_6;
-                v1_odd_of_0_7 <= v1_odd_of_0_6;
-                v1_odd_of_1_7 <= v1_odd_of_1_6;
-                v1_odd_of_2_7 <= v1_odd_of_2_6;
-                v1_odd_of_3_7 <= v1_odd_of_3_6;
-                v1_odd_of_4_7 <= v1_odd_of_4_6;
+                u1_weight_of_0_7 <= u1_weight_of_0_6;
+                u1_weight_of_1_7 <= u1_weight_of_1_6;
+                u1_weight_of_2_7 <= u1_weight_of_2_6;
+                u1_weight_of_3_7 <= u1_weight_of_3_6;
+                u1_weight_of_4_7 <= u1_weight_of_4_6;
+                v1_odd_signed_7 <= v1_odd_signed_6;
                 blend1_signed_7 <= blend1_signed_6;
+                v1_weight_of_0_7 <= v1_weight_of_0_6;
+                v1_weight_of_1_7 <= v1_weight_of_1_6;
+                v1_weight_of_2_7 <= v1_weight_of_2_6;
+                v1_weight_of_3_7 <= v1_weight_of_3_6;
+                v1_weight_of_4_7 <= v1_weight_of_4_6;
             end if;
         end if;
     end process;
@@ -1841,6 +1928,8 @@ begin
                 in_gain1g_8 <= in_gain1g_7;
                 in_gain1b_8 <= in_gain1b_7;
                 nl1_8 <= nl1_7;
+                v1_is_odd_8 <= v1_is_odd_7;
+                u1_is_odd_8 <= u1_is_odd_7;
                 texel1_000_8 <= texel1_000_7;
                 texel1_001_8 <= texel1_001_7;
                 texel1_010_8 <= texel1_010_7;
@@ -1849,19 +1938,18 @@ begin
                 texel1_101_8 <= texel1_101_7;
                 texel1_110_8 <= texel1_110_7;
                 texel1_111_8 <= texel1_111_7;
-                u1_odd_whole_8 <= u1_odd_whole_7;
-                u1_odd_of_0_8 <= u1_odd_of_0_7;
-                u1_odd_of_1_8 <= u1_odd_of_1_7;
-                u1_odd_of_2_8 <= u1_odd_of_2_7;
-                u1_odd_of_3_8 <= u1_odd_of_3_7;
-                u1_odd_of_4_8 <= u1_odd_of_4_7;
-                v1_odd_whole_8 <= v1_odd_whole_7;
-                v1_odd_of_0_8 <= v1_odd_of_0_7;
-                v1_odd_of_1_8 <= v1_odd_of_1_7;
-                v1_odd_of_2_8 <= v1_odd_of_2_7;
-                v1_odd_of_3_8 <= v1_odd_of_3_7;
-                v1_odd_of_4_8 <= v1_odd_of_4_7;
+                u1_weight_of_0_8 <= u1_weight_of_0_7;
+                u1_weight_of_1_8 <= u1_weight_of_1_7;
+                u1_weight_of_2_8 <= u1_weight_of_2_7;
+                u1_weight_of_3_8 <= u1_weight_of_3_7;
+                u1_weight_of_4_8 <= u1_weight_of_4_7;
+                v1_odd_signed_8 <= v1_odd_signed_7;
                 blend1_signed_8 <= blend1_signed_7;
+                v1_weight_of_0_8 <= v1_weight_of_0_7;
+                v1_weight_of_1_8 <= v1_weight_of_1_7;
+                v1_weight_of_2_8 <= v1_weight_of_2_7;
+                v1_weight_of_3_8 <= v1_weight_of_3_7;
+                v1_weight_of_4_8 <= v1_weight_of_4_7;
             end if;
         end if;
     end process;
@@ -1939,19 +2027,20 @@ begin
                 in_gain1g_9 <= in_gain1g_8;
                 in_gain1b_9 <= in_gain1b_8;
                 nl1_9 <= nl1_8;
-                u1_odd_whole_9 <= u1_odd_whole_8;
-                u1_odd_of_0_9 <= u1_odd_of_0_8;
-                u1_odd_of_1_9 <= u1_odd_of_1_8;
-                u1_odd_of_2_9 <= u1_odd_of_2_8;
-                u1_odd_of_3_9 <= u1_odd_of_3_8;
-                u1_odd_of_4_9 <= u1_odd_of_4_8;
-                v1_odd_whole_9 <= v1_odd_whole_8;
-                v1_odd_of_0_9 <= v1_odd_of_0_8;
-                v1_odd_of_1_9 <= v1_odd_of_1_8;
-                v1_odd_of_2_9 <= v1_odd_of_2_8;
-                v1_odd_of_3_9 <= v1_odd_of_3_8;
-                v1_odd_of_4_9 <= v1_odd_of_4_8;
+                v1_is_odd_9 <= v1_is_odd_8;
+                u1_is_odd_9 <= u1_is_odd_8;
+                u1_weight_of_0_9 <= u1_weight_of_0_8;
+                u1_weight_of_1_9 <= u1_weight_of_1_8;
+                u1_weight_of_2_9 <= u1_weight_of_2_8;
+                u1_weight_of_3_9 <= u1_weight_of_3_8;
+                u1_weight_of_4_9 <= u1_weight_of_4_8;
+                v1_odd_signed_9 <= v1_odd_signed_8;
                 blend1_signed_9 <= blend1_signed_8;
+                v1_weight_of_0_9 <= v1_weight_of_0_8;
+                v1_weight_of_1_9 <= v1_weight_of_1_8;
+                v1_weight_of_2_9 <= v1_weight_of_2_8;
+                v1_weight_of_3_9 <= v1_weight_of_3_8;
+                v1_weight_of_4_9 <= v1_weight_of_4_8;
             end if;
         end if;
     end process;
@@ -2013,6 +2102,8 @@ begin
                 in_gain1g_10 <= in_gain1g_9;
                 in_gain1b_10 <= in_gain1b_9;
                 nl1_10 <= nl1_9;
+                v1_is_odd_10 <= v1_is_odd_9;
+                u1_is_odd_10 <= u1_is_odd_9;
                 texels_1_even_even_even_r_10 <= texels_1_even_even_even_r_9;
                 texels_1_even_even_odd_r_10 <= texels_1_even_even_odd_r_9;
                 texels_1_even_odd_even_r_10 <= texels_1_even_odd_even_r_9;
@@ -2021,18 +2112,12 @@ begin
                 texels_1_odd_even_odd_r_10 <= texels_1_odd_even_odd_r_9;
                 texels_1_odd_odd_even_r_10 <= texels_1_odd_odd_even_r_9;
                 texels_1_odd_odd_odd_r_10 <= texels_1_odd_odd_odd_r_9;
-                u1_odd_whole_10 <= u1_odd_whole_9;
-                u1_odd_of_0_10 <= u1_odd_of_0_9;
-                u1_odd_of_1_10 <= u1_odd_of_1_9;
-                u1_odd_of_2_10 <= u1_odd_of_2_9;
-                u1_odd_of_3_10 <= u1_odd_of_3_9;
-                u1_odd_of_4_10 <= u1_odd_of_4_9;
-                v1_odd_whole_10 <= v1_odd_whole_9;
-                v1_odd_of_0_10 <= v1_odd_of_0_9;
-                v1_odd_of_1_10 <= v1_odd_of_1_9;
-                v1_odd_of_2_10 <= v1_odd_of_2_9;
-                v1_odd_of_3_10 <= v1_odd_of_3_9;
-                v1_odd_of_4_10 <= v1_odd_of_4_9;
+                u1_weight_of_0_10 <= u1_weight_of_0_9;
+                u1_weight_of_1_10 <= u1_weight_of_1_9;
+                u1_weight_of_2_10 <= u1_weight_of_2_9;
+                u1_weight_of_3_10 <= u1_weight_of_3_9;
+                u1_weight_of_4_10 <= u1_weight_of_4_9;
+                v1_odd_signed_10 <= v1_odd_signed_9;
                 blend1_signed_10 <= blend1_signed_9;
                 texels_1_even_even_even_g_10 <= texels_1_even_even_even_g_9;
                 texels_1_even_even_odd_g_10 <= texels_1_even_even_odd_g_9;
@@ -2042,6 +2127,11 @@ begin
                 texels_1_odd_even_odd_g_10 <= texels_1_odd_even_odd_g_9;
                 texels_1_odd_odd_even_g_10 <= texels_1_odd_odd_even_g_9;
                 texels_1_odd_odd_odd_g_10 <= texels_1_odd_odd_odd_g_9;
+                v1_weight_of_0_10 <= v1_weight_of_0_9;
+                v1_weight_of_1_10 <= v1_weight_of_1_9;
+                v1_weight_of_2_10 <= v1_weight_of_2_9;
+                v1_weight_of_3_10 <= v1_weight_of_3_9;
+                v1_weight_of_4_10 <= v1_weight_of_4_9;
                 texels_1_even_even_even_b_10 <= texels_1_even_even_even_b_9;
                 texels_1_even_even_odd_b_10 <= texels_1_even_even_odd_b_9;
                 texels_1_even_odd_even_b_10 <= texels_1_even_odd_even_b_9;
@@ -2063,6 +2153,8 @@ begin
                 in_gain1g_11 <= in_gain1g_10;
                 in_gain1b_11 <= in_gain1b_10;
                 nl1_11 <= nl1_10;
+                v1_is_odd_11 <= v1_is_odd_10;
+                u1_is_odd_11 <= u1_is_odd_10;
                 texels_1_even_even_even_r_11 <= texels_1_even_even_even_r_10;
                 texels_1_even_even_odd_r_11 <= texels_1_even_even_odd_r_10;
                 texels_1_even_odd_even_r_11 <= texels_1_even_odd_even_r_10;
@@ -2071,18 +2163,12 @@ begin
                 texels_1_odd_even_odd_r_11 <= texels_1_odd_even_odd_r_10;
                 texels_1_odd_odd_even_r_11 <= texels_1_odd_odd_even_r_10;
                 texels_1_odd_odd_odd_r_11 <= texels_1_odd_odd_odd_r_10;
-                u1_odd_whole_11 <= u1_odd_whole_10;
-                u1_odd_of_0_11 <= u1_odd_of_0_10;
-                u1_odd_of_1_11 <= u1_odd_of_1_10;
-                u1_odd_of_2_11 <= u1_odd_of_2_10;
-                u1_odd_of_3_11 <= u1_odd_of_3_10;
-                u1_odd_of_4_11 <= u1_odd_of_4_10;
-                v1_odd_whole_11 <= v1_odd_whole_10;
-                v1_odd_of_0_11 <= v1_odd_of_0_10;
-                v1_odd_of_1_11 <= v1_odd_of_1_10;
-                v1_odd_of_2_11 <= v1_odd_of_2_10;
-                v1_odd_of_3_11 <= v1_odd_of_3_10;
-                v1_odd_of_4_11 <= v1_odd_of_4_10;
+                u1_weight_of_0_11 <= u1_weight_of_0_10;
+                u1_weight_of_1_11 <= u1_weight_of_1_10;
+                u1_weight_of_2_11 <= u1_weight_of_2_10;
+                u1_weight_of_3_11 <= u1_weight_of_3_10;
+                u1_weight_of_4_11 <= u1_weight_of_4_10;
+                v1_odd_signed_11 <= v1_odd_signed_10;
                 blend1_signed_11 <= blend1_signed_10;
                 texels_1_even_even_even_g_11 <= texels_1_even_even_even_g_10;
                 texels_1_even_even_odd_g_11 <= texels_1_even_even_odd_g_10;
@@ -2092,6 +2178,11 @@ begin
                 texels_1_odd_even_odd_g_11 <= texels_1_odd_even_odd_g_10;
                 texels_1_odd_odd_even_g_11 <= texels_1_odd_odd_even_g_10;
                 texels_1_odd_odd_odd_g_11 <= texels_1_odd_odd_odd_g_10;
+                v1_weight_of_0_11 <= v1_weight_of_0_10;
+                v1_weight_of_1_11 <= v1_weight_of_1_10;
+                v1_weight_of_2_11 <= v1_weight_of_2_10;
+                v1_weight_of_3_11 <= v1_weight_of_3_10;
+                v1_weight_of_4_11 <= v1_weight_of_4_10;
                 texels_1_even_even_even_b_11 <= texels_1_even_even_even_b_10;
                 texels_1_even_even_odd_b_11 <= texels_1_even_even_odd_b_10;
                 texels_1_even_odd_even_b_11 <= texels_1_even_odd_even_b_10;
@@ -2104,40 +2195,40 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 11: blend1_r_1_0_either_whole, blend1_r_1_0_either_0 and 106 more
+    -- ===== Stage 11: blend1_r_1_0_either_first, blend1_r_1_0_either_0 and 106 more
     -- UQ0.8: either of both
-    blend1_r_1_0_either_whole_11 <=
-        texels_1_even_even_odd_r_11 when u1_odd_whole_11 = '1' else texels_1_even_even_even_r_11;
+    blend1_r_1_0_either_first_11 <=
+        texels_1_even_even_odd_r_11 when u1_is_odd_11 = '1' else texels_1_even_even_even_r_11;
     -- UQ-5.13: shifted
-    blend1_r_1_0_by_whole_11 <= blend1_r_1_0_either_whole_11;
+    blend1_r_1_0_by_first_11 <= blend1_r_1_0_either_first_11;
     -- UQ0.8: either of both
     blend1_r_1_0_either_0_11 <=
-        texels_1_even_even_odd_r_11 when u1_odd_of_0_11 = '1' else texels_1_even_even_even_r_11;
+        texels_1_even_even_odd_r_11 when u1_weight_of_0_11 = '1' else texels_1_even_even_even_r_11;
     -- UQ-5.13: shifted
     blend1_r_1_0_by_0_11 <= blend1_r_1_0_either_0_11;
     -- UQ0.8: either of both
     blend1_r_1_0_either_1_11 <=
-        texels_1_even_even_odd_r_11 when u1_odd_of_1_11 = '1' else texels_1_even_even_even_r_11;
+        texels_1_even_even_odd_r_11 when u1_weight_of_1_11 = '1' else texels_1_even_even_even_r_11;
     -- UQ-4.12: shifted
     blend1_r_1_0_by_1_11 <= blend1_r_1_0_either_1_11;
     -- UQ0.8: either of both
     blend1_r_1_0_either_2_11 <=
-        texels_1_even_even_odd_r_11 when u1_odd_of_2_11 = '1' else texels_1_even_even_even_r_11;
+        texels_1_even_even_odd_r_11 when u1_weight_of_2_11 = '1' else texels_1_even_even_even_r_11;
     -- UQ-3.11: shifted
     blend1_r_1_0_by_2_11 <= blend1_r_1_0_either_2_11;
     -- UQ0.8: either of both
     blend1_r_1_0_either_3_11 <=
-        texels_1_even_even_odd_r_11 when u1_odd_of_3_11 = '1' else texels_1_even_even_even_r_11;
+        texels_1_even_even_odd_r_11 when u1_weight_of_3_11 = '1' else texels_1_even_even_even_r_11;
     -- UQ-2.10: shifted
     blend1_r_1_0_by_3_11 <= blend1_r_1_0_either_3_11;
     -- UQ0.8: either of both
     blend1_r_1_0_either_4_11 <=
-        texels_1_even_even_odd_r_11 when u1_odd_of_4_11 = '1' else texels_1_even_even_even_r_11;
+        texels_1_even_even_odd_r_11 when u1_weight_of_4_11 = '1' else texels_1_even_even_even_r_11;
     -- UQ-1.9: shifted
     blend1_r_1_0_by_4_11 <= blend1_r_1_0_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_r_1_0_sum_1_0_11 <=
-        resize(blend1_r_1_0_by_whole_11, 9) + resize(blend1_r_1_0_by_0_11, 9);
+        resize(blend1_r_1_0_by_first_11, 9) + resize(blend1_r_1_0_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_r_1_0_sum_1_1_11 <=
         resize(blend1_r_1_0_by_1_11, 10) + shift_left(resize(blend1_r_1_0_by_2_11, 10), 1);
@@ -2145,38 +2236,38 @@ begin
     blend1_r_1_0_sum_1_2_11 <=
         resize(blend1_r_1_0_by_3_11, 10) + shift_left(resize(blend1_r_1_0_by_4_11, 10), 1);
     -- UQ0.8: either of both
-    blend1_r_1_1_either_whole_11 <=
-        texels_1_even_odd_odd_r_11 when u1_odd_whole_11 = '1' else texels_1_even_odd_even_r_11;
+    blend1_r_1_1_either_first_11 <=
+        texels_1_even_odd_odd_r_11 when u1_is_odd_11 = '1' else texels_1_even_odd_even_r_11;
     -- UQ-5.13: shifted
-    blend1_r_1_1_by_whole_11 <= blend1_r_1_1_either_whole_11;
+    blend1_r_1_1_by_first_11 <= blend1_r_1_1_either_first_11;
     -- UQ0.8: either of both
     blend1_r_1_1_either_0_11 <=
-        texels_1_even_odd_odd_r_11 when u1_odd_of_0_11 = '1' else texels_1_even_odd_even_r_11;
+        texels_1_even_odd_odd_r_11 when u1_weight_of_0_11 = '1' else texels_1_even_odd_even_r_11;
     -- UQ-5.13: shifted
     blend1_r_1_1_by_0_11 <= blend1_r_1_1_either_0_11;
     -- UQ0.8: either of both
     blend1_r_1_1_either_1_11 <=
-        texels_1_even_odd_odd_r_11 when u1_odd_of_1_11 = '1' else texels_1_even_odd_even_r_11;
+        texels_1_even_odd_odd_r_11 when u1_weight_of_1_11 = '1' else texels_1_even_odd_even_r_11;
     -- UQ-4.12: shifted
     blend1_r_1_1_by_1_11 <= blend1_r_1_1_either_1_11;
     -- UQ0.8: either of both
     blend1_r_1_1_either_2_11 <=
-        texels_1_even_odd_odd_r_11 when u1_odd_of_2_11 = '1' else texels_1_even_odd_even_r_11;
+        texels_1_even_odd_odd_r_11 when u1_weight_of_2_11 = '1' else texels_1_even_odd_even_r_11;
     -- UQ-3.11: shifted
     blend1_r_1_1_by_2_11 <= blend1_r_1_1_either_2_11;
     -- UQ0.8: either of both
     blend1_r_1_1_either_3_11 <=
-        texels_1_even_odd_odd_r_11 when u1_odd_of_3_11 = '1' else texels_1_even_odd_even_r_11;
+        texels_1_even_odd_odd_r_11 when u1_weight_of_3_11 = '1' else texels_1_even_odd_even_r_11;
     -- UQ-2.10: shifted
     blend1_r_1_1_by_3_11 <= blend1_r_1_1_either_3_11;
     -- UQ0.8: either of both
     blend1_r_1_1_either_4_11 <=
-        texels_1_even_odd_odd_r_11 when u1_odd_of_4_11 = '1' else texels_1_even_odd_even_r_11;
+        texels_1_even_odd_odd_r_11 when u1_weight_of_4_11 = '1' else texels_1_even_odd_even_r_11;
     -- UQ-1.9: shifted
     blend1_r_1_1_by_4_11 <= blend1_r_1_1_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_r_1_1_sum_1_0_11 <=
-        resize(blend1_r_1_1_by_whole_11, 9) + resize(blend1_r_1_1_by_0_11, 9);
+        resize(blend1_r_1_1_by_first_11, 9) + resize(blend1_r_1_1_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_r_1_1_sum_1_1_11 <=
         resize(blend1_r_1_1_by_1_11, 10) + shift_left(resize(blend1_r_1_1_by_2_11, 10), 1);
@@ -2184,38 +2275,38 @@ begin
     blend1_r_1_1_sum_1_2_11 <=
         resize(blend1_r_1_1_by_3_11, 10) + shift_left(resize(blend1_r_1_1_by_4_11, 10), 1);
     -- UQ0.8: either of both
-    blend1_r_1_2_either_whole_11 <=
-        texels_1_odd_even_odd_r_11 when u1_odd_whole_11 = '1' else texels_1_odd_even_even_r_11;
+    blend1_r_1_2_either_first_11 <=
+        texels_1_odd_even_odd_r_11 when u1_is_odd_11 = '1' else texels_1_odd_even_even_r_11;
     -- UQ-5.13: shifted
-    blend1_r_1_2_by_whole_11 <= blend1_r_1_2_either_whole_11;
+    blend1_r_1_2_by_first_11 <= blend1_r_1_2_either_first_11;
     -- UQ0.8: either of both
     blend1_r_1_2_either_0_11 <=
-        texels_1_odd_even_odd_r_11 when u1_odd_of_0_11 = '1' else texels_1_odd_even_even_r_11;
+        texels_1_odd_even_odd_r_11 when u1_weight_of_0_11 = '1' else texels_1_odd_even_even_r_11;
     -- UQ-5.13: shifted
     blend1_r_1_2_by_0_11 <= blend1_r_1_2_either_0_11;
     -- UQ0.8: either of both
     blend1_r_1_2_either_1_11 <=
-        texels_1_odd_even_odd_r_11 when u1_odd_of_1_11 = '1' else texels_1_odd_even_even_r_11;
+        texels_1_odd_even_odd_r_11 when u1_weight_of_1_11 = '1' else texels_1_odd_even_even_r_11;
     -- UQ-4.12: shifted
     blend1_r_1_2_by_1_11 <= blend1_r_1_2_either_1_11;
     -- UQ0.8: either of both
     blend1_r_1_2_either_2_11 <=
-        texels_1_odd_even_odd_r_11 when u1_odd_of_2_11 = '1' else texels_1_odd_even_even_r_11;
+        texels_1_odd_even_odd_r_11 when u1_weight_of_2_11 = '1' else texels_1_odd_even_even_r_11;
     -- UQ-3.11: shifted
     blend1_r_1_2_by_2_11 <= blend1_r_1_2_either_2_11;
     -- UQ0.8: either of both
     blend1_r_1_2_either_3_11 <=
-        texels_1_odd_even_odd_r_11 when u1_odd_of_3_11 = '1' else texels_1_odd_even_even_r_11;
+        texels_1_odd_even_odd_r_11 when u1_weight_of_3_11 = '1' else texels_1_odd_even_even_r_11;
     -- UQ-2.10: shifted
     blend1_r_1_2_by_3_11 <= blend1_r_1_2_either_3_11;
     -- UQ0.8: either of both
     blend1_r_1_2_either_4_11 <=
-        texels_1_odd_even_odd_r_11 when u1_odd_of_4_11 = '1' else texels_1_odd_even_even_r_11;
+        texels_1_odd_even_odd_r_11 when u1_weight_of_4_11 = '1' else texels_1_odd_even_even_r_11;
     -- UQ-1.9: shifted
     blend1_r_1_2_by_4_11 <= blend1_r_1_2_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_r_1_2_sum_1_0_11 <=
-        resize(blend1_r_1_2_by_whole_11, 9) + resize(blend1_r_1_2_by_0_11, 9);
+        resize(blend1_r_1_2_by_first_11, 9) + resize(blend1_r_1_2_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_r_1_2_sum_1_1_11 <=
         resize(blend1_r_1_2_by_1_11, 10) + shift_left(resize(blend1_r_1_2_by_2_11, 10), 1);
@@ -2223,38 +2314,38 @@ begin
     blend1_r_1_2_sum_1_2_11 <=
         resize(blend1_r_1_2_by_3_11, 10) + shift_left(resize(blend1_r_1_2_by_4_11, 10), 1);
     -- UQ0.8: either of both
-    blend1_r_1_3_either_whole_11 <=
-        texels_1_odd_odd_odd_r_11 when u1_odd_whole_11 = '1' else texels_1_odd_odd_even_r_11;
+    blend1_r_1_3_either_first_11 <=
+        texels_1_odd_odd_odd_r_11 when u1_is_odd_11 = '1' else texels_1_odd_odd_even_r_11;
     -- UQ-5.13: shifted
-    blend1_r_1_3_by_whole_11 <= blend1_r_1_3_either_whole_11;
+    blend1_r_1_3_by_first_11 <= blend1_r_1_3_either_first_11;
     -- UQ0.8: either of both
     blend1_r_1_3_either_0_11 <=
-        texels_1_odd_odd_odd_r_11 when u1_odd_of_0_11 = '1' else texels_1_odd_odd_even_r_11;
+        texels_1_odd_odd_odd_r_11 when u1_weight_of_0_11 = '1' else texels_1_odd_odd_even_r_11;
     -- UQ-5.13: shifted
     blend1_r_1_3_by_0_11 <= blend1_r_1_3_either_0_11;
     -- UQ0.8: either of both
     blend1_r_1_3_either_1_11 <=
-        texels_1_odd_odd_odd_r_11 when u1_odd_of_1_11 = '1' else texels_1_odd_odd_even_r_11;
+        texels_1_odd_odd_odd_r_11 when u1_weight_of_1_11 = '1' else texels_1_odd_odd_even_r_11;
     -- UQ-4.12: shifted
     blend1_r_1_3_by_1_11 <= blend1_r_1_3_either_1_11;
     -- UQ0.8: either of both
     blend1_r_1_3_either_2_11 <=
-        texels_1_odd_odd_odd_r_11 when u1_odd_of_2_11 = '1' else texels_1_odd_odd_even_r_11;
+        texels_1_odd_odd_odd_r_11 when u1_weight_of_2_11 = '1' else texels_1_odd_odd_even_r_11;
     -- UQ-3.11: shifted
     blend1_r_1_3_by_2_11 <= blend1_r_1_3_either_2_11;
     -- UQ0.8: either of both
     blend1_r_1_3_either_3_11 <=
-        texels_1_odd_odd_odd_r_11 when u1_odd_of_3_11 = '1' else texels_1_odd_odd_even_r_11;
+        texels_1_odd_odd_odd_r_11 when u1_weight_of_3_11 = '1' else texels_1_odd_odd_even_r_11;
     -- UQ-2.10: shifted
     blend1_r_1_3_by_3_11 <= blend1_r_1_3_either_3_11;
     -- UQ0.8: either of both
     blend1_r_1_3_either_4_11 <=
-        texels_1_odd_odd_odd_r_11 when u1_odd_of_4_11 = '1' else texels_1_odd_odd_even_r_11;
+        texels_1_odd_odd_odd_r_11 when u1_weight_of_4_11 = '1' else texels_1_odd_odd_even_r_11;
     -- UQ-1.9: shifted
     blend1_r_1_3_by_4_11 <= blend1_r_1_3_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_r_1_3_sum_1_0_11 <=
-        resize(blend1_r_1_3_by_whole_11, 9) + resize(blend1_r_1_3_by_0_11, 9);
+        resize(blend1_r_1_3_by_first_11, 9) + resize(blend1_r_1_3_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_r_1_3_sum_1_1_11 <=
         resize(blend1_r_1_3_by_1_11, 10) + shift_left(resize(blend1_r_1_3_by_2_11, 10), 1);
@@ -2262,38 +2353,38 @@ begin
     blend1_r_1_3_sum_1_2_11 <=
         resize(blend1_r_1_3_by_3_11, 10) + shift_left(resize(blend1_r_1_3_by_4_11, 10), 1);
     -- UQ0.8: either of both
-    blend1_g_1_0_either_whole_11 <=
-        texels_1_even_even_odd_g_11 when u1_odd_whole_11 = '1' else texels_1_even_even_even_g_11;
+    blend1_g_1_0_either_first_11 <=
+        texels_1_even_even_odd_g_11 when u1_is_odd_11 = '1' else texels_1_even_even_even_g_11;
     -- UQ-5.13: shifted
-    blend1_g_1_0_by_whole_11 <= blend1_g_1_0_either_whole_11;
+    blend1_g_1_0_by_first_11 <= blend1_g_1_0_either_first_11;
     -- UQ0.8: either of both
     blend1_g_1_0_either_0_11 <=
-        texels_1_even_even_odd_g_11 when u1_odd_of_0_11 = '1' else texels_1_even_even_even_g_11;
+        texels_1_even_even_odd_g_11 when u1_weight_of_0_11 = '1' else texels_1_even_even_even_g_11;
     -- UQ-5.13: shifted
     blend1_g_1_0_by_0_11 <= blend1_g_1_0_either_0_11;
     -- UQ0.8: either of both
     blend1_g_1_0_either_1_11 <=
-        texels_1_even_even_odd_g_11 when u1_odd_of_1_11 = '1' else texels_1_even_even_even_g_11;
+        texels_1_even_even_odd_g_11 when u1_weight_of_1_11 = '1' else texels_1_even_even_even_g_11;
     -- UQ-4.12: shifted
     blend1_g_1_0_by_1_11 <= blend1_g_1_0_either_1_11;
     -- UQ0.8: either of both
     blend1_g_1_0_either_2_11 <=
-        texels_1_even_even_odd_g_11 when u1_odd_of_2_11 = '1' else texels_1_even_even_even_g_11;
+        texels_1_even_even_odd_g_11 when u1_weight_of_2_11 = '1' else texels_1_even_even_even_g_11;
     -- UQ-3.11: shifted
     blend1_g_1_0_by_2_11 <= blend1_g_1_0_either_2_11;
     -- UQ0.8: either of both
     blend1_g_1_0_either_3_11 <=
-        texels_1_even_even_odd_g_11 when u1_odd_of_3_11 = '1' else texels_1_even_even_even_g_11;
+        texels_1_even_even_odd_g_11 when u1_weight_of_3_11 = '1' else texels_1_even_even_even_g_11;
     -- UQ-2.10: shifted
     blend1_g_1_0_by_3_11 <= blend1_g_1_0_either_3_11;
     -- UQ0.8: either of both
     blend1_g_1_0_either_4_11 <=
-        texels_1_even_even_odd_g_11 when u1_odd_of_4_11 = '1' else texels_1_even_even_even_g_11;
+        texels_1_even_even_odd_g_11 when u1_weight_of_4_11 = '1' else texels_1_even_even_even_g_11;
     -- UQ-1.9: shifted
     blend1_g_1_0_by_4_11 <= blend1_g_1_0_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_g_1_0_sum_1_0_11 <=
-        resize(blend1_g_1_0_by_whole_11, 9) + resize(blend1_g_1_0_by_0_11, 9);
+        resize(blend1_g_1_0_by_first_11, 9) + resize(blend1_g_1_0_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_g_1_0_sum_1_1_11 <=
         resize(blend1_g_1_0_by_1_11, 10) + shift_left(resize(blend1_g_1_0_by_2_11, 10), 1);
@@ -2301,38 +2392,38 @@ begin
     blend1_g_1_0_sum_1_2_11 <=
         resize(blend1_g_1_0_by_3_11, 10) + shift_left(resize(blend1_g_1_0_by_4_11, 10), 1);
     -- UQ0.8: either of both
-    blend1_g_1_1_either_whole_11 <=
-        texels_1_even_odd_odd_g_11 when u1_odd_whole_11 = '1' else texels_1_even_odd_even_g_11;
+    blend1_g_1_1_either_first_11 <=
+        texels_1_even_odd_odd_g_11 when u1_is_odd_11 = '1' else texels_1_even_odd_even_g_11;
     -- UQ-5.13: shifted
-    blend1_g_1_1_by_whole_11 <= blend1_g_1_1_either_whole_11;
+    blend1_g_1_1_by_first_11 <= blend1_g_1_1_either_first_11;
     -- UQ0.8: either of both
     blend1_g_1_1_either_0_11 <=
-        texels_1_even_odd_odd_g_11 when u1_odd_of_0_11 = '1' else texels_1_even_odd_even_g_11;
+        texels_1_even_odd_odd_g_11 when u1_weight_of_0_11 = '1' else texels_1_even_odd_even_g_11;
     -- UQ-5.13: shifted
     blend1_g_1_1_by_0_11 <= blend1_g_1_1_either_0_11;
     -- UQ0.8: either of both
     blend1_g_1_1_either_1_11 <=
-        texels_1_even_odd_odd_g_11 when u1_odd_of_1_11 = '1' else texels_1_even_odd_even_g_11;
+        texels_1_even_odd_odd_g_11 when u1_weight_of_1_11 = '1' else texels_1_even_odd_even_g_11;
     -- UQ-4.12: shifted
     blend1_g_1_1_by_1_11 <= blend1_g_1_1_either_1_11;
     -- UQ0.8: either of both
     blend1_g_1_1_either_2_11 <=
-        texels_1_even_odd_odd_g_11 when u1_odd_of_2_11 = '1' else texels_1_even_odd_even_g_11;
+        texels_1_even_odd_odd_g_11 when u1_weight_of_2_11 = '1' else texels_1_even_odd_even_g_11;
     -- UQ-3.11: shifted
     blend1_g_1_1_by_2_11 <= blend1_g_1_1_either_2_11;
     -- UQ0.8: either of both
     blend1_g_1_1_either_3_11 <=
-        texels_1_even_odd_odd_g_11 when u1_odd_of_3_11 = '1' else texels_1_even_odd_even_g_11;
+        texels_1_even_odd_odd_g_11 when u1_weight_of_3_11 = '1' else texels_1_even_odd_even_g_11;
     -- UQ-2.10: shifted
     blend1_g_1_1_by_3_11 <= blend1_g_1_1_either_3_11;
     -- UQ0.8: either of both
     blend1_g_1_1_either_4_11 <=
-        texels_1_even_odd_odd_g_11 when u1_odd_of_4_11 = '1' else texels_1_even_odd_even_g_11;
+        texels_1_even_odd_odd_g_11 when u1_weight_of_4_11 = '1' else texels_1_even_odd_even_g_11;
     -- UQ-1.9: shifted
     blend1_g_1_1_by_4_11 <= blend1_g_1_1_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_g_1_1_sum_1_0_11 <=
-        resize(blend1_g_1_1_by_whole_11, 9) + resize(blend1_g_1_1_by_0_11, 9);
+        resize(blend1_g_1_1_by_first_11, 9) + resize(blend1_g_1_1_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_g_1_1_sum_1_1_11 <=
         resize(blend1_g_1_1_by_1_11, 10) + shift_left(resize(blend1_g_1_1_by_2_11, 10), 1);
@@ -2340,38 +2431,38 @@ begin
     blend1_g_1_1_sum_1_2_11 <=
         resize(blend1_g_1_1_by_3_11, 10) + shift_left(resize(blend1_g_1_1_by_4_11, 10), 1);
     -- UQ0.8: either of both
-    blend1_g_1_2_either_whole_11 <=
-        texels_1_odd_even_odd_g_11 when u1_odd_whole_11 = '1' else texels_1_odd_even_even_g_11;
+    blend1_g_1_2_either_first_11 <=
+        texels_1_odd_even_odd_g_11 when u1_is_odd_11 = '1' else texels_1_odd_even_even_g_11;
     -- UQ-5.13: shifted
-    blend1_g_1_2_by_whole_11 <= blend1_g_1_2_either_whole_11;
+    blend1_g_1_2_by_first_11 <= blend1_g_1_2_either_first_11;
     -- UQ0.8: either of both
     blend1_g_1_2_either_0_11 <=
-        texels_1_odd_even_odd_g_11 when u1_odd_of_0_11 = '1' else texels_1_odd_even_even_g_11;
+        texels_1_odd_even_odd_g_11 when u1_weight_of_0_11 = '1' else texels_1_odd_even_even_g_11;
     -- UQ-5.13: shifted
     blend1_g_1_2_by_0_11 <= blend1_g_1_2_either_0_11;
     -- UQ0.8: either of both
     blend1_g_1_2_either_1_11 <=
-        texels_1_odd_even_odd_g_11 when u1_odd_of_1_11 = '1' else texels_1_odd_even_even_g_11;
+        texels_1_odd_even_odd_g_11 when u1_weight_of_1_11 = '1' else texels_1_odd_even_even_g_11;
     -- UQ-4.12: shifted
     blend1_g_1_2_by_1_11 <= blend1_g_1_2_either_1_11;
     -- UQ0.8: either of both
     blend1_g_1_2_either_2_11 <=
-        texels_1_odd_even_odd_g_11 when u1_odd_of_2_11 = '1' else texels_1_odd_even_even_g_11;
+        texels_1_odd_even_odd_g_11 when u1_weight_of_2_11 = '1' else texels_1_odd_even_even_g_11;
     -- UQ-3.11: shifted
     blend1_g_1_2_by_2_11 <= blend1_g_1_2_either_2_11;
     -- UQ0.8: either of both
     blend1_g_1_2_either_3_11 <=
-        texels_1_odd_even_odd_g_11 when u1_odd_of_3_11 = '1' else texels_1_odd_even_even_g_11;
+        texels_1_odd_even_odd_g_11 when u1_weight_of_3_11 = '1' else texels_1_odd_even_even_g_11;
     -- UQ-2.10: shifted
     blend1_g_1_2_by_3_11 <= blend1_g_1_2_either_3_11;
     -- UQ0.8: either of both
     blend1_g_1_2_either_4_11 <=
-        texels_1_odd_even_odd_g_11 when u1_odd_of_4_11 = '1' else texels_1_odd_even_even_g_11;
+        texels_1_odd_even_odd_g_11 when u1_weight_of_4_11 = '1' else texels_1_odd_even_even_g_11;
     -- UQ-1.9: shifted
     blend1_g_1_2_by_4_11 <= blend1_g_1_2_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_g_1_2_sum_1_0_11 <=
-        resize(blend1_g_1_2_by_whole_11, 9) + resize(blend1_g_1_2_by_0_11, 9);
+        resize(blend1_g_1_2_by_first_11, 9) + resize(blend1_g_1_2_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_g_1_2_sum_1_1_11 <=
         resize(blend1_g_1_2_by_1_11, 10) + shift_left(resize(blend1_g_1_2_by_2_11, 10), 1);
@@ -2379,38 +2470,38 @@ begin
     blend1_g_1_2_sum_1_2_11 <=
         resize(blend1_g_1_2_by_3_11, 10) + shift_left(resize(blend1_g_1_2_by_4_11, 10), 1);
     -- UQ0.8: either of both
-    blend1_g_1_3_either_whole_11 <=
-        texels_1_odd_odd_odd_g_11 when u1_odd_whole_11 = '1' else texels_1_odd_odd_even_g_11;
+    blend1_g_1_3_either_first_11 <=
+        texels_1_odd_odd_odd_g_11 when u1_is_odd_11 = '1' else texels_1_odd_odd_even_g_11;
     -- UQ-5.13: shifted
-    blend1_g_1_3_by_whole_11 <= blend1_g_1_3_either_whole_11;
+    blend1_g_1_3_by_first_11 <= blend1_g_1_3_either_first_11;
     -- UQ0.8: either of both
     blend1_g_1_3_either_0_11 <=
-        texels_1_odd_odd_odd_g_11 when u1_odd_of_0_11 = '1' else texels_1_odd_odd_even_g_11;
+        texels_1_odd_odd_odd_g_11 when u1_weight_of_0_11 = '1' else texels_1_odd_odd_even_g_11;
     -- UQ-5.13: shifted
     blend1_g_1_3_by_0_11 <= blend1_g_1_3_either_0_11;
     -- UQ0.8: either of both
     blend1_g_1_3_either_1_11 <=
-        texels_1_odd_odd_odd_g_11 when u1_odd_of_1_11 = '1' else texels_1_odd_odd_even_g_11;
+        texels_1_odd_odd_odd_g_11 when u1_weight_of_1_11 = '1' else texels_1_odd_odd_even_g_11;
     -- UQ-4.12: shifted
     blend1_g_1_3_by_1_11 <= blend1_g_1_3_either_1_11;
     -- UQ0.8: either of both
     blend1_g_1_3_either_2_11 <=
-        texels_1_odd_odd_odd_g_11 when u1_odd_of_2_11 = '1' else texels_1_odd_odd_even_g_11;
+        texels_1_odd_odd_odd_g_11 when u1_weight_of_2_11 = '1' else texels_1_odd_odd_even_g_11;
     -- UQ-3.11: shifted
     blend1_g_1_3_by_2_11 <= blend1_g_1_3_either_2_11;
     -- UQ0.8: either of both
     blend1_g_1_3_either_3_11 <=
-        texels_1_odd_odd_odd_g_11 when u1_odd_of_3_11 = '1' else texels_1_odd_odd_even_g_11;
+        texels_1_odd_odd_odd_g_11 when u1_weight_of_3_11 = '1' else texels_1_odd_odd_even_g_11;
     -- UQ-2.10: shifted
     blend1_g_1_3_by_3_11 <= blend1_g_1_3_either_3_11;
     -- UQ0.8: either of both
     blend1_g_1_3_either_4_11 <=
-        texels_1_odd_odd_odd_g_11 when u1_odd_of_4_11 = '1' else texels_1_odd_odd_even_g_11;
+        texels_1_odd_odd_odd_g_11 when u1_weight_of_4_11 = '1' else texels_1_odd_odd_even_g_11;
     -- UQ-1.9: shifted
     blend1_g_1_3_by_4_11 <= blend1_g_1_3_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_g_1_3_sum_1_0_11 <=
-        resize(blend1_g_1_3_by_whole_11, 9) + resize(blend1_g_1_3_by_0_11, 9);
+        resize(blend1_g_1_3_by_first_11, 9) + resize(blend1_g_1_3_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_g_1_3_sum_1_1_11 <=
         resize(blend1_g_1_3_by_1_11, 10) + shift_left(resize(blend1_g_1_3_by_2_11, 10), 1);
@@ -2418,38 +2509,38 @@ begin
     blend1_g_1_3_sum_1_2_11 <=
         resize(blend1_g_1_3_by_3_11, 10) + shift_left(resize(blend1_g_1_3_by_4_11, 10), 1);
     -- UQ0.8: either of both
-    blend1_b_1_0_either_whole_11 <=
-        texels_1_even_even_odd_b_11 when u1_odd_whole_11 = '1' else texels_1_even_even_even_b_11;
+    blend1_b_1_0_either_first_11 <=
+        texels_1_even_even_odd_b_11 when u1_is_odd_11 = '1' else texels_1_even_even_even_b_11;
     -- UQ-5.13: shifted
-    blend1_b_1_0_by_whole_11 <= blend1_b_1_0_either_whole_11;
+    blend1_b_1_0_by_first_11 <= blend1_b_1_0_either_first_11;
     -- UQ0.8: either of both
     blend1_b_1_0_either_0_11 <=
-        texels_1_even_even_odd_b_11 when u1_odd_of_0_11 = '1' else texels_1_even_even_even_b_11;
+        texels_1_even_even_odd_b_11 when u1_weight_of_0_11 = '1' else texels_1_even_even_even_b_11;
     -- UQ-5.13: shifted
     blend1_b_1_0_by_0_11 <= blend1_b_1_0_either_0_11;
     -- UQ0.8: either of both
     blend1_b_1_0_either_1_11 <=
-        texels_1_even_even_odd_b_11 when u1_odd_of_1_11 = '1' else texels_1_even_even_even_b_11;
+        texels_1_even_even_odd_b_11 when u1_weight_of_1_11 = '1' else texels_1_even_even_even_b_11;
     -- UQ-4.12: shifted
     blend1_b_1_0_by_1_11 <= blend1_b_1_0_either_1_11;
     -- UQ0.8: either of both
     blend1_b_1_0_either_2_11 <=
-        texels_1_even_even_odd_b_11 when u1_odd_of_2_11 = '1' else texels_1_even_even_even_b_11;
+        texels_1_even_even_odd_b_11 when u1_weight_of_2_11 = '1' else texels_1_even_even_even_b_11;
     -- UQ-3.11: shifted
     blend1_b_1_0_by_2_11 <= blend1_b_1_0_either_2_11;
     -- UQ0.8: either of both
     blend1_b_1_0_either_3_11 <=
-        texels_1_even_even_odd_b_11 when u1_odd_of_3_11 = '1' else texels_1_even_even_even_b_11;
+        texels_1_even_even_odd_b_11 when u1_weight_of_3_11 = '1' else texels_1_even_even_even_b_11;
     -- UQ-2.10: shifted
     blend1_b_1_0_by_3_11 <= blend1_b_1_0_either_3_11;
     -- UQ0.8: either of both
     blend1_b_1_0_either_4_11 <=
-        texels_1_even_even_odd_b_11 when u1_odd_of_4_11 = '1' else texels_1_even_even_even_b_11;
+        texels_1_even_even_odd_b_11 when u1_weight_of_4_11 = '1' else texels_1_even_even_even_b_11;
     -- UQ-1.9: shifted
     blend1_b_1_0_by_4_11 <= blend1_b_1_0_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_b_1_0_sum_1_0_11 <=
-        resize(blend1_b_1_0_by_whole_11, 9) + resize(blend1_b_1_0_by_0_11, 9);
+        resize(blend1_b_1_0_by_first_11, 9) + resize(blend1_b_1_0_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_b_1_0_sum_1_1_11 <=
         resize(blend1_b_1_0_by_1_11, 10) + shift_left(resize(blend1_b_1_0_by_2_11, 10), 1);
@@ -2457,38 +2548,38 @@ begin
     blend1_b_1_0_sum_1_2_11 <=
         resize(blend1_b_1_0_by_3_11, 10) + shift_left(resize(blend1_b_1_0_by_4_11, 10), 1);
     -- UQ0.8: either of both
-    blend1_b_1_1_either_whole_11 <=
-        texels_1_even_odd_odd_b_11 when u1_odd_whole_11 = '1' else texels_1_even_odd_even_b_11;
+    blend1_b_1_1_either_first_11 <=
+        texels_1_even_odd_odd_b_11 when u1_is_odd_11 = '1' else texels_1_even_odd_even_b_11;
     -- UQ-5.13: shifted
-    blend1_b_1_1_by_whole_11 <= blend1_b_1_1_either_whole_11;
+    blend1_b_1_1_by_first_11 <= blend1_b_1_1_either_first_11;
     -- UQ0.8: either of both
     blend1_b_1_1_either_0_11 <=
-        texels_1_even_odd_odd_b_11 when u1_odd_of_0_11 = '1' else texels_1_even_odd_even_b_11;
+        texels_1_even_odd_odd_b_11 when u1_weight_of_0_11 = '1' else texels_1_even_odd_even_b_11;
     -- UQ-5.13: shifted
     blend1_b_1_1_by_0_11 <= blend1_b_1_1_either_0_11;
     -- UQ0.8: either of both
     blend1_b_1_1_either_1_11 <=
-        texels_1_even_odd_odd_b_11 when u1_odd_of_1_11 = '1' else texels_1_even_odd_even_b_11;
+        texels_1_even_odd_odd_b_11 when u1_weight_of_1_11 = '1' else texels_1_even_odd_even_b_11;
     -- UQ-4.12: shifted
     blend1_b_1_1_by_1_11 <= blend1_b_1_1_either_1_11;
     -- UQ0.8: either of both
     blend1_b_1_1_either_2_11 <=
-        texels_1_even_odd_odd_b_11 when u1_odd_of_2_11 = '1' else texels_1_even_odd_even_b_11;
+        texels_1_even_odd_odd_b_11 when u1_weight_of_2_11 = '1' else texels_1_even_odd_even_b_11;
     -- UQ-3.11: shifted
     blend1_b_1_1_by_2_11 <= blend1_b_1_1_either_2_11;
     -- UQ0.8: either of both
     blend1_b_1_1_either_3_11 <=
-        texels_1_even_odd_odd_b_11 when u1_odd_of_3_11 = '1' else texels_1_even_odd_even_b_11;
+        texels_1_even_odd_odd_b_11 when u1_weight_of_3_11 = '1' else texels_1_even_odd_even_b_11;
     -- UQ-2.10: shifted
     blend1_b_1_1_by_3_11 <= blend1_b_1_1_either_3_11;
     -- UQ0.8: either of both
     blend1_b_1_1_either_4_11 <=
-        texels_1_even_odd_odd_b_11 when u1_odd_of_4_11 = '1' else texels_1_even_odd_even_b_11;
+        texels_1_even_odd_odd_b_11 when u1_weight_of_4_11 = '1' else texels_1_even_odd_even_b_11;
     -- UQ-1.9: shifted
     blend1_b_1_1_by_4_11 <= blend1_b_1_1_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_b_1_1_sum_1_0_11 <=
-        resize(blend1_b_1_1_by_whole_11, 9) + resize(blend1_b_1_1_by_0_11, 9);
+        resize(blend1_b_1_1_by_first_11, 9) + resize(blend1_b_1_1_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_b_1_1_sum_1_1_11 <=
         resize(blend1_b_1_1_by_1_11, 10) + shift_left(resize(blend1_b_1_1_by_2_11, 10), 1);
@@ -2496,38 +2587,38 @@ begin
     blend1_b_1_1_sum_1_2_11 <=
         resize(blend1_b_1_1_by_3_11, 10) + shift_left(resize(blend1_b_1_1_by_4_11, 10), 1);
     -- UQ0.8: either of both
-    blend1_b_1_2_either_whole_11 <=
-        texels_1_odd_even_odd_b_11 when u1_odd_whole_11 = '1' else texels_1_odd_even_even_b_11;
+    blend1_b_1_2_either_first_11 <=
+        texels_1_odd_even_odd_b_11 when u1_is_odd_11 = '1' else texels_1_odd_even_even_b_11;
     -- UQ-5.13: shifted
-    blend1_b_1_2_by_whole_11 <= blend1_b_1_2_either_whole_11;
+    blend1_b_1_2_by_first_11 <= blend1_b_1_2_either_first_11;
     -- UQ0.8: either of both
     blend1_b_1_2_either_0_11 <=
-        texels_1_odd_even_odd_b_11 when u1_odd_of_0_11 = '1' else texels_1_odd_even_even_b_11;
+        texels_1_odd_even_odd_b_11 when u1_weight_of_0_11 = '1' else texels_1_odd_even_even_b_11;
     -- UQ-5.13: shifted
     blend1_b_1_2_by_0_11 <= blend1_b_1_2_either_0_11;
     -- UQ0.8: either of both
     blend1_b_1_2_either_1_11 <=
-        texels_1_odd_even_odd_b_11 when u1_odd_of_1_11 = '1' else texels_1_odd_even_even_b_11;
+        texels_1_odd_even_odd_b_11 when u1_weight_of_1_11 = '1' else texels_1_odd_even_even_b_11;
     -- UQ-4.12: shifted
     blend1_b_1_2_by_1_11 <= blend1_b_1_2_either_1_11;
     -- UQ0.8: either of both
     blend1_b_1_2_either_2_11 <=
-        texels_1_odd_even_odd_b_11 when u1_odd_of_2_11 = '1' else texels_1_odd_even_even_b_11;
+        texels_1_odd_even_odd_b_11 when u1_weight_of_2_11 = '1' else texels_1_odd_even_even_b_11;
     -- UQ-3.11: shifted
     blend1_b_1_2_by_2_11 <= blend1_b_1_2_either_2_11;
     -- UQ0.8: either of both
     blend1_b_1_2_either_3_11 <=
-        texels_1_odd_even_odd_b_11 when u1_odd_of_3_11 = '1' else texels_1_odd_even_even_b_11;
+        texels_1_odd_even_odd_b_11 when u1_weight_of_3_11 = '1' else texels_1_odd_even_even_b_11;
     -- UQ-2.10: shifted
     blend1_b_1_2_by_3_11 <= blend1_b_1_2_either_3_11;
     -- UQ0.8: either of both
     blend1_b_1_2_either_4_11 <=
-        texels_1_odd_even_odd_b_11 when u1_odd_of_4_11 = '1' else texels_1_odd_even_even_b_11;
+        texels_1_odd_even_odd_b_11 when u1_weight_of_4_11 = '1' else texels_1_odd_even_even_b_11;
     -- UQ-1.9: shifted
     blend1_b_1_2_by_4_11 <= blend1_b_1_2_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_b_1_2_sum_1_0_11 <=
-        resize(blend1_b_1_2_by_whole_11, 9) + resize(blend1_b_1_2_by_0_11, 9);
+        resize(blend1_b_1_2_by_first_11, 9) + resize(blend1_b_1_2_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_b_1_2_sum_1_1_11 <=
         resize(blend1_b_1_2_by_1_11, 10) + shift_left(resize(blend1_b_1_2_by_2_11, 10), 1);
@@ -2535,38 +2626,38 @@ begin
     blend1_b_1_2_sum_1_2_11 <=
         resize(blend1_b_1_2_by_3_11, 10) + shift_left(resize(blend1_b_1_2_by_4_11, 10), 1);
     -- UQ0.8: either of both
-    blend1_b_1_3_either_whole_11 <=
-        texels_1_odd_odd_odd_b_11 when u1_odd_whole_11 = '1' else texels_1_odd_odd_even_b_11;
+    blend1_b_1_3_either_first_11 <=
+        texels_1_odd_odd_odd_b_11 when u1_is_odd_11 = '1' else texels_1_odd_odd_even_b_11;
     -- UQ-5.13: shifted
-    blend1_b_1_3_by_whole_11 <= blend1_b_1_3_either_whole_11;
+    blend1_b_1_3_by_first_11 <= blend1_b_1_3_either_first_11;
     -- UQ0.8: either of both
     blend1_b_1_3_either_0_11 <=
-        texels_1_odd_odd_odd_b_11 when u1_odd_of_0_11 = '1' else texels_1_odd_odd_even_b_11;
+        texels_1_odd_odd_odd_b_11 when u1_weight_of_0_11 = '1' else texels_1_odd_odd_even_b_11;
     -- UQ-5.13: shifted
     blend1_b_1_3_by_0_11 <= blend1_b_1_3_either_0_11;
     -- UQ0.8: either of both
     blend1_b_1_3_either_1_11 <=
-        texels_1_odd_odd_odd_b_11 when u1_odd_of_1_11 = '1' else texels_1_odd_odd_even_b_11;
+        texels_1_odd_odd_odd_b_11 when u1_weight_of_1_11 = '1' else texels_1_odd_odd_even_b_11;
     -- UQ-4.12: shifted
     blend1_b_1_3_by_1_11 <= blend1_b_1_3_either_1_11;
     -- UQ0.8: either of both
     blend1_b_1_3_either_2_11 <=
-        texels_1_odd_odd_odd_b_11 when u1_odd_of_2_11 = '1' else texels_1_odd_odd_even_b_11;
+        texels_1_odd_odd_odd_b_11 when u1_weight_of_2_11 = '1' else texels_1_odd_odd_even_b_11;
     -- UQ-3.11: shifted
     blend1_b_1_3_by_2_11 <= blend1_b_1_3_either_2_11;
     -- UQ0.8: either of both
     blend1_b_1_3_either_3_11 <=
-        texels_1_odd_odd_odd_b_11 when u1_odd_of_3_11 = '1' else texels_1_odd_odd_even_b_11;
+        texels_1_odd_odd_odd_b_11 when u1_weight_of_3_11 = '1' else texels_1_odd_odd_even_b_11;
     -- UQ-2.10: shifted
     blend1_b_1_3_by_3_11 <= blend1_b_1_3_either_3_11;
     -- UQ0.8: either of both
     blend1_b_1_3_either_4_11 <=
-        texels_1_odd_odd_odd_b_11 when u1_odd_of_4_11 = '1' else texels_1_odd_odd_even_b_11;
+        texels_1_odd_odd_odd_b_11 when u1_weight_of_4_11 = '1' else texels_1_odd_odd_even_b_11;
     -- UQ-1.9: shifted
     blend1_b_1_3_by_4_11 <= blend1_b_1_3_either_4_11;
     -- UQ-4.13: the sum of two
     blend1_b_1_3_sum_1_0_11 <=
-        resize(blend1_b_1_3_by_whole_11, 9) + resize(blend1_b_1_3_by_0_11, 9);
+        resize(blend1_b_1_3_by_first_11, 9) + resize(blend1_b_1_3_by_0_11, 9);
     -- UQ-2.12: the sum of two
     blend1_b_1_3_sum_1_1_11 <=
         resize(blend1_b_1_3_by_1_11, 10) + shift_left(resize(blend1_b_1_3_by_2_11, 10), 1);
@@ -2581,6 +2672,7 @@ begin
                 in_gain1g_12 <= in_gain1g_11;
                 in_gain1b_12 <= in_gain1b_11;
                 nl1_12 <= nl1_11;
+                v1_is_odd_12 <= v1_is_odd_11;
                 blend1_r_1_0_sum_1_0_12 <= blend1_r_1_0_sum_1_0_11;
                 blend1_r_1_0_sum_1_1_12 <= blend1_r_1_0_sum_1_1_11;
                 blend1_r_1_0_sum_1_2_12 <= blend1_r_1_0_sum_1_2_11;
@@ -2593,12 +2685,7 @@ begin
                 blend1_r_1_3_sum_1_0_12 <= blend1_r_1_3_sum_1_0_11;
                 blend1_r_1_3_sum_1_1_12 <= blend1_r_1_3_sum_1_1_11;
                 blend1_r_1_3_sum_1_2_12 <= blend1_r_1_3_sum_1_2_11;
-                v1_odd_whole_12 <= v1_odd_whole_11;
-                v1_odd_of_0_12 <= v1_odd_of_0_11;
-                v1_odd_of_1_12 <= v1_odd_of_1_11;
-                v1_odd_of_2_12 <= v1_odd_of_2_11;
-                v1_odd_of_3_12 <= v1_odd_of_3_11;
-                v1_odd_of_4_12 <= v1_odd_of_4_11;
+                v1_odd_signed_12 <= v1_odd_signed_11;
                 blend1_signed_12 <= blend1_signed_11;
                 blend1_g_1_0_sum_1_0_12 <= blend1_g_1_0_sum_1_0_11;
                 blend1_g_1_0_sum_1_1_12 <= blend1_g_1_0_sum_1_1_11;
@@ -2612,6 +2699,11 @@ begin
                 blend1_g_1_3_sum_1_0_12 <= blend1_g_1_3_sum_1_0_11;
                 blend1_g_1_3_sum_1_1_12 <= blend1_g_1_3_sum_1_1_11;
                 blend1_g_1_3_sum_1_2_12 <= blend1_g_1_3_sum_1_2_11;
+                v1_weight_of_0_12 <= v1_weight_of_0_11;
+                v1_weight_of_1_12 <= v1_weight_of_1_11;
+                v1_weight_of_2_12 <= v1_weight_of_2_11;
+                v1_weight_of_3_12 <= v1_weight_of_3_11;
+                v1_weight_of_4_12 <= v1_weight_of_4_11;
                 blend1_b_1_0_sum_1_0_12 <= blend1_b_1_0_sum_1_0_11;
                 blend1_b_1_0_sum_1_1_12 <= blend1_b_1_0_sum_1_1_11;
                 blend1_b_1_0_sum_1_2_12 <= blend1_b_1_0_sum_1_2_11;
@@ -2673,6 +2765,7 @@ begin
                 in_gain1g_13 <= in_gain1g_12;
                 in_gain1b_13 <= in_gain1b_12;
                 nl1_13 <= nl1_12;
+                v1_is_odd_13 <= v1_is_odd_12;
                 blend1_r_1_0_sum_1_2_13 <= blend1_r_1_0_sum_1_2_12;
                 blend1_r_1_0_sum_2_0_13 <= blend1_r_1_0_sum_2_0_12;
                 blend1_r_1_1_sum_1_2_13 <= blend1_r_1_1_sum_1_2_12;
@@ -2681,12 +2774,7 @@ begin
                 blend1_r_1_2_sum_2_0_13 <= blend1_r_1_2_sum_2_0_12;
                 blend1_r_1_3_sum_1_2_13 <= blend1_r_1_3_sum_1_2_12;
                 blend1_r_1_3_sum_2_0_13 <= blend1_r_1_3_sum_2_0_12;
-                v1_odd_whole_13 <= v1_odd_whole_12;
-                v1_odd_of_0_13 <= v1_odd_of_0_12;
-                v1_odd_of_1_13 <= v1_odd_of_1_12;
-                v1_odd_of_2_13 <= v1_odd_of_2_12;
-                v1_odd_of_3_13 <= v1_odd_of_3_12;
-                v1_odd_of_4_13 <= v1_odd_of_4_12;
+                v1_odd_signed_13 <= v1_odd_signed_12;
                 blend1_signed_13 <= blend1_signed_12;
                 blend1_g_1_0_sum_1_2_13 <= blend1_g_1_0_sum_1_2_12;
                 blend1_g_1_0_sum_2_0_13 <= blend1_g_1_0_sum_2_0_12;
@@ -2696,6 +2784,11 @@ begin
                 blend1_g_1_2_sum_2_0_13 <= blend1_g_1_2_sum_2_0_12;
                 blend1_g_1_3_sum_1_2_13 <= blend1_g_1_3_sum_1_2_12;
                 blend1_g_1_3_sum_2_0_13 <= blend1_g_1_3_sum_2_0_12;
+                v1_weight_of_0_13 <= v1_weight_of_0_12;
+                v1_weight_of_1_13 <= v1_weight_of_1_12;
+                v1_weight_of_2_13 <= v1_weight_of_2_12;
+                v1_weight_of_3_13 <= v1_weight_of_3_12;
+                v1_weight_of_4_13 <= v1_weight_of_4_12;
                 blend1_b_1_0_sum_1_2_13 <= blend1_b_1_0_sum_1_2_12;
                 blend1_b_1_0_sum_2_0_13 <= blend1_b_1_0_sum_2_0_12;
                 blend1_b_1_1_sum_1_2_13 <= blend1_b_1_1_sum_1_2_12;
@@ -2708,7 +2801,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 13: blend1_r_1_0, blend1_r_1_1, blend1_r_1_2, blend1_r_1_3 and 44 more
+    -- ===== Stage 13: blend1_r_1_0, blend1_r_1_1, blend1_r_1_2, blend1_r_1_3 and 20 more
     -- UQ0.13: two neighbours
     blend1_r_1_0_13 <=
         resize(blend1_r_1_0_sum_2_0_13, 13) + shift_left(resize(blend1_r_1_0_sum_1_2_13, 13), 3);
@@ -2721,54 +2814,6 @@ begin
     -- UQ0.13: two neighbours
     blend1_r_1_3_13 <=
         resize(blend1_r_1_3_sum_2_0_13, 13) + shift_left(resize(blend1_r_1_3_sum_1_2_13, 13), 3);
-    -- UQ0.13: either of both
-    blend1_r_2_0_either_whole_13 <= blend1_r_1_1_13 when v1_odd_whole_13 = '1' else blend1_r_1_0_13;
-    -- UQ-5.18: shifted
-    blend1_r_2_0_by_whole_13 <= blend1_r_2_0_either_whole_13;
-    -- UQ0.13: either of both
-    blend1_r_2_0_either_0_13 <= blend1_r_1_1_13 when v1_odd_of_0_13 = '1' else blend1_r_1_0_13;
-    -- UQ-5.18: shifted
-    blend1_r_2_0_by_0_13 <= blend1_r_2_0_either_0_13;
-    -- UQ0.13: either of both
-    blend1_r_2_0_either_1_13 <= blend1_r_1_1_13 when v1_odd_of_1_13 = '1' else blend1_r_1_0_13;
-    -- UQ-4.17: shifted
-    blend1_r_2_0_by_1_13 <= blend1_r_2_0_either_1_13;
-    -- UQ0.13: either of both
-    blend1_r_2_0_either_2_13 <= blend1_r_1_1_13 when v1_odd_of_2_13 = '1' else blend1_r_1_0_13;
-    -- UQ-3.16: shifted
-    blend1_r_2_0_by_2_13 <= blend1_r_2_0_either_2_13;
-    -- UQ0.13: either of both
-    blend1_r_2_0_either_3_13 <= blend1_r_1_1_13 when v1_odd_of_3_13 = '1' else blend1_r_1_0_13;
-    -- UQ-2.15: shifted
-    blend1_r_2_0_by_3_13 <= blend1_r_2_0_either_3_13;
-    -- UQ0.13: either of both
-    blend1_r_2_0_either_4_13 <= blend1_r_1_1_13 when v1_odd_of_4_13 = '1' else blend1_r_1_0_13;
-    -- UQ-1.14: shifted
-    blend1_r_2_0_by_4_13 <= blend1_r_2_0_either_4_13;
-    -- UQ0.13: either of both
-    blend1_r_2_1_either_whole_13 <= blend1_r_1_3_13 when v1_odd_whole_13 = '1' else blend1_r_1_2_13;
-    -- UQ-5.18: shifted
-    blend1_r_2_1_by_whole_13 <= blend1_r_2_1_either_whole_13;
-    -- UQ0.13: either of both
-    blend1_r_2_1_either_0_13 <= blend1_r_1_3_13 when v1_odd_of_0_13 = '1' else blend1_r_1_2_13;
-    -- UQ-5.18: shifted
-    blend1_r_2_1_by_0_13 <= blend1_r_2_1_either_0_13;
-    -- UQ0.13: either of both
-    blend1_r_2_1_either_1_13 <= blend1_r_1_3_13 when v1_odd_of_1_13 = '1' else blend1_r_1_2_13;
-    -- UQ-4.17: shifted
-    blend1_r_2_1_by_1_13 <= blend1_r_2_1_either_1_13;
-    -- UQ0.13: either of both
-    blend1_r_2_1_either_2_13 <= blend1_r_1_3_13 when v1_odd_of_2_13 = '1' else blend1_r_1_2_13;
-    -- UQ-3.16: shifted
-    blend1_r_2_1_by_2_13 <= blend1_r_2_1_either_2_13;
-    -- UQ0.13: either of both
-    blend1_r_2_1_either_3_13 <= blend1_r_1_3_13 when v1_odd_of_3_13 = '1' else blend1_r_1_2_13;
-    -- UQ-2.15: shifted
-    blend1_r_2_1_by_3_13 <= blend1_r_2_1_either_3_13;
-    -- UQ0.13: either of both
-    blend1_r_2_1_either_4_13 <= blend1_r_1_3_13 when v1_odd_of_4_13 = '1' else blend1_r_1_2_13;
-    -- UQ-1.14: shifted
-    blend1_r_2_1_by_4_13 <= blend1_r_2_1_either_4_13;
     -- UQ0.13: two neighbours
     blend1_g_1_0_13 <=
         resize(blend1_g_1_0_sum_2_0_13, 13) + shift_left(resize(blend1_g_1_0_sum_1_2_13, 13), 3);
@@ -2782,51 +2827,27 @@ begin
     blend1_g_1_3_13 <=
         resize(blend1_g_1_3_sum_2_0_13, 13) + shift_left(resize(blend1_g_1_3_sum_1_2_13, 13), 3);
     -- UQ0.13: either of both
-    blend1_g_2_0_either_whole_13 <= blend1_g_1_1_13 when v1_odd_whole_13 = '1' else blend1_g_1_0_13;
+    blend1_g_2_1_either_first_13 <= blend1_g_1_3_13 when v1_is_odd_13 = '1' else blend1_g_1_2_13;
     -- UQ-5.18: shifted
-    blend1_g_2_0_by_whole_13 <= blend1_g_2_0_either_whole_13;
+    blend1_g_2_1_by_first_13 <= blend1_g_2_1_either_first_13;
     -- UQ0.13: either of both
-    blend1_g_2_0_either_0_13 <= blend1_g_1_1_13 when v1_odd_of_0_13 = '1' else blend1_g_1_0_13;
-    -- UQ-5.18: shifted
-    blend1_g_2_0_by_0_13 <= blend1_g_2_0_either_0_13;
-    -- UQ0.13: either of both
-    blend1_g_2_0_either_1_13 <= blend1_g_1_1_13 when v1_odd_of_1_13 = '1' else blend1_g_1_0_13;
-    -- UQ-4.17: shifted
-    blend1_g_2_0_by_1_13 <= blend1_g_2_0_either_1_13;
-    -- UQ0.13: either of both
-    blend1_g_2_0_either_2_13 <= blend1_g_1_1_13 when v1_odd_of_2_13 = '1' else blend1_g_1_0_13;
-    -- UQ-3.16: shifted
-    blend1_g_2_0_by_2_13 <= blend1_g_2_0_either_2_13;
-    -- UQ0.13: either of both
-    blend1_g_2_0_either_3_13 <= blend1_g_1_1_13 when v1_odd_of_3_13 = '1' else blend1_g_1_0_13;
-    -- UQ-2.15: shifted
-    blend1_g_2_0_by_3_13 <= blend1_g_2_0_either_3_13;
-    -- UQ0.13: either of both
-    blend1_g_2_0_either_4_13 <= blend1_g_1_1_13 when v1_odd_of_4_13 = '1' else blend1_g_1_0_13;
-    -- UQ-1.14: shifted
-    blend1_g_2_0_by_4_13 <= blend1_g_2_0_either_4_13;
-    -- UQ0.13: either of both
-    blend1_g_2_1_either_whole_13 <= blend1_g_1_3_13 when v1_odd_whole_13 = '1' else blend1_g_1_2_13;
-    -- UQ-5.18: shifted
-    blend1_g_2_1_by_whole_13 <= blend1_g_2_1_either_whole_13;
-    -- UQ0.13: either of both
-    blend1_g_2_1_either_0_13 <= blend1_g_1_3_13 when v1_odd_of_0_13 = '1' else blend1_g_1_2_13;
+    blend1_g_2_1_either_0_13 <= blend1_g_1_3_13 when v1_weight_of_0_13 = '1' else blend1_g_1_2_13;
     -- UQ-5.18: shifted
     blend1_g_2_1_by_0_13 <= blend1_g_2_1_either_0_13;
     -- UQ0.13: either of both
-    blend1_g_2_1_either_1_13 <= blend1_g_1_3_13 when v1_odd_of_1_13 = '1' else blend1_g_1_2_13;
+    blend1_g_2_1_either_1_13 <= blend1_g_1_3_13 when v1_weight_of_1_13 = '1' else blend1_g_1_2_13;
     -- UQ-4.17: shifted
     blend1_g_2_1_by_1_13 <= blend1_g_2_1_either_1_13;
     -- UQ0.13: either of both
-    blend1_g_2_1_either_2_13 <= blend1_g_1_3_13 when v1_odd_of_2_13 = '1' else blend1_g_1_2_13;
+    blend1_g_2_1_either_2_13 <= blend1_g_1_3_13 when v1_weight_of_2_13 = '1' else blend1_g_1_2_13;
     -- UQ-3.16: shifted
     blend1_g_2_1_by_2_13 <= blend1_g_2_1_either_2_13;
     -- UQ0.13: either of both
-    blend1_g_2_1_either_3_13 <= blend1_g_1_3_13 when v1_odd_of_3_13 = '1' else blend1_g_1_2_13;
+    blend1_g_2_1_either_3_13 <= blend1_g_1_3_13 when v1_weight_of_3_13 = '1' else blend1_g_1_2_13;
     -- UQ-2.15: shifted
     blend1_g_2_1_by_3_13 <= blend1_g_2_1_either_3_13;
     -- UQ0.13: either of both
-    blend1_g_2_1_either_4_13 <= blend1_g_1_3_13 when v1_odd_of_4_13 = '1' else blend1_g_1_2_13;
+    blend1_g_2_1_either_4_13 <= blend1_g_1_3_13 when v1_weight_of_4_13 = '1' else blend1_g_1_2_13;
     -- UQ-1.14: shifted
     blend1_g_2_1_by_4_13 <= blend1_g_2_1_either_4_13;
     -- UQ0.13: two neighbours
@@ -2842,51 +2863,27 @@ begin
     blend1_b_1_3_13 <=
         resize(blend1_b_1_3_sum_2_0_13, 13) + shift_left(resize(blend1_b_1_3_sum_1_2_13, 13), 3);
     -- UQ0.13: either of both
-    blend1_b_2_0_either_whole_13 <= blend1_b_1_1_13 when v1_odd_whole_13 = '1' else blend1_b_1_0_13;
+    blend1_b_2_1_either_first_13 <= blend1_b_1_3_13 when v1_is_odd_13 = '1' else blend1_b_1_2_13;
     -- UQ-5.18: shifted
-    blend1_b_2_0_by_whole_13 <= blend1_b_2_0_either_whole_13;
+    blend1_b_2_1_by_first_13 <= blend1_b_2_1_either_first_13;
     -- UQ0.13: either of both
-    blend1_b_2_0_either_0_13 <= blend1_b_1_1_13 when v1_odd_of_0_13 = '1' else blend1_b_1_0_13;
-    -- UQ-5.18: shifted
-    blend1_b_2_0_by_0_13 <= blend1_b_2_0_either_0_13;
-    -- UQ0.13: either of both
-    blend1_b_2_0_either_1_13 <= blend1_b_1_1_13 when v1_odd_of_1_13 = '1' else blend1_b_1_0_13;
-    -- UQ-4.17: shifted
-    blend1_b_2_0_by_1_13 <= blend1_b_2_0_either_1_13;
-    -- UQ0.13: either of both
-    blend1_b_2_0_either_2_13 <= blend1_b_1_1_13 when v1_odd_of_2_13 = '1' else blend1_b_1_0_13;
-    -- UQ-3.16: shifted
-    blend1_b_2_0_by_2_13 <= blend1_b_2_0_either_2_13;
-    -- UQ0.13: either of both
-    blend1_b_2_0_either_3_13 <= blend1_b_1_1_13 when v1_odd_of_3_13 = '1' else blend1_b_1_0_13;
-    -- UQ-2.15: shifted
-    blend1_b_2_0_by_3_13 <= blend1_b_2_0_either_3_13;
-    -- UQ0.13: either of both
-    blend1_b_2_0_either_4_13 <= blend1_b_1_1_13 when v1_odd_of_4_13 = '1' else blend1_b_1_0_13;
-    -- UQ-1.14: shifted
-    blend1_b_2_0_by_4_13 <= blend1_b_2_0_either_4_13;
-    -- UQ0.13: either of both
-    blend1_b_2_1_either_whole_13 <= blend1_b_1_3_13 when v1_odd_whole_13 = '1' else blend1_b_1_2_13;
-    -- UQ-5.18: shifted
-    blend1_b_2_1_by_whole_13 <= blend1_b_2_1_either_whole_13;
-    -- UQ0.13: either of both
-    blend1_b_2_1_either_0_13 <= blend1_b_1_3_13 when v1_odd_of_0_13 = '1' else blend1_b_1_2_13;
+    blend1_b_2_1_either_0_13 <= blend1_b_1_3_13 when v1_weight_of_0_13 = '1' else blend1_b_1_2_13;
     -- UQ-5.18: shifted
     blend1_b_2_1_by_0_13 <= blend1_b_2_1_either_0_13;
     -- UQ0.13: either of both
-    blend1_b_2_1_either_1_13 <= blend1_b_1_3_13 when v1_odd_of_1_13 = '1' else blend1_b_1_2_13;
+    blend1_b_2_1_either_1_13 <= blend1_b_1_3_13 when v1_weight_of_1_13 = '1' else blend1_b_1_2_13;
     -- UQ-4.17: shifted
     blend1_b_2_1_by_1_13 <= blend1_b_2_1_either_1_13;
     -- UQ0.13: either of both
-    blend1_b_2_1_either_2_13 <= blend1_b_1_3_13 when v1_odd_of_2_13 = '1' else blend1_b_1_2_13;
+    blend1_b_2_1_either_2_13 <= blend1_b_1_3_13 when v1_weight_of_2_13 = '1' else blend1_b_1_2_13;
     -- UQ-3.16: shifted
     blend1_b_2_1_by_2_13 <= blend1_b_2_1_either_2_13;
     -- UQ0.13: either of both
-    blend1_b_2_1_either_3_13 <= blend1_b_1_3_13 when v1_odd_of_3_13 = '1' else blend1_b_1_2_13;
+    blend1_b_2_1_either_3_13 <= blend1_b_1_3_13 when v1_weight_of_3_13 = '1' else blend1_b_1_2_13;
     -- UQ-2.15: shifted
     blend1_b_2_1_by_3_13 <= blend1_b_2_1_either_3_13;
     -- UQ0.13: either of both
-    blend1_b_2_1_either_4_13 <= blend1_b_1_3_13 when v1_odd_of_4_13 = '1' else blend1_b_1_2_13;
+    blend1_b_2_1_either_4_13 <= blend1_b_1_3_13 when v1_weight_of_4_13 = '1' else blend1_b_1_2_13;
     -- UQ-1.14: shifted
     blend1_b_2_1_by_4_13 <= blend1_b_2_1_either_4_13;
     process (clk) is
@@ -2897,38 +2894,23 @@ begin
                 in_gain1g_14 <= in_gain1g_13;
                 in_gain1b_14 <= in_gain1b_13;
                 nl1_14 <= nl1_13;
-                blend1_r_2_0_by_whole_14 <= blend1_r_2_0_by_whole_13;
-                blend1_r_2_0_by_0_14 <= blend1_r_2_0_by_0_13;
-                blend1_r_2_0_by_1_14 <= blend1_r_2_0_by_1_13;
-                blend1_r_2_0_by_2_14 <= blend1_r_2_0_by_2_13;
-                blend1_r_2_0_by_3_14 <= blend1_r_2_0_by_3_13;
-                blend1_r_2_0_by_4_14 <= blend1_r_2_0_by_4_13;
-                blend1_r_2_1_by_whole_14 <= blend1_r_2_1_by_whole_13;
-                blend1_r_2_1_by_0_14 <= blend1_r_2_1_by_0_13;
-                blend1_r_2_1_by_1_14 <= blend1_r_2_1_by_1_13;
-                blend1_r_2_1_by_2_14 <= blend1_r_2_1_by_2_13;
-                blend1_r_2_1_by_3_14 <= blend1_r_2_1_by_3_13;
-                blend1_r_2_1_by_4_14 <= blend1_r_2_1_by_4_13;
+                blend1_r_1_0_14 <= blend1_r_1_0_13;
+                blend1_r_1_1_14 <= blend1_r_1_1_13;
+                blend1_r_1_2_14 <= blend1_r_1_2_13;
+                blend1_r_1_3_14 <= blend1_r_1_3_13;
+                v1_odd_signed_14 <= v1_odd_signed_13;
                 blend1_signed_14 <= blend1_signed_13;
-                blend1_g_2_0_by_whole_14 <= blend1_g_2_0_by_whole_13;
-                blend1_g_2_0_by_0_14 <= blend1_g_2_0_by_0_13;
-                blend1_g_2_0_by_1_14 <= blend1_g_2_0_by_1_13;
-                blend1_g_2_0_by_2_14 <= blend1_g_2_0_by_2_13;
-                blend1_g_2_0_by_3_14 <= blend1_g_2_0_by_3_13;
-                blend1_g_2_0_by_4_14 <= blend1_g_2_0_by_4_13;
-                blend1_g_2_1_by_whole_14 <= blend1_g_2_1_by_whole_13;
+                blend1_g_1_0_14 <= blend1_g_1_0_13;
+                blend1_g_1_1_14 <= blend1_g_1_1_13;
+                blend1_g_2_1_by_first_14 <= blend1_g_2_1_by_first_13;
                 blend1_g_2_1_by_0_14 <= blend1_g_2_1_by_0_13;
                 blend1_g_2_1_by_1_14 <= blend1_g_2_1_by_1_13;
                 blend1_g_2_1_by_2_14 <= blend1_g_2_1_by_2_13;
                 blend1_g_2_1_by_3_14 <= blend1_g_2_1_by_3_13;
                 blend1_g_2_1_by_4_14 <= blend1_g_2_1_by_4_13;
-                blend1_b_2_0_by_whole_14 <= blend1_b_2_0_by_whole_13;
-                blend1_b_2_0_by_0_14 <= blend1_b_2_0_by_0_13;
-                blend1_b_2_0_by_1_14 <= blend1_b_2_0_by_1_13;
-                blend1_b_2_0_by_2_14 <= blend1_b_2_0_by_2_13;
-                blend1_b_2_0_by_3_14 <= blend1_b_2_0_by_3_13;
-                blend1_b_2_0_by_4_14 <= blend1_b_2_0_by_4_13;
-                blend1_b_2_1_by_whole_14 <= blend1_b_2_1_by_whole_13;
+                blend1_b_1_0_14 <= blend1_b_1_0_13;
+                blend1_b_1_1_14 <= blend1_b_1_1_13;
+                blend1_b_2_1_by_first_14 <= blend1_b_2_1_by_first_13;
                 blend1_b_2_1_by_0_14 <= blend1_b_2_1_by_0_13;
                 blend1_b_2_1_by_1_14 <= blend1_b_2_1_by_1_13;
                 blend1_b_2_1_by_2_14 <= blend1_b_2_1_by_2_13;
@@ -2938,55 +2920,31 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 14: blend1_r_2_0_sum_1_0, blend1_r_2_0_sum_1_1 and 16 more
-    -- UQ-4.18: the sum of two
-    blend1_r_2_0_sum_1_0_14 <=
-        resize(blend1_r_2_0_by_whole_14, 14) + resize(blend1_r_2_0_by_0_14, 14);
-    -- UQ-2.17: the sum of two
-    blend1_r_2_0_sum_1_1_14 <=
-        resize(blend1_r_2_0_by_1_14, 15) + shift_left(resize(blend1_r_2_0_by_2_14, 15), 1);
-    -- UQ0.15: the sum of two
-    blend1_r_2_0_sum_1_2_14 <=
-        resize(blend1_r_2_0_by_3_14, 15) + shift_left(resize(blend1_r_2_0_by_4_14, 15), 1);
-    -- UQ-4.18: the sum of two
-    blend1_r_2_1_sum_1_0_14 <=
-        resize(blend1_r_2_1_by_whole_14, 14) + resize(blend1_r_2_1_by_0_14, 14);
-    -- UQ-2.17: the sum of two
-    blend1_r_2_1_sum_1_1_14 <=
-        resize(blend1_r_2_1_by_1_14, 15) + shift_left(resize(blend1_r_2_1_by_2_14, 15), 1);
-    -- UQ0.15: the sum of two
-    blend1_r_2_1_sum_1_2_14 <=
-        resize(blend1_r_2_1_by_3_14, 15) + shift_left(resize(blend1_r_2_1_by_4_14, 15), 1);
-    -- UQ-4.18: the sum of two
-    blend1_g_2_0_sum_1_0_14 <=
-        resize(blend1_g_2_0_by_whole_14, 14) + resize(blend1_g_2_0_by_0_14, 14);
-    -- UQ-2.17: the sum of two
-    blend1_g_2_0_sum_1_1_14 <=
-        resize(blend1_g_2_0_by_1_14, 15) + shift_left(resize(blend1_g_2_0_by_2_14, 15), 1);
-    -- UQ0.15: the sum of two
-    blend1_g_2_0_sum_1_2_14 <=
-        resize(blend1_g_2_0_by_3_14, 15) + shift_left(resize(blend1_g_2_0_by_4_14, 15), 1);
+    -- ===== Stage 14: blend1_r_2_0_apart, blend1_r_2_1_apart, blend1_g_2_0_apart and 7 more
+    -- Q0.13: the difference
+    blend1_r_2_0_apart_14 <=
+        signed(resize(blend1_r_1_1_14, 14)) - signed(resize(blend1_r_1_0_14, 14));
+    -- Q0.13: the difference
+    blend1_r_2_1_apart_14 <=
+        signed(resize(blend1_r_1_3_14, 14)) - signed(resize(blend1_r_1_2_14, 14));
+    -- Q0.13: the difference
+    blend1_g_2_0_apart_14 <=
+        signed(resize(blend1_g_1_1_14, 14)) - signed(resize(blend1_g_1_0_14, 14));
     -- UQ-4.18: the sum of two
     blend1_g_2_1_sum_1_0_14 <=
-        resize(blend1_g_2_1_by_whole_14, 14) + resize(blend1_g_2_1_by_0_14, 14);
+        resize(blend1_g_2_1_by_first_14, 14) + resize(blend1_g_2_1_by_0_14, 14);
     -- UQ-2.17: the sum of two
     blend1_g_2_1_sum_1_1_14 <=
         resize(blend1_g_2_1_by_1_14, 15) + shift_left(resize(blend1_g_2_1_by_2_14, 15), 1);
     -- UQ0.15: the sum of two
     blend1_g_2_1_sum_1_2_14 <=
         resize(blend1_g_2_1_by_3_14, 15) + shift_left(resize(blend1_g_2_1_by_4_14, 15), 1);
-    -- UQ-4.18: the sum of two
-    blend1_b_2_0_sum_1_0_14 <=
-        resize(blend1_b_2_0_by_whole_14, 14) + resize(blend1_b_2_0_by_0_14, 14);
-    -- UQ-2.17: the sum of two
-    blend1_b_2_0_sum_1_1_14 <=
-        resize(blend1_b_2_0_by_1_14, 15) + shift_left(resize(blend1_b_2_0_by_2_14, 15), 1);
-    -- UQ0.15: the sum of two
-    blend1_b_2_0_sum_1_2_14 <=
-        resize(blend1_b_2_0_by_3_14, 15) + shift_left(resize(blend1_b_2_0_by_4_14, 15), 1);
+    -- Q0.13: the difference
+    blend1_b_2_0_apart_14 <=
+        signed(resize(blend1_b_1_1_14, 14)) - signed(resize(blend1_b_1_0_14, 14));
     -- UQ-4.18: the sum of two
     blend1_b_2_1_sum_1_0_14 <=
-        resize(blend1_b_2_1_by_whole_14, 14) + resize(blend1_b_2_1_by_0_14, 14);
+        resize(blend1_b_2_1_by_first_14, 14) + resize(blend1_b_2_1_by_0_14, 14);
     -- UQ-2.17: the sum of two
     blend1_b_2_1_sum_1_1_14 <=
         resize(blend1_b_2_1_by_1_14, 15) + shift_left(resize(blend1_b_2_1_by_2_14, 15), 1);
@@ -3001,22 +2959,19 @@ begin
                 in_gain1g_15 <= in_gain1g_14;
                 in_gain1b_15 <= in_gain1b_14;
                 nl1_15 <= nl1_14;
-                blend1_r_2_0_sum_1_0_15 <= blend1_r_2_0_sum_1_0_14;
-                blend1_r_2_0_sum_1_1_15 <= blend1_r_2_0_sum_1_1_14;
-                blend1_r_2_0_sum_1_2_15 <= blend1_r_2_0_sum_1_2_14;
-                blend1_r_2_1_sum_1_0_15 <= blend1_r_2_1_sum_1_0_14;
-                blend1_r_2_1_sum_1_1_15 <= blend1_r_2_1_sum_1_1_14;
-                blend1_r_2_1_sum_1_2_15 <= blend1_r_2_1_sum_1_2_14;
+                blend1_r_1_0_15 <= blend1_r_1_0_14;
+                blend1_r_1_2_15 <= blend1_r_1_2_14;
+                blend1_r_2_0_apart_15 <= blend1_r_2_0_apart_14;
+                v1_odd_signed_15 <= v1_odd_signed_14;
+                blend1_r_2_1_apart_15 <= blend1_r_2_1_apart_14;
                 blend1_signed_15 <= blend1_signed_14;
-                blend1_g_2_0_sum_1_0_15 <= blend1_g_2_0_sum_1_0_14;
-                blend1_g_2_0_sum_1_1_15 <= blend1_g_2_0_sum_1_1_14;
-                blend1_g_2_0_sum_1_2_15 <= blend1_g_2_0_sum_1_2_14;
+                blend1_g_1_0_15 <= blend1_g_1_0_14;
+                blend1_g_2_0_apart_15 <= blend1_g_2_0_apart_14;
                 blend1_g_2_1_sum_1_0_15 <= blend1_g_2_1_sum_1_0_14;
                 blend1_g_2_1_sum_1_1_15 <= blend1_g_2_1_sum_1_1_14;
                 blend1_g_2_1_sum_1_2_15 <= blend1_g_2_1_sum_1_2_14;
-                blend1_b_2_0_sum_1_0_15 <= blend1_b_2_0_sum_1_0_14;
-                blend1_b_2_0_sum_1_1_15 <= blend1_b_2_0_sum_1_1_14;
-                blend1_b_2_0_sum_1_2_15 <= blend1_b_2_0_sum_1_2_14;
+                blend1_b_1_0_15 <= blend1_b_1_0_14;
+                blend1_b_2_0_apart_15 <= blend1_b_2_0_apart_14;
                 blend1_b_2_1_sum_1_0_15 <= blend1_b_2_1_sum_1_0_14;
                 blend1_b_2_1_sum_1_1_15 <= blend1_b_2_1_sum_1_1_14;
                 blend1_b_2_1_sum_1_2_15 <= blend1_b_2_1_sum_1_2_14;
@@ -3024,22 +2979,18 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 15: blend1_r_2_0_sum_2_0, blend1_r_2_1_sum_2_0 and 4 more
-    -- UQ-2.18: the sum of two
-    blend1_r_2_0_sum_2_0_15 <=
-        resize(blend1_r_2_0_sum_1_0_15, 16) + shift_left(resize(blend1_r_2_0_sum_1_1_15, 16), 1);
-    -- UQ-2.18: the sum of two
-    blend1_r_2_1_sum_2_0_15 <=
-        resize(blend1_r_2_1_sum_1_0_15, 16) + shift_left(resize(blend1_r_2_1_sum_1_1_15, 16), 1);
-    -- UQ-2.18: the sum of two
-    blend1_g_2_0_sum_2_0_15 <=
-        resize(blend1_g_2_0_sum_1_0_15, 16) + shift_left(resize(blend1_g_2_0_sum_1_1_15, 16), 1);
+    -- ===== Stage 15: blend1_r_2_0_part, blend1_r_2_1_part, blend1_g_2_0_part and 3 more
+    -- Q2.18: its part
+    blend1_r_2_0_part_15 <= blend1_r_2_0_apart_15 * v1_odd_signed_15;
+    -- Q2.18: its part
+    blend1_r_2_1_part_15 <= blend1_r_2_1_apart_15 * v1_odd_signed_15;
+    -- Q2.18: its part
+    blend1_g_2_0_part_15 <= blend1_g_2_0_apart_15 * v1_odd_signed_15;
     -- UQ-2.18: the sum of two
     blend1_g_2_1_sum_2_0_15 <=
         resize(blend1_g_2_1_sum_1_0_15, 16) + shift_left(resize(blend1_g_2_1_sum_1_1_15, 16), 1);
-    -- UQ-2.18: the sum of two
-    blend1_b_2_0_sum_2_0_15 <=
-        resize(blend1_b_2_0_sum_1_0_15, 16) + shift_left(resize(blend1_b_2_0_sum_1_1_15, 16), 1);
+    -- Q2.18: its part
+    blend1_b_2_0_part_15 <= blend1_b_2_0_apart_15 * v1_odd_signed_15;
     -- UQ-2.18: the sum of two
     blend1_b_2_1_sum_2_0_15 <=
         resize(blend1_b_2_1_sum_1_0_15, 16) + shift_left(resize(blend1_b_2_1_sum_1_1_15, 16), 1);
@@ -3051,17 +3002,17 @@ begin
                 in_gain1g_16 <= in_gain1g_15;
                 in_gain1b_16 <= in_gain1b_15;
                 nl1_16 <= nl1_15;
-                blend1_r_2_0_sum_1_2_16 <= blend1_r_2_0_sum_1_2_15;
-                blend1_r_2_0_sum_2_0_16 <= blend1_r_2_0_sum_2_0_15;
-                blend1_r_2_1_sum_1_2_16 <= blend1_r_2_1_sum_1_2_15;
-                blend1_r_2_1_sum_2_0_16 <= blend1_r_2_1_sum_2_0_15;
+                blend1_r_1_0_16 <= blend1_r_1_0_15;
+                blend1_r_1_2_16 <= blend1_r_1_2_15;
+                blend1_r_2_0_part_16 <= blend1_r_2_0_part_15;
+                blend1_r_2_1_part_16 <= blend1_r_2_1_part_15;
                 blend1_signed_16 <= blend1_signed_15;
-                blend1_g_2_0_sum_1_2_16 <= blend1_g_2_0_sum_1_2_15;
-                blend1_g_2_0_sum_2_0_16 <= blend1_g_2_0_sum_2_0_15;
+                blend1_g_1_0_16 <= blend1_g_1_0_15;
+                blend1_g_2_0_part_16 <= blend1_g_2_0_part_15;
                 blend1_g_2_1_sum_1_2_16 <= blend1_g_2_1_sum_1_2_15;
                 blend1_g_2_1_sum_2_0_16 <= blend1_g_2_1_sum_2_0_15;
-                blend1_b_2_0_sum_1_2_16 <= blend1_b_2_0_sum_1_2_15;
-                blend1_b_2_0_sum_2_0_16 <= blend1_b_2_0_sum_2_0_15;
+                blend1_b_1_0_16 <= blend1_b_1_0_15;
+                blend1_b_2_0_part_16 <= blend1_b_2_0_part_15;
                 blend1_b_2_1_sum_1_2_16 <= blend1_b_2_1_sum_1_2_15;
                 blend1_b_2_1_sum_2_0_16 <= blend1_b_2_1_sum_2_0_15;
             end if;
@@ -3071,17 +3022,17 @@ begin
     -- ===== Stage 16: blend1_r_2_0, blend1_r_2_1, blend1_g_2_0, blend1_g_2_1 and 2 more
     -- UQ0.18: two neighbours
     blend1_r_2_0_16 <=
-        resize(blend1_r_2_0_sum_2_0_16, 18) + shift_left(resize(blend1_r_2_0_sum_1_2_16, 18), 3);
+        shift_left(resize(blend1_r_1_0_16, 18), 5) + unsigned(blend1_r_2_0_part_16(17 downto 0));
     -- UQ0.18: two neighbours
     blend1_r_2_1_16 <=
-        resize(blend1_r_2_1_sum_2_0_16, 18) + shift_left(resize(blend1_r_2_1_sum_1_2_16, 18), 3);
+        shift_left(resize(blend1_r_1_2_16, 18), 5) + unsigned(blend1_r_2_1_part_16(17 downto 0));
     -- UQ0.17: rounded down to a multiplier's operand
     blend1_r_2_0_cut_16 <= blend1_r_2_0_16(17 downto 1);
     -- UQ0.17: rounded down to a multiplier's operand
     blend1_r_2_1_cut_16 <= blend1_r_2_1_16(17 downto 1);
     -- UQ0.18: two neighbours
     blend1_g_2_0_16 <=
-        resize(blend1_g_2_0_sum_2_0_16, 18) + shift_left(resize(blend1_g_2_0_sum_1_2_16, 18), 3);
+        shift_left(resize(blend1_g_1_0_16, 18), 5) + unsigned(blend1_g_2_0_part_16(17 downto 0));
     -- UQ0.18: two neighbours
     blend1_g_2_1_16 <=
         resize(blend1_g_2_1_sum_2_0_16, 18) + shift_left(resize(blend1_g_2_1_sum_1_2_16, 18), 3);
@@ -3091,7 +3042,7 @@ begin
     blend1_g_2_1_cut_16 <= blend1_g_2_1_16(17 downto 1);
     -- UQ0.18: two neighbours
     blend1_b_2_0_16 <=
-        resize(blend1_b_2_0_sum_2_0_16, 18) + shift_left(resize(blend1_b_2_0_sum_1_2_16, 18), 3);
+        shift_left(resize(blend1_b_1_0_16, 18), 5) + unsigned(blend1_b_2_0_part_16(17 downto 0));
     -- UQ0.18: two neighbours
     blend1_b_2_1_16 <=
         resize(blend1_b_2_1_sum_2_0_16, 18) + shift_left(resize(blend1_b_2_1_sum_1_2_16, 18), 3);
@@ -3250,19 +3201,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 22: lit1_r_exact, lit1_g_exact, lit1_b_exact
-    -- UQ7.29: n.l times the square
-    lit1_r_exact_22 <= nl1_22 * square1_r_22;
-    -- UQ7.11: rounded down
-    lit1_r_22 <= lit1_r_exact_22(35 downto 18);
-    -- UQ7.29: n.l times the square
-    lit1_g_exact_22 <= nl1_22 * square1_g_22;
-    -- UQ7.11: rounded down
-    lit1_g_22 <= lit1_g_exact_22(35 downto 18);
-    -- UQ7.29: n.l times the square
-    lit1_b_exact_22 <= nl1_22 * square1_b_22;
-    -- UQ7.11: rounded down
-    lit1_b_22 <= lit1_b_exact_22(35 downto 18);
+    -- ===== Stage 22: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -3270,61 +3209,104 @@ begin
                 in_gain1r_23 <= in_gain1r_22;
                 in_gain1g_23 <= in_gain1g_22;
                 in_gain1b_23 <= in_gain1b_22;
-                lit1_r_23 <= lit1_r_22;
-                lit1_g_23 <= lit1_g_22;
-                lit1_b_23 <= lit1_b_22;
+                nl1_23 <= nl1_22;
+                square1_r_23 <= square1_r_22;
+                square1_g_23 <= square1_g_22;
+                square1_b_23 <= square1_b_22;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 23: light1_r_exact, light1_g_exact, light1_b_exact
-    -- UQ8.28: times the gain
-    light1_r_exact_23 <= lit1_r_23 * in_gain1r_23;
-    -- UQ8.17: rounded down
-    light1_r_23 <= light1_r_exact_23(35 downto 11);
-    -- UQ8.28: times the gain
-    light1_g_exact_23 <= lit1_g_23 * in_gain1g_23;
-    -- UQ8.17: rounded down
-    light1_g_23 <= light1_g_exact_23(35 downto 11);
-    -- UQ8.28: times the gain
-    light1_b_exact_23 <= lit1_b_23 * in_gain1b_23;
-    -- UQ8.17: rounded down
-    light1_b_23 <= light1_b_exact_23(35 downto 11);
+    -- ===== Stage 23: lit1_r_exact, lit1_g_exact, lit1_b_exact
+    -- UQ7.29: n.l times the square
+    lit1_r_exact_23 <= nl1_23 * square1_r_23;
+    -- UQ7.11: rounded down
+    lit1_r_23 <= lit1_r_exact_23(35 downto 18);
+    -- UQ7.29: n.l times the square
+    lit1_g_exact_23 <= nl1_23 * square1_g_23;
+    -- UQ7.11: rounded down
+    lit1_g_23 <= lit1_g_exact_23(35 downto 18);
+    -- UQ7.29: n.l times the square
+    lit1_b_exact_23 <= nl1_23 * square1_b_23;
+    -- UQ7.11: rounded down
+    lit1_b_23 <= lit1_b_exact_23(35 downto 18);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                light1_r_24 <= light1_r_23;
-                light1_g_24 <= light1_g_23;
-                light1_b_24 <= light1_b_23;
+                in_gain1r_24 <= in_gain1r_23;
+                in_gain1g_24 <= in_gain1g_23;
+                in_gain1b_24 <= in_gain1b_23;
+                lit1_r_24 <= lit1_r_23;
+                lit1_g_24 <= lit1_g_23;
+                lit1_b_24 <= lit1_b_23;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 24: sum_r, sum_g, sum_b
-    -- UQ1.17: kept at 1.0
-    sum_r_24 <= (17 => '1', others => '0') when unsigned(light1_r_24(24 downto 17)) /= 0 else
-        light1_r_24(17 downto 0);
-    -- UQ1.17: kept at 1.0
-    sum_g_24 <= (17 => '1', others => '0') when unsigned(light1_g_24(24 downto 17)) /= 0 else
-        light1_g_24(17 downto 0);
-    -- UQ1.17: kept at 1.0
-    sum_b_24 <= (17 => '1', others => '0') when unsigned(light1_b_24(24 downto 17)) /= 0 else
-        light1_b_24(17 downto 0);
+    -- ===== Stage 24: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                sum_r_25 <= sum_r_24;
-                sum_g_25 <= sum_g_24;
-                sum_b_25 <= sum_b_24;
+                in_gain1r_25 <= in_gain1r_24;
+                in_gain1g_25 <= in_gain1g_24;
+                in_gain1b_25 <= in_gain1b_24;
+                lit1_r_25 <= lit1_r_24;
+                lit1_g_25 <= lit1_g_24;
+                lit1_b_25 <= lit1_b_24;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(25);
-    out_sum_r <= sum_r_25;
-    out_sum_g <= sum_g_25;
-    out_sum_b <= sum_b_25;
+    -- ===== Stage 25: light1_r_exact, light1_g_exact, light1_b_exact
+    -- UQ8.28: times the gain
+    light1_r_exact_25 <= lit1_r_25 * in_gain1r_25;
+    -- UQ8.17: rounded down
+    light1_r_25 <= light1_r_exact_25(35 downto 11);
+    -- UQ8.28: times the gain
+    light1_g_exact_25 <= lit1_g_25 * in_gain1g_25;
+    -- UQ8.17: rounded down
+    light1_g_25 <= light1_g_exact_25(35 downto 11);
+    -- UQ8.28: times the gain
+    light1_b_exact_25 <= lit1_b_25 * in_gain1b_25;
+    -- UQ8.17: rounded down
+    light1_b_25 <= light1_b_exact_25(35 downto 11);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                light1_r_26 <= light1_r_25;
+                light1_g_26 <= light1_g_25;
+                light1_b_26 <= light1_b_25;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 26: sum_r, sum_g, sum_b
+    -- UQ1.17: kept at 1.0
+    sum_r_26 <= (17 => '1', others => '0') when unsigned(light1_r_26(24 downto 17)) /= 0 else
+        light1_r_26(17 downto 0);
+    -- UQ1.17: kept at 1.0
+    sum_g_26 <= (17 => '1', others => '0') when unsigned(light1_g_26(24 downto 17)) /= 0 else
+        light1_g_26(17 downto 0);
+    -- UQ1.17: kept at 1.0
+    sum_b_26 <= (17 => '1', others => '0') when unsigned(light1_b_26(24 downto 17)) /= 0 else
+        light1_b_26(17 downto 0);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                sum_r_27 <= sum_r_26;
+                sum_g_27 <= sum_g_26;
+                sum_b_27 <= sum_b_26;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(27);
+    out_sum_r <= sum_r_27;
+    out_sum_g <= sum_g_27;
+    out_sum_b <= sum_b_27;
 
 end architecture rtl;

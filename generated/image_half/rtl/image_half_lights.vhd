@@ -1,14 +1,14 @@
 -- image_half_lights: the lights of a sample in sequence through the core image_half
 --
 -- Made by: brdfgen generate core.toml
--- Spec 0ea215276951d7d2. Generated; the sequencer is yours to use under any terms.
+-- Spec c91e1a366b8521bb. Generated; the sequencer is yours to use under any terms.
 --
 --   in_last   1 bit   with the lights of this clock the sample ends
 --   out_r     UQ8.0   red; 255 is full scale
 --   out_g     UQ8.0   green; 255 is full scale
 --   out_b     UQ8.0   blue; 255 is full scale
 --
--- A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
+-- A sample is any number of clocks' lights, the last with in_last. Latency 29 clocks from
 -- there; lights at every clock, and no pause between samples.
 
 library ieee;
@@ -79,7 +79,7 @@ entity image_half_lights is
         in_gain1g : in  unsigned(17 downto 0);
         -- UQ1.17: blue of light 1's gain
         in_gain1b : in  unsigned(17 downto 0);
-        -- the other outputs are a sample: 27 enabled clocks behind its in_last
+        -- the other outputs are a sample: 29 enabled clocks behind its in_last
         out_valid : out std_logic;
         -- UQ8.0: red; 255 is full scale
         out_r     : out unsigned(7 downto 0);
@@ -93,31 +93,35 @@ end entity image_half_lights;
 architecture rtl of image_half_lights is
 
     -- Valid chain of whole samples: a bit where one's last lights are, in step with the core.
-    signal valid     : std_logic_vector(27 downto 1) := (others => '0');
-    -- Whether the next lights out of the core are the first of their sample.
-    signal begins    : std_logic := '1';
+    signal valid     : std_logic_vector(29 downto 1) := (others => '0');
     signal sum_valid : std_logic := '0';
     signal out_sum_r : unsigned(17 downto 0) := (others => '0');
     signal out_sum_g : unsigned(17 downto 0) := (others => '0');
     signal out_sum_b : unsigned(17 downto 0) := (others => '0');
-    signal start_r : unsigned(17 downto 0) := (others => '0');
-    signal sum_r   : unsigned(18 downto 0) := (others => '0');
-    signal total_r : unsigned(16 downto 0) := (others => '0');
-    signal full_r  : std_logic := '0';
-    signal near_r  : unsigned(17 downto 0) := (others => '0');
-    signal code_r  : unsigned(7 downto 0) := (others => '0');
-    signal start_g : unsigned(17 downto 0) := (others => '0');
-    signal sum_g   : unsigned(18 downto 0) := (others => '0');
-    signal total_g : unsigned(16 downto 0) := (others => '0');
-    signal full_g  : std_logic := '0';
-    signal near_g  : unsigned(17 downto 0) := (others => '0');
-    signal code_g  : unsigned(7 downto 0) := (others => '0');
-    signal start_b : unsigned(17 downto 0) := (others => '0');
-    signal sum_b   : unsigned(18 downto 0) := (others => '0');
-    signal total_b : unsigned(16 downto 0) := (others => '0');
-    signal full_b  : std_logic := '0';
-    signal near_b  : unsigned(17 downto 0) := (others => '0');
-    signal code_b  : unsigned(7 downto 0) := (others => '0');
+    -- Half a code and the lights of a sample so far, below 1.0, and whether they have reached that.
+    signal so_far_r   : unsigned(16 downto 0) := to_unsigned(256, 17);
+    signal was_full_r : std_logic := '0';
+    signal sum_r      : unsigned(18 downto 0) := (others => '0');
+    signal is_full_r  : std_logic := '0';
+    signal total_r    : unsigned(16 downto 0) := (others => '0');
+    signal full_r     : std_logic := '0';
+    signal code_r     : unsigned(7 downto 0) := (others => '0');
+    -- Half a code and the lights of a sample so far, below 1.0, and whether they have reached that.
+    signal so_far_g   : unsigned(16 downto 0) := to_unsigned(256, 17);
+    signal was_full_g : std_logic := '0';
+    signal sum_g      : unsigned(18 downto 0) := (others => '0');
+    signal is_full_g  : std_logic := '0';
+    signal total_g    : unsigned(16 downto 0) := (others => '0');
+    signal full_g     : std_logic := '0';
+    signal code_g     : unsigned(7 downto 0) := (others => '0');
+    -- Half a code and the lights of a sample so far, below 1.0, and whether they have reached that.
+    signal so_far_b   : unsigned(16 downto 0) := to_unsigned(256, 17);
+    signal was_full_b : std_logic := '0';
+    signal sum_b      : unsigned(18 downto 0) := (others => '0');
+    signal is_full_b  : std_logic := '0';
+    signal total_b    : unsigned(16 downto 0) := (others => '0');
+    signal full_b     : std_logic := '0';
+    signal code_b     : unsigned(7 downto 0) := (others => '0');
 
 begin
 
@@ -166,81 +170,74 @@ begin
     begin
         if rising_edge(clk) then
             if rst = '1' then
-                valid  <= (others => '0');
-                begins <= '1';
+                valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(26 downto 1) & (in_valid and in_last);
-                if sum_valid = '1' then
-                    begins <= valid(25);
-                end if;
+                valid <= valid(28 downto 1) & (in_valid and in_last);
             end if;
         end if;
     end process;
 
-    -- ===== Stage 26: the sum of a sample's lights below 1.0, and whether it has reached that
-    start_r <= (others => '0') when begins = '1' else
-        '0' & total_r;
-    sum_r   <= resize(start_r, 19) + unsigned(out_sum_r);
-    start_g <= (others => '0') when begins = '1' else
-        '0' & total_g;
-    sum_g   <= resize(start_g, 19) + unsigned(out_sum_g);
-    start_b <= (others => '0') when begins = '1' else
-        '0' & total_b;
-    sum_b   <= resize(start_b, 19) + unsigned(out_sum_b);
+    -- ===== Stage 28: half a code and a sample's lights below 1.0, and whether they have reached that
+    sum_r     <= resize(so_far_r, 19) + unsigned(out_sum_r);
+    is_full_r <= was_full_r or sum_r(18) or sum_r(17);
+    sum_g     <= resize(so_far_g, 19) + unsigned(out_sum_g);
+    is_full_g <= was_full_g or sum_g(18) or sum_g(17);
+    sum_b     <= resize(so_far_b, 19) + unsigned(out_sum_b);
+    is_full_b <= was_full_b or sum_b(18) or sum_b(17);
     process (clk) is
     begin
         if rising_edge(clk) then
+            if rst = '1' or (ce = '1' and valid(27) = '1') then
+                so_far_r   <= to_unsigned(256, 17);
+                was_full_r <= '0';
+                so_far_g   <= to_unsigned(256, 17);
+                was_full_g <= '0';
+                so_far_b   <= to_unsigned(256, 17);
+                was_full_b <= '0';
+            elsif ce = '1' and sum_valid = '1' then
+                so_far_r   <= sum_r(16 downto 0);
+                was_full_r <= is_full_r;
+                so_far_g   <= sum_g(16 downto 0);
+                was_full_g <= is_full_g;
+                so_far_b   <= sum_b(16 downto 0);
+                was_full_b <= is_full_b;
+            end if;
             if ce = '1' and sum_valid = '1' then
                 total_r <= sum_r(16 downto 0);
-                if sum_r(18 downto 17) /= "00" then
-                    full_r <= '1';
-                elsif begins = '1' then
-                    full_r <= '0';
-                end if;
+                full_r  <= is_full_r;
                 total_g <= sum_g(16 downto 0);
-                if sum_g(18 downto 17) /= "00" then
-                    full_g <= '1';
-                elsif begins = '1' then
-                    full_g <= '0';
-                end if;
+                full_g  <= is_full_g;
                 total_b <= sum_b(16 downto 0);
-                if sum_b(18 downto 17) /= "00" then
-                    full_b <= '1';
-                elsif begins = '1' then
-                    full_b <= '0';
-                end if;
+                full_b  <= is_full_b;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 27: the nearest code, at most full scale
-    near_r <= ('0' & total_r) + 256;
-    near_g <= ('0' & total_g) + 256;
-    near_b <= ('0' & total_b) + 256;
+    -- ===== Stage 29: the code, at most full scale
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                if full_r = '1' or near_r(17) = '1' then
+                if full_r = '1' then
                     code_r <= (others => '1');
                 else
-                    code_r <= near_r(16 downto 9);
+                    code_r <= total_r(16 downto 9);
                 end if;
-                if full_g = '1' or near_g(17) = '1' then
+                if full_g = '1' then
                     code_g <= (others => '1');
                 else
-                    code_g <= near_g(16 downto 9);
+                    code_g <= total_g(16 downto 9);
                 end if;
-                if full_b = '1' or near_b(17) = '1' then
+                if full_b = '1' then
                     code_b <= (others => '1');
                 else
-                    code_b <= near_b(16 downto 9);
+                    code_b <= total_b(16 downto 9);
                 end if;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(27);
+    out_valid <= valid(29);
     out_r     <= code_r;
     out_g     <= code_g;
     out_b     <= code_b;

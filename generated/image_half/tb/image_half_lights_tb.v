@@ -1,14 +1,14 @@
 // image_half_lights: the lights of a sample in sequence through the core image_half
 //
 // Made by: brdfgen generate core.toml
-// Spec 0ea215276951d7d2. Generated; the sequencer is yours to use under any terms.
+// Spec c91e1a366b8521bb. Generated; the sequencer is yours to use under any terms.
 //
 //   in_last   1 bit   with the lights of this clock the sample ends
 //   out_r     UQ8.0   red; 255 is full scale
 //   out_g     UQ8.0   green; 255 is full scale
 //   out_b     UQ8.0   blue; 255 is full scale
 //
-// A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
+// A sample is any number of clocks' lights, the last with in_last. Latency 29 clocks from
 // there; lights at every clock, and no pause between samples.
 
 `default_nettype none
@@ -19,7 +19,7 @@ module image_half_lights_tb;
 /* verilator lint_on DECLFILENAME */
 
     localparam NAME    = "image_half_lights";
-    localparam LATENCY = 27;
+    localparam LATENCY = 29;
     localparam SHOWN   = 10; // mismatches printed; the others are only counted
 
     // The core reads its memory texels_1_even_even_even from this file, relative to the current directory.
@@ -546,6 +546,9 @@ module image_half_lights_tb;
             ce = 1'b1;
             repeat (LATENCY + 2) begin
                 present_garbage(1'b1);
+                // Without the enable a sample that has not ended is to be forgotten.
+                if (!enable)
+                    in_last = 1'b0;
                 clock;
             end
             present_garbage(1'b1); // what is presented together with rst is not taken

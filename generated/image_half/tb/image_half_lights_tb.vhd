@@ -1,14 +1,14 @@
 -- image_half_lights: the lights of a sample in sequence through the core image_half
 --
 -- Made by: brdfgen generate core.toml
--- Spec 0ea215276951d7d2. Generated; the sequencer is yours to use under any terms.
+-- Spec c91e1a366b8521bb. Generated; the sequencer is yours to use under any terms.
 --
 --   in_last   1 bit   with the lights of this clock the sample ends
 --   out_r     UQ8.0   red; 255 is full scale
 --   out_g     UQ8.0   green; 255 is full scale
 --   out_b     UQ8.0   blue; 255 is full scale
 --
--- A sample is any number of clocks' lights, the last with in_last. Latency 27 clocks from
+-- A sample is any number of clocks' lights, the last with in_last. Latency 29 clocks from
 -- there; lights at every clock, and no pause between samples.
 
 library ieee;
@@ -42,7 +42,7 @@ end entity;
 architecture bench of image_half_lights_tb is
 
     constant NAME    : string   := "image_half_lights";
-    constant LATENCY : positive := 27;
+    constant LATENCY : positive := 29;
     constant SHOWN   : positive := 10; -- mismatches printed; the others are only counted
 
     subtype in_nx_word is std_logic_vector(17 downto 0);
@@ -637,6 +637,10 @@ begin
             ce <= '1';
             for i in 1 to LATENCY + 2 loop
                 present_garbage('1');
+                -- Without the enable a sample that has not ended is to be forgotten.
+                if enable = '0' then
+                    in_last <= '0';
+                end if;
                 clock;
             end loop;
             present_garbage('1'); -- what is presented together with rst is not taken

@@ -2,7 +2,7 @@
  * image_paper_light: the records of lights for the core image_paper
  *
  * Made by: brdfgen generate core.toml
- * Spec ac9ccafaac21f010. Generated; the function is yours to use under any terms.
+ * Spec e91d917992f4fdd5. Generated; the function is yours to use under any terms.
  */
 
 #ifndef IMAGE_PAPER_LIGHT_H

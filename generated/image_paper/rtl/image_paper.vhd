@@ -1,7 +1,7 @@
 -- image_paper: image-based block of ggx (paper, 6 sphere images of 64 x 64 texels), 1 light a clock, 8 bits a channel
 --
 -- Made by: brdfgen generate core.toml
--- Spec ac9ccafaac21f010. Generated; the core is yours to use under any terms.
+-- Spec e91d917992f4fdd5. Generated; the core is yours to use under any terms.
 --
 --   in_nx         Q1.16   x of the unit normal, the viewer at +z
 --   in_ny         Q1.16   y of the unit normal, the viewer at +z
@@ -24,7 +24,7 @@
 --   out_sum_g     UQ1.17  green of these lights, at most 1.0
 --   out_sum_b     UQ1.17  blue of these lights, at most 1.0
 --
--- Latency 51 clocks, one result a clock.
+-- Latency 52 clocks, one result a clock.
 -- Pictures of a sphere against the exact reflectance, lit from 34 angles:
 --   41.6 dB in the mean, 27.1 dB at the worst angle.
 
@@ -101,7 +101,7 @@ entity image_paper is
         in_gain1g     : in  unsigned(17 downto 0);
         -- UQ1.17: blue of light 1's gain
         in_gain1b     : in  unsigned(17 downto 0);
-        -- the other outputs are a result: in_valid, 51 enabled clocks later
+        -- the other outputs are a result: in_valid, 52 enabled clocks later
         out_valid     : out std_logic;
         -- UQ1.17: red of these lights, at most 1.0
         out_sum_r     : out unsigned(17 downto 0);
@@ -421,7 +421,7 @@ architecture rtl of image_paper is
     constant TEXELS_1_ODD_ODD_ODD : texels_1_odd_odd_odd_t := read_texels_1_odd_odd_odd(TEXELS_1_ODD_ODD_ODD_FILE);
     signal texels_1_odd_odd_odd_35 : std_logic_vector(23 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(51 downto 1) := (others => '0');
+    signal valid : std_logic_vector(52 downto 1) := (others => '0');
     signal nz_kept_0 : unsigned(16 downto 0) := (others => '0');
     signal seen_0 : std_logic := '0';
     signal hidden_0 : std_logic := '0';
@@ -454,6 +454,18 @@ architecture rtl of image_paper is
     signal texels1_11_0 : unsigned(1 downto 0) := (others => '0');
     signal texels1_11_v2_0 : unsigned(1 downto 0) := (others => '0');
     signal blend1_signed_0 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_0 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_by_2_0 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_0 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_0 : std_logic := '0';
+    signal square1_g_by_1_0 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_by_2_0 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_0 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_0 : std_logic := '0';
+    signal square1_b_by_1_0 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_by_2_0 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_0 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_0 : std_logic := '0';
     signal in_nz_1 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_1 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_1 : signed(14 downto 0) := (others => '0');
@@ -461,7 +473,6 @@ architecture rtl of image_paper is
     signal in_gain1g_1 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_1 : unsigned(17 downto 0) := (others => '0');
     signal hidden_1 : std_logic := '0';
-    signal shift1_1 : unsigned(2 downto 0) := (others => '0');
     signal band1_kept_1 : unsigned(2 downto 0) := (others => '0');
     signal v1_x_1 : signed(17 downto 0) := (others => '0');
     signal v1_y_1 : signed(17 downto 0) := (others => '0');
@@ -478,6 +489,15 @@ architecture rtl of image_paper is
     signal texels1_11_1 : unsigned(1 downto 0) := (others => '0');
     signal texels1_11_v2_1 : unsigned(1 downto 0) := (others => '0');
     signal blend1_signed_1 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_1 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_1 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_1 : std_logic := '0';
+    signal square1_g_by_1_1 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_1 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_1 : std_logic := '0';
+    signal square1_b_by_1_1 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_1 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_1 : std_logic := '0';
     signal band1_next_exact_1 : unsigned(2 downto 0) := (others => '0');
     signal v1_xy_1 : signed(18 downto 0) := (others => '0');
     signal v1_scaled_1 : signed(18 downto 0) := (others => '0');
@@ -490,7 +510,6 @@ architecture rtl of image_paper is
     signal in_gain1g_2 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_2 : unsigned(17 downto 0) := (others => '0');
     signal hidden_2 : std_logic := '0';
-    signal shift1_2 : unsigned(2 downto 0) := (others => '0');
     signal band1_next_exact_2 : unsigned(2 downto 0) := (others => '0');
     signal v1_xy_2 : signed(18 downto 0) := (others => '0');
     signal v1_scaled_2 : signed(18 downto 0) := (others => '0');
@@ -505,6 +524,15 @@ architecture rtl of image_paper is
     signal texels1_11_2 : unsigned(1 downto 0) := (others => '0');
     signal texels1_11_v2_2 : unsigned(1 downto 0) := (others => '0');
     signal blend1_signed_2 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_2 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_2 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_2 : std_logic := '0';
+    signal square1_g_by_1_2 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_2 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_2 : std_logic := '0';
+    signal square1_b_by_1_2 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_2 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_2 : std_logic := '0';
     signal band1_next_2 : unsigned(2 downto 0) := (others => '0');
     signal band1_even_high_2 : unsigned(1 downto 0) := (others => '0');
     signal band1_even_2 : unsigned(1 downto 0) := (others => '0');
@@ -524,7 +552,6 @@ architecture rtl of image_paper is
     signal in_gain1g_3 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_3 : unsigned(17 downto 0) := (others => '0');
     signal hidden_3 : std_logic := '0';
-    signal shift1_3 : unsigned(2 downto 0) := (others => '0');
     signal v1_cut_3 : signed(15 downto 0) := (others => '0');
     signal x1_3 : signed(15 downto 0) := (others => '0');
     signal u1_xyz_3 : signed(18 downto 0) := (others => '0');
@@ -541,17 +568,49 @@ architecture rtl of image_paper is
     signal texels1_11_3 : unsigned(1 downto 0) := (others => '0');
     signal texels1_11_v2_3 : unsigned(1 downto 0) := (others => '0');
     signal blend1_signed_3 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_3 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_3 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_3 : std_logic := '0';
+    signal square1_g_by_1_3 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_3 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_3 : std_logic := '0';
+    signal square1_b_by_1_3 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_3 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_3 : std_logic := '0';
     signal v1_kept_3 : unsigned(11 downto 0) := (others => '0');
     signal v1_texel_3 : unsigned(5 downto 0) := (others => '0');
     signal v1_weight_3 : unsigned(5 downto 0) := (others => '0');
     signal v1_odd_high_3 : unsigned(4 downto 0) := (others => '0');
     signal v1_odd_3 : unsigned(4 downto 0) := (others => '0');
     signal v1_is_odd_3 : std_logic := '0';
-    signal v1_weight_wide_3 : unsigned(6 downto 0) := (others => '0');
     signal u1_below_3 : std_logic := '0';
     signal u1_minus_3 : signed(18 downto 0) := (others => '0');
     signal u1_either_3 : signed(18 downto 0) := (others => '0');
     signal v1_square_3 : signed(31 downto 0) := (others => '0');
+    signal v1_weight_bit_0_3 : unsigned(0 downto 0) := (others => '0');
+    signal v1_weight_bit_1_3 : unsigned(0 downto 0) := (others => '0');
+    signal v1_weight_bit_2_3 : unsigned(0 downto 0) := (others => '0');
+    signal v1_weight_bit_3_3 : unsigned(0 downto 0) := (others => '0');
+    signal v1_weight_bit_4_3 : unsigned(0 downto 0) := (others => '0');
+    signal v1_weight_bit_5_3 : unsigned(0 downto 0) := (others => '0');
+    signal v1_weight_of_0_flag_3 : std_logic := '0';
+    signal v1_weight_of_0_not_3 : std_logic := '0';
+    signal v1_weight_of_0_3 : std_logic := '0';
+    signal v1_weight_of_1_flag_3 : std_logic := '0';
+    signal v1_weight_of_1_not_3 : std_logic := '0';
+    signal v1_weight_of_1_3 : std_logic := '0';
+    signal v1_weight_of_2_flag_3 : std_logic := '0';
+    signal v1_weight_of_2_not_3 : std_logic := '0';
+    signal v1_weight_of_2_3 : std_logic := '0';
+    signal v1_weight_of_3_flag_3 : std_logic := '0';
+    signal v1_weight_of_3_not_3 : std_logic := '0';
+    signal v1_weight_of_3_3 : std_logic := '0';
+    signal v1_weight_of_4_flag_3 : std_logic := '0';
+    signal v1_weight_of_4_not_3 : std_logic := '0';
+    signal v1_weight_of_4_3 : std_logic := '0';
+    signal v1_weight_of_5_flag_3 : std_logic := '0';
+    signal v1_weight_of_5_not_3 : std_logic := '0';
+    signal v1_weight_of_5_3 : std_logic := '0';
     signal in_nz_4 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_4 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_4 : signed(14 downto 0) := (others => '0');
@@ -559,12 +618,9 @@ architecture rtl of image_paper is
     signal in_gain1g_4 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_4 : unsigned(17 downto 0) := (others => '0');
     signal hidden_4 : std_logic := '0';
-    signal shift1_4 : unsigned(2 downto 0) := (others => '0');
     signal v1_texel_4 : unsigned(5 downto 0) := (others => '0');
-    signal v1_weight_4 : unsigned(5 downto 0) := (others => '0');
     signal v1_odd_4 : unsigned(4 downto 0) := (others => '0');
     signal v1_is_odd_4 : std_logic := '0';
-    signal v1_weight_wide_4 : unsigned(6 downto 0) := (others => '0');
     signal x1_4 : signed(15 downto 0) := (others => '0');
     signal u1_either_4 : signed(18 downto 0) := (others => '0');
     signal v1_square_4 : signed(31 downto 0) := (others => '0');
@@ -579,10 +635,23 @@ architecture rtl of image_paper is
     signal texels1_10_v2_4 : unsigned(1 downto 0) := (others => '0');
     signal texels1_11_4 : unsigned(1 downto 0) := (others => '0');
     signal texels1_11_v2_4 : unsigned(1 downto 0) := (others => '0');
+    signal v1_weight_of_0_4 : std_logic := '0';
+    signal v1_weight_of_1_4 : std_logic := '0';
+    signal v1_weight_of_2_4 : std_logic := '0';
+    signal v1_weight_of_3_4 : std_logic := '0';
+    signal v1_weight_of_4_4 : std_logic := '0';
+    signal v1_weight_of_5_4 : std_logic := '0';
     signal blend1_signed_4 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_4 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_4 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_4 : std_logic := '0';
+    signal square1_g_by_1_4 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_4 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_4 : std_logic := '0';
+    signal square1_b_by_1_4 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_4 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_4 : std_logic := '0';
     signal v1_next_exact_4 : unsigned(6 downto 0) := (others => '0');
-    signal v1_other_4 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_v2_4 : unsigned(6 downto 0) := (others => '0');
     signal u1_kept_4 : unsigned(14 downto 0) := (others => '0');
     signal rr1_exact_4 : unsigned(29 downto 0) := (others => '0');
     signal rr1_cut_4 : unsigned(17 downto 0) := (others => '0');
@@ -595,19 +664,6 @@ architecture rtl of image_paper is
     signal texels1_110_4 : unsigned(6 downto 0) := (others => '0');
     signal texel1_11_v2_4 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_4 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_4 : std_logic := '0';
-    signal v1_odd_bit_0_4 : std_logic := '0';
-    signal v1_odd_bit_1_4 : std_logic := '0';
-    signal v1_odd_bit_2_4 : std_logic := '0';
-    signal v1_odd_bit_3_4 : std_logic := '0';
-    signal v1_odd_bit_4_4 : std_logic := '0';
-    signal v1_odd_bit_5_4 : std_logic := '0';
-    signal v1_odd_of_0_4 : std_logic := '0';
-    signal v1_odd_of_1_4 : std_logic := '0';
-    signal v1_odd_of_2_4 : std_logic := '0';
-    signal v1_odd_of_3_4 : std_logic := '0';
-    signal v1_odd_of_4_4 : std_logic := '0';
-    signal v1_odd_of_5_4 : std_logic := '0';
     signal in_nz_5 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_5 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_5 : signed(14 downto 0) := (others => '0');
@@ -615,8 +671,8 @@ architecture rtl of image_paper is
     signal in_gain1g_5 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_5 : unsigned(17 downto 0) := (others => '0');
     signal hidden_5 : std_logic := '0';
-    signal shift1_5 : unsigned(2 downto 0) := (others => '0');
     signal v1_next_exact_5 : unsigned(6 downto 0) := (others => '0');
+    signal v1_is_odd_5 : std_logic := '0';
     signal x1_5 : signed(15 downto 0) := (others => '0');
     signal rr1_cut_5 : unsigned(17 downto 0) := (others => '0');
     signal u1_kept_signed_5 : signed(15 downto 0) := (others => '0');
@@ -631,14 +687,22 @@ architecture rtl of image_paper is
     signal texels1_10_v2_5 : unsigned(1 downto 0) := (others => '0');
     signal texels1_110_5 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_5 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_5 : std_logic := '0';
-    signal v1_odd_of_0_5 : std_logic := '0';
-    signal v1_odd_of_1_5 : std_logic := '0';
-    signal v1_odd_of_2_5 : std_logic := '0';
-    signal v1_odd_of_3_5 : std_logic := '0';
-    signal v1_odd_of_4_5 : std_logic := '0';
-    signal v1_odd_of_5_5 : std_logic := '0';
+    signal v1_weight_of_0_5 : std_logic := '0';
+    signal v1_weight_of_1_5 : std_logic := '0';
+    signal v1_weight_of_2_5 : std_logic := '0';
+    signal v1_weight_of_3_5 : std_logic := '0';
+    signal v1_weight_of_4_5 : std_logic := '0';
+    signal v1_weight_of_5_5 : std_logic := '0';
     signal blend1_signed_5 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_5 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_5 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_5 : std_logic := '0';
+    signal square1_g_by_1_5 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_5 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_5 : std_logic := '0';
+    signal square1_b_by_1_5 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_5 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_5 : std_logic := '0';
     signal v1_next_5 : unsigned(5 downto 0) := (others => '0');
     signal v1_even_high_5 : unsigned(4 downto 0) := (others => '0');
     signal v1_even_5 : unsigned(4 downto 0) := (others => '0');
@@ -675,8 +739,8 @@ architecture rtl of image_paper is
     signal in_gain1g_6 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_6 : unsigned(17 downto 0) := (others => '0');
     signal hidden_6 : std_logic := '0';
-    signal shift1_6 : unsigned(2 downto 0) := (others => '0');
     signal v1_even_6 : unsigned(4 downto 0) := (others => '0');
+    signal v1_is_odd_6 : std_logic := '0';
     signal x1_6 : signed(15 downto 0) := (others => '0');
     signal place1_4_6 : unsigned(0 downto 0) := (others => '0');
     signal place1_2_6 : unsigned(0 downto 0) := (others => '0');
@@ -696,14 +760,22 @@ architecture rtl of image_paper is
     signal texels1_10_v2_6 : unsigned(1 downto 0) := (others => '0');
     signal texels1_110_6 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_6 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_6 : std_logic := '0';
-    signal v1_odd_of_0_6 : std_logic := '0';
-    signal v1_odd_of_1_6 : std_logic := '0';
-    signal v1_odd_of_2_6 : std_logic := '0';
-    signal v1_odd_of_3_6 : std_logic := '0';
-    signal v1_odd_of_4_6 : std_logic := '0';
-    signal v1_odd_of_5_6 : std_logic := '0';
+    signal v1_weight_of_0_6 : std_logic := '0';
+    signal v1_weight_of_1_6 : std_logic := '0';
+    signal v1_weight_of_2_6 : std_logic := '0';
+    signal v1_weight_of_3_6 : std_logic := '0';
+    signal v1_weight_of_4_6 : std_logic := '0';
+    signal v1_weight_of_5_6 : std_logic := '0';
     signal blend1_signed_6 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_6 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_6 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_6 : std_logic := '0';
+    signal square1_g_by_1_6 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_6 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_6 : std_logic := '0';
+    signal square1_b_by_1_6 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_6 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_6 : std_logic := '0';
     signal exponent1_2_6 : unsigned(1 downto 0) := (others => '0');
     signal rest1_6 : unsigned(15 downto 0) := (others => '0');
     signal rest1_cut_6 : unsigned(8 downto 0) := (others => '0');
@@ -726,7 +798,7 @@ architecture rtl of image_paper is
     signal in_gain1g_7 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_7 : unsigned(17 downto 0) := (others => '0');
     signal hidden_7 : std_logic := '0';
-    signal shift1_7 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_7 : std_logic := '0';
     signal x1_7 : signed(15 downto 0) := (others => '0');
     signal exponent1_2_7 : unsigned(1 downto 0) := (others => '0');
     signal place1_1_7 : unsigned(0 downto 0) := (others => '0');
@@ -744,14 +816,22 @@ architecture rtl of image_paper is
     signal texels1_101_7 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_7 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_7 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_7 : std_logic := '0';
-    signal v1_odd_of_0_7 : std_logic := '0';
-    signal v1_odd_of_1_7 : std_logic := '0';
-    signal v1_odd_of_2_7 : std_logic := '0';
-    signal v1_odd_of_3_7 : std_logic := '0';
-    signal v1_odd_of_4_7 : std_logic := '0';
-    signal v1_odd_of_5_7 : std_logic := '0';
+    signal v1_weight_of_0_7 : std_logic := '0';
+    signal v1_weight_of_1_7 : std_logic := '0';
+    signal v1_weight_of_2_7 : std_logic := '0';
+    signal v1_weight_of_3_7 : std_logic := '0';
+    signal v1_weight_of_4_7 : std_logic := '0';
+    signal v1_weight_of_5_7 : std_logic := '0';
     signal blend1_signed_7 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_7 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_7 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_7 : std_logic := '0';
+    signal square1_g_by_1_7 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_7 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_7 : std_logic := '0';
+    signal square1_b_by_1_7 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_7 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_7 : std_logic := '0';
     signal exponent1_1_7 : unsigned(2 downto 0) := (others => '0');
     signal octave1_7 : unsigned(2 downto 0) := (others => '0');
     signal in_nz_8 : signed(17 downto 0) := (others => '0');
@@ -761,7 +841,7 @@ architecture rtl of image_paper is
     signal in_gain1g_8 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_8 : unsigned(17 downto 0) := (others => '0');
     signal hidden_8 : std_logic := '0';
-    signal shift1_8 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_8 : std_logic := '0';
     signal x1_8 : signed(15 downto 0) := (others => '0');
     signal step1_number_8 : unsigned(3 downto 0) := (others => '0');
     signal octave1_8 : unsigned(2 downto 0) := (others => '0');
@@ -778,14 +858,22 @@ architecture rtl of image_paper is
     signal texels1_101_8 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_8 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_8 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_8 : std_logic := '0';
-    signal v1_odd_of_0_8 : std_logic := '0';
-    signal v1_odd_of_1_8 : std_logic := '0';
-    signal v1_odd_of_2_8 : std_logic := '0';
-    signal v1_odd_of_3_8 : std_logic := '0';
-    signal v1_odd_of_4_8 : std_logic := '0';
-    signal v1_odd_of_5_8 : std_logic := '0';
+    signal v1_weight_of_0_8 : std_logic := '0';
+    signal v1_weight_of_1_8 : std_logic := '0';
+    signal v1_weight_of_2_8 : std_logic := '0';
+    signal v1_weight_of_3_8 : std_logic := '0';
+    signal v1_weight_of_4_8 : std_logic := '0';
+    signal v1_weight_of_5_8 : std_logic := '0';
     signal blend1_signed_8 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_8 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_8 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_8 : std_logic := '0';
+    signal square1_g_by_1_8 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_8 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_8 : std_logic := '0';
+    signal square1_b_by_1_8 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_8 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_8 : std_logic := '0';
     signal column1_8 : unsigned(6 downto 0) := (others => '0');
     signal in_nz_9 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_9 : signed(14 downto 0) := (others => '0');
@@ -794,7 +882,7 @@ architecture rtl of image_paper is
     signal in_gain1g_9 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_9 : unsigned(17 downto 0) := (others => '0');
     signal hidden_9 : std_logic := '0';
-    signal shift1_9 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_9 : std_logic := '0';
     signal x1_9 : signed(15 downto 0) := (others => '0');
     signal column1_9 : unsigned(6 downto 0) := (others => '0');
     signal weight1_9 : unsigned(4 downto 0) := (others => '0');
@@ -810,14 +898,22 @@ architecture rtl of image_paper is
     signal texels1_101_9 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_9 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_9 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_9 : std_logic := '0';
-    signal v1_odd_of_0_9 : std_logic := '0';
-    signal v1_odd_of_1_9 : std_logic := '0';
-    signal v1_odd_of_2_9 : std_logic := '0';
-    signal v1_odd_of_3_9 : std_logic := '0';
-    signal v1_odd_of_4_9 : std_logic := '0';
-    signal v1_odd_of_5_9 : std_logic := '0';
+    signal v1_weight_of_0_9 : std_logic := '0';
+    signal v1_weight_of_1_9 : std_logic := '0';
+    signal v1_weight_of_2_9 : std_logic := '0';
+    signal v1_weight_of_3_9 : std_logic := '0';
+    signal v1_weight_of_4_9 : std_logic := '0';
+    signal v1_weight_of_5_9 : std_logic := '0';
     signal blend1_signed_9 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_9 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_9 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_9 : std_logic := '0';
+    signal square1_g_by_1_9 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_9 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_9 : std_logic := '0';
+    signal square1_b_by_1_9 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_9 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_9 : std_logic := '0';
     signal in_nz_10 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_10 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_10 : signed(14 downto 0) := (others => '0');
@@ -825,7 +921,7 @@ architecture rtl of image_paper is
     signal in_gain1g_10 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_10 : unsigned(17 downto 0) := (others => '0');
     signal hidden_10 : std_logic := '0';
-    signal shift1_10 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_10 : std_logic := '0';
     signal x1_10 : signed(15 downto 0) := (others => '0');
     signal weight1_10 : unsigned(4 downto 0) := (others => '0');
     signal u1_kept_signed_10 : signed(15 downto 0) := (others => '0');
@@ -840,14 +936,22 @@ architecture rtl of image_paper is
     signal texels1_101_10 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_10 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_10 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_10 : std_logic := '0';
-    signal v1_odd_of_0_10 : std_logic := '0';
-    signal v1_odd_of_1_10 : std_logic := '0';
-    signal v1_odd_of_2_10 : std_logic := '0';
-    signal v1_odd_of_3_10 : std_logic := '0';
-    signal v1_odd_of_4_10 : std_logic := '0';
-    signal v1_odd_of_5_10 : std_logic := '0';
+    signal v1_weight_of_0_10 : std_logic := '0';
+    signal v1_weight_of_1_10 : std_logic := '0';
+    signal v1_weight_of_2_10 : std_logic := '0';
+    signal v1_weight_of_3_10 : std_logic := '0';
+    signal v1_weight_of_4_10 : std_logic := '0';
+    signal v1_weight_of_5_10 : std_logic := '0';
     signal blend1_signed_10 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_10 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_10 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_10 : std_logic := '0';
+    signal square1_g_by_1_10 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_10 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_10 : std_logic := '0';
+    signal square1_b_by_1_10 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_10 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_10 : std_logic := '0';
     signal root_1_10 : unsigned(15 downto 0) := (others => '0');
     signal fall_1_10 : unsigned(14 downto 0) := (others => '0');
     signal in_nz_11 : signed(17 downto 0) := (others => '0');
@@ -857,7 +961,7 @@ architecture rtl of image_paper is
     signal in_gain1g_11 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_11 : unsigned(17 downto 0) := (others => '0');
     signal hidden_11 : std_logic := '0';
-    signal shift1_11 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_11 : std_logic := '0';
     signal x1_11 : signed(15 downto 0) := (others => '0');
     signal weight1_11 : unsigned(4 downto 0) := (others => '0');
     signal root_1_11 : unsigned(15 downto 0) := (others => '0');
@@ -874,14 +978,22 @@ architecture rtl of image_paper is
     signal texels1_101_11 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_11 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_11 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_11 : std_logic := '0';
-    signal v1_odd_of_0_11 : std_logic := '0';
-    signal v1_odd_of_1_11 : std_logic := '0';
-    signal v1_odd_of_2_11 : std_logic := '0';
-    signal v1_odd_of_3_11 : std_logic := '0';
-    signal v1_odd_of_4_11 : std_logic := '0';
-    signal v1_odd_of_5_11 : std_logic := '0';
+    signal v1_weight_of_0_11 : std_logic := '0';
+    signal v1_weight_of_1_11 : std_logic := '0';
+    signal v1_weight_of_2_11 : std_logic := '0';
+    signal v1_weight_of_3_11 : std_logic := '0';
+    signal v1_weight_of_4_11 : std_logic := '0';
+    signal v1_weight_of_5_11 : std_logic := '0';
     signal blend1_signed_11 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_11 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_11 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_11 : std_logic := '0';
+    signal square1_g_by_1_11 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_11 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_11 : std_logic := '0';
+    signal square1_b_by_1_11 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_11 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_11 : std_logic := '0';
     signal in_nz_12 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_12 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_12 : signed(14 downto 0) := (others => '0');
@@ -889,7 +1001,7 @@ architecture rtl of image_paper is
     signal in_gain1g_12 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_12 : unsigned(17 downto 0) := (others => '0');
     signal hidden_12 : std_logic := '0';
-    signal shift1_12 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_12 : std_logic := '0';
     signal x1_12 : signed(15 downto 0) := (others => '0');
     signal weight1_12 : unsigned(4 downto 0) := (others => '0');
     signal root_1_12 : unsigned(15 downto 0) := (others => '0');
@@ -906,14 +1018,22 @@ architecture rtl of image_paper is
     signal texels1_101_12 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_12 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_12 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_12 : std_logic := '0';
-    signal v1_odd_of_0_12 : std_logic := '0';
-    signal v1_odd_of_1_12 : std_logic := '0';
-    signal v1_odd_of_2_12 : std_logic := '0';
-    signal v1_odd_of_3_12 : std_logic := '0';
-    signal v1_odd_of_4_12 : std_logic := '0';
-    signal v1_odd_of_5_12 : std_logic := '0';
+    signal v1_weight_of_0_12 : std_logic := '0';
+    signal v1_weight_of_1_12 : std_logic := '0';
+    signal v1_weight_of_2_12 : std_logic := '0';
+    signal v1_weight_of_3_12 : std_logic := '0';
+    signal v1_weight_of_4_12 : std_logic := '0';
+    signal v1_weight_of_5_12 : std_logic := '0';
     signal blend1_signed_12 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_12 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_12 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_12 : std_logic := '0';
+    signal square1_g_by_1_12 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_12 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_12 : std_logic := '0';
+    signal square1_b_by_1_12 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_12 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_12 : std_logic := '0';
     signal fall_part1_12 : unsigned(19 downto 0) := (others => '0');
     signal in_nz_13 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_13 : signed(14 downto 0) := (others => '0');
@@ -922,7 +1042,7 @@ architecture rtl of image_paper is
     signal in_gain1g_13 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_13 : unsigned(17 downto 0) := (others => '0');
     signal hidden_13 : std_logic := '0';
-    signal shift1_13 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_13 : std_logic := '0';
     signal x1_13 : signed(15 downto 0) := (others => '0');
     signal root_1_13 : unsigned(15 downto 0) := (others => '0');
     signal fall_part1_13 : unsigned(19 downto 0) := (others => '0');
@@ -938,14 +1058,22 @@ architecture rtl of image_paper is
     signal texels1_101_13 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_13 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_13 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_13 : std_logic := '0';
-    signal v1_odd_of_0_13 : std_logic := '0';
-    signal v1_odd_of_1_13 : std_logic := '0';
-    signal v1_odd_of_2_13 : std_logic := '0';
-    signal v1_odd_of_3_13 : std_logic := '0';
-    signal v1_odd_of_4_13 : std_logic := '0';
-    signal v1_odd_of_5_13 : std_logic := '0';
+    signal v1_weight_of_0_13 : std_logic := '0';
+    signal v1_weight_of_1_13 : std_logic := '0';
+    signal v1_weight_of_2_13 : std_logic := '0';
+    signal v1_weight_of_3_13 : std_logic := '0';
+    signal v1_weight_of_4_13 : std_logic := '0';
+    signal v1_weight_of_5_13 : std_logic := '0';
     signal blend1_signed_13 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_13 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_13 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_13 : std_logic := '0';
+    signal square1_g_by_1_13 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_13 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_13 : std_logic := '0';
+    signal square1_b_by_1_13 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_13 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_13 : std_logic := '0';
     signal in_nz_14 : signed(17 downto 0) := (others => '0');
     signal in_turn1_even_14 : signed(14 downto 0) := (others => '0');
     signal in_turn1_odd_14 : signed(14 downto 0) := (others => '0');
@@ -953,7 +1081,7 @@ architecture rtl of image_paper is
     signal in_gain1g_14 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_14 : unsigned(17 downto 0) := (others => '0');
     signal hidden_14 : std_logic := '0';
-    signal shift1_14 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_14 : std_logic := '0';
     signal x1_14 : signed(15 downto 0) := (others => '0');
     signal root_1_14 : unsigned(15 downto 0) := (others => '0');
     signal fall_part1_14 : unsigned(19 downto 0) := (others => '0');
@@ -969,14 +1097,22 @@ architecture rtl of image_paper is
     signal texels1_101_14 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_14 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_14 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_14 : std_logic := '0';
-    signal v1_odd_of_0_14 : std_logic := '0';
-    signal v1_odd_of_1_14 : std_logic := '0';
-    signal v1_odd_of_2_14 : std_logic := '0';
-    signal v1_odd_of_3_14 : std_logic := '0';
-    signal v1_odd_of_4_14 : std_logic := '0';
-    signal v1_odd_of_5_14 : std_logic := '0';
+    signal v1_weight_of_0_14 : std_logic := '0';
+    signal v1_weight_of_1_14 : std_logic := '0';
+    signal v1_weight_of_2_14 : std_logic := '0';
+    signal v1_weight_of_3_14 : std_logic := '0';
+    signal v1_weight_of_4_14 : std_logic := '0';
+    signal v1_weight_of_5_14 : std_logic := '0';
     signal blend1_signed_14 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_14 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_14 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_14 : std_logic := '0';
+    signal square1_g_by_1_14 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_14 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_14 : std_logic := '0';
+    signal square1_b_by_1_14 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_14 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_14 : std_logic := '0';
     signal root_at1_14 : signed(21 downto 0) := (others => '0');
     signal root_cut1_14 : signed(16 downto 0) := (others => '0');
     signal in_nz_15 : signed(17 downto 0) := (others => '0');
@@ -986,7 +1122,7 @@ architecture rtl of image_paper is
     signal in_gain1g_15 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_15 : unsigned(17 downto 0) := (others => '0');
     signal hidden_15 : std_logic := '0';
-    signal shift1_15 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_15 : std_logic := '0';
     signal x1_15 : signed(15 downto 0) := (others => '0');
     signal root_cut1_15 : signed(16 downto 0) := (others => '0');
     signal u1_kept_signed_15 : signed(15 downto 0) := (others => '0');
@@ -1001,14 +1137,22 @@ architecture rtl of image_paper is
     signal texels1_101_15 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_15 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_15 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_15 : std_logic := '0';
-    signal v1_odd_of_0_15 : std_logic := '0';
-    signal v1_odd_of_1_15 : std_logic := '0';
-    signal v1_odd_of_2_15 : std_logic := '0';
-    signal v1_odd_of_3_15 : std_logic := '0';
-    signal v1_odd_of_4_15 : std_logic := '0';
-    signal v1_odd_of_5_15 : std_logic := '0';
+    signal v1_weight_of_0_15 : std_logic := '0';
+    signal v1_weight_of_1_15 : std_logic := '0';
+    signal v1_weight_of_2_15 : std_logic := '0';
+    signal v1_weight_of_3_15 : std_logic := '0';
+    signal v1_weight_of_4_15 : std_logic := '0';
+    signal v1_weight_of_5_15 : std_logic := '0';
     signal blend1_signed_15 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_15 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_15 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_15 : std_logic := '0';
+    signal square1_g_by_1_15 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_15 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_15 : std_logic := '0';
+    signal square1_b_by_1_15 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_15 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_15 : std_logic := '0';
     signal tilt1_exact_15 : signed(32 downto 0) := (others => '0');
     signal tilt1_cut_15 : signed(18 downto 0) := (others => '0');
     signal in_nz_16 : signed(17 downto 0) := (others => '0');
@@ -1018,7 +1162,7 @@ architecture rtl of image_paper is
     signal in_gain1g_16 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_16 : unsigned(17 downto 0) := (others => '0');
     signal hidden_16 : std_logic := '0';
-    signal shift1_16 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_16 : std_logic := '0';
     signal x1_16 : signed(15 downto 0) := (others => '0');
     signal tilt1_cut_16 : signed(18 downto 0) := (others => '0');
     signal alone1_16 : std_logic := '0';
@@ -1032,14 +1176,22 @@ architecture rtl of image_paper is
     signal texels1_101_16 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_16 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_16 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_16 : std_logic := '0';
-    signal v1_odd_of_0_16 : std_logic := '0';
-    signal v1_odd_of_1_16 : std_logic := '0';
-    signal v1_odd_of_2_16 : std_logic := '0';
-    signal v1_odd_of_3_16 : std_logic := '0';
-    signal v1_odd_of_4_16 : std_logic := '0';
-    signal v1_odd_of_5_16 : std_logic := '0';
+    signal v1_weight_of_0_16 : std_logic := '0';
+    signal v1_weight_of_1_16 : std_logic := '0';
+    signal v1_weight_of_2_16 : std_logic := '0';
+    signal v1_weight_of_3_16 : std_logic := '0';
+    signal v1_weight_of_4_16 : std_logic := '0';
+    signal v1_weight_of_5_16 : std_logic := '0';
     signal blend1_signed_16 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_16 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_16 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_16 : std_logic := '0';
+    signal square1_g_by_1_16 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_16 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_16 : std_logic := '0';
+    signal square1_b_by_1_16 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_16 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_16 : std_logic := '0';
     signal tilt1_kept_16 : unsigned(12 downto 0) := (others => '0');
     signal tilt1_16 : unsigned(12 downto 0) := (others => '0');
     signal tilt1_signed_16 : signed(13 downto 0) := (others => '0');
@@ -1050,7 +1202,7 @@ architecture rtl of image_paper is
     signal in_gain1g_17 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_17 : unsigned(17 downto 0) := (others => '0');
     signal hidden_17 : std_logic := '0';
-    signal shift1_17 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_17 : std_logic := '0';
     signal x1_17 : signed(15 downto 0) := (others => '0');
     signal tilt1_signed_17 : signed(13 downto 0) := (others => '0');
     signal end1_even_17 : unsigned(11 downto 0) := (others => '0');
@@ -1063,14 +1215,22 @@ architecture rtl of image_paper is
     signal texels1_101_17 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_17 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_17 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_17 : std_logic := '0';
-    signal v1_odd_of_0_17 : std_logic := '0';
-    signal v1_odd_of_1_17 : std_logic := '0';
-    signal v1_odd_of_2_17 : std_logic := '0';
-    signal v1_odd_of_3_17 : std_logic := '0';
-    signal v1_odd_of_4_17 : std_logic := '0';
-    signal v1_odd_of_5_17 : std_logic := '0';
+    signal v1_weight_of_0_17 : std_logic := '0';
+    signal v1_weight_of_1_17 : std_logic := '0';
+    signal v1_weight_of_2_17 : std_logic := '0';
+    signal v1_weight_of_3_17 : std_logic := '0';
+    signal v1_weight_of_4_17 : std_logic := '0';
+    signal v1_weight_of_5_17 : std_logic := '0';
     signal blend1_signed_17 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_17 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_17 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_17 : std_logic := '0';
+    signal square1_g_by_1_17 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_17 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_17 : std_logic := '0';
+    signal square1_b_by_1_17 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_17 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_17 : std_logic := '0';
     signal turn_more_exact1_even_17 : signed(28 downto 0) := (others => '0');
     signal turn_more1_even_17 : signed(14 downto 0) := (others => '0');
     signal turn_more_exact1_odd_17 : signed(28 downto 0) := (others => '0');
@@ -1082,7 +1242,7 @@ architecture rtl of image_paper is
     signal in_gain1g_18 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_18 : unsigned(17 downto 0) := (others => '0');
     signal hidden_18 : std_logic := '0';
-    signal shift1_18 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_18 : std_logic := '0';
     signal x1_18 : signed(15 downto 0) := (others => '0');
     signal turn_more1_even_18 : signed(14 downto 0) := (others => '0');
     signal end1_even_18 : unsigned(11 downto 0) := (others => '0');
@@ -1096,14 +1256,22 @@ architecture rtl of image_paper is
     signal texels1_101_18 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_18 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_18 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_18 : std_logic := '0';
-    signal v1_odd_of_0_18 : std_logic := '0';
-    signal v1_odd_of_1_18 : std_logic := '0';
-    signal v1_odd_of_2_18 : std_logic := '0';
-    signal v1_odd_of_3_18 : std_logic := '0';
-    signal v1_odd_of_4_18 : std_logic := '0';
-    signal v1_odd_of_5_18 : std_logic := '0';
+    signal v1_weight_of_0_18 : std_logic := '0';
+    signal v1_weight_of_1_18 : std_logic := '0';
+    signal v1_weight_of_2_18 : std_logic := '0';
+    signal v1_weight_of_3_18 : std_logic := '0';
+    signal v1_weight_of_4_18 : std_logic := '0';
+    signal v1_weight_of_5_18 : std_logic := '0';
     signal blend1_signed_18 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_18 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_18 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_18 : std_logic := '0';
+    signal square1_g_by_1_18 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_18 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_18 : std_logic := '0';
+    signal square1_b_by_1_18 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_18 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_18 : std_logic := '0';
     signal turn_exact1_even_18 : signed(15 downto 0) := (others => '0');
     signal turn_exact1_odd_18 : signed(15 downto 0) := (others => '0');
     signal in_nz_19 : signed(17 downto 0) := (others => '0');
@@ -1111,7 +1279,7 @@ architecture rtl of image_paper is
     signal in_gain1g_19 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_19 : unsigned(17 downto 0) := (others => '0');
     signal hidden_19 : std_logic := '0';
-    signal shift1_19 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_19 : std_logic := '0';
     signal x1_19 : signed(15 downto 0) := (others => '0');
     signal turn_exact1_even_19 : signed(15 downto 0) := (others => '0');
     signal end1_even_19 : unsigned(11 downto 0) := (others => '0');
@@ -1125,14 +1293,22 @@ architecture rtl of image_paper is
     signal texels1_101_19 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_19 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_19 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_19 : std_logic := '0';
-    signal v1_odd_of_0_19 : std_logic := '0';
-    signal v1_odd_of_1_19 : std_logic := '0';
-    signal v1_odd_of_2_19 : std_logic := '0';
-    signal v1_odd_of_3_19 : std_logic := '0';
-    signal v1_odd_of_4_19 : std_logic := '0';
-    signal v1_odd_of_5_19 : std_logic := '0';
+    signal v1_weight_of_0_19 : std_logic := '0';
+    signal v1_weight_of_1_19 : std_logic := '0';
+    signal v1_weight_of_2_19 : std_logic := '0';
+    signal v1_weight_of_3_19 : std_logic := '0';
+    signal v1_weight_of_4_19 : std_logic := '0';
+    signal v1_weight_of_5_19 : std_logic := '0';
     signal blend1_signed_19 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_19 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_19 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_19 : std_logic := '0';
+    signal square1_g_by_1_19 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_19 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_19 : std_logic := '0';
+    signal square1_b_by_1_19 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_19 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_19 : std_logic := '0';
     signal turn1_even_19 : signed(14 downto 0) := (others => '0');
     signal turn1_odd_19 : signed(14 downto 0) := (others => '0');
     signal in_nz_20 : signed(17 downto 0) := (others => '0');
@@ -1140,7 +1316,7 @@ architecture rtl of image_paper is
     signal in_gain1g_20 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_20 : unsigned(17 downto 0) := (others => '0');
     signal hidden_20 : std_logic := '0';
-    signal shift1_20 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_20 : std_logic := '0';
     signal x1_20 : signed(15 downto 0) := (others => '0');
     signal turn1_even_20 : signed(14 downto 0) := (others => '0');
     signal end1_even_20 : unsigned(11 downto 0) := (others => '0');
@@ -1154,14 +1330,22 @@ architecture rtl of image_paper is
     signal texels1_101_20 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_20 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_20 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_20 : std_logic := '0';
-    signal v1_odd_of_0_20 : std_logic := '0';
-    signal v1_odd_of_1_20 : std_logic := '0';
-    signal v1_odd_of_2_20 : std_logic := '0';
-    signal v1_odd_of_3_20 : std_logic := '0';
-    signal v1_odd_of_4_20 : std_logic := '0';
-    signal v1_odd_of_5_20 : std_logic := '0';
+    signal v1_weight_of_0_20 : std_logic := '0';
+    signal v1_weight_of_1_20 : std_logic := '0';
+    signal v1_weight_of_2_20 : std_logic := '0';
+    signal v1_weight_of_3_20 : std_logic := '0';
+    signal v1_weight_of_4_20 : std_logic := '0';
+    signal v1_weight_of_5_20 : std_logic := '0';
     signal blend1_signed_20 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_20 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_20 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_20 : std_logic := '0';
+    signal square1_g_by_1_20 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_20 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_20 : std_logic := '0';
+    signal square1_b_by_1_20 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_20 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_20 : std_logic := '0';
     signal turn_up1_even_20 : unsigned(14 downto 0) := (others => '0');
     signal step1_even_20 : unsigned(6 downto 0) := (others => '0');
     signal step_number1_even_20 : unsigned(6 downto 0) := (others => '0');
@@ -1179,7 +1363,7 @@ architecture rtl of image_paper is
     signal in_gain1g_21 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_21 : unsigned(17 downto 0) := (others => '0');
     signal hidden_21 : std_logic := '0';
-    signal shift1_21 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_21 : std_logic := '0';
     signal x1_21 : signed(15 downto 0) := (others => '0');
     signal step_number1_even_21 : unsigned(6 downto 0) := (others => '0');
     signal past_part1_even_21 : unsigned(7 downto 0) := (others => '0');
@@ -1197,20 +1381,28 @@ architecture rtl of image_paper is
     signal texels1_101_21 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_21 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_21 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_21 : std_logic := '0';
-    signal v1_odd_of_0_21 : std_logic := '0';
-    signal v1_odd_of_1_21 : std_logic := '0';
-    signal v1_odd_of_2_21 : std_logic := '0';
-    signal v1_odd_of_3_21 : std_logic := '0';
-    signal v1_odd_of_4_21 : std_logic := '0';
-    signal v1_odd_of_5_21 : std_logic := '0';
+    signal v1_weight_of_0_21 : std_logic := '0';
+    signal v1_weight_of_1_21 : std_logic := '0';
+    signal v1_weight_of_2_21 : std_logic := '0';
+    signal v1_weight_of_3_21 : std_logic := '0';
+    signal v1_weight_of_4_21 : std_logic := '0';
+    signal v1_weight_of_5_21 : std_logic := '0';
     signal blend1_signed_21 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_21 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_21 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_21 : std_logic := '0';
+    signal square1_g_by_1_21 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_21 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_21 : std_logic := '0';
+    signal square1_b_by_1_21 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_21 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_21 : std_logic := '0';
     signal in_nz_22 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_22 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_22 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_22 : unsigned(17 downto 0) := (others => '0');
     signal hidden_22 : std_logic := '0';
-    signal shift1_22 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_22 : std_logic := '0';
     signal x1_22 : signed(15 downto 0) := (others => '0');
     signal past_part1_even_22 : unsigned(7 downto 0) := (others => '0');
     signal past_part1_even_signed_22 : signed(8 downto 0) := (others => '0');
@@ -1226,14 +1418,22 @@ architecture rtl of image_paper is
     signal texels1_101_22 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_22 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_22 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_22 : std_logic := '0';
-    signal v1_odd_of_0_22 : std_logic := '0';
-    signal v1_odd_of_1_22 : std_logic := '0';
-    signal v1_odd_of_2_22 : std_logic := '0';
-    signal v1_odd_of_3_22 : std_logic := '0';
-    signal v1_odd_of_4_22 : std_logic := '0';
-    signal v1_odd_of_5_22 : std_logic := '0';
+    signal v1_weight_of_0_22 : std_logic := '0';
+    signal v1_weight_of_1_22 : std_logic := '0';
+    signal v1_weight_of_2_22 : std_logic := '0';
+    signal v1_weight_of_3_22 : std_logic := '0';
+    signal v1_weight_of_4_22 : std_logic := '0';
+    signal v1_weight_of_5_22 : std_logic := '0';
     signal blend1_signed_22 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_22 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_22 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_22 : std_logic := '0';
+    signal square1_g_by_1_22 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_22 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_22 : std_logic := '0';
+    signal square1_b_by_1_22 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_22 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_22 : std_logic := '0';
     signal sine_1_even_22 : signed(14 downto 0) := (others => '0');
     signal sine_rise_1_even_22 : unsigned(10 downto 0) := (others => '0');
     signal cosine_1_even_22 : unsigned(14 downto 0) := (others => '0');
@@ -1247,7 +1447,7 @@ architecture rtl of image_paper is
     signal in_gain1g_23 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_23 : unsigned(17 downto 0) := (others => '0');
     signal hidden_23 : std_logic := '0';
-    signal shift1_23 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_23 : std_logic := '0';
     signal x1_23 : signed(15 downto 0) := (others => '0');
     signal past_part1_even_23 : unsigned(7 downto 0) := (others => '0');
     signal sine_1_even_23 : signed(14 downto 0) := (others => '0');
@@ -1271,20 +1471,28 @@ architecture rtl of image_paper is
     signal texels1_101_23 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_23 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_23 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_23 : std_logic := '0';
-    signal v1_odd_of_0_23 : std_logic := '0';
-    signal v1_odd_of_1_23 : std_logic := '0';
-    signal v1_odd_of_2_23 : std_logic := '0';
-    signal v1_odd_of_3_23 : std_logic := '0';
-    signal v1_odd_of_4_23 : std_logic := '0';
-    signal v1_odd_of_5_23 : std_logic := '0';
+    signal v1_weight_of_0_23 : std_logic := '0';
+    signal v1_weight_of_1_23 : std_logic := '0';
+    signal v1_weight_of_2_23 : std_logic := '0';
+    signal v1_weight_of_3_23 : std_logic := '0';
+    signal v1_weight_of_4_23 : std_logic := '0';
+    signal v1_weight_of_5_23 : std_logic := '0';
     signal blend1_signed_23 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_23 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_23 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_23 : std_logic := '0';
+    signal square1_g_by_1_23 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_23 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_23 : std_logic := '0';
+    signal square1_b_by_1_23 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_23 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_23 : std_logic := '0';
     signal in_nz_24 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_24 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_24 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_24 : unsigned(17 downto 0) := (others => '0');
     signal hidden_24 : std_logic := '0';
-    signal shift1_24 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_24 : std_logic := '0';
     signal x1_24 : signed(15 downto 0) := (others => '0');
     signal past_part1_even_24 : unsigned(7 downto 0) := (others => '0');
     signal sine_1_even_24 : signed(14 downto 0) := (others => '0');
@@ -1308,14 +1516,22 @@ architecture rtl of image_paper is
     signal texels1_101_24 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_24 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_24 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_24 : std_logic := '0';
-    signal v1_odd_of_0_24 : std_logic := '0';
-    signal v1_odd_of_1_24 : std_logic := '0';
-    signal v1_odd_of_2_24 : std_logic := '0';
-    signal v1_odd_of_3_24 : std_logic := '0';
-    signal v1_odd_of_4_24 : std_logic := '0';
-    signal v1_odd_of_5_24 : std_logic := '0';
+    signal v1_weight_of_0_24 : std_logic := '0';
+    signal v1_weight_of_1_24 : std_logic := '0';
+    signal v1_weight_of_2_24 : std_logic := '0';
+    signal v1_weight_of_3_24 : std_logic := '0';
+    signal v1_weight_of_4_24 : std_logic := '0';
+    signal v1_weight_of_5_24 : std_logic := '0';
     signal blend1_signed_24 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_24 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_24 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_24 : std_logic := '0';
+    signal square1_g_by_1_24 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_24 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_24 : std_logic := '0';
+    signal square1_b_by_1_24 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_24 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_24 : std_logic := '0';
     signal sin_part1_even_24 : unsigned(18 downto 0) := (others => '0');
     signal cos_part1_even_24 : signed(20 downto 0) := (others => '0');
     signal sin_part1_odd_24 : unsigned(18 downto 0) := (others => '0');
@@ -1325,7 +1541,7 @@ architecture rtl of image_paper is
     signal in_gain1g_25 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_25 : unsigned(17 downto 0) := (others => '0');
     signal hidden_25 : std_logic := '0';
-    signal shift1_25 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_25 : std_logic := '0';
     signal x1_25 : signed(15 downto 0) := (others => '0');
     signal sine_1_even_25 : signed(14 downto 0) := (others => '0');
     signal cosine_1_even_25 : unsigned(14 downto 0) := (others => '0');
@@ -1345,20 +1561,28 @@ architecture rtl of image_paper is
     signal texels1_101_25 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_25 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_25 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_25 : std_logic := '0';
-    signal v1_odd_of_0_25 : std_logic := '0';
-    signal v1_odd_of_1_25 : std_logic := '0';
-    signal v1_odd_of_2_25 : std_logic := '0';
-    signal v1_odd_of_3_25 : std_logic := '0';
-    signal v1_odd_of_4_25 : std_logic := '0';
-    signal v1_odd_of_5_25 : std_logic := '0';
+    signal v1_weight_of_0_25 : std_logic := '0';
+    signal v1_weight_of_1_25 : std_logic := '0';
+    signal v1_weight_of_2_25 : std_logic := '0';
+    signal v1_weight_of_3_25 : std_logic := '0';
+    signal v1_weight_of_4_25 : std_logic := '0';
+    signal v1_weight_of_5_25 : std_logic := '0';
     signal blend1_signed_25 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_25 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_25 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_25 : std_logic := '0';
+    signal square1_g_by_1_25 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_25 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_25 : std_logic := '0';
+    signal square1_b_by_1_25 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_25 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_25 : std_logic := '0';
     signal in_nz_26 : signed(17 downto 0) := (others => '0');
     signal in_gain1r_26 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_26 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_26 : unsigned(17 downto 0) := (others => '0');
     signal hidden_26 : std_logic := '0';
-    signal shift1_26 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_26 : std_logic := '0';
     signal x1_26 : signed(15 downto 0) := (others => '0');
     signal sine_1_even_26 : signed(14 downto 0) := (others => '0');
     signal cosine_1_even_26 : unsigned(14 downto 0) := (others => '0');
@@ -1378,14 +1602,22 @@ architecture rtl of image_paper is
     signal texels1_101_26 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_26 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_26 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_26 : std_logic := '0';
-    signal v1_odd_of_0_26 : std_logic := '0';
-    signal v1_odd_of_1_26 : std_logic := '0';
-    signal v1_odd_of_2_26 : std_logic := '0';
-    signal v1_odd_of_3_26 : std_logic := '0';
-    signal v1_odd_of_4_26 : std_logic := '0';
-    signal v1_odd_of_5_26 : std_logic := '0';
+    signal v1_weight_of_0_26 : std_logic := '0';
+    signal v1_weight_of_1_26 : std_logic := '0';
+    signal v1_weight_of_2_26 : std_logic := '0';
+    signal v1_weight_of_3_26 : std_logic := '0';
+    signal v1_weight_of_4_26 : std_logic := '0';
+    signal v1_weight_of_5_26 : std_logic := '0';
     signal blend1_signed_26 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_26 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_26 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_26 : std_logic := '0';
+    signal square1_g_by_1_26 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_26 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_26 : std_logic := '0';
+    signal square1_b_by_1_26 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_26 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_26 : std_logic := '0';
     signal sin_exact1_even_26 : signed(25 downto 0) := (others => '0');
     signal sin1_even_26 : signed(15 downto 0) := (others => '0');
     signal cos_exact1_even_26 : signed(25 downto 0) := (others => '0');
@@ -1399,7 +1631,7 @@ architecture rtl of image_paper is
     signal in_gain1g_27 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_27 : unsigned(17 downto 0) := (others => '0');
     signal hidden_27 : std_logic := '0';
-    signal shift1_27 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_27 : std_logic := '0';
     signal x1_27 : signed(15 downto 0) := (others => '0');
     signal sin1_even_27 : signed(15 downto 0) := (others => '0');
     signal cos1_even_27 : signed(15 downto 0) := (others => '0');
@@ -1415,14 +1647,22 @@ architecture rtl of image_paper is
     signal texels1_101_27 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_27 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_27 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_27 : std_logic := '0';
-    signal v1_odd_of_0_27 : std_logic := '0';
-    signal v1_odd_of_1_27 : std_logic := '0';
-    signal v1_odd_of_2_27 : std_logic := '0';
-    signal v1_odd_of_3_27 : std_logic := '0';
-    signal v1_odd_of_4_27 : std_logic := '0';
-    signal v1_odd_of_5_27 : std_logic := '0';
+    signal v1_weight_of_0_27 : std_logic := '0';
+    signal v1_weight_of_1_27 : std_logic := '0';
+    signal v1_weight_of_2_27 : std_logic := '0';
+    signal v1_weight_of_3_27 : std_logic := '0';
+    signal v1_weight_of_4_27 : std_logic := '0';
+    signal v1_weight_of_5_27 : std_logic := '0';
     signal blend1_signed_27 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_27 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_27 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_27 : std_logic := '0';
+    signal square1_g_by_1_27 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_27 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_27 : std_logic := '0';
+    signal square1_b_by_1_27 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_27 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_27 : std_logic := '0';
     signal xc1_even_exact_27 : signed(31 downto 0) := (others => '0');
     signal xc1_even_27 : signed(15 downto 0) := (others => '0');
     signal zs1_even_exact_27 : signed(33 downto 0) := (others => '0');
@@ -1443,7 +1683,7 @@ architecture rtl of image_paper is
     signal in_gain1g_28 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_28 : unsigned(17 downto 0) := (others => '0');
     signal hidden_28 : std_logic := '0';
-    signal shift1_28 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_28 : std_logic := '0';
     signal xc1_even_28 : signed(15 downto 0) := (others => '0');
     signal zs1_even_28 : signed(16 downto 0) := (others => '0');
     signal zc1_even_28 : signed(16 downto 0) := (others => '0');
@@ -1462,29 +1702,37 @@ architecture rtl of image_paper is
     signal texels1_101_28 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_28 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_28 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_28 : std_logic := '0';
-    signal v1_odd_of_0_28 : std_logic := '0';
-    signal v1_odd_of_1_28 : std_logic := '0';
-    signal v1_odd_of_2_28 : std_logic := '0';
-    signal v1_odd_of_3_28 : std_logic := '0';
-    signal v1_odd_of_4_28 : std_logic := '0';
-    signal v1_odd_of_5_28 : std_logic := '0';
+    signal v1_weight_of_0_28 : std_logic := '0';
+    signal v1_weight_of_1_28 : std_logic := '0';
+    signal v1_weight_of_2_28 : std_logic := '0';
+    signal v1_weight_of_3_28 : std_logic := '0';
+    signal v1_weight_of_4_28 : std_logic := '0';
+    signal v1_weight_of_5_28 : std_logic := '0';
     signal blend1_signed_28 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_28 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_28 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_28 : std_logic := '0';
+    signal square1_g_by_1_28 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_28 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_28 : std_logic := '0';
+    signal square1_b_by_1_28 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_28 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_28 : std_logic := '0';
     signal across1_even_28 : signed(16 downto 0) := (others => '0');
-    signal behind1_even_28 : std_logic := '0';
     signal u1_even_scaled_28 : signed(16 downto 0) := (others => '0');
     signal across1_odd_28 : signed(16 downto 0) := (others => '0');
-    signal behind1_odd_28 : std_logic := '0';
     signal u1_odd_scaled_28 : signed(16 downto 0) := (others => '0');
     signal in_gain1r_29 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_29 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_29 : unsigned(17 downto 0) := (others => '0');
     signal hidden_29 : std_logic := '0';
-    signal shift1_29 : unsigned(2 downto 0) := (others => '0');
-    signal behind1_even_29 : std_logic := '0';
+    signal v1_is_odd_29 : std_logic := '0';
+    signal zc1_even_29 : signed(16 downto 0) := (others => '0');
+    signal xs1_even_29 : signed(15 downto 0) := (others => '0');
     signal u1_even_scaled_29 : signed(16 downto 0) := (others => '0');
     signal end1_even_29 : unsigned(11 downto 0) := (others => '0');
-    signal behind1_odd_29 : std_logic := '0';
+    signal zc1_odd_29 : signed(16 downto 0) := (others => '0');
+    signal xs1_odd_29 : signed(15 downto 0) := (others => '0');
     signal u1_odd_scaled_29 : signed(16 downto 0) := (others => '0');
     signal end1_odd_29 : unsigned(11 downto 0) := (others => '0');
     signal texels1_000_29 : unsigned(6 downto 0) := (others => '0');
@@ -1495,23 +1743,33 @@ architecture rtl of image_paper is
     signal texels1_101_29 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_29 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_29 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_29 : std_logic := '0';
-    signal v1_odd_of_0_29 : std_logic := '0';
-    signal v1_odd_of_1_29 : std_logic := '0';
-    signal v1_odd_of_2_29 : std_logic := '0';
-    signal v1_odd_of_3_29 : std_logic := '0';
-    signal v1_odd_of_4_29 : std_logic := '0';
-    signal v1_odd_of_5_29 : std_logic := '0';
+    signal v1_weight_of_0_29 : std_logic := '0';
+    signal v1_weight_of_1_29 : std_logic := '0';
+    signal v1_weight_of_2_29 : std_logic := '0';
+    signal v1_weight_of_3_29 : std_logic := '0';
+    signal v1_weight_of_4_29 : std_logic := '0';
+    signal v1_weight_of_5_29 : std_logic := '0';
     signal blend1_signed_29 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_29 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_29 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_29 : std_logic := '0';
+    signal square1_g_by_1_29 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_29 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_29 : std_logic := '0';
+    signal square1_b_by_1_29 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_29 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_29 : std_logic := '0';
+    signal behind1_even_29 : std_logic := '0';
     signal u1_even_place_29 : signed(17 downto 0) := (others => '0');
     signal u1_even_cut_29 : signed(14 downto 0) := (others => '0');
+    signal behind1_odd_29 : std_logic := '0';
     signal u1_odd_place_29 : signed(17 downto 0) := (others => '0');
     signal u1_odd_cut_29 : signed(14 downto 0) := (others => '0');
     signal in_gain1r_30 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_30 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_30 : unsigned(17 downto 0) := (others => '0');
     signal hidden_30 : std_logic := '0';
-    signal shift1_30 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_30 : std_logic := '0';
     signal behind1_even_30 : std_logic := '0';
     signal u1_even_cut_30 : signed(14 downto 0) := (others => '0');
     signal end1_even_30 : unsigned(11 downto 0) := (others => '0');
@@ -1526,14 +1784,22 @@ architecture rtl of image_paper is
     signal texels1_101_30 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_30 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_30 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_30 : std_logic := '0';
-    signal v1_odd_of_0_30 : std_logic := '0';
-    signal v1_odd_of_1_30 : std_logic := '0';
-    signal v1_odd_of_2_30 : std_logic := '0';
-    signal v1_odd_of_3_30 : std_logic := '0';
-    signal v1_odd_of_4_30 : std_logic := '0';
-    signal v1_odd_of_5_30 : std_logic := '0';
+    signal v1_weight_of_0_30 : std_logic := '0';
+    signal v1_weight_of_1_30 : std_logic := '0';
+    signal v1_weight_of_2_30 : std_logic := '0';
+    signal v1_weight_of_3_30 : std_logic := '0';
+    signal v1_weight_of_4_30 : std_logic := '0';
+    signal v1_weight_of_5_30 : std_logic := '0';
     signal blend1_signed_30 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_30 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_30 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_30 : std_logic := '0';
+    signal square1_g_by_1_30 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_30 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_30 : std_logic := '0';
+    signal square1_b_by_1_30 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_30 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_30 : std_logic := '0';
     signal u1_even_kept_30 : unsigned(11 downto 0) := (others => '0');
     signal u_at1_even_30 : unsigned(11 downto 0) := (others => '0');
     signal u1_even_texel_30 : unsigned(5 downto 0) := (others => '0');
@@ -1541,7 +1807,6 @@ architecture rtl of image_paper is
     signal u1_even_odd_high_30 : unsigned(4 downto 0) := (others => '0');
     signal u1_even_odd_30 : unsigned(4 downto 0) := (others => '0');
     signal u1_even_is_odd_30 : std_logic := '0';
-    signal u1_even_weight_wide_30 : unsigned(6 downto 0) := (others => '0');
     signal u1_odd_kept_30 : unsigned(11 downto 0) := (others => '0');
     signal u_at1_odd_30 : unsigned(11 downto 0) := (others => '0');
     signal u1_odd_texel_30 : unsigned(5 downto 0) := (others => '0');
@@ -1549,22 +1814,65 @@ architecture rtl of image_paper is
     signal u1_odd_odd_high_30 : unsigned(4 downto 0) := (others => '0');
     signal u1_odd_odd_30 : unsigned(4 downto 0) := (others => '0');
     signal u1_odd_is_odd_30 : std_logic := '0';
-    signal u1_odd_weight_wide_30 : unsigned(6 downto 0) := (others => '0');
+    signal u1_even_weight_bit_0_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_even_weight_bit_1_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_even_weight_bit_2_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_even_weight_bit_3_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_even_weight_bit_4_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_even_weight_bit_5_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_even_weight_of_0_flag_30 : std_logic := '0';
+    signal u1_even_weight_of_0_not_30 : std_logic := '0';
+    signal u1_even_weight_of_0_30 : std_logic := '0';
+    signal u1_even_weight_of_1_flag_30 : std_logic := '0';
+    signal u1_even_weight_of_1_not_30 : std_logic := '0';
+    signal u1_even_weight_of_1_30 : std_logic := '0';
+    signal u1_even_weight_of_2_flag_30 : std_logic := '0';
+    signal u1_even_weight_of_2_not_30 : std_logic := '0';
+    signal u1_even_weight_of_2_30 : std_logic := '0';
+    signal u1_even_weight_of_3_flag_30 : std_logic := '0';
+    signal u1_even_weight_of_3_not_30 : std_logic := '0';
+    signal u1_even_weight_of_3_30 : std_logic := '0';
+    signal u1_even_weight_of_4_flag_30 : std_logic := '0';
+    signal u1_even_weight_of_4_not_30 : std_logic := '0';
+    signal u1_even_weight_of_4_30 : std_logic := '0';
+    signal u1_even_weight_of_5_flag_30 : std_logic := '0';
+    signal u1_even_weight_of_5_not_30 : std_logic := '0';
+    signal u1_even_weight_of_5_30 : std_logic := '0';
+    signal u1_odd_weight_bit_0_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_odd_weight_bit_1_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_odd_weight_bit_2_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_odd_weight_bit_3_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_odd_weight_bit_4_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_odd_weight_bit_5_30 : unsigned(0 downto 0) := (others => '0');
+    signal u1_odd_weight_of_0_flag_30 : std_logic := '0';
+    signal u1_odd_weight_of_0_not_30 : std_logic := '0';
+    signal u1_odd_weight_of_0_30 : std_logic := '0';
+    signal u1_odd_weight_of_1_flag_30 : std_logic := '0';
+    signal u1_odd_weight_of_1_not_30 : std_logic := '0';
+    signal u1_odd_weight_of_1_30 : std_logic := '0';
+    signal u1_odd_weight_of_2_flag_30 : std_logic := '0';
+    signal u1_odd_weight_of_2_not_30 : std_logic := '0';
+    signal u1_odd_weight_of_2_30 : std_logic := '0';
+    signal u1_odd_weight_of_3_flag_30 : std_logic := '0';
+    signal u1_odd_weight_of_3_not_30 : std_logic := '0';
+    signal u1_odd_weight_of_3_30 : std_logic := '0';
+    signal u1_odd_weight_of_4_flag_30 : std_logic := '0';
+    signal u1_odd_weight_of_4_not_30 : std_logic := '0';
+    signal u1_odd_weight_of_4_30 : std_logic := '0';
+    signal u1_odd_weight_of_5_flag_30 : std_logic := '0';
+    signal u1_odd_weight_of_5_not_30 : std_logic := '0';
+    signal u1_odd_weight_of_5_30 : std_logic := '0';
     signal in_gain1r_31 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_31 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_31 : unsigned(17 downto 0) := (others => '0');
     signal hidden_31 : std_logic := '0';
-    signal shift1_31 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_31 : std_logic := '0';
     signal u1_even_texel_31 : unsigned(5 downto 0) := (others => '0');
-    signal u1_even_weight_31 : unsigned(5 downto 0) := (others => '0');
     signal u1_even_odd_31 : unsigned(4 downto 0) := (others => '0');
     signal u1_even_is_odd_31 : std_logic := '0';
-    signal u1_even_weight_wide_31 : unsigned(6 downto 0) := (others => '0');
     signal u1_odd_texel_31 : unsigned(5 downto 0) := (others => '0');
-    signal u1_odd_weight_31 : unsigned(5 downto 0) := (others => '0');
     signal u1_odd_odd_31 : unsigned(4 downto 0) := (others => '0');
     signal u1_odd_is_odd_31 : std_logic := '0';
-    signal u1_odd_weight_wide_31 : unsigned(6 downto 0) := (others => '0');
     signal texels1_000_31 : unsigned(6 downto 0) := (others => '0');
     signal texels1_001_31 : unsigned(6 downto 0) := (others => '0');
     signal texels1_010_31 : unsigned(6 downto 0) := (others => '0');
@@ -1573,57 +1881,49 @@ architecture rtl of image_paper is
     signal texels1_101_31 : unsigned(6 downto 0) := (others => '0');
     signal texels1_110_31 : unsigned(6 downto 0) := (others => '0');
     signal texels1_111_31 : unsigned(6 downto 0) := (others => '0');
-    signal v1_odd_whole_31 : std_logic := '0';
-    signal v1_odd_of_0_31 : std_logic := '0';
-    signal v1_odd_of_1_31 : std_logic := '0';
-    signal v1_odd_of_2_31 : std_logic := '0';
-    signal v1_odd_of_3_31 : std_logic := '0';
-    signal v1_odd_of_4_31 : std_logic := '0';
-    signal v1_odd_of_5_31 : std_logic := '0';
+    signal u1_even_weight_of_0_31 : std_logic := '0';
+    signal u1_even_weight_of_1_31 : std_logic := '0';
+    signal u1_even_weight_of_2_31 : std_logic := '0';
+    signal u1_even_weight_of_3_31 : std_logic := '0';
+    signal u1_even_weight_of_4_31 : std_logic := '0';
+    signal u1_even_weight_of_5_31 : std_logic := '0';
+    signal u1_odd_weight_of_0_31 : std_logic := '0';
+    signal u1_odd_weight_of_1_31 : std_logic := '0';
+    signal u1_odd_weight_of_2_31 : std_logic := '0';
+    signal u1_odd_weight_of_3_31 : std_logic := '0';
+    signal u1_odd_weight_of_4_31 : std_logic := '0';
+    signal u1_odd_weight_of_5_31 : std_logic := '0';
+    signal v1_weight_of_0_31 : std_logic := '0';
+    signal v1_weight_of_1_31 : std_logic := '0';
+    signal v1_weight_of_2_31 : std_logic := '0';
+    signal v1_weight_of_3_31 : std_logic := '0';
+    signal v1_weight_of_4_31 : std_logic := '0';
+    signal v1_weight_of_5_31 : std_logic := '0';
     signal blend1_signed_31 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_31 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_31 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_31 : std_logic := '0';
+    signal square1_g_by_1_31 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_31 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_31 : std_logic := '0';
+    signal square1_b_by_1_31 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_31 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_31 : std_logic := '0';
     signal u1_even_next_exact_31 : unsigned(6 downto 0) := (others => '0');
-    signal u1_even_other_31 : unsigned(6 downto 0) := (others => '0');
-    signal u1_even_odd_v2_31 : unsigned(6 downto 0) := (others => '0');
     signal u1_odd_next_exact_31 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_other_31 : unsigned(6 downto 0) := (others => '0');
-    signal u1_odd_odd_v2_31 : unsigned(6 downto 0) := (others => '0');
     signal texel1_001_31 : unsigned(11 downto 0) := (others => '0');
     signal texel1_011_31 : unsigned(11 downto 0) := (others => '0');
     signal texel1_101_31 : unsigned(11 downto 0) := (others => '0');
     signal texel1_111_31 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_odd_whole_31 : std_logic := '0';
-    signal u1_even_odd_bit_0_31 : std_logic := '0';
-    signal u1_even_odd_bit_1_31 : std_logic := '0';
-    signal u1_even_odd_bit_2_31 : std_logic := '0';
-    signal u1_even_odd_bit_3_31 : std_logic := '0';
-    signal u1_even_odd_bit_4_31 : std_logic := '0';
-    signal u1_even_odd_bit_5_31 : std_logic := '0';
-    signal u1_even_odd_of_0_31 : std_logic := '0';
-    signal u1_even_odd_of_1_31 : std_logic := '0';
-    signal u1_even_odd_of_2_31 : std_logic := '0';
-    signal u1_even_odd_of_3_31 : std_logic := '0';
-    signal u1_even_odd_of_4_31 : std_logic := '0';
-    signal u1_even_odd_of_5_31 : std_logic := '0';
-    signal u1_odd_odd_whole_31 : std_logic := '0';
-    signal u1_odd_odd_bit_0_31 : std_logic := '0';
-    signal u1_odd_odd_bit_1_31 : std_logic := '0';
-    signal u1_odd_odd_bit_2_31 : std_logic := '0';
-    signal u1_odd_odd_bit_3_31 : std_logic := '0';
-    signal u1_odd_odd_bit_4_31 : std_logic := '0';
-    signal u1_odd_odd_bit_5_31 : std_logic := '0';
-    signal u1_odd_odd_of_0_31 : std_logic := '0';
-    signal u1_odd_odd_of_1_31 : std_logic := '0';
-    signal u1_odd_odd_of_2_31 : std_logic := '0';
-    signal u1_odd_odd_of_3_31 : std_logic := '0';
-    signal u1_odd_odd_of_4_31 : std_logic := '0';
-    signal u1_odd_odd_of_5_31 : std_logic := '0';
     signal in_gain1r_32 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_32 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_32 : unsigned(17 downto 0) := (others => '0');
     signal hidden_32 : std_logic := '0';
-    signal shift1_32 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_32 : std_logic := '0';
     signal u1_even_next_exact_32 : unsigned(6 downto 0) := (others => '0');
+    signal u1_even_is_odd_32 : std_logic := '0';
     signal u1_odd_next_exact_32 : unsigned(6 downto 0) := (others => '0');
+    signal u1_odd_is_odd_32 : std_logic := '0';
     signal texels1_000_32 : unsigned(6 downto 0) := (others => '0');
     signal texel1_001_32 : unsigned(11 downto 0) := (others => '0');
     signal texels1_010_32 : unsigned(6 downto 0) := (others => '0');
@@ -1632,28 +1932,34 @@ architecture rtl of image_paper is
     signal texel1_101_32 : unsigned(11 downto 0) := (others => '0');
     signal texels1_110_32 : unsigned(6 downto 0) := (others => '0');
     signal texel1_111_32 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_odd_whole_32 : std_logic := '0';
-    signal u1_even_odd_of_0_32 : std_logic := '0';
-    signal u1_even_odd_of_1_32 : std_logic := '0';
-    signal u1_even_odd_of_2_32 : std_logic := '0';
-    signal u1_even_odd_of_3_32 : std_logic := '0';
-    signal u1_even_odd_of_4_32 : std_logic := '0';
-    signal u1_even_odd_of_5_32 : std_logic := '0';
-    signal u1_odd_odd_whole_32 : std_logic := '0';
-    signal u1_odd_odd_of_0_32 : std_logic := '0';
-    signal u1_odd_odd_of_1_32 : std_logic := '0';
-    signal u1_odd_odd_of_2_32 : std_logic := '0';
-    signal u1_odd_odd_of_3_32 : std_logic := '0';
-    signal u1_odd_odd_of_4_32 : std_logic := '0';
-    signal u1_odd_odd_of_5_32 : std_logic := '0';
-    signal v1_odd_whole_32 : std_logic := '0';
-    signal v1_odd_of_0_32 : std_logic := '0';
-    signal v1_odd_of_1_32 : std_logic := '0';
-    signal v1_odd_of_2_32 : std_logic := '0';
-    signal v1_odd_of_3_32 : std_logic := '0';
-    signal v1_odd_of_4_32 : std_logic := '0';
-    signal v1_odd_of_5_32 : std_logic := '0';
+    signal u1_even_weight_of_0_32 : std_logic := '0';
+    signal u1_even_weight_of_1_32 : std_logic := '0';
+    signal u1_even_weight_of_2_32 : std_logic := '0';
+    signal u1_even_weight_of_3_32 : std_logic := '0';
+    signal u1_even_weight_of_4_32 : std_logic := '0';
+    signal u1_even_weight_of_5_32 : std_logic := '0';
+    signal u1_odd_weight_of_0_32 : std_logic := '0';
+    signal u1_odd_weight_of_1_32 : std_logic := '0';
+    signal u1_odd_weight_of_2_32 : std_logic := '0';
+    signal u1_odd_weight_of_3_32 : std_logic := '0';
+    signal u1_odd_weight_of_4_32 : std_logic := '0';
+    signal u1_odd_weight_of_5_32 : std_logic := '0';
+    signal v1_weight_of_0_32 : std_logic := '0';
+    signal v1_weight_of_1_32 : std_logic := '0';
+    signal v1_weight_of_2_32 : std_logic := '0';
+    signal v1_weight_of_3_32 : std_logic := '0';
+    signal v1_weight_of_4_32 : std_logic := '0';
+    signal v1_weight_of_5_32 : std_logic := '0';
     signal blend1_signed_32 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_32 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_32 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_32 : std_logic := '0';
+    signal square1_g_by_1_32 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_32 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_32 : std_logic := '0';
+    signal square1_b_by_1_32 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_32 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_32 : std_logic := '0';
     signal u1_even_next_32 : unsigned(5 downto 0) := (others => '0');
     signal u1_even_even_high_32 : unsigned(4 downto 0) := (others => '0');
     signal u1_even_even_32 : unsigned(4 downto 0) := (others => '0');
@@ -1664,9 +1970,11 @@ architecture rtl of image_paper is
     signal in_gain1g_33 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_33 : unsigned(17 downto 0) := (others => '0');
     signal hidden_33 : std_logic := '0';
-    signal shift1_33 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_33 : std_logic := '0';
     signal u1_even_even_33 : unsigned(4 downto 0) := (others => '0');
+    signal u1_even_is_odd_33 : std_logic := '0';
     signal u1_odd_even_33 : unsigned(4 downto 0) := (others => '0');
+    signal u1_odd_is_odd_33 : std_logic := '0';
     signal texels1_000_33 : unsigned(6 downto 0) := (others => '0');
     signal texel1_001_33 : unsigned(11 downto 0) := (others => '0');
     signal texels1_010_33 : unsigned(6 downto 0) := (others => '0');
@@ -1675,28 +1983,34 @@ architecture rtl of image_paper is
     signal texel1_101_33 : unsigned(11 downto 0) := (others => '0');
     signal texels1_110_33 : unsigned(6 downto 0) := (others => '0');
     signal texel1_111_33 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_odd_whole_33 : std_logic := '0';
-    signal u1_even_odd_of_0_33 : std_logic := '0';
-    signal u1_even_odd_of_1_33 : std_logic := '0';
-    signal u1_even_odd_of_2_33 : std_logic := '0';
-    signal u1_even_odd_of_3_33 : std_logic := '0';
-    signal u1_even_odd_of_4_33 : std_logic := '0';
-    signal u1_even_odd_of_5_33 : std_logic := '0';
-    signal u1_odd_odd_whole_33 : std_logic := '0';
-    signal u1_odd_odd_of_0_33 : std_logic := '0';
-    signal u1_odd_odd_of_1_33 : std_logic := '0';
-    signal u1_odd_odd_of_2_33 : std_logic := '0';
-    signal u1_odd_odd_of_3_33 : std_logic := '0';
-    signal u1_odd_odd_of_4_33 : std_logic := '0';
-    signal u1_odd_odd_of_5_33 : std_logic := '0';
-    signal v1_odd_whole_33 : std_logic := '0';
-    signal v1_odd_of_0_33 : std_logic := '0';
-    signal v1_odd_of_1_33 : std_logic := '0';
-    signal v1_odd_of_2_33 : std_logic := '0';
-    signal v1_odd_of_3_33 : std_logic := '0';
-    signal v1_odd_of_4_33 : std_logic := '0';
-    signal v1_odd_of_5_33 : std_logic := '0';
+    signal u1_even_weight_of_0_33 : std_logic := '0';
+    signal u1_even_weight_of_1_33 : std_logic := '0';
+    signal u1_even_weight_of_2_33 : std_logic := '0';
+    signal u1_even_weight_of_3_33 : std_logic := '0';
+    signal u1_even_weight_of_4_33 : std_logic := '0';
+    signal u1_even_weight_of_5_33 : std_logic := '0';
+    signal u1_odd_weight_of_0_33 : std_logic := '0';
+    signal u1_odd_weight_of_1_33 : std_logic := '0';
+    signal u1_odd_weight_of_2_33 : std_logic := '0';
+    signal u1_odd_weight_of_3_33 : std_logic := '0';
+    signal u1_odd_weight_of_4_33 : std_logic := '0';
+    signal u1_odd_weight_of_5_33 : std_logic := '0';
+    signal v1_weight_of_0_33 : std_logic := '0';
+    signal v1_weight_of_1_33 : std_logic := '0';
+    signal v1_weight_of_2_33 : std_logic := '0';
+    signal v1_weight_of_3_33 : std_logic := '0';
+    signal v1_weight_of_4_33 : std_logic := '0';
+    signal v1_weight_of_5_33 : std_logic := '0';
     signal blend1_signed_33 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_33 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_33 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_33 : std_logic := '0';
+    signal square1_g_by_1_33 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_33 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_33 : std_logic := '0';
+    signal square1_b_by_1_33 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_33 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_33 : std_logic := '0';
     signal texel1_000_33 : unsigned(11 downto 0) := (others => '0');
     signal texel1_010_33 : unsigned(11 downto 0) := (others => '0');
     signal texel1_100_33 : unsigned(11 downto 0) := (others => '0');
@@ -1705,7 +2019,9 @@ architecture rtl of image_paper is
     signal in_gain1g_34 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_34 : unsigned(17 downto 0) := (others => '0');
     signal hidden_34 : std_logic := '0';
-    signal shift1_34 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_34 : std_logic := '0';
+    signal u1_even_is_odd_34 : std_logic := '0';
+    signal u1_odd_is_odd_34 : std_logic := '0';
     signal texel1_000_34 : unsigned(11 downto 0) := (others => '0');
     signal texel1_001_34 : unsigned(11 downto 0) := (others => '0');
     signal texel1_010_34 : unsigned(11 downto 0) := (others => '0');
@@ -1714,55 +2030,69 @@ architecture rtl of image_paper is
     signal texel1_101_34 : unsigned(11 downto 0) := (others => '0');
     signal texel1_110_34 : unsigned(11 downto 0) := (others => '0');
     signal texel1_111_34 : unsigned(11 downto 0) := (others => '0');
-    signal u1_even_odd_whole_34 : std_logic := '0';
-    signal u1_even_odd_of_0_34 : std_logic := '0';
-    signal u1_even_odd_of_1_34 : std_logic := '0';
-    signal u1_even_odd_of_2_34 : std_logic := '0';
-    signal u1_even_odd_of_3_34 : std_logic := '0';
-    signal u1_even_odd_of_4_34 : std_logic := '0';
-    signal u1_even_odd_of_5_34 : std_logic := '0';
-    signal u1_odd_odd_whole_34 : std_logic := '0';
-    signal u1_odd_odd_of_0_34 : std_logic := '0';
-    signal u1_odd_odd_of_1_34 : std_logic := '0';
-    signal u1_odd_odd_of_2_34 : std_logic := '0';
-    signal u1_odd_odd_of_3_34 : std_logic := '0';
-    signal u1_odd_odd_of_4_34 : std_logic := '0';
-    signal u1_odd_odd_of_5_34 : std_logic := '0';
-    signal v1_odd_whole_34 : std_logic := '0';
-    signal v1_odd_of_0_34 : std_logic := '0';
-    signal v1_odd_of_1_34 : std_logic := '0';
-    signal v1_odd_of_2_34 : std_logic := '0';
-    signal v1_odd_of_3_34 : std_logic := '0';
-    signal v1_odd_of_4_34 : std_logic := '0';
-    signal v1_odd_of_5_34 : std_logic := '0';
+    signal u1_even_weight_of_0_34 : std_logic := '0';
+    signal u1_even_weight_of_1_34 : std_logic := '0';
+    signal u1_even_weight_of_2_34 : std_logic := '0';
+    signal u1_even_weight_of_3_34 : std_logic := '0';
+    signal u1_even_weight_of_4_34 : std_logic := '0';
+    signal u1_even_weight_of_5_34 : std_logic := '0';
+    signal u1_odd_weight_of_0_34 : std_logic := '0';
+    signal u1_odd_weight_of_1_34 : std_logic := '0';
+    signal u1_odd_weight_of_2_34 : std_logic := '0';
+    signal u1_odd_weight_of_3_34 : std_logic := '0';
+    signal u1_odd_weight_of_4_34 : std_logic := '0';
+    signal u1_odd_weight_of_5_34 : std_logic := '0';
+    signal v1_weight_of_0_34 : std_logic := '0';
+    signal v1_weight_of_1_34 : std_logic := '0';
+    signal v1_weight_of_2_34 : std_logic := '0';
+    signal v1_weight_of_3_34 : std_logic := '0';
+    signal v1_weight_of_4_34 : std_logic := '0';
+    signal v1_weight_of_5_34 : std_logic := '0';
     signal blend1_signed_34 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_34 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_34 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_34 : std_logic := '0';
+    signal square1_g_by_1_34 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_34 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_34 : std_logic := '0';
+    signal square1_b_by_1_34 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_34 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_34 : std_logic := '0';
     signal in_gain1r_35 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_35 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_35 : unsigned(17 downto 0) := (others => '0');
     signal hidden_35 : std_logic := '0';
-    signal shift1_35 : unsigned(2 downto 0) := (others => '0');
-    signal u1_even_odd_whole_35 : std_logic := '0';
-    signal u1_even_odd_of_0_35 : std_logic := '0';
-    signal u1_even_odd_of_1_35 : std_logic := '0';
-    signal u1_even_odd_of_2_35 : std_logic := '0';
-    signal u1_even_odd_of_3_35 : std_logic := '0';
-    signal u1_even_odd_of_4_35 : std_logic := '0';
-    signal u1_even_odd_of_5_35 : std_logic := '0';
-    signal u1_odd_odd_whole_35 : std_logic := '0';
-    signal u1_odd_odd_of_0_35 : std_logic := '0';
-    signal u1_odd_odd_of_1_35 : std_logic := '0';
-    signal u1_odd_odd_of_2_35 : std_logic := '0';
-    signal u1_odd_odd_of_3_35 : std_logic := '0';
-    signal u1_odd_odd_of_4_35 : std_logic := '0';
-    signal u1_odd_odd_of_5_35 : std_logic := '0';
-    signal v1_odd_whole_35 : std_logic := '0';
-    signal v1_odd_of_0_35 : std_logic := '0';
-    signal v1_odd_of_1_35 : std_logic := '0';
-    signal v1_odd_of_2_35 : std_logic := '0';
-    signal v1_odd_of_3_35 : std_logic := '0';
-    signal v1_odd_of_4_35 : std_logic := '0';
-    signal v1_odd_of_5_35 : std_logic := '0';
+    signal v1_is_odd_35 : std_logic := '0';
+    signal u1_even_is_odd_35 : std_logic := '0';
+    signal u1_odd_is_odd_35 : std_logic := '0';
+    signal u1_even_weight_of_0_35 : std_logic := '0';
+    signal u1_even_weight_of_1_35 : std_logic := '0';
+    signal u1_even_weight_of_2_35 : std_logic := '0';
+    signal u1_even_weight_of_3_35 : std_logic := '0';
+    signal u1_even_weight_of_4_35 : std_logic := '0';
+    signal u1_even_weight_of_5_35 : std_logic := '0';
+    signal u1_odd_weight_of_0_35 : std_logic := '0';
+    signal u1_odd_weight_of_1_35 : std_logic := '0';
+    signal u1_odd_weight_of_2_35 : std_logic := '0';
+    signal u1_odd_weight_of_3_35 : std_logic := '0';
+    signal u1_odd_weight_of_4_35 : std_logic := '0';
+    signal u1_odd_weight_of_5_35 : std_logic := '0';
+    signal v1_weight_of_0_35 : std_logic := '0';
+    signal v1_weight_of_1_35 : std_logic := '0';
+    signal v1_weight_of_2_35 : std_logic := '0';
+    signal v1_weight_of_3_35 : std_logic := '0';
+    signal v1_weight_of_4_35 : std_logic := '0';
+    signal v1_weight_of_5_35 : std_logic := '0';
     signal blend1_signed_35 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_35 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_35 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_35 : std_logic := '0';
+    signal square1_g_by_1_35 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_35 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_35 : std_logic := '0';
+    signal square1_b_by_1_35 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_35 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_35 : std_logic := '0';
     signal texels_1_even_even_even_r_35 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_r_35 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_r_35 : unsigned(7 downto 0) := (others => '0');
@@ -1791,7 +2121,9 @@ architecture rtl of image_paper is
     signal in_gain1g_36 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_36 : unsigned(17 downto 0) := (others => '0');
     signal hidden_36 : std_logic := '0';
-    signal shift1_36 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_36 : std_logic := '0';
+    signal u1_even_is_odd_36 : std_logic := '0';
+    signal u1_odd_is_odd_36 : std_logic := '0';
     signal texels_1_even_even_even_r_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_r_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_r_36 : unsigned(7 downto 0) := (others => '0');
@@ -1800,28 +2132,28 @@ architecture rtl of image_paper is
     signal texels_1_odd_even_odd_r_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_r_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_r_36 : unsigned(7 downto 0) := (others => '0');
-    signal u1_even_odd_whole_36 : std_logic := '0';
-    signal u1_even_odd_of_0_36 : std_logic := '0';
-    signal u1_even_odd_of_1_36 : std_logic := '0';
-    signal u1_even_odd_of_2_36 : std_logic := '0';
-    signal u1_even_odd_of_3_36 : std_logic := '0';
-    signal u1_even_odd_of_4_36 : std_logic := '0';
-    signal u1_even_odd_of_5_36 : std_logic := '0';
-    signal u1_odd_odd_whole_36 : std_logic := '0';
-    signal u1_odd_odd_of_0_36 : std_logic := '0';
-    signal u1_odd_odd_of_1_36 : std_logic := '0';
-    signal u1_odd_odd_of_2_36 : std_logic := '0';
-    signal u1_odd_odd_of_3_36 : std_logic := '0';
-    signal u1_odd_odd_of_4_36 : std_logic := '0';
-    signal u1_odd_odd_of_5_36 : std_logic := '0';
-    signal v1_odd_whole_36 : std_logic := '0';
-    signal v1_odd_of_0_36 : std_logic := '0';
-    signal v1_odd_of_1_36 : std_logic := '0';
-    signal v1_odd_of_2_36 : std_logic := '0';
-    signal v1_odd_of_3_36 : std_logic := '0';
-    signal v1_odd_of_4_36 : std_logic := '0';
-    signal v1_odd_of_5_36 : std_logic := '0';
+    signal u1_even_weight_of_0_36 : std_logic := '0';
+    signal u1_even_weight_of_1_36 : std_logic := '0';
+    signal u1_even_weight_of_2_36 : std_logic := '0';
+    signal u1_even_weight_of_3_36 : std_logic := '0';
+    signal u1_even_weight_of_4_36 : std_logic := '0';
+    signal u1_even_weight_of_5_36 : std_logic := '0';
+    signal u1_odd_weight_of_0_36 : std_logic := '0';
+    signal u1_odd_weight_of_1_36 : std_logic := '0';
+    signal u1_odd_weight_of_2_36 : std_logic := '0';
+    signal u1_odd_weight_of_3_36 : std_logic := '0';
+    signal u1_odd_weight_of_4_36 : std_logic := '0';
+    signal u1_odd_weight_of_5_36 : std_logic := '0';
+    signal v1_weight_of_0_36 : std_logic := '0';
+    signal v1_weight_of_1_36 : std_logic := '0';
+    signal v1_weight_of_2_36 : std_logic := '0';
+    signal v1_weight_of_3_36 : std_logic := '0';
+    signal v1_weight_of_4_36 : std_logic := '0';
+    signal v1_weight_of_5_36 : std_logic := '0';
     signal blend1_signed_36 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_36 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_36 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_36 : std_logic := '0';
     signal texels_1_even_even_even_g_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_g_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_g_36 : unsigned(7 downto 0) := (others => '0');
@@ -1830,6 +2162,9 @@ architecture rtl of image_paper is
     signal texels_1_odd_even_odd_g_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_g_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_g_36 : unsigned(7 downto 0) := (others => '0');
+    signal square1_g_by_1_36 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_36 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_36 : std_logic := '0';
     signal texels_1_even_even_even_b_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_b_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_b_36 : unsigned(7 downto 0) := (others => '0');
@@ -1838,11 +2173,16 @@ architecture rtl of image_paper is
     signal texels_1_odd_even_odd_b_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_b_36 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_b_36 : unsigned(7 downto 0) := (others => '0');
+    signal square1_b_by_1_36 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_36 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_36 : std_logic := '0';
     signal in_gain1r_37 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_37 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_37 : unsigned(17 downto 0) := (others => '0');
     signal hidden_37 : std_logic := '0';
-    signal shift1_37 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_37 : std_logic := '0';
+    signal u1_even_is_odd_37 : std_logic := '0';
+    signal u1_odd_is_odd_37 : std_logic := '0';
     signal texels_1_even_even_even_r_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_r_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_r_37 : unsigned(7 downto 0) := (others => '0');
@@ -1851,28 +2191,28 @@ architecture rtl of image_paper is
     signal texels_1_odd_even_odd_r_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_r_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_r_37 : unsigned(7 downto 0) := (others => '0');
-    signal u1_even_odd_whole_37 : std_logic := '0';
-    signal u1_even_odd_of_0_37 : std_logic := '0';
-    signal u1_even_odd_of_1_37 : std_logic := '0';
-    signal u1_even_odd_of_2_37 : std_logic := '0';
-    signal u1_even_odd_of_3_37 : std_logic := '0';
-    signal u1_even_odd_of_4_37 : std_logic := '0';
-    signal u1_even_odd_of_5_37 : std_logic := '0';
-    signal u1_odd_odd_whole_37 : std_logic := '0';
-    signal u1_odd_odd_of_0_37 : std_logic := '0';
-    signal u1_odd_odd_of_1_37 : std_logic := '0';
-    signal u1_odd_odd_of_2_37 : std_logic := '0';
-    signal u1_odd_odd_of_3_37 : std_logic := '0';
-    signal u1_odd_odd_of_4_37 : std_logic := '0';
-    signal u1_odd_odd_of_5_37 : std_logic := '0';
-    signal v1_odd_whole_37 : std_logic := '0';
-    signal v1_odd_of_0_37 : std_logic := '0';
-    signal v1_odd_of_1_37 : std_logic := '0';
-    signal v1_odd_of_2_37 : std_logic := '0';
-    signal v1_odd_of_3_37 : std_logic := '0';
-    signal v1_odd_of_4_37 : std_logic := '0';
-    signal v1_odd_of_5_37 : std_logic := '0';
+    signal u1_even_weight_of_0_37 : std_logic := '0';
+    signal u1_even_weight_of_1_37 : std_logic := '0';
+    signal u1_even_weight_of_2_37 : std_logic := '0';
+    signal u1_even_weight_of_3_37 : std_logic := '0';
+    signal u1_even_weight_of_4_37 : std_logic := '0';
+    signal u1_even_weight_of_5_37 : std_logic := '0';
+    signal u1_odd_weight_of_0_37 : std_logic := '0';
+    signal u1_odd_weight_of_1_37 : std_logic := '0';
+    signal u1_odd_weight_of_2_37 : std_logic := '0';
+    signal u1_odd_weight_of_3_37 : std_logic := '0';
+    signal u1_odd_weight_of_4_37 : std_logic := '0';
+    signal u1_odd_weight_of_5_37 : std_logic := '0';
+    signal v1_weight_of_0_37 : std_logic := '0';
+    signal v1_weight_of_1_37 : std_logic := '0';
+    signal v1_weight_of_2_37 : std_logic := '0';
+    signal v1_weight_of_3_37 : std_logic := '0';
+    signal v1_weight_of_4_37 : std_logic := '0';
+    signal v1_weight_of_5_37 : std_logic := '0';
     signal blend1_signed_37 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_37 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_37 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_37 : std_logic := '0';
     signal texels_1_even_even_even_g_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_g_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_g_37 : unsigned(7 downto 0) := (others => '0');
@@ -1881,6 +2221,9 @@ architecture rtl of image_paper is
     signal texels_1_odd_even_odd_g_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_g_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_g_37 : unsigned(7 downto 0) := (others => '0');
+    signal square1_g_by_1_37 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_37 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_37 : std_logic := '0';
     signal texels_1_even_even_even_b_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_even_odd_b_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_even_odd_even_b_37 : unsigned(7 downto 0) := (others => '0');
@@ -1889,8 +2232,11 @@ architecture rtl of image_paper is
     signal texels_1_odd_even_odd_b_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_even_b_37 : unsigned(7 downto 0) := (others => '0');
     signal texels_1_odd_odd_odd_b_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_0_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal square1_b_by_1_37 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_37 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_37 : std_logic := '0';
+    signal blend1_r_1_0_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_0_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_0_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_0_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_0_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -1906,8 +2252,8 @@ architecture rtl of image_paper is
     signal blend1_r_1_0_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_0_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_0_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_1_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_1_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_1_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_1_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_1_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_1_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -1923,8 +2269,8 @@ architecture rtl of image_paper is
     signal blend1_r_1_1_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_1_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_1_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_2_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_2_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_2_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_2_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_2_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_2_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -1940,8 +2286,8 @@ architecture rtl of image_paper is
     signal blend1_r_1_2_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_2_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_2_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_r_1_3_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_r_1_3_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_r_1_3_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_3_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_3_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_3_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -1957,8 +2303,8 @@ architecture rtl of image_paper is
     signal blend1_r_1_3_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_0_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_0_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_0_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_0_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_0_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_0_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -1974,8 +2320,8 @@ architecture rtl of image_paper is
     signal blend1_g_1_0_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_0_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_0_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_1_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_1_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_1_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_1_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_1_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_1_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -1991,8 +2337,8 @@ architecture rtl of image_paper is
     signal blend1_g_1_1_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_1_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_1_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_2_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_2_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_2_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_2_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_2_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_2_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -2008,8 +2354,8 @@ architecture rtl of image_paper is
     signal blend1_g_1_2_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_2_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_2_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_g_1_3_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_g_1_3_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_g_1_3_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_3_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_3_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_3_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -2025,8 +2371,8 @@ architecture rtl of image_paper is
     signal blend1_g_1_3_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_0_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_0_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_0_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_0_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_0_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_0_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -2042,8 +2388,8 @@ architecture rtl of image_paper is
     signal blend1_b_1_0_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
     signal blend1_b_1_0_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
     signal blend1_b_1_0_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_1_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_1_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_1_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_1_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_1_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_1_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -2059,8 +2405,8 @@ architecture rtl of image_paper is
     signal blend1_b_1_1_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
     signal blend1_b_1_1_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
     signal blend1_b_1_1_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_2_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_2_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_2_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_2_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_2_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_2_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -2076,8 +2422,8 @@ architecture rtl of image_paper is
     signal blend1_b_1_2_sum_1_0_37 : unsigned(8 downto 0) := (others => '0');
     signal blend1_b_1_2_sum_1_1_37 : unsigned(9 downto 0) := (others => '0');
     signal blend1_b_1_2_sum_1_2_37 : unsigned(9 downto 0) := (others => '0');
-    signal blend1_b_1_3_either_whole_37 : unsigned(7 downto 0) := (others => '0');
-    signal blend1_b_1_3_by_whole_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_either_first_37 : unsigned(7 downto 0) := (others => '0');
+    signal blend1_b_1_3_by_first_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_3_either_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_3_by_0_37 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_3_either_1_37 : unsigned(7 downto 0) := (others => '0');
@@ -2097,7 +2443,7 @@ architecture rtl of image_paper is
     signal in_gain1g_38 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_38 : unsigned(17 downto 0) := (others => '0');
     signal hidden_38 : std_logic := '0';
-    signal shift1_38 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_38 : std_logic := '0';
     signal blend1_r_1_0_by_5_38 : unsigned(7 downto 0) := (others => '0');
     signal blend1_r_1_0_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_0_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
@@ -2114,14 +2460,16 @@ architecture rtl of image_paper is
     signal blend1_r_1_3_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
-    signal v1_odd_whole_38 : std_logic := '0';
-    signal v1_odd_of_0_38 : std_logic := '0';
-    signal v1_odd_of_1_38 : std_logic := '0';
-    signal v1_odd_of_2_38 : std_logic := '0';
-    signal v1_odd_of_3_38 : std_logic := '0';
-    signal v1_odd_of_4_38 : std_logic := '0';
-    signal v1_odd_of_5_38 : std_logic := '0';
+    signal v1_weight_of_0_38 : std_logic := '0';
+    signal v1_weight_of_1_38 : std_logic := '0';
+    signal v1_weight_of_2_38 : std_logic := '0';
+    signal v1_weight_of_3_38 : std_logic := '0';
+    signal v1_weight_of_4_38 : std_logic := '0';
+    signal v1_weight_of_5_38 : std_logic := '0';
     signal blend1_signed_38 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_38 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_38 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_38 : std_logic := '0';
     signal blend1_g_1_0_by_5_38 : unsigned(7 downto 0) := (others => '0');
     signal blend1_g_1_0_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_0_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
@@ -2138,6 +2486,9 @@ architecture rtl of image_paper is
     signal blend1_g_1_3_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal square1_g_by_1_38 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_38 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_38 : std_logic := '0';
     signal blend1_b_1_0_by_5_38 : unsigned(7 downto 0) := (others => '0');
     signal blend1_b_1_0_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
     signal blend1_b_1_0_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
@@ -2154,6 +2505,9 @@ architecture rtl of image_paper is
     signal blend1_b_1_3_sum_1_0_38 : unsigned(8 downto 0) := (others => '0');
     signal blend1_b_1_3_sum_1_1_38 : unsigned(9 downto 0) := (others => '0');
     signal blend1_b_1_3_sum_1_2_38 : unsigned(9 downto 0) := (others => '0');
+    signal square1_b_by_1_38 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_38 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_38 : std_logic := '0';
     signal blend1_r_1_0_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
     signal blend1_r_1_0_sum_2_1_38 : unsigned(10 downto 0) := (others => '0');
     signal blend1_r_1_1_sum_2_0_38 : unsigned(10 downto 0) := (others => '0');
@@ -2182,7 +2536,7 @@ architecture rtl of image_paper is
     signal in_gain1g_39 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_39 : unsigned(17 downto 0) := (others => '0');
     signal hidden_39 : std_logic := '0';
-    signal shift1_39 : unsigned(2 downto 0) := (others => '0');
+    signal v1_is_odd_39 : std_logic := '0';
     signal blend1_r_1_0_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_r_1_0_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_r_1_1_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
@@ -2191,14 +2545,16 @@ architecture rtl of image_paper is
     signal blend1_r_1_2_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_r_1_3_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
-    signal v1_odd_whole_39 : std_logic := '0';
-    signal v1_odd_of_0_39 : std_logic := '0';
-    signal v1_odd_of_1_39 : std_logic := '0';
-    signal v1_odd_of_2_39 : std_logic := '0';
-    signal v1_odd_of_3_39 : std_logic := '0';
-    signal v1_odd_of_4_39 : std_logic := '0';
-    signal v1_odd_of_5_39 : std_logic := '0';
+    signal v1_weight_of_0_39 : std_logic := '0';
+    signal v1_weight_of_1_39 : std_logic := '0';
+    signal v1_weight_of_2_39 : std_logic := '0';
+    signal v1_weight_of_3_39 : std_logic := '0';
+    signal v1_weight_of_4_39 : std_logic := '0';
+    signal v1_weight_of_5_39 : std_logic := '0';
     signal blend1_signed_39 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_39 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_39 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_39 : std_logic := '0';
     signal blend1_g_1_0_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_g_1_0_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_g_1_1_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
@@ -2207,6 +2563,9 @@ architecture rtl of image_paper is
     signal blend1_g_1_2_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_g_1_3_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal square1_g_by_1_39 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_39 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_39 : std_logic := '0';
     signal blend1_b_1_0_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_b_1_0_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_b_1_1_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
@@ -2215,12 +2574,15 @@ architecture rtl of image_paper is
     signal blend1_b_1_2_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_b_1_3_sum_2_0_39 : unsigned(10 downto 0) := (others => '0');
     signal blend1_b_1_3_sum_2_1_39 : unsigned(10 downto 0) := (others => '0');
+    signal square1_b_by_1_39 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_39 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_39 : std_logic := '0';
     signal blend1_r_1_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_1_1_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_1_2_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_1_3_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_either_whole_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_either_first_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_first_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_either_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_by_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_either_1_39 : unsigned(13 downto 0) := (others => '0');
@@ -2233,8 +2595,8 @@ architecture rtl of image_paper is
     signal blend1_r_2_0_by_4_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_either_5_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_by_5_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_either_whole_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_either_first_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_first_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_1_either_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_1_by_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_1_either_1_39 : unsigned(13 downto 0) := (others => '0');
@@ -2251,8 +2613,8 @@ architecture rtl of image_paper is
     signal blend1_g_1_1_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_1_2_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_1_3_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_either_whole_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_either_first_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_0_by_first_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_either_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_by_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_either_1_39 : unsigned(13 downto 0) := (others => '0');
@@ -2265,8 +2627,8 @@ architecture rtl of image_paper is
     signal blend1_g_2_0_by_4_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_either_5_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_by_5_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_either_whole_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_either_first_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_first_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_either_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_by_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_either_1_39 : unsigned(13 downto 0) := (others => '0');
@@ -2283,8 +2645,8 @@ architecture rtl of image_paper is
     signal blend1_b_1_1_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_1_2_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_1_3_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_either_whole_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_either_first_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_0_by_first_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_either_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_by_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_either_1_39 : unsigned(13 downto 0) := (others => '0');
@@ -2297,8 +2659,8 @@ architecture rtl of image_paper is
     signal blend1_b_2_0_by_4_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_either_5_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_by_5_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_either_whole_39 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_whole_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_either_first_39 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_first_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_either_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_by_0_39 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_either_1_39 : unsigned(13 downto 0) := (others => '0');
@@ -2315,15 +2677,14 @@ architecture rtl of image_paper is
     signal in_gain1g_40 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_40 : unsigned(17 downto 0) := (others => '0');
     signal hidden_40 : std_logic := '0';
-    signal shift1_40 : unsigned(2 downto 0) := (others => '0');
-    signal blend1_r_2_0_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_0_by_first_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_by_0_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_by_1_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_by_2_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_by_3_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_by_4_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_by_5_40 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_r_2_1_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_r_2_1_by_first_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_1_by_0_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_1_by_1_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_1_by_2_40 : unsigned(13 downto 0) := (others => '0');
@@ -2331,34 +2692,43 @@ architecture rtl of image_paper is
     signal blend1_r_2_1_by_4_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_1_by_5_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_signed_40 : signed(7 downto 0) := (others => '0');
-    signal blend1_g_2_0_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal square1_r_by_1_40 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_40 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_40 : std_logic := '0';
+    signal blend1_g_2_0_by_first_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_by_0_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_by_1_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_by_2_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_by_3_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_by_4_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_by_5_40 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_g_2_1_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_g_2_1_by_first_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_by_0_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_by_1_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_by_2_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_by_3_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_by_4_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_1_by_5_40 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_0_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal square1_g_by_1_40 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_40 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_40 : std_logic := '0';
+    signal blend1_b_2_0_by_first_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_by_0_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_by_1_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_by_2_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_by_3_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_by_4_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_by_5_40 : unsigned(13 downto 0) := (others => '0');
-    signal blend1_b_2_1_by_whole_40 : unsigned(13 downto 0) := (others => '0');
+    signal blend1_b_2_1_by_first_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_by_0_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_by_1_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_by_2_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_by_3_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_by_4_40 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_1_by_5_40 : unsigned(13 downto 0) := (others => '0');
+    signal square1_b_by_1_40 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_40 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_40 : std_logic := '0';
     signal blend1_r_2_0_sum_1_0_40 : unsigned(14 downto 0) := (others => '0');
     signal blend1_r_2_0_sum_1_1_40 : unsigned(15 downto 0) := (others => '0');
     signal blend1_r_2_0_sum_1_2_40 : unsigned(15 downto 0) := (others => '0');
@@ -2381,7 +2751,6 @@ architecture rtl of image_paper is
     signal in_gain1g_41 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_41 : unsigned(17 downto 0) := (others => '0');
     signal hidden_41 : std_logic := '0';
-    signal shift1_41 : unsigned(2 downto 0) := (others => '0');
     signal blend1_r_2_0_by_5_41 : unsigned(13 downto 0) := (others => '0');
     signal blend1_r_2_0_sum_1_0_41 : unsigned(14 downto 0) := (others => '0');
     signal blend1_r_2_0_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
@@ -2391,6 +2760,9 @@ architecture rtl of image_paper is
     signal blend1_r_2_1_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
     signal blend1_r_2_1_sum_1_2_41 : unsigned(15 downto 0) := (others => '0');
     signal blend1_signed_41 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_41 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_41 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_41 : std_logic := '0';
     signal blend1_g_2_0_by_5_41 : unsigned(13 downto 0) := (others => '0');
     signal blend1_g_2_0_sum_1_0_41 : unsigned(14 downto 0) := (others => '0');
     signal blend1_g_2_0_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
@@ -2399,6 +2771,9 @@ architecture rtl of image_paper is
     signal blend1_g_2_1_sum_1_0_41 : unsigned(14 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_1_2_41 : unsigned(15 downto 0) := (others => '0');
+    signal square1_g_by_1_41 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_41 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_41 : std_logic := '0';
     signal blend1_b_2_0_by_5_41 : unsigned(13 downto 0) := (others => '0');
     signal blend1_b_2_0_sum_1_0_41 : unsigned(14 downto 0) := (others => '0');
     signal blend1_b_2_0_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
@@ -2407,6 +2782,9 @@ architecture rtl of image_paper is
     signal blend1_b_2_1_sum_1_0_41 : unsigned(14 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_1_1_41 : unsigned(15 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_1_2_41 : unsigned(15 downto 0) := (others => '0');
+    signal square1_b_by_1_41 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_41 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_41 : std_logic := '0';
     signal blend1_r_2_0_sum_2_0_41 : unsigned(16 downto 0) := (others => '0');
     signal blend1_r_2_0_sum_2_1_41 : unsigned(16 downto 0) := (others => '0');
     signal blend1_r_2_1_sum_2_0_41 : unsigned(16 downto 0) := (others => '0');
@@ -2423,20 +2801,28 @@ architecture rtl of image_paper is
     signal in_gain1g_42 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_42 : unsigned(17 downto 0) := (others => '0');
     signal hidden_42 : std_logic := '0';
-    signal shift1_42 : unsigned(2 downto 0) := (others => '0');
     signal blend1_r_2_0_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
     signal blend1_r_2_0_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
     signal blend1_r_2_1_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
     signal blend1_r_2_1_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
     signal blend1_signed_42 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_42 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_42 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_42 : std_logic := '0';
     signal blend1_g_2_0_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
     signal blend1_g_2_0_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
     signal blend1_g_2_1_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
+    signal square1_g_by_1_42 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_42 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_42 : std_logic := '0';
     signal blend1_b_2_0_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
     signal blend1_b_2_0_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_2_0_42 : unsigned(16 downto 0) := (others => '0');
     signal blend1_b_2_1_sum_2_1_42 : unsigned(16 downto 0) := (others => '0');
+    signal square1_b_by_1_42 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_42 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_42 : std_logic := '0';
     signal blend1_r_2_0_42 : unsigned(19 downto 0) := (others => '0');
     signal blend1_r_2_1_42 : unsigned(19 downto 0) := (others => '0');
     signal blend1_r_2_0_cut_42 : unsigned(16 downto 0) := (others => '0');
@@ -2453,14 +2839,22 @@ architecture rtl of image_paper is
     signal in_gain1g_43 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_43 : unsigned(17 downto 0) := (others => '0');
     signal hidden_43 : std_logic := '0';
-    signal shift1_43 : unsigned(2 downto 0) := (others => '0');
     signal blend1_r_2_0_cut_43 : unsigned(16 downto 0) := (others => '0');
     signal blend1_r_2_1_cut_43 : unsigned(16 downto 0) := (others => '0');
     signal blend1_signed_43 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_43 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_43 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_43 : std_logic := '0';
     signal blend1_g_2_0_cut_43 : unsigned(16 downto 0) := (others => '0');
     signal blend1_g_2_1_cut_43 : unsigned(16 downto 0) := (others => '0');
+    signal square1_g_by_1_43 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_43 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_43 : std_logic := '0';
     signal blend1_b_2_0_cut_43 : unsigned(16 downto 0) := (others => '0');
     signal blend1_b_2_1_cut_43 : unsigned(16 downto 0) := (others => '0');
+    signal square1_b_by_1_43 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_43 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_43 : std_logic := '0';
     signal blend1_r_3_0_apart_43 : signed(17 downto 0) := (others => '0');
     signal blend1_g_3_0_apart_43 : signed(17 downto 0) := (others => '0');
     signal blend1_b_3_0_apart_43 : signed(17 downto 0) := (others => '0');
@@ -2468,14 +2862,22 @@ architecture rtl of image_paper is
     signal in_gain1g_44 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_44 : unsigned(17 downto 0) := (others => '0');
     signal hidden_44 : std_logic := '0';
-    signal shift1_44 : unsigned(2 downto 0) := (others => '0');
     signal blend1_r_2_0_cut_44 : unsigned(16 downto 0) := (others => '0');
     signal blend1_r_3_0_apart_44 : signed(17 downto 0) := (others => '0');
     signal blend1_signed_44 : signed(7 downto 0) := (others => '0');
+    signal square1_r_by_1_44 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_44 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_44 : std_logic := '0';
     signal blend1_g_2_0_cut_44 : unsigned(16 downto 0) := (others => '0');
     signal blend1_g_3_0_apart_44 : signed(17 downto 0) := (others => '0');
+    signal square1_g_by_1_44 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_44 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_44 : std_logic := '0';
     signal blend1_b_2_0_cut_44 : unsigned(16 downto 0) := (others => '0');
     signal blend1_b_3_0_apart_44 : signed(17 downto 0) := (others => '0');
+    signal square1_b_by_1_44 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_44 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_44 : std_logic := '0';
     signal blend1_r_3_0_part_44 : signed(25 downto 0) := (others => '0');
     signal blend1_g_3_0_part_44 : signed(25 downto 0) := (others => '0');
     signal blend1_b_3_0_part_44 : signed(25 downto 0) := (others => '0');
@@ -2483,24 +2885,40 @@ architecture rtl of image_paper is
     signal in_gain1g_45 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_45 : unsigned(17 downto 0) := (others => '0');
     signal hidden_45 : std_logic := '0';
-    signal shift1_45 : unsigned(2 downto 0) := (others => '0');
     signal blend1_r_2_0_cut_45 : unsigned(16 downto 0) := (others => '0');
     signal blend1_r_3_0_part_45 : signed(25 downto 0) := (others => '0');
+    signal square1_r_by_1_45 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_45 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_45 : std_logic := '0';
     signal blend1_g_2_0_cut_45 : unsigned(16 downto 0) := (others => '0');
     signal blend1_g_3_0_part_45 : signed(25 downto 0) := (others => '0');
+    signal square1_g_by_1_45 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_45 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_45 : std_logic := '0';
     signal blend1_b_2_0_cut_45 : unsigned(16 downto 0) := (others => '0');
     signal blend1_b_3_0_part_45 : signed(25 downto 0) := (others => '0');
+    signal square1_b_by_1_45 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_45 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_45 : std_logic := '0';
     signal in_gain1r_46 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_46 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_46 : unsigned(17 downto 0) := (others => '0');
     signal hidden_46 : std_logic := '0';
-    signal shift1_46 : unsigned(2 downto 0) := (others => '0');
     signal blend1_r_2_0_cut_46 : unsigned(16 downto 0) := (others => '0');
     signal blend1_r_3_0_part_46 : signed(25 downto 0) := (others => '0');
+    signal square1_r_by_1_46 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_46 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_46 : std_logic := '0';
     signal blend1_g_2_0_cut_46 : unsigned(16 downto 0) := (others => '0');
     signal blend1_g_3_0_part_46 : signed(25 downto 0) := (others => '0');
+    signal square1_g_by_1_46 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_46 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_46 : std_logic := '0';
     signal blend1_b_2_0_cut_46 : unsigned(16 downto 0) := (others => '0');
     signal blend1_b_3_0_part_46 : signed(25 downto 0) := (others => '0');
+    signal square1_b_by_1_46 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_46 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_46 : std_logic := '0';
     signal blend1_r_3_0_46 : unsigned(22 downto 0) := (others => '0');
     signal root1_r_46 : unsigned(17 downto 0) := (others => '0');
     signal blend1_g_3_0_46 : unsigned(22 downto 0) := (others => '0');
@@ -2511,10 +2929,18 @@ architecture rtl of image_paper is
     signal in_gain1g_47 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_47 : unsigned(17 downto 0) := (others => '0');
     signal hidden_47 : std_logic := '0';
-    signal shift1_47 : unsigned(2 downto 0) := (others => '0');
     signal root1_r_47 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_by_1_47 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_47 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_47 : std_logic := '0';
     signal root1_g_47 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_by_1_47 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_47 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_47 : std_logic := '0';
     signal root1_b_47 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_by_1_47 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_47 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_47 : std_logic := '0';
     signal square1_r_exact_47 : unsigned(35 downto 0) := (others => '0');
     signal square1_r_47 : unsigned(17 downto 0) := (others => '0');
     signal square1_g_exact_47 : unsigned(35 downto 0) := (others => '0');
@@ -2525,43 +2951,81 @@ architecture rtl of image_paper is
     signal in_gain1g_48 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_48 : unsigned(17 downto 0) := (others => '0');
     signal hidden_48 : std_logic := '0';
-    signal shift1_48 : unsigned(2 downto 0) := (others => '0');
     signal square1_r_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_by_1_48 : unsigned(0 downto 0) := (others => '0');
+    signal square1_r_amount_2_48 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_48 : std_logic := '0';
     signal square1_g_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_by_1_48 : unsigned(0 downto 0) := (others => '0');
+    signal square1_g_amount_2_48 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_48 : std_logic := '0';
     signal square1_b_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_by_1_48 : unsigned(0 downto 0) := (others => '0');
+    signal square1_b_amount_2_48 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_48 : std_logic := '0';
     signal square1_r_seen_48 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_up_48 : unsigned(21 downto 0) := (others => '0');
-    signal square1_r_up_cut_48 : unsigned(17 downto 0) := (others => '0');
-    signal square1_r_within_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_up_1_48 : unsigned(18 downto 0) := (others => '0');
+    signal square1_r_all_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_all_wide_48 : unsigned(21 downto 0) := (others => '0');
     signal square1_g_seen_48 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_up_48 : unsigned(21 downto 0) := (others => '0');
-    signal square1_g_up_cut_48 : unsigned(17 downto 0) := (others => '0');
-    signal square1_g_within_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_up_1_48 : unsigned(18 downto 0) := (others => '0');
+    signal square1_g_all_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_all_wide_48 : unsigned(21 downto 0) := (others => '0');
     signal square1_b_seen_48 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_up_48 : unsigned(21 downto 0) := (others => '0');
-    signal square1_b_up_cut_48 : unsigned(17 downto 0) := (others => '0');
-    signal square1_b_within_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_up_1_48 : unsigned(18 downto 0) := (others => '0');
+    signal square1_b_all_48 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_all_wide_48 : unsigned(21 downto 0) := (others => '0');
     signal in_gain1r_49 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1g_49 : unsigned(17 downto 0) := (others => '0');
     signal in_gain1b_49 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_up_1_49 : unsigned(18 downto 0) := (others => '0');
+    signal square1_r_amount_2_49 : unsigned(1 downto 0) := (others => '0');
+    signal square1_r_by_4_49 : std_logic := '0';
+    signal square1_r_all_wide_49 : unsigned(21 downto 0) := (others => '0');
+    signal square1_g_up_1_49 : unsigned(18 downto 0) := (others => '0');
+    signal square1_g_amount_2_49 : unsigned(1 downto 0) := (others => '0');
+    signal square1_g_by_4_49 : std_logic := '0';
+    signal square1_g_all_wide_49 : unsigned(21 downto 0) := (others => '0');
+    signal square1_b_up_1_49 : unsigned(18 downto 0) := (others => '0');
+    signal square1_b_amount_2_49 : unsigned(1 downto 0) := (others => '0');
+    signal square1_b_by_4_49 : std_logic := '0';
+    signal square1_b_all_wide_49 : unsigned(21 downto 0) := (others => '0');
+    signal square1_r_up_2_49 : unsigned(20 downto 0) := (others => '0');
+    signal square1_r_up_2_wide_49 : unsigned(21 downto 0) := (others => '0');
+    signal square1_r_up_49 : unsigned(21 downto 0) := (others => '0');
+    signal square1_r_up_cut_49 : unsigned(17 downto 0) := (others => '0');
     signal square1_r_within_49 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_up_2_49 : unsigned(20 downto 0) := (others => '0');
+    signal square1_g_up_2_wide_49 : unsigned(21 downto 0) := (others => '0');
+    signal square1_g_up_49 : unsigned(21 downto 0) := (others => '0');
+    signal square1_g_up_cut_49 : unsigned(17 downto 0) := (others => '0');
     signal square1_g_within_49 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_up_2_49 : unsigned(20 downto 0) := (others => '0');
+    signal square1_b_up_2_wide_49 : unsigned(21 downto 0) := (others => '0');
+    signal square1_b_up_49 : unsigned(21 downto 0) := (others => '0');
+    signal square1_b_up_cut_49 : unsigned(17 downto 0) := (others => '0');
     signal square1_b_within_49 : unsigned(17 downto 0) := (others => '0');
-    signal light1_r_exact_49 : unsigned(35 downto 0) := (others => '0');
-    signal light1_r_49 : unsigned(21 downto 0) := (others => '0');
-    signal light1_g_exact_49 : unsigned(35 downto 0) := (others => '0');
-    signal light1_g_49 : unsigned(21 downto 0) := (others => '0');
-    signal light1_b_exact_49 : unsigned(35 downto 0) := (others => '0');
-    signal light1_b_49 : unsigned(21 downto 0) := (others => '0');
+    signal in_gain1r_50 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1g_50 : unsigned(17 downto 0) := (others => '0');
+    signal in_gain1b_50 : unsigned(17 downto 0) := (others => '0');
+    signal square1_r_within_50 : unsigned(17 downto 0) := (others => '0');
+    signal square1_g_within_50 : unsigned(17 downto 0) := (others => '0');
+    signal square1_b_within_50 : unsigned(17 downto 0) := (others => '0');
+    signal light1_r_exact_50 : unsigned(35 downto 0) := (others => '0');
     signal light1_r_50 : unsigned(21 downto 0) := (others => '0');
+    signal light1_g_exact_50 : unsigned(35 downto 0) := (others => '0');
     signal light1_g_50 : unsigned(21 downto 0) := (others => '0');
+    signal light1_b_exact_50 : unsigned(35 downto 0) := (others => '0');
     signal light1_b_50 : unsigned(21 downto 0) := (others => '0');
-    signal sum_r_50 : unsigned(17 downto 0) := (others => '0');
-    signal sum_g_50 : unsigned(17 downto 0) := (others => '0');
-    signal sum_b_50 : unsigned(17 downto 0) := (others => '0');
+    signal light1_r_51 : unsigned(21 downto 0) := (others => '0');
+    signal light1_g_51 : unsigned(21 downto 0) := (others => '0');
+    signal light1_b_51 : unsigned(21 downto 0) := (others => '0');
     signal sum_r_51 : unsigned(17 downto 0) := (others => '0');
     signal sum_g_51 : unsigned(17 downto 0) := (others => '0');
     signal sum_b_51 : unsigned(17 downto 0) := (others => '0');
+    signal sum_r_52 : unsigned(17 downto 0) := (others => '0');
+    signal sum_g_52 : unsigned(17 downto 0) := (others => '0');
+    signal sum_b_52 : unsigned(17 downto 0) := (others => '0');
 
 begin
 
@@ -2572,7 +3036,7 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(50 downto 1) & in_valid;
+                valid <= valid(51 downto 1) & in_valid;
             end if;
         end if;
     end process;
@@ -2646,6 +3110,30 @@ begin
     texels1_11_v2_0 <= band1_odd_0;
     -- Q1.6: a sign bit for the signed product
     blend1_signed_0 <= signed(resize(blend1_0, 8));
+    -- UQ1.0: a bit of the shift
+    square1_r_by_1_0 <= shift1_0(0 downto 0);
+    -- UQ2.-1: a bit of the shift
+    square1_r_by_2_0 <= shift1_0(1 downto 1);
+    -- UQ2.0: its weight
+    square1_r_amount_2_0 <= shift_left(resize(square1_r_by_2_0, 2), 1);
+    -- UQ3.-2: a bit of the shift
+    square1_r_by_4_0 <= shift1_0(2);
+    -- UQ1.0: a bit of the shift
+    square1_g_by_1_0 <= shift1_0(0 downto 0);
+    -- UQ2.-1: a bit of the shift
+    square1_g_by_2_0 <= shift1_0(1 downto 1);
+    -- UQ2.0: its weight
+    square1_g_amount_2_0 <= shift_left(resize(square1_g_by_2_0, 2), 1);
+    -- UQ3.-2: a bit of the shift
+    square1_g_by_4_0 <= shift1_0(2);
+    -- UQ1.0: a bit of the shift
+    square1_b_by_1_0 <= shift1_0(0 downto 0);
+    -- UQ2.-1: a bit of the shift
+    square1_b_by_2_0 <= shift1_0(1 downto 1);
+    -- UQ2.0: its weight
+    square1_b_amount_2_0 <= shift_left(resize(square1_b_by_2_0, 2), 1);
+    -- UQ3.-2: a bit of the shift
+    square1_b_by_4_0 <= shift1_0(2);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2657,7 +3145,6 @@ begin
                 in_gain1g_1 <= in_gain1g;
                 in_gain1b_1 <= in_gain1b;
                 hidden_1 <= hidden_0;
-                shift1_1 <= shift1_0;
                 band1_kept_1 <= band1_kept_0;
                 v1_x_1 <= v1_x_0;
                 v1_y_1 <= v1_y_0;
@@ -2674,6 +3161,15 @@ begin
                 texels1_11_1 <= texels1_11_0;
                 texels1_11_v2_1 <= texels1_11_v2_0;
                 blend1_signed_1 <= blend1_signed_0;
+                square1_r_by_1_1 <= square1_r_by_1_0;
+                square1_r_amount_2_1 <= square1_r_amount_2_0;
+                square1_r_by_4_1 <= square1_r_by_4_0;
+                square1_g_by_1_1 <= square1_g_by_1_0;
+                square1_g_amount_2_1 <= square1_g_amount_2_0;
+                square1_g_by_4_1 <= square1_g_by_4_0;
+                square1_b_by_1_1 <= square1_b_by_1_0;
+                square1_b_amount_2_1 <= square1_b_amount_2_0;
+                square1_b_by_4_1 <= square1_b_by_4_0;
             end if;
         end if;
     end process;
@@ -2700,7 +3196,6 @@ begin
                 in_gain1g_2 <= in_gain1g_1;
                 in_gain1b_2 <= in_gain1b_1;
                 hidden_2 <= hidden_1;
-                shift1_2 <= shift1_1;
                 band1_next_exact_2 <= band1_next_exact_1;
                 v1_xy_2 <= v1_xy_1;
                 v1_scaled_2 <= v1_scaled_1;
@@ -2715,6 +3210,15 @@ begin
                 texels1_11_2 <= texels1_11_1;
                 texels1_11_v2_2 <= texels1_11_v2_1;
                 blend1_signed_2 <= blend1_signed_1;
+                square1_r_by_1_2 <= square1_r_by_1_1;
+                square1_r_amount_2_2 <= square1_r_amount_2_1;
+                square1_r_by_4_2 <= square1_r_by_4_1;
+                square1_g_by_1_2 <= square1_g_by_1_1;
+                square1_g_amount_2_2 <= square1_g_amount_2_1;
+                square1_g_by_4_2 <= square1_g_by_4_1;
+                square1_b_by_1_2 <= square1_b_by_1_1;
+                square1_b_amount_2_2 <= square1_b_amount_2_1;
+                square1_b_by_4_2 <= square1_b_by_4_1;
             end if;
         end if;
     end process;
@@ -2760,7 +3264,6 @@ begin
                 in_gain1g_3 <= in_gain1g_2;
                 in_gain1b_3 <= in_gain1b_2;
                 hidden_3 <= hidden_2;
-                shift1_3 <= shift1_2;
                 v1_cut_3 <= v1_cut_2;
                 x1_3 <= x1_2;
                 u1_xyz_3 <= u1_xyz_2;
@@ -2777,11 +3280,20 @@ begin
                 texels1_11_3 <= texels1_11_2;
                 texels1_11_v2_3 <= texels1_11_v2_2;
                 blend1_signed_3 <= blend1_signed_2;
+                square1_r_by_1_3 <= square1_r_by_1_2;
+                square1_r_amount_2_3 <= square1_r_amount_2_2;
+                square1_r_by_4_3 <= square1_r_by_4_2;
+                square1_g_by_1_3 <= square1_g_by_1_2;
+                square1_g_amount_2_3 <= square1_g_amount_2_2;
+                square1_g_by_4_3 <= square1_g_by_4_2;
+                square1_b_by_1_3 <= square1_b_by_1_2;
+                square1_b_amount_2_3 <= square1_b_amount_2_2;
+                square1_b_by_4_3 <= square1_b_by_4_2;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 3: v1_kept, u1_below, u1_minus, u1_either, v1_square
+    -- ===== Stage 3: v1_kept, u1_below, u1_minus, u1_either, v1_square and 6 more
     -- UQ6.6: between the outermost centres
     v1_kept_3 <= (others => '0') when v1_cut_3(15) = '1' else
         to_unsigned(4032, 12) when v1_cut_3 > 4032 else
@@ -2796,8 +3308,6 @@ begin
     v1_odd_3 <= v1_odd_high_3;
     -- UQ1.0: its last bit
     v1_is_odd_3 <= v1_texel_3(0);
-    -- UQ1.6: in the wider of two formats
-    v1_weight_wide_3 <= resize(v1_weight_3, 7);
     -- UQ1.0: whether it is below 0
     u1_below_3 <= '1' when to_signed(0, 19) > u1_xyz_3 else '0';
     -- Q4.14: its opposite
@@ -2806,6 +3316,54 @@ begin
     u1_either_3 <= u1_minus_3 when u1_below_3 = '1' else u1_xyz_3;
     -- Q3.28: y^2
     v1_square_3 <= v1_unit_3 * v1_unit_3;
+    -- UQ-5.6: a bit of the weight
+    v1_weight_bit_0_3 <= v1_weight_3(0 downto 0);
+    -- UQ-4.5: a bit of the weight
+    v1_weight_bit_1_3 <= v1_weight_3(1 downto 1);
+    -- UQ-3.4: a bit of the weight
+    v1_weight_bit_2_3 <= v1_weight_3(2 downto 2);
+    -- UQ-2.3: a bit of the weight
+    v1_weight_bit_3_3 <= v1_weight_3(3 downto 3);
+    -- UQ-1.2: a bit of the weight
+    v1_weight_bit_4_3 <= v1_weight_3(4 downto 4);
+    -- UQ0.1: a bit of the weight
+    v1_weight_bit_5_3 <= v1_weight_3(5 downto 5);
+    -- UQ1.0: as a flag
+    v1_weight_of_0_flag_3 <= v1_weight_bit_0_3(0);
+    -- UQ1.0: it is 0
+    v1_weight_of_0_not_3 <= not v1_weight_of_0_flag_3;
+    -- UQ1.0: whether it counts for the odd one
+    v1_weight_of_0_3 <= v1_weight_of_0_not_3 when v1_is_odd_3 = '1' else v1_weight_of_0_flag_3;
+    -- UQ1.0: as a flag
+    v1_weight_of_1_flag_3 <= v1_weight_bit_1_3(0);
+    -- UQ1.0: it is 0
+    v1_weight_of_1_not_3 <= not v1_weight_of_1_flag_3;
+    -- UQ1.0: whether it counts for the odd one
+    v1_weight_of_1_3 <= v1_weight_of_1_not_3 when v1_is_odd_3 = '1' else v1_weight_of_1_flag_3;
+    -- UQ1.0: as a flag
+    v1_weight_of_2_flag_3 <= v1_weight_bit_2_3(0);
+    -- UQ1.0: it is 0
+    v1_weight_of_2_not_3 <= not v1_weight_of_2_flag_3;
+    -- UQ1.0: whether it counts for the odd one
+    v1_weight_of_2_3 <= v1_weight_of_2_not_3 when v1_is_odd_3 = '1' else v1_weight_of_2_flag_3;
+    -- UQ1.0: as a flag
+    v1_weight_of_3_flag_3 <= v1_weight_bit_3_3(0);
+    -- UQ1.0: it is 0
+    v1_weight_of_3_not_3 <= not v1_weight_of_3_flag_3;
+    -- UQ1.0: whether it counts for the odd one
+    v1_weight_of_3_3 <= v1_weight_of_3_not_3 when v1_is_odd_3 = '1' else v1_weight_of_3_flag_3;
+    -- UQ1.0: as a flag
+    v1_weight_of_4_flag_3 <= v1_weight_bit_4_3(0);
+    -- UQ1.0: it is 0
+    v1_weight_of_4_not_3 <= not v1_weight_of_4_flag_3;
+    -- UQ1.0: whether it counts for the odd one
+    v1_weight_of_4_3 <= v1_weight_of_4_not_3 when v1_is_odd_3 = '1' else v1_weight_of_4_flag_3;
+    -- UQ1.0: as a flag
+    v1_weight_of_5_flag_3 <= v1_weight_bit_5_3(0);
+    -- UQ1.0: it is 0
+    v1_weight_of_5_not_3 <= not v1_weight_of_5_flag_3;
+    -- UQ1.0: whether it counts for the odd one
+    v1_weight_of_5_3 <= v1_weight_of_5_not_3 when v1_is_odd_3 = '1' else v1_weight_of_5_flag_3;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2817,12 +3375,9 @@ begin
                 in_gain1g_4 <= in_gain1g_3;
                 in_gain1b_4 <= in_gain1b_3;
                 hidden_4 <= hidden_3;
-                shift1_4 <= shift1_3;
                 v1_texel_4 <= v1_texel_3;
-                v1_weight_4 <= v1_weight_3;
                 v1_odd_4 <= v1_odd_3;
                 v1_is_odd_4 <= v1_is_odd_3;
-                v1_weight_wide_4 <= v1_weight_wide_3;
                 x1_4 <= x1_3;
                 u1_either_4 <= u1_either_3;
                 v1_square_4 <= v1_square_3;
@@ -2837,18 +3392,29 @@ begin
                 texels1_10_v2_4 <= texels1_10_v2_3;
                 texels1_11_4 <= texels1_11_3;
                 texels1_11_v2_4 <= texels1_11_v2_3;
+                v1_weight_of_0_4 <= v1_weight_of_0_3;
+                v1_weight_of_1_4 <= v1_weight_of_1_3;
+                v1_weight_of_2_4 <= v1_weight_of_2_3;
+                v1_weight_of_3_4 <= v1_weight_of_3_3;
+                v1_weight_of_4_4 <= v1_weight_of_4_3;
+                v1_weight_of_5_4 <= v1_weight_of_5_3;
                 blend1_signed_4 <= blend1_signed_3;
+                square1_r_by_1_4 <= square1_r_by_1_3;
+                square1_r_amount_2_4 <= square1_r_amount_2_3;
+                square1_r_by_4_4 <= square1_r_by_4_3;
+                square1_g_by_1_4 <= square1_g_by_1_3;
+                square1_g_amount_2_4 <= square1_g_amount_2_3;
+                square1_g_by_4_4 <= square1_g_by_4_3;
+                square1_b_by_1_4 <= square1_b_by_1_3;
+                square1_b_amount_2_4 <= square1_b_amount_2_3;
+                square1_b_by_4_4 <= square1_b_by_4_3;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 4: v1_next_exact, v1_other, v1_odd, u1_kept, rr1_exact and 4 more
+    -- ===== Stage 4: v1_next_exact, u1_kept, rr1_exact, texel1_01, texel1_01 and 2 more
     -- UQ7.0: the next
     v1_next_exact_4 <= resize(v1_texel_4, 7) + to_unsigned(1, 7);
-    -- UQ1.6: the weight of the place itself
-    v1_other_4 <= to_unsigned(64, 7) - resize(v1_weight_4, 7);
-    -- UQ1.6: the weight of the odd one
-    v1_odd_v2_4 <= v1_other_4 when v1_is_odd_4 = '1' else v1_weight_wide_4;
     -- UQ1.14: of a unit vector it is at most 1
     u1_kept_4 <= (others => '0') when u1_either_4(18) = '1' else
         (14 => '1', others => '0') when unsigned(u1_either_4(17 downto 14)) /= 0 else
@@ -2875,32 +3441,6 @@ begin
     texel1_11_v2_4 <= shift_left(resize(texels1_11_v2_4, 7), 5) + resize(v1_odd_4, 7);
     -- UQ12.-5: the first of them
     texels1_111_4 <= texel1_11_v2_4;
-    -- UQ1.0: a bit of the weight
-    v1_odd_whole_4 <= v1_odd_v2_4(6);
-    -- UQ-5.6: a bit of the weight
-    v1_odd_bit_0_4 <= v1_odd_v2_4(0);
-    -- UQ-4.5: a bit of the weight
-    v1_odd_bit_1_4 <= v1_odd_v2_4(1);
-    -- UQ-3.4: a bit of the weight
-    v1_odd_bit_2_4 <= v1_odd_v2_4(2);
-    -- UQ-2.3: a bit of the weight
-    v1_odd_bit_3_4 <= v1_odd_v2_4(3);
-    -- UQ-1.2: a bit of the weight
-    v1_odd_bit_4_4 <= v1_odd_v2_4(4);
-    -- UQ0.1: a bit of the weight
-    v1_odd_bit_5_4 <= v1_odd_v2_4(5);
-    -- UQ1.0: 1 where the weight is 1
-    v1_odd_of_0_4 <= v1_odd_bit_0_4 or v1_odd_whole_4;
-    -- UQ1.0: 1 where the weight is 1
-    v1_odd_of_1_4 <= v1_odd_bit_1_4 or v1_odd_whole_4;
-    -- UQ1.0: 1 where the weight is 1
-    v1_odd_of_2_4 <= v1_odd_bit_2_4 or v1_odd_whole_4;
-    -- UQ1.0: 1 where the weight is 1
-    v1_odd_of_3_4 <= v1_odd_bit_3_4 or v1_odd_whole_4;
-    -- UQ1.0: 1 where the weight is 1
-    v1_odd_of_4_4 <= v1_odd_bit_4_4 or v1_odd_whole_4;
-    -- UQ1.0: 1 where the weight is 1
-    v1_odd_of_5_4 <= v1_odd_bit_5_4 or v1_odd_whole_4;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -2912,8 +3452,8 @@ begin
                 in_gain1g_5 <= in_gain1g_4;
                 in_gain1b_5 <= in_gain1b_4;
                 hidden_5 <= hidden_4;
-                shift1_5 <= shift1_4;
                 v1_next_exact_5 <= v1_next_exact_4;
+                v1_is_odd_5 <= v1_is_odd_4;
                 x1_5 <= x1_4;
                 rr1_cut_5 <= rr1_cut_4;
                 u1_kept_signed_5 <= u1_kept_signed_4;
@@ -2928,14 +3468,22 @@ begin
                 texels1_10_v2_5 <= texels1_10_v2_4;
                 texels1_110_5 <= texels1_110_4;
                 texels1_111_5 <= texels1_111_4;
-                v1_odd_whole_5 <= v1_odd_whole_4;
-                v1_odd_of_0_5 <= v1_odd_of_0_4;
-                v1_odd_of_1_5 <= v1_odd_of_1_4;
-                v1_odd_of_2_5 <= v1_odd_of_2_4;
-                v1_odd_of_3_5 <= v1_odd_of_3_4;
-                v1_odd_of_4_5 <= v1_odd_of_4_4;
-                v1_odd_of_5_5 <= v1_odd_of_5_4;
+                v1_weight_of_0_5 <= v1_weight_of_0_4;
+                v1_weight_of_1_5 <= v1_weight_of_1_4;
+                v1_weight_of_2_5 <= v1_weight_of_2_4;
+                v1_weight_of_3_5 <= v1_weight_of_3_4;
+                v1_weight_of_4_5 <= v1_weight_of_4_4;
+                v1_weight_of_5_5 <= v1_weight_of_5_4;
                 blend1_signed_5 <= blend1_signed_4;
+                square1_r_by_1_5 <= square1_r_by_1_4;
+                square1_r_amount_2_5 <= square1_r_amount_2_4;
+                square1_r_by_4_5 <= square1_r_by_4_4;
+                square1_g_by_1_5 <= square1_g_by_1_4;
+                square1_g_amount_2_5 <= square1_g_amount_2_4;
+                square1_g_by_4_5 <= square1_g_by_4_4;
+                square1_b_by_1_5 <= square1_b_by_1_4;
+                square1_b_amount_2_5 <= square1_b_amount_2_4;
+                square1_b_by_4_5 <= square1_b_by_4_4;
             end if;
         end if;
     end process;
@@ -3012,8 +3560,8 @@ begin
                 in_gain1g_6 <= in_gain1g_5;
                 in_gain1b_6 <= in_gain1b_5;
                 hidden_6 <= hidden_5;
-                shift1_6 <= shift1_5;
                 v1_even_6 <= v1_even_5;
+                v1_is_odd_6 <= v1_is_odd_5;
                 x1_6 <= x1_5;
                 place1_4_6 <= place1_4_5;
                 place1_2_6 <= place1_2_5;
@@ -3033,14 +3581,22 @@ begin
                 texels1_10_v2_6 <= texels1_10_v2_5;
                 texels1_110_6 <= texels1_110_5;
                 texels1_111_6 <= texels1_111_5;
-                v1_odd_whole_6 <= v1_odd_whole_5;
-                v1_odd_of_0_6 <= v1_odd_of_0_5;
-                v1_odd_of_1_6 <= v1_odd_of_1_5;
-                v1_odd_of_2_6 <= v1_odd_of_2_5;
-                v1_odd_of_3_6 <= v1_odd_of_3_5;
-                v1_odd_of_4_6 <= v1_odd_of_4_5;
-                v1_odd_of_5_6 <= v1_odd_of_5_5;
+                v1_weight_of_0_6 <= v1_weight_of_0_5;
+                v1_weight_of_1_6 <= v1_weight_of_1_5;
+                v1_weight_of_2_6 <= v1_weight_of_2_5;
+                v1_weight_of_3_6 <= v1_weight_of_3_5;
+                v1_weight_of_4_6 <= v1_weight_of_4_5;
+                v1_weight_of_5_6 <= v1_weight_of_5_5;
                 blend1_signed_6 <= blend1_signed_5;
+                square1_r_by_1_6 <= square1_r_by_1_5;
+                square1_r_amount_2_6 <= square1_r_amount_2_5;
+                square1_r_by_4_6 <= square1_r_by_4_5;
+                square1_g_by_1_6 <= square1_g_by_1_5;
+                square1_g_amount_2_6 <= square1_g_amount_2_5;
+                square1_g_by_4_6 <= square1_g_by_4_5;
+                square1_b_by_1_6 <= square1_b_by_1_5;
+                square1_b_amount_2_6 <= square1_b_amount_2_5;
+                square1_b_by_4_6 <= square1_b_by_4_5;
             end if;
         end if;
     end process;
@@ -3087,7 +3643,7 @@ begin
                 in_gain1g_7 <= in_gain1g_6;
                 in_gain1b_7 <= in_gain1b_6;
                 hidden_7 <= hidden_6;
-                shift1_7 <= shift1_6;
+                v1_is_odd_7 <= v1_is_odd_6;
                 x1_7 <= x1_6;
                 exponent1_2_7 <= exponent1_2_6;
                 place1_1_7 <= place1_1_6;
@@ -3105,14 +3661,22 @@ begin
                 texels1_101_7 <= texels1_101_6;
                 texels1_110_7 <= texels1_110_6;
                 texels1_111_7 <= texels1_111_6;
-                v1_odd_whole_7 <= v1_odd_whole_6;
-                v1_odd_of_0_7 <= v1_odd_of_0_6;
-                v1_odd_of_1_7 <= v1_odd_of_1_6;
-                v1_odd_of_2_7 <= v1_odd_of_2_6;
-                v1_odd_of_3_7 <= v1_odd_of_3_6;
-                v1_odd_of_4_7 <= v1_odd_of_4_6;
-                v1_odd_of_5_7 <= v1_odd_of_5_6;
+                v1_weight_of_0_7 <= v1_weight_of_0_6;
+                v1_weight_of_1_7 <= v1_weight_of_1_6;
+                v1_weight_of_2_7 <= v1_weight_of_2_6;
+                v1_weight_of_3_7 <= v1_weight_of_3_6;
+                v1_weight_of_4_7 <= v1_weight_of_4_6;
+                v1_weight_of_5_7 <= v1_weight_of_5_6;
                 blend1_signed_7 <= blend1_signed_6;
+                square1_r_by_1_7 <= square1_r_by_1_6;
+                square1_r_amount_2_7 <= square1_r_amount_2_6;
+                square1_r_by_4_7 <= square1_r_by_4_6;
+                square1_g_by_1_7 <= square1_g_by_1_6;
+                square1_g_amount_2_7 <= square1_g_amount_2_6;
+                square1_g_by_4_7 <= square1_g_by_4_6;
+                square1_b_by_1_7 <= square1_b_by_1_6;
+                square1_b_amount_2_7 <= square1_b_amount_2_6;
+                square1_b_by_4_7 <= square1_b_by_4_6;
             end if;
         end if;
     end process;
@@ -3133,7 +3697,7 @@ begin
                 in_gain1g_8 <= in_gain1g_7;
                 in_gain1b_8 <= in_gain1b_7;
                 hidden_8 <= hidden_7;
-                shift1_8 <= shift1_7;
+                v1_is_odd_8 <= v1_is_odd_7;
                 x1_8 <= x1_7;
                 step1_number_8 <= step1_number_7;
                 octave1_8 <= octave1_7;
@@ -3150,14 +3714,22 @@ begin
                 texels1_101_8 <= texels1_101_7;
                 texels1_110_8 <= texels1_110_7;
                 texels1_111_8 <= texels1_111_7;
-                v1_odd_whole_8 <= v1_odd_whole_7;
-                v1_odd_of_0_8 <= v1_odd_of_0_7;
-                v1_odd_of_1_8 <= v1_odd_of_1_7;
-                v1_odd_of_2_8 <= v1_odd_of_2_7;
-                v1_odd_of_3_8 <= v1_odd_of_3_7;
-                v1_odd_of_4_8 <= v1_odd_of_4_7;
-                v1_odd_of_5_8 <= v1_odd_of_5_7;
+                v1_weight_of_0_8 <= v1_weight_of_0_7;
+                v1_weight_of_1_8 <= v1_weight_of_1_7;
+                v1_weight_of_2_8 <= v1_weight_of_2_7;
+                v1_weight_of_3_8 <= v1_weight_of_3_7;
+                v1_weight_of_4_8 <= v1_weight_of_4_7;
+                v1_weight_of_5_8 <= v1_weight_of_5_7;
                 blend1_signed_8 <= blend1_signed_7;
+                square1_r_by_1_8 <= square1_r_by_1_7;
+                square1_r_amount_2_8 <= square1_r_amount_2_7;
+                square1_r_by_4_8 <= square1_r_by_4_7;
+                square1_g_by_1_8 <= square1_g_by_1_7;
+                square1_g_amount_2_8 <= square1_g_amount_2_7;
+                square1_g_by_4_8 <= square1_g_by_4_7;
+                square1_b_by_1_8 <= square1_b_by_1_7;
+                square1_b_amount_2_8 <= square1_b_amount_2_7;
+                square1_b_by_4_8 <= square1_b_by_4_7;
             end if;
         end if;
     end process;
@@ -3176,7 +3748,7 @@ begin
                 in_gain1g_9 <= in_gain1g_8;
                 in_gain1b_9 <= in_gain1b_8;
                 hidden_9 <= hidden_8;
-                shift1_9 <= shift1_8;
+                v1_is_odd_9 <= v1_is_odd_8;
                 x1_9 <= x1_8;
                 column1_9 <= column1_8;
                 weight1_9 <= weight1_8;
@@ -3192,14 +3764,22 @@ begin
                 texels1_101_9 <= texels1_101_8;
                 texels1_110_9 <= texels1_110_8;
                 texels1_111_9 <= texels1_111_8;
-                v1_odd_whole_9 <= v1_odd_whole_8;
-                v1_odd_of_0_9 <= v1_odd_of_0_8;
-                v1_odd_of_1_9 <= v1_odd_of_1_8;
-                v1_odd_of_2_9 <= v1_odd_of_2_8;
-                v1_odd_of_3_9 <= v1_odd_of_3_8;
-                v1_odd_of_4_9 <= v1_odd_of_4_8;
-                v1_odd_of_5_9 <= v1_odd_of_5_8;
+                v1_weight_of_0_9 <= v1_weight_of_0_8;
+                v1_weight_of_1_9 <= v1_weight_of_1_8;
+                v1_weight_of_2_9 <= v1_weight_of_2_8;
+                v1_weight_of_3_9 <= v1_weight_of_3_8;
+                v1_weight_of_4_9 <= v1_weight_of_4_8;
+                v1_weight_of_5_9 <= v1_weight_of_5_8;
                 blend1_signed_9 <= blend1_signed_8;
+                square1_r_by_1_9 <= square1_r_by_1_8;
+                square1_r_amount_2_9 <= square1_r_amount_2_8;
+                square1_r_by_4_9 <= square1_r_by_4_8;
+                square1_g_by_1_9 <= square1_g_by_1_8;
+                square1_g_amount_2_9 <= square1_g_amount_2_8;
+                square1_g_by_4_9 <= square1_g_by_4_8;
+                square1_b_by_1_9 <= square1_b_by_1_8;
+                square1_b_amount_2_9 <= square1_b_amount_2_8;
+                square1_b_by_4_9 <= square1_b_by_4_8;
             end if;
         end if;
     end process;
@@ -3224,7 +3804,7 @@ begin
                 in_gain1g_10 <= in_gain1g_9;
                 in_gain1b_10 <= in_gain1b_9;
                 hidden_10 <= hidden_9;
-                shift1_10 <= shift1_9;
+                v1_is_odd_10 <= v1_is_odd_9;
                 x1_10 <= x1_9;
                 weight1_10 <= weight1_9;
                 u1_kept_signed_10 <= u1_kept_signed_9;
@@ -3239,14 +3819,22 @@ begin
                 texels1_101_10 <= texels1_101_9;
                 texels1_110_10 <= texels1_110_9;
                 texels1_111_10 <= texels1_111_9;
-                v1_odd_whole_10 <= v1_odd_whole_9;
-                v1_odd_of_0_10 <= v1_odd_of_0_9;
-                v1_odd_of_1_10 <= v1_odd_of_1_9;
-                v1_odd_of_2_10 <= v1_odd_of_2_9;
-                v1_odd_of_3_10 <= v1_odd_of_3_9;
-                v1_odd_of_4_10 <= v1_odd_of_4_9;
-                v1_odd_of_5_10 <= v1_odd_of_5_9;
+                v1_weight_of_0_10 <= v1_weight_of_0_9;
+                v1_weight_of_1_10 <= v1_weight_of_1_9;
+                v1_weight_of_2_10 <= v1_weight_of_2_9;
+                v1_weight_of_3_10 <= v1_weight_of_3_9;
+                v1_weight_of_4_10 <= v1_weight_of_4_9;
+                v1_weight_of_5_10 <= v1_weight_of_5_9;
                 blend1_signed_10 <= blend1_signed_9;
+                square1_r_by_1_10 <= square1_r_by_1_9;
+                square1_r_amount_2_10 <= square1_r_amount_2_9;
+                square1_r_by_4_10 <= square1_r_by_4_9;
+                square1_g_by_1_10 <= square1_g_by_1_9;
+                square1_g_amount_2_10 <= square1_g_amount_2_9;
+                square1_g_by_4_10 <= square1_g_by_4_9;
+                square1_b_by_1_10 <= square1_b_by_1_9;
+                square1_b_amount_2_10 <= square1_b_amount_2_9;
+                square1_b_by_4_10 <= square1_b_by_4_9;
             end if;
         end if;
     end process;
@@ -3267,7 +3855,7 @@ begin
                 in_gain1g_11 <= in_gain1g_10;
                 in_gain1b_11 <= in_gain1b_10;
                 hidden_11 <= hidden_10;
-                shift1_11 <= shift1_10;
+                v1_is_odd_11 <= v1_is_odd_10;
                 x1_11 <= x1_10;
                 weight1_11 <= weight1_10;
                 root_1_11 <= root_1_10;
@@ -3284,14 +3872,22 @@ begin
                 texels1_101_11 <= texels1_101_10;
                 texels1_110_11 <= texels1_110_10;
                 texels1_111_11 <= texels1_111_10;
-                v1_odd_whole_11 <= v1_odd_whole_10;
-                v1_odd_of_0_11 <= v1_odd_of_0_10;
-                v1_odd_of_1_11 <= v1_odd_of_1_10;
-                v1_odd_of_2_11 <= v1_odd_of_2_10;
-                v1_odd_of_3_11 <= v1_odd_of_3_10;
-                v1_odd_of_4_11 <= v1_odd_of_4_10;
-                v1_odd_of_5_11 <= v1_odd_of_5_10;
+                v1_weight_of_0_11 <= v1_weight_of_0_10;
+                v1_weight_of_1_11 <= v1_weight_of_1_10;
+                v1_weight_of_2_11 <= v1_weight_of_2_10;
+                v1_weight_of_3_11 <= v1_weight_of_3_10;
+                v1_weight_of_4_11 <= v1_weight_of_4_10;
+                v1_weight_of_5_11 <= v1_weight_of_5_10;
                 blend1_signed_11 <= blend1_signed_10;
+                square1_r_by_1_11 <= square1_r_by_1_10;
+                square1_r_amount_2_11 <= square1_r_amount_2_10;
+                square1_r_by_4_11 <= square1_r_by_4_10;
+                square1_g_by_1_11 <= square1_g_by_1_10;
+                square1_g_amount_2_11 <= square1_g_amount_2_10;
+                square1_g_by_4_11 <= square1_g_by_4_10;
+                square1_b_by_1_11 <= square1_b_by_1_10;
+                square1_b_amount_2_11 <= square1_b_amount_2_10;
+                square1_b_by_4_11 <= square1_b_by_4_10;
             end if;
         end if;
     end process;
@@ -3308,7 +3904,7 @@ begin
                 in_gain1g_12 <= in_gain1g_11;
                 in_gain1b_12 <= in_gain1b_11;
                 hidden_12 <= hidden_11;
-                shift1_12 <= shift1_11;
+                v1_is_odd_12 <= v1_is_odd_11;
                 x1_12 <= x1_11;
                 weight1_12 <= weight1_11;
                 root_1_12 <= root_1_11;
@@ -3325,14 +3921,22 @@ begin
                 texels1_101_12 <= texels1_101_11;
                 texels1_110_12 <= texels1_110_11;
                 texels1_111_12 <= texels1_111_11;
-                v1_odd_whole_12 <= v1_odd_whole_11;
-                v1_odd_of_0_12 <= v1_odd_of_0_11;
-                v1_odd_of_1_12 <= v1_odd_of_1_11;
-                v1_odd_of_2_12 <= v1_odd_of_2_11;
-                v1_odd_of_3_12 <= v1_odd_of_3_11;
-                v1_odd_of_4_12 <= v1_odd_of_4_11;
-                v1_odd_of_5_12 <= v1_odd_of_5_11;
+                v1_weight_of_0_12 <= v1_weight_of_0_11;
+                v1_weight_of_1_12 <= v1_weight_of_1_11;
+                v1_weight_of_2_12 <= v1_weight_of_2_11;
+                v1_weight_of_3_12 <= v1_weight_of_3_11;
+                v1_weight_of_4_12 <= v1_weight_of_4_11;
+                v1_weight_of_5_12 <= v1_weight_of_5_11;
                 blend1_signed_12 <= blend1_signed_11;
+                square1_r_by_1_12 <= square1_r_by_1_11;
+                square1_r_amount_2_12 <= square1_r_amount_2_11;
+                square1_r_by_4_12 <= square1_r_by_4_11;
+                square1_g_by_1_12 <= square1_g_by_1_11;
+                square1_g_amount_2_12 <= square1_g_amount_2_11;
+                square1_g_by_4_12 <= square1_g_by_4_11;
+                square1_b_by_1_12 <= square1_b_by_1_11;
+                square1_b_amount_2_12 <= square1_b_amount_2_11;
+                square1_b_by_4_12 <= square1_b_by_4_11;
             end if;
         end if;
     end process;
@@ -3351,7 +3955,7 @@ begin
                 in_gain1g_13 <= in_gain1g_12;
                 in_gain1b_13 <= in_gain1b_12;
                 hidden_13 <= hidden_12;
-                shift1_13 <= shift1_12;
+                v1_is_odd_13 <= v1_is_odd_12;
                 x1_13 <= x1_12;
                 root_1_13 <= root_1_12;
                 fall_part1_13 <= fall_part1_12;
@@ -3367,14 +3971,22 @@ begin
                 texels1_101_13 <= texels1_101_12;
                 texels1_110_13 <= texels1_110_12;
                 texels1_111_13 <= texels1_111_12;
-                v1_odd_whole_13 <= v1_odd_whole_12;
-                v1_odd_of_0_13 <= v1_odd_of_0_12;
-                v1_odd_of_1_13 <= v1_odd_of_1_12;
-                v1_odd_of_2_13 <= v1_odd_of_2_12;
-                v1_odd_of_3_13 <= v1_odd_of_3_12;
-                v1_odd_of_4_13 <= v1_odd_of_4_12;
-                v1_odd_of_5_13 <= v1_odd_of_5_12;
+                v1_weight_of_0_13 <= v1_weight_of_0_12;
+                v1_weight_of_1_13 <= v1_weight_of_1_12;
+                v1_weight_of_2_13 <= v1_weight_of_2_12;
+                v1_weight_of_3_13 <= v1_weight_of_3_12;
+                v1_weight_of_4_13 <= v1_weight_of_4_12;
+                v1_weight_of_5_13 <= v1_weight_of_5_12;
                 blend1_signed_13 <= blend1_signed_12;
+                square1_r_by_1_13 <= square1_r_by_1_12;
+                square1_r_amount_2_13 <= square1_r_amount_2_12;
+                square1_r_by_4_13 <= square1_r_by_4_12;
+                square1_g_by_1_13 <= square1_g_by_1_12;
+                square1_g_amount_2_13 <= square1_g_amount_2_12;
+                square1_g_by_4_13 <= square1_g_by_4_12;
+                square1_b_by_1_13 <= square1_b_by_1_12;
+                square1_b_amount_2_13 <= square1_b_amount_2_12;
+                square1_b_by_4_13 <= square1_b_by_4_12;
             end if;
         end if;
     end process;
@@ -3391,7 +4003,7 @@ begin
                 in_gain1g_14 <= in_gain1g_13;
                 in_gain1b_14 <= in_gain1b_13;
                 hidden_14 <= hidden_13;
-                shift1_14 <= shift1_13;
+                v1_is_odd_14 <= v1_is_odd_13;
                 x1_14 <= x1_13;
                 root_1_14 <= root_1_13;
                 fall_part1_14 <= fall_part1_13;
@@ -3407,14 +4019,22 @@ begin
                 texels1_101_14 <= texels1_101_13;
                 texels1_110_14 <= texels1_110_13;
                 texels1_111_14 <= texels1_111_13;
-                v1_odd_whole_14 <= v1_odd_whole_13;
-                v1_odd_of_0_14 <= v1_odd_of_0_13;
-                v1_odd_of_1_14 <= v1_odd_of_1_13;
-                v1_odd_of_2_14 <= v1_odd_of_2_13;
-                v1_odd_of_3_14 <= v1_odd_of_3_13;
-                v1_odd_of_4_14 <= v1_odd_of_4_13;
-                v1_odd_of_5_14 <= v1_odd_of_5_13;
+                v1_weight_of_0_14 <= v1_weight_of_0_13;
+                v1_weight_of_1_14 <= v1_weight_of_1_13;
+                v1_weight_of_2_14 <= v1_weight_of_2_13;
+                v1_weight_of_3_14 <= v1_weight_of_3_13;
+                v1_weight_of_4_14 <= v1_weight_of_4_13;
+                v1_weight_of_5_14 <= v1_weight_of_5_13;
                 blend1_signed_14 <= blend1_signed_13;
+                square1_r_by_1_14 <= square1_r_by_1_13;
+                square1_r_amount_2_14 <= square1_r_amount_2_13;
+                square1_r_by_4_14 <= square1_r_by_4_13;
+                square1_g_by_1_14 <= square1_g_by_1_13;
+                square1_g_amount_2_14 <= square1_g_amount_2_13;
+                square1_g_by_4_14 <= square1_g_by_4_13;
+                square1_b_by_1_14 <= square1_b_by_1_13;
+                square1_b_amount_2_14 <= square1_b_amount_2_13;
+                square1_b_by_4_14 <= square1_b_by_4_13;
             end if;
         end if;
     end process;
@@ -3435,7 +4055,7 @@ begin
                 in_gain1g_15 <= in_gain1g_14;
                 in_gain1b_15 <= in_gain1b_14;
                 hidden_15 <= hidden_14;
-                shift1_15 <= shift1_14;
+                v1_is_odd_15 <= v1_is_odd_14;
                 x1_15 <= x1_14;
                 root_cut1_15 <= root_cut1_14;
                 u1_kept_signed_15 <= u1_kept_signed_14;
@@ -3450,14 +4070,22 @@ begin
                 texels1_101_15 <= texels1_101_14;
                 texels1_110_15 <= texels1_110_14;
                 texels1_111_15 <= texels1_111_14;
-                v1_odd_whole_15 <= v1_odd_whole_14;
-                v1_odd_of_0_15 <= v1_odd_of_0_14;
-                v1_odd_of_1_15 <= v1_odd_of_1_14;
-                v1_odd_of_2_15 <= v1_odd_of_2_14;
-                v1_odd_of_3_15 <= v1_odd_of_3_14;
-                v1_odd_of_4_15 <= v1_odd_of_4_14;
-                v1_odd_of_5_15 <= v1_odd_of_5_14;
+                v1_weight_of_0_15 <= v1_weight_of_0_14;
+                v1_weight_of_1_15 <= v1_weight_of_1_14;
+                v1_weight_of_2_15 <= v1_weight_of_2_14;
+                v1_weight_of_3_15 <= v1_weight_of_3_14;
+                v1_weight_of_4_15 <= v1_weight_of_4_14;
+                v1_weight_of_5_15 <= v1_weight_of_5_14;
                 blend1_signed_15 <= blend1_signed_14;
+                square1_r_by_1_15 <= square1_r_by_1_14;
+                square1_r_amount_2_15 <= square1_r_amount_2_14;
+                square1_r_by_4_15 <= square1_r_by_4_14;
+                square1_g_by_1_15 <= square1_g_by_1_14;
+                square1_g_amount_2_15 <= square1_g_amount_2_14;
+                square1_g_by_4_15 <= square1_g_by_4_14;
+                square1_b_by_1_15 <= square1_b_by_1_14;
+                square1_b_amount_2_15 <= square1_b_amount_2_14;
+                square1_b_by_4_15 <= square1_b_by_4_14;
             end if;
         end if;
     end process;
@@ -3478,7 +4106,7 @@ begin
                 in_gain1g_16 <= in_gain1g_15;
                 in_gain1b_16 <= in_gain1b_15;
                 hidden_16 <= hidden_15;
-                shift1_16 <= shift1_15;
+                v1_is_odd_16 <= v1_is_odd_15;
                 x1_16 <= x1_15;
                 tilt1_cut_16 <= tilt1_cut_15;
                 alone1_16 <= alone1_15;
@@ -3492,14 +4120,22 @@ begin
                 texels1_101_16 <= texels1_101_15;
                 texels1_110_16 <= texels1_110_15;
                 texels1_111_16 <= texels1_111_15;
-                v1_odd_whole_16 <= v1_odd_whole_15;
-                v1_odd_of_0_16 <= v1_odd_of_0_15;
-                v1_odd_of_1_16 <= v1_odd_of_1_15;
-                v1_odd_of_2_16 <= v1_odd_of_2_15;
-                v1_odd_of_3_16 <= v1_odd_of_3_15;
-                v1_odd_of_4_16 <= v1_odd_of_4_15;
-                v1_odd_of_5_16 <= v1_odd_of_5_15;
+                v1_weight_of_0_16 <= v1_weight_of_0_15;
+                v1_weight_of_1_16 <= v1_weight_of_1_15;
+                v1_weight_of_2_16 <= v1_weight_of_2_15;
+                v1_weight_of_3_16 <= v1_weight_of_3_15;
+                v1_weight_of_4_16 <= v1_weight_of_4_15;
+                v1_weight_of_5_16 <= v1_weight_of_5_15;
                 blend1_signed_16 <= blend1_signed_15;
+                square1_r_by_1_16 <= square1_r_by_1_15;
+                square1_r_amount_2_16 <= square1_r_amount_2_15;
+                square1_r_by_4_16 <= square1_r_by_4_15;
+                square1_g_by_1_16 <= square1_g_by_1_15;
+                square1_g_amount_2_16 <= square1_g_amount_2_15;
+                square1_g_by_4_16 <= square1_g_by_4_15;
+                square1_b_by_1_16 <= square1_b_by_1_15;
+                square1_b_amount_2_16 <= square1_b_amount_2_15;
+                square1_b_by_4_16 <= square1_b_by_4_15;
             end if;
         end if;
     end process;
@@ -3524,7 +4160,7 @@ begin
                 in_gain1g_17 <= in_gain1g_16;
                 in_gain1b_17 <= in_gain1b_16;
                 hidden_17 <= hidden_16;
-                shift1_17 <= shift1_16;
+                v1_is_odd_17 <= v1_is_odd_16;
                 x1_17 <= x1_16;
                 tilt1_signed_17 <= tilt1_signed_16;
                 end1_even_17 <= end1_even_16;
@@ -3537,14 +4173,22 @@ begin
                 texels1_101_17 <= texels1_101_16;
                 texels1_110_17 <= texels1_110_16;
                 texels1_111_17 <= texels1_111_16;
-                v1_odd_whole_17 <= v1_odd_whole_16;
-                v1_odd_of_0_17 <= v1_odd_of_0_16;
-                v1_odd_of_1_17 <= v1_odd_of_1_16;
-                v1_odd_of_2_17 <= v1_odd_of_2_16;
-                v1_odd_of_3_17 <= v1_odd_of_3_16;
-                v1_odd_of_4_17 <= v1_odd_of_4_16;
-                v1_odd_of_5_17 <= v1_odd_of_5_16;
+                v1_weight_of_0_17 <= v1_weight_of_0_16;
+                v1_weight_of_1_17 <= v1_weight_of_1_16;
+                v1_weight_of_2_17 <= v1_weight_of_2_16;
+                v1_weight_of_3_17 <= v1_weight_of_3_16;
+                v1_weight_of_4_17 <= v1_weight_of_4_16;
+                v1_weight_of_5_17 <= v1_weight_of_5_16;
                 blend1_signed_17 <= blend1_signed_16;
+                square1_r_by_1_17 <= square1_r_by_1_16;
+                square1_r_amount_2_17 <= square1_r_amount_2_16;
+                square1_r_by_4_17 <= square1_r_by_4_16;
+                square1_g_by_1_17 <= square1_g_by_1_16;
+                square1_g_amount_2_17 <= square1_g_amount_2_16;
+                square1_g_by_4_17 <= square1_g_by_4_16;
+                square1_b_by_1_17 <= square1_b_by_1_16;
+                square1_b_amount_2_17 <= square1_b_amount_2_16;
+                square1_b_by_4_17 <= square1_b_by_4_16;
             end if;
         end if;
     end process;
@@ -3569,7 +4213,7 @@ begin
                 in_gain1g_18 <= in_gain1g_17;
                 in_gain1b_18 <= in_gain1b_17;
                 hidden_18 <= hidden_17;
-                shift1_18 <= shift1_17;
+                v1_is_odd_18 <= v1_is_odd_17;
                 x1_18 <= x1_17;
                 turn_more1_even_18 <= turn_more1_even_17;
                 end1_even_18 <= end1_even_17;
@@ -3583,14 +4227,22 @@ begin
                 texels1_101_18 <= texels1_101_17;
                 texels1_110_18 <= texels1_110_17;
                 texels1_111_18 <= texels1_111_17;
-                v1_odd_whole_18 <= v1_odd_whole_17;
-                v1_odd_of_0_18 <= v1_odd_of_0_17;
-                v1_odd_of_1_18 <= v1_odd_of_1_17;
-                v1_odd_of_2_18 <= v1_odd_of_2_17;
-                v1_odd_of_3_18 <= v1_odd_of_3_17;
-                v1_odd_of_4_18 <= v1_odd_of_4_17;
-                v1_odd_of_5_18 <= v1_odd_of_5_17;
+                v1_weight_of_0_18 <= v1_weight_of_0_17;
+                v1_weight_of_1_18 <= v1_weight_of_1_17;
+                v1_weight_of_2_18 <= v1_weight_of_2_17;
+                v1_weight_of_3_18 <= v1_weight_of_3_17;
+                v1_weight_of_4_18 <= v1_weight_of_4_17;
+                v1_weight_of_5_18 <= v1_weight_of_5_17;
                 blend1_signed_18 <= blend1_signed_17;
+                square1_r_by_1_18 <= square1_r_by_1_17;
+                square1_r_amount_2_18 <= square1_r_amount_2_17;
+                square1_r_by_4_18 <= square1_r_by_4_17;
+                square1_g_by_1_18 <= square1_g_by_1_17;
+                square1_g_amount_2_18 <= square1_g_amount_2_17;
+                square1_g_by_4_18 <= square1_g_by_4_17;
+                square1_b_by_1_18 <= square1_b_by_1_17;
+                square1_b_amount_2_18 <= square1_b_amount_2_17;
+                square1_b_by_4_18 <= square1_b_by_4_17;
             end if;
         end if;
     end process;
@@ -3609,7 +4261,7 @@ begin
                 in_gain1g_19 <= in_gain1g_18;
                 in_gain1b_19 <= in_gain1b_18;
                 hidden_19 <= hidden_18;
-                shift1_19 <= shift1_18;
+                v1_is_odd_19 <= v1_is_odd_18;
                 x1_19 <= x1_18;
                 turn_exact1_even_19 <= turn_exact1_even_18;
                 end1_even_19 <= end1_even_18;
@@ -3623,14 +4275,22 @@ begin
                 texels1_101_19 <= texels1_101_18;
                 texels1_110_19 <= texels1_110_18;
                 texels1_111_19 <= texels1_111_18;
-                v1_odd_whole_19 <= v1_odd_whole_18;
-                v1_odd_of_0_19 <= v1_odd_of_0_18;
-                v1_odd_of_1_19 <= v1_odd_of_1_18;
-                v1_odd_of_2_19 <= v1_odd_of_2_18;
-                v1_odd_of_3_19 <= v1_odd_of_3_18;
-                v1_odd_of_4_19 <= v1_odd_of_4_18;
-                v1_odd_of_5_19 <= v1_odd_of_5_18;
+                v1_weight_of_0_19 <= v1_weight_of_0_18;
+                v1_weight_of_1_19 <= v1_weight_of_1_18;
+                v1_weight_of_2_19 <= v1_weight_of_2_18;
+                v1_weight_of_3_19 <= v1_weight_of_3_18;
+                v1_weight_of_4_19 <= v1_weight_of_4_18;
+                v1_weight_of_5_19 <= v1_weight_of_5_18;
                 blend1_signed_19 <= blend1_signed_18;
+                square1_r_by_1_19 <= square1_r_by_1_18;
+                square1_r_amount_2_19 <= square1_r_amount_2_18;
+                square1_r_by_4_19 <= square1_r_by_4_18;
+                square1_g_by_1_19 <= square1_g_by_1_18;
+                square1_g_amount_2_19 <= square1_g_amount_2_18;
+                square1_g_by_4_19 <= square1_g_by_4_18;
+                square1_b_by_1_19 <= square1_b_by_1_18;
+                square1_b_amount_2_19 <= square1_b_amount_2_18;
+                square1_b_by_4_19 <= square1_b_by_4_18;
             end if;
         end if;
     end process;
@@ -3653,7 +4313,7 @@ begin
                 in_gain1g_20 <= in_gain1g_19;
                 in_gain1b_20 <= in_gain1b_19;
                 hidden_20 <= hidden_19;
-                shift1_20 <= shift1_19;
+                v1_is_odd_20 <= v1_is_odd_19;
                 x1_20 <= x1_19;
                 turn1_even_20 <= turn1_even_19;
                 end1_even_20 <= end1_even_19;
@@ -3667,14 +4327,22 @@ begin
                 texels1_101_20 <= texels1_101_19;
                 texels1_110_20 <= texels1_110_19;
                 texels1_111_20 <= texels1_111_19;
-                v1_odd_whole_20 <= v1_odd_whole_19;
-                v1_odd_of_0_20 <= v1_odd_of_0_19;
-                v1_odd_of_1_20 <= v1_odd_of_1_19;
-                v1_odd_of_2_20 <= v1_odd_of_2_19;
-                v1_odd_of_3_20 <= v1_odd_of_3_19;
-                v1_odd_of_4_20 <= v1_odd_of_4_19;
-                v1_odd_of_5_20 <= v1_odd_of_5_19;
+                v1_weight_of_0_20 <= v1_weight_of_0_19;
+                v1_weight_of_1_20 <= v1_weight_of_1_19;
+                v1_weight_of_2_20 <= v1_weight_of_2_19;
+                v1_weight_of_3_20 <= v1_weight_of_3_19;
+                v1_weight_of_4_20 <= v1_weight_of_4_19;
+                v1_weight_of_5_20 <= v1_weight_of_5_19;
                 blend1_signed_20 <= blend1_signed_19;
+                square1_r_by_1_20 <= square1_r_by_1_19;
+                square1_r_amount_2_20 <= square1_r_amount_2_19;
+                square1_r_by_4_20 <= square1_r_by_4_19;
+                square1_g_by_1_20 <= square1_g_by_1_19;
+                square1_g_amount_2_20 <= square1_g_amount_2_19;
+                square1_g_by_4_20 <= square1_g_by_4_19;
+                square1_b_by_1_20 <= square1_b_by_1_19;
+                square1_b_amount_2_20 <= square1_b_amount_2_19;
+                square1_b_by_4_20 <= square1_b_by_4_19;
             end if;
         end if;
     end process;
@@ -3713,7 +4381,7 @@ begin
                 in_gain1g_21 <= in_gain1g_20;
                 in_gain1b_21 <= in_gain1b_20;
                 hidden_21 <= hidden_20;
-                shift1_21 <= shift1_20;
+                v1_is_odd_21 <= v1_is_odd_20;
                 x1_21 <= x1_20;
                 step_number1_even_21 <= step_number1_even_20;
                 past_part1_even_21 <= past_part1_even_20;
@@ -3731,14 +4399,22 @@ begin
                 texels1_101_21 <= texels1_101_20;
                 texels1_110_21 <= texels1_110_20;
                 texels1_111_21 <= texels1_111_20;
-                v1_odd_whole_21 <= v1_odd_whole_20;
-                v1_odd_of_0_21 <= v1_odd_of_0_20;
-                v1_odd_of_1_21 <= v1_odd_of_1_20;
-                v1_odd_of_2_21 <= v1_odd_of_2_20;
-                v1_odd_of_3_21 <= v1_odd_of_3_20;
-                v1_odd_of_4_21 <= v1_odd_of_4_20;
-                v1_odd_of_5_21 <= v1_odd_of_5_20;
+                v1_weight_of_0_21 <= v1_weight_of_0_20;
+                v1_weight_of_1_21 <= v1_weight_of_1_20;
+                v1_weight_of_2_21 <= v1_weight_of_2_20;
+                v1_weight_of_3_21 <= v1_weight_of_3_20;
+                v1_weight_of_4_21 <= v1_weight_of_4_20;
+                v1_weight_of_5_21 <= v1_weight_of_5_20;
                 blend1_signed_21 <= blend1_signed_20;
+                square1_r_by_1_21 <= square1_r_by_1_20;
+                square1_r_amount_2_21 <= square1_r_amount_2_20;
+                square1_r_by_4_21 <= square1_r_by_4_20;
+                square1_g_by_1_21 <= square1_g_by_1_20;
+                square1_g_amount_2_21 <= square1_g_amount_2_20;
+                square1_g_by_4_21 <= square1_g_by_4_20;
+                square1_b_by_1_21 <= square1_b_by_1_20;
+                square1_b_amount_2_21 <= square1_b_amount_2_20;
+                square1_b_by_4_21 <= square1_b_by_4_20;
             end if;
         end if;
     end process;
@@ -3769,7 +4445,7 @@ begin
                 in_gain1g_22 <= in_gain1g_21;
                 in_gain1b_22 <= in_gain1b_21;
                 hidden_22 <= hidden_21;
-                shift1_22 <= shift1_21;
+                v1_is_odd_22 <= v1_is_odd_21;
                 x1_22 <= x1_21;
                 past_part1_even_22 <= past_part1_even_21;
                 past_part1_even_signed_22 <= past_part1_even_signed_21;
@@ -3785,14 +4461,22 @@ begin
                 texels1_101_22 <= texels1_101_21;
                 texels1_110_22 <= texels1_110_21;
                 texels1_111_22 <= texels1_111_21;
-                v1_odd_whole_22 <= v1_odd_whole_21;
-                v1_odd_of_0_22 <= v1_odd_of_0_21;
-                v1_odd_of_1_22 <= v1_odd_of_1_21;
-                v1_odd_of_2_22 <= v1_odd_of_2_21;
-                v1_odd_of_3_22 <= v1_odd_of_3_21;
-                v1_odd_of_4_22 <= v1_odd_of_4_21;
-                v1_odd_of_5_22 <= v1_odd_of_5_21;
+                v1_weight_of_0_22 <= v1_weight_of_0_21;
+                v1_weight_of_1_22 <= v1_weight_of_1_21;
+                v1_weight_of_2_22 <= v1_weight_of_2_21;
+                v1_weight_of_3_22 <= v1_weight_of_3_21;
+                v1_weight_of_4_22 <= v1_weight_of_4_21;
+                v1_weight_of_5_22 <= v1_weight_of_5_21;
                 blend1_signed_22 <= blend1_signed_21;
+                square1_r_by_1_22 <= square1_r_by_1_21;
+                square1_r_amount_2_22 <= square1_r_amount_2_21;
+                square1_r_by_4_22 <= square1_r_by_4_21;
+                square1_g_by_1_22 <= square1_g_by_1_21;
+                square1_g_amount_2_22 <= square1_g_amount_2_21;
+                square1_g_by_4_22 <= square1_g_by_4_21;
+                square1_b_by_1_22 <= square1_b_by_1_21;
+                square1_b_amount_2_22 <= square1_b_amount_2_21;
+                square1_b_by_4_22 <= square1_b_by_4_21;
             end if;
         end if;
     end process;
@@ -3823,7 +4507,7 @@ begin
                 in_gain1g_23 <= in_gain1g_22;
                 in_gain1b_23 <= in_gain1b_22;
                 hidden_23 <= hidden_22;
-                shift1_23 <= shift1_22;
+                v1_is_odd_23 <= v1_is_odd_22;
                 x1_23 <= x1_22;
                 past_part1_even_23 <= past_part1_even_22;
                 sine_1_even_23 <= sine_1_even_22;
@@ -3847,14 +4531,22 @@ begin
                 texels1_101_23 <= texels1_101_22;
                 texels1_110_23 <= texels1_110_22;
                 texels1_111_23 <= texels1_111_22;
-                v1_odd_whole_23 <= v1_odd_whole_22;
-                v1_odd_of_0_23 <= v1_odd_of_0_22;
-                v1_odd_of_1_23 <= v1_odd_of_1_22;
-                v1_odd_of_2_23 <= v1_odd_of_2_22;
-                v1_odd_of_3_23 <= v1_odd_of_3_22;
-                v1_odd_of_4_23 <= v1_odd_of_4_22;
-                v1_odd_of_5_23 <= v1_odd_of_5_22;
+                v1_weight_of_0_23 <= v1_weight_of_0_22;
+                v1_weight_of_1_23 <= v1_weight_of_1_22;
+                v1_weight_of_2_23 <= v1_weight_of_2_22;
+                v1_weight_of_3_23 <= v1_weight_of_3_22;
+                v1_weight_of_4_23 <= v1_weight_of_4_22;
+                v1_weight_of_5_23 <= v1_weight_of_5_22;
                 blend1_signed_23 <= blend1_signed_22;
+                square1_r_by_1_23 <= square1_r_by_1_22;
+                square1_r_amount_2_23 <= square1_r_amount_2_22;
+                square1_r_by_4_23 <= square1_r_by_4_22;
+                square1_g_by_1_23 <= square1_g_by_1_22;
+                square1_g_amount_2_23 <= square1_g_amount_2_22;
+                square1_g_by_4_23 <= square1_g_by_4_22;
+                square1_b_by_1_23 <= square1_b_by_1_22;
+                square1_b_amount_2_23 <= square1_b_amount_2_22;
+                square1_b_by_4_23 <= square1_b_by_4_22;
             end if;
         end if;
     end process;
@@ -3869,7 +4561,7 @@ begin
                 in_gain1g_24 <= in_gain1g_23;
                 in_gain1b_24 <= in_gain1b_23;
                 hidden_24 <= hidden_23;
-                shift1_24 <= shift1_23;
+                v1_is_odd_24 <= v1_is_odd_23;
                 x1_24 <= x1_23;
                 past_part1_even_24 <= past_part1_even_23;
                 sine_1_even_24 <= sine_1_even_23;
@@ -3893,14 +4585,22 @@ begin
                 texels1_101_24 <= texels1_101_23;
                 texels1_110_24 <= texels1_110_23;
                 texels1_111_24 <= texels1_111_23;
-                v1_odd_whole_24 <= v1_odd_whole_23;
-                v1_odd_of_0_24 <= v1_odd_of_0_23;
-                v1_odd_of_1_24 <= v1_odd_of_1_23;
-                v1_odd_of_2_24 <= v1_odd_of_2_23;
-                v1_odd_of_3_24 <= v1_odd_of_3_23;
-                v1_odd_of_4_24 <= v1_odd_of_4_23;
-                v1_odd_of_5_24 <= v1_odd_of_5_23;
+                v1_weight_of_0_24 <= v1_weight_of_0_23;
+                v1_weight_of_1_24 <= v1_weight_of_1_23;
+                v1_weight_of_2_24 <= v1_weight_of_2_23;
+                v1_weight_of_3_24 <= v1_weight_of_3_23;
+                v1_weight_of_4_24 <= v1_weight_of_4_23;
+                v1_weight_of_5_24 <= v1_weight_of_5_23;
                 blend1_signed_24 <= blend1_signed_23;
+                square1_r_by_1_24 <= square1_r_by_1_23;
+                square1_r_amount_2_24 <= square1_r_amount_2_23;
+                square1_r_by_4_24 <= square1_r_by_4_23;
+                square1_g_by_1_24 <= square1_g_by_1_23;
+                square1_g_amount_2_24 <= square1_g_amount_2_23;
+                square1_g_by_4_24 <= square1_g_by_4_23;
+                square1_b_by_1_24 <= square1_b_by_1_23;
+                square1_b_amount_2_24 <= square1_b_amount_2_23;
+                square1_b_by_4_24 <= square1_b_by_4_23;
             end if;
         end if;
     end process;
@@ -3923,7 +4623,7 @@ begin
                 in_gain1g_25 <= in_gain1g_24;
                 in_gain1b_25 <= in_gain1b_24;
                 hidden_25 <= hidden_24;
-                shift1_25 <= shift1_24;
+                v1_is_odd_25 <= v1_is_odd_24;
                 x1_25 <= x1_24;
                 sine_1_even_25 <= sine_1_even_24;
                 cosine_1_even_25 <= cosine_1_even_24;
@@ -3943,14 +4643,22 @@ begin
                 texels1_101_25 <= texels1_101_24;
                 texels1_110_25 <= texels1_110_24;
                 texels1_111_25 <= texels1_111_24;
-                v1_odd_whole_25 <= v1_odd_whole_24;
-                v1_odd_of_0_25 <= v1_odd_of_0_24;
-                v1_odd_of_1_25 <= v1_odd_of_1_24;
-                v1_odd_of_2_25 <= v1_odd_of_2_24;
-                v1_odd_of_3_25 <= v1_odd_of_3_24;
-                v1_odd_of_4_25 <= v1_odd_of_4_24;
-                v1_odd_of_5_25 <= v1_odd_of_5_24;
+                v1_weight_of_0_25 <= v1_weight_of_0_24;
+                v1_weight_of_1_25 <= v1_weight_of_1_24;
+                v1_weight_of_2_25 <= v1_weight_of_2_24;
+                v1_weight_of_3_25 <= v1_weight_of_3_24;
+                v1_weight_of_4_25 <= v1_weight_of_4_24;
+                v1_weight_of_5_25 <= v1_weight_of_5_24;
                 blend1_signed_25 <= blend1_signed_24;
+                square1_r_by_1_25 <= square1_r_by_1_24;
+                square1_r_amount_2_25 <= square1_r_amount_2_24;
+                square1_r_by_4_25 <= square1_r_by_4_24;
+                square1_g_by_1_25 <= square1_g_by_1_24;
+                square1_g_amount_2_25 <= square1_g_amount_2_24;
+                square1_g_by_4_25 <= square1_g_by_4_24;
+                square1_b_by_1_25 <= square1_b_by_1_24;
+                square1_b_amount_2_25 <= square1_b_amount_2_24;
+                square1_b_by_4_25 <= square1_b_by_4_24;
             end if;
         end if;
     end process;
@@ -3965,7 +4673,7 @@ begin
                 in_gain1g_26 <= in_gain1g_25;
                 in_gain1b_26 <= in_gain1b_25;
                 hidden_26 <= hidden_25;
-                shift1_26 <= shift1_25;
+                v1_is_odd_26 <= v1_is_odd_25;
                 x1_26 <= x1_25;
                 sine_1_even_26 <= sine_1_even_25;
                 cosine_1_even_26 <= cosine_1_even_25;
@@ -3985,14 +4693,22 @@ begin
                 texels1_101_26 <= texels1_101_25;
                 texels1_110_26 <= texels1_110_25;
                 texels1_111_26 <= texels1_111_25;
-                v1_odd_whole_26 <= v1_odd_whole_25;
-                v1_odd_of_0_26 <= v1_odd_of_0_25;
-                v1_odd_of_1_26 <= v1_odd_of_1_25;
-                v1_odd_of_2_26 <= v1_odd_of_2_25;
-                v1_odd_of_3_26 <= v1_odd_of_3_25;
-                v1_odd_of_4_26 <= v1_odd_of_4_25;
-                v1_odd_of_5_26 <= v1_odd_of_5_25;
+                v1_weight_of_0_26 <= v1_weight_of_0_25;
+                v1_weight_of_1_26 <= v1_weight_of_1_25;
+                v1_weight_of_2_26 <= v1_weight_of_2_25;
+                v1_weight_of_3_26 <= v1_weight_of_3_25;
+                v1_weight_of_4_26 <= v1_weight_of_4_25;
+                v1_weight_of_5_26 <= v1_weight_of_5_25;
                 blend1_signed_26 <= blend1_signed_25;
+                square1_r_by_1_26 <= square1_r_by_1_25;
+                square1_r_amount_2_26 <= square1_r_amount_2_25;
+                square1_r_by_4_26 <= square1_r_by_4_25;
+                square1_g_by_1_26 <= square1_g_by_1_25;
+                square1_g_amount_2_26 <= square1_g_amount_2_25;
+                square1_g_by_4_26 <= square1_g_by_4_25;
+                square1_b_by_1_26 <= square1_b_by_1_25;
+                square1_b_amount_2_26 <= square1_b_amount_2_25;
+                square1_b_by_4_26 <= square1_b_by_4_25;
             end if;
         end if;
     end process;
@@ -4027,7 +4743,7 @@ begin
                 in_gain1g_27 <= in_gain1g_26;
                 in_gain1b_27 <= in_gain1b_26;
                 hidden_27 <= hidden_26;
-                shift1_27 <= shift1_26;
+                v1_is_odd_27 <= v1_is_odd_26;
                 x1_27 <= x1_26;
                 sin1_even_27 <= sin1_even_26;
                 cos1_even_27 <= cos1_even_26;
@@ -4043,14 +4759,22 @@ begin
                 texels1_101_27 <= texels1_101_26;
                 texels1_110_27 <= texels1_110_26;
                 texels1_111_27 <= texels1_111_26;
-                v1_odd_whole_27 <= v1_odd_whole_26;
-                v1_odd_of_0_27 <= v1_odd_of_0_26;
-                v1_odd_of_1_27 <= v1_odd_of_1_26;
-                v1_odd_of_2_27 <= v1_odd_of_2_26;
-                v1_odd_of_3_27 <= v1_odd_of_3_26;
-                v1_odd_of_4_27 <= v1_odd_of_4_26;
-                v1_odd_of_5_27 <= v1_odd_of_5_26;
+                v1_weight_of_0_27 <= v1_weight_of_0_26;
+                v1_weight_of_1_27 <= v1_weight_of_1_26;
+                v1_weight_of_2_27 <= v1_weight_of_2_26;
+                v1_weight_of_3_27 <= v1_weight_of_3_26;
+                v1_weight_of_4_27 <= v1_weight_of_4_26;
+                v1_weight_of_5_27 <= v1_weight_of_5_26;
                 blend1_signed_27 <= blend1_signed_26;
+                square1_r_by_1_27 <= square1_r_by_1_26;
+                square1_r_amount_2_27 <= square1_r_amount_2_26;
+                square1_r_by_4_27 <= square1_r_by_4_26;
+                square1_g_by_1_27 <= square1_g_by_1_26;
+                square1_g_amount_2_27 <= square1_g_amount_2_26;
+                square1_g_by_4_27 <= square1_g_by_4_26;
+                square1_b_by_1_27 <= square1_b_by_1_26;
+                square1_b_amount_2_27 <= square1_b_amount_2_26;
+                square1_b_by_4_27 <= square1_b_by_4_26;
             end if;
         end if;
     end process;
@@ -4096,7 +4820,7 @@ begin
                 in_gain1g_28 <= in_gain1g_27;
                 in_gain1b_28 <= in_gain1b_27;
                 hidden_28 <= hidden_27;
-                shift1_28 <= shift1_27;
+                v1_is_odd_28 <= v1_is_odd_27;
                 xc1_even_28 <= xc1_even_27;
                 zs1_even_28 <= zs1_even_27;
                 zc1_even_28 <= zc1_even_27;
@@ -4115,29 +4839,33 @@ begin
                 texels1_101_28 <= texels1_101_27;
                 texels1_110_28 <= texels1_110_27;
                 texels1_111_28 <= texels1_111_27;
-                v1_odd_whole_28 <= v1_odd_whole_27;
-                v1_odd_of_0_28 <= v1_odd_of_0_27;
-                v1_odd_of_1_28 <= v1_odd_of_1_27;
-                v1_odd_of_2_28 <= v1_odd_of_2_27;
-                v1_odd_of_3_28 <= v1_odd_of_3_27;
-                v1_odd_of_4_28 <= v1_odd_of_4_27;
-                v1_odd_of_5_28 <= v1_odd_of_5_27;
+                v1_weight_of_0_28 <= v1_weight_of_0_27;
+                v1_weight_of_1_28 <= v1_weight_of_1_27;
+                v1_weight_of_2_28 <= v1_weight_of_2_27;
+                v1_weight_of_3_28 <= v1_weight_of_3_27;
+                v1_weight_of_4_28 <= v1_weight_of_4_27;
+                v1_weight_of_5_28 <= v1_weight_of_5_27;
                 blend1_signed_28 <= blend1_signed_27;
+                square1_r_by_1_28 <= square1_r_by_1_27;
+                square1_r_amount_2_28 <= square1_r_amount_2_27;
+                square1_r_by_4_28 <= square1_r_by_4_27;
+                square1_g_by_1_28 <= square1_g_by_1_27;
+                square1_g_amount_2_28 <= square1_g_amount_2_27;
+                square1_g_by_4_28 <= square1_g_by_4_27;
+                square1_b_by_1_28 <= square1_b_by_1_27;
+                square1_b_amount_2_28 <= square1_b_amount_2_27;
+                square1_b_by_4_28 <= square1_b_by_4_27;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 28: across1_even, behind1_even, across1_odd, behind1_odd
+    -- ===== Stage 28: across1_even, across1_odd
     -- Q2.14: x of the turned normal
     across1_even_28 <= resize(xc1_even_28, 17) + zs1_even_28;
-    -- UQ1.0: whether it is behind the rim, z < 0
-    behind1_even_28 <= '1' when xs1_even_28 > zc1_even_28 else '0';
     -- Q7.9: in texels from the middle
     u1_even_scaled_28 <= across1_even_28;
     -- Q2.14: x of the turned normal
     across1_odd_28 <= resize(xc1_odd_28, 17) + zs1_odd_28;
-    -- UQ1.0: whether it is behind the rim, z < 0
-    behind1_odd_28 <= '1' when xs1_odd_28 > zc1_odd_28 else '0';
     -- Q7.9: in texels from the middle
     u1_odd_scaled_28 <= across1_odd_28;
     process (clk) is
@@ -4148,11 +4876,13 @@ begin
                 in_gain1g_29 <= in_gain1g_28;
                 in_gain1b_29 <= in_gain1b_28;
                 hidden_29 <= hidden_28;
-                shift1_29 <= shift1_28;
-                behind1_even_29 <= behind1_even_28;
+                v1_is_odd_29 <= v1_is_odd_28;
+                zc1_even_29 <= zc1_even_28;
+                xs1_even_29 <= xs1_even_28;
                 u1_even_scaled_29 <= u1_even_scaled_28;
                 end1_even_29 <= end1_even_28;
-                behind1_odd_29 <= behind1_odd_28;
+                zc1_odd_29 <= zc1_odd_28;
+                xs1_odd_29 <= xs1_odd_28;
                 u1_odd_scaled_29 <= u1_odd_scaled_28;
                 end1_odd_29 <= end1_odd_28;
                 texels1_000_29 <= texels1_000_28;
@@ -4163,23 +4893,35 @@ begin
                 texels1_101_29 <= texels1_101_28;
                 texels1_110_29 <= texels1_110_28;
                 texels1_111_29 <= texels1_111_28;
-                v1_odd_whole_29 <= v1_odd_whole_28;
-                v1_odd_of_0_29 <= v1_odd_of_0_28;
-                v1_odd_of_1_29 <= v1_odd_of_1_28;
-                v1_odd_of_2_29 <= v1_odd_of_2_28;
-                v1_odd_of_3_29 <= v1_odd_of_3_28;
-                v1_odd_of_4_29 <= v1_odd_of_4_28;
-                v1_odd_of_5_29 <= v1_odd_of_5_28;
+                v1_weight_of_0_29 <= v1_weight_of_0_28;
+                v1_weight_of_1_29 <= v1_weight_of_1_28;
+                v1_weight_of_2_29 <= v1_weight_of_2_28;
+                v1_weight_of_3_29 <= v1_weight_of_3_28;
+                v1_weight_of_4_29 <= v1_weight_of_4_28;
+                v1_weight_of_5_29 <= v1_weight_of_5_28;
                 blend1_signed_29 <= blend1_signed_28;
+                square1_r_by_1_29 <= square1_r_by_1_28;
+                square1_r_amount_2_29 <= square1_r_amount_2_28;
+                square1_r_by_4_29 <= square1_r_by_4_28;
+                square1_g_by_1_29 <= square1_g_by_1_28;
+                square1_g_amount_2_29 <= square1_g_amount_2_28;
+                square1_g_by_4_29 <= square1_g_by_4_28;
+                square1_b_by_1_29 <= square1_b_by_1_28;
+                square1_b_amount_2_29 <= square1_b_amount_2_28;
+                square1_b_by_4_29 <= square1_b_by_4_28;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 29: u1_even_place, u1_odd_place
+    -- ===== Stage 29: behind1_even, u1_even_place, behind1_odd, u1_odd_place
+    -- UQ1.0: whether it is behind the rim, z < 0
+    behind1_even_29 <= '1' when xs1_even_29 > zc1_even_29 else '0';
     -- Q8.9: from the first, plus half a weight's last bit
     u1_even_place_29 <= resize(u1_even_scaled_29, 18) + to_signed(16132, 18);
     -- Q8.6: rounded to the nearest weight
     u1_even_cut_29 <= u1_even_place_29(17 downto 3);
+    -- UQ1.0: whether it is behind the rim, z < 0
+    behind1_odd_29 <= '1' when xs1_odd_29 > zc1_odd_29 else '0';
     -- Q8.9: from the first, plus half a weight's last bit
     u1_odd_place_29 <= resize(u1_odd_scaled_29, 18) + to_signed(16132, 18);
     -- Q8.6: rounded to the nearest weight
@@ -4192,7 +4934,7 @@ begin
                 in_gain1g_30 <= in_gain1g_29;
                 in_gain1b_30 <= in_gain1b_29;
                 hidden_30 <= hidden_29;
-                shift1_30 <= shift1_29;
+                v1_is_odd_30 <= v1_is_odd_29;
                 behind1_even_30 <= behind1_even_29;
                 u1_even_cut_30 <= u1_even_cut_29;
                 end1_even_30 <= end1_even_29;
@@ -4207,19 +4949,27 @@ begin
                 texels1_101_30 <= texels1_101_29;
                 texels1_110_30 <= texels1_110_29;
                 texels1_111_30 <= texels1_111_29;
-                v1_odd_whole_30 <= v1_odd_whole_29;
-                v1_odd_of_0_30 <= v1_odd_of_0_29;
-                v1_odd_of_1_30 <= v1_odd_of_1_29;
-                v1_odd_of_2_30 <= v1_odd_of_2_29;
-                v1_odd_of_3_30 <= v1_odd_of_3_29;
-                v1_odd_of_4_30 <= v1_odd_of_4_29;
-                v1_odd_of_5_30 <= v1_odd_of_5_29;
+                v1_weight_of_0_30 <= v1_weight_of_0_29;
+                v1_weight_of_1_30 <= v1_weight_of_1_29;
+                v1_weight_of_2_30 <= v1_weight_of_2_29;
+                v1_weight_of_3_30 <= v1_weight_of_3_29;
+                v1_weight_of_4_30 <= v1_weight_of_4_29;
+                v1_weight_of_5_30 <= v1_weight_of_5_29;
                 blend1_signed_30 <= blend1_signed_29;
+                square1_r_by_1_30 <= square1_r_by_1_29;
+                square1_r_amount_2_30 <= square1_r_amount_2_29;
+                square1_r_by_4_30 <= square1_r_by_4_29;
+                square1_g_by_1_30 <= square1_g_by_1_29;
+                square1_g_amount_2_30 <= square1_g_amount_2_29;
+                square1_g_by_4_30 <= square1_g_by_4_29;
+                square1_b_by_1_30 <= square1_b_by_1_29;
+                square1_b_amount_2_30 <= square1_b_amount_2_29;
+                square1_b_by_4_30 <= square1_b_by_4_29;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 30: u1_even_kept, u_at1_even, u1_odd_kept, u_at1_odd
+    -- ===== Stage 30: u1_even_kept, u_at1_even, u1_odd_kept, u_at1_odd and 12 more
     -- UQ6.6: between the outermost centres
     u1_even_kept_30 <= (others => '0') when u1_even_cut_30(14) = '1' else
         to_unsigned(4032, 12) when u1_even_cut_30 > 4032 else
@@ -4236,8 +4986,6 @@ begin
     u1_even_odd_30 <= u1_even_odd_high_30;
     -- UQ1.0: its last bit
     u1_even_is_odd_30 <= u1_even_texel_30(0);
-    -- UQ1.6: in the wider of two formats
-    u1_even_weight_wide_30 <= resize(u1_even_weight_30, 7);
     -- UQ6.6: between the outermost centres
     u1_odd_kept_30 <= (others => '0') when u1_odd_cut_30(14) = '1' else
         to_unsigned(4032, 12) when u1_odd_cut_30 > 4032 else
@@ -4254,8 +5002,114 @@ begin
     u1_odd_odd_30 <= u1_odd_odd_high_30;
     -- UQ1.0: its last bit
     u1_odd_is_odd_30 <= u1_odd_texel_30(0);
-    -- UQ1.6: in the wider of two formats
-    u1_odd_weight_wide_30 <= resize(u1_odd_weight_30, 7);
+    -- UQ-5.6: a bit of the weight
+    u1_even_weight_bit_0_30 <= u1_even_weight_30(0 downto 0);
+    -- UQ-4.5: a bit of the weight
+    u1_even_weight_bit_1_30 <= u1_even_weight_30(1 downto 1);
+    -- UQ-3.4: a bit of the weight
+    u1_even_weight_bit_2_30 <= u1_even_weight_30(2 downto 2);
+    -- UQ-2.3: a bit of the weight
+    u1_even_weight_bit_3_30 <= u1_even_weight_30(3 downto 3);
+    -- UQ-1.2: a bit of the weight
+    u1_even_weight_bit_4_30 <= u1_even_weight_30(4 downto 4);
+    -- UQ0.1: a bit of the weight
+    u1_even_weight_bit_5_30 <= u1_even_weight_30(5 downto 5);
+    -- UQ1.0: as a flag
+    u1_even_weight_of_0_flag_30 <= u1_even_weight_bit_0_30(0);
+    -- UQ1.0: it is 0
+    u1_even_weight_of_0_not_30 <= not u1_even_weight_of_0_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_even_weight_of_0_30 <=
+        u1_even_weight_of_0_not_30 when u1_even_is_odd_30 = '1' else u1_even_weight_of_0_flag_30;
+    -- UQ1.0: as a flag
+    u1_even_weight_of_1_flag_30 <= u1_even_weight_bit_1_30(0);
+    -- UQ1.0: it is 0
+    u1_even_weight_of_1_not_30 <= not u1_even_weight_of_1_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_even_weight_of_1_30 <=
+        u1_even_weight_of_1_not_30 when u1_even_is_odd_30 = '1' else u1_even_weight_of_1_flag_30;
+    -- UQ1.0: as a flag
+    u1_even_weight_of_2_flag_30 <= u1_even_weight_bit_2_30(0);
+    -- UQ1.0: it is 0
+    u1_even_weight_of_2_not_30 <= not u1_even_weight_of_2_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_even_weight_of_2_30 <=
+        u1_even_weight_of_2_not_30 when u1_even_is_odd_30 = '1' else u1_even_weight_of_2_flag_30;
+    -- UQ1.0: as a flag
+    u1_even_weight_of_3_flag_30 <= u1_even_weight_bit_3_30(0);
+    -- UQ1.0: it is 0
+    u1_even_weight_of_3_not_30 <= not u1_even_weight_of_3_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_even_weight_of_3_30 <=
+        u1_even_weight_of_3_not_30 when u1_even_is_odd_30 = '1' else u1_even_weight_of_3_flag_30;
+    -- UQ1.0: as a flag
+    u1_even_weight_of_4_flag_30 <= u1_even_weight_bit_4_30(0);
+    -- UQ1.0: it is 0
+    u1_even_weight_of_4_not_30 <= not u1_even_weight_of_4_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_even_weight_of_4_30 <=
+        u1_even_weight_of_4_not_30 when u1_even_is_odd_30 = '1' else u1_even_weight_of_4_flag_30;
+    -- UQ1.0: as a flag
+    u1_even_weight_of_5_flag_30 <= u1_even_weight_bit_5_30(0);
+    -- UQ1.0: it is 0
+    u1_even_weight_of_5_not_30 <= not u1_even_weight_of_5_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_even_weight_of_5_30 <=
+        u1_even_weight_of_5_not_30 when u1_even_is_odd_30 = '1' else u1_even_weight_of_5_flag_30;
+    -- UQ-5.6: a bit of the weight
+    u1_odd_weight_bit_0_30 <= u1_odd_weight_30(0 downto 0);
+    -- UQ-4.5: a bit of the weight
+    u1_odd_weight_bit_1_30 <= u1_odd_weight_30(1 downto 1);
+    -- UQ-3.4: a bit of the weight
+    u1_odd_weight_bit_2_30 <= u1_odd_weight_30(2 downto 2);
+    -- UQ-2.3: a bit of the weight
+    u1_odd_weight_bit_3_30 <= u1_odd_weight_30(3 downto 3);
+    -- UQ-1.2: a bit of the weight
+    u1_odd_weight_bit_4_30 <= u1_odd_weight_30(4 downto 4);
+    -- UQ0.1: a bit of the weight
+    u1_odd_weight_bit_5_30 <= u1_odd_weight_30(5 downto 5);
+    -- UQ1.0: as a flag
+    u1_odd_weight_of_0_flag_30 <= u1_odd_weight_bit_0_30(0);
+    -- UQ1.0: it is 0
+    u1_odd_weight_of_0_not_30 <= not u1_odd_weight_of_0_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_odd_weight_of_0_30 <=
+        u1_odd_weight_of_0_not_30 when u1_odd_is_odd_30 = '1' else u1_odd_weight_of_0_flag_30;
+    -- UQ1.0: as a flag
+    u1_odd_weight_of_1_flag_30 <= u1_odd_weight_bit_1_30(0);
+    -- UQ1.0: it is 0
+    u1_odd_weight_of_1_not_30 <= not u1_odd_weight_of_1_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_odd_weight_of_1_30 <=
+        u1_odd_weight_of_1_not_30 when u1_odd_is_odd_30 = '1' else u1_odd_weight_of_1_flag_30;
+    -- UQ1.0: as a flag
+    u1_odd_weight_of_2_flag_30 <= u1_odd_weight_bit_2_30(0);
+    -- UQ1.0: it is 0
+    u1_odd_weight_of_2_not_30 <= not u1_odd_weight_of_2_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_odd_weight_of_2_30 <=
+        u1_odd_weight_of_2_not_30 when u1_odd_is_odd_30 = '1' else u1_odd_weight_of_2_flag_30;
+    -- UQ1.0: as a flag
+    u1_odd_weight_of_3_flag_30 <= u1_odd_weight_bit_3_30(0);
+    -- UQ1.0: it is 0
+    u1_odd_weight_of_3_not_30 <= not u1_odd_weight_of_3_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_odd_weight_of_3_30 <=
+        u1_odd_weight_of_3_not_30 when u1_odd_is_odd_30 = '1' else u1_odd_weight_of_3_flag_30;
+    -- UQ1.0: as a flag
+    u1_odd_weight_of_4_flag_30 <= u1_odd_weight_bit_4_30(0);
+    -- UQ1.0: it is 0
+    u1_odd_weight_of_4_not_30 <= not u1_odd_weight_of_4_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_odd_weight_of_4_30 <=
+        u1_odd_weight_of_4_not_30 when u1_odd_is_odd_30 = '1' else u1_odd_weight_of_4_flag_30;
+    -- UQ1.0: as a flag
+    u1_odd_weight_of_5_flag_30 <= u1_odd_weight_bit_5_30(0);
+    -- UQ1.0: it is 0
+    u1_odd_weight_of_5_not_30 <= not u1_odd_weight_of_5_flag_30;
+    -- UQ1.0: whether it counts for the odd one
+    u1_odd_weight_of_5_30 <=
+        u1_odd_weight_of_5_not_30 when u1_odd_is_odd_30 = '1' else u1_odd_weight_of_5_flag_30;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4264,17 +5118,13 @@ begin
                 in_gain1g_31 <= in_gain1g_30;
                 in_gain1b_31 <= in_gain1b_30;
                 hidden_31 <= hidden_30;
-                shift1_31 <= shift1_30;
+                v1_is_odd_31 <= v1_is_odd_30;
                 u1_even_texel_31 <= u1_even_texel_30;
-                u1_even_weight_31 <= u1_even_weight_30;
                 u1_even_odd_31 <= u1_even_odd_30;
                 u1_even_is_odd_31 <= u1_even_is_odd_30;
-                u1_even_weight_wide_31 <= u1_even_weight_wide_30;
                 u1_odd_texel_31 <= u1_odd_texel_30;
-                u1_odd_weight_31 <= u1_odd_weight_30;
                 u1_odd_odd_31 <= u1_odd_odd_30;
                 u1_odd_is_odd_31 <= u1_odd_is_odd_30;
-                u1_odd_weight_wide_31 <= u1_odd_weight_wide_30;
                 texels1_000_31 <= texels1_000_30;
                 texels1_001_31 <= texels1_001_30;
                 texels1_010_31 <= texels1_010_30;
@@ -4283,31 +5133,43 @@ begin
                 texels1_101_31 <= texels1_101_30;
                 texels1_110_31 <= texels1_110_30;
                 texels1_111_31 <= texels1_111_30;
-                v1_odd_whole_31 <= v1_odd_whole_30;
-                v1_odd_of_0_31 <= v1_odd_of_0_30;
-                v1_odd_of_1_31 <= v1_odd_of_1_30;
-                v1_odd_of_2_31 <= v1_odd_of_2_30;
-                v1_odd_of_3_31 <= v1_odd_of_3_30;
-                v1_odd_of_4_31 <= v1_odd_of_4_30;
-                v1_odd_of_5_31 <= v1_odd_of_5_30;
+                u1_even_weight_of_0_31 <= u1_even_weight_of_0_30;
+                u1_even_weight_of_1_31 <= u1_even_weight_of_1_30;
+                u1_even_weight_of_2_31 <= u1_even_weight_of_2_30;
+                u1_even_weight_of_3_31 <= u1_even_weight_of_3_30;
+                u1_even_weight_of_4_31 <= u1_even_weight_of_4_30;
+                u1_even_weight_of_5_31 <= u1_even_weight_of_5_30;
+                u1_odd_weight_of_0_31 <= u1_odd_weight_of_0_30;
+                u1_odd_weight_of_1_31 <= u1_odd_weight_of_1_30;
+                u1_odd_weight_of_2_31 <= u1_odd_weight_of_2_30;
+                u1_odd_weight_of_3_31 <= u1_odd_weight_of_3_30;
+                u1_odd_weight_of_4_31 <= u1_odd_weight_of_4_30;
+                u1_odd_weight_of_5_31 <= u1_odd_weight_of_5_30;
+                v1_weight_of_0_31 <= v1_weight_of_0_30;
+                v1_weight_of_1_31 <= v1_weight_of_1_30;
+                v1_weight_of_2_31 <= v1_weight_of_2_30;
+                v1_weight_of_3_31 <= v1_weight_of_3_30;
+                v1_weight_of_4_31 <= v1_weight_of_4_30;
+                v1_weight_of_5_31 <= v1_weight_of_5_30;
                 blend1_signed_31 <= blend1_signed_30;
+                square1_r_by_1_31 <= square1_r_by_1_30;
+                square1_r_amount_2_31 <= square1_r_amount_2_30;
+                square1_r_by_4_31 <= square1_r_by_4_30;
+                square1_g_by_1_31 <= square1_g_by_1_30;
+                square1_g_amount_2_31 <= square1_g_amount_2_30;
+                square1_g_by_4_31 <= square1_g_by_4_30;
+                square1_b_by_1_31 <= square1_b_by_1_30;
+                square1_b_amount_2_31 <= square1_b_amount_2_30;
+                square1_b_by_4_31 <= square1_b_by_4_30;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 31: u1_even_next_exact, u1_even_other, u1_even_odd and 7 more
+    -- ===== Stage 31: u1_even_next_exact, u1_odd_next_exact, texel1_001 and 3 more
     -- UQ7.0: the next
     u1_even_next_exact_31 <= resize(u1_even_texel_31, 7) + to_unsigned(1, 7);
-    -- UQ1.6: the weight of the place itself
-    u1_even_other_31 <= to_unsigned(64, 7) - resize(u1_even_weight_31, 7);
-    -- UQ1.6: the weight of the odd one
-    u1_even_odd_v2_31 <= u1_even_other_31 when u1_even_is_odd_31 = '1' else u1_even_weight_wide_31;
     -- UQ7.0: the next
     u1_odd_next_exact_31 <= resize(u1_odd_texel_31, 7) + to_unsigned(1, 7);
-    -- UQ1.6: the weight of the place itself
-    u1_odd_other_31 <= to_unsigned(64, 7) - resize(u1_odd_weight_31, 7);
-    -- UQ1.6: the weight of the odd one
-    u1_odd_odd_v2_31 <= u1_odd_other_31 when u1_odd_is_odd_31 = '1' else u1_odd_weight_wide_31;
     -- UQ12.0: side by side
     texel1_001_31 <= shift_left(resize(texels1_001_31, 12), 5) + resize(u1_even_odd_31, 12);
     -- UQ12.0: side by side
@@ -4316,58 +5178,6 @@ begin
     texel1_101_31 <= shift_left(resize(texels1_101_31, 12), 5) + resize(u1_odd_odd_31, 12);
     -- UQ12.0: side by side
     texel1_111_31 <= shift_left(resize(texels1_111_31, 12), 5) + resize(u1_odd_odd_31, 12);
-    -- UQ1.0: a bit of the weight
-    u1_even_odd_whole_31 <= u1_even_odd_v2_31(6);
-    -- UQ-5.6: a bit of the weight
-    u1_even_odd_bit_0_31 <= u1_even_odd_v2_31(0);
-    -- UQ-4.5: a bit of the weight
-    u1_even_odd_bit_1_31 <= u1_even_odd_v2_31(1);
-    -- UQ-3.4: a bit of the weight
-    u1_even_odd_bit_2_31 <= u1_even_odd_v2_31(2);
-    -- UQ-2.3: a bit of the weight
-    u1_even_odd_bit_3_31 <= u1_even_odd_v2_31(3);
-    -- UQ-1.2: a bit of the weight
-    u1_even_odd_bit_4_31 <= u1_even_odd_v2_31(4);
-    -- UQ0.1: a bit of the weight
-    u1_even_odd_bit_5_31 <= u1_even_odd_v2_31(5);
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_0_31 <= u1_even_odd_bit_0_31 or u1_even_odd_whole_31;
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_1_31 <= u1_even_odd_bit_1_31 or u1_even_odd_whole_31;
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_2_31 <= u1_even_odd_bit_2_31 or u1_even_odd_whole_31;
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_3_31 <= u1_even_odd_bit_3_31 or u1_even_odd_whole_31;
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_4_31 <= u1_even_odd_bit_4_31 or u1_even_odd_whole_31;
-    -- UQ1.0: 1 where the weight is 1
-    u1_even_odd_of_5_31 <= u1_even_odd_bit_5_31 or u1_even_odd_whole_31;
-    -- UQ1.0: a bit of the weight
-    u1_odd_odd_whole_31 <= u1_odd_odd_v2_31(6);
-    -- UQ-5.6: a bit of the weight
-    u1_odd_odd_bit_0_31 <= u1_odd_odd_v2_31(0);
-    -- UQ-4.5: a bit of the weight
-    u1_odd_odd_bit_1_31 <= u1_odd_odd_v2_31(1);
-    -- UQ-3.4: a bit of the weight
-    u1_odd_odd_bit_2_31 <= u1_odd_odd_v2_31(2);
-    -- UQ-2.3: a bit of the weight
-    u1_odd_odd_bit_3_31 <= u1_odd_odd_v2_31(3);
-    -- UQ-1.2: a bit of the weight
-    u1_odd_odd_bit_4_31 <= u1_odd_odd_v2_31(4);
-    -- UQ0.1: a bit of the weight
-    u1_odd_odd_bit_5_31 <= u1_odd_odd_v2_31(5);
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_0_31 <= u1_odd_odd_bit_0_31 or u1_odd_odd_whole_31;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_1_31 <= u1_odd_odd_bit_1_31 or u1_odd_odd_whole_31;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_2_31 <= u1_odd_odd_bit_2_31 or u1_odd_odd_whole_31;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_3_31 <= u1_odd_odd_bit_3_31 or u1_odd_odd_whole_31;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_4_31 <= u1_odd_odd_bit_4_31 or u1_odd_odd_whole_31;
-    -- UQ1.0: 1 where the weight is 1
-    u1_odd_odd_of_5_31 <= u1_odd_odd_bit_5_31 or u1_odd_odd_whole_31;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4376,9 +5186,11 @@ begin
                 in_gain1g_32 <= in_gain1g_31;
                 in_gain1b_32 <= in_gain1b_31;
                 hidden_32 <= hidden_31;
-                shift1_32 <= shift1_31;
+                v1_is_odd_32 <= v1_is_odd_31;
                 u1_even_next_exact_32 <= u1_even_next_exact_31;
+                u1_even_is_odd_32 <= u1_even_is_odd_31;
                 u1_odd_next_exact_32 <= u1_odd_next_exact_31;
+                u1_odd_is_odd_32 <= u1_odd_is_odd_31;
                 texels1_000_32 <= texels1_000_31;
                 texel1_001_32 <= texel1_001_31;
                 texels1_010_32 <= texels1_010_31;
@@ -4387,28 +5199,34 @@ begin
                 texel1_101_32 <= texel1_101_31;
                 texels1_110_32 <= texels1_110_31;
                 texel1_111_32 <= texel1_111_31;
-                u1_even_odd_whole_32 <= u1_even_odd_whole_31;
-                u1_even_odd_of_0_32 <= u1_even_odd_of_0_31;
-                u1_even_odd_of_1_32 <= u1_even_odd_of_1_31;
-                u1_even_odd_of_2_32 <= u1_even_odd_of_2_31;
-                u1_even_odd_of_3_32 <= u1_even_odd_of_3_31;
-                u1_even_odd_of_4_32 <= u1_even_odd_of_4_31;
-                u1_even_odd_of_5_32 <= u1_even_odd_of_5_31;
-                u1_odd_odd_whole_32 <= u1_odd_odd_whole_31;
-                u1_odd_odd_of_0_32 <= u1_odd_odd_of_0_31;
-                u1_odd_odd_of_1_32 <= u1_odd_odd_of_1_31;
-                u1_odd_odd_of_2_32 <= u1_odd_odd_of_2_31;
-                u1_odd_odd_of_3_32 <= u1_odd_odd_of_3_31;
-                u1_odd_odd_of_4_32 <= u1_odd_odd_of_4_31;
-                u1_odd_odd_of_5_32 <= u1_odd_odd_of_5_31;
-                v1_odd_whole_32 <= v1_odd_whole_31;
-                v1_odd_of_0_32 <= v1_odd_of_0_31;
-                v1_odd_of_1_32 <= v1_odd_of_1_31;
-                v1_odd_of_2_32 <= v1_odd_of_2_31;
-                v1_odd_of_3_32 <= v1_odd_of_3_31;
-                v1_odd_of_4_32 <= v1_odd_of_4_31;
-                v1_odd_of_5_32 <= v1_odd_of_5_31;
+                u1_even_weight_of_0_32 <= u1_even_weight_of_0_31;
+                u1_even_weight_of_1_32 <= u1_even_weight_of_1_31;
+                u1_even_weight_of_2_32 <= u1_even_weight_of_2_31;
+                u1_even_weight_of_3_32 <= u1_even_weight_of_3_31;
+                u1_even_weight_of_4_32 <= u1_even_weight_of_4_31;
+                u1_even_weight_of_5_32 <= u1_even_weight_of_5_31;
+                u1_odd_weight_of_0_32 <= u1_odd_weight_of_0_31;
+                u1_odd_weight_of_1_32 <= u1_odd_weight_of_1_31;
+                u1_odd_weight_of_2_32 <= u1_odd_weight_of_2_31;
+                u1_odd_weight_of_3_32 <= u1_odd_weight_of_3_31;
+                u1_odd_weight_of_4_32 <= u1_odd_weight_of_4_31;
+                u1_odd_weight_of_5_32 <= u1_odd_weight_of_5_31;
+                v1_weight_of_0_32 <= v1_weight_of_0_31;
+                v1_weight_of_1_32 <= v1_weight_of_1_31;
+                v1_weight_of_2_32 <= v1_weight_of_2_31;
+                v1_weight_of_3_32 <= v1_weight_of_3_31;
+                v1_weight_of_4_32 <= v1_weight_of_4_31;
+                v1_weight_of_5_32 <= v1_weight_of_5_31;
                 blend1_signed_32 <= blend1_signed_31;
+                square1_r_by_1_32 <= square1_r_by_1_31;
+                square1_r_amount_2_32 <= square1_r_amount_2_31;
+                square1_r_by_4_32 <= square1_r_by_4_31;
+                square1_g_by_1_32 <= square1_g_by_1_31;
+                square1_g_amount_2_32 <= square1_g_amount_2_31;
+                square1_g_by_4_32 <= square1_g_by_4_31;
+                square1_b_by_1_32 <= square1_b_by_1_31;
+                square1_b_amount_2_32 <= square1_b_amount_2_31;
+                square1_b_by_4_32 <= square1_b_by_4_31;
             end if;
         end if;
     end process;
@@ -4436,9 +5254,11 @@ begin
                 in_gain1g_33 <= in_gain1g_32;
                 in_gain1b_33 <= in_gain1b_32;
                 hidden_33 <= hidden_32;
-                shift1_33 <= shift1_32;
+                v1_is_odd_33 <= v1_is_odd_32;
                 u1_even_even_33 <= u1_even_even_32;
+                u1_even_is_odd_33 <= u1_even_is_odd_32;
                 u1_odd_even_33 <= u1_odd_even_32;
+                u1_odd_is_odd_33 <= u1_odd_is_odd_32;
                 texels1_000_33 <= texels1_000_32;
                 texel1_001_33 <= texel1_001_32;
                 texels1_010_33 <= texels1_010_32;
@@ -4447,28 +5267,34 @@ begin
                 texel1_101_33 <= texel1_101_32;
                 texels1_110_33 <= texels1_110_32;
                 texel1_111_33 <= texel1_111_32;
-                u1_even_odd_whole_33 <= u1_even_odd_whole_32;
-                u1_even_odd_of_0_33 <= u1_even_odd_of_0_32;
-                u1_even_odd_of_1_33 <= u1_even_odd_of_1_32;
-                u1_even_odd_of_2_33 <= u1_even_odd_of_2_32;
-                u1_even_odd_of_3_33 <= u1_even_odd_of_3_32;
-                u1_even_odd_of_4_33 <= u1_even_odd_of_4_32;
-                u1_even_odd_of_5_33 <= u1_even_odd_of_5_32;
-                u1_odd_odd_whole_33 <= u1_odd_odd_whole_32;
-                u1_odd_odd_of_0_33 <= u1_odd_odd_of_0_32;
-                u1_odd_odd_of_1_33 <= u1_odd_odd_of_1_32;
-                u1_odd_odd_of_2_33 <= u1_odd_odd_of_2_32;
-                u1_odd_odd_of_3_33 <= u1_odd_odd_of_3_32;
-                u1_odd_odd_of_4_33 <= u1_odd_odd_of_4_32;
-                u1_odd_odd_of_5_33 <= u1_odd_odd_of_5_32;
-                v1_odd_whole_33 <= v1_odd_whole_32;
-                v1_odd_of_0_33 <= v1_odd_of_0_32;
-                v1_odd_of_1_33 <= v1_odd_of_1_32;
-                v1_odd_of_2_33 <= v1_odd_of_2_32;
-                v1_odd_of_3_33 <= v1_odd_of_3_32;
-                v1_odd_of_4_33 <= v1_odd_of_4_32;
-                v1_odd_of_5_33 <= v1_odd_of_5_32;
+                u1_even_weight_of_0_33 <= u1_even_weight_of_0_32;
+                u1_even_weight_of_1_33 <= u1_even_weight_of_1_32;
+                u1_even_weight_of_2_33 <= u1_even_weight_of_2_32;
+                u1_even_weight_of_3_33 <= u1_even_weight_of_3_32;
+                u1_even_weight_of_4_33 <= u1_even_weight_of_4_32;
+                u1_even_weight_of_5_33 <= u1_even_weight_of_5_32;
+                u1_odd_weight_of_0_33 <= u1_odd_weight_of_0_32;
+                u1_odd_weight_of_1_33 <= u1_odd_weight_of_1_32;
+                u1_odd_weight_of_2_33 <= u1_odd_weight_of_2_32;
+                u1_odd_weight_of_3_33 <= u1_odd_weight_of_3_32;
+                u1_odd_weight_of_4_33 <= u1_odd_weight_of_4_32;
+                u1_odd_weight_of_5_33 <= u1_odd_weight_of_5_32;
+                v1_weight_of_0_33 <= v1_weight_of_0_32;
+                v1_weight_of_1_33 <= v1_weight_of_1_32;
+                v1_weight_of_2_33 <= v1_weight_of_2_32;
+                v1_weight_of_3_33 <= v1_weight_of_3_32;
+                v1_weight_of_4_33 <= v1_weight_of_4_32;
+                v1_weight_of_5_33 <= v1_weight_of_5_32;
                 blend1_signed_33 <= blend1_signed_32;
+                square1_r_by_1_33 <= square1_r_by_1_32;
+                square1_r_amount_2_33 <= square1_r_amount_2_32;
+                square1_r_by_4_33 <= square1_r_by_4_32;
+                square1_g_by_1_33 <= square1_g_by_1_32;
+                square1_g_amount_2_33 <= square1_g_amount_2_32;
+                square1_g_by_4_33 <= square1_g_by_4_32;
+                square1_b_by_1_33 <= square1_b_by_1_32;
+                square1_b_amount_2_33 <= square1_b_amount_2_32;
+                square1_b_by_4_33 <= square1_b_by_4_32;
             end if;
         end if;
     end process;
@@ -4490,7 +5316,9 @@ begin
                 in_gain1g_34 <= in_gain1g_33;
                 in_gain1b_34 <= in_gain1b_33;
                 hidden_34 <= hidden_33;
-                shift1_34 <= shift1_33;
+                v1_is_odd_34 <= v1_is_odd_33;
+                u1_even_is_odd_34 <= u1_even_is_odd_33;
+                u1_odd_is_odd_34 <= u1_odd_is_odd_33;
                 texel1_000_34 <= texel1_000_33;
                 texel1_001_34 <= texel1_001_33;
                 texel1_010_34 <= texel1_010_33;
@@ -4499,28 +5327,34 @@ begin
                 texel1_101_34 <= texel1_101_33;
                 texel1_110_34 <= texel1_110_33;
                 texel1_111_34 <= texel1_111_33;
-                u1_even_odd_whole_34 <= u1_even_odd_whole_33;
-                u1_even_odd_of_0_34 <= u1_even_odd_of_0_33;
-                u1_even_odd_of_1_34 <= u1_even_odd_of_1_33;
-                u1_even_odd_of_2_34 <= u1_even_odd_of_2_33;
-                u1_even_odd_of_3_34 <= u1_even_odd_of_3_33;
-                u1_even_odd_of_4_34 <= u1_even_odd_of_4_33;
-                u1_even_odd_of_5_34 <= u1_even_odd_of_5_33;
-                u1_odd_odd_whole_34 <= u1_odd_odd_whole_33;
-                u1_odd_odd_of_0_34 <= u1_odd_odd_of_0_33;
-                u1_odd_odd_of_1_34 <= u1_odd_odd_of_1_33;
-                u1_odd_odd_of_2_34 <= u1_odd_odd_of_2_33;
-                u1_odd_odd_of_3_34 <= u1_odd_odd_of_3_33;
-                u1_odd_odd_of_4_34 <= u1_odd_odd_of_4_33;
-                u1_odd_odd_of_5_34 <= u1_odd_odd_of_5_33;
-                v1_odd_whole_34 <= v1_odd_whole_33;
-                v1_odd_of_0_34 <= v1_odd_of_0_33;
-                v1_odd_of_1_34 <= v1_odd_of_1_33;
-                v1_odd_of_2_34 <= v1_odd_of_2_33;
-                v1_odd_of_3_34 <= v1_odd_of_3_33;
-                v1_odd_of_4_34 <= v1_odd_of_4_33;
-                v1_odd_of_5_34 <= v1_odd_of_5_33;
+                u1_even_weight_of_0_34 <= u1_even_weight_of_0_33;
+                u1_even_weight_of_1_34 <= u1_even_weight_of_1_33;
+                u1_even_weight_of_2_34 <= u1_even_weight_of_2_33;
+                u1_even_weight_of_3_34 <= u1_even_weight_of_3_33;
+                u1_even_weight_of_4_34 <= u1_even_weight_of_4_33;
+                u1_even_weight_of_5_34 <= u1_even_weight_of_5_33;
+                u1_odd_weight_of_0_34 <= u1_odd_weight_of_0_33;
+                u1_odd_weight_of_1_34 <= u1_odd_weight_of_1_33;
+                u1_odd_weight_of_2_34 <= u1_odd_weight_of_2_33;
+                u1_odd_weight_of_3_34 <= u1_odd_weight_of_3_33;
+                u1_odd_weight_of_4_34 <= u1_odd_weight_of_4_33;
+                u1_odd_weight_of_5_34 <= u1_odd_weight_of_5_33;
+                v1_weight_of_0_34 <= v1_weight_of_0_33;
+                v1_weight_of_1_34 <= v1_weight_of_1_33;
+                v1_weight_of_2_34 <= v1_weight_of_2_33;
+                v1_weight_of_3_34 <= v1_weight_of_3_33;
+                v1_weight_of_4_34 <= v1_weight_of_4_33;
+                v1_weight_of_5_34 <= v1_weight_of_5_33;
                 blend1_signed_34 <= blend1_signed_33;
+                square1_r_by_1_34 <= square1_r_by_1_33;
+                square1_r_amount_2_34 <= square1_r_amount_2_33;
+                square1_r_by_4_34 <= square1_r_by_4_33;
+                square1_g_by_1_34 <= square1_g_by_1_33;
+                square1_g_amount_2_34 <= square1_g_amount_2_33;
+                square1_g_by_4_34 <= square1_g_by_4_33;
+                square1_b_by_1_34 <= square1_b_by_1_33;
+                square1_b_amount_2_34 <= square1_b_amount_2_33;
+                square1_b_by_4_34 <= square1_b_by_4_33;
             end if;
         end if;
     end process;
@@ -4598,29 +5432,37 @@ begin
                 in_gain1g_35 <= in_gain1g_34;
                 in_gain1b_35 <= in_gain1b_34;
                 hidden_35 <= hidden_34;
-                shift1_35 <= shift1_34;
-                u1_even_odd_whole_35 <= u1_even_odd_whole_34;
-                u1_even_odd_of_0_35 <= u1_even_odd_of_0_34;
-                u1_even_odd_of_1_35 <= u1_even_odd_of_1_34;
-                u1_even_odd_of_2_35 <= u1_even_odd_of_2_34;
-                u1_even_odd_of_3_35 <= u1_even_odd_of_3_34;
-                u1_even_odd_of_4_35 <= u1_even_odd_of_4_34;
-                u1_even_odd_of_5_35 <= u1_even_odd_of_5_34;
-                u1_odd_odd_whole_35 <= u1_odd_odd_whole_34;
-                u1_odd_odd_of_0_35 <= u1_odd_odd_of_0_34;
-                u1_odd_odd_of_1_35 <= u1_odd_odd_of_1_34;
-                u1_odd_odd_of_2_35 <= u1_odd_odd_of_2_34;
-                u1_odd_odd_of_3_35 <= u1_odd_odd_of_3_34;
-                u1_odd_odd_of_4_35 <= u1_odd_odd_of_4_34;
-                u1_odd_odd_of_5_35 <= u1_odd_odd_of_5_34;
-                v1_odd_whole_35 <= v1_odd_whole_34;
-                v1_odd_of_0_35 <= v1_odd_of_0_34;
-                v1_odd_of_1_35 <= v1_odd_of_1_34;
-                v1_odd_of_2_35 <= v1_odd_of_2_34;
-                v1_odd_of_3_35 <= v1_odd_of_3_34;
-                v1_odd_of_4_35 <= v1_odd_of_4_34;
-                v1_odd_of_5_35 <= v1_odd_of_5_34;
+                v1_is_odd_35 <= v1_is_odd_34;
+                u1_even_is_odd_35 <= u1_even_is_odd_34;
+                u1_odd_is_odd_35 <= u1_odd_is_odd_34;
+                u1_even_weight_of_0_35 <= u1_even_weight_of_0_34;
+                u1_even_weight_of_1_35 <= u1_even_weight_of_1_34;
+                u1_even_weight_of_2_35 <= u1_even_weight_of_2_34;
+                u1_even_weight_of_3_35 <= u1_even_weight_of_3_34;
+                u1_even_weight_of_4_35 <= u1_even_weight_of_4_34;
+                u1_even_weight_of_5_35 <= u1_even_weight_of_5_34;
+                u1_odd_weight_of_0_35 <= u1_odd_weight_of_0_34;
+                u1_odd_weight_of_1_35 <= u1_odd_weight_of_1_34;
+                u1_odd_weight_of_2_35 <= u1_odd_weight_of_2_34;
+                u1_odd_weight_of_3_35 <= u1_odd_weight_of_3_34;
+                u1_odd_weight_of_4_35 <= u1_odd_weight_of_4_34;
+                u1_odd_weight_of_5_35 <= u1_odd_weight_of_5_34;
+                v1_weight_of_0_35 <= v1_weight_of_0_34;
+                v1_weight_of_1_35 <= v1_weight_of_1_34;
+                v1_weight_of_2_35 <= v1_weight_of_2_34;
+                v1_weight_of_3_35 <= v1_weight_of_3_34;
+                v1_weight_of_4_35 <= v1_weight_of_4_34;
+                v1_weight_of_5_35 <= v1_weight_of_5_34;
                 blend1_signed_35 <= blend1_signed_34;
+                square1_r_by_1_35 <= square1_r_by_1_34;
+                square1_r_amount_2_35 <= square1_r_amount_2_34;
+                square1_r_by_4_35 <= square1_r_by_4_34;
+                square1_g_by_1_35 <= square1_g_by_1_34;
+                square1_g_amount_2_35 <= square1_g_amount_2_34;
+                square1_g_by_4_35 <= square1_g_by_4_34;
+                square1_b_by_1_35 <= square1_b_by_1_34;
+                square1_b_amount_2_35 <= square1_b_amount_2_34;
+                square1_b_by_4_35 <= square1_b_by_4_34;
             end if;
         end if;
     end process;
@@ -4682,7 +5524,9 @@ begin
                 in_gain1g_36 <= in_gain1g_35;
                 in_gain1b_36 <= in_gain1b_35;
                 hidden_36 <= hidden_35;
-                shift1_36 <= shift1_35;
+                v1_is_odd_36 <= v1_is_odd_35;
+                u1_even_is_odd_36 <= u1_even_is_odd_35;
+                u1_odd_is_odd_36 <= u1_odd_is_odd_35;
                 texels_1_even_even_even_r_36 <= texels_1_even_even_even_r_35;
                 texels_1_even_even_odd_r_36 <= texels_1_even_even_odd_r_35;
                 texels_1_even_odd_even_r_36 <= texels_1_even_odd_even_r_35;
@@ -4691,28 +5535,28 @@ begin
                 texels_1_odd_even_odd_r_36 <= texels_1_odd_even_odd_r_35;
                 texels_1_odd_odd_even_r_36 <= texels_1_odd_odd_even_r_35;
                 texels_1_odd_odd_odd_r_36 <= texels_1_odd_odd_odd_r_35;
-                u1_even_odd_whole_36 <= u1_even_odd_whole_35;
-                u1_even_odd_of_0_36 <= u1_even_odd_of_0_35;
-                u1_even_odd_of_1_36 <= u1_even_odd_of_1_35;
-                u1_even_odd_of_2_36 <= u1_even_odd_of_2_35;
-                u1_even_odd_of_3_36 <= u1_even_odd_of_3_35;
-                u1_even_odd_of_4_36 <= u1_even_odd_of_4_35;
-                u1_even_odd_of_5_36 <= u1_even_odd_of_5_35;
-                u1_odd_odd_whole_36 <= u1_odd_odd_whole_35;
-                u1_odd_odd_of_0_36 <= u1_odd_odd_of_0_35;
-                u1_odd_odd_of_1_36 <= u1_odd_odd_of_1_35;
-                u1_odd_odd_of_2_36 <= u1_odd_odd_of_2_35;
-                u1_odd_odd_of_3_36 <= u1_odd_odd_of_3_35;
-                u1_odd_odd_of_4_36 <= u1_odd_odd_of_4_35;
-                u1_odd_odd_of_5_36 <= u1_odd_odd_of_5_35;
-                v1_odd_whole_36 <= v1_odd_whole_35;
-                v1_odd_of_0_36 <= v1_odd_of_0_35;
-                v1_odd_of_1_36 <= v1_odd_of_1_35;
-                v1_odd_of_2_36 <= v1_odd_of_2_35;
-                v1_odd_of_3_36 <= v1_odd_of_3_35;
-                v1_odd_of_4_36 <= v1_odd_of_4_35;
-                v1_odd_of_5_36 <= v1_odd_of_5_35;
+                u1_even_weight_of_0_36 <= u1_even_weight_of_0_35;
+                u1_even_weight_of_1_36 <= u1_even_weight_of_1_35;
+                u1_even_weight_of_2_36 <= u1_even_weight_of_2_35;
+                u1_even_weight_of_3_36 <= u1_even_weight_of_3_35;
+                u1_even_weight_of_4_36 <= u1_even_weight_of_4_35;
+                u1_even_weight_of_5_36 <= u1_even_weight_of_5_35;
+                u1_odd_weight_of_0_36 <= u1_odd_weight_of_0_35;
+                u1_odd_weight_of_1_36 <= u1_odd_weight_of_1_35;
+                u1_odd_weight_of_2_36 <= u1_odd_weight_of_2_35;
+                u1_odd_weight_of_3_36 <= u1_odd_weight_of_3_35;
+                u1_odd_weight_of_4_36 <= u1_odd_weight_of_4_35;
+                u1_odd_weight_of_5_36 <= u1_odd_weight_of_5_35;
+                v1_weight_of_0_36 <= v1_weight_of_0_35;
+                v1_weight_of_1_36 <= v1_weight_of_1_35;
+                v1_weight_of_2_36 <= v1_weight_of_2_35;
+                v1_weight_of_3_36 <= v1_weight_of_3_35;
+                v1_weight_of_4_36 <= v1_weight_of_4_35;
+                v1_weight_of_5_36 <= v1_weight_of_5_35;
                 blend1_signed_36 <= blend1_signed_35;
+                square1_r_by_1_36 <= square1_r_by_1_35;
+                square1_r_amount_2_36 <= square1_r_amount_2_35;
+                square1_r_by_4_36 <= square1_r_by_4_35;
                 texels_1_even_even_even_g_36 <= texels_1_even_even_even_g_35;
                 texels_1_even_even_odd_g_36 <= texels_1_even_even_odd_g_35;
                 texels_1_even_odd_even_g_36 <= texels_1_even_odd_even_g_35;
@@ -4721,6 +5565,9 @@ begin
                 texels_1_odd_even_odd_g_36 <= texels_1_odd_even_odd_g_35;
                 texels_1_odd_odd_even_g_36 <= texels_1_odd_odd_even_g_35;
                 texels_1_odd_odd_odd_g_36 <= texels_1_odd_odd_odd_g_35;
+                square1_g_by_1_36 <= square1_g_by_1_35;
+                square1_g_amount_2_36 <= square1_g_amount_2_35;
+                square1_g_by_4_36 <= square1_g_by_4_35;
                 texels_1_even_even_even_b_36 <= texels_1_even_even_even_b_35;
                 texels_1_even_even_odd_b_36 <= texels_1_even_even_odd_b_35;
                 texels_1_even_odd_even_b_36 <= texels_1_even_odd_even_b_35;
@@ -4729,6 +5576,9 @@ begin
                 texels_1_odd_even_odd_b_36 <= texels_1_odd_even_odd_b_35;
                 texels_1_odd_odd_even_b_36 <= texels_1_odd_odd_even_b_35;
                 texels_1_odd_odd_odd_b_36 <= texels_1_odd_odd_odd_b_35;
+                square1_b_by_1_36 <= square1_b_by_1_35;
+                square1_b_amount_2_36 <= square1_b_amount_2_35;
+                square1_b_by_4_36 <= square1_b_by_4_35;
             end if;
         end if;
     end process;
@@ -4742,7 +5592,9 @@ begin
                 in_gain1g_37 <= in_gain1g_36;
                 in_gain1b_37 <= in_gain1b_36;
                 hidden_37 <= hidden_36;
-                shift1_37 <= shift1_36;
+                v1_is_odd_37 <= v1_is_odd_36;
+                u1_even_is_odd_37 <= u1_even_is_odd_36;
+                u1_odd_is_odd_37 <= u1_odd_is_odd_36;
                 texels_1_even_even_even_r_37 <= texels_1_even_even_even_r_36;
                 texels_1_even_even_odd_r_37 <= texels_1_even_even_odd_r_36;
                 texels_1_even_odd_even_r_37 <= texels_1_even_odd_even_r_36;
@@ -4751,28 +5603,28 @@ begin
                 texels_1_odd_even_odd_r_37 <= texels_1_odd_even_odd_r_36;
                 texels_1_odd_odd_even_r_37 <= texels_1_odd_odd_even_r_36;
                 texels_1_odd_odd_odd_r_37 <= texels_1_odd_odd_odd_r_36;
-                u1_even_odd_whole_37 <= u1_even_odd_whole_36;
-                u1_even_odd_of_0_37 <= u1_even_odd_of_0_36;
-                u1_even_odd_of_1_37 <= u1_even_odd_of_1_36;
-                u1_even_odd_of_2_37 <= u1_even_odd_of_2_36;
-                u1_even_odd_of_3_37 <= u1_even_odd_of_3_36;
-                u1_even_odd_of_4_37 <= u1_even_odd_of_4_36;
-                u1_even_odd_of_5_37 <= u1_even_odd_of_5_36;
-                u1_odd_odd_whole_37 <= u1_odd_odd_whole_36;
-                u1_odd_odd_of_0_37 <= u1_odd_odd_of_0_36;
-                u1_odd_odd_of_1_37 <= u1_odd_odd_of_1_36;
-                u1_odd_odd_of_2_37 <= u1_odd_odd_of_2_36;
-                u1_odd_odd_of_3_37 <= u1_odd_odd_of_3_36;
-                u1_odd_odd_of_4_37 <= u1_odd_odd_of_4_36;
-                u1_odd_odd_of_5_37 <= u1_odd_odd_of_5_36;
-                v1_odd_whole_37 <= v1_odd_whole_36;
-                v1_odd_of_0_37 <= v1_odd_of_0_36;
-                v1_odd_of_1_37 <= v1_odd_of_1_36;
-                v1_odd_of_2_37 <= v1_odd_of_2_36;
-                v1_odd_of_3_37 <= v1_odd_of_3_36;
-                v1_odd_of_4_37 <= v1_odd_of_4_36;
-                v1_odd_of_5_37 <= v1_odd_of_5_36;
+                u1_even_weight_of_0_37 <= u1_even_weight_of_0_36;
+                u1_even_weight_of_1_37 <= u1_even_weight_of_1_36;
+                u1_even_weight_of_2_37 <= u1_even_weight_of_2_36;
+                u1_even_weight_of_3_37 <= u1_even_weight_of_3_36;
+                u1_even_weight_of_4_37 <= u1_even_weight_of_4_36;
+                u1_even_weight_of_5_37 <= u1_even_weight_of_5_36;
+                u1_odd_weight_of_0_37 <= u1_odd_weight_of_0_36;
+                u1_odd_weight_of_1_37 <= u1_odd_weight_of_1_36;
+                u1_odd_weight_of_2_37 <= u1_odd_weight_of_2_36;
+                u1_odd_weight_of_3_37 <= u1_odd_weight_of_3_36;
+                u1_odd_weight_of_4_37 <= u1_odd_weight_of_4_36;
+                u1_odd_weight_of_5_37 <= u1_odd_weight_of_5_36;
+                v1_weight_of_0_37 <= v1_weight_of_0_36;
+                v1_weight_of_1_37 <= v1_weight_of_1_36;
+                v1_weight_of_2_37 <= v1_weight_of_2_36;
+                v1_weight_of_3_37 <= v1_weight_of_3_36;
+                v1_weight_of_4_37 <= v1_weight_of_4_36;
+                v1_weight_of_5_37 <= v1_weight_of_5_36;
                 blend1_signed_37 <= blend1_signed_36;
+                square1_r_by_1_37 <= square1_r_by_1_36;
+                square1_r_amount_2_37 <= square1_r_amount_2_36;
+                square1_r_by_4_37 <= square1_r_by_4_36;
                 texels_1_even_even_even_g_37 <= texels_1_even_even_even_g_36;
                 texels_1_even_even_odd_g_37 <= texels_1_even_even_odd_g_36;
                 texels_1_even_odd_even_g_37 <= texels_1_even_odd_even_g_36;
@@ -4781,6 +5633,9 @@ begin
                 texels_1_odd_even_odd_g_37 <= texels_1_odd_even_odd_g_36;
                 texels_1_odd_odd_even_g_37 <= texels_1_odd_odd_even_g_36;
                 texels_1_odd_odd_odd_g_37 <= texels_1_odd_odd_odd_g_36;
+                square1_g_by_1_37 <= square1_g_by_1_36;
+                square1_g_amount_2_37 <= square1_g_amount_2_36;
+                square1_g_by_4_37 <= square1_g_by_4_36;
                 texels_1_even_even_even_b_37 <= texels_1_even_even_even_b_36;
                 texels_1_even_even_odd_b_37 <= texels_1_even_even_odd_b_36;
                 texels_1_even_odd_even_b_37 <= texels_1_even_odd_even_b_36;
@@ -4789,49 +5644,52 @@ begin
                 texels_1_odd_even_odd_b_37 <= texels_1_odd_even_odd_b_36;
                 texels_1_odd_odd_even_b_37 <= texels_1_odd_odd_even_b_36;
                 texels_1_odd_odd_odd_b_37 <= texels_1_odd_odd_odd_b_36;
+                square1_b_by_1_37 <= square1_b_by_1_36;
+                square1_b_amount_2_37 <= square1_b_amount_2_36;
+                square1_b_by_4_37 <= square1_b_by_4_36;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 37: blend1_r_1_0_either_whole, blend1_r_1_0_either_0 and 118 more
+    -- ===== Stage 37: blend1_r_1_0_either_first, blend1_r_1_0_either_0 and 118 more
     -- UQ0.8: either of both
-    blend1_r_1_0_either_whole_37 <=
-        texels_1_even_even_odd_r_37 when u1_even_odd_whole_37 = '1' else texels_1_even_even_even_r_37;
+    blend1_r_1_0_either_first_37 <=
+        texels_1_even_even_odd_r_37 when u1_even_is_odd_37 = '1' else texels_1_even_even_even_r_37;
     -- UQ-6.14: shifted
-    blend1_r_1_0_by_whole_37 <= blend1_r_1_0_either_whole_37;
+    blend1_r_1_0_by_first_37 <= blend1_r_1_0_either_first_37;
     -- UQ0.8: either of both
     blend1_r_1_0_either_0_37 <=
-        texels_1_even_even_odd_r_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_even_even_r_37;
+        texels_1_even_even_odd_r_37 when u1_even_weight_of_0_37 = '1' else texels_1_even_even_even_r_37;
     -- UQ-6.14: shifted
     blend1_r_1_0_by_0_37 <= blend1_r_1_0_either_0_37;
     -- UQ0.8: either of both
     blend1_r_1_0_either_1_37 <=
-        texels_1_even_even_odd_r_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_even_even_r_37;
+        texels_1_even_even_odd_r_37 when u1_even_weight_of_1_37 = '1' else texels_1_even_even_even_r_37;
     -- UQ-5.13: shifted
     blend1_r_1_0_by_1_37 <= blend1_r_1_0_either_1_37;
     -- UQ0.8: either of both
     blend1_r_1_0_either_2_37 <=
-        texels_1_even_even_odd_r_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_even_even_r_37;
+        texels_1_even_even_odd_r_37 when u1_even_weight_of_2_37 = '1' else texels_1_even_even_even_r_37;
     -- UQ-4.12: shifted
     blend1_r_1_0_by_2_37 <= blend1_r_1_0_either_2_37;
     -- UQ0.8: either of both
     blend1_r_1_0_either_3_37 <=
-        texels_1_even_even_odd_r_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_even_even_r_37;
+        texels_1_even_even_odd_r_37 when u1_even_weight_of_3_37 = '1' else texels_1_even_even_even_r_37;
     -- UQ-3.11: shifted
     blend1_r_1_0_by_3_37 <= blend1_r_1_0_either_3_37;
     -- UQ0.8: either of both
     blend1_r_1_0_either_4_37 <=
-        texels_1_even_even_odd_r_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_even_even_r_37;
+        texels_1_even_even_odd_r_37 when u1_even_weight_of_4_37 = '1' else texels_1_even_even_even_r_37;
     -- UQ-2.10: shifted
     blend1_r_1_0_by_4_37 <= blend1_r_1_0_either_4_37;
     -- UQ0.8: either of both
     blend1_r_1_0_either_5_37 <=
-        texels_1_even_even_odd_r_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_even_even_r_37;
+        texels_1_even_even_odd_r_37 when u1_even_weight_of_5_37 = '1' else texels_1_even_even_even_r_37;
     -- UQ-1.9: shifted
     blend1_r_1_0_by_5_37 <= blend1_r_1_0_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_r_1_0_sum_1_0_37 <=
-        resize(blend1_r_1_0_by_whole_37, 9) + resize(blend1_r_1_0_by_0_37, 9);
+        resize(blend1_r_1_0_by_first_37, 9) + resize(blend1_r_1_0_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_r_1_0_sum_1_1_37 <=
         resize(blend1_r_1_0_by_1_37, 10) + shift_left(resize(blend1_r_1_0_by_2_37, 10), 1);
@@ -4839,43 +5697,43 @@ begin
     blend1_r_1_0_sum_1_2_37 <=
         resize(blend1_r_1_0_by_3_37, 10) + shift_left(resize(blend1_r_1_0_by_4_37, 10), 1);
     -- UQ0.8: either of both
-    blend1_r_1_1_either_whole_37 <=
-        texels_1_even_odd_odd_r_37 when u1_even_odd_whole_37 = '1' else texels_1_even_odd_even_r_37;
+    blend1_r_1_1_either_first_37 <=
+        texels_1_even_odd_odd_r_37 when u1_even_is_odd_37 = '1' else texels_1_even_odd_even_r_37;
     -- UQ-6.14: shifted
-    blend1_r_1_1_by_whole_37 <= blend1_r_1_1_either_whole_37;
+    blend1_r_1_1_by_first_37 <= blend1_r_1_1_either_first_37;
     -- UQ0.8: either of both
     blend1_r_1_1_either_0_37 <=
-        texels_1_even_odd_odd_r_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_odd_even_r_37;
+        texels_1_even_odd_odd_r_37 when u1_even_weight_of_0_37 = '1' else texels_1_even_odd_even_r_37;
     -- UQ-6.14: shifted
     blend1_r_1_1_by_0_37 <= blend1_r_1_1_either_0_37;
     -- UQ0.8: either of both
     blend1_r_1_1_either_1_37 <=
-        texels_1_even_odd_odd_r_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_odd_even_r_37;
+        texels_1_even_odd_odd_r_37 when u1_even_weight_of_1_37 = '1' else texels_1_even_odd_even_r_37;
     -- UQ-5.13: shifted
     blend1_r_1_1_by_1_37 <= blend1_r_1_1_either_1_37;
     -- UQ0.8: either of both
     blend1_r_1_1_either_2_37 <=
-        texels_1_even_odd_odd_r_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_odd_even_r_37;
+        texels_1_even_odd_odd_r_37 when u1_even_weight_of_2_37 = '1' else texels_1_even_odd_even_r_37;
     -- UQ-4.12: shifted
     blend1_r_1_1_by_2_37 <= blend1_r_1_1_either_2_37;
     -- UQ0.8: either of both
     blend1_r_1_1_either_3_37 <=
-        texels_1_even_odd_odd_r_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_odd_even_r_37;
+        texels_1_even_odd_odd_r_37 when u1_even_weight_of_3_37 = '1' else texels_1_even_odd_even_r_37;
     -- UQ-3.11: shifted
     blend1_r_1_1_by_3_37 <= blend1_r_1_1_either_3_37;
     -- UQ0.8: either of both
     blend1_r_1_1_either_4_37 <=
-        texels_1_even_odd_odd_r_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_odd_even_r_37;
+        texels_1_even_odd_odd_r_37 when u1_even_weight_of_4_37 = '1' else texels_1_even_odd_even_r_37;
     -- UQ-2.10: shifted
     blend1_r_1_1_by_4_37 <= blend1_r_1_1_either_4_37;
     -- UQ0.8: either of both
     blend1_r_1_1_either_5_37 <=
-        texels_1_even_odd_odd_r_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_odd_even_r_37;
+        texels_1_even_odd_odd_r_37 when u1_even_weight_of_5_37 = '1' else texels_1_even_odd_even_r_37;
     -- UQ-1.9: shifted
     blend1_r_1_1_by_5_37 <= blend1_r_1_1_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_r_1_1_sum_1_0_37 <=
-        resize(blend1_r_1_1_by_whole_37, 9) + resize(blend1_r_1_1_by_0_37, 9);
+        resize(blend1_r_1_1_by_first_37, 9) + resize(blend1_r_1_1_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_r_1_1_sum_1_1_37 <=
         resize(blend1_r_1_1_by_1_37, 10) + shift_left(resize(blend1_r_1_1_by_2_37, 10), 1);
@@ -4883,43 +5741,43 @@ begin
     blend1_r_1_1_sum_1_2_37 <=
         resize(blend1_r_1_1_by_3_37, 10) + shift_left(resize(blend1_r_1_1_by_4_37, 10), 1);
     -- UQ0.8: either of both
-    blend1_r_1_2_either_whole_37 <=
-        texels_1_odd_even_odd_r_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_even_even_r_37;
+    blend1_r_1_2_either_first_37 <=
+        texels_1_odd_even_odd_r_37 when u1_odd_is_odd_37 = '1' else texels_1_odd_even_even_r_37;
     -- UQ-6.14: shifted
-    blend1_r_1_2_by_whole_37 <= blend1_r_1_2_either_whole_37;
+    blend1_r_1_2_by_first_37 <= blend1_r_1_2_either_first_37;
     -- UQ0.8: either of both
     blend1_r_1_2_either_0_37 <=
-        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_even_even_r_37;
+        texels_1_odd_even_odd_r_37 when u1_odd_weight_of_0_37 = '1' else texels_1_odd_even_even_r_37;
     -- UQ-6.14: shifted
     blend1_r_1_2_by_0_37 <= blend1_r_1_2_either_0_37;
     -- UQ0.8: either of both
     blend1_r_1_2_either_1_37 <=
-        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_even_even_r_37;
+        texels_1_odd_even_odd_r_37 when u1_odd_weight_of_1_37 = '1' else texels_1_odd_even_even_r_37;
     -- UQ-5.13: shifted
     blend1_r_1_2_by_1_37 <= blend1_r_1_2_either_1_37;
     -- UQ0.8: either of both
     blend1_r_1_2_either_2_37 <=
-        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_even_even_r_37;
+        texels_1_odd_even_odd_r_37 when u1_odd_weight_of_2_37 = '1' else texels_1_odd_even_even_r_37;
     -- UQ-4.12: shifted
     blend1_r_1_2_by_2_37 <= blend1_r_1_2_either_2_37;
     -- UQ0.8: either of both
     blend1_r_1_2_either_3_37 <=
-        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_even_even_r_37;
+        texels_1_odd_even_odd_r_37 when u1_odd_weight_of_3_37 = '1' else texels_1_odd_even_even_r_37;
     -- UQ-3.11: shifted
     blend1_r_1_2_by_3_37 <= blend1_r_1_2_either_3_37;
     -- UQ0.8: either of both
     blend1_r_1_2_either_4_37 <=
-        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_even_even_r_37;
+        texels_1_odd_even_odd_r_37 when u1_odd_weight_of_4_37 = '1' else texels_1_odd_even_even_r_37;
     -- UQ-2.10: shifted
     blend1_r_1_2_by_4_37 <= blend1_r_1_2_either_4_37;
     -- UQ0.8: either of both
     blend1_r_1_2_either_5_37 <=
-        texels_1_odd_even_odd_r_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_even_even_r_37;
+        texels_1_odd_even_odd_r_37 when u1_odd_weight_of_5_37 = '1' else texels_1_odd_even_even_r_37;
     -- UQ-1.9: shifted
     blend1_r_1_2_by_5_37 <= blend1_r_1_2_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_r_1_2_sum_1_0_37 <=
-        resize(blend1_r_1_2_by_whole_37, 9) + resize(blend1_r_1_2_by_0_37, 9);
+        resize(blend1_r_1_2_by_first_37, 9) + resize(blend1_r_1_2_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_r_1_2_sum_1_1_37 <=
         resize(blend1_r_1_2_by_1_37, 10) + shift_left(resize(blend1_r_1_2_by_2_37, 10), 1);
@@ -4927,43 +5785,43 @@ begin
     blend1_r_1_2_sum_1_2_37 <=
         resize(blend1_r_1_2_by_3_37, 10) + shift_left(resize(blend1_r_1_2_by_4_37, 10), 1);
     -- UQ0.8: either of both
-    blend1_r_1_3_either_whole_37 <=
-        texels_1_odd_odd_odd_r_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_odd_even_r_37;
+    blend1_r_1_3_either_first_37 <=
+        texels_1_odd_odd_odd_r_37 when u1_odd_is_odd_37 = '1' else texels_1_odd_odd_even_r_37;
     -- UQ-6.14: shifted
-    blend1_r_1_3_by_whole_37 <= blend1_r_1_3_either_whole_37;
+    blend1_r_1_3_by_first_37 <= blend1_r_1_3_either_first_37;
     -- UQ0.8: either of both
     blend1_r_1_3_either_0_37 <=
-        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_odd_even_r_37;
+        texels_1_odd_odd_odd_r_37 when u1_odd_weight_of_0_37 = '1' else texels_1_odd_odd_even_r_37;
     -- UQ-6.14: shifted
     blend1_r_1_3_by_0_37 <= blend1_r_1_3_either_0_37;
     -- UQ0.8: either of both
     blend1_r_1_3_either_1_37 <=
-        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_odd_even_r_37;
+        texels_1_odd_odd_odd_r_37 when u1_odd_weight_of_1_37 = '1' else texels_1_odd_odd_even_r_37;
     -- UQ-5.13: shifted
     blend1_r_1_3_by_1_37 <= blend1_r_1_3_either_1_37;
     -- UQ0.8: either of both
     blend1_r_1_3_either_2_37 <=
-        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_odd_even_r_37;
+        texels_1_odd_odd_odd_r_37 when u1_odd_weight_of_2_37 = '1' else texels_1_odd_odd_even_r_37;
     -- UQ-4.12: shifted
     blend1_r_1_3_by_2_37 <= blend1_r_1_3_either_2_37;
     -- UQ0.8: either of both
     blend1_r_1_3_either_3_37 <=
-        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_odd_even_r_37;
+        texels_1_odd_odd_odd_r_37 when u1_odd_weight_of_3_37 = '1' else texels_1_odd_odd_even_r_37;
     -- UQ-3.11: shifted
     blend1_r_1_3_by_3_37 <= blend1_r_1_3_either_3_37;
     -- UQ0.8: either of both
     blend1_r_1_3_either_4_37 <=
-        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_odd_even_r_37;
+        texels_1_odd_odd_odd_r_37 when u1_odd_weight_of_4_37 = '1' else texels_1_odd_odd_even_r_37;
     -- UQ-2.10: shifted
     blend1_r_1_3_by_4_37 <= blend1_r_1_3_either_4_37;
     -- UQ0.8: either of both
     blend1_r_1_3_either_5_37 <=
-        texels_1_odd_odd_odd_r_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_odd_even_r_37;
+        texels_1_odd_odd_odd_r_37 when u1_odd_weight_of_5_37 = '1' else texels_1_odd_odd_even_r_37;
     -- UQ-1.9: shifted
     blend1_r_1_3_by_5_37 <= blend1_r_1_3_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_r_1_3_sum_1_0_37 <=
-        resize(blend1_r_1_3_by_whole_37, 9) + resize(blend1_r_1_3_by_0_37, 9);
+        resize(blend1_r_1_3_by_first_37, 9) + resize(blend1_r_1_3_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_r_1_3_sum_1_1_37 <=
         resize(blend1_r_1_3_by_1_37, 10) + shift_left(resize(blend1_r_1_3_by_2_37, 10), 1);
@@ -4971,43 +5829,43 @@ begin
     blend1_r_1_3_sum_1_2_37 <=
         resize(blend1_r_1_3_by_3_37, 10) + shift_left(resize(blend1_r_1_3_by_4_37, 10), 1);
     -- UQ0.8: either of both
-    blend1_g_1_0_either_whole_37 <=
-        texels_1_even_even_odd_g_37 when u1_even_odd_whole_37 = '1' else texels_1_even_even_even_g_37;
+    blend1_g_1_0_either_first_37 <=
+        texels_1_even_even_odd_g_37 when u1_even_is_odd_37 = '1' else texels_1_even_even_even_g_37;
     -- UQ-6.14: shifted
-    blend1_g_1_0_by_whole_37 <= blend1_g_1_0_either_whole_37;
+    blend1_g_1_0_by_first_37 <= blend1_g_1_0_either_first_37;
     -- UQ0.8: either of both
     blend1_g_1_0_either_0_37 <=
-        texels_1_even_even_odd_g_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_even_even_g_37;
+        texels_1_even_even_odd_g_37 when u1_even_weight_of_0_37 = '1' else texels_1_even_even_even_g_37;
     -- UQ-6.14: shifted
     blend1_g_1_0_by_0_37 <= blend1_g_1_0_either_0_37;
     -- UQ0.8: either of both
     blend1_g_1_0_either_1_37 <=
-        texels_1_even_even_odd_g_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_even_even_g_37;
+        texels_1_even_even_odd_g_37 when u1_even_weight_of_1_37 = '1' else texels_1_even_even_even_g_37;
     -- UQ-5.13: shifted
     blend1_g_1_0_by_1_37 <= blend1_g_1_0_either_1_37;
     -- UQ0.8: either of both
     blend1_g_1_0_either_2_37 <=
-        texels_1_even_even_odd_g_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_even_even_g_37;
+        texels_1_even_even_odd_g_37 when u1_even_weight_of_2_37 = '1' else texels_1_even_even_even_g_37;
     -- UQ-4.12: shifted
     blend1_g_1_0_by_2_37 <= blend1_g_1_0_either_2_37;
     -- UQ0.8: either of both
     blend1_g_1_0_either_3_37 <=
-        texels_1_even_even_odd_g_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_even_even_g_37;
+        texels_1_even_even_odd_g_37 when u1_even_weight_of_3_37 = '1' else texels_1_even_even_even_g_37;
     -- UQ-3.11: shifted
     blend1_g_1_0_by_3_37 <= blend1_g_1_0_either_3_37;
     -- UQ0.8: either of both
     blend1_g_1_0_either_4_37 <=
-        texels_1_even_even_odd_g_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_even_even_g_37;
+        texels_1_even_even_odd_g_37 when u1_even_weight_of_4_37 = '1' else texels_1_even_even_even_g_37;
     -- UQ-2.10: shifted
     blend1_g_1_0_by_4_37 <= blend1_g_1_0_either_4_37;
     -- UQ0.8: either of both
     blend1_g_1_0_either_5_37 <=
-        texels_1_even_even_odd_g_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_even_even_g_37;
+        texels_1_even_even_odd_g_37 when u1_even_weight_of_5_37 = '1' else texels_1_even_even_even_g_37;
     -- UQ-1.9: shifted
     blend1_g_1_0_by_5_37 <= blend1_g_1_0_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_g_1_0_sum_1_0_37 <=
-        resize(blend1_g_1_0_by_whole_37, 9) + resize(blend1_g_1_0_by_0_37, 9);
+        resize(blend1_g_1_0_by_first_37, 9) + resize(blend1_g_1_0_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_g_1_0_sum_1_1_37 <=
         resize(blend1_g_1_0_by_1_37, 10) + shift_left(resize(blend1_g_1_0_by_2_37, 10), 1);
@@ -5015,43 +5873,43 @@ begin
     blend1_g_1_0_sum_1_2_37 <=
         resize(blend1_g_1_0_by_3_37, 10) + shift_left(resize(blend1_g_1_0_by_4_37, 10), 1);
     -- UQ0.8: either of both
-    blend1_g_1_1_either_whole_37 <=
-        texels_1_even_odd_odd_g_37 when u1_even_odd_whole_37 = '1' else texels_1_even_odd_even_g_37;
+    blend1_g_1_1_either_first_37 <=
+        texels_1_even_odd_odd_g_37 when u1_even_is_odd_37 = '1' else texels_1_even_odd_even_g_37;
     -- UQ-6.14: shifted
-    blend1_g_1_1_by_whole_37 <= blend1_g_1_1_either_whole_37;
+    blend1_g_1_1_by_first_37 <= blend1_g_1_1_either_first_37;
     -- UQ0.8: either of both
     blend1_g_1_1_either_0_37 <=
-        texels_1_even_odd_odd_g_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_odd_even_g_37;
+        texels_1_even_odd_odd_g_37 when u1_even_weight_of_0_37 = '1' else texels_1_even_odd_even_g_37;
     -- UQ-6.14: shifted
     blend1_g_1_1_by_0_37 <= blend1_g_1_1_either_0_37;
     -- UQ0.8: either of both
     blend1_g_1_1_either_1_37 <=
-        texels_1_even_odd_odd_g_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_odd_even_g_37;
+        texels_1_even_odd_odd_g_37 when u1_even_weight_of_1_37 = '1' else texels_1_even_odd_even_g_37;
     -- UQ-5.13: shifted
     blend1_g_1_1_by_1_37 <= blend1_g_1_1_either_1_37;
     -- UQ0.8: either of both
     blend1_g_1_1_either_2_37 <=
-        texels_1_even_odd_odd_g_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_odd_even_g_37;
+        texels_1_even_odd_odd_g_37 when u1_even_weight_of_2_37 = '1' else texels_1_even_odd_even_g_37;
     -- UQ-4.12: shifted
     blend1_g_1_1_by_2_37 <= blend1_g_1_1_either_2_37;
     -- UQ0.8: either of both
     blend1_g_1_1_either_3_37 <=
-        texels_1_even_odd_odd_g_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_odd_even_g_37;
+        texels_1_even_odd_odd_g_37 when u1_even_weight_of_3_37 = '1' else texels_1_even_odd_even_g_37;
     -- UQ-3.11: shifted
     blend1_g_1_1_by_3_37 <= blend1_g_1_1_either_3_37;
     -- UQ0.8: either of both
     blend1_g_1_1_either_4_37 <=
-        texels_1_even_odd_odd_g_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_odd_even_g_37;
+        texels_1_even_odd_odd_g_37 when u1_even_weight_of_4_37 = '1' else texels_1_even_odd_even_g_37;
     -- UQ-2.10: shifted
     blend1_g_1_1_by_4_37 <= blend1_g_1_1_either_4_37;
     -- UQ0.8: either of both
     blend1_g_1_1_either_5_37 <=
-        texels_1_even_odd_odd_g_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_odd_even_g_37;
+        texels_1_even_odd_odd_g_37 when u1_even_weight_of_5_37 = '1' else texels_1_even_odd_even_g_37;
     -- UQ-1.9: shifted
     blend1_g_1_1_by_5_37 <= blend1_g_1_1_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_g_1_1_sum_1_0_37 <=
-        resize(blend1_g_1_1_by_whole_37, 9) + resize(blend1_g_1_1_by_0_37, 9);
+        resize(blend1_g_1_1_by_first_37, 9) + resize(blend1_g_1_1_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_g_1_1_sum_1_1_37 <=
         resize(blend1_g_1_1_by_1_37, 10) + shift_left(resize(blend1_g_1_1_by_2_37, 10), 1);
@@ -5059,43 +5917,43 @@ begin
     blend1_g_1_1_sum_1_2_37 <=
         resize(blend1_g_1_1_by_3_37, 10) + shift_left(resize(blend1_g_1_1_by_4_37, 10), 1);
     -- UQ0.8: either of both
-    blend1_g_1_2_either_whole_37 <=
-        texels_1_odd_even_odd_g_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_even_even_g_37;
+    blend1_g_1_2_either_first_37 <=
+        texels_1_odd_even_odd_g_37 when u1_odd_is_odd_37 = '1' else texels_1_odd_even_even_g_37;
     -- UQ-6.14: shifted
-    blend1_g_1_2_by_whole_37 <= blend1_g_1_2_either_whole_37;
+    blend1_g_1_2_by_first_37 <= blend1_g_1_2_either_first_37;
     -- UQ0.8: either of both
     blend1_g_1_2_either_0_37 <=
-        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_even_even_g_37;
+        texels_1_odd_even_odd_g_37 when u1_odd_weight_of_0_37 = '1' else texels_1_odd_even_even_g_37;
     -- UQ-6.14: shifted
     blend1_g_1_2_by_0_37 <= blend1_g_1_2_either_0_37;
     -- UQ0.8: either of both
     blend1_g_1_2_either_1_37 <=
-        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_even_even_g_37;
+        texels_1_odd_even_odd_g_37 when u1_odd_weight_of_1_37 = '1' else texels_1_odd_even_even_g_37;
     -- UQ-5.13: shifted
     blend1_g_1_2_by_1_37 <= blend1_g_1_2_either_1_37;
     -- UQ0.8: either of both
     blend1_g_1_2_either_2_37 <=
-        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_even_even_g_37;
+        texels_1_odd_even_odd_g_37 when u1_odd_weight_of_2_37 = '1' else texels_1_odd_even_even_g_37;
     -- UQ-4.12: shifted
     blend1_g_1_2_by_2_37 <= blend1_g_1_2_either_2_37;
     -- UQ0.8: either of both
     blend1_g_1_2_either_3_37 <=
-        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_even_even_g_37;
+        texels_1_odd_even_odd_g_37 when u1_odd_weight_of_3_37 = '1' else texels_1_odd_even_even_g_37;
     -- UQ-3.11: shifted
     blend1_g_1_2_by_3_37 <= blend1_g_1_2_either_3_37;
     -- UQ0.8: either of both
     blend1_g_1_2_either_4_37 <=
-        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_even_even_g_37;
+        texels_1_odd_even_odd_g_37 when u1_odd_weight_of_4_37 = '1' else texels_1_odd_even_even_g_37;
     -- UQ-2.10: shifted
     blend1_g_1_2_by_4_37 <= blend1_g_1_2_either_4_37;
     -- UQ0.8: either of both
     blend1_g_1_2_either_5_37 <=
-        texels_1_odd_even_odd_g_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_even_even_g_37;
+        texels_1_odd_even_odd_g_37 when u1_odd_weight_of_5_37 = '1' else texels_1_odd_even_even_g_37;
     -- UQ-1.9: shifted
     blend1_g_1_2_by_5_37 <= blend1_g_1_2_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_g_1_2_sum_1_0_37 <=
-        resize(blend1_g_1_2_by_whole_37, 9) + resize(blend1_g_1_2_by_0_37, 9);
+        resize(blend1_g_1_2_by_first_37, 9) + resize(blend1_g_1_2_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_g_1_2_sum_1_1_37 <=
         resize(blend1_g_1_2_by_1_37, 10) + shift_left(resize(blend1_g_1_2_by_2_37, 10), 1);
@@ -5103,43 +5961,43 @@ begin
     blend1_g_1_2_sum_1_2_37 <=
         resize(blend1_g_1_2_by_3_37, 10) + shift_left(resize(blend1_g_1_2_by_4_37, 10), 1);
     -- UQ0.8: either of both
-    blend1_g_1_3_either_whole_37 <=
-        texels_1_odd_odd_odd_g_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_odd_even_g_37;
+    blend1_g_1_3_either_first_37 <=
+        texels_1_odd_odd_odd_g_37 when u1_odd_is_odd_37 = '1' else texels_1_odd_odd_even_g_37;
     -- UQ-6.14: shifted
-    blend1_g_1_3_by_whole_37 <= blend1_g_1_3_either_whole_37;
+    blend1_g_1_3_by_first_37 <= blend1_g_1_3_either_first_37;
     -- UQ0.8: either of both
     blend1_g_1_3_either_0_37 <=
-        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_odd_even_g_37;
+        texels_1_odd_odd_odd_g_37 when u1_odd_weight_of_0_37 = '1' else texels_1_odd_odd_even_g_37;
     -- UQ-6.14: shifted
     blend1_g_1_3_by_0_37 <= blend1_g_1_3_either_0_37;
     -- UQ0.8: either of both
     blend1_g_1_3_either_1_37 <=
-        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_odd_even_g_37;
+        texels_1_odd_odd_odd_g_37 when u1_odd_weight_of_1_37 = '1' else texels_1_odd_odd_even_g_37;
     -- UQ-5.13: shifted
     blend1_g_1_3_by_1_37 <= blend1_g_1_3_either_1_37;
     -- UQ0.8: either of both
     blend1_g_1_3_either_2_37 <=
-        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_odd_even_g_37;
+        texels_1_odd_odd_odd_g_37 when u1_odd_weight_of_2_37 = '1' else texels_1_odd_odd_even_g_37;
     -- UQ-4.12: shifted
     blend1_g_1_3_by_2_37 <= blend1_g_1_3_either_2_37;
     -- UQ0.8: either of both
     blend1_g_1_3_either_3_37 <=
-        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_odd_even_g_37;
+        texels_1_odd_odd_odd_g_37 when u1_odd_weight_of_3_37 = '1' else texels_1_odd_odd_even_g_37;
     -- UQ-3.11: shifted
     blend1_g_1_3_by_3_37 <= blend1_g_1_3_either_3_37;
     -- UQ0.8: either of both
     blend1_g_1_3_either_4_37 <=
-        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_odd_even_g_37;
+        texels_1_odd_odd_odd_g_37 when u1_odd_weight_of_4_37 = '1' else texels_1_odd_odd_even_g_37;
     -- UQ-2.10: shifted
     blend1_g_1_3_by_4_37 <= blend1_g_1_3_either_4_37;
     -- UQ0.8: either of both
     blend1_g_1_3_either_5_37 <=
-        texels_1_odd_odd_odd_g_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_odd_even_g_37;
+        texels_1_odd_odd_odd_g_37 when u1_odd_weight_of_5_37 = '1' else texels_1_odd_odd_even_g_37;
     -- UQ-1.9: shifted
     blend1_g_1_3_by_5_37 <= blend1_g_1_3_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_g_1_3_sum_1_0_37 <=
-        resize(blend1_g_1_3_by_whole_37, 9) + resize(blend1_g_1_3_by_0_37, 9);
+        resize(blend1_g_1_3_by_first_37, 9) + resize(blend1_g_1_3_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_g_1_3_sum_1_1_37 <=
         resize(blend1_g_1_3_by_1_37, 10) + shift_left(resize(blend1_g_1_3_by_2_37, 10), 1);
@@ -5147,43 +6005,43 @@ begin
     blend1_g_1_3_sum_1_2_37 <=
         resize(blend1_g_1_3_by_3_37, 10) + shift_left(resize(blend1_g_1_3_by_4_37, 10), 1);
     -- UQ0.8: either of both
-    blend1_b_1_0_either_whole_37 <=
-        texels_1_even_even_odd_b_37 when u1_even_odd_whole_37 = '1' else texels_1_even_even_even_b_37;
+    blend1_b_1_0_either_first_37 <=
+        texels_1_even_even_odd_b_37 when u1_even_is_odd_37 = '1' else texels_1_even_even_even_b_37;
     -- UQ-6.14: shifted
-    blend1_b_1_0_by_whole_37 <= blend1_b_1_0_either_whole_37;
+    blend1_b_1_0_by_first_37 <= blend1_b_1_0_either_first_37;
     -- UQ0.8: either of both
     blend1_b_1_0_either_0_37 <=
-        texels_1_even_even_odd_b_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_even_even_b_37;
+        texels_1_even_even_odd_b_37 when u1_even_weight_of_0_37 = '1' else texels_1_even_even_even_b_37;
     -- UQ-6.14: shifted
     blend1_b_1_0_by_0_37 <= blend1_b_1_0_either_0_37;
     -- UQ0.8: either of both
     blend1_b_1_0_either_1_37 <=
-        texels_1_even_even_odd_b_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_even_even_b_37;
+        texels_1_even_even_odd_b_37 when u1_even_weight_of_1_37 = '1' else texels_1_even_even_even_b_37;
     -- UQ-5.13: shifted
     blend1_b_1_0_by_1_37 <= blend1_b_1_0_either_1_37;
     -- UQ0.8: either of both
     blend1_b_1_0_either_2_37 <=
-        texels_1_even_even_odd_b_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_even_even_b_37;
+        texels_1_even_even_odd_b_37 when u1_even_weight_of_2_37 = '1' else texels_1_even_even_even_b_37;
     -- UQ-4.12: shifted
     blend1_b_1_0_by_2_37 <= blend1_b_1_0_either_2_37;
     -- UQ0.8: either of both
     blend1_b_1_0_either_3_37 <=
-        texels_1_even_even_odd_b_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_even_even_b_37;
+        texels_1_even_even_odd_b_37 when u1_even_weight_of_3_37 = '1' else texels_1_even_even_even_b_37;
     -- UQ-3.11: shifted
     blend1_b_1_0_by_3_37 <= blend1_b_1_0_either_3_37;
     -- UQ0.8: either of both
     blend1_b_1_0_either_4_37 <=
-        texels_1_even_even_odd_b_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_even_even_b_37;
+        texels_1_even_even_odd_b_37 when u1_even_weight_of_4_37 = '1' else texels_1_even_even_even_b_37;
     -- UQ-2.10: shifted
     blend1_b_1_0_by_4_37 <= blend1_b_1_0_either_4_37;
     -- UQ0.8: either of both
     blend1_b_1_0_either_5_37 <=
-        texels_1_even_even_odd_b_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_even_even_b_37;
+        texels_1_even_even_odd_b_37 when u1_even_weight_of_5_37 = '1' else texels_1_even_even_even_b_37;
     -- UQ-1.9: shifted
     blend1_b_1_0_by_5_37 <= blend1_b_1_0_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_b_1_0_sum_1_0_37 <=
-        resize(blend1_b_1_0_by_whole_37, 9) + resize(blend1_b_1_0_by_0_37, 9);
+        resize(blend1_b_1_0_by_first_37, 9) + resize(blend1_b_1_0_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_b_1_0_sum_1_1_37 <=
         resize(blend1_b_1_0_by_1_37, 10) + shift_left(resize(blend1_b_1_0_by_2_37, 10), 1);
@@ -5191,43 +6049,43 @@ begin
     blend1_b_1_0_sum_1_2_37 <=
         resize(blend1_b_1_0_by_3_37, 10) + shift_left(resize(blend1_b_1_0_by_4_37, 10), 1);
     -- UQ0.8: either of both
-    blend1_b_1_1_either_whole_37 <=
-        texels_1_even_odd_odd_b_37 when u1_even_odd_whole_37 = '1' else texels_1_even_odd_even_b_37;
+    blend1_b_1_1_either_first_37 <=
+        texels_1_even_odd_odd_b_37 when u1_even_is_odd_37 = '1' else texels_1_even_odd_even_b_37;
     -- UQ-6.14: shifted
-    blend1_b_1_1_by_whole_37 <= blend1_b_1_1_either_whole_37;
+    blend1_b_1_1_by_first_37 <= blend1_b_1_1_either_first_37;
     -- UQ0.8: either of both
     blend1_b_1_1_either_0_37 <=
-        texels_1_even_odd_odd_b_37 when u1_even_odd_of_0_37 = '1' else texels_1_even_odd_even_b_37;
+        texels_1_even_odd_odd_b_37 when u1_even_weight_of_0_37 = '1' else texels_1_even_odd_even_b_37;
     -- UQ-6.14: shifted
     blend1_b_1_1_by_0_37 <= blend1_b_1_1_either_0_37;
     -- UQ0.8: either of both
     blend1_b_1_1_either_1_37 <=
-        texels_1_even_odd_odd_b_37 when u1_even_odd_of_1_37 = '1' else texels_1_even_odd_even_b_37;
+        texels_1_even_odd_odd_b_37 when u1_even_weight_of_1_37 = '1' else texels_1_even_odd_even_b_37;
     -- UQ-5.13: shifted
     blend1_b_1_1_by_1_37 <= blend1_b_1_1_either_1_37;
     -- UQ0.8: either of both
     blend1_b_1_1_either_2_37 <=
-        texels_1_even_odd_odd_b_37 when u1_even_odd_of_2_37 = '1' else texels_1_even_odd_even_b_37;
+        texels_1_even_odd_odd_b_37 when u1_even_weight_of_2_37 = '1' else texels_1_even_odd_even_b_37;
     -- UQ-4.12: shifted
     blend1_b_1_1_by_2_37 <= blend1_b_1_1_either_2_37;
     -- UQ0.8: either of both
     blend1_b_1_1_either_3_37 <=
-        texels_1_even_odd_odd_b_37 when u1_even_odd_of_3_37 = '1' else texels_1_even_odd_even_b_37;
+        texels_1_even_odd_odd_b_37 when u1_even_weight_of_3_37 = '1' else texels_1_even_odd_even_b_37;
     -- UQ-3.11: shifted
     blend1_b_1_1_by_3_37 <= blend1_b_1_1_either_3_37;
     -- UQ0.8: either of both
     blend1_b_1_1_either_4_37 <=
-        texels_1_even_odd_odd_b_37 when u1_even_odd_of_4_37 = '1' else texels_1_even_odd_even_b_37;
+        texels_1_even_odd_odd_b_37 when u1_even_weight_of_4_37 = '1' else texels_1_even_odd_even_b_37;
     -- UQ-2.10: shifted
     blend1_b_1_1_by_4_37 <= blend1_b_1_1_either_4_37;
     -- UQ0.8: either of both
     blend1_b_1_1_either_5_37 <=
-        texels_1_even_odd_odd_b_37 when u1_even_odd_of_5_37 = '1' else texels_1_even_odd_even_b_37;
+        texels_1_even_odd_odd_b_37 when u1_even_weight_of_5_37 = '1' else texels_1_even_odd_even_b_37;
     -- UQ-1.9: shifted
     blend1_b_1_1_by_5_37 <= blend1_b_1_1_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_b_1_1_sum_1_0_37 <=
-        resize(blend1_b_1_1_by_whole_37, 9) + resize(blend1_b_1_1_by_0_37, 9);
+        resize(blend1_b_1_1_by_first_37, 9) + resize(blend1_b_1_1_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_b_1_1_sum_1_1_37 <=
         resize(blend1_b_1_1_by_1_37, 10) + shift_left(resize(blend1_b_1_1_by_2_37, 10), 1);
@@ -5235,43 +6093,43 @@ begin
     blend1_b_1_1_sum_1_2_37 <=
         resize(blend1_b_1_1_by_3_37, 10) + shift_left(resize(blend1_b_1_1_by_4_37, 10), 1);
     -- UQ0.8: either of both
-    blend1_b_1_2_either_whole_37 <=
-        texels_1_odd_even_odd_b_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_even_even_b_37;
+    blend1_b_1_2_either_first_37 <=
+        texels_1_odd_even_odd_b_37 when u1_odd_is_odd_37 = '1' else texels_1_odd_even_even_b_37;
     -- UQ-6.14: shifted
-    blend1_b_1_2_by_whole_37 <= blend1_b_1_2_either_whole_37;
+    blend1_b_1_2_by_first_37 <= blend1_b_1_2_either_first_37;
     -- UQ0.8: either of both
     blend1_b_1_2_either_0_37 <=
-        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_even_even_b_37;
+        texels_1_odd_even_odd_b_37 when u1_odd_weight_of_0_37 = '1' else texels_1_odd_even_even_b_37;
     -- UQ-6.14: shifted
     blend1_b_1_2_by_0_37 <= blend1_b_1_2_either_0_37;
     -- UQ0.8: either of both
     blend1_b_1_2_either_1_37 <=
-        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_even_even_b_37;
+        texels_1_odd_even_odd_b_37 when u1_odd_weight_of_1_37 = '1' else texels_1_odd_even_even_b_37;
     -- UQ-5.13: shifted
     blend1_b_1_2_by_1_37 <= blend1_b_1_2_either_1_37;
     -- UQ0.8: either of both
     blend1_b_1_2_either_2_37 <=
-        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_even_even_b_37;
+        texels_1_odd_even_odd_b_37 when u1_odd_weight_of_2_37 = '1' else texels_1_odd_even_even_b_37;
     -- UQ-4.12: shifted
     blend1_b_1_2_by_2_37 <= blend1_b_1_2_either_2_37;
     -- UQ0.8: either of both
     blend1_b_1_2_either_3_37 <=
-        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_even_even_b_37;
+        texels_1_odd_even_odd_b_37 when u1_odd_weight_of_3_37 = '1' else texels_1_odd_even_even_b_37;
     -- UQ-3.11: shifted
     blend1_b_1_2_by_3_37 <= blend1_b_1_2_either_3_37;
     -- UQ0.8: either of both
     blend1_b_1_2_either_4_37 <=
-        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_even_even_b_37;
+        texels_1_odd_even_odd_b_37 when u1_odd_weight_of_4_37 = '1' else texels_1_odd_even_even_b_37;
     -- UQ-2.10: shifted
     blend1_b_1_2_by_4_37 <= blend1_b_1_2_either_4_37;
     -- UQ0.8: either of both
     blend1_b_1_2_either_5_37 <=
-        texels_1_odd_even_odd_b_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_even_even_b_37;
+        texels_1_odd_even_odd_b_37 when u1_odd_weight_of_5_37 = '1' else texels_1_odd_even_even_b_37;
     -- UQ-1.9: shifted
     blend1_b_1_2_by_5_37 <= blend1_b_1_2_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_b_1_2_sum_1_0_37 <=
-        resize(blend1_b_1_2_by_whole_37, 9) + resize(blend1_b_1_2_by_0_37, 9);
+        resize(blend1_b_1_2_by_first_37, 9) + resize(blend1_b_1_2_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_b_1_2_sum_1_1_37 <=
         resize(blend1_b_1_2_by_1_37, 10) + shift_left(resize(blend1_b_1_2_by_2_37, 10), 1);
@@ -5279,43 +6137,43 @@ begin
     blend1_b_1_2_sum_1_2_37 <=
         resize(blend1_b_1_2_by_3_37, 10) + shift_left(resize(blend1_b_1_2_by_4_37, 10), 1);
     -- UQ0.8: either of both
-    blend1_b_1_3_either_whole_37 <=
-        texels_1_odd_odd_odd_b_37 when u1_odd_odd_whole_37 = '1' else texels_1_odd_odd_even_b_37;
+    blend1_b_1_3_either_first_37 <=
+        texels_1_odd_odd_odd_b_37 when u1_odd_is_odd_37 = '1' else texels_1_odd_odd_even_b_37;
     -- UQ-6.14: shifted
-    blend1_b_1_3_by_whole_37 <= blend1_b_1_3_either_whole_37;
+    blend1_b_1_3_by_first_37 <= blend1_b_1_3_either_first_37;
     -- UQ0.8: either of both
     blend1_b_1_3_either_0_37 <=
-        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_0_37 = '1' else texels_1_odd_odd_even_b_37;
+        texels_1_odd_odd_odd_b_37 when u1_odd_weight_of_0_37 = '1' else texels_1_odd_odd_even_b_37;
     -- UQ-6.14: shifted
     blend1_b_1_3_by_0_37 <= blend1_b_1_3_either_0_37;
     -- UQ0.8: either of both
     blend1_b_1_3_either_1_37 <=
-        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_1_37 = '1' else texels_1_odd_odd_even_b_37;
+        texels_1_odd_odd_odd_b_37 when u1_odd_weight_of_1_37 = '1' else texels_1_odd_odd_even_b_37;
     -- UQ-5.13: shifted
     blend1_b_1_3_by_1_37 <= blend1_b_1_3_either_1_37;
     -- UQ0.8: either of both
     blend1_b_1_3_either_2_37 <=
-        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_2_37 = '1' else texels_1_odd_odd_even_b_37;
+        texels_1_odd_odd_odd_b_37 when u1_odd_weight_of_2_37 = '1' else texels_1_odd_odd_even_b_37;
     -- UQ-4.12: shifted
     blend1_b_1_3_by_2_37 <= blend1_b_1_3_either_2_37;
     -- UQ0.8: either of both
     blend1_b_1_3_either_3_37 <=
-        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_3_37 = '1' else texels_1_odd_odd_even_b_37;
+        texels_1_odd_odd_odd_b_37 when u1_odd_weight_of_3_37 = '1' else texels_1_odd_odd_even_b_37;
     -- UQ-3.11: shifted
     blend1_b_1_3_by_3_37 <= blend1_b_1_3_either_3_37;
     -- UQ0.8: either of both
     blend1_b_1_3_either_4_37 <=
-        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_4_37 = '1' else texels_1_odd_odd_even_b_37;
+        texels_1_odd_odd_odd_b_37 when u1_odd_weight_of_4_37 = '1' else texels_1_odd_odd_even_b_37;
     -- UQ-2.10: shifted
     blend1_b_1_3_by_4_37 <= blend1_b_1_3_either_4_37;
     -- UQ0.8: either of both
     blend1_b_1_3_either_5_37 <=
-        texels_1_odd_odd_odd_b_37 when u1_odd_odd_of_5_37 = '1' else texels_1_odd_odd_even_b_37;
+        texels_1_odd_odd_odd_b_37 when u1_odd_weight_of_5_37 = '1' else texels_1_odd_odd_even_b_37;
     -- UQ-1.9: shifted
     blend1_b_1_3_by_5_37 <= blend1_b_1_3_either_5_37;
     -- UQ-5.14: the sum of two
     blend1_b_1_3_sum_1_0_37 <=
-        resize(blend1_b_1_3_by_whole_37, 9) + resize(blend1_b_1_3_by_0_37, 9);
+        resize(blend1_b_1_3_by_first_37, 9) + resize(blend1_b_1_3_by_0_37, 9);
     -- UQ-3.13: the sum of two
     blend1_b_1_3_sum_1_1_37 <=
         resize(blend1_b_1_3_by_1_37, 10) + shift_left(resize(blend1_b_1_3_by_2_37, 10), 1);
@@ -5330,7 +6188,7 @@ begin
                 in_gain1g_38 <= in_gain1g_37;
                 in_gain1b_38 <= in_gain1b_37;
                 hidden_38 <= hidden_37;
-                shift1_38 <= shift1_37;
+                v1_is_odd_38 <= v1_is_odd_37;
                 blend1_r_1_0_by_5_38 <= blend1_r_1_0_by_5_37;
                 blend1_r_1_0_sum_1_0_38 <= blend1_r_1_0_sum_1_0_37;
                 blend1_r_1_0_sum_1_1_38 <= blend1_r_1_0_sum_1_1_37;
@@ -5347,14 +6205,16 @@ begin
                 blend1_r_1_3_sum_1_0_38 <= blend1_r_1_3_sum_1_0_37;
                 blend1_r_1_3_sum_1_1_38 <= blend1_r_1_3_sum_1_1_37;
                 blend1_r_1_3_sum_1_2_38 <= blend1_r_1_3_sum_1_2_37;
-                v1_odd_whole_38 <= v1_odd_whole_37;
-                v1_odd_of_0_38 <= v1_odd_of_0_37;
-                v1_odd_of_1_38 <= v1_odd_of_1_37;
-                v1_odd_of_2_38 <= v1_odd_of_2_37;
-                v1_odd_of_3_38 <= v1_odd_of_3_37;
-                v1_odd_of_4_38 <= v1_odd_of_4_37;
-                v1_odd_of_5_38 <= v1_odd_of_5_37;
+                v1_weight_of_0_38 <= v1_weight_of_0_37;
+                v1_weight_of_1_38 <= v1_weight_of_1_37;
+                v1_weight_of_2_38 <= v1_weight_of_2_37;
+                v1_weight_of_3_38 <= v1_weight_of_3_37;
+                v1_weight_of_4_38 <= v1_weight_of_4_37;
+                v1_weight_of_5_38 <= v1_weight_of_5_37;
                 blend1_signed_38 <= blend1_signed_37;
+                square1_r_by_1_38 <= square1_r_by_1_37;
+                square1_r_amount_2_38 <= square1_r_amount_2_37;
+                square1_r_by_4_38 <= square1_r_by_4_37;
                 blend1_g_1_0_by_5_38 <= blend1_g_1_0_by_5_37;
                 blend1_g_1_0_sum_1_0_38 <= blend1_g_1_0_sum_1_0_37;
                 blend1_g_1_0_sum_1_1_38 <= blend1_g_1_0_sum_1_1_37;
@@ -5371,6 +6231,9 @@ begin
                 blend1_g_1_3_sum_1_0_38 <= blend1_g_1_3_sum_1_0_37;
                 blend1_g_1_3_sum_1_1_38 <= blend1_g_1_3_sum_1_1_37;
                 blend1_g_1_3_sum_1_2_38 <= blend1_g_1_3_sum_1_2_37;
+                square1_g_by_1_38 <= square1_g_by_1_37;
+                square1_g_amount_2_38 <= square1_g_amount_2_37;
+                square1_g_by_4_38 <= square1_g_by_4_37;
                 blend1_b_1_0_by_5_38 <= blend1_b_1_0_by_5_37;
                 blend1_b_1_0_sum_1_0_38 <= blend1_b_1_0_sum_1_0_37;
                 blend1_b_1_0_sum_1_1_38 <= blend1_b_1_0_sum_1_1_37;
@@ -5387,6 +6250,9 @@ begin
                 blend1_b_1_3_sum_1_0_38 <= blend1_b_1_3_sum_1_0_37;
                 blend1_b_1_3_sum_1_1_38 <= blend1_b_1_3_sum_1_1_37;
                 blend1_b_1_3_sum_1_2_38 <= blend1_b_1_3_sum_1_2_37;
+                square1_b_by_1_38 <= square1_b_by_1_37;
+                square1_b_amount_2_38 <= square1_b_amount_2_37;
+                square1_b_by_4_38 <= square1_b_by_4_37;
             end if;
         end if;
     end process;
@@ -5472,7 +6338,7 @@ begin
                 in_gain1g_39 <= in_gain1g_38;
                 in_gain1b_39 <= in_gain1b_38;
                 hidden_39 <= hidden_38;
-                shift1_39 <= shift1_38;
+                v1_is_odd_39 <= v1_is_odd_38;
                 blend1_r_1_0_sum_2_0_39 <= blend1_r_1_0_sum_2_0_38;
                 blend1_r_1_0_sum_2_1_39 <= blend1_r_1_0_sum_2_1_38;
                 blend1_r_1_1_sum_2_0_39 <= blend1_r_1_1_sum_2_0_38;
@@ -5481,14 +6347,16 @@ begin
                 blend1_r_1_2_sum_2_1_39 <= blend1_r_1_2_sum_2_1_38;
                 blend1_r_1_3_sum_2_0_39 <= blend1_r_1_3_sum_2_0_38;
                 blend1_r_1_3_sum_2_1_39 <= blend1_r_1_3_sum_2_1_38;
-                v1_odd_whole_39 <= v1_odd_whole_38;
-                v1_odd_of_0_39 <= v1_odd_of_0_38;
-                v1_odd_of_1_39 <= v1_odd_of_1_38;
-                v1_odd_of_2_39 <= v1_odd_of_2_38;
-                v1_odd_of_3_39 <= v1_odd_of_3_38;
-                v1_odd_of_4_39 <= v1_odd_of_4_38;
-                v1_odd_of_5_39 <= v1_odd_of_5_38;
+                v1_weight_of_0_39 <= v1_weight_of_0_38;
+                v1_weight_of_1_39 <= v1_weight_of_1_38;
+                v1_weight_of_2_39 <= v1_weight_of_2_38;
+                v1_weight_of_3_39 <= v1_weight_of_3_38;
+                v1_weight_of_4_39 <= v1_weight_of_4_38;
+                v1_weight_of_5_39 <= v1_weight_of_5_38;
                 blend1_signed_39 <= blend1_signed_38;
+                square1_r_by_1_39 <= square1_r_by_1_38;
+                square1_r_amount_2_39 <= square1_r_amount_2_38;
+                square1_r_by_4_39 <= square1_r_by_4_38;
                 blend1_g_1_0_sum_2_0_39 <= blend1_g_1_0_sum_2_0_38;
                 blend1_g_1_0_sum_2_1_39 <= blend1_g_1_0_sum_2_1_38;
                 blend1_g_1_1_sum_2_0_39 <= blend1_g_1_1_sum_2_0_38;
@@ -5497,6 +6365,9 @@ begin
                 blend1_g_1_2_sum_2_1_39 <= blend1_g_1_2_sum_2_1_38;
                 blend1_g_1_3_sum_2_0_39 <= blend1_g_1_3_sum_2_0_38;
                 blend1_g_1_3_sum_2_1_39 <= blend1_g_1_3_sum_2_1_38;
+                square1_g_by_1_39 <= square1_g_by_1_38;
+                square1_g_amount_2_39 <= square1_g_amount_2_38;
+                square1_g_by_4_39 <= square1_g_by_4_38;
                 blend1_b_1_0_sum_2_0_39 <= blend1_b_1_0_sum_2_0_38;
                 blend1_b_1_0_sum_2_1_39 <= blend1_b_1_0_sum_2_1_38;
                 blend1_b_1_1_sum_2_0_39 <= blend1_b_1_1_sum_2_0_38;
@@ -5505,6 +6376,9 @@ begin
                 blend1_b_1_2_sum_2_1_39 <= blend1_b_1_2_sum_2_1_38;
                 blend1_b_1_3_sum_2_0_39 <= blend1_b_1_3_sum_2_0_38;
                 blend1_b_1_3_sum_2_1_39 <= blend1_b_1_3_sum_2_1_38;
+                square1_b_by_1_39 <= square1_b_by_1_38;
+                square1_b_amount_2_39 <= square1_b_amount_2_38;
+                square1_b_by_4_39 <= square1_b_by_4_38;
             end if;
         end if;
     end process;
@@ -5523,59 +6397,59 @@ begin
     blend1_r_1_3_39 <=
         resize(blend1_r_1_3_sum_2_0_39, 14) + shift_left(resize(blend1_r_1_3_sum_2_1_39, 14), 3);
     -- UQ0.14: either of both
-    blend1_r_2_0_either_whole_39 <= blend1_r_1_1_39 when v1_odd_whole_39 = '1' else blend1_r_1_0_39;
+    blend1_r_2_0_either_first_39 <= blend1_r_1_1_39 when v1_is_odd_39 = '1' else blend1_r_1_0_39;
     -- UQ-6.20: shifted
-    blend1_r_2_0_by_whole_39 <= blend1_r_2_0_either_whole_39;
+    blend1_r_2_0_by_first_39 <= blend1_r_2_0_either_first_39;
     -- UQ0.14: either of both
-    blend1_r_2_0_either_0_39 <= blend1_r_1_1_39 when v1_odd_of_0_39 = '1' else blend1_r_1_0_39;
+    blend1_r_2_0_either_0_39 <= blend1_r_1_1_39 when v1_weight_of_0_39 = '1' else blend1_r_1_0_39;
     -- UQ-6.20: shifted
     blend1_r_2_0_by_0_39 <= blend1_r_2_0_either_0_39;
     -- UQ0.14: either of both
-    blend1_r_2_0_either_1_39 <= blend1_r_1_1_39 when v1_odd_of_1_39 = '1' else blend1_r_1_0_39;
+    blend1_r_2_0_either_1_39 <= blend1_r_1_1_39 when v1_weight_of_1_39 = '1' else blend1_r_1_0_39;
     -- UQ-5.19: shifted
     blend1_r_2_0_by_1_39 <= blend1_r_2_0_either_1_39;
     -- UQ0.14: either of both
-    blend1_r_2_0_either_2_39 <= blend1_r_1_1_39 when v1_odd_of_2_39 = '1' else blend1_r_1_0_39;
+    blend1_r_2_0_either_2_39 <= blend1_r_1_1_39 when v1_weight_of_2_39 = '1' else blend1_r_1_0_39;
     -- UQ-4.18: shifted
     blend1_r_2_0_by_2_39 <= blend1_r_2_0_either_2_39;
     -- UQ0.14: either of both
-    blend1_r_2_0_either_3_39 <= blend1_r_1_1_39 when v1_odd_of_3_39 = '1' else blend1_r_1_0_39;
+    blend1_r_2_0_either_3_39 <= blend1_r_1_1_39 when v1_weight_of_3_39 = '1' else blend1_r_1_0_39;
     -- UQ-3.17: shifted
     blend1_r_2_0_by_3_39 <= blend1_r_2_0_either_3_39;
     -- UQ0.14: either of both
-    blend1_r_2_0_either_4_39 <= blend1_r_1_1_39 when v1_odd_of_4_39 = '1' else blend1_r_1_0_39;
+    blend1_r_2_0_either_4_39 <= blend1_r_1_1_39 when v1_weight_of_4_39 = '1' else blend1_r_1_0_39;
     -- UQ-2.16: shifted
     blend1_r_2_0_by_4_39 <= blend1_r_2_0_either_4_39;
     -- UQ0.14: either of both
-    blend1_r_2_0_either_5_39 <= blend1_r_1_1_39 when v1_odd_of_5_39 = '1' else blend1_r_1_0_39;
+    blend1_r_2_0_either_5_39 <= blend1_r_1_1_39 when v1_weight_of_5_39 = '1' else blend1_r_1_0_39;
     -- UQ-1.15: shifted
     blend1_r_2_0_by_5_39 <= blend1_r_2_0_either_5_39;
     -- UQ0.14: either of both
-    blend1_r_2_1_either_whole_39 <= blend1_r_1_3_39 when v1_odd_whole_39 = '1' else blend1_r_1_2_39;
+    blend1_r_2_1_either_first_39 <= blend1_r_1_3_39 when v1_is_odd_39 = '1' else blend1_r_1_2_39;
     -- UQ-6.20: shifted
-    blend1_r_2_1_by_whole_39 <= blend1_r_2_1_either_whole_39;
+    blend1_r_2_1_by_first_39 <= blend1_r_2_1_either_first_39;
     -- UQ0.14: either of both
-    blend1_r_2_1_either_0_39 <= blend1_r_1_3_39 when v1_odd_of_0_39 = '1' else blend1_r_1_2_39;
+    blend1_r_2_1_either_0_39 <= blend1_r_1_3_39 when v1_weight_of_0_39 = '1' else blend1_r_1_2_39;
     -- UQ-6.20: shifted
     blend1_r_2_1_by_0_39 <= blend1_r_2_1_either_0_39;
     -- UQ0.14: either of both
-    blend1_r_2_1_either_1_39 <= blend1_r_1_3_39 when v1_odd_of_1_39 = '1' else blend1_r_1_2_39;
+    blend1_r_2_1_either_1_39 <= blend1_r_1_3_39 when v1_weight_of_1_39 = '1' else blend1_r_1_2_39;
     -- UQ-5.19: shifted
     blend1_r_2_1_by_1_39 <= blend1_r_2_1_either_1_39;
     -- UQ0.14: either of both
-    blend1_r_2_1_either_2_39 <= blend1_r_1_3_39 when v1_odd_of_2_39 = '1' else blend1_r_1_2_39;
+    blend1_r_2_1_either_2_39 <= blend1_r_1_3_39 when v1_weight_of_2_39 = '1' else blend1_r_1_2_39;
     -- UQ-4.18: shifted
     blend1_r_2_1_by_2_39 <= blend1_r_2_1_either_2_39;
     -- UQ0.14: either of both
-    blend1_r_2_1_either_3_39 <= blend1_r_1_3_39 when v1_odd_of_3_39 = '1' else blend1_r_1_2_39;
+    blend1_r_2_1_either_3_39 <= blend1_r_1_3_39 when v1_weight_of_3_39 = '1' else blend1_r_1_2_39;
     -- UQ-3.17: shifted
     blend1_r_2_1_by_3_39 <= blend1_r_2_1_either_3_39;
     -- UQ0.14: either of both
-    blend1_r_2_1_either_4_39 <= blend1_r_1_3_39 when v1_odd_of_4_39 = '1' else blend1_r_1_2_39;
+    blend1_r_2_1_either_4_39 <= blend1_r_1_3_39 when v1_weight_of_4_39 = '1' else blend1_r_1_2_39;
     -- UQ-2.16: shifted
     blend1_r_2_1_by_4_39 <= blend1_r_2_1_either_4_39;
     -- UQ0.14: either of both
-    blend1_r_2_1_either_5_39 <= blend1_r_1_3_39 when v1_odd_of_5_39 = '1' else blend1_r_1_2_39;
+    blend1_r_2_1_either_5_39 <= blend1_r_1_3_39 when v1_weight_of_5_39 = '1' else blend1_r_1_2_39;
     -- UQ-1.15: shifted
     blend1_r_2_1_by_5_39 <= blend1_r_2_1_either_5_39;
     -- UQ0.14: two neighbours
@@ -5591,59 +6465,59 @@ begin
     blend1_g_1_3_39 <=
         resize(blend1_g_1_3_sum_2_0_39, 14) + shift_left(resize(blend1_g_1_3_sum_2_1_39, 14), 3);
     -- UQ0.14: either of both
-    blend1_g_2_0_either_whole_39 <= blend1_g_1_1_39 when v1_odd_whole_39 = '1' else blend1_g_1_0_39;
+    blend1_g_2_0_either_first_39 <= blend1_g_1_1_39 when v1_is_odd_39 = '1' else blend1_g_1_0_39;
     -- UQ-6.20: shifted
-    blend1_g_2_0_by_whole_39 <= blend1_g_2_0_either_whole_39;
+    blend1_g_2_0_by_first_39 <= blend1_g_2_0_either_first_39;
     -- UQ0.14: either of both
-    blend1_g_2_0_either_0_39 <= blend1_g_1_1_39 when v1_odd_of_0_39 = '1' else blend1_g_1_0_39;
+    blend1_g_2_0_either_0_39 <= blend1_g_1_1_39 when v1_weight_of_0_39 = '1' else blend1_g_1_0_39;
     -- UQ-6.20: shifted
     blend1_g_2_0_by_0_39 <= blend1_g_2_0_either_0_39;
     -- UQ0.14: either of both
-    blend1_g_2_0_either_1_39 <= blend1_g_1_1_39 when v1_odd_of_1_39 = '1' else blend1_g_1_0_39;
+    blend1_g_2_0_either_1_39 <= blend1_g_1_1_39 when v1_weight_of_1_39 = '1' else blend1_g_1_0_39;
     -- UQ-5.19: shifted
     blend1_g_2_0_by_1_39 <= blend1_g_2_0_either_1_39;
     -- UQ0.14: either of both
-    blend1_g_2_0_either_2_39 <= blend1_g_1_1_39 when v1_odd_of_2_39 = '1' else blend1_g_1_0_39;
+    blend1_g_2_0_either_2_39 <= blend1_g_1_1_39 when v1_weight_of_2_39 = '1' else blend1_g_1_0_39;
     -- UQ-4.18: shifted
     blend1_g_2_0_by_2_39 <= blend1_g_2_0_either_2_39;
     -- UQ0.14: either of both
-    blend1_g_2_0_either_3_39 <= blend1_g_1_1_39 when v1_odd_of_3_39 = '1' else blend1_g_1_0_39;
+    blend1_g_2_0_either_3_39 <= blend1_g_1_1_39 when v1_weight_of_3_39 = '1' else blend1_g_1_0_39;
     -- UQ-3.17: shifted
     blend1_g_2_0_by_3_39 <= blend1_g_2_0_either_3_39;
     -- UQ0.14: either of both
-    blend1_g_2_0_either_4_39 <= blend1_g_1_1_39 when v1_odd_of_4_39 = '1' else blend1_g_1_0_39;
+    blend1_g_2_0_either_4_39 <= blend1_g_1_1_39 when v1_weight_of_4_39 = '1' else blend1_g_1_0_39;
     -- UQ-2.16: shifted
     blend1_g_2_0_by_4_39 <= blend1_g_2_0_either_4_39;
     -- UQ0.14: either of both
-    blend1_g_2_0_either_5_39 <= blend1_g_1_1_39 when v1_odd_of_5_39 = '1' else blend1_g_1_0_39;
+    blend1_g_2_0_either_5_39 <= blend1_g_1_1_39 when v1_weight_of_5_39 = '1' else blend1_g_1_0_39;
     -- UQ-1.15: shifted
     blend1_g_2_0_by_5_39 <= blend1_g_2_0_either_5_39;
     -- UQ0.14: either of both
-    blend1_g_2_1_either_whole_39 <= blend1_g_1_3_39 when v1_odd_whole_39 = '1' else blend1_g_1_2_39;
+    blend1_g_2_1_either_first_39 <= blend1_g_1_3_39 when v1_is_odd_39 = '1' else blend1_g_1_2_39;
     -- UQ-6.20: shifted
-    blend1_g_2_1_by_whole_39 <= blend1_g_2_1_either_whole_39;
+    blend1_g_2_1_by_first_39 <= blend1_g_2_1_either_first_39;
     -- UQ0.14: either of both
-    blend1_g_2_1_either_0_39 <= blend1_g_1_3_39 when v1_odd_of_0_39 = '1' else blend1_g_1_2_39;
+    blend1_g_2_1_either_0_39 <= blend1_g_1_3_39 when v1_weight_of_0_39 = '1' else blend1_g_1_2_39;
     -- UQ-6.20: shifted
     blend1_g_2_1_by_0_39 <= blend1_g_2_1_either_0_39;
     -- UQ0.14: either of both
-    blend1_g_2_1_either_1_39 <= blend1_g_1_3_39 when v1_odd_of_1_39 = '1' else blend1_g_1_2_39;
+    blend1_g_2_1_either_1_39 <= blend1_g_1_3_39 when v1_weight_of_1_39 = '1' else blend1_g_1_2_39;
     -- UQ-5.19: shifted
     blend1_g_2_1_by_1_39 <= blend1_g_2_1_either_1_39;
     -- UQ0.14: either of both
-    blend1_g_2_1_either_2_39 <= blend1_g_1_3_39 when v1_odd_of_2_39 = '1' else blend1_g_1_2_39;
+    blend1_g_2_1_either_2_39 <= blend1_g_1_3_39 when v1_weight_of_2_39 = '1' else blend1_g_1_2_39;
     -- UQ-4.18: shifted
     blend1_g_2_1_by_2_39 <= blend1_g_2_1_either_2_39;
     -- UQ0.14: either of both
-    blend1_g_2_1_either_3_39 <= blend1_g_1_3_39 when v1_odd_of_3_39 = '1' else blend1_g_1_2_39;
+    blend1_g_2_1_either_3_39 <= blend1_g_1_3_39 when v1_weight_of_3_39 = '1' else blend1_g_1_2_39;
     -- UQ-3.17: shifted
     blend1_g_2_1_by_3_39 <= blend1_g_2_1_either_3_39;
     -- UQ0.14: either of both
-    blend1_g_2_1_either_4_39 <= blend1_g_1_3_39 when v1_odd_of_4_39 = '1' else blend1_g_1_2_39;
+    blend1_g_2_1_either_4_39 <= blend1_g_1_3_39 when v1_weight_of_4_39 = '1' else blend1_g_1_2_39;
     -- UQ-2.16: shifted
     blend1_g_2_1_by_4_39 <= blend1_g_2_1_either_4_39;
     -- UQ0.14: either of both
-    blend1_g_2_1_either_5_39 <= blend1_g_1_3_39 when v1_odd_of_5_39 = '1' else blend1_g_1_2_39;
+    blend1_g_2_1_either_5_39 <= blend1_g_1_3_39 when v1_weight_of_5_39 = '1' else blend1_g_1_2_39;
     -- UQ-1.15: shifted
     blend1_g_2_1_by_5_39 <= blend1_g_2_1_either_5_39;
     -- UQ0.14: two neighbours
@@ -5659,59 +6533,59 @@ begin
     blend1_b_1_3_39 <=
         resize(blend1_b_1_3_sum_2_0_39, 14) + shift_left(resize(blend1_b_1_3_sum_2_1_39, 14), 3);
     -- UQ0.14: either of both
-    blend1_b_2_0_either_whole_39 <= blend1_b_1_1_39 when v1_odd_whole_39 = '1' else blend1_b_1_0_39;
+    blend1_b_2_0_either_first_39 <= blend1_b_1_1_39 when v1_is_odd_39 = '1' else blend1_b_1_0_39;
     -- UQ-6.20: shifted
-    blend1_b_2_0_by_whole_39 <= blend1_b_2_0_either_whole_39;
+    blend1_b_2_0_by_first_39 <= blend1_b_2_0_either_first_39;
     -- UQ0.14: either of both
-    blend1_b_2_0_either_0_39 <= blend1_b_1_1_39 when v1_odd_of_0_39 = '1' else blend1_b_1_0_39;
+    blend1_b_2_0_either_0_39 <= blend1_b_1_1_39 when v1_weight_of_0_39 = '1' else blend1_b_1_0_39;
     -- UQ-6.20: shifted
     blend1_b_2_0_by_0_39 <= blend1_b_2_0_either_0_39;
     -- UQ0.14: either of both
-    blend1_b_2_0_either_1_39 <= blend1_b_1_1_39 when v1_odd_of_1_39 = '1' else blend1_b_1_0_39;
+    blend1_b_2_0_either_1_39 <= blend1_b_1_1_39 when v1_weight_of_1_39 = '1' else blend1_b_1_0_39;
     -- UQ-5.19: shifted
     blend1_b_2_0_by_1_39 <= blend1_b_2_0_either_1_39;
     -- UQ0.14: either of both
-    blend1_b_2_0_either_2_39 <= blend1_b_1_1_39 when v1_odd_of_2_39 = '1' else blend1_b_1_0_39;
+    blend1_b_2_0_either_2_39 <= blend1_b_1_1_39 when v1_weight_of_2_39 = '1' else blend1_b_1_0_39;
     -- UQ-4.18: shifted
     blend1_b_2_0_by_2_39 <= blend1_b_2_0_either_2_39;
     -- UQ0.14: either of both
-    blend1_b_2_0_either_3_39 <= blend1_b_1_1_39 when v1_odd_of_3_39 = '1' else blend1_b_1_0_39;
+    blend1_b_2_0_either_3_39 <= blend1_b_1_1_39 when v1_weight_of_3_39 = '1' else blend1_b_1_0_39;
     -- UQ-3.17: shifted
     blend1_b_2_0_by_3_39 <= blend1_b_2_0_either_3_39;
     -- UQ0.14: either of both
-    blend1_b_2_0_either_4_39 <= blend1_b_1_1_39 when v1_odd_of_4_39 = '1' else blend1_b_1_0_39;
+    blend1_b_2_0_either_4_39 <= blend1_b_1_1_39 when v1_weight_of_4_39 = '1' else blend1_b_1_0_39;
     -- UQ-2.16: shifted
     blend1_b_2_0_by_4_39 <= blend1_b_2_0_either_4_39;
     -- UQ0.14: either of both
-    blend1_b_2_0_either_5_39 <= blend1_b_1_1_39 when v1_odd_of_5_39 = '1' else blend1_b_1_0_39;
+    blend1_b_2_0_either_5_39 <= blend1_b_1_1_39 when v1_weight_of_5_39 = '1' else blend1_b_1_0_39;
     -- UQ-1.15: shifted
     blend1_b_2_0_by_5_39 <= blend1_b_2_0_either_5_39;
     -- UQ0.14: either of both
-    blend1_b_2_1_either_whole_39 <= blend1_b_1_3_39 when v1_odd_whole_39 = '1' else blend1_b_1_2_39;
+    blend1_b_2_1_either_first_39 <= blend1_b_1_3_39 when v1_is_odd_39 = '1' else blend1_b_1_2_39;
     -- UQ-6.20: shifted
-    blend1_b_2_1_by_whole_39 <= blend1_b_2_1_either_whole_39;
+    blend1_b_2_1_by_first_39 <= blend1_b_2_1_either_first_39;
     -- UQ0.14: either of both
-    blend1_b_2_1_either_0_39 <= blend1_b_1_3_39 when v1_odd_of_0_39 = '1' else blend1_b_1_2_39;
+    blend1_b_2_1_either_0_39 <= blend1_b_1_3_39 when v1_weight_of_0_39 = '1' else blend1_b_1_2_39;
     -- UQ-6.20: shifted
     blend1_b_2_1_by_0_39 <= blend1_b_2_1_either_0_39;
     -- UQ0.14: either of both
-    blend1_b_2_1_either_1_39 <= blend1_b_1_3_39 when v1_odd_of_1_39 = '1' else blend1_b_1_2_39;
+    blend1_b_2_1_either_1_39 <= blend1_b_1_3_39 when v1_weight_of_1_39 = '1' else blend1_b_1_2_39;
     -- UQ-5.19: shifted
     blend1_b_2_1_by_1_39 <= blend1_b_2_1_either_1_39;
     -- UQ0.14: either of both
-    blend1_b_2_1_either_2_39 <= blend1_b_1_3_39 when v1_odd_of_2_39 = '1' else blend1_b_1_2_39;
+    blend1_b_2_1_either_2_39 <= blend1_b_1_3_39 when v1_weight_of_2_39 = '1' else blend1_b_1_2_39;
     -- UQ-4.18: shifted
     blend1_b_2_1_by_2_39 <= blend1_b_2_1_either_2_39;
     -- UQ0.14: either of both
-    blend1_b_2_1_either_3_39 <= blend1_b_1_3_39 when v1_odd_of_3_39 = '1' else blend1_b_1_2_39;
+    blend1_b_2_1_either_3_39 <= blend1_b_1_3_39 when v1_weight_of_3_39 = '1' else blend1_b_1_2_39;
     -- UQ-3.17: shifted
     blend1_b_2_1_by_3_39 <= blend1_b_2_1_either_3_39;
     -- UQ0.14: either of both
-    blend1_b_2_1_either_4_39 <= blend1_b_1_3_39 when v1_odd_of_4_39 = '1' else blend1_b_1_2_39;
+    blend1_b_2_1_either_4_39 <= blend1_b_1_3_39 when v1_weight_of_4_39 = '1' else blend1_b_1_2_39;
     -- UQ-2.16: shifted
     blend1_b_2_1_by_4_39 <= blend1_b_2_1_either_4_39;
     -- UQ0.14: either of both
-    blend1_b_2_1_either_5_39 <= blend1_b_1_3_39 when v1_odd_of_5_39 = '1' else blend1_b_1_2_39;
+    blend1_b_2_1_either_5_39 <= blend1_b_1_3_39 when v1_weight_of_5_39 = '1' else blend1_b_1_2_39;
     -- UQ-1.15: shifted
     blend1_b_2_1_by_5_39 <= blend1_b_2_1_either_5_39;
     process (clk) is
@@ -5722,15 +6596,14 @@ begin
                 in_gain1g_40 <= in_gain1g_39;
                 in_gain1b_40 <= in_gain1b_39;
                 hidden_40 <= hidden_39;
-                shift1_40 <= shift1_39;
-                blend1_r_2_0_by_whole_40 <= blend1_r_2_0_by_whole_39;
+                blend1_r_2_0_by_first_40 <= blend1_r_2_0_by_first_39;
                 blend1_r_2_0_by_0_40 <= blend1_r_2_0_by_0_39;
                 blend1_r_2_0_by_1_40 <= blend1_r_2_0_by_1_39;
                 blend1_r_2_0_by_2_40 <= blend1_r_2_0_by_2_39;
                 blend1_r_2_0_by_3_40 <= blend1_r_2_0_by_3_39;
                 blend1_r_2_0_by_4_40 <= blend1_r_2_0_by_4_39;
                 blend1_r_2_0_by_5_40 <= blend1_r_2_0_by_5_39;
-                blend1_r_2_1_by_whole_40 <= blend1_r_2_1_by_whole_39;
+                blend1_r_2_1_by_first_40 <= blend1_r_2_1_by_first_39;
                 blend1_r_2_1_by_0_40 <= blend1_r_2_1_by_0_39;
                 blend1_r_2_1_by_1_40 <= blend1_r_2_1_by_1_39;
                 blend1_r_2_1_by_2_40 <= blend1_r_2_1_by_2_39;
@@ -5738,34 +6611,43 @@ begin
                 blend1_r_2_1_by_4_40 <= blend1_r_2_1_by_4_39;
                 blend1_r_2_1_by_5_40 <= blend1_r_2_1_by_5_39;
                 blend1_signed_40 <= blend1_signed_39;
-                blend1_g_2_0_by_whole_40 <= blend1_g_2_0_by_whole_39;
+                square1_r_by_1_40 <= square1_r_by_1_39;
+                square1_r_amount_2_40 <= square1_r_amount_2_39;
+                square1_r_by_4_40 <= square1_r_by_4_39;
+                blend1_g_2_0_by_first_40 <= blend1_g_2_0_by_first_39;
                 blend1_g_2_0_by_0_40 <= blend1_g_2_0_by_0_39;
                 blend1_g_2_0_by_1_40 <= blend1_g_2_0_by_1_39;
                 blend1_g_2_0_by_2_40 <= blend1_g_2_0_by_2_39;
                 blend1_g_2_0_by_3_40 <= blend1_g_2_0_by_3_39;
                 blend1_g_2_0_by_4_40 <= blend1_g_2_0_by_4_39;
                 blend1_g_2_0_by_5_40 <= blend1_g_2_0_by_5_39;
-                blend1_g_2_1_by_whole_40 <= blend1_g_2_1_by_whole_39;
+                blend1_g_2_1_by_first_40 <= blend1_g_2_1_by_first_39;
                 blend1_g_2_1_by_0_40 <= blend1_g_2_1_by_0_39;
                 blend1_g_2_1_by_1_40 <= blend1_g_2_1_by_1_39;
                 blend1_g_2_1_by_2_40 <= blend1_g_2_1_by_2_39;
                 blend1_g_2_1_by_3_40 <= blend1_g_2_1_by_3_39;
                 blend1_g_2_1_by_4_40 <= blend1_g_2_1_by_4_39;
                 blend1_g_2_1_by_5_40 <= blend1_g_2_1_by_5_39;
-                blend1_b_2_0_by_whole_40 <= blend1_b_2_0_by_whole_39;
+                square1_g_by_1_40 <= square1_g_by_1_39;
+                square1_g_amount_2_40 <= square1_g_amount_2_39;
+                square1_g_by_4_40 <= square1_g_by_4_39;
+                blend1_b_2_0_by_first_40 <= blend1_b_2_0_by_first_39;
                 blend1_b_2_0_by_0_40 <= blend1_b_2_0_by_0_39;
                 blend1_b_2_0_by_1_40 <= blend1_b_2_0_by_1_39;
                 blend1_b_2_0_by_2_40 <= blend1_b_2_0_by_2_39;
                 blend1_b_2_0_by_3_40 <= blend1_b_2_0_by_3_39;
                 blend1_b_2_0_by_4_40 <= blend1_b_2_0_by_4_39;
                 blend1_b_2_0_by_5_40 <= blend1_b_2_0_by_5_39;
-                blend1_b_2_1_by_whole_40 <= blend1_b_2_1_by_whole_39;
+                blend1_b_2_1_by_first_40 <= blend1_b_2_1_by_first_39;
                 blend1_b_2_1_by_0_40 <= blend1_b_2_1_by_0_39;
                 blend1_b_2_1_by_1_40 <= blend1_b_2_1_by_1_39;
                 blend1_b_2_1_by_2_40 <= blend1_b_2_1_by_2_39;
                 blend1_b_2_1_by_3_40 <= blend1_b_2_1_by_3_39;
                 blend1_b_2_1_by_4_40 <= blend1_b_2_1_by_4_39;
                 blend1_b_2_1_by_5_40 <= blend1_b_2_1_by_5_39;
+                square1_b_by_1_40 <= square1_b_by_1_39;
+                square1_b_amount_2_40 <= square1_b_amount_2_39;
+                square1_b_by_4_40 <= square1_b_by_4_39;
             end if;
         end if;
     end process;
@@ -5773,7 +6655,7 @@ begin
     -- ===== Stage 40: blend1_r_2_0_sum_1_0, blend1_r_2_0_sum_1_1 and 16 more
     -- UQ-5.20: the sum of two
     blend1_r_2_0_sum_1_0_40 <=
-        resize(blend1_r_2_0_by_whole_40, 15) + resize(blend1_r_2_0_by_0_40, 15);
+        resize(blend1_r_2_0_by_first_40, 15) + resize(blend1_r_2_0_by_0_40, 15);
     -- UQ-3.19: the sum of two
     blend1_r_2_0_sum_1_1_40 <=
         resize(blend1_r_2_0_by_1_40, 16) + shift_left(resize(blend1_r_2_0_by_2_40, 16), 1);
@@ -5782,7 +6664,7 @@ begin
         resize(blend1_r_2_0_by_3_40, 16) + shift_left(resize(blend1_r_2_0_by_4_40, 16), 1);
     -- UQ-5.20: the sum of two
     blend1_r_2_1_sum_1_0_40 <=
-        resize(blend1_r_2_1_by_whole_40, 15) + resize(blend1_r_2_1_by_0_40, 15);
+        resize(blend1_r_2_1_by_first_40, 15) + resize(blend1_r_2_1_by_0_40, 15);
     -- UQ-3.19: the sum of two
     blend1_r_2_1_sum_1_1_40 <=
         resize(blend1_r_2_1_by_1_40, 16) + shift_left(resize(blend1_r_2_1_by_2_40, 16), 1);
@@ -5791,7 +6673,7 @@ begin
         resize(blend1_r_2_1_by_3_40, 16) + shift_left(resize(blend1_r_2_1_by_4_40, 16), 1);
     -- UQ-5.20: the sum of two
     blend1_g_2_0_sum_1_0_40 <=
-        resize(blend1_g_2_0_by_whole_40, 15) + resize(blend1_g_2_0_by_0_40, 15);
+        resize(blend1_g_2_0_by_first_40, 15) + resize(blend1_g_2_0_by_0_40, 15);
     -- UQ-3.19: the sum of two
     blend1_g_2_0_sum_1_1_40 <=
         resize(blend1_g_2_0_by_1_40, 16) + shift_left(resize(blend1_g_2_0_by_2_40, 16), 1);
@@ -5800,7 +6682,7 @@ begin
         resize(blend1_g_2_0_by_3_40, 16) + shift_left(resize(blend1_g_2_0_by_4_40, 16), 1);
     -- UQ-5.20: the sum of two
     blend1_g_2_1_sum_1_0_40 <=
-        resize(blend1_g_2_1_by_whole_40, 15) + resize(blend1_g_2_1_by_0_40, 15);
+        resize(blend1_g_2_1_by_first_40, 15) + resize(blend1_g_2_1_by_0_40, 15);
     -- UQ-3.19: the sum of two
     blend1_g_2_1_sum_1_1_40 <=
         resize(blend1_g_2_1_by_1_40, 16) + shift_left(resize(blend1_g_2_1_by_2_40, 16), 1);
@@ -5809,7 +6691,7 @@ begin
         resize(blend1_g_2_1_by_3_40, 16) + shift_left(resize(blend1_g_2_1_by_4_40, 16), 1);
     -- UQ-5.20: the sum of two
     blend1_b_2_0_sum_1_0_40 <=
-        resize(blend1_b_2_0_by_whole_40, 15) + resize(blend1_b_2_0_by_0_40, 15);
+        resize(blend1_b_2_0_by_first_40, 15) + resize(blend1_b_2_0_by_0_40, 15);
     -- UQ-3.19: the sum of two
     blend1_b_2_0_sum_1_1_40 <=
         resize(blend1_b_2_0_by_1_40, 16) + shift_left(resize(blend1_b_2_0_by_2_40, 16), 1);
@@ -5818,7 +6700,7 @@ begin
         resize(blend1_b_2_0_by_3_40, 16) + shift_left(resize(blend1_b_2_0_by_4_40, 16), 1);
     -- UQ-5.20: the sum of two
     blend1_b_2_1_sum_1_0_40 <=
-        resize(blend1_b_2_1_by_whole_40, 15) + resize(blend1_b_2_1_by_0_40, 15);
+        resize(blend1_b_2_1_by_first_40, 15) + resize(blend1_b_2_1_by_0_40, 15);
     -- UQ-3.19: the sum of two
     blend1_b_2_1_sum_1_1_40 <=
         resize(blend1_b_2_1_by_1_40, 16) + shift_left(resize(blend1_b_2_1_by_2_40, 16), 1);
@@ -5833,7 +6715,6 @@ begin
                 in_gain1g_41 <= in_gain1g_40;
                 in_gain1b_41 <= in_gain1b_40;
                 hidden_41 <= hidden_40;
-                shift1_41 <= shift1_40;
                 blend1_r_2_0_by_5_41 <= blend1_r_2_0_by_5_40;
                 blend1_r_2_0_sum_1_0_41 <= blend1_r_2_0_sum_1_0_40;
                 blend1_r_2_0_sum_1_1_41 <= blend1_r_2_0_sum_1_1_40;
@@ -5843,6 +6724,9 @@ begin
                 blend1_r_2_1_sum_1_1_41 <= blend1_r_2_1_sum_1_1_40;
                 blend1_r_2_1_sum_1_2_41 <= blend1_r_2_1_sum_1_2_40;
                 blend1_signed_41 <= blend1_signed_40;
+                square1_r_by_1_41 <= square1_r_by_1_40;
+                square1_r_amount_2_41 <= square1_r_amount_2_40;
+                square1_r_by_4_41 <= square1_r_by_4_40;
                 blend1_g_2_0_by_5_41 <= blend1_g_2_0_by_5_40;
                 blend1_g_2_0_sum_1_0_41 <= blend1_g_2_0_sum_1_0_40;
                 blend1_g_2_0_sum_1_1_41 <= blend1_g_2_0_sum_1_1_40;
@@ -5851,6 +6735,9 @@ begin
                 blend1_g_2_1_sum_1_0_41 <= blend1_g_2_1_sum_1_0_40;
                 blend1_g_2_1_sum_1_1_41 <= blend1_g_2_1_sum_1_1_40;
                 blend1_g_2_1_sum_1_2_41 <= blend1_g_2_1_sum_1_2_40;
+                square1_g_by_1_41 <= square1_g_by_1_40;
+                square1_g_amount_2_41 <= square1_g_amount_2_40;
+                square1_g_by_4_41 <= square1_g_by_4_40;
                 blend1_b_2_0_by_5_41 <= blend1_b_2_0_by_5_40;
                 blend1_b_2_0_sum_1_0_41 <= blend1_b_2_0_sum_1_0_40;
                 blend1_b_2_0_sum_1_1_41 <= blend1_b_2_0_sum_1_1_40;
@@ -5859,6 +6746,9 @@ begin
                 blend1_b_2_1_sum_1_0_41 <= blend1_b_2_1_sum_1_0_40;
                 blend1_b_2_1_sum_1_1_41 <= blend1_b_2_1_sum_1_1_40;
                 blend1_b_2_1_sum_1_2_41 <= blend1_b_2_1_sum_1_2_40;
+                square1_b_by_1_41 <= square1_b_by_1_40;
+                square1_b_amount_2_41 <= square1_b_amount_2_40;
+                square1_b_by_4_41 <= square1_b_by_4_40;
             end if;
         end if;
     end process;
@@ -5908,20 +6798,28 @@ begin
                 in_gain1g_42 <= in_gain1g_41;
                 in_gain1b_42 <= in_gain1b_41;
                 hidden_42 <= hidden_41;
-                shift1_42 <= shift1_41;
                 blend1_r_2_0_sum_2_0_42 <= blend1_r_2_0_sum_2_0_41;
                 blend1_r_2_0_sum_2_1_42 <= blend1_r_2_0_sum_2_1_41;
                 blend1_r_2_1_sum_2_0_42 <= blend1_r_2_1_sum_2_0_41;
                 blend1_r_2_1_sum_2_1_42 <= blend1_r_2_1_sum_2_1_41;
                 blend1_signed_42 <= blend1_signed_41;
+                square1_r_by_1_42 <= square1_r_by_1_41;
+                square1_r_amount_2_42 <= square1_r_amount_2_41;
+                square1_r_by_4_42 <= square1_r_by_4_41;
                 blend1_g_2_0_sum_2_0_42 <= blend1_g_2_0_sum_2_0_41;
                 blend1_g_2_0_sum_2_1_42 <= blend1_g_2_0_sum_2_1_41;
                 blend1_g_2_1_sum_2_0_42 <= blend1_g_2_1_sum_2_0_41;
                 blend1_g_2_1_sum_2_1_42 <= blend1_g_2_1_sum_2_1_41;
+                square1_g_by_1_42 <= square1_g_by_1_41;
+                square1_g_amount_2_42 <= square1_g_amount_2_41;
+                square1_g_by_4_42 <= square1_g_by_4_41;
                 blend1_b_2_0_sum_2_0_42 <= blend1_b_2_0_sum_2_0_41;
                 blend1_b_2_0_sum_2_1_42 <= blend1_b_2_0_sum_2_1_41;
                 blend1_b_2_1_sum_2_0_42 <= blend1_b_2_1_sum_2_0_41;
                 blend1_b_2_1_sum_2_1_42 <= blend1_b_2_1_sum_2_1_41;
+                square1_b_by_1_42 <= square1_b_by_1_41;
+                square1_b_amount_2_42 <= square1_b_amount_2_41;
+                square1_b_by_4_42 <= square1_b_by_4_41;
             end if;
         end if;
     end process;
@@ -5965,14 +6863,22 @@ begin
                 in_gain1g_43 <= in_gain1g_42;
                 in_gain1b_43 <= in_gain1b_42;
                 hidden_43 <= hidden_42;
-                shift1_43 <= shift1_42;
                 blend1_r_2_0_cut_43 <= blend1_r_2_0_cut_42;
                 blend1_r_2_1_cut_43 <= blend1_r_2_1_cut_42;
                 blend1_signed_43 <= blend1_signed_42;
+                square1_r_by_1_43 <= square1_r_by_1_42;
+                square1_r_amount_2_43 <= square1_r_amount_2_42;
+                square1_r_by_4_43 <= square1_r_by_4_42;
                 blend1_g_2_0_cut_43 <= blend1_g_2_0_cut_42;
                 blend1_g_2_1_cut_43 <= blend1_g_2_1_cut_42;
+                square1_g_by_1_43 <= square1_g_by_1_42;
+                square1_g_amount_2_43 <= square1_g_amount_2_42;
+                square1_g_by_4_43 <= square1_g_by_4_42;
                 blend1_b_2_0_cut_43 <= blend1_b_2_0_cut_42;
                 blend1_b_2_1_cut_43 <= blend1_b_2_1_cut_42;
+                square1_b_by_1_43 <= square1_b_by_1_42;
+                square1_b_amount_2_43 <= square1_b_amount_2_42;
+                square1_b_by_4_43 <= square1_b_by_4_42;
             end if;
         end if;
     end process;
@@ -5995,14 +6901,22 @@ begin
                 in_gain1g_44 <= in_gain1g_43;
                 in_gain1b_44 <= in_gain1b_43;
                 hidden_44 <= hidden_43;
-                shift1_44 <= shift1_43;
                 blend1_r_2_0_cut_44 <= blend1_r_2_0_cut_43;
                 blend1_r_3_0_apart_44 <= blend1_r_3_0_apart_43;
                 blend1_signed_44 <= blend1_signed_43;
+                square1_r_by_1_44 <= square1_r_by_1_43;
+                square1_r_amount_2_44 <= square1_r_amount_2_43;
+                square1_r_by_4_44 <= square1_r_by_4_43;
                 blend1_g_2_0_cut_44 <= blend1_g_2_0_cut_43;
                 blend1_g_3_0_apart_44 <= blend1_g_3_0_apart_43;
+                square1_g_by_1_44 <= square1_g_by_1_43;
+                square1_g_amount_2_44 <= square1_g_amount_2_43;
+                square1_g_by_4_44 <= square1_g_by_4_43;
                 blend1_b_2_0_cut_44 <= blend1_b_2_0_cut_43;
                 blend1_b_3_0_apart_44 <= blend1_b_3_0_apart_43;
+                square1_b_by_1_44 <= square1_b_by_1_43;
+                square1_b_amount_2_44 <= square1_b_amount_2_43;
+                square1_b_by_4_44 <= square1_b_by_4_43;
             end if;
         end if;
     end process;
@@ -6022,13 +6936,21 @@ begin
                 in_gain1g_45 <= in_gain1g_44;
                 in_gain1b_45 <= in_gain1b_44;
                 hidden_45 <= hidden_44;
-                shift1_45 <= shift1_44;
                 blend1_r_2_0_cut_45 <= blend1_r_2_0_cut_44;
                 blend1_r_3_0_part_45 <= blend1_r_3_0_part_44;
+                square1_r_by_1_45 <= square1_r_by_1_44;
+                square1_r_amount_2_45 <= square1_r_amount_2_44;
+                square1_r_by_4_45 <= square1_r_by_4_44;
                 blend1_g_2_0_cut_45 <= blend1_g_2_0_cut_44;
                 blend1_g_3_0_part_45 <= blend1_g_3_0_part_44;
+                square1_g_by_1_45 <= square1_g_by_1_44;
+                square1_g_amount_2_45 <= square1_g_amount_2_44;
+                square1_g_by_4_45 <= square1_g_by_4_44;
                 blend1_b_2_0_cut_45 <= blend1_b_2_0_cut_44;
                 blend1_b_3_0_part_45 <= blend1_b_3_0_part_44;
+                square1_b_by_1_45 <= square1_b_by_1_44;
+                square1_b_amount_2_45 <= square1_b_amount_2_44;
+                square1_b_by_4_45 <= square1_b_by_4_44;
             end if;
         end if;
     end process;
@@ -6042,13 +6964,21 @@ begin
                 in_gain1g_46 <= in_gain1g_45;
                 in_gain1b_46 <= in_gain1b_45;
                 hidden_46 <= hidden_45;
-                shift1_46 <= shift1_45;
                 blend1_r_2_0_cut_46 <= blend1_r_2_0_cut_45;
                 blend1_r_3_0_part_46 <= blend1_r_3_0_part_45;
+                square1_r_by_1_46 <= square1_r_by_1_45;
+                square1_r_amount_2_46 <= square1_r_amount_2_45;
+                square1_r_by_4_46 <= square1_r_by_4_45;
                 blend1_g_2_0_cut_46 <= blend1_g_2_0_cut_45;
                 blend1_g_3_0_part_46 <= blend1_g_3_0_part_45;
+                square1_g_by_1_46 <= square1_g_by_1_45;
+                square1_g_amount_2_46 <= square1_g_amount_2_45;
+                square1_g_by_4_46 <= square1_g_by_4_45;
                 blend1_b_2_0_cut_46 <= blend1_b_2_0_cut_45;
                 blend1_b_3_0_part_46 <= blend1_b_3_0_part_45;
+                square1_b_by_1_46 <= square1_b_by_1_45;
+                square1_b_amount_2_46 <= square1_b_amount_2_45;
+                square1_b_by_4_46 <= square1_b_by_4_45;
             end if;
         end if;
     end process;
@@ -6077,10 +7007,18 @@ begin
                 in_gain1g_47 <= in_gain1g_46;
                 in_gain1b_47 <= in_gain1b_46;
                 hidden_47 <= hidden_46;
-                shift1_47 <= shift1_46;
                 root1_r_47 <= root1_r_46;
+                square1_r_by_1_47 <= square1_r_by_1_46;
+                square1_r_amount_2_47 <= square1_r_amount_2_46;
+                square1_r_by_4_47 <= square1_r_by_4_46;
                 root1_g_47 <= root1_g_46;
+                square1_g_by_1_47 <= square1_g_by_1_46;
+                square1_g_amount_2_47 <= square1_g_amount_2_46;
+                square1_g_by_4_47 <= square1_g_by_4_46;
                 root1_b_47 <= root1_b_46;
+                square1_b_by_1_47 <= square1_b_by_1_46;
+                square1_b_amount_2_47 <= square1_b_amount_2_46;
+                square1_b_by_4_47 <= square1_b_by_4_46;
             end if;
         end if;
     end process;
@@ -6106,39 +7044,47 @@ begin
                 in_gain1g_48 <= in_gain1g_47;
                 in_gain1b_48 <= in_gain1b_47;
                 hidden_48 <= hidden_47;
-                shift1_48 <= shift1_47;
                 square1_r_48 <= square1_r_47;
+                square1_r_by_1_48 <= square1_r_by_1_47;
+                square1_r_amount_2_48 <= square1_r_amount_2_47;
+                square1_r_by_4_48 <= square1_r_by_4_47;
                 square1_g_48 <= square1_g_47;
+                square1_g_by_1_48 <= square1_g_by_1_47;
+                square1_g_amount_2_48 <= square1_g_amount_2_47;
+                square1_g_by_4_48 <= square1_g_by_4_47;
                 square1_b_48 <= square1_b_47;
+                square1_b_by_1_48 <= square1_b_by_1_47;
+                square1_b_amount_2_48 <= square1_b_amount_2_47;
+                square1_b_by_4_48 <= square1_b_by_4_47;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 48: square1_r_seen, square1_r_up, square1_r_within and 6 more
+    -- ===== Stage 48: square1_r_seen, square1_r_up_1, square1_g_seen and 3 more
     -- UQ0.18: 0 for a normal that is turned away
     square1_r_seen_48 <= (others => '0') when hidden_48 = '1' else square1_r_48;
-    -- UQ4.18: times 2^shift
-    square1_r_up_48 <= shift_left(resize(square1_r_seen_48, 22), to_integer(shift1_48));
-    -- UQ4.14: rounded down
-    square1_r_up_cut_48 <= square1_r_up_48(21 downto 4);
-    -- UQ4.14: kept in its format
-    square1_r_within_48 <= square1_r_up_cut_48;
+    -- UQ1.18: times 2^1 if so
+    square1_r_up_1_48 <= shift_left(resize(square1_r_seen_48, 19), to_integer(square1_r_by_1_48));
+    -- UQ4.14: times 2^4
+    square1_r_all_48 <= square1_r_seen_48;
+    -- UQ4.18: in the wider of two formats
+    square1_r_all_wide_48 <= shift_left(resize(square1_r_all_48, 22), 4);
     -- UQ0.18: 0 for a normal that is turned away
     square1_g_seen_48 <= (others => '0') when hidden_48 = '1' else square1_g_48;
-    -- UQ4.18: times 2^shift
-    square1_g_up_48 <= shift_left(resize(square1_g_seen_48, 22), to_integer(shift1_48));
-    -- UQ4.14: rounded down
-    square1_g_up_cut_48 <= square1_g_up_48(21 downto 4);
-    -- UQ4.14: kept in its format
-    square1_g_within_48 <= square1_g_up_cut_48;
+    -- UQ1.18: times 2^1 if so
+    square1_g_up_1_48 <= shift_left(resize(square1_g_seen_48, 19), to_integer(square1_g_by_1_48));
+    -- UQ4.14: times 2^4
+    square1_g_all_48 <= square1_g_seen_48;
+    -- UQ4.18: in the wider of two formats
+    square1_g_all_wide_48 <= shift_left(resize(square1_g_all_48, 22), 4);
     -- UQ0.18: 0 for a normal that is turned away
     square1_b_seen_48 <= (others => '0') when hidden_48 = '1' else square1_b_48;
-    -- UQ4.18: times 2^shift
-    square1_b_up_48 <= shift_left(resize(square1_b_seen_48, 22), to_integer(shift1_48));
-    -- UQ4.14: rounded down
-    square1_b_up_cut_48 <= square1_b_up_48(21 downto 4);
-    -- UQ4.14: kept in its format
-    square1_b_within_48 <= square1_b_up_cut_48;
+    -- UQ1.18: times 2^1 if so
+    square1_b_up_1_48 <= shift_left(resize(square1_b_seen_48, 19), to_integer(square1_b_by_1_48));
+    -- UQ4.14: times 2^4
+    square1_b_all_48 <= square1_b_seen_48;
+    -- UQ4.18: in the wider of two formats
+    square1_b_all_wide_48 <= shift_left(resize(square1_b_all_48, 22), 4);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -6146,61 +7092,121 @@ begin
                 in_gain1r_49 <= in_gain1r_48;
                 in_gain1g_49 <= in_gain1g_48;
                 in_gain1b_49 <= in_gain1b_48;
-                square1_r_within_49 <= square1_r_within_48;
-                square1_g_within_49 <= square1_g_within_48;
-                square1_b_within_49 <= square1_b_within_48;
+                square1_r_up_1_49 <= square1_r_up_1_48;
+                square1_r_amount_2_49 <= square1_r_amount_2_48;
+                square1_r_by_4_49 <= square1_r_by_4_48;
+                square1_r_all_wide_49 <= square1_r_all_wide_48;
+                square1_g_up_1_49 <= square1_g_up_1_48;
+                square1_g_amount_2_49 <= square1_g_amount_2_48;
+                square1_g_by_4_49 <= square1_g_by_4_48;
+                square1_g_all_wide_49 <= square1_g_all_wide_48;
+                square1_b_up_1_49 <= square1_b_up_1_48;
+                square1_b_amount_2_49 <= square1_b_amount_2_48;
+                square1_b_by_4_49 <= square1_b_by_4_48;
+                square1_b_all_wide_49 <= square1_b_all_wide_48;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 49: light1_r_exact, light1_g_exact, light1_b_exact
-    -- UQ5.31: times the gain
-    light1_r_exact_49 <= square1_r_within_49 * in_gain1r_49;
-    -- UQ5.17: rounded down
-    light1_r_49 <= light1_r_exact_49(35 downto 14);
-    -- UQ5.31: times the gain
-    light1_g_exact_49 <= square1_g_within_49 * in_gain1g_49;
-    -- UQ5.17: rounded down
-    light1_g_49 <= light1_g_exact_49(35 downto 14);
-    -- UQ5.31: times the gain
-    light1_b_exact_49 <= square1_b_within_49 * in_gain1b_49;
-    -- UQ5.17: rounded down
-    light1_b_49 <= light1_b_exact_49(35 downto 14);
+    -- ===== Stage 49: square1_r_up_2, square1_r_up, square1_r_within and 6 more
+    -- UQ3.18: times 2^2 if so
+    square1_r_up_2_49 <=
+        shift_left(resize(square1_r_up_1_49, 21), to_integer(square1_r_amount_2_49));
+    -- UQ4.18: in the wider of two formats
+    square1_r_up_2_wide_49 <= resize(square1_r_up_2_49, 22);
+    -- UQ4.18: times 2^shift
+    square1_r_up_49 <=
+        square1_r_all_wide_49 when square1_r_by_4_49 = '1' else square1_r_up_2_wide_49;
+    -- UQ4.14: rounded down
+    square1_r_up_cut_49 <= square1_r_up_49(21 downto 4);
+    -- UQ4.14: kept in its format
+    square1_r_within_49 <= square1_r_up_cut_49;
+    -- UQ3.18: times 2^2 if so
+    square1_g_up_2_49 <=
+        shift_left(resize(square1_g_up_1_49, 21), to_integer(square1_g_amount_2_49));
+    -- UQ4.18: in the wider of two formats
+    square1_g_up_2_wide_49 <= resize(square1_g_up_2_49, 22);
+    -- UQ4.18: times 2^shift
+    square1_g_up_49 <=
+        square1_g_all_wide_49 when square1_g_by_4_49 = '1' else square1_g_up_2_wide_49;
+    -- UQ4.14: rounded down
+    square1_g_up_cut_49 <= square1_g_up_49(21 downto 4);
+    -- UQ4.14: kept in its format
+    square1_g_within_49 <= square1_g_up_cut_49;
+    -- UQ3.18: times 2^2 if so
+    square1_b_up_2_49 <=
+        shift_left(resize(square1_b_up_1_49, 21), to_integer(square1_b_amount_2_49));
+    -- UQ4.18: in the wider of two formats
+    square1_b_up_2_wide_49 <= resize(square1_b_up_2_49, 22);
+    -- UQ4.18: times 2^shift
+    square1_b_up_49 <=
+        square1_b_all_wide_49 when square1_b_by_4_49 = '1' else square1_b_up_2_wide_49;
+    -- UQ4.14: rounded down
+    square1_b_up_cut_49 <= square1_b_up_49(21 downto 4);
+    -- UQ4.14: kept in its format
+    square1_b_within_49 <= square1_b_up_cut_49;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                light1_r_50 <= light1_r_49;
-                light1_g_50 <= light1_g_49;
-                light1_b_50 <= light1_b_49;
+                in_gain1r_50 <= in_gain1r_49;
+                in_gain1g_50 <= in_gain1g_49;
+                in_gain1b_50 <= in_gain1b_49;
+                square1_r_within_50 <= square1_r_within_49;
+                square1_g_within_50 <= square1_g_within_49;
+                square1_b_within_50 <= square1_b_within_49;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 50: sum_r, sum_g, sum_b
-    -- UQ1.17: kept at 1.0
-    sum_r_50 <= (17 => '1', others => '0') when unsigned(light1_r_50(21 downto 17)) /= 0 else
-        light1_r_50(17 downto 0);
-    -- UQ1.17: kept at 1.0
-    sum_g_50 <= (17 => '1', others => '0') when unsigned(light1_g_50(21 downto 17)) /= 0 else
-        light1_g_50(17 downto 0);
-    -- UQ1.17: kept at 1.0
-    sum_b_50 <= (17 => '1', others => '0') when unsigned(light1_b_50(21 downto 17)) /= 0 else
-        light1_b_50(17 downto 0);
+    -- ===== Stage 50: light1_r_exact, light1_g_exact, light1_b_exact
+    -- UQ5.31: times the gain
+    light1_r_exact_50 <= square1_r_within_50 * in_gain1r_50;
+    -- UQ5.17: rounded down
+    light1_r_50 <= light1_r_exact_50(35 downto 14);
+    -- UQ5.31: times the gain
+    light1_g_exact_50 <= square1_g_within_50 * in_gain1g_50;
+    -- UQ5.17: rounded down
+    light1_g_50 <= light1_g_exact_50(35 downto 14);
+    -- UQ5.31: times the gain
+    light1_b_exact_50 <= square1_b_within_50 * in_gain1b_50;
+    -- UQ5.17: rounded down
+    light1_b_50 <= light1_b_exact_50(35 downto 14);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                sum_r_51 <= sum_r_50;
-                sum_g_51 <= sum_g_50;
-                sum_b_51 <= sum_b_50;
+                light1_r_51 <= light1_r_50;
+                light1_g_51 <= light1_g_50;
+                light1_b_51 <= light1_b_50;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(51);
-    out_sum_r <= sum_r_51;
-    out_sum_g <= sum_g_51;
-    out_sum_b <= sum_b_51;
+    -- ===== Stage 51: sum_r, sum_g, sum_b
+    -- UQ1.17: kept at 1.0
+    sum_r_51 <= (17 => '1', others => '0') when unsigned(light1_r_51(21 downto 17)) /= 0 else
+        light1_r_51(17 downto 0);
+    -- UQ1.17: kept at 1.0
+    sum_g_51 <= (17 => '1', others => '0') when unsigned(light1_g_51(21 downto 17)) /= 0 else
+        light1_g_51(17 downto 0);
+    -- UQ1.17: kept at 1.0
+    sum_b_51 <= (17 => '1', others => '0') when unsigned(light1_b_51(21 downto 17)) /= 0 else
+        light1_b_51(17 downto 0);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                sum_r_52 <= sum_r_51;
+                sum_g_52 <= sum_g_51;
+                sum_b_52 <= sum_b_51;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(52);
+    out_sum_r <= sum_r_52;
+    out_sum_g <= sum_g_52;
+    out_sum_b <= sum_b_52;
 
 end architecture rtl;

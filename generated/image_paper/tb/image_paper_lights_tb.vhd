@@ -1,14 +1,14 @@
 -- image_paper_lights: the lights of a sample in sequence through the core image_paper
 --
 -- Made by: brdfgen generate core.toml
--- Spec ac9ccafaac21f010. Generated; the sequencer is yours to use under any terms.
+-- Spec e91d917992f4fdd5. Generated; the sequencer is yours to use under any terms.
 --
 --   in_last       1 bit   with the lights of this clock the sample ends
 --   out_r         UQ8.0   red; 255 is full scale
 --   out_g         UQ8.0   green; 255 is full scale
 --   out_b         UQ8.0   blue; 255 is full scale
 --
--- A sample is any number of clocks' lights, the last with in_last. Latency 53 clocks from
+-- A sample is any number of clocks' lights, the last with in_last. Latency 54 clocks from
 -- there; lights at every clock, and no pause between samples.
 
 library ieee;
@@ -48,7 +48,7 @@ end entity;
 architecture bench of image_paper_lights_tb is
 
     constant NAME    : string   := "image_paper_lights";
-    constant LATENCY : positive := 53;
+    constant LATENCY : positive := 54;
     constant SHOWN   : positive := 10; -- mismatches printed; the others are only counted
 
     subtype in_nx_word is std_logic_vector(17 downto 0);
@@ -646,6 +646,10 @@ begin
             ce <= '1';
             for i in 1 to LATENCY + 2 loop
                 present_garbage('1');
+                -- Without the enable a sample that has not ended is to be forgotten.
+                if enable = '0' then
+                    in_last <= '0';
+                end if;
                 clock;
             end loop;
             present_garbage('1'); -- what is presented together with rst is not taken

@@ -65,6 +65,9 @@ pub(super) struct Pair {
     /// In the memory of the even and of the odd ones.
     addresses: [NodeId; 2],
     odd: NodeId,
+    /// Of what it was made, if it was: whether the one at or below the place is the odd one, and the weight of the
+    /// next.
+    of: Option<[NodeId; 2]>,
 }
 
 /// Where the texels lie that are blended.
@@ -149,12 +152,40 @@ impl Imaging<'_, '_> {
         })
     }
 
+    /// A factor below 1, with so many fraction bits, times 2^shift: bit by bit with a register between, as at once it
+    /// takes more than twice the tables, and n.l has time.
+    fn shifted_up(&mut self, factor: NodeId, bits: i32, shift: NodeId, name: &str) -> NodeId {
+        let most_shift = self.widths.shift;
+        let top = self.b.format(shift).int_bits - 1;
+        if top == 0 {
+            return self.b.scale(factor, Some(shift), 0, &[most_shift], &format!("{name}_up"), "times 2^shift");
+        }
+        let is_set = |b: &mut Builder, bit| b.bit(shift, bit, &format!("{name}_by_{}", 1 << bit), "a bit of the shift");
+        let mut up = factor;
+        // What is shifted by the first bits of the shift.
+        let mut ups = vec![factor];
+        for bit in 0..top {
+            let by = 1 << bit;
+            let is_set = is_set(&mut self.b, bit);
+            let amount = Format::unsigned(bit + 1, 0);
+            let amount = self.b.cast(is_set, amount, HighBits::Unused, &format!("{name}_amount_{by}"), "its weight");
+            up = self.b.scale(up, Some(amount), 0, &[by], &format!("{name}_up_{by}"), &format!("times 2^{by} if so"));
+            self.b.assume(up, vec![bound(0.0, exp2(2 * by - 1) - exp2(2 * by - 1 - bits), bits)]);
+            ups.push(up);
+        }
+        // Not all of the others can be set beside the last one.
+        let by = 1 << top;
+        let beside = (most_shift - by).checked_ilog2().map_or(0, |last| last as usize + 1);
+        let all = self.b.scale(ups[beside], None, by, &[by], &format!("{name}_all"), &format!("times 2^{by}"));
+        let is_set = is_set(&mut self.b, top);
+        self.b.select(is_set, [all, up], |_| None, &format!("{name}_up"), "times 2^shift")
+    }
+
     /// A factor below 1, with so many fraction bits, times 2^shift, rounded down and kept in the format of n·l.
     fn shifted(&mut self, factor: NodeId, bits: i32, shift: Option<NodeId>, name: &str) -> NodeId {
-        let ImageWidths { lit_int, lit, shift: most_shift, .. } = self.widths;
+        let ImageWidths { lit_int, lit, .. } = self.widths;
         let Some(shift) = shift else { return factor };
-        let up = self.b.scale(factor, Some(shift), 0, &[most_shift], &format!("{name}_up"), "times 2^shift");
-        self.b.assume(up, vec![bound(0.0, exp2(most_shift) - exp2(most_shift - bits), bits)]);
+        let up = self.shifted_up(factor, bits, shift, name);
         let cut = self.b.floor(up, lit, &format!("{name}_up_cut"), "rounded down");
         let most = (1i128 << (lit_int + self.b.format(cut).frac_bits)) - 1;
         self.b.clamp(cut, 0, most, &format!("{name}_within"), "kept in its format")
@@ -309,8 +340,9 @@ impl Imaging<'_, '_> {
         let last = Format::unsigned(1, 0);
         let is_odd = self.b.cast(texel, last, HighBits::Guarded, &format!("{name}_is_odd"), "its last bit");
         let odd = self.b.select(is_odd, [other, weight], |_| None, &format!("{name}_odd"), "the weight of the odd one");
-        self.joints.places.push(PlaceJoints { place, addresses, odd });
-        Pair { addresses, odd }
+        let weight = [is_odd, weight];
+        self.joints.places.push(PlaceJoints { place, addresses, weight });
+        Pair { addresses, odd, of: Some(weight) }
     }
 
     /// Where the texels of a light and a normal lie in each direction, the outermost first, in the band with an even
@@ -329,7 +361,7 @@ impl Imaging<'_, '_> {
             self.b.clamp(ports.band, 0, last, &format!("band{l}_kept"), "at most the last")
         };
         let addresses = self.addresses(band, extents[0], &format!("band{l}"));
-        let mut pairs = vec![[Pair { addresses, odd }; 2]];
+        let mut pairs = vec![[Pair { addresses, odd, of: None }; 2]];
         match self.image.form {
             ImageForm::Bivariate { octaves } => {
                 let u = self.versine(&ports.frame[0], octaves, l);
@@ -353,19 +385,24 @@ impl Imaging<'_, '_> {
         pairs
     }
 
-    /// `a + (c - a) t`, exact but for what [`BLENDED`] says.
-    fn blend(&mut self, [a, c]: [NodeId; 2], t: NodeId, name: &str, what: &str) -> NodeId {
-        let sum = if self.b.format(a).width() <= BLENDED_BY_BITS {
-            let bits = self.bits(t);
-            self.b.blend_by_bits([a, c], &bits, name, what)
-        } else {
-            let [a, c] = [a, c].map(|code| {
-                let cut = format!("{}_cut", self.b.name(code));
-                self.b.floor(code, BLENDED, &cut, "rounded down to a multiplier's operand")
-            });
+    /// The blend of an even and an odd one, exact but for what [`BLENDED`] says; `rank` is how many blends a multiplier
+    /// is worth more for, if it is told how many there are.
+    fn blend(&mut self, [a, c]: [NodeId; 2], pair: &Pair, rank: u32, name: &str, what: &str) -> NodeId {
+        let [a, c] = [a, c].map(|code| {
+            let cut = format!("{}_cut", self.b.name(code));
+            self.b.floor(code, BLENDED, &cut, "rounded down to a multiplier's operand")
+        });
+        let by_multiplier = match self.image.blend_multipliers {
+            Some(multipliers) => rank < multipliers,
+            None => self.b.format(a).width() > BLENDED_BY_BITS,
+        };
+        let sum = if by_multiplier {
             let apart = self.b.sub(c, a, &format!("{name}_apart"), "the difference");
-            let part = self.b.mul(apart, t, &format!("{name}_part"), "its part");
+            let part = self.b.mul(apart, pair.odd, &format!("{name}_part"), "its part");
             self.b.add(a, part, name, what)
+        } else {
+            let bits = self.bits(pair);
+            self.b.blend_by_bits([a, c], &bits, name, what)
         };
         // Between both.
         let most = 1.0 - exp2(-(self.image.texel_bits as i32));
@@ -374,21 +411,30 @@ impl Imaging<'_, '_> {
         sum
     }
 
-    /// The bits of a weight from 0 to 1, as [`Builder::blend_by_bits`] takes them: all 1 where it is 1.
-    fn bits(&mut self, t: NodeId) -> Rc<[NodeId]> {
-        if let Some(known) = self.weights.get(&t) {
+    /// The weight of the odd one, from 0 to 1, as [`Builder::blend_by_bits`] takes it: of a weight w of the next the
+    /// bits of w or, where the next is the even one, of 1 - w less the last bit's weight.
+    fn bits(&mut self, &Pair { odd, of, .. }: &Pair) -> Rc<[NodeId]> {
+        if let Some(known) = self.weights.get(&odd) {
             return Rc::clone(known);
         }
-        let name = self.b.name(t).to_owned();
-        let parts = self.b.format(t).frac_bits;
-        let mut bit = |place: i32, name: &str| self.b.bit(t, place - parts, name, "a bit of the weight");
-        let whole = bit(parts, &format!("{name}_whole"));
+        let weight = of.map_or(odd, |[_, weight]| weight);
+        let name = self.b.name(weight).to_owned();
+        let parts = self.b.format(weight).frac_bits;
+        let mut bit = |place: i32, name: &str| self.b.bit(weight, place - parts, name, "a bit of the weight");
+        let first = of.map_or_else(|| bit(parts, &format!("{name}_whole")), |[is_odd, _]| is_odd);
         let places: Vec<NodeId> = (0..parts).map(|place| bit(place, &format!("{name}_bit_{place}"))).collect();
-        let or = |(place, of_place): (usize, &NodeId)| {
-            self.b.flag(Op::Or, &[*of_place, whole], &format!("{name}_of_{place}"), "1 where the weight is 1")
+        let of_place = |(place, &bit): (usize, &NodeId)| {
+            let name = format!("{name}_of_{place}");
+            if of.is_none() {
+                return self.b.flag(Op::Or, &[bit, first], &name, "1 where the weight is 1");
+            }
+            let up = parts - place as i32;
+            let bit = self.b.scale(bit, None, up, &[up], &format!("{name}_flag"), "as a flag");
+            let inverse = self.b.not(bit, &format!("{name}_not"), "it is 0");
+            self.b.select(first, [inverse, bit], |_| None, &name, "whether it counts for the odd one")
         };
-        let bits: Rc<[NodeId]> = std::iter::once(whole).chain(places.iter().enumerate().map(or)).collect();
-        self.weights.insert(t, Rc::clone(&bits));
+        let bits: Rc<[NodeId]> = std::iter::once(first).chain(places.iter().enumerate().map(of_place)).collect();
+        self.weights.insert(odd, Rc::clone(&bits));
         bits
     }
 
@@ -412,17 +458,21 @@ impl Imaging<'_, '_> {
         address.expect("there are directions")
     }
 
-    /// The blend of texels in all directions, the innermost first; `texels` are in the order of [`parities`].
-    fn blended(&mut self, texels: Vec<NodeId>, pairs: &[[Pair; 2]], name: &str) -> NodeId {
+    /// The blend of texels in all directions, the innermost first; `texels` are in the order of [`parities`], of the
+    /// look-up of this number among those of all lights and channels.
+    fn blended(&mut self, texels: Vec<NodeId>, pairs: &[[Pair; 2]], look_up: u32, name: &str) -> NodeId {
+        let look_ups = 3 * self.image.look_ups() as u32;
         let mut left = texels;
         let of_bands = self.image.has_lights();
         for (pair, place) in pairs.iter().rev().zip(1..) {
             let what = if left.len() == 2 && of_bands { "two bands" } else { "two neighbours" };
-            let of_odd = left.len() / 4;
+            let (of_odd, count) = (left.len() / 4, left.len() as u32 / 2);
             let two = |(number, two): (usize, &[NodeId])| {
                 // The texels of the odd band are the second half.
-                let pair = pair[usize::from(of_odd > 0 && number >= of_odd)];
-                self.blend([two[0], two[1]], pair.odd, &format!("{name}_{place}_{number}"), what)
+                let pair = &pair[usize::from(of_odd > 0 && number >= of_odd)];
+                // The outermost blend the widest codes.
+                let rank = (count - 1 + number as u32) * look_ups + look_up;
+                self.blend([two[0], two[1]], pair, rank, &format!("{name}_{place}_{number}"), what)
             };
             left = left.chunks(2).enumerate().map(two).collect();
         }
@@ -444,7 +494,8 @@ impl Imaging<'_, '_> {
             self.b.field(first + number, addresses[number], fields(*light, parities)[channel])
         };
         let texels = parities.iter().enumerate().map(texel).collect();
-        let root = self.blended(texels, pairs, &format!("blend{l}_{c}"));
+        let look_up = (3 * light + channel) as u32;
+        let root = self.blended(texels, pairs, look_up, &format!("blend{l}_{c}"));
         self.b.floor(root, self.widths.code, &format!("root{l}_{c}"), "the blended code")
     }
 

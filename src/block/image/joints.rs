@@ -43,23 +43,24 @@ pub struct PlaceJoints {
     pub place: NodeId,
     /// The addresses of the even and of the odd ones of both that are blended.
     pub addresses: [NodeId; 2],
-    /// The weight of the odd one.
-    pub odd: NodeId,
+    /// Whether the one at or below the place is the odd one, and the weight of the next.
+    pub weight: [NodeId; 2],
 }
 
 impl PlaceJoints {
     /// What is computed from the place.
     #[must_use]
-    pub fn results(&self) -> [NodeId; 3] {
-        [self.addresses[0], self.addresses[1], self.odd]
+    pub fn results(&self) -> [NodeId; 4] {
+        let ([even, odd], [is_odd, weight]) = (self.addresses, self.weight);
+        [even, odd, is_odd, weight]
     }
 }
 
 impl Joints {
     pub(super) fn nodes(&mut self) -> impl Iterator<Item = &mut NodeId> {
         let places = self.places.iter_mut().flat_map(|joints| {
-            let PlaceJoints { place, addresses, odd } = joints;
-            [place].into_iter().chain(addresses).chain([odd])
+            let PlaceJoints { place, addresses, weight } = joints;
+            [place].into_iter().chain(addresses).chain(weight)
         });
         let lights = self.lights.iter_mut().flat_map(|joints| {
             let LightJoints { incidence, squares, full_gain } = joints;

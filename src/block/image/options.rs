@@ -82,6 +82,9 @@ pub struct Image {
     pub most_lights: u32,
     /// What the core is told of a light.
     pub front_end: FrontEnd,
+    /// How many blends of two are by multipliers, those of the widest codes first, or none for those that a DSP block
+    /// is worth it for; the results are the same.
+    pub blend_multipliers: Option<u32>,
 }
 
 /// What an image-based core is told of a light.
@@ -334,6 +337,10 @@ impl Image {
             },
             "leave it out, or use --image-form half or bivariate"
         );
+        if let Some(multipliers) = self.blend_multipliers {
+            let blends = 3 * self.look_ups() as u32 * ((1 << self.extents().len()) - 1);
+            within("blend_multipliers", multipliers, 0..=blends)?;
+        }
         let texels = self.extents().iter().map(|&extent| u64::from(extent)).product::<u64>();
         refuse!(
             texels > MOST_TEXELS,

@@ -137,15 +137,15 @@ impl Builder<'_> {
 
     /// `a + (c - a) t` of two numbers of one format that have no sign, exact, without a multiplier.
     ///
-    /// In parts of t's last bit it is `a + Σ 2^i (c if bit i is 1, else a)`, and `c + Σ 2^i c` where t is 1: `bits` are
-    /// a flag for t = 1 and then the bits below the point, the lowest first, which all are 1 where t is 1.
+    /// In parts of t's last bit t is the number of the first of `bits` plus `Σ 2^i` times the others, the lowest first:
+    /// of t = 1 all are 1. The blend is the sum of `c` where a bit is 1 and `a` where it is 0, each as often.
     pub fn blend_by_bits(&mut self, of: [NodeId; 2], bits: &[NodeId], name: &str, comment: &str) -> NodeId {
         let [a, c] = of;
         let parts = bits.len() as i32 - 1;
         let count = self.cases.len();
         let mut terms: Vec<NodeId> = Vec::new();
         for (place, &bit) in bits.iter().enumerate() {
-            let which = if place == 0 { "whole".to_owned() } else { (place - 1).to_string() };
+            let which = if place == 0 { "first".to_owned() } else { (place - 1).to_string() };
             let either = self.select(bit, [c, a], |_| None, &format!("{name}_either_{which}"), "either of both");
             let weight = (place as i32 - 1).max(0) - parts;
             let shifts = vec![weight; count];

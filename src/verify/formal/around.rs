@@ -34,8 +34,6 @@ struct AxisClaims<'a> {
 struct SequencerClaims<'a> {
     sequencer: &'a Sequencer,
     channels: [char; 3],
-    /// What a sample's sum begins with, for each channel.
-    starts: [String; 3],
     /// Fraction bits of the sums, and bits of a code.
     f: u32,
     bits: u32,
@@ -135,24 +133,19 @@ fn of_table(table: &LightTable) -> Result<Claims, Error> {
 
 fn of_sequencer(sequencer: &Sequencer) -> Result<Claims, Error> {
     let (channels, sums) = (CHANNELS, sequencer.sums);
-    let start = |c: char| match sums.ambient {
-        None => "40'd0".to_owned(),
-        Some(ambient) => format!("({{40'd0, out_ambient_{c}}} << {})", sums.frac_bits - ambient),
-    };
     let text = SequencerClaims {
         sequencer,
         channels,
-        starts: channels.map(start),
         f: sums.frac_bits,
         bits: sums.channel_bits,
         half: sums.half_code(),
         one: 1 << sums.frac_bits,
         full: sums.full_scale(),
     };
-    let own = ["valid", "begins"]
-        .map(str::to_owned)
-        .into_iter()
-        .chain(channels.iter().flat_map(|c| [format!("total_{c}"), format!("full_{c}")]));
+    let kept = channels.iter().flat_map(|c| ["so_far", "was_full", "total", "full"].map(|what| format!("{what}_{c}")));
+    let of_ambient = std::iter::once("begins".to_owned()).chain(channels.iter().map(|c| format!("ambient_{c}")));
+    let of_ambient = of_ambient.filter(|_| sums.ambient.is_some());
+    let own = std::iter::once("valid".to_owned()).chain(kept).chain(of_ambient);
     let own = own.map(|name| (name.clone(), format!("dut.{name}")));
     let outputs = sequencer.core_outputs().iter().map(|port| (port.name.clone(), format!("dut.{}", port.name)));
     let inputs = sequencer.driven();

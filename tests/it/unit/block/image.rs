@@ -18,6 +18,7 @@ const SMALL: Image = Image {
     lights: 1,
     most_lights: 1,
     front_end: FrontEnd::Record,
+    blend_multipliers: None,
 };
 const HALF: Image = Image { form: ImageForm::Half { slices: 16 }, weight_bits: 6, ..SMALL };
 
@@ -83,6 +84,10 @@ fn blocks() -> Vec<(Image, &'static str)> {
         (Image { texel_bits: 10, weight_bits: 8, lights: 2, ..half(4, 8) }, "ggx"),
         (Image { weight_bits: 3, vector_fraction: 8, ..half(8, 32) }, "lambert"),
         (half(64, 8), "blinnphong"),
+        // All blends by the weights' bits, the widest codes among them, some by multipliers, and all.
+        (Image { blend_multipliers: Some(0), texel_bits: 10, weight_bits: 8, ..half(4, 8) }, "ggx"),
+        (Image { blend_multipliers: Some(8), lights: 2, ..half(4, 8) }, "ggx"),
+        (Image { blend_multipliers: Some(9), ..SMALL }, "ggx"),
         (paper(&SIX, 64), "ggx"),
         // The last image is there twice.
         (
