@@ -6,7 +6,7 @@ use serde::Serialize;
 use super::ShaderDesign;
 use super::sample::Sample;
 use crate::fixed::wide::Wide;
-use crate::fixed::{Rng, Table};
+use crate::fixed::{Field, Rng};
 use crate::lobe::exact;
 
 /// The error of a part of the shader, in codes of a channel.
@@ -86,8 +86,8 @@ impl ShaderError {
                     let versine = if lobe.takes_versine() { operand } else { Wide::ONE - operand };
                     lobes[row].at(versine.to_num())
                 });
-                let real = |table: &Table, name: &str, row: usize| table.field(name).reals[row];
-                let stored = |table: &Table, name: &str, row: usize| table.field(name).value(row);
+                let real = |field: &Field, row: usize| field.reals[row];
+                let stored = |field: &Field, row: usize| field.value(row);
                 let channels = |sample: &Sample, lights: &[(f64, f64)]| sample.channels(design, lights, real);
                 let hardware = design.sample_of(&[model.evaluate(&codes)]);
                 let stages = [

@@ -1,8 +1,8 @@
 //! Samples of a shader in real numbers.
 
-use crate::block::shader::datapath::COLOURS;
+use crate::block::shader::datapath::{COLOURS, colour_places};
 use crate::core::ShaderDesign;
-use crate::fixed::{Format, Rng, Table, exp2};
+use crate::fixed::{Field, Format, Rng, exp2};
 use crate::spec::{Colour, Cosine, LightColours, Shader};
 
 /// A vector in space.
@@ -184,25 +184,25 @@ impl Sample {
         self.lights.iter().map(of).collect()
     }
 
-    /// The channels in codes, not rounded, for these diffuse cosines and highlights a light, with the colours as
-    /// `value` reads them from a field of the ROM at a row.
+    /// The channels in codes, not rounded, for these diffuse cosines and highlights a light, with the colours that
+    /// `value` takes from a field of the ROM at a row.
     #[must_use]
     pub fn channels(
         &self,
         design: ShaderDesign<'_>,
         lights: &[(f64, f64)],
-        value: impl Fn(&Table, &str, usize) -> f64,
+        value: impl Fn(&Field, usize) -> f64,
     ) -> [f64; 3] {
         let table = design.tables().iter().find(|table| table.name == COLOURS).expect("a shader's colours");
         let shader = design.shader;
         let row = design.lobe.interface.shininess.row_of_index(self.material);
         let scale = exp2(shader.channel_bits as i32);
         [0, 1, 2].map(|channel| {
-            let names = |light: usize| crate::block::shader::datapath::colour_names(shader, channel, light);
-            let mut sum = value(table, names(0)[0], row);
+            let read = |place: usize| value(&table.fields[place], row);
+            let mut sum = read(colour_places(shader, channel, 0)[0]);
             for (light, &(diffuse, highlight)) in lights.iter().enumerate() {
-                let [_, k_d, k_s] = names(light);
-                let both = value(table, k_d, row) * diffuse + value(table, k_s, row) * highlight;
+                let [_, k_d, k_s] = colour_places(shader, channel, light);
+                let both = read(k_d) * diffuse + read(k_s) * highlight;
                 sum += match shader.light_colours {
                     LightColours::Fixed(_) => both,
                     LightColours::Ports => {

@@ -1,6 +1,6 @@
 //! The image-based block in bits, from its formula.
 
-use super::texels::code;
+use super::texels::codes;
 use super::turn::{ANGLE, ROOT, ROOT_AXIS, ROOT_OPERAND, ROOT_WEIGHT, SINE, STEPS, TILT};
 use super::{BLENDED, Image, ImageForm, ImageWidths, LightRecord, OctaveAxis};
 use crate::fixed::Table;
@@ -131,44 +131,37 @@ impl<'a> ImageModel<'a> {
 
     /// The blend of the texels about a place in all directions: each direction's in a band with an even number and in
     /// one with an odd number, of which the outermost is followed already where it is told.
-    fn blend(
-        &self,
-        channel: usize,
-        places: &[[Place; 2]],
-        extents: &[u32],
-        before: usize,
-        band: Option<usize>,
-    ) -> Wide {
+    fn blend(&self, places: &[[Place; 2]], extents: &[u32], before: usize, band: Option<usize>) -> [Wide; 3] {
         let Some((of_bands, rest)) = places.split_first() else {
-            return wide::from_code(code(self.image, self.texels, before, channel), self.image.texel_bits);
+            return codes(self.image, self.texels, before).map(|code| wide::from_code(code, self.image.texel_bits));
         };
         let (place, weight) = of_bands[band.unwrap_or(0) % 2];
         let extent = extents[0] as usize;
         // Beside the last one, which is odd, stands the one before it.
         let next = if place + 1 < extent { place + 1 } else { place - 1 };
-        let [a, b] = [place, next]
-            .map(|place| self.blend(channel, rest, &extents[1..], before * extent + place, band.or(Some(place))))
-            .map(|code| wide::floor_to(code, BLENDED as u32));
-        a + (b - a) * weight
+        let [a, b] = [place, next].map(|place| {
+            let band = band.or(Some(place));
+            self.blend(rest, &extents[1..], before * extent + place, band).map(|code| floor(code, BLENDED))
+        });
+        [0, 1, 2].map(|channel| a[channel] + (b[channel] - a[channel]) * weight)
     }
 
     /// The codes of a matcap's channels where x and y of a normal lead to.
     fn matcap(&self, normal: &[i64]) -> Vec<i64> {
         let number = |code: i64| wide::from_code(code.into(), self.image.vector_fraction);
-        let floor = |value: Wide, bits: i32| wide::floor_to(value, bits as u32);
         let places = [1, 0].map(|axis| [self.along(number(normal[axis])); 2]);
         let (extents, channel_bits) = (self.image.extents(), self.image.channel_bits);
         let ImageWidths { code, square, .. } = self.widths;
         let half = wide::from_code(1, channel_bits + 1);
-        let of_channel = |channel: usize| {
-            let blended = floor(self.blend(channel, &places, &extents, 0, None), code);
+        let of_channel = |blended: Wide| {
+            let blended = floor(blended, code);
             let root = self.image.fills().fold(blended, |root, shift| root + floor(root >> shift, code));
             let squared = floor(root * root, square);
             // Full scale is the greatest code, and not two to the power of its bits.
             let part = squared - floor(squared >> channel_bits, square);
             wide::to_code(part + half, channel_bits) as i64
         };
-        (0..3).map(of_channel).collect()
+        self.blend(&places, &extents, 0, None).map(of_channel).to_vec()
     }
 
     /// What a light gives to the channels.
@@ -210,8 +203,9 @@ impl<'a> ImageModel<'a> {
             let nl = nl.clamp(Wide::ZERO, Wide::ONE - wide::from_code(1, ((lit + most_shift) as u32).min(2 * f)));
             floor(nl << shift, lit).min(most)
         });
+        let blended = self.blend(&places, &extents, 0, None);
         [0, 1, 2].map(|channel| {
-            let code = floor(self.blend(channel, &places, &extents, 0, None), code);
+            let code = floor(blended[channel], code);
             let squared = floor(code * code, square);
             let reflected = match lit_up {
                 Some(nl) => floor(nl * squared, lit),

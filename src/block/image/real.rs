@@ -182,33 +182,38 @@ impl ImageBlock {
         }
     }
 
-    /// A texel's channel, from 0 to 1: the root of the reflectance over its band's cap.
-    fn root(&self, texels: RealTexels, place: usize, channel: usize) -> f64 {
+    /// A texel's channels, from 0 to 1: the roots of the reflectance over its band's cap.
+    fn roots(&self, texels: RealTexels, place: usize) -> Rgb {
         match texels {
-            RealTexels::Stored => f64::from(self.texels.codes()[place][channel]),
+            RealTexels::Stored => [0, 1, 2].map(|channel| f64::from(self.texels.codes()[place][channel])),
             RealTexels::Exact => {
                 let caps = self.texels.caps();
                 let cap = caps[place / (self.samples.data.len() / caps.len())];
-                let sample = f64::from(self.samples.data[place][channel]);
-                if cap > 0.0 { libm::sqrt((sample / cap).clamp(0.0, 1.0)) } else { 0.0 }
+                let root = |sample| if cap > 0.0 { libm::sqrt((f64::from(sample) / cap).clamp(0.0, 1.0)) } else { 0.0 };
+                self.samples.data[place].map(root)
             }
         }
     }
 
+    /// The blend of the texels about a place, of which the directions before these are followed already.
     fn blend(
         &self,
         texels: RealTexels,
-        channel: usize,
         places: &[[Place; 2]],
+        extents: &[u32],
         before: usize,
         band: Option<usize>,
-    ) -> f64 {
-        let Some((of_bands, rest)) = places.split_first() else { return self.root(texels, before, channel) };
+    ) -> Rgb {
+        let Some((of_bands, rest)) = places.split_first() else { return self.roots(texels, before) };
         let (place, weight) = of_bands[band.unwrap_or(0) % 2];
-        let extents = self.image.extents();
-        let extent = extents[extents.len() - places.len()] as usize;
-        let at = |place: usize| self.blend(texels, channel, rest, before * extent + place, band.or(Some(place)));
-        if weight == 0.0 { at(place) } else { at(place) * (1.0 - weight) + at(place + 1) * weight }
+        let extent = extents[0] as usize;
+        let at = |place: usize| self.blend(texels, rest, &extents[1..], before * extent + place, band.or(Some(place)));
+        let own = at(place);
+        if weight == 0.0 {
+            return own;
+        }
+        let next = at(place + 1);
+        [0, 1, 2].map(|channel| own[channel] * (1.0 - weight) + next[channel] * weight)
     }
 
     /// What a light gives to the channels, 1 at full scale and not clamped.
@@ -219,12 +224,12 @@ impl ImageBlock {
         if has_lights && (n.z <= 0.0 || incidence == 0.0) {
             return [0.0; 3];
         }
-        let inner = self.places(&[n.x, n.y, n.z], light, places);
-        let bands = if has_lights { vec![[(light.band, light.next); 2]] } else { Vec::new() };
-        let all = [bands, inner].concat();
-        [0, 1, 2].map(|channel| {
-            let root = self.blend(texels, channel, &all, 0, None);
-            light.gain[channel] * root * root * incidence
-        })
+        let mut all = Vec::with_capacity(3);
+        if has_lights {
+            all.push([(light.band, light.next); 2]);
+        }
+        all.extend(self.places(&[n.x, n.y, n.z], light, places));
+        let roots = self.blend(texels, &all, &self.image.extents(), 0, None);
+        [0, 1, 2].map(|channel| light.gain[channel] * roots[channel] * roots[channel] * incidence)
     }
 }

@@ -72,10 +72,10 @@ pub(super) fn encoded(image: &Image, samples: &Samples) -> Texels {
     Texels::encode(samples, Texel::Sqrt(image.texel_bits, cap), scale)
 }
 
-/// The code of a texel's channel.
-pub(super) fn code(image: &Image, texels: &Texels, place: usize, channel: usize) -> i128 {
+/// The codes of a texel's channels.
+pub(super) fn codes(image: &Image, texels: &Texels, place: usize) -> [i128; 3] {
     let full = ((1u32 << image.texel_bits) - 1) as f32;
-    (texels.codes()[place][channel] * full).round() as i128
+    [0, 1, 2].map(|channel| (texels.codes()[place][channel] * full).round() as i128)
 }
 
 /// The name of the memory of a light, counted from 0, that holds the texels of these parities of their places, the
@@ -116,7 +116,7 @@ pub(super) fn banks(image: &Image, texels: &Texels) -> Vec<Table> {
         let count: usize = extents.iter().map(|extent| extent / 2).product();
         let names = fields(0, parities);
         let field = |channel: usize| -> Field {
-            let codes: Vec<i128> = (0..count).map(|address| code(image, texels, place(address), channel)).collect();
+            let codes: Vec<i128> = (0..count).map(|address| codes(image, texels, place(address))[channel]).collect();
             Field {
                 name: names[channel],
                 meaning: ["red", "green", "blue"][channel],

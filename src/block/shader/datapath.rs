@@ -40,7 +40,17 @@ pub fn colour_names(shader: &Shader, channel: usize, light: usize) -> [&'static 
     [interned(format!("ambient_{c}")), interned(format!("diffuse_{c}{of}")), interned(format!("specular_{c}{of}"))]
 }
 
-/// The colours of each material, as they stand in the ROM: in units in which full scale is the greatest code,
+/// The places of the fields of these names among those of the ROM.
+pub(crate) fn colour_places(shader: &Shader, channel: usize, light: usize) -> [usize; 3] {
+    let of_light = match shader.light_colours {
+        LightColours::Ports => 0,
+        LightColours::Fixed(_) => light,
+    };
+    let diffuse = CHANNELS.len() + 2 * (CHANNELS.len() * of_light + channel);
+    [channel, diffuse, diffuse + 1]
+}
+
+/// The colours of each material, as they stand in the ROM, in the order of [`colour_places`]: in units in which full scale is the greatest code,
 /// `1 - 2^-bits`.
 ///
 /// Light colours that are constants are multiplied in. One that is a port's code c stands for `c / (2^bits - 1)`, so

@@ -8,7 +8,7 @@
 use multiversion::multiversion;
 use rayon::prelude::*;
 
-use super::simulation::{FaultSimulation, operate, unlike};
+use super::simulation::{FaultSimulation, Pending, operate, unlike};
 use crate::core::Design;
 use crate::datapath::evaluate::{LANES, Lane};
 use crate::datapath::fault::{Defect, Registered, Timing};
@@ -146,15 +146,15 @@ struct Block<'a, L> {
     paused: Vec<[L; LANES]>,
     /// What the mistake has changed, with the values without it.
     kept: Vec<(NodeId, [L; LANES])>,
-    differs: Vec<bool>,
+    pending: Pending,
 }
 
 impl<'a, L: Lane> Block<'a, L> {
     fn new(registers: &'a RegisterSimulation, taken: &'a [Taken]) -> Self {
         let paused = registers.simulation.at_rest();
-        let differs = vec![false; paused.len()];
+        let pending = Pending::of(paused.len());
         let values = [&paused[..], &[[L::zero(); LANES]]].concat();
-        Self { registers, taken, first: 0, counted: 0, values, paused, kept: Vec::new(), differs }
+        Self { registers, taken, first: 0, counted: 0, values, paused, kept: Vec::new(), pending }
     }
 
     /// The clock in a lane, if there is one.
@@ -232,18 +232,17 @@ impl<'a, L: Lane> Block<'a, L> {
         // The column behind those of the nodes.
         let behind = graph.nodes.len();
         self.values[behind] = seen;
-        for (id, own) in graph.nodes.iter().enumerate().skip(node + 1) {
-            let is_behind = stage[id] > stage[node] + register as u32;
-            let changes = |&arg: &NodeId| self.differs[arg] || is_behind && arg == node;
-            if !own.args.iter().any(changes) {
-                continue;
-            }
+        let is_behind = |id: NodeId| stage[id] > stage[node] + register as u32;
+        let simulation = &self.registers.simulation;
+        simulation.readers(node).iter().filter(|&&id| is_behind(id)).for_each(|&id| self.pending.insert(&[id]));
+        while let Some(id) = self.pending.take() {
+            let own = &graph.nodes[id];
             let mut result = self.values[id];
-            let arg = |arg: usize| if is_behind && own.args[arg] == node { behind } else { own.args[arg] };
-            operate(&self.registers.simulation, id, own, arg, 0, &self.values, &mut result);
+            let arg = |arg: usize| if is_behind(id) && own.args[arg] == node { behind } else { own.args[arg] };
+            operate(simulation, id, own, arg, 0, &self.values, &mut result);
             if result != self.values[id] {
                 self.kept.push((id, std::mem::replace(&mut self.values[id], result)));
-                self.differs[id] = true;
+                self.pending.insert(simulation.readers(id));
             }
         }
         // An output is read from behind its last register.
@@ -253,7 +252,6 @@ impl<'a, L: Lane> Block<'a, L> {
                 lanes |= unlike(&right, &self.values[id]);
             }
             self.values[id] = right;
-            self.differs[id] = false;
         }
         lanes & self.counted
     }

@@ -87,6 +87,8 @@ pub struct FaultSimulation<'a> {
     graph: &'a Graph,
     /// The codes by address of each field.
     looked_up: Vec<Vec<i128>>,
+    /// The nodes that read each.
+    readers: Vec<Vec<NodeId>>,
     /// Whether a node reads a port itself.
     reads_port: Vec<bool>,
     /// Whether a node or one that depends on it does.
@@ -109,9 +111,18 @@ impl<'a> FaultSimulation<'a> {
                 node.args.iter().for_each(|&arg| leads_to_port[arg] = true);
             }
         }
+        let mut readers = vec![Vec::new(); graph.nodes.len()];
+        for (id, node) in graph.nodes.iter().enumerate() {
+            node.args.iter().for_each(|&arg| readers[arg].push(id));
+        }
         let looked_up = graph.nodes.iter().map(|node| codes_by_address(node, tables)).collect();
         let read = read_bits(graph);
-        Self { graph, looked_up, reads_port, leads_to_port, read, narrow: is_narrow(graph) }
+        Self { graph, looked_up, readers, reads_port, leads_to_port, read, narrow: is_narrow(graph) }
+    }
+
+    /// The nodes that read a node.
+    pub(super) fn readers(&self, node: NodeId) -> &[NodeId] {
+        &self.readers[node]
     }
 
     /// Whether 64 bits are enough for every operation.
@@ -204,22 +215,59 @@ fn run<L: Lane>(simulation: &FaultSimulation, faults: &[&Fault], next: &mut Next
         columns.take(&block);
         let counted = if block.count < LANES { (1u64 << block.count) - 1 } else { u64::MAX };
         // First without a fault, then with each: one loop, as what it calls becomes part of it.
-        let (mut done, mut place) = (0, None);
+        let (mut seen, mut left, mut place) = (0, 0, None);
         loop {
             if place.is_none_or(|place| columns.may_change(place)) {
                 columns.compute(place);
             }
             let lanes = columns.restore() & counted;
-            if let Some(place) = place {
-                if lanes != 0 && !detected(place, lanes, &block) {
-                    open.remove(done);
-                } else {
-                    done += 1;
-                }
+            if let Some(place) = place
+                && (lanes == 0 || detected(place, lanes, &block))
+            {
+                open[left] = place;
+                left += 1;
             }
-            let Some(&next) = open.get(done) else { break };
+            let Some(&next) = open.get(seen) else { break };
+            seen += 1;
             place = Some(next);
         }
+        open.truncate(left);
+    }
+}
+
+/// Nodes whose arguments have changed, of which the first is taken out first.
+#[derive(Clone, Debug)]
+pub(super) struct Pending {
+    /// A bit for each node.
+    words: Vec<u64>,
+    /// The first word that is not 0, or one before it.
+    first: usize,
+}
+
+impl Pending {
+    pub(super) fn of(nodes: usize) -> Self {
+        Self { words: vec![0; nodes.div_ceil(64)], first: 0 }
+    }
+
+    /// Puts nodes in that come behind all which were taken out since none was left.
+    #[inline(always)]
+    pub(super) fn insert(&mut self, nodes: &[NodeId]) {
+        nodes.iter().for_each(|&node| self.words[node / 64] |= 1 << (node % 64));
+    }
+
+    /// The first node, no longer in.
+    #[inline(always)]
+    pub(super) fn take(&mut self) -> Option<NodeId> {
+        while self.words.get(self.first) == Some(&0) {
+            self.first += 1;
+        }
+        let Some(word) = self.words.get_mut(self.first) else {
+            self.first = 0;
+            return None;
+        };
+        let bit = word.trailing_zeros() as usize;
+        *word &= *word - 1;
+        Some(self.first * 64 + bit)
     }
 }
 
@@ -237,7 +285,7 @@ struct Columns<'a, L> {
     changed: bool,
     /// What a fault has changed, with the values without it.
     kept: Vec<(NodeId, [L; LANES])>,
-    differs: Vec<bool>,
+    pending: Pending,
     /// For each node the bits that are 1 in any and in every lane, and in which block: most stuck bits are seen to be
     /// as they should at once.
     ends: Vec<(u64, L, L)>,
@@ -255,7 +303,7 @@ impl<'a, L: Lane> Columns<'a, L> {
             number: 0,
             changed: false,
             kept: Vec::new(),
-            differs: vec![false; nodes.len()],
+            pending: Pending::of(nodes.len()),
             ends: vec![(0, L::zero(), L::zero()); nodes.len()],
         }
     }
@@ -295,38 +343,38 @@ impl<'a, L: Lane> Columns<'a, L> {
     fn compute(&mut self, place: Option<usize>) {
         let (simulation, graph) = (self.simulation, self.simulation.graph);
         let fault = place.map(|place| self.faults[place]);
-        for (id, own) in graph.nodes.iter().enumerate().skip(fault.map_or(0, |fault| fault.node)) {
+        let mut next = fault.map_or(0, |fault| fault.node);
+        while let Some(own) = graph.nodes.get(next) {
+            let id = next;
             let here = fault.filter(|fault| fault.node == id);
             let reads_port = simulation.reads_port[id];
-            let computed = match fault {
-                None => !matches!(own.op, Op::Input | Op::Constant(_)) && (self.changed || reads_port),
-                Some(_) => here.is_some() || own.args.iter().any(|&arg| self.differs[arg]),
+            let is_given = matches!(own.op, Op::Input | Op::Constant(_));
+            if fault.is_some() || !is_given && (self.changed || reads_port) {
+                let mut result = self.values[id];
+                match here {
+                    Some(fault) if !matches!(fault.change, Change::Instead { .. } | Change::Address(_)) => {
+                        alter(&fault.change, graph, own, |arg| &self.values[own.args[arg]][..], &mut result);
+                        wrap(&mut result, own.format);
+                    }
+                    _ => {
+                        let node = if here.is_some() { &self.operations[place.unwrap_or_default()] } else { own };
+                        let words_on = here.map_or(0, Fault::words_on);
+                        operate(simulation, id, node, |arg| node.args[arg], words_on, &self.values[..id], &mut result);
+                    }
+                }
+                let differs = result != self.values[id];
+                if fault.is_none() {
+                    self.changed |= reads_port && differs;
+                    self.values[id] = result;
+                } else if differs {
+                    self.kept.push((id, std::mem::replace(&mut self.values[id], result)));
+                    self.pending.insert(simulation.readers(id));
+                }
+            }
+            next = match fault {
+                None => id + 1,
+                Some(_) => self.pending.take().unwrap_or(graph.nodes.len()),
             };
-            if !computed {
-                continue;
-            }
-            let mut result = self.values[id];
-            match here {
-                Some(fault) if !matches!(fault.change, Change::Instead { .. } | Change::Address(_)) => {
-                    alter(&fault.change, graph, own, |arg| &self.values[own.args[arg]][..], &mut result);
-                    wrap(&mut result, own.format);
-                }
-                _ => {
-                    let node = if here.is_some() { &self.operations[place.unwrap_or_default()] } else { own };
-                    let words_on = here.map_or(0, Fault::words_on);
-                    operate(simulation, id, node, |arg| node.args[arg], words_on, &self.values[..id], &mut result);
-                }
-            }
-            let differs = result != self.values[id];
-            if fault.is_none() {
-                self.changed |= reads_port && differs;
-                self.values[id] = result;
-            } else if differs {
-                self.kept.push((id, std::mem::replace(&mut self.values[id], result)));
-                self.differs[id] = true;
-            } else if here.is_some() {
-                return;
-            }
         }
     }
 
@@ -339,7 +387,6 @@ impl<'a, L: Lane> Columns<'a, L> {
                 detecting |= unlike(&right, &self.values[id]);
             }
             self.values[id] = right;
-            self.differs[id] = false;
         }
         detecting
     }

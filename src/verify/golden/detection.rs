@@ -58,7 +58,9 @@ pub(super) fn detecting<'a>(
     let simulation = FaultSimulation::new(design.graph(), design.tables());
     let faults: Vec<Fault> = defects(design).filter_map(|defect| defect.fault().cloned()).collect();
     let all: Vec<&Fault> = faults.iter().collect();
-    let detected = simulation.first(&all, &mut *blocks(known.iter().map(|vector| &vector.inputs)));
+    let each = all.len().div_ceil(rayon::current_num_threads()).max(1);
+    let by_known = |some: &[&Fault]| simulation.first(some, &mut *blocks(known.iter().map(|vector| &vector.inputs)));
+    let detected: Vec<_> = all.par_chunks(each).flat_map_iter(by_known).collect();
     let open: Vec<&Fault> =
         all.into_iter().zip(detected).filter(|(_, by)| by.is_none()).map(|(fault, _)| fault).collect();
 

@@ -1,5 +1,7 @@
 //! Vectors of cores that have too many inputs to run through them all.
 
+use rayon::prelude::*;
+
 use super::detection::{self, Candidates};
 use super::{OutputHash, Vector};
 use crate::core::{Design, Direction};
@@ -83,31 +85,32 @@ pub(super) fn detecting(design: &Design, candidates: &[Vec<i64>]) -> Vec<Vec<i64
         candidates.iter().map(|codes| design.graph().results(tables, codes)).collect()
     };
     let right = outputs(design.tables());
-    let mut detects: Vec<Vec<bool>> = Vec::new();
-    for (memory, table) in
-        design.tables().iter().enumerate().filter(|(_, table)| table.holds_data() || table.key == "material")
-    {
-        for field in 0..table.fields.len() {
-            let format = table.fields[field].format;
-            for bit in 0..format.width() {
-                let mut tables = design.tables().to_vec();
-                for code in &mut tables[memory].fields[field].codes {
-                    *code = format.wrap(*code ^ (1 << bit));
-                }
-                detects.push(outputs(&tables).iter().zip(&right).map(|(a, b)| a != b).collect());
-            }
+    let holds = |table: &Table| table.holds_data() || table.key == "material";
+    let mut flips = Vec::new();
+    for (memory, table) in design.tables().iter().enumerate().filter(|(_, table)| holds(table)) {
+        for (field, of) in table.fields.iter().enumerate() {
+            flips.extend((0..of.format.width()).map(|bit| (memory, field, bit)));
         }
     }
+    let detect = |&(memory, field, bit): &(usize, usize, u32)| -> Vec<bool> {
+        let mut tables = design.tables().to_vec();
+        let of = &mut tables[memory].fields[field];
+        for code in &mut of.codes {
+            *code = of.format.wrap(*code ^ (1 << bit));
+        }
+        outputs(&tables).iter().zip(&right).map(|(a, b)| a != b).collect()
+    };
+    let detects: Vec<Vec<bool>> = flips.par_iter().map(detect).collect();
     super::greedy(candidates.len(), &detects).into_iter().map(|place| candidates[place].clone()).collect()
 }
 
 /// The digest of a stream of inputs.
 pub(super) fn digest(design: &Design, stream: impl Iterator<Item = Vec<i64>>) -> u64 {
+    let results = |codes: &Vec<i64>| -> Vec<u32> {
+        design.graph().results(design.tables(), codes).into_iter().map(|code| code as u32).collect()
+    };
+    let outputs: Vec<Vec<u32>> = stream.collect::<Vec<_>>().par_iter().map(results).collect();
     let mut hash = OutputHash::default();
-    for codes in stream {
-        let outputs: Vec<u32> =
-            design.graph().results(design.tables(), &codes).into_iter().map(|code| code as u32).collect();
-        hash.update(&outputs);
-    }
+    outputs.iter().for_each(|outputs| hash.update(outputs));
     hash.digest()
 }
