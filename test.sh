@@ -106,20 +106,19 @@ if [ "$all" = yes ]; then
     fuzz/run.sh --runs 200000
 fi
 
-# The program as the tests have compiled it: optimised too, and a second compilation of everything would take longer than it saves.
-brdfgen=target/debug/brdfgen
-for core in generated/*/; do
+# All checks of a reference core; what they say goes to standard output.
+check_core() {
+    local core=$1 name netlist=$all mutants="" simulators=all verdicts
     name=$(basename "$core")
-    say "reference core $name"
+    # The program as the tests have compiled it: optimised too, and a second compilation of everything would take longer than it saves.
+    local brdfgen=target/debug/brdfgen
     $brdfgen generate "$core" --check --out "$core"
     $brdfgen golden "$core" --check "testbench/golden/$name.vec"
     $brdfgen cosim "$core" --sim all
     # For every input and every clock, where the simulators compare runs.
-    verdicts=$($brdfgen formal "$core" --solver-limit 5) || { echo "$verdicts" && exit 1; }
+    verdicts=$($brdfgen formal "$core" --solver-limit 5) || { echo "$verdicts" && return 1; }
     echo "$verdicts"
     # The netlists of two cores, a part of the mutants of the image-based ones, which have tens of thousands, and what a netlist with mistakes gives away for a small one, as it is compiled anew; of all cores with --all.
-    netlist=$all
-    mutants=""
     case $name in
     table_2d | quadratic) netlist=yes ;;
     squaring) mutants="--netlist 200" ;;
@@ -130,9 +129,39 @@ for core in generated/*/; do
     $brdfgen mutate "$core" $mutants
     [ "$netlist" = yes ] && $brdfgen cosim "$core" --netlist ecp5
     # Shaders and image-based blocks have too many inputs to run through them all. VHDL that is proved to be the Verilog's circuit has every input with it.
-    simulators=all
     case $all,$verdicts in no,*"PROVED Verilog = VHDL"*) simulators=verilator ;; esac
     grep -q '^block = ' "$core/core.toml" || $brdfgen cosim "$core" --sim $simulators --exhaustive
+}
+# The same with a log, NAME.passed or NAME.failed in the end. In a shell of its own, which the first command that fails ends.
+logged_check() {
+    local name=$1 verdict=failed
+    bash -euo pipefail -c 'check_core "generated/$1/"' - "$name" >"$logs/$name" 2>&1 && verdict=passed
+    mv "$logs/$name" "$logs/$name.$verdict"
+}
+logs=$(mktemp -d)
+export all logs
+export -f check_core logged_check
+
+# As many cores side by side as there are processors, those with the most vectors first; what they say is shown in the order of the names.
+find testbench/golden -name '*.vec' -printf '%s %f\n' | sort -k1,1nr -k2 | sed 's/.* \(.*\)\.vec/\1/' |
+    xargs -P "$(nproc)" -I{} bash -c 'logged_check {}' &
+checks=$!
+trap 'kill $checks 2>/dev/null || true; rm -rf "$logs"' EXIT
+failed=""
+for core in generated/*/; do
+    name=$(basename "$core")
+    say "reference core $name"
+    while [ ! -e "$logs/$name.passed" ] && [ ! -e "$logs/$name.failed" ]; do
+        kill -0 $checks 2>/dev/null || { echo "its checks have not run; testbench/golden has a file for each core" >&2; exit 1; }
+        sleep 0.2
+    done
+    cat "$logs/$name".*
+    [ -e "$logs/$name.passed" ] || failed="$failed $name"
 done
+wait $checks
+if [ -n "$failed" ]; then
+    echo "failed:$failed" >&2
+    exit 1
+fi
 
 say "everything passed"

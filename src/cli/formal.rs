@@ -5,6 +5,7 @@ use serde_json::json;
 
 use super::source::{OnDisk, Source};
 use super::{Verdict, progress, say, say_json};
+use crate::emit::package::Part;
 use crate::platform::error::Error;
 use crate::verify::cosim::Job;
 use crate::verify::formal::{self, Proof, Step};
@@ -38,7 +39,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Verdict, Error> {
         Step::Ended(proof) => spinner.suspend(|| say_proof(proof)),
     };
     let mut proofs = formal::equivalence(design, directory, golden, arguments.solver_limit, &tell)?;
-    proofs.extend(formal::around(design, directory, &tell)?);
+    proofs.extend(formal::around(design, &Part::of(design), directory, &tell)?);
     spinner.finish_and_clear();
     let all = |passes: &dyn Fn(formal::ProofStatus) -> bool| proofs.iter().all(|proof| passes(proof.verdict));
     if arguments.json {

@@ -69,7 +69,7 @@ fn every_wrapper_passes_its_benches_lints_clean_and_is_proved() {
             assert_eq!(long, None, "{file} of {spec}");
         }
 
-        let proofs = formal::around(&core.design, path, &|_| {}).expect("it runs");
+        let proofs = formal::around(&core.design, &Part::of(&core.design), path, &|_| {}).expect("it runs");
         assert_eq!(proofs.len(), 2);
         assert!(proofs.iter().all(|proof| proof.verdict == ProofStatus::Proved), "{spec}\n{proofs:?}");
     });
@@ -282,7 +282,7 @@ fn proofs_find_broken_wrappers() {
         faults.par_iter().for_each(|&fault| {
             let directory = broken(&core, language, fault);
             let path = directory.path();
-            let proofs = formal::around(&core.design, path, &|_| {});
+            let proofs = formal::around(&core.design, &Part::of(&core.design), path, &|_| {});
             // GHDL leaves out what has no use, so that the claims cannot be connected to it.
             let Ok(proofs) = proofs else {
                 assert!(language == Language::Vhdl && fault.0 == "skid register dropped", "{}: {proofs:?}", fault.0);

@@ -8,10 +8,13 @@ use std::process::{Command, Stdio};
 
 use brdfgen::block::image::{FixedLight, Image, ImageBlock, ImageForm};
 use brdfgen::core::{BlockDesign, Design};
+use brdfgen::emit::package;
 use brdfgen::fixed::{Rng, exp2, turn};
 use brdfgen::reflectance::Light;
 
-use crate::common::core::{Generated, OnDisk, design};
+use tempfile::TempDir;
+
+use crate::common::core::design;
 
 /// All forms, few bands and many, the ends of the widths, one shift for all lights, nothing that reflects, and vectors
 /// that the core makes the records of.
@@ -77,18 +80,28 @@ fn lights(block: &ImageBlock) -> Vec<FixedLight> {
     lights
 }
 
+/// The function's two files in a directory, each with its text changed.
+fn written(design: &Design, change: impl Fn(String) -> String) -> TempDir {
+    let directory = tempfile::tempdir().expect("a directory");
+    std::fs::create_dir(directory.path().join("model")).expect("a directory");
+    for (path, text) in package::light_function(design).expect("a function") {
+        std::fs::write(directory.path().join(path), change(text)).expect("written");
+    }
+    directory
+}
+
 /// A program of the function's two files that makes a record of every light that it reads.
-fn compiled(core: &OnDisk, compiler: &str) {
-    let name = &core.design.spec.name;
+fn compiled(design: &Design, directory: &Path, compiler: &str) {
+    let name = &design.spec.name;
     let main = format!(
         "#include <stdio.h>\n#include \"model/{name}_light.h\"\nint main(void)\n{{\n    uint64_t in[5];\n    \
          while (fread(in, sizeof in, 1, stdin) == 1) {{\n        struct {name}_light_record record = \
          {name}_light(in[0], in[1], in + 2);\n        fwrite(&record, sizeof record, 1, stdout);\n    }}\n    \
          return 0;\n}}\n"
     );
-    std::fs::write(core.path().join("main.c"), main).expect("written");
+    std::fs::write(directory.join("main.c"), main).expect("written");
     let output = Command::new(compiler)
-        .current_dir(core.path())
+        .current_dir(directory)
         .args(STRICT)
         .args(["main.c", &format!("model/{name}_light.c"), "-o", "records"])
         .output()
@@ -119,12 +132,13 @@ fn by_program(directory: &Path, lights: &[FixedLight]) -> Vec<i64> {
 fn the_c_function_makes_the_same_records() {
     let clang = Command::new("clang").arg("--version").output().is_ok();
     for spec in SPECS {
-        let core = OnDisk::new(&format!("block = 'image'\n{spec}"));
-        let lights = lights(block(&core.design));
-        let records: Vec<Vec<i64>> = lights.iter().map(|light| block(&core.design).light_codes(light)).collect();
+        let design = design(&format!("block = 'image'\n{spec}"));
+        let (block, function) = (block(&design), written(&design, |text| text));
+        let lights = lights(block);
+        let records: Vec<Vec<i64>> = lights.iter().map(|light| block.light_codes(light)).collect();
         for compiler in ["gcc"].into_iter().chain(clang.then_some("clang")) {
-            compiled(&core, compiler);
-            let codes = by_program(core.path(), &lights);
+            compiled(&design, function.path(), compiler);
+            let codes = by_program(function.path(), &lights);
             assert_eq!(codes.len(), records.iter().map(Vec::len).sum::<usize>(), "{spec}");
             for ((light, record), own) in lights.iter().zip(&records).zip(codes.chunks(records[0].len())) {
                 assert_eq!(own, record, "{spec}\n{light:x?}");
@@ -136,24 +150,22 @@ fn the_c_function_makes_the_same_records() {
 /// A digit of each table that matters, and of the constant beside them.
 #[test]
 fn a_changed_table_of_the_c_function_shows() {
-    let generated = Generated::new(&format!("block = 'image'\n{}", SPECS[0]));
-    let name = &generated.design.spec.name;
-    let path = format!("model/{name}_light.c");
-    let (text, block) = (generated.text(&path), block(&generated.design));
+    let design = design(&format!("block = 'image'\n{}", SPECS[0]));
+    let block = block(&design);
+    let text = package::light_function(&design).expect("a function").remove(1).1;
     let band = block.record_table().bands[1];
     let numbers = [turn::SINES[1], turn::SINES[40], turn::HALF_PI, band.angle, band.reciprocal, band.root];
     let lights = lights(block);
+    let records: Vec<i64> = lights.iter().flat_map(|light| block.fixed_record(light).codes()).collect();
     for number in numbers {
         // To 24 bits of it, as many as the finest port has.
         let changed = number ^ (1 << (63 - number.leading_zeros() - 20));
         let [from, to] = [number, changed].map(|number| format!("{number:012x})"));
         // Bands that are as far apart have one reciprocal.
         assert!(text.contains(&from), "{from}");
-        let core = generated.on_disk();
-        std::fs::write(core.path().join(&path), text.replace(&from, &to)).expect("written");
-        compiled(&core, "gcc");
-        let records: Vec<i64> = lights.iter().flat_map(|light| block.fixed_record(light).codes()).collect();
-        assert_ne!(by_program(core.path(), &lights), records, "{from} as {to}");
+        let function = written(&design, |text| text.replace(&from, &to));
+        compiled(&design, function.path(), "gcc");
+        assert_ne!(by_program(function.path(), &lights), records, "{from} as {to}");
     }
 }
 

@@ -50,8 +50,8 @@ pub(crate) fn colour_places(shader: &Shader, channel: usize, light: usize) -> [u
     [channel, diffuse, diffuse + 1]
 }
 
-/// The colours of each material, as they stand in the ROM, in the order of [`colour_places`]: in units in which full scale is the greatest code,
-/// `1 - 2^-bits`.
+/// The colours of each material, as they stand in the ROM, in the order of [`colour_places`]: in units in which full
+/// scale is the greatest code, `1 - 2^-bits`.
 ///
 /// Light colours that are constants are multiplied in. One that is a port's code c stands for `c / (2^bits - 1)`, so
 /// that its product with k is `k c 2^-bits` in these units, and k is in the ROM as it is.

@@ -452,8 +452,12 @@ pub fn files_with(design: &Design, account: &Account, golden: &Golden, others: V
     Ok(files)
 }
 
-/// The files of the C function that makes the records of lights, of a core that takes such.
-fn light_function(design: &Design) -> Result<Vec<(String, String)>, Error> {
+/// The files of the C function that makes the records of lights, of a core that takes such: their paths in the core's
+/// directory and their texts.
+///
+/// # Errors
+/// A template that cannot be filled in.
+pub fn light_function(design: &Design) -> Result<Vec<(String, String)>, Error> {
     let BlockDesign::Image(image) = design.block() else { return Ok(Vec::new()) };
     let spec = &design.spec;
     let Some(mut function) = LightFunction::of(image) else { return Ok(Vec::new()) };

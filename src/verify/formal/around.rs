@@ -53,14 +53,14 @@ struct TableClaims<'a> {
     bits: u32,
 }
 
-/// Proves what is promised of a core's sequencer, its table of lights and its wrapper, once for each of its languages;
-/// of a core without them there is nothing to prove.
+/// Proves what is promised of a core's sequencer, its table of lights and its wrapper, of those among the parts, once
+/// for each of its languages; of a core without them there is nothing to prove.
 ///
 /// `directory` is the core's. `progress` is told of each claim before and after it is looked at.
 ///
 /// # Errors
 /// A tool that is not installed, or a text that GHDL or Yosys does not read.
-pub fn around(design: &Design, directory: &Path, progress: &dyn Fn(Step)) -> Result<Vec<Proof>, Error> {
+pub fn around(design: &Design, parts: &[Part], directory: &Path, progress: &dyn Fn(Step)) -> Result<Vec<Proof>, Error> {
     let mut all = Vec::new();
     if let Some(sequencer) = package::sequencer(design) {
         all.push(("adds up the lights of every sample, and rounds the sum once", of_sequencer(&sequencer)?));
@@ -71,6 +71,7 @@ pub fn around(design: &Design, directory: &Path, progress: &dyn Fn(Step)) -> Res
     if let Some(axis) = package::axis(design) {
         all.push(("keeps every beat, in order and unchanged, at full throughput", of_axis(&axis)?));
     }
+    all.retain(|(_, claims)| parts.contains(&claims.part));
     let proved = |(promise, claims): &(&str, Claims)| {
         let of_language = |&language: &Language| {
             let claim = format!("{} in {language} {promise}", claims.part.name(design));
