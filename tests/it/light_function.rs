@@ -11,7 +11,6 @@ use brdfgen::core::{BlockDesign, Design};
 use brdfgen::emit::package;
 use brdfgen::fixed::{Rng, exp2, turn};
 use brdfgen::reflectance::Light;
-
 use tempfile::TempDir;
 
 use crate::common::core::design;

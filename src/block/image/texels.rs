@@ -115,8 +115,9 @@ pub(super) fn banks(image: &Image, texels: &Texels) -> Vec<Table> {
         };
         let count: usize = extents.iter().map(|extent| extent / 2).product();
         let names = fields(0, parities);
+        let words: Vec<[i128; 3]> = (0..count).map(|address| codes(image, texels, place(address))).collect();
         let field = |channel: usize| -> Field {
-            let codes: Vec<i128> = (0..count).map(|address| codes(image, texels, place(address))[channel]).collect();
+            let codes: Vec<i128> = words.iter().map(|word| word[channel]).collect();
             Field {
                 name: names[channel],
                 meaning: ["red", "green", "blue"][channel],
