@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 use brdfgen::core::{Account, Design};
 use brdfgen::datapath::simulate::{Inputs, Simulation};
 use brdfgen::emit::package;
-use brdfgen::fit::{self, Objective, Peak};
+use brdfgen::fit::{self, Constraint, Objective};
 use brdfgen::lobe::Lobe;
 use brdfgen::method::cubic::Cubic;
 use brdfgen::method::cubic_min_zero::MinZero;
@@ -176,13 +176,18 @@ fn fitted_power(n: f64, k: u32) -> std::result::Result<Polynomial, brdfgen::plat
 
 /// The real-valued lobe of a `segmented` method.
 fn fitted_segments(n: f64, segments: u32) -> std::result::Result<Segmented, brdfgen::platform::error::Error> {
-    let ends = fit::segment_bounds(n, segments, Peak::Exact, &Objective::MaxAbs)?.coefficients;
+    let ends = fit::segment_bounds(n, segments, Constraint::Peak, &Objective::MaxAbs)?.coefficients;
     let mut pieces = Vec::new();
     let mut low = 0.0;
     for end in ends {
-        let fit::Segment { c, big_a, a } =
-            fit::fit_segment(n, low, end, if low == 0.0 { Peak::Exact } else { Peak::Free }, &Objective::MaxAbs)?
-                .coefficients;
+        let fit::Segment { c, big_a, a } = fit::fit_segment(
+            n,
+            low,
+            end,
+            if low == 0.0 { Constraint::Peak } else { Constraint::None },
+            &Objective::MaxAbs,
+        )?
+        .coefficients;
         pieces.push(Polynomial { cosine: true, power: 1, c, big_a, a, end, past: 0.0 });
         low = end;
     }

@@ -10,7 +10,7 @@ use crate::datapath::widths::{Budget, Solution, solve};
 use crate::datapath::{Datapath, Description};
 use crate::fixed::{Format, Widths};
 use crate::lobe::{self, Lobe};
-use crate::method::{Configured, Interface, Model, Options};
+use crate::method::{Check, Configured, Falls, Interface, Model, Options, are_falling};
 use crate::platform::error::Error;
 use crate::spec::{Block, CoreSpec, Form, InputRange, LobeSpec, Operand, RomStyle, Shininess};
 
@@ -23,6 +23,7 @@ pub(super) struct MadeLobe {
     widths: Widths,
     budget: Budget,
     narrowed: Vec<Narrowed>,
+    falls: Falls,
     /// The real-valued method of each shininess; kept, so that coefficients are fitted once.
     lobes: Arc<[Box<dyn Lobe>]>,
     description: Description,
@@ -37,19 +38,31 @@ impl MadeLobe {
         let LobeSpec { method, interface } = spec;
         method.check(interface)?;
         let architecture = method.architecture(interface)?;
-        let mut solution = solve(&*architecture)?;
-        if spec.is_fitted() {
-            solution = tune::tuned(spec, &*architecture, solution);
-        }
+        let check = Check::new(interface);
+        let solved = |check: Option<&Check>| {
+            solve(&*architecture, &|widths, datapath| tune::finished(spec, &*architecture, check, widths, datapath))
+        };
+        let solution = match solved(interface.monotone.then_some(&check)) {
+            // Where the method's own lobe rises with the versine, no widths mend it.
+            Err(error) if interface.monotone => {
+                let solution = solved(None)?;
+                if are_falling(&architecture.lobes(&solution.datapath.tables)) {
+                    return Err(error);
+                }
+                solution
+            }
+            solved => solved?,
+        };
         let lobes = architecture.lobes(&solution.datapath.tables).into();
         let description = architecture.description(&solution.datapath.tables);
         let Solution { widths, mut datapath, budget } = solution;
+        let falls = check.falls(&datapath);
         // Words that may be written may use what those of this core do not.
         let narrowed = match rom {
             RomStyle::Writable => Vec::new(),
             _ => narrow(&interface.shininess, &mut datapath),
         };
-        Ok((datapath, Self { widths, budget, narrowed, lobes, description }))
+        Ok((datapath, Self { widths, budget, narrowed, falls, lobes, description }))
     }
 }
 
@@ -67,6 +80,8 @@ pub struct LobeDesign<'a> {
     pub budget: &'a Budget,
     /// Its values that the range analysis took bits off.
     pub narrowed: &'a [Narrowed],
+    /// Where its output falls as the cosine rises, with the words that it is generated with.
+    pub falls: &'a Falls,
     /// The real-valued method of each shininess, in the order of the set.
     pub lobes: &'a [Box<dyn Lobe>],
     /// What it computes and how.
@@ -84,8 +99,8 @@ impl<'a> Deref for LobeDesign<'a> {
 impl<'a> LobeDesign<'a> {
     pub(super) fn new(design: &'a Design, of: &'a LobeSpec, made: &'a MadeLobe) -> Self {
         let LobeSpec { method, interface } = of;
-        let MadeLobe { widths, budget, narrowed, lobes, description } = made;
-        Self { design, method, interface, widths, budget, narrowed, lobes, description }
+        let MadeLobe { widths, budget, narrowed, falls, lobes, description } = made;
+        Self { design, method, interface, widths, budget, narrowed, falls, lobes, description }
     }
 
     /// The core that it is in.

@@ -3,13 +3,12 @@
 
 use std::collections::VecDeque;
 
-use rayon::prelude::*;
-
 use crate::datapath::evaluate::Evaluator;
-use crate::datapath::widths::Solution;
+use crate::datapath::widths::is_within;
 use crate::datapath::{Architecture, Datapath};
-use crate::fixed::{Table, exp2};
+use crate::fixed::{Table, Widths, exp2};
 use crate::lobe;
+use crate::method::Check;
 use crate::spec::{LobeSpec, Operand};
 
 /// The most versines at which a row's error is taken.
@@ -20,6 +19,8 @@ const DEEPEST: f64 = 16.0;
 const BLOCK: usize = 64;
 /// The blocks that are looked at first: an error curve that is as flat as it can be has about so many summits.
 const WITNESSES: usize = 6;
+/// Blocks at a time where all points of a row are looked at.
+const BLOCKS: usize = 16;
 /// The most steps of a search.
 const MOST_STEPS: usize = 64;
 
@@ -105,88 +106,259 @@ impl Points {
     }
 }
 
-/// The words of a row that give the least error found by steepest descent over the neighbouring integers.
+/// How far from the words of the least error those are looked for with which the output never falls, by how many fields
+/// there are from this one on: the constant moves the whole row, and a little of it may be all that is needed.
+const REACH: [i128; 4] = [0, 1, 3, 8];
+
+/// The search for the words of a row of the coefficient ROM.
+struct Search<'s> {
+    spec: &'s LobeSpec,
+    datapath: &'s Datapath,
+    memory: usize,
+    fields: Vec<usize>,
+    /// Memories of one row each, which every address reads.
+    tables: Vec<Table>,
+    /// `None` where nothing of what it serves counts.
+    points: Option<Points>,
+    witnesses: VecDeque<usize>,
+    /// The first versine code that the row serves and the last.
+    versines: [i64; 2],
+    index: u32,
+    /// Where the output was last seen to rise with the versine.
+    risen: i64,
+}
+
+impl<'s> Search<'s> {
+    fn new(
+        spec: &'s LobeSpec,
+        architecture: &dyn Architecture,
+        datapath: &'s Datapath,
+        memory: usize,
+        row: usize,
+    ) -> Option<Self> {
+        let table = &datapath.tables[memory];
+        let [first, last] = architecture.versines(row)?;
+        let one = 1i128 << spec.interface.input_fraction;
+        let is_searched = |&field: &usize| architecture.searched().contains(&table.fields[field].name);
+        let only = |other: &Table| match other.key == table.key {
+            true => other.only(row / (table.rows() / other.rows())),
+            false => other.clone(),
+        };
+        Some(Self {
+            spec,
+            datapath,
+            memory,
+            fields: (0..table.fields.len()).filter(is_searched).collect(),
+            tables: datapath.tables.iter().map(only).collect(),
+            points: Points::of(spec, architecture, table, row),
+            witnesses: VecDeque::new(),
+            versines: [first.min(one) as i64, last.min(one) as i64],
+            index: spec.interface.shininess.index_of_row(row / (table.rows() / spec.interface.shininess.rows())),
+            risen: 0,
+        })
+    }
+
+    fn set(&mut self, words: &[i128]) {
+        for (&field, &code) in self.fields.iter().zip(words) {
+            self.tables[self.memory].fields[field].codes[0] = code;
+        }
+    }
+
+    /// The largest error of these words where it counts, if it is less than `bound`.
+    fn error_below(&mut self, bound: f64, words: &[i128]) -> Option<f64> {
+        self.set(words);
+        let Some(points) = &self.points else { return (0.0 < bound).then_some(0.0) };
+        points.error_below(bound, &mut self.witnesses, self.spec, self.datapath, &self.tables)
+    }
+
+    fn fits(&self, words: &[i128]) -> bool {
+        self.fields.iter().zip(words).all(|(&field, code)| {
+            let format = self.datapath.tables[self.memory].fields[field].format;
+            (format.min_code()..=format.max_code()).contains(code)
+        })
+    }
+
+    /// All words that are no further from these than `reach` says of each field, but for themselves.
+    fn about(&self, words: &[i128], reach: &[i128]) -> Vec<Vec<i128>> {
+        let mut all = vec![Vec::new()];
+        for (&code, &reach) in words.iter().zip(reach) {
+            let with = |by: i128| all.iter().map(move |start: &Vec<i128>| [start.as_slice(), &[code + by]].concat());
+            all = (-reach..=reach).flat_map(with).collect();
+        }
+        all.retain(|other| other != words && self.fits(other));
+        all
+    }
+
+    /// The words on the way of steepest descent over the neighbouring integers, from the given ones to those of the
+    /// least error found.
+    fn descent(&mut self, start: Vec<i128>) -> Vec<Vec<i128>> {
+        let mut way = vec![start];
+        if self.points.is_none() {
+            return way;
+        }
+        let mut least = self.error_below(f64::INFINITY, &way[0]).unwrap_or(f64::INFINITY);
+        for _ in 0..MOST_STEPS {
+            let mut step: Option<(f64, Vec<i128>)> = None;
+            let best = &way[way.len() - 1];
+            for words in self.about(best, &vec![1; best.len()]) {
+                let bound = step.as_ref().map_or(least, |(error, _)| *error);
+                step = self.error_below(bound, &words).map(|error| (error, words)).or(step);
+            }
+            let Some((error, words)) = step else { break };
+            least = error;
+            way.push(words);
+        }
+        way
+    }
+
+    /// The outputs at versine codes `from..from + count`, in their order.
+    fn outputs(&self, evaluator: &Evaluator, from: i64, outputs: &mut [u32]) {
+        let last = from + outputs.len() as i64 - 1;
+        match self.spec.interface.operand {
+            Operand::Versine => evaluator.evaluate(self.index, from, 1, outputs),
+            Operand::Cos => {
+                let one = 1i64 << self.spec.interface.input_fraction;
+                evaluator.evaluate(self.index, one - last, 1, outputs);
+                outputs.reverse();
+            }
+        }
+    }
+
+    /// The outputs of these words at the first and the last versine, if none in between is greater than the one before
+    /// it; else `None`.
+    fn falling(&mut self, words: &[i128]) -> Option<[u32; 2]> {
+        self.set(words);
+        let evaluator = Evaluator::new(&self.datapath.graph, &self.tables);
+        let [first, last] = self.versines;
+        let mut outputs = [0; BLOCKS * BLOCK];
+        // A block begins with the last versine of the one before.
+        let blocks = || (first..=last).step_by(BLOCKS * BLOCK - 1);
+        let suspect = blocks().find(|&from| from == self.risen);
+        let mut ends = [0; 2];
+        for from in suspect.into_iter().chain(blocks()) {
+            let count = (last - from + 1).min((BLOCKS * BLOCK) as i64) as usize;
+            self.outputs(&evaluator, from, &mut outputs[..count]);
+            if outputs[..count].windows(2).any(|pair| pair[1] > pair[0]) {
+                self.risen = from;
+                return None;
+            }
+            if from == first {
+                ends[0] = outputs[0];
+            }
+            if from + count as i64 > last {
+                ends[1] = outputs[count - 1];
+            }
+        }
+        Some(ends)
+    }
+
+    /// The words with the least error found with which the output never rises with the versine and begins at `most` or
+    /// below, and its last value.
+    fn best_falling(&mut self, start: Vec<i128>, most: u32) -> Option<(Vec<i128>, u32)> {
+        let way = self.descent(start);
+        for words in way.iter().rev() {
+            if let Some([_, last]) = self.falling(words).filter(|&[first, _]| first <= most) {
+                return Some((words.clone(), last));
+            }
+        }
+        let mut middle = way.into_iter().next_back()?;
+        self.set(&middle);
+        let evaluator = Evaluator::new(&self.datapath.graph, &self.tables);
+        let mut first = [0];
+        self.outputs(&evaluator, self.versines[0], &mut first);
+        let field = |place: usize| &self.datapath.tables[self.memory].fields[self.fields[place]];
+        if let Some(constant) = (0..middle.len()).find(|&place| field(place).name == "c") {
+            let finer = field(constant).format.frac_bits - self.spec.interface.output_fraction as i32;
+            middle[constant] -= i128::from(first[0].saturating_sub(most)) << finer.max(0);
+        }
+        let reach: Vec<i128> = (0..middle.len()).map(|place| REACH[middle.len() - place]).collect();
+        let mut found: Option<(f64, Vec<i128>, u32)> = None;
+        for words in self.about(&middle, &reach) {
+            if let Some([_, last]) = self.falling(&words).filter(|&[first, _]| first <= most) {
+                let bound = found.as_ref().map_or(f64::INFINITY, |(error, ..)| *error);
+                found = self.error_below(bound, &words).map(|error| (error, words, last)).or(found);
+            }
+        }
+        found.map(|(_, words, last)| (words, last))
+    }
+}
+
+/// The words of the rows of the coefficient ROM that serve a shininess; `None` if the output is to be `falling` with
+/// the versine, and no words are found with which it is.
 fn searched(
     spec: &LobeSpec,
     architecture: &dyn Architecture,
     datapath: &Datapath,
     memory: usize,
-    row: usize,
-) -> Vec<i128> {
+    shininess: usize,
+    falling: bool,
+) -> Option<Vec<Vec<i128>>> {
     let table = &datapath.tables[memory];
-    let fields: Vec<usize> =
-        (0..table.fields.len()).filter(|&field| architecture.searched().contains(&table.fields[field].name)).collect();
-    let mut best: Vec<i128> = fields.iter().map(|&field| table.fields[field].codes[row]).collect();
-    let Some(points) = Points::of(spec, architecture, table, row) else { return best };
-    // Memories of one row each, which every address reads.
-    let mut tables: Vec<Table> = datapath
-        .tables
-        .iter()
-        .map(
-            |other| {
-                if other.key == table.key { other.only(row / (table.rows() / other.rows())) } else { other.clone() }
-            },
-        )
-        .collect();
-    let mut witnesses = VecDeque::new();
-    let mut error_below = |bound: f64, words: &[i128]| {
-        for (&field, &code) in fields.iter().zip(words) {
-            tables[memory].fields[field].codes[0] = code;
-        }
-        points.error_below(bound, &mut witnesses, spec, datapath, &tables)
-    };
-    let Some(mut least) = error_below(f64::INFINITY, &best) else { return best };
-    for _ in 0..MOST_STEPS {
-        let mut step: Option<(f64, Vec<i128>)> = None;
-        for neighbour in 0..3usize.pow(fields.len() as u32) {
-            let offset = |digit: usize| (neighbour / 3usize.pow(digit as u32) % 3) as i128 - 1;
-            let words: Vec<i128> = best.iter().enumerate().map(|(digit, &code)| code + offset(digit)).collect();
-            let fits = |(&field, &code): (&usize, &i128)| {
-                let format = table.fields[field].format;
-                (format.min_code()..=format.max_code()).contains(&code)
+    let parts = table.rows() / spec.interface.shininess.rows();
+    // The output at the last versine before the part.
+    let mut most = u32::MAX;
+    (shininess * parts..(shininess + 1) * parts)
+        .map(|row| {
+            let Some(mut search) = Search::new(spec, architecture, datapath, memory, row) else {
+                let fields = table.fields.iter().filter(|field| architecture.searched().contains(&field.name));
+                return Some(fields.map(|field| field.codes[row]).collect());
             };
-            if words == best || !fields.iter().zip(&words).all(fits) {
-                continue;
+            let start = search.fields.iter().map(|&field| table.fields[field].codes[row]).collect();
+            if !falling {
+                return search.descent(start).pop();
             }
-            let bound = step.as_ref().map_or(least, |(error, _)| *error);
-            step = error_below(bound, &words).map(|error| (error, words)).or(step);
-        }
-        let Some((error, words)) = step else { break };
-        (least, best) = (error, words);
-    }
-    best
+            let (words, last) = search.best_falling(start, most)?;
+            most = last;
+            Some(words)
+        })
+        .collect()
 }
 
-/// The solution with the words that the search finds, which are from here on the method's coefficients themselves; with
-/// the rounded ones where the analysis cannot prove the found ones.
-pub(super) fn tuned(spec: &LobeSpec, architecture: &dyn Architecture, solution: Solution) -> Solution {
-    let datapath = &solution.datapath;
-    let Some(memory) = datapath.tables.iter().position(|table| table.name == Table::COEFFICIENTS) else {
-        return solution;
-    };
-    if architecture.searched().is_empty() {
-        return solution;
-    }
-    let table = &datapath.tables[memory];
+/// The memories of a datapath with the words that the search finds; `None` if it has none to search, or finds none.
+fn with_searched(
+    spec: &LobeSpec,
+    architecture: &dyn Architecture,
+    check: Option<&Check>,
+    datapath: &Datapath,
+    memory: usize,
+) -> Option<Vec<Table>> {
     let mut tables = datapath.tables.clone();
     // Between interpolated rows no word has an error of its own.
-    if spec.interface.shininess.frac_bits() == 0 {
-        let rows: Vec<Vec<i128>> =
-            (0..table.rows()).into_par_iter().map(|row| searched(spec, architecture, datapath, memory, row)).collect();
-        let fields = tables[memory].fields.iter_mut().filter(|field| architecture.searched().contains(&field.name));
-        for (place, field) in fields.enumerate() {
-            field.codes = rows.iter().map(|words| words[place]).collect();
-        }
+    if spec.interface.shininess.frac_bits() > 0 {
+        return Some(tables);
     }
-    [tables, datapath.tables.clone()]
-        .into_iter()
-        .find_map(|mut tables| {
+    let words = |shininess: usize| searched(spec, architecture, datapath, memory, shininess, check.is_some());
+    let rows = check.unwrap_or(&Check::new(&spec.interface)).each_row(words)?;
+    let fields = tables[memory].fields.iter_mut().filter(|field| architecture.searched().contains(&field.name));
+    for (place, field) in fields.enumerate() {
+        field.codes = rows.iter().flatten().map(|words| words[place]).collect();
+    }
+    Some(tables)
+}
+
+/// The datapath with the words that are its own: where coefficients are fitted, those that the search finds, which are
+/// from here on the method's coefficients themselves, or the rounded ones where the analysis cannot prove the found
+/// ones. `None` where a check is given and the output falls as the cosine rises.
+pub(super) fn finished(
+    spec: &LobeSpec,
+    architecture: &dyn Architecture,
+    check: Option<&Check>,
+    widths: &Widths,
+    datapath: Datapath,
+) -> Option<Datapath> {
+    let holds = |datapath: &Datapath| check.is_none_or(|check| check.holds(datapath));
+    let coefficients = datapath.tables.iter().position(|table| table.name == Table::COEFFICIENTS);
+    if let Some(memory) = coefficients.filter(|_| spec.is_fitted() && !architecture.searched().is_empty()) {
+        let found = with_searched(spec, architecture, check, &datapath, memory);
+        let own = [found, Some(datapath.tables.clone())].into_iter().flatten().find_map(|mut tables| {
             for field in &mut tables[memory].fields {
                 field.reals = field.codes.iter().map(|&code| field.format.value(code)).collect();
             }
-            let datapath = architecture.build(&solution.widths, tables)?;
-            let budget = solution.budget.of_words(&datapath);
-            budget.is_faithful().then(|| Solution { widths: solution.widths.clone(), datapath, budget })
-        })
-        .unwrap_or(solution)
+            architecture.build(widths, tables).filter(|datapath| is_within(datapath, 1.0) && holds(datapath))
+        });
+        if own.is_some() {
+            return own;
+        }
+    }
+    Some(datapath).filter(|datapath| holds(datapath))
 }

@@ -102,6 +102,11 @@ pub trait Architecture: Sync {
     /// The inner widths that may be chosen.
     fn parameters(&self) -> Vec<Parameter>;
 
+    /// The widths that are tried where those of [`Architecture::parameters`] are all refused; none unless there are.
+    fn finest(&self) -> Vec<Parameter> {
+        Vec::new()
+    }
+
     /// What the bounds of `hardware - method` are to stay below, in output ulps.
     fn tolerance(&self) -> f64 {
         1.0

@@ -67,23 +67,17 @@ fn total(datapath: &Datapath) -> [f64; 2] {
     hull(datapath, super::CaseError::total)
 }
 
+/// Whether the proved bounds of a datapath's error are below so many output ulps.
+#[must_use]
+pub fn is_within(datapath: &Datapath, tolerance: f64) -> bool {
+    total(datapath).iter().all(|bound| bound.abs() < FAITHFUL * tolerance)
+}
+
 fn widths_of(parameters: &[Parameter], values: &[i32]) -> Widths {
     Widths::new(parameters.iter().map(|p| p.width).zip(values.iter().copied()).collect())
 }
 
 impl Budget {
-    /// The account of a datapath with the same widths but other ROM words.
-    #[must_use]
-    pub fn of_words(&self, datapath: &Datapath) -> Self {
-        Self { contributions: self.contributions.clone(), ..Self::of(Vec::new(), datapath) }
-    }
-
-    /// Whether the bounds are below one output ulp.
-    #[must_use]
-    pub fn is_faithful(&self) -> bool {
-        self.proved_ulps.iter().all(|bound| bound.abs() < FAITHFUL)
-    }
-
     fn of(contributions: Vec<Contribution>, datapath: &Datapath) -> Self {
         let size = |error: &super::CaseError| error.total().magnitude();
         // The first of the largest: `max_by` would take the last.
@@ -139,13 +133,28 @@ fn probe(architecture: &dyn Architecture, parameters: &[Parameter], widest: &[i3
     groups.into_iter().map(probe).collect()
 }
 
-/// Chooses the widths.
+/// What [`solve`] makes of a datapath that is accurate enough: the one that is meant, or nothing if it is refused.
+pub type Finish<'f> = &'f dyn Fn(&Widths, Datapath) -> Option<Datapath>;
+
+/// So many datapaths may be refused before candidates are left out, more and more of them.
+const PATIENCE: usize = 256;
+
+/// Chooses the widths: of those whose datapath is accurate enough and not refused the cheapest, or where very many are
+/// refused one that is nearly.
 ///
 /// # Errors
 /// If no combination of the offered widths is provably as accurate as the architecture asks for and within the
-/// arithmetic of this crate.
-pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
-    let parameters = architecture.parameters();
+/// arithmetic of this crate, or all that are are refused.
+pub fn solve(architecture: &dyn Architecture, finish: Finish) -> Result<Solution, Error> {
+    let first = solve_among(architecture, architecture.parameters(), finish);
+    let finest = architecture.finest();
+    if first.is_ok() || finest.is_empty() {
+        return first;
+    }
+    solve_among(architecture, finest, finish).or(first)
+}
+
+fn solve_among(architecture: &dyn Architecture, parameters: Vec<Parameter>, finish: Finish) -> Result<Solution, Error> {
     let tolerance = architecture.tolerance();
     let widest: Vec<i32> = parameters.iter().map(|p| *p.range.end()).collect();
     let too_wide = || {
@@ -156,25 +165,71 @@ pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
     };
     let base = total(&built(architecture, &widths_of(&parameters, &widest)).ok_or_else(too_wide)?);
     let probes = probe(architecture, &parameters, &widest, base);
+    let candidates = candidates(architecture, &parameters, &probes, base);
 
+    // In batches, so that the proofs run in parallel.
+    let mut refused = 0;
+    let mut rest = &candidates[..];
+    while !rest.is_empty() {
+        let step = 1 + refused / PATIENCE * refused / 8;
+        let (batch, later) = rest.split_at(rest.len().min(8 * step));
+        rest = later;
+        // The last is the one with the widest values.
+        let batch: Vec<&(f64, Vec<i32>)> = batch.iter().rev().step_by(step).rev().collect();
+        let proved: Vec<(&[i32], Datapath)> = batch
+            .par_iter()
+            .filter_map(|(_, values)| Some((&values[..], built(architecture, &widths_of(&parameters, values))?)))
+            .filter(|(_, datapath)| is_within(datapath, tolerance))
+            .collect();
+        for (values, datapath) in proved {
+            let widths = widths_of(&parameters, values);
+            if let Some(datapath) = finish(&widths, datapath) {
+                let budget = budget(&parameters, &probes, values, &datapath);
+                return Ok(Solution { widths, datapath, budget });
+            }
+            refused += 1;
+        }
+    }
+    if refused > 0 {
+        return Err(Error::input(
+            format!("with none of {refused} choices of widths that were tried does the output never fall as x rises"),
+            "set monotone = false, use the stable form, or other input and output fraction bits",
+        ));
+    }
+    Err(Error::input(
+        format!(
+            "no offered widths give an error below {tolerance} ulp: at the widest it is bounded by {:+.3}..{:+.3}",
+            base[0], base[1]
+        ),
+        "use the stable form, or other input and output fraction bits",
+    ))
+}
+
+/// The combinations of widths that may be accurate enough with their costs, the cheapest first.
+fn candidates(
+    architecture: &dyn Architecture,
+    parameters: &[Parameter],
+    probes: &[Probe],
+    base: [f64; 2],
+) -> Vec<(f64, Vec<i32>)> {
     // Each candidate has a combination of each probe.
-    let hopeful = HOPEFUL * tolerance;
+    let hopeful = HOPEFUL * architecture.tolerance();
     let mut candidates = Vec::new();
     let mut choice = vec![0usize; probes.len()];
     'all: loop {
-        let chosen = || choice.iter().zip(&probes).map(|(&chosen, probe)| &probe.combinations[chosen]);
+        let chosen = || choice.iter().zip(probes).map(|(&chosen, probe)| &probe.combinations[chosen]);
         let sum = |side: usize| base[side] + chosen().map(|(_, added)| added[side]).sum::<f64>();
         if sum(0) > -hopeful && sum(1) < hopeful {
-            let mut values = widest.clone();
+            let mut values = vec![0; parameters.len()];
             for (probe, (combination, _)) in probes.iter().zip(chosen()) {
                 probe.members.iter().zip(combination).for_each(|(&member, &value)| values[member] = value);
             }
-            let cost = architecture.cost(&widths_of(&parameters, &values));
+            let cost = architecture.cost(&widths_of(parameters, &values));
             if cost.is_finite() {
                 candidates.push((cost, values));
             }
         }
-        for (digit, probe) in choice.iter_mut().zip(&probes) {
+        for (digit, probe) in choice.iter_mut().zip(probes) {
             *digit += 1;
             if *digit < probe.combinations.len() {
                 continue 'all;
@@ -184,25 +239,7 @@ pub fn solve(architecture: &dyn Architecture) -> Result<Solution, Error> {
         break;
     }
     candidates.sort_by(|a, b| a.0.total_cmp(&b.0).then_with(|| a.1.cmp(&b.1)));
-
-    // In batches, so that the proofs run in parallel; the first of a batch that holds is the cheapest.
-    for batch in candidates.chunks(8) {
-        let proved = batch
-            .par_iter()
-            .filter_map(|(_, values)| Some((values, built(architecture, &widths_of(&parameters, values))?)))
-            .find_first(|(_, datapath)| total(datapath).iter().all(|e| e.abs() < FAITHFUL * tolerance));
-        if let Some((values, datapath)) = proved {
-            let budget = budget(&parameters, &probes, values, &datapath);
-            return Ok(Solution { widths: widths_of(&parameters, values), datapath, budget });
-        }
-    }
-    Err(Error::input(
-        format!(
-            "no offered widths give an error below {tolerance} ulp: at the widest it is bounded by {:+.3}..{:+.3}",
-            base[0], base[1]
-        ),
-        "use the stable form, or other input and output fraction bits",
-    ))
+    candidates
 }
 
 fn budget(parameters: &[Parameter], probes: &[Probe], values: &[i32], datapath: &Datapath) -> Budget {

@@ -16,7 +16,7 @@ mod segments;
 mod target;
 
 pub use family::{Family, Inside, Power, best};
-pub use segments::{Peak, Segment, fit_segment, segment_bounds, segment_end};
+pub use segments::{Constraint, Segment, fit_segment, segment_bounds, segment_end};
 pub use target::Objective;
 
 /// Coefficients and how good they are.

@@ -25,17 +25,34 @@ impl Segment {
     }
 }
 
-/// What the segmented lobe is at its top, x = 1.
+/// What a segmented lobe keeps at the cost of its error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Peak {
-    /// Exactly 1: c = 1 in the first segment.
-    Exact,
-    /// Whatever makes the error least: it is 1 less the error.
-    Free,
+pub enum Constraint {
+    /// Nothing: at its top, x = 1, it is 1 less the error, and where it is nearly 0 it may rise with the versine.
+    None,
+    /// It is exactly 1 at its top: c = 1 in the first segment.
+    Peak,
+    /// It nowhere rises with the versine: the inner parabola `c - u (A - a u)` does not where it is above 0, and ends
+    /// no lower than the power, where the next segment may begin.
+    Falling,
+    /// As [`Constraint::Falling`] for the last segment: 0 comes next.
+    FallingLast,
 }
 
-/// The best coefficients on the segment `u_low..=u_high` for the shininess `n`; with c = 1 where the lobe's peak is
-/// exact, as it may be in the first segment.
+impl Constraint {
+    /// What it is for a segment that starts at this versine, of a lobe for which it is this.
+    #[must_use]
+    pub fn of_segment(self, low: f64, is_last: bool) -> Self {
+        match self {
+            Self::Peak if low > 0.0 => Self::None,
+            Self::Falling if is_last => Self::FallingLast,
+            own => own,
+        }
+    }
+}
+
+/// The best coefficients on the segment `u_low..=u_high` for the shininess `n`; under a constraint;
+/// that of an exact peak is for the first segment.
 ///
 /// Where the objective counts errors only down to a level, and at least half the segment lies above it, only that part
 /// is fitted. Otherwise all of it is, with the level's weight past the level, lest the coefficients grow without use.
@@ -44,15 +61,21 @@ pub enum Peak {
 /// # Errors
 /// A shininess outside 1..=2^20, an objective with a level or a power out of its range, or bounds that are not
 /// `0 <= u_low < u_high <= 1`, with `u_low = 0` for an exact peak.
-pub fn fit_segment(n: f64, u_low: f64, u_high: f64, peak: Peak, objective: &Objective) -> Result<Fit<Segment>, Error> {
+pub fn fit_segment(
+    n: f64,
+    u_low: f64,
+    u_high: f64,
+    constraint: Constraint,
+    objective: &Objective,
+) -> Result<Fit<Segment>, Error> {
     check_shininess(n)?;
     objective.check()?;
     refuse!(
-        !(0.0 <= u_low && u_low < u_high && u_high <= 1.0) || (peak == Peak::Exact && u_low != 0.0),
+        !(0.0 <= u_low && u_low < u_high && u_high <= 1.0) || (constraint == Constraint::Peak && u_low != 0.0),
         format!("{u_low} to {u_high} is no segment of the versine"),
         "a segment has bounds 0 <= low < high <= 1, and one with an exact peak starts at 0"
     );
-    Ok(segment(n, u_low, u_high, peak, objective))
+    Ok(segment(n, u_low, u_high, constraint, objective))
 }
 
 /// The end `s_end = n u_S` for which `segments` equal segments of `s = n u` from 0 on, and 0 past the last, have the
@@ -64,12 +87,14 @@ pub fn fit_segment(n: f64, u_low: f64, u_high: f64, peak: Peak, objective: &Obje
 ///
 /// # Errors
 /// As [`fit_segment`], and a number of segments outside 1..=256.
-pub fn segment_end(n: f64, segments: u32, peak: Peak, objective: &Objective) -> Result<Fit<f64>, Error> {
+pub fn segment_end(n: f64, segments: u32, constraint: Constraint, objective: &Objective) -> Result<Fit<f64>, Error> {
     check(n, segments, objective)?;
     let within = |s_end: f64| {
         let bound = |i: u32| (s_end / n * f64::from(i) / f64::from(segments)).min(1.0);
         (0..segments)
-            .map(|i| segment(n, bound(i), bound(i + 1), if i == 0 { peak } else { Peak::Free }, objective).error)
+            .map(|i| {
+                segment(n, bound(i), bound(i + 1), constraint.of_segment(bound(i), i + 1 == segments), objective).error
+            })
             .fold(0.0_f64, f64::max)
     };
     let reach = objective.reach(n);
@@ -103,9 +128,14 @@ pub fn segment_end(n: f64, segments: u32, peak: Peak, objective: &Objective) -> 
 ///
 /// # Errors
 /// As [`segment_end`].
-pub fn segment_bounds(n: f64, segments: u32, peak: Peak, objective: &Objective) -> Result<Fit<Vec<f64>>, Error> {
+pub fn segment_bounds(
+    n: f64,
+    segments: u32,
+    constraint: Constraint,
+    objective: &Objective,
+) -> Result<Fit<Vec<f64>>, Error> {
     check(n, segments, objective)?;
-    let even = segment_end(n, segments, peak, objective)?;
+    let even = segment_end(n, segments, constraint, objective)?;
     let end = even.coefficients / n;
     let mut best = Fit {
         coefficients: (1..=segments).map(|i| end * f64::from(i) / f64::from(segments)).collect::<Vec<_>>(),
@@ -123,13 +153,13 @@ pub fn segment_bounds(n: f64, segments: u32, peak: Peak, objective: &Objective) 
         let mut bounds = Vec::with_capacity(segments as usize);
         let mut low = 0.0;
         for _ in 1..segments {
-            low = longest(n, low, end, error, peak, objective);
+            low = longest(n, low, end, error, constraint, objective);
             bounds.push(low);
         }
         if low >= end {
             return 1.0;
         }
-        let last = segment(n, low, end, if segments == 1 { peak } else { Peak::Free }, objective).error;
+        let last = segment(n, low, end, constraint.of_segment(low, true), objective).error;
         bounds.push(end);
         if last.max(error) < best.error {
             best = Fit { coefficients: bounds, error: last.max(error) };
@@ -141,7 +171,7 @@ pub fn segment_bounds(n: f64, segments: u32, peak: Peak, objective: &Objective) 
 
 /// Where the segment from `low` on has the given error; `limit` if it has less there. By the secant method on
 /// logarithms, as the error grows about as the third power of the length.
-fn longest(n: f64, low: f64, limit: f64, error: f64, peak: Peak, objective: &Objective) -> f64 {
+fn longest(n: f64, low: f64, limit: f64, error: f64, constraint: Constraint, objective: &Objective) -> f64 {
     let most = limit - low;
     if most <= 0.0 {
         return limit;
@@ -152,8 +182,7 @@ fn longest(n: f64, low: f64, limit: f64, error: f64, peak: Peak, objective: &Obj
     let mut length = (guess.min(3.0) / n).min(most);
     let mut before: Option<(f64, f64)> = None;
     for _ in 0..20 {
-        let peak = if low == 0.0 { peak } else { Peak::Free };
-        let ratio = log_ratio(segment(n, low, low + length, peak, objective).error, error);
+        let ratio = log_ratio(segment(n, low, low + length, constraint.of_segment(low, false), objective).error, error);
         if ratio.abs() < 1e-7 || (length == most && ratio < 0.0) {
             break;
         }
@@ -227,6 +256,12 @@ impl Local {
         k_0 + w * (k_1 + w * k_2)
     }
 
+    /// Whether the inner parabola rises before this versine, where it is above 0.
+    fn rises_before(&self, p: &[f64; 3], u: f64) -> bool {
+        let [_, k_1, k_2] = p;
+        k_1 + 2.0 * k_2 * (u - self.origin) / self.unit > 0.0 && self.inside(p, u) > 0.0
+    }
+
     fn segment<const D: usize>(&self, p: &[f64; D]) -> Segment {
         let [k_0, k_1, k_2] = Self::polynomial(p);
         let (linear, square, origin) = (k_1 / self.unit, k_2 / (self.unit * self.unit), self.origin);
@@ -262,8 +297,81 @@ impl<const D: usize> Shape<D> for Local {
     }
 }
 
+/// A segment whose inner parabola has its vertex at the segment's end: `x (k_0 + k_1 w^2)` with `w` falling from 1 at
+/// its start to 0; with one free coefficient k_0 is `least`.
+struct Ending {
+    low: f64,
+    high: f64,
+    least: f64,
+}
+
+impl Ending {
+    fn versine(&self, w: f64) -> f64 {
+        self.high - w * (self.high - self.low)
+    }
+
+    fn parabola<const D: usize>(&self, p: &[f64; D]) -> [f64; 2] {
+        if D == 1 { [self.least, p[0]] } else { [p[0], p[1]] }
+    }
+
+    fn segment(&self, &[k_0, k_1]: &[f64; 2]) -> Segment {
+        let length = self.high - self.low;
+        let square = k_1 / (length * length);
+        Segment { c: k_0 + square * self.high * self.high, big_a: 2.0 * square * self.high, a: square }
+    }
+}
+
+impl<const D: usize> Shape<D> for Ending {
+    fn pieces(&self, p: &[f64; D]) -> Pieces {
+        let [k_0, k_1] = self.parabola(p);
+        let zero = self.versine(libm::sqrt(-k_0 / k_1));
+        if k_0 < 0.0 && self.low < zero && zero < self.high {
+            return Pieces::one(Piece::Formula).then(zero, Piece::Constant(0.0));
+        }
+        Pieces::one(if k_0 + k_1 > 0.0 { Piece::Formula } else { Piece::Constant(0.0) })
+    }
+
+    fn formula(&self, p: &[f64; D], u: f64) -> f64 {
+        let [k_0, k_1] = self.parabola(p);
+        let w = (self.high - u) / (self.high - self.low);
+        ((1.0 - u) * (k_0 + k_1 * w * w)).min(1.0)
+    }
+}
+
+/// What the best parabola is off by where it meets the power.
+const ROUNDING: f64 = 1e-12;
+
+/// A segment whose inner parabola meets the power at both ends: `x (chord + k (1 - w^2))`, `w` from -1 to 1.
+struct Meeting {
+    low: f64,
+    high: f64,
+    ends: [f64; 2],
+}
+
+impl Meeting {
+    fn segment(&self, [k]: [f64; 1]) -> Segment {
+        let [middle, half] = [0.5 * (self.low + self.high), 0.5 * (self.high - self.low)];
+        let [level, slope] = [0.5 * (self.ends[0] + self.ends[1]), 0.5 * (self.ends[1] - self.ends[0]) / half];
+        let square = -k / (half * half);
+        Segment { c: level + k - middle * (slope - middle * square), big_a: 2.0 * square * middle - slope, a: square }
+    }
+}
+
+impl Shape<1> for Meeting {
+    fn pieces(&self, _: &[f64; 1]) -> Pieces {
+        Pieces::one(Piece::Formula)
+    }
+
+    fn formula(&self, &[k]: &[f64; 1], u: f64) -> f64 {
+        let w = (2.0 * u - self.low - self.high) / (self.high - self.low);
+        let [first, last] = self.ends;
+        let inside = 0.5 * (first * (1.0 - w) + last * (1.0 + w)) + k * (1.0 - w * w);
+        ((1.0 - u) * inside.max(0.0)).min(1.0)
+    }
+}
+
 /// [`fit_segment`] with arguments known to be good.
-fn segment(n: f64, low: f64, high: f64, peak: Peak, objective: &Objective) -> Fit<Segment> {
+fn segment(n: f64, low: f64, high: f64, constraint: Constraint, objective: &Objective) -> Fit<Segment> {
     let m = n - 1.0;
     if m == 0.0 || m == 1.0 || m == 2.0 {
         return Fit { coefficients: Segment { c: 1.0, big_a: m, a: 0.5 * m * (m - 1.0) }, error: 0.0 };
@@ -280,7 +388,7 @@ fn segment(n: f64, low: f64, high: f64, peak: Peak, objective: &Objective) -> Fi
         (true, false) => 0.0,
     };
     // The starts interpolate: at the top and two further points, or at the zeros of Chebyshev's cubic polynomial.
-    if peak == Peak::Exact {
+    if constraint == Constraint::Peak {
         let local = Local { low, high: top, origin: 0.0, unit: top };
         let slope = |w: f64| (wanted(top * w) - 1.0) / w;
         let (w_1, w_2) = (0.4, 0.9);
@@ -295,6 +403,36 @@ fn segment(n: f64, low: f64, high: f64, peak: Peak, objective: &Objective) -> Fi
     let [left, middle, right] = [-node, 0.0, node].map(|w| wanted(local.origin + local.unit * w));
     let start = [middle, 0.5 * (right - left) / node, (0.5 * (right + left) - middle) / (node * node)];
     let Best { p, error } = minimax::minimise(&local, &target, [start].into_iter(), 1);
+    let is_falling = matches!(constraint, Constraint::Falling | Constraint::FallingLast);
+    // For n between 2 and 3 the best parabola is above the power where it begins and below it where it ends, so that
+    // one would rise from a segment to the next: there it meets the power at both ends.
+    let (begins, ends) = (local.inside(&p, low) - wanted(low), local.inside(&p, high) - wanted(high));
+    if is_falling
+        && !partly
+        && (begins > ROUNDING && low > 0.0 || ends < -ROUNDING && constraint == Constraint::Falling)
+    {
+        let meeting = Meeting { low, high, ends: [wanted(low), wanted(high)] };
+        let middle = wanted(0.5 * (low + high)) - 0.5 * (wanted(low) + wanted(high));
+        let Best { p, error } = minimax::minimise(&meeting, &target, [[middle]].into_iter(), 1);
+        return Fit { coefficients: meeting.segment(p), error };
+    }
+    if is_falling && local.rises_before(&p, high) {
+        // The least error under the constraint is where it binds: the parabola's vertex is the segment's end.
+        let ending = Ending { low, high, least: wanted(high) };
+        let at = |w: f64| wanted(ending.versine(w));
+        let (w_1, w_2) = (0.9, 0.3);
+        let square = (at(w_1) - at(w_2)) / (w_1 * w_1 - w_2 * w_2);
+        let start = [at(w_1) - w_1 * w_1 * square, square];
+        let Best { p, .. } = minimax::minimise(&ending, &target, [start].into_iter(), 1);
+        let mut p = p;
+        if constraint == Constraint::Falling && p[0] < ending.least {
+            let least = minimax::minimise(&ending, &target, [[at(1.0) - ending.least]].into_iter(), 1);
+            p = [ending.least, least.p[0]];
+        }
+        let all = minimax::largest_error(&ending, &target, &p);
+        let error = error_where_it_counts(all, &|part| minimax::largest_error(&ending, part, &p));
+        return Fit { coefficients: ending.segment(&p), error };
+    }
     let error = error_where_it_counts(error, &|part| minimax::largest_error(&local, part, &p));
     Fit { coefficients: local.segment(&p), error }
 }

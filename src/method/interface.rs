@@ -43,4 +43,6 @@ pub struct Interface {
     pub operand: Operand,
     /// Which codes of it the core may be given.
     pub input_range: InputRange,
+    /// Whether the output is never to fall as the cosine rises.
+    pub monotone: bool,
 }

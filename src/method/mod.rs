@@ -18,6 +18,7 @@ pub(crate) mod keys;
 pub mod log_exp;
 pub mod lyon;
 mod model;
+mod monotone;
 mod options;
 pub mod polynomial;
 mod ports;
@@ -42,6 +43,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 pub use interface::{INPUT_FRACTION, InputRange, Interface, OUTPUT_FRACTION, Operand};
 pub use model::{Inputs, Model};
+pub use monotone::{Check, Falls, are_falling};
 pub use options::{Coefficients, Form, Options, Source};
 pub(crate) use options::{method_keys, within, word};
 pub use shininess::{Colour, MAX_ROWS, Material, Shininess};

@@ -202,6 +202,7 @@ fn faithful(fields: &SpecFields) -> SpecFields {
         material: fields.material,
         input_fraction: fields.input_fraction,
         output_fraction: fields.output_fraction,
+        monotone: fields.monotone,
         input_range: fields.input_range,
         operand: fields.operand,
         rom: fields.rom,

@@ -52,6 +52,10 @@ method_keys! { keys! {
     #[arg(value_name = "RANGE")]
     input_range: InputRange where "lobes",
 
+    /// Whether the lobe's output never falls as the cosine rises, for every shininess [default: true]
+    #[arg(value_name = "true|false", num_args = 0..=1, require_equals = true, default_missing_value = "true")]
+    monotone: bool where "lobes and shaders",
+
     /// Where the HDL finds the coefficients [default: inline]
     rom: RomStyle,
 

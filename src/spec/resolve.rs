@@ -93,7 +93,8 @@ impl SpecFields {
         let input_fraction = within("input_fraction", self.input_fraction.unwrap_or(input_fraction), INPUT_FRACTION)?;
         let output_fraction =
             within("output_fraction", self.output_fraction.unwrap_or(output_fraction), OUTPUT_FRACTION)?;
-        let interface = Interface { shininess, input_fraction, output_fraction, operand, input_range };
+        let monotone = self.monotone.unwrap_or(true);
+        let interface = Interface { shininess, input_fraction, output_fraction, operand, input_range, monotone };
         method.check(&interface)?;
         let name = default_name(method.about(), form, shader.as_ref());
         let lobe = LobeSpec { method, interface };
@@ -275,6 +276,7 @@ impl SpecFields {
             shininess_fraction,
             input_fraction: Some(interface.input_fraction),
             output_fraction: Some(interface.output_fraction),
+            monotone: Some(interface.monotone).filter(|&monotone| !monotone),
             material,
             ..self.with_options(Options { form: Some(method.form()), ..method.options() })
         }

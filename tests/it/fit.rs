@@ -1,7 +1,7 @@
 //! The minimax fits against their own words: the errors that they promise, and that no other coefficients do better.
 //! Lobes and errors are evaluated here anew, on far more points.
 
-use brdfgen::fit::{Fit, Inside, Objective, Peak, Segment, fit_segment, segment_bounds, segment_end};
+use brdfgen::fit::{Constraint, Fit, Inside, Objective, Segment, fit_segment, segment_bounds, segment_end};
 use brdfgen::lobe::{Lobe, exact};
 use brdfgen::method::cubic::{self, Cubic, Tail};
 use brdfgen::method::cubic_rational::{self, CubicRational};
@@ -249,9 +249,12 @@ fn what_a_shape_can_represent_is_found_exactly() {
         }
     }
     for n in [1.0, 2.0, 3.0] {
-        let fit = fit_segment(n, 0.25, 0.5, Peak::Free, &Objective::MaxAbs).unwrap();
+        let fit = fit_segment(n, 0.25, 0.5, Constraint::None, &Objective::MaxAbs).unwrap();
         assert_eq!((fit.coefficients.c, fit.coefficients.big_a, fit.error), (1.0, n - 1.0, 0.0));
-        assert_eq!(segment_end(n, 4, Peak::Exact, &Objective::MaxAbs).unwrap(), Fit { coefficients: n, error: 0.0 });
+        assert_eq!(
+            segment_end(n, 4, Constraint::Peak, &Objective::MaxAbs).unwrap(),
+            Fit { coefficients: n, error: 0.0 }
+        );
     }
 }
 
@@ -323,7 +326,7 @@ fn segments_are_as_good_as_reported_and_none_nearby_is_better() {
             for (s_low, s_high) in SEGMENTS {
                 let (low, high) = (s_low / n.max(s_high), s_high / n.max(s_high));
                 let first = low == 0.0;
-                let peak = if first { Peak::Exact } else { Peak::Free };
+                let peak = if first { Constraint::Peak } else { Constraint::None };
                 let fit = fit_segment(n, low, high, peak, &objective).unwrap();
                 let points = segment_points(n, low, high, 10_000, &objective);
                 let found = segment_error(fit.coefficients, &points);
@@ -351,7 +354,7 @@ fn a_segment_counts_only_what_lies_above_the_level() {
         // The level lies at s = 0.693: late in the first segment, early in the second, before the third.
         for (s_low, s_high, most) in [(0.4, 0.8, 1e-3), (0.6, 1.2, 3e-3), (0.8, 1.6, 0.0)] {
             let (low, high) = (s_low / n, s_high / n);
-            let fit = fit_segment(n, low, high, Peak::Free, &objective).unwrap();
+            let fit = fit_segment(n, low, high, Constraint::None, &objective).unwrap();
             let points = segment_points(n, low, high, 10_000, &objective);
             let found = segment_error(fit.coefficients, &points);
             assert!((found - fit.error).abs() <= 1e-3 * fit.error, "{fit:?}, but {found}");
@@ -363,12 +366,13 @@ fn a_segment_counts_only_what_lies_above_the_level() {
 }
 
 /// The largest error of a whole segmented lobe with the given bounds, which is also what it is past the last.
-fn segmented_error(n: f64, bounds: &[f64], peak: Peak, objective: &Objective) -> f64 {
+fn segmented_error(n: f64, bounds: &[f64], constraint: Constraint, objective: &Objective) -> f64 {
     let drop = brute_force(|_| 0.0, n, &[point(n, bounds[bounds.len() - 1], objective)], objective);
     let mut low = 0.0;
     let mut largest = drop;
     for &high in bounds {
-        let fit = fit_segment(n, low, high, if low == 0.0 { peak } else { Peak::Free }, objective).unwrap();
+        let fit =
+            fit_segment(n, low, high, constraint.of_segment(low, high == bounds[bounds.len() - 1]), objective).unwrap();
         largest = largest.max(segment_error(fit.coefficients, &segment_points(n, low, high, 10_000, objective)));
         low = high;
     }
@@ -376,18 +380,49 @@ fn segmented_error(n: f64, bounds: &[f64], peak: Peak, objective: &Objective) ->
 }
 
 #[test]
+fn falling_segments_fall_within_and_where_they_meet() {
+    for objective in [Objective::MaxAbs, "weighted:-0.3".parse().unwrap()] {
+        for n in [1.5, 2.5, 4.0, 7.3, 41.0, 1000.0, 65536.0] {
+            for segments in [1, 2, 4, 8] {
+                let whole = |constraint| segment_bounds(n, segments, constraint, &objective).unwrap();
+                let bounds = whole(Constraint::Falling).coefficients;
+                let free = whole(Constraint::None).error;
+                let mut low = 0.0;
+                let mut before = f64::INFINITY;
+                for (place, &high) in bounds.iter().enumerate() {
+                    let constraint = Constraint::Falling.of_segment(low, place + 1 == bounds.len());
+                    let Segment { c, big_a, a } =
+                        fit_segment(n, low, high, constraint, &objective).unwrap().coefficients;
+                    let value = |u: f64| (1.0 - u) * (c - u * (big_a - a * u)).max(0.0);
+                    for step in 0..=2000 {
+                        let here = value(low + (high - low) * f64::from(step) / 2000.0);
+                        // The coefficients cancel by up to (n u)^2.
+                        assert!(here <= before + 1e-9, "{objective:?} n = {n}, segment {place} of {segments}: {here}");
+                        before = here;
+                    }
+                    low = high;
+                }
+                // What it costs: the last segment alone has to do with less.
+                let grown = whole(Constraint::Falling).error / free.max(1e-14);
+                assert!((1.0 - 1e-3..2.0).contains(&grown) || free < 1e-12, "n = {n}, {segments}: {grown}");
+            }
+        }
+    }
+}
+
+#[test]
 fn segmented_lobes_reach_their_targets_at_n_1000() {
     for (segments, free, exact, even) in
         [(2, 0.0092, 0.0099, 0.0201), (4, 0.0016, 0.001_63, 0.007), (8, 0.000_25, 0.000_25, 0.0021)]
     {
-        for (peak, target) in [(Peak::Free, free), (Peak::Exact, exact)] {
-            let fit = segment_bounds(1000.0, segments, peak, &Objective::MaxAbs).unwrap();
+        for (constraint, target) in [(Constraint::None, free), (Constraint::Peak, exact)] {
+            let fit = segment_bounds(1000.0, segments, constraint, &Objective::MaxAbs).unwrap();
             assert_eq!(fit.coefficients.len(), segments as usize);
-            let found = segmented_error(1000.0, &fit.coefficients, peak, &Objective::MaxAbs);
-            assert!((found / fit.error - 1.0).abs() < 2e-4, "{segments} {peak:?}: {fit:?}, but {found}");
-            assert!(fit.error <= target, "{segments} {peak:?}: {fit:?}");
-            let equal = segment_end(1000.0, segments, peak, &Objective::MaxAbs).unwrap();
-            assert!(fit.error < equal.error && equal.error <= even, "{segments} {peak:?}: {equal:?}");
+            let found = segmented_error(1000.0, &fit.coefficients, constraint, &Objective::MaxAbs);
+            assert!((found / fit.error - 1.0).abs() < 2e-4, "{segments} {constraint:?}: {fit:?}, but {found}");
+            assert!(fit.error <= target, "{segments} {constraint:?}: {fit:?}");
+            let equal = segment_end(1000.0, segments, constraint, &Objective::MaxAbs).unwrap();
+            assert!(fit.error < equal.error && equal.error <= even, "{segments} {constraint:?}: {equal:?}");
         }
     }
 }
@@ -396,22 +431,22 @@ fn segmented_lobes_reach_their_targets_at_n_1000() {
 fn no_other_bounds_nearby_are_better() {
     for n in [1.5, 7.3, 1000.0] {
         for objective in [Objective::MaxAbs, Objective::Weighted { power: 0.5 }] {
-            let equal = segment_end(n, 4, Peak::Exact, &objective).unwrap();
+            let equal = segment_end(n, 4, Constraint::Peak, &objective).unwrap();
             for stretch in [0.9, 0.999, 1.001, 1.1] {
                 let end = (equal.coefficients / n * stretch).min(1.0);
                 let bounds: Vec<f64> = (1..=4).map(|i| end * f64::from(i) / 4.0).collect();
                 assert!(
-                    segmented_error(n, &bounds, Peak::Exact, &objective) >= equal.error * (1.0 - 1e-4),
+                    segmented_error(n, &bounds, Constraint::Peak, &objective) >= equal.error * (1.0 - 1e-4),
                     "{n} {equal:?}"
                 );
             }
-            let best = segment_bounds(n, 4, Peak::Exact, &objective).unwrap();
+            let best = segment_bounds(n, 4, Constraint::Peak, &objective).unwrap();
             for moved in 0..4 {
                 for stretch in [0.95, 0.999, 1.001, 1.05] {
                     let mut bounds = best.coefficients.clone();
                     bounds[moved] = (bounds[moved] * stretch).min(1.0);
                     if bounds.is_sorted() {
-                        let found = segmented_error(n, &bounds, Peak::Exact, &objective);
+                        let found = segmented_error(n, &bounds, Constraint::Peak, &objective);
                         assert!(found >= best.error * (1.0 - 1e-4), "{n} {best:?}, but {found} at {bounds:?}");
                     }
                 }
@@ -424,7 +459,7 @@ fn no_other_bounds_nearby_are_better() {
 fn bad_arguments_are_refused() {
     let fine = Objective::MaxAbs;
     for n in [0.99, 1_048_577.0, f64::NAN] {
-        assert!(quadratic::fit(n, &fine).is_err() && segment_end(n, 2, Peak::Exact, &fine).is_err());
+        assert!(quadratic::fit(n, &fine).is_err() && segment_end(n, 2, Constraint::Peak, &fine).is_err());
     }
     for objective in [
         Objective::MaxRel { level: 0.0 },
@@ -437,11 +472,11 @@ fn bad_arguments_are_refused() {
     }
     assert!(power::fit(10.0, 3, Inside::Linear, &fine).is_err());
     for (low, high) in [(0.5, 0.5), (-0.1, 0.5), (0.5, 1.1), (0.1, f64::NAN)] {
-        assert!(fit_segment(10.0, low, high, Peak::Free, &fine).is_err(), "{low} {high}");
+        assert!(fit_segment(10.0, low, high, Constraint::None, &fine).is_err(), "{low} {high}");
     }
-    assert!(fit_segment(10.0, 0.1, 0.5, Peak::Exact, &fine).is_err());
+    assert!(fit_segment(10.0, 0.1, 0.5, Constraint::Peak, &fine).is_err());
     for segments in [0, 257] {
-        assert!(segment_bounds(10.0, segments, Peak::Free, &fine).is_err());
+        assert!(segment_bounds(10.0, segments, Constraint::None, &fine).is_err());
     }
 }
 

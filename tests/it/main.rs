@@ -21,6 +21,7 @@ mod lights;
 mod lint;
 mod lobes;
 mod log_exp;
+mod monotone;
 mod mutate;
 mod netlist;
 mod options;

@@ -7,11 +7,12 @@
 //   in_cos    Q1.14   cosine x; below 0 gives 0, above 1 counts as 1
 //   out_spec  UQ1.14  the lobe, 0 to 1; 1.0 is exact
 //
-// Latency 12 clocks, one result a clock.
-// Error against the real-valued method, in ulps of out_spec: proved within -27.411..+26.557.
-//   measured -19.559..+19.152 over all 4178175 inputs in [0, 1].
+// Latency 11 clocks, one result a clock.
+// Error against the real-valued method, in ulps of out_spec: proved within -28.488..+28.410.
+//   measured -25.000..+22.937 over all 4178175 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
-//   0.119 % absolute, 0.119 % where x^n >= 1/2, 0.219 % relative there.
+//   0.153 % absolute, 0.127 % where x^n >= 1/2, 0.242 % relative there.
+// As the cosine rises, the output never falls: proved by running all 4177920 pairs of neighbouring inputs.
 
 `default_nettype none
 `timescale 1ns/1ps
@@ -21,7 +22,7 @@ module log_exp_9_tb;
 /* verilator lint_on DECLFILENAME */
 
     localparam NAME    = "log_exp_9";
-    localparam LATENCY = 12;
+    localparam LATENCY = 11;
     localparam SHOWN   = 10; // mismatches printed; the others are only counted
 
     // ------------------------------------------------------------------ the core

@@ -8,10 +8,11 @@
 --   out_spec  UQ1.12  the lobe, 0 to 1; 1.0 is exact
 --
 -- Latency 16 clocks, one result a clock.
--- Error against the real-valued method, in ulps of out_spec: proved within -0.653..+0.750.
---   measured -0.588..+0.740 over all 258111 inputs in [0, 1].
+-- Error against the real-valued method, in ulps of out_spec: proved within -0.824..+0.750.
+--   measured -0.679..+0.739 over all 258111 inputs in [0, 1].
 -- Error against x^n itself, measured over the same inputs:
---   0.157 % absolute, 0.157 % where x^n >= 1/2, 0.278 % relative there.
+--   0.173 % absolute, 0.171 % where x^n >= 1/2, 0.312 % relative there.
+-- As the cosine rises, the output never falls: proved by running all 258048 pairs of neighbouring inputs.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -11,6 +11,7 @@ use crate::core::{
 };
 use crate::emit::{Axis, ExternalMemory, LightFunction, LightTable, Sequencer, markdown, render};
 use crate::fixed::{Field, Table};
+use crate::method::Falls;
 use crate::platform::error::Error;
 use crate::reflectance::directory;
 use crate::spec::{
@@ -108,7 +109,8 @@ pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
         Account::Lobe { measured, .. } => {
             let proved = interval_text(design.lobe().budget.proved_ulps);
             let proved = format!("Error against the real-valued method, in ulps of out_spec: proved within {proved}.");
-            [proved].into_iter().chain(measured_lines(measured)).collect()
+            let order = monotone_text(design.lobe().falls);
+            [proved].into_iter().chain(measured_lines(measured)).chain([order]).collect()
         }
         Account::Shader(error) => vec![
             format!("Error against the exact shader, in codes of a channel, over {} samples:", error.samples),
@@ -141,6 +143,23 @@ fn measured_lines(measured: &Measured) -> Vec<String> {
             percent_text(measured.max_rel_epicentre)
         ),
     ]
+}
+
+/// What is known of the order of a lobe's outputs.
+#[must_use]
+pub fn monotone_text(falls: &Falls) -> String {
+    let Falls { pairs, exhaustive, count, most_ulps, worst: [n, cosine] } = falls;
+    let of = if *exhaustive { format!("all {pairs}") } else { format!("{pairs} evenly spread") };
+    match (count, exhaustive) {
+        (0, true) => {
+            format!("As the cosine rises, the output never falls: proved by running {of} pairs of neighbouring inputs.")
+        }
+        (0, false) => format!("As the cosine rises, the output falls at none of {of} pairs of neighbouring inputs."),
+        _ => format!(
+            "As the cosine rises, the output falls at {count} of {of} pairs of neighbouring inputs, by {most_ulps} ulp \
+             at most (n = {n}, x = {cosine:.6})."
+        ),
+    }
 }
 
 /// A share as a percentage, with more digits where it is small.
@@ -328,6 +347,11 @@ mod filters {
     #[filter_fn]
     pub(super) fn ulps(interval: &[f64; 2], _: &dyn Values) -> Result<String> {
         Ok(super::interval_text(*interval))
+    }
+
+    #[filter_fn]
+    pub(super) fn monotone(falls: &super::Falls, _: &dyn Values) -> Result<String> {
+        Ok(super::monotone_text(falls))
     }
 
     #[filter_fn]

@@ -8,6 +8,7 @@ use crate::core::{Account, BlockDesign, Design, Port, ShaderDesign, WritePort};
 use crate::datapath::widths::Budget;
 use crate::emit::{self, Axis, ExternalMemory, ExternalPart, Lane, LightTable, Sequencer};
 use crate::fixed::{Format, Table};
+use crate::method::Falls;
 use crate::spec::hex;
 
 fn port_manifest(port: &Port) -> serde_json::Value {
@@ -82,6 +83,9 @@ pub(super) fn text(design: &Design, account: &Account, files: &[File]) -> String
         "error": error_manifest(design, account),
         "files_sha256": digests,
     });
+    if design.spec.block.has_lobe() {
+        manifest["monotone"] = monotone_manifest(design.lobe().falls);
+    }
     let load = |port: WritePort| {
         let table = &design.tables()[port.memory];
         json!({
@@ -112,6 +116,19 @@ pub(super) fn text(design: &Design, account: &Account, files: &[File]) -> String
         manifest["axi_stream"] = axis_manifest(&axis);
     }
     serde_json::to_string_pretty(&rounded(manifest)).expect("JSON of plain values")
+}
+
+/// What the manifest says of the order of a lobe's outputs.
+fn monotone_manifest(falls: &Falls) -> serde_json::Value {
+    json!({
+        "proved": falls.is_proof(),
+        "proof": if falls.is_proof() { json!("every pair of neighbouring inputs was compared") } else { json!(null) },
+        "pairs": falls.pairs,
+        "exhaustive": falls.exhaustive,
+        "falls": falls.count,
+        "most_ulps": falls.most_ulps,
+        "worst": (falls.count > 0).then_some(json!({ "shininess": falls.worst[0], "cosine": falls.worst[1] })),
+    })
 }
 
 /// What the manifest says of the error, proved and measured.

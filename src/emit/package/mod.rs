@@ -6,7 +6,7 @@ mod manifest;
 mod part;
 
 pub(crate) use datasheet::title;
-pub use datasheet::{interval_text, percent_text};
+pub use datasheet::{interval_text, monotone_text, percent_text};
 pub use directory::{
     GENERATED_MARK, Kind, Stale, check_target, check_target_of, core_files, stale, write_directory, write_directory_of,
     write_file,

@@ -37,10 +37,24 @@ impl<'a> Stable<'a> {
         // At the inner parabola's minimum to be cut, at its own to be held.
         let end = |lobe: &Cubic| match tail {
             Tail::Cut => lobe.cut(),
+            Tail::Hold if interface.monotone => lobe.minimum().map(|minimum| Self::held_from(interface, lobe, minimum)),
             Tail::Hold => lobe.minimum(),
         };
         let ends = Ends::of(interface, lobes.iter().map(end));
         Self { interface, tail, lobes, ends }
+    }
+
+    /// The versine from which on a cubic is held that is never to rise: where it comes within half an ulp of the held
+    /// value. About the minimum itself the roundings would show.
+    fn held_from(interface: &Interface, lobe: &Cubic, minimum: f64) -> f64 {
+        let ulp = exp2(-(interface.output_fraction as i32));
+        let held = libm::round(lobe.formula(minimum).clamp(0.0, 1.0) / ulp) * ulp;
+        let (mut low, mut high) = (0.0, minimum);
+        for _ in 0..interface.input_fraction + 8 {
+            let middle = 0.5 * (low + high);
+            if lobe.formula(middle) > held + 0.5 * ulp { low = middle } else { high = middle }
+        }
+        high
     }
 
     /// These cubics, each up to one of these versines: what a core does past that is the caller's business.
@@ -152,14 +166,38 @@ impl Architecture for Stable<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
         let cap = (f - self.scaled_at(g + 6).base()).max(1);
+        // q v rises with v only where v loses less to the rounding of q than q itself gives a step.
+        let finest = g + if self.interface.monotone { 14 } else { 6 };
         vec![
-            Parameter::new(width::BIG_A, "coefficient A 2^-k, and q = A - a v", g..=g + 6),
+            Parameter::new(width::BIG_A, "coefficient A 2^-k, and q = A - a v", g..=finest),
             Parameter::new(width::SMALL_A, "coefficient a 4^-k", g - 1..=g + 6),
             Parameter::new(width::X, "cosine x", g - 1..=g + 4).up_to(f),
             Parameter::new(width::V, "scaled versine v = u 2^k", g - 1..=g + 5).up_to(cap),
             Parameter::new(width::P, "p = v q", g - 1..=g + 5),
             Parameter::new(width::T, "t = x p", g..=g + 4),
         ]
+    }
+
+    fn finest(&self) -> Vec<Parameter> {
+        let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
+        if !self.interface.monotone || f <= g + 4 {
+            return Vec::new();
+        }
+        // Every step of a fine input is one of x and of v, too, so that none of them goes alone.
+        let cap = (f - self.scaled_at(g + 6).base()).max(1);
+        self.parameters()
+            .into_iter()
+            .map(|parameter| {
+                let range = match parameter.width {
+                    width::BIG_A => g + 6..=f + 8,
+                    width::SMALL_A => g + 4..=f,
+                    width::X => f..=f,
+                    width::V => cap..=cap,
+                    _ => f + 1..=f + 3,
+                };
+                Parameter { range, ..parameter }
+            })
+            .collect()
     }
 
     fn cost(&self, w: &Widths) -> f64 {
@@ -260,11 +298,13 @@ impl Architecture for Paper<'_> {
         let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
         // An error of a power of x is multiplied by a.
         let power = g + libm::ilogb(self.largest()) + 1;
+        // Steps of a fine input ask for more, if the output is not to fall at any.
+        let finer = if self.interface.monotone { (f - g + 2).max(0) } else { 0 };
         vec![
             Parameter::new(width::C, "coefficients a, b, c", g - 3..=g + 5),
-            Parameter::new(width::S, "square of the cosine", power..=power + 5).up_to(2 * f),
-            Parameter::new(H, "cube of the cosine", power..=power + 5).up_to(3 * f),
-            Parameter::new(width::M, "products a x^3, b x^2, c x", g..=g + 5),
+            Parameter::new(width::S, "square of the cosine", power..=power + 5 + finer).up_to(2 * f),
+            Parameter::new(H, "cube of the cosine", power..=power + 5 + finer).up_to(3 * f),
+            Parameter::new(width::M, "products a x^3, b x^2, c x", g..=g + 5 + finer),
         ]
     }
 

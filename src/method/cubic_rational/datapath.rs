@@ -10,7 +10,7 @@ use crate::method::cubic::datapath as cubic;
 use crate::method::divide::Divider;
 use crate::method::divide::datapath as divide;
 use crate::method::polynomial::datapath::{self as polynomial, field, nearest_code};
-use crate::method::{Interface, Operand, width};
+use crate::method::{Check, Interface, Operand, width};
 
 /// The tail's slope b.
 const B: Width = Width("b");
@@ -186,7 +186,9 @@ impl Architecture for Rational<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
         // No width serves both branches, so each is solved alone: here the cubic, by whose widths the tail cannot gain.
-        let alone = widths::solve(&self.cubic).map(|solution| solution.widths);
+        let check = Check::new(self.interface);
+        let falling = |_: &Widths, cubic: Datapath| (!self.interface.monotone || check.holds(&cubic)).then_some(cubic);
+        let alone = widths::solve(&self.cubic, &falling).map(|solution| solution.widths);
         let mut parameters = self.cubic.parameters();
         for parameter in &mut parameters {
             let bits = alone.as_ref().map_or(*parameter.range.end(), |widths| widths[parameter.width]);

@@ -14,7 +14,7 @@ use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
 use crate::method::exponent::{Exponent, error_of_exponent};
-use crate::method::log_exp::chords::Slopes;
+use crate::method::log_exp::chords::{Rises, Slopes};
 use crate::method::log_exp::datapath::{
     exp_chords, levels, power_of_two, rounded_or_zero, times_versine, versine_int_bits, whole_bits,
 };
@@ -81,7 +81,7 @@ impl Architecture for Exponential<'_> {
 
     fn tables(&self, widths: &Widths) -> Vec<Table> {
         let lift = self.n.lift(self.input_bits(), widths);
-        let exp = exp_chords(widths, Slopes::Matched, &|f| libm::exp2(-f - lift)).table();
+        let exp = exp_chords(widths, Slopes::Matched, &|f| libm::exp2(-f - lift)).table(Rises::Between);
         self.n.table(self.n.frac_bits(widths)).into_iter().chain([exp]).collect()
     }
 

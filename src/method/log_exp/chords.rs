@@ -10,6 +10,9 @@ const FEW: i64 = 16;
 /// With more, at this many pieces, and the curvature bounds what lies between.
 const PIECES: i64 = 8;
 
+/// Codes on either side of the balanced base that are tried.
+const AROUND: i128 = 4;
+
 /// A slope of no more bits than this times a distance is a sum of shifts; with more it is a multiplication.
 const FEW_SLOPE_BITS: i32 = 5;
 
@@ -27,6 +30,29 @@ pub(in crate::method) enum Slopes {
     },
     /// None: every entry is a constant.
     None,
+}
+
+/// Where the hardware's value of a falling function may rise with the argument.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::method) enum Rises {
+    /// From an entry to the next.
+    Between,
+    /// Nowhere.
+    Nowhere,
+    /// Nowhere, nor is its last value less than half of the first: where the function goes on with half of itself, the
+    /// value does not rise there either.
+    NowhereAtOctaves,
+}
+
+/// Words of an entry that may be chosen.
+#[derive(Clone, Copy, Debug)]
+struct Words {
+    slope: i128,
+    base: i128,
+    /// The value's code at the entry's last argument.
+    last: i128,
+    /// The largest weighted error over the entry.
+    error: f64,
 }
 
 /// A convex falling function over `[start, start + 2^-domain)` as `base - slope d` in `2^address_bits` equal entries, d
@@ -111,6 +137,29 @@ impl Chords<'_> {
         (exp2(-self.step_bits()) - exp2(-self.argument_bits)).max(0.0)
     }
 
+    /// `slope d` rounded down to the value's bits, at an argument of an entry.
+    fn product(&self, slope_code: i128, code: i64) -> i128 {
+        let product = slope_code * i128::from(code >> (self.argument_bits - self.cut_bits()));
+        let dropped = self.slope_bits() + self.cut_bits() - self.value_bits;
+        if dropped > 0 { product >> dropped } else { product << -dropped }
+    }
+
+    /// The greatest code of a base.
+    fn most(&self) -> i128 {
+        (1 << (self.int_bits + self.value_bits)) - 1
+    }
+
+    /// The code of an entry's chord's slope.
+    fn chord(&self, entry: usize) -> i128 {
+        nearest_code(self.real_chord(entry), self.slope_bits()).min(self.steepest())
+    }
+
+    fn real_chord(&self, entry: usize) -> f64 {
+        let (first, span) = (self.first(entry), self.span());
+        let rise = (self.function)(first) - (self.function)(first + span);
+        if span > 0.0 { rise / span } else { 0.0 }
+    }
+
     /// The arguments of an entry with `-slope d`, as the hardware computes it, minus the function: every `stride`th
     /// from the first, and the last.
     fn differences(&self, entry: usize, slope_code: i128, stride: i64) -> impl Iterator<Item = (f64, f64)> + '_ {
@@ -118,9 +167,7 @@ impl Chords<'_> {
         let count = self.arguments();
         let last = ((count - 1) % stride != 0).then_some(count - 1);
         (0..count).step_by(stride as usize).chain(last).map(move |code| {
-            let product = slope_code * i128::from(code >> (self.argument_bits - self.cut_bits()));
-            let dropped = self.slope_bits() + self.cut_bits() - self.value_bits;
-            let product = if dropped > 0 { product >> dropped } else { product << -dropped };
+            let product = self.product(slope_code, code);
             // Of 64 bits the processor itself makes a float.
             let product = i64::try_from(product).map_or(product as f64, |product| product as f64);
             let argument = first + code as f64 * exp2(-self.argument_bits);
@@ -140,17 +187,20 @@ impl Chords<'_> {
         (0..table.rows()).flat_map(of_entry).filter(|(_, error)| error.is_finite()).collect()
     }
 
-    /// The slope's code and the base with the least largest weighted error over an entry.
-    fn weighed(&self, entry: usize, weight: &dyn Fn(f64) -> f64) -> (i128, f64) {
+    /// What `-slope d` may be for the hardware's value to be the function's, with what each counts: samples of an
+    /// entry.
+    fn sampled(&self, entry: usize, slope_code: i128, weight: &dyn Fn(f64) -> f64) -> Vec<(f64, f64)> {
         // To choose by, samples do; what is proved of the choice goes over all arguments.
         let stride = (self.arguments() / 32).max(1);
-        let sampled = |slope_code: i128| -> Vec<(f64, f64)> {
-            let chosen = self.differences(entry, slope_code, stride);
-            let weighed = chosen.map(|(argument, difference)| (weight(argument), -difference));
-            weighed.filter(|(_, value)| value.is_finite()).collect()
-        };
-        let flat = sampled(0);
-        let (Some(&first), Some(&last)) = (flat.first(), flat.last()) else { return (0, 0.0) };
+        let chosen = self.differences(entry, slope_code, stride);
+        let weighed = chosen.map(|(argument, difference)| (weight(argument), -difference));
+        weighed.filter(|(_, value)| value.is_finite()).collect()
+    }
+
+    /// The slopes that are tried where errors have weights.
+    fn slopes_tried(&self, entry: usize, weight: &dyn Fn(f64) -> f64) -> Vec<i128> {
+        let flat = self.sampled(entry, 0, weight);
+        let (Some(&first), Some(&last)) = (flat.first(), flat.last()) else { return Vec::new() };
         let chord = if self.span() > 0.0 { (first.1 - last.1) / self.span() } else { 0.0 };
         let steepest = nearest_code(chord, self.slope_bits()).min(self.steepest());
         // Where the weight falls towards one end, a slope gentler than the chord's may serve better.
@@ -159,27 +209,142 @@ impl Chords<'_> {
         slopes.retain(|slope| (0..=self.steepest()).contains(slope));
         slopes.sort_unstable();
         slopes.dedup();
-        let balanced = |slope_code: i128| {
-            let samples = sampled(slope_code);
-            let ends = samples.iter().map(|&(_, value)| Interval::point(value)).reduce(Interval::hull);
-            let Interval { low: mut least, high: mut most } = ends.unwrap_or(Interval::ZERO);
-            let mut worst = f64::INFINITY;
-            let mut base = least;
-            for _ in 0..24 {
-                base = 0.5 * (least + most);
-                let side = |above: bool| {
-                    let parts = samples.iter().filter(|(_, value)| (*value > base) == above);
-                    parts.map(|(weight, value)| weight * (value - base).abs()).fold(0.0, f64::max)
-                };
-                let (above, below) = (side(true), side(false));
-                worst = above.max(below);
-                if above > below { least = base } else { most = base }
-            }
-            (worst, base)
-        };
-        let tried = slopes.into_iter().map(|slope| (slope, balanced(slope)));
+        slopes
+    }
+
+    /// The least largest weighted error of samples, and the base that has it.
+    fn balanced(samples: &[(f64, f64)]) -> (f64, f64) {
+        let ends = samples.iter().map(|&(_, value)| Interval::point(value)).reduce(Interval::hull);
+        let Interval { low: mut least, high: mut most } = ends.unwrap_or(Interval::ZERO);
+        let mut worst = f64::INFINITY;
+        let mut base = least;
+        for _ in 0..24 {
+            base = 0.5 * (least + most);
+            let side = |above: bool| {
+                let parts = samples.iter().filter(|(_, value)| (*value > base) == above);
+                parts.map(|(weight, value)| weight * (value - base).abs()).fold(0.0, f64::max)
+            };
+            let (above, below) = (side(true), side(false));
+            worst = above.max(below);
+            if above > below { least = base } else { most = base }
+        }
+        (worst, base)
+    }
+
+    /// The slope's code and the base with the least largest weighted error over an entry.
+    fn weighed(&self, entry: usize, weight: &dyn Fn(f64) -> f64) -> (i128, f64) {
+        let slopes = self.slopes_tried(entry, weight).into_iter();
+        let tried = slopes.map(|slope| (slope, Self::balanced(&self.sampled(entry, slope, weight))));
         let best = tried.min_by(|a, b| a.1.0.total_cmp(&b.1.0));
         best.map_or((0, 0.0), |(slope, (_, base))| (slope, base))
+    }
+
+    /// How far the value's code falls over an entry.
+    fn fall(&self, slope_code: i128) -> i128 {
+        self.product(slope_code, self.arguments() - 1)
+    }
+
+    /// The words of an entry that may be chosen: slopes about the best, each with bases about the one that balances
+    /// its error.
+    fn choices(&self, entry: usize) -> Vec<Words> {
+        let value = exp2(-self.value_bits);
+        let about = |slope: i128, base: f64, error: &dyn Fn(f64) -> f64| -> Vec<Words> {
+            let nearest = nearest_code(base, self.value_bits).clamp(0, self.most());
+            let bases = (nearest - AROUND..=nearest + AROUND).filter(|base| (0..=self.most()).contains(base));
+            let words =
+                |base: i128| Words { slope, base, last: base - self.fall(slope), error: error(base as f64 * value) };
+            bases.map(words).collect()
+        };
+        if let Some(weight) = self.weight {
+            let slopes = self.slopes_tried(entry, weight).into_iter();
+            return slopes
+                .flat_map(|slope| {
+                    let samples = self.sampled(entry, slope, weight);
+                    let error = |base: f64| {
+                        samples.iter().map(|(weight, value)| weight * (value - base).abs()).fold(0.0, f64::max)
+                    };
+                    about(slope, Self::balanced(&samples).1, &error)
+                })
+                .collect();
+        }
+        let chord = self.chord(entry);
+        let slopes = (chord - 1..=chord + 1).filter(|slope| (0..=self.steepest()).contains(slope));
+        slopes
+            .flat_map(|slope| {
+                let shape = self.shape(entry, slope);
+                let error = |base: f64| (shape.low + base).abs().max((shape.high + base).abs());
+                about(slope, -0.5 * (shape.low + shape.high), &error)
+            })
+            .collect()
+    }
+
+    /// Words of all entries with which the value nowhere rises, and errors that grow little by that: the sum of the
+    /// eighth powers of the growths is least, which is nearly the largest growth, but leaves none larger than need be.
+    /// Entries that serve no argument have none.
+    fn falling(&self, rises: Rises) -> Vec<Option<Words>> {
+        let mut choices: Vec<Vec<Words>> = (0..1usize << self.address_bits).map(|entry| self.choices(entry)).collect();
+        let least = |words: &[Words]| words.iter().copied().min_by(|a, b| a.error.total_cmp(&b.error));
+        let mut errors: Vec<f64> = choices.iter().filter_map(|words| Some(least(words)?.error)).collect();
+        errors.sort_by(f64::total_cmp);
+        let median = errors.get(errors.len() / 2).copied().unwrap_or_default();
+        // What an entry's error is measured by: its own least, but for entries where nearly anything does.
+        let scale = |words: &[Words]| least(words).map_or(0.0, |words| words.error).max(median).max(f64::MIN_POSITIVE);
+        let served: Vec<usize> = (0..choices.len()).filter(|&entry| !choices[entry].is_empty()).collect();
+        if let (Rises::NowhereAtOctaves, [first, .., last]) = (rises, &served[..])
+            && let Some(best) = least(&choices[*first])
+        {
+            choices[*first].retain(|words| words.base <= best.base);
+            choices[*last].retain(|words| 2 * words.last >= best.base);
+        }
+        // For each entry the choices, the lowest last value first; each with the least sum that leads to it, and the
+        // place of the choice before.
+        let mut chain: Vec<Vec<(Words, f64, usize)>> = Vec::new();
+        for &entry in &served {
+            let mut reached: Vec<(Words, f64, usize)> = Vec::new();
+            // From the highest last value down, the cheapest so far.
+            let before: Option<Vec<(i128, f64, usize)>> = chain.last().map(|before| {
+                let mut best = (f64::INFINITY, 0);
+                let places = before.iter().enumerate().rev();
+                let mut sums: Vec<(i128, f64, usize)> = places
+                    .map(|(place, &(words, sum, _))| {
+                        if sum < best.0 {
+                            best = (sum, place);
+                        }
+                        (words.last, best.0, best.1)
+                    })
+                    .collect();
+                sums.reverse();
+                sums
+            });
+            let scale = scale(&choices[entry]);
+            for &words in &choices[entry] {
+                let own = libm::pow(words.error / scale, 8.0);
+                match &before {
+                    None => reached.push((words, own, 0)),
+                    Some(sums) => {
+                        let place = sums.partition_point(|&(last, ..)| last < words.base);
+                        if let Some(&(_, sum, from)) = sums.get(place) {
+                            reached.push((words, sum + own, from));
+                        }
+                    }
+                }
+            }
+            if reached.is_empty() {
+                return Vec::new();
+            }
+            reached.sort_by_key(|(words, ..)| words.last);
+            chain.push(reached);
+        }
+        let mut chosen = vec![None; choices.len()];
+        let Some(last) = chain.last() else { return chosen };
+        let cheapest = last.iter().enumerate().min_by(|(_, a), (_, b)| a.1.total_cmp(&b.1));
+        let mut place = cheapest.map_or(0, |(place, _)| place);
+        for (reached, &entry) in chain.iter().zip(&served).rev() {
+            let (words, _, before) = reached[place];
+            chosen[entry] = Some(words);
+            place = before;
+        }
+        chosen
     }
 
     /// The range of `-slope d`, as the hardware computes it, minus the function over an entry.
@@ -201,28 +366,33 @@ impl Chords<'_> {
         hull(&mut (0..=PIECES).map(value)) + Interval::new(0.0, bulge + cut + floor)
     }
 
-    /// The table: the slope of the chord, and the base that balances the error.
-    pub fn table(&self) -> Table {
+    /// The table: the slope of the chord, and the base that balances the error; where the value is to rise nowhere,
+    /// words near these.
+    pub fn table(&self, rises: Rises) -> Table {
         let entries = 1usize << self.address_bits;
         let (mut bases, mut slopes) = ((Vec::new(), Vec::new()), (Vec::new(), Vec::new()));
-        let most = (1i128 << (self.int_bits + self.value_bits)) - 1;
+        let falling = if rises == Rises::Between { Vec::new() } else { self.falling(rises) };
         for entry in 0..entries {
-            let first = self.first(entry);
-            let span = self.span();
-            let (slope_code, slope, base);
-            if let Some(weight) = self.weight {
-                (slope_code, base) = self.weighed(entry, weight);
-                slope = slope_code as f64 * exp2(-self.slope_bits());
+            let (slope_code, slope, base_code, base);
+            if let Some(words) = falling.get(entry) {
+                let words = words.unwrap_or(Words { slope: 0, base: 0, last: 0, error: 0.0 });
+                (slope_code, base_code) = (words.slope, words.base);
+                (slope, base) =
+                    (slope_code as f64 * exp2(-self.slope_bits()), base_code as f64 * exp2(-self.value_bits));
             } else {
-                let rise = (self.function)(first) - (self.function)(first + span);
-                slope = if span > 0.0 { rise / span } else { 0.0 };
-                slope_code = nearest_code(slope, self.slope_bits()).min(self.steepest());
-                let shape = self.shape(entry, slope_code);
-                base = -0.5 * (shape.low + shape.high);
+                if let Some(weight) = self.weight {
+                    (slope_code, base) = self.weighed(entry, weight);
+                    slope = slope_code as f64 * exp2(-self.slope_bits());
+                } else {
+                    (slope_code, slope) = (self.chord(entry), self.real_chord(entry));
+                    let shape = self.shape(entry, slope_code);
+                    base = -0.5 * (shape.low + shape.high);
+                }
+                base_code = nearest_code(base, self.value_bits).min(self.most());
             }
             slopes.0.push(slope_code);
             slopes.1.push(slope);
-            bases.0.push(nearest_code(base, self.value_bits).min(most));
+            bases.0.push(base_code);
             bases.1.push(base);
         }
         let mut fields = vec![field(self.fields[0], self.meanings[0], self.value_bits, bases.0, bases.1)];

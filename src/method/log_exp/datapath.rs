@@ -21,7 +21,7 @@
 //! the integer part of z does not fit its bits, where v does not (`z >= v log2 e`), and where x is so small that even
 //! the least shininess brings it there.
 
-use super::chords::{Chords, Slopes};
+use super::chords::{Chords, Rises, Slopes};
 use super::{EXP_ADDRESS, LOG_ADDRESS};
 use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;
@@ -323,8 +323,8 @@ impl Architecture for LogExp<'_> {
     fn tables(&self, widths: &Widths) -> Vec<Table> {
         let mut tables: Vec<Table> = self.n.table(self.n.frac_bits(widths)).into_iter().collect();
         let lift = self.n.lift(self.input_bits(), widths);
-        tables.push(self.log_chords(widths).table());
-        tables.push(exp_chords(widths, Slopes::Matched, &|f| libm::exp2(-f - lift)).table());
+        tables.push(self.log_chords(widths).table(Rises::Between));
+        tables.push(exp_chords(widths, Slopes::Matched, &|f| libm::exp2(-f - lift)).table(Rises::Between));
         tables
     }
 

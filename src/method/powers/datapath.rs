@@ -164,6 +164,24 @@ impl Architecture for Rom<'_> {
         parameters
     }
 
+    fn finest(&self) -> Vec<Parameter> {
+        let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
+        if !self.interface.monotone || f <= g + 2 {
+            return Vec::new();
+        }
+        let gain = self.power.trailing_zeros() as i32;
+        let refined = |parameter: Parameter| {
+            let range = match parameter.width {
+                // Every step of a fine input is one of x and of v, too, so that none of them goes alone.
+                width::V => *parameter.range.end()..=f.max(*parameter.range.end()),
+                width::X => f..=f,
+                _ => *parameter.range.end()..=f + 4 + gain,
+            };
+            Parameter { range, ..parameter }
+        };
+        self.parameters().into_iter().map(refined).collect()
+    }
+
     fn cost(&self, w: &Widths) -> f64 {
         let v = w[width::V] + 1;
         let inner = if self.linear {

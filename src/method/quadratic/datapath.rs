@@ -122,10 +122,12 @@ impl Architecture for Paper<'_> {
         let largest = self.lobes.iter().map(|l| l.a).fold(1.0, f64::max);
         // An error of the square is multiplied by a.
         let square = g + libm::ilogb(largest) + 1;
+        // Steps of a fine input ask for more, if the output is not to fall at any.
+        let finer = if self.interface.monotone { (f - g + 2).max(0) } else { 0 };
         vec![
             Parameter::new(width::SMALL_A, "coefficient a", g - 3..=g + 4),
-            Parameter::new(width::S, "square of the cosine", square..=square + 5).up_to(2 * f),
-            Parameter::new(width::M, "product a (x^2 - x)", g..=g + 4),
+            Parameter::new(width::S, "square of the cosine", square..=square + 5 + finer).up_to(2 * f),
+            Parameter::new(width::M, "product a (x^2 - x)", g..=g + 4 + finer),
         ]
     }
 

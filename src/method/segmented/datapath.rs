@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use crate::datapath::builder::{Bound, Builder, Case, HighBits};
 use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
-use crate::fit::{self, Objective, Peak, Segment};
+use crate::fit::{self, Constraint, Objective, Segment};
 use crate::fixed::{Format, Interval, Table, Widths, exp2};
 use crate::lobe::Lobe;
 use crate::method::polynomial::Polynomial;
@@ -49,6 +49,11 @@ struct SegmentRow {
 /// The memory that says where the segments of a shininess lie.
 const SCALE: &str = "scale";
 
+/// What the fit keeps.
+fn constraint(interface: &Interface) -> Constraint {
+    if interface.monotone { Constraint::Falling } else { Constraint::None }
+}
+
 impl<'a> Segments<'a> {
     /// For an interface of a segmented method.
     ///
@@ -57,7 +62,8 @@ impl<'a> Segments<'a> {
     pub fn new(interface: &'a Interface, count: u32, objective: &Objective) -> Result<Self, Error> {
         let knots = interface.shininess.knots();
         let largest = knots.iter().copied().fold(1.0, f64::max);
-        let best = fit::segment_bounds(largest, count, Peak::Free, objective)?.coefficients;
+        let constraint = constraint(interface);
+        let best = fit::segment_bounds(largest, count, constraint, objective)?.coefficients;
         let mut bounds: Vec<i128> = best.iter().map(|u| nearest_code(u * largest, ROUGH_BITS)).collect();
         // For a small shininess the lobe ends before the segments do; s itself fits its bits in any case.
         let most = Format::unsigned(ROUGH_INT_BITS, ROUGH_BITS).max_code();
@@ -158,7 +164,9 @@ impl SegmentRow {
                 let versine = |code: i128| code as f64 / one as f64;
                 // A segment of one code still needs an interval to be fitted over.
                 let to = versine(end).max(versine(first) + versine(1));
-                let fit = fit::fit_segment(n, versine(first), to.min(1.0), Peak::Free, objective)?;
+                let is_last = end == one || segments.len() + 1 == bounds.len();
+                let constraint = constraint(interface).of_segment(versine(first), is_last);
+                let fit = fit::fit_segment(n, versine(first), to.min(1.0), constraint, objective)?;
                 Some((fit.coefficients, [first, end - 1]))
             } else {
                 None
@@ -172,8 +180,24 @@ impl SegmentRow {
 /// The codes of c, A and a, each rounded given how the one after it was: `v dA - da v^2` is least over the segment for
 /// `dA = (v_0 + v_1) da`, up to a constant, which c takes up.
 fn rounded([c, big_a, a]: [f64; 3], bits: [i32; 3], [low, high]: [f64; 2]) -> [i128; 3] {
+    rounded_from(nearest_code(a, bits[2]), [c, big_a, a], bits, [low, high])
+}
+
+/// As [`rounded`], where the vertex of `A v - a v^2` is not to come before the segment's end: for a greater a it does.
+fn rounded_falling([c, big_a, a]: [f64; 3], bits: [i32; 3], [low, high]: [f64; 2]) -> [i128; 3] {
+    let nearest = nearest_code(a, bits[2]);
+    let vertex_is_late = |words: &[i128; 3]| {
+        let [big_a, a] = [words[1] as f64 * exp2(-bits[1]), words[2] as f64 * exp2(-bits[2])];
+        big_a >= 2.0 * a * high
+    };
+    let tried = (0..=2).map(|less| rounded_from(nearest - less, [c, big_a, a], bits, [low, high]));
+    let late = tried.clone().find(vertex_is_late);
+    late.or_else(|| tried.clone().next()).unwrap_or_default()
+}
+
+/// [`rounded`], given the code of a.
+fn rounded_from(code_a: i128, [c, big_a, a]: [f64; 3], bits: [i32; 3], [low, high]: [f64; 2]) -> [i128; 3] {
     let value = |code: i128, bits: i32| code as f64 * exp2(-bits);
-    let code_a = nearest_code(a, bits[2]);
     let delta_a = value(code_a, bits[2]) - a;
     let code_big = nearest_code(big_a + (low + high) * delta_a, bits[1]);
     let rest = value(code_big, bits[1]) - big_a - (low + high) * delta_a;
@@ -185,9 +209,12 @@ impl Architecture for Segments<'_> {
     fn parameters(&self) -> Vec<Parameter> {
         let (f, g) = (self.interface.input_fraction as i32, self.interface.output_fraction as i32);
         let cap = (f - self.scaling().base()).max(1);
+        // q v rises with v only where v loses less to the rounding of q than q itself gives a step: at the end of a
+        // segment whose parabola ends in its vertex q is to be nearly exact.
+        let finest = g + if self.interface.monotone { 15 } else { 7 };
         vec![
             Parameter::new(width::C, "coefficient c, and d = c - q v", g..=g + 4),
-            Parameter::new(width::BIG_A, "coefficient A 2^-k, and q = A - a v", g + 1..=g + 7),
+            Parameter::new(width::BIG_A, "coefficient A 2^-k, and q = A - a v", g + 1..=finest),
             Parameter::new(width::SMALL_A, "coefficient a 4^-k", g + 1..=g + 6),
             Parameter::new(width::V, "scaled versine v = u 2^k", g..=g + 5).up_to(cap),
             Parameter::new(width::X, "cosine x", g - 1..=g + 3).up_to(f),
@@ -217,6 +244,7 @@ impl Architecture for Segments<'_> {
                 let (codes, reals) = segment.map_or(([0; 3], [0.0; 3]), |(segment, versines)| {
                     let v = versines.map(|code| code as f64 * lsb * exp2(row.k));
                     let reals = [segment.c, segment.big_a * exp2(-row.k), segment.a * exp2(-2 * row.k)];
+                    let rounded = if self.interface.monotone { rounded_falling } else { rounded };
                     (rounded(reals, bits, v), reals)
                 });
                 for ((column, code), real) in columns.iter_mut().zip(codes).zip(reals) {

@@ -93,6 +93,8 @@ pub struct Inspection {
     pub above_one: u64,
     /// Inputs outside [0, 1] whose result is not that of the nearest end.
     pub outside_differences: u64,
+    /// Whether the core is proved never to fall as the cosine rises.
+    pub monotone: bool,
     /// Neighbouring cosines of which the greater has the lesser result.
     #[serde(rename = "falls")]
     pub decreases: u64,
@@ -189,6 +191,7 @@ impl Inspection {
             at_zero: rows.iter().map(|row| row.at_zero).max().unwrap_or(0),
             above_one: sum(|row| row.above_one),
             outside_differences: sum(|row| row.outside_differences),
+            monotone: design.falls.is_proof(),
             decreases: sum(|row| row.decreases),
             max_decrease: worst(|row| row.max_decrease),
             max_step_error: worst(|row| row.max_step_error),
@@ -212,6 +215,10 @@ impl Inspection {
         check(
             self.outside_differences == 0,
             format!("{} inputs outside [0, 1] do not give the ends' results", self.outside_differences),
+        );
+        check(
+            !self.monotone || self.decreases == 0,
+            format!("the result falls at {} cosines, by {} ulps at most", self.decreases, self.max_decrease.ulps),
         );
         let [low, high] = self.measured_ulps;
         // Sums of doubles: the last bits are not what is checked.

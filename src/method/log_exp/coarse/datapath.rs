@@ -19,11 +19,12 @@
 
 use std::sync::OnceLock;
 
-use super::super::chords::{Chords, Slopes};
+use super::super::chords::{Chords, Rises, Slopes};
 use super::super::datapath::{EXP_TABLE, LOG_TABLE, exp_chords, power_of_two, times_versine, unless_one};
 use super::super::{EXP_ADDRESS, LOG_ADDRESS};
 use super::{Memory, ONE};
 use crate::datapath::builder::{Bound, Builder, Case, HighBits};
+use crate::datapath::graph::NodeId;
 use crate::datapath::{Architecture, Datapath, Description, Parameter, multiplier_cost};
 use crate::fixed::{Format, Interval, Table, Width, Widths, exp2};
 use crate::lobe::Lobe;
@@ -261,6 +262,14 @@ impl<'a> Coarse<'a> {
             .collect()
     }
 
+    /// 1 at x = 1, which the tables miss by their error, else `y`.
+    fn lit_fully(b: &mut Builder, x: NodeId, y: NodeId) -> NodeId {
+        let format = b.format(y);
+        let Some(top) = b.reaches(x, 0, "top", "x = 1: the result is 1") else { return y };
+        let one = b.constant(1 << format.frac_bits, format, "y_one");
+        b.select(top, [one, y], |_| None, "y_lit", "y, 1 at x = 1")
+    }
+
     /// The error of `v' κ'` in a case: `κ' (v' - v) + z (κ'/κ - 1)`, v' being off by what u loses, n times, and by its
     /// own rounding.
     fn product_error(&self, widths: &Widths, level: Interval, ratio: Interval) -> Interval {
@@ -346,8 +355,12 @@ impl Architecture for Coarse<'_> {
         let mut tables: Vec<Table> = self.n.table(self.n.frac_bits(widths)).into_iter().collect();
         let (lift, half) = (self.n.lift(self.input_bits(), widths), self.half_ulp(widths));
         let weight = Self::weight(self.served(widths)[0]);
-        tables.push(self.log_chords(widths, &|x| self.code(x)[1], &weight).table());
-        tables.push(Self::exp_chords(widths, &|f| libm::exp2(-f - lift) + half).table());
+        let [log, exp] = match self.interface.monotone {
+            true => [Rises::Nowhere, Rises::NowhereAtOctaves],
+            false => [Rises::Between; 2],
+        };
+        tables.push(self.log_chords(widths, &|x| self.code(x)[1], &weight).table(log));
+        tables.push(Self::exp_chords(widths, &|f| libm::exp2(-f - lift) + half).table(exp));
         tables
     }
 
@@ -425,6 +438,9 @@ impl Architecture for Coarse<'_> {
         };
         let bounds = (0..count).map(forced).collect();
         b.assume(y, bounds);
+        if self.interface.monotone {
+            y = Self::lit_fully(&mut b, x, y);
+        }
         if self.bypasses(widths) {
             let rounded = b.cast(x, Format::unsigned(1, g), HighBits::Unused, "x_cut", "x with the output's bits");
             y = unless_one(&mut b, n, y, rounded);
