@@ -17,6 +17,10 @@ use crate::spec::{Block, CoreSpec, Form, InputRange, LobeSpec, Operand, RomStyle
 /// The same core in the method's other form, or why it cannot be built.
 pub type OtherForm = Result<Box<Design>, String>;
 
+/// By how many ulps fitted words may be worse for an output that never falls, if there are widths with which they are
+/// no worse than that.
+const SLACK: f64 = 0.5;
+
 /// What is known of a lobe besides its datapath.
 #[derive(Clone, Debug)]
 pub(super) struct MadeLobe {
@@ -39,20 +43,22 @@ impl MadeLobe {
         method.check(interface)?;
         let architecture = method.architecture(interface)?;
         let check = Check::new(interface);
-        let solved = |check: Option<&Check>| {
+        let solved = |check: Option<(&Check, f64)>| {
             solve(&*architecture, &|widths, datapath| tune::finished(spec, &*architecture, check, widths, datapath))
         };
-        let solution = match solved(interface.monotone.then_some(&check)) {
-            // Where the method's own lobe rises with the versine, no widths mend it.
-            Err(error) if interface.monotone => {
-                let solution = solved(None)?;
-                if are_falling(&architecture.lobes(&solution.datapath.tables)) {
-                    return Err(error);
+        let within = |slack: f64| solved(interface.monotone.then_some((&check, slack)));
+        let solution =
+            match within(SLACK).or_else(|error| if spec.is_fitted() { within(f64::INFINITY) } else { Err(error) }) {
+                // Where the method's own lobe rises with the versine, no widths mend it.
+                Err(error) if interface.monotone => {
+                    let solution = solved(None)?;
+                    if are_falling(&architecture.lobes(&solution.datapath.tables)) {
+                        return Err(error);
+                    }
+                    solution
                 }
-                solution
-            }
-            solved => solved?,
-        };
+                solved => solved?,
+            };
         let lobes = architecture.lobes(&solution.datapath.tables).into();
         let description = architecture.description(&solution.datapath.tables);
         let Solution { widths, mut datapath, budget } = solution;

@@ -254,9 +254,16 @@ impl<'s> Search<'s> {
 
     /// The words with the least error found with which the output never rises with the versine and begins at `most` or
     /// below, and its last value.
-    fn best_falling(&mut self, start: Vec<i128>, most: u32) -> Option<(Vec<i128>, u32)> {
+    ///
+    /// `None` if there are none whose error is `slack` ulps at most above a tenth more than the least.
+    fn best_falling(&mut self, start: Vec<i128>, most: u32, slack: f64) -> Option<(Vec<i128>, u32)> {
         let way = self.descent(start);
+        let least = self.error_below(f64::INFINITY, way.last()?)?;
+        let allowed = 1.1 * least + slack * exp2(-(self.spec.interface.output_fraction as i32));
         for words in way.iter().rev() {
+            if self.error_below(allowed, words).is_none() {
+                break;
+            }
             if let Some([_, last]) = self.falling(words).filter(|&[first, _]| first <= most) {
                 return Some((words.clone(), last));
             }
@@ -275,7 +282,7 @@ impl<'s> Search<'s> {
         let mut found: Option<(f64, Vec<i128>, u32)> = None;
         for words in self.about(&middle, &reach) {
             if let Some([_, last]) = self.falling(&words).filter(|&[first, _]| first <= most) {
-                let bound = found.as_ref().map_or(f64::INFINITY, |(error, ..)| *error);
+                let bound = found.as_ref().map_or(allowed, |(error, ..)| *error);
                 found = self.error_below(bound, &words).map(|error| (error, words, last)).or(found);
             }
         }
@@ -283,15 +290,15 @@ impl<'s> Search<'s> {
     }
 }
 
-/// The words of the rows of the coefficient ROM that serve a shininess; `None` if the output is to be `falling` with
-/// the versine, and no words are found with which it is.
+/// The words of the rows of the coefficient ROM that serve a shininess; `None` if the output is to be falling with
+/// the versine, with an error so many ulps larger at most, and no words are found with which it is.
 fn searched(
     spec: &LobeSpec,
     architecture: &dyn Architecture,
     datapath: &Datapath,
     memory: usize,
     shininess: usize,
-    falling: bool,
+    falling: Option<f64>,
 ) -> Option<Vec<Vec<i128>>> {
     let table = &datapath.tables[memory];
     let parts = table.rows() / spec.interface.shininess.rows();
@@ -304,10 +311,8 @@ fn searched(
                 return Some(fields.map(|field| field.codes[row]).collect());
             };
             let start = search.fields.iter().map(|&field| table.fields[field].codes[row]).collect();
-            if !falling {
-                return search.descent(start).pop();
-            }
-            let (words, last) = search.best_falling(start, most)?;
+            let Some(slack) = falling else { return search.descent(start).pop() };
+            let (words, last) = search.best_falling(start, most, slack)?;
             most = last;
             Some(words)
         })
@@ -318,7 +323,7 @@ fn searched(
 fn with_searched(
     spec: &LobeSpec,
     architecture: &dyn Architecture,
-    check: Option<&Check>,
+    check: Option<(&Check, f64)>,
     datapath: &Datapath,
     memory: usize,
 ) -> Option<Vec<Table>> {
@@ -327,8 +332,9 @@ fn with_searched(
     if spec.interface.shininess.frac_bits() > 0 {
         return Some(tables);
     }
-    let words = |shininess: usize| searched(spec, architecture, datapath, memory, shininess, check.is_some());
-    let rows = check.unwrap_or(&Check::new(&spec.interface)).each_row(words)?;
+    let words =
+        |shininess: usize| searched(spec, architecture, datapath, memory, shininess, check.map(|(_, slack)| slack));
+    let rows = check.map_or(&Check::new(&spec.interface), |(check, _)| check).each_row(words)?;
     let fields = tables[memory].fields.iter_mut().filter(|field| architecture.searched().contains(&field.name));
     for (place, field) in fields.enumerate() {
         field.codes = rows.iter().flatten().map(|words| words[place]).collect();
@@ -338,15 +344,16 @@ fn with_searched(
 
 /// The datapath with the words that are its own: where coefficients are fitted, those that the search finds, which are
 /// from here on the method's coefficients themselves, or the rounded ones where the analysis cannot prove the found
-/// ones. `None` where a check is given and the output falls as the cosine rises.
+/// ones. `None` where a check is given and the output falls as the cosine rises, or the search has to go so many ulps
+/// further for it.
 pub(super) fn finished(
     spec: &LobeSpec,
     architecture: &dyn Architecture,
-    check: Option<&Check>,
+    check: Option<(&Check, f64)>,
     widths: &Widths,
     datapath: Datapath,
 ) -> Option<Datapath> {
-    let holds = |datapath: &Datapath| check.is_none_or(|check| check.holds(datapath));
+    let holds = |datapath: &Datapath| check.is_none_or(|(check, _)| check.holds(datapath));
     let coefficients = datapath.tables.iter().position(|table| table.name == Table::COEFFICIENTS);
     if let Some(memory) = coefficients.filter(|_| spec.is_fitted() && !architecture.searched().is_empty()) {
         let found = with_searched(spec, architecture, check, &datapath, memory);
