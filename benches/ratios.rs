@@ -180,14 +180,8 @@ fn fitted_segments(n: f64, segments: u32) -> std::result::Result<Segmented, brdf
     let mut pieces = Vec::new();
     let mut low = 0.0;
     for end in ends {
-        let fit::Segment { c, big_a, a } = fit::fit_segment(
-            n,
-            low,
-            end,
-            if low == 0.0 { Constraint::Peak } else { Constraint::None },
-            &Objective::MaxAbs,
-        )?
-        .coefficients;
+        let constraint = Constraint::Peak.of_segment(low, false);
+        let fit::Segment { c, big_a, a } = fit::fit_segment(n, low, end, constraint, &Objective::MaxAbs)?.coefficients;
         pieces.push(Polynomial { cosine: true, power: 1, c, big_a, a, end, past: 0.0 });
         low = end;
     }

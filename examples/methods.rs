@@ -73,7 +73,8 @@ struct Entry {
 
 impl Entry {
     fn of(design: &Design) -> Self {
-        let multipliers: Vec<String> = design.graph().multipliers().iter().map(|(a, b)| format!("{a}x{b}")).collect();
+        let multipliers: Vec<String> =
+            design.function().multipliers().iter().map(|(a, b)| format!("{a}x{b}")).collect();
         Self {
             rom_bits: design.tables().iter().map(brdfgen::fixed::Table::bits).sum(),
             multipliers: if multipliers.is_empty() { "none".to_owned() } else { multipliers.join(" ") },
@@ -109,7 +110,8 @@ most by which the core's step
 A held tail has
   it between the codes 0 and 1, as the result is 0 at x = 0.
 
-Multipliers are given by the widths of their operands, ROM bits as the depth of each memory times its word.
+Multipliers are given by the widths of their operands (those wider than a DSP block, 18x18, are built of several), \
+ROM bits as the depth of each memory times its word.
 ";
 
 fn sig(value: f64) -> String {

@@ -262,7 +262,7 @@ pub(super) fn run(arguments: Arguments) -> Result<Verdict, Error> {
 
 /// A core and its errors, in lines.
 fn describe(design: &Design, account: &Account) -> Vec<String> {
-    let multipliers: Vec<String> = design.graph().multipliers().iter().map(|(a, b)| format!("{a}x{b}")).collect();
+    let multipliers: Vec<String> = design.function().multipliers().iter().map(|(a, b)| format!("{a}x{b}")).collect();
     let memories: Vec<String> =
         design.tables().iter().map(|table| format!("{} x {} bits", table.depth(), table.word_bits())).collect();
     let formats = |direction: Direction| -> String {

@@ -231,9 +231,9 @@ impl ImageDesign<'_> {
     /// are the light, the port of its gain's red, and the channel.
     fn with_power(self, mut codes: Vec<i64>, [light, gain, channel]: [usize; 3], power: i32) -> Vec<i64> {
         let inputs: Vec<i128> = codes.iter().copied().map(i128::from).collect();
-        let values = self.graph().values(self.tables(), &inputs);
+        let values = self.function().values(self.tables(), &inputs);
         let LightJoints { incidence, squares, full_gain } = self.joints.lights[light];
-        let of = |id: usize| self.graph().nodes[id].format.value(values[id]);
+        let of = |id: usize| self.function().nodes[id].format.value(values[id]);
         let factor = [incidence, Some(squares[channel]), full_gain].into_iter().flatten().map(of).product::<f64>()
             * exp2(-self.block.widths().gain);
         // A little more, for what is rounded down on the way.
@@ -349,9 +349,9 @@ impl ImageDesign<'_> {
         let channel = rng.below(3) as usize;
         let widths = self.block.widths();
         let inputs: Vec<i128> = codes.iter().copied().map(i128::from).collect();
-        let values = self.graph().values(self.tables(), &inputs);
+        let values = self.function().values(self.tables(), &inputs);
         let LightJoints { incidence, squares, full_gain } = self.joints.lights[light];
-        let frac = |id: usize| self.graph().nodes[id].format.frac_bits;
+        let frac = |id: usize| self.function().nodes[id].format.frac_bits;
         let each = (codes.len() - 3) / self.joints.lights.len();
         let port = 3 + light * each + self.light_places().gain + channel;
         let square = values[squares[channel]] as i64;

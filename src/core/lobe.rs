@@ -47,22 +47,23 @@ impl MadeLobe {
             solve(&*architecture, &|widths, datapath| tune::finished(spec, &*architecture, check, widths, datapath))
         };
         let within = |slack: f64| solved(interface.monotone.then_some((&check, slack)));
-        let solution =
-            match within(SLACK).or_else(|error| if spec.is_fitted() { within(f64::INFINITY) } else { Err(error) }) {
+        let first = within(SLACK).or_else(|error| if spec.is_fitted() { within(f64::INFINITY) } else { Err(error) });
+        let (solution, is_kept) = match first {
+            Ok(solution) => (solution, interface.monotone),
+            Err(error) if interface.monotone => {
                 // Where the method's own lobe rises with the versine, no widths mend it.
-                Err(error) if interface.monotone => {
-                    let solution = solved(None)?;
-                    if are_falling(&architecture.lobes(&solution.datapath.tables)) {
-                        return Err(error);
-                    }
-                    solution
+                let solution = solved(None)?;
+                if are_falling(&architecture.lobes(&solution.datapath.tables)) {
+                    return Err(error);
                 }
-                solved => solved?,
-            };
+                (solution, false)
+            }
+            Err(error) => return Err(error),
+        };
+        let falls = if is_kept { check.none() } else { check.falls(&solution.datapath) };
         let lobes = architecture.lobes(&solution.datapath.tables).into();
         let description = architecture.description(&solution.datapath.tables);
         let Solution { widths, mut datapath, budget } = solution;
-        let falls = check.falls(&datapath);
         // Words that may be written may use what those of this core do not.
         let narrowed = match rom {
             RomStyle::Writable => Vec::new(),

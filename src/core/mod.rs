@@ -36,6 +36,7 @@ use crate::block::shader::datapath::{Joints, build};
 use crate::datapath::Datapath;
 use crate::datapath::evaluate::Evaluator;
 use crate::datapath::graph::Graph;
+use crate::datapath::products::WideProduct;
 use crate::datapath::range::{Region, regions};
 use crate::datapath::schedule::{Adders, External, Schedule, schedule};
 use crate::fixed::{Format, Rng, Table};
@@ -79,8 +80,12 @@ impl Account {
 pub struct Design {
     /// What was asked for.
     pub spec: CoreSpec,
-    /// The operations and the memories.
+    /// The operations of the hardware, and the memories.
     pub datapath: Datapath,
+    /// The operations with each product as one, whatever its width: what ranges and joints are of.
+    function: Graph,
+    /// The products that are wider than a DSP block, as nodes of the datapath.
+    pub wide_products: Vec<WideProduct>,
     /// The pipeline.
     pub schedule: Schedule,
     /// How its block was made.
@@ -137,7 +142,7 @@ impl Design {
     /// A spec that no core can be built for, such as one whose printed form needs values wider than 126 bits, or a
     /// writable ROM of a method that has none.
     pub fn new(spec: CoreSpec) -> Result<Self, Error> {
-        let (datapath, made) = Made::new(&spec)?;
+        let (mut datapath, made) = Made::new(&spec)?;
         // Where lights come in sequence their number a second is what counts, and not how late a sample is.
         let adders = match &spec.block {
             Block::Image(_) => Adders::One,
@@ -145,8 +150,10 @@ impl Design {
             _ => Adders::Two,
         };
         let external = external(&spec, &datapath);
+        let (graph, wide_products) = spec.dsp.built(&datapath.graph);
+        let function = std::mem::replace(&mut datapath.graph, graph);
         let schedule = schedule(&datapath.graph, spec.pipeline, adders, &external)?;
-        let design = Self { datapath, schedule, made, spec };
+        let design = Self { datapath, function, wide_products, schedule, made, spec };
         design.spec.golden_inputs.check("golden_inputs", &design.numbers(Direction::In))?;
         design.spec.light_records.check("light_records", &design.light_ports())?;
         if design.spec.rom == RomStyle::Writable && design.write_ports().is_empty() {
@@ -245,16 +252,23 @@ impl Design {
         &self.datapath.tables
     }
 
-    /// The operations.
+    /// The operations of the hardware.
     #[must_use]
     pub fn graph(&self) -> &Graph {
         &self.datapath.graph
     }
 
+    /// The operations with each product as one, whatever its width. Their values are those of the hardware's; ranges
+    /// are analysed here, as intervals do not see that the parts of a product belong together.
+    #[must_use]
+    pub fn function(&self) -> &Graph {
+        &self.function
+    }
+
     /// The vectorised evaluator.
     #[must_use]
     pub fn evaluator(&self) -> Evaluator<'_> {
-        Evaluator::new(self.graph(), self.tables())
+        Evaluator::new(&self.function, self.tables())
     }
 
     /// All inputs, row by row of the memories, for the range analysis.

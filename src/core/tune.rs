@@ -8,7 +8,7 @@ use crate::datapath::widths::is_within;
 use crate::datapath::{Architecture, Datapath};
 use crate::fixed::{Table, Widths, exp2};
 use crate::lobe;
-use crate::method::Check;
+use crate::method::{Check, Row};
 use crate::spec::{LobeSpec, Operand};
 
 /// The most versines at which a row's error is taken.
@@ -19,8 +19,8 @@ const DEEPEST: f64 = 16.0;
 const BLOCK: usize = 64;
 /// The blocks that are looked at first: an error curve that is as flat as it can be has about so many summits.
 const WITNESSES: usize = 6;
-/// Blocks at a time where all points of a row are looked at.
-const BLOCKS: usize = 16;
+/// Codes on either side of where the output fell with other words that are looked at first.
+const NEAR: i64 = BLOCK as i64 / 2 - 1;
 /// The most steps of a search.
 const MOST_STEPS: usize = 64;
 
@@ -121,11 +121,11 @@ struct Search<'s> {
     /// `None` where nothing of what it serves counts.
     points: Option<Points>,
     witnesses: VecDeque<usize>,
-    /// The first versine code that the row serves and the last.
-    versines: [i64; 2],
+    /// The operand codes of the first versine that the row serves and of the last.
+    codes: [i64; 2],
     index: u32,
-    /// Where the output was last seen to rise with the versine.
-    risen: i64,
+    /// The lesser of two operand codes between which the output was last seen to fall: most other words fail near it.
+    fallen: Option<i64>,
 }
 
 impl<'s> Search<'s> {
@@ -152,9 +152,12 @@ impl<'s> Search<'s> {
             tables: datapath.tables.iter().map(only).collect(),
             points: Points::of(spec, architecture, table, row),
             witnesses: VecDeque::new(),
-            versines: [first.min(one) as i64, last.min(one) as i64],
+            codes: [first, last].map(|versine| match spec.interface.operand {
+                Operand::Versine => versine.min(one) as i64,
+                Operand::Cos => (one - versine.min(one)) as i64,
+            }),
             index: spec.interface.shininess.index_of_row(row / (table.rows() / spec.interface.shininess.rows())),
-            risen: 0,
+            fallen: None,
         })
     }
 
@@ -211,52 +214,26 @@ impl<'s> Search<'s> {
         way
     }
 
-    /// The outputs at versine codes `from..from + count`, in their order.
-    fn outputs(&self, evaluator: &Evaluator, from: i64, outputs: &mut [u32]) {
-        let last = from + outputs.len() as i64 - 1;
-        match self.spec.interface.operand {
-            Operand::Versine => evaluator.evaluate(self.index, from, 1, outputs),
-            Operand::Cos => {
-                let one = 1i64 << self.spec.interface.input_fraction;
-                evaluator.evaluate(self.index, one - last, 1, outputs);
-                outputs.reverse();
-            }
-        }
-    }
-
     /// The outputs of these words at the first and the last versine, if none in between is greater than the one before
     /// it; else `None`.
-    fn falling(&mut self, words: &[i128]) -> Option<[u32; 2]> {
+    fn falling(&mut self, check: &Check, words: &[i128]) -> Option<[u32; 2]> {
         self.set(words);
         let evaluator = Evaluator::new(&self.datapath.graph, &self.tables);
-        let [first, last] = self.versines;
-        let mut outputs = [0; BLOCKS * BLOCK];
-        // A block begins with the last versine of the one before.
-        let blocks = || (first..=last).step_by(BLOCKS * BLOCK - 1);
-        let suspect = blocks().find(|&from| from == self.risen);
-        let mut ends = [0; 2];
-        for from in suspect.into_iter().chain(blocks()) {
-            let count = (last - from + 1).min((BLOCKS * BLOCK) as i64) as usize;
-            self.outputs(&evaluator, from, &mut outputs[..count]);
-            if outputs[..count].windows(2).any(|pair| pair[1] > pair[0]) {
-                self.risen = from;
-                return None;
-            }
-            if from == first {
-                ends[0] = outputs[0];
-            }
-            if from + count as i64 > last {
-                ends[1] = outputs[count - 1];
-            }
-        }
-        Some(ends)
+        let row = Row::new(&evaluator, self.index, self.spec.interface.operand);
+        let [first, last] = self.codes;
+        let [from, to] = [first.min(last), first.max(last)];
+        let suspect = self.fallen.map(|code| row.falls((code - NEAR).max(from), (code + NEAR).min(to)));
+        let falls = check.blocks(from, to).flat_map(|(first, last)| row.falls(first, last));
+        let fallen = suspect.into_iter().flatten().chain(falls).next();
+        self.fallen = fallen.map(|(code, _)| code).or(self.fallen);
+        fallen.is_none().then(|| self.codes.map(|code| row.output(code)))
     }
 
     /// The words with the least error found with which the output never rises with the versine and begins at `most` or
     /// below, and its last value.
     ///
     /// `None` if there are none whose error is `slack` ulps at most above a tenth more than the least.
-    fn best_falling(&mut self, start: Vec<i128>, most: u32, slack: f64) -> Option<(Vec<i128>, u32)> {
+    fn best_falling(&mut self, check: &Check, start: Vec<i128>, most: u32, slack: f64) -> Option<(Vec<i128>, u32)> {
         let way = self.descent(start);
         let least = self.error_below(f64::INFINITY, way.last()?)?;
         let allowed = 1.1 * least + slack * exp2(-(self.spec.interface.output_fraction as i32));
@@ -264,24 +241,23 @@ impl<'s> Search<'s> {
             if self.error_below(allowed, words).is_none() {
                 break;
             }
-            if let Some([_, last]) = self.falling(words).filter(|&[first, _]| first <= most) {
+            if let Some([_, last]) = self.falling(check, words).filter(|&[first, _]| first <= most) {
                 return Some((words.clone(), last));
             }
         }
         let mut middle = way.into_iter().next_back()?;
         self.set(&middle);
         let evaluator = Evaluator::new(&self.datapath.graph, &self.tables);
-        let mut first = [0];
-        self.outputs(&evaluator, self.versines[0], &mut first);
+        let first = Row::new(&evaluator, self.index, self.spec.interface.operand).output(self.codes[0]);
         let field = |place: usize| &self.datapath.tables[self.memory].fields[self.fields[place]];
         if let Some(constant) = (0..middle.len()).find(|&place| field(place).name == "c") {
             let finer = field(constant).format.frac_bits - self.spec.interface.output_fraction as i32;
-            middle[constant] -= i128::from(first[0].saturating_sub(most)) << finer.max(0);
+            middle[constant] -= i128::from(first.saturating_sub(most)) << finer.max(0);
         }
         let reach: Vec<i128> = (0..middle.len()).map(|place| REACH[middle.len() - place]).collect();
         let mut found: Option<(f64, Vec<i128>, u32)> = None;
         for words in self.about(&middle, &reach) {
-            if let Some([_, last]) = self.falling(&words).filter(|&[first, _]| first <= most) {
+            if let Some([_, last]) = self.falling(check, &words).filter(|&[first, _]| first <= most) {
                 let bound = found.as_ref().map_or(allowed, |(error, ..)| *error);
                 found = self.error_below(bound, &words).map(|error| (error, words, last)).or(found);
             }
@@ -298,7 +274,7 @@ fn searched(
     datapath: &Datapath,
     memory: usize,
     shininess: usize,
-    falling: Option<f64>,
+    falling: Option<(&Check, f64)>,
 ) -> Option<Vec<Vec<i128>>> {
     let table = &datapath.tables[memory];
     let parts = table.rows() / spec.interface.shininess.rows();
@@ -311,8 +287,8 @@ fn searched(
                 return Some(fields.map(|field| field.codes[row]).collect());
             };
             let start = search.fields.iter().map(|&field| table.fields[field].codes[row]).collect();
-            let Some(slack) = falling else { return search.descent(start).pop() };
-            let (words, last) = search.best_falling(start, most, slack)?;
+            let Some((check, slack)) = falling else { return search.descent(start).pop() };
+            let (words, last) = search.best_falling(check, start, most, slack)?;
             most = last;
             Some(words)
         })
@@ -332,8 +308,7 @@ fn with_searched(
     if spec.interface.shininess.frac_bits() > 0 {
         return Some(tables);
     }
-    let words =
-        |shininess: usize| searched(spec, architecture, datapath, memory, shininess, check.map(|(_, slack)| slack));
+    let words = |shininess: usize| searched(spec, architecture, datapath, memory, shininess, check);
     let rows = check.map_or(&Check::new(&spec.interface), |(check, _)| check).each_row(words)?;
     let fields = tables[memory].fields.iter_mut().filter(|field| architecture.searched().contains(&field.name));
     for (place, field) in fields.enumerate() {

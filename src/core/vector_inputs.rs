@@ -140,7 +140,7 @@ impl ImageDesign<'_> {
     fn place_steps(self, codes: &[i64], axis: usize) -> Vec<Vec<i64>> {
         let places = |codes: &[i64]| -> Vec<i128> {
             let inputs: Vec<i128> = codes.iter().copied().map(i128::from).collect();
-            let values = self.graph().values(self.tables(), &inputs);
+            let values = self.function().values(self.tables(), &inputs);
             // Those of the first light.
             let count = self.joints.places.len() / self.of.image.lights as usize;
             self.joints.places[..count].iter().flat_map(|joint| joint.results()).map(|id| values[id]).collect()

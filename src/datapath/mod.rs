@@ -5,6 +5,7 @@
 //! - [`builder`]: builds a graph and bounds, row by row, the range and the error of every value;
 //! - [`normalise`]: leading zeros counted and shifted out;
 //! - [`widths`]: "computing just right": the cheapest inner widths whose proved error is below one output ulp;
+//! - [`products`]: wide products, built of DSP blocks;
 //! - [`schedule`]: places the pipeline registers;
 //! - [`simulate`]: the pipeline, clock by clock;
 //! - [`evaluate`]: the function, many inputs at a time;
@@ -15,6 +16,7 @@ pub mod evaluate;
 pub mod fault;
 pub mod graph;
 pub mod normalise;
+pub mod products;
 pub mod range;
 pub mod schedule;
 pub mod simulate;

@@ -111,20 +111,29 @@ struct Rules {
     block_registers: u32,
     /// Registers behind a product in front of what takes a stage by itself, where one addition is much for a stage.
     product_registers: u32,
+    /// Registers between what is made far from a DSP block ([`is_far`]) and the product that takes it, the product's
+    /// own included.
+    far_registers: u32,
     /// The longest chain of a stage, in units of a multiplier's delay.
     period: f64,
 }
 
 /// From the fastest to the shallowest pipeline. In the fastest a product has its own register, and one near the adder.
 const RULES: [Rules; 8] = [
-    Rules { rom_registers: 2, block_registers: BLOCK_REGISTERS + 1, product_registers: 2, period: 1.0 },
-    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 1.0 },
-    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 1.5 },
-    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 2.0 },
-    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 3.0 },
-    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 4.0 },
-    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, period: 16.0 },
-    Rules { rom_registers: 0, block_registers: 0, product_registers: 0, period: f64::INFINITY },
+    Rules {
+        rom_registers: 2,
+        block_registers: BLOCK_REGISTERS + 1,
+        product_registers: 2,
+        far_registers: 2,
+        period: 1.0,
+    },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, far_registers: 0, period: 1.0 },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, far_registers: 0, period: 1.5 },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, far_registers: 0, period: 2.0 },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, far_registers: 0, period: 3.0 },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, far_registers: 0, period: 4.0 },
+    Rules { rom_registers: 1, block_registers: 1, product_registers: 0, far_registers: 0, period: 16.0 },
+    Rules { rom_registers: 0, block_registers: 0, product_registers: 0, far_registers: 0, period: f64::INFINITY },
 ];
 
 impl Rules {
@@ -165,6 +174,8 @@ fn delay(op: Op, adders: Adders) -> f64 {
             Adders::Two => 0.5,
         },
         Op::NonZero => 0.2,
+        // Where a whole stage may follow a product, several in a row are as long as an adder.
+        Op::Select if adders == Adders::Two => 0.2,
         Op::Or | Op::ZeroIf | Op::Not | Op::Select => 0.1,
     }
 }
@@ -242,6 +253,28 @@ fn origin(graph: &Graph, mut id: NodeId) -> NodeId {
     id
 }
 
+/// Whether the last cells that make a value cannot all be near a DSP block that takes it: it is shifted by a variable,
+/// or the sum of products of several blocks, or computed from one.
+fn is_far(graph: &Graph, id: NodeId) -> bool {
+    let node = &graph.nodes[id];
+    match node.op {
+        Op::ShiftLeft | Op::ShiftRight => !matches!(graph.nodes[node.args[1]].op, Op::Constant(_)),
+        _ => is_behind_blocks(graph, id),
+    }
+}
+
+/// Whether a value is the sum of products of several blocks, or a sum or a difference of one.
+fn is_behind_blocks(graph: &Graph, id: NodeId) -> bool {
+    let Node { op, args, .. } = &graph.nodes[id];
+    let mut from = args.iter().map(|&arg| origin(graph, arg));
+    match op {
+        Op::Add | Op::Sub => {
+            from.clone().all(|arg| graph.nodes[arg].op == Op::Mul) || from.any(|arg| is_behind_blocks(graph, arg))
+        }
+        _ => false,
+    }
+}
+
 /// What is too long for a stage that begins with a product: another product and a sum that is a factor, as the way to
 /// another DSP block lies before them, and a comparison, whose carry goes on to a bit that much waits for.
 fn long_behind_products(graph: &Graph) -> Vec<bool> {
@@ -277,6 +310,7 @@ fn place(graph: &Graph, rules: Rules, adders: Adders, extra: &[u32], external: &
                 + match from.op {
                     Op::Field { memory, .. } => rules.registers_behind(graph, memory, external),
                     _ if long[id] && graph.nodes[origin(graph, arg)].op == Op::Mul => rules.product_registers,
+                    _ if node.op == Op::Mul && is_far(graph, origin(graph, arg)) => rules.far_registers,
                     _ => 0,
                 };
             let ready = stage[arg] + registers;

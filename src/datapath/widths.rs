@@ -171,7 +171,8 @@ fn solve_among(architecture: &dyn Architecture, parameters: Vec<Parameter>, fini
     let mut refused = 0;
     let mut rest = &candidates[..];
     while !rest.is_empty() {
-        let step = 1 + refused / PATIENCE * refused / 8;
+        // One in so many, once patience is over: whole patiences times an eighth of what was refused.
+        let step = 1 + (refused / PATIENCE) * refused / 8;
         let (batch, later) = rest.split_at(rest.len().min(8 * step));
         rest = later;
         // The last is the one with the widest values.

@@ -51,8 +51,8 @@ impl Constraint {
     }
 }
 
-/// The best coefficients on the segment `u_low..=u_high` for the shininess `n`; under a constraint;
-/// that of an exact peak is for the first segment.
+/// The best coefficients on the segment `u_low..=u_high` for the shininess `n` under a constraint; that of an exact
+/// peak is for the first segment.
 ///
 /// Where the objective counts errors only down to a level, and at least half the segment lies above it, only that part
 /// is fitted. Otherwise all of it is, with the level's weight past the level, lest the coefficients grow without use.
@@ -423,8 +423,7 @@ fn segment(n: f64, low: f64, high: f64, constraint: Constraint, objective: &Obje
         let (w_1, w_2) = (0.9, 0.3);
         let square = (at(w_1) - at(w_2)) / (w_1 * w_1 - w_2 * w_2);
         let start = [at(w_1) - w_1 * w_1 * square, square];
-        let Best { p, .. } = minimax::minimise(&ending, &target, [start].into_iter(), 1);
-        let mut p = p;
+        let Best { mut p, .. } = minimax::minimise(&ending, &target, [start].into_iter(), 1);
         if constraint == Constraint::Falling && p[0] < ending.least {
             let least = minimax::minimise(&ending, &target, [[at(1.0) - ending.least]].into_iter(), 1);
             p = [ending.least, least.p[0]];

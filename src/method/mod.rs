@@ -43,6 +43,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 pub use interface::{INPUT_FRACTION, InputRange, Interface, OUTPUT_FRACTION, Operand};
 pub use model::{Inputs, Model};
+pub(crate) use monotone::Row;
 pub use monotone::{Check, Falls, are_falling};
 pub use options::{Coefficients, Form, Options, Source};
 pub(crate) use options::{method_keys, within, word};

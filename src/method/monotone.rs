@@ -4,6 +4,8 @@
 //! may: a product of a factor that rises and one that falls, each rounded down, now and then goes the wrong way by a
 //! last bit. So words and widths are chosen with this check, which runs the neighbouring inputs themselves.
 
+use std::iter::StepBy;
+use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
@@ -15,8 +17,13 @@ use crate::lobe::Lobe;
 
 /// The most inputs that are all run.
 const MOST_INPUTS: u64 = 1 << 26;
-/// Outputs that are computed at a time.
-const BLOCK: i64 = 4096;
+/// The pairs that are run of more inputs, and the neighbouring codes of which all or none are run.
+const SAMPLED: u64 = 1 << 22;
+const BLOCK: i64 = 256;
+/// The fewest blocks of a row.
+const FEWEST_BLOCKS: u64 = 4;
+/// Outputs that are computed at a time: most lobes that fall do early.
+const CHUNK: usize = 1024;
 
 /// Neighbouring cosines in [0, 1] of which the greater has the lesser output.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,11 +46,6 @@ impl Falls {
     pub fn is_proof(&self) -> bool {
         self.exhaustive && self.count == 0
     }
-
-    fn and(self, other: Self) -> Self {
-        let worst = if other.most_ulps > self.most_ulps { other } else { self };
-        Self { pairs: self.pairs + other.pairs, count: self.count + other.count, ..worst }
-    }
 }
 
 /// Steps of the versine at which real lobes are compared.
@@ -56,74 +58,134 @@ const ROUNDING: f64 = 1e-7;
 #[must_use]
 pub fn are_falling(lobes: &[Box<dyn Lobe>]) -> bool {
     lobes.par_iter().all(|lobe| {
-        let values = (0..=STEPS).map(|step| lobe.at(f64::from(step) / f64::from(STEPS)));
-        let mut before = f64::INFINITY;
-        values.into_iter().all(|value| {
-            let falls = value <= before + ROUNDING;
-            before = value;
-            falls
-        })
+        (0..=STEPS).map(|step| lobe.at(f64::from(step) / f64::from(STEPS))).is_sorted_by(|a, b| *b <= *a + ROUNDING)
     })
+}
+
+/// A lobe with one shininess: its outputs by the codes of its operand.
+pub struct Row<'r> {
+    evaluator: &'r Evaluator<'r>,
+    index: u32,
+    operand: Operand,
+}
+
+impl<'r> Row<'r> {
+    /// With this code of `in_n`.
+    #[must_use]
+    pub fn new(evaluator: &'r Evaluator<'r>, index: u32, operand: Operand) -> Self {
+        Self { evaluator, index, operand }
+    }
+
+    /// The output at a code of the operand.
+    #[must_use]
+    pub fn output(&self, code: i64) -> u32 {
+        let mut output = [0];
+        self.evaluator.evaluate(self.index, code, 1, &mut output);
+        output[0]
+    }
+
+    /// Each code from `first` on that has its successor up to `last`, where of these two the greater cosine has the
+    /// lesser output; with by how much.
+    pub fn falls(&self, first: i64, last: i64) -> impl Iterator<Item = (i64, u32)> + '_ {
+        // A chunk begins with the last code of the one before.
+        (first..last).step_by(CHUNK - 1).flat_map(move |start| {
+            let mut outputs = [0; CHUNK];
+            let outputs = &mut outputs[..(last + 1 - start).min(CHUNK as i64) as usize];
+            self.evaluator.evaluate(self.index, start, 1, outputs);
+            let [before, behind] = [&outputs[..outputs.len() - 1], &outputs[1..]];
+            let (lesser, greater) = match self.operand {
+                Operand::Cos => (before, behind),
+                Operand::Versine => (behind, before),
+            };
+            let pairs = lesser.iter().zip(greater);
+            // Most chunks have none, which vector instructions tell.
+            if !pairs.clone().fold(false, |any, (lesser, greater)| any | (lesser > greater)) {
+                return Vec::new();
+            }
+            let fall = |(place, (lesser, greater)): (usize, (&u32, &u32))| {
+                (lesser > greater).then(|| (start + place as i64, lesser - greater))
+            };
+            pairs.enumerate().filter_map(fall).collect()
+        })
+    }
 }
 
 /// The check of lobes with an interface.
 #[derive(Debug)]
 pub struct Check<'a> {
     interface: &'a Interface,
-    /// Every so many blocks of operand codes one is run.
-    stride: i64,
+    /// Every so many rows one is run.
+    step: usize,
+    /// The first and the last operand code of each block that is run of a row; `None` where all are.
+    blocks: Option<Vec<[i64; 2]>>,
     /// The row at which the last lobe failed: most others fail there as well.
     suspect: AtomicUsize,
 }
 
 impl<'a> Check<'a> {
-    /// Of the lobes of an interface.
+    /// Of the lobes of an interface: all inputs if they are no more than 2^26, else blocks of neighbouring ones, which
+    /// lie the closer the nearer they are to the lobe's peak, where it falls steepest.
     #[must_use]
     pub fn new(interface: &'a Interface) -> Self {
-        let inputs = interface.shininess.rows() as u64 * ((1 << interface.input_fraction) + 1);
-        Self { interface, stride: inputs.div_ceil(MOST_INPUTS) as i64, suspect: AtomicUsize::new(0) }
+        let (rows, one) = (interface.shininess.rows() as u64, 1i64 << interface.input_fraction);
+        let is_sampled = rows * (one as u64 + 1) > MOST_INPUTS;
+        let step = if is_sampled { rows.div_ceil(SAMPLED / BLOCK as u64 / FEWEST_BLOCKS) } else { 1 };
+        let sampled = || {
+            let count = (SAMPLED / rows.div_ceil(step) / BLOCK as u64) as i64;
+            let versine = |place: i64| (one as f64 * (place as f64 / count as f64).powi(2)) as i64;
+            let block = |place: i64| {
+                let [first, last] = [versine(place), (versine(place) + BLOCK).min(versine(place + 1))];
+                match interface.operand {
+                    Operand::Versine => [first, last],
+                    Operand::Cos => [one - last, one - first],
+                }
+            };
+            (0..count).map(block).filter(|[first, last]| last > first).collect()
+        };
+        Self { interface, step: step as usize, blocks: is_sampled.then(sampled), suspect: AtomicUsize::new(0) }
     }
 
-    /// The falls of one row: all, or those of the first block that has one.
-    fn of_row(&self, evaluator: &Evaluator, row: usize, all: bool) -> Falls {
-        let index = self.interface.shininess.index_of_row(row);
-        let one = 1i64 << self.interface.input_fraction;
-        let rises = self.interface.operand == Operand::Cos;
-        let mut outputs = [0; BLOCK as usize];
-        let mut found = Falls { pairs: 0, exhaustive: self.stride == 1, count: 0, most_ulps: 0, worst: [0.0; 2] };
-        // A block begins with the last code of the one before.
-        for first in (0..one).step_by(((BLOCK - 1) * self.stride) as usize) {
-            let count = (one + 1 - first).min(BLOCK) as usize;
-            evaluator.evaluate(index, first, 1, &mut outputs[..count]);
-            for (place, pair) in outputs[..count].windows(2).enumerate() {
-                let (lesser, greater) = if rises { (pair[0], pair[1]) } else { (pair[1], pair[0]) };
-                if lesser > greater {
-                    found.count += 1;
-                    if lesser - greater > found.most_ulps {
-                        found.most_ulps = lesser - greater;
-                        let code = first + place as i64;
-                        let cosine = if rises { code + 1 } else { one - code };
-                        found.worst = [self.interface.shininess.value(row), cosine as f64 / one as f64];
-                    }
-                }
-            }
-            found.pairs += count as u64 - 1;
-            if !all && found.count > 0 {
-                break;
-            }
-        }
-        found
+    fn row<'r>(&self, evaluator: &'r Evaluator<'r>, row: usize) -> Row<'r> {
+        Row::new(evaluator, self.interface.shininess.index_of_row(row), self.interface.operand)
+    }
+
+    /// The first and the last operand code of each block that is run of a row, between two codes.
+    pub fn blocks(&self, from: i64, to: i64) -> impl Iterator<Item = (i64, i64)> + '_ {
+        let whole = [[from, to]];
+        let blocks = self.blocks.as_deref();
+        let all = blocks.is_none().then_some(whole).into_iter().flatten();
+        let within = move |&[first, last]: &[i64; 2]| [first.max(from), last.min(to)];
+        let chosen = all.chain(blocks.into_iter().flatten().map(within));
+        chosen.map(|[first, last]| (first, last)).filter(|(first, last)| first < last)
+    }
+
+    /// [`Check::blocks`] between cosines of 0 and 1.
+    fn all_blocks(&self) -> impl Iterator<Item = (i64, i64)> + '_ {
+        self.blocks(0, 1 << self.interface.input_fraction)
     }
 
     /// Whether the lobe of a datapath never falls.
     #[must_use]
     pub fn holds(&self, datapath: &Datapath) -> bool {
         let evaluator = Evaluator::new(&datapath.graph, &datapath.tables);
-        self.each_row(|row| (self.of_row(&evaluator, row, false).count == 0).then_some(())).is_some()
+        let never_falls = |row: usize| {
+            let row = self.row(&evaluator, row);
+            self.all_blocks().all(|(first, last)| row.falls(first, last).next().is_none()).then_some(())
+        };
+        self.all_of(self.rows(), never_falls).is_some()
+    }
+
+    /// The rows that are run.
+    fn rows(&self) -> StepBy<Range<usize>> {
+        (0..self.interface.shininess.rows()).step_by(self.step)
     }
 
     /// What is made of each row, if something is of all. The row of which nothing was made last is tried first.
     pub fn each_row<T: Send>(&self, made: impl Fn(usize) -> Option<T> + Sync) -> Option<Vec<T>> {
+        self.all_of((0..self.interface.shininess.rows()).step_by(1), made)
+    }
+
+    fn all_of<T: Send>(&self, rows: StepBy<Range<usize>>, made: impl Fn(usize) -> Option<T> + Sync) -> Option<Vec<T>> {
         made(self.suspect.load(Ordering::Relaxed))?;
         let or_suspect = |row: usize| {
             let made = made(row);
@@ -132,18 +194,42 @@ impl<'a> Check<'a> {
             }
             made
         };
-        (0..self.interface.shininess.rows()).into_par_iter().map(or_suspect).collect()
+        rows.collect::<Vec<_>>().into_par_iter().map(or_suspect).collect()
+    }
+
+    /// What is known of a lobe for which the check holds.
+    #[must_use]
+    pub fn none(&self) -> Falls {
+        let pairs: i64 = self.all_blocks().map(|(first, last)| last - first).sum();
+        Falls {
+            pairs: pairs as u64 * self.rows().len() as u64,
+            exhaustive: self.blocks.is_none(),
+            count: 0,
+            most_ulps: 0,
+            worst: [0.0; 2],
+        }
     }
 
     /// All falls of the lobe of a datapath.
-    ///
-    /// # Panics
-    /// Never: a set has a shininess.
     #[must_use]
     pub fn falls(&self, datapath: &Datapath) -> Falls {
         let evaluator = Evaluator::new(&datapath.graph, &datapath.tables);
-        let rows = (0..self.interface.shininess.rows()).into_par_iter();
-        let falls: Vec<Falls> = rows.map(|row| self.of_row(&evaluator, row, true)).collect();
-        falls.into_iter().reduce(Falls::and).expect("a set has a shininess")
+        let one = 1i64 << self.interface.input_fraction;
+        let of_row = |place: usize| {
+            let row = self.row(&evaluator, place);
+            let falls = self.all_blocks().flat_map(|(first, last)| row.falls(first, last));
+            falls.fold((0, 0, [0.0; 2]), |(count, most, worst), (code, ulps)| {
+                if ulps <= most {
+                    return (count + 1, most, worst);
+                }
+                let cosine = if self.interface.operand == Operand::Cos { code + 1 } else { one - code };
+                (count + 1, ulps, [self.interface.shininess.value(place), cosine as f64 / one as f64])
+            })
+        };
+        let rows: Vec<_> = self.rows().collect::<Vec<_>>().into_par_iter().map(of_row).collect();
+        rows.into_iter().fold(self.none(), |found, (count, most_ulps, worst)| {
+            let found = Falls { count: found.count + count, ..found };
+            if most_ulps > found.most_ulps { Falls { most_ulps, worst, ..found } } else { found }
+        })
     }
 }

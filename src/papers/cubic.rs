@@ -294,7 +294,7 @@ pub(super) fn three_point_closed_form() -> Claim {
 
 pub(super) fn operations() -> Result<Claim, Error> {
     let (printed, ours) = (datapath("cubic", "paper")?, datapath("cubic", "stable")?);
-    let (five, three) = (printed.graph().multipliers().len(), ours.graph().multipliers().len());
+    let (five, three) = (printed.function().multipliers().len(), ours.function().multipliers().len());
     Ok(Claim::of(
         "three-point-operations",
         vec![count("multiplications as printed", five), count("multiplications of x(1 - u(A - a u))", three)],

@@ -67,12 +67,12 @@ pub(super) fn quadratic_periphery() -> Result<Claim, Error> {
 
 pub(super) fn quadratic_block() -> Result<Claim, Error> {
     let (printed, ours) = (datapath("quadratic", "paper")?, datapath("quadratic", "stable")?);
-    let multipliers = printed.graph().multipliers().len();
+    let multipliers = printed.function().multipliers().len();
     Ok(Claim::of(
         "quadratic-block",
         vec![
             count("multipliers of the printed form", multipliers),
-            count("multipliers of x(1 - a u)", ours.graph().multipliers().len()),
+            count("multipliers of x(1 - a u)", ours.function().multipliers().len()),
         ],
         Finding::of(multipliers == 2),
     ))

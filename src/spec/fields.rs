@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use super::{
-    BlockKind, Coefficients, Divider, Form, FrontEnd, ImageFormName, InputRange, Inside, Language, LightSource,
-    Material, Memory, MethodName, Operand, Pipeline, PortCodes, ReflectanceFields, RomStyle, ShaderFields, Shininess,
-    Tail, TexelMemory, VhdlPorts,
+    BlockKind, Coefficients, Divider, DspBlocks, Form, FrontEnd, ImageFormName, InputRange, Inside, Language,
+    LightSource, Material, Memory, MethodName, Operand, Pipeline, PortCodes, ReflectanceFields, RomStyle, ShaderFields,
+    Shininess, Tail, TexelMemory, VhdlPorts,
 };
 use crate::emit::rom::RomFormat;
 use crate::fit::Objective;
@@ -66,6 +66,11 @@ method_keys! { keys! {
     /// Registers between input and output, 1 to 64, or auto [default: auto]
     #[arg(value_name = "DEPTH|auto")]
     pipeline: Pipeline,
+
+    /// Family of whose DSP blocks products that are wider than one are built, with registers between them; or none:
+    /// each is one multiplication [default: ecp5]
+    #[arg(value_name = "FAMILY|none")]
+    dsp: DspBlocks,
 
     /// Languages written [default: verilog,vhdl]
     #[arg(value_delimiter = ',')]

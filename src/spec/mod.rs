@@ -26,6 +26,7 @@ pub use crate::block::shader::{
     CHANNEL_BITS, Cosine, Front, LIGHTS, LightColours, Model, Shader, ShaderFields, Surface, VECTOR_FRACTION,
 };
 pub use crate::block::{Block, BlockKind, LobeSpec};
+pub use crate::datapath::products::DspBlocks;
 pub use crate::datapath::schedule::{PIPELINE_DEPTH, Pipeline};
 pub use crate::fit::Inside;
 pub use crate::method::cubic::Tail;
@@ -140,6 +141,8 @@ pub struct CoreSpec {
     pub rom_formats: Vec<RomFormat>,
     /// The pipeline's depth.
     pub pipeline: Pipeline,
+    /// What products that are wider than a DSP block are built of.
+    pub dsp: DspBlocks,
     /// The languages that are written.
     pub languages: Vec<Language>,
     /// The types of the VHDL's ports.

@@ -1,9 +1,9 @@
 //! From what was written to a core's spec, with every default and every check, and back.
 
 use super::{
-    Block, BlockKind, CoreSpec, Cosine, Form, INPUT_FRACTION, ImageSpec, InputRange, Interface, Language, LightSource,
-    LobeSpec, Material, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION, Shader,
-    ShaderFields, Shininess, SpecFields, TUSER_BITS, VhdlPorts, check_name, image,
+    Block, BlockKind, CoreSpec, Cosine, DspBlocks, Form, INPUT_FRACTION, ImageSpec, InputRange, Interface, Language,
+    LightSource, LobeSpec, Material, OUTPUT_FRACTION, Operand, PIPELINE_DEPTH, Pipeline, RomStyle, SHININESS_FRACTION,
+    Shader, ShaderFields, Shininess, SpecFields, TUSER_BITS, VhdlPorts, check_name, image,
 };
 use crate::emit::rom::RomFormat;
 use crate::method::{About, Configured, Options, within};
@@ -63,6 +63,7 @@ impl SpecFields {
             swap,
             rom_formats,
             pipeline: self.pipeline.unwrap_or(Pipeline::Auto),
+            dsp: self.dsp.unwrap_or_default(),
             languages,
             vhdl_ports,
             axi_stream,
@@ -239,6 +240,7 @@ impl SpecFields {
             pipeline: Some(spec.pipeline),
             languages: Some(spec.languages.clone()),
             // These keys are younger than specs that are compared by their digests.
+            dsp: Some(spec.dsp).filter(|&dsp| dsp != DspBlocks::default()),
             vhdl_ports: Some(spec.vhdl_ports).filter(|&ports| ports != VhdlPorts::default()),
             axi_stream: spec.axi_stream.map(|_| true),
             tuser_bits: spec.axi_stream,

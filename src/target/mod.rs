@@ -222,6 +222,12 @@ impl Dsp {
         self.largest().0
     }
 
+    /// The widest operands of one sign, the wider first.
+    #[must_use]
+    pub fn operands(&self, signed: bool) -> [u32; 2] {
+        self.widest().map(|bits| bits - if signed { 0 } else { self.sign_bits })
+    }
+
     fn largest(&self) -> &([u32; 2], u32) {
         self.shapes.last().expect("a family has multipliers")
     }

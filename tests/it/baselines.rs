@@ -61,7 +61,7 @@ fn squaring_is_the_power() {
     assert_eq!(evaluate(&design, 5, 1 << 16), 1 << 16);
     assert_eq!([evaluate(&design, 0, 0), evaluate(&design, 3, -5)], [0, 0]);
     // A chain of ten squarings, and no other multiplication.
-    assert_eq!(design.graph().multipliers().len(), 10);
+    assert_eq!(design.function().multipliers().len(), 10);
 }
 
 #[test]
@@ -201,11 +201,11 @@ fn the_error_of_a_table_is_half_of_the_steepest_cell() {
 #[test]
 fn the_tables_have_the_sizes_asked_for() {
     let harris = design("method = 'harris'\nshininess = '1..=1000'\nlog_bits = 5\nexp_bits = 7");
-    assert_eq!(harris.graph().multipliers().len(), 1);
+    assert_eq!(harris.function().multipliers().len(), 1);
     let sizes: Vec<(&str, usize)> = harris.tables().iter().map(|table| (table.name, table.rows())).collect();
     assert_eq!(sizes, [("log_table", 16 << 5), ("exp_table", 1 << 7)]);
     let table = design("method = 'table'\nshininess = [5, 50, 500]\ntable_bits = 6");
-    assert_eq!((table.graph().multipliers().len(), table.tables()[0].rows()), (0, 3 << 6));
+    assert_eq!((table.function().multipliers().len(), table.tables()[0].rows()), (0, 3 << 6));
 }
 
 #[test]

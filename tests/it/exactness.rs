@@ -400,7 +400,7 @@ fn ends_are_exact() {
         let design = design(&format!("{kind}\nshininess = '1..=1000'\noutput_fraction = 11"));
         for n in 1..=1000 {
             let top = design.lobe().model().evaluate(n, 1 << 16);
-            let error = if kind.spec.contains("segmented-2") { 24 } else { 12 };
+            let error = if kind.spec.contains("segmented-2") { 24 } else { 9 };
             let exact = top == 1 << 11;
             assert!(exact || kind.spec.contains("segmented") && (1 << 11) - top <= error, "{kind} n = {n}: {top}");
             assert_eq!(design.lobe().model().evaluate(n, 0), 0, "{kind} n = {n}");

@@ -7,7 +7,7 @@
 //   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1
 //   out_spec  UQ1.16  the lobe, 0 to 1; 1.0 is exact
 //
-// Latency 9 clocks, one result a clock.
+// Latency 12 clocks, one result a clock.
 // Error against the real-valued method, in ulps of out_spec: proved within -0.875..+0.970.
 //   measured -0.727..+0.864 over all 65537000 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
@@ -30,20 +30,20 @@ module cubic (
     input  wire [9:0] in_n,
     // Q1.16: cosine x; below 0 gives 0, above 1 counts as 1
     input  wire [17:0] in_cos,
-    // out_spec is a result: in_valid, 9 enabled clocks later
+    // out_spec is a result: in_valid, 12 enabled clocks later
     output wire        out_valid,
     // UQ1.16: the lobe, 0 to 1; 1.0 is exact
     output wire [16:0] out_spec
 );
 
     // ===== Valid chain
-    reg [9:1] valid;
-    initial valid = 9'd0;
+    reg [12:1] valid;
+    initial valid = 12'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 9'd0;
+            valid <= 12'd0;
         end else if (ce) begin
-            valid <= {valid[8:1], in_valid};
+            valid <= {valid[11:1], in_valid};
         end
     end
 
@@ -1160,109 +1160,159 @@ module cubic (
         end
     end
 
-    // ===== Stage 4: av
-    // UQ1.33: (a 4^-k) v
-    wire [33:0] av_4 = a_4 * v_4;
-    // UQ-1.20: (a 4^-k) v, rounded down
-    wire [18:0] r_4 = av_4[31:13];
+    // ===== Stage 4: registers only
     reg [16:0] x_5;
     reg [19:0] big_a_5;
+    reg [16:0] a_5;
     reg past_cut_5;
     reg [16:0] v_5;
-    reg [18:0] r_5;
     always @(posedge clk) begin
         if (ce) begin
             x_5 <= x_4;
             big_a_5 <= big_a_4;
+            a_5 <= a_4;
             past_cut_5 <= past_cut_4;
             v_5 <= v_4;
-            r_5 <= r_4;
         end
     end
 
-    // ===== Stage 5: q
-    // UQ0.20: q = (A - a u) 2^-k; wraps past the cut
-    wire [19:0] q_5 = big_a_5 - {1'd0, r_5};
+    // ===== Stage 5: av
+    // UQ1.33: (a 4^-k) v
+    wire [33:0] av_5 = a_5 * v_5;
+    // UQ-1.20: (a 4^-k) v, rounded down
+    wire [18:0] r_5 = av_5[31:13];
     reg [16:0] x_6;
+    reg [19:0] big_a_6;
     reg past_cut_6;
     reg [16:0] v_6;
-    reg [19:0] q_6;
+    reg [18:0] r_6;
     always @(posedge clk) begin
         if (ce) begin
             x_6 <= x_5;
+            big_a_6 <= big_a_5;
             past_cut_6 <= past_cut_5;
             v_6 <= v_5;
-            q_6 <= q_5;
+            r_6 <= r_5;
         end
     end
 
-    // ===== Stage 6: vq
-    // UQ2.35: u (A - a u) = v q
-    wire [36:0] vq_6 = v_6 * q_6;
-    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
-    wire p_above_bits_6 = vq_6[35];
-    // UQ0.18: p, rounded down
-    wire [17:0] p_6 = vq_6[34:17];
+    // ===== Stage 6: q
+    // UQ0.20: q = (A - a u) 2^-k; wraps past the cut
+    wire [19:0] q_6 = big_a_6 - {1'd0, r_6};
+    // UQ-2.20: the 18 low bits of q
+    wire [17:0] q_low_6 = q_6[17:0];
+    // UQ0.2: q without its 18 low bits
+    wire [1:0] q_high_6 = q_6[19:18];
     reg [16:0] x_7;
     reg past_cut_7;
-    reg p_above_bits_7;
-    reg [17:0] p_7;
+    reg [16:0] v_7;
+    reg [17:0] q_low_7;
+    reg [1:0] q_high_7;
     always @(posedge clk) begin
         if (ce) begin
             x_7 <= x_6;
             past_cut_7 <= past_cut_6;
-            p_above_bits_7 <= p_above_bits_6;
-            p_7 <= p_6;
+            v_7 <= v_6;
+            q_low_7 <= q_low_6;
+            q_high_7 <= q_high_6;
         end
     end
 
-    // ===== Stage 7: xp
-    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
-    wire p_above_7 = |p_above_bits_7;
-    // UQ1.0: the result is 0
-    wire zero_7 = past_cut_7 | p_above_7;
-    // UQ1.34: x p
-    wire [34:0] xp_7 = x_7 * p_7;
-    // UQ0.17: t = x p, rounded down
-    wire [16:0] t_7 = xp_7[33:17];
+    // ===== Stage 7: vq_low, vq_high
+    // UQ0.35: part of vq
+    wire [34:0] vq_low_7 = v_7 * q_low_7;
+    // UQ2.17: part of vq
+    wire [18:0] vq_high_7 = v_7 * q_high_7;
     reg [16:0] x_8;
-    reg zero_8;
-    reg [16:0] t_8;
+    reg past_cut_8;
+    reg [34:0] vq_low_8;
+    reg [18:0] vq_high_8;
     always @(posedge clk) begin
         if (ce) begin
             x_8 <= x_7;
-            zero_8 <= zero_7;
-            t_8 <= t_7;
+            past_cut_8 <= past_cut_7;
+            vq_low_8 <= vq_low_7;
+            vq_high_8 <= vq_high_7;
         end
     end
 
-    // ===== Stage 8: y_exact, y
-    // UQ1.17: x - t = x (1 - p)
-    wire [17:0] y_exact_8 = {x_8, 1'd0} - {1'd0, t_8};
-    // UQ1.16: rounded down to the output's bits
-    wire [16:0] y_cut_8 = y_exact_8[17:1];
-    // UQ1.16: y, 0 where the lobe has ended
-    wire [16:0] y_8 = zero_8 ? 17'd0 : y_cut_8;
-    reg [16:0] y_9;
+    // ===== Stage 8: vq
+    // UQ2.35: u (A - a u) = v q
+    wire [36:0] vq_8 = {2'd0, vq_low_8} + {vq_high_8, 18'd0};
+    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    wire p_above_bits_8 = vq_8[35];
+    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    wire p_above_8 = |p_above_bits_8;
+    // UQ0.18: p, rounded down
+    wire [17:0] p_8 = vq_8[34:17];
+    // UQ1.0: the result is 0
+    wire zero_8 = past_cut_8 | p_above_8;
+    reg [16:0] x_9;
+    reg [17:0] p_9;
+    reg zero_9;
     always @(posedge clk) begin
         if (ce) begin
-            y_9 <= y_8;
+            x_9 <= x_8;
+            p_9 <= p_8;
+            zero_9 <= zero_8;
         end
     end
 
-    assign out_valid = valid[9];
-    assign out_spec  = y_9;
+    // ===== Stage 9: registers only
+    reg [16:0] x_10;
+    reg [17:0] p_10;
+    reg zero_10;
+    always @(posedge clk) begin
+        if (ce) begin
+            x_10 <= x_9;
+            p_10 <= p_9;
+            zero_10 <= zero_9;
+        end
+    end
+
+    // ===== Stage 10: xp
+    // UQ1.34: x p
+    wire [34:0] xp_10 = x_10 * p_10;
+    // UQ0.17: t = x p, rounded down
+    wire [16:0] t_10 = xp_10[33:17];
+    reg [16:0] x_11;
+    reg zero_11;
+    reg [16:0] t_11;
+    always @(posedge clk) begin
+        if (ce) begin
+            x_11 <= x_10;
+            zero_11 <= zero_10;
+            t_11 <= t_10;
+        end
+    end
+
+    // ===== Stage 11: y_exact, y
+    // UQ1.17: x - t = x (1 - p)
+    wire [17:0] y_exact_11 = {x_11, 1'd0} - {1'd0, t_11};
+    // UQ1.16: rounded down to the output's bits
+    wire [16:0] y_cut_11 = y_exact_11[17:1];
+    // UQ1.16: y, 0 where the lobe has ended
+    wire [16:0] y_11 = zero_11 ? 17'd0 : y_cut_11;
+    reg [16:0] y_12;
+    always @(posedge clk) begin
+        if (ce) begin
+            y_12 <= y_11;
+        end
+    end
+
+    assign out_valid = valid[12];
+    assign out_spec  = y_12;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
                     u_scaled_3[0],
-                    av_4[33:32],
-                    av_4[12:0],
-                    vq_6[36],
-                    vq_6[16:0],
-                    xp_7[34],
-                    xp_7[16:0],
-                    y_exact_8[0]};
+                    av_5[33:32],
+                    av_5[12:0],
+                    vq_8[36],
+                    vq_8[16:0],
+                    xp_10[34],
+                    xp_10[16:0],
+                    y_exact_11[0]};
 
 endmodule
 

@@ -9,7 +9,7 @@
 //   wr_data   UQ16.0  word for the coefficient memory; layout as in its files
 //   out_spec  UQ1.12  the lobe, 0 to 1; 1.0 is exact
 //
-// Latency 9 clocks, one result a clock.
+// Latency 10 clocks, one result a clock.
 // Error against the real-valued method, in ulps of out_spec: proved within -0.625..+0.750.
 //   measured -0.616..+0.746 over all 520319 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
@@ -38,20 +38,20 @@ module cubic_min_zero (
     input  wire [6:0] wr_addr,
     // UQ16.0: word for the coefficient memory; layout as in its files
     input  wire [15:0] wr_data,
-    // out_spec is a result: in_valid, 9 enabled clocks later
+    // out_spec is a result: in_valid, 10 enabled clocks later
     output wire        out_valid,
     // UQ1.12: the lobe, 0 to 1; 1.0 is exact
     output wire [12:0] out_spec
 );
 
     // ===== Valid chain
-    reg [9:1] valid;
-    initial valid = 9'd0;
+    reg [10:1] valid;
+    initial valid = 10'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 9'd0;
+            valid <= 10'd0;
         end else if (ce) begin
-            valid <= {valid[8:1], in_valid};
+            valid <= {valid[9:1], in_valid};
         end
     end
 
@@ -264,94 +264,108 @@ module cubic_min_zero (
         end
     end
 
-    // ===== Stage 4: Av
-    // UQ1.25: A u = (A 2^-k) v
-    wire [25:0] Av_4 = big_a_4 * v_4;
-    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
-    wire p_above_bits_4 = Av_4[25];
-    // UQ0.15: p, rounded down
-    wire [14:0] p_4 = Av_4[24:10];
+    // ===== Stage 4: registers only
     reg [12:0] x_5;
+    reg [12:0] big_a_5;
     reg beyond_5;
-    reg p_above_bits_5;
-    reg [14:0] p_5;
+    reg [12:0] v_5;
     always @(posedge clk) begin
         if (ce) begin
             x_5 <= x_4;
+            big_a_5 <= big_a_4;
             beyond_5 <= beyond_4;
-            p_above_bits_5 <= p_above_bits_4;
-            p_5 <= p_4;
+            v_5 <= v_4;
         end
     end
 
-    // ===== Stage 5: w
-    // UQ1.15: w = 1 - p
-    wire [15:0] w_5 = 16'h8000 - {1'd0, p_5};
-    // UQ1.0: the result is 0
-    wire zero_5 = beyond_5 | p_above_bits_5;
+    // ===== Stage 5: Av
+    // UQ1.25: A u = (A 2^-k) v
+    wire [25:0] Av_5 = big_a_5 * v_5;
+    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    wire p_above_bits_5 = Av_5[25];
+    // UQ0.15: p, rounded down
+    wire [14:0] p_5 = Av_5[24:10];
     reg [12:0] x_6;
-    reg [15:0] w_6;
-    reg zero_6;
+    reg beyond_6;
+    reg p_above_bits_6;
+    reg [14:0] p_6;
     always @(posedge clk) begin
         if (ce) begin
             x_6 <= x_5;
-            w_6 <= w_5;
-            zero_6 <= zero_5;
+            beyond_6 <= beyond_5;
+            p_above_bits_6 <= p_above_bits_5;
+            p_6 <= p_5;
         end
     end
 
-    // ===== Stage 6: w2
-    // UQ2.30: w^2
-    wire [31:0] w2_6 = w_6 * w_6;
-    // UQ1.15: w^2, rounded down
-    wire [15:0] w2_cut_6 = w2_6[30:15];
+    // ===== Stage 6: w
+    // UQ1.15: w = 1 - p
+    wire [15:0] w_6 = 16'h8000 - {1'd0, p_6};
+    // UQ1.0: the result is 0
+    wire zero_6 = beyond_6 | p_above_bits_6;
     reg [12:0] x_7;
-    reg [15:0] w2_cut_7;
+    reg [15:0] w_7;
     reg zero_7;
     always @(posedge clk) begin
         if (ce) begin
             x_7 <= x_6;
-            w2_cut_7 <= w2_cut_6;
+            w_7 <= w_6;
             zero_7 <= zero_6;
         end
     end
 
-    // ===== Stage 7: xw
-    // UQ2.27: x w^2
-    wire [28:0] xw_7 = x_7 * w2_cut_7;
-    reg [28:0] xw_8;
+    // ===== Stage 7: w2
+    // UQ2.30: w^2
+    wire [31:0] w2_7 = w_7 * w_7;
+    // UQ1.15: w^2, rounded down
+    wire [15:0] w2_cut_7 = w2_7[30:15];
+    reg [12:0] x_8;
+    reg [15:0] w2_cut_8;
     reg zero_8;
     always @(posedge clk) begin
         if (ce) begin
-            xw_8 <= xw_7;
+            x_8 <= x_7;
+            w2_cut_8 <= w2_cut_7;
             zero_8 <= zero_7;
         end
     end
 
-    // ===== Stage 8: y_half, y
-    // UQ1.27: plus half an output ulp: the result is rounded to nearest
-    wire [27:0] y_half_8 = xw_8[27:0] + 28'h0004000;
-    // UQ1.12: rounded down to the output's bits
-    wire [12:0] y_cut_8 = y_half_8[27:15];
-    // UQ1.12: y, 0 where the lobe has ended
-    wire [12:0] y_8 = zero_8 ? 13'd0 : y_cut_8;
-    reg [12:0] y_9;
+    // ===== Stage 8: xw
+    // UQ2.27: x w^2
+    wire [28:0] xw_8 = x_8 * w2_cut_8;
+    reg [28:0] xw_9;
+    reg zero_9;
     always @(posedge clk) begin
         if (ce) begin
-            y_9 <= y_8;
+            xw_9 <= xw_8;
+            zero_9 <= zero_8;
         end
     end
 
-    assign out_valid = valid[9];
-    assign out_spec  = y_9;
+    // ===== Stage 9: y_half, y
+    // UQ1.27: plus half an output ulp: the result is rounded to nearest
+    wire [27:0] y_half_9 = xw_9[27:0] + 28'h0004000;
+    // UQ1.12: rounded down to the output's bits
+    wire [12:0] y_cut_9 = y_half_9[27:15];
+    // UQ1.12: y, 0 where the lobe has ended
+    wire [12:0] y_9 = zero_9 ? 13'd0 : y_cut_9;
+    reg [12:0] y_10;
+    always @(posedge clk) begin
+        if (ce) begin
+            y_10 <= y_9;
+        end
+    end
+
+    assign out_valid = valid[10];
+    assign out_spec  = y_10;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    Av_4[9:0],
-                    w2_6[31],
-                    w2_6[14:0],
-                    xw_8[28],
-                    y_half_8[14:0]};
+                    Av_5[9:0],
+                    w2_7[31],
+                    w2_7[14:0],
+                    xw_9[28],
+                    y_half_9[14:0]};
 
 endmodule
 

@@ -9,7 +9,7 @@
 --   wr_data   UQ16.0  word for the coefficient memory; layout as in its files
 --   out_spec  UQ1.12  the lobe, 0 to 1; 1.0 is exact
 --
--- Latency 9 clocks, one result a clock.
+-- Latency 10 clocks, one result a clock.
 -- Error against the real-valued method, in ulps of out_spec: proved within -0.625..+0.750.
 --   measured -0.616..+0.746 over all 520319 inputs in [0, 1].
 -- Error against x^n itself, measured over the same inputs:
@@ -40,7 +40,7 @@ entity cubic_min_zero is
         wr_addr   : in  unsigned(6 downto 0);
         -- UQ16.0: word for the coefficient memory; layout as in its files
         wr_data   : in  unsigned(15 downto 0);
-        -- out_spec is a result: in_valid, 9 enabled clocks later
+        -- out_spec is a result: in_valid, 10 enabled clocks later
         out_valid : out std_logic;
         -- UQ1.12: the lobe, 0 to 1; 1.0 is exact
         out_spec  : out unsigned(12 downto 0)
@@ -202,7 +202,7 @@ architecture rtl of cubic_min_zero is
     attribute ramstyle of rom : signal is "no_rw_check";
     signal rom_1 : std_logic_vector(15 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(9 downto 1) := (others => '0');
+    signal valid : std_logic_vector(10 downto 1) := (others => '0');
     signal x_0 : unsigned(12 downto 0) := (others => '0');
     signal u_0 : unsigned(12 downto 0) := (others => '0');
     signal x_1 : unsigned(12 downto 0) := (others => '0');
@@ -225,30 +225,34 @@ architecture rtl of cubic_min_zero is
     signal big_a_4 : unsigned(12 downto 0) := (others => '0');
     signal beyond_4 : std_logic := '0';
     signal v_4 : unsigned(12 downto 0) := (others => '0');
-    signal Av_4 : unsigned(25 downto 0) := (others => '0');
-    signal p_above_bits_4 : std_logic := '0';
-    signal p_4 : unsigned(14 downto 0) := (others => '0');
     signal x_5 : unsigned(12 downto 0) := (others => '0');
+    signal big_a_5 : unsigned(12 downto 0) := (others => '0');
     signal beyond_5 : std_logic := '0';
+    signal v_5 : unsigned(12 downto 0) := (others => '0');
+    signal Av_5 : unsigned(25 downto 0) := (others => '0');
     signal p_above_bits_5 : std_logic := '0';
     signal p_5 : unsigned(14 downto 0) := (others => '0');
-    signal w_5 : unsigned(15 downto 0) := (others => '0');
-    signal zero_5 : std_logic := '0';
     signal x_6 : unsigned(12 downto 0) := (others => '0');
+    signal beyond_6 : std_logic := '0';
+    signal p_above_bits_6 : std_logic := '0';
+    signal p_6 : unsigned(14 downto 0) := (others => '0');
     signal w_6 : unsigned(15 downto 0) := (others => '0');
     signal zero_6 : std_logic := '0';
-    signal w2_6 : unsigned(31 downto 0) := (others => '0');
-    signal w2_cut_6 : unsigned(15 downto 0) := (others => '0');
     signal x_7 : unsigned(12 downto 0) := (others => '0');
-    signal w2_cut_7 : unsigned(15 downto 0) := (others => '0');
+    signal w_7 : unsigned(15 downto 0) := (others => '0');
     signal zero_7 : std_logic := '0';
-    signal xw_7 : unsigned(28 downto 0) := (others => '0');
-    signal xw_8 : unsigned(28 downto 0) := (others => '0');
+    signal w2_7 : unsigned(31 downto 0) := (others => '0');
+    signal w2_cut_7 : unsigned(15 downto 0) := (others => '0');
+    signal x_8 : unsigned(12 downto 0) := (others => '0');
+    signal w2_cut_8 : unsigned(15 downto 0) := (others => '0');
     signal zero_8 : std_logic := '0';
-    signal y_half_8 : unsigned(27 downto 0) := (others => '0');
-    signal y_cut_8 : unsigned(12 downto 0) := (others => '0');
-    signal y_8 : unsigned(12 downto 0) := (others => '0');
+    signal xw_8 : unsigned(28 downto 0) := (others => '0');
+    signal xw_9 : unsigned(28 downto 0) := (others => '0');
+    signal zero_9 : std_logic := '0';
+    signal y_half_9 : unsigned(27 downto 0) := (others => '0');
+    signal y_cut_9 : unsigned(12 downto 0) := (others => '0');
     signal y_9 : unsigned(12 downto 0) := (others => '0');
+    signal y_10 : unsigned(12 downto 0) := (others => '0');
 
 begin
 
@@ -259,7 +263,7 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(8 downto 1) & in_valid;
+                valid <= valid(9 downto 1) & in_valid;
             end if;
         end if;
     end process;
@@ -348,87 +352,100 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 4: Av
-    -- UQ1.25: A u = (A 2^-k) v
-    Av_4 <= big_a_4 * v_4;
-    -- UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
-    p_above_bits_4 <= Av_4(25);
-    -- UQ0.15: p, rounded down
-    p_4 <= Av_4(24 downto 10);
+    -- ===== Stage 4: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_5 <= x_4;
+                big_a_5 <= big_a_4;
                 beyond_5 <= beyond_4;
-                p_above_bits_5 <= p_above_bits_4;
-                p_5 <= p_4;
+                v_5 <= v_4;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 5: w
-    -- UQ1.15: w = 1 - p
-    w_5 <= to_unsigned(32768, 16) - resize(p_5, 16);
-    -- UQ1.0: the result is 0
-    zero_5 <= beyond_5 or p_above_bits_5;
+    -- ===== Stage 5: Av
+    -- UQ1.25: A u = (A 2^-k) v
+    Av_5 <= big_a_5 * v_5;
+    -- UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    p_above_bits_5 <= Av_5(25);
+    -- UQ0.15: p, rounded down
+    p_5 <= Av_5(24 downto 10);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_6 <= x_5;
-                w_6 <= w_5;
-                zero_6 <= zero_5;
+                beyond_6 <= beyond_5;
+                p_above_bits_6 <= p_above_bits_5;
+                p_6 <= p_5;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 6: w2
-    -- UQ2.30: w^2
-    w2_6 <= w_6 * w_6;
-    -- UQ1.15: w^2, rounded down
-    w2_cut_6 <= w2_6(30 downto 15);
+    -- ===== Stage 6: w
+    -- UQ1.15: w = 1 - p
+    w_6 <= to_unsigned(32768, 16) - resize(p_6, 16);
+    -- UQ1.0: the result is 0
+    zero_6 <= beyond_6 or p_above_bits_6;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_7 <= x_6;
-                w2_cut_7 <= w2_cut_6;
+                w_7 <= w_6;
                 zero_7 <= zero_6;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 7: xw
-    -- UQ2.27: x w^2
-    xw_7 <= x_7 * w2_cut_7;
+    -- ===== Stage 7: w2
+    -- UQ2.30: w^2
+    w2_7 <= w_7 * w_7;
+    -- UQ1.15: w^2, rounded down
+    w2_cut_7 <= w2_7(30 downto 15);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                xw_8 <= xw_7;
+                x_8 <= x_7;
+                w2_cut_8 <= w2_cut_7;
                 zero_8 <= zero_7;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 8: y_half, y
-    -- UQ1.27: plus half an output ulp: the result is rounded to nearest
-    y_half_8 <= xw_8(27 downto 0) + to_unsigned(16384, 28);
-    -- UQ1.12: rounded down to the output's bits
-    y_cut_8 <= y_half_8(27 downto 15);
-    -- UQ1.12: y, 0 where the lobe has ended
-    y_8 <= (others => '0') when zero_8 = '1' else y_cut_8;
+    -- ===== Stage 8: xw
+    -- UQ2.27: x w^2
+    xw_8 <= x_8 * w2_cut_8;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                y_9 <= y_8;
+                xw_9 <= xw_8;
+                zero_9 <= zero_8;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(9);
-    out_spec  <= y_9;
+    -- ===== Stage 9: y_half, y
+    -- UQ1.27: plus half an output ulp: the result is rounded to nearest
+    y_half_9 <= xw_9(27 downto 0) + to_unsigned(16384, 28);
+    -- UQ1.12: rounded down to the output's bits
+    y_cut_9 <= y_half_9(27 downto 15);
+    -- UQ1.12: y, 0 where the lobe has ended
+    y_9 <= (others => '0') when zero_9 = '1' else y_cut_9;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                y_10 <= y_9;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(10);
+    out_spec  <= y_10;
 
 end architecture rtl;

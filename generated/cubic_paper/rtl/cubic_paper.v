@@ -1,13 +1,13 @@
 // cubic_paper: specular lobe x^n as x(1 - u(A - a u)), cut, n = 1 to 1000, paper form
 //
 // Made by: brdfgen generate core.toml
-// Spec e0f3ddabe55a74ea. Generated; the core is yours to use under any terms.
+// Spec bdb4e4b711766e3b. Generated; the core is yours to use under any terms.
 //
 //   in_n      UQ10.0  shininess, 1 to 1000; outside: the nearest end
 //   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1
 //   out_spec  UQ1.16  the lobe, 0 to 1; 1.0 is exact
 //
-// Latency 6 clocks, one result a clock.
+// Latency 10 clocks, one result a clock.
 // Error against the real-valued method, in ulps of out_spec: proved within -0.929..+0.623.
 //   measured -0.898..+0.566 over all 65537000 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
@@ -30,20 +30,20 @@ module cubic_paper (
     input  wire [9:0] in_n,
     // Q1.16: cosine x; below 0 gives 0, above 1 counts as 1
     input  wire [17:0] in_cos,
-    // out_spec is a result: in_valid, 6 enabled clocks later
+    // out_spec is a result: in_valid, 10 enabled clocks later
     output wire        out_valid,
     // UQ1.16: the lobe, 0 to 1; 1.0 is exact
     output wire [16:0] out_spec
 );
 
     // ===== Valid chain
-    reg [6:1] valid;
-    initial valid = 6'd0;
+    reg [10:1] valid;
+    initial valid = 10'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 6'd0;
+            valid <= 10'd0;
         end else if (ce) begin
-            valid <= {valid[5:1], in_valid};
+            valid <= {valid[9:1], in_valid};
         end
     end
 
@@ -1105,16 +1105,28 @@ module cubic_paper (
     wire [15:0] cut_1 = rom_1[15:0];
     // UQ2.32: x^2
     wire [33:0] xx_1 = x_1 * x_1;
+    // UQ-14.32: the 18 low bits of xx
+    wire [17:0] xx_low_1 = xx_1[17:0];
+    // UQ2.14: xx without its 18 low bits
+    wire [15:0] xx_high_1 = xx_1[33:18];
     // Q1.32: a sign bit for the signed product
     wire [33:0] xx_signed_1 = xx_1;
+    // UQ-15.32: the 17 low bits of xx_signed
+    wire [16:0] xx_signed_low_1 = xx_signed_1[16:0];
+    // Q-15.32: with a sign of 0
+    wire [17:0] xx_signed_low_signed_1 = {1'd0, xx_signed_low_1};
+    // Q1.15: xx_signed without its 17 low bits
+    wire [16:0] xx_signed_high_1 = xx_signed_1[33:17];
     reg [16:0] x_2;
     reg [16:0] u_2;
     reg [34:0] a_2;
     reg [36:0] b_2;
     reg [34:0] c_2;
     reg [15:0] cut_2;
-    reg [33:0] xx_2;
-    reg [33:0] xx_signed_2;
+    reg [17:0] xx_low_2;
+    reg [15:0] xx_high_2;
+    reg [17:0] xx_signed_low_signed_2;
+    reg [16:0] xx_signed_high_2;
     always @(posedge clk) begin
         if (ce) begin
             x_2 <= x_1;
@@ -1123,24 +1135,28 @@ module cubic_paper (
             b_2 <= b_1;
             c_2 <= c_1;
             cut_2 <= cut_1;
-            xx_2 <= xx_1;
-            xx_signed_2 <= xx_signed_1;
+            xx_low_2 <= xx_low_1;
+            xx_high_2 <= xx_high_1;
+            xx_signed_low_signed_2 <= xx_signed_low_signed_1;
+            xx_signed_high_2 <= xx_signed_high_1;
         end
     end
 
-    // ===== Stage 2: sx
-    // UQ3.48: x^3
-    wire [50:0] sx_2 = xx_2 * x_2;
-    // UQ1.36: x^3, rounded down
-    wire [36:0] h_2 = sx_2[48:12];
+    // ===== Stage 2: sx_low, sx_high
+    // UQ-13.48: part of sx
+    wire [34:0] sx_low_2 = xx_low_2 * x_2;
+    // UQ3.30: part of sx
+    wire [32:0] sx_high_2 = xx_high_2 * x_2;
     reg [16:0] x_3;
     reg [16:0] u_3;
     reg [34:0] a_3;
     reg [36:0] b_3;
     reg [34:0] c_3;
     reg [15:0] cut_3;
-    reg [36:0] h_3;
-    reg [33:0] xx_signed_3;
+    reg [34:0] sx_low_3;
+    reg [32:0] sx_high_3;
+    reg [17:0] xx_signed_low_signed_3;
+    reg [16:0] xx_signed_high_3;
     always @(posedge clk) begin
         if (ce) begin
             x_3 <= x_2;
@@ -1149,86 +1165,262 @@ module cubic_paper (
             b_3 <= b_2;
             c_3 <= c_2;
             cut_3 <= cut_2;
-            h_3 <= h_2;
-            xx_signed_3 <= xx_signed_2;
+            sx_low_3 <= sx_low_2;
+            sx_high_3 <= sx_high_2;
+            xx_signed_low_signed_3 <= xx_signed_low_signed_2;
+            xx_signed_high_3 <= xx_signed_high_2;
         end
     end
 
-    // ===== Stage 3: past_cut, ah, bs, cx
+    // ===== Stage 3: past_cut, sx, bs_low_low, bs_low_high, bs_high_low_low and 5 more
     // UQ1.0: u > cut: past the polynomial's end
     wire past_cut_3 = u_3 > {1'd0, cut_3};
-    // UQ20.52: a x^3
-    wire [71:0] ah_3 = a_3 * h_3;
-    // UQ19.20: a x^3, rounded down
-    wire [38:0] m3_3 = ah_3[70:32];
-    // Q22.48: b x^2
-    wire [70:0] bs_3 = $signed(b_3) * $signed(xx_signed_3);
-    // Q20.20: b x^2, rounded down
-    wire [40:0] m2_3 = bs_3[68:28];
-    // UQ20.32: c x
-    wire [51:0] cx_3 = c_3 * x_3;
-    // UQ19.20: c x, rounded down
-    wire [38:0] m1_3 = cx_3[50:12];
+    // UQ3.48: x^3
+    wire [50:0] sx_3 = {16'd0, sx_low_3} + {sx_high_3, 18'd0};
+    // UQ1.36: x^3, rounded down
+    wire [36:0] h_3 = sx_3[48:12];
+    // UQ2.16: the 18 low bits of a
+    wire [17:0] a_low_3 = a_3[17:0];
+    // UQ19.-2: a without its 18 low bits
+    wire [16:0] a_high_3 = a_3[34:18];
+    // UQ-18.36: the 18 low bits of h
+    wire [17:0] h_low_3 = h_3[17:0];
+    // UQ1.18: h without its 18 low bits
+    wire [18:0] h_high_3 = h_3[36:18];
+    // UQ0.18: the 18 low bits of h_high
+    wire [17:0] h_high_low_3 = h_high_3[17:0];
+    // UQ1.0: h_high without its 18 low bits
+    wire h_high_high_3 = h_high_3[18];
+    // UQ1.16: the 17 low bits of b
+    wire [16:0] b_low_3 = b_3[16:0];
+    // Q1.16: with a sign of 0
+    wire [17:0] b_low_signed_3 = {1'd0, b_low_3};
+    // Q20.-1: b without its 17 low bits
+    wire [19:0] b_high_3 = b_3[36:17];
+    // Q-13.48: part of bs_low
+    wire [35:0] bs_low_low_3 = $signed(b_low_signed_3) * $signed(xx_signed_low_signed_3);
+    // Q3.31: part of bs_low
+    wire [34:0] bs_low_high_3 = $signed(b_low_signed_3) * $signed(xx_signed_high_3);
+    // UQ18.-1: the 17 low bits of b_high
+    wire [16:0] b_high_low_3 = b_high_3[16:0];
+    // Q18.-1: with a sign of 0
+    wire [17:0] b_high_low_signed_3 = {1'd0, b_high_low_3};
+    // Q20.-18: b_high without its 17 low bits
+    wire [2:0] b_high_high_3 = b_high_3[19:17];
+    // Q4.31: part of bs_high_low
+    wire [35:0] bs_high_low_low_3 = $signed(b_high_low_signed_3) * $signed(xx_signed_low_signed_3);
+    // Q20.14: part of bs_high_low
+    wire [34:0] bs_high_low_high_3 = $signed(b_high_low_signed_3) * $signed(xx_signed_high_3);
+    // Q6.14: part of bs_high_high
+    wire [20:0] bs_high_high_low_3 = $signed(b_high_high_3) * $signed(xx_signed_low_signed_3);
+    // Q22.-3: part of bs_high_high
+    wire [19:0] bs_high_high_high_3 = $signed(b_high_high_3) * $signed(xx_signed_high_3);
+    // UQ2.16: the 18 low bits of c
+    wire [17:0] c_low_3 = c_3[17:0];
+    // UQ19.-2: c without its 18 low bits
+    wire [16:0] c_high_3 = c_3[34:18];
+    // UQ3.32: part of cx
+    wire [34:0] cx_low_3 = c_low_3 * x_3;
+    // UQ20.14: part of cx
+    wire [33:0] cx_high_3 = c_high_3 * x_3;
     reg past_cut_4;
-    reg [38:0] m3_4;
-    reg [40:0] m2_4;
-    reg [38:0] m1_4;
+    reg [17:0] a_low_4;
+    reg [16:0] a_high_4;
+    reg [17:0] h_low_4;
+    reg [17:0] h_high_low_4;
+    reg h_high_high_4;
+    reg [35:0] bs_low_low_4;
+    reg [34:0] bs_low_high_4;
+    reg [35:0] bs_high_low_low_4;
+    reg [34:0] bs_high_low_high_4;
+    reg [20:0] bs_high_high_low_4;
+    reg [19:0] bs_high_high_high_4;
+    reg [34:0] cx_low_4;
+    reg [33:0] cx_high_4;
     always @(posedge clk) begin
         if (ce) begin
             past_cut_4 <= past_cut_3;
-            m3_4 <= m3_3;
-            m2_4 <= m2_3;
-            m1_4 <= m1_3;
+            a_low_4 <= a_low_3;
+            a_high_4 <= a_high_3;
+            h_low_4 <= h_low_3;
+            h_high_low_4 <= h_high_low_3;
+            h_high_high_4 <= h_high_high_3;
+            bs_low_low_4 <= bs_low_low_3;
+            bs_low_high_4 <= bs_low_high_3;
+            bs_high_low_low_4 <= bs_high_low_low_3;
+            bs_high_low_high_4 <= bs_high_low_high_3;
+            bs_high_high_low_4 <= bs_high_high_low_3;
+            bs_high_high_high_4 <= bs_high_high_high_3;
+            cx_low_4 <= cx_low_3;
+            cx_high_4 <= cx_high_3;
         end
     end
 
-    // ===== Stage 4: sum, y_exact
-    // Q19.20: a x^3 + b x^2
-    wire [39:0] sum_4 = {1'd0, m3_4} + m2_4[39:0];
-    // Q11.20: a x^3 + b x^2 + c x
-    wire [31:0] y_exact_4 = sum_4[31:0] + m1_4[31:0];
+    // ===== Stage 4: bs_low, bs_high_low, bs_high_high, bs_high, cx
+    // Q3.48: part of bs
+    wire [51:0] bs_low_4 = {{16{bs_low_low_4[35]}}, bs_low_low_4} + {bs_low_high_4, 17'd0};
+    // Q20.31: part of bs_high
+    wire [51:0] bs_high_low_4 =
+        {{16{bs_high_low_low_4[35]}}, bs_high_low_low_4} + {bs_high_low_high_4, 17'd0};
+    // Q22.14: part of bs_high
+    wire [36:0] bs_high_high_4 =
+        {{16{bs_high_high_low_4[20]}}, bs_high_high_low_4} + {bs_high_high_high_4, 17'd0};
+    // Q22.31: part of bs
+    wire [53:0] bs_high_4 = {{2{bs_high_low_4[51]}}, bs_high_low_4} + {bs_high_high_4, 17'd0};
+    // UQ20.32: c x
+    wire [51:0] cx_4 = {17'd0, cx_low_4} + {cx_high_4, 18'd0};
+    // UQ19.20: c x, rounded down
+    wire [38:0] m1_4 = cx_4[50:12];
     reg past_cut_5;
-    reg [31:0] y_exact_5;
+    reg [17:0] a_low_5;
+    reg [16:0] a_high_5;
+    reg [17:0] h_low_5;
+    reg [17:0] h_high_low_5;
+    reg h_high_high_5;
+    reg [51:0] bs_low_5;
+    reg [53:0] bs_high_5;
+    reg [38:0] m1_5;
     always @(posedge clk) begin
         if (ce) begin
             past_cut_5 <= past_cut_4;
-            y_exact_5 <= y_exact_4;
+            a_low_5 <= a_low_4;
+            a_high_5 <= a_high_4;
+            h_low_5 <= h_low_4;
+            h_high_low_5 <= h_high_low_4;
+            h_high_high_5 <= h_high_high_4;
+            bs_low_5 <= bs_low_4;
+            bs_high_5 <= bs_high_4;
+            m1_5 <= m1_4;
         end
     end
 
-    // ===== Stage 5: y_half, y_unit, y
-    // Q11.20: plus half an output ulp: the result is rounded to nearest
-    wire [31:0] y_half_5 = y_exact_5 + 32'h00000008;
-    // Q11.16: rounded down to the output's bits
-    wire [27:0] y_cut_5 = y_half_5[31:4];
-    // UQ1.16: taken into [0, 1]
-    wire [16:0] y_unit_5 = y_cut_5[27] ? 17'h00000 : (|y_cut_5[26:16]) ? 17'h10000 : y_cut_5[16:0];
-    // UQ1.16: y, 0 past the cut
-    wire [16:0] y_5 = past_cut_5 ? 17'd0 : y_unit_5;
-    reg [16:0] y_6;
+    // ===== Stage 5: ah_low_low, ah_low_high_low, ah_low_high_high, ah_high_low and 3 more
+    // UQ-16.52: part of ah_low
+    wire [35:0] ah_low_low_5 = a_low_5 * h_low_5;
+    // UQ2.34: part of ah_low_high
+    wire [35:0] ah_low_high_low_5 = a_low_5 * h_high_low_5;
+    // UQ3.16: part of ah_low_high
+    wire [18:0] ah_low_high_high_5 = a_low_5 * h_high_high_5;
+    // UQ1.34: part of ah_high
+    wire [34:0] ah_high_low_5 = a_high_5 * h_low_5;
+    // UQ19.16: part of ah_high_high
+    wire [34:0] ah_high_high_low_5 = a_high_5 * h_high_low_5;
+    // UQ20.-2: part of ah_high_high
+    wire [17:0] ah_high_high_high_5 = a_high_5 * h_high_high_5;
+    // Q22.48: b x^2
+    wire [70:0] bs_5 = {{19{bs_low_5[51]}}, bs_low_5} + {bs_high_5, 17'd0};
+    // Q20.20: b x^2, rounded down
+    wire [40:0] m2_5 = bs_5[68:28];
+    reg past_cut_6;
+    reg [35:0] ah_low_low_6;
+    reg [35:0] ah_low_high_low_6;
+    reg [18:0] ah_low_high_high_6;
+    reg [34:0] ah_high_low_6;
+    reg [34:0] ah_high_high_low_6;
+    reg [17:0] ah_high_high_high_6;
+    reg [40:0] m2_6;
+    reg [38:0] m1_6;
     always @(posedge clk) begin
         if (ce) begin
-            y_6 <= y_5;
+            past_cut_6 <= past_cut_5;
+            ah_low_low_6 <= ah_low_low_5;
+            ah_low_high_low_6 <= ah_low_high_low_5;
+            ah_low_high_high_6 <= ah_low_high_high_5;
+            ah_high_low_6 <= ah_high_low_5;
+            ah_high_high_low_6 <= ah_high_high_low_5;
+            ah_high_high_high_6 <= ah_high_high_high_5;
+            m2_6 <= m2_5;
+            m1_6 <= m1_5;
         end
     end
 
-    assign out_valid = valid[6];
-    assign out_spec  = y_6;
+    // ===== Stage 6: ah_low_high, ah_low, ah_high_high, ah_high
+    // UQ3.34: part of ah_low
+    wire [36:0] ah_low_high_6 = {1'd0, ah_low_high_low_6} + {ah_low_high_high_6, 18'd0};
+    // UQ3.52: part of ah
+    wire [54:0] ah_low_6 = {19'd0, ah_low_low_6} + {ah_low_high_6, 18'd0};
+    // UQ20.16: part of ah_high
+    wire [35:0] ah_high_high_6 = {1'd0, ah_high_high_low_6} + {ah_high_high_high_6, 18'd0};
+    // UQ20.34: part of ah
+    wire [53:0] ah_high_6 = {19'd0, ah_high_low_6} + {ah_high_high_6, 18'd0};
+    reg past_cut_7;
+    reg [54:0] ah_low_7;
+    reg [53:0] ah_high_7;
+    reg [40:0] m2_7;
+    reg [38:0] m1_7;
+    always @(posedge clk) begin
+        if (ce) begin
+            past_cut_7 <= past_cut_6;
+            ah_low_7 <= ah_low_6;
+            ah_high_7 <= ah_high_6;
+            m2_7 <= m2_6;
+            m1_7 <= m1_6;
+        end
+    end
+
+    // ===== Stage 7: ah, sum
+    // UQ20.52: a x^3
+    wire [71:0] ah_7 = {17'd0, ah_low_7} + {ah_high_7, 18'd0};
+    // UQ19.20: a x^3, rounded down
+    wire [38:0] m3_7 = ah_7[70:32];
+    // Q19.20: a x^3 + b x^2
+    wire [39:0] sum_7 = {1'd0, m3_7} + m2_7[39:0];
+    reg past_cut_8;
+    reg [38:0] m1_8;
+    reg [39:0] sum_8;
+    always @(posedge clk) begin
+        if (ce) begin
+            past_cut_8 <= past_cut_7;
+            m1_8 <= m1_7;
+            sum_8 <= sum_7;
+        end
+    end
+
+    // ===== Stage 8: y_exact, y_half
+    // Q11.20: a x^3 + b x^2 + c x
+    wire [31:0] y_exact_8 = sum_8[31:0] + m1_8[31:0];
+    // Q11.20: plus half an output ulp: the result is rounded to nearest
+    wire [31:0] y_half_8 = y_exact_8 + 32'h00000008;
+    // Q11.16: rounded down to the output's bits
+    wire [27:0] y_cut_8 = y_half_8[31:4];
+    reg past_cut_9;
+    reg [27:0] y_cut_9;
+    always @(posedge clk) begin
+        if (ce) begin
+            past_cut_9 <= past_cut_8;
+            y_cut_9 <= y_cut_8;
+        end
+    end
+
+    // ===== Stage 9: y_unit, y
+    // UQ1.16: taken into [0, 1]
+    wire [16:0] y_unit_9 = y_cut_9[27] ? 17'h00000 : (|y_cut_9[26:16]) ? 17'h10000 : y_cut_9[16:0];
+    // UQ1.16: y, 0 past the cut
+    wire [16:0] y_9 = past_cut_9 ? 17'd0 : y_unit_9;
+    reg [16:0] y_10;
+    always @(posedge clk) begin
+        if (ce) begin
+            y_10 <= y_9;
+        end
+    end
+
+    assign out_valid = valid[10];
+    assign out_spec  = y_10;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
-                    sx_2[50:49],
-                    sx_2[11:0],
-                    ah_3[71],
-                    ah_3[31:0],
-                    bs_3[70:69],
-                    bs_3[27:0],
-                    m2_4[40],
-                    cx_3[51],
-                    cx_3[11:0],
-                    m1_4[38:32],
-                    sum_4[39:32],
-                    y_half_5[3:0]};
+                    sx_3[50:49],
+                    sx_3[11:0],
+                    ah_7[71],
+                    ah_7[31:0],
+                    bs_5[70:69],
+                    bs_5[27:0],
+                    m2_7[40],
+                    cx_4[51],
+                    cx_4[11:0],
+                    m1_8[38:32],
+                    sum_8[39:32],
+                    y_half_8[3:0]};
 
 endmodule
 

@@ -1,13 +1,13 @@
 -- cubic_paper: specular lobe x^n as x(1 - u(A - a u)), cut, n = 1 to 1000, paper form
 --
 -- Made by: brdfgen generate core.toml
--- Spec e0f3ddabe55a74ea. Generated; the core is yours to use under any terms.
+-- Spec bdb4e4b711766e3b. Generated; the core is yours to use under any terms.
 --
 --   in_n      UQ10.0  shininess, 1 to 1000; outside: the nearest end
 --   in_cos    Q1.16   cosine x; below 0 gives 0, above 1 counts as 1
 --   out_spec  UQ1.16  the lobe, 0 to 1; 1.0 is exact
 --
--- Latency 6 clocks, one result a clock.
+-- Latency 10 clocks, one result a clock.
 -- Error against the real-valued method, in ulps of out_spec: proved within -0.929..+0.623.
 --   measured -0.898..+0.566 over all 65537000 inputs in [0, 1].
 -- Error against x^n itself, measured over the same inputs:
@@ -32,7 +32,7 @@ entity cubic_paper is
         in_n      : in  unsigned(9 downto 0);
         -- Q1.16: cosine x; below 0 gives 0, above 1 counts as 1
         in_cos    : in  signed(17 downto 0);
-        -- out_spec is a result: in_valid, 6 enabled clocks later
+        -- out_spec is a result: in_valid, 10 enabled clocks later
         out_valid : out std_logic;
         -- UQ1.16: the lobe, 0 to 1; 1.0 is exact
         out_spec  : out unsigned(16 downto 0)
@@ -4159,7 +4159,7 @@ architecture rtl of cubic_paper is
     );
     signal rom_1 : std_logic_vector(122 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(6 downto 1) := (others => '0');
+    signal valid : std_logic_vector(10 downto 1) := (others => '0');
     signal x_0 : unsigned(16 downto 0) := (others => '0');
     signal u_0 : unsigned(16 downto 0) := (others => '0');
     signal x_1 : unsigned(16 downto 0) := (others => '0');
@@ -4169,45 +4169,128 @@ architecture rtl of cubic_paper is
     signal c_1 : unsigned(34 downto 0) := (others => '0');
     signal cut_1 : unsigned(15 downto 0) := (others => '0');
     signal xx_1 : unsigned(33 downto 0) := (others => '0');
+    signal xx_low_1 : unsigned(17 downto 0) := (others => '0');
+    signal xx_high_1 : unsigned(15 downto 0) := (others => '0');
     signal xx_signed_1 : signed(33 downto 0) := (others => '0');
+    signal xx_signed_low_1 : unsigned(16 downto 0) := (others => '0');
+    signal xx_signed_low_signed_1 : signed(17 downto 0) := (others => '0');
+    signal xx_signed_high_1 : signed(16 downto 0) := (others => '0');
     signal x_2 : unsigned(16 downto 0) := (others => '0');
     signal u_2 : unsigned(16 downto 0) := (others => '0');
     signal a_2 : unsigned(34 downto 0) := (others => '0');
     signal b_2 : signed(36 downto 0) := (others => '0');
     signal c_2 : unsigned(34 downto 0) := (others => '0');
     signal cut_2 : unsigned(15 downto 0) := (others => '0');
-    signal xx_2 : unsigned(33 downto 0) := (others => '0');
-    signal xx_signed_2 : signed(33 downto 0) := (others => '0');
-    signal sx_2 : unsigned(50 downto 0) := (others => '0');
-    signal h_2 : unsigned(36 downto 0) := (others => '0');
+    signal xx_low_2 : unsigned(17 downto 0) := (others => '0');
+    signal xx_high_2 : unsigned(15 downto 0) := (others => '0');
+    signal xx_signed_low_signed_2 : signed(17 downto 0) := (others => '0');
+    signal xx_signed_high_2 : signed(16 downto 0) := (others => '0');
+    signal sx_low_2 : unsigned(34 downto 0) := (others => '0');
+    signal sx_high_2 : unsigned(32 downto 0) := (others => '0');
     signal x_3 : unsigned(16 downto 0) := (others => '0');
     signal u_3 : unsigned(16 downto 0) := (others => '0');
     signal a_3 : unsigned(34 downto 0) := (others => '0');
     signal b_3 : signed(36 downto 0) := (others => '0');
     signal c_3 : unsigned(34 downto 0) := (others => '0');
     signal cut_3 : unsigned(15 downto 0) := (others => '0');
-    signal h_3 : unsigned(36 downto 0) := (others => '0');
-    signal xx_signed_3 : signed(33 downto 0) := (others => '0');
+    signal sx_low_3 : unsigned(34 downto 0) := (others => '0');
+    signal sx_high_3 : unsigned(32 downto 0) := (others => '0');
+    signal xx_signed_low_signed_3 : signed(17 downto 0) := (others => '0');
+    signal xx_signed_high_3 : signed(16 downto 0) := (others => '0');
     signal past_cut_3 : std_logic := '0';
-    signal ah_3 : unsigned(71 downto 0) := (others => '0');
-    signal m3_3 : unsigned(38 downto 0) := (others => '0');
-    signal bs_3 : signed(70 downto 0) := (others => '0');
-    signal m2_3 : signed(40 downto 0) := (others => '0');
-    signal cx_3 : unsigned(51 downto 0) := (others => '0');
-    signal m1_3 : unsigned(38 downto 0) := (others => '0');
+    signal sx_3 : unsigned(50 downto 0) := (others => '0');
+    signal h_3 : unsigned(36 downto 0) := (others => '0');
+    signal a_low_3 : unsigned(17 downto 0) := (others => '0');
+    signal a_high_3 : unsigned(16 downto 0) := (others => '0');
+    signal h_low_3 : unsigned(17 downto 0) := (others => '0');
+    signal h_high_3 : unsigned(18 downto 0) := (others => '0');
+    signal h_high_low_3 : unsigned(17 downto 0) := (others => '0');
+    signal h_high_high_3 : unsigned(0 downto 0) := (others => '0');
+    signal b_low_3 : unsigned(16 downto 0) := (others => '0');
+    signal b_low_signed_3 : signed(17 downto 0) := (others => '0');
+    signal b_high_3 : signed(19 downto 0) := (others => '0');
+    signal bs_low_low_3 : signed(35 downto 0) := (others => '0');
+    signal bs_low_high_3 : signed(34 downto 0) := (others => '0');
+    signal b_high_low_3 : unsigned(16 downto 0) := (others => '0');
+    signal b_high_low_signed_3 : signed(17 downto 0) := (others => '0');
+    signal b_high_high_3 : signed(2 downto 0) := (others => '0');
+    signal bs_high_low_low_3 : signed(35 downto 0) := (others => '0');
+    signal bs_high_low_high_3 : signed(34 downto 0) := (others => '0');
+    signal bs_high_high_low_3 : signed(20 downto 0) := (others => '0');
+    signal bs_high_high_high_3 : signed(19 downto 0) := (others => '0');
+    signal c_low_3 : unsigned(17 downto 0) := (others => '0');
+    signal c_high_3 : unsigned(16 downto 0) := (others => '0');
+    signal cx_low_3 : unsigned(34 downto 0) := (others => '0');
+    signal cx_high_3 : unsigned(33 downto 0) := (others => '0');
     signal past_cut_4 : std_logic := '0';
-    signal m3_4 : unsigned(38 downto 0) := (others => '0');
-    signal m2_4 : signed(40 downto 0) := (others => '0');
+    signal a_low_4 : unsigned(17 downto 0) := (others => '0');
+    signal a_high_4 : unsigned(16 downto 0) := (others => '0');
+    signal h_low_4 : unsigned(17 downto 0) := (others => '0');
+    signal h_high_low_4 : unsigned(17 downto 0) := (others => '0');
+    signal h_high_high_4 : unsigned(0 downto 0) := (others => '0');
+    signal bs_low_low_4 : signed(35 downto 0) := (others => '0');
+    signal bs_low_high_4 : signed(34 downto 0) := (others => '0');
+    signal bs_high_low_low_4 : signed(35 downto 0) := (others => '0');
+    signal bs_high_low_high_4 : signed(34 downto 0) := (others => '0');
+    signal bs_high_high_low_4 : signed(20 downto 0) := (others => '0');
+    signal bs_high_high_high_4 : signed(19 downto 0) := (others => '0');
+    signal cx_low_4 : unsigned(34 downto 0) := (others => '0');
+    signal cx_high_4 : unsigned(33 downto 0) := (others => '0');
+    signal bs_low_4 : signed(51 downto 0) := (others => '0');
+    signal bs_high_low_4 : signed(51 downto 0) := (others => '0');
+    signal bs_high_high_4 : signed(36 downto 0) := (others => '0');
+    signal bs_high_4 : signed(53 downto 0) := (others => '0');
+    signal cx_4 : unsigned(51 downto 0) := (others => '0');
     signal m1_4 : unsigned(38 downto 0) := (others => '0');
-    signal sum_4 : signed(39 downto 0) := (others => '0');
-    signal y_exact_4 : signed(31 downto 0) := (others => '0');
     signal past_cut_5 : std_logic := '0';
-    signal y_exact_5 : signed(31 downto 0) := (others => '0');
-    signal y_half_5 : signed(31 downto 0) := (others => '0');
-    signal y_cut_5 : signed(27 downto 0) := (others => '0');
-    signal y_unit_5 : unsigned(16 downto 0) := (others => '0');
-    signal y_5 : unsigned(16 downto 0) := (others => '0');
-    signal y_6 : unsigned(16 downto 0) := (others => '0');
+    signal a_low_5 : unsigned(17 downto 0) := (others => '0');
+    signal a_high_5 : unsigned(16 downto 0) := (others => '0');
+    signal h_low_5 : unsigned(17 downto 0) := (others => '0');
+    signal h_high_low_5 : unsigned(17 downto 0) := (others => '0');
+    signal h_high_high_5 : unsigned(0 downto 0) := (others => '0');
+    signal bs_low_5 : signed(51 downto 0) := (others => '0');
+    signal bs_high_5 : signed(53 downto 0) := (others => '0');
+    signal m1_5 : unsigned(38 downto 0) := (others => '0');
+    signal ah_low_low_5 : unsigned(35 downto 0) := (others => '0');
+    signal ah_low_high_low_5 : unsigned(35 downto 0) := (others => '0');
+    signal ah_low_high_high_5 : unsigned(18 downto 0) := (others => '0');
+    signal ah_high_low_5 : unsigned(34 downto 0) := (others => '0');
+    signal ah_high_high_low_5 : unsigned(34 downto 0) := (others => '0');
+    signal ah_high_high_high_5 : unsigned(17 downto 0) := (others => '0');
+    signal bs_5 : signed(70 downto 0) := (others => '0');
+    signal m2_5 : signed(40 downto 0) := (others => '0');
+    signal past_cut_6 : std_logic := '0';
+    signal ah_low_low_6 : unsigned(35 downto 0) := (others => '0');
+    signal ah_low_high_low_6 : unsigned(35 downto 0) := (others => '0');
+    signal ah_low_high_high_6 : unsigned(18 downto 0) := (others => '0');
+    signal ah_high_low_6 : unsigned(34 downto 0) := (others => '0');
+    signal ah_high_high_low_6 : unsigned(34 downto 0) := (others => '0');
+    signal ah_high_high_high_6 : unsigned(17 downto 0) := (others => '0');
+    signal m2_6 : signed(40 downto 0) := (others => '0');
+    signal m1_6 : unsigned(38 downto 0) := (others => '0');
+    signal ah_low_high_6 : unsigned(36 downto 0) := (others => '0');
+    signal ah_low_6 : unsigned(54 downto 0) := (others => '0');
+    signal ah_high_high_6 : unsigned(35 downto 0) := (others => '0');
+    signal ah_high_6 : unsigned(53 downto 0) := (others => '0');
+    signal past_cut_7 : std_logic := '0';
+    signal ah_low_7 : unsigned(54 downto 0) := (others => '0');
+    signal ah_high_7 : unsigned(53 downto 0) := (others => '0');
+    signal m2_7 : signed(40 downto 0) := (others => '0');
+    signal m1_7 : unsigned(38 downto 0) := (others => '0');
+    signal ah_7 : unsigned(71 downto 0) := (others => '0');
+    signal m3_7 : unsigned(38 downto 0) := (others => '0');
+    signal sum_7 : signed(39 downto 0) := (others => '0');
+    signal past_cut_8 : std_logic := '0';
+    signal m1_8 : unsigned(38 downto 0) := (others => '0');
+    signal sum_8 : signed(39 downto 0) := (others => '0');
+    signal y_exact_8 : signed(31 downto 0) := (others => '0');
+    signal y_half_8 : signed(31 downto 0) := (others => '0');
+    signal y_cut_8 : signed(27 downto 0) := (others => '0');
+    signal past_cut_9 : std_logic := '0';
+    signal y_cut_9 : signed(27 downto 0) := (others => '0');
+    signal y_unit_9 : unsigned(16 downto 0) := (others => '0');
+    signal y_9 : unsigned(16 downto 0) := (others => '0');
+    signal y_10 : unsigned(16 downto 0) := (others => '0');
 
 begin
 
@@ -4218,7 +4301,7 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(5 downto 1) & in_valid;
+                valid <= valid(9 downto 1) & in_valid;
             end if;
         end if;
     end process;
@@ -4266,8 +4349,18 @@ begin
     cut_1 <= unsigned(rom_1(15 downto 0));
     -- UQ2.32: x^2
     xx_1 <= x_1 * x_1;
+    -- UQ-14.32: the 18 low bits of xx
+    xx_low_1 <= xx_1(17 downto 0);
+    -- UQ2.14: xx without its 18 low bits
+    xx_high_1 <= xx_1(33 downto 18);
     -- Q1.32: a sign bit for the signed product
     xx_signed_1 <= signed(xx_1);
+    -- UQ-15.32: the 17 low bits of xx_signed
+    xx_signed_low_1 <= unsigned(xx_signed_1(16 downto 0));
+    -- Q-15.32: with a sign of 0
+    xx_signed_low_signed_1 <= signed(resize(xx_signed_low_1, 18));
+    -- Q1.15: xx_signed without its 17 low bits
+    xx_signed_high_1 <= xx_signed_1(33 downto 17);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4278,17 +4371,19 @@ begin
                 b_2 <= b_1;
                 c_2 <= c_1;
                 cut_2 <= cut_1;
-                xx_2 <= xx_1;
-                xx_signed_2 <= xx_signed_1;
+                xx_low_2 <= xx_low_1;
+                xx_high_2 <= xx_high_1;
+                xx_signed_low_signed_2 <= xx_signed_low_signed_1;
+                xx_signed_high_2 <= xx_signed_high_1;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 2: sx
-    -- UQ3.48: x^3
-    sx_2 <= xx_2 * x_2;
-    -- UQ1.36: x^3, rounded down
-    h_2 <= sx_2(48 downto 12);
+    -- ===== Stage 2: sx_low, sx_high
+    -- UQ-13.48: part of sx
+    sx_low_2 <= xx_low_2 * x_2;
+    -- UQ3.30: part of sx
+    sx_high_2 <= xx_high_2 * x_2;
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -4299,75 +4394,227 @@ begin
                 b_3 <= b_2;
                 c_3 <= c_2;
                 cut_3 <= cut_2;
-                h_3 <= h_2;
-                xx_signed_3 <= xx_signed_2;
+                sx_low_3 <= sx_low_2;
+                sx_high_3 <= sx_high_2;
+                xx_signed_low_signed_3 <= xx_signed_low_signed_2;
+                xx_signed_high_3 <= xx_signed_high_2;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 3: past_cut, ah, bs, cx
+    -- ===== Stage 3: past_cut, sx, bs_low_low, bs_low_high, bs_high_low_low and 5 more
     -- UQ1.0: u > cut: past the polynomial's end
     past_cut_3 <= '1' when u_3 > cut_3 else '0';
-    -- UQ20.52: a x^3
-    ah_3 <= a_3 * h_3;
-    -- UQ19.20: a x^3, rounded down
-    m3_3 <= ah_3(70 downto 32);
-    -- Q22.48: b x^2
-    bs_3 <= b_3 * xx_signed_3;
-    -- Q20.20: b x^2, rounded down
-    m2_3 <= bs_3(68 downto 28);
-    -- UQ20.32: c x
-    cx_3 <= c_3 * x_3;
-    -- UQ19.20: c x, rounded down
-    m1_3 <= cx_3(50 downto 12);
+    -- UQ3.48: x^3
+    sx_3 <= resize(sx_low_3, 51) + shift_left(resize(sx_high_3, 51), 18);
+    -- UQ1.36: x^3, rounded down
+    h_3 <= sx_3(48 downto 12);
+    -- UQ2.16: the 18 low bits of a
+    a_low_3 <= a_3(17 downto 0);
+    -- UQ19.-2: a without its 18 low bits
+    a_high_3 <= a_3(34 downto 18);
+    -- UQ-18.36: the 18 low bits of h
+    h_low_3 <= h_3(17 downto 0);
+    -- UQ1.18: h without its 18 low bits
+    h_high_3 <= h_3(36 downto 18);
+    -- UQ0.18: the 18 low bits of h_high
+    h_high_low_3 <= h_high_3(17 downto 0);
+    -- UQ1.0: h_high without its 18 low bits
+    h_high_high_3 <= h_high_3(18 downto 18);
+    -- UQ1.16: the 17 low bits of b
+    b_low_3 <= unsigned(b_3(16 downto 0));
+    -- Q1.16: with a sign of 0
+    b_low_signed_3 <= signed(resize(b_low_3, 18));
+    -- Q20.-1: b without its 17 low bits
+    b_high_3 <= b_3(36 downto 17);
+    -- Q-13.48: part of bs_low
+    bs_low_low_3 <= b_low_signed_3 * xx_signed_low_signed_3;
+    -- Q3.31: part of bs_low
+    bs_low_high_3 <= b_low_signed_3 * xx_signed_high_3;
+    -- UQ18.-1: the 17 low bits of b_high
+    b_high_low_3 <= unsigned(b_high_3(16 downto 0));
+    -- Q18.-1: with a sign of 0
+    b_high_low_signed_3 <= signed(resize(b_high_low_3, 18));
+    -- Q20.-18: b_high without its 17 low bits
+    b_high_high_3 <= b_high_3(19 downto 17);
+    -- Q4.31: part of bs_high_low
+    bs_high_low_low_3 <= b_high_low_signed_3 * xx_signed_low_signed_3;
+    -- Q20.14: part of bs_high_low
+    bs_high_low_high_3 <= b_high_low_signed_3 * xx_signed_high_3;
+    -- Q6.14: part of bs_high_high
+    bs_high_high_low_3 <= b_high_high_3 * xx_signed_low_signed_3;
+    -- Q22.-3: part of bs_high_high
+    bs_high_high_high_3 <= b_high_high_3 * xx_signed_high_3;
+    -- UQ2.16: the 18 low bits of c
+    c_low_3 <= c_3(17 downto 0);
+    -- UQ19.-2: c without its 18 low bits
+    c_high_3 <= c_3(34 downto 18);
+    -- UQ3.32: part of cx
+    cx_low_3 <= c_low_3 * x_3;
+    -- UQ20.14: part of cx
+    cx_high_3 <= c_high_3 * x_3;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 past_cut_4 <= past_cut_3;
-                m3_4 <= m3_3;
-                m2_4 <= m2_3;
-                m1_4 <= m1_3;
+                a_low_4 <= a_low_3;
+                a_high_4 <= a_high_3;
+                h_low_4 <= h_low_3;
+                h_high_low_4 <= h_high_low_3;
+                h_high_high_4 <= h_high_high_3;
+                bs_low_low_4 <= bs_low_low_3;
+                bs_low_high_4 <= bs_low_high_3;
+                bs_high_low_low_4 <= bs_high_low_low_3;
+                bs_high_low_high_4 <= bs_high_low_high_3;
+                bs_high_high_low_4 <= bs_high_high_low_3;
+                bs_high_high_high_4 <= bs_high_high_high_3;
+                cx_low_4 <= cx_low_3;
+                cx_high_4 <= cx_high_3;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 4: sum, y_exact
-    -- Q19.20: a x^3 + b x^2
-    sum_4 <= signed(resize(m3_4, 40)) + m2_4(39 downto 0);
-    -- Q11.20: a x^3 + b x^2 + c x
-    y_exact_4 <= sum_4(31 downto 0) + signed(m1_4(31 downto 0));
+    -- ===== Stage 4: bs_low, bs_high_low, bs_high_high, bs_high, cx
+    -- Q3.48: part of bs
+    bs_low_4 <= resize(bs_low_low_4, 52) + shift_left(resize(bs_low_high_4, 52), 17);
+    -- Q20.31: part of bs_high
+    bs_high_low_4 <= resize(bs_high_low_low_4, 52) + shift_left(resize(bs_high_low_high_4, 52), 17);
+    -- Q22.14: part of bs_high
+    bs_high_high_4 <=
+        resize(bs_high_high_low_4, 37) + shift_left(resize(bs_high_high_high_4, 37), 17);
+    -- Q22.31: part of bs
+    bs_high_4 <= resize(bs_high_low_4, 54) + shift_left(resize(bs_high_high_4, 54), 17);
+    -- UQ20.32: c x
+    cx_4 <= resize(cx_low_4, 52) + shift_left(resize(cx_high_4, 52), 18);
+    -- UQ19.20: c x, rounded down
+    m1_4 <= cx_4(50 downto 12);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 past_cut_5 <= past_cut_4;
-                y_exact_5 <= y_exact_4;
+                a_low_5 <= a_low_4;
+                a_high_5 <= a_high_4;
+                h_low_5 <= h_low_4;
+                h_high_low_5 <= h_high_low_4;
+                h_high_high_5 <= h_high_high_4;
+                bs_low_5 <= bs_low_4;
+                bs_high_5 <= bs_high_4;
+                m1_5 <= m1_4;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 5: y_half, y_unit, y
-    -- Q11.20: plus half an output ulp: the result is rounded to nearest
-    y_half_5 <= y_exact_5 + to_signed(8, 32);
-    -- Q11.16: rounded down to the output's bits
-    y_cut_5 <= y_half_5(31 downto 4);
-    -- UQ1.16: taken into [0, 1]
-    y_unit_5 <= (others => '0') when y_cut_5(27) = '1' else
-        (16 => '1', others => '0') when unsigned(y_cut_5(26 downto 16)) /= 0 else
-        unsigned(y_cut_5(16 downto 0));
-    -- UQ1.16: y, 0 past the cut
-    y_5 <= (others => '0') when past_cut_5 = '1' else y_unit_5;
+    -- ===== Stage 5: ah_low_low, ah_low_high_low, ah_low_high_high, ah_high_low and 3 more
+    -- UQ-16.52: part of ah_low
+    ah_low_low_5 <= a_low_5 * h_low_5;
+    -- UQ2.34: part of ah_low_high
+    ah_low_high_low_5 <= a_low_5 * h_high_low_5;
+    -- UQ3.16: part of ah_low_high
+    ah_low_high_high_5 <= a_low_5 * h_high_high_5;
+    -- UQ1.34: part of ah_high
+    ah_high_low_5 <= a_high_5 * h_low_5;
+    -- UQ19.16: part of ah_high_high
+    ah_high_high_low_5 <= a_high_5 * h_high_low_5;
+    -- UQ20.-2: part of ah_high_high
+    ah_high_high_high_5 <= a_high_5 * h_high_high_5;
+    -- Q22.48: b x^2
+    bs_5 <= resize(bs_low_5, 71) + shift_left(resize(bs_high_5, 71), 17);
+    -- Q20.20: b x^2, rounded down
+    m2_5 <= bs_5(68 downto 28);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                y_6 <= y_5;
+                past_cut_6 <= past_cut_5;
+                ah_low_low_6 <= ah_low_low_5;
+                ah_low_high_low_6 <= ah_low_high_low_5;
+                ah_low_high_high_6 <= ah_low_high_high_5;
+                ah_high_low_6 <= ah_high_low_5;
+                ah_high_high_low_6 <= ah_high_high_low_5;
+                ah_high_high_high_6 <= ah_high_high_high_5;
+                m2_6 <= m2_5;
+                m1_6 <= m1_5;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(6);
-    out_spec  <= y_6;
+    -- ===== Stage 6: ah_low_high, ah_low, ah_high_high, ah_high
+    -- UQ3.34: part of ah_low
+    ah_low_high_6 <= resize(ah_low_high_low_6, 37) + shift_left(resize(ah_low_high_high_6, 37), 18);
+    -- UQ3.52: part of ah
+    ah_low_6 <= resize(ah_low_low_6, 55) + shift_left(resize(ah_low_high_6, 55), 18);
+    -- UQ20.16: part of ah_high
+    ah_high_high_6 <=
+        resize(ah_high_high_low_6, 36) + shift_left(resize(ah_high_high_high_6, 36), 18);
+    -- UQ20.34: part of ah
+    ah_high_6 <= resize(ah_high_low_6, 54) + shift_left(resize(ah_high_high_6, 54), 18);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                past_cut_7 <= past_cut_6;
+                ah_low_7 <= ah_low_6;
+                ah_high_7 <= ah_high_6;
+                m2_7 <= m2_6;
+                m1_7 <= m1_6;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 7: ah, sum
+    -- UQ20.52: a x^3
+    ah_7 <= resize(ah_low_7, 72) + shift_left(resize(ah_high_7, 72), 18);
+    -- UQ19.20: a x^3, rounded down
+    m3_7 <= ah_7(70 downto 32);
+    -- Q19.20: a x^3 + b x^2
+    sum_7 <= signed(resize(m3_7, 40)) + m2_7(39 downto 0);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                past_cut_8 <= past_cut_7;
+                m1_8 <= m1_7;
+                sum_8 <= sum_7;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 8: y_exact, y_half
+    -- Q11.20: a x^3 + b x^2 + c x
+    y_exact_8 <= sum_8(31 downto 0) + signed(m1_8(31 downto 0));
+    -- Q11.20: plus half an output ulp: the result is rounded to nearest
+    y_half_8 <= y_exact_8 + to_signed(8, 32);
+    -- Q11.16: rounded down to the output's bits
+    y_cut_8 <= y_half_8(31 downto 4);
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                past_cut_9 <= past_cut_8;
+                y_cut_9 <= y_cut_8;
+            end if;
+        end if;
+    end process;
+
+    -- ===== Stage 9: y_unit, y
+    -- UQ1.16: taken into [0, 1]
+    y_unit_9 <= (others => '0') when y_cut_9(27) = '1' else
+        (16 => '1', others => '0') when unsigned(y_cut_9(26 downto 16)) /= 0 else
+        unsigned(y_cut_9(16 downto 0));
+    -- UQ1.16: y, 0 past the cut
+    y_9 <= (others => '0') when past_cut_9 = '1' else y_unit_9;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                y_10 <= y_9;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(10);
+    out_spec  <= y_10;
 
 end architecture rtl;

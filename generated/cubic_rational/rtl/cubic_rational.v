@@ -7,7 +7,7 @@
 //   in_cos    Q1.12   cosine x; below 0 gives 0, above 1 counts as 1
 //   out_spec  UQ1.12  the lobe, 0 to 1; 1.0 is exact
 //
-// Latency 12 clocks, one result a clock.
+// Latency 13 clocks, one result a clock.
 // Error against the real-valued method, in ulps of out_spec: proved within -0.959..+0.948.
 //   measured -0.689..+0.772 over all 520319 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
@@ -30,20 +30,20 @@ module cubic_rational (
     input  wire [6:0] in_n,
     // Q1.12: cosine x; below 0 gives 0, above 1 counts as 1
     input  wire [13:0] in_cos,
-    // out_spec is a result: in_valid, 12 enabled clocks later
+    // out_spec is a result: in_valid, 13 enabled clocks later
     output wire        out_valid,
     // UQ1.12: the lobe, 0 to 1; 1.0 is exact
     output wire [12:0] out_spec
 );
 
     // ===== Valid chain
-    reg [12:1] valid;
-    initial valid = 12'd0;
+    reg [13:1] valid;
+    initial valid = 13'd0;
     always @(posedge clk) begin
         if (rst) begin
-            valid <= 12'd0;
+            valid <= 13'd0;
         end else if (ce) begin
-            valid <= {valid[11:1], in_valid};
+            valid <= {valid[12:1], in_valid};
         end
     end
 
@@ -292,11 +292,7 @@ module cubic_rational (
         end
     end
 
-    // ===== Stage 4: av, den, m_4
-    // UQ0.22: (a 4^-k) v
-    wire [21:0] av_4 = a_4 * v_4;
-    // UQ-2.15: (a 4^-k) v, rounded down
-    wire [12:0] r_4 = av_4[19:7];
+    // ===== Stage 4: den, m_4
     // UQ8.14: the tail's denominator, d + b u
     wire [21:0] den_4 = {7'd0, d_4} + {bu_4[18:0], 3'd0};
     // UQ8.-4: the bits from 2^4 on
@@ -313,8 +309,6 @@ module cubic_rational (
     wire [17:0] m_4_4 = from_4_4 ? m_4_high_wide_4 : m_4_low_wide_4;
     // UQ4.-2: the bits from 2^2 on
     wire [1:0] from_2_bits_4 = m_4_4[17:16];
-    // UQ1.0: the denominator is 2^2 or more
-    wire from_2_4 = |from_2_bits_4;
     // UQ2.16: times 2^-2
     wire [17:0] m_2_high_4 = m_4_4;
     // UQ2.14: in one format
@@ -324,11 +318,11 @@ module cubic_rational (
     reg [12:0] x_5;
     reg past_5;
     reg [14:0] big_a_5;
+    reg [9:0] a_5;
     reg [11:0] v_5;
-    reg [12:0] r_5;
     reg [11:0] num_5;
     reg from_4_5;
-    reg from_2_5;
+    reg [1:0] from_2_bits_5;
     reg [15:0] m_2_high_wide_5;
     reg [15:0] m_2_low_wide_5;
     always @(posedge clk) begin
@@ -336,19 +330,23 @@ module cubic_rational (
             x_5 <= x_4;
             past_5 <= past_4;
             big_a_5 <= big_a_4;
+            a_5 <= a_4;
             v_5 <= v_4;
-            r_5 <= r_4;
             num_5 <= num_4;
             from_4_5 <= from_4_4;
-            from_2_5 <= from_2_4;
+            from_2_bits_5 <= from_2_bits_4;
             m_2_high_wide_5 <= m_2_high_wide_4;
             m_2_low_wide_5 <= m_2_low_wide_4;
         end
     end
 
-    // ===== Stage 5: q, m_2, m_1
-    // UQ0.15: q = (A - a u) 2^-k; wraps past the cut
-    wire [14:0] q_5 = big_a_5 - {2'd0, r_5};
+    // ===== Stage 5: av, m_2, m_1
+    // UQ0.22: (a 4^-k) v
+    wire [21:0] av_5 = a_5 * v_5;
+    // UQ-2.15: (a 4^-k) v, rounded down
+    wire [12:0] r_5 = av_5[19:7];
+    // UQ1.0: the denominator is 2^2 or more
+    wire from_2_5 = |from_2_bits_5;
     // UQ2.14: below 2^2
     wire [15:0] m_2_5 = from_2_5 ? m_2_high_wide_5 : m_2_low_wide_5;
     // UQ2.-1: the bits from 2^1 on
@@ -369,8 +367,9 @@ module cubic_rational (
     wire [7:0] offset_5 = fraction_5[7:0];
     reg [12:0] x_6;
     reg past_6;
+    reg [14:0] big_a_6;
     reg [11:0] v_6;
-    reg [14:0] q_6;
+    reg [12:0] r_6;
     reg [11:0] num_6;
     reg from_4_6;
     reg from_2_6;
@@ -381,8 +380,9 @@ module cubic_rational (
         if (ce) begin
             x_6 <= x_5;
             past_6 <= past_5;
+            big_a_6 <= big_a_5;
             v_6 <= v_5;
-            q_6 <= q_5;
+            r_6 <= r_5;
             num_6 <= num_5;
             from_4_6 <= from_4_5;
             from_2_6 <= from_2_5;
@@ -392,15 +392,11 @@ module cubic_rational (
         end
     end
 
-    // ===== Stage 6: read reciprocal, vq
+    // ===== Stage 6: read reciprocal, q
     // The word of the memory reciprocal, of 64 words.
     reg [21:0] reciprocal_7;
-    // UQ1.26: u (A - a u) = v q
-    wire [26:0] vq_6 = v_6 * q_6;
-    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
-    wire p_above_bits_6 = vq_6[26];
-    // UQ-1.15: p, rounded down
-    wire [13:0] p_6 = vq_6[24:11];
+    // UQ0.15: q = (A - a u) 2^-k; wraps past the cut
+    wire [14:0] q_6 = big_a_6 - {2'd0, r_6};
     always @(posedge clk) begin
         if (ce) begin
             case (entry_6)
@@ -474,8 +470,8 @@ module cubic_rational (
     end
     reg [12:0] x_7;
     reg past_7;
-    reg p_above_bits_7;
-    reg [13:0] p_7;
+    reg [11:0] v_7;
+    reg [14:0] q_7;
     reg [11:0] num_7;
     reg from_4_7;
     reg from_2_7;
@@ -485,8 +481,8 @@ module cubic_rational (
         if (ce) begin
             x_7 <= x_6;
             past_7 <= past_6;
-            p_above_bits_7 <= p_above_bits_6;
-            p_7 <= p_6;
+            v_7 <= v_6;
+            q_7 <= q_6;
             num_7 <= num_6;
             from_4_7 <= from_4_6;
             from_2_7 <= from_2_6;
@@ -495,11 +491,13 @@ module cubic_rational (
         end
     end
 
-    // ===== Stage 7: xp
-    // UQ0.27: x p
-    wire [26:0] xp_7 = x_7 * p_7;
-    // UQ-1.13: t = x p, rounded down
-    wire [11:0] t_7 = xp_7[25:14];
+    // ===== Stage 7: vq
+    // UQ1.26: u (A - a u) = v q
+    wire [26:0] vq_7 = v_7 * q_7;
+    // UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    wire p_above_bits_7 = vq_7[26];
+    // UQ-1.15: p, rounded down
+    wire [13:0] p_7 = vq_7[24:11];
     // UQ0.16: about 1/m at the entry's least m
     wire [15:0] seed_7 = reciprocal_7[21:6];
     // UQ0.6: how fast 1/m falls
@@ -507,7 +505,7 @@ module cubic_rational (
     reg [12:0] x_8;
     reg past_8;
     reg p_above_bits_8;
-    reg [11:0] t_8;
+    reg [13:0] p_8;
     reg [11:0] num_8;
     reg from_4_8;
     reg from_2_8;
@@ -520,7 +518,7 @@ module cubic_rational (
             x_8 <= x_7;
             past_8 <= past_7;
             p_above_bits_8 <= p_above_bits_7;
-            t_8 <= t_7;
+            p_8 <= p_7;
             num_8 <= num_7;
             from_4_8 <= from_4_7;
             from_2_8 <= from_2_7;
@@ -531,19 +529,19 @@ module cubic_rational (
         end
     end
 
-    // ===== Stage 8: y_exact, y, fall_exact
-    // UQ1.13: x - t = x (1 - p)
-    wire [13:0] y_exact_8 = {x_8, 1'd0} - {2'd0, t_8};
-    // UQ1.12: rounded down to the output's bits
-    wire [12:0] y_cut_8 = y_exact_8[13:1];
-    // UQ1.12: y, 0 where the lobe has ended
-    wire [12:0] y_8 = p_above_bits_8 ? 13'd0 : y_cut_8;
+    // ===== Stage 8: xp, fall_exact
+    // UQ0.27: x p
+    wire [26:0] xp_8 = x_8 * p_8;
+    // UQ-1.13: t = x p, rounded down
+    wire [11:0] t_8 = xp_8[25:14];
     // UQ-6.20: slope d
     wire [13:0] fall_exact_8 = slope_8 * offset_8;
     // UQ-6.16: slope d, rounded down
     wire [9:0] fall_8 = fall_exact_8[13:4];
+    reg [12:0] x_9;
     reg past_9;
-    reg [12:0] y_9;
+    reg p_above_bits_9;
+    reg [11:0] t_9;
     reg [11:0] num_9;
     reg from_4_9;
     reg from_2_9;
@@ -552,8 +550,10 @@ module cubic_rational (
     reg [9:0] fall_9;
     always @(posedge clk) begin
         if (ce) begin
+            x_9 <= x_8;
             past_9 <= past_8;
-            y_9 <= y_8;
+            p_above_bits_9 <= p_above_bits_8;
+            t_9 <= t_8;
             num_9 <= num_8;
             from_4_9 <= from_4_8;
             from_2_9 <= from_2_8;
@@ -563,7 +563,13 @@ module cubic_rational (
         end
     end
 
-    // ===== Stage 9: inverse
+    // ===== Stage 9: y_exact, y, inverse
+    // UQ1.13: x - t = x (1 - p)
+    wire [13:0] y_exact_9 = {x_9, 1'd0} - {2'd0, t_9};
+    // UQ1.12: rounded down to the output's bits
+    wire [12:0] y_cut_9 = y_exact_9[13:1];
+    // UQ1.12: y, 0 where the lobe has ended
+    wire [12:0] y_9 = p_above_bits_9 ? 13'd0 : y_cut_9;
     // UQ0.16: 1/m = seed - slope d
     wire [15:0] inverse_9 = seed_9 - {6'd0, fall_9};
     reg past_10;
@@ -613,7 +619,7 @@ module cubic_rational (
         end
     end
 
-    // ===== Stage 11: scaled_4, scaled_2, scaled_1, quotient_half, either
+    // ===== Stage 11: scaled_4, scaled_2, scaled_1
     // UQ0.13: halved as often as the denominator was
     wire [12:0] scaled_4_11 = from_4_11 ? {4'd0, scaled_4_low_11} : scaled_11;
     // UQ-2.15: as often halved
@@ -628,32 +634,44 @@ module cubic_rational (
     wire [11:0] scaled_1_low_11 = scaled_1_moved_11[12:1];
     // UQ0.13: halved as often as the denominator was
     wire [12:0] scaled_1_11 = from_1_bits_11 ? {1'd0, scaled_1_low_11} : scaled_2_11;
-    // UQ0.13: plus half an output ulp
-    wire [12:0] quotient_half_11 = scaled_1_11 + 13'h0001;
-    // UQ0.12: num / den, rounded to nearest
-    wire [11:0] quotient_11 = quotient_half_11[12:1];
-    // UQ1.12: the tail past the cut, the cubic up to it
-    wire [12:0] either_11 = past_11 ? {1'd0, quotient_11} : y_11;
-    reg [12:0] either_12;
+    reg past_12;
+    reg [12:0] y_12;
+    reg [12:0] scaled_1_12;
     always @(posedge clk) begin
         if (ce) begin
-            either_12 <= either_11;
+            past_12 <= past_11;
+            y_12 <= y_11;
+            scaled_1_12 <= scaled_1_11;
         end
     end
 
-    assign out_valid = valid[12];
-    assign out_spec  = either_12;
+    // ===== Stage 12: quotient_half, either
+    // UQ0.13: plus half an output ulp
+    wire [12:0] quotient_half_12 = scaled_1_12 + 13'h0001;
+    // UQ0.12: num / den, rounded to nearest
+    wire [11:0] quotient_12 = quotient_half_12[12:1];
+    // UQ1.12: the tail past the cut, the cubic up to it
+    wire [12:0] either_12 = past_12 ? {1'd0, quotient_12} : y_12;
+    reg [12:0] either_13;
+    always @(posedge clk) begin
+        if (ce) begin
+            either_13 <= either_12;
+        end
+    end
+
+    assign out_valid = valid[13];
+    assign out_spec  = either_13;
 
     // Bits that the roundings drop.
     wire unused = &{1'b0,
                     u_scaled_3[0],
-                    av_4[21:20],
-                    av_4[6:0],
-                    vq_6[25],
-                    vq_6[10:0],
-                    xp_7[26],
-                    xp_7[13:0],
-                    y_exact_8[0],
+                    av_5[21:20],
+                    av_5[6:0],
+                    vq_7[25],
+                    vq_7[10:0],
+                    xp_8[26],
+                    xp_8[13:0],
+                    y_exact_9[0],
                     bu_4[19],
                     m_4_high_4[3:0],
                     m_2_high_4[1:0],
@@ -664,7 +682,7 @@ module cubic_rational (
                     scaled_4_moved_10[3:0],
                     scaled_2_moved_11[1:0],
                     scaled_1_moved_11[0],
-                    quotient_half_11[0]};
+                    quotient_half_12[0]};
 
 endmodule
 

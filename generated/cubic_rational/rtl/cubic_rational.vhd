@@ -7,7 +7,7 @@
 --   in_cos    Q1.12   cosine x; below 0 gives 0, above 1 counts as 1
 --   out_spec  UQ1.12  the lobe, 0 to 1; 1.0 is exact
 --
--- Latency 12 clocks, one result a clock.
+-- Latency 13 clocks, one result a clock.
 -- Error against the real-valued method, in ulps of out_spec: proved within -0.959..+0.948.
 --   measured -0.689..+0.772 over all 520319 inputs in [0, 1].
 -- Error against x^n itself, measured over the same inputs:
@@ -32,7 +32,7 @@ entity cubic_rational is
         in_n      : in  unsigned(6 downto 0);
         -- Q1.12: cosine x; below 0 gives 0, above 1 counts as 1
         in_cos    : in  signed(13 downto 0);
-        -- out_spec is a result: in_valid, 12 enabled clocks later
+        -- out_spec is a result: in_valid, 13 enabled clocks later
         out_valid : out std_logic;
         -- UQ1.12: the lobe, 0 to 1; 1.0 is exact
         out_spec  : out unsigned(12 downto 0)
@@ -381,7 +381,7 @@ architecture rtl of cubic_rational is
     );
     signal reciprocal_7 : std_logic_vector(21 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(12 downto 1) := (others => '0');
+    signal valid : std_logic_vector(13 downto 1) := (others => '0');
     signal x_0 : unsigned(12 downto 0) := (others => '0');
     signal u_0 : unsigned(12 downto 0) := (others => '0');
     signal num_0 : unsigned(11 downto 0) := (others => '0');
@@ -424,8 +424,6 @@ architecture rtl of cubic_rational is
     signal d_4 : unsigned(14 downto 0) := (others => '0');
     signal num_4 : unsigned(11 downto 0) := (others => '0');
     signal bu_4 : unsigned(19 downto 0) := (others => '0');
-    signal av_4 : unsigned(21 downto 0) := (others => '0');
-    signal r_4 : unsigned(12 downto 0) := (others => '0');
     signal den_4 : unsigned(21 downto 0) := (others => '0');
     signal from_4_bits_4 : unsigned(3 downto 0) := (others => '0');
     signal from_4_4 : std_logic := '0';
@@ -434,21 +432,22 @@ architecture rtl of cubic_rational is
     signal m_4_low_wide_4 : unsigned(17 downto 0) := (others => '0');
     signal m_4_4 : unsigned(17 downto 0) := (others => '0');
     signal from_2_bits_4 : unsigned(1 downto 0) := (others => '0');
-    signal from_2_4 : std_logic := '0';
     signal m_2_high_4 : unsigned(17 downto 0) := (others => '0');
     signal m_2_high_wide_4 : unsigned(15 downto 0) := (others => '0');
     signal m_2_low_wide_4 : unsigned(15 downto 0) := (others => '0');
     signal x_5 : unsigned(12 downto 0) := (others => '0');
     signal past_5 : std_logic := '0';
     signal big_a_5 : unsigned(14 downto 0) := (others => '0');
+    signal a_5 : unsigned(9 downto 0) := (others => '0');
     signal v_5 : unsigned(11 downto 0) := (others => '0');
-    signal r_5 : unsigned(12 downto 0) := (others => '0');
     signal num_5 : unsigned(11 downto 0) := (others => '0');
     signal from_4_5 : std_logic := '0';
-    signal from_2_5 : std_logic := '0';
+    signal from_2_bits_5 : unsigned(1 downto 0) := (others => '0');
     signal m_2_high_wide_5 : unsigned(15 downto 0) := (others => '0');
     signal m_2_low_wide_5 : unsigned(15 downto 0) := (others => '0');
-    signal q_5 : unsigned(14 downto 0) := (others => '0');
+    signal av_5 : unsigned(21 downto 0) := (others => '0');
+    signal r_5 : unsigned(12 downto 0) := (others => '0');
+    signal from_2_5 : std_logic := '0';
     signal m_2_5 : unsigned(15 downto 0) := (others => '0');
     signal from_1_bits_5 : std_logic := '0';
     signal m_1_high_5 : unsigned(15 downto 0) := (others => '0');
@@ -460,34 +459,34 @@ architecture rtl of cubic_rational is
     signal offset_5 : unsigned(7 downto 0) := (others => '0');
     signal x_6 : unsigned(12 downto 0) := (others => '0');
     signal past_6 : std_logic := '0';
+    signal big_a_6 : unsigned(14 downto 0) := (others => '0');
     signal v_6 : unsigned(11 downto 0) := (others => '0');
-    signal q_6 : unsigned(14 downto 0) := (others => '0');
+    signal r_6 : unsigned(12 downto 0) := (others => '0');
     signal num_6 : unsigned(11 downto 0) := (others => '0');
     signal from_4_6 : std_logic := '0';
     signal from_2_6 : std_logic := '0';
     signal from_1_bits_6 : std_logic := '0';
     signal entry_6 : unsigned(5 downto 0) := (others => '0');
     signal offset_6 : unsigned(7 downto 0) := (others => '0');
-    signal vq_6 : unsigned(26 downto 0) := (others => '0');
-    signal p_above_bits_6 : std_logic := '0';
-    signal p_6 : unsigned(13 downto 0) := (others => '0');
+    signal q_6 : unsigned(14 downto 0) := (others => '0');
     signal x_7 : unsigned(12 downto 0) := (others => '0');
     signal past_7 : std_logic := '0';
-    signal p_above_bits_7 : std_logic := '0';
-    signal p_7 : unsigned(13 downto 0) := (others => '0');
+    signal v_7 : unsigned(11 downto 0) := (others => '0');
+    signal q_7 : unsigned(14 downto 0) := (others => '0');
     signal num_7 : unsigned(11 downto 0) := (others => '0');
     signal from_4_7 : std_logic := '0';
     signal from_2_7 : std_logic := '0';
     signal from_1_bits_7 : std_logic := '0';
     signal offset_7 : unsigned(7 downto 0) := (others => '0');
-    signal xp_7 : unsigned(26 downto 0) := (others => '0');
-    signal t_7 : unsigned(11 downto 0) := (others => '0');
+    signal vq_7 : unsigned(26 downto 0) := (others => '0');
+    signal p_above_bits_7 : std_logic := '0';
+    signal p_7 : unsigned(13 downto 0) := (others => '0');
     signal seed_7 : unsigned(15 downto 0) := (others => '0');
     signal slope_7 : unsigned(5 downto 0) := (others => '0');
     signal x_8 : unsigned(12 downto 0) := (others => '0');
     signal past_8 : std_logic := '0';
     signal p_above_bits_8 : std_logic := '0';
-    signal t_8 : unsigned(11 downto 0) := (others => '0');
+    signal p_8 : unsigned(13 downto 0) := (others => '0');
     signal num_8 : unsigned(11 downto 0) := (others => '0');
     signal from_4_8 : std_logic := '0';
     signal from_2_8 : std_logic := '0';
@@ -495,19 +494,23 @@ architecture rtl of cubic_rational is
     signal seed_8 : unsigned(15 downto 0) := (others => '0');
     signal slope_8 : unsigned(5 downto 0) := (others => '0');
     signal offset_8 : unsigned(7 downto 0) := (others => '0');
-    signal y_exact_8 : unsigned(13 downto 0) := (others => '0');
-    signal y_cut_8 : unsigned(12 downto 0) := (others => '0');
-    signal y_8 : unsigned(12 downto 0) := (others => '0');
+    signal xp_8 : unsigned(26 downto 0) := (others => '0');
+    signal t_8 : unsigned(11 downto 0) := (others => '0');
     signal fall_exact_8 : unsigned(13 downto 0) := (others => '0');
     signal fall_8 : unsigned(9 downto 0) := (others => '0');
+    signal x_9 : unsigned(12 downto 0) := (others => '0');
     signal past_9 : std_logic := '0';
-    signal y_9 : unsigned(12 downto 0) := (others => '0');
+    signal p_above_bits_9 : std_logic := '0';
+    signal t_9 : unsigned(11 downto 0) := (others => '0');
     signal num_9 : unsigned(11 downto 0) := (others => '0');
     signal from_4_9 : std_logic := '0';
     signal from_2_9 : std_logic := '0';
     signal from_1_bits_9 : std_logic := '0';
     signal seed_9 : unsigned(15 downto 0) := (others => '0');
     signal fall_9 : unsigned(9 downto 0) := (others => '0');
+    signal y_exact_9 : unsigned(13 downto 0) := (others => '0');
+    signal y_cut_9 : unsigned(12 downto 0) := (others => '0');
+    signal y_9 : unsigned(12 downto 0) := (others => '0');
     signal inverse_9 : unsigned(15 downto 0) := (others => '0');
     signal past_10 : std_logic := '0';
     signal y_10 : unsigned(12 downto 0) := (others => '0');
@@ -534,10 +537,13 @@ architecture rtl of cubic_rational is
     signal scaled_1_moved_11 : unsigned(12 downto 0) := (others => '0');
     signal scaled_1_low_11 : unsigned(11 downto 0) := (others => '0');
     signal scaled_1_11 : unsigned(12 downto 0) := (others => '0');
-    signal quotient_half_11 : unsigned(12 downto 0) := (others => '0');
-    signal quotient_11 : unsigned(11 downto 0) := (others => '0');
-    signal either_11 : unsigned(12 downto 0) := (others => '0');
+    signal past_12 : std_logic := '0';
+    signal y_12 : unsigned(12 downto 0) := (others => '0');
+    signal scaled_1_12 : unsigned(12 downto 0) := (others => '0');
+    signal quotient_half_12 : unsigned(12 downto 0) := (others => '0');
+    signal quotient_12 : unsigned(11 downto 0) := (others => '0');
     signal either_12 : unsigned(12 downto 0) := (others => '0');
+    signal either_13 : unsigned(12 downto 0) := (others => '0');
 
 begin
 
@@ -548,7 +554,7 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(11 downto 1) & in_valid;
+                valid <= valid(12 downto 1) & in_valid;
             end if;
         end if;
     end process;
@@ -657,11 +663,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 4: av, den, m_4
-    -- UQ0.22: (a 4^-k) v
-    av_4 <= a_4 * v_4;
-    -- UQ-2.15: (a 4^-k) v, rounded down
-    r_4 <= av_4(19 downto 7);
+    -- ===== Stage 4: den, m_4
     -- UQ8.14: the tail's denominator, d + b u
     den_4 <= resize(d_4, 22) + shift_left(resize(bu_4, 22), 3);
     -- UQ8.-4: the bits from 2^4 on
@@ -678,8 +680,6 @@ begin
     m_4_4 <= m_4_high_wide_4 when from_4_4 = '1' else m_4_low_wide_4;
     -- UQ4.-2: the bits from 2^2 on
     from_2_bits_4 <= m_4_4(17 downto 16);
-    -- UQ1.0: the denominator is 2^2 or more
-    from_2_4 <= '1' when from_2_bits_4 /= 0 else '0';
     -- UQ2.16: times 2^-2
     m_2_high_4 <= m_4_4;
     -- UQ2.14: in one format
@@ -693,20 +693,24 @@ begin
                 x_5 <= x_4;
                 past_5 <= past_4;
                 big_a_5 <= big_a_4;
+                a_5 <= a_4;
                 v_5 <= v_4;
-                r_5 <= r_4;
                 num_5 <= num_4;
                 from_4_5 <= from_4_4;
-                from_2_5 <= from_2_4;
+                from_2_bits_5 <= from_2_bits_4;
                 m_2_high_wide_5 <= m_2_high_wide_4;
                 m_2_low_wide_5 <= m_2_low_wide_4;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 5: q, m_2, m_1
-    -- UQ0.15: q = (A - a u) 2^-k; wraps past the cut
-    q_5 <= big_a_5 - resize(r_5, 15);
+    -- ===== Stage 5: av, m_2, m_1
+    -- UQ0.22: (a 4^-k) v
+    av_5 <= a_5 * v_5;
+    -- UQ-2.15: (a 4^-k) v, rounded down
+    r_5 <= av_5(19 downto 7);
+    -- UQ1.0: the denominator is 2^2 or more
+    from_2_5 <= '1' when from_2_bits_5 /= 0 else '0';
     -- UQ2.14: below 2^2
     m_2_5 <= m_2_high_wide_5 when from_2_5 = '1' else m_2_low_wide_5;
     -- UQ2.-1: the bits from 2^1 on
@@ -731,8 +735,9 @@ begin
             if ce = '1' then
                 x_6 <= x_5;
                 past_6 <= past_5;
+                big_a_6 <= big_a_5;
                 v_6 <= v_5;
-                q_6 <= q_5;
+                r_6 <= r_5;
                 num_6 <= num_5;
                 from_4_6 <= from_4_5;
                 from_2_6 <= from_2_5;
@@ -743,13 +748,9 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 6: read reciprocal, vq
-    -- UQ1.26: u (A - a u) = v q
-    vq_6 <= v_6 * q_6;
-    -- UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
-    p_above_bits_6 <= vq_6(26);
-    -- UQ-1.15: p, rounded down
-    p_6 <= vq_6(24 downto 11);
+    -- ===== Stage 6: read reciprocal, q
+    -- UQ0.15: q = (A - a u) 2^-k; wraps past the cut
+    q_6 <= big_a_6 - resize(r_6, 15);
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -765,8 +766,8 @@ begin
             if ce = '1' then
                 x_7 <= x_6;
                 past_7 <= past_6;
-                p_above_bits_7 <= p_above_bits_6;
-                p_7 <= p_6;
+                v_7 <= v_6;
+                q_7 <= q_6;
                 num_7 <= num_6;
                 from_4_7 <= from_4_6;
                 from_2_7 <= from_2_6;
@@ -776,11 +777,13 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 7: xp
-    -- UQ0.27: x p
-    xp_7 <= x_7 * p_7;
-    -- UQ-1.13: t = x p, rounded down
-    t_7 <= xp_7(25 downto 14);
+    -- ===== Stage 7: vq
+    -- UQ1.26: u (A - a u) = v q
+    vq_7 <= v_7 * q_7;
+    -- UQ1.0: the integer bits of p: the lobe is 0 from p = 1 on
+    p_above_bits_7 <= vq_7(26);
+    -- UQ-1.15: p, rounded down
+    p_7 <= vq_7(24 downto 11);
     -- UQ0.16: about 1/m at the entry's least m
     seed_7 <= unsigned(reciprocal_7(21 downto 6));
     -- UQ0.6: how fast 1/m falls
@@ -792,7 +795,7 @@ begin
                 x_8 <= x_7;
                 past_8 <= past_7;
                 p_above_bits_8 <= p_above_bits_7;
-                t_8 <= t_7;
+                p_8 <= p_7;
                 num_8 <= num_7;
                 from_4_8 <= from_4_7;
                 from_2_8 <= from_2_7;
@@ -804,13 +807,11 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 8: y_exact, y, fall_exact
-    -- UQ1.13: x - t = x (1 - p)
-    y_exact_8 <= shift_left(resize(x_8, 14), 1) - resize(t_8, 14);
-    -- UQ1.12: rounded down to the output's bits
-    y_cut_8 <= y_exact_8(13 downto 1);
-    -- UQ1.12: y, 0 where the lobe has ended
-    y_8 <= (others => '0') when p_above_bits_8 = '1' else y_cut_8;
+    -- ===== Stage 8: xp, fall_exact
+    -- UQ0.27: x p
+    xp_8 <= x_8 * p_8;
+    -- UQ-1.13: t = x p, rounded down
+    t_8 <= xp_8(25 downto 14);
     -- UQ-6.20: slope d
     fall_exact_8 <= slope_8 * offset_8;
     -- UQ-6.16: slope d, rounded down
@@ -819,8 +820,10 @@ begin
     begin
         if rising_edge(clk) then
             if ce = '1' then
+                x_9 <= x_8;
                 past_9 <= past_8;
-                y_9 <= y_8;
+                p_above_bits_9 <= p_above_bits_8;
+                t_9 <= t_8;
                 num_9 <= num_8;
                 from_4_9 <= from_4_8;
                 from_2_9 <= from_2_8;
@@ -831,7 +834,13 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 9: inverse
+    -- ===== Stage 9: y_exact, y, inverse
+    -- UQ1.13: x - t = x (1 - p)
+    y_exact_9 <= shift_left(resize(x_9, 14), 1) - resize(t_9, 14);
+    -- UQ1.12: rounded down to the output's bits
+    y_cut_9 <= y_exact_9(13 downto 1);
+    -- UQ1.12: y, 0 where the lobe has ended
+    y_9 <= (others => '0') when p_above_bits_9 = '1' else y_cut_9;
     -- UQ0.16: 1/m = seed - slope d
     inverse_9 <= seed_9 - resize(fall_9, 16);
     process (clk) is
@@ -873,7 +882,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 11: scaled_4, scaled_2, scaled_1, quotient_half, either
+    -- ===== Stage 11: scaled_4, scaled_2, scaled_1
     -- UQ0.13: halved as often as the denominator was
     scaled_4_11 <= resize(scaled_4_low_11, 13) when from_4_11 = '1' else scaled_11;
     -- UQ-2.15: as often halved
@@ -888,22 +897,34 @@ begin
     scaled_1_low_11 <= scaled_1_moved_11(12 downto 1);
     -- UQ0.13: halved as often as the denominator was
     scaled_1_11 <= resize(scaled_1_low_11, 13) when from_1_bits_11 = '1' else scaled_2_11;
-    -- UQ0.13: plus half an output ulp
-    quotient_half_11 <= scaled_1_11 + to_unsigned(1, 13);
-    -- UQ0.12: num / den, rounded to nearest
-    quotient_11 <= quotient_half_11(12 downto 1);
-    -- UQ1.12: the tail past the cut, the cubic up to it
-    either_11 <= resize(quotient_11, 13) when past_11 = '1' else y_11;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                either_12 <= either_11;
+                past_12 <= past_11;
+                y_12 <= y_11;
+                scaled_1_12 <= scaled_1_11;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(12);
-    out_spec  <= either_12;
+    -- ===== Stage 12: quotient_half, either
+    -- UQ0.13: plus half an output ulp
+    quotient_half_12 <= scaled_1_12 + to_unsigned(1, 13);
+    -- UQ0.12: num / den, rounded to nearest
+    quotient_12 <= quotient_half_12(12 downto 1);
+    -- UQ1.12: the tail past the cut, the cubic up to it
+    either_12 <= resize(quotient_12, 13) when past_12 = '1' else y_12;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                either_13 <= either_12;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(13);
+    out_spec  <= either_13;
 
 end architecture rtl;

@@ -110,8 +110,6 @@ module harris (
     wire [12:0] m_2_1 = m_above_2_1 ? m_4_1 : {1'd0, m_moved_2_1};
     // UQ0.1: a bit of weight 2^-1 or more is set
     wire m_above_1_bits_1 = m_2_1[11];
-    // UQ1.0: a bit of weight 2^-1 or more is set
-    wire m_above_1_1 = |m_above_1_bits_1;
     // UQ2.11: shifted
     wire [12:0] m_by_1_1 = m_2_1;
     // UQ0.12: the high bits are 0
@@ -133,7 +131,7 @@ module harris (
     reg [6:0] n_2;
     reg top_2;
     reg [12:0] m_2_2;
-    reg m_above_1_2;
+    reg m_above_1_bits_2;
     reg [11:0] m_moved_1_2;
     reg [1:0] octave_4_2;
     reg part_2_2;
@@ -143,7 +141,7 @@ module harris (
             n_2 <= n_1;
             top_2 <= top_1;
             m_2_2 <= m_2_1;
-            m_above_1_2 <= m_above_1_1;
+            m_above_1_bits_2 <= m_above_1_bits_1;
             m_moved_1_2 <= m_moved_1_1;
             octave_4_2 <= octave_4_1;
             part_2_2 <= part_2_1;
@@ -152,6 +150,8 @@ module harris (
     end
 
     // ===== Stage 2: m_1, octave_2, octave_1
+    // UQ1.0: a bit of weight 2^-1 or more is set
+    wire m_above_1_2 = |m_above_1_bits_2;
     // UQ1.12: shifted to the left by 1 where that loses no bit
     wire [12:0] m_1_2 = m_above_1_2 ? m_2_2 : {1'd0, m_moved_1_2};
     // UQ-1.5: where in its octave the versine lies

@@ -405,7 +405,6 @@ architecture rtl of harris is
     signal m_moved_2_1 : unsigned(11 downto 0) := (others => '0');
     signal m_2_1 : unsigned(12 downto 0) := (others => '0');
     signal m_above_1_bits_1 : unsigned(0 downto 0) := (others => '0');
-    signal m_above_1_1 : std_logic := '0';
     signal m_by_1_1 : unsigned(12 downto 0) := (others => '0');
     signal m_moved_1_1 : unsigned(11 downto 0) := (others => '0');
     signal taken_8_1 : std_logic := '0';
@@ -418,11 +417,12 @@ architecture rtl of harris is
     signal n_2 : unsigned(6 downto 0) := (others => '0');
     signal top_2 : std_logic := '0';
     signal m_2_2 : unsigned(12 downto 0) := (others => '0');
-    signal m_above_1_2 : std_logic := '0';
+    signal m_above_1_bits_2 : unsigned(0 downto 0) := (others => '0');
     signal m_moved_1_2 : unsigned(11 downto 0) := (others => '0');
     signal octave_4_2 : unsigned(1 downto 0) := (others => '0');
     signal part_2_2 : unsigned(0 downto 0) := (others => '0');
     signal dark_bits_2 : std_logic := '0';
+    signal m_above_1_2 : std_logic := '0';
     signal m_1_2 : unsigned(12 downto 0) := (others => '0');
     signal cell_2 : unsigned(3 downto 0) := (others => '0');
     signal cell_number_2 : unsigned(3 downto 0) := (others => '0');
@@ -559,8 +559,6 @@ begin
     m_2_1 <= m_4_1 when m_above_2_1 = '1' else resize(m_moved_2_1, 13);
     -- UQ0.1: a bit of weight 2^-1 or more is set
     m_above_1_bits_1 <= m_2_1(11 downto 11);
-    -- UQ1.0: a bit of weight 2^-1 or more is set
-    m_above_1_1 <= '1' when m_above_1_bits_1 /= 0 else '0';
     -- UQ2.11: shifted
     m_by_1_1 <= m_2_1;
     -- UQ0.12: the high bits are 0
@@ -586,7 +584,7 @@ begin
                 n_2 <= n_1;
                 top_2 <= top_1;
                 m_2_2 <= m_2_1;
-                m_above_1_2 <= m_above_1_1;
+                m_above_1_bits_2 <= m_above_1_bits_1;
                 m_moved_1_2 <= m_moved_1_1;
                 octave_4_2 <= octave_4_1;
                 part_2_2 <= part_2_1;
@@ -596,6 +594,8 @@ begin
     end process;
 
     -- ===== Stage 2: m_1, octave_2, octave_1
+    -- UQ1.0: a bit of weight 2^-1 or more is set
+    m_above_1_2 <= '1' when m_above_1_bits_2 /= 0 else '0';
     -- UQ1.12: shifted to the left by 1 where that loses no bit
     m_1_2 <= m_2_2 when m_above_1_2 = '1' else resize(m_moved_1_2, 13);
     -- UQ-1.5: where in its octave the versine lies

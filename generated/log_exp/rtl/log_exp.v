@@ -47,7 +47,7 @@ module log_exp (
         end
     end
 
-    // ===== Stage 0: n, x, m_8, m_4, n_low, ne_8, ne_4
+    // ===== Stage 0: n, x, m_8, n_low, ne_8, ne_4
     // UQ6.2: in_n taken into the range
     wire [7:0] n_0 = (in_n < 8'h04) ? 8'h04 : (in_n > 8'hfc) ? 8'hfc : in_n;
     // UQ1.12: x = in_cos taken into [0, 1]: back-facing gives x = 0
@@ -74,14 +74,6 @@ module log_exp (
     wire [12:0] m_by_4_0 = m_8_0;
     // UQ0.12: the high bits are 0
     wire [11:0] m_moved_4_0 = {m_by_4_0[7:0], 4'd0};
-    // UQ1.12: shifted to the left by 4 where that loses no bit
-    wire [12:0] m_4_0 = m_above_4_0 ? m_8_0 : {1'd0, m_moved_4_0};
-    // UQ1.2: a bit of weight 2^-2 or more is set
-    wire [2:0] m_above_2_bits_0 = m_4_0[12:10];
-    // UQ3.10: shifted
-    wire [12:0] m_by_2_0 = m_4_0;
-    // UQ0.12: the high bits are 0
-    wire [11:0] m_moved_2_0 = {m_by_2_0[9:0], 2'd0};
     // UQ5.2: n or more than the result can show, where x < 1/2
     wire [6:0] n_low_0 = (|n_0[7:6]) ? 7'h40 : n_0[6:0];
     // UQ8.-1: 8 n
@@ -98,9 +90,9 @@ module log_exp (
     wire [6:0] n_1_0 = n_low_0;
     reg [7:0] n_1;
     reg small_1;
-    reg [12:0] m_4_1;
-    reg [2:0] m_above_2_bits_1;
-    reg [11:0] m_moved_2_1;
+    reg [12:0] m_8_1;
+    reg m_above_4_1;
+    reg [11:0] m_moved_4_1;
     reg [6:0] ne_8_1;
     reg [6:0] ne_4_1;
     reg [6:0] n_2_1;
@@ -109,9 +101,9 @@ module log_exp (
         if (ce) begin
             n_1 <= n_0;
             small_1 <= small_0;
-            m_4_1 <= m_4_0;
-            m_above_2_bits_1 <= m_above_2_bits_0;
-            m_moved_2_1 <= m_moved_2_0;
+            m_8_1 <= m_8_0;
+            m_above_4_1 <= m_above_4_0;
+            m_moved_4_1 <= m_moved_4_0;
             ne_8_1 <= ne_8_0;
             ne_4_1 <= ne_4_0;
             n_2_1 <= n_2_0;
@@ -119,9 +111,17 @@ module log_exp (
         end
     end
 
-    // ===== Stage 1: m_2, m_1, ne_2, ne_1, ne_sum_1_0
+    // ===== Stage 1: m_4, m_2, m_1, ne_2, ne_1, ne_sum_1_0
+    // UQ1.12: shifted to the left by 4 where that loses no bit
+    wire [12:0] m_4_1 = m_above_4_1 ? m_8_1 : {1'd0, m_moved_4_1};
+    // UQ1.2: a bit of weight 2^-2 or more is set
+    wire [2:0] m_above_2_bits_1 = m_4_1[12:10];
     // UQ1.0: a bit of weight 2^-2 or more is set
     wire m_above_2_1 = |m_above_2_bits_1;
+    // UQ3.10: shifted
+    wire [12:0] m_by_2_1 = m_4_1;
+    // UQ0.12: the high bits are 0
+    wire [11:0] m_moved_2_1 = {m_by_2_1[9:0], 2'd0};
     // UQ1.12: shifted to the left by 2 where that loses no bit
     wire [12:0] m_2_1 = m_above_2_1 ? m_4_1 : {1'd0, m_moved_2_1};
     // UQ1.1: a bit of weight 2^-1 or more is set
@@ -468,7 +468,7 @@ module log_exp (
     wire unused = &{1'b0,
                     m_by_8_0[12:4],
                     m_by_4_0[12:8],
-                    m_by_2_0[12:10],
+                    m_by_2_1[12:10],
                     m_by_1_1[12:11],
                     m_1_2[12],
                     nu_3[19],

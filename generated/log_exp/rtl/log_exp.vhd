@@ -118,10 +118,6 @@ architecture rtl of log_exp is
     signal m_above_4_0 : std_logic := '0';
     signal m_by_4_0 : unsigned(12 downto 0) := (others => '0');
     signal m_moved_4_0 : unsigned(11 downto 0) := (others => '0');
-    signal m_4_0 : unsigned(12 downto 0) := (others => '0');
-    signal m_above_2_bits_0 : unsigned(2 downto 0) := (others => '0');
-    signal m_by_2_0 : unsigned(12 downto 0) := (others => '0');
-    signal m_moved_2_0 : unsigned(11 downto 0) := (others => '0');
     signal n_low_0 : unsigned(6 downto 0) := (others => '0');
     signal n_8_0 : unsigned(6 downto 0) := (others => '0');
     signal ne_8_0 : unsigned(6 downto 0) := (others => '0');
@@ -131,14 +127,18 @@ architecture rtl of log_exp is
     signal n_1_0 : unsigned(6 downto 0) := (others => '0');
     signal n_1 : unsigned(7 downto 0) := (others => '0');
     signal small_1 : std_logic := '0';
-    signal m_4_1 : unsigned(12 downto 0) := (others => '0');
-    signal m_above_2_bits_1 : unsigned(2 downto 0) := (others => '0');
-    signal m_moved_2_1 : unsigned(11 downto 0) := (others => '0');
+    signal m_8_1 : unsigned(12 downto 0) := (others => '0');
+    signal m_above_4_1 : std_logic := '0';
+    signal m_moved_4_1 : unsigned(11 downto 0) := (others => '0');
     signal ne_8_1 : unsigned(6 downto 0) := (others => '0');
     signal ne_4_1 : unsigned(6 downto 0) := (others => '0');
     signal n_2_1 : unsigned(6 downto 0) := (others => '0');
     signal n_1_1 : unsigned(6 downto 0) := (others => '0');
+    signal m_4_1 : unsigned(12 downto 0) := (others => '0');
+    signal m_above_2_bits_1 : unsigned(2 downto 0) := (others => '0');
     signal m_above_2_1 : std_logic := '0';
+    signal m_by_2_1 : unsigned(12 downto 0) := (others => '0');
+    signal m_moved_2_1 : unsigned(11 downto 0) := (others => '0');
     signal m_2_1 : unsigned(12 downto 0) := (others => '0');
     signal m_above_1_bits_1 : unsigned(1 downto 0) := (others => '0');
     signal m_above_1_1 : std_logic := '0';
@@ -252,7 +252,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 0: n, x, m_8, m_4, n_low, ne_8, ne_4
+    -- ===== Stage 0: n, x, m_8, n_low, ne_8, ne_4
     -- UQ6.2: in_n taken into the range
     n_0 <= to_unsigned(4, 8) when in_n < 4 else
         to_unsigned(252, 8) when in_n > 252 else
@@ -283,14 +283,6 @@ begin
     m_by_4_0 <= m_8_0;
     -- UQ0.12: the high bits are 0
     m_moved_4_0 <= shift_left(m_by_4_0(11 downto 0), 4);
-    -- UQ1.12: shifted to the left by 4 where that loses no bit
-    m_4_0 <= m_8_0 when m_above_4_0 = '1' else resize(m_moved_4_0, 13);
-    -- UQ1.2: a bit of weight 2^-2 or more is set
-    m_above_2_bits_0 <= m_4_0(12 downto 10);
-    -- UQ3.10: shifted
-    m_by_2_0 <= m_4_0;
-    -- UQ0.12: the high bits are 0
-    m_moved_2_0 <= shift_left(m_by_2_0(11 downto 0), 2);
     -- UQ5.2: n or more than the result can show, where x < 1/2
     n_low_0 <= (6 => '1', others => '0') when unsigned(n_0(7 downto 6)) /= 0 else
         n_0(6 downto 0);
@@ -312,9 +304,9 @@ begin
             if ce = '1' then
                 n_1 <= n_0;
                 small_1 <= small_0;
-                m_4_1 <= m_4_0;
-                m_above_2_bits_1 <= m_above_2_bits_0;
-                m_moved_2_1 <= m_moved_2_0;
+                m_8_1 <= m_8_0;
+                m_above_4_1 <= m_above_4_0;
+                m_moved_4_1 <= m_moved_4_0;
                 ne_8_1 <= ne_8_0;
                 ne_4_1 <= ne_4_0;
                 n_2_1 <= n_2_0;
@@ -323,9 +315,17 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 1: m_2, m_1, ne_2, ne_1, ne_sum_1_0
+    -- ===== Stage 1: m_4, m_2, m_1, ne_2, ne_1, ne_sum_1_0
+    -- UQ1.12: shifted to the left by 4 where that loses no bit
+    m_4_1 <= m_8_1 when m_above_4_1 = '1' else resize(m_moved_4_1, 13);
+    -- UQ1.2: a bit of weight 2^-2 or more is set
+    m_above_2_bits_1 <= m_4_1(12 downto 10);
     -- UQ1.0: a bit of weight 2^-2 or more is set
     m_above_2_1 <= '1' when m_above_2_bits_1 /= 0 else '0';
+    -- UQ3.10: shifted
+    m_by_2_1 <= m_4_1;
+    -- UQ0.12: the high bits are 0
+    m_moved_2_1 <= shift_left(m_by_2_1(11 downto 0), 2);
     -- UQ1.12: shifted to the left by 2 where that loses no bit
     m_2_1 <= m_4_1 when m_above_2_1 = '1' else resize(m_moved_2_1, 13);
     -- UQ1.1: a bit of weight 2^-1 or more is set

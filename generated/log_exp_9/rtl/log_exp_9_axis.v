@@ -12,7 +12,7 @@
 //   [15]   0
 //
 // tlast and tuser stay with their beat. tkeep and tstrb are not needed: a beat is always whole.
-// Latency 11 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
+// Latency 12 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
 // m_axis_tready leads to registers only.
 
 `timescale 1ns / 1ps
@@ -63,12 +63,12 @@ module log_exp_9_axis (
     );
 
     // ===== tlast and tuser, in step with the core's valid chain
-    reg [11:1] last;
-    reg [10:0] user;
+    reg [12:1] last;
+    reg [11:0] user;
     always @(posedge aclk) begin
         if (ready) begin
-            last <= {last[10:1], s_axis_tlast};
-            user <= {user[9:0], s_axis_tuser};
+            last <= {last[11:1], s_axis_tlast};
+            user <= {user[10:0], s_axis_tuser};
         end
     end
 
@@ -76,8 +76,8 @@ module log_exp_9_axis (
     // The beat at the end of the pipeline. While ready is 1 the pipeline moves on at every clock,
     // whatever the sink does: a beat that the sink leaves waits in the skid register.
     wire [16:0] beat = {
-        user[10],
-        last[11],
+        user[11],
+        last[12],
         out_spec
     };
     reg [16:0] skid;

@@ -12,7 +12,7 @@
 --   [15]   0
 --
 -- tlast and tuser stay with their beat. tkeep and tstrb are not needed: a beat is always whole.
--- Latency 11 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
+-- Latency 12 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
 -- m_axis_tready leads to registers only.
 
 library ieee;
@@ -56,8 +56,8 @@ architecture rtl of log_exp_9_axis is
     signal out_valid  : std_logic := '0';
     signal out_spec   : unsigned(14 downto 0) := (others => '0');
 
-    signal last       : std_logic_vector(11 downto 1) := (others => '0');
-    signal user       : std_logic_vector(10 downto 0) := (others => '0');
+    signal last       : std_logic_vector(12 downto 1) := (others => '0');
+    signal user       : std_logic_vector(11 downto 0) := (others => '0');
 
     signal beat       : std_logic_vector(16 downto 0) := (others => '0');
     signal skid       : std_logic_vector(16 downto 0) := (others => '0');
@@ -88,8 +88,8 @@ begin
     begin
         if rising_edge(aclk) then
             if ready = '1' then
-                last <= last(10 downto 1) & s_axis_tlast;
-                user <= user(9 downto 0) & s_axis_tuser;
+                last <= last(11 downto 1) & s_axis_tlast;
+                user <= user(10 downto 0) & s_axis_tuser;
             end if;
         end if;
     end process;
@@ -97,8 +97,8 @@ begin
     -- ===== Skid register
     -- The beat at the end of the pipeline. While ready is 1 the pipeline moves on at every clock,
     -- whatever the sink does: a beat that the sink leaves waits in the skid register.
-    beat <= user(10 downto 10)
-            & last(11)
+    beat <= user(11 downto 11)
+            & last(12)
             & std_logic_vector(out_spec);
     process (aclk) is
     begin

@@ -12,7 +12,7 @@
 --   [15]   0
 --
 -- tlast and tuser stay with their beat. tkeep and tstrb are not needed: a beat is always whole.
--- Latency 11 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
+-- Latency 12 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
 -- m_axis_tready leads to registers only.
 
 library ieee;
@@ -30,7 +30,7 @@ end entity;
 architecture bench of log_exp_9_axis_tb is
 
     constant NAME    : string   := "log_exp_9_axis";
-    constant LATENCY : positive := 11;
+    constant LATENCY : positive := 12;
     constant SHOWN   : positive := 10; -- faults printed; the others are only counted
 
     subtype in_n_word is std_logic_vector(7 downto 0);

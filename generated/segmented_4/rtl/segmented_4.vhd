@@ -7,7 +7,7 @@
 --   in_cos    Q1.12   cosine x; below 0 gives 0, above 1 counts as 1
 --   out_spec  UQ1.12  the lobe, 0 to 1; 1.0 is exact
 --
--- Latency 16 clocks, one result a clock.
+-- Latency 17 clocks, one result a clock.
 -- Error against the real-valued method, in ulps of out_spec: proved within -0.824..+0.750.
 --   measured -0.679..+0.739 over all 258111 inputs in [0, 1].
 -- Error against x^n itself, measured over the same inputs:
@@ -32,7 +32,7 @@ entity segmented_4 is
         in_n      : in  unsigned(5 downto 0);
         -- Q1.12: cosine x; below 0 gives 0, above 1 counts as 1
         in_cos    : in  signed(13 downto 0);
-        -- out_spec is a result: in_valid, 16 enabled clocks later
+        -- out_spec is a result: in_valid, 17 enabled clocks later
         out_valid : out std_logic;
         -- UQ1.12: the lobe, 0 to 1; 1.0 is exact
         out_spec  : out unsigned(12 downto 0)
@@ -635,9 +635,9 @@ architecture rtl of segmented_4 is
         1 => x"4000",
         0 => x"4000"
     );
-    signal rom_8 : std_logic_vector(46 downto 0) := (others => '0');
+    signal rom_9 : std_logic_vector(46 downto 0) := (others => '0');
 
-    signal valid : std_logic_vector(16 downto 1) := (others => '0');
+    signal valid : std_logic_vector(17 downto 1) := (others => '0');
     signal x_0 : unsigned(12 downto 0) := (others => '0');
     signal u_0 : unsigned(12 downto 0) := (others => '0');
     signal address_of_parts_0 : unsigned(5 downto 0) := (others => '0');
@@ -662,88 +662,94 @@ architecture rtl of segmented_4 is
     signal v_rough_3 : unsigned(13 downto 0) := (others => '0');
     signal address_of_parts_3 : unsigned(5 downto 0) := (others => '0');
     signal v_3 : unsigned(14 downto 0) := (others => '0');
-    signal s_exact_3 : unsigned(22 downto 0) := (others => '0');
-    signal s_3 : unsigned(13 downto 0) := (others => '0');
     signal x_4 : unsigned(12 downto 0) := (others => '0');
+    signal m_4 : unsigned(8 downto 0) := (others => '0');
     signal beyond_4 : std_logic := '0';
-    signal s_4 : unsigned(13 downto 0) := (others => '0');
+    signal v_rough_4 : unsigned(13 downto 0) := (others => '0');
     signal address_of_parts_4 : unsigned(5 downto 0) := (others => '0');
     signal v_4 : unsigned(14 downto 0) := (others => '0');
-    signal past_4 : std_logic := '0';
-    signal segment_bit_1_4 : std_logic := '0';
-    signal bound_1_0_0_4 : unsigned(13 downto 0) := (others => '0');
-    signal segment_part_1_4 : unsigned(0 downto 0) := (others => '0');
-    signal zero_4 : std_logic := '0';
+    signal s_exact_4 : unsigned(22 downto 0) := (others => '0');
+    signal s_4 : unsigned(13 downto 0) := (others => '0');
     signal x_5 : unsigned(12 downto 0) := (others => '0');
+    signal beyond_5 : std_logic := '0';
     signal s_5 : unsigned(13 downto 0) := (others => '0');
-    signal bound_1_0_0_5 : unsigned(13 downto 0) := (others => '0');
-    signal segment_part_1_5 : unsigned(0 downto 0) := (others => '0');
     signal address_of_parts_5 : unsigned(5 downto 0) := (others => '0');
     signal v_5 : unsigned(14 downto 0) := (others => '0');
+    signal past_5 : std_logic := '0';
+    signal segment_bit_1_5 : std_logic := '0';
+    signal bound_1_0_0_5 : unsigned(13 downto 0) := (others => '0');
+    signal segment_part_1_5 : unsigned(0 downto 0) := (others => '0');
     signal zero_5 : std_logic := '0';
-    signal segment_bit_0_5 : std_logic := '0';
-    signal segment_part_0_5 : unsigned(0 downto 0) := (others => '0');
-    signal segment_1_5 : unsigned(1 downto 0) := (others => '0');
     signal x_6 : unsigned(12 downto 0) := (others => '0');
-    signal segment_1_6 : unsigned(1 downto 0) := (others => '0');
+    signal s_6 : unsigned(13 downto 0) := (others => '0');
+    signal bound_1_0_0_6 : unsigned(13 downto 0) := (others => '0');
+    signal segment_part_1_6 : unsigned(0 downto 0) := (others => '0');
     signal address_of_parts_6 : unsigned(5 downto 0) := (others => '0');
     signal v_6 : unsigned(14 downto 0) := (others => '0');
     signal zero_6 : std_logic := '0';
-    signal part_address_6 : unsigned(7 downto 0) := (others => '0');
+    signal segment_bit_0_6 : std_logic := '0';
+    signal segment_part_0_6 : unsigned(0 downto 0) := (others => '0');
+    signal segment_1_6 : unsigned(1 downto 0) := (others => '0');
     signal x_7 : unsigned(12 downto 0) := (others => '0');
-    signal part_address_7 : unsigned(7 downto 0) := (others => '0');
+    signal segment_1_7 : unsigned(1 downto 0) := (others => '0');
+    signal address_of_parts_7 : unsigned(5 downto 0) := (others => '0');
     signal v_7 : unsigned(14 downto 0) := (others => '0');
     signal zero_7 : std_logic := '0';
+    signal part_address_7 : unsigned(7 downto 0) := (others => '0');
     signal x_8 : unsigned(12 downto 0) := (others => '0');
+    signal part_address_8 : unsigned(7 downto 0) := (others => '0');
     signal v_8 : unsigned(14 downto 0) := (others => '0');
     signal zero_8 : std_logic := '0';
-    signal c_8 : unsigned(14 downto 0) := (others => '0');
-    signal big_a_8 : unsigned(16 downto 0) := (others => '0');
-    signal a_8 : unsigned(14 downto 0) := (others => '0');
     signal x_9 : unsigned(12 downto 0) := (others => '0');
+    signal v_9 : unsigned(14 downto 0) := (others => '0');
+    signal zero_9 : std_logic := '0';
     signal c_9 : unsigned(14 downto 0) := (others => '0');
     signal big_a_9 : unsigned(16 downto 0) := (others => '0');
     signal a_9 : unsigned(14 downto 0) := (others => '0');
-    signal v_9 : unsigned(14 downto 0) := (others => '0');
-    signal zero_9 : std_logic := '0';
     signal x_10 : unsigned(12 downto 0) := (others => '0');
     signal c_10 : unsigned(14 downto 0) := (others => '0');
     signal big_a_10 : unsigned(16 downto 0) := (others => '0');
     signal a_10 : unsigned(14 downto 0) := (others => '0');
     signal v_10 : unsigned(14 downto 0) := (others => '0');
     signal zero_10 : std_logic := '0';
-    signal av_10 : unsigned(29 downto 0) := (others => '0');
-    signal r_10 : unsigned(15 downto 0) := (others => '0');
     signal x_11 : unsigned(12 downto 0) := (others => '0');
     signal c_11 : unsigned(14 downto 0) := (others => '0');
     signal big_a_11 : unsigned(16 downto 0) := (others => '0');
+    signal a_11 : unsigned(14 downto 0) := (others => '0');
     signal v_11 : unsigned(14 downto 0) := (others => '0');
-    signal r_11 : unsigned(15 downto 0) := (others => '0');
     signal zero_11 : std_logic := '0';
-    signal q_11 : unsigned(16 downto 0) := (others => '0');
+    signal av_11 : unsigned(29 downto 0) := (others => '0');
+    signal r_11 : unsigned(15 downto 0) := (others => '0');
     signal x_12 : unsigned(12 downto 0) := (others => '0');
     signal c_12 : unsigned(14 downto 0) := (others => '0');
+    signal big_a_12 : unsigned(16 downto 0) := (others => '0');
     signal v_12 : unsigned(14 downto 0) := (others => '0');
-    signal q_12 : unsigned(16 downto 0) := (others => '0');
+    signal r_12 : unsigned(15 downto 0) := (others => '0');
     signal zero_12 : std_logic := '0';
-    signal vq_12 : unsigned(31 downto 0) := (others => '0');
-    signal m_12 : unsigned(13 downto 0) := (others => '0');
+    signal q_12 : unsigned(16 downto 0) := (others => '0');
     signal x_13 : unsigned(12 downto 0) := (others => '0');
     signal c_13 : unsigned(14 downto 0) := (others => '0');
-    signal m_13 : unsigned(13 downto 0) := (others => '0');
+    signal v_13 : unsigned(14 downto 0) := (others => '0');
+    signal q_13 : unsigned(16 downto 0) := (others => '0');
     signal zero_13 : std_logic := '0';
-    signal d_13 : signed(15 downto 0) := (others => '0');
-    signal d_positive_13 : unsigned(14 downto 0) := (others => '0');
+    signal vq_13 : unsigned(31 downto 0) := (others => '0');
+    signal m_13 : unsigned(13 downto 0) := (others => '0');
     signal x_14 : unsigned(12 downto 0) := (others => '0');
-    signal d_positive_14 : unsigned(14 downto 0) := (others => '0');
+    signal c_14 : unsigned(14 downto 0) := (others => '0');
+    signal m_14 : unsigned(13 downto 0) := (others => '0');
     signal zero_14 : std_logic := '0';
-    signal xd_14 : unsigned(27 downto 0) := (others => '0');
-    signal xd_15 : unsigned(27 downto 0) := (others => '0');
+    signal d_14 : signed(15 downto 0) := (others => '0');
+    signal d_positive_14 : unsigned(14 downto 0) := (others => '0');
+    signal x_15 : unsigned(12 downto 0) := (others => '0');
+    signal d_positive_15 : unsigned(14 downto 0) := (others => '0');
     signal zero_15 : std_logic := '0';
-    signal y_half_15 : unsigned(26 downto 0) := (others => '0');
-    signal y_cut_15 : unsigned(12 downto 0) := (others => '0');
-    signal y_15 : unsigned(12 downto 0) := (others => '0');
+    signal xd_15 : unsigned(27 downto 0) := (others => '0');
+    signal xd_16 : unsigned(27 downto 0) := (others => '0');
+    signal zero_16 : std_logic := '0';
+    signal y_half_16 : unsigned(26 downto 0) := (others => '0');
+    signal y_cut_16 : unsigned(12 downto 0) := (others => '0');
     signal y_16 : unsigned(12 downto 0) := (others => '0');
+    signal y_17 : unsigned(12 downto 0) := (others => '0');
 
 begin
 
@@ -754,7 +760,7 @@ begin
             if rst = '1' then
                 valid <= (others => '0');
             elsif ce = '1' then
-                valid <= valid(15 downto 1) & in_valid;
+                valid <= valid(16 downto 1) & in_valid;
             end if;
         end if;
     end process;
@@ -831,63 +837,58 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 3: s_exact
-    -- UQ5.18: n u, roughly
-    s_exact_3 <= v_rough_3 * m_3;
-    -- UQ5.9: n u, roughly
-    s_3 <= s_exact_3(22 downto 9);
+    -- ===== Stage 3: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_4 <= x_3;
+                m_4 <= m_3;
                 beyond_4 <= beyond_3;
-                s_4 <= s_3;
+                v_rough_4 <= v_rough_3;
                 address_of_parts_4 <= address_of_parts_3;
                 v_4 <= v_3;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 4: past, segment_bit_1, bound_1_0_0
-    -- UQ1.0: past the last segment
-    past_4 <= '1' when s_4 > to_unsigned(3147, 14) else '0';
-    -- UQ1.0: a bit of the segment
-    segment_bit_1_4 <= '1' when s_4 > to_unsigned(929, 14) else '0';
-    -- UQ5.9: the next bound to compare with
-    bound_1_0_0_4 <= to_unsigned(1738, 14) when segment_bit_1_4 = '1' else to_unsigned(397, 14);
-    -- UQ2.-1: the bit at its place
-    segment_part_1_4 <= unsigned'("" & segment_bit_1_4);
-    -- UQ1.0: the result is 0
-    zero_4 <= beyond_4 or past_4;
+    -- ===== Stage 4: s_exact
+    -- UQ5.18: n u, roughly
+    s_exact_4 <= v_rough_4 * m_4;
+    -- UQ5.9: n u, roughly
+    s_4 <= s_exact_4(22 downto 9);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_5 <= x_4;
+                beyond_5 <= beyond_4;
                 s_5 <= s_4;
-                bound_1_0_0_5 <= bound_1_0_0_4;
-                segment_part_1_5 <= segment_part_1_4;
                 address_of_parts_5 <= address_of_parts_4;
                 v_5 <= v_4;
-                zero_5 <= zero_4;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 5: segment_bit_0, segment_1
+    -- ===== Stage 5: past, segment_bit_1, bound_1_0_0
+    -- UQ1.0: past the last segment
+    past_5 <= '1' when s_5 > to_unsigned(3147, 14) else '0';
     -- UQ1.0: a bit of the segment
-    segment_bit_0_5 <= '1' when s_5 > bound_1_0_0_5 else '0';
-    -- UQ1.0: the bit at its place
-    segment_part_0_5 <= unsigned'("" & segment_bit_0_5);
-    -- UQ2.0: the number of the segment
-    segment_1_5 <= shift_left(resize(segment_part_1_5, 2), 1) + resize(segment_part_0_5, 2);
+    segment_bit_1_5 <= '1' when s_5 > to_unsigned(929, 14) else '0';
+    -- UQ5.9: the next bound to compare with
+    bound_1_0_0_5 <= to_unsigned(1738, 14) when segment_bit_1_5 = '1' else to_unsigned(397, 14);
+    -- UQ2.-1: the bit at its place
+    segment_part_1_5 <= unsigned'("" & segment_bit_1_5);
+    -- UQ1.0: the result is 0
+    zero_5 <= beyond_5 or past_5;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_6 <= x_5;
-                segment_1_6 <= segment_1_5;
+                s_6 <= s_5;
+                bound_1_0_0_6 <= bound_1_0_0_5;
+                segment_part_1_6 <= segment_part_1_5;
                 address_of_parts_6 <= address_of_parts_5;
                 v_6 <= v_5;
                 zero_6 <= zero_5;
@@ -895,59 +896,58 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 6: part_address
-    -- UQ8.0: the address of the part
-    part_address_6 <= shift_left(resize(address_of_parts_6, 8), 2) + resize(segment_1_6, 8);
+    -- ===== Stage 6: segment_bit_0, segment_1
+    -- UQ1.0: a bit of the segment
+    segment_bit_0_6 <= '1' when s_6 > bound_1_0_0_6 else '0';
+    -- UQ1.0: the bit at its place
+    segment_part_0_6 <= unsigned'("" & segment_bit_0_6);
+    -- UQ2.0: the number of the segment
+    segment_1_6 <= shift_left(resize(segment_part_1_6, 2), 1) + resize(segment_part_0_6, 2);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_7 <= x_6;
-                part_address_7 <= part_address_6;
+                segment_1_7 <= segment_1_6;
+                address_of_parts_7 <= address_of_parts_6;
                 v_7 <= v_6;
                 zero_7 <= zero_6;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 7: read the ROM
-    process (clk) is
-    begin
-        if rising_edge(clk) then
-            if ce = '1' then
-                rom_8(31 downto 0) <=
-                    ROM_WORDS_0(to_integer(part_address_7))(31 downto 0);
-                rom_8(46 downto 32) <=
-                    ROM_WORDS_1(to_integer(part_address_7))(14 downto 0);
-            end if;
-        end if;
-    end process;
+    -- ===== Stage 7: part_address
+    -- UQ8.0: the address of the part
+    part_address_7 <= shift_left(resize(address_of_parts_7, 8), 2) + resize(segment_1_7, 8);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_8 <= x_7;
+                part_address_8 <= part_address_7;
                 v_8 <= v_7;
                 zero_8 <= zero_7;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 8: registers only
-    -- UQ1.14: the coefficient c
-    c_8 <= unsigned(rom_8(46 downto 32));
-    -- UQ0.17: the coefficient A, times 2^-k
-    big_a_8 <= unsigned(rom_8(31 downto 15));
-    -- UQ-1.16: the coefficient a, times 4^-k
-    a_8 <= unsigned(rom_8(14 downto 0));
+    -- ===== Stage 8: read the ROM
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                rom_9(31 downto 0) <=
+                    ROM_WORDS_0(to_integer(part_address_8))(31 downto 0);
+                rom_9(46 downto 32) <=
+                    ROM_WORDS_1(to_integer(part_address_8))(14 downto 0);
+            end if;
+        end if;
+    end process;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_9 <= x_8;
-                c_9 <= c_8;
-                big_a_9 <= big_a_8;
-                a_9 <= a_8;
                 v_9 <= v_8;
                 zero_9 <= zero_8;
             end if;
@@ -955,6 +955,12 @@ begin
     end process;
 
     -- ===== Stage 9: registers only
+    -- UQ1.14: the coefficient c
+    c_9 <= unsigned(rom_9(46 downto 32));
+    -- UQ0.17: the coefficient A, times 2^-k
+    big_a_9 <= unsigned(rom_9(31 downto 15));
+    -- UQ-1.16: the coefficient a, times 4^-k
+    a_9 <= unsigned(rom_9(14 downto 0));
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -969,11 +975,7 @@ begin
         end if;
     end process;
 
-    -- ===== Stage 10: av
-    -- UQ3.27: (a 4^-k) v
-    av_10 <= a_10 * v_10;
-    -- UQ-1.17: (a 4^-k) v, rounded down
-    r_10 <= av_10(25 downto 10);
+    -- ===== Stage 10: registers only
     process (clk) is
     begin
         if rising_edge(clk) then
@@ -981,93 +983,112 @@ begin
                 x_11 <= x_10;
                 c_11 <= c_10;
                 big_a_11 <= big_a_10;
+                a_11 <= a_10;
                 v_11 <= v_10;
-                r_11 <= r_10;
                 zero_11 <= zero_10;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 11: q
-    -- UQ0.17: q = (A - a u) 2^-k
-    q_11 <= big_a_11 - resize(r_11, 17);
+    -- ===== Stage 11: av
+    -- UQ3.27: (a 4^-k) v
+    av_11 <= a_11 * v_11;
+    -- UQ-1.17: (a 4^-k) v, rounded down
+    r_11 <= av_11(25 downto 10);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_12 <= x_11;
                 c_12 <= c_11;
+                big_a_12 <= big_a_11;
                 v_12 <= v_11;
-                q_12 <= q_11;
+                r_12 <= r_11;
                 zero_12 <= zero_11;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 12: vq
-    -- UQ4.28: u (A - a u) = v q
-    vq_12 <= v_12 * q_12;
-    -- UQ0.14: u (A - a u), rounded down
-    m_12 <= vq_12(27 downto 14);
+    -- ===== Stage 12: q
+    -- UQ0.17: q = (A - a u) 2^-k
+    q_12 <= big_a_12 - resize(r_12, 17);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_13 <= x_12;
                 c_13 <= c_12;
-                m_13 <= m_12;
+                v_13 <= v_12;
+                q_13 <= q_12;
                 zero_13 <= zero_12;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 13: d, d_positive
-    -- Q1.14: d = c - u (A - a u)
-    d_13 <= signed(resize(c_13, 16)) - signed(resize(m_13, 16));
-    -- UQ1.14: d, at least 0
-    d_positive_13 <= (others => '0') when d_13(15) = '1' else
-        unsigned(d_13(14 downto 0));
+    -- ===== Stage 13: vq
+    -- UQ4.28: u (A - a u) = v q
+    vq_13 <= v_13 * q_13;
+    -- UQ0.14: u (A - a u), rounded down
+    m_13 <= vq_13(27 downto 14);
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
                 x_14 <= x_13;
-                d_positive_14 <= d_positive_13;
+                c_14 <= c_13;
+                m_14 <= m_13;
                 zero_14 <= zero_13;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 14: xd
-    -- UQ2.26: x d
-    xd_14 <= x_14 * d_positive_14;
+    -- ===== Stage 14: d, d_positive
+    -- Q1.14: d = c - u (A - a u)
+    d_14 <= signed(resize(c_14, 16)) - signed(resize(m_14, 16));
+    -- UQ1.14: d, at least 0
+    d_positive_14 <= (others => '0') when d_14(15) = '1' else
+        unsigned(d_14(14 downto 0));
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                xd_15 <= xd_14;
+                x_15 <= x_14;
+                d_positive_15 <= d_positive_14;
                 zero_15 <= zero_14;
             end if;
         end if;
     end process;
 
-    -- ===== Stage 15: y_half, y
-    -- UQ1.26: plus half an output ulp: the result is rounded to nearest
-    y_half_15 <= xd_15(26 downto 0) + to_unsigned(8192, 27);
-    -- UQ1.12: rounded down to the output's bits
-    y_cut_15 <= y_half_15(26 downto 14);
-    -- UQ1.12: y, 0 past the last segment
-    y_15 <= (others => '0') when zero_15 = '1' else y_cut_15;
+    -- ===== Stage 15: xd
+    -- UQ2.26: x d
+    xd_15 <= x_15 * d_positive_15;
     process (clk) is
     begin
         if rising_edge(clk) then
             if ce = '1' then
-                y_16 <= y_15;
+                xd_16 <= xd_15;
+                zero_16 <= zero_15;
             end if;
         end if;
     end process;
 
-    out_valid <= valid(16);
-    out_spec  <= y_16;
+    -- ===== Stage 16: y_half, y
+    -- UQ1.26: plus half an output ulp: the result is rounded to nearest
+    y_half_16 <= xd_16(26 downto 0) + to_unsigned(8192, 27);
+    -- UQ1.12: rounded down to the output's bits
+    y_cut_16 <= y_half_16(26 downto 14);
+    -- UQ1.12: y, 0 past the last segment
+    y_16 <= (others => '0') when zero_16 = '1' else y_cut_16;
+    process (clk) is
+    begin
+        if rising_edge(clk) then
+            if ce = '1' then
+                y_17 <= y_16;
+            end if;
+        end if;
+    end process;
+
+    out_valid <= valid(17);
+    out_spec  <= y_17;
 
 end architecture rtl;

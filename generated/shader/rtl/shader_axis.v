@@ -25,7 +25,7 @@
 //   [23:16] out_b UQ8.0 blue; 255 is full scale
 //
 // tlast and tuser stay with their beat. tkeep and tstrb are not needed: a beat is always whole.
-// Latency 14 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
+// Latency 16 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
 // m_axis_tready leads to registers only.
 
 `timescale 1ns / 1ps
@@ -91,12 +91,12 @@ module shader_axis (
     );
 
     // ===== tlast and tuser, in step with the core's valid chain
-    reg [14:1] last;
-    reg [111:0] user;
+    reg [16:1] last;
+    reg [127:0] user;
     always @(posedge aclk) begin
         if (ready) begin
-            last <= {last[13:1], s_axis_tlast};
-            user <= {user[103:0], s_axis_tuser};
+            last <= {last[15:1], s_axis_tlast};
+            user <= {user[119:0], s_axis_tuser};
         end
     end
 
@@ -104,8 +104,8 @@ module shader_axis (
     // The beat at the end of the pipeline. While ready is 1 the pipeline moves on at every clock,
     // whatever the sink does: a beat that the sink leaves waits in the skid register.
     wire [32:0] beat = {
-        user[111:104],
-        last[14],
+        user[127:120],
+        last[16],
         out_b,
         out_g,
         out_r

@@ -25,7 +25,7 @@
 --   [23:16] out_b UQ8.0 blue; 255 is full scale
 --
 -- tlast and tuser stay with their beat. tkeep and tstrb are not needed: a beat is always whole.
--- Latency 14 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
+-- Latency 16 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
 -- m_axis_tready leads to registers only.
 
 library ieee;
@@ -71,8 +71,8 @@ architecture rtl of shader_axis is
     signal out_g      : unsigned(7 downto 0) := (others => '0');
     signal out_b      : unsigned(7 downto 0) := (others => '0');
 
-    signal last       : std_logic_vector(14 downto 1) := (others => '0');
-    signal user       : std_logic_vector(111 downto 0) := (others => '0');
+    signal last       : std_logic_vector(16 downto 1) := (others => '0');
+    signal user       : std_logic_vector(127 downto 0) := (others => '0');
 
     signal beat       : std_logic_vector(32 downto 0) := (others => '0');
     signal skid       : std_logic_vector(32 downto 0) := (others => '0');
@@ -116,8 +116,8 @@ begin
     begin
         if rising_edge(aclk) then
             if ready = '1' then
-                last <= last(13 downto 1) & s_axis_tlast;
-                user <= user(103 downto 0) & s_axis_tuser;
+                last <= last(15 downto 1) & s_axis_tlast;
+                user <= user(119 downto 0) & s_axis_tuser;
             end if;
         end if;
     end process;
@@ -125,8 +125,8 @@ begin
     -- ===== Skid register
     -- The beat at the end of the pipeline. While ready is 1 the pipeline moves on at every clock,
     -- whatever the sink does: a beat that the sink leaves waits in the skid register.
-    beat <= user(111 downto 104)
-            & last(14)
+    beat <= user(127 downto 120)
+            & last(16)
             & std_logic_vector(out_b)
             & std_logic_vector(out_g)
             & std_logic_vector(out_r);

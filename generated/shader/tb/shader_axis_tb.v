@@ -25,7 +25,7 @@
 //   [23:16] out_b UQ8.0 blue; 255 is full scale
 //
 // tlast and tuser stay with their beat. tkeep and tstrb are not needed: a beat is always whole.
-// Latency 14 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
+// Latency 16 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
 // m_axis_tready leads to registers only.
 
 `default_nettype none
@@ -34,7 +34,7 @@
 module shader_axis_tb;
 
     localparam NAME    = "shader_axis";
-    localparam LATENCY = 14;
+    localparam LATENCY = 16;
     localparam SHOWN   = 10; // faults printed; the others are only counted
 
     // --------------------------------------------------------------------- the wrapper

@@ -25,7 +25,7 @@
 --   [23:16] out_b UQ8.0 blue; 255 is full scale
 --
 -- tlast and tuser stay with their beat. tkeep and tstrb are not needed: a beat is always whole.
--- Latency 14 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
+-- Latency 16 clocks, one beat a clock, also behind a stall. s_axis_tready is a register, and
 -- m_axis_tready leads to registers only.
 
 library ieee;
@@ -43,7 +43,7 @@ end entity;
 architecture bench of shader_axis_tb is
 
     constant NAME    : string   := "shader_axis";
-    constant LATENCY : positive := 14;
+    constant LATENCY : positive := 16;
     constant SHOWN   : positive := 10; -- faults printed; the others are only counted
 
     subtype in_material_word is std_logic_vector(1 downto 0);

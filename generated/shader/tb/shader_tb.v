@@ -20,7 +20,7 @@
 //   out_g       UQ8.0   green; 255 is full scale
 //   out_b       UQ8.0   blue; 255 is full scale
 //
-// Latency 14 clocks, one result a clock.
+// Latency 16 clocks, one result a clock.
 // Error against the exact shader, in codes of a channel, over 262144 samples:
 //   -61.201..+5.929, root mean square 8.984.
 
@@ -32,7 +32,7 @@ module shader_tb;
 /* verilator lint_on DECLFILENAME */
 
     localparam NAME    = "shader";
-    localparam LATENCY = 14;
+    localparam LATENCY = 16;
     localparam SHOWN   = 10; // mismatches printed; the others are only counted
 
     // ------------------------------------------------------------------ the core

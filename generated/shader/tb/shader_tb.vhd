@@ -20,7 +20,7 @@
 --   out_g       UQ8.0   green; 255 is full scale
 --   out_b       UQ8.0   blue; 255 is full scale
 --
--- Latency 14 clocks, one result a clock.
+-- Latency 16 clocks, one result a clock.
 -- Error against the exact shader, in codes of a channel, over 262144 samples:
 --   -61.201..+5.929, root mean square 8.984.
 
@@ -39,7 +39,7 @@ end entity;
 architecture bench of shader_tb is
 
     constant NAME    : string   := "shader";
-    constant LATENCY : positive := 14;
+    constant LATENCY : positive := 16;
     constant SHOWN   : positive := 10; -- mismatches printed; the others are only counted
 
     subtype in_material_word is std_logic_vector(1 downto 0);

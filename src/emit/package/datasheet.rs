@@ -9,13 +9,14 @@ use crate::core::{
     Account, BlockDesign, Design, ImageDesign, ImageError, LobeDesign, Measured, OtherForm, ShaderDesign, ShaderError,
     WritePort,
 };
+use crate::datapath::products::WideProduct;
 use crate::emit::{Axis, ExternalMemory, LightFunction, LightTable, Sequencer, markdown, render};
 use crate::fixed::{Field, Table};
 use crate::method::Falls;
 use crate::platform::error::Error;
 use crate::reflectance::directory;
 use crate::spec::{
-    Block, Colour, CoreSpec, Cosine, Form, ImageSource, ImageSpec, LightColours, LobeSpec, Material,
+    Block, Colour, CoreSpec, Cosine, DspBlocks, Form, ImageSource, ImageSpec, LightColours, LobeSpec, Material,
     REFLECTANCE_DIRECTORY, RomStyle, Shader, Shininess, Tail,
 };
 
@@ -149,7 +150,7 @@ fn measured_lines(measured: &Measured) -> Vec<String> {
 #[must_use]
 pub fn monotone_text(falls: &Falls) -> String {
     let Falls { pairs, exhaustive, count, most_ulps, worst: [n, cosine] } = falls;
-    let of = if *exhaustive { format!("all {pairs}") } else { format!("{pairs} evenly spread") };
+    let of = if *exhaustive { format!("all {pairs}") } else { format!("{pairs} chosen") };
     match (count, exhaustive) {
         (0, true) => {
             format!("As the cosine rises, the output never falls: proved by running {of} pairs of neighbouring inputs.")
@@ -206,11 +207,12 @@ struct FormRow {
     registers: u32,
     latency: u32,
     proved: String,
+    wide_products: String,
 }
 
 impl FormRow {
     fn of(design: &Design) -> Self {
-        let multipliers = design.graph().multipliers();
+        let multipliers = design.function().multipliers();
         Self {
             form: match design.block() {
                 BlockDesign::Lobe(lobe) | BlockDesign::Shader(ShaderDesign { lobe, .. }) => {
@@ -232,8 +234,25 @@ impl FormRow {
                 BlockDesign::Lobe(lobe) => interval_text(lobe.budget.proved_ulps),
                 _ => String::new(),
             },
+            wide_products: wide_products_text(design),
         }
     }
+}
+
+/// The products that no DSP block holds, and how they are built; nothing where there are none.
+fn wide_products_text(design: &Design) -> String {
+    let DspBlocks::Of(family) = design.spec.dsp else { return String::new() };
+    let built = |wide: &WideProduct| {
+        let parts: Vec<String> = wide.parts(design.graph()).map(|[a, b]| format!("{a}x{b}")).collect();
+        let ([a, b], clocks) = (wide.operands, wide.clocks(&design.schedule));
+        let name = &design.graph().nodes[wide.node].name;
+        format!("`{name}` ({a}x{b}) of {}, in {clocks} clock{}", parts.join(", "), if clocks == 1 { "" } else { "s" })
+    };
+    let all: Vec<String> = design.wide_products.iter().map(built).collect();
+    if all.is_empty() {
+        return String::new();
+    }
+    format!("Products that no DSP block of {} holds are sums of some that one does: {}.", family.title, all.join("; "))
 }
 
 #[derive(Template)]

@@ -5,6 +5,7 @@ use sha2::{Digest, Sha256};
 
 use super::{File, axis, external_memory, light_table, read_format, rom_path, rounded, sequencer};
 use crate::core::{Account, BlockDesign, Design, Port, ShaderDesign, WritePort};
+use crate::datapath::products::WideProduct;
 use crate::datapath::widths::Budget;
 use crate::emit::{self, Axis, ExternalMemory, ExternalPart, Lane, LightTable, Sequencer};
 use crate::fixed::{Format, Table};
@@ -59,7 +60,7 @@ pub(super) fn text(design: &Design, account: &Account, files: &[File]) -> String
         json!({ "name": table.name, "depth": table.depth(), "word_bits": table.word_bits(), "fields": fields })
     };
     let memories: Vec<_> = design.tables().iter().map(memory).collect();
-    let multipliers: Vec<_> = design.graph().multipliers().iter().map(|(a, b)| json!([a, b])).collect();
+    let multipliers: Vec<_> = design.function().multipliers().iter().map(|(a, b)| json!([a, b])).collect();
     let digests: serde_json::Map<String, serde_json::Value> =
         files.iter().map(|file| (file.path.clone(), json!(hex(&Sha256::digest(&file.bytes))))).collect();
     let widths = match design.block() {
@@ -78,6 +79,7 @@ pub(super) fn text(design: &Design, account: &Account, files: &[File]) -> String
         "ports": ports,
         "memories": memories,
         "multipliers": multipliers,
+        "wide_products": wide_products(design),
         "register_bits": design.register_bits(),
         "widths": widths,
         "error": error_manifest(design, account),
@@ -116,6 +118,19 @@ pub(super) fn text(design: &Design, account: &Account, files: &[File]) -> String
         manifest["axi_stream"] = axis_manifest(&axis);
     }
     serde_json::to_string_pretty(&rounded(manifest)).expect("JSON of plain values")
+}
+
+/// The products that are wider than a DSP block, and what they are built of.
+fn wide_products(design: &Design) -> serde_json::Value {
+    let product = |wide: &WideProduct| {
+        json!({
+            "name": design.graph().nodes[wide.node].name,
+            "operands": wide.operands,
+            "parts": wide.parts(design.graph()).collect::<Vec<_>>(),
+            "clocks": wide.clocks(&design.schedule),
+        })
+    };
+    design.wide_products.iter().map(product).collect()
 }
 
 /// What the manifest says of the order of a lobe's outputs.

@@ -149,15 +149,12 @@ impl Chords<'_> {
         (1 << (self.int_bits + self.value_bits)) - 1
     }
 
-    /// The code of an entry's chord's slope.
-    fn chord(&self, entry: usize) -> i128 {
-        nearest_code(self.real_chord(entry), self.slope_bits()).min(self.steepest())
-    }
-
-    fn real_chord(&self, entry: usize) -> f64 {
+    /// The slope of an entry's chord, as a code and as it is.
+    fn chord(&self, entry: usize) -> (i128, f64) {
         let (first, span) = (self.first(entry), self.span());
         let rise = (self.function)(first) - (self.function)(first + span);
-        if span > 0.0 { rise / span } else { 0.0 }
+        let slope = if span > 0.0 { rise / span } else { 0.0 };
+        (nearest_code(slope, self.slope_bits()).min(self.steepest()), slope)
     }
 
     /// The arguments of an entry with `-slope d`, as the hardware computes it, minus the function: every `stride`th
@@ -267,7 +264,7 @@ impl Chords<'_> {
                 })
                 .collect();
         }
-        let chord = self.chord(entry);
+        let (chord, _) = self.chord(entry);
         let slopes = (chord - 1..=chord + 1).filter(|slope| (0..=self.steepest()).contains(slope));
         slopes
             .flat_map(|slope| {
@@ -384,7 +381,7 @@ impl Chords<'_> {
                     (slope_code, base) = self.weighed(entry, weight);
                     slope = slope_code as f64 * exp2(-self.slope_bits());
                 } else {
-                    (slope_code, slope) = (self.chord(entry), self.real_chord(entry));
+                    (slope_code, slope) = self.chord(entry);
                     let shape = self.shape(entry, slope_code);
                     base = -0.5 * (shape.low + shape.high);
                 }

@@ -190,9 +190,8 @@ fn rounded_falling([c, big_a, a]: [f64; 3], bits: [i32; 3], [low, high]: [f64; 2
         let [big_a, a] = [words[1] as f64 * exp2(-bits[1]), words[2] as f64 * exp2(-bits[2])];
         big_a >= 2.0 * a * high
     };
-    let tried = (0..=2).map(|less| rounded_from(nearest - less, [c, big_a, a], bits, [low, high]));
-    let late = tried.clone().find(vertex_is_late);
-    late.or_else(|| tried.clone().next()).unwrap_or_default()
+    let mut tried = (0..=2).map(|less| rounded_from(nearest - less, [c, big_a, a], bits, [low, high]));
+    tried.find(vertex_is_late).unwrap_or_else(|| rounded([c, big_a, a], bits, [low, high]))
 }
 
 /// [`rounded`], given the code of a.

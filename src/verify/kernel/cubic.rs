@@ -35,6 +35,8 @@ pub struct CubicWidths {
     pub fq: usize,
     /// Bits of q, which wraps.
     pub wq: usize,
+    /// The low bits of q that a DSP block takes, if it does not take all.
+    pub lq: Option<usize>,
     /// FP: fraction bits kept of `p = v q`, UQ0.FP.
     pub fp: usize,
     /// XB: fraction bits of x in `x p` and in the last subtraction, UQ1.XB.
@@ -44,6 +46,16 @@ pub struct CubicWidths {
 }
 
 impl CubicWidths {
+    /// Register levels.
+    pub(super) const fn levels(&self) -> usize {
+        9 + self.product_levels()
+    }
+
+    /// Register levels of `v q`, of which a product that is built of blocks takes more.
+    pub(super) const fn product_levels(&self) -> usize {
+        if self.lq.is_some() { 3 } else { 1 }
+    }
+
     /// Fraction bits of the subtraction `A - r`.
     pub(super) const fn inner(&self) -> usize {
         if self.ca > self.fr { self.ca } else { self.fr }
@@ -82,7 +94,7 @@ super::core! {
     /// The core. The parameters are widths in bits, all of which follow from [`CubicWidths`]: of the
     /// address, the fields k, a and A, `in_cos`, x, the shifted u, v, the difference A - r, q, the
     /// shortened x, p, p with its integer bits, the last difference, and `out_spec`.
-    struct Cubic<N, KW, WL, WA, C, X, SHIFTED, V, SQ, WQ, XB, P, PO, S, Y>, 9 levels, ports N, C, Y;
+    struct Cubic<N, KW, WL, WA, C, X, SHIFTED, V, SQ, WQ, XB, P, PO, S, Y>, levels w.levels(), ports N, C, Y;
 
     fn new(w: &CubicWidths, rom: CubicRom) {
         let inner = w.inner();
@@ -113,22 +125,28 @@ super::core! {
         a2: Register<WL, WL>, of aw.q;
         c2: Register<WA, SQ> = Register::new(Rescale::new(w.ca, inner)), of cw.q;
         cut2: Register<1, 1>;
+        // The way from the shift to a DSP block is long.
         x3: Register<XB, XB>, of x2.q;
         v3: Register<V, V>, of v2.q;
-        r3: Multiplier<WL, V, SQ> = Multiplier::new(Rescale::through(w.cl + w.fv, w.fr, inner));
+        a3: Register<WL, WL>, of a2.q;
         c3: Register<SQ, SQ>, of c2.q;
         cut3: Register<1, 1>, of cut2.q;
         x4: Register<XB, XB>, of x3.q;
         v4: Register<V, V>, of v3.q;
-        q4: Register<SQ, WQ> = Register::new(Rescale::new(inner, w.fq));
+        r4: Multiplier<WL, V, SQ> = Multiplier::new(Rescale::through(w.cl + w.fv, w.fr, inner));
+        c4: Register<SQ, SQ>, of c3.q;
         cut4: Register<1, 1>, of cut3.q;
         x5: Register<XB, XB>, of x4.q;
-        p5: Multiplier<V, WQ, PO> = Multiplier::new(Rescale::new(w.fv + w.fq, w.fp));
+        v5: Register<V, V>, of v4.q;
+        q5: Register<SQ, WQ> = Register::new(Rescale::new(inner, w.fq));
         cut5: Register<1, 1>, of cut4.q;
-        x6: Register<XB, S> = Register::new(Rescale::new(w.xb, difference)), of x5.q;
-        t6: Multiplier<XB, P, S> = Multiplier::new(Rescale::through(w.xb + w.fp, w.ft, difference));
-        zero6: Register<1, 1>;
-        y7: Register<S, Y> = Register::new(Rescale::new(difference, w.g));
+        x6: Register<XB, XB> = Register::default().levels(w.product_levels()), of x5.q;
+        p6: Multiplier<V, WQ, PO> = Multiplier::new(Rescale::new(w.fv + w.fq, w.fp)).of_blocks(w.lq.unwrap_or(w.wq));
+        cut6: Register<1, 1> = Register::default().levels(w.product_levels()), of cut5.q;
+        x7: Register<XB, S> = Register::new(Rescale::new(w.xb, difference)), of x6.q;
+        t7: Multiplier<XB, P, S> = Multiplier::new(Rescale::through(w.xb + w.fp, w.ft, difference));
+        zero7: Register<1, 1>;
+        y8: Register<S, Y> = Register::new(Rescale::new(difference, w.g));
     }
 
     signals {
@@ -166,31 +184,31 @@ super::core! {
             self.cut2.d.next = 1.into();
         }
 
-        // Stage 3: r = a v.
-        self.r3.left.next = self.a2.q.val();
-        self.r3.right.next = self.v2.q.val();
+        // Stage 4: r = a v.
+        self.r4.left.next = self.a3.q.val();
+        self.r4.right.next = self.v3.q.val();
 
-        // Stage 4: q = A - r.
-        self.q4.d.next = self.c3.q.val() - self.r3.product.val();
+        // Stage 5: q = A - r.
+        self.q5.d.next = self.c4.q.val() - self.r4.product.val();
 
-        // Stage 5: p = v q.
-        self.p5.left.next = self.v4.q.val();
-        self.p5.right.next = self.q4.q.val();
+        // Stage 6: p = v q.
+        self.p6.left.next = self.v5.q.val();
+        self.p6.right.next = self.q5.q.val();
 
-        // Stage 6: t = x p; the result is 0 where p is 1 or more.
-        self.t6.left.next = self.x5.q.val();
-        self.t6.right.next = bit_cast::<P, PO>(self.p5.product.val());
-        self.zero6.d.next = self.cut5.q.val();
-        if self.p5.product.val() >= self.p_one.val() {
-            self.zero6.d.next = 1.into();
+        // Stage 7: t = x p; the result is 0 where p is 1 or more.
+        self.t7.left.next = self.x6.q.val();
+        self.t7.right.next = bit_cast::<P, PO>(self.p6.product.val());
+        self.zero7.d.next = self.cut6.q.val();
+        if self.p6.product.val() >= self.p_one.val() {
+            self.zero7.d.next = 1.into();
         }
 
-        // Stage 7: y = x - t.
-        self.y7.d.next = self.x6.q.val() - self.t6.product.val();
-        if self.zero6.q.val().any() {
-            self.y7.d.next = 0.into();
+        // Stage 8: y = x - t.
+        self.y8.d.next = self.x7.q.val() - self.t7.product.val();
+        if self.zero7.q.val().any() {
+            self.y8.d.next = 0.into();
         }
 
-        self.out_spec.next = self.y7.q.val();
+        self.out_spec.next = self.y8.q.val();
     }
 }

@@ -39,8 +39,7 @@ pub trait Kernel {
 /// The ports common to the cores, for [`Pipeline`].
 trait Ports: Block {
     /// Register levels, which is the latency in enabled clocks.
-    const LEVELS: usize;
-
+    fn levels(&self) -> usize;
     fn set_clock(&mut self, level: bool);
     fn set_inputs(&mut self, rst: bool, ce: bool, in_valid: bool, in_n: u64, in_cos: u64);
     fn outputs(&self) -> (bool, u64);
@@ -52,7 +51,7 @@ trait Ports: Block {
 macro_rules! core {
     (
         $(#[$about:meta])*
-        struct $core:ident<$($width:ident),+>, $levels:literal levels, ports $n:ident, $cos:ident, $spec:ident;
+        struct $core:ident<$($width:ident),+>, levels $levels:expr, ports $n:ident, $cos:ident, $spec:ident;
 
         fn new($widths:ident: $of_core:ty, $rom:ident: $table:ty) { $($before:tt)* }
 
@@ -75,7 +74,7 @@ macro_rules! core {
             pub in_cos: Signal<In, Bits<$cos>>,
             pub out_valid: Signal<Out, Bit>,
             pub out_spec: Signal<Out, Bits<$spec>>,
-            valid: super::register::ValidChain<$levels>,
+            valid: super::register::ValidChain,
             $($block: $kind,)+
             $($signal: $type,)+
         }
@@ -93,7 +92,7 @@ macro_rules! core {
                     in_cos: Signal::default(),
                     out_valid: Signal::default(),
                     out_spec: Signal::default(),
-                    valid: super::register::ValidChain::default(),
+                    valid: super::register::ValidChain::new($levels),
                     $($block: super::made!($($made)?),)+
                     $($signal: super::made!($($value)?),)+
                 };
@@ -119,7 +118,9 @@ macro_rules! core {
         }
 
         impl<$(const $width: usize),+> super::Ports for $core<$($width),+> {
-            const LEVELS: usize = $levels;
+            fn levels(&self) -> usize {
+                self.valid.levels()
+            }
 
             fn set_clock(&mut self, level: bool) {
                 self.clock.next = level.into();
@@ -178,7 +179,7 @@ impl<C: Ports> Kernel for Pipeline<C> {
     }
 
     fn latency(&self) -> u32 {
-        C::LEVELS as u32
+        self.0.levels() as u32
     }
 }
 
@@ -266,9 +267,9 @@ quadratic_sets! {
 
 cubic_sets! {
     { f: 16, g: 16, n: 10, kw: 4, fv: 15, iv: 2, cl: 18, wl: 17,
-      ca: 20, wa: 20, fr: 20, fq: 20, wq: 20, fp: 18, xb: 16, ft: 17 }
+      ca: 20, wa: 20, fr: 20, fq: 20, wq: 20, lq: Some(18), fp: 18, xb: 16, ft: 17 }
     { f: 12, g: 12, n: 9, kw: 4, fv: 11, iv: 2, cl: 13, wl: 12,
-      ca: 16, wa: 16, fr: 16, fq: 16, wq: 16, fp: 15, xb: 12, ft: 13 }
+      ca: 16, wa: 16, fr: 16, fq: 16, wq: 16, lq: None, fp: 15, xb: 12, ft: 13 }
     { f: 8, g: 8, n: 7, kw: 3, fv: 7, iv: 2, cl: 10, wl: 9,
-      ca: 11, wa: 11, fr: 11, fq: 11, wq: 11, fp: 10, xb: 8, ft: 9 }
+      ca: 11, wa: 11, fr: 11, fq: 11, wq: 11, lq: None, fp: 10, xb: 8, ft: 9 }
 }

@@ -56,7 +56,7 @@ super::core! {
     /// The core. The parameters are widths in bits, all of which follow from [`QuadraticWidths`]: of
     /// the address, the fields k and a, `in_cos`, x, the shifted u, v, the shortened x, p, p with its
     /// overflow bit, the last difference, and `out_spec`.
-    struct Quadratic<N, KW, CA, C, X, SHIFTED, V, XB, P, PO, S, Y>, 7 levels, ports N, C, Y;
+    struct Quadratic<N, KW, CA, C, X, SHIFTED, V, XB, P, PO, S, Y>, levels 8, ports N, C, Y;
 
     fn new(w: &QuadraticWidths, rom: QuadraticRom) {
         assert!(w.kmax >= 1, "kmax must be at least 1");
@@ -83,13 +83,18 @@ super::core! {
         v2: Register<SHIFTED, V> = Register::new(Rescale::new(w.f, w.fv));
         a2: Register<CA, CA>, of aw.q;
         beyond2: Register<1, 1>;
+        // The way from the shift to a DSP block is long.
         x3: Register<XB, XB>, of x2.q;
-        p3: Multiplier<CA, V, PO> = Multiplier::new(product);
+        v3: Register<V, V>, of v2.q;
+        a3: Register<CA, CA>, of a2.q;
         beyond3: Register<1, 1>, of beyond2.q;
-        x4: Register<XB, S> = Register::new(Rescale::new(w.xb, difference)), of x3.q;
-        t4: Multiplier<XB, P, S> = Multiplier::new(correction);
-        zero4: Register<1, 1>;
-        y5: Register<S, Y> = Register::new(Rescale::new(difference, w.g));
+        x4: Register<XB, XB>, of x3.q;
+        p4: Multiplier<CA, V, PO> = Multiplier::new(product);
+        beyond4: Register<1, 1>, of beyond3.q;
+        x5: Register<XB, S> = Register::new(Rescale::new(w.xb, difference)), of x4.q;
+        t5: Multiplier<XB, P, S> = Multiplier::new(correction);
+        zero5: Register<1, 1>;
+        y6: Register<S, Y> = Register::new(Rescale::new(difference, w.g));
     }
 
     signals {
@@ -126,24 +131,24 @@ super::core! {
             self.beyond2.d.next = 1.into();
         }
 
-        // Stage 3: p = a v.
-        self.p3.left.next = self.a2.q.val();
-        self.p3.right.next = self.v2.q.val();
+        // Stage 4: p = a v.
+        self.p4.left.next = self.a3.q.val();
+        self.p4.right.next = self.v3.q.val();
 
-        // Stage 4: t = x p; the result is 0 where p is 1 or more.
-        self.t4.left.next = self.x3.q.val();
-        self.t4.right.next = bit_cast::<P, PO>(self.p3.product.val());
-        self.zero4.d.next = self.beyond3.q.val();
-        if self.p3.product.val() >= self.p_one.val() {
-            self.zero4.d.next = 1.into();
+        // Stage 5: t = x p; the result is 0 where p is 1 or more.
+        self.t5.left.next = self.x4.q.val();
+        self.t5.right.next = bit_cast::<P, PO>(self.p4.product.val());
+        self.zero5.d.next = self.beyond4.q.val();
+        if self.p4.product.val() >= self.p_one.val() {
+            self.zero5.d.next = 1.into();
         }
 
-        // Stage 5: y = x - t.
-        self.y5.d.next = self.x4.q.val() - self.t4.product.val();
-        if self.zero4.q.val().any() {
-            self.y5.d.next = 0.into();
+        // Stage 6: y = x - t.
+        self.y6.d.next = self.x5.q.val() - self.t5.product.val();
+        if self.zero5.q.val().any() {
+            self.y6.d.next = 0.into();
         }
 
-        self.out_spec.next = self.y5.q.val();
+        self.out_spec.next = self.y6.q.val();
     }
 }

@@ -64,7 +64,7 @@ pub(super) fn low_ones(width: usize) -> u64 {
 
 /// A pipeline register with a clock enable and without reset.
 ///
-/// It may change the number of fraction bits on the way in, which costs wires only.
+/// It may change the number of fraction bits on the way in, which costs wires only. It may be several in a row.
 #[derive(LogicBlock)]
 pub(super) struct Register<const D: usize, const Q: usize> {
     pub clock: Signal<In, Clock>,
@@ -72,6 +72,8 @@ pub(super) struct Register<const D: usize, const Q: usize> {
     pub d: Signal<In, Bits<D>>,
     pub q: Signal<Out, Bits<Q>>,
     _rescale: Rescale,
+    /// What those before the last hold, the first one's last.
+    _before: Vec<u64>,
 }
 
 impl<const D: usize, const Q: usize> Register<D, Q> {
@@ -83,7 +85,13 @@ impl<const D: usize, const Q: usize> Register<D, Q> {
             d: Signal::default(),
             q: Signal::default(),
             _rescale: rescale,
+            _before: Vec::new(),
         }
+    }
+
+    /// It, as so many in a row.
+    pub(super) fn levels(self, levels: usize) -> Self {
+        Self { _before: vec![0; levels - 1], ..self }
     }
 }
 
@@ -96,7 +104,8 @@ impl<const W: usize> Default for Register<W, W> {
 impl<const D: usize, const Q: usize> Logic for Register<D, Q> {
     fn update(&mut self) {
         if self.clock.pos_edge() && self.enable.val() {
-            self.q.next = self._rescale.apply(self.d.val().to_u64(), Q).into();
+            self._before.push(self._rescale.apply(self.d.val().to_u64(), Q));
+            self.q.next = self._before.remove(0).into();
         }
     }
 
@@ -105,49 +114,64 @@ impl<const D: usize, const Q: usize> Logic for Register<D, Q> {
     }
 
     fn hdl(&self) -> Verilog {
+        let taken = self._rescale.verilog("d", D, Q);
+        let mut declared = String::new();
+        let mut moved = String::new();
+        let mut from = taken;
+        for level in 0..self._before.len() {
+            declared += &format!("reg [{}:0] level_{level};\n\n", Q - 1);
+            moved += &format!("      level_{level} <= {from};\n");
+            from = format!("level_{level}");
+        }
         Verilog::Custom(format!(
-            "always @(posedge clock) begin\n   if (enable) q <= {};\nend\n",
-            self._rescale.verilog("d", D, Q)
+            "{declared}always @(posedge clock) begin\n   if (enable) begin\n{moved}      q <= {from};\n   end\nend\n"
         ))
     }
 }
 
-/// The chain of `L` valid bits that accompanies a pipeline of `L` register levels.
+/// The chain of valid bits that accompanies a pipeline of as many register levels.
 ///
 /// `reset` clears it on a rising edge whether or not `enable` is set.
 #[derive(LogicBlock)]
-pub(super) struct ValidChain<const L: usize> {
+pub(super) struct ValidChain {
     pub clock: Signal<In, Clock>,
     pub reset: Signal<In, Bit>,
     pub enable: Signal<In, Bit>,
     pub d: Signal<In, Bit>,
     pub q: Signal<Out, Bit>,
-    _levels: u64,
+    _bits: u64,
+    _levels: usize,
 }
 
-impl<const L: usize> Default for ValidChain<L> {
-    fn default() -> Self {
-        assert!((2..=64).contains(&L), "a chain of {L} valid bits");
+impl ValidChain {
+    /// Of so many levels.
+    pub(super) fn new(levels: usize) -> Self {
+        assert!((2..=64).contains(&levels), "a chain of {levels} valid bits");
         Self {
             clock: Signal::default(),
             reset: Signal::default(),
             enable: Signal::default(),
             d: Signal::default(),
             q: Signal::default(),
-            _levels: 0,
+            _bits: 0,
+            _levels: levels,
         }
+    }
+
+    pub(super) fn levels(&self) -> usize {
+        self._levels
     }
 }
 
-impl<const L: usize> Logic for ValidChain<L> {
+impl Logic for ValidChain {
     fn update(&mut self) {
         if self.clock.pos_edge() {
             if self.reset.val() {
-                self._levels = 0;
+                self._bits = 0;
             } else if self.enable.val() {
-                self._levels = (self._levels << 1) | u64::from(self.d.val());
+                self._bits = (self._bits << 1) | u64::from(self.d.val());
             }
-            self.q.next = (self._levels >> (L - 1)) & 1 == 1;
+            self.q.next = (self._bits >> (self._levels - 1)) & 1 == 1;
         }
     }
 
@@ -158,14 +182,15 @@ impl<const L: usize> Logic for ValidChain<L> {
     fn hdl(&self) -> Verilog {
         Verilog::Custom(format!(
             "reg [{top}:0] levels;\n\n\
-             initial levels = {L}'d0;\n\n\
+             initial levels = {count}'d0;\n\n\
              always @(posedge clock) begin\n   \
-                if (reset) levels <= {L}'d0;\n   \
+                if (reset) levels <= {count}'d0;\n   \
                 else if (enable) levels <= {{levels[{below}:0], d}};\n\
              end\n\n\
              always @(*) q = levels[{top}];\n",
-            top = L - 1,
-            below = L - 2,
+            count = self._levels,
+            top = self._levels - 1,
+            below = self._levels - 2,
         ))
     }
 }

@@ -2,8 +2,9 @@
 
 use super::{CubicRom, CubicWidths, Kernel, QuadraticRom, QuadraticWidths, cubic, quadratic};
 use crate::core::{BlockDesign, Design};
-use crate::datapath::graph::{Node, Op};
-use crate::fixed::Width;
+use crate::datapath::graph::{Graph, Node, Op};
+use crate::datapath::products::WideProduct;
+use crate::fixed::{Format, Width};
 use crate::method::width;
 use crate::spec::{Form, InputRange, Operand, Pipeline, RomStyle, Tail};
 
@@ -39,7 +40,7 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
         (interface.input_fraction as usize, interface.output_fraction as usize, table.address_bits as usize);
     let k = words("k");
     match lobe.method.about().name {
-        "quadratic" => {
+        "quadratic" if design.wide_products.is_empty() => {
             let widths = QuadraticWidths {
                 f,
                 g,
@@ -57,11 +58,16 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
         "cubic" => {
             // Where no row is cut, the ROM has no threshold.
             table.find("cut")?;
-            let nodes = &design.graph().nodes;
+            let nodes = &design.function().nodes;
             let products: Vec<&Node> = nodes.iter().filter(|node| node.op == Op::Mul).collect();
             // a v, v q and x p.
             let [_, vq, _] = products[..] else { return None };
             let [v, q] = [0, 1].map(|place| nodes[vq.args[place]].format);
+            let lq = match &design.wide_products[..] {
+                [] => None,
+                [wide] if wide.operands == [v, q].map(Format::width) => Some(low_of_right(design.graph(), wide)?),
+                _ => return None,
+            };
             let widths = CubicWidths {
                 f,
                 g,
@@ -76,6 +82,7 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
                 fr: bits(width::BIG_A),
                 fq: bits(width::BIG_A),
                 wq: q.width() as usize,
+                lq,
                 fp: bits(width::P),
                 xb: bits(width::X),
                 ft: bits(width::T),
@@ -85,4 +92,11 @@ pub fn of_design(design: &Design) -> Option<Box<dyn Kernel>> {
         }
         _ => None,
     }
+}
+
+/// The low bits of the right operand of a wide product which of all is split, once.
+fn low_of_right(graph: &Graph, wide: &WideProduct) -> Option<usize> {
+    let &[low, high] = &wide.parts[..] else { return None };
+    let [left, right] = [0, 1].map(|place| [low, high].map(|part| graph.nodes[part].args[place]));
+    (left[0] == left[1]).then(|| graph.nodes[right[0]].format.width() as usize)
 }

@@ -145,7 +145,7 @@ impl Inspection {
     #[must_use]
     pub fn of(design: LobeDesign<'_>) -> Self {
         let set = &design.interface.shininess;
-        let analysis = Analysis::new(design.graph(), design.tables());
+        let analysis = Analysis::new(design.function(), design.tables());
         let ranges = analysis.over(&design.regions(), MOST_BLOCKS);
         let wide = analysis.with_spare_bits(&ranges);
         let evaluators = [Evaluator::new(design.graph(), design.tables()), Evaluator::new(&wide, design.tables())];
@@ -155,7 +155,7 @@ impl Inspection {
             (0..set.rows()).into_par_iter().map(|row| RowStudy::of(design, &evaluators, &logs, row)).collect();
 
         let measured = Measured::of(design);
-        let nodes = &design.graph().nodes;
+        let nodes = &design.function().nodes;
         let named =
             |ids: &mut dyn Iterator<Item = usize>| -> Vec<String> { ids.map(|id| nodes[id].name.clone()).collect() };
         let shininess = |row: usize| set.value(row);
@@ -181,8 +181,8 @@ impl Inspection {
             overflows: ranges.overflows.iter().map(overflow).collect(),
             undecided: named(&mut (0..nodes.len()).filter(|&id| ranges.undecided[id])),
             wide_differences: sum(|row| row.wide_differences),
-            largest: signal(design.graph(), &ranges, |signal| signal.largest),
-            widest: signal(design.graph(), &ranges, |signal| f64::from(signal.width)),
+            largest: signal(design.function(), &ranges, |signal| signal.largest),
+            widest: signal(design.function(), &ranges, |signal| f64::from(signal.width)),
             narrowed_bits: design.narrowed.iter().map(|narrowed| narrowed.bits()).sum(),
             measured_ulps: measured.ulps,
             proved_ulps: design.budget.proved_ulps,

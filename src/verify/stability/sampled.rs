@@ -211,7 +211,7 @@ impl SampledInspection {
     /// Inspects a core that is no lobe alone.
     #[must_use]
     pub fn of(design: &Design) -> Self {
-        let graph = design.graph();
+        let graph = design.function();
         let (rows, proof) = match design.block() {
             BlockDesign::Shader(ShaderDesign { lobe, joints, .. }) => {
                 let set = &lobe.interface.shininess;
@@ -228,7 +228,7 @@ impl SampledInspection {
                 let values = graph.values(design.tables(), &codes);
                 graph.outputs.iter().map(|&(_, id)| values[id]).collect()
             };
-            outputs(graph) != outputs(&wide)
+            outputs(design.graph()) != outputs(&wide)
         };
         let names = (0..graph.nodes.len()).filter(|&id| proof.ranges.undecided[id]);
         Self {

@@ -3,6 +3,9 @@
 mod block {
     mod image;
 }
+mod datapath {
+    mod products;
+}
 mod emit {
     mod rom;
 }
