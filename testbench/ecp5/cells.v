@@ -298,12 +298,14 @@ module DP16KD (
     initial begin
         for (place = 0; place < 1024; place = place + 1)
             words[place] = INITIAL[20 * place +: 18];
-        if (DATA_WIDTH_A != 9 && DATA_WIDTH_A != 18 && DATA_WIDTH_A != 36) unknown.report("DP16KD", "DATA_WIDTH_A");
+        if (DATA_WIDTH_A != 1 && DATA_WIDTH_A != 2 && DATA_WIDTH_A != 4 && DATA_WIDTH_A != 9 && DATA_WIDTH_A != 18 && DATA_WIDTH_A != 36)
+            unknown.report("DP16KD", "DATA_WIDTH_A");
         if (REGMODE_A != "NOREG" && REGMODE_A != "OUTREG") unknown.report("DP16KD", "REGMODE_A");
         if (CLKAMUX != "CLKA") unknown.report("DP16KD", "CLKAMUX");
         if (CSDECODE_A != "0b000") unknown.report("DP16KD", "CSDECODE_A");
         if (WRITEMODE_A != "NORMAL" && WRITEMODE_A != "READBEFOREWRITE") unknown.report("DP16KD", "WRITEMODE_A");
-        if (DATA_WIDTH_B != 9 && DATA_WIDTH_B != 18 && DATA_WIDTH_B != 36) unknown.report("DP16KD", "DATA_WIDTH_B");
+        if (DATA_WIDTH_B != 1 && DATA_WIDTH_B != 2 && DATA_WIDTH_B != 4 && DATA_WIDTH_B != 9 && DATA_WIDTH_B != 18 && DATA_WIDTH_B != 36)
+            unknown.report("DP16KD", "DATA_WIDTH_B");
         if (REGMODE_B != "NOREG" && REGMODE_B != "OUTREG") unknown.report("DP16KD", "REGMODE_B");
         if (CLKBMUX != "CLKB") unknown.report("DP16KD", "CLKBMUX");
         if (CSDECODE_B != "0b000") unknown.report("DP16KD", "CSDECODE_B");
@@ -318,6 +320,8 @@ module DP16KD (
         #1;
         if (RSTA !== 1'b0 || RSTB !== 1'b0) unknown.report("DP16KD", "RSTA, RSTB");
         if (WIDE && WEB !== 1'b0) unknown.report("DP16KD", "WEB");
+        if (DATA_WIDTH_A < 9 && WEA !== 1'b0) unknown.report("DP16KD", "WEA of less than a byte");
+        if (DATA_WIDTH_B < 9 && WEB !== 1'b0) unknown.report("DP16KD", "WEB of less than a byte");
     end
 
     // What a port reads at the clock at which the other writes there is undefined.
@@ -325,12 +329,23 @@ module DP16KD (
     wire collides_a = enable_b && WEB && CLKB && same;
     wire collides_b = enable_a && WEA && CLKA && same && (DATA_WIDTH_A == 9 || address_a[1:0] != 2'd0 || (WIDE && address_a[3:2] != 2'd0));
 
-    // The word that a port reads, of one with 9 bits its half.
+    // The word that a port reads, of one with 9 bits its half; of fewer bits a part of eight bits of that, without the
+    // ninth.
     function [17:0] narrow;
         input integer width;
         input [13:0] address;
         input [17:0] word;
-        narrow = width == 9 ? {9'd0, address[3] ? word[17:9] : word[8:0]} : word;
+        reg [8:0] half;
+        begin
+            half = address[3] ? word[17:9] : word[8:0];
+            case (width)
+                1: narrow = {17'd0, half[address[2:0]]};
+                2: narrow = {16'd0, half[{address[2:1], 1'b0} +: 2]};
+                4: narrow = {14'd0, half[{address[2], 2'b00} +: 4]};
+                9: narrow = {9'd0, half};
+                default: narrow = word;
+            endcase
+        end
     endfunction
 
     // A word after a write of the bytes whose bits of `bytes` are 1.

@@ -19,6 +19,9 @@ const LOGIC: &str = "method = \"quadratic\"\nshininess = \"1,5,20\"\ninput_fract
 /// The coefficients in a block RAM.
 const BLOCK: &str = "method = \"quadratic\"\nshininess = \"1..=255\"\ninput_fraction = 10\noutput_fraction = 8\n";
 
+/// A memory of several block RAMs with multiplexers behind them.
+const DEEP: &str = "method = \"harris\"\nlog_bits = 9\nexp_bits = 6\nshininess = \"1,5,20\"\noutput_fraction = 8\n";
+
 /// A generated core and its netlist.
 struct Core {
     scratch: Scratch,
@@ -155,4 +158,18 @@ fn a_block_ram_with_an_output_register_does_what_the_core_does() {
 fn other_families_have_no_models() {
     let scratch = Scratch::new();
     scratch.refused("cosim --method quadratic --shininess 5 --netlist ice40", &["--netlist ice40", "ecp5 has"]);
+}
+
+/// The registers behind the multiplexers of a deep memory are in front of them, inside the RAMs: the netlist runs the
+/// vectors, and does not where one of them is missing.
+#[test]
+fn registers_behind_multiplexers_are_in_the_block_rams() {
+    let core = Core::new(DEEP);
+    let (passed, said) = core.passes(&core.netlist);
+    assert!(passed, "{said}");
+    let inside = "\"OUTREG\"";
+    let rams = core.netlist.matches("DP16KD #(").count();
+    assert!(rams > 8 && core.netlist.matches(inside).count() >= rams, "{rams} block RAMs");
+    let without = core.netlist.replacen(inside, "\"NOREG\"", 1);
+    assert!(!core.passes(&without).0, "a missing register is not noticed");
 }

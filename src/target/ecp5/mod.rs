@@ -1,6 +1,7 @@
 //! Lattice ECP5.
 
 pub(super) mod pack;
+mod retime;
 
 use super::{Bram, Cells, Description, Dsp, Models, Pack, Placement, SHAPES_OF_18_KBIT, nextpnr};
 
