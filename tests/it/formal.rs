@@ -145,7 +145,7 @@ fn a_memory_that_is_written_otherwise_is_refuted() {
 #[test]
 fn a_fault_is_found_in_comparison_with_the_kernel() {
     // Wrong for one result.
-    let fault = (Language::Verilog, "out_spec  = y_7;", "out_spec  = y_7 ^ (y_7 == 17'd7777);");
+    let fault = (Language::Verilog, "out_spec  = y_8;", "out_spec  = y_8 ^ (y_8 == 17'd7777);");
     let proofs = proofs_of(&Generated::new(KERNEL), &[fault]);
     assert_eq!(of(&proofs, "Verilog = rust-hdl"), ProofStatus::Refuted, "{proofs:?}");
     assert_eq!(of(&proofs, "Verilog = VHDL"), ProofStatus::Refuted, "{proofs:?}");

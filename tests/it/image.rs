@@ -534,7 +534,7 @@ fn a_weight_above_one_is_no_blend() {
     // With multipliers; what goes by the weights' bits takes all that is above one for one.
     for (spec, is_safe) in [(SPECS[3], false), (SPECS[0], true)] {
         let design = design(&text(spec));
-        let mut graph = design.graph().clone();
+        let mut graph = design.function().clone();
         let proof = |graph: &Graph| Proof::of_image(image(&design).joints, graph, design.tables());
         assert!(proof(&graph).is_safe(), "{spec}");
         let weight = graph.nodes.iter_mut().find(|node| node.name == "blend1").expect("the bands' weight");

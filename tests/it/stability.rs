@@ -55,7 +55,7 @@ fn no_needed_value_overflows_and_the_narrowed_graph_computes_the_same() {
         let found = Inspection::of(design.lobe());
         assert_eq!(found.broken(), Vec::<String>::new(), "{spec}");
         // Once more, with everything that may be narrowed as wide as it can be: nothing but formats changes.
-        let mut wide = design.graph().clone();
+        let mut wide = design.function().clone();
         for id in 0..wide.nodes.len() {
             let fixed =
                 wide.is_output(id) || wide.nodes.iter().any(|user| user.args.contains(&id) && needs_its_width(user.op));
@@ -69,9 +69,9 @@ fn no_needed_value_overflows_and_the_narrowed_graph_computes_the_same() {
         let ranges = analysis.over(&design.regions(), 1 << 16);
         let (narrowed, _) = analysis.narrowed(&ranges);
         assert!(ranges.is_safe(), "{spec}");
-        assert_eq!(outputs(&design, &narrowed), outputs(&design, design.graph()), "{spec}");
+        assert_eq!(outputs(&design, &narrowed), outputs(&design, design.function()), "{spec}");
         let bits = |graph: &Graph| graph.nodes.iter().map(|node| node.format.width()).sum::<u32>();
-        assert!(bits(&narrowed) <= bits(design.graph()), "{spec}");
+        assert!(bits(&narrowed) <= bits(design.function()), "{spec}");
     }
 }
 
@@ -85,13 +85,13 @@ fn a_register_with_a_bit_too_few_is_found_by_the_analysis_and_by_the_wide_regist
     for spec in SPECS {
         let design = design(spec);
         let regions = design.regions();
-        let right = outputs(&design, design.graph());
-        for id in 0..design.graph().nodes.len() {
-            let mut graph = design.graph().clone();
+        let right = outputs(&design, design.function());
+        for id in 0..design.function().nodes.len() {
+            let mut graph = design.function().clone();
             let node = &mut graph.nodes[id];
             // Addresses stay as they are in the run with wide registers: beyond its end a memory has no words.
             let is_address =
-                design.graph().nodes.iter().any(|user| matches!(user.op, Op::Field { .. }) && user.args[0] == id);
+                design.function().nodes.iter().any(|user| matches!(user.op, Op::Field { .. }) && user.args[0] == id);
             if !matches!(node.op, Op::Add | Op::Sub) || node.format.width() < 2 || is_address {
                 continue;
             }
@@ -123,7 +123,7 @@ fn a_register_with_a_bit_too_few_is_found_by_the_analysis_and_by_the_wide_regist
 fn values_lie_in_their_ranges() {
     for spec in SPECS {
         let design = design(spec);
-        let graph = design.graph();
+        let graph = design.function();
         let analysis = Analysis::new(graph, design.tables());
         let ranges = analysis.over(&design.regions(), 1 << 16);
         let (first, count) = brdfgen::verify::golden::all_codes(design.lobe().operand_format());
@@ -259,7 +259,7 @@ fn no_value_of_a_shader_overflows() {
         let roots = if text.1.contains("sqrt") { lights } else { 0 };
         assert_eq!([parts("front end"), parts("root"), parts("lobe"), parts("colours")], [lights, roots, lights, 1]);
         // What random inputs make of the outputs lies in the ranges.
-        let graph = design.graph();
+        let graph = design.function();
         let proof = prove(&design, graph);
         let ports = design.numbers(Direction::In);
         let mut rng = Rng::new(1);
@@ -293,12 +293,12 @@ fn a_register_of_a_shader_with_a_bit_too_few_is_found() {
             };
             samples.iter().map(of).collect()
         };
-        let right = outputs(design.graph());
-        let is_sum = |id: &usize| matches!(design.graph().nodes[*id].op, Op::Add | Op::Sub);
-        let sums: Vec<usize> = (0..design.graph().nodes.len()).filter(is_sum).step_by(2).collect();
+        let right = outputs(design.function());
+        let is_sum = |id: &usize| matches!(design.function().nodes[*id].op, Op::Add | Op::Sub);
+        let sums: Vec<usize> = (0..design.function().nodes.len()).filter(is_sum).step_by(2).collect();
         // The colours' sums are sized for lobes of up to 2: of them a second bit is to go.
         for (id, bits) in sums.iter().flat_map(|&id| [(id, 1), (id, 2)]) {
-            let mut graph = design.graph().clone();
+            let mut graph = design.function().clone();
             let is_address = graph.nodes.iter().any(|user| matches!(user.op, Op::Field { .. }) && user.args[0] == id);
             let node = &mut graph.nodes[id];
             if node.format.width() <= bits || is_address {

@@ -14,7 +14,8 @@
 --   measured -0.616..+0.746 over all 520319 inputs in [0, 1].
 -- Error against x^n itself, measured over the same inputs:
 --   6.806 % absolute, 6.806 % where x^n >= 1/2, 13.124 % relative there.
--- As the cosine rises, the output never falls: proved by running all 520192 pairs of neighbouring inputs.
+-- As the cosine rises, the output never falls: proved by running all 520192 pairs of neighbouring
+--   inputs.
 
 library ieee;
 use ieee.std_logic_1164.all;

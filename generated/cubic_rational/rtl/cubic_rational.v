@@ -12,7 +12,8 @@
 //   measured -0.689..+0.772 over all 520319 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
 //   10.089 % absolute, 0.540 % where x^n >= 1/2, 0.688 % relative there.
-// As the cosine rises, the output never falls: proved by running all 520192 pairs of neighbouring inputs.
+// As the cosine rises, the output never falls: proved by running all 520192 pairs of neighbouring
+//   inputs.
 
 `timescale 1ns / 1ps
 `default_nettype none

@@ -12,7 +12,8 @@
 //   measured -0.944..+0.910 over all 65537000 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
 //   28.016 % absolute, 4.522 % where x^n >= 1/2, 9.044 % relative there.
-// As the cosine rises, the output never falls: proved by running all 65536000 pairs of neighbouring inputs.
+// As the cosine rises, the output never falls: proved by running all 65536000 pairs of neighbouring
+//   inputs.
 
 `timescale 1ns / 1ps
 `default_nettype none

@@ -12,7 +12,8 @@
 --   measured -0.500..+0.500 over all 520319 inputs in [0, 1].
 -- Error against x^n itself, measured over the same inputs:
 --   20.166 % absolute, 8.982 % where x^n >= 1/2, 17.955 % relative there.
--- As the cosine rises, the output never falls: proved by running all 520192 pairs of neighbouring inputs.
+-- As the cosine rises, the output never falls: proved by running all 520192 pairs of neighbouring
+--   inputs.
 
 library ieee;
 use ieee.std_logic_1164.all;

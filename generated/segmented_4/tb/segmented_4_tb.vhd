@@ -12,7 +12,8 @@
 --   measured -0.679..+0.739 over all 258111 inputs in [0, 1].
 -- Error against x^n itself, measured over the same inputs:
 --   0.173 % absolute, 0.171 % where x^n >= 1/2, 0.312 % relative there.
--- As the cosine rises, the output never falls: proved by running all 258048 pairs of neighbouring inputs.
+-- As the cosine rises, the output never falls: proved by running all 258048 pairs of neighbouring
+--   inputs.
 
 library ieee;
 use ieee.std_logic_1164.all;

@@ -12,7 +12,8 @@
 //   measured -0.613..+0.500 over all 32776 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
 //   0.01496 % absolute, 0.01496 % where x^n >= 1/2, 0.02412 % relative there.
-// As the cosine rises, the output never falls: proved by running all 32768 pairs of neighbouring inputs.
+// As the cosine rises, the output never falls: proved by running all 32768 pairs of neighbouring
+//   inputs.
 
 `default_nettype none
 `timescale 1ns/1ps

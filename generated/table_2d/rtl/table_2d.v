@@ -12,7 +12,8 @@
 //   measured -0.500..+0.478 over all 16388 inputs in [0, 1].
 // Error against x^n itself, measured over the same inputs:
 //   30.273 % absolute, 30.273 % where x^n >= 1/2, 39.357 % relative there.
-// As the cosine rises, the output never falls: proved by running all 16384 pairs of neighbouring inputs.
+// As the cosine rises, the output never falls: proved by running all 16384 pairs of neighbouring
+//   inputs.
 
 `timescale 1ns / 1ps
 `default_nettype none

@@ -104,14 +104,17 @@ pub fn interval_text([low, high]: [f64; 2]) -> String {
     format!("{:+.3}..{:+.3}", low + 0.0, high + 0.0)
 }
 
+/// The most characters of a line in the head of a file, behind the comment's sign.
+const HEAD_LINE: usize = 97;
+
 /// The error, a line each.
 pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
     match account {
         Account::Lobe { measured, .. } => {
             let proved = interval_text(design.lobe().budget.proved_ulps);
             let proved = format!("Error against the real-valued method, in ulps of out_spec: proved within {proved}.");
-            let order = monotone_text(design.lobe().falls);
-            [proved].into_iter().chain(measured_lines(measured)).chain([order]).collect()
+            let order = lines(&monotone_text(design.lobe().falls));
+            [proved].into_iter().chain(measured_lines(measured)).chain(order).collect()
         }
         Account::Shader(error) => vec![
             format!("Error against the exact shader, in codes of a channel, over {} samples:", error.samples),
@@ -125,6 +128,22 @@ pub(super) fn error_lines(design: &Design, account: &Account) -> Vec<String> {
             format!("  {:.1} dB in the mean, {:.1} dB at the worst angle.", error.quality.mean, error.quality.worst),
         ],
     }
+}
+
+/// A sentence in lines as the head of a file has them, those behind the first a little further in.
+fn lines(sentence: &str) -> Vec<String> {
+    let mut lines: Vec<String> = vec![String::new()];
+    for word in sentence.split(' ') {
+        let last = lines.len() - 1;
+        if lines[last].is_empty() {
+            lines[last] = word.to_owned();
+        } else if lines[last].len() + 1 + word.len() <= HEAD_LINE {
+            lines[last] += &format!(" {word}");
+        } else {
+            lines.push(format!("  {word}"));
+        }
+    }
+    lines
 }
 
 fn measured_lines(measured: &Measured) -> Vec<String> {

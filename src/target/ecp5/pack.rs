@@ -23,7 +23,7 @@ use super::retime::retime;
 use crate::platform::error::Error;
 
 /// Counts the changes to what this makes, as results of it are kept.
-pub const REVISION: u32 = 2;
+pub const REVISION: u32 = 3;
 
 /// What was moved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

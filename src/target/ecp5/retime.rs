@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde_json::{Map, Value, json};
 
-use super::pack::{Bits, bit, control};
+use super::pack::{Bits, Control, bit, control};
 
 /// Cells without a register, with their outputs and inputs.
 const LOGIC: &[(&str, &str, &[&str])] = &[
@@ -20,8 +20,8 @@ const LOGIC: &[(&str, &str, &[&str])] = &[
 ];
 /// The inputs of [`LOGIC`] that come straight from other such cells.
 const CHOSEN: &[&str] = &["BLUT", "ALUT", "D0", "D1"];
-/// The most other bits that get a register for a word's bit.
-const MOST_OTHERS: usize = 8;
+/// The most other bits that get a register for a word's bit; words' bits share them.
+const MOST_OTHERS: usize = 64;
 
 fn logic(cell: &Value) -> Option<(&'static str, &'static [&'static str])> {
     let kind = cell["type"].as_str()?;
@@ -37,6 +37,9 @@ struct Netlist<'c> {
     /// The cells without a register, by their outputs.
     makers: BTreeMap<u64, String>,
 }
+
+/// The registers that bits have got, by the bits: what clocks each, and its output.
+type Delayed = BTreeMap<u64, Vec<(Control, u64)>>;
 
 /// What lies between bits of block RAMs and the registers that hold functions of them.
 struct Cone {
@@ -142,9 +145,10 @@ impl Cone {
         })
     }
 
-    /// Moves the registers.
-    fn retime(self, cells: &mut Map<String, Value>, next: &mut u64) {
+    /// Moves the registers; `delayed` are the bits that have got one, with what clocks it.
+    fn retime(self, cells: &mut Map<String, Value>, next: &mut u64, delayed: &mut Delayed) {
         let Some(like) = self.registers.first().map(|name| cells[name].clone()) else { return };
+        let Some(clocked) = control(&like) else { return };
         let mut moved: BTreeMap<u64, u64> = BTreeMap::new();
         for name in &self.registers {
             let [held, shown] = ["DI", "Q"].map(|port| bit(&cells[name], port).as_u64());
@@ -159,11 +163,16 @@ impl Cone {
             if moved.contains_key(&net) {
                 continue;
             }
+            if let Some((_, there)) = delayed.get(&net).and_then(|all| all.iter().find(|(by, _)| *by == clocked)) {
+                moved.insert(net, *there);
+                continue;
+            }
             let mut register = like.clone();
             register["connections"]["DI"] = json!([net]);
             register["connections"]["Q"] = json!([*next]);
             cells.insert(format!("$retimed${next}"), register);
             moved.insert(net, *next);
+            delayed.entry(net).or_default().push((clocked.clone(), *next));
             *next += 1;
         }
         for name in &self.logic {
@@ -191,6 +200,7 @@ pub(super) fn retime(cells: &mut Map<String, Value>, outputs: &[u64]) {
     let mut next =
         cells.values().map(nets).max().unwrap_or_default().max(outputs.iter().copied().max().unwrap_or_default()) + 1;
     let mut seen: BTreeSet<u64> = BTreeSet::new();
+    let mut delayed = Delayed::new();
     for &word in &words {
         if !seen.insert(word) {
             continue;
@@ -199,7 +209,7 @@ pub(super) fn retime(cells: &mut Map<String, Value>, outputs: &[u64]) {
         let netlist = Netlist { cells, bits: Bits::of(cells, outputs), words: &words, makers: makers.collect() };
         if let Some(cone) = Cone::of(&netlist, word) {
             seen.extend(&cone.words);
-            cone.retime(cells, &mut next);
+            cone.retime(cells, &mut next, &mut delayed);
         }
     }
 }
